@@ -1,0 +1,11 @@
+# Script: writes one C++ source that holds every GLSL file as text, so that no GLSL lives in C++.
+#   cmake -DOUTPUT=F.cxx -DROOT=DIR -DFILES="a.glsl;b.glsl" -P RelievoEmbedShaders.cmake
+set(text "// Made from shaders/*.glsl by cmake/RelievoEmbedShaders.cmake.\n")
+string(APPEND text "#include \"vtkRelievoShaderTable.h\"\n")
+string(APPEND text "const vtkRelievoShaderTableEntry vtkRelievoShaderTable[] = {\n")
+foreach (file IN LISTS FILES)
+  file(READ "${ROOT}/${file}" glsl)
+  string(APPEND text "{ \"${file}\", R\"GLSL(${glsl})GLSL\" },\n")
+endforeach ()
+string(APPEND text "{ nullptr, nullptr } };\n")
+file(WRITE "${OUTPUT}" "${text}")

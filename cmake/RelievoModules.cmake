@@ -1,0 +1,22 @@
+# Scans and builds Relievo's VTK modules; each links only what its vtk.module names.
+
+file(GLOB relievo_module_files CONFIGURE_DEPENDS
+  "${CMAKE_CURRENT_SOURCE_DIR}/shaders/vtk.module" "${CMAKE_CURRENT_SOURCE_DIR}/passes/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/io/vtk.module" "${CMAKE_CURRENT_SOURCE_DIR}/filters/vtk.module")
+vtk_module_scan(
+  MODULE_FILES ${relievo_module_files}
+  REQUEST_MODULES Relievo::Shaders Relievo::Passes Relievo::IO Relievo::Filters
+  PROVIDES_MODULES relievo_modules
+  ENABLE_TESTS OFF)
+vtk_module_build(
+  MODULES ${relievo_modules}
+  PACKAGE Relievo
+  INSTALL_EXPORT Relievo
+  INSTALL_HEADERS ON
+  HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/relievo"
+  CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/relievo"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  HIERARCHY_DESTINATION "${CMAKE_INSTALL_LIBDIR}/relievo/hierarchy"
+  TEST_DIRECTORY_NAME NONE
+  VERSION "${PROJECT_VERSION}"
+  SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")

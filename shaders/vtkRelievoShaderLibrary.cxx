@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShaderLibrary.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkRelievoShaderTable.h"
+
+#include <set>
+#include <sstream>
+
+vtkStandardNewMacro(vtkRelievoShaderLibrary);
+
+namespace
+{
+const char* Find(const std::string& name)
+{
+  for (const vtkRelievoShaderTableEntry* entry = vtkRelievoShaderTable; entry->Name; ++entry)
+  {
+    if (name == entry->Name)
+    {
+      return entry->Text;
+    }
+  }
+  vtkGenericWarningMacro("No GLSL source named '" << name << "' is embedded in Relievo.");
+  return nullptr;
+}
+
+bool Append(const std::string& name, std::set<std::string>& seen, std::ostream& out)
+{
+  if (!seen.insert(name).second)
+  {
+    return true;
+  }
+  const char* text = Find(name);
+  if (!text)
+  {
+    return false;
+  }
+  static const std::string directive = "//RELIEVO::Include(";
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    const std::size_t at = line.find(directive);
+    if (at == std::string::npos)
+    {
+      out << line << '\n';
+      continue;
+    }
+    const std::size_t from = at + directive.size();
+    if (!Append(line.substr(from, line.find(')', from) - from), seen, out))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShaderLibrary::GetNumberOfSources()
+{
+  int count = 0;
+  while (vtkRelievoShaderTable[count].Name)
+  {
+    ++count;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkRelievoShaderLibrary::GetName(int i)
+{
+  return i >= 0 && i < GetNumberOfSources() ? vtkRelievoShaderTable[i].Name : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShaderLibrary::Get(const std::string& name)
+{
+  std::ostringstream out;
+  std::set<std::string> seen;
+  return Append(name, seen, out) ? out.str() : std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShaderLibrary::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSources: " << GetNumberOfSources() << "\n";
+}
