@@ -1,0 +1,85 @@
+# Declares one test:
+#
+#   relievo_add_test(
+#     NAME name                 name of the test and, with SOURCES, of its executable
+#     SOURCES a.cxx...          a program with its own main(); links relievoTestSupport
+#     | PYTHON script.py        run by the Python that VTK's modules belong to
+#     | COMMAND program...      anything else; generator expressions are welcome
+#     [LIBRARIES target...]     linked to the program besides relievoTestSupport
+#     [PRIVATE_INCLUDES dir...] searched by the program's compiler
+#     [ARGS word...]            words of the test's command line
+#     [LABELS unit|gl|image|slow|...]   default: unit; DISPLAY adds gl
+#     [TIMEOUT seconds]         default: 120
+#     [DISPLAY]                 needs an X display: the one in DISPLAY, else an Xvfb of its own
+#     [SERIAL]                  runs alone (timings)
+#     [ENVIRONMENT VAR=value...])
+#
+# Every test runs in a folder of its own, <build>/Testing/output/<name>, and finds in its environment
+#   RELIEVO_TEST_OUTPUT  that folder
+#   RELIEVO_DATA         the folder that tools/unpack-data fills
+#   RELIEVO_BASELINES    the folder of the expected images
+include_guard(GLOBAL)
+
+set(RELIEVO_DATA "${PROJECT_SOURCE_DIR}/build/data" CACHE PATH
+  "Folder of the real meshes, filled by tools/unpack-data")
+set(RELIEVO_TEST_OUTPUT "${PROJECT_BINARY_DIR}/Testing/output")
+set(RELIEVO_BASELINES "${PROJECT_SOURCE_DIR}/tests/baselines")
+
+function (relievo_add_test)
+  cmake_parse_arguments(PARSE_ARGV 0 test "DISPLAY;SERIAL" "NAME;PYTHON;TIMEOUT"
+    "SOURCES;COMMAND;LIBRARIES;PRIVATE_INCLUDES;ARGS;LABELS;ENVIRONMENT")
+  if (test_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "relievo_add_test: unknown words '${test_UNPARSED_ARGUMENTS}'")
+  endif ()
+  if (NOT test_NAME)
+    message(FATAL_ERROR "relievo_add_test: NAME is missing")
+  endif ()
+
+  if (test_SOURCES)
+    add_executable("${test_NAME}" ${test_SOURCES})
+    target_link_libraries("${test_NAME}" PRIVATE relievoTestSupport ${test_LIBRARIES})
+    target_include_directories("${test_NAME}" PRIVATE ${test_PRIVATE_INCLUDES})
+    set_target_properties("${test_NAME}" PROPERTIES
+      RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests/bin")
+    set(command "$<TARGET_FILE:${test_NAME}>")
+  elseif (test_PYTHON)
+    get_filename_component(script "${test_PYTHON}" ABSOLUTE)
+    set(command "${Python3_EXECUTABLE}" "${script}")
+    list(APPEND test_ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/python")
+  elseif (test_COMMAND)
+    set(command ${test_COMMAND})
+  else ()
+    message(FATAL_ERROR "relievo_add_test(${test_NAME}): give SOURCES, PYTHON or COMMAND")
+  endif ()
+
+  if (NOT test_LABELS)
+    set(test_LABELS unit)
+  endif ()
+  if (test_DISPLAY)
+    list(PREPEND command "${PROJECT_SOURCE_DIR}/tests/support/with-display")
+    list(APPEND test_LABELS gl)
+    list(REMOVE_DUPLICATES test_LABELS)
+  endif ()
+  if (NOT test_TIMEOUT)
+    set(test_TIMEOUT 120)
+  endif ()
+
+  set(folder "${RELIEVO_TEST_OUTPUT}/${test_NAME}")
+  file(MAKE_DIRECTORY "${folder}")
+  add_test(NAME "${test_NAME}" COMMAND ${command} ${test_ARGS} WORKING_DIRECTORY "${folder}")
+  set(environment
+    "RELIEVO_TEST_OUTPUT=${folder}"
+    "RELIEVO_DATA=${RELIEVO_DATA}"
+    "RELIEVO_BASELINES=${RELIEVO_BASELINES}"
+    ${test_ENVIRONMENT})
+  if (RELIEVO_SANITIZE)
+    list(APPEND environment
+      "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0"
+      "UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1")
+  endif ()
+  set_tests_properties("${test_NAME}" PROPERTIES
+    LABELS "${test_LABELS}"
+    TIMEOUT "${test_TIMEOUT}"
+    ENVIRONMENT "${environment}"
+    RUN_SERIAL "${test_SERIAL}")
+endfunction ()
