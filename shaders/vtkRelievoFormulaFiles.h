@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// No include guard: vtkRelievoFormulas.h takes this list in once for each number type. A file stands
+// after the files that it names in `//RELIEVO::Include(...)`, which is a comment to C++.
+#include "formulas/numbers.glsl"
+
+#include "formulas/octahedral.glsl"
+
+#include "formulas/normal_formats.glsl"
+
+#include "formulas/depth.glsl"
+
+#include "formulas/normal_depth.glsl"
+
+#include "formulas/unproject.glsl"
+
+#include "formulas/srgb.glsl"
+
+#include "formulas/hash_color.glsl"
+
+#include "formulas/colormap.glsl"
