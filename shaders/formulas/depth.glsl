@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Depth: linear (eye space -z, world units) against window z, reversed z and its packed words.
 //
-// zNear and zFar are the distances of the clipping planes, zNear < zFar; in perspective zNear > 0 and zFar
-// may be infinite.
+// zNear and zFar are the distances of the clipping planes, zNear < zFar; in perspective zNear > 0
+// and zFar may be infinite.
 // The window z of OpenGL is 0 on the near plane, 1 on the far plane; reversed z (clip range zero to
 // one) is 1 on the near plane, 0 on the far plane. Depth +infinity means "nothing here": it has
 // window z +infinity and reversed z -infinity and comes back from them.
@@ -40,7 +40,9 @@ float relievoPerspectiveWindowZ(float depth, float zNear, float zFar)
 // Perspective: window z to depth. Loses digits as far / near grows: only 1 - z tells far depths.
 float relievoPerspectiveDepth(float windowZ, float zNear, float zFar)
 {
-  return isinf(windowZ) ? windowZ : zNear / ((float(1.0) - windowZ) + windowZ * (zNear / zFar));
+  return isinf(windowZ)
+    ? windowZ
+    : zNear / ((float(1.0) - windowZ) + windowZ * (zNear / zFar));
 }
 
 // Parallel projection: depth to window z and back.
@@ -57,14 +59,16 @@ float relievoParallelDepth(float windowZ, float zNear, float zFar)
 // Perspective: depth to reversed z, which shrinks towards the far plane as a float's steps do.
 float relievoPerspectiveReversedZ(float depth, float zNear, float zFar)
 {
-  return isinf(depth) ? -depth
-                      : (zNear / depth) * ((float(1.0) - depth / zFar) / (float(1.0) - zNear / zFar));
+  return isinf(depth)
+    ? -depth
+    : (zNear / depth) * ((float(1.0) - depth / zFar) / (float(1.0) - zNear / zFar));
 }
 
 float relievoPerspectiveDepthFromReversed(float reversedZ, float zNear, float zFar)
 {
-  return isinf(reversedZ) ? -reversedZ
-                          : zNear / (zNear / zFar + reversedZ * (float(1.0) - zNear / zFar));
+  return isinf(reversedZ)
+    ? -reversedZ
+    : zNear / (zNear / zFar + reversedZ * (float(1.0) - zNear / zFar));
 }
 
 // Parallel projection: depth to reversed z and back.
@@ -89,8 +93,9 @@ float relievoUnpackDepth32F(uint word)
   return uintBitsToFloat(word);
 }
 
-// R16F of depth * scale, in the lower 16 bits. With scale 1 (world units) depths beyond 65504 become
-// 65504 and those below 6.1e-5 lose digits; relievoDepth16FScale avoids both up to far / near = 1e9.
+// R16F of depth * scale, in the lower 16 bits. With scale 1 (world units) depths beyond 65504
+// become 65504 and those below 6.1e-5 lose digits; relievoDepth16FScale avoids both up to
+// far / near = 5e8.
 uint relievoPackDepth16F(float depth, float scale)
 {
   return packHalf2x16(vec2(relievoSaturateHalf(depth * scale), float(0.0)));

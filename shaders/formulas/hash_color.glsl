@@ -21,7 +21,8 @@ vec3 relievoHashColor(uint id)
   }
   uint hash = relievoHash(id);
   float hue = float(hash & uint(65535)) * (float(6.0) / float(65536.0));
-  float saturation = float(0.45) + float((hash >> uint(16)) & uint(255)) * (float(0.4) / float(255.0));
+  float saturation =
+    float(0.45) + float((hash >> uint(16)) & uint(255)) * (float(0.4) / float(255.0));
   float value = float(0.7) + float(hash >> uint(24)) * (float(0.3) / float(255.0));
   vec3 ramp = vec3(abs(hue - float(3.0)) - float(1.0), float(2.0) - abs(hue - float(2.0)),
     float(2.0) - abs(hue - float(4.0)));

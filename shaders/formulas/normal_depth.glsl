@@ -35,8 +35,9 @@ vec4 relievoUnpackNormalDepth8(uint word, float zNear, float zFar)
 {
   vec3 n = relievoUnpackNormalUnorm8(word);
   float normalized = relievoDequantizeUnorm(word >> uint(24), float(255.0));
-  float depth = word == relievoNormalDepth8None ? relievoInfinity()
-                                                : relievoDepthFromNormalized(normalized, zNear, zFar);
+  float depth = word == relievoNormalDepth8None
+    ? relievoInfinity()
+    : relievoDepthFromNormalized(normalized, zNear, zFar);
   return vec4(n.x, n.y, n.z, depth);
 }
 

@@ -4,10 +4,10 @@
 // Z. Cigolle, S. Donow, D. Evangelakos, M. Mara, M. McGuire, Q. Meyer: A Survey of Efficient
 // Representations for Independent Unit Vectors, JCGT 3(2), 2014.
 //
-// Words: two offset snorm codes (relievoQuantizeSnorm), x in the lower one; 2 x 8 fills the lower 16
-// bits. Word 0 means "no direction": zero, infinite or NaN vectors give it and it decodes to the zero
-// vector, so a cleared buffer decodes to zero. Encoded values must not be blended or filtered: the
-// square's rim is a seam.
+// Words: two offset snorm codes (relievoQuantizeSnorm), x in the lower one; 2 x 8 fills the lower
+// 16 bits. Word 0 means "no direction": zero, infinite or NaN vectors give it and it decodes to the
+// zero vector, so a cleared buffer decodes to zero. Encoded values must not be blended or filtered:
+// the square's rim is a seam.
 //RELIEVO::Include(formulas/numbers.glsl)
 
 // Whether n has a direction: not zero, and every component finite.
@@ -73,7 +73,8 @@ uint relievoOctPack(vec3 n, int bits)
   }
   float maxCode = float((uint(1) << uint(bits - 1)) - uint(1));
   vec2 e = relievoOctEncode(n);
-  return relievoOctJoin(relievoQuantizeSnorm(e.x, maxCode), relievoQuantizeSnorm(e.y, maxCode), bits);
+  return relievoOctJoin(
+    relievoQuantizeSnorm(e.x, maxCode), relievoQuantizeSnorm(e.y, maxCode), bits);
 }
 
 // The word of direction n whose decoded vector is the nearest of the four around its place. Costs

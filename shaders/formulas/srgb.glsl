@@ -5,14 +5,16 @@
 
 float relievoSrgbFromLinear(float linear)
 {
-  return linear <= float(0.0031308) ? float(12.92) * linear
-                                    : float(1.055) * pow(linear, float(1.0) / float(2.4)) - float(0.055);
+  return linear <= float(0.0031308)
+    ? float(12.92) * linear
+    : float(1.055) * pow(linear, float(1.0) / float(2.4)) - float(0.055);
 }
 
 float relievoLinearFromSrgb(float srgb)
 {
-  return srgb <= float(0.04045) ? srgb / float(12.92)
-                                : pow((srgb + float(0.055)) / float(1.055), float(2.4));
+  return srgb <= float(0.04045)
+    ? srgb / float(12.92)
+    : pow((srgb + float(0.055)) / float(1.055), float(2.4));
 }
 
 vec3 relievoSrgbColorFromLinear(vec3 linear)

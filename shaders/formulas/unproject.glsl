@@ -3,9 +3,9 @@
 // Clip, NDC and window coordinates, and the way back: from a pixel and its linear depth to eye and
 // world positions.
 //
-// Matrices are GLSL's: columns, position = matrix * column vector. pIJ is projection[I][J] (column I,
-// row J), which vtkMatrix4x4 stores as element (J, I). Eye space looks along -z; depth is -z. Pixel
-// (0, 0) is the lower left one of the viewport, its centre at (0.5, 0.5).
+// Matrices are GLSL's: columns, position = matrix * column vector. pIJ is projection[I][J] (column
+// I, row J), which vtkMatrix4x4 stores as element (J, I). Eye space looks along -z; depth is -z.
+// Pixel (0, 0) is the lower left one of the viewport, its centre at (0.5, 0.5).
 
 // Clip coordinates to normalised device coordinates.
 vec3 relievoNdcFromClip(vec4 clip)
