@@ -22,6 +22,17 @@ int NumberOfFailures();
 /** Forgets failures counted after the first `count`: for tests that prove that a check can fail. */
 void ForgetFailuresAfter(int count);
 
+/** Number of checks that `work` fails; they are forgotten. For tests that prove a check can fail. */
+template <typename Work>
+int FailuresOf(Work work)
+{
+  const int before = NumberOfFailures();
+  work();
+  const int count = NumberOfFailures() - before;
+  ForgetFailuresAfter(before);
+  return count;
+}
+
 /** Fails unless `ok`; returns `ok`. */
 bool Check(bool ok, const char* file, int line, const std::string& message);
 

@@ -15,14 +15,11 @@
 
 namespace
 {
-// Runs `work`, which must count exactly `wanted` failures, and forgets them.
+// `work` must count exactly `wanted` failures.
 template <typename Work>
 void MustFail(int wanted, const char* what, Work work)
 {
-  const int before = relievoTest::NumberOfFailures();
-  work();
-  const int counted = relievoTest::NumberOfFailures() - before;
-  relievoTest::ForgetFailuresAfter(before);
+  const int counted = relievoTest::FailuresOf(work);
   RELIEVO_CHECK_THAT(counted == wanted, what);
 }
 
