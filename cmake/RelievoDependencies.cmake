@@ -6,17 +6,30 @@ set(relievo_vtk_components
   ChartsCore FiltersCore FiltersGeneral FiltersGeometry FiltersHybrid FiltersModeling FiltersSources
   IOExport IOGeometry IOImage IOImport IOLegacy IOPLY IOXML ImagingCore InteractionStyle
   RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
-  RenderingOpenGL2 RenderingVolumeOpenGL2 ViewsContext2D WrappingPythonCore)
+  RenderingOpenGL2 RenderingVolumeOpenGL2 ViewsContext2D WrappingPythonCore Python WrappingTools)
 
 if (RELIEVO_USE_PARAVIEW)
-  find_package(ParaView 5.11 REQUIRED)
-else ()
-  find_package(VTK 9.1 REQUIRED COMPONENTS ${relievo_vtk_components} Python Wrapping WrappingTools)
+  # Named components: without them ParaView also asks for the developer files of Qt, GDAL, FFmpeg
+  # and all else that any part of it was built with. Its own list holds a name that VTK thinks old.
+  set(relievo_warn_deprecated "${CMAKE_WARN_DEPRECATED}")
+  set(CMAKE_WARN_DEPRECATED OFF)
+  find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingViews)
+  set(CMAKE_WARN_DEPRECATED "${relievo_warn_deprecated}")
 endif ()
+# After ParaView, VTK_DIR is ParaView's own VTK.
+find_package(VTK 9.1 REQUIRED COMPONENTS ${relievo_vtk_components})
+
 # VTK's Python modules are built for one interpreter, which need not be the first on PATH.
 find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
 find_package(glm REQUIRED)
 find_package(OpenEXR 3 REQUIRED CONFIG)
 if (RELIEVO_BUILD_TESTS OR RELIEVO_BUILD_BENCH)
   find_package(embree 3 REQUIRED)
+endif ()
+
+# What PYTHONPATH must hold to import relievo from the build. A VTK unpacked into a folder of its own
+# comes with its modules; one installed for the whole machine is on Python's path already.
+set(relievo_pythonpath "${CMAKE_BINARY_DIR}/python")
+if (NOT VTK_PREFIX_PATH MATCHES "^/usr/?$" AND VTK_PYTHONPATH)
+  string(APPEND relievo_pythonpath ":${VTK_PREFIX_PATH}/${VTK_PYTHONPATH}")
 endif ()
