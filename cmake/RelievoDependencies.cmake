@@ -22,7 +22,11 @@ find_package(VTK 9.1 REQUIRED COMPONENTS ${relievo_vtk_components})
 # VTK's Python modules are built for one interpreter, which need not be the first on PATH.
 find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
 find_package(glm REQUIRED)
+# Debian's Imath reports, at length, the library of its Python module: nothing that is used here.
+set(relievo_log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
+set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
 find_package(OpenEXR 3 REQUIRED CONFIG)
+set(CMAKE_MESSAGE_LOG_LEVEL "${relievo_log_level}")
 if (RELIEVO_BUILD_TESTS OR RELIEVO_BUILD_BENCH)
   find_package(embree 3 REQUIRED)
 endif ()

@@ -1,0 +1,36 @@
+# What `find_package(Relievo)` reads, in the build and after `cmake --install`.
+include(CMakePackageConfigHelpers)
+
+# VTK's modules that Relievo's need, by their short names.
+set(relievo_needed_vtk)
+foreach (module IN LISTS relievo_modules)
+  foreach (property IN ITEMS depends private_depends)
+    get_property(names TARGET "${module}" PROPERTY "INTERFACE_vtk_module_${property}")
+    list(FILTER names INCLUDE REGEX "^VTK::")
+    list(TRANSFORM names REPLACE "^VTK::" "")
+    list(APPEND relievo_needed_vtk ${names})
+  endforeach ()
+endforeach ()
+list(REMOVE_DUPLICATES relievo_needed_vtk)
+list(SORT relievo_needed_vtk)
+
+string(REPLACE "Relievo::" "" relievo_component_names "${relievo_modules}")
+list(JOIN relievo_component_names " " relievo_component_names)
+
+set(relievo_cmake "${CMAKE_INSTALL_LIBDIR}/cmake/relievo")
+configure_package_config_file(cmake/RelievoConfig.cmake.in
+  "${CMAKE_BINARY_DIR}/${relievo_cmake}/RelievoConfig.cmake"
+  INSTALL_DESTINATION "${relievo_cmake}"
+  NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file(
+  "${CMAKE_BINARY_DIR}/${relievo_cmake}/RelievoConfigVersion.cmake"
+  VERSION "${PROJECT_VERSION}"
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  "${CMAKE_BINARY_DIR}/${relievo_cmake}/RelievoConfig.cmake"
+  "${CMAKE_BINARY_DIR}/${relievo_cmake}/RelievoConfigVersion.cmake"
+  DESTINATION "${relievo_cmake}")
+install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+# Programs find the libraries of their own prefix, wherever it is moved.
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
