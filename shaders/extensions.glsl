@@ -1,4 +1,4 @@
-// What formulas/ needs beyond GLSL 1.50; comes right after #version (in VTK: //VTK::System::Dec).
+// What formulas/ needs beyond GLSL 1.50; comes right after the #version line.
 // floatBitsToUint, uintBitsToFloat: GLSL 3.30.
 #extension GL_ARB_shader_bit_encoding : enable
 // packHalf2x16, unpackHalf2x16: GLSL 4.20.

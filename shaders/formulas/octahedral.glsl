@@ -20,9 +20,9 @@ bool relievoIsDirection(vec3 n)
 // Direction n (any length; relievoIsDirection) to the square [-1, 1]^2.
 vec2 relievoOctEncode(vec3 n)
 {
-  float shrink = float(1.0) / (abs(n.x) + abs(n.y) + abs(n.z));
-  float u = n.x * shrink;
-  float v = n.y * shrink;
+  float size = abs(n.x) + abs(n.y) + abs(n.z);
+  float u = n.x / size;
+  float v = n.y / size;
   if (n.z < float(0.0))
   {
     return vec2((float(1.0) - abs(v)) * relievoSignNotZero(u),
@@ -87,7 +87,7 @@ uint relievoOctPackPrecise(vec3 n, int bits)
     return uint(0);
   }
   float maxCode = float((uint(1) << uint(bits - 1)) - uint(1));
-  vec3 unit = normalize(n);
+  vec3 unit = normalize(n / (abs(n.x) + abs(n.y) + abs(n.z)));
   vec2 e = relievoOctEncode(n);
   float baseX = floor(clamp(e.x, float(-1.0), float(1.0)) * maxCode);
   float baseY = floor(clamp(e.y, float(-1.0), float(1.0)) * maxCode);
