@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoOFFReader
+ * @brief Reads surface meshes in the Object File Format (.off), as text.
+ *
+ * Understood are the headers OFF, COFF, NOFF, STOFF and their combinations ([ST][C][N]OFF), comments
+ * from `#` to the end of the line, and colours of faces. The output holds
+ * - points in double precision (OutputPointsPrecision changes that);
+ * - polygons; faces of two points are lines, faces of one point vertices;
+ * - point arrays `Normals` (float, 3), `RGBA` (unsigned char, 4), `TextureCoordinates` (float, 2)
+ *   when the header announces them, the first two and the last as the active ones;
+ * - a cell array `RGBA` (unsigned char, 4) when any face has a colour of 3 or 4 numbers; faces
+ *   without one, or with a colour-map index, are opaque grey (170).
+ *
+ * Colours are 0 to 255 when any number of any colour is above 1, else 0 to 1. Four-dimensional (4OFF, nOFF)
+ * and binary files are refused, as are numbers that are not finite and indices out of range.
+ *
+ * Errors: one error event that names the file, the line and what was expected; GetErrorCode() is
+ * set and the output is empty. Memory stays within a small multiple of the file's size, whatever
+ * counts the file claims.
+ *
+ * Format: the Geomview manual, "OFF Files".
+ */
+#ifndef vtkRelievoOFFReader_h
+#define vtkRelievoOFFReader_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkRelievoIOModule.h" // for the export macro
+
+class VTKRELIEVOIO_EXPORT vtkRelievoOFFReader : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkRelievoOFFReader* New();
+  vtkTypeMacro(vtkRelievoOFFReader, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Path of the file. Default: none. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /** SINGLE_PRECISION or DOUBLE_PRECISION of vtkAlgorithm. Default: DOUBLE_PRECISION. */
+  vtkSetMacro(OutputPointsPrecision, int);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  /** 1 when the file can be opened and starts with a header that this class reads, else 0. */
+  static int CanReadFile(VTK_FILEPATH const char* fileName);
+
+protected:
+  vtkRelievoOFFReader();
+  ~vtkRelievoOFFReader() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkRelievoOFFReader(const vtkRelievoOFFReader&) = delete;
+  void operator=(const vtkRelievoOFFReader&) = delete;
+
+  // Throws inside the source file what is wrong with the file.
+  void Parse(vtkPolyData* output);
+
+  char* FileName = nullptr;
+  int OutputPointsPrecision = vtkAlgorithm::DOUBLE_PRECISION;
+};
+
+#endif
