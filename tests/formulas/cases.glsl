@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Every formula once, by number, from words to words: the GPU and C++ run these same lines, and the
+// test compares what comes out. Results that are numbers come as the bits of a float.
+
+vec3 relievoTestVector(uvec4 words)
+{
+  return vec3(uintBitsToFloat(words.x), uintBitsToFloat(words.y), uintBitsToFloat(words.z));
+}
+
+uvec4 relievoTestBits(vec4 v)
+{
+  return uvec4(
+    floatBitsToUint(v.x), floatBitsToUint(v.y), floatBitsToUint(v.z), floatBitsToUint(v.w));
+}
+
+uvec4 relievoTestBits3(vec3 v)
+{
+  return relievoTestBits(vec4(v.x, v.y, v.z, float(0.0)));
+}
+
+// An off-centre, sheared projection with row 3 of perspective (w = 0) or parallel (w = 1).
+mat4 relievoTestProjection(float w)
+{
+  return mat4(float(1.7), float(0.0), float(0.0), float(0.0),
+    float(0.02), float(2.3), float(0.0), float(0.0),
+    float(0.3), float(-0.2), float(-1.2), w - float(1.0),
+    float(0.05), float(0.07), float(-2.2), w);
+}
+
+// Normals: a.xyz is the vector, or its words.
+uvec4 relievoTestNormals(int which, uvec4 a)
+{
+  vec3 n = relievoTestVector(a);
+  if (which == 0)
+  {
+    return uvec4(relievoPackNormalOct8(n), relievoPackNormalOct8Precise(n),
+      relievoPackNormalOct16(n), relievoPackNormalOct16Precise(n));
+  }
+  if (which == 1)
+  {
+    uvec2 halves = relievoPackNormalHalf(n);
+    return uvec4(
+      relievoPackNormalUnorm8(n), relievoPackNormalUnorm10(n), halves.x, halves.y);
+  }
+  if (which == 2)
+  {
+    uvec3 floats = relievoPackNormalFloat(n);
+    return uvec4(floats.x, floats.y, floats.z, relievoIsDirection(n) ? uint(1) : uint(0));
+  }
+  if (which == 3)
+  {
+    return relievoTestBits3(relievoUnpackNormalOct8(a.x));
+  }
+  if (which == 4)
+  {
+    return relievoTestBits3(relievoUnpackNormalOct16(a.x));
+  }
+  if (which == 5)
+  {
+    return relievoTestBits3(relievoUnpackNormalUnorm8(a.x));
+  }
+  if (which == 6)
+  {
+    return relievoTestBits3(relievoUnpackNormalUnorm10(a.x));
+  }
+  if (which == 7)
+  {
+    return relievoTestBits3(relievoUnpackNormalHalf(uvec2(a.x, a.y & uint(65535))));
+  }
+  return relievoTestBits3(relievoUnpackNormalFloat(uvec3(a.x, a.y, a.z)));
+}
+
+// Depth: a.x depth (11: window or reversed z; 14: a word), a.y near, a.z far; 15: b a normal; 16 and
+// above: b words.
+uvec4 relievoTestDepth(int which, uvec4 a, uvec4 b)
+{
+  vec3 v = relievoTestVector(a);
+  vec3 n = relievoTestVector(b);
+  if (which == 10)
+  {
+    return uvec4(floatBitsToUint(relievoPerspectiveWindowZ(v.x, v.y, v.z)),
+      floatBitsToUint(relievoPerspectiveReversedZ(v.x, v.y, v.z)),
+      floatBitsToUint(relievoParallelWindowZ(v.x, v.y, v.z)),
+      floatBitsToUint(relievoParallelReversedZ(v.x, v.y, v.z)));
+  }
+  if (which == 11)
+  {
+    return uvec4(floatBitsToUint(relievoPerspectiveDepth(v.x, v.y, v.z)),
+      floatBitsToUint(relievoPerspectiveDepthFromReversed(v.x, v.y, v.z)),
+      floatBitsToUint(relievoParallelDepth(v.x, v.y, v.z)),
+      floatBitsToUint(relievoParallelDepthFromReversed(v.x, v.y, v.z)));
+  }
+  if (which == 12)
+  {
+    float t = relievoNormalizedDepth(v.x, v.y, v.z);
+    return uvec4(floatBitsToUint(t), floatBitsToUint(relievoDepthFromNormalized(t, v.y, v.z)),
+      floatBitsToUint(relievoDepth16FScale(v.z)), relievoPackDepth32F(v.x));
+  }
+  if (which == 13)
+  {
+    return uvec4(relievoPackWindowZ24(v.x), relievoPackDepth16F(v.x, float(1.0)),
+      relievoPackDepth16F(v.x, float(0.25)), relievoPackDepth32F(v.x));
+  }
+  if (which == 14)
+  {
+    return uvec4(floatBitsToUint(relievoUnpackWindowZ24(a.x)),
+      floatBitsToUint(relievoUnpackDepth16F(a.x & uint(65535), float(1.0))),
+      floatBitsToUint(relievoUnpackDepth16F(a.x & uint(65535), float(0.25))),
+      floatBitsToUint(relievoUnpackDepth32F(a.x)));
+  }
+  if (which == 15)
+  {
+    uvec2 halves = relievoPackNormalDepth16F(n, v.x, float(1.0));
+    return uvec4(relievoPackNormalDepth8(n, v.x, v.y, v.z), halves.x, halves.y,
+      relievoPackNormalDepth32F(n, v.x).w);
+  }
+  if (which == 16)
+  {
+    return relievoTestBits(relievoUnpackNormalDepth8(b.x, v.y, v.z));
+  }
+  if (which == 17)
+  {
+    return relievoTestBits(relievoUnpackNormalDepth16F(uvec2(b.x, b.y), float(1.0)));
+  }
+  return relievoTestBits(relievoUnpackNormalDepth32F(b));
+}
+
+// Space: a.xy pixel, a.z depth (25, 26: a.xyz a position); b.xy size of the viewport.
+uvec4 relievoTestSpace(int which, uvec4 a, uvec4 b)
+{
+  vec3 v = relievoTestVector(a);
+  vec3 size = relievoTestVector(b);
+  vec2 ndc = relievoNdcFromPixel(vec2(v.x, v.y), vec2(size.x, size.y));
+  vec4 viewport = vec4(float(3.0), float(5.0), size.x, size.y);
+  if (which == 20)
+  {
+    vec3 eye =
+      relievoPerspectiveEyePosition(ndc, v.z, float(1.7), float(2.3), float(0.3), float(-0.2));
+    return relievoTestBits(vec4(eye.x, eye.y, eye.z, relievoRange(eye)));
+  }
+  if (which == 21)
+  {
+    vec3 eye =
+      relievoParallelEyePosition(ndc, v.z, float(1.7), float(2.3), float(0.3), float(-0.2));
+    return relievoTestBits(vec4(eye.x, eye.y, eye.z, relievoDepthFromEyePosition(eye)));
+  }
+  if (which == 22)
+  {
+    return relievoTestBits3(relievoEyePosition(ndc, v.z, relievoTestProjection(float(0.0))));
+  }
+  if (which == 23)
+  {
+    return relievoTestBits3(relievoEyePosition(ndc, v.z, relievoTestProjection(float(1.0))));
+  }
+  if (which == 24)
+  {
+    vec3 direction = relievoEyeDirection(ndc, float(1.7), float(2.3), float(0.3), float(-0.2));
+    return relievoTestBits(vec4(direction.x, direction.y, direction.z,
+      relievoRangeFromDepth(v.z, direction)));
+  }
+  if (which == 25)
+  {
+    return relievoTestBits3(relievoWorldPosition(v, relievoTestProjection(float(1.0))));
+  }
+  if (which == 26)
+  {
+    vec4 clip = relievoTestProjection(float(0.0)) * vec4(v.x, v.y, v.z, float(1.0));
+    return relievoTestBits3(relievoWindowFromNdc(relievoNdcFromClip(clip), viewport));
+  }
+  return relievoTestBits3(relievoNdcFromWindow(v, viewport));
+}
+
+// Colour: a.x a value, or an id.
+uvec4 relievoTestColor(int which, uvec4 a)
+{
+  vec3 v = relievoTestVector(a);
+  if (which == 30)
+  {
+    return relievoTestBits3(relievoSrgbColorFromLinear(v));
+  }
+  if (which == 31)
+  {
+    return relievoTestBits3(relievoLinearColorFromSrgb(v));
+  }
+  if (which == 32)
+  {
+    return relievoTestBits3(relievoColormap(v.x));
+  }
+  if (which == 33)
+  {
+    return relievoTestBits3(relievoHashColor(a.x));
+  }
+  return uvec4(relievoHash(a.x), relievoHash(a.y), relievoHash(a.z), relievoHash(a.w));
+}
+
+uvec4 relievoTestCase(int which, uvec4 a, uvec4 b)
+{
+  if (which < 10)
+  {
+    return relievoTestNormals(which, a);
+  }
+  if (which < 20)
+  {
+    return relievoTestDepth(which, a, b);
+  }
+  if (which < 30)
+  {
+    return relievoTestSpace(which, a, b);
+  }
+  return relievoTestColor(which, a);
+}

@@ -1,0 +1,375 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Every formula on the GPU gives what it gives in C++ (float): the same lines on the same words.
+//
+// Words of codes may differ by one code where the GPU divides or takes a root with another last bit;
+// words for "nothing here" may not. Numbers may differ by the tolerance that stands with the case;
+// the colour curves' pow() is the driver's own and gets the widest.
+#include "Check.h"
+#include "GpuCases.h"
+#include "Samples.h"
+#include "Session.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <string>
+
+namespace
+{
+using relievo::bits::FromFloat;
+using relievo::bits::ToFloat;
+using relievoTest::CaseInput;
+
+// How a component of a result is compared: as a number with tolerances, or as a word of codes of
+// `Bits` bits each that may differ by `Codes`.
+struct Rule
+{
+  int Bits;
+  int Codes;
+  double Relative;
+  double Absolute;
+};
+
+constexpr Rule Same = { 32, 0, 0., 0. };
+
+Rule Codes(int bits)
+{
+  return { bits, 1, 0., 0. };
+}
+
+Rule Number(double relative, double absolute)
+{
+  return { 0, 0, relative, absolute };
+}
+
+// 0 when equal; above 1 when outside the rule.
+double Distance(const Rule& rule, std::uint32_t gpu, std::uint32_t cpu)
+{
+  if (gpu == cpu)
+  {
+    return 0.;
+  }
+  if (rule.Bits == 0)
+  {
+    const double a = ToFloat(gpu);
+    const double b = ToFloat(cpu);
+    if (a == b || (std::isnan(a) && std::isnan(b)))
+    {
+      return 0.;
+    }
+    const double distance = std::abs(a - b) / (rule.Relative * std::abs(b) + rule.Absolute);
+    return std::isnan(distance) ? relievoTest::Infinity : distance;
+  }
+  if (rule.Codes == 0 || gpu == 0 || cpu == 0)
+  {
+    return relievoTest::Infinity;
+  }
+  std::int64_t most = 0;
+  for (int shift = 0; shift < 32; shift += rule.Bits)
+  {
+    const std::int64_t mask = (std::int64_t(1) << rule.Bits) - 1;
+    most = std::max(most, std::abs(((gpu >> shift) & mask) - ((cpu >> shift) & mask)));
+  }
+  return static_cast<double>(most) / rule.Codes;
+}
+
+struct Case
+{
+  int Which;
+  const char* Name;
+  Rule Rules[4];
+};
+
+void Compare(relievoTest::GpuCases& gpu, const Case& one, const std::vector<CaseInput>& inputs)
+{
+  const std::vector<glm::uvec4> expected = relievoTest::RunFloat(one.Which, inputs);
+  const std::vector<glm::uvec4> got = gpu.Run(one.Which, inputs);
+  if (!RELIEVO_CHECK(got.size() == expected.size()))
+  {
+    return;
+  }
+  std::size_t differing = 0;
+  double worst = 0.;
+  std::size_t worstInput = 0;
+  int worstComponent = 0;
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    bool same = true;
+    for (int c = 0; c < 4; ++c)
+    {
+      const double distance = Distance(one.Rules[c], got[i][c], expected[i][c]);
+      same = same && got[i][c] == expected[i][c];
+      if (distance > worst)
+      {
+        worst = distance;
+        worstInput = i;
+        worstComponent = c;
+      }
+    }
+    differing += same ? 0 : 1;
+  }
+  std::cout << one.Which << " " << one.Name << ": " << inputs.size() << " inputs, " << differing
+            << " differ in a bit, worst " << worst << " of what is allowed\n";
+  const glm::uvec4 a = inputs[worstInput].A;
+  const auto hex = [](std::uint32_t word) {
+    char text[48];
+    std::snprintf(text, sizeof(text), "%08x (%.9g)", word, ToFloat(word));
+    return std::string(text);
+  };
+  RELIEVO_CHECK_THAT(worst <= 1.,
+    std::string(one.Name) + " component " + std::to_string(worstComponent) + ": GPU " +
+      hex(got[worstInput][worstComponent]) + ", C++ " + hex(expected[worstInput][worstComponent]) +
+      " from " + hex(a.x) + " " + hex(a.y) + " " + hex(a.z));
+}
+
+CaseInput Input(double x, double y, double z, const glm::uvec4& b = glm::uvec4(0))
+{
+  return { glm::uvec4(FromFloat(float(x)), FromFloat(float(y)), FromFloat(float(z)), 0u), b };
+}
+
+std::vector<CaseInput> NormalInputs()
+{
+  std::vector<CaseInput> inputs;
+  for (const glm::dvec3& n : relievoTest::Directions(50000))
+  {
+    inputs.push_back(Input(n.x, n.y, n.z));
+  }
+  return inputs;
+}
+
+std::vector<CaseInput> NoDirectionInputs()
+{
+  using relievoTest::Infinity;
+  using relievoTest::NaN;
+  std::vector<CaseInput> inputs;
+  for (double bad : { NaN, Infinity, -Infinity })
+  {
+    inputs.push_back(Input(bad, 0., 0.));
+    inputs.push_back(Input(0., bad, 1.));
+    inputs.push_back(Input(1., -1., bad));
+    inputs.push_back(Input(bad, bad, bad));
+  }
+  inputs.push_back(Input(0., 0., 0.));
+  inputs.push_back(Input(-0., -0., -0.));
+  return inputs;
+}
+
+std::vector<CaseInput> WordInputs()
+{
+  std::vector<CaseInput> inputs = { { glm::uvec4(0u), glm::uvec4(0u) },
+    { glm::uvec4(0xffffffffu), glm::uvec4(0xffffffffu) } };
+  std::mt19937 random(7);
+  for (int i = 0; i < 50000; ++i)
+  {
+    const auto word = [&random]() { return static_cast<std::uint32_t>(random()); };
+    inputs.push_back({ glm::uvec4(word(), word(), word(), word()), glm::uvec4(0u) });
+  }
+  return inputs;
+}
+
+// Words of codes that a pack can have made: bits above `bits` clear, no code 0.
+std::vector<CaseInput> CodeInputs(int codeBits)
+{
+  std::vector<CaseInput> inputs = WordInputs();
+  const std::uint32_t ones = codeBits == 8 ? 0x0101u : 0x00010001u;
+  for (CaseInput& input : inputs)
+  {
+    input.A.x = input.A.x == 0u ? 0u : (input.A.x & (codeBits == 8 ? 0xffffu : ~0u)) | ones;
+  }
+  return inputs;
+}
+
+std::vector<CaseInput> FloatWordInputs()
+{
+  std::vector<CaseInput> inputs = NormalInputs();
+  for (CaseInput& input : inputs)
+  {
+    const glm::vec3 n(ToFloat(input.A.x), ToFloat(input.A.y), ToFloat(input.A.z));
+    const glm::uvec2 halves = relievo::f32::relievoPackNormalHalf(n);
+    input.A = glm::uvec4(halves.x, halves.y, input.A.z, 0u);
+  }
+  return inputs;
+}
+
+std::vector<CaseInput> DepthInputs()
+{
+  std::vector<CaseInput> inputs;
+  std::mt19937 random(11);
+  std::normal_distribution<double> normal;
+  for (double ratio : { 10., 1e2, 1e3, 1e4, 1e5, 1e6, 1e7 })
+  {
+    for (double depth : relievoTest::Depths(4000, 0.25, 0.25 * ratio))
+    {
+      const glm::dvec3 n = glm::normalize(glm::dvec3(normal(random), normal(random), 1.));
+      const glm::uvec4 words(
+        FromFloat(float(n.x)), FromFloat(float(n.y)), FromFloat(float(n.z)), 0u);
+      inputs.push_back(Input(depth, 0.25, 0.25 * ratio, words));
+    }
+    inputs.push_back(Input(relievoTest::Infinity, 0.25, 0.25 * ratio));
+  }
+  return inputs;
+}
+
+std::vector<CaseInput> ZInputs()
+{
+  std::vector<CaseInput> inputs;
+  for (double ratio : { 10., 1e3, 1e5, 1e7 })
+  {
+    for (int i = 0; i <= 4000; ++i)
+    {
+      inputs.push_back(Input(i / 4000., 0.25, 0.25 * ratio));
+    }
+  }
+  return inputs;
+}
+
+std::vector<CaseInput> UnitInputs()
+{
+  std::vector<CaseInput> inputs;
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> uniform(0., 1.);
+  for (int i = 0; i < 50000; ++i)
+  {
+    inputs.push_back(Input(uniform(random), uniform(random), uniform(random)));
+  }
+  for (double x : { 0., 1., 0.0031308, 0.04045, 0.5 })
+  {
+    inputs.push_back(Input(x, x, x));
+  }
+  return inputs;
+}
+
+std::vector<CaseInput> PixelInputs()
+{
+  std::vector<CaseInput> inputs;
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> uniform(0., 1.);
+  const glm::uvec4 size(FromFloat(1920.f), FromFloat(1080.f), FromFloat(1.f), 0u);
+  for (int i = 0; i < 50000; ++i)
+  {
+    inputs.push_back(Input(std::floor(1920. * uniform(random)),
+      std::floor(1080. * uniform(random)), 1. + uniform(random), size));
+  }
+  return inputs;
+}
+
+std::vector<CaseInput> PositionInputs()
+{
+  std::vector<CaseInput> inputs;
+  std::mt19937 random(19);
+  std::uniform_real_distribution<double> uniform(-1., 1.);
+  const glm::uvec4 size(FromFloat(1920.f), FromFloat(1080.f), FromFloat(1.f), 0u);
+  for (int i = 0; i < 50000; ++i)
+  {
+    inputs.push_back(Input(uniform(random), uniform(random), -1.5 - 0.5 * uniform(random), size));
+  }
+  return inputs;
+}
+
+std::vector<CaseInput> ShiftToB(std::vector<CaseInput> inputs)
+{
+  for (CaseInput& input : inputs)
+  {
+    input.B = input.A;
+    input.A = Input(1., 0.5, 200.).A;
+  }
+  return inputs;
+}
+
+void TestNormals(relievoTest::GpuCases& gpu)
+{
+  const Rule unit = Number(0., 3e-7);
+  const std::vector<CaseInput> normals = NormalInputs();
+  Compare(gpu, { 0, "oct8, oct8 precise, oct16, oct16 precise",
+    { Codes(8), Codes(8), Codes(16), Codes(16) } }, normals);
+  Compare(gpu, { 1, "unorm8, unorm10, half", { Codes(8), Codes(10), Codes(16), Codes(16) } },
+    normals);
+  Compare(gpu, { 2, "float", { Same, Same, Same, Same } }, normals);
+  const std::vector<CaseInput> none = NoDirectionInputs();
+  for (int which : { 0, 1, 2 })
+  {
+    Compare(gpu, { which, "no direction", { Same, Same, Same, Same } }, none);
+    for (const glm::uvec4& words : relievoTest::RunFloat(which, none))
+    {
+      RELIEVO_CHECK(words == glm::uvec4(0u));
+    }
+  }
+  Compare(gpu, { 3, "unpack oct8", { unit, unit, unit, unit } }, CodeInputs(8));
+  Compare(gpu, { 4, "unpack oct16", { unit, unit, unit, unit } }, CodeInputs(16));
+  Compare(gpu, { 5, "unpack unorm8", { unit, unit, unit, unit } }, WordInputs());
+  Compare(gpu, { 6, "unpack unorm10", { unit, unit, unit, unit } }, WordInputs());
+  Compare(gpu, { 7, "unpack half", { unit, unit, unit, unit } }, FloatWordInputs());
+  Compare(gpu, { 8, "unpack float", { Same, Same, Same, Same } }, normals);
+}
+
+void TestDepth(relievoTest::GpuCases& gpu)
+{
+  const std::vector<CaseInput> depths = DepthInputs();
+  const Rule ulp = Number(3e-7, 0.);
+  const Rule unit = Number(0., 1.2e-7);
+  Compare(gpu, { 10, "window z, reversed z", { unit, Number(3e-7, 1e-14), unit, unit } }, depths);
+  Compare(gpu, { 11, "depth of z", { Number(6e-7, 0.), Number(6e-7, 0.), Number(3e-7, 0.),
+    Number(0., 3.)} }, ZInputs());
+  Compare(gpu, { 12, "normalised depth", { unit, Number(3e-7, 1e-7), Same, Same } },
+    depths);
+  Compare(gpu, { 13, "depth words", { Codes(24), Codes(16), Codes(16), Same } }, UnitInputs());
+  Compare(gpu, { 13, "depth words of depths", { Same, Codes(16), Codes(16), Same } }, depths);
+  Compare(gpu, { 14, "unpack depth", { ulp, ulp, ulp, Same } }, WordInputs());
+  Compare(gpu, { 15, "normal + depth", { Codes(8), Codes(16), Codes(16), Same } }, depths);
+  const Rule near = Number(3e-7, 3e-7);
+  Compare(gpu, { 16, "unpack RGBA8", { near, near, near, Number(3e-7, 0.) } },
+    ShiftToB(WordInputs()));
+  Compare(gpu, { 17, "unpack RGBA16F", { near, near, near, Same } }, ShiftToB(FloatWordInputs()));
+  Compare(gpu, { 18, "unpack RGBA32F", { Same, Same, Same, Same } }, ShiftToB(NormalInputs()));
+}
+
+void TestSpace(relievoTest::GpuCases& gpu)
+{
+  const std::vector<CaseInput> pixels = PixelInputs();
+  // Components pass through zero; depths and directions are of size 1.
+  const Rule position = Number(5e-7, 1e-6);
+  const char* names[] = { "eye, perspective", "eye, parallel", "eye, any perspective",
+    "eye, any parallel", "direction, range" };
+  for (int i = 0; i < 5; ++i)
+  {
+    Compare(gpu, { 20 + i, names[i], { position, position, position, position } }, pixels);
+  }
+  const std::vector<CaseInput> positions = PositionInputs();
+  const Rule window = Number(0., 1e-3);
+  Compare(gpu, { 25, "world", { position, position, position, position } }, positions);
+  Compare(gpu, { 26, "clip to window", { window, window, position, position } }, positions);
+  Compare(gpu, { 27, "window to NDC", { position, position, position, position } }, pixels);
+}
+
+void TestColor(relievoTest::GpuCases& gpu)
+{
+  const Rule curve = Number(0., 2e-6);
+  Compare(gpu, { 30, "to sRGB", { curve, curve, curve, curve } }, UnitInputs());
+  Compare(gpu, { 31, "from sRGB", { curve, curve, curve, curve } }, UnitInputs());
+  Compare(gpu, { 32, "colour map", { curve, curve, curve, curve } }, UnitInputs());
+  const Rule color = Number(0., 1e-6);
+  Compare(gpu, { 33, "colour of an id", { color, color, color, color } }, WordInputs());
+  Compare(gpu, { 34, "hash", { Same, Same, Same, Same } }, WordInputs());
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  relievoTest::Session session;
+  {
+    relievoTest::GpuCases gpu;
+    if (gpu.IsValid())
+    {
+      TestNormals(gpu);
+      TestDepth(gpu);
+      TestSpace(gpu);
+      TestColor(gpu);
+    }
+  }
+  return session.Result();
+}
