@@ -34,6 +34,8 @@ endif ()
 # What PYTHONPATH must hold to import relievo from the build. A VTK unpacked into a folder of its own
 # comes with its modules; one installed for the whole machine is on Python's path already.
 set(relievo_pythonpath "${CMAKE_BINARY_DIR}/python")
+set(relievo_vtk_pythonpath "")
 if (NOT VTK_PREFIX_PATH MATCHES "^/usr/?$" AND VTK_PYTHONPATH)
-  string(APPEND relievo_pythonpath ":${VTK_PREFIX_PATH}/${VTK_PYTHONPATH}")
+  set(relievo_vtk_pythonpath "${VTK_PREFIX_PATH}/${VTK_PYTHONPATH}")
+  string(APPEND relievo_pythonpath ":${relievo_vtk_pythonpath}")
 endif ()
