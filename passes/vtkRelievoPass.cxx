@@ -3,14 +3,426 @@
 #include "vtkRelievoPass.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkRelievoAccess.h"
+#include "vtkRelievoDisplayStage.h"
+#include "vtkRelievoFrameReport.h"
+#include "vtkRelievoGBufferPass.h"
+#include "vtkRelievoGpuTimer.h"
+#include "vtkRelievoOpaqueMarker.h"
+#include "vtkRelievoStage.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
 
 vtkStandardNewMacro(vtkRelievoPass);
+vtkStandardNewMacro(vtkRelievoOpaqueMarker);
+
+class vtkRelievoPass::Internals
+{
+public:
+  vtkSmartPointer<vtkRenderPass> Delegate;
+  vtkNew<vtkRelievoGBufferPass> GBuffer;
+  vtkNew<vtkRelievoDisplayStage> Display;
+  std::vector<vtkSmartPointer<vtkRelievoStage>> Added;
+  std::set<std::string> Requested;
+  vtkRelievoGpuTimer Timer;
+  vtkRelievoFrameReport Report;
+  vtkNew<vtkRelievoOpaqueMarker> Begin;
+  vtkNew<vtkRelievoOpaqueMarker> End;
+  std::vector<vtkProp*> Props; // of the frame, between the markers
+
+  // In the order in which the frame runs them.
+  std::vector<vtkRelievoStage*> GetStages()
+  {
+    std::vector<vtkRelievoStage*> stages;
+    stages.push_back(this->GBuffer);
+    for (auto& stage : this->Added)
+    {
+      stages.push_back(stage);
+    }
+    stages.push_back(this->Display);
+    return stages;
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoPass::vtkRelievoPass()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoPass::~vtkRelievoPass()
+{
+  this->SetDisplayLayer(nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoPass* vtkRelievoPass::Attach(vtkRenderer* renderer)
+{
+  if (!renderer)
+  {
+    vtkGenericWarningMacro("Attach was given no renderer; give it the vtkRenderer to wrap.");
+    return nullptr;
+  }
+  if (vtkRelievoPass* there = vtkRelievoPass::SafeDownCast(renderer->GetPass()))
+  {
+    return there;
+  }
+  vtkNew<vtkRelievoPass> pass;
+  pass->SetDelegatePass(renderer->GetPass());
+  renderer->SetPass(pass);
+  return pass;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPass::Detach(vtkRenderer* renderer)
+{
+  vtkRelievoPass* pass = renderer ? vtkRelievoPass::SafeDownCast(renderer->GetPass()) : nullptr;
+  if (!pass)
+  {
+    return false;
+  }
+  // The renderer may hold the last reference.
+  vtkSmartPointer<vtkRelievoPass> alive = pass;
+  if (renderer->GetRenderWindow())
+  {
+    for (vtkRelievoStage* stage : pass->Internal->GetStages())
+    {
+      stage->ReleaseGraphicsResources(renderer->GetRenderWindow());
+    }
+    pass->Internal->Timer.Release();
+  }
+  renderer->SetPass(pass->GetDelegatePass());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPass::SetDelegatePass(vtkRenderPass* pass)
+{
+  if (this->Internal->Delegate != pass)
+  {
+    this->Internal->Delegate = pass;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkRelievoPass::GetDelegatePass()
+{
+  return this->Internal->Delegate;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoGBufferPass* vtkRelievoPass::GetGBuffer()
+{
+  return this->Internal->GBuffer;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPass::AddStage(vtkRelievoStage* stage)
+{
+  auto& added = this->Internal->Added;
+  if (!stage || std::find(added.begin(), added.end(), stage) != added.end())
+  {
+    vtkErrorMacro("AddStage was given " << (stage ? "a stage that is there already." : "no stage."));
+    return;
+  }
+  added.push_back(stage);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPass::RemoveStage(vtkRelievoStage* stage)
+{
+  auto& added = this->Internal->Added;
+  added.erase(std::remove(added.begin(), added.end(), stage), added.end());
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoPass::GetNumberOfStages()
+{
+  return static_cast<int>(this->Internal->GetStages().size());
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoStage* vtkRelievoPass::GetStage(int i)
+{
+  const std::vector<vtkRelievoStage*> stages = this->Internal->GetStages();
+  return i >= 0 && i < static_cast<int>(stages.size()) ? stages[i] : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPass::RequestLayer(const std::string& name)
+{
+  if (name.empty())
+  {
+    vtkErrorMacro("RequestLayer was given an empty name; give it a layer's or an array's name.");
+    return;
+  }
+  if (this->Internal->Requested.insert(name).second)
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPass::ReleaseLayer(const std::string& name)
+{
+  if (this->Internal->Requested.erase(name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPass::ReleaseLayers()
+{
+  this->Internal->Requested.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPass::IsLayerRequested(const std::string& name)
+{
+  return this->Internal->Requested.count(name) != 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPass::ReadLayer(const std::string& name, vtkImageData* image)
+{
+  if (!image)
+  {
+    vtkErrorMacro("ReadLayer of '" << name << "' was given no image to fill.");
+    return false;
+  }
+  return this->Internal->GBuffer->ReadLayer(name, image);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPass::Render(const vtkRenderState* s)
+{
+  Internals& in = *this->Internal;
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
+  auto* window =
+    renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  if (!window)
+  {
+    vtkErrorMacro("Relievo draws with VTK's OpenGL renderer and window only.");
+    return;
+  }
+  this->NumberOfRenderedProps = 0;
+  window->MakeCurrent();
+
+  in.Display->SetFrame(this->DisplayLayer ? this->DisplayLayer : "", this->DisplayRange,
+    this->DisplayGrey);
+  // A selection draws its own picture of ids, to its own rules.
+  const bool selecting = renderer->GetSelector() != nullptr;
+  std::vector<vtkRelievoStage*> needed;
+  std::vector<std::string> layers(in.Requested.begin(), in.Requested.end());
+  std::vector<vtkRelievoStage*> stages = in.GetStages();
+  std::string reason;
+  // What a stage reads is made before it: the G-buffer asks last what it is asked for.
+  for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage)
+  {
+    if (*stage == in.GBuffer.GetPointer())
+    {
+      std::sort(layers.begin(), layers.end());
+      layers.erase(std::unique(layers.begin(), layers.end()), layers.end());
+      in.GBuffer->SetLayers(layers);
+    }
+    const bool runs = !selecting && (*stage)->GetEnabled() && (*stage)->IsNeeded(s, reason);
+    if (runs)
+    {
+      needed.insert(needed.begin(), *stage);
+      const std::vector<std::string> more = (*stage)->GetNeededLayers();
+      layers.insert(layers.end(), more.begin(), more.end());
+    }
+    else if (!selecting)
+    {
+      (*stage)->ReleaseGraphicsResources(window);
+    }
+  }
+
+  const bool timed = !needed.empty();
+  if (timed)
+  {
+    in.Timer.BeginFrame(window);
+    in.Timer.Begin("frame");
+  }
+  auto each = [&](void (vtkRelievoStage::*step)(vtkRelievoPass*, const vtkRenderState*))
+  {
+    for (vtkRelievoStage* stage : needed)
+    {
+      in.Timer.Begin(stage->GetStageName());
+      (stage->*step)(this, s);
+      in.Timer.End(stage->GetStageName());
+    }
+  };
+  each(&vtkRelievoStage::RenderBefore);
+  if (!this->LayersOnly)
+  {
+    this->RenderDelegate(s, needed);
+  }
+  each(&vtkRelievoStage::RenderAfter);
+  if (timed)
+  {
+    in.Timer.End("frame");
+    in.Timer.EndFrame();
+  }
+  if (!selecting)
+  {
+    this->Report(s, needed);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPass::RenderDelegate(
+  const vtkRenderState* s, const std::vector<vtkRelievoStage*>& needed)
+{
+  Internals& in = *this->Internal;
+  auto* renderer = static_cast<vtkOpenGLRenderer*>(s->GetRenderer());
+  const bool marked = !needed.empty() && s->GetPropArrayCount() > 0;
+  in.Props.clear();
+  if (marked)
+  {
+    in.Begin->Reached = [&]()
+    {
+      for (vtkRelievoStage* stage : needed)
+      {
+        in.Timer.Begin(stage->GetStageName());
+        stage->BeginOpaque(this, s);
+      }
+    };
+    in.End->Reached = [&]()
+    {
+      for (vtkRelievoStage* stage : needed)
+      {
+        stage->EndOpaque(this, s);
+        in.Timer.End(stage->GetStageName());
+      }
+    };
+    in.Props.push_back(in.Begin);
+    in.Props.insert(
+      in.Props.end(), s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+    in.Props.push_back(in.End);
+    in.Timer.Begin("delegate");
+  }
+  if (in.Delegate)
+  {
+    vtkRenderState state(renderer);
+    state.SetFrameBuffer(s->GetFrameBuffer());
+    state.SetRequiredKeys(s->GetRequiredKeys());
+    state.SetPropArrayAndCount(marked ? in.Props.data() : s->GetPropArray(),
+      marked ? static_cast<int>(in.Props.size()) : s->GetPropArrayCount());
+    in.Delegate->Render(&state);
+    this->NumberOfRenderedProps += in.Delegate->GetNumberOfRenderedProps();
+  }
+  else
+  {
+    vtkProp** props = vtkRelievoAccess::Renderer::Props(renderer);
+    const int count = vtkRelievoAccess::Renderer::NumberOfProps(renderer);
+    if (marked)
+    {
+      vtkRelievoAccess::Renderer::Props(renderer) = in.Props.data();
+      vtkRelievoAccess::Renderer::NumberOfProps(renderer) = static_cast<int>(in.Props.size());
+    }
+    vtkRelievoAccess::Renderer::RenderOwnSteps(renderer);
+    vtkRelievoAccess::Renderer::Props(renderer) = props;
+    vtkRelievoAccess::Renderer::NumberOfProps(renderer) = count;
+    this->NumberOfRenderedProps += renderer->GetNumberOfPropsRendered();
+  }
+  if (marked)
+  {
+    in.Timer.End("delegate");
+    in.Begin->Reached = nullptr;
+    in.End->Reached = nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPass::Report(const vtkRenderState* s, const std::vector<vtkRelievoStage*>& needed)
+{
+  Internals& in = *this->Internal;
+  in.Report.Lines.clear();
+  vtkRelievoFrameReport::Line delegate;
+  delegate.Name = "delegate";
+  delegate.Ran = !this->LayersOnly;
+  delegate.Reason = this->LayersOnly ? "only the layers are asked for"
+    : in.Delegate                    ? std::string("draws the picture: ") + in.Delegate->GetClassName()
+                                     : "draws the picture: the renderer's own steps";
+  in.Report.Lines.push_back(delegate);
+  for (vtkRelievoStage* stage : in.GetStages())
+  {
+    vtkRelievoFrameReport::Line line;
+    line.Name = stage->GetStageName();
+    line.Ran = std::find(needed.begin(), needed.end(), stage) != needed.end();
+    // Asked again: how a stage ran is known only now.
+    stage->IsNeeded(s, line.Reason);
+    if (!stage->GetEnabled())
+    {
+      line.Reason = "switched off (EnabledOff)";
+    }
+    line.Bytes = stage->GetBytesHeld();
+    line.DrawCalls = line.Ran ? stage->GetDrawCalls() : 0;
+    in.Report.Lines.push_back(line);
+  }
+  s->GetRenderer()->GetTiledSize(&in.Report.Size[0], &in.Report.Size[1]);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoPass::GetFrameReport()
+{
+  return this->Internal->Report.GetJSON(this->Internal->Timer);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoPass::GetBytesHeld()
+{
+  vtkIdType bytes = 0;
+  for (vtkRelievoStage* stage : this->Internal->GetStages())
+  {
+    bytes += stage->GetBytesHeld();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkRelievoStage* stage : this->Internal->GetStages())
+  {
+    stage->ReleaseGraphicsResources(window);
+  }
+  this->Internal->Timer.Release();
+  if (this->Internal->Delegate)
+  {
+    this->Internal->Delegate->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
 
 //------------------------------------------------------------------------------
 void vtkRelievoPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "DelegatePass: "
+     << (this->Internal->Delegate ? this->Internal->Delegate->GetClassName() : "(renderer's own steps)")
+     << "\n";
+  os << indent << "Requested layers:";
+  for (const std::string& name : this->Internal->Requested)
+  {
+    os << " " << name;
+  }
+  os << "\n";
+  os << indent << "DisplayLayer: " << (this->DisplayLayer ? this->DisplayLayer : "(none)") << "\n";
+  os << indent << "DisplayRange: " << this->DisplayRange[0] << " " << this->DisplayRange[1] << "\n";
+  os << indent << "DisplayGrey: " << this->DisplayGrey << "\n";
+  os << indent << "LayersOnly: " << this->LayersOnly << "\n";
 }
-
-//------------------------------------------------------------------------------
-void vtkRelievoPass::Render(const vtkRenderState*) {}

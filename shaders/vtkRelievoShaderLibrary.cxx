@@ -82,6 +82,24 @@ std::string vtkRelievoShaderLibrary::Get(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+std::string vtkRelievoShaderLibrary::GetSection(const std::string& name, const std::string& section)
+{
+  const std::string source = Get(name);
+  static const std::string directive = "//RELIEVO::Section(";
+  const std::string opening = directive + section + ")\n";
+  std::size_t from = source.find(opening);
+  if (from == std::string::npos)
+  {
+    vtkGenericWarningMacro(
+      "The GLSL source '" << name << "' has no section named '" << section << "'.");
+    return std::string();
+  }
+  from += opening.size();
+  const std::size_t to = source.find(directive, from);
+  return source.substr(from, to == std::string::npos ? to : to - from);
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoShaderLibrary::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -31,6 +31,12 @@ public:
   /** The source with its includes resolved; empty, with an error, if the name or an include is not known. */
   static std::string Get(const std::string& name);
 
+  /**
+   * The part of a source from its line `//RELIEVO::Section(section)` to the next such line, with its
+   * includes resolved; empty, with an error, if the source or the section is not known.
+   */
+  static std::string GetSection(const std::string& name, const std::string& section);
+
 protected:
   vtkRelievoShaderLibrary() = default;
   ~vtkRelievoShaderLibrary() override = default;

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the frame needs of VTK's classes and VTK keeps protected. The members are named through
+// derived classes that are never made: their pointers to members are of the base's type, so the
+// access is checked by the compiler and breaks at build time, not at run time, if VTK changes.
+#ifndef vtkRelievoAccess_h
+#define vtkRelievoAccess_h
+
+#include "vtkOpenGLCellToVTKCellMap.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkVersionMacros.h"
+
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+#define RELIEVO_COMPOSITE_HELPER 1
+#include "vtkCompositeMapperHelper2.h"
+#endif
+
+namespace vtkRelievoAccess
+{
+class Renderer : public vtkOpenGLRenderer
+{
+public:
+  // The renderer's props of this frame: visible, culled, ordered.
+  static vtkProp**& Props(vtkRenderer* ren) { return ren->*(&Renderer::PropArray); }
+  static int& NumberOfProps(vtkRenderer* ren) { return ren->*(&Renderer::PropArrayCount); }
+
+  // What vtkOpenGLRenderer::DeviceRender does when no pass is set.
+  static void RenderOwnSteps(vtkOpenGLRenderer* ren)
+  {
+    (ren->*(&Renderer::UpdateCamera))();
+    (ren->*(&Renderer::UpdateLightGeometry))();
+    ren->UpdateLights();
+    (ren->*(&Renderer::UpdateGeometry))(nullptr);
+  }
+};
+
+class Mapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static vtkOpenGLCellToVTKCellMap* CellMap(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return mapper->*(&Mapper::CellCellMap);
+  }
+
+  // One of the mapper's PrimitiveTypes; PrimitiveEnd while nothing is bound.
+  static int BoundPrimitiveType(vtkOpenGLPolyDataMapper* mapper)
+  {
+    vtkOpenGLHelper* bound = mapper->*(&Mapper::LastBoundBO);
+    return bound ? bound->PrimitiveType : static_cast<int>(PrimitiveEnd);
+  }
+};
+
+#ifdef RELIEVO_COMPOSITE_HELPER
+class CompositeHelper : public vtkCompositeMapperHelper2
+{
+public:
+  static const std::map<vtkPolyData*, vtkCompositeMapperHelperData*>& Blocks(
+    vtkCompositeMapperHelper2* helper)
+  {
+    return helper->*(&CompositeHelper::Data);
+  }
+};
+#endif
+}
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The value of a point or cell array at a pixel, from the mesh itself: the ids say which cell, the
+// pixel's ray says where in it. So an array costs no GPU memory, keeps its own precision, and is
+// interpolated in double. The id words as the only record of visibility: Burns and Hunt, The
+// Visibility Buffer, JCGT 2(2), 2013.
+#ifndef vtkRelievoArraySampler_h
+#define vtkRelievoArraySampler_h
+
+#include "vtkRelievoDrawTable.h"
+#include "vtkRelievoView.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+class vtkDataArray;
+class vtkDataSetAttributes;
+
+class vtkRelievoArraySampler
+{
+public:
+  static constexpr int MaximumComponents = 16;
+
+  // The layer is an array's name, or point:NAME or cell:NAME.
+  vtkRelievoArraySampler(const std::string& layer, const vtkRelievoDrawTable& draws,
+    const vtkRelievoView& view, int width, int height);
+
+  // Looks the array up in what was drawn; returns VTK_FLOAT or VTK_DOUBLE and says what is wrong.
+  int Prepare(int& components, std::string& wrong);
+
+  // The values at the pixel; NaN where nothing is or the array is missing. Threads may call it.
+  void Sample(const vtkRelievoDrawTable::Hit& hit, int x, int y, double* values) const;
+
+private:
+  struct Source
+  {
+    vtkDataArray* Array = nullptr;
+    bool OfPoints = false;
+    glm::dmat4 ViewToModel = glm::dmat4(1.0);
+  };
+  // A mesh may be drawn by several actors.
+  using Key = std::pair<const void*, const void*>;
+
+  Source Find(vtkDataSetAttributes* points, vtkDataSetAttributes* cells) const;
+  void SampleInCell(const vtkRelievoDrawTable::Hit& hit, const Source& source, int x, int y,
+    double* values) const;
+
+  std::string Name;
+  bool AllowPoints = true;
+  bool AllowCells = true;
+  const vtkRelievoDrawTable& Draws;
+  const vtkRelievoView& View;
+  glm::dvec2 Size;
+  int Components = 0;
+  std::map<Key, Source> Sources;
+};
+
+#endif

@@ -1,0 +1,380 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoGBufferPass.h"
+
+#include "vtkActor.h"
+#include "vtkAbstractMapper.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRelievoDrawTable.h"
+#include "vtkRelievoGBufferLayout.h"
+#include "vtkRelievoGBufferSplice.h"
+#include "vtkRelievoGBufferTarget.h"
+#include "vtkRelievoLayerReader.h"
+#include "vtkRelievoOpaqueProps.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoView.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <set>
+
+vtkStandardNewMacro(vtkRelievoGBufferPass);
+
+class vtkRelievoGBufferPass::Internals
+{
+public:
+  std::vector<std::string> Layers;
+  vtkRelievoGBufferLayout Layout;
+  vtkRelievoGBufferSplice::Mode Mode;
+  vtkTimeStamp StructureTime; // of the layout and the mode: shaders older than it are built anew
+  vtkRelievoGBufferTarget Target;
+  vtkRelievoView View;
+  int Offset[2] = { 0, 0 }; // of the viewport within the textures
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkRelievoDrawTable Draws;
+  vtkRelievoOpaqueProps Props;
+  std::set<vtkAbstractMapper*> Refused;
+  std::set<std::string> Said; // refusals that have been reported, by reason and mapper's class
+  std::string NotShared;      // why the delegate's geometry pass cannot be shared
+  bool Writing = false;
+  bool Valid = false; // the textures hold the last frame's layers
+
+  void SetMode(const vtkRelievoGBufferSplice::Mode& mode)
+  {
+    if (this->Mode != mode)
+    {
+      this->Mode = mode;
+      this->StructureTime.Modified();
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoGBufferPass::vtkRelievoGBufferPass()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoGBufferPass::~vtkRelievoGBufferPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::SetLayers(const std::vector<std::string>& layers)
+{
+  this->Internal->Layers = layers;
+  vtkRelievoGBufferLayout layout;
+  layout.NormalFormat = this->NormalFormat;
+  layout.DepthFormat = this->DepthFormat;
+  layout.NormalDepth = this->NormalDepthFormat;
+  for (const std::string& layer : layers)
+  {
+    vtkRelievoLayerReader::AddChannels(layer, layout);
+  }
+  layout.Arrange();
+  if (layout != this->Internal->Layout)
+  {
+    this->Internal->Layout = layout;
+    this->Internal->StructureTime.Modified();
+    this->Internal->Valid = false;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGBufferPass::IsNeeded(const vtkRenderState*, std::string& reason)
+{
+  if (this->Internal->Layout.IsEmpty())
+  {
+    this->Internal->Valid = false;
+    reason = "no output asks for a layer";
+    return false;
+  }
+  reason = "asked for:";
+  for (const std::string& layer : this->Internal->Layers)
+  {
+    reason += " " + layer;
+  }
+  if (!this->Internal->NotShared.empty())
+  {
+    reason += "; in a geometry pass of its own, since " + this->Internal->NotShared;
+  }
+  else
+  {
+    reason += "; written while the delegate draws its opaque geometry";
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::RenderBefore(vtkRelievoPass* frame, const vtkRenderState* s)
+{
+  Internals& in = *this->Internal;
+  vtkRenderer* renderer = s->GetRenderer();
+  in.Renderer = renderer;
+  in.View.Take(renderer, s);
+  in.Draws.Clear();
+  in.Refused.clear();
+  in.Valid = false;
+  in.Writing = false;
+  this->Shared = false;
+  this->DrawCalls = 0;
+
+  in.Props.Collect(s);
+  in.NotShared.clear();
+  if (frame->GetLayersOnly())
+  {
+    in.NotShared = "only the layers are asked for, without the picture";
+  }
+  else if (!this->ShareGeometryPass)
+  {
+    in.NotShared = "ShareGeometryPass is off";
+  }
+  else if (!in.Props.GetForeign().empty())
+  {
+    in.NotShared = "a " + in.Props.GetForeign() + " is drawn among the opaque geometry";
+  }
+  else if (in.View.Far > 1e4 * in.View.Near && !in.View.Parallel)
+  {
+    in.NotShared = "far / near is beyond 1e4, where window z orders fragments no more";
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::BeginOpaque(vtkRelievoPass*, const vtkRenderState* s)
+{
+  Internals& in = *this->Internal;
+  if (!in.NotShared.empty() || in.Writing)
+  {
+    return;
+  }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
+  const int* v = in.View.Viewport;
+  in.NotShared = in.Target.Allocate(window, in.Layout, v[0] + v[2], v[1] + v[3]);
+  if (in.NotShared.empty())
+  {
+    in.NotShared = in.Target.AttachShared(in.Layout, v);
+  }
+  if (!in.NotShared.empty())
+  {
+    return;
+  }
+  in.SetMode(vtkRelievoGBufferSplice::Mode{});
+  in.Offset[0] = v[0];
+  in.Offset[1] = v[1];
+  in.Draws.Clear();
+  in.Writing = true;
+  in.Props.AddPass(this);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::EndOpaque(vtkRelievoPass*, const vtkRenderState*)
+{
+  Internals& in = *this->Internal;
+  if (!in.Writing)
+  {
+    return;
+  }
+  in.Props.RemovePass(this);
+  in.Target.DetachShared();
+  in.Writing = false;
+  in.Valid = true;
+  this->Shared = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::RenderAfter(vtkRelievoPass*, const vtkRenderState* s)
+{
+  Internals& in = *this->Internal;
+  if (in.Valid || in.View.Viewport[2] <= 0 || in.View.Viewport[3] <= 0)
+  {
+    return;
+  }
+  if (in.NotShared.empty())
+  {
+    in.NotShared = "the delegate draws no opaque geometry of this renderer";
+  }
+  vtkRenderer* renderer = s->GetRenderer();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  state->Push();
+  std::string wrong =
+    in.Target.Allocate(window, in.Layout, in.View.Viewport[2], in.View.Viewport[3]);
+  if (wrong.empty())
+  {
+    wrong = in.Target.BeginOwn(in.Layout);
+  }
+  if (wrong.empty())
+  {
+    in.SetMode(vtkRelievoGBufferSplice::Mode{
+      true, in.View.Far > 1e4 * in.View.Near && !in.View.Parallel });
+    in.Offset[0] = in.Offset[1] = 0;
+    in.Draws.Clear();
+    in.Writing = true;
+    in.Props.AddPass(this);
+    in.Props.RenderOpaque(renderer);
+    in.Props.RemovePass(this);
+    in.Writing = false;
+    in.Target.EndOwn();
+    in.Valid = true;
+  }
+  else if (in.Said.insert(wrong).second)
+  {
+    vtkErrorMacro("No layers: " << wrong << ".");
+  }
+  state->Pop();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGBufferPass::PreReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    vtkRelievoGBufferSplice::Mark(vertexShader, geometryShader, fragmentShader);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGBufferPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* abstractMapper,
+  vtkProp* prop)
+{
+  Internals& in = *this->Internal;
+  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!mapper || !actor)
+  {
+    return true;
+  }
+  const std::string missing = vtkRelievoGBufferSplice::Fill(
+    vertexShader, geometryShader, fragmentShader, mapper, actor, in.Layout, in.Mode);
+  if (!missing.empty() && in.Said.insert(mapper->GetClassName() + missing).second)
+  {
+    vtkErrorMacro("No layers of what " << mapper->GetClassName() << " draws: " << missing
+                                       << ". Use VTK's shader templates, with their tags.");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
+  vtkAbstractMapper* abstractMapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  Internals& in = *this->Internal;
+  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!in.Writing || !mapper || !actor)
+  {
+    return true;
+  }
+  const bool writes =
+    program->GetFragmentShader()->GetSource().find("relievoOutput1") != std::string::npos;
+  in.Target.WriteLayers(writes);
+  if (!writes)
+  {
+    return true;
+  }
+  ++this->DrawCalls;
+  if (in.Layout.IdWord >= 0)
+  {
+    const int source = vtkRelievoGBufferSplice::GetPrimitiveSource(mapper, actor);
+    program->SetUniformi("relievoDraw", in.Draws.Add(actor, mapper, source));
+  }
+  program->SetUniformf("relievoNear", static_cast<float>(in.View.Near));
+  program->SetUniformf("relievoFar", static_cast<float>(in.View.Far));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoGBufferPass::GetShaderStageMTime()
+{
+  return this->Internal->StructureTime.GetMTime();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGBufferPass::ReadLayer(const std::string& name, vtkImageData* image)
+{
+  Internals& in = *this->Internal;
+  if (!in.Valid || !in.Renderer)
+  {
+    vtkErrorMacro("The layer '" << name << "' is read, but the last frame made no layers: ask for it "
+                                << "(RequestLayer) and render before.");
+    return false;
+  }
+  const int region[4] = { in.Offset[0], in.Offset[1], in.View.Viewport[2], in.View.Viewport[3] };
+  vtkRelievoLayerReader reader(in.Layout, in.Target, region, in.View);
+  reader.SetNormalSpaceIsWorld(this->NormalSpace == WORLD);
+  reader.SetDraws(&in.Draws, in.Renderer);
+  const std::string wrong = reader.Read(name, image);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro("The layer '" << name << "' cannot be read: " << wrong << ".");
+  }
+  return wrong.empty();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoGBufferPass::GetBytesHeld()
+{
+  return this->Internal->Target.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::GetSize(int size[2])
+{
+  size[0] = this->Internal->View.Viewport[2];
+  size[1] = this->Internal->View.Viewport[3];
+}
+
+//------------------------------------------------------------------------------
+const vtkRelievoGBufferLayout& vtkRelievoGBufferPass::GetLayout()
+{
+  return this->Internal->Layout;
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkRelievoGBufferPass::GetTexture(int attachment)
+{
+  return this->Internal->Valid ? this->Internal->Target.GetTexture(attachment) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::GetOffset(int offset[2])
+{
+  offset[0] = this->Internal->Offset[0];
+  offset[1] = this->Internal->Offset[1];
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::GetClippingRange(double range[2])
+{
+  range[0] = this->Internal->View.Near;
+  range[1] = this->Internal->View.Far;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Target.Release(window);
+  this->Internal->Valid = false;
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NormalFormat: " << this->NormalFormat << "\n";
+  os << indent << "DepthFormat: " << this->DepthFormat << "\n";
+  os << indent << "NormalDepthFormat: " << this->NormalDepthFormat << "\n";
+  os << indent << "NormalSpace: " << (this->NormalSpace == WORLD ? "World" : "View") << "\n";
+  os << indent << "ShareGeometryPass: " << this->ShareGeometryPass << "\n";
+  os << indent << "Shared: " << this->Shared << "\n";
+}

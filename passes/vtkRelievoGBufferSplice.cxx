@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoGBufferSplice.h"
+
+#include "vtkActor.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkOpenGLGlyph3DHelper.h"
+#include "vtkProperty.h"
+#include "vtkRelievoAccess.h"
+#include "vtkRelievoGBufferLayout.h"
+#include "vtkRelievoShaderLibrary.h"
+#include "vtkShaderProgram.h"
+
+#include <sstream>
+
+namespace
+{
+bool Has(const std::string& source, const std::string& text)
+{
+  return source.find(text) != std::string::npos;
+}
+
+void MarkBehind(std::string& source, const std::string& tag, const std::string& mark)
+{
+  vtkShaderProgram::Substitute(source, tag, tag + "\n" + mark, false);
+}
+
+void FillMark(std::string& source, const std::string& mark, const std::string& text)
+{
+  vtkShaderProgram::Substitute(source, mark, text, false);
+}
+
+std::string Section(const char* file, const char* section)
+{
+  return vtkRelievoShaderLibrary::GetSection(std::string("gbuffer/") + file, section);
+}
+
+// The three stages' declarations and statements of one varying, at the marks of the position.
+void FillVarying(std::string& vertex, std::string& geometry, std::string& fragment, const char* file,
+  bool hasFragmentImpl)
+{
+  MarkBehind(vertex, "//RELIEVO::Position::Dec", Section(file, "VertexDec"));
+  MarkBehind(vertex, "//RELIEVO::Position::Impl", Section(file, "VertexImpl"));
+  MarkBehind(geometry, "//RELIEVO::Position::Dec", Section(file, "GeometryDec"));
+  MarkBehind(geometry, "//RELIEVO::Position::Impl", Section(file, "GeometryImpl"));
+  MarkBehind(fragment, "//RELIEVO::Position::Dec", Section(file, "FragmentDec"));
+  if (hasFragmentImpl)
+  {
+    MarkBehind(fragment, "//RELIEVO::Position::Impl", Section(file, "FragmentImpl"));
+  }
+}
+
+bool CanCarryVarying(
+  const std::string& vertex, const std::string& geometry, const std::string& fragment)
+{
+  auto marked = [](const std::string& source)
+  { return Has(source, "//RELIEVO::Position::Dec") && Has(source, "//RELIEVO::Position::Impl"); };
+  return marked(vertex) && marked(fragment) && (geometry.empty() || marked(geometry));
+}
+
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoGBufferSplice::GetPrimitiveSource(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
+  if (vtkOpenGLGlyph3DHelper::SafeDownCast(mapper))
+  {
+    // Culling hands out instances in an order of its own.
+    auto* glyphs = vtkGlyph3DMapper::SafeDownCast(actor->GetMapper());
+    return glyphs && glyphs->GetCullingAndLOD() ? NoPrimitive : InstanceOfGlyphs;
+  }
+  return vtkRelievoAccess::Mapper::BoundPrimitiveType(mapper) >
+      vtkOpenGLPolyDataMapper::PrimitiveTriStrips
+    ? NoPrimitive
+    : PrimitiveOfMesh;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferSplice::Mark(
+  std::string& vertex, std::string& geometry, std::string& fragment)
+{
+  for (std::string* source : { &vertex, &geometry, &fragment })
+  {
+    MarkBehind(*source, "//VTK::PositionVC::Dec", "//RELIEVO::Position::Dec");
+    MarkBehind(*source, "//VTK::PositionVC::Impl", "//RELIEVO::Position::Impl");
+  }
+  MarkBehind(fragment, "//VTK::System::Dec", "//RELIEVO::Extensions");
+  MarkBehind(fragment, "//VTK::Output::Dec", "//RELIEVO::Write::Dec");
+  MarkBehind(fragment, "//VTK::Picking::Impl", "//RELIEVO::Write::Impl");
+  vtkShaderProgram::Substitute(fragment, "//VTK::UniformFlow::Impl",
+    "//RELIEVO::UniformFlow::Impl\n  //VTK::UniformFlow::Impl", false);
+  vtkShaderProgram::Substitute(fragment, "//VTK::TCoord::Impl",
+    "//RELIEVO::Texture::Begin\n//VTK::TCoord::Impl\n//RELIEVO::Texture::End", false);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geometry,
+  std::string& fragment, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor,
+  const vtkRelievoGBufferLayout& layout, const Mode& mode)
+{
+  for (const char* mark : { "//RELIEVO::Extensions", "//RELIEVO::Write::Dec",
+         "//RELIEVO::Write::Impl", "//RELIEVO::UniformFlow::Impl" })
+  {
+    if (!Has(fragment, mark))
+    {
+      return std::string("its fragment shader lacks VTK's tag for ") + mark;
+    }
+  }
+  const int primitiveType = vtkRelievoAccess::Mapper::BoundPrimitiveType(mapper);
+  const int source = GetPrimitiveSource(mapper, actor);
+  const bool needsPosition = !Has(fragment, "vec4 vertexVC =");
+  const bool needsInstance = layout.IdWord >= 0 && source == InstanceOfGlyphs;
+  if ((needsPosition || needsInstance) && !CanCarryVarying(vertex, geometry, fragment))
+  {
+    return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl";
+  }
+
+  const bool impostor = Has(fragment, "vertexVC.xyz =");
+  const bool hasNormal = Has(fragment, "normalVCVSOutput");
+  const bool spherePoints = Has(fragment, "ZCalcR") && Has(fragment, "gl_PointCoord");
+  const bool tubeLines = Has(fragment, "ZCalcR") && Has(fragment, "float lenZ");
+  const bool triangles = primitiveType == vtkOpenGLPolyDataMapper::PrimitiveTris ||
+    primitiveType == vtkOpenGLPolyDataMapper::PrimitiveTriStrips;
+  const bool surface =
+    triangles && !impostor && actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+
+  if (needsPosition)
+  {
+    FillVarying(vertex, geometry, fragment, "position.glsl", true);
+    FillMark(vertex, "RELIEVO_VERTEX_MC", Has(vertex, "vec4 vertex =") ? "vertex" : "vertexMC");
+  }
+  if (needsInstance)
+  {
+    FillVarying(vertex, geometry, fragment, "instance.glsl", false);
+  }
+
+  std::ostringstream defines;
+  defines << layout.GetDefines() << "#define RELIEVO_PRIMITIVE_SOURCE " << source << "\n";
+  auto define = [&defines](bool on, const char* name)
+  {
+    if (on)
+    {
+      defines << "#define " << name << "\n";
+    }
+  };
+  define(surface, "RELIEVO_SURFACE");
+  define(hasNormal, "RELIEVO_HAS_NORMAL");
+  define(spherePoints, "RELIEVO_SPHERE_POINTS");
+  define(tubeLines && !spherePoints, "RELIEVO_TUBE_LINES");
+  define(Has(fragment, "vec3 albedo ="), "RELIEVO_PBR_ALBEDO");
+  define(mode.LayersOnly, "RELIEVO_LAYERS_ONLY");
+  define(mode.LinearVisibility, "RELIEVO_LINEAR_VISIBILITY");
+
+  std::string write = Section("write.glsl", "FragmentImpl");
+  const std::size_t begin = fragment.find("//RELIEVO::Texture::Begin");
+  const std::size_t end = fragment.find("//RELIEVO::Texture::End");
+  if (begin != std::string::npos && end != std::string::npos && begin < end)
+  {
+    FillMark(write, "//RELIEVO::Texture::Copy", fragment.substr(begin, end - begin));
+  }
+  FillMark(fragment, "//RELIEVO::Extensions", Section("write.glsl", "Extensions") + defines.str());
+  FillMark(fragment, "//RELIEVO::Write::Dec", Section("write.glsl", "FragmentDec"));
+  FillMark(fragment, "//RELIEVO::UniformFlow::Impl", Section("write.glsl", "UniformFlow"));
+  FillMark(fragment, "//RELIEVO::Write::Impl", write);
+  return std::string();
+}

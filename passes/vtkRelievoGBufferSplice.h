@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Puts shaders/gbuffer into the shaders that VTK's mappers build, in VTK's two replacement steps.
+#ifndef vtkRelievoGBufferSplice_h
+#define vtkRelievoGBufferSplice_h
+
+#include <string>
+
+class vtkActor;
+class vtkOpenGLPolyDataMapper;
+struct vtkRelievoGBufferLayout;
+
+namespace vtkRelievoGBufferSplice
+{
+// Where a fragment's primitive word comes from.
+enum PrimitiveSource
+{
+  PrimitiveOfMesh = 0,
+  InstanceOfGlyphs = 1,
+  NoPrimitive = 2
+};
+
+// The source of a mapper that draws for an actor now.
+int GetPrimitiveSource(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
+
+// Marks the places, before VTK fills its own tags.
+void Mark(std::string& vertex, std::string& geometry, std::string& fragment);
+
+// How the layers are drawn, beside what they are.
+struct Mode
+{
+  bool LayersOnly = false;       // nobody sees the colour
+  bool LinearVisibility = false; // the depth buffer holds depth / far
+
+  bool operator!=(const Mode& other) const
+  {
+    return this->LayersOnly != other.LayersOnly || this->LinearVisibility != other.LinearVisibility;
+  }
+};
+
+// Fills the places. Returns what is missing, in words, and leaves the shaders as they are then.
+std::string Fill(std::string& vertex, std::string& geometry, std::string& fragment,
+  vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, const vtkRelievoGBufferLayout& layout,
+  const Mode& mode);
+}
+
+#endif

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A layer in an image as colours: scalars through a colour map, vectors as 0.5 v + 0.5 (positions
+// over their extent), ids as distinct colours.
+#ifndef vtkRelievoLayerColors_h
+#define vtkRelievoLayerColors_h
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace vtkRelievoLayerColors
+{
+// RGBA, alpha 0 where nothing is. The range is taken from the values if it is empty.
+std::vector<unsigned char> Make(
+  vtkImageData* image, const std::string& layer, const double range[2], bool grey);
+}
+
+#endif

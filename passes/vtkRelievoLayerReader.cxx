@@ -1,0 +1,408 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoLayerReader.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkRelievoArraySampler.h"
+#include "vtkRelievoDrawTable.h"
+#include "vtkRelievoGBufferLayout.h"
+#include "vtkRelievoGBufferPass.h"
+#include "vtkRelievoGBufferTarget.h"
+#include "vtkRelievoView.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+
+namespace
+{
+using relievo::f64::relievoEyePosition;
+using relievo::f64::relievoNdcFromPixel;
+
+template <typename Array>
+vtkSmartPointer<Array> NewArray(int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+// Calls f(pixel, x, y) for every pixel, in several threads.
+template <typename Function>
+void ForPixels(const int region[4], Function f)
+{
+  const vtkIdType width = region[2];
+  vtkSMPTools::For(0, region[3],
+    [&](vtkIdType from, vtkIdType to)
+    {
+      for (vtkIdType y = from; y < to; ++y)
+      {
+        for (vtkIdType x = 0; x < width; ++x)
+        {
+          f(y * width + x, static_cast<int>(x), static_cast<int>(y));
+        }
+      }
+    });
+}
+
+glm::vec3 DecodeNormal(const std::uint32_t* words, int format)
+{
+  using namespace relievo::f32;
+  switch (format)
+  {
+    case vtkRelievoGBufferPass::NORMAL_FLOAT32:
+      return relievoUnpackNormalFloat(glm::uvec3(words[0], words[1], words[2]));
+    case vtkRelievoGBufferPass::NORMAL_FLOAT16:
+      return relievoUnpackNormalHalf(glm::uvec2(words[0], words[1]));
+    case vtkRelievoGBufferPass::NORMAL_OCT16:
+    case vtkRelievoGBufferPass::NORMAL_OCT16_PRECISE:
+      return relievoUnpackNormalOct16(words[0]);
+    case vtkRelievoGBufferPass::NORMAL_OCT8:
+    case vtkRelievoGBufferPass::NORMAL_OCT8_PRECISE:
+      return relievoUnpackNormalOct8(words[0]);
+    case vtkRelievoGBufferPass::NORMAL_RGB10A2:
+      return relievoUnpackNormalUnorm10(words[0]);
+    default:
+      return relievoUnpackNormalUnorm8(words[0]);
+  }
+}
+
+double DecodeDepth(std::uint32_t word, int format, const vtkRelievoView& view)
+{
+  using namespace relievo::f64;
+  switch (format)
+  {
+    case vtkRelievoGBufferPass::DEPTH_16F:
+      return relievoUnpackDepth16F(
+        word, relievo::f32::relievoDepth16FScale(static_cast<float>(view.Far)));
+    case vtkRelievoGBufferPass::DEPTH_WINDOW_Z24:
+    {
+      const double z = relievoUnpackWindowZ24(word);
+      return view.Parallel ? relievoParallelDepth(z, view.Near, view.Far)
+                           : relievoPerspectiveDepth(z, view.Near, view.Far);
+    }
+    case vtkRelievoGBufferPass::DEPTH_REVERSED_32F:
+    {
+      const double z = relievoUnpackDepth32F(word);
+      if (std::isinf(z))
+      {
+        return -z;
+      }
+      return view.Parallel ? relievoParallelDepthFromReversed(z, view.Near, view.Far)
+                           : relievoPerspectiveDepthFromReversed(z, view.Near, view.Far);
+    }
+    default:
+      return relievoUnpackDepth32F(word);
+  }
+}
+
+// Normal (xyz) and depth (w) of one texel.
+glm::vec4 DecodeNormalDepth(const std::uint32_t* words, int format, const vtkRelievoView& view)
+{
+  using namespace relievo::f32;
+  const float zNear = static_cast<float>(view.Near);
+  const float zFar = static_cast<float>(view.Far);
+  switch (format)
+  {
+    case vtkRelievoGBufferPass::NORMAL_DEPTH_RGBA32F:
+      return relievoUnpackNormalDepth32F(glm::uvec4(words[0], words[1], words[2], words[3]));
+    case vtkRelievoGBufferPass::NORMAL_DEPTH_RGBA16F:
+      return relievoUnpackNormalDepth16F(
+        glm::uvec2(words[0], words[1]), relievoDepth16FScale(zFar));
+    default:
+      return relievoUnpackNormalDepth8(words[0], zNear, zFar);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoLayerReader::vtkRelievoLayerReader(const vtkRelievoGBufferLayout& layout,
+  vtkRelievoGBufferTarget& target, const int region[4], const vtkRelievoView& view)
+  : Layout(layout)
+  , Target(target)
+  , Region{ region[0], region[1], region[2], region[3] }
+  , View(view)
+  , Words(static_cast<std::size_t>(layout.GetNumberOfAttachments()))
+{
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayerReader::AddChannels(const std::string& layer, vtkRelievoGBufferLayout& layout)
+{
+  const bool id = layer == "actor" || layer == "block" || layer == "cell";
+  layout.Normal = layout.Normal || layer == "normal";
+  layout.GeometricNormal = layout.GeometricNormal || layer == "geometric_normal";
+  layout.Albedo = layout.Albedo || layer == "albedo";
+  const bool depth = layer == "depth" || layer == "range" || layer == "position";
+  const bool named =
+    !id && !depth && layer != "normal" && layer != "geometric_normal" && layer != "albedo";
+  // A named array is looked up in the mesh, at the pixel's place in the pixel's cell.
+  layout.Depth = layout.Depth || depth || named;
+  layout.Ids = layout.Ids || id || named;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoLayerReader::GetNumberOfPixels() const
+{
+  return static_cast<vtkIdType>(this->Region[2]) * this->Region[3];
+}
+
+//------------------------------------------------------------------------------
+const std::uint32_t* vtkRelievoLayerReader::GetWords(int word, int& stride)
+{
+  const int attachment = word / 4;
+  stride = this->Layout.GetNumberOfChannels(attachment);
+  std::vector<std::uint32_t>& words = this->Words[attachment];
+  if (words.empty())
+  {
+    this->Target.Read(attachment, this->Region, words);
+  }
+  return words.data() + word % 4;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* image)
+{
+  if (image->GetNumberOfPoints() == 0)
+  {
+    image->SetDimensions(this->Region[2], this->Region[3], 1);
+  }
+  if (image->GetNumberOfPoints() != this->GetNumberOfPixels())
+  {
+    return "the image has " + std::to_string(image->GetNumberOfPoints()) + " points, the layers " +
+      std::to_string(this->GetNumberOfPixels()) + " pixels";
+  }
+  vtkRelievoGBufferLayout needed;
+  AddChannels(layer, needed);
+  if ((needed.Depth && !this->Layout.Depth) || (needed.Normal && !this->Layout.Normal) ||
+    (needed.GeometricNormal && !this->Layout.GeometricNormal) ||
+    (needed.Albedo && !this->Layout.Albedo) || (needed.Ids && !this->Layout.Ids))
+  {
+    return "the last frame did not make it; ask for it (RequestLayer) and render before";
+  }
+  std::string wrong;
+  vtkSmartPointer<vtkDataArray> array;
+  if (layer == "depth")
+  {
+    array = this->ReadDepth();
+  }
+  else if (layer == "range")
+  {
+    array = this->ReadRange();
+  }
+  else if (layer == "position")
+  {
+    array = this->ReadPosition();
+  }
+  else if (needed.Normal)
+  {
+    array = this->ReadNormal(this->Layout.NormalWord);
+  }
+  else if (needed.GeometricNormal)
+  {
+    array = this->ReadNormal(this->Layout.GeometricNormalWord);
+  }
+  else if (needed.Albedo)
+  {
+    array = this->ReadAlbedo();
+  }
+  else if (layer == "actor" || layer == "block" || layer == "cell")
+  {
+    array = this->ReadId(layer);
+  }
+  else
+  {
+    array = this->ReadNamedArray(layer, wrong);
+  }
+  if (array)
+  {
+    array->SetName(layer.c_str());
+    image->GetPointData()->AddArray(array);
+  }
+  return wrong;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadDepth()
+{
+  auto array = NewArray<vtkFloatArray>(1, this->GetNumberOfPixels());
+  float* out = array->GetPointer(0);
+  int stride = 0;
+  if (this->Layout.NormalDepthWord >= 0)
+  {
+    const std::uint32_t* words = this->GetWords(this->Layout.NormalDepthWord, stride);
+    ForPixels(this->Region, [&](vtkIdType i, int, int)
+      { out[i] = DecodeNormalDepth(words + i * stride, this->Layout.NormalDepth, this->View).w; });
+    return array;
+  }
+  const std::uint32_t* words = this->GetWords(this->Layout.DepthWord, stride);
+  ForPixels(this->Region,
+    [&](vtkIdType i, int, int)
+    {
+      out[i] =
+        static_cast<float>(DecodeDepth(words[i * stride], this->Layout.DepthFormat, this->View));
+    });
+  return array;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadRange()
+{
+  vtkSmartPointer<vtkDataArray> depths = this->ReadDepth();
+  float* values = vtkFloatArray::SafeDownCast(depths)->GetPointer(0);
+  const glm::dvec2 size(this->Region[2], this->Region[3]);
+  ForPixels(this->Region,
+    [&](vtkIdType i, int x, int y)
+    {
+      if (std::isfinite(values[i]))
+      {
+        values[i] = static_cast<float>(relievo::f64::relievoRange(relievoEyePosition(
+          relievoNdcFromPixel(glm::dvec2(x, y), size), values[i], this->View.ViewToNDC)));
+      }
+    });
+  return depths;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadPosition()
+{
+  vtkSmartPointer<vtkDataArray> depths = this->ReadDepth();
+  const float* values = vtkFloatArray::SafeDownCast(depths)->GetPointer(0);
+  auto array = NewArray<vtkDoubleArray>(3, this->GetNumberOfPixels());
+  double* out = array->GetPointer(0);
+  const glm::dvec2 size(this->Region[2], this->Region[3]);
+  const glm::dmat4 viewToWorld = glm::inverse(this->View.WorldToView);
+  ForPixels(this->Region,
+    [&](vtkIdType i, int x, int y)
+    {
+      glm::dvec3 world(0.0);
+      if (std::isfinite(values[i]))
+      {
+        world = relievo::f64::relievoWorldPosition(
+          relievoEyePosition(
+            relievoNdcFromPixel(glm::dvec2(x, y), size), values[i], this->View.ViewToNDC),
+          viewToWorld);
+      }
+      out[3 * i] = world.x;
+      out[3 * i + 1] = world.y;
+      out[3 * i + 2] = world.z;
+    });
+  return array;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNormal(int firstWord)
+{
+  auto array = NewArray<vtkFloatArray>(3, this->GetNumberOfPixels());
+  float* out = array->GetPointer(0);
+  const bool together = firstWord < 0;
+  // Words may begin in one attachment and end in the next.
+  const int count =
+    together ? vtkRelievoGBufferLayout::GetNormalDepthWords(this->Layout.NormalDepth)
+             : vtkRelievoGBufferLayout::GetNormalWords(this->Layout.ChosenNormalFormat);
+  const std::uint32_t* words[4] = {};
+  int strides[4] = {};
+  const int first = together ? this->Layout.NormalDepthWord : firstWord;
+  for (int k = 0; k < count; ++k)
+  {
+    words[k] = this->GetWords(first + k, strides[k]);
+  }
+  const glm::dmat3 viewToWorld = glm::transpose(glm::dmat3(this->View.WorldToView));
+  ForPixels(this->Region,
+    [&](vtkIdType i, int, int)
+    {
+      std::uint32_t packed[4] = {};
+      for (int k = 0; k < count; ++k)
+      {
+        packed[k] = words[k][i * strides[k]];
+      }
+      glm::vec3 normal = together
+        ? glm::vec3(DecodeNormalDepth(packed, this->Layout.NormalDepth, this->View))
+        : DecodeNormal(packed, this->Layout.ChosenNormalFormat);
+      const float length = glm::length(normal);
+      glm::dvec3 unit(0.0);
+      if (length > 0.0f)
+      {
+        unit = glm::normalize(
+          this->WorldNormals ? viewToWorld * glm::dvec3(normal) : glm::dvec3(normal));
+      }
+      out[3 * i] = static_cast<float>(unit.x);
+      out[3 * i + 1] = static_cast<float>(unit.y);
+      out[3 * i + 2] = static_cast<float>(unit.z);
+    });
+  return array;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadAlbedo()
+{
+  auto array = NewArray<vtkUnsignedCharArray>(4, this->GetNumberOfPixels());
+  unsigned char* out = array->GetPointer(0);
+  int stride = 0;
+  const std::uint32_t* words = this->GetWords(this->Layout.AlbedoWord, stride);
+  ForPixels(this->Region,
+    [&](vtkIdType i, int, int)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        out[4 * i + k] = static_cast<unsigned char>(words[i * stride] >> (8 * k));
+      }
+    });
+  return array;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadId(const std::string& layer)
+{
+  this->Draws->Resolve(this->Renderer);
+  auto array = NewArray<vtkIntArray>(1, this->GetNumberOfPixels());
+  int* out = array->GetPointer(0);
+  int stride = 0;
+  const std::uint32_t* draws = this->GetWords(this->Layout.IdWord, stride);
+  int primitiveStride = 0;
+  const std::uint32_t* primitives = this->GetWords(this->Layout.IdWord + 1, primitiveStride);
+  const int which = layer == "actor" ? 0 : layer == "block" ? 1 : 2;
+  ForPixels(this->Region,
+    [&](vtkIdType i, int, int)
+    {
+      const auto hit = this->Draws->Find(draws[i * stride], primitives[i * primitiveStride]);
+      out[i] = which == 0 ? hit.Actor : which == 1 ? hit.Block : static_cast<int>(hit.Cell);
+    });
+  return array;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNamedArray(
+  const std::string& layer, std::string& wrong)
+{
+  this->Draws->Resolve(this->Renderer);
+  vtkRelievoArraySampler sampler(layer, *this->Draws, this->View, this->Region[2], this->Region[3]);
+  int components = 0;
+  const int type = sampler.Prepare(components, wrong);
+  if (!wrong.empty())
+  {
+    return nullptr;
+  }
+  vtkSmartPointer<vtkDataArray> array;
+  array.TakeReference(vtkDataArray::CreateDataArray(type));
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(this->GetNumberOfPixels());
+  int stride = 0;
+  const std::uint32_t* draws = this->GetWords(this->Layout.IdWord, stride);
+  int primitiveStride = 0;
+  const std::uint32_t* primitives = this->GetWords(this->Layout.IdWord + 1, primitiveStride);
+  ForPixels(this->Region,
+    [&](vtkIdType i, int x, int y)
+    {
+      double values[vtkRelievoArraySampler::MaximumComponents];
+      sampler.Sample(this->Draws->Find(draws[i * stride], primitives[i * primitiveStride]), x, y,
+        values);
+      array->SetTuple(i, values);
+    });
+  return array;
+}

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From the words of the G-buffer to the layers as arrays, in double where it counts.
+#ifndef vtkRelievoLayerReader_h
+#define vtkRelievoLayerReader_h
+
+#include "vtkSmartPointer.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkRelievoDrawTable;
+class vtkRelievoGBufferTarget;
+class vtkRenderer;
+struct vtkRelievoGBufferLayout;
+struct vtkRelievoView;
+
+class vtkRelievoLayerReader
+{
+public:
+  // The region x y w h of the target's textures is read.
+  vtkRelievoLayerReader(const vtkRelievoGBufferLayout& layout, vtkRelievoGBufferTarget& target,
+    const int region[4], const vtkRelievoView& view);
+
+  // Marks in the layout what the layer is made of.
+  static void AddChannels(const std::string& layer, vtkRelievoGBufferLayout& layout);
+
+  void SetNormalSpaceIsWorld(bool world) { this->WorldNormals = world; }
+  void SetDraws(vtkRelievoDrawTable* draws, vtkRenderer* renderer)
+  {
+    this->Draws = draws;
+    this->Renderer = renderer;
+  }
+
+  // Adds the layer to the image's point data. Returns what is wrong, in words.
+  std::string Read(const std::string& layer, vtkImageData* image);
+
+private:
+  const std::uint32_t* GetWords(int word, int& stride);
+  vtkIdType GetNumberOfPixels() const;
+
+  vtkSmartPointer<vtkDataArray> ReadDepth();
+  vtkSmartPointer<vtkDataArray> ReadRange();
+  vtkSmartPointer<vtkDataArray> ReadPosition();
+  vtkSmartPointer<vtkDataArray> ReadNormal(int firstWord);
+  vtkSmartPointer<vtkDataArray> ReadAlbedo();
+  vtkSmartPointer<vtkDataArray> ReadId(const std::string& layer);
+  vtkSmartPointer<vtkDataArray> ReadNamedArray(const std::string& layer, std::string& wrong);
+
+  const vtkRelievoGBufferLayout& Layout;
+  vtkRelievoGBufferTarget& Target;
+  int Region[4];
+  const vtkRelievoView& View;
+  bool WorldNormals = true;
+  vtkRelievoDrawTable* Draws = nullptr;
+  vtkRenderer* Renderer = nullptr;
+  std::vector<std::vector<std::uint32_t>> Words; // by attachment, as read
+};
+
+#endif

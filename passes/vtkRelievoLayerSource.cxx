@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoLayerSource.h"
+
+#include "vtkCamera.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkRelievoFormulas.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoView.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <sstream>
+
+vtkStandardNewMacro(vtkRelievoLayerSource);
+
+namespace
+{
+void AddDoubles(vtkImageData* image, const char* name, const double* values, int count)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(count);
+  std::copy(values, values + count, array->GetPointer(0));
+  image->GetFieldData()->AddArray(array);
+}
+
+void WriteVector(std::ostream& out, const char* name, const double v[3])
+{
+  out << ", \"" << name << "\": [" << v[0] << ", " << v[1] << ", " << v[2] << "]";
+}
+
+std::string DescribeLight(vtkLight* light)
+{
+  std::ostringstream out;
+  out.precision(17);
+  const char* type = !light->GetPositional() ? "sun" : light->GetConeAngle() < 90.0 ? "spot" : "point";
+  const char* frame = light->LightTypeIsHeadlight() ? "headlight"
+    : light->LightTypeIsCameraLight()               ? "camera"
+                                                    : "scene";
+  out << "{\"type\": \"" << type << "\", \"frame\": \"" << frame << "\"";
+  WriteVector(out, "position", light->GetTransformedPosition());
+  WriteVector(out, "focal_point", light->GetTransformedFocalPoint());
+  WriteVector(out, "color", light->GetDiffuseColor());
+  out << ", \"intensity\": " << light->GetIntensity()
+      << ", \"cone_angle\": " << light->GetConeAngle() << "}";
+  return out.str();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoLayerSource::vtkRelievoLayerSource()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoLayerSource::~vtkRelievoLayerSource() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayerSource::SetRenderer(vtkRenderer* renderer)
+{
+  if (this->Renderer != renderer)
+  {
+    this->Renderer = renderer;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkRelievoLayerSource::GetRenderer()
+{
+  return this->Renderer;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayerSource::AddLayer(const std::string& name)
+{
+  this->Layers.push_back(name);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayerSource::RemoveAllLayers()
+{
+  this->Layers.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLayerSource::GetLayer(int i)
+{
+  return i >= 0 && i < this->GetNumberOfLayers() ? this->Layers[i] : std::string();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoLayerSource::GetMTime()
+{
+  this->MTime.Modified();
+  return this->Superclass::GetMTime();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoLayerSource::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  int size[2] = { 0, 0 };
+  if (this->Renderer && this->Renderer->GetRenderWindow())
+  {
+    this->Renderer->GetTiledSize(&size[0], &size[1]);
+  }
+  const int extent[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, 0 };
+  outputs->GetInformationObject(0)->Set(
+    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoLayerSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkImageData* image = vtkImageData::GetData(outputs);
+  image->Initialize();
+  vtkRenderWindow* window = this->Renderer ? this->Renderer->GetRenderWindow() : nullptr;
+  if (!window)
+  {
+    vtkErrorMacro("Layers are asked of " << (this->Renderer ? "a renderer without a window; add it "
+                                                              "to a vtkRenderWindow."
+                                                            : "no renderer; use SetRenderer."));
+    return 0;
+  }
+  if (this->Layers.empty())
+  {
+    vtkErrorMacro("No layers are asked for; use AddLayer(\"depth\"), for example.");
+    return 0;
+  }
+  const bool attached = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass()) != nullptr;
+  vtkSmartPointer<vtkRelievoPass> pass = vtkRelievoPass::Attach(this->Renderer);
+  std::vector<std::string> added;
+  bool color = false;
+  for (const std::string& layer : this->Layers)
+  {
+    color = color || layer == "color";
+    if (layer != "color" && !pass->IsLayerRequested(layer))
+    {
+      pass->RequestLayer(layer);
+      added.push_back(layer);
+    }
+  }
+
+  bool good = this->Draw(pass, color);
+  for (std::size_t i = 0; i < this->Layers.size() && good; ++i)
+  {
+    if (this->Layers[i] == "color")
+    {
+      this->ReadColor(image);
+    }
+    else
+    {
+      good = pass->ReadLayer(this->Layers[i], image);
+    }
+  }
+  if (good)
+  {
+    this->AddCamera(image);
+  }
+  else
+  {
+    image->Initialize();
+  }
+  for (const std::string& layer : added)
+  {
+    pass->ReleaseLayer(layer);
+  }
+  if (!attached)
+  {
+    vtkRelievoPass::Detach(this->Renderer);
+  }
+  return good ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoLayerSource::Draw(vtkRelievoPass* pass, bool color)
+{
+  vtkRenderWindow* window = this->Renderer->GetRenderWindow();
+  int size[2];
+  this->Renderer->GetTiledSize(&size[0], &size[1]);
+  const int* all = window->GetSize();
+  if (all[0] <= 0 || all[1] <= 0 || size[0] <= 0 || size[1] <= 0)
+  {
+    vtkErrorMacro("The renderer's viewport has " << size[0] << " x " << size[1]
+                                                 << " pixels; give the window a size.");
+    return false;
+  }
+  if (color)
+  {
+    window->Render();
+    return true;
+  }
+  const bool layersOnly = pass->GetLayersOnly();
+  pass->SetLayersOnly(true);
+  // The renderer alone, into the G-buffer's own framebuffer: nothing of the window is drawn.
+  window->Start();
+  this->Renderer->Render();
+  pass->SetLayersOnly(layersOnly);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayerSource::ReadColor(vtkImageData* image)
+{
+  int size[2];
+  int origin[2];
+  this->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  vtkNew<vtkUnsignedCharArray> bytes;
+  vtkRenderWindow* window = this->Renderer->GetRenderWindow();
+  window->GetRGBACharPixelData(origin[0], origin[1], origin[0] + size[0] - 1,
+    origin[1] + size[1] - 1, window->GetDoubleBuffer() ? 0 : 1, bytes);
+  const bool hasAlpha = window->GetAlphaBitPlanes() != 0;
+  if (image->GetNumberOfPoints() == 0)
+  {
+    image->SetDimensions(size[0], size[1], 1);
+  }
+  vtkNew<vtkFloatArray> color;
+  color->SetName("color");
+  color->SetNumberOfComponents(4);
+  color->SetNumberOfTuples(image->GetNumberOfPoints());
+  float* out = color->GetPointer(0);
+  // VTK's colours are meant for display; premultiplied they are already, over the background.
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      out[4 * i + c] = static_cast<float>(
+        relievo::f64::relievoLinearFromSrgb(bytes->GetValue(4 * i + c) / 255.0));
+    }
+    out[4 * i + 3] = hasAlpha ? static_cast<float>(bytes->GetValue(4 * i + 3)) / 255.0f : 1.0f;
+  }
+  image->GetPointData()->AddArray(color);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayerSource::AddCamera(vtkImageData* image)
+{
+  vtkRelievoView view;
+  view.Take(this->Renderer, nullptr);
+  double rows[16];
+  auto addMatrix = [&](const char* name, const glm::dmat4& matrix)
+  {
+    for (int i = 0; i < 16; ++i)
+    {
+      rows[i] = matrix[i % 4][i / 4];
+    }
+    AddDoubles(image, name, rows, 16);
+  };
+  addMatrix("worldToCamera", view.WorldToView);
+  addMatrix("worldToNDC", view.ViewToNDC * view.WorldToView);
+  AddDoubles(image, "near", &view.Near, 1);
+  AddDoubles(image, "far", &view.Far, 1);
+  double origin[3];
+  this->Renderer->GetActiveCamera()->GetFocalPoint(origin);
+  for (double& value : origin)
+  {
+    value = static_cast<float>(value);
+  }
+  AddDoubles(image, "relievo:origin", origin, 3);
+
+  vtkNew<vtkStringArray> lights;
+  lights->SetName("lights");
+  vtkCollectionSimpleIterator it;
+  this->Renderer->GetLights()->InitTraversal(it);
+  while (vtkLight* light = this->Renderer->GetLights()->GetNextLight(it))
+  {
+    if (light->GetSwitch())
+    {
+      lights->InsertNextValue(DescribeLight(light));
+    }
+  }
+  image->GetFieldData()->AddArray(lights);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayerSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderer: " << this->Renderer.GetPointer() << "\n";
+  os << indent << "Layers:";
+  for (const std::string& layer : this->Layers)
+  {
+    os << " " << layer;
+  }
+  os << "\n";
+}

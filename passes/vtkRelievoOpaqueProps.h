@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The props of a frame that write layers: actors with a mapper, also as parts of assemblies.
+#ifndef vtkRelievoOpaqueProps_h
+#define vtkRelievoOpaqueProps_h
+
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkOpenGLRenderPass;
+class vtkProp;
+class vtkRenderState;
+class vtkRenderer;
+
+class vtkRelievoOpaqueProps
+{
+public:
+  void Collect(const vtkRenderState* s);
+
+  // Class of a prop that may draw opaque geometry but writes no layers; empty if there is none.
+  const std::string& GetForeign() const { return this->Foreign; }
+
+  // Splices the pass into the shaders of the actors, until it is removed.
+  void AddPass(vtkOpenGLRenderPass* pass);
+  void RemovePass(vtkOpenGLRenderPass* pass);
+
+  // Draws the opaque geometry of those props that write layers.
+  void RenderOpaque(vtkRenderer* renderer);
+
+private:
+  std::vector<vtkProp*> Props;    // in the renderer's order
+  std::vector<vtkActor*> Actors;  // the same, assemblies taken apart
+  std::string Foreign;
+};
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoView.h"
+
+#include "vtkCamera.h"
+#include "vtkFrameBufferObjectBase.h"
+#include "vtkMatrix4x4.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+
+namespace
+{
+glm::dmat4 ToGlm(vtkMatrix4x4* matrix)
+{
+  glm::dmat4 out(1.0);
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      out[column][row] = matrix->GetElement(row, column);
+    }
+  }
+  return out;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoView::Take(vtkRenderer* renderer, const vtkRenderState* s)
+{
+  vtkFrameBufferObjectBase* framebuffer = s ? s->GetFrameBuffer() : nullptr;
+  this->Viewport[0] = this->Viewport[1] = 0;
+  if (framebuffer)
+  {
+    framebuffer->GetLastSize(this->Viewport[2], this->Viewport[3]);
+  }
+  else
+  {
+    renderer->GetTiledSizeAndOrigin(
+      &this->Viewport[2], &this->Viewport[3], &this->Viewport[0], &this->Viewport[1]);
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  double range[2];
+  camera->GetClippingRange(range);
+  this->Near = range[0];
+  this->Far = range[1];
+  this->Parallel = camera->GetParallelProjection() != 0;
+  this->WorldToView = ToGlm(camera->GetModelViewTransformMatrix());
+  this->ViewToNDC =
+    ToGlm(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+}

@@ -1,0 +1,68 @@
+//VTK::System::Dec
+//RELIEVO::Include(extensions.glsl)
+//RELIEVO::Defines
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Shows a layer as the picture. RELIEVO_SHOW: 0 colours made before, 1 depth, 2 range, 3 normal,
+// 4 geometric normal, 5 albedo.
+//RELIEVO::Include(gbuffer/read.glsl)
+//RELIEVO::Include(formulas/unproject.glsl)
+//RELIEVO::Include(formulas/colormap.glsl)
+uniform ivec2 relievoOffset;   // of the viewport within the words
+uniform ivec2 relievoViewport; // of the viewport within the framebuffer
+uniform vec2 relievoSize;      // of the viewport
+uniform vec2 relievoShown;     // values of the first and the last colour
+uniform vec3 relievoBackground;
+uniform int relievoGrey;
+uniform int relievoWorldNormals;
+uniform mat4 relievoProjection;
+uniform mat4 relievoViewToWorld;
+#if RELIEVO_SHOW == 0
+uniform sampler2D relievoColors;
+#endif
+
+#if RELIEVO_SHOW == 3 || RELIEVO_SHOW == 4
+vec4 relievoVectorColor(vec3 normalVC)
+{
+  vec3 n = relievoWorldNormals != 0 ? mat3(relievoViewToWorld) * normalVC : normalVC;
+  return dot(n, n) > 0.0 ? vec4(0.5 * normalize(n) + 0.5, 1.0) : vec4(relievoBackground, 1.0);
+}
+#endif
+
+#if RELIEVO_SHOW == 1 || RELIEVO_SHOW == 2
+vec4 relievoScalarColor(float value)
+{
+  if (isinf(value))
+  {
+    // A picture in grey shows "nothing here" as farther than everything.
+    return vec4(relievoGrey != 0 ? vec3(1.0) : relievoBackground, 1.0);
+  }
+  float t = (value - relievoShown.x) / (relievoShown.y - relievoShown.x);
+  return vec4(relievoGrey != 0 ? vec3(t) : relievoColormap(clamp(t, 0.0, 1.0)), 1.0);
+}
+#endif
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy) - relievoViewport;
+  ivec2 texel = pixel + relievoOffset;
+#if RELIEVO_SHOW == 0
+  vec4 color = texelFetch(relievoColors, pixel, 0);
+  gl_FragData[0] = color.a > 0.0 ? vec4(color.rgb, 1.0) : vec4(relievoBackground, 1.0);
+#elif RELIEVO_SHOW == 1
+  gl_FragData[0] = relievoScalarColor(relievoFetchDepth(texel));
+#elif RELIEVO_SHOW == 2
+  float depth = relievoFetchDepth(texel);
+  vec3 positionVC = relievoEyePosition(
+    relievoNdcFromPixel(vec2(pixel), relievoSize), isinf(depth) ? 1.0 : depth, relievoProjection);
+  gl_FragData[0] = relievoScalarColor(isinf(depth) ? depth : length(positionVC));
+#elif RELIEVO_SHOW == 3
+  gl_FragData[0] = relievoVectorColor(relievoFetchNormal(texel));
+#elif RELIEVO_SHOW == 4
+  gl_FragData[0] = relievoVectorColor(relievoFetchNormalAt(texel, RELIEVO_GEOMETRIC_NORMAL_WORD));
+#else
+  vec4 albedo = unpackUnorm4x8(relievoFetchWord(texel, RELIEVO_ALBEDO_WORD));
+  gl_FragData[0] = vec4(albedo.a > 0.0 ? albedo.rgb : relievoBackground, 1.0);
+#endif
+}

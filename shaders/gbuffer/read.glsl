@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the layers back from the words of the G-buffer. Defines by vtkRelievoGBufferLayout.
+//RELIEVO::Include(formulas/normal_depth.glsl)
+//RELIEVO::Include(formulas/octahedral.glsl)
+uniform usampler2D relievoWords1;
+#if RELIEVO_ATTACHMENTS > 1
+uniform usampler2D relievoWords2;
+#endif
+#if RELIEVO_ATTACHMENTS > 2
+uniform usampler2D relievoWords3;
+#endif
+uniform float relievoNear;
+uniform float relievoFar;
+uniform int relievoParallel;
+
+uint relievoFetchWord(ivec2 texel, int word)
+{
+  uvec4 words = uvec4(uint(0));
+  if (word < 4)
+  {
+    words = texelFetch(relievoWords1, texel, 0);
+  }
+#if RELIEVO_ATTACHMENTS > 1
+  else if (word < 8)
+  {
+    words = texelFetch(relievoWords2, texel, 0);
+  }
+#endif
+#if RELIEVO_ATTACHMENTS > 2
+  else
+  {
+    words = texelFetch(relievoWords3, texel, 0);
+  }
+#endif
+  int channel = word % 4;
+  return channel == 0 ? words.x : channel == 1 ? words.y : channel == 2 ? words.z : words.w;
+}
+
+vec3 relievoFetchNormalAt(ivec2 texel, int word)
+{
+#if RELIEVO_NORMAL_FORMAT == 1
+  return relievoUnpackNormalFloat(uvec3(relievoFetchWord(texel, word),
+    relievoFetchWord(texel, word + 1), relievoFetchWord(texel, word + 2)));
+#elif RELIEVO_NORMAL_FORMAT == 2
+  return relievoUnpackNormalHalf(
+    uvec2(relievoFetchWord(texel, word), relievoFetchWord(texel, word + 1)));
+#elif RELIEVO_NORMAL_FORMAT == 3 || RELIEVO_NORMAL_FORMAT == 4
+  return relievoUnpackNormalOct16(relievoFetchWord(texel, word));
+#elif RELIEVO_NORMAL_FORMAT == 5 || RELIEVO_NORMAL_FORMAT == 6
+  return relievoUnpackNormalOct8(relievoFetchWord(texel, word));
+#elif RELIEVO_NORMAL_FORMAT == 7
+  return relievoUnpackNormalUnorm10(relievoFetchWord(texel, word));
+#else
+  return relievoUnpackNormalUnorm8(relievoFetchWord(texel, word));
+#endif
+}
+
+#ifdef RELIEVO_NORMAL_DEPTH_WORD
+vec4 relievoFetchNormalDepth(ivec2 texel)
+{
+  int word = RELIEVO_NORMAL_DEPTH_WORD;
+#if RELIEVO_NORMAL_DEPTH_FORMAT == 1
+  return relievoUnpackNormalDepth8(relievoFetchWord(texel, word), relievoNear, relievoFar);
+#elif RELIEVO_NORMAL_DEPTH_FORMAT == 2
+  return relievoUnpackNormalDepth16F(
+    uvec2(relievoFetchWord(texel, word), relievoFetchWord(texel, word + 1)),
+    relievoDepth16FScale(relievoFar));
+#else
+  return relievoUnpackNormalDepth32F(
+    uvec4(relievoFetchWord(texel, word), relievoFetchWord(texel, word + 1),
+      relievoFetchWord(texel, word + 2), relievoFetchWord(texel, word + 3)));
+#endif
+}
+#endif
+
+#if defined(RELIEVO_DEPTH_WORD) || defined(RELIEVO_NORMAL_DEPTH_WORD)
+// World units; +infinity where nothing is.
+float relievoFetchDepth(ivec2 texel)
+{
+#ifdef RELIEVO_NORMAL_DEPTH_WORD
+  return relievoFetchNormalDepth(texel).w;
+#else
+  uint word = relievoFetchWord(texel, RELIEVO_DEPTH_WORD);
+#if RELIEVO_DEPTH_FORMAT == 1
+  return relievoUnpackDepth16F(word, relievoDepth16FScale(relievoFar));
+#elif RELIEVO_DEPTH_FORMAT == 2
+  float z = relievoUnpackWindowZ24(word);
+  return relievoParallel != 0 ? relievoParallelDepth(z, relievoNear, relievoFar)
+                              : relievoPerspectiveDepth(z, relievoNear, relievoFar);
+#elif RELIEVO_DEPTH_FORMAT == 3
+  float z = relievoUnpackDepth32F(word);
+  return isinf(z) ? -z
+    : relievoParallel != 0 ? relievoParallelDepthFromReversed(z, relievoNear, relievoFar)
+                           : relievoPerspectiveDepthFromReversed(z, relievoNear, relievoFar);
+#else
+  return relievoUnpackDepth32F(word);
+#endif
+#endif
+}
+#endif
+
+#if defined(RELIEVO_NORMAL_WORD) || defined(RELIEVO_NORMAL_DEPTH_WORD)
+// Eye space, unit; the zero vector where there is none.
+vec3 relievoFetchNormal(ivec2 texel)
+{
+#ifdef RELIEVO_NORMAL_WORD
+  return relievoFetchNormalAt(texel, RELIEVO_NORMAL_WORD);
+#else
+  return relievoFetchNormalDepth(texel).xyz;
+#endif
+}
+#endif

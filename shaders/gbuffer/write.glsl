@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Spliced into VTK's fragment shaders: packs the layers asked for into the words of the G-buffer.
+//
+// Defines, by vtkRelievoGBufferLayout: RELIEVO_ATTACHMENTS, RELIEVO_*_WORD, RELIEVO_*_FORMAT; by
+// vtkRelievoGBufferSplice, from what the mapper's shader has: RELIEVO_SURFACE (triangles),
+// RELIEVO_HAS_NORMAL (normalVCVSOutput), RELIEVO_SPHERE_POINTS, RELIEVO_TUBE_LINES,
+// RELIEVO_PBR_ALBEDO, RELIEVO_PRIMITIVE_SOURCE (0 the primitive, 1 the glyph's instance, 2 none),
+// RELIEVO_LAYERS_ONLY, RELIEVO_LINEAR_VISIBILITY.
+
+//RELIEVO::Section(Extensions)
+//RELIEVO::Include(extensions.glsl)
+#extension GL_ARB_explicit_attrib_location : require
+
+//RELIEVO::Section(FragmentDec)
+//RELIEVO::Include(formulas/normal_depth.glsl)
+//RELIEVO::Include(formulas/octahedral.glsl)
+layout(location = 1) out uvec4 relievoOutput1;
+#if RELIEVO_ATTACHMENTS > 1
+layout(location = 2) out uvec4 relievoOutput2;
+#endif
+#if RELIEVO_ATTACHMENTS > 2
+layout(location = 3) out uvec4 relievoOutput3;
+#endif
+uniform int relievoDraw;
+uniform float relievoNear;
+uniform float relievoFar;
+
+uint relievoPackDepth(float depth, bool parallel, float zNear, float zFar)
+{
+#if RELIEVO_DEPTH_FORMAT == 1
+  return relievoPackDepth16F(depth, relievoDepth16FScale(zFar));
+#elif RELIEVO_DEPTH_FORMAT == 2
+  return relievoPackWindowZ24(parallel ? relievoParallelWindowZ(depth, zNear, zFar)
+                                       : relievoPerspectiveWindowZ(depth, zNear, zFar));
+#elif RELIEVO_DEPTH_FORMAT == 3
+  return relievoPackDepth32F(parallel ? relievoParallelReversedZ(depth, zNear, zFar)
+                                      : relievoPerspectiveReversedZ(depth, zNear, zFar));
+#else
+  return relievoPackDepth32F(depth);
+#endif
+}
+
+// Up to three words; the layout says how many are kept.
+uvec3 relievoPackNormal(vec3 n)
+{
+#if RELIEVO_NORMAL_FORMAT == 1
+  return relievoPackNormalFloat(n);
+#elif RELIEVO_NORMAL_FORMAT == 2
+  return uvec3(relievoPackNormalHalf(n), uint(0));
+#elif RELIEVO_NORMAL_FORMAT == 3
+  return uvec3(relievoPackNormalOct16(n), uint(0), uint(0));
+#elif RELIEVO_NORMAL_FORMAT == 4
+  return uvec3(relievoPackNormalOct16Precise(n), uint(0), uint(0));
+#elif RELIEVO_NORMAL_FORMAT == 5
+  return uvec3(relievoPackNormalOct8(n), uint(0), uint(0));
+#elif RELIEVO_NORMAL_FORMAT == 6
+  return uvec3(relievoPackNormalOct8Precise(n), uint(0), uint(0));
+#elif RELIEVO_NORMAL_FORMAT == 7
+  return uvec3(relievoPackNormalUnorm10(n), uint(0), uint(0));
+#else
+  return uvec3(relievoPackNormalUnorm8(n), uint(0), uint(0));
+#endif
+}
+#if RELIEVO_NORMAL_FORMAT == 1
+#define RELIEVO_STORE_NORMAL(word, packed) \
+  relievoWords[word] = packed.x; relievoWords[word + 1] = packed.y; \
+  relievoWords[word + 2] = packed.z;
+#elif RELIEVO_NORMAL_FORMAT == 2
+#define RELIEVO_STORE_NORMAL(word, packed) \
+  relievoWords[word] = packed.x; relievoWords[word + 1] = packed.y;
+#else
+#define RELIEVO_STORE_NORMAL(word, packed) relievoWords[word] = packed.x;
+#endif
+
+//RELIEVO::Section(UniformFlow)
+#ifdef RELIEVO_SURFACE
+  vec3 relievoDx = dFdx(vertexVC.xyz);
+  vec3 relievoDy = dFdy(vertexVC.xyz);
+#endif
+
+//RELIEVO::Section(FragmentImpl)
+  uint relievoWords[4 * RELIEVO_ATTACHMENTS];
+  for (int i = 0; i < 4 * RELIEVO_ATTACHMENTS; ++i)
+  {
+    relievoWords[i] = uint(0);
+  }
+
+  float relievoDepth = -vertexVC.z;
+  // Points as spheres and lines as tubes stand before their primitive by a share of the radius,
+  // which VTK gives in eye space at unit depth.
+#if defined(RELIEVO_SPHERE_POINTS) || defined(RELIEVO_TUBE_LINES)
+#ifdef RELIEVO_SPHERE_POINTS
+  float relievoLift = normalVCVSOutput.z * ZCalcR;
+#else
+  float relievoLift = lenZ * ZCalcR / clamp(tubeBasis2.z, 0.5, 1.0);
+#endif
+  relievoDepth = cameraParallel != 0 ? relievoDepth - relievoLift
+                                     : relievoDepth * (1.0 - relievoLift);
+#endif
+
+#if defined(RELIEVO_NORMAL_WORD) || defined(RELIEVO_GEOMETRIC_NORMAL_WORD) || \
+  defined(RELIEVO_NORMAL_DEPTH_WORD)
+  vec3 relievoFaceVC = vec3(0.0);
+#ifdef RELIEVO_SURFACE
+  relievoFaceVC = normalize(cross(normalize(relievoDx), normalize(relievoDy)));
+  float relievoFacing = cameraParallel != 0 ? -relievoFaceVC.z : dot(relievoFaceVC, vertexVC.xyz);
+  if (relievoFacing > 0.0)
+  {
+    relievoFaceVC = -relievoFaceVC;
+  }
+#endif
+  vec3 relievoNormalVC = relievoFaceVC;
+#ifdef RELIEVO_HAS_NORMAL
+  if (dot(normalVCVSOutput, normalVCVSOutput) > 0.0) // false for NaN as well
+  {
+    relievoNormalVC = normalVCVSOutput;
+  }
+#ifdef RELIEVO_SURFACE
+  // VTK turns normals by the winding, which a mirroring actor matrix inverts.
+  if (dot(relievoNormalVC, relievoFaceVC) < 0.0)
+  {
+    relievoNormalVC = -relievoNormalVC;
+  }
+#else
+  relievoFaceVC = relievoNormalVC;
+#endif
+#endif
+#endif
+
+#ifdef RELIEVO_NORMAL_DEPTH_WORD
+#if RELIEVO_NORMAL_DEPTH_FORMAT == 1
+  relievoWords[RELIEVO_NORMAL_DEPTH_WORD] =
+    relievoPackNormalDepth8(relievoNormalVC, relievoDepth, relievoNear, relievoFar);
+#elif RELIEVO_NORMAL_DEPTH_FORMAT == 2
+  uvec2 relievoHalves = relievoPackNormalDepth16F(
+    relievoNormalVC, relievoDepth, relievoDepth16FScale(relievoFar));
+  relievoWords[RELIEVO_NORMAL_DEPTH_WORD] = relievoHalves.x;
+  relievoWords[RELIEVO_NORMAL_DEPTH_WORD + 1] = relievoHalves.y;
+#else
+  uvec4 relievoFloats = relievoPackNormalDepth32F(relievoNormalVC, relievoDepth);
+  relievoWords[RELIEVO_NORMAL_DEPTH_WORD] = relievoFloats.x;
+  relievoWords[RELIEVO_NORMAL_DEPTH_WORD + 1] = relievoFloats.y;
+  relievoWords[RELIEVO_NORMAL_DEPTH_WORD + 2] = relievoFloats.z;
+  relievoWords[RELIEVO_NORMAL_DEPTH_WORD + 3] = relievoFloats.w;
+#endif
+#endif
+
+#ifdef RELIEVO_DEPTH_WORD
+  relievoWords[RELIEVO_DEPTH_WORD] =
+    relievoPackDepth(relievoDepth, cameraParallel != 0, relievoNear, relievoFar);
+#endif
+
+#ifdef RELIEVO_ID_WORD
+  relievoWords[RELIEVO_ID_WORD] = uint(relievoDraw);
+#if RELIEVO_PRIMITIVE_SOURCE == 0
+  relievoWords[RELIEVO_ID_WORD + 1] = uint(gl_PrimitiveID + PrimitiveIDOffset);
+#elif RELIEVO_PRIMITIVE_SOURCE == 1
+  relievoWords[RELIEVO_ID_WORD + 1] = uint(relievoInstanceVSOutput);
+#else
+  relievoWords[RELIEVO_ID_WORD + 1] = uint(0xffffffffu);
+#endif
+#endif
+
+#ifdef RELIEVO_NORMAL_WORD
+  uvec3 relievoNormalWords = relievoPackNormal(relievoNormalVC);
+  RELIEVO_STORE_NORMAL(RELIEVO_NORMAL_WORD, relievoNormalWords)
+#endif
+#ifdef RELIEVO_GEOMETRIC_NORMAL_WORD
+  uvec3 relievoFaceWords = relievoPackNormal(relievoFaceVC);
+  RELIEVO_STORE_NORMAL(RELIEVO_GEOMETRIC_NORMAL_WORD, relievoFaceWords)
+#endif
+
+#ifdef RELIEVO_ALBEDO_WORD
+#ifdef RELIEVO_PBR_ALBEDO
+  vec4 relievoAlbedo = vec4(albedo, opacity);
+#else
+  vec4 relievoAlbedo = vec4(0.0, 0.0, 0.0, opacity);
+  if (diffuseIntensity > 0.0)
+  {
+    relievoAlbedo.rgb = diffuseColor / diffuseIntensity;
+  }
+  else if (ambientIntensity > 0.0)
+  {
+    relievoAlbedo.rgb = ambientColor / ambientIntensity;
+  }
+#endif
+  // VTK's own texture code once more, on the unlit colour. Its output has this name by then.
+  {
+#define fragOutput0 relievoAlbedo
+    //RELIEVO::Texture::Copy
+#undef fragOutput0
+  }
+  relievoWords[RELIEVO_ALBEDO_WORD] = packUnorm4x8(relievoAlbedo);
+#endif
+
+  relievoOutput1 = uvec4(relievoWords[0], relievoWords[1], relievoWords[2], relievoWords[3]);
+#if RELIEVO_ATTACHMENTS > 1
+  relievoOutput2 = uvec4(relievoWords[4], relievoWords[5], relievoWords[6], relievoWords[7]);
+#endif
+#if RELIEVO_ATTACHMENTS > 2
+  relievoOutput3 = uvec4(relievoWords[8], relievoWords[9], relievoWords[10], relievoWords[11]);
+#endif
+#ifdef RELIEVO_LINEAR_VISIBILITY
+  // Window z cannot order far fragments when far / near is large; a float of the depth itself keeps
+  // its relative precision everywhere.
+  gl_FragDepth = relievoDepth / relievoFar;
+#endif
+#ifdef RELIEVO_LAYERS_ONLY
+  // Nobody sees the colour: what only it needs (light, reflections) is not computed.
+  gl_FragData[0] = vec4(0.0, 0.0, 0.0, gl_FragData[0].a);
+#endif
