@@ -2,12 +2,259 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoEXRReader.h"
 
+#include "vtkCommand.h"
+#include "vtkDataArraySelection.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkRelievoEXRAttributes.h"
+#include "vtkRelievoEXRFailure.h"
+#include "vtkRelievoEXRInput.h"
+#include "vtkRelievoEXRTranslate.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkRelievoEXRReader);
+
+using relievo::exr::Failure;
+using relievo::exr::Input;
+
+namespace
+{
+const char* const Advice = "the file is broken or cut off: write or fetch it again";
+}
+
+//------------------------------------------------------------------------------
+struct vtkRelievoEXRReader::Internals
+{
+  vtkNew<vtkDataArraySelection> Selection;
+  // What the last file held.
+  std::vector<Input::Part> Parts;
+  std::vector<Input::Channel> Channels;
+  std::vector<std::string> Layers;
+  // The last file's header could not be read; that has been said.
+  bool Refused = false;
+
+  // Opens the file and chooses what the reader is set to read, noting what there is on the way.
+  std::unique_ptr<Input> Open(vtkRelievoEXRReader* self);
+};
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Input> vtkRelievoEXRReader::Internals::Open(vtkRelievoEXRReader* self)
+{
+  this->Parts.clear();
+  this->Channels.clear();
+  this->Layers.clear();
+  if (!self->FileName || !*self->FileName)
+  {
+    throw Failure(vtkErrorCode::NoFileNameError, "no file name is given; set it with SetFileName");
+  }
+  auto input = std::make_unique<Input>(self->FileName);
+  this->Parts = input->GetParts();
+  input->ChoosePart(self->Part);
+  this->Channels = input->GetChannels();
+  std::vector<int> chosen;
+  for (std::size_t i = 0; i < this->Channels.size(); ++i)
+  {
+    // Choices that were made before stay; what is new is read.
+    this->Selection->AddArray(this->Channels[i].Name.c_str());
+    if (this->Selection->ArrayIsEnabled(this->Channels[i].Name.c_str()))
+    {
+      chosen.push_back(static_cast<int>(i));
+    }
+  }
+  input->ChooseChannels(chosen);
+  for (const relievo::exr::ArrayLayout& array : input->GetArrays())
+  {
+    this->Layers.push_back(array.Name);
+  }
+  return input;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoEXRReader::vtkRelievoEXRReader()
+  : Self(new Internals)
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoEXRReader::~vtkRelievoEXRReader()
+{
+  this->SetFileName(nullptr);
+}
 
 //------------------------------------------------------------------------------
 void vtkRelievoEXRReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Part: " << this->Part << "\n";
+  os << indent << "ChannelSelection:\n";
+  this->Self->Selection->PrintSelf(os, indent.GetNextIndent());
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoEXRReader::CanReadFile(const char* fileName)
+{
+  return fileName && relievo::exr::Translate(Advice, [&] { Input input(fileName); }).Code == 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoEXRReader::GetNumberOfParts()
+{
+  return static_cast<int>(this->Self->Parts.size());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkRelievoEXRReader::GetPartName(int part)
+{
+  return part >= 0 && part < this->GetNumberOfParts() ? this->Self->Parts[part].Name.c_str()
+                                                      : nullptr;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkRelievoEXRReader::GetPartType(int part)
+{
+  return part >= 0 && part < this->GetNumberOfParts() ? this->Self->Parts[part].Type.c_str()
+                                                      : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoEXRReader::GetNumberOfChannels()
+{
+  return static_cast<int>(this->Self->Channels.size());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkRelievoEXRReader::GetChannelName(int channel)
+{
+  return channel >= 0 && channel < this->GetNumberOfChannels()
+    ? this->Self->Channels[channel].Name.c_str()
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoEXRReader::GetChannelPixelType(int channel)
+{
+  return channel >= 0 && channel < this->GetNumberOfChannels()
+    ? static_cast<int>(this->Self->Channels[channel].Type)
+    : -1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoEXRReader::GetNumberOfLayers()
+{
+  return static_cast<int>(this->Self->Layers.size());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkRelievoEXRReader::GetLayerName(int layer)
+{
+  return layer >= 0 && layer < this->GetNumberOfLayers() ? this->Self->Layers[layer].c_str()
+                                                         : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArraySelection* vtkRelievoEXRReader::GetChannelSelection()
+{
+  return this->Self->Selection;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoEXRReader::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Self->Selection->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoEXRReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  double origin[3] = { 0, 0, 0 };
+  double spacing[3] = { 1, 1, 1 };
+  const Failure failure = relievo::exr::Translate(Advice, [&] {
+    const std::unique_ptr<Input> input = this->Self->Open(this);
+    const Imath::Box2i data = input->GetDataWindow();
+    const Imath::Box2i display = input->GetDisplayWindow();
+    extent[1] = data.max.x - data.min.x;
+    extent[3] = data.max.y - data.min.y;
+    extent[5] = 0;
+    origin[0] = static_cast<double>(data.min.x) - display.min.x;
+    origin[1] = static_cast<double>(display.max.y) - data.max.y;
+    if (!input->GetArrays().empty())
+    {
+      const relievo::exr::ArrayLayout* scalars = &input->GetArrays().front();
+      for (const relievo::exr::ArrayLayout& array : input->GetArrays())
+      {
+        scalars = array.Name == "color" ? &array : scalars;
+      }
+      vtkDataObject::SetPointDataActiveScalarInfo(
+        info, scalars->VtkType, static_cast<int>(scalars->Channels.size()));
+    }
+  });
+  this->Self->Refused = failure.Code != vtkErrorCode::NoError;
+  this->SetErrorCode(failure.Code);
+  if (this->Self->Refused)
+  {
+    vtkErrorMacro("Cannot read '" << (this->FileName ? this->FileName : "")
+                                  << "': " << failure.what() << ".");
+  }
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::ORIGIN(), origin, 3);
+  info->Set(vtkDataObject::SPACING(), spacing, 3);
+  // 1 also on failure: 0 makes the pipeline add a message of its own that says nothing.
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoEXRReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkImageData* output = vtkImageData::GetData(outputVector, 0);
+  output->Initialize();
+  if (this->Self->Refused)
+  {
+    return 1;
+  }
+  std::unique_ptr<Input> input;
+  const Failure failure = relievo::exr::Translate(Advice, [&] {
+    this->UpdateProgress(0.0);
+    input = this->Self->Open(this);
+    const Imath::Box2i data = input->GetDataWindow();
+    const Imath::Box2i display = input->GetDisplayWindow();
+    output->SetExtent(0, data.max.x - data.min.x, 0, data.max.y - data.min.y, 0, 0);
+    output->SetOrigin(static_cast<double>(data.min.x) - display.min.x,
+      static_cast<double>(display.max.y) - data.max.y, 0);
+    output->SetSpacing(1, 1, 1);
+    input->Read(output->GetPointData(), [this](double progress) {
+      this->UpdateProgress(progress);
+      return !this->GetAbortExecute();
+    });
+    relievo::exr::ReadAttributes(input->GetHeader(), output->GetFieldData());
+    vtkPointData* points = output->GetPointData();
+    if (points->GetNumberOfArrays() > 0)
+    {
+      points->SetActiveScalars(
+        points->HasArray("color") ? "color" : points->GetArrayName(0));
+    }
+  });
+  this->SetErrorCode(failure.Code);
+  if (failure.Code != vtkErrorCode::NoError)
+  {
+    output->Initialize();
+    const std::string message = failure.what();
+    if (!message.empty())
+    {
+      vtkErrorMacro("Cannot read '" << this->FileName << "': " << message << ".");
+    }
+  }
+  return 1;
 }

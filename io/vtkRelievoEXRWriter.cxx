@@ -2,12 +2,259 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoEXRWriter.h"
 
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkRelievoEXRAttributes.h"
+#include "vtkRelievoEXRFailure.h"
+#include "vtkRelievoEXROutput.h"
+#include "vtkRelievoEXRStream.h"
+#include "vtkRelievoEXRTranslate.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <OpenEXR/Iex.h>
 
 vtkStandardNewMacro(vtkRelievoEXRWriter);
+
+using relievo::exr::Failure;
+using relievo::exr::Output;
+using relievo::exr::OutputStream;
+
+namespace
+{
+const char* const CompressionNames[] = { "none", "rle", "zips", "zip", "piz", "pxr24", "b44",
+  "b44a", "dwaa", "dwab" };
+const int NumberOfCompressions = 10;
+const char* const PixelTypeNames[] = { "UINT", "HALF", "FLOAT" };
+}
+
+//------------------------------------------------------------------------------
+struct vtkRelievoEXRWriter::Internals
+{
+  Output::Settings Settings;
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoEXRWriter::vtkRelievoEXRWriter()
+  : Self(new Internals)
+{
+  this->SetNumberOfOutputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoEXRWriter::~vtkRelievoEXRWriter()
+{
+  this->SetFileName(nullptr);
+}
 
 //------------------------------------------------------------------------------
 void vtkRelievoEXRWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Compression: " << this->GetCompressionName() << "\n";
+  os << indent << "DWALevel: " << this->DWALevel << "\n";
+  for (const auto& choice : this->Self->Settings.PixelTypes)
+  {
+    os << indent << "PixelType of " << choice.first << ": " << PixelTypeNames[choice.second]
+       << "\n";
+  }
+  for (const auto& attribute : this->Self->Settings.Strings)
+  {
+    os << indent << "Attribute " << attribute.first << ": " << attribute.second << "\n";
+  }
+  for (const auto& attribute : this->Self->Settings.Doubles)
+  {
+    os << indent << "Attribute " << attribute.first << ": " << attribute.second << "\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoEXRWriter::SetCompression(int compression)
+{
+  if (compression < 0 || compression >= NumberOfCompressions)
+  {
+    vtkErrorMacro("SetCompression: " << compression << " is none of the compressions 0 (none) to "
+                                     << NumberOfCompressions - 1 << " (dwab).");
+  }
+  else if (compression != this->Compression)
+  {
+    this->Compression = compression;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoEXRWriter::SetCompressionByName(const char* name)
+{
+  for (int i = 0; i < NumberOfCompressions; ++i)
+  {
+    if (name && std::string(name) == CompressionNames[i])
+    {
+      this->SetCompression(i);
+      return true;
+    }
+  }
+  vtkErrorMacro("SetCompressionByName: '"
+    << (name ? name : "")
+    << "' is none of none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab.");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkRelievoEXRWriter::GetCompressionName()
+{
+  return CompressionNames[this->Compression];
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoEXRWriter::SetPixelType(const char* name, int type)
+{
+  if (!name || !*name || type < UINT || type > FLOAT)
+  {
+    vtkErrorMacro("SetPixelType: for '" << (name ? name : "") << "' the type " << type
+                                        << " is given; give a name, and UINT, HALF or FLOAT.");
+    return;
+  }
+  this->Self->Settings.PixelTypes[name] = static_cast<Imf::PixelType>(type);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoEXRWriter::GetPixelType(const char* name)
+{
+  const auto& types = this->Self->Settings.PixelTypes;
+  const auto found = types.find(name ? name : "");
+  return found == types.end() ? -1 : static_cast<int>(found->second);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoEXRWriter::RemoveAllPixelTypes()
+{
+  this->Self->Settings.PixelTypes.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoEXRWriter::AcceptAttribute(const char* name)
+{
+  const bool accepted = name && relievo::exr::IsFreeAttribute(name);
+  if (!accepted)
+  {
+    vtkErrorMacro("An attribute cannot be named '"
+      << (name ? name : "")
+      << "': the name is empty, too long (over 255 bytes), or used by the format or by Relievo; "
+         "choose another.");
+  }
+  return accepted;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoEXRWriter::SetStringAttribute(const char* name, const char* value)
+{
+  if (this->AcceptAttribute(name))
+  {
+    this->Self->Settings.Doubles.erase(name);
+    this->Self->Settings.Strings[name] = value ? value : "";
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoEXRWriter::SetDoubleAttribute(const char* name, double value)
+{
+  if (this->AcceptAttribute(name))
+  {
+    this->Self->Settings.Strings.erase(name);
+    this->Self->Settings.Doubles[name] = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoEXRWriter::RemoveAllAttributes()
+{
+  this->Self->Settings.Strings.clear();
+  this->Self->Settings.Doubles.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoEXRWriter::Write()
+{
+  if (this->GetNumberOfInputConnections(0) < 1)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro("Cannot write '" << (this->FileName ? this->FileName : "")
+                                   << "': there is no image; give one with SetInputData or "
+                                      "SetInputConnection.");
+    return 0;
+  }
+  // Written anew even if nothing has changed: the file may have been removed.
+  this->Modified();
+  // Stays if the pipeline fails before it is our turn.
+  this->SetErrorCode(vtkErrorCode::UnknownError);
+  this->UpdateWholeExtent();
+  return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoEXRWriter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoEXRWriter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  vtkImageData* image = vtkImageData::GetData(inputVector[0], 0);
+  std::string warning;
+  const char* advice = "this should not happen: please report it with the image";
+  const Failure failure = relievo::exr::Translate(advice, [&] {
+    if (!this->FileName || !*this->FileName)
+    {
+      throw Failure(vtkErrorCode::NoFileNameError, "no file name is given; set it with SetFileName");
+    }
+    this->UpdateProgress(0.0);
+    Output::Settings settings = this->Self->Settings;
+    settings.Compression = static_cast<Imf::Compression>(this->Compression);
+    settings.DWALevel = static_cast<float>(this->DWALevel);
+    Output output(image, settings);
+    OutputStream stream(this->FileName);
+    try
+    {
+      output.Write(stream, [this](double progress) {
+        this->UpdateProgress(progress);
+        return !this->GetAbortExecute();
+      });
+    }
+    catch (const Iex::BaseExc&)
+    {
+      stream.Check(); // what the system said is more to the point
+      throw;
+    }
+    stream.Commit();
+    warning = output.GetWarning();
+  });
+  this->SetErrorCode(failure.Code);
+  const std::string message = failure.what();
+  if (!message.empty())
+  {
+    vtkErrorMacro("Cannot write '" << (this->FileName ? this->FileName : "") << "': " << message
+                                   << ".");
+  }
+  if (!warning.empty())
+  {
+    vtkWarningMacro("In '" << this->FileName << "' " << warning << ".");
+  }
+  // 1 also on failure: 0 makes the pipeline add a message of its own that says nothing.
+  return 1;
 }

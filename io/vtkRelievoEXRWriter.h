@@ -1,25 +1,153 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRelievoEXRWriter
+ * @brief   writes an image's point arrays into an OpenEXR file, one layer per array
+ *
+ * The input is a vtkImageData of W x H x 1 points, row 0 at the bottom; the file has one part of scan
+ * lines, the top line first. Every point array is written:
+ *
+ * | array                            | channels                              |
+ * |----------------------------------|---------------------------------------|
+ * | color, 3 or 4 components         | R G B [A] (scene-linear)              |
+ * | albedo, 3 or 4 components        | albedo.R albedo.G albedo.B [albedo.A] |
+ * | depth, range                     | depth.Z, range.Z                      |
+ * | actor, block, cell (integers)    | actor.id, block.id, cell.id           |
+ * | any other NAME, 1 component      | NAME.V                                |
+ * | 2 or 3 components                | NAME.X NAME.Y [NAME.Z]                |
+ * | 4 or more components             | NAME.0 NAME.1 NAME.2 NAME.3 ...       |
+ *
+ * Pixel types, unless SetPixelType says otherwise: float and double become FLOAT, integers UINT (-1
+ * becomes 0xFFFFFFFF), the bytes of `albedo` and `color` HALF as v / 255 (each byte comes back from
+ * its half). Values of float, integers of up to 32 bits and those bytes are read back bit for bit,
+ * infinities and NaNs included; double is rounded to float. `position` of type double is written
+ * relative to the field data's `relievo:origin`; without one, the middle of the positions is chosen
+ * if floats cannot hold them. `origin + float` is read back bit for bit.
+ *
+ * Field data becomes attributes: worldToCamera, worldToNDC, near, far, relievo:origin, lights, and
+ * strings and small vectors of any name; see docs/exr.md for names, types and conventions.
+ *
+ * The file is written under a temporary name in its folder and renamed when it is whole. When
+ * anything fails there is one error message that names the file, GetErrorCode() is set, nothing is
+ * left behind, and a file that was there before is untouched. Setting AbortExecute from a progress
+ * observer stops writing the same way, without a message; the code is then vtkErrorCode::UserError.
+ *
+ * @sa vtkRelievoEXRReader
+ */
 #ifndef vtkRelievoEXRWriter_h
 #define vtkRelievoEXRWriter_h
 
 #include "vtkRelievoIOModule.h" // for the export macro
-#include "vtkObject.h"
 
-class VTKRELIEVOIO_EXPORT vtkRelievoEXRWriter : public vtkObject
+#include "vtkImageAlgorithm.h"
+
+#include <memory> // for the internals
+
+class VTKRELIEVOIO_EXPORT vtkRelievoEXRWriter : public vtkImageAlgorithm
 {
 public:
   static vtkRelievoEXRWriter* New();
-  vtkTypeMacro(vtkRelievoEXRWriter, vtkObject);
+  vtkTypeMacro(vtkRelievoEXRWriter, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** Types of a channel's pixels. */
+  enum PixelType
+  {
+    UINT = 0,
+    HALF = 1,
+    FLOAT = 2
+  };
+
+  /**
+   * How pixels are packed. NO_COMPRESSION, RLE, ZIPS (line by line), ZIP (16 lines) and PIZ (32 lines)
+   * lose nothing. PXR24 rounds FLOAT to 24 bits. B44 and B44A lose accuracy in HALF. DWAA and DWAB
+   * lose accuracy in channels named R, G, B or Y, of whatever layer, and turn them into halfs.
+   */
+  enum CompressionType
+  {
+    NO_COMPRESSION = 0,
+    RLE,
+    ZIPS,
+    ZIP,
+    PIZ,
+    PXR24,
+    B44,
+    B44A,
+    DWAA,
+    DWAB
+  };
+
+  ///@{
+  /** Name of the file to write. Default: none. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /** One of CompressionType; others are refused with an error. Default: ZIP. */
+  virtual void SetCompression(int compression);
+  vtkGetMacro(Compression, int);
+  ///@}
+
+  /**
+   * The same by name, in small letters: none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab.
+   * Returns false, with an error, for other names.
+   */
+  virtual bool SetCompressionByName(const char* name);
+  const char* GetCompressionName();
+
+  ///@{
+  /** How much DWAA and DWAB may lose: 0 almost nothing, larger more. Default: 45. */
+  vtkSetClampMacro(DWALevel, double, 0.0, 100000.0);
+  vtkGetMacro(DWALevel, double);
+  ///@}
+
+  ///@{
+  /**
+   * Pixel type of the channels of an array (`normal`), or of one channel (`normal.X`).
+   * Integers may be HALF or FLOAT only as far as these hold them exactly, and float or double may not
+   * be UINT: Write() refuses both. Values beyond the range of HALF become infinite, with a warning.
+   */
+  virtual void SetPixelType(const char* name, int type);
+  virtual void RemoveAllPixelTypes();
+  ///@}
+
+  /** The pixel type chosen for this name, or -1. */
+  virtual int GetPixelType(const char* name);
+
+  ///@{
+  /**
+   * Attributes of your own, besides those from the field data. Names that the format or Relievo uses
+   * are refused with an error; docs/exr.md lists them.
+   */
+  virtual void SetStringAttribute(const char* name, const char* value);
+  virtual void SetDoubleAttribute(const char* name, double value);
+  virtual void RemoveAllAttributes();
+  ///@}
+
+  /** Writes the file. Returns 1, or 0 after an error or an abort. */
+  virtual int Write();
+
 protected:
-  vtkRelievoEXRWriter() = default;
-  ~vtkRelievoEXRWriter() override = default;
+  vtkRelievoEXRWriter();
+  ~vtkRelievoEXRWriter() override;
+
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*) override;
 
 private:
   vtkRelievoEXRWriter(const vtkRelievoEXRWriter&) = delete;
   void operator=(const vtkRelievoEXRWriter&) = delete;
+
+  bool AcceptAttribute(const char* name);
+
+  struct Internals;
+  std::unique_ptr<Internals> Self;
+  char* FileName = nullptr;
+  int Compression = ZIP;
+  double DWALevel = 45;
 };
 
 #endif

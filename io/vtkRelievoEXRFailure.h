@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkRelievoEXRFailure.h
+ * @brief What the parts of the EXR reader and writer throw among themselves.
+ *
+ * It never leaves the two classes: they turn it into one vtkErrorMacro and an error code.
+ */
+#ifndef vtkRelievoEXRFailure_h
+#define vtkRelievoEXRFailure_h
+
+#include <stdexcept>
+#include <string>
+
+namespace relievo::exr
+{
+class Failure : public std::runtime_error
+{
+public:
+  /** `code` is one of vtkErrorCode::ErrorIds; `what` says what is wrong and what to do. */
+  Failure(unsigned long code, const std::string& what)
+    : std::runtime_error(what)
+    , Code(code)
+  {
+  }
+
+  unsigned long Code;
+};
+
+/** The user asked to stop (AbortExecute); nobody is told, nothing is left behind. */
+class Aborted : public std::exception
+{
+};
+
+/** A name of a file as bytes that can be shown: control characters become '?', long text is cut. */
+inline std::string Shown(const std::string& text)
+{
+  const std::size_t longest = 80;
+  std::string shown = text.substr(0, longest);
+  for (char& c : shown)
+  {
+    c = static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
+  }
+  return "'" + shown + (text.size() > longest ? "...'" : "'");
+}
+}
+
+#endif

@@ -1,0 +1,366 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoEXROutput.h"
+
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkRelievoEXRAttributes.h"
+#include "vtkRelievoEXRChannels.h"
+#include "vtkRelievoEXRFailure.h"
+#include "vtkRelievoEXRFields.h"
+#include "vtkRelievoEXRHeaderScan.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfDoubleAttribute.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfStringVectorAttribute.h>
+#include <OpenEXR/ImfVecAttribute.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <set>
+
+namespace relievo::exr
+{
+namespace
+{
+Failure Unfit(const std::string& what)
+{
+  return Failure(vtkErrorCode::UserError, what);
+}
+
+bool IsInteger(vtkDataArray* array)
+{
+  return array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+}
+
+const char* TypeName(Imf::PixelType type)
+{
+  return type == Imf::UINT ? "UINT" : type == Imf::HALF ? "HALF" : "FLOAT";
+}
+
+bool IsBackground(const double p[3])
+{
+  return p[0] == 0 && p[1] == 0 && p[2] == 0;
+}
+
+// The origin that keeps float differences small where the image names none: (0, 0, 0) if that loses
+// nothing, else the middle of the positions. Background pixels have no position.
+Imath::V3d ChooseOrigin(vtkDataArray* positions)
+{
+  bool exact = true;
+  Imath::V3d low(std::numeric_limits<double>::max());
+  Imath::V3d high(-std::numeric_limits<double>::max());
+  for (vtkIdType i = 0; i < positions->GetNumberOfTuples(); ++i)
+  {
+    double p[3];
+    positions->GetTuple(i, p);
+    for (int c = 0; c < 3 && !IsBackground(p); ++c)
+    {
+      if (std::isfinite(p[c]))
+      {
+        exact = exact && static_cast<double>(static_cast<float>(p[c])) == p[c];
+        low[c] = std::min(low[c], p[c]);
+        high[c] = std::max(high[c], p[c]);
+      }
+    }
+  }
+  Imath::V3d origin(0);
+  for (int c = 0; c < 3 && !exact; ++c)
+  {
+    origin[c] = low[c] <= high[c] ? low[c] / 2 + high[c] / 2 : 0;
+  }
+  return origin;
+}
+
+Imath::V3d PositionOrigin(vtkImageData* image)
+{
+  vtkDataArray* positions = image->GetPointData()->GetArray("position");
+  const std::vector<double> given = FieldNumbers(image->GetFieldData(), "relievo:origin", 3);
+  // Floats are stored as they are: subtracting an origin could not keep all their bits.
+  if (!positions || positions->GetNumberOfComponents() != 3 || positions->GetDataType() != VTK_DOUBLE)
+  {
+    return Imath::V3d(0);
+  }
+  if (given.empty())
+  {
+    return ChooseOrigin(positions);
+  }
+  if (!std::isfinite(given[0]) || !std::isfinite(given[1]) || !std::isfinite(given[2]))
+  {
+    throw Unfit("the field data array 'relievo:origin' is not finite; give three finite numbers");
+  }
+  return { given[0], given[1], given[2] };
+}
+
+bool ReadWindow(vtkFieldData* fields, const char* name, Imath::Box2i& window)
+{
+  vtkDataArray* array = fields->GetArray(name);
+  if (!array || array->GetNumberOfValues() != 4 || array->GetNumberOfComponents() != 4)
+  {
+    return false;
+  }
+  double v[4];
+  array->GetTuple(0, v);
+  const double most = std::numeric_limits<int>::max() / 2; // OpenEXR's own limit
+  for (const double value : v)
+  {
+    if (!(std::abs(value) < most))
+    {
+      return false;
+    }
+  }
+  window = Imath::Box2i(Imath::V2i(static_cast<int>(v[0]), static_cast<int>(v[1])),
+    Imath::V2i(static_cast<int>(v[2]), static_cast<int>(v[3])));
+  return !window.isEmpty();
+}
+}
+
+//------------------------------------------------------------------------------
+Output::Output(vtkImageData* image, const Settings& settings)
+{
+  this->PlanWindows(image);
+  this->Header.compression() = settings.Compression;
+  if (settings.Compression == Imf::DWAA_COMPRESSION || settings.Compression == Imf::DWAB_COMPRESSION)
+  {
+    this->Header.dwaCompressionLevel() = settings.DWALevel;
+  }
+  WriteAttributes(image->GetFieldData(), this->Header);
+  this->PlanArrays(image, settings);
+  for (const auto& attribute : settings.Strings)
+  {
+    this->Header.erase(attribute.first); // field data of another type
+    Insert(this->Header, attribute.first, Imf::StringAttribute(attribute.second));
+  }
+  for (const auto& attribute : settings.Doubles)
+  {
+    this->Header.erase(attribute.first);
+    Insert(this->Header, attribute.first, Imf::DoubleAttribute(attribute.second));
+  }
+}
+
+//------------------------------------------------------------------------------
+void Output::PlanWindows(vtkImageData* image)
+{
+  int size[3];
+  image->GetDimensions(size);
+  if (size[0] < 1 || size[1] < 1 || size[2] != 1)
+  {
+    throw Unfit("the image has " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
+      " x " + std::to_string(size[2]) +
+      " points, but an EXR file holds one picture in the xy plane; give W x H x 1 points");
+  }
+  Imath::Box2i data(Imath::V2i(0, 0), Imath::V2i(size[0] - 1, size[1] - 1));
+  Imath::Box2i display = data;
+  // An image read from a file with windows of its own keeps them as long as its size fits.
+  Imath::Box2i oldData;
+  Imath::Box2i oldDisplay;
+  if (ReadWindow(image->GetFieldData(), "dataWindow", oldData) &&
+    ReadWindow(image->GetFieldData(), "displayWindow", oldDisplay) &&
+    oldData.size() == data.size())
+  {
+    data = oldData;
+    display = oldDisplay;
+  }
+  this->Header = Imf::Header(display, data);
+}
+
+//------------------------------------------------------------------------------
+void Output::PlanArrays(vtkImageData* image, const Settings& settings)
+{
+  vtkPointData* points = image->GetPointData();
+  if (points->GetNumberOfArrays() == 0)
+  {
+    throw Unfit("the image has no point arrays; give it at least one");
+  }
+  const Imath::V3d origin = PositionOrigin(image);
+  if (vtkDataArray* positions = points->GetArray("position"))
+  {
+    if (IsPosition("position", positions->GetDataType(), positions->GetNumberOfComponents()))
+    {
+      this->Header.insert("relievo:origin", Imf::V3dAttribute(origin));
+    }
+  }
+
+  Imf::StringVector record;
+  std::set<std::string> names;
+  std::string list;
+  for (int i = 0; i < points->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = points->GetAbstractArray(i);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    if (name.empty())
+    {
+      throw Unfit("point array " + std::to_string(i) + " has no name; give it one with SetName");
+    }
+    const std::string entry =
+      RecordEntry(name, array->GetDataType(), array->GetNumberOfComponents());
+    vtkDataArray* values = vtkDataArray::SafeDownCast(array);
+    if (entry.empty() || !values)
+    {
+      throw Unfit("the array '" + name + "' is of type " + array->GetDataTypeAsString() +
+        ", which EXR cannot hold; remove or convert it");
+    }
+    if (array->GetNumberOfTuples() != image->GetNumberOfPoints() ||
+      array->GetNumberOfComponents() < 1)
+    {
+      throw Unfit("the array '" + name + "' has " + std::to_string(array->GetNumberOfTuples()) +
+        " tuples, but the image has " + std::to_string(image->GetNumberOfPoints()) +
+        " points; give it one for each");
+    }
+    this->PlanArray(values, settings, &origin[0]);
+    record.push_back(entry);
+    if (!names.insert(name).second)
+    {
+      throw Unfit("two arrays have the name '" + name + "'; rename one");
+    }
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  if (this->Channels.size() > static_cast<std::size_t>(MostChannels))
+  {
+    throw Unfit("the arrays make " + std::to_string(this->Channels.size()) +
+      " channels, but only " + std::to_string(MostChannels) + " can be read back; remove some");
+  }
+  for (const auto& choice : settings.PixelTypes)
+  {
+    const bool known = names.count(choice.first) > 0 ||
+      std::any_of(this->Channels.begin(), this->Channels.end(),
+        [&](const Channel& channel) { return channel.Name == choice.first; });
+    if (!known)
+    {
+      throw Unfit("a pixel type is set for '" + choice.first +
+        "', but the image has no such array or channel; it has the arrays " + list);
+    }
+  }
+  this->Header.insert(ArraysAttribute, Imf::StringVectorAttribute(record));
+}
+
+//------------------------------------------------------------------------------
+void Output::PlanArray(vtkDataArray* array, const Settings& settings, const double origin[3])
+{
+  const std::string name = array->GetName();
+  const int components = array->GetNumberOfComponents();
+  const int type = array->GetDataType();
+  this->Arrays.emplace_back(array);
+  if (!array->HasStandardMemoryLayout())
+  {
+    this->Arrays.back().TakeReference(vtkDataArray::CreateDataArray(type));
+    this->Arrays.back()->DeepCopy(array);
+  }
+  const bool normalized = IsNormalized(name, type, components);
+  const Imf::PixelType usual = normalized ? Imf::HALF : IsInteger(array) ? Imf::UINT : Imf::FLOAT;
+  for (int c = 0; c < components; ++c)
+  {
+    const std::string channel = ChannelName(name, components, IsInteger(array), c);
+    if (channel.size() > LongestName)
+    {
+      throw Unfit("the array name '" + name + "' is too long: its channels' names may have " +
+        std::to_string(LongestName) + " bytes; shorten it");
+    }
+    auto choice = settings.PixelTypes.find(channel);
+    choice = choice == settings.PixelTypes.end() ? settings.PixelTypes.find(name) : choice;
+    const Imf::PixelType pixel = choice == settings.PixelTypes.end() ? usual : choice->second;
+    if (pixel == Imf::UINT && !IsInteger(array))
+    {
+      throw Unfit("the array '" + name + "' holds " + array->GetDataTypeAsString() +
+        " values, which UINT cannot; choose FLOAT or HALF with SetPixelType");
+    }
+    const Coding code = IsPosition(name, type, components) ? Coding::Position
+      : normalized && pixel != Imf::UINT                   ? Coding::Normalized
+                                                           : Coding::Plain;
+    this->Header.channels().insert(channel, Imf::Channel(pixel));
+    this->Channels.push_back(
+      { channel, pixel, { this->Arrays.back(), c, code, { origin[0], origin[1], origin[2] } }, {} });
+  }
+}
+
+//------------------------------------------------------------------------------
+void Output::Write(Imf::OStream& stream, const std::function<bool(double)>& progress)
+{
+  const Imath::Box2i window = this->Header.dataWindow();
+  const int64_t width = static_cast<int64_t>(window.max.x) - window.min.x + 1;
+  const int64_t height = static_cast<int64_t>(window.max.y) - window.min.y + 1;
+  // Whole chunks are written at once, as many as fit into a small buffer.
+  const int64_t smallBytes = 16 * 1024 * 1024;
+  const int64_t chunk = LinesPerChunk(this->Header.compression());
+  const int64_t bytesPerLine = 4 * width * static_cast<int64_t>(this->Channels.size());
+  const int blockLines = static_cast<int>(
+    std::min(height, chunk * std::max<int64_t>(1, smallBytes / bytesPerLine / chunk)));
+  std::vector<std::unique_ptr<char[]>> pixels;
+  for (std::size_t i = 0; i < this->Channels.size(); ++i)
+  {
+    pixels.emplace_back(new char[4 * width * blockLines]);
+  }
+
+  Imf::OutputFile file(stream, this->Header);
+  for (int64_t y = window.min.y; y <= window.max.y; y += blockLines)
+  {
+    const int first = static_cast<int>(y);
+    const int last = static_cast<int>(std::min<int64_t>(y + blockLines - 1, window.max.y));
+    this->EncodeBlock(pixels, first, last);
+    Imf::FrameBuffer buffer;
+    for (std::size_t i = 0; i < this->Channels.size(); ++i)
+    {
+      buffer.insert(this->Channels[i].Name,
+        Imf::Slice::Make(this->Channels[i].Type, pixels[i].get(), Imath::V2i(window.min.x, first),
+          width, blockLines));
+    }
+    file.setFrameBuffer(buffer);
+    file.writePixels(last - first + 1);
+    if (!progress(static_cast<double>(static_cast<int64_t>(last) - window.min.y + 1) / height))
+    {
+      throw Aborted();
+    }
+  }
+  for (const Channel& channel : this->Channels)
+  {
+    if (channel.Lost.Overflows > 0)
+    {
+      this->Warning += (this->Warning.empty() ? "" : "; ") + std::to_string(channel.Lost.Overflows) +
+        " values of " + channel.Name + " are beyond the range of " + TypeName(channel.Type) +
+        " and were written as infinity, the first is " + channel.Lost.First;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Output::EncodeBlock(
+  const std::vector<std::unique_ptr<char[]>>& pixels, int firstLine, int lastLine)
+{
+  const Imath::Box2i window = this->Header.dataWindow();
+  const vtkIdType width = static_cast<vtkIdType>(window.max.x) - window.min.x + 1;
+  for (std::size_t i = 0; i < this->Channels.size(); ++i)
+  {
+    Channel& channel = this->Channels[i];
+    const vtkIdType lineBytes = width * (channel.Type == Imf::HALF ? 2 : 4);
+    for (int y = firstLine; y <= lastLine; ++y)
+    {
+      // The last row of the image is the top line of the file.
+      const vtkIdType first = (static_cast<vtkIdType>(window.max.y) - y) * width;
+      char* line = pixels[i].get() + lineBytes * (static_cast<vtkIdType>(y) - firstLine);
+      Encode(channel.Source, first, width, channel.Type, line, channel.Lost);
+    }
+    this->CheckLosses(channel);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Output::CheckLosses(const Channel& channel) const
+{
+  if (channel.Lost.Inexact > 0)
+  {
+    throw Unfit("the array '" + std::string(channel.Source.Array->GetName()) + "' holds " +
+      channel.Lost.First + ", which " + TypeName(channel.Type) +
+      " cannot hold exactly; " +
+      (channel.Type == Imf::UINT ? "EXR has 32 bits for integers: convert the array"
+                                 : "choose UINT with SetPixelType"));
+  }
+}
+}

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkRelievoEXRStream.h
+ * @brief The files under OpenEXR: one that knows its size, and one that appears only when it is whole.
+ */
+#ifndef vtkRelievoEXRStream_h
+#define vtkRelievoEXRStream_h
+
+#include <OpenEXR/ImfIO.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+namespace relievo::exr
+{
+struct CloseFile
+{
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
+
+/** A file to read. Reading past its end throws Iex::InputExc and is remembered. */
+class InputStream : public Imf::IStream
+{
+public:
+  /** Opens the file; throws Failure when it is missing, a folder, empty, or may not be read. */
+  explicit InputStream(const std::string& fileName);
+
+  bool read(char* to, int count) override;
+  uint64_t tellg() override { return this->Position; }
+  void seekg(uint64_t position) override;
+  void clear() override;
+
+  uint64_t GetSize() const { return this->Size; }
+  uint64_t GetRemaining() const
+  {
+    return this->Position < this->Size ? this->Size - this->Position : 0;
+  }
+  bool GetHitEnd() const { return this->HitEnd; }
+
+private:
+  FilePointer File;
+  uint64_t Size = 0;
+  uint64_t Position = 0;
+  bool HitEnd = false;
+};
+
+/**
+ * A file to write. It is written under another name in the same folder; Commit() gives it its own
+ * name in one step. Without Commit(), whatever happened, the destructor removes it, and a file that
+ * was there before is as it was.
+ */
+class OutputStream : public Imf::OStream
+{
+public:
+  /** Makes the file; throws Failure when the folder is missing or may not be written to. */
+  explicit OutputStream(const std::string& fileName);
+  ~OutputStream() override;
+
+  void write(const char* from, int count) override;
+  uint64_t tellp() override { return this->Position; }
+  void seekp(uint64_t position) override;
+
+  /**
+   * Closes the file and gives it its name; throws Failure when any write failed, also those whose
+   * exception OpenEXR swallows (it writes its table of offsets in a destructor).
+   */
+  void Commit();
+
+  /** Throws the Failure of the first write that failed, if any. */
+  void Check() const;
+
+private:
+  std::string FileName;
+  std::string TemporaryName;
+  FilePointer File;
+  uint64_t Position = 0;
+  int FirstError = 0; // errno
+
+  [[noreturn]] void Throw(int error, const char* doing) const;
+};
+}
+
+#endif
