@@ -1,10 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoDepthToPoints
+ * @brief Turns a depth image into a point cloud in world coordinates, in double.
+ *
+ * Input: a vtkImageData of one slice, one point per pixel, row 0 at the bottom, the whole viewport,
+ * as vtkRelievoLayerSource and vtkRelievoEXRReader give it:
+ * - a point array of linear depth (eye space -z, world units), one component; see DepthArrayName;
+ * - field arrays worldToCamera and worldToNDC: 16 numbers each, row by row as vtkMatrix4x4 stores
+ *   them. Both act on world coordinates as they are, however far from the origin.
+ *
+ * Output: one vertex per pixel with a finite depth, where the ray through the pixel's centre has
+ * that depth; coordinates are double. Any projection will do: perspective, parallel, off-centre,
+ * oblique. The formulas are those of shaders/formulas/unproject.glsl, in double. The field data is
+ * passed on.
+ *
+ * Without the arrays, or with a camera that cannot be inverted, the filter reports one error, sets
+ * the error code vtkErrorCode::UserError, and its output is empty.
+ */
 #ifndef vtkRelievoDepthToPoints_h
 #define vtkRelievoDepthToPoints_h
 
-#include "vtkRelievoFiltersModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkRelievoFiltersModule.h" // for the export macro
 
 class VTKRELIEVOFILTERS_EXPORT vtkRelievoDepthToPoints : public vtkPolyDataAlgorithm
 {
@@ -13,11 +31,44 @@ public:
   vtkTypeMacro(vtkRelievoDepthToPoints, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /** Name of the point array of linear depth. Default is "depth". */
+  vtkSetStringMacro(DepthArrayName);
+  vtkGetStringMacro(DepthArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * Whether each point carries its pixel's values of all point arrays, depth included.
+   * Default is on.
+   */
+  vtkSetMacro(KeepArrays, bool);
+  vtkGetMacro(KeepArrays, bool);
+  vtkBooleanMacro(KeepArrays, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Takes every Stride-th column and row, from the lower left pixel. Default is 1: every pixel;
+   * at least 1.
+   */
+  vtkSetClampMacro(Stride, int, 1, VTK_INT_MAX);
+  vtkGetMacro(Stride, int);
+  ///@}
+
 protected:
-  vtkRelievoDepthToPoints() = default;
-  ~vtkRelievoDepthToPoints() override = default;
+  vtkRelievoDepthToPoints();
+  ~vtkRelievoDepthToPoints() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
+  char* DepthArrayName = nullptr;
+  bool KeepArrays = true;
+  int Stride = 1;
+
   vtkRelievoDepthToPoints(const vtkRelievoDepthToPoints&) = delete;
   void operator=(const vtkRelievoDepthToPoints&) = delete;
 };

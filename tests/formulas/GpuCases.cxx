@@ -86,8 +86,8 @@ GpuCases::GpuCases()
     return;
   }
   this->Self->Watch.reset(new GLCheck(window));
-  this->Self->Quad.reset(new vtkOpenGLQuadHelper(
-    this->Self->Window, nullptr, FragmentShader().c_str(), nullptr));
+  this->Self->Quad.reset(
+    new vtkOpenGLQuadHelper(this->Self->Window, nullptr, FragmentShader().c_str(), nullptr));
   RELIEVO_CHECK_THAT(this->IsValid(), "casesFS.glsl does not compile with the formulas");
 }
 
@@ -173,8 +173,7 @@ std::vector<glm::uvec4> GpuCases::Run(int which, const std::vector<CaseInput>& i
   output->ReleaseGraphicsResources(window);
   const std::string place = "in case " + std::to_string(which);
   this->Self->Watch->Poll(place);
-  return RELIEVO_CHECK_THAT(downloaded, "no words came back " + place)
-    ? results
-    : std::vector<glm::uvec4>();
+  return RELIEVO_CHECK_THAT(downloaded, "no words came back " + place) ? results
+                                                                       : std::vector<glm::uvec4>();
 }
 }

@@ -41,8 +41,8 @@ void TestSrgb()
     RELIEVO_CHECK(srgb > last);
     last = srgb;
     apart = std::max(apart, std::abs(srgb - f64::relievoSrgbFromLinear(linear)));
-    back = std::max(back,
-      std::abs(f64::relievoLinearFromSrgb(f64::relievoSrgbFromLinear(linear)) - linear));
+    back = std::max(
+      back, std::abs(f64::relievoLinearFromSrgb(f64::relievoSrgbFromLinear(linear)) - linear));
   }
   RELIEVO_CHECK_AT_MOST(apart, 3e-7, "to sRGB, float against double");
   RELIEVO_CHECK_AT_MOST(back, 1e-8, "to sRGB and back, double");
@@ -88,8 +88,7 @@ void TestHashColor()
 // Relative luminance of a display colour.
 double Luminance(const glm::dvec3& display)
 {
-  return glm::dot(
-    f64::relievoLinearColorFromSrgb(display), glm::dvec3(0.2126, 0.7152, 0.0722));
+  return glm::dot(f64::relievoLinearColorFromSrgb(display), glm::dvec3(0.2126, 0.7152, 0.0722));
 }
 
 void TestColormap()

@@ -53,8 +53,8 @@ void TestAgainstMatrices()
       RELIEVO_CHECK_NEAR(windowZ, MatrixWindowZ(depth, Near, zFar, true), 1e-14, "window z");
       RELIEVO_CHECK_NEAR(reversed, MatrixReversedZ(depth, Near, zFar, true), 1e-14, "reversed z");
       RELIEVO_CHECK_NEAR(parallel, MatrixWindowZ(depth, Near, zFar, false), 1e-14, "parallel z");
-      RELIEVO_CHECK_NEAR(parallelReversed, MatrixReversedZ(depth, Near, zFar, false), 1e-14,
-        "parallel reversed z");
+      RELIEVO_CHECK_NEAR(
+        parallelReversed, MatrixReversedZ(depth, Near, zFar, false), 1e-14, "parallel reversed z");
       const double step = 1e-15 * depth;
       RELIEVO_CHECK_NEAR(f64::relievoPerspectiveDepth(windowZ, Near, zFar), depth,
         step * (4. + depth / Near), "depth of window z");
@@ -120,8 +120,7 @@ void TestWords()
     {
       const float depth = static_cast<float>(exact);
       RELIEVO_CHECK(f32::relievoUnpackDepth32F(f32::relievoPackDepth32F(depth)) == depth);
-      const float half =
-        f32::relievoUnpackDepth16F(f32::relievoPackDepth16F(depth, scale), scale);
+      const float half = f32::relievoUnpackDepth16F(f32::relievoPackDepth16F(depth, scale), scale);
       halfError = std::max(halfError, std::abs(double(half) - depth) / depth);
       const float z = f32::relievoPerspectiveWindowZ(depth, zNear, zFar);
       const std::uint32_t code = f32::relievoPackWindowZ24(z);
@@ -130,8 +129,8 @@ void TestWords()
         std::max(codeError, std::abs(double(f32::relievoUnpackWindowZ24(code)) - double(z)));
       const std::uint32_t word =
         f32::relievoPackNormalDepth8(glm::vec3(0.f, 0.f, 1.f), depth, zNear, zFar);
-      alphaError = std::max(alphaError,
-        std::abs(double(f32::relievoUnpackNormalDepth8(word, zNear, zFar).w) - depth));
+      alphaError = std::max(
+        alphaError, std::abs(double(f32::relievoUnpackNormalDepth8(word, zNear, zFar).w) - depth));
     }
     // A half has 11 significant bits: half a step is 2^-11 at most, 2^-11 / (1 + 2^-11) of it.
     RELIEVO_CHECK_AT_MOST(halfError, 0x1p-11, "half, relative");
@@ -176,16 +175,12 @@ void TestNothingThere()
   {
     RELIEVO_CHECK(found == inf);
   }
-  RELIEVO_CHECK(
-    f32::relievoPackNormalDepth8(none, inf, 1.f, 9.f) == f32::relievoNormalDepth8None);
-  RELIEVO_CHECK(
-    f32::relievoPackNormalDepth16F(none, inf, 1.f) == f32::relievoNormalDepth16FNone);
+  RELIEVO_CHECK(f32::relievoPackNormalDepth8(none, inf, 1.f, 9.f) == f32::relievoNormalDepth8None);
+  RELIEVO_CHECK(f32::relievoPackNormalDepth16F(none, inf, 1.f) == f32::relievoNormalDepth16FNone);
   RELIEVO_CHECK(f32::relievoPackNormalDepth32F(none, inf) == f32::relievoNormalDepth32FNone);
   const glm::vec4 nothing(0.f, 0.f, 0.f, inf);
-  RELIEVO_CHECK(
-    f32::relievoUnpackNormalDepth8(f32::relievoNormalDepth8None, 1.f, 9.f) == nothing);
-  RELIEVO_CHECK(
-    f32::relievoUnpackNormalDepth16F(f32::relievoNormalDepth16FNone, 1.f) == nothing);
+  RELIEVO_CHECK(f32::relievoUnpackNormalDepth8(f32::relievoNormalDepth8None, 1.f, 9.f) == nothing);
+  RELIEVO_CHECK(f32::relievoUnpackNormalDepth16F(f32::relievoNormalDepth16FNone, 1.f) == nothing);
   RELIEVO_CHECK(f32::relievoUnpackNormalDepth32F(f32::relievoNormalDepth32FNone) == nothing);
 
   // What is drawn never reads as nothing: without a normal on the far plane, and beyond half.

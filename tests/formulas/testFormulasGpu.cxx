@@ -251,8 +251,8 @@ std::vector<CaseInput> PixelInputs()
   const glm::uvec4 size(FromFloat(1920.f), FromFloat(1080.f), FromFloat(1.f), 0u);
   for (int i = 0; i < 50000; ++i)
   {
-    inputs.push_back(Input(std::floor(1920. * uniform(random)),
-      std::floor(1080. * uniform(random)), 1. + uniform(random), size));
+    inputs.push_back(Input(std::floor(1920. * uniform(random)), std::floor(1080. * uniform(random)),
+      1. + uniform(random), size));
   }
   return inputs;
 }
@@ -284,10 +284,11 @@ void TestNormals(relievoTest::GpuCases& gpu)
 {
   const Rule unit = Number(0., 3e-7);
   const std::vector<CaseInput> normals = NormalInputs();
-  Compare(gpu, { 0, "oct8, oct8 precise, oct16, oct16 precise",
-    { Codes(8), Codes(8), Codes(16), Codes(16) } }, normals);
-  Compare(gpu, { 1, "unorm8, unorm10, half", { Codes(8), Codes(10), Codes(16), Codes(16) } },
+  Compare(gpu,
+    { 0, "oct8, oct8 precise, oct16, oct16 precise", { Codes(8), Codes(8), Codes(16), Codes(16) } },
     normals);
+  Compare(
+    gpu, { 1, "unorm8, unorm10, half", { Codes(8), Codes(10), Codes(16), Codes(16) } }, normals);
   Compare(gpu, { 2, "float", { Same, Same, Same, Same } }, normals);
   const std::vector<CaseInput> none = NoDirectionInputs();
   for (int which : { 0, 1, 2 })
@@ -312,17 +313,17 @@ void TestDepth(relievoTest::GpuCases& gpu)
   const Rule ulp = Number(3e-7, 0.);
   const Rule unit = Number(0., 1.2e-7);
   Compare(gpu, { 10, "window z, reversed z", { unit, Number(3e-7, 1e-14), unit, unit } }, depths);
-  Compare(gpu, { 11, "depth of z", { Number(6e-7, 0.), Number(6e-7, 0.), Number(3e-7, 0.),
-    Number(0., 3.)} }, ZInputs());
-  Compare(gpu, { 12, "normalised depth", { unit, Number(3e-7, 1e-7), Same, Same } },
-    depths);
+  Compare(gpu,
+    { 11, "depth of z", { Number(6e-7, 0.), Number(6e-7, 0.), Number(3e-7, 0.), Number(0., 3.) } },
+    ZInputs());
+  Compare(gpu, { 12, "normalised depth", { unit, Number(3e-7, 1e-7), Same, Same } }, depths);
   Compare(gpu, { 13, "depth words", { Codes(24), Codes(16), Codes(16), Same } }, UnitInputs());
   Compare(gpu, { 13, "depth words of depths", { Same, Codes(16), Codes(16), Same } }, depths);
   Compare(gpu, { 14, "unpack depth", { ulp, ulp, ulp, Same } }, WordInputs());
   Compare(gpu, { 15, "normal + depth", { Codes(8), Codes(16), Codes(16), Same } }, depths);
   const Rule near = Number(3e-7, 3e-7);
-  Compare(gpu, { 16, "unpack RGBA8", { near, near, near, Number(3e-7, 0.) } },
-    ShiftToB(WordInputs()));
+  Compare(
+    gpu, { 16, "unpack RGBA8", { near, near, near, Number(3e-7, 0.) } }, ShiftToB(WordInputs()));
   Compare(gpu, { 17, "unpack RGBA16F", { near, near, near, Same } }, ShiftToB(FloatWordInputs()));
   Compare(gpu, { 18, "unpack RGBA32F", { Same, Same, Same, Same } }, ShiftToB(NormalInputs()));
 }

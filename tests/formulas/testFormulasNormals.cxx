@@ -289,8 +289,7 @@ void TestFloats(const std::vector<glm::dvec3>& directions)
       worstFloat, Degrees(n, f32::relievoUnpackNormalFloat(f32::relievoPackNormalFloat(v))));
   }
   // Half a step of each component, below 1: 2^-12.
-  RELIEVO_CHECK_AT_MOST(
-    worstHalf, std::sqrt(3.) * 0x1p-12 * DegreesPerRadian, "half, max degrees");
+  RELIEVO_CHECK_AT_MOST(worstHalf, std::sqrt(3.) * 0x1p-12 * DegreesPerRadian, "half, max degrees");
   RELIEVO_CHECK_AT_MOST(worstFloat, 4e-6, "float, max degrees");
 }
 }

@@ -86,8 +86,7 @@ template <typename Vec3, typename Vec2, typename Mat>
 Vec3 ByEntries(const View& view, const Vec2& ndc, typename Vec3::value_type depth, const Mat& p);
 
 template <>
-glm::dvec3 ByEntries(
-  const View& view, const glm::dvec2& ndc, double depth, const glm::dmat4& p)
+glm::dvec3 ByEntries(const View& view, const glm::dvec2& ndc, double depth, const glm::dmat4& p)
 {
   return view.Perspective
     ? f64::relievoPerspectiveEyePosition(ndc, depth, p[0][0], p[1][1], p[2][0], p[2][1])
@@ -151,8 +150,7 @@ void TestWorld()
   const double s = 0.6;
   const glm::dmat4 cameraToWorld(
     c, s, 0., 0., -s * c, c * c, s, 0., s * s, -s * c, c, 0., 5e5, 5e6, 12.5, 1.);
-  const glm::dvec3 world =
-    f64::relievoWorldPosition(glm::dvec3(1., 2., -3.), cameraToWorld);
+  const glm::dvec3 world = f64::relievoWorldPosition(glm::dvec3(1., 2., -3.), cameraToWorld);
   RELIEVO_CHECK_NEAR(world.x, 5e5 + c - 2. * s * c - 3. * s * s, 1e-9, "world x");
   RELIEVO_CHECK_NEAR(world.y, 5e6 + s + 2. * c * c + 3. * s * c, 2e-9, "world y");
   RELIEVO_CHECK_NEAR(world.z, 12.5 + 2. * s - 3. * c, 1e-14, "world z");
@@ -194,8 +192,7 @@ void TestWindow()
   for (int i = 0; i < 640; ++i)
   {
     const double x = f64::relievoNdcFromPixel(glm::dvec2(i, 0.), glm::dvec2(640., 480.)).x;
-    RELIEVO_CHECK(
-      x == f64::relievoNdcFromWindow(glm::dvec3(30.5 + i, 50.5, 0.), viewport).x);
+    RELIEVO_CHECK(x == f64::relievoNdcFromWindow(glm::dvec3(30.5 + i, 50.5, 0.), viewport).x);
     RELIEVO_CHECK(x == -f64::relievoNdcFromPixel(glm::dvec2(639 - i, 0.), glm::dvec2(640.)).x);
   }
   RELIEVO_CHECK(f64::relievoNdcFromPixel(glm::dvec2(0.), glm::dvec2(1.)) == glm::dvec2(0.));
