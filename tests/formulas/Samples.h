@@ -26,7 +26,7 @@ inline double Degrees(const glm::dvec3& a, const glm::dvec3& b)
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 57.295779513082320877;
 }
 
-/** Unit vectors where encodings have their corners: axes, poles and octant seams, and beside them. */
+/** Unit vectors where encodings have corners: axes, poles and octant seams, and beside them. */
 inline std::vector<glm::dvec3> SpecialDirections()
 {
   std::vector<glm::dvec3> directions;

@@ -71,8 +71,8 @@ uvec4 relievoTestNormals(int which, uvec4 a)
   return relievoTestBits3(relievoUnpackNormalFloat(uvec3(a.x, a.y, a.z)));
 }
 
-// Depth: a.x depth (11: window or reversed z; 14: a word), a.y near, a.z far; 15: b a normal; 16 and
-// above: b words.
+// Depth: a.x depth (11: window or reversed z; 14: a word), a.y near, a.z far; 15: b a normal; 16
+// and above: b words.
 uvec4 relievoTestDepth(int which, uvec4 a, uvec4 b)
 {
   vec3 v = relievoTestVector(a);

@@ -3,8 +3,8 @@
 //
 // Every formula on the GPU gives what it gives in C++ (float): the same lines on the same words.
 //
-// Words of codes may differ by one code where the GPU divides or takes a root with another last bit;
-// words for "nothing here" may not. Numbers may differ by the tolerance that stands with the case;
+// Words of codes may differ by one code where the GPU divides or takes a root with another last
+// bit; words for "nothing here" may not. Numbers may differ by the tolerance that stands with the case;
 // the colour curves' pow() is the driver's own and gets the widest.
 #include "Check.h"
 #include "GpuCases.h"

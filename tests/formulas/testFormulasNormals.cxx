@@ -23,11 +23,11 @@ namespace f64 = relievo::f64;
 
 constexpr double DegreesPerRadian = 57.295779513082320877;
 
-// Closed forms of the largest angle, radians. Around (1, 1, 1), where the octahedron is nearest to
+// Closed forms of the largest angle, degrees. Around (1, 1, 1), where the octahedron is nearest to
 // the sphere's centre (1 / sqrt(3)), codes in steps of h = 1 / maxCode lie on its face in triangles
 // of side sqrt(2) h. Rounding each coordinate is off by sqrt(6) / 2 h there, the nearest corner by
-// sqrt(2 / 3) h; times sqrt(3) is the angle. Three components of steps 2 / maxCode are off by half a
-// step each, sqrt(3) / maxCode together.
+// sqrt(2 / 3) h; times sqrt(3) is the angle. Three components of steps 2 / maxCode are off by half
+// a step each, sqrt(3) / maxCode together.
 double OctLimit(int bits)
 {
   return 3. / std::sqrt(2.) / ((1 << (bits - 1)) - 1) * DegreesPerRadian;
