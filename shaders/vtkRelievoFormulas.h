@@ -128,19 +128,19 @@ using mat4 = glm::mat4;
 
 namespace
 {
-uint floatBitsToUint(float value)
+inline uint floatBitsToUint(float value)
 {
   return bits::FromFloat(value);
 }
-float uintBitsToFloat(uint word)
+inline float uintBitsToFloat(uint word)
 {
   return bits::ToFloat(word);
 }
-uint packHalf2x16(const vec2& v)
+inline uint packHalf2x16(const vec2& v)
 {
   return bits::ToHalf(v.x) | (bits::ToHalf(v.y) << 16);
 }
-vec2 unpackHalf2x16(uint word)
+inline vec2 unpackHalf2x16(uint word)
 {
   return vec2(bits::FromHalf(word & 0xffffu), bits::FromHalf(word >> 16));
 }
@@ -160,19 +160,19 @@ using mat4 = glm::dmat4;
 
 namespace
 {
-uint floatBitsToUint(double value)
+inline uint floatBitsToUint(double value)
 {
   return bits::FromFloat(static_cast<float>(value));
 }
-double uintBitsToFloat(uint word)
+inline double uintBitsToFloat(uint word)
 {
   return bits::ToFloat(word);
 }
-uint packHalf2x16(const vec2& v)
+inline uint packHalf2x16(const vec2& v)
 {
   return bits::ToHalf(static_cast<float>(v.x)) | (bits::ToHalf(static_cast<float>(v.y)) << 16);
 }
-vec2 unpackHalf2x16(uint word)
+inline vec2 unpackHalf2x16(uint word)
 {
   return vec2(bits::FromHalf(word & 0xffffu), bits::FromHalf(word >> 16));
 }

@@ -4,8 +4,8 @@
 // Every formula on the GPU gives what it gives in C++ (float): the same lines on the same words.
 //
 // Words of codes may differ by one code where the GPU divides or takes a root with another last
-// bit; words for "nothing here" may not. Numbers may differ by the tolerance that stands with the case;
-// the colour curves' pow() is the driver's own and gets the widest.
+// bit; words for "nothing here" may not. Numbers may differ by the tolerance that stands with the
+// case; the colour curves' pow() is the driver's own and gets the widest.
 #include "Check.h"
 #include "GpuCases.h"
 #include "Samples.h"
@@ -230,6 +230,7 @@ std::vector<CaseInput> ZInputs()
 std::vector<CaseInput> UnitInputs()
 {
   std::vector<CaseInput> inputs;
+  inputs.reserve(50005);
   std::mt19937 random(13);
   std::uniform_real_distribution<double> uniform(0., 1.);
   for (int i = 0; i < 50000; ++i)
@@ -246,6 +247,7 @@ std::vector<CaseInput> UnitInputs()
 std::vector<CaseInput> PixelInputs()
 {
   std::vector<CaseInput> inputs;
+  inputs.reserve(50005);
   std::mt19937 random(17);
   std::uniform_real_distribution<double> uniform(0., 1.);
   const glm::uvec4 size(FromFloat(1920.f), FromFloat(1080.f), FromFloat(1.f), 0u);
@@ -260,6 +262,7 @@ std::vector<CaseInput> PixelInputs()
 std::vector<CaseInput> PositionInputs()
 {
   std::vector<CaseInput> inputs;
+  inputs.reserve(50005);
   std::mt19937 random(19);
   std::uniform_real_distribution<double> uniform(-1., 1.);
   const glm::uvec4 size(FromFloat(1920.f), FromFloat(1080.f), FromFloat(1.f), 0u);
