@@ -1,0 +1,527 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Embree's truth against the closed forms, and what it says about triangles and certainty.
+#include "AnalyticScene.h"
+#include "Check.h"
+#include "EmbreeScene.h"
+#include "ScreenTriangle.h"
+#include "Session.h"
+#include "Window.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCubeSource.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkParametricFunctionSource.h>
+#include <vtkParametricTorus.h>
+#include <vtkPlaneSource.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+#include <vtkTransform.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <random>
+#include <string>
+
+namespace
+{
+using relievoTest::AnalyticScene;
+using relievoTest::EmbreeScene;
+using relievoTest::PixelTruth;
+using relievoTest::Ray;
+using relievoTest::SurfacePoint;
+using relievoTest::TruthImage;
+using relievoTest::View;
+
+// A renderer in a window that is never shown, looking from (2.5, 3, 6) at (0, 0.5, 0) + origin.
+struct Stage
+{
+  vtkNew<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRenderWindow> Window;
+
+  explicit Stage(int width, int height, const glm::dvec3& origin = glm::dvec3(0.))
+    : Window(relievoTest::MakeWindow(width, height, Renderer))
+  {
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(origin.x + 2.5, origin.y + 3., origin.z + 6.);
+    camera->SetFocalPoint(origin.x, origin.y + 0.5, origin.z);
+    camera->SetClippingRange(2., 14.);
+  }
+};
+
+vtkSmartPointer<vtkPolyData> Cube(double x, double y, double z)
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(x);
+  cube->SetYLength(y);
+  cube->SetZLength(z);
+  cube->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  cube->Update();
+  return cube->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> Polygons(const std::vector<glm::dvec3>& points)
+{
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> all;
+  all->SetDataTypeToDouble();
+  for (const glm::dvec3& p : points)
+  {
+    all->InsertNextPoint(p.x, p.y, p.z);
+  }
+  mesh->SetPoints(all);
+  mesh->SetPolys(vtkNew<vtkCellArray>());
+  return mesh;
+}
+
+// Boxes are exact as triangles: depth, position, normal and coverage must be those of closed form.
+void TestBoxes(const std::string& name, const glm::dvec3& origin, double depthLimit)
+{
+  Stage stage(401, 300, origin);
+  EmbreeScene embree;
+  AnalyticScene exact;
+  const auto add = [&](const glm::dvec3& size, vtkTransform* place) {
+    embree.AddActor(Cube(size.x, size.y, size.z), place->GetMatrix());
+    exact.AddBox(0.5 * size, AnalyticScene::ToMatrix(place->GetMatrix()->GetData()));
+  };
+  vtkNew<vtkTransform> turned;
+  turned->Translate(origin.x - 0.4, origin.y + 0.6, origin.z);
+  turned->RotateWXYZ(33., 1., 2., 3.);
+  add(glm::dvec3(1., 1.3, 0.8), turned);
+  vtkNew<vtkTransform> mirrored;
+  mirrored->Translate(origin.x + 0.9, origin.y + 0.5, origin.z + 0.3);
+  mirrored->RotateY(20.);
+  mirrored->Scale(-0.5, 1., 2.);
+  add(glm::dvec3(1., 1., 1.), mirrored);
+  vtkNew<vtkTransform> ground;
+  ground->Translate(origin.x, origin.y - 0.5, origin.z);
+  add(glm::dvec3(6., 1., 6.), ground);
+
+  for (const bool parallel : { false, true })
+  {
+    stage.Renderer->GetActiveCamera()->SetParallelProjection(parallel);
+    stage.Renderer->GetActiveCamera()->SetParallelScale(1.8);
+    const View view(stage.Renderer);
+    const TruthImage seen = embree.Trace(view);
+    const TruthImage truth = exact.Trace(view);
+    RELIEVO_CHECK(seen.Width == 401 && seen.Height == 300);
+    double worstDepth = 0.;
+    double worstAngle = 0.;
+    double worstPlace = 0.;
+    long long other = 0;
+    long long otherInner = 0;
+    long long wrongSide = 0;
+    for (size_t i = 0; i < truth.Pixels.size(); ++i)
+    {
+      const PixelTruth& s = seen.Pixels[i];
+      const PixelTruth& t = truth.Pixels[i];
+      // The same actor, and where it has edges, the same face.
+      if (s.Hit != t.Hit || s.Actor != t.Actor ||
+        (s.Hit && relievoTest::AngleDegrees(s.Normal, t.Normal) > 1.))
+      {
+        ++other;
+        otherInner += s.Inner || t.Inner ? 1 : 0;
+        continue;
+      }
+      if (!s.Hit)
+      {
+        continue;
+      }
+      worstDepth = std::max(worstDepth, std::abs(s.Depth / t.Depth - 1.));
+      worstAngle = std::max(worstAngle, relievoTest::AngleDegrees(s.Normal, t.Normal));
+      worstPlace = std::max(worstPlace, glm::length(s.Position - t.Position));
+      wrongSide += s.FrontFacing && t.FrontFacing ? 0 : 1;
+    }
+    const std::string what = name + (parallel ? ", parallel: " : ": ");
+    std::cout << what << truth.NumberOfHits() << " pixels hit, " << truth.NumberOfInner()
+              << " inner by closed form, " << seen.NumberOfInner() << " by Embree, " << other
+              << " of another face\n";
+    RELIEVO_CHECK(truth.NumberOfHits() > 30000);
+    RELIEVO_CHECK(truth.NumberOfInner() > 0.95 * truth.NumberOfHits());
+    RELIEVO_CHECK(seen.NumberOfInner() > 0.95 * truth.NumberOfHits());
+    RELIEVO_CHECK(otherInner == 0 && wrongSide == 0);
+    RELIEVO_CHECK_AT_MOST(static_cast<double>(other), 5., what + "pixels of another face");
+    RELIEVO_CHECK_AT_MOST(worstDepth, depthLimit, what + "depth, relative");
+    RELIEVO_CHECK_AT_MOST(worstAngle, 1e-6, what + "normal, degrees");
+    RELIEVO_CHECK_AT_MOST(worstPlace, 20. * depthLimit, what + "position");
+  }
+}
+
+// A tessellation touches its surface with its corners; the truth lies between.
+void TestTessellations()
+{
+  Stage stage(300, 300);
+  const View view(stage.Renderer);
+  {
+    const int around = 200;
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetThetaResolution(2 * around);
+    sphere->SetPhiResolution(around + 1);
+    sphere->SetRadius(1.);
+    sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    sphere->Update();
+    EmbreeScene embree;
+    embree.AddActor(sphere->GetOutput());
+    AnalyticScene exact;
+    exact.AddSphere(1.);
+    const TruthImage seen = embree.Trace(view);
+    const TruthImage truth = exact.Trace(view);
+    // A cell spans pi / around both ways: its middle is at most as deep as its half diagonal says.
+    const double half = std::acos(-1.) / around / 2. * std::sqrt(2.);
+    const double sag = 1. - std::cos(half);
+    double deepest = 0.;
+    double highest = 0.;
+    double worstAngle = 0.;
+    long long outside = 0;
+    for (size_t i = 0; i < seen.Pixels.size(); ++i)
+    {
+      const PixelTruth& s = seen.Pixels[i];
+      outside += s.Hit && !truth.Pixels[i].Hit ? 1 : 0;
+      if (!s.Hit)
+      {
+        continue;
+      }
+      const double radius = glm::length(s.Position);
+      deepest = std::max(deepest, 1. - radius);
+      highest = std::max(highest, radius - 1.);
+      worstAngle = std::max(worstAngle, relievoTest::AngleDegrees(s.Normal, s.Position));
+      RELIEVO_CHECK(s.FrontFacing && s.Actor == 0);
+    }
+    std::cout << "sphere: " << seen.NumberOfHits() << " pixels hit, " << truth.NumberOfHits()
+              << " by closed form\n";
+    RELIEVO_CHECK(outside == 0 && seen.NumberOfHits() > 0.99 * truth.NumberOfHits());
+    RELIEVO_CHECK_AT_MOST(deepest, sag, "sphere: deepest place below the surface");
+    RELIEVO_CHECK_THAT(deepest > 0.3 * sag, "the bound must be near what is found");
+    RELIEVO_CHECK_AT_MOST(highest, 1e-14, "sphere: highest place above the surface");
+    RELIEVO_CHECK_AT_MOST(worstAngle, glm::degrees(half), "sphere: normal, degrees");
+  }
+  {
+    vtkNew<vtkParametricTorus> function;
+    function->SetRingRadius(1.);
+    function->SetCrossSectionRadius(0.4);
+    vtkNew<vtkParametricFunctionSource> source;
+    source->SetParametricFunction(function);
+    source->SetUResolution(400);
+    source->SetVResolution(200);
+    source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    source->Update();
+    EmbreeScene embree;
+    embree.AddActor(source->GetOutput());
+    AnalyticScene exact;
+    exact.AddTorus(1., 0.4);
+    const TruthImage seen = embree.Trace(view);
+    const TruthImage truth = exact.Trace(view);
+    const double cell = std::acos(-1.) * std::hypot(1.4 * 2. / 400., 0.4 * 2. / 200.);
+    double worst = 0.;
+    long long other = 0;
+    for (size_t i = 0; i < seen.Pixels.size(); ++i)
+    {
+      const PixelTruth& s = seen.Pixels[i];
+      other += s.Hit != truth.Pixels[i].Hit ? 1 : 0;
+      if (s.Hit && truth.Pixels[i].Inner)
+      {
+        const glm::dvec3& p = s.Position;
+        worst = std::max(worst, std::abs(std::hypot(std::hypot(p.x, p.y) - 1., p.z) - 0.4));
+      }
+    }
+    std::cout << "torus: " << truth.NumberOfHits() << " pixels hit, " << other << " differ\n";
+    RELIEVO_CHECK(truth.NumberOfHits() > 3000 && other < 0.01 * truth.NumberOfHits());
+    RELIEVO_CHECK_AT_MOST(worst, cell * cell / 8. / 0.4, "torus: off the surface");
+  }
+}
+
+// Which cell a triangle comes from, however the cells are drawn.
+void TestCells()
+{
+  // A vertex, a line, then a pentagon, a quad, and a strip of three triangles.
+  const auto mesh = Polygons({ { 0, 0, 0 }, { 1, 0, 0 }, { 1.5, 1, 0 }, { 0.5, 2, 0 },
+    { -0.5, 1, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 4, 1, 0 }, { 3, 1, 0 }, { 5, 0, 0 }, { 5, 1, 0 },
+    { 6, 0, 0 }, { 6, 1, 0 }, { 7, 0, 0 } });
+  mesh->SetVerts(vtkNew<vtkCellArray>());
+  mesh->GetVerts()->InsertNextCell({ 0 });
+  mesh->SetLines(vtkNew<vtkCellArray>());
+  mesh->GetLines()->InsertNextCell({ 0, 1 });
+  mesh->GetPolys()->InsertNextCell({ 0, 1, 2, 3, 4 });
+  mesh->GetPolys()->InsertNextCell({ 5, 6, 7, 8 });
+  mesh->SetStrips(vtkNew<vtkCellArray>());
+  mesh->GetStrips()->InsertNextCell({ 9, 11, 10, 12 });
+  mesh->GetStrips()->InsertNextCell({ 11, 13, 12 });
+  EmbreeScene scene;
+  RELIEVO_CHECK(scene.AddActor(mesh) == 0);
+  RELIEVO_CHECK(scene.NumberOfTriangles() == 3 + 2 + 2 + 1);
+
+  const auto cast = [&](double x, double y) {
+    return scene.Cast(Ray{ { x, y, 5. }, { 0., 0., -1. } }, 0., 100.);
+  };
+  RELIEVO_CHECK(cast(0.5, 0.5).Cell == 2 && cast(-0.3, 1.).Cell == 2 && cast(1.4, 1.).Cell == 2);
+  RELIEVO_CHECK(cast(3.9, 0.5).Cell == 3 && cast(3.1, 0.9).Cell == 3);
+  RELIEVO_CHECK(cast(5.1, 0.2).Cell == 4 && cast(5.9, 0.8).Cell == 4 && cast(6.2, 0.1).Cell == 5);
+  RELIEVO_CHECK(!cast(2.5, 0.5).Hit && cast(2.5, 0.5).Cell == -1);
+  // All were made counter-clockwise as seen from +z; from behind they show their back.
+  for (const double x : { 0.5, 3.5, 5.1, 5.9, 6.2 })
+  {
+    RELIEVO_CHECK(cast(x, 0.3).FrontFacing);
+    const SurfacePoint back = scene.Cast(Ray{ { x, 0.3, -5. }, { 0., 0., 1. } }, 0., 100.);
+    RELIEVO_CHECK(back.Hit && !back.FrontFacing && back.Normal.z == -1.);
+  }
+
+  const SurfacePoint point = cast(3.25, 0.125);
+  const auto ids = scene.PointIds(point.Triangle);
+  const auto corners = scene.Corners(point.Triangle);
+  const glm::dvec3 weights = scene.Weights(point.Triangle, point.Position);
+  glm::dvec3 sum(0.);
+  for (int i = 0; i < 3; ++i)
+  {
+    double p[3];
+    mesh->GetPoint(ids[i], p);
+    RELIEVO_CHECK(corners[i] == glm::dvec3(p[0], p[1], p[2]));
+    RELIEVO_CHECK(weights[i] >= 0.);
+    sum += weights[i] * corners[i];
+  }
+  RELIEVO_CHECK(glm::length(sum - glm::dvec3(3.25, 0.125, 0.)) < 1e-14);
+}
+
+void TestBadGeometry()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto mesh = Polygons({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { nan, 0, 0 },
+    { 0, std::numeric_limits<double>::infinity(), 0 }, { 0, 0, 0 } });
+  mesh->GetPolys()->InsertNextCell({ 0, 1, 3 });
+  mesh->GetPolys()->InsertNextCell({ 0, 1, 4 });
+  mesh->GetPolys()->InsertNextCell({ 0, 1, 5 });
+  mesh->GetPolys()->InsertNextCell({ 0, 1 });
+  mesh->GetPolys()->InsertNextCell({ 0, 1, 2 });
+  EmbreeScene scene;
+  scene.AddActor(mesh);
+  RELIEVO_CHECK(scene.NumberOfTriangles() == 1);
+  const SurfacePoint point = scene.Cast(Ray{ { 0.2, 0.2, 1. }, { 0., 0., -1. } }, 0., 9.);
+  RELIEVO_CHECK(point.Hit && point.Cell == 4);
+  RELIEVO_CHECK(relievoTest::FailuresOf([&] { scene.AddActor(mesh); }) == 1);
+
+  EmbreeScene empty;
+  RELIEVO_CHECK(!empty.Cast(Ray{ { 0., 0., 1. }, { 0., 0., -1. } }, 0., 9.).Hit);
+  RELIEVO_CHECK(empty.Size() == 0.);
+  Stage stage(20, 10);
+  const TruthImage image = empty.Trace(View(stage.Renderer));
+  RELIEVO_CHECK(image.Pixels.size() == 200 && image.NumberOfHits() == 0);
+  RELIEVO_CHECK(std::isinf(image.At(3, 4).Depth) && image.At(3, 4).Actor == -1);
+}
+
+// Widths and edge distances of a triangle whose pixels are known.
+void TestScreenTriangle()
+{
+  Stage stage(100, 100);
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(50.);
+  camera->SetPosition(0., 0., 10.);
+  camera->SetFocalPoint(0., 0., 0.);
+  camera->SetClippingRange(1., 100.);
+  const View view(stage.Renderer);
+  // One pixel is one unit, the centre of the view is pixel (50, 50).
+  const relievoTest::ScreenTriangle triangle(
+    view, { glm::dvec3(-20., -10., 0.), glm::dvec3(20., -10., 0.), glm::dvec3(0., 10., 0.) });
+  RELIEVO_CHECK_NEAR(triangle.Width(), 20., 1e-12, "smallest altitude");
+  RELIEVO_CHECK_NEAR(triangle.Distance({ 50., 41. }), 1., 1e-12, "distance inside");
+  RELIEVO_CHECK_NEAR(triangle.Distance({ 50., 38. }), -2., 1e-12, "distance outside");
+  RELIEVO_CHECK_NEAR(triangle.Distance({ 50., 70. }), -10., 1e-12, "distance beyond a corner");
+  // The other way round is the same triangle.
+  const relievoTest::ScreenTriangle reversed(
+    view, { glm::dvec3(20., -10., 0.), glm::dvec3(-20., -10., 0.), glm::dvec3(0., 10., 0.) });
+  RELIEVO_CHECK_NEAR(reversed.Distance({ 50., 41. }), 1., 1e-12, "reversed");
+
+  // A corner before the near plane is cut off.
+  camera->ParallelProjectionOff();
+  camera->SetViewAngle(90.);
+  const View perspective(stage.Renderer);
+  const relievoTest::ScreenTriangle cut(perspective,
+    { glm::dvec3(-5., 0., 5.), glm::dvec3(5., 0., 5.), glm::dvec3(0., 0.5, 11.) });
+  RELIEVO_CHECK(cut.Distance({ 50., 51. }) > 0. && std::isfinite(cut.Width()) && cut.Width() > 0.);
+  const relievoTest::ScreenTriangle behind(perspective,
+    { glm::dvec3(-5., 0., 15.), glm::dvec3(5., 0., 15.), glm::dvec3(0., 0.5, 11.) });
+  RELIEVO_CHECK(behind.Width() == 0. && behind.Distance({ 50., 50. }) < 0.);
+}
+
+// Of an inner pixel no ray may show anything else; of others some must.
+void TestInner()
+{
+  Stage stage(300, 200);
+  const View view(stage.Renderer);
+  EmbreeScene scene;
+  vtkNew<vtkMatrix4x4> place;
+  place->SetElement(1, 3, 0.5);
+  scene.AddActor(Cube(1., 1., 1.), place);
+  place->SetElement(1, 3, -0.5);
+  scene.AddActor(Cube(6., 1., 6.), place);
+  const TruthImage image = scene.Trace(view);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> share(0., 1.);
+  long long flips = 0;
+  long long outerFlips = 0;
+  long long wrongEdge = 0;
+  for (int y = 0; y < image.Height; ++y)
+  {
+    for (int x = 0; x < image.Width; ++x)
+    {
+      const PixelTruth& pixel = image.At(x, y);
+      if (!pixel.Hit)
+      {
+        continue;
+      }
+      bool same = true;
+      for (int i = 0; i < 8; ++i)
+      {
+        const Ray ray = view.PixelRay(x + share(random), y + share(random));
+        same = same && scene.Cast(ray, view.Near, view.Far).Actor == pixel.Actor;
+      }
+      flips += pixel.Inner && !same ? 1 : 0;
+      outerFlips += !pixel.Inner && !same ? 1 : 0;
+      // Nearer than the edge, the same triangle is met.
+      const double angle = 6.28 * share(random);
+      const double reach = std::min(0.99 * pixel.EdgeDistance, 50.);
+      const Ray within =
+        view.PixelRay(x + 0.5 + reach * std::cos(angle), y + 0.5 + reach * std::sin(angle));
+      const SurfacePoint there = scene.Cast(within, view.Near, view.Far);
+      wrongEdge += pixel.Actor == 0 && there.Triangle != pixel.Triangle ? 1 : 0;
+      RELIEVO_CHECK(pixel.EdgeDistance >= 0. && pixel.TriangleWidth > 2. * pixel.EdgeDistance - 1e-9);
+    }
+  }
+  std::cout << "jitter: " << image.NumberOfInner() << " inner pixels, " << flips
+            << " flips; " << outerFlips << " flips of others\n";
+  RELIEVO_CHECK(flips == 0 && outerFlips > 100 && wrongEdge == 0);
+}
+
+void TestInsideAndRange()
+{
+  // Within a box every ray meets its inner side.
+  Stage stage(64, 64);
+  stage.Renderer->GetActiveCamera()->SetClippingRange(0.01, 100.);
+  const View view(stage.Renderer);
+  EmbreeScene box;
+  box.AddActor(Cube(20., 20., 20.));
+  const TruthImage image = box.Trace(view);
+  RELIEVO_CHECK(image.NumberOfHits() == 64 * 64);
+  RELIEVO_CHECK(std::none_of(image.Pixels.begin(), image.Pixels.end(),
+    [](const PixelTruth& pixel) { return pixel.FrontFacing; }));
+
+  // The range ends where it says, and what lies before it is passed over.
+  EmbreeScene two;
+  two.AddActor(Cube(1., 1., 1.));
+  const Ray ray{ { 0.1, 0.2, 5.5 }, { 0., 0., -2. } };
+  RELIEVO_CHECK(two.Cast(ray, 0., 99.).Depth == 2.5);
+  RELIEVO_CHECK(two.Cast(ray, 2.500001, 99.).Depth == 3.);
+  RELIEVO_CHECK(two.Cast(ray, 2.5, 99.).Depth == 2.5);
+  RELIEVO_CHECK(!two.Cast(ray, 0., 2.499999).Hit);
+  RELIEVO_CHECK(!two.Cast(ray, 3.000001, 99.).Hit);
+  RELIEVO_CHECK(two.Cast(ray, 0., 99., two.Cast(ray, 0., 99.).Triangle).Depth == 3.);
+}
+
+// Shadows of a box and a turned box on a ground against closed form.
+void TestShadows()
+{
+  Stage stage(300, 300);
+  const View view(stage.Renderer);
+  EmbreeScene embree;
+  AnalyticScene exact;
+  vtkNew<vtkTransform> place;
+  place->Translate(-0.3, 0.9, 0.2);
+  place->RotateWXYZ(40., 1., 0.3, 0.2);
+  embree.AddActor(Cube(1., 0.6, 0.8), place->GetMatrix());
+  exact.AddBox({ 0.5, 0.3, 0.4 }, AnalyticScene::ToMatrix(place->GetMatrix()->GetData()));
+  place->Identity();
+  place->Translate(0.9, 0.25, 0.6);
+  embree.AddActor(Cube(0.5, 0.5, 0.5), place->GetMatrix());
+  exact.AddBox(glm::dvec3(0.25), AnalyticScene::ToMatrix(place->GetMatrix()->GetData()));
+  place->Identity();
+  place->RotateX(-90.);
+  vtkNew<vtkPlaneSource> ground;
+  ground->SetOrigin(-3., -3., 0.);
+  ground->SetPoint1(3., -3., 0.);
+  ground->SetPoint2(-3., 3., 0.);
+  ground->Update();
+  embree.AddActor(ground->GetOutput(), place->GetMatrix());
+  exact.AddPlane(3., 3., AnalyticScene::ToMatrix(place->GetMatrix()->GetData()));
+
+  const TruthImage image = embree.Trace(view);
+  const glm::dvec3 light(3., 5., 2.);
+  for (const bool sun : { true, false })
+  {
+    long long dark = 0;
+    long long lit = 0;
+    long long unstable = 0;
+    long long wrong = 0;
+    for (const PixelTruth& pixel : image.Pixels)
+    {
+      const glm::dvec3 way = sun ? light : light - pixel.Position;
+      if (!pixel.Hit || glm::dot(pixel.Normal, glm::normalize(way)) < 0.05)
+      {
+        continue;
+      }
+      const double far = sun ? std::numeric_limits<double>::infinity() : 1.;
+      const relievoTest::ShadowVerdict verdict = embree.Shadow(pixel, way, far, 1e-3);
+      if (!verdict.Stable)
+      {
+        ++unstable;
+        continue;
+      }
+      const bool truth = exact.Occluded(Ray{ pixel.Position, way }, 1e-7, far);
+      (truth ? dark : lit) += 1;
+      wrong += truth != verdict.Occluded ? 1 : 0;
+    }
+    std::cout << (sun ? "sun: " : "point light: ") << lit << " lit, " << dark << " dark, "
+              << unstable << " left out, " << wrong << " wrong\n";
+    RELIEVO_CHECK(lit > 10000 && dark > 1000 && wrong == 0);
+    RELIEVO_CHECK(unstable > 0 && unstable < 0.02 * (lit + dark));
+  }
+}
+
+// Actors as a renderer holds them.
+void TestRenderer()
+{
+  Stage stage(64, 64);
+  const auto add = [&](double x, bool visible) {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(Cube(0.5, 0.5, 0.5));
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetPosition(x, 0.5, 0.);
+    actor->SetVisibility(visible);
+    stage.Renderer->AddActor(actor);
+  };
+  add(-1., true);
+  add(0., false);
+  add(1., true);
+  EmbreeScene scene;
+  RELIEVO_CHECK(scene.AddActors(stage.Renderer) == 2);
+  const auto cast = [&](double x) {
+    return scene.Cast(Ray{ { x, 0.51, 5. }, { 0., 0., -1. } }, 0., 99.).Actor;
+  };
+  RELIEVO_CHECK(cast(-1.) == 0 && cast(0.) == -1 && cast(1.) == 1);
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  relievoTest::Session session;
+  TestBoxes("boxes", glm::dvec3(0.), 1e-14);
+  TestBoxes("boxes at (5e5, 5e6, 0)", glm::dvec3(5e5, 5e6, 0.), 2e-9);
+  TestTessellations();
+  TestCells();
+  TestBadGeometry();
+  TestScreenTriangle();
+  TestInner();
+  TestInsideAndRange();
+  TestShadows();
+  TestRenderer();
+  return session.Result();
+}
