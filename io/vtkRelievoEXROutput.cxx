@@ -319,14 +319,37 @@ void Output::Write(Imf::OStream& stream, const std::function<bool(double)>& prog
       throw Aborted();
     }
   }
+  this->Warn();
+}
+
+//------------------------------------------------------------------------------
+void Output::Warn()
+{
+  const auto add = [this](const std::string& text) {
+    this->Warning += (this->Warning.empty() ? "" : "; ") + text;
+  };
+  const bool dwa = this->Header.compression() == Imf::DWAA_COMPRESSION ||
+    this->Header.compression() == Imf::DWAB_COMPRESSION;
+  std::string rounded;
   for (const Channel& channel : this->Channels)
   {
     if (channel.Lost.Overflows > 0)
     {
-      this->Warning += (this->Warning.empty() ? "" : "; ") + std::to_string(channel.Lost.Overflows) +
-        " values of " + channel.Name + " are beyond the range of " + TypeName(channel.Type) +
-        " and were written as infinity, the first is " + channel.Lost.First;
+      add(std::to_string(channel.Lost.Overflows) + " values of " + channel.Name +
+        " are beyond the range of " + TypeName(channel.Type) +
+        " and were written as infinity, the first is " + channel.Lost.First);
     }
+    // To DWA any channel named Y is a luminance.
+    const std::size_t size = channel.Name.size();
+    if (dwa && channel.Type != Imf::UINT && size > 2 && channel.Name.substr(size - 2) == ".Y")
+    {
+      rounded += (rounded.empty() ? "" : ", ") + channel.Name;
+    }
+  }
+  if (!rounded.empty())
+  {
+    add("DWA compression has lost accuracy in " + rounded +
+      ", as it does in every channel named R, G, B or Y; zip and piz lose nothing");
   }
 }
 

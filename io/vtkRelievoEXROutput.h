@@ -45,7 +45,7 @@ public:
   /** Writes it. `progress` takes 0 to 1 and returns false to stop. */
   void Write(Imf::OStream& stream, const std::function<bool(double)>& progress);
 
-  /** After Write(): what was lost by rounding to the pixel types; empty when nothing was. */
+  /** After Write(): losses that the user may not expect; empty when there were none. */
   const std::string& GetWarning() const { return this->Warning; }
 
 private:
@@ -67,6 +67,7 @@ private:
   void PlanArray(vtkDataArray* array, const Settings& settings, const double origin[3]);
   void EncodeBlock(const std::vector<std::unique_ptr<char[]>>& pixels, int firstLine, int lastLine);
   void CheckLosses(const Channel& channel) const;
+  void Warn();
 };
 }
 

@@ -61,7 +61,8 @@ public:
   /**
    * How pixels are packed. NO_COMPRESSION, RLE, ZIPS (line by line), ZIP (16 lines) and PIZ (32 lines)
    * lose nothing. PXR24 rounds FLOAT to 24 bits. B44 and B44A lose accuracy in HALF. DWAA and DWAB
-   * lose accuracy in channels named R, G, B or Y, of whatever layer, and turn them into halfs.
+   * lose accuracy in channels named R, G, B or Y, of whatever layer: in normal.Y and position.Y too.
+   * The writer warns of that.
    */
   enum CompressionType
   {
