@@ -228,7 +228,8 @@ void vtkRelievoArraySampler::SampleInCell(const vtkRelievoDrawTable::Hit& hit, c
   hit.Mesh->GetCellPoints(hit.Cell, ids);
   vtkIdType corners[3];
   const int count = GetCorners(hit.Mesh->GetCellType(hit.Cell),
-    hit.Prop->GetProperty()->GetRepresentation(), ids->GetNumberOfIds(), hit.Primitive, corners);
+    hit.Prop->GetProperty()->GetRepresentation(), ids->GetNumberOfIds(), hit.GetPrimitiveInCell(),
+    corners);
   if (corners[count - 1] >= ids->GetNumberOfIds())
   {
     return;

@@ -174,7 +174,6 @@ void vtkRelievoDisplayStage::RenderAfter(vtkRelievoPass* frame, const vtkRenderS
   {
     background[i] = static_cast<float>(renderer->GetBackground()[i]);
   }
-  const int viewport[2] = { view.Viewport[0], view.Viewport[1] };
   const float size[2] = { static_cast<float>(view.Viewport[2]),
     static_cast<float>(view.Viewport[3]) };
   float projection[16];
@@ -186,7 +185,6 @@ void vtkRelievoDisplayStage::RenderAfter(vtkRelievoPass* frame, const vtkRenderS
     viewToWorld[i] = static_cast<float>(world[i / 4][i % 4]);
   }
   program->SetUniform2i("relievoOffset", offset);
-  program->SetUniform2i("relievoViewport", viewport);
   program->SetUniform2f("relievoSize", size);
   program->SetUniform2f("relievoShown", range);
   program->SetUniform3f("relievoBackground", background);

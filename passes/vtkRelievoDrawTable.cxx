@@ -5,7 +5,9 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCellArray.h"
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
+#include "vtkMapper.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
@@ -14,6 +16,51 @@
 
 #include <algorithm>
 
+namespace
+{
+constexpr std::uint32_t NothingWord = 0xffffffffu;
+
+vtkIdType CountPrimitivesAtMost(vtkPolyData* mesh)
+{
+  // Every primitive ends at another point of its cell; strips drawn as lines have two for a point.
+  return mesh->GetVerts()->GetNumberOfConnectivityIds() +
+    mesh->GetLines()->GetNumberOfConnectivityIds() +
+    mesh->GetPolys()->GetNumberOfConnectivityIds() +
+    2 * mesh->GetStrips()->GetNumberOfConnectivityIds();
+}
+
+vtkIdType CountGlyphs(vtkDataObject* input)
+{
+  return input ? std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT)) : 1;
+}
+
+vtkIdType CountPrimitives(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int source)
+{
+  if (source == vtkRelievoGBufferSplice::NoPrimitive)
+  {
+    return 1;
+  }
+  if (source == vtkRelievoGBufferSplice::InstanceOfGlyphs)
+  {
+    return actor->GetMapper() ? CountGlyphs(actor->GetMapper()->GetInputDataObject(0, 0)) : 1;
+  }
+#ifdef RELIEVO_COMPOSITE_HELPER
+  if (auto* helper = vtkCompositeMapperHelper2::SafeDownCast(mapper))
+  {
+    vtkIdType count = 0;
+    for (const auto& block : vtkRelievoAccess::CompositeHelper::Blocks(helper))
+    {
+      count += CountPrimitivesAtMost(block.first);
+    }
+    return count;
+  }
+#endif
+  return mapper->CurrentInput ? std::max(CountPrimitivesAtMost(mapper->CurrentInput),
+                                  mapper->CurrentInput->GetNumberOfPoints())
+                              : 1;
+}
+}
+
 //------------------------------------------------------------------------------
 void vtkRelievoDrawTable::Clear()
 {
@@ -21,12 +68,26 @@ void vtkRelievoDrawTable::Clear()
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoDrawTable::Add(
+std::uint32_t vtkRelievoDrawTable::Add(
   vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int primitiveSource)
 {
-  this->Draws.push_back(
-    Draw{ actor, actor->GetPropertyKeys(), mapper, primitiveSource, -1, actor, {} });
-  return static_cast<int>(this->Draws.size()) - 1;
+  std::uint32_t first = 0;
+  if (!this->Draws.empty())
+  {
+    const Draw& last = this->Draws.back();
+    // A mapper's verts, lines, polys and strips count through.
+    if (last.Actor == actor && last.Mapper == mapper && last.PrimitiveSource == primitiveSource)
+    {
+      return last.First;
+    }
+    first = last.First + last.Count;
+  }
+  const vtkIdType most = CountPrimitives(actor, mapper, primitiveSource);
+  const std::uint32_t count =
+    static_cast<std::uint32_t>(std::min<vtkIdType>(most, NothingWord - first));
+  this->Draws.push_back(Draw{
+    actor, actor->GetPropertyKeys(), mapper, primitiveSource, first, count, -1, actor, {} });
+  return first;
 }
 
 //------------------------------------------------------------------------------
@@ -97,6 +158,18 @@ void vtkRelievoDrawTable::Resolve(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkRelievoDrawTable::Hit::GetPrimitiveInCell() const
+{
+  vtkIdType k = 0;
+  while (this->Word - k > this->First &&
+    this->Map->ConvertOpenGLCellIdToVTKCellId(false, this->Word - k - 1) == this->Cell)
+  {
+    ++k;
+  }
+  return k;
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkRelievoDrawTable::Hit> vtkRelievoDrawTable::GetMeshes() const
 {
   std::vector<Hit> meshes;
@@ -120,19 +193,25 @@ std::vector<vtkRelievoDrawTable::Hit> vtkRelievoDrawTable::GetMeshes() const
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoDrawTable::Hit vtkRelievoDrawTable::Find(
-  std::uint32_t drawId, std::uint32_t primitive) const
+vtkRelievoDrawTable::Hit vtkRelievoDrawTable::Find(std::uint32_t word) const
 {
   Hit hit;
-  if (drawId >= this->Draws.size())
+  if (word == NothingWord)
   {
     return hit;
   }
-  const Draw& draw = this->Draws[drawId];
+  auto next = std::upper_bound(this->Draws.begin(), this->Draws.end(), word,
+    [](std::uint32_t value, const Draw& draw) { return value < draw.First; });
+  if (next == this->Draws.begin())
+  {
+    return hit;
+  }
+  const Draw& draw = *(next - 1);
+  const std::uint32_t primitive = word - draw.First;
   hit.Actor = draw.ActorIndex;
   hit.Prop = draw.Prop;
   hit.Block = 0;
-  if (primitive == 0xffffffffu)
+  if (draw.PrimitiveSource == vtkRelievoGBufferSplice::NoPrimitive)
   {
     return hit;
   }
@@ -152,12 +231,8 @@ vtkRelievoDrawTable::Hit vtkRelievoDrawTable::Find(
   hit.Block = range.Block;
   hit.Mesh = range.Mesh;
   hit.Cell = range.Map->ConvertOpenGLCellIdToVTKCellId(false, primitive);
-  hit.Primitive = 0;
-  while (static_cast<vtkIdType>(primitive) - hit.Primitive > range.First &&
-    range.Map->ConvertOpenGLCellIdToVTKCellId(
-      false, static_cast<vtkIdType>(primitive) - hit.Primitive - 1) == hit.Cell)
-  {
-    ++hit.Primitive;
-  }
+  hit.Word = primitive;
+  hit.First = range.First;
+  hit.Map = range.Map;
   return hit;
 }

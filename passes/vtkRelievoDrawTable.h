@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The draw calls of a frame that wrote layers, and what a pixel's two id words (draw, primitive)
-// mean: actor, block, cell, and the mesh with its data.
+// The draw calls of a frame that wrote layers, and what a pixel's id word means: actor, block, cell,
+// and the mesh with its data. The word counts the primitives of the frame through: a draw's first
+// one has the number after the last one of the draw before.
 #ifndef vtkRelievoDrawTable_h
 #define vtkRelievoDrawTable_h
 
@@ -28,16 +29,21 @@ public:
     int Actor = -1;      // place in vtkRenderer::GetActors()
     int Block = -1;      // flat index; 0 for data that is not composite
     vtkIdType Cell = -1; // of Mesh, or the glyphs' input point
-    vtkIdType Primitive = -1; // OpenGL primitive within Mesh's cell: 0 is its first
     vtkPolyData* Mesh = nullptr; // nullptr for glyphs
     vtkActor* Prop = nullptr;
+
+    // Which of the OpenGL primitives that Mesh's cell was cut into: 0 is the first.
+    vtkIdType GetPrimitiveInCell() const;
+
+    vtkIdType Word = 0;  // the primitive, as OpenGL counts it
+    vtkIdType First = 0; // of the block
+    vtkOpenGLCellToVTKCellMap* Map = nullptr;
   };
 
   void Clear();
 
-  // A draw call begins; returns its id.
-  int Add(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int primitiveSource);
-  int GetNumberOfDraws() const { return static_cast<int>(this->Draws.size()); }
+  // A draw call begins; returns the id word of its first primitive.
+  std::uint32_t Add(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int primitiveSource);
 
   // Makes ready for Find(), from what the mappers hold now.
   void Resolve(vtkRenderer* renderer);
@@ -45,8 +51,8 @@ public:
   // After Resolve(): every mesh drawn, and (Mesh == nullptr) every actor of glyphs, with its actor.
   std::vector<Hit> GetMeshes() const;
 
-  // What the words mean; all of it nothing if they mean nothing. Threads may call it at once.
-  Hit Find(std::uint32_t draw, std::uint32_t primitive) const;
+  // What the word means; all of it nothing if it means nothing. Threads may call it at once.
+  Hit Find(std::uint32_t word) const;
 
 private:
   struct Range
@@ -62,6 +68,8 @@ private:
     vtkInformation* Keys; // an LOD actor's device shares them with the actor in the renderer
     vtkWeakPointer<vtkOpenGLPolyDataMapper> Mapper;
     int PrimitiveSource;
+    std::uint32_t First;
+    std::uint32_t Count;
     int ActorIndex;
     vtkActor* Prop;
     std::vector<Range> Ranges; // by First

@@ -87,18 +87,18 @@ void vtkRelievoGBufferLayout::Arrange()
     // Full floats where they fit into the attachments that are there anyhow, otherwise one word.
     const int togetherWords =
       together ? GetNormalDepthWords(this->NormalDepth) : 0;
-    const int others = togetherWords + (depthAlone ? 1 : 0) + (this->Ids ? 2 : 0) + (this->Albedo ? 1 : 0);
+    const int others = togetherWords + (depthAlone ? 1 : 0) + (this->Ids ? 1 : 0) + (this->Albedo ? 1 : 0);
     const int attachmentsFloat = (others + 3 * normals + 3) / 4;
     const int attachmentsPacked = (others + normals + 3) / 4;
     this->ChosenNormalFormat = attachmentsFloat == attachmentsPacked
       ? vtkRelievoGBufferPass::NORMAL_FLOAT32
-      : vtkRelievoGBufferPass::NORMAL_OCT16_PRECISE;
+      : vtkRelievoGBufferPass::NORMAL_OCT16;
   }
   // A normal's words are all 0 where there is none, in every format.
   const std::vector<std::uint32_t> noNormal(GetNormalWords(this->ChosenNormalFormat), 0u);
   this->NormalDepthWord = together ? add(GetNormalDepthBackground(this->NormalDepth)) : -1;
   this->DepthWord = depthAlone ? add({ GetDepthBackground(this->DepthFormat) }) : -1;
-  this->IdWord = this->Ids ? add({ NothingId, NothingId }) : -1;
+  this->IdWord = this->Ids ? add({ NothingId }) : -1;
   this->NormalWord = normalAlone ? add(noNormal) : -1;
   this->GeometricNormalWord = this->GeometricNormal ? add(noNormal) : -1;
   this->AlbedoWord = this->Albedo ? add({ 0u }) : -1;

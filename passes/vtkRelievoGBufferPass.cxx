@@ -6,6 +6,7 @@
 #include "vtkAbstractMapper.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -285,8 +286,10 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
   if (in.Layout.IdWord >= 0)
   {
     const int source = vtkRelievoGBufferSplice::GetPrimitiveSource(mapper, actor);
-    program->SetUniformi("relievoDraw", in.Draws.Add(actor, mapper, source));
+    const std::uint32_t first = in.Draws.Add(actor, mapper, source);
+    program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
   }
+  program->SetUniformf("relievoWinding", actor->GetMatrix()->Determinant() < 0.0 ? -1.0f : 1.0f);
   program->SetUniformf("relievoNear", static_cast<float>(in.View.Near));
   program->SetUniformf("relievoFar", static_cast<float>(in.View.Far));
   return true;

@@ -37,7 +37,7 @@ public:
 
   /**
    * Formats of a normal. AUTO takes FLOAT32 where it costs no further attachment, otherwise
-   * OCT16_PRECISE. Bits and largest errors: 96 and 1e-5 degrees; 48 and 0.023; 32 and 0.0037; 32 and
+   * OCT16. Bits and largest errors: 96 and 1e-5 degrees; 48 and 0.023; 32 and 0.0037; 32 and
    * 0.0025; 16 and 0.95; 16 and 0.64; 30 and 0.097; 24 and 0.39 (docs/choosing-formats.md).
    * Octahedral: Cigolle et al., A Survey of Efficient Representations for Independent Unit Vectors,
    * JCGT 3(2), 2014.

@@ -143,8 +143,11 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
       defines << "#define " << name << "\n";
     }
   };
-  define(surface, "RELIEVO_SURFACE");
+  const bool isFaceNormal = hasNormal && Has(fragment, "cross(fdx,fdy)");
+  const bool asksFace = layout.GeometricNormalWord >= 0 || !hasNormal;
+  define(surface && asksFace && !isFaceNormal, "RELIEVO_FACE_NORMAL");
   define(hasNormal, "RELIEVO_HAS_NORMAL");
+  define(Has(fragment, "gl_FrontFacing == false) { normalVCVSOutput"), "RELIEVO_NORMAL_BY_WINDING");
   define(spherePoints, "RELIEVO_SPHERE_POINTS");
   define(tubeLines && !spherePoints, "RELIEVO_TUBE_LINES");
   define(Has(fragment, "vec3 albedo ="), "RELIEVO_PBR_ALBEDO");

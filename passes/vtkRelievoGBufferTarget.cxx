@@ -217,8 +217,9 @@ std::string vtkRelievoGBufferTarget::BeginOwn(const vtkRelievoGBufferLayout& lay
   }
   this->Framebuffer->AddDepthAttachment(this->Depth);
   this->SharedColorBuffer = GL_NONE;
-  this->Writing = false;
-  this->WriteLayers(true);
+  state->vtkglDrawBuffers(
+    static_cast<unsigned int>(this->DrawBuffers.size()), this->DrawBuffers.data());
+  this->Writing = true;
   if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
   {
     this->EndOwn();

@@ -312,7 +312,10 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNormal(int firstWord)
   {
     words[k] = this->GetWords(first + k, strides[k]);
   }
-  const glm::dmat3 viewToWorld = glm::transpose(glm::dmat3(this->View.WorldToView));
+  // From view to world: the transposed matrix is right for normals whatever the matrix scales.
+  const glm::mat3 toSpace = this->WorldNormals
+    ? glm::mat3(glm::transpose(glm::dmat3(this->View.WorldToView)))
+    : glm::mat3(1.0f);
   ForPixels(this->Region,
     [&](vtkIdType i, int, int)
     {
@@ -324,16 +327,13 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNormal(int firstWord)
       glm::vec3 normal = together
         ? glm::vec3(DecodeNormalDepth(packed, this->Layout.NormalDepth, this->View))
         : DecodeNormal(packed, this->Layout.ChosenNormalFormat);
-      const float length = glm::length(normal);
-      glm::dvec3 unit(0.0);
-      if (length > 0.0f)
+      if (normal != glm::vec3(0.0f))
       {
-        unit = glm::normalize(
-          this->WorldNormals ? viewToWorld * glm::dvec3(normal) : glm::dvec3(normal));
+        normal = glm::normalize(toSpace * normal);
       }
-      out[3 * i] = static_cast<float>(unit.x);
-      out[3 * i + 1] = static_cast<float>(unit.y);
-      out[3 * i + 2] = static_cast<float>(unit.z);
+      out[3 * i] = normal.x;
+      out[3 * i + 1] = normal.y;
+      out[3 * i + 2] = normal.z;
     });
   return array;
 }
@@ -363,14 +363,12 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadId(const std::string& l
   auto array = NewArray<vtkIntArray>(1, this->GetNumberOfPixels());
   int* out = array->GetPointer(0);
   int stride = 0;
-  const std::uint32_t* draws = this->GetWords(this->Layout.IdWord, stride);
-  int primitiveStride = 0;
-  const std::uint32_t* primitives = this->GetWords(this->Layout.IdWord + 1, primitiveStride);
+  const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
   const int which = layer == "actor" ? 0 : layer == "block" ? 1 : 2;
   ForPixels(this->Region,
     [&](vtkIdType i, int, int)
     {
-      const auto hit = this->Draws->Find(draws[i * stride], primitives[i * primitiveStride]);
+      const auto hit = this->Draws->Find(words[i * stride]);
       out[i] = which == 0 ? hit.Actor : which == 1 ? hit.Block : static_cast<int>(hit.Cell);
     });
   return array;
@@ -393,15 +391,12 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNamedArray(
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(this->GetNumberOfPixels());
   int stride = 0;
-  const std::uint32_t* draws = this->GetWords(this->Layout.IdWord, stride);
-  int primitiveStride = 0;
-  const std::uint32_t* primitives = this->GetWords(this->Layout.IdWord + 1, primitiveStride);
+  const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
   ForPixels(this->Region,
     [&](vtkIdType i, int x, int y)
     {
       double values[vtkRelievoArraySampler::MaximumComponents];
-      sampler.Sample(this->Draws->Find(draws[i * stride], primitives[i * primitiveStride]), x, y,
-        values);
+      sampler.Sample(this->Draws->Find(words[i * stride]), x, y, values);
       array->SetTuple(i, values);
     });
   return array;

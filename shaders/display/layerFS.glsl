@@ -9,9 +9,9 @@
 //RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(formulas/unproject.glsl)
 //RELIEVO::Include(formulas/colormap.glsl)
-uniform ivec2 relievoOffset;   // of the viewport within the words
-uniform ivec2 relievoViewport; // of the viewport within the framebuffer
-uniform vec2 relievoSize;      // of the viewport
+in vec2 texCoord;
+uniform ivec2 relievoOffset; // of the viewport within the words
+uniform vec2 relievoSize;    // of the viewport
 uniform vec2 relievoShown;     // values of the first and the last colour
 uniform vec3 relievoBackground;
 uniform int relievoGrey;
@@ -45,7 +45,7 @@ vec4 relievoScalarColor(float value)
 
 void main()
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy) - relievoViewport;
+  ivec2 pixel = ivec2(floor(texCoord * relievoSize));
   ivec2 texel = pixel + relievoOffset;
 #if RELIEVO_SHOW == 0
   vec4 color = texelFetch(relievoColors, pixel, 0);

@@ -3,8 +3,9 @@
 // Spliced into VTK's fragment shaders: packs the layers asked for into the words of the G-buffer.
 //
 // Defines, by vtkRelievoGBufferLayout: RELIEVO_ATTACHMENTS, RELIEVO_*_WORD, RELIEVO_*_FORMAT; by
-// vtkRelievoGBufferSplice, from what the mapper's shader has: RELIEVO_SURFACE (triangles),
-// RELIEVO_HAS_NORMAL (normalVCVSOutput), RELIEVO_SPHERE_POINTS, RELIEVO_TUBE_LINES,
+// vtkRelievoGBufferSplice, from what the mapper's shader has: RELIEVO_FACE_NORMAL (the
+// face's normal is asked and VTK computes none), RELIEVO_HAS_NORMAL (normalVCVSOutput),
+// RELIEVO_NORMAL_BY_WINDING, RELIEVO_SPHERE_POINTS, RELIEVO_TUBE_LINES,
 // RELIEVO_PBR_ALBEDO, RELIEVO_PRIMITIVE_SOURCE (0 the primitive, 1 the glyph's instance, 2 none),
 // RELIEVO_LAYERS_ONLY, RELIEVO_LINEAR_VISIBILITY.
 
@@ -22,7 +23,8 @@ layout(location = 2) out uvec4 relievoOutput2;
 #if RELIEVO_ATTACHMENTS > 2
 layout(location = 3) out uvec4 relievoOutput3;
 #endif
-uniform int relievoDraw;
+uniform int relievoFirstPrimitive;
+uniform float relievoWinding;
 uniform float relievoNear;
 uniform float relievoFar;
 
@@ -74,7 +76,7 @@ uvec3 relievoPackNormal(vec3 n)
 #endif
 
 //RELIEVO::Section(UniformFlow)
-#ifdef RELIEVO_SURFACE
+#ifdef RELIEVO_FACE_NORMAL
   vec3 relievoDx = dFdx(vertexVC.xyz);
   vec3 relievoDy = dFdy(vertexVC.xyz);
 #endif
@@ -102,7 +104,7 @@ uvec3 relievoPackNormal(vec3 n)
 #if defined(RELIEVO_NORMAL_WORD) || defined(RELIEVO_GEOMETRIC_NORMAL_WORD) || \
   defined(RELIEVO_NORMAL_DEPTH_WORD)
   vec3 relievoFaceVC = vec3(0.0);
-#ifdef RELIEVO_SURFACE
+#ifdef RELIEVO_FACE_NORMAL
   relievoFaceVC = normalize(cross(normalize(relievoDx), normalize(relievoDy)));
   float relievoFacing = cameraParallel != 0 ? -relievoFaceVC.z : dot(relievoFaceVC, vertexVC.xyz);
   if (relievoFacing > 0.0)
@@ -112,17 +114,12 @@ uvec3 relievoPackNormal(vec3 n)
 #endif
   vec3 relievoNormalVC = relievoFaceVC;
 #ifdef RELIEVO_HAS_NORMAL
-  if (dot(normalVCVSOutput, normalVCVSOutput) > 0.0) // false for NaN as well
-  {
-    relievoNormalVC = normalVCVSOutput;
-  }
-#ifdef RELIEVO_SURFACE
-  // VTK turns normals by the winding, which a mirroring actor matrix inverts.
-  if (dot(relievoNormalVC, relievoFaceVC) < 0.0)
-  {
-    relievoNormalVC = -relievoNormalVC;
-  }
-#else
+  relievoNormalVC = normalVCVSOutput;
+#ifdef RELIEVO_NORMAL_BY_WINDING
+  // VTK turns these by the winding, which a mirroring actor matrix inverts.
+  relievoNormalVC *= relievoWinding;
+#endif
+#ifndef RELIEVO_FACE_NORMAL
   relievoFaceVC = relievoNormalVC;
 #endif
 #endif
@@ -152,13 +149,11 @@ uvec3 relievoPackNormal(vec3 n)
 #endif
 
 #ifdef RELIEVO_ID_WORD
-  relievoWords[RELIEVO_ID_WORD] = uint(relievoDraw);
+  relievoWords[RELIEVO_ID_WORD] = uint(relievoFirstPrimitive);
 #if RELIEVO_PRIMITIVE_SOURCE == 0
-  relievoWords[RELIEVO_ID_WORD + 1] = uint(gl_PrimitiveID + PrimitiveIDOffset);
+  relievoWords[RELIEVO_ID_WORD] += uint(gl_PrimitiveID + PrimitiveIDOffset);
 #elif RELIEVO_PRIMITIVE_SOURCE == 1
-  relievoWords[RELIEVO_ID_WORD + 1] = uint(relievoInstanceVSOutput);
-#else
-  relievoWords[RELIEVO_ID_WORD + 1] = uint(0xffffffffu);
+  relievoWords[RELIEVO_ID_WORD] += uint(relievoInstanceVSOutput);
 #endif
 #endif
 
