@@ -8,8 +8,9 @@ import relievo
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
+sphere = vtkSphereSource()  # radius 0.5, with a vertex at (0, 0, 0.5)
 mapper = vtkPolyDataMapper()
-mapper.SetInputConnection(vtkSphereSource().GetOutputPort())
+mapper.SetInputConnection(sphere.GetOutputPort())
 actor = vtkActor()
 actor.SetMapper(mapper)
 renderer = vtkRenderer()
