@@ -8,7 +8,7 @@
 #     [LIBRARIES target...]     linked to the program besides relievoTestSupport
 #     [PRIVATE_INCLUDES dir...] searched by the program's compiler
 #     [ARGS word...]            words of the test's command line
-#     [LABELS unit|gl|image|slow|...]   default: unit; DISPLAY adds gl
+#     [LABELS unit|gl|image|slow|...]   default: unit, or with DISPLAY, which adds it, gl
 #     [TIMEOUT seconds]         default: 120
 #     [DISPLAY]                 needs an X display: the one in DISPLAY, else an Xvfb of its own
 #     [SERIAL]                  runs alone (timings)
@@ -52,7 +52,7 @@ function (relievo_add_test)
     message(FATAL_ERROR "relievo_add_test(${test_NAME}): give SOURCES, PYTHON or COMMAND")
   endif ()
 
-  if (NOT test_LABELS)
+  if (NOT test_LABELS AND NOT test_DISPLAY)
     set(test_LABELS unit)
   endif ()
   if (test_DISPLAY)

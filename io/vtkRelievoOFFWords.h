@@ -50,8 +50,8 @@ public:
       this->Here = std::find(this->Here, this->End, '\n');
     }
     const char* first = this->Here;
-    while (this->Here != this->End && !IsBlank(*this->Here) && *this->Here != '\n' &&
-      *this->Here != '#')
+    while (
+      this->Here != this->End && !IsBlank(*this->Here) && *this->Here != '\n' && *this->Here != '#')
     {
       ++this->Here;
     }
@@ -133,8 +133,8 @@ public:
     const auto value = this->Parse<long long>(word, expected.c_str());
     if (value < 0 || value >= limit)
     {
-      throw this->Unexpected(word, expected + " (a file of this size holds fewer than " +
-          std::to_string(limit) + ")");
+      throw this->Unexpected(
+        word, expected + " (a file of this size holds fewer than " + std::to_string(limit) + ")");
     }
     return static_cast<vtkIdType>(value);
   }

@@ -87,8 +87,8 @@ bool First(double enter, double leave, double tMin, double tMax, double& t)
   return t >= tMin && t <= tMax;
 }
 
-bool CastBox(const Ray& ray, const glm::dvec3& half, double tMin, double tMax, double& t,
-  glm::dvec3& normal)
+bool CastBox(
+  const Ray& ray, const glm::dvec3& half, double tMin, double tMax, double& t, glm::dvec3& normal)
 {
   double enter = -std::numeric_limits<double>::infinity();
   double leave = std::numeric_limits<double>::infinity();
@@ -124,8 +124,8 @@ bool CastBox(const Ray& ray, const glm::dvec3& half, double tMin, double tMax, d
   return true;
 }
 
-bool CastTorus(const Ray& ray, double ring, double tube, double tMin, double tMax, double& t,
-  glm::dvec3& normal)
+bool CastTorus(
+  const Ray& ray, double ring, double tube, double tMin, double tMax, double& t, glm::dvec3& normal)
 {
   double enter = 0.;
   double leave = 0.;
@@ -287,9 +287,8 @@ bool AnalyticScene::Occluded(const Ray& ray, double tMin, double tMax) const
 //------------------------------------------------------------------------------
 TruthImage AnalyticScene::Trace(const View& view) const
 {
-  return TraceView(view, [this](const Ray& ray, double tMin, double tMax) {
-    return this->Cast(ray, tMin, tMax);
-  });
+  return TraceView(
+    view, [this](const Ray& ray, double tMin, double tMax) { return this->Cast(ray, tMin, tMax); });
 }
 
 //------------------------------------------------------------------------------

@@ -22,7 +22,7 @@ int NumberOfFailures();
 /** Forgets failures counted after the first `count`: for tests that prove that a check can fail. */
 void ForgetFailuresAfter(int count);
 
-/** Number of checks that `work` fails; they are forgotten. For tests that prove a check can fail. */
+/** Number of checks that `work` fails, forgotten again: for tests that prove a check can fail. */
 template <typename Work>
 int FailuresOf(Work work)
 {
@@ -37,8 +37,7 @@ int FailuresOf(Work work)
 bool Check(bool ok, const char* file, int line, const std::string& message);
 
 /** Prints `what: value (limit LIMIT)`; fails unless value <= limit (NaN fails). */
-bool CheckAtMost(
-  double value, double limit, const char* file, int line, const std::string& what);
+bool CheckAtMost(double value, double limit, const char* file, int line, const std::string& what);
 
 /** Fails unless |value - expected| <= tolerance (NaN fails). */
 bool CheckNear(double value, double expected, double tolerance, const char* file, int line,

@@ -100,15 +100,14 @@ struct EmbreeScene::Internals
     rtcSetDeviceErrorFunction(this->Device, TakeError, nullptr);
     this->Scene = rtcNewScene(this->Device);
     rtcSetSceneFlags(this->Scene,
-      static_cast<RTCSceneFlags>(
-        RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+      static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
     rtcSetSceneBuildQuality(this->Scene, RTC_BUILD_QUALITY_HIGH);
     if (!this->Triangles.empty())
     {
       const size_t count = this->Triangles.size();
       RTCGeometry geometry = rtcNewGeometry(this->Device, RTC_GEOMETRY_TYPE_TRIANGLE);
-      auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-        RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * count));
+      auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * count));
       auto* ids = static_cast<unsigned int*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned int), count));
       const glm::dvec3 center = this->Center();
@@ -273,8 +272,7 @@ glm::dvec3 EmbreeScene::Weights(long long triangle, const glm::dvec3& position) 
 }
 
 //------------------------------------------------------------------------------
-SurfacePoint EmbreeScene::Cast(
-  const Ray& ray, double tMin, double tMax, long long ignored) const
+SurfacePoint EmbreeScene::Cast(const Ray& ray, double tMin, double tMax, long long ignored) const
 {
   std::call_once(this->Self->Built, [this] { this->Self->Build(); });
   SurfacePoint point;

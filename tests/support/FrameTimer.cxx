@@ -10,7 +10,6 @@
 #include <limits>
 #include <random>
 #include <sstream>
-#include <utility>
 
 namespace relievoTest
 {
@@ -128,8 +127,8 @@ void RenderAndFinish(vtkRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-Timed Frame(vtkRenderWindow* window, std::function<void()> prepare)
+Timed Frame(vtkRenderWindow* window, const std::function<void()>& prepare)
 {
-  return Timed{ [window] { RenderAndFinish(window); }, std::move(prepare) };
+  return Timed{ [window] { RenderAndFinish(window); }, prepare };
 }
 }

@@ -52,8 +52,8 @@ struct Timed
 };
 
 /**
- * Runs A and B `rounds` times each, in turn, after `warmUp` rounds that do not count. Which of the
- * two comes first changes from round to round, so that neither always finds the caches of the other.
+ * Runs A and B `rounds` times each, in turn, after `warmUp` rounds that do not count. Which of
+ * the two comes first changes from round to round: neither always finds the other's caches.
  */
 TimingPair Interleave(const Timed& a, const Timed& b, int rounds, int warmUp = 3);
 
@@ -61,7 +61,8 @@ TimingPair Interleave(const Timed& a, const Timed& b, int rounds, int warmUp = 3
 void RenderAndFinish(vtkRenderWindow* window);
 
 /** Work that renders a window to the end. */
-Timed Frame(vtkRenderWindow* window, std::function<void()> prepare = std::function<void()>());
+Timed Frame(
+  vtkRenderWindow* window, const std::function<void()>& prepare = std::function<void()>());
 }
 
 #endif

@@ -122,9 +122,9 @@ long long RenderbufferBytes(GLuint buffer)
     return static_cast<long long>(value);
   };
   long long bits = 0;
-  for (const GLenum name : { GL_RENDERBUFFER_RED_SIZE, GL_RENDERBUFFER_GREEN_SIZE,
-         GL_RENDERBUFFER_BLUE_SIZE, GL_RENDERBUFFER_ALPHA_SIZE, GL_RENDERBUFFER_DEPTH_SIZE,
-         GL_RENDERBUFFER_STENCIL_SIZE })
+  for (const GLenum name :
+    { GL_RENDERBUFFER_RED_SIZE, GL_RENDERBUFFER_GREEN_SIZE, GL_RENDERBUFFER_BLUE_SIZE,
+      GL_RENDERBUFFER_ALPHA_SIZE, GL_RENDERBUFFER_DEPTH_SIZE, GL_RENDERBUFFER_STENCIL_SIZE })
   {
     bits += get(name);
   }

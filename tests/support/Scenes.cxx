@@ -156,8 +156,8 @@ vtkSmartPointer<vtkPolyData> PlaceMesh(vtkPolyData* mesh, bool zUp)
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     turned(i, p);
-    points->SetPoint(i, scale * (p[0] - origin[0]), scale * (p[1] - origin[1]),
-      scale * (p[2] - origin[2]));
+    points->SetPoint(
+      i, scale * (p[0] - origin[0]), scale * (p[1] - origin[1]), scale * (p[2] - origin[2]));
   }
   auto placed = vtkSmartPointer<vtkPolyData>::New();
   placed->SetPoints(points);

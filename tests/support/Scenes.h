@@ -4,8 +4,8 @@
  * @file Scenes.h
  * @brief The reference scenes: real meshes on a square ground, one camera, one light.
  *
- * The mesh is turned to y up, scaled so that its longest side is 2, centred on x and z, and rests on
- * a square ground of half width 3 at y = 0; the camera stands at (2.5, 3, 6) and looks at
+ * The mesh is turned to y up, scaled so that its longest side is 2, centred on x and z, and rests
+ * on a square ground of half width 3 at y = 0; the camera stands at (2.5, 3, 6) and looks at
  * (0, 0.5, 0), y up, view angle 30 degrees, clip 2 to 14; the light is at, or its sun towards,
  * (3, 5, 2); shading is flat.
  */

@@ -130,8 +130,8 @@ TruthImage TraceView(const View& view, const CastFunction& cast, const FinishFun
         {
           const int cx = x + corner % 2;
           const int cy = y + corner / 2;
-          pixel.Inner = pixel.Inner &&
-            Continues(pixel, ray, corners.At(cx, cy), view.PixelRay(cx, cy));
+          pixel.Inner =
+            pixel.Inner && Continues(pixel, ray, corners.At(cx, cy), view.PixelRay(cx, cy));
         }
         if (finish)
         {

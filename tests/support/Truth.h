@@ -19,7 +19,7 @@ namespace relievoTest
 struct SurfacePoint
 {
   bool Hit = false;
-  /** The ray's parameter: for the ray of a pixel, eye space -z in world units. +infinity: no hit. */
+  /** The ray's parameter: for a pixel's ray eye space -z, in world units. +infinity: no hit. */
   double Depth = std::numeric_limits<double>::infinity();
   glm::dvec3 Position{ 0. };
   /** Unit geometric normal, on the side that the ray comes from. */

@@ -47,7 +47,7 @@ const char* NotModelled(vtkCamera* camera, vtkRenderWindow* window)
 // The pixel at which a share of the window's size begins, rounded as VTK rounds it.
 int PixelAt(double share, int size)
 {
-  return static_cast<int>(share * size + 0.5);
+  return static_cast<int>(std::lround(share * size));
 }
 }
 

@@ -17,7 +17,7 @@ class vtkRenderer;
 namespace relievoTest
 {
 /**
- * A ray: Origin + t * Direction. Of a View, Direction's part along the view is 1, so t is the depth.
+ * A ray: Origin + t * Direction. For a View, Direction's part along the view is 1: t is the depth.
  */
 struct Ray
 {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window.h"
 
+#include "Check.h"
+
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkRenderWindow.h>
@@ -34,14 +36,11 @@ vtkSmartPointer<vtkImageData> Picture(vtkRenderWindow* window, bool alpha)
   auto pixels = vtkSmartPointer<vtkUnsignedCharArray>::New();
   pixels->SetName("color");
   const int front = window->GetDoubleBuffer() ? 0 : 1;
-  if (alpha)
-  {
-    window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, front, pixels);
-  }
-  else
-  {
-    window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, front, pixels);
-  }
+  const int right = size[0] - 1;
+  const int top = size[1] - 1;
+  const int read = alpha ? window->GetRGBACharPixelData(0, 0, right, top, front, pixels)
+                         : window->GetPixelData(0, 0, right, top, front, pixels);
+  RELIEVO_CHECK_THAT(read == VTK_OK, "the window's pixels cannot be read");
   image->GetPointData()->SetScalars(pixels);
   return image;
 }

@@ -19,8 +19,7 @@ namespace relievoTest
  * An off-screen window of width x height pixels, not multisampled, no line smoothing.
  * `renderer`, when given, is added.
  */
-vtkSmartPointer<vtkRenderWindow> MakeWindow(
-  int width, int height, vtkRenderer* renderer = nullptr);
+vtkSmartPointer<vtkRenderWindow> MakeWindow(int width, int height, vtkRenderer* renderer = nullptr);
 
 /**
  * Renders and reads the window's picture: unsigned char, 3 components (4 with `alpha`), row 0 at

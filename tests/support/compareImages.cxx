@@ -66,9 +66,11 @@ int main(int argc, char* argv[])
     }
     char* end = nullptr;
     const double value = std::strtod(argv[i], &end);
-    if (end == argv[i] || *end != '\0' || !(value >= 0. && value <= 255.))
+    const int largest = word == "--max-share" ? 1 : 255;
+    if (end == argv[i] || *end != '\0' || !(value >= 0. && value <= largest))
     {
-      return Refuse("option '" + word + "' takes a number from 0 to 255, not '" + argv[i] + "'");
+      return Refuse("option '" + word + "' takes a number from 0 to " + std::to_string(largest) +
+        ", not '" + argv[i] + "'");
     }
     if (word == "--max-share")
     {

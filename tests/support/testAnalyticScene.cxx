@@ -122,8 +122,8 @@ void TestShape(const std::string& name, const AnalyticScene& scene, const Inequa
     // The first change of sign goes inwards exactly where the ray comes from outside.
     RELIEVO_CHECK(found.FrontFacing == (inside(from) >= 0.));
     const glm::dvec3 outward = found.FrontFacing ? found.Normal : -found.Normal;
-    worstAngle = std::max(
-      worstAngle, relievoTest::AngleDegrees(outward, Gradient(inside, found.Position)));
+    worstAngle =
+      std::max(worstAngle, relievoTest::AngleDegrees(outward, Gradient(inside, found.Position)));
     RELIEVO_CHECK(glm::dot(found.Normal, ray.Direction) <= 0.);
     RELIEVO_CHECK(std::abs(glm::length(found.Normal) - 1.) < 1e-12);
   }
@@ -165,8 +165,8 @@ void TestKnown()
 {
   AnalyticScene scene;
   const int plane = scene.AddPlane(4., 2.);
-  const int torus = scene.AddTorus(1., 0.25,
-    glm::translate(glm::dmat4(1.), glm::dvec3(0., 0., 3.)));
+  const int torus =
+    scene.AddTorus(1., 0.25, glm::translate(glm::dmat4(1.), glm::dvec3(0., 0., 3.)));
   const Ray down{ glm::dvec3(1., 0., 10.), glm::dvec3(0., 0., -2.) };
   SurfacePoint point = scene.Cast(down, 0., 100.);
   RELIEVO_CHECK(point.Hit && point.Actor == torus && point.FrontFacing);

@@ -1,26 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Embree's truth against the closed forms, and what it says about triangles and certainty.
+// Embree's truth against the closed forms, and how sure it is of a pixel.
 #include "AnalyticScene.h"
 #include "Check.h"
 #include "EmbreeScene.h"
-#include "ScreenTriangle.h"
 #include "Session.h"
-#include "Window.h"
+#include "Stage.h"
 
-#include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
-#include <vtkCubeSource.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkParametricFunctionSource.h>
 #include <vtkParametricTorus.h>
 #include <vtkPlaneSource.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
@@ -36,52 +30,13 @@ namespace
 {
 using relievoTest::AnalyticScene;
 using relievoTest::EmbreeScene;
+using relievoTest::MakeBox;
 using relievoTest::PixelTruth;
 using relievoTest::Ray;
+using relievoTest::Stage;
 using relievoTest::SurfacePoint;
 using relievoTest::TruthImage;
 using relievoTest::View;
-
-// A renderer in a window that is never shown, looking from (2.5, 3, 6) at (0, 0.5, 0) + origin.
-struct Stage
-{
-  vtkNew<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkRenderWindow> Window;
-
-  explicit Stage(int width, int height, const glm::dvec3& origin = glm::dvec3(0.))
-    : Window(relievoTest::MakeWindow(width, height, Renderer))
-  {
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->SetPosition(origin.x + 2.5, origin.y + 3., origin.z + 6.);
-    camera->SetFocalPoint(origin.x, origin.y + 0.5, origin.z);
-    camera->SetClippingRange(2., 14.);
-  }
-};
-
-vtkSmartPointer<vtkPolyData> Cube(double x, double y, double z)
-{
-  vtkNew<vtkCubeSource> cube;
-  cube->SetXLength(x);
-  cube->SetYLength(y);
-  cube->SetZLength(z);
-  cube->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  cube->Update();
-  return cube->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> Polygons(const std::vector<glm::dvec3>& points)
-{
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> all;
-  all->SetDataTypeToDouble();
-  for (const glm::dvec3& p : points)
-  {
-    all->InsertNextPoint(p.x, p.y, p.z);
-  }
-  mesh->SetPoints(all);
-  mesh->SetPolys(vtkNew<vtkCellArray>());
-  return mesh;
-}
 
 // Boxes are exact as triangles: depth, position, normal and coverage must be those of closed form.
 void TestBoxes(const std::string& name, const glm::dvec3& origin, double depthLimit)
@@ -90,7 +45,7 @@ void TestBoxes(const std::string& name, const glm::dvec3& origin, double depthLi
   EmbreeScene embree;
   AnalyticScene exact;
   const auto add = [&](const glm::dvec3& size, vtkTransform* place) {
-    embree.AddActor(Cube(size.x, size.y, size.z), place->GetMatrix());
+    embree.AddActor(MakeBox(size.x, size.y, size.z), place->GetMatrix());
     exact.AddBox(0.5 * size, AnalyticScene::ToMatrix(place->GetMatrix()->GetData()));
   };
   vtkNew<vtkTransform> turned;
@@ -239,118 +194,6 @@ void TestTessellations()
   }
 }
 
-// Which cell a triangle comes from, however the cells are drawn.
-void TestCells()
-{
-  // A vertex, a line, then a pentagon, a quad, and a strip of three triangles.
-  const auto mesh = Polygons({ { 0, 0, 0 }, { 1, 0, 0 }, { 1.5, 1, 0 }, { 0.5, 2, 0 },
-    { -0.5, 1, 0 }, { 3, 0, 0 }, { 4, 0, 0 }, { 4, 1, 0 }, { 3, 1, 0 }, { 5, 0, 0 }, { 5, 1, 0 },
-    { 6, 0, 0 }, { 6, 1, 0 }, { 7, 0, 0 } });
-  mesh->SetVerts(vtkNew<vtkCellArray>());
-  mesh->GetVerts()->InsertNextCell({ 0 });
-  mesh->SetLines(vtkNew<vtkCellArray>());
-  mesh->GetLines()->InsertNextCell({ 0, 1 });
-  mesh->GetPolys()->InsertNextCell({ 0, 1, 2, 3, 4 });
-  mesh->GetPolys()->InsertNextCell({ 5, 6, 7, 8 });
-  mesh->SetStrips(vtkNew<vtkCellArray>());
-  mesh->GetStrips()->InsertNextCell({ 9, 11, 10, 12 });
-  mesh->GetStrips()->InsertNextCell({ 11, 13, 12 });
-  EmbreeScene scene;
-  RELIEVO_CHECK(scene.AddActor(mesh) == 0);
-  RELIEVO_CHECK(scene.NumberOfTriangles() == 3 + 2 + 2 + 1);
-
-  const auto cast = [&](double x, double y) {
-    return scene.Cast(Ray{ { x, y, 5. }, { 0., 0., -1. } }, 0., 100.);
-  };
-  RELIEVO_CHECK(cast(0.5, 0.5).Cell == 2 && cast(-0.3, 1.).Cell == 2 && cast(1.4, 1.).Cell == 2);
-  RELIEVO_CHECK(cast(3.9, 0.5).Cell == 3 && cast(3.1, 0.9).Cell == 3);
-  RELIEVO_CHECK(cast(5.1, 0.2).Cell == 4 && cast(5.9, 0.8).Cell == 4 && cast(6.2, 0.1).Cell == 5);
-  RELIEVO_CHECK(!cast(2.5, 0.5).Hit && cast(2.5, 0.5).Cell == -1);
-  // All were made counter-clockwise as seen from +z; from behind they show their back.
-  for (const double x : { 0.5, 3.5, 5.1, 5.9, 6.2 })
-  {
-    RELIEVO_CHECK(cast(x, 0.3).FrontFacing);
-    const SurfacePoint back = scene.Cast(Ray{ { x, 0.3, -5. }, { 0., 0., 1. } }, 0., 100.);
-    RELIEVO_CHECK(back.Hit && !back.FrontFacing && back.Normal.z == -1.);
-  }
-
-  const SurfacePoint point = cast(3.25, 0.125);
-  const auto ids = scene.PointIds(point.Triangle);
-  const auto corners = scene.Corners(point.Triangle);
-  const glm::dvec3 weights = scene.Weights(point.Triangle, point.Position);
-  glm::dvec3 sum(0.);
-  for (int i = 0; i < 3; ++i)
-  {
-    double p[3];
-    mesh->GetPoint(ids[i], p);
-    RELIEVO_CHECK(corners[i] == glm::dvec3(p[0], p[1], p[2]));
-    RELIEVO_CHECK(weights[i] >= 0.);
-    sum += weights[i] * corners[i];
-  }
-  RELIEVO_CHECK(glm::length(sum - glm::dvec3(3.25, 0.125, 0.)) < 1e-14);
-}
-
-void TestBadGeometry()
-{
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto mesh = Polygons({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { nan, 0, 0 },
-    { 0, std::numeric_limits<double>::infinity(), 0 }, { 0, 0, 0 } });
-  mesh->GetPolys()->InsertNextCell({ 0, 1, 3 });
-  mesh->GetPolys()->InsertNextCell({ 0, 1, 4 });
-  mesh->GetPolys()->InsertNextCell({ 0, 1, 5 });
-  mesh->GetPolys()->InsertNextCell({ 0, 1 });
-  mesh->GetPolys()->InsertNextCell({ 0, 1, 2 });
-  EmbreeScene scene;
-  scene.AddActor(mesh);
-  RELIEVO_CHECK(scene.NumberOfTriangles() == 1);
-  const SurfacePoint point = scene.Cast(Ray{ { 0.2, 0.2, 1. }, { 0., 0., -1. } }, 0., 9.);
-  RELIEVO_CHECK(point.Hit && point.Cell == 4);
-  RELIEVO_CHECK(relievoTest::FailuresOf([&] { scene.AddActor(mesh); }) == 1);
-
-  EmbreeScene empty;
-  RELIEVO_CHECK(!empty.Cast(Ray{ { 0., 0., 1. }, { 0., 0., -1. } }, 0., 9.).Hit);
-  RELIEVO_CHECK(empty.Size() == 0.);
-  Stage stage(20, 10);
-  const TruthImage image = empty.Trace(View(stage.Renderer));
-  RELIEVO_CHECK(image.Pixels.size() == 200 && image.NumberOfHits() == 0);
-  RELIEVO_CHECK(std::isinf(image.At(3, 4).Depth) && image.At(3, 4).Actor == -1);
-}
-
-// Widths and edge distances of a triangle whose pixels are known.
-void TestScreenTriangle()
-{
-  Stage stage(100, 100);
-  vtkCamera* camera = stage.Renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetParallelScale(50.);
-  camera->SetPosition(0., 0., 10.);
-  camera->SetFocalPoint(0., 0., 0.);
-  camera->SetClippingRange(1., 100.);
-  const View view(stage.Renderer);
-  // One pixel is one unit, the centre of the view is pixel (50, 50).
-  const relievoTest::ScreenTriangle triangle(
-    view, { glm::dvec3(-20., -10., 0.), glm::dvec3(20., -10., 0.), glm::dvec3(0., 10., 0.) });
-  RELIEVO_CHECK_NEAR(triangle.Width(), 20., 1e-12, "smallest altitude");
-  RELIEVO_CHECK_NEAR(triangle.Distance({ 50., 41. }), 1., 1e-12, "distance inside");
-  RELIEVO_CHECK_NEAR(triangle.Distance({ 50., 38. }), -2., 1e-12, "distance outside");
-  RELIEVO_CHECK_NEAR(triangle.Distance({ 50., 70. }), -10., 1e-12, "distance beyond a corner");
-  // The other way round is the same triangle.
-  const relievoTest::ScreenTriangle reversed(
-    view, { glm::dvec3(20., -10., 0.), glm::dvec3(-20., -10., 0.), glm::dvec3(0., 10., 0.) });
-  RELIEVO_CHECK_NEAR(reversed.Distance({ 50., 41. }), 1., 1e-12, "reversed");
-
-  // A corner before the near plane is cut off.
-  camera->ParallelProjectionOff();
-  camera->SetViewAngle(90.);
-  const View perspective(stage.Renderer);
-  const relievoTest::ScreenTriangle cut(perspective,
-    { glm::dvec3(-5., 0., 5.), glm::dvec3(5., 0., 5.), glm::dvec3(0., 0.5, 11.) });
-  RELIEVO_CHECK(cut.Distance({ 50., 51. }) > 0. && std::isfinite(cut.Width()) && cut.Width() > 0.);
-  const relievoTest::ScreenTriangle behind(perspective,
-    { glm::dvec3(-5., 0., 15.), glm::dvec3(5., 0., 15.), glm::dvec3(0., 0.5, 11.) });
-  RELIEVO_CHECK(behind.Width() == 0. && behind.Distance({ 50., 50. }) < 0.);
-}
-
 // Of an inner pixel no ray may show anything else; of others some must.
 void TestInner()
 {
@@ -359,9 +202,9 @@ void TestInner()
   EmbreeScene scene;
   vtkNew<vtkMatrix4x4> place;
   place->SetElement(1, 3, 0.5);
-  scene.AddActor(Cube(1., 1., 1.), place);
+  scene.AddActor(MakeBox(1., 1., 1.), place);
   place->SetElement(1, 3, -0.5);
-  scene.AddActor(Cube(6., 1., 6.), place);
+  scene.AddActor(MakeBox(6., 1., 6.), place);
   const TruthImage image = scene.Trace(view);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> share(0., 1.);
@@ -392,37 +235,13 @@ void TestInner()
         view.PixelRay(x + 0.5 + reach * std::cos(angle), y + 0.5 + reach * std::sin(angle));
       const SurfacePoint there = scene.Cast(within, view.Near, view.Far);
       wrongEdge += pixel.Actor == 0 && there.Triangle != pixel.Triangle ? 1 : 0;
-      RELIEVO_CHECK(pixel.EdgeDistance >= 0. && pixel.TriangleWidth > 2. * pixel.EdgeDistance - 1e-9);
+      RELIEVO_CHECK(
+        pixel.EdgeDistance >= 0. && pixel.TriangleWidth > 2. * pixel.EdgeDistance - 1e-9);
     }
   }
-  std::cout << "jitter: " << image.NumberOfInner() << " inner pixels, " << flips
-            << " flips; " << outerFlips << " flips of others\n";
+  std::cout << "jitter: " << image.NumberOfInner() << " inner pixels, " << flips << " flips; "
+            << outerFlips << " flips of others\n";
   RELIEVO_CHECK(flips == 0 && outerFlips > 100 && wrongEdge == 0);
-}
-
-void TestInsideAndRange()
-{
-  // Within a box every ray meets its inner side.
-  Stage stage(64, 64);
-  stage.Renderer->GetActiveCamera()->SetClippingRange(0.01, 100.);
-  const View view(stage.Renderer);
-  EmbreeScene box;
-  box.AddActor(Cube(20., 20., 20.));
-  const TruthImage image = box.Trace(view);
-  RELIEVO_CHECK(image.NumberOfHits() == 64 * 64);
-  RELIEVO_CHECK(std::none_of(image.Pixels.begin(), image.Pixels.end(),
-    [](const PixelTruth& pixel) { return pixel.FrontFacing; }));
-
-  // The range ends where it says, and what lies before it is passed over.
-  EmbreeScene two;
-  two.AddActor(Cube(1., 1., 1.));
-  const Ray ray{ { 0.1, 0.2, 5.5 }, { 0., 0., -2. } };
-  RELIEVO_CHECK(two.Cast(ray, 0., 99.).Depth == 2.5);
-  RELIEVO_CHECK(two.Cast(ray, 2.500001, 99.).Depth == 3.);
-  RELIEVO_CHECK(two.Cast(ray, 2.5, 99.).Depth == 2.5);
-  RELIEVO_CHECK(!two.Cast(ray, 0., 2.499999).Hit);
-  RELIEVO_CHECK(!two.Cast(ray, 3.000001, 99.).Hit);
-  RELIEVO_CHECK(two.Cast(ray, 0., 99., two.Cast(ray, 0., 99.).Triangle).Depth == 3.);
 }
 
 // Shadows of a box and a turned box on a ground against closed form.
@@ -435,11 +254,11 @@ void TestShadows()
   vtkNew<vtkTransform> place;
   place->Translate(-0.3, 0.9, 0.2);
   place->RotateWXYZ(40., 1., 0.3, 0.2);
-  embree.AddActor(Cube(1., 0.6, 0.8), place->GetMatrix());
+  embree.AddActor(MakeBox(1., 0.6, 0.8), place->GetMatrix());
   exact.AddBox({ 0.5, 0.3, 0.4 }, AnalyticScene::ToMatrix(place->GetMatrix()->GetData()));
   place->Identity();
   place->Translate(0.9, 0.25, 0.6);
-  embree.AddActor(Cube(0.5, 0.5, 0.5), place->GetMatrix());
+  embree.AddActor(MakeBox(0.5, 0.5, 0.5), place->GetMatrix());
   exact.AddBox(glm::dvec3(0.25), AnalyticScene::ToMatrix(place->GetMatrix()->GetData()));
   place->Identity();
   place->RotateX(-90.);
@@ -484,29 +303,6 @@ void TestShadows()
   }
 }
 
-// Actors as a renderer holds them.
-void TestRenderer()
-{
-  Stage stage(64, 64);
-  const auto add = [&](double x, bool visible) {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(Cube(0.5, 0.5, 0.5));
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->SetPosition(x, 0.5, 0.);
-    actor->SetVisibility(visible);
-    stage.Renderer->AddActor(actor);
-  };
-  add(-1., true);
-  add(0., false);
-  add(1., true);
-  EmbreeScene scene;
-  RELIEVO_CHECK(scene.AddActors(stage.Renderer) == 2);
-  const auto cast = [&](double x) {
-    return scene.Cast(Ray{ { x, 0.51, 5. }, { 0., 0., -1. } }, 0., 99.).Actor;
-  };
-  RELIEVO_CHECK(cast(-1.) == 0 && cast(0.) == -1 && cast(1.) == 1);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -516,12 +312,7 @@ int main()
   TestBoxes("boxes", glm::dvec3(0.), 1e-14);
   TestBoxes("boxes at (5e5, 5e6, 0)", glm::dvec3(5e5, 5e6, 0.), 2e-9);
   TestTessellations();
-  TestCells();
-  TestBadGeometry();
-  TestScreenTriangle();
   TestInner();
-  TestInsideAndRange();
   TestShadows();
-  TestRenderer();
   return session.Result();
 }

@@ -150,8 +150,8 @@ void TestRefusals()
   MustRefuse("OFF\n99999999999999999999 1 0\n", "number of vertices", Code::FileFormatError);
   MustRefuse("OFF\n1 888888 0\n0 0 0\n", "number of faces", Code::FileFormatError);
   MustRefuse("OFF\n1 0 x\n0 0 0\n", "number of edges", Code::FileFormatError);
-  MustRefuse("OFF\n1 1 0\n0 0", "coordinate of a vertex was expected",
-    Code::PrematureEndOfFileError);
+  MustRefuse(
+    "OFF\n1 1 0\n0 0", "coordinate of a vertex was expected", Code::PrematureEndOfFileError);
   MustRefuse("OFF\n1 0 0\n0 zero 0\n", "line 3: expected a coordinate", Code::FileFormatError);
   MustRefuse("OFF\n1 0 0\n0 nan 0\n", "line 3: expected a coordinate", Code::FileFormatError);
   MustRefuse("OFF\n1 0 0\n0 1e999 0\n", "line 3: expected a coordinate", Code::FileFormatError);

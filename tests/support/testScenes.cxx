@@ -90,8 +90,7 @@ void TestAgainstDrawn(const std::string& name, const relievoTest::ReferenceScene
       }
       const double window01 = buffer->GetValue(y * Size + x);
       const double depth = near * far / (far - window01 * (far - near));
-      const double rounding =
-        depth * depth * (far - near) / (near * far) / std::pow(2., 24.) * 2.;
+      const double rounding = depth * depth * (far - near) / (near * far) / std::pow(2., 24.) * 2.;
       worst = std::max(worst, std::abs(depth - pixel.Depth) / rounding);
       errors.push_back(std::abs(depth / pixel.Depth - 1.));
     }
@@ -100,8 +99,8 @@ void TestAgainstDrawn(const std::string& name, const relievoTest::ReferenceScene
   std::cout << name << ": " << truth.NumberOfHits() << " pixels hit, " << truth.NumberOfInner()
             << " inner, " << errors.size() << " compared, " << other << " show another actor ("
             << otherInner << " of them inner); relative depth error of VTK's buffer: median "
-            << errors[errors.size() / 2] << ", p99 " << errors[errors.size() * 99 / 100]
-            << ", max " << errors.back() << "\n";
+            << errors[errors.size() / 2] << ", p99 " << errors[errors.size() * 99 / 100] << ", max "
+            << errors.back() << "\n";
   RELIEVO_CHECK(errors.size() > 0.5 * truth.NumberOfHits());
   RELIEVO_CHECK(otherInner == 0);
   RELIEVO_CHECK_AT_MOST(
@@ -188,9 +187,9 @@ int main()
 {
   relievoTest::Session session;
   // The shares are the design's, measured before this code was written.
-  for (const Expected& expected : { Expected{ "bunny", 4.9, 9.9 }, Expected{ "motorBike", 7.9, 8.9 },
-         Expected{ "buildings", 1.6, 1.9 }, Expected{ "armadillo", 0., 0. },
-         Expected{ "elephant", 0., 0. } })
+  for (const Expected& expected : { Expected{ "bunny", 4.9, 9.9 },
+         Expected{ "motorBike", 7.9, 8.9 }, Expected{ "buildings", 1.6, 1.9 },
+         Expected{ "armadillo", 0., 0. }, Expected{ "elephant", 0., 0. } })
   {
     TestScene(expected);
   }
