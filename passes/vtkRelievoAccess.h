@@ -14,6 +14,10 @@
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
 #define RELIEVO_COMPOSITE_HELPER 1
+// VTK 9.1's header of the helper does not include what it names.
+#include "vtkColor.h"
+#include "vtkOpenGLError.h" // for GLenum
+
 #include "vtkCompositeMapperHelper2.h"
 #endif
 
