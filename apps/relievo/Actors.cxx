@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Actors.h"
+
+#include "DataSets.h"
+#include "Failure.h"
+#include "Messages.h"
+#include "Progress.h"
+
+#include "vtkActor.h"
+#include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkGeometryFilter.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVersionMacros.h"
+
+// VTK 9.3 moved what this mapper could do into vtkCompositePolyDataMapper and retired its name.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkCompositePolyDataMapper.h"
+using CompositeMapper = vtkCompositePolyDataMapper;
+#else
+#include "vtkCompositePolyDataMapper2.h"
+using CompositeMapper = vtkCompositePolyDataMapper2;
+#endif
+
+#include <algorithm>
+
+namespace cli
+{
+namespace
+{
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> Run(vtkAlgorithm* filter, vtkDataObject* data, Progress& progress)
+{
+  progress.Observe(filter);
+  filter->SetInputDataObject(data);
+  filter->Update();
+  return filter->GetOutputDataObject(0);
+}
+
+//------------------------------------------------------------------------------
+// The polygons to draw. `vtkOriginalCellIds` says for each polygon of a grid which cell of the file
+// it bounds.
+vtkSmartPointer<vtkDataObject> Surface(vtkDataObject* data, Progress& progress)
+{
+  bool polygonal = true;
+  ForEachDataSet(
+    data, [&polygonal](vtkDataSet* block) { polygonal = polygonal && block->IsA("vtkPolyData"); });
+  if (polygonal)
+  {
+    return data;
+  }
+  vtkNew<vtkGeometryFilter> surface;
+  surface->PassThroughCellIdsOn();
+  return Run(surface, data, progress);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> WithNormals(vtkDataObject* data, Progress& progress)
+{
+  bool needed = false;
+  ForEachDataSet(data, [&needed](vtkDataSet* block) {
+    vtkPolyData* mesh = vtkPolyData::SafeDownCast(block);
+    needed = needed ||
+      (mesh && !mesh->GetPointData()->GetNormals() && !mesh->GetCellData()->GetNormals() &&
+        mesh->GetNumberOfPolys() > 0);
+  });
+  if (!needed)
+  {
+    return data;
+  }
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->ConsistencyOff(); // the file's own winding is what its author sees everywhere else
+  return Run(normals, data, progress);
+}
+
+//------------------------------------------------------------------------------
+// Scalars that are colours already are drawn as they are; others go over their own range from dark
+// blue through green to yellow, evenly in lightness.
+void ColourByScalars(vtkDataObject* data, vtkMapper* mapper)
+{
+  double range[2] = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  ForEachDataSet(data, [&range](vtkDataSet* block) {
+    vtkDataArray* scalars = block->GetPointData()->GetScalars();
+    scalars = scalars ? scalars : block->GetCellData()->GetScalars();
+    const bool colours = vtkUnsignedCharArray::SafeDownCast(scalars) != nullptr;
+    if (scalars && !colours)
+    {
+      double own[2];
+      scalars->GetFiniteRange(own, 0);
+      range[0] = std::min(range[0], own[0]);
+      range[1] = std::max(range[1], own[1]);
+    }
+  });
+  if (range[0] > range[1])
+  {
+    return;
+  }
+  // The dependable part of viridis: five of its colours, joined in the Lab space.
+  const double colours[5][3] = { { 0.267, 0.005, 0.329 }, { 0.229, 0.322, 0.546 },
+    { 0.128, 0.567, 0.551 }, { 0.369, 0.789, 0.383 }, { 0.993, 0.906, 0.144 } };
+  vtkNew<vtkColorTransferFunction> map;
+  map->SetColorSpaceToLab();
+  map->SetNanColor(0.5, 0.5, 0.5);
+  const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
+  for (int i = 0; i < 5; ++i)
+  {
+    map->AddRGBPoint(range[0] + width * i / 4.0, colours[i][0], colours[i][1], colours[i][2]);
+  }
+  map->Build();
+  mapper->SetLookupTable(map);
+  mapper->UseLookupTableScalarRangeOn();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkActor> MakeActor(
+  vtkDataObject* data, bool smooth, const std::string& path, Progress& progress)
+{
+  if (!vtkDataSet::SafeDownCast(data) && !vtkCompositeDataSet::SafeDownCast(data))
+  {
+    throw WorkError(
+      path + ": holds a " + data->GetClassName() + ", expected a mesh, a grid or an image");
+  }
+  vtkSmartPointer<vtkDataObject> surface = Surface(data, progress);
+  if (smooth)
+  {
+    surface = WithNormals(surface, progress);
+  }
+  Messages::Check(path);
+
+  vtkSmartPointer<vtkMapper> mapper;
+  if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(surface))
+  {
+    vtkNew<vtkPolyDataMapper> single;
+    single->SetInputData(mesh);
+    mapper = single;
+  }
+  else
+  {
+    vtkNew<CompositeMapper> composite;
+    composite->SetInputDataObject(surface);
+    mapper = composite;
+  }
+  ColourByScalars(surface, mapper);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetInterpolationToPhong();
+  return actor;
+}
+
+//------------------------------------------------------------------------------
+void AddArrayNames(vtkActor* actor, std::set<std::string>& names)
+{
+  if (!actor->GetMapper())
+  {
+    return;
+  }
+  actor->GetMapper()->Update();
+  ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0), [&names](vtkDataSet* block) {
+    for (vtkDataSetAttributes* attributes :
+      { static_cast<vtkDataSetAttributes*>(block->GetPointData()),
+        static_cast<vtkDataSetAttributes*>(block->GetCellData()) })
+    {
+      for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+      {
+        vtkDataArray* array = attributes->GetArray(i);
+        if (array && array->GetName())
+        {
+          names.insert(array->GetName());
+        }
+      }
+    }
+  });
+}
+}

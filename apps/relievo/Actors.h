@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * From data to an actor as a user expects to see it. Polygons are drawn as they are; grids, images
+ * and volumes by their outer surface; composite data block by block. Where the data has active
+ * scalars they give the colour: colours directly, numbers over their own range.
+ */
+#ifndef Actors_h
+#define Actors_h
+
+#include "vtkSmartPointer.h"
+
+#include <set>
+#include <string>
+
+class vtkActor;
+class vtkDataObject;
+
+namespace cli
+{
+class Progress;
+
+/// An actor for the data of the file `path`, in phong shading. `smooth`: meshes that bring no point
+/// normals get them, split at edges sharper than 30 degrees; cells keep their order. Throws
+/// WorkError with the path for data that has no geometry, such as tables.
+vtkSmartPointer<vtkActor> MakeActor(
+  vtkDataObject* data, bool smooth, const std::string& path, Progress& progress);
+
+/// Adds the names of the numeric point and cell arrays that the actor's mapper draws from.
+void AddArrayNames(vtkActor* actor, std::set<std::string>& names);
+}
+
+#endif

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Bench_h
+#define Bench_h
+
+namespace cli
+{
+struct BenchOptions;
+
+/// `relievo bench`: one chart's data and picture. Throws WordsError for an unknown name. Returns the
+/// exit status; a bench that fails has said why.
+int Bench(const BenchOptions& options);
+}
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CrashGuard_h
+#define CrashGuard_h
+
+#include <string>
+
+namespace cli
+{
+/// While it lives, a crash of the process is said in one line that names the file being read, and
+/// ends it with exit status 1. Some of VTK's readers (PLY's is one) crash on files that are cut
+/// short, and a user must not be left to guess which of the files it was.
+class CrashGuard
+{
+public:
+  explicit CrashGuard(const std::string& path);
+  ~CrashGuard();
+  CrashGuard(const CrashGuard&) = delete;
+  void operator=(const CrashGuard&) = delete;
+};
+}
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Whether this machine can draw what was asked: a display to make an OpenGL context on, and
+ * pictures no larger than that context takes.
+ */
+#ifndef Display_h
+#define Display_h
+
+#include <array>
+
+class vtkRenderWindow;
+
+namespace cli
+{
+/// Gives a window of X its display; throws WorkError if there is none to reach. VTK would end the
+/// process by abort().
+void OpenDisplay(vtkRenderWindow* window);
+
+/// Makes the window's context and throws WorkError if the size is above its limits.
+void CheckSize(vtkRenderWindow* window, const std::array<int, 2>& size);
+}
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Help.h"
+
+namespace cli
+{
+const char* const HelpPage = R"(relievo - pictures and measurable buffers of meshes and grids
+
+  relievo render FILE... [options] --png F | --exr F | --report F
+  relievo bench NAME [--out DIR]
+  relievo --help | --version
+
+render draws the FILEs off screen and writes what is asked for.
+  FILE  .vtp .vtu .vti .vtr .vts .vtm .vtmb .pvtp .pvtu .pvti .pvtr .pvts .vtk
+        .stl .ply .obj .off .gltf .glb
+        Grids and images are drawn by their outer surface. Active scalars give the colour.
+
+  --size WxH              picture in pixels (1024x768)
+  --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ
+                          position, focal point, up (fitted to the scene, looking along -z, y up)
+  --view-angle DEG        full vertical angle of the perspective, 0 to 180 (30)
+  --parallel-scale S      parallel projection; S is half the picture's height in world units
+  --clip NEAR,FAR         clipping distances, 0 < NEAR < FAR (around the scene)
+  --shading KIND          flat, gouraud, phong or pbr (phong; glTF keeps its own materials)
+  --light LIGHT           may be repeated (the file's lights, else a headlight); LIGHT is
+                            sun:DX,DY,DZ                    direction towards the sun
+                            spot:PX,PY,PZ,FX,FY,FZ,CONE     CONE: half the opening, degrees
+                            point:PX,PY,PZ
+  --shadows KIND          off; map, forward and warped are not built yet
+  --shadow-size N         shadow map's side in texels; for --shadows
+  --layers A,B,...        what the EXR holds beside its colour (depth): depth range normal
+                          geometric_normal position albedo actor block cell, or the name of a
+                          point or cell array
+  --png F                 the picture
+  --exr F                 OpenEXR: the colour as R G B A, then the layers as depth.Z normal.X ...
+  --report F              frame report, JSON: what ran and why, GPU ms, bytes held
+
+bench measures, prints what it found, and writes CSV, PNG and SVG to DIR (the current folder).
+  Without a known NAME it lists them.
+
+Options are written --name value or --name=value; -- ends them.
+Either all the files asked for are written, or none. Needs an X display; xvfb-run makes one.
+Exit status: 0 done, 1 the work failed, 2 the words were wrong.
+
+Examples
+  relievo render bunny.off --png bunny.png
+  relievo render bunny.off --size 1920x1080 --light sun:3,5,2 --layers depth,normal,cell \
+    --exr bunny.exr --report bunny.json
+  relievo render wing.vtu --parallel-scale 2 --layers depth,Pressure --exr wing.exr
+  relievo bench normals --out charts
+)";
+}

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Help_h
+#define Help_h
+
+namespace cli
+{
+/// The page that --help prints.
+extern const char* const HelpPage;
+}
+
+#endif

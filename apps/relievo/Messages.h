@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Collects what VTK would print, so that the command can say each thing once, in one line, with the
+ * file's name; VTK's own text names source files and addresses, which tell a user nothing.
+ */
+#ifndef Messages_h
+#define Messages_h
+
+#include <string>
+#include <vector>
+
+namespace cli
+{
+class Messages
+{
+public:
+  /// From here on VTK's errors and warnings are collected.
+  static void Collect();
+
+  /// Throws WorkError("SUBJECT: what VTK said") if there were errors since the last call, or if
+  /// `failed`; `otherwise` is said where VTK has no words. Warnings are kept, with the subject.
+  static void Check(
+    const std::string& subject, bool failed = false, const std::string& otherwise = "");
+
+  /// The warnings so far, each one line, without VTK's preamble.
+  static std::vector<std::string> TakeWarnings();
+};
+}
+
+#endif

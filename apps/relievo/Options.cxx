@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options.h"
+
+#include "Failure.h"
+#include "Values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace cli
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+std::array<double, 3> Triple(const std::vector<double>& numbers, std::size_t first)
+{
+  return { numbers[first], numbers[first + 1], numbers[first + 2] };
+}
+
+std::array<double, 3> Minus(const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+double Length(const std::array<double, 3>& v)
+{
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+double SineBetween(const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+  const std::array<double, 3> cross = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+    a[0] * b[1] - a[1] * b[0] };
+  return Length(cross) / (Length(a) * Length(b));
+}
+
+//------------------------------------------------------------------------------
+void TakeSize(RenderOptions& options, const std::string& word)
+{
+  const std::vector<std::string> parts = Split(word, 'x');
+  if (parts.size() != 2)
+  {
+    RefuseValue("--size", word, "WxH, such as 1024x768");
+  }
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    options.Size[i] = ParseWhole("--size " + word, parts[i], 1, 65536);
+  }
+}
+
+//------------------------------------------------------------------------------
+void TakeCamera(RenderOptions& options, const std::string& word)
+{
+  const std::vector<double> n = ParseNumbers("--camera", word, 9, "PX,PY,PZ,FX,FY,FZ,UX,UY,UZ");
+  const CameraPlace camera = { Triple(n, 0), Triple(n, 3), Triple(n, 6) };
+  const std::array<double, 3> direction = Minus(camera.FocalPoint, camera.Position);
+  if (Length(direction) == 0.0)
+  {
+    RefuseValue("--camera", word, "a focal point FX,FY,FZ apart from the position PX,PY,PZ");
+  }
+  // Below this angle VTK chooses an up direction of its own, and the picture turns without a word.
+  if (Length(camera.ViewUp) == 0.0 || SineBetween(direction, camera.ViewUp) < 1e-6)
+  {
+    RefuseValue("--camera", word, "an up direction UX,UY,UZ that is not along the view direction");
+  }
+  options.Camera = camera;
+}
+
+//------------------------------------------------------------------------------
+void TakeClip(RenderOptions& options, const std::string& word)
+{
+  const std::vector<double> n = ParseNumbers("--clip", word, 2, "NEAR,FAR");
+  if (n[0] <= 0.0 || n[1] <= n[0])
+  {
+    RefuseValue("--clip", word, "NEAR,FAR with 0 < NEAR < FAR");
+  }
+  options.Clip = { n[0], n[1] };
+}
+
+//------------------------------------------------------------------------------
+void TakeShading(RenderOptions& options, const std::string& word)
+{
+  constexpr Shading kinds[] = { Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::PBR };
+  options.ShadingKind =
+    kinds[ParseChoice("--shading", word, { "flat", "gouraud", "phong", "pbr" })];
+}
+
+//------------------------------------------------------------------------------
+void TakeLight(RenderOptions& options, const std::string& word)
+{
+  const std::string::size_type colon = word.find(':');
+  if (colon == std::string::npos)
+  {
+    RefuseValue("--light", word, "sun:DX,DY,DZ or spot:PX,PY,PZ,FX,FY,FZ,CONE or point:PX,PY,PZ");
+  }
+  const std::string kind = word.substr(0, colon);
+  const std::string numbers = word.substr(colon + 1);
+  LightChoice light;
+  switch (ParseChoice("--light " + word, kind, { "sun", "spot", "point" }))
+  {
+    case 0:
+    {
+      light.Is = LightChoice::Kind::Sun;
+      light.Position = Triple(ParseNumbers("--light sun", numbers, 3, "DX,DY,DZ"), 0);
+      const double length = Length(light.Position);
+      if (length == 0.0)
+      {
+        RefuseValue("--light sun", numbers, "a direction towards the sun, which 0,0,0 is not");
+      }
+      for (double& component : light.Position)
+      {
+        component /= length;
+      }
+      break;
+    }
+    case 1:
+    {
+      light.Is = LightChoice::Kind::Spot;
+      const std::vector<double> n =
+        ParseNumbers("--light spot", numbers, 7, "PX,PY,PZ,FX,FY,FZ,CONE");
+      light.Position = Triple(n, 0);
+      light.FocalPoint = Triple(n, 3);
+      light.ConeAngle = n[6];
+      if (Length(Minus(light.FocalPoint, light.Position)) == 0.0)
+      {
+        RefuseValue("--light spot", numbers, "a focal point FX,FY,FZ apart from PX,PY,PZ");
+      }
+      if (light.ConeAngle <= 0.0 || light.ConeAngle > 180.0)
+      {
+        RefuseValue(
+          "--light spot", numbers, "CONE, half the opening in degrees, above 0 and not above 180");
+      }
+      break;
+    }
+    default:
+      light.Is = LightChoice::Kind::Point;
+      light.Position = Triple(ParseNumbers("--light point", numbers, 3, "PX,PY,PZ"), 0);
+  }
+  options.Lights.push_back(light);
+}
+
+//------------------------------------------------------------------------------
+void TakeShadows(RenderOptions&, const std::string& word)
+{
+  if (ParseChoice("--shadows", word, { "off", "map", "forward", "warped" }) != 0)
+  {
+    throw WordsError("--shadows " + word + ": not built yet; give --shadows off");
+  }
+}
+
+//------------------------------------------------------------------------------
+void TakeLayers(RenderOptions& options, const std::string& word)
+{
+  for (const std::string& name : Split(word, ','))
+  {
+    if (name.empty())
+    {
+      RefuseValue("--layers", word, "names between commas, such as depth,normal");
+    }
+    if (name.rfind("shadow_", 0) == 0)
+    {
+      throw WordsError("--layers " + name + ": not built yet: there are no shadows to capture");
+    }
+    if (std::find(options.Layers.begin(), options.Layers.end(), name) == options.Layers.end())
+    {
+      options.Layers.push_back(name);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+template <std::string RenderOptions::*Member>
+void TakePath(RenderOptions& options, const std::string& word)
+{
+  options.*Member = word;
+}
+
+//------------------------------------------------------------------------------
+struct OptionRow
+{
+  const char* Name;
+  void (*Take)(RenderOptions&, const std::string& word);
+  bool Repeats;
+};
+
+const OptionRow RenderRows[] = {
+  { "--size", TakeSize, false },
+  { "--camera", TakeCamera, false },
+  { "--view-angle",
+    [](RenderOptions& options, const std::string& word) {
+      options.ViewAngle = ParseNumberBetween("--view-angle", word, 0.0, 180.0);
+    },
+    false },
+  { "--parallel-scale",
+    [](RenderOptions& options, const std::string& word) {
+      options.ParallelScale = ParseNumberBetween("--parallel-scale", word, 0.0, Infinity);
+    },
+    false },
+  { "--clip", TakeClip, false },
+  { "--shading", TakeShading, false },
+  { "--light", TakeLight, true },
+  { "--shadows", TakeShadows, false },
+  // Read and checked already, so that scripts written for shadows need no change; it has nothing to
+  // size while shadows are off.
+  { "--shadow-size",
+    [](RenderOptions&, const std::string& word) { ParseWhole("--shadow-size", word, 1, 32768); },
+    false },
+  { "--layers", TakeLayers, true },
+  { "--png", TakePath<&RenderOptions::PNG>, false },
+  { "--exr", TakePath<&RenderOptions::EXR>, false },
+  { "--report", TakePath<&RenderOptions::Report>, false },
+};
+
+//------------------------------------------------------------------------------
+// Walks over the words: calls option(name, value) for "--name value" and "--name=value", and
+// plain(word) for the others. `known` holds the names; each takes one value.
+template <typename Option, typename Plain>
+void WalkWords(const std::vector<std::string>& words, const std::string& command,
+  const std::vector<std::string>& known, Option option, Plain plain)
+{
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    const std::string& word = words[i];
+    if (word == "--")
+    {
+      std::for_each(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end(), plain);
+      return;
+    }
+    if (word.size() < 2 || word[0] != '-')
+    {
+      plain(word);
+      continue;
+    }
+    const std::string::size_type equals = word.find('=');
+    const std::string name = word.substr(0, equals);
+    if (std::find(known.begin(), known.end(), name) == known.end())
+    {
+      throw WordsError(
+        name + ": relievo " + command + " has no such option; it has " + Join(known, ", "));
+    }
+    if (equals != std::string::npos)
+    {
+      option(name, word.substr(equals + 1));
+    }
+    else if (i + 1 < words.size() && words[i + 1].rfind("--", 0) != 0)
+    {
+      option(name, words[++i]);
+    }
+    else
+    {
+      throw WordsError(name + ": its value is missing; see relievo --help");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckTogether(const RenderOptions& options)
+{
+  if (options.Files.empty())
+  {
+    throw WordsError("render: no FILE given; see relievo --help");
+  }
+  if (options.PNG.empty() && options.EXR.empty() && options.Report.empty())
+  {
+    throw WordsError("render: nothing to write: give --png F, --exr F or --report F.json");
+  }
+  if (options.ViewAngle && options.ParallelScale)
+  {
+    throw WordsError("--view-angle and --parallel-scale: give one of them; a parallel projection "
+                     "has no view angle");
+  }
+  if (!options.Layers.empty() && options.EXR.empty() && options.Report.empty())
+  {
+    throw WordsError("--layers: layers are written to OpenEXR: give --exr F as well");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+RenderOptions ParseRender(const std::vector<std::string>& words)
+{
+  RenderOptions options;
+  std::set<std::string> seen;
+  std::vector<std::string> known;
+  for (const OptionRow& row : RenderRows)
+  {
+    known.push_back(row.Name);
+  }
+  WalkWords(
+    words, "render", known,
+    [&](const std::string& name, const std::string& value) {
+      const auto row = std::find_if(std::begin(RenderRows), std::end(RenderRows),
+        [&name](const OptionRow& candidate) { return name == candidate.Name; });
+      if (!seen.insert(name).second && !row->Repeats)
+      {
+        throw WordsError(name + ": given twice, expected once");
+      }
+      if (value.empty())
+      {
+        throw WordsError(name + ": its value is empty; see relievo --help");
+      }
+      row->Take(options, value);
+    },
+    [&](const std::string& word) { options.Files.push_back(word); });
+  CheckTogether(options);
+  return options;
+}
+
+//------------------------------------------------------------------------------
+BenchOptions ParseBench(const std::vector<std::string>& words)
+{
+  BenchOptions options;
+  WalkWords(
+    words, "bench", { "--out" },
+    [&](const std::string&, const std::string& value) { options.Folder = value; },
+    [&](const std::string& word) {
+      if (!options.Name.empty())
+      {
+        throw WordsError("bench: got '" + options.Name + "' and '" + word + "', expected one NAME");
+      }
+      options.Name = word;
+    });
+  if (options.Folder.empty())
+  {
+    throw WordsError("--out: its value is empty; give a folder");
+  }
+  return options;
+}
+}

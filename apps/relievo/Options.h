@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What `relievo render` and `relievo bench` were asked to do: the words of the command line as one
+ * struct each. Parsing touches no file; it throws WordsError.
+ */
+#ifndef Options_h
+#define Options_h
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli
+{
+/// FromFile: phong, except that a glTF file keeps the shading of its own materials.
+enum class Shading
+{
+  FromFile,
+  Flat,
+  Gouraud,
+  Phong,
+  PBR
+};
+
+struct CameraPlace
+{
+  std::array<double, 3> Position;
+  std::array<double, 3> FocalPoint;
+  std::array<double, 3> ViewUp;
+};
+
+struct LightChoice
+{
+  enum class Kind
+  {
+    Sun,
+    Spot,
+    Point
+  };
+  Kind Is;
+  std::array<double, 3> Position;   ///< for a sun, the unit direction towards it
+  std::array<double, 3> FocalPoint; ///< of a spot
+  double ConeAngle = 180.0;         ///< degrees, half the opening
+};
+
+struct RenderOptions
+{
+  std::vector<std::string> Files;
+  std::array<int, 2> Size = { 1024, 768 }; ///< width, height in pixels
+  std::optional<CameraPlace> Camera;       ///< none: fitted to the scene
+  std::optional<double> ViewAngle;         ///< full vertical angle, degrees
+  std::optional<double> ParallelScale;     ///< half the height, world units
+  std::optional<std::array<double, 2>> Clip;
+  Shading ShadingKind = Shading::FromFile;
+  std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
+  std::vector<std::string> Layers; ///< each once; those of the EXR beside its colour
+  std::string PNG, EXR, Report;    ///< empty: not asked for
+};
+
+struct BenchOptions
+{
+  std::string Name;
+  std::string Folder = ".";
+};
+
+/// The words after "render", as said.
+RenderOptions ParseRender(const std::vector<std::string>& words);
+
+/// The words after "bench", as said.
+BenchOptions ParseBench(const std::vector<std::string>& words);
+}
+
+#endif

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Outputs.h"
+
+#include "Failure.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace cli
+{
+namespace
+{
+// What a signal handler may touch: plain memory that never moves.
+constexpr std::size_t MaxTemporaries = 8;
+char Temporaries[MaxTemporaries][4096];
+volatile std::sig_atomic_t TemporaryCount = 0;
+
+extern "C" void RemoveAndEnd(int signal)
+{
+  Outputs::RemoveTemporaries();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+bool Same(const fs::path& a, const fs::path& b)
+{
+  std::error_code ignored;
+  return a == b || fs::equivalent(a, b, ignored);
+}
+}
+
+//------------------------------------------------------------------------------
+Outputs::~Outputs()
+{
+  std::error_code ignored;
+  for (const Entry& entry : this->Entries)
+  {
+    fs::remove(entry.Temporary, ignored);
+  }
+  TemporaryCount = 0;
+}
+
+//------------------------------------------------------------------------------
+void Outputs::Add(
+  const std::string& option, const std::string& path, const std::vector<std::string>& inputs)
+{
+  std::error_code trouble;
+  const std::string named = option + " " + path + ": ";
+  const fs::path place = fs::weakly_canonical(fs::absolute(path), trouble);
+  if (trouble)
+  {
+    throw WorkError(named + trouble.message());
+  }
+  const fs::path folder = place.parent_path();
+  if (!fs::is_directory(folder, trouble))
+  {
+    throw WorkError(named + "there is no folder " + folder.string());
+  }
+  const fs::file_status status = fs::status(place, trouble);
+  if (fs::is_directory(status) || !place.has_filename())
+  {
+    throw WorkError(named + "is a folder; give the name of a file");
+  }
+  if (fs::exists(status) && !fs::is_regular_file(status))
+  {
+    throw WorkError(named + "is not a regular file, so it cannot be replaced by one");
+  }
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+  {
+    throw WorkError(named + "folder " + folder.string() + ": " + std::strerror(errno));
+  }
+  for (const std::string& input : inputs)
+  {
+    if (Same(place, fs::weakly_canonical(fs::absolute(input), trouble)))
+    {
+      throw WordsError(named + "is also a FILE to read; give another name");
+    }
+  }
+  for (const Entry& entry : this->Entries)
+  {
+    if (Same(place, entry.Place))
+    {
+      throw WordsError(named + "another option writes the same file; give another name");
+    }
+  }
+
+  const std::string temporary = (folder /
+    ("." + place.stem().string() + "." + std::to_string(getpid()) + ".tmp" +
+      place.extension().string()))
+                                  .string();
+  const int slot = TemporaryCount;
+  if (static_cast<std::size_t>(slot) < MaxTemporaries &&
+    temporary.size() < sizeof(Temporaries[slot]))
+  {
+    std::memcpy(Temporaries[slot], temporary.c_str(), temporary.size() + 1);
+    TemporaryCount = slot + 1;
+  }
+  this->Entries.push_back({ path, place.string(), temporary });
+}
+
+//------------------------------------------------------------------------------
+std::string Outputs::Temporary(const std::string& path) const
+{
+  const auto entry = std::find_if(this->Entries.begin(), this->Entries.end(),
+    [&path](const Entry& candidate) { return candidate.Given == path; });
+  return entry->Temporary;
+}
+
+//------------------------------------------------------------------------------
+std::string Outputs::WithGivenNames(std::string text) const
+{
+  for (const Entry& entry : this->Entries)
+  {
+    for (std::string::size_type at = text.find(entry.Temporary); at != std::string::npos;
+         at = text.find(entry.Temporary, at + entry.Given.size()))
+    {
+      text.replace(at, entry.Temporary.size(), entry.Given);
+    }
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+void Outputs::Commit()
+{
+  std::error_code trouble;
+  for (std::size_t i = 0; i < this->Entries.size(); ++i)
+  {
+    fs::rename(this->Entries[i].Temporary, this->Entries[i].Place, trouble);
+    if (trouble)
+    {
+      std::error_code ignored;
+      for (std::size_t moved = 0; moved < i; ++moved)
+      {
+        fs::remove(this->Entries[moved].Place, ignored);
+      }
+      throw WorkError(this->Entries[i].Given + ": " + trouble.message());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Outputs::RemoveOnSignals()
+{
+  for (const int signal : { SIGINT, SIGTERM, SIGHUP })
+  {
+    std::signal(signal, RemoveAndEnd);
+  }
+  // A file that grows over its limit is then a write error, which is said, and not the end.
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+//------------------------------------------------------------------------------
+void Outputs::RemoveTemporaries()
+{
+  for (int i = 0; i < TemporaryCount; ++i)
+  {
+    unlink(Temporaries[i]);
+  }
+}
+}

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Progress.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkObject.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <unistd.h>
+
+namespace cli
+{
+namespace
+{
+constexpr std::chrono::milliseconds TerminalPause(100);
+constexpr std::chrono::seconds LogSilence(2);
+constexpr std::chrono::seconds LogPause(5);
+}
+
+//------------------------------------------------------------------------------
+Progress::Progress()
+  : OnTerminal(isatty(STDERR_FILENO) != 0)
+{
+}
+
+//------------------------------------------------------------------------------
+Progress::~Progress()
+{
+  this->End();
+}
+
+//------------------------------------------------------------------------------
+void Progress::Begin(const std::string& what)
+{
+  this->End();
+  this->What = what;
+  this->Began = Clock::now();
+  this->LastShown = Clock::time_point();
+  if (this->OnTerminal)
+  {
+    this->Update(0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Progress::Update(double share)
+{
+  const Clock::time_point now = Clock::now();
+  const bool due = this->OnTerminal
+    ? now - this->LastShown >= TerminalPause
+    : now - this->Began >= LogSilence && now - this->LastShown >= LogPause;
+  if (this->What.empty() || !due)
+  {
+    return;
+  }
+  const int percent = static_cast<int>(std::lround(100.0 * std::clamp(share, 0.0, 1.0)));
+  std::fprintf(stderr, this->OnTerminal ? "\r\033[Krelievo: %s %d %%" : "relievo: %s %d %%\n",
+    this->What.c_str(), percent);
+  std::fflush(stderr);
+  this->LastShown = now;
+  this->Shown = true;
+}
+
+//------------------------------------------------------------------------------
+void Progress::End()
+{
+  if (this->Shown && this->OnTerminal)
+  {
+    std::fputs("\r\033[K", stderr);
+    std::fflush(stderr);
+  }
+  this->Shown = false;
+  this->What.clear();
+}
+
+//------------------------------------------------------------------------------
+void Progress::Observe(vtkObject* algorithm)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(this);
+  command->SetCallback([](vtkObject*, unsigned long, void* self, void* share) {
+    if (share)
+    {
+      static_cast<Progress*>(self)->Update(*static_cast<double*>(share));
+    }
+  });
+  algorithm->AddObserver(vtkCommand::ProgressEvent, command);
+}
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Progress of long work on the standard error stream. On a terminal one line is rewritten in place
+ * from the start and cleared at the end. Elsewhere (a log, a pipe) nothing is said about a step
+ * shorter than two seconds; after that a line is written at most every five seconds.
+ */
+#ifndef Progress_h
+#define Progress_h
+
+#include <chrono>
+#include <string>
+
+class vtkObject;
+
+namespace cli
+{
+class Progress
+{
+public:
+  Progress();
+  ~Progress();
+  Progress(const Progress&) = delete;
+  void operator=(const Progress&) = delete;
+
+  /// A step begins: `what` such as "reading bunny.off".
+  void Begin(const std::string& what);
+
+  /// The step is done by this share, 0 to 1.
+  void Update(double share);
+
+  /// The step is over; also called by Begin and the destructor.
+  void End();
+
+  /// Takes the progress events of a VTK algorithm, which must not outlive this object.
+  void Observe(vtkObject* algorithm);
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  bool OnTerminal;
+  bool Shown = false;
+  std::string What;
+  Clock::time_point Began, LastShown;
+};
+}
+
+#endif

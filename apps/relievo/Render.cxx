@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Render.h"
+
+#include "Display.h"
+#include "Failure.h"
+#include "Messages.h"
+#include "Options.h"
+#include "Outputs.h"
+#include "Progress.h"
+#include "Readers.h"
+#include "Scene.h"
+#include "Values.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkRelievoEXRWriter.h"
+#include "vtkRelievoLayerSource.h"
+#include "vtkRelievoPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <fstream>
+
+namespace cli
+{
+namespace
+{
+// What every scene has; any other layer is an array of the files.
+const std::vector<std::string> BuiltInLayers = { "color", "depth", "range", "normal",
+  "geometric_normal", "position", "albedo", "actor", "block", "cell" };
+
+// An EXR file without a word about layers holds the colour and the depth.
+const std::vector<std::string> DefaultLayers = { "depth" };
+
+// GPU times are read a frame or more later and never waited for, so a report needs a few frames.
+constexpr int FramesUntilTimed = 4;
+
+// The array that a layer's name means: "point:depth" is the point array `depth`.
+std::string ArrayOf(const std::string& layer)
+{
+  const bool prefixed = layer.rfind("point:", 0) == 0 || layer.rfind("cell:", 0) == 0;
+  return prefixed ? layer.substr(layer.find(':') + 1) : layer;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> LayersToCapture(const RenderOptions& options, const Scene& scene)
+{
+  std::vector<std::string> layers;
+  if (!options.EXR.empty())
+  {
+    layers.push_back("color");
+  }
+  const bool unnamed = options.Layers.empty() && !options.EXR.empty();
+  for (const std::string& name : unnamed ? DefaultLayers : options.Layers)
+  {
+    if (std::find(BuiltInLayers.begin(), BuiltInLayers.end(), name) == BuiltInLayers.end() &&
+      scene.Arrays.count(ArrayOf(name)) == 0)
+    {
+      const std::vector<std::string> arrays(scene.Arrays.begin(), scene.Arrays.end());
+      RefuseValue("--layers", name,
+        "one of " + Join(BuiltInLayers, ", ") +
+          (arrays.empty() ? "; the files hold no arrays" : ", or an array: " + Join(arrays, ", ")));
+    }
+    if (std::find(layers.begin(), layers.end(), name) == layers.end())
+    {
+      layers.push_back(name);
+    }
+  }
+  return layers;
+}
+
+//------------------------------------------------------------------------------
+void WritePNG(
+  vtkRenderWindow* window, const RenderOptions& options, const Outputs& outputs, Progress& progress)
+{
+  progress.Begin("writing " + options.PNG);
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetFileName(outputs.Temporary(options.PNG).c_str());
+  progress.Observe(writer);
+  writer->Write();
+  progress.End();
+  Messages::Check(options.PNG, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
+}
+
+//------------------------------------------------------------------------------
+void WriteEXR(
+  vtkImageData* image, const RenderOptions& options, const Outputs& outputs, Progress& progress)
+{
+  progress.Begin("writing " + options.EXR);
+  vtkNew<vtkRelievoEXRWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(outputs.Temporary(options.EXR).c_str());
+  progress.Observe(writer);
+  writer->Write();
+  progress.End();
+  Messages::Check(options.EXR, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
+}
+
+//------------------------------------------------------------------------------
+void WriteReport(vtkRelievoPass* pass, const RenderOptions& options, const Outputs& outputs)
+{
+  std::ofstream file(outputs.Temporary(options.Report), std::ios::binary);
+  file << pass->GetFrameReport() << '\n';
+  file.close();
+  if (!file)
+  {
+    throw WorkError(options.Report + ": cannot be written; is the disk full?");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void Render(const RenderOptions& options)
+{
+  // What can be refused at once is refused before the long work.
+  for (const std::string& path : options.Files)
+  {
+    CheckExtension(path);
+    CheckReadable(path);
+  }
+  Outputs outputs;
+  const std::pair<const char*, const std::string&> places[] = { { "--png", options.PNG },
+    { "--exr", options.EXR }, { "--report", options.Report } };
+  for (const auto& [option, path] : places)
+  {
+    if (!path.empty())
+    {
+      outputs.Add(option, path, options.Files);
+    }
+  }
+
+  Messages::Collect();
+  Progress progress;
+  const Scene scene = BuildScene(options, progress);
+  const std::vector<std::string> layers = LayersToCapture(options, scene);
+  OpenDisplay(scene.Window);
+
+  const std::string size = std::to_string(options.Size[0]) + "x" + std::to_string(options.Size[1]);
+  progress.Begin("rendering " + size);
+  // A plain picture is VTK's own: nothing of Relievo is attached that nobody asked for.
+  vtkRelievoPass* pass = nullptr;
+  if (!layers.empty() || !options.Report.empty())
+  {
+    pass = vtkRelievoPass::Attach(scene.Renderer);
+  }
+  for (const std::string& name : layers)
+  {
+    if (name != "color") // the source's own: the picture as it is drawn anyway
+    {
+      pass->RequestLayer(name);
+    }
+  }
+  CheckSize(scene.Window, options.Size);
+  for (int frame = 1; !options.Report.empty() && frame < FramesUntilTimed; ++frame)
+  {
+    scene.Window->Render();
+    progress.Update(double(frame) / FramesUntilTimed);
+  }
+  vtkNew<vtkRelievoLayerSource> source;
+  if (!options.EXR.empty())
+  {
+    source->SetRenderer(scene.Renderer);
+    for (const std::string& name : layers)
+    {
+      source->AddLayer(name);
+    }
+    source->Update();
+  }
+  else
+  {
+    scene.Window->Render();
+  }
+  progress.End();
+  Messages::Check("rendering " + size);
+
+  try
+  {
+    if (!options.PNG.empty())
+    {
+      WritePNG(scene.Window, options, outputs, progress);
+    }
+    if (!options.EXR.empty())
+    {
+      // The image and not the source's port: a source of layers draws anew whenever it is asked.
+      WriteEXR(source->GetOutput(), options, outputs, progress);
+    }
+    if (!options.Report.empty())
+    {
+      WriteReport(pass, options, outputs);
+    }
+  }
+  catch (const WorkError& error)
+  {
+    throw WorkError(outputs.WithGivenNames(error.what()));
+  }
+  outputs.Commit();
+  for (const std::string& warning : Messages::TakeWarnings())
+  {
+    std::fprintf(stderr, "relievo: warning: %s\n", warning.c_str());
+  }
+}
+}

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene.h"
+
+#include "Actors.h"
+#include "CrashGuard.h"
+#include "Failure.h"
+#include "Messages.h"
+#include "Options.h"
+#include "Progress.h"
+#include "Readers.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCamera.h"
+#include "vtkDataObject.h"
+#include "vtkGLTFImporter.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+namespace cli
+{
+namespace
+{
+void ImportGLTF(const std::string& path, const Scene& scene, Progress& progress)
+{
+  progress.Begin("reading " + path);
+  vtkNew<vtkGLTFImporter> importer;
+  importer->SetFileName(path.c_str());
+  importer->SetRenderWindow(scene.Window);
+  progress.Observe(importer);
+  try
+  {
+    const CrashGuard guard(path);
+    importer->Update();
+  }
+  catch (const std::exception& error) // of the JSON library that VTK reads glTF with
+  {
+    throw WorkError(path + ": " + error.what());
+  }
+  progress.End();
+  Messages::Check(path);
+}
+
+//------------------------------------------------------------------------------
+void SetShading(vtkRenderer* renderer, Shading kind)
+{
+  vtkActorCollection* actors = renderer->GetActors();
+  vtkCollectionSimpleIterator place;
+  actors->InitTraversal(place);
+  while (vtkActor* actor = actors->GetNextActor(place))
+  {
+    switch (kind)
+    {
+      case Shading::Flat:
+        actor->GetProperty()->SetInterpolationToFlat();
+        break;
+      case Shading::Gouraud:
+        actor->GetProperty()->SetInterpolationToGouraud();
+        break;
+      case Shading::Phong:
+        actor->GetProperty()->SetInterpolationToPhong();
+        break;
+      case Shading::PBR:
+        actor->GetProperty()->SetInterpolationToPBR();
+        break;
+      case Shading::FromFile:
+        break;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddLights(vtkRenderer* renderer, const std::vector<LightChoice>& lights)
+{
+  if (lights.empty())
+  {
+    return; // the file's lights, or the headlight that VTK makes
+  }
+  renderer->RemoveAllLights();
+  renderer->AutomaticLightCreationOff();
+  for (const LightChoice& choice : lights)
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(choice.Position.data());
+    light->SetPositional(choice.Is != LightChoice::Kind::Sun);
+    light->SetConeAngle(choice.ConeAngle);
+    if (choice.Is == LightChoice::Kind::Spot)
+    {
+      light->SetFocalPoint(choice.FocalPoint.data());
+    }
+    else if (choice.Is == LightChoice::Kind::Point)
+    {
+      // All around alike; but a light that stands on its focal point has no direction.
+      light->SetFocalPoint(choice.Position[0], choice.Position[1] - 1.0, choice.Position[2]);
+    }
+    else
+    {
+      light->SetFocalPoint(0.0, 0.0, 0.0);
+    }
+    renderer->AddLight(light);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetParallelProjection(options.ParallelScale.has_value());
+  if (options.ViewAngle)
+  {
+    camera->SetViewAngle(*options.ViewAngle);
+  }
+  if (options.Camera)
+  {
+    camera->SetPosition(options.Camera->Position.data());
+    camera->SetFocalPoint(options.Camera->FocalPoint.data());
+    camera->SetViewUp(options.Camera->ViewUp.data());
+    renderer->ResetCameraClippingRange();
+  }
+  else
+  {
+    renderer->ResetCamera();
+  }
+  if (options.ParallelScale)
+  {
+    camera->SetParallelScale(*options.ParallelScale);
+  }
+  if (options.Clip)
+  {
+    camera->SetClippingRange((*options.Clip)[0], (*options.Clip)[1]);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+Scene BuildScene(const RenderOptions& options, Progress& progress)
+{
+  Scene scene;
+  scene.Window = vtkSmartPointer<vtkRenderWindow>::New();
+  scene.Window->SetOffScreenRendering(1);
+  scene.Window->SetMultiSamples(0);
+  scene.Window->SetSize(options.Size[0], options.Size[1]);
+  scene.Renderer = vtkSmartPointer<vtkRenderer>::New();
+  scene.Window->AddRenderer(scene.Renderer);
+
+  const bool smooth = options.ShadingKind != Shading::Flat;
+  for (const std::string& path : options.Files)
+  {
+    const int before = scene.Renderer->GetActors()->GetNumberOfItems();
+    if (IsGLTF(path))
+    {
+      ImportGLTF(path, scene, progress);
+    }
+    else
+    {
+      const vtkSmartPointer<vtkDataObject> data = ReadData(path, progress);
+      progress.Begin("preparing " + path);
+      scene.Renderer->AddActor(MakeActor(data, smooth, path, progress));
+      progress.End();
+    }
+    vtkActorCollection* actors = scene.Renderer->GetActors();
+    bool shows = false;
+    for (int i = before; i < actors->GetNumberOfItems(); ++i)
+    {
+      vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
+      AddArrayNames(actor, scene.Arrays);
+      shows = shows || vtkMath::AreBoundsInitialized(actor->GetBounds());
+    }
+    Messages::Check(path, !shows, "holds nothing that can be drawn: no points, or no cells");
+  }
+  SetShading(scene.Renderer, options.ShadingKind);
+  AddLights(scene.Renderer, options.Lights);
+  PlaceCamera(scene.Renderer, options);
+  return scene;
+}
+}

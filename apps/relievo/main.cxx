@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bench.h"
+#include "Failure.h"
+#include "Help.h"
+#include "Options.h"
+#include "Outputs.h"
+#include "Render.h"
+
+#include "vtkVersion.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+namespace
+{
+int Run(std::vector<std::string> words)
+{
+  const auto end = std::find(words.begin(), words.end(), "--");
+  if (std::find(words.begin(), end, "--help") != end || std::find(words.begin(), end, "-h") != end)
+  {
+    std::fputs(cli::HelpPage, stdout);
+    return 0;
+  }
+  if (words.empty())
+  {
+    throw cli::WordsError("no command given, expected render or bench; see relievo --help");
+  }
+  const std::string command = words.front();
+  words.erase(words.begin());
+  if (command == "--version")
+  {
+    std::printf("relievo %s (VTK %s)\n", RELIEVO_VERSION, vtkVersion::GetVTKVersionFull());
+  }
+  else if (command == "render")
+  {
+    cli::Render(cli::ParseRender(words));
+  }
+  else if (command == "bench")
+  {
+    return cli::Bench(cli::ParseBench(words));
+  }
+  else
+  {
+    throw cli::WordsError(
+      "got '" + command + "', expected render, bench, --help or --version; see relievo --help");
+  }
+  return 0;
+}
+
+int Fail(const char* text, int status)
+{
+  std::fprintf(stderr, "relievo: %s\n", text);
+  return status;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  cli::Outputs::RemoveOnSignals();
+  try
+  {
+    return Run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+  }
+  catch (const cli::WordsError& error)
+  {
+    return Fail(error.what(), 2);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return Fail("out of memory; a smaller --size or fewer --layers need less", 1);
+  }
+  catch (const std::exception& error)
+  {
+    return Fail(error.what(), 1);
+  }
+}

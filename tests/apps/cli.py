@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of the command share: running it, small scenes, reading what it wrote."""
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import numpy
+
+RELIEVO = os.environ["RELIEVO"]
+EXR_DUMP = os.environ["EXR_DUMP"]
+
+# A triangle in the plane z = 0, seen by the camera of LOOK as a triangle of known pixels.
+TRIANGLE = "OFF\n3 1 0\n-1 -1 0\n1 -1 0\n-1 1 0\n3 0 1 2\n"
+LOOK = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10"]
+
+
+class CliTest(unittest.TestCase):
+    """Each test runs in an empty folder of its own that holds triangle.off."""
+
+    def setUp(self):
+        kept = tempfile.TemporaryDirectory()
+        self.addCleanup(kept.cleanup)
+        self.folder = pathlib.Path(kept.name).resolve()
+        (self.folder / "triangle.off").write_text(TRIANGLE)
+        self.before = self.names()
+
+    def names(self):
+        return sorted(path.name for path in self.folder.rglob("*"))
+
+    def relievo(self, *words, status=0, environment=None, wrapper=()):
+        """Runs the command and returns the finished process; its exit status must be as said."""
+        done = subprocess.run(
+            [*wrapper, RELIEVO, *map(str, words)],
+            cwd=self.folder,
+            env={**os.environ, **(environment or {})},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            timeout=100,
+        )
+        self.assertEqual(done.returncode, status, f"{words}: {done.stderr}")
+        return done
+
+    def refused(self, *words, status, says, **more):
+        """The run fails with one line that holds every text of `says`, and writes nothing."""
+        done = self.relievo(*words, status=status, **more)
+        self.assertTrue(done.stderr.startswith("relievo: "), done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, f"more than one line: {done.stderr}")
+        for text in [says] if isinstance(says, str) else says:
+            self.assertIn(text, done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(self.names(), self.before, "something was written")
+        return done
+
+    def render(self, *words, **more):
+        return self.relievo("render", "triangle.off", *LOOK, *words, **more)
+
+    def exr(self, name):
+        """Header of an EXR file as OpenEXR reads it, and its channels as arrays, top row first."""
+        path = self.folder / name
+        raw = self.folder / (name + ".raw")
+        done = subprocess.run([EXR_DUMP, path, raw], stdout=subprocess.PIPE, check=True)
+        header = json.loads(done.stdout)
+        shape = (header["height"], header["width"])
+        data, at = raw.read_bytes(), 0
+        raw.unlink()
+        channels = {}
+        for channel in header["channels"]:
+            kind = numpy.dtype("<u4" if channel["type"] == "uint" else "<f4")
+            count = shape[0] * shape[1]
+            values = numpy.frombuffer(data, kind, count, at).reshape(shape)
+            channels[channel["name"]] = values
+            at += count * kind.itemsize
+        self.assertEqual(at, len(data))
+        return header, channels
+
+
+def read_png(path):
+    """A PNG as an array (rows, columns, components), top row first."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOImage import vtkPNGReader
+
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    image = reader.GetOutput()
+    columns, rows, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)[::-1]
+
+
+def main():
+    unittest.main(verbosity=2)

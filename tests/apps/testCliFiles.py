@@ -1,0 +1,160 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files that cannot be read or written: exit status 1, one line with the name, nothing left over."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import time
+import unittest
+
+from cli import LOOK, RELIEVO, CliTest, main
+
+OUTPUTS = ["--png", "a.png", "--exr", "a.exr", "--report", "a.json"]
+
+BROKEN = {
+    "empty.off": "",
+    "words.off": "this is not a mesh\n",
+    "cut.off": "OFF\n3 1 0\n-1 -1 0\n1 -1 0\n",
+    "index.off": "OFF\n3 1 0\n-1 -1 0\n1 -1 0\n-1 1 0\n3 0 1 7\n",
+    "empty.vtp": "",
+    "words.vtp": "this is not XML\n",
+    "cut.vtp": '<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1">\n<PolyData>\n',
+    "empty.vtk": "",
+    "words.vtk": "this is not a VTK file\n",
+    "empty.ply": "",
+    "words.ply": "this is not a mesh\n",
+    "empty.obj": "",
+    "words.obj": "v 1 two 3\n",
+    "empty.stl": "",
+    "words.stl": "this is not a mesh\n",
+    "empty.gltf": "",
+    "words.gltf": "{ this is not JSON",
+    "nothing.gltf": "{}",
+    "words.glb": "this is not a scene\n",
+}
+
+
+class Inputs(CliTest):
+    def test_missing(self):
+        self.refused("render", "gone.off", *OUTPUTS, status=1,
+                     says=["gone.off", "No such file"])  # fmt: skip
+        self.refused("render", "triangle.off", "gone/b.vtu", *OUTPUTS, status=1,
+                     says=["gone/b.vtu", "No such file"])  # fmt: skip
+
+    def test_folder(self):
+        (self.folder / "meshes.off").mkdir()
+        self.before = self.names()
+        self.refused("render", "meshes.off", *OUTPUTS, status=1, says=["meshes.off", "folder"])
+
+    def test_broken(self):
+        for name, text in BROKEN.items():
+            (self.folder / name).write_text(text)
+        self.before = self.names()
+        for name in BROKEN:
+            with self.subTest(file=name):
+                self.refused("render", name, *OUTPUTS, status=1, says=name)
+
+    def test_no_geometry(self):
+        (self.folder / "points.off").write_text("OFF\n0 0 0\n")
+        self.before = self.names()
+        self.refused("render", "points.off", *OUTPUTS, status=1, says="points.off")
+
+    def test_a_broken_file_among_good_ones(self):
+        (self.folder / "cut.off").write_text(BROKEN["cut.off"])
+        self.before = self.names()
+        self.refused("render", "triangle.off", "cut.off", *OUTPUTS, status=1, says="cut.off")
+
+
+class Outputs(CliTest):
+    def test_no_folder(self):
+        for option in ("--png", "--exr", "--report"):
+            with self.subTest(option=option):
+                self.refused("render", "triangle.off", option, "no/where/a.out", status=1,
+                             says=[option, "no/where/a.out", "folder"])  # fmt: skip
+
+    def test_a_folder_instead_of_a_file(self):
+        (self.folder / "out").mkdir()
+        self.before = self.names()
+        self.refused("render", "triangle.off", "--png", "out", status=1, says=["--png out", "folder"])
+        self.refused("render", "triangle.off", "--png", "out/", status=1, says=["--png out/"])
+
+    def test_a_device(self):
+        self.refused("render", "triangle.off", "--png", "/dev/null", status=1,
+                     says=["/dev/null", "regular"])  # fmt: skip
+        self.assertTrue(pathlib.Path("/dev/null").is_char_device())
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_no_permission(self):
+        (self.folder / "shut").mkdir(mode=0o555)
+        self.before = self.names()
+        self.refused("render", "triangle.off", "--png", "shut/a.png", status=1,
+                     says=["shut/a.png", "Permission denied"])  # fmt: skip
+
+    def test_disk_full(self):
+        # A limit on the size of files does to a writer what a full disk does. Each kind of file is
+        # tried alone and after another one that was complete.
+        full = ["/bin/bash", "-c", 'ulimit -f "$0" && exec "$@"']
+        look = [*LOOK, "--size", "300x300", "--layers", "depth,normal,position"]
+        for limit, outputs, fails in (
+            (4, ["--exr", "a.exr"], "a.exr"),
+            (8, ["--png", "a.png", "--exr", "a.exr", "--report", "a.json"], "a.exr"),
+        ):
+            with self.subTest(outputs=outputs):
+                self.refused("render", "triangle.off", *look, *outputs, status=1, says=fails,
+                             wrapper=[*full, str(limit)])  # fmt: skip
+
+    def test_a_failed_run_keeps_the_old_files(self):
+        for name in ("a.png", "a.exr", "a.json"):
+            (self.folder / name).write_text("precious")
+        self.before = self.names()
+        self.refused("render", "triangle.off", *OUTPUTS, "--layers", "none", status=2, says="none")
+        for name in ("a.png", "a.exr", "a.json"):
+            self.assertEqual((self.folder / name).read_text(), "precious")
+
+    def test_an_interrupted_run_leaves_nothing(self):
+        words = ["render", "triangle.off", *LOOK, "--size", "4000x4000", *OUTPUTS]
+        for wanted in (signal.SIGINT, signal.SIGTERM):
+            run = subprocess.Popen([RELIEVO, *words], cwd=self.folder, stderr=subprocess.DEVNULL)
+            until = time.monotonic() + 60
+            while run.poll() is None and time.monotonic() < until and self.names() == self.before:
+                time.sleep(0.002)
+            self.assertNotEqual(self.names(), self.before, "nothing was being written yet")
+            run.send_signal(wanted)
+            status = run.wait(timeout=60)
+            self.assertEqual(status, -wanted)
+            self.assertEqual(self.names(), self.before)
+
+
+class Display(CliTest):
+    def test_no_display(self):
+        for name in ("", ":7654", "nowhere:0"):
+            with self.subTest(display=name):
+                self.refused("render", "triangle.off", *OUTPUTS, status=1,
+                             says=["DISPLAY", f"'{name}'", "xvfb-run"],
+                             environment={"DISPLAY": name})  # fmt: skip
+
+    def test_above_the_limit_of_the_context(self):
+        self.refused("render", "triangle.off", "--png", "a.png", "--size", "65536x8", status=1,
+                     says=["--size 65536x8", "OpenGL", "at most"])  # fmt: skip
+
+    def test_several_runs_on_one_server(self):
+        # An X server without -noreset starts anew when its last client leaves, and answers nobody
+        # meanwhile; a run meets the end of the one before.
+        read, write = os.pipe()
+        server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "640x480x24", "+extension", "GLX"],
+            pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        )  # fmt: skip
+        self.addCleanup(server.wait)
+        self.addCleanup(server.terminate)
+        os.close(write)
+        with os.fdopen(read) as number:
+            display = ":" + number.readline().strip()
+        for i in range(5):
+            self.render("--size", "8x8", "--png", f"{i}.png", environment={"DISPLAY": display})
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,262 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Good runs: the picture's size and pixels, the EXR's channels and values, the report."""
+
+import json
+import math
+
+import numpy
+
+from cli import LOOK, CliTest, main, read_png
+
+BACKGROUND_ID = 0xFFFFFFFF
+
+
+def write_data(folder):
+    """A sphere with the array `height` as every kind of file that VTK writes; returns their names."""
+    from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkElevationFilter
+    from vtkmodules.vtkFiltersSources import vtkSphereSource
+    from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+    from vtkmodules.vtkIOGeometry import vtkSTLWriter
+    from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
+    from vtkmodules.vtkIOPLY import vtkPLYWriter
+    from vtkmodules.vtkIOXML import (
+        vtkXMLImageDataWriter,
+        vtkXMLMultiBlockDataWriter,
+        vtkXMLPolyDataWriter,
+        vtkXMLUnstructuredGridWriter,
+    )
+    from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+
+    sphere = vtkSphereSource()
+    sphere.SetThetaResolution(30)
+    sphere.SetPhiResolution(30)
+    height = vtkElevationFilter()
+    height.SetInputConnection(sphere.GetOutputPort())
+    height.SetLowPoint(0, -0.5, 0)
+    height.SetHighPoint(0, 0.5, 0)
+    height.Update()
+    height.GetOutput().GetPointData().GetArray("Elevation").SetName("height")
+    grid = vtkAppendFilter()
+    grid.AddInputData(height.GetOutput())
+    image = vtkRTAnalyticSource()
+    image.SetWholeExtent(-5, 5, -5, 5, -5, 5)
+    image.Update()
+    blocks = vtkMultiBlockDataSet()
+    blocks.SetBlock(0, height.GetOutput())
+    blocks.SetBlock(1, image.GetOutput())
+    for name, writer, data in (
+        ("a.vtp", vtkXMLPolyDataWriter(), height.GetOutput()),
+        ("a.stl", vtkSTLWriter(), height.GetOutput()),
+        ("a.ply", vtkPLYWriter(), height.GetOutput()),
+        ("a.vtk", vtkPolyDataWriter(), height.GetOutput()),
+        ("a.vti", vtkXMLImageDataWriter(), image.GetOutput()),
+        ("a.vtm", vtkXMLMultiBlockDataWriter(), blocks),
+    ):
+        writer.SetInputData(data)
+        writer.SetFileName(str(folder / name))
+        writer.Write()
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetInputConnection(grid.GetOutputPort())
+    writer.SetFileName(str(folder / "a.vtu"))
+    writer.Write()
+    return ["a.vtp", "a.stl", "a.ply", "a.vtk", "a.vti", "a.vtm", "a.vtu"]
+
+
+class Picture(CliTest):
+    def test_size_and_silence(self):
+        done = self.render("--png", "a.png")
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+        self.assertEqual(read_png(self.folder / "a.png").shape, (768, 1024, 3))
+        self.render("--size", "37x91", "--png", "b.png")
+        self.assertEqual(read_png(self.folder / "b.png").shape, (91, 37, 3))
+        self.assertEqual(self.names(), ["a.png", "b.png", "triangle.off"])
+
+    def test_the_triangle_is_where_it_belongs(self):
+        # Parallel projection of half height 2 on 100x100 pixels: 25 pixels to a unit, the middle at
+        # 50. The corners (-1,-1), (1,-1), (-1,1) are the pixels 25 and 75 from the left and the top.
+        self.render("--size", "100x100", "--parallel-scale", "2", "--shading", "flat", "--png", "a.png")
+        lit = read_png(self.folder / "a.png").sum(axis=2) > 0
+        rows, columns = numpy.mgrid[0:100, 0:100] + 0.5
+        inside = (columns > 25) & (rows < 75) & (rows - 25 > columns - 25)
+        self.assertGreater(lit.sum(), 1200)
+        self.assertLessEqual((lit != inside).sum(), 60, "more than the edges differ")
+
+    def test_lights(self):
+        def brightness(*words):
+            self.render("--size", "64x64", "--png", "a.png", *words)
+            return int(read_png(self.folder / "a.png")[36, 20, 0])
+
+        self.assertEqual(brightness("--light", "sun:0,0,1"), 255)
+        self.assertAlmostEqual(brightness("--light", "sun:0,3,4"), 255 * 0.8, delta=1)
+        self.assertEqual(brightness("--light", "sun:0,0,-1"), 0)
+        self.assertEqual(brightness("--light", "spot:0,0,4,5,0,4,20"), 0)
+        self.assertGreater(brightness("--light", "spot:0,0,4,0,0,0,20"), 200)
+        self.assertGreater(brightness("--light", "point:0,0,4"), 200)
+        both = brightness("--light", "sun:0,4,3", "--light=sun:0,-3,1")
+        self.assertAlmostEqual(both, 255 * (0.6 + 1 / math.sqrt(10)), delta=2)
+
+    def test_shading(self):
+        pictures = {}
+        write_data(self.folder)
+        for kind in ("flat", "gouraud", "phong", "pbr"):
+            self.relievo("render", "a.stl", "--size", "80x80", "--shading", kind, "--png", "a.png")
+            pictures[kind] = read_png(self.folder / "a.png")
+        self.relievo("render", "a.stl", "--size", "80x80", "--png", "a.png")
+        numpy.testing.assert_array_equal(read_png(self.folder / "a.png"), pictures["phong"])
+        for kind in ("flat", "pbr"):
+            self.assertGreater((pictures[kind] != pictures["phong"]).mean(), 0.05, kind)
+
+    def test_files_of_every_kind(self):
+        for name in write_data(self.folder):
+            with self.subTest(file=name):
+                self.relievo("render", name, "--size", "60x60", "--png", "a.png")
+                lit = read_png(self.folder / "a.png").sum(axis=2) > 0
+                self.assertGreater(lit.mean(), 0.2)
+
+    def test_overwrites_and_follows_links(self):
+        (self.folder / "real").mkdir()
+        (self.folder / "real" / "a.png").write_text("old")
+        (self.folder / "a.png").symlink_to("real/a.png")
+        self.render("--png", "a.png")
+        self.assertTrue((self.folder / "a.png").is_symlink())
+        self.assertEqual(read_png(self.folder / "real" / "a.png").shape, (768, 1024, 3))
+
+
+class Layers(CliTest):
+    def test_channels(self):
+        self.render("--size", "40x30", "--exr", "a.exr", "--layers",
+                    "depth,range,normal,geometric_normal,position,albedo,actor,block,cell")  # fmt: skip
+        header, channels = self.exr("a.exr")
+        self.assertEqual((header["width"], header["height"]), (40, 30))
+        types = {channel["name"]: channel["type"] for channel in header["channels"]}
+        for name in ("R", "G", "B", "A"):
+            self.assertIn(types[name], ("half", "float"))
+        for layer in ("normal", "geometric_normal", "position"):
+            for axis in "XYZ":
+                self.assertIn(types[f"{layer}.{axis}"], ("half", "float"))
+        self.assertEqual(types["depth.Z"], "float")
+        self.assertEqual(types["range.Z"], "float")
+        for layer in ("actor", "block", "cell"):
+            self.assertEqual(types[f"{layer}.id"], "uint")
+        for attribute in ("worldToCamera", "worldToNDC", "near", "far"):
+            self.assertIn(attribute, header["attributes"])
+        self.assertAlmostEqual(header["attributes"]["near"]["value"], 1.0)
+        self.assertAlmostEqual(header["attributes"]["far"]["value"], 10.0)
+
+        # What the triangle in z = 0 seen from z = 5 must give, and the background's values.
+        hit = numpy.isfinite(channels["depth.Z"])
+        self.assertGreater(hit.sum(), 100)
+        self.assertFalse(hit.all())
+        numpy.testing.assert_allclose(channels["depth.Z"][hit], 5.0, rtol=1e-6)
+        self.assertTrue(numpy.isposinf(channels["depth.Z"][~hit]).all())
+        self.assertTrue(numpy.isposinf(channels["range.Z"][~hit]).all())
+        self.assertTrue((channels["range.Z"][hit] >= channels["depth.Z"][hit] * (1 - 1e-6)).all())
+        numpy.testing.assert_allclose(channels["normal.Z"][hit], 1.0, atol=1e-3)
+        numpy.testing.assert_allclose(channels["normal.X"][hit], 0.0, atol=1e-3)
+        self.assertTrue((channels["normal.Z"][~hit] == 0).all())
+        numpy.testing.assert_allclose(channels["position.Z"][hit], 0.0, atol=1e-5)
+        self.assertTrue((channels["position.X"][hit] + channels["position.Y"][hit] < 1e-3).all())
+        # The right angle is at the lower left: the top row of the file is the top of the picture.
+        top, left = numpy.argwhere(hit).min(axis=0)
+        self.assertTrue(hit[top, left] or hit[top + 1, left])
+        self.assertFalse(hit[top, left + 5])
+        for layer in ("actor", "block", "cell"):
+            self.assertEqual(set(channels[f"{layer}.id"][hit]), {0}, layer)
+            self.assertEqual(set(channels[f"{layer}.id"][~hit]), {BACKGROUND_ID}, layer)
+
+    def test_without_layers_colour_and_depth(self):
+        self.render("--size", "8x8", "--exr", "a.exr")
+        header, _ = self.exr("a.exr")
+        self.assertEqual(
+            sorted(channel["name"] for channel in header["channels"]), ["A", "B", "G", "R", "depth.Z"]
+        )
+
+    def test_only_what_was_asked(self):
+        self.render("--size", "8x8", "--exr", "a.exr", "--layers", "cell")
+        header, _ = self.exr("a.exr")
+        self.assertEqual(
+            sorted(channel["name"] for channel in header["channels"]), ["A", "B", "G", "R", "cell.id"]
+        )
+
+    def test_array_by_name(self):
+        write_data(self.folder)
+        for name in ("a.vtp", "a.vtu"):
+            with self.subTest(file=name):
+                self.relievo("render", name, "--size", "60x60", "--exr", "a.exr",
+                             "--layers", "depth,height,position")  # fmt: skip
+                _, channels = self.exr("a.exr")
+                hit = numpy.isfinite(channels["depth.Z"])
+                self.assertGreater(hit.mean(), 0.2)
+                # The array is y + 1/2 by its making.
+                numpy.testing.assert_allclose(
+                    channels["height.V"][hit], channels["position.Y"][hit] + 0.5, atol=2e-3
+                )
+        self.refused_array()
+
+    def refused_array(self):
+        done = self.relievo("render", "a.vtp", "--exr", "b.exr", "--layers", "hieght", status=2)
+        self.assertIn("'hieght'", done.stderr)
+        self.assertIn("height", done.stderr)
+        self.assertFalse((self.folder / "b.exr").exists())
+
+    def test_two_files_are_two_actors(self):
+        (self.folder / "behind.off").write_text("OFF\n3 1 0\n-3 -3 -1\n3 -3 -1\n0 4 -1\n3 0 1 2\n")
+        self.relievo("render", "triangle.off", "behind.off", *LOOK, "--size", "50x50", "--exr",
+                     "a.exr", "--layers", "actor,depth")  # fmt: skip
+        _, channels = self.exr("a.exr")
+        self.assertEqual(set(channels["actor.id"].ravel()), {0, 1, BACKGROUND_ID})
+        numpy.testing.assert_allclose(channels["depth.Z"][channels["actor.id"] == 0], 5, rtol=1e-6)
+        numpy.testing.assert_allclose(channels["depth.Z"][channels["actor.id"] == 1], 6, rtol=1e-6)
+
+    def test_view_angle(self):
+        # The half height at distance 5 is 5 tan(angle/2): the triangle's left edge at x = -1.
+        for angle in (20.0, 50.0, 90.0):
+            with self.subTest(angle=angle):
+                self.render("--size", "200x200", "--view-angle", str(angle), "--exr", "a.exr")
+                _, channels = self.exr("a.exr")
+                columns = numpy.nonzero(numpy.isfinite(channels["depth.Z"]).any(axis=0))[0]
+                half = 5 * math.tan(math.radians(angle / 2))
+                edge = max(0.0, 100 - 100 / half)
+                self.assertAlmostEqual(columns.min(), edge, delta=1.0)
+
+
+class Report(CliTest):
+    def test_report(self):
+        self.render("--size", "32x32", "--layers", "depth,normal", "--exr", "a.exr", "--report", "a.json")
+        report = json.loads((self.folder / "a.json").read_text())
+        self.assertIsInstance(report, dict)
+        stages = {stage["name"]: stage for stage in report["stages"]}
+        self.assertTrue(stages["gbuffer"]["ran"])
+        self.assertGreater(stages["gbuffer"]["bytes"], 32 * 32 * 4)
+
+    def test_a_picture_alone_makes_no_layers(self):
+        self.render("--size", "32x32", "--png", "a.png", "--report", "a.json")
+        report = json.loads((self.folder / "a.json").read_text())
+        self.assertEqual(report["bytes"], 0)
+        ran = [stage["name"] for stage in report["stages"] if stage["ran"]]
+        self.assertEqual(ran, ["delegate"])
+
+    def test_the_picture_is_the_same_with_layers(self):
+        self.render("--size", "64x64", "--png", "plain.png")
+        self.render("--size", "64x64", "--png", "a.png", "--exr", "a.exr", "--layers", "depth,cell")
+        numpy.testing.assert_array_equal(
+            read_png(self.folder / "plain.png"), read_png(self.folder / "a.png")
+        )
+
+
+class Bench(CliTest):
+    def test_depth(self):
+        done = self.relievo("bench", "depth", "--out", "charts/new")
+        self.assertEqual(done.stderr, "")
+        names = {path.name for path in (self.folder / "charts" / "new").iterdir()}
+        self.assertIn("depth.csv", names)
+        pictures = [name for name in names if name.endswith(".png")]
+        self.assertTrue(pictures)
+        for name in pictures:
+            self.assertIn(name.replace(".png", ".svg"), names)
+            self.assertGreater(min(read_png(self.folder / "charts" / "new" / name).shape[:2]), 100)
+
+
+if __name__ == "__main__":
+    main()

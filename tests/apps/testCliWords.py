@@ -1,0 +1,147 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Wrong words: exit status 2, one line that names the option and what was given, nothing written."""
+
+import re
+
+from cli import CliTest, main
+
+# option, value, and what the message must say besides both
+WRONG_VALUES = [
+    ("--size", "800", "WxH"),
+    ("--size", "800x", "whole number from 1 to 65536"),
+    ("--size", "0x600", "whole number from 1 to 65536"),
+    ("--size", "-5x600", "whole number"),
+    ("--size", "800x600x3", "WxH"),
+    ("--size", "8e2x600", "whole number"),
+    ("--size", "99999999999x600", "whole number"),
+    ("--camera", "0,0,5", "9 finite numbers"),
+    ("--camera", "0,0,5,0,0,0,0,1,up", "9 finite numbers"),
+    ("--camera", "0,0,nan,0,0,0,0,1,0", "9 finite numbers"),
+    ("--camera", "1,2,3,1,2,3,0,1,0", "focal point"),
+    ("--camera", "0,0,5,0,0,0,0,0,1", "up direction"),
+    ("--camera", "0,0,5,0,0,0,0,0,0", "up direction"),
+    ("--view-angle", "0", "between 0 and 180"),
+    ("--view-angle", "180", "between 0 and 180"),
+    ("--view-angle", "thirty", "between 0 and 180"),
+    ("--parallel-scale", "0", "above 0"),
+    ("--parallel-scale", "-1", "above 0"),
+    ("--parallel-scale", "inf", "above 0"),
+    ("--clip", "1", "2 finite numbers"),
+    ("--clip", "0,10", "0 < NEAR < FAR"),
+    ("--clip", "10,1", "0 < NEAR < FAR"),
+    ("--clip", "1,1", "0 < NEAR < FAR"),
+    ("--shading", "toon", "flat, gouraud, phong, pbr"),
+    ("--light", "lamp", "sun:"),
+    ("--light", "lamp:1,2,3", "sun, spot, point"),
+    ("--light", "sun:0,0,0", "direction"),
+    ("--light", "sun:1,2", "3 finite numbers"),
+    ("--light", "spot:0,0,1,0,0,0", "7 finite numbers"),
+    ("--light", "spot:0,0,1,0,0,1,30", "focal point"),
+    ("--light", "spot:0,0,1,0,0,0,0", "CONE"),
+    ("--light", "spot:0,0,1,0,0,0,181", "CONE"),
+    ("--light", "point:", "3 finite numbers"),
+    ("--shadows", "soft", "off, map, forward, warped"),
+    ("--shadows", "map", "not built yet"),
+    ("--shadows", "forward", "not built yet"),
+    ("--shadows", "warped", "not built yet"),
+    ("--shadow-size", "0", "whole number"),
+    ("--shadow-size", "1.5", "whole number"),
+    ("--layers", "depth,,normal", "names between commas"),
+    ("--layers", "shadow_0", "not built yet"),
+]
+
+
+class Words(CliTest):
+    def test_values(self):
+        for option, value, expected in WRONG_VALUES:
+            with self.subTest(option=option, value=value):
+                given = value.split(":")[-1] if "sun:0" in value else value
+                given = given.split("x")[0] if option == "--size" else given.split(",")[-1]
+                self.refused(
+                    "render", "triangle.off", "--exr", "a.exr", option, value,
+                    status=2, says=[option, given, expected],
+                )  # fmt: skip
+
+    def test_value_after_equals(self):
+        self.refused("render", "triangle.off", "--png", "a.png", "--size=7", status=2,
+                     says=["--size", "'7'"])  # fmt: skip
+
+    def test_unknown_option(self):
+        done = self.refused("render", "triangle.off", "--sise", "8x8", "--png", "a.png", status=2,
+                            says=["--sise", "no such option", "--size"])  # fmt: skip
+        self.assertNotIn("8x8", done.stderr)
+        self.refused("render", "-p", "triangle.off", status=2, says="-p: relievo render has no such")
+        self.refused("bench", "normals", "--png", "a.png", status=2, says=["--png", "bench", "--out"])
+
+    def test_missing_value(self):
+        self.refused("render", "triangle.off", "--png", status=2, says=["--png", "missing"])
+        self.refused("render", "triangle.off", "--png", "--exr", "a.exr", status=2,
+                     says=["--png", "missing"])  # fmt: skip
+        self.refused("render", "triangle.off", "--png=", status=2, says=["--png", "empty"])
+
+    def test_given_twice(self):
+        self.refused("render", "triangle.off", "--png", "a.png", "--png", "b.png", status=2,
+                     says=["--png", "twice"])  # fmt: skip
+
+    def test_nothing_to_do(self):
+        self.refused(status=2, says=["render", "bench", "--help"])
+        self.refused("rendre", "triangle.off", status=2, says=["'rendre'", "render"])
+        self.refused("render", "--png", "a.png", status=2, says="FILE")
+        self.refused("render", "triangle.off", status=2, says=["--png", "--exr", "--report"])
+
+    def test_contradictions(self):
+        self.refused("render", "triangle.off", "--png", "a.png", "--view-angle", "30",
+                     "--parallel-scale", "1", status=2,
+                     says=["--view-angle", "--parallel-scale"])  # fmt: skip
+        self.refused("render", "triangle.off", "--png", "a.png", "--layers", "depth", status=2,
+                     says=["--layers", "--exr"])  # fmt: skip
+
+    def test_unknown_layer(self):
+        self.refused("render", "triangle.off", "--exr", "a.exr", "--layers", "depth,detph",
+                     status=2, says=["--layers", "'detph'", "geometric_normal"])  # fmt: skip
+
+    def test_unknown_extension(self):
+        (self.folder / "notes.doc").write_text("words")
+        self.before = self.names()
+        self.refused("render", "notes.doc", "--png", "a.png", status=2, says=["notes.doc", ".vtp"])
+        self.refused("render", "triangle", "--png", "a.png", status=2, says=["triangle:", ".off"])
+
+    def test_outputs_in_each_others_way(self):
+        self.refused("render", "triangle.off", "--png", "a.out", "--exr", "./a.out", status=2,
+                     says=["--exr", "./a.out", "same file"])  # fmt: skip
+        self.refused("render", "triangle.off", "--png", "triangle.off", status=2,
+                     says=["--png", "triangle.off", "FILE"])  # fmt: skip
+
+    def test_unknown_bench(self):
+        self.refused("bench", "speed", status=2, says=["'speed'", "normals", "depth", "position"])
+        self.refused("bench", status=2, says=["NAME", "normals"])
+        self.refused("bench", "normals", "depth", status=2, says=["normals", "depth", "one NAME"])
+
+
+class Help(CliTest):
+    def test_help_knows_every_option(self):
+        unknown = self.relievo("render", "--none", status=2).stderr
+        options = re.findall(r"--[a-z-]+", unknown.split("it has")[1])
+        self.assertGreater(len(options), 10)
+        page = self.relievo("--help").stdout
+        for option in options:
+            self.assertRegex(page, rf"(?m)^  {option} [A-Z]")
+        for line in page.splitlines():
+            self.assertLessEqual(len(line), 100)
+        self.assertEqual(self.relievo("render", "--help").stdout, page)
+        self.assertEqual(self.relievo("-h").stdout, page)
+
+    def test_help_names_every_extension(self):
+        (self.folder / "a.doc").write_text("")
+        done = self.relievo("render", "a.doc", "--png", "a.png", status=2)
+        page = self.relievo("--help").stdout
+        for extension in done.stderr.split("one of")[1].split():
+            self.assertIn(f"{extension} ", page.replace("\n", " "))
+
+    def test_version(self):
+        self.assertRegex(self.relievo("--version").stdout, r"^relievo \d+\.\d+\.\d+ \(VTK 9\.")
+
+
+if __name__ == "__main__":
+    main()
