@@ -1,0 +1,143 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""From a renderer to an image of layers."""
+
+import functools
+from contextlib import contextmanager
+
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
+from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
+
+from ._errors import Watch, require
+from .vtkRelievoPasses import vtkRelievoLayerSource, vtkRelievoPass
+
+
+def capture(renderer, layers=("depth",), size=None):
+    """Draws the renderer once and returns the layers of what is visible.
+
+    renderer: a vtkRenderer. Its camera, lights, passes and window are left as they were. Without a
+        window it is drawn in an off-screen one of its own, and `size` is needed.
+    layers: names of layers, or one name; see help(relievo). Each is captured once.
+    size: (columns, rows) of the image in pixels; None: those of the renderer's viewport.
+
+    Returns vtkImageData of (columns, rows, 1) points with one point array per layer; VTK's row 0 is
+    the BOTTOM of the picture (layer() gives numpy arrays with row 0 at the top). The field data
+    holds the camera: worldToCamera, worldToNDC (16 doubles, by rows), near, far, relievo:origin,
+    and lights. depth and range are float in world units, position is double in world space.
+
+    Raises ValueError for wrong arguments, such as a layer that nothing drawn has or a size above
+    OpenGL's limit, and RuntimeError if the layers cannot be drawn.
+    """
+    require(renderer, "vtkRenderer", "renderer")
+    layers = _names(layers)
+    if size is not None:
+        size = _pixels(size)
+    source = vtkRelievoLayerSource()
+    for name in layers:
+        source.AddLayer(name)
+    with _window_of(renderer, size), _frame_of(renderer) as frame:
+        source.SetRenderer(renderer)
+        with Watch(frame.GetGBuffer(), frame, source) as watch:
+            source.Update()
+    wrong_name = watch.errors and watch.errors[0].startswith("The layer '")
+    watch.raise_as(ValueError if wrong_name else RuntimeError, f"capture {', '.join(layers)}")
+    image = vtkImageData()
+    image.ShallowCopy(source.GetOutput())
+    return image
+
+
+def _names(layers):
+    names = [layers] if isinstance(layers, str) else list(layers)
+    if not names or not all(isinstance(name, str) and name for name in names):
+        raise ValueError(f"layers: got {layers!r}, expected names of layers such as ['depth']")
+    return list(dict.fromkeys(names))
+
+
+def _pixels(size):
+    try:
+        columns, rows = size
+        whole = int(columns) == columns and int(rows) == rows
+    except (TypeError, ValueError, OverflowError):
+        whole = False
+    if not whole or not (1 <= columns <= 65536 and 1 <= rows <= 65536):
+        raise ValueError(f"size: got {size!r}, expected (columns, rows), whole and from 1 to 65536")
+    return int(columns), int(rows)
+
+
+@contextmanager
+def _frame_of(renderer):
+    """The frame of the renderer, which keeps it only if it had it before."""
+    before = renderer.GetPass()
+    frame = vtkRelievoPass.Attach(renderer)
+    try:
+        yield frame
+    finally:
+        if before is None or not before.IsA("vtkRelievoPass"):
+            vtkRelievoPass.Detach(renderer)
+
+
+@functools.lru_cache(maxsize=1)
+def _spare_window():
+    """The window of renderers that have none, made once: an OpenGL context takes longer to make than
+    many a capture, and an X server that loses its only client starts anew and answers nobody."""
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(1, 1)
+    return window
+
+
+@contextmanager
+def _window_of(renderer, size):
+    """The renderer is in a window in which its viewport has that size; afterwards all is as before."""
+    window = renderer.GetRenderWindow()
+    if window is None:
+        if size is None:
+            raise ValueError("size: the renderer has no window, expected size=(columns, rows)")
+        window = _spare_window()
+        window.AddRenderer(renderer)
+        try:
+            _fit(window, renderer, size)
+            yield
+        finally:
+            window.RemoveRenderer(renderer)
+            _resize(window, 1, 1)
+    elif size is None:
+        yield
+    else:
+        before = window.GetSize()
+        buffers = window.GetUseOffScreenBuffers()
+        window.SetUseOffScreenBuffers(True)
+        try:
+            _fit(window, renderer, size)
+            yield
+        finally:
+            _resize(window, *before)
+            window.SetUseOffScreenBuffers(buffers)
+
+
+def _fit(window, renderer, size):
+    window.Initialize()  # at its own size: X ends the process for sizes that it cannot make
+    limit = vtkTextureObject.GetMaximumTextureSize(window)
+    if max(size) > limit:
+        raise ValueError(f"size: got {size!r}, expected at most {limit} each way: OpenGL's limit here")
+    viewport = renderer.GetViewport()
+    tries = []
+    for axis in (0, 1):
+        share = viewport[axis + 2] - viewport[axis]
+        if share <= 0:
+            raise ValueError(f"renderer: its viewport {viewport} has no area")
+        near = round(size[axis] / share)
+        tries.append([near + step for step in (0, 1, -1, 2, -2) if near + step > 0])
+    for columns in tries[0]:
+        for rows in tries[1]:
+            _resize(window, columns, rows)
+            if tuple(renderer.GetSize()) == size:
+                return
+    raise ValueError(f"size: no window gives the viewport {viewport} exactly {size} pixels")
+
+
+def _resize(window, columns, rows):
+    # The base class's way: the window on the screen stays as it is, only its buffers change.
+    vtkRenderWindow.SetSize(window, columns, rows)

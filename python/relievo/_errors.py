@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""VTK's error events as Python exceptions."""
+
+import re
+
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkConstants import VTK_STRING
+
+_PREAMBLE = re.compile(r"^(ERROR|Warning): In .*, line \d+\n\w+ \(0x[0-9a-f]+\): ")
+
+_ECHO = re.compile(r"^Algorithm \w+ \(0x[0-9a-f]+\) returned failure")
+
+
+class Watch:
+    """Collects the error events of VTK objects while it is entered.
+
+    An algorithm's executive is watched with it: failures that the pipeline notices are its events.
+    Observed errors are not printed.
+    """
+
+    def __init__(self, *objects):
+        self.errors = []
+        self._objects = []
+        for thing in objects:
+            self._objects.append(thing)
+            if thing.IsA("vtkAlgorithm"):
+                self._objects.append(thing.GetExecutive())
+        self._observed = []
+
+    def __enter__(self):
+        @calldata_type(VTK_STRING)
+        def collect(_caller, _event, text):
+            text = " ".join(_PREAMBLE.sub("", text or "").split())
+            # A pipeline's echo of a filter's own error holds nothing but addresses.
+            self.errors.append("VTK failed without saying why" if _ECHO.match(text) else text)
+
+        for thing in self._objects:
+            self._observed.append((thing, thing.AddObserver("ErrorEvent", collect)))
+        return self
+
+    def __exit__(self, *_):
+        for thing, tag in self._observed:
+            thing.RemoveObserver(tag)
+        self._observed = []
+
+    def raise_as(self, kind, subject):
+        """Raises kind("subject: the first error") if there was one: the rest are its echoes."""
+        if self.errors:
+            raise kind(f"{subject}: {self.errors[0]}")
+
+
+def require(thing, class_name, argument):
+    """Raises ValueError unless thing is a VTK object of that class."""
+    if not (hasattr(thing, "IsA") and thing.IsA(class_name)):
+        raise ValueError(f"{argument}: got {thing!r}, expected a {class_name}")

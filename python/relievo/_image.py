@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A captured image as numpy arrays."""
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from ._errors import require
+
+
+def layer_names(image):
+    """The names of the image's layers, a list in the order of capture."""
+    require(image, "vtkImageData", "image")
+    data = image.GetPointData()
+    return [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
+
+
+def layer(image, name):
+    """One layer of a captured image as a numpy array.
+
+    image: vtkImageData of capture() or read_exr().
+    name: the layer's name; layer_names(image) lists them.
+
+    Returns an array of shape (rows, columns), or (rows, columns, components) where there is more
+    than one component, with the layer's own type. ROW 0 IS THE TOP of the picture, as numpy,
+    matplotlib and OpenEXR have it; VTK's row 0 is the bottom. It is a view and no copy: writing to
+    it changes the image, and it keeps the memory alive after the image is gone.
+
+    Raises ValueError for a name that the image does not hold.
+    """
+    require(image, "vtkImageData", "image")
+    array = image.GetPointData().GetArray(name)
+    if array is None:
+        raise ValueError(f"layer {name!r}: the image holds {', '.join(layer_names(image)) or 'none'}")
+    columns, rows, _ = image.GetDimensions()
+    components = array.GetNumberOfComponents()
+    shape = (rows, columns) if components == 1 else (rows, columns, components)
+    return vtk_to_numpy(array).reshape(shape)[::-1]
+
+
+def attributes(image):
+    """What the image knows of its camera and lights, a dict.
+
+    worldToCamera, worldToNDC: arrays of shape (4, 4), for column vectors: clip = worldToNDC @ p.
+    near, far: floats, world units. relievo:origin: array of 3. lights: list of JSON texts.
+    Other field data: arrays of shape (values,) or (tuples, components), texts as lists.
+    """
+    require(image, "vtkImageData", "image")
+    found = {}
+    data = image.GetFieldData()
+    for i in range(data.GetNumberOfArrays()):
+        array = data.GetAbstractArray(i)
+        if array.IsA("vtkStringArray"):
+            found[array.GetName()] = [array.GetValue(k) for k in range(array.GetNumberOfValues())]
+        elif array.IsA("vtkDataArray"):
+            values = vtk_to_numpy(array).copy()
+            if array.GetName() in ("worldToCamera", "worldToNDC"):
+                values = values.reshape(4, 4)
+            elif values.size == 1:
+                values = values.reshape(()).item()
+            elif 1 in values.shape:
+                values = values.reshape(-1)
+            found[array.GetName()] = values
+    return found

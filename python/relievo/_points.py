@@ -1,0 +1,26 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""From a depth image back to points."""
+
+from ._errors import Watch, require
+from .vtkRelievoFilters import vtkRelievoDepthToPoints
+
+
+def depth_to_points(image):
+    """The surface points that a captured depth layer shows, as a point cloud.
+
+    image: vtkImageData with the layer `depth` and the camera's matrices in its field data, as
+    capture() and read_exr() give it. Pixels of the background give no point.
+
+    Returns vtkPolyData: points in double, world space, one vertex cell each; the image's other
+    layers are its point data.
+
+    Raises ValueError if the layer or a matrix is missing.
+    """
+    require(image, "vtkImageData", "image")
+    reader = vtkRelievoDepthToPoints()
+    reader.SetInputData(image)
+    with Watch(reader) as watch:
+        reader.Update()
+    watch.raise_as(ValueError, "depth_to_points")
+    return reader.GetOutput()

@@ -1,0 +1,243 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""capture(): layers against truth in double, sizes, windows, what it leaves behind, errors."""
+
+import unittest
+
+import numpy
+import scenes
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLFXAAPass, vtkRenderStepsPass
+
+import relievo
+
+SIZE = (210, 140)
+
+
+def picture(window):
+    """The window's pixels now, without drawing anew, as bytes."""
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    grab.ShouldRerenderOff()
+    grab.Update()
+    return relievo.layer(grab.GetOutput(), "ImageScalars").tobytes()
+
+
+class Truth(unittest.TestCase):
+    """A tilted plane and a sphere of flat triangles, each pixel's ray intersected in double."""
+
+    def check(self, renderer, position_limit):
+        image = relievo.capture(
+            renderer,
+            ["depth", "range", "normal", "geometric_normal", "position", "actor"],
+            size=SIZE,
+        )
+        depth = relievo.layer(image, "depth")
+        true_depth, true_normal, inner = scenes.truth(renderer, *SIZE)
+        self.assertGreater(inner.sum(), 0.8 * inner.size)
+        hit = numpy.isfinite(true_depth)
+        self.assertTrue(hit.all(), "the plane fills the view")
+
+        error = numpy.abs(depth - true_depth)[inner] / true_depth[inner]
+        self.assertLessEqual(error.max(), 1e-6)
+
+        origins, directions = scenes.rays(renderer.GetActiveCamera(), *SIZE)
+        length = numpy.linalg.norm(directions, axis=2)
+        distance = relievo.layer(image, "range")
+        if renderer.GetActiveCamera().GetParallelProjection():
+            eye = numpy.array(renderer.GetActiveCamera().GetPosition())
+            length = numpy.linalg.norm(origins + true_depth[..., None] * directions - eye, axis=2)
+            length /= true_depth
+        error = numpy.abs(distance - true_depth * length)[inner] / distance[inner]
+        self.assertLessEqual(error.max(), 1e-6)
+
+        normal = relievo.layer(image, "geometric_normal").astype(float)
+        cross = numpy.linalg.norm(numpy.cross(normal, true_normal), axis=2)
+        angle = numpy.degrees(numpy.arctan2(cross, (normal * true_normal).sum(axis=2)))
+        self.assertLessEqual(angle[inner].max(), 0.1)
+        lengths = numpy.linalg.norm(relievo.layer(image, "normal").astype(float), axis=2)
+        numpy.testing.assert_allclose(lengths, 1, atol=1e-3)
+
+        position = relievo.layer(image, "position")
+        self.assertEqual(position.dtype, numpy.float64)
+        true_position = origins + true_depth[..., None] * directions
+        error = numpy.linalg.norm(position - true_position, axis=2)[inner]
+        self.assertLessEqual(error.max(), position_limit)
+
+        actor = relievo.layer(image, "actor")
+        self.assertEqual(set(actor[inner]), {0, 1})
+
+    def test_perspective(self):
+        self.check(scenes.plane_and_sphere(), 2e-5)
+
+    def test_parallel(self):
+        self.check(scenes.plane_and_sphere(parallel=True), 2e-5)
+
+    def test_far_from_the_origin(self):
+        self.check(scenes.plane_and_sphere(far_from_origin=(5e5, 5e6, 0)), 2e-4)
+
+
+class Layers(unittest.TestCase):
+    def setUp(self):
+        self.renderer = vtkRenderer()
+        scenes.add(self.renderer, vtkSphereSource())
+        self.renderer.ResetCamera()
+
+    def test_background_and_types(self):
+        names = ["depth", "range", "normal", "geometric_normal", "position", "albedo", "color",
+                 "actor", "block", "cell", "Normals"]  # fmt: skip
+        image = relievo.capture(self.renderer, names, size=(64, 48))
+        self.assertEqual(relievo.layer_names(image), names)
+        expected = {
+            "depth": ((48, 64), numpy.float32, numpy.inf),
+            "range": ((48, 64), numpy.float32, numpy.inf),
+            "normal": ((48, 64, 3), numpy.float32, 0),
+            "geometric_normal": ((48, 64, 3), numpy.float32, 0),
+            "position": ((48, 64, 3), numpy.float64, 0),
+            "albedo": ((48, 64, 4), numpy.uint8, 0),
+            "color": ((48, 64, 4), numpy.float32, 0),
+            "actor": ((48, 64), numpy.int32, -1),
+            "block": ((48, 64), numpy.int32, -1),
+            "cell": ((48, 64), numpy.int32, -1),
+        }
+        for name, (shape, kind, background) in expected.items():
+            values = relievo.layer(image, name)
+            self.assertEqual((values.shape, values.dtype), (shape, kind), name)
+            self.assertTrue((values[0, 0] == background).all(), name)
+            self.assertFalse((values[24, 32] == background).all(), name)
+        numpy.testing.assert_allclose(
+            relievo.layer(image, "Normals")[24, 32], relievo.layer(image, "normal")[24, 32], atol=1e-2
+        )
+
+    def test_one_name_and_repeated_names(self):
+        image = relievo.capture(self.renderer, "depth", size=(8, 8))
+        self.assertEqual(relievo.layer_names(image), ["depth"])
+        image = relievo.capture(self.renderer, ["cell", "depth", "cell"], size=(8, 8))
+        self.assertEqual(relievo.layer_names(image), ["cell", "depth"])
+
+    def test_default_is_depth(self):
+        self.assertEqual(relievo.layer_names(relievo.capture(self.renderer, size=(8, 8))), ["depth"])
+
+    def test_matrices_take_a_position_to_its_pixel(self):
+        image = relievo.capture(self.renderer, ["position", "depth"], size=(64, 48))
+        known = relievo.attributes(image)
+        rows, columns = numpy.nonzero(numpy.isfinite(relievo.layer(image, "depth")))
+        points = numpy.c_[relievo.layer(image, "position")[rows, columns], numpy.ones(len(rows))]
+        clip = points @ known["worldToNDC"].T
+        ndc = clip[:, :2] / clip[:, 3:]
+        numpy.testing.assert_allclose((ndc[:, 0] + 1) / 2 * 64, columns + 0.5, atol=1e-3)
+        numpy.testing.assert_allclose((1 - ndc[:, 1]) / 2 * 48, rows + 0.5, atol=1e-3)
+        eye = points @ known["worldToCamera"].T
+        numpy.testing.assert_allclose(
+            -eye[:, 2], relievo.layer(image, "depth")[rows, columns], rtol=1e-5
+        )
+        near, far = self.renderer.GetActiveCamera().GetClippingRange()
+        self.assertEqual((known["near"], known["far"]), (near, far))
+
+
+class Windows(unittest.TestCase):
+    def test_size_of_the_window_and_another(self):
+        renderer = scenes.plane_and_sphere()
+        window = scenes.window_of(renderer, 120, 80)
+        window.Render()
+        before = picture(window)
+        whole = relievo.layer(relievo.capture(renderer, "depth"), "depth")
+        self.assertEqual(whole.shape, (80, 120))
+        large = relievo.layer(relievo.capture(renderer, "depth", size=(240, 160)), "depth")
+        self.assertEqual(large.shape, (160, 240))
+        self.assertEqual(window.GetSize(), (120, 80))
+        self.assertEqual(window.GetMultiSamples(), 0)
+        self.assertTrue(window.GetOffScreenRendering())
+        again = relievo.layer(relievo.capture(renderer, "depth"), "depth")
+        numpy.testing.assert_array_equal(again, whole)
+        window.Render()
+        self.assertEqual(picture(window), before)
+
+    def test_a_viewport_of_a_window(self):
+        renderer = scenes.plane_and_sphere()
+        window = scenes.window_of(renderer, 400, 200)
+        renderer.SetViewport(0.25, 0.5, 0.75, 1.0)
+        part = relievo.layer(relievo.capture(renderer, "depth"), "depth")
+        self.assertEqual(part.shape, (100, 200))
+        del window
+        true_depth, _, inner = scenes.truth(renderer, 200, 100)
+        self.assertLessEqual((numpy.abs(part - true_depth) / true_depth)[inner].max(), 1e-6)
+
+    def test_size_of_an_odd_viewport(self):
+        renderer = scenes.plane_and_sphere()
+        window = scenes.window_of(renderer, 400, 200)
+        renderer.SetViewport(0.1, 0.0, 0.43, 0.7)
+        for size in ((33, 71), (1, 1), (250, 3)):
+            image = relievo.capture(renderer, "depth", size=size)
+            self.assertEqual(image.GetDimensions()[:2], size)
+        self.assertEqual(window.GetSize(), (400, 200))
+
+    def test_without_a_window(self):
+        renderer = scenes.plane_and_sphere()
+        image = relievo.capture(renderer, "depth", size=(30, 20))
+        self.assertEqual(image.GetDimensions(), (30, 20, 1))
+        self.assertIsNone(renderer.GetRenderWindow())
+        self.assertIsNone(renderer.GetPass())
+
+    def test_the_users_pass_stays(self):
+        renderer = scenes.plane_and_sphere()
+        window = scenes.window_of(renderer)
+        own = vtkOpenGLFXAAPass()
+        own.SetDelegatePass(vtkRenderStepsPass())
+        renderer.SetPass(own)
+        window.Render()
+        before = picture(window)
+        relievo.capture(renderer, ["depth", "normal"])
+        self.assertIs(renderer.GetPass(), own)
+        window.Render()
+        self.assertEqual(picture(window), before)
+
+    def test_an_attached_frame_stays(self):
+        renderer = scenes.plane_and_sphere()
+        window = scenes.window_of(renderer)
+        frame = relievo.attach(renderer)
+        relievo.capture(renderer, "depth")
+        self.assertIs(renderer.GetPass(), frame)
+        self.assertFalse(frame.IsLayerRequested("depth"))
+        del window
+
+
+class Errors(unittest.TestCase):
+    def setUp(self):
+        self.renderer = scenes.plane_and_sphere()
+
+    def test_arguments(self):
+        for arguments, says in (
+            ((None,), "renderer: got None"),
+            (("renderer",), "renderer: got 'renderer'"),
+            ((self.renderer, []), "layers: got []"),
+            ((self.renderer, [3]), "layers: got [3]"),
+            ((self.renderer, ["depth", ""]), "layers: got ['depth', '']"),
+            ((self.renderer, "depth"), "size: the renderer has no window"),
+            ((self.renderer, "depth", (0, 5)), "size: got (0, 5)"),
+            ((self.renderer, "depth", (10,)), "size: got (10,)"),
+            ((self.renderer, "depth", 10), "size: got 10"),
+            ((self.renderer, "depth", (1.5, 2)), "size: got (1.5, 2)"),
+            ((self.renderer, "depth", (70000, 2)), "size: got (70000, 2)"),
+        ):
+            with self.subTest(says=says), self.assertRaises(ValueError) as caught:
+                relievo.capture(*arguments)
+            self.assertIn(says, str(caught.exception))
+
+    def test_unknown_layer(self):
+        with self.assertRaises(ValueError) as caught:
+            relievo.capture(self.renderer, ["depth", "detph"], size=(8, 8))
+        self.assertIn("'detph'", str(caught.exception))
+        self.assertIsNone(self.renderer.GetPass())
+        self.assertIsNone(self.renderer.GetRenderWindow())
+
+    def test_above_the_limit_of_opengl(self):
+        with self.assertRaises(ValueError) as caught:
+            relievo.capture(self.renderer, "depth", size=(65536, 4))
+        self.assertIn("65536", str(caught.exception))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

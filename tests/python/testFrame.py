@@ -1,0 +1,127 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""attach(), detach() and report(): the first picture bit for bit, the user's pass, the words."""
+
+import importlib
+import inspect
+import unittest
+
+import scenes
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLFXAAPass, vtkRenderStepsPass
+
+import relievo
+
+
+def picture(window):
+    """What the window draws now, as bytes."""
+    window.Render()
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.SetInputBufferTypeToRGBA()
+    grab.ReadFrontBufferOff()
+    grab.ShouldRerenderOff()
+    grab.Update()
+    return relievo.layer(grab.GetOutput(), "ImageScalars").tobytes()
+
+
+class Attach(unittest.TestCase):
+    def setUp(self):
+        self.renderer = scenes.plane_and_sphere()
+        self.window = scenes.window_of(self.renderer)
+        self.first = picture(self.window)
+
+    def test_pictures_are_the_same(self):
+        frame = relievo.attach(self.renderer)
+        self.assertEqual(picture(self.window), self.first)
+        frame.RequestLayer("depth")
+        frame.RequestLayer("normal")
+        frame.RequestLayer("cell")
+        self.assertEqual(picture(self.window), self.first)
+        self.assertGreater(frame.GetBytesHeld(), 0)
+        self.assertTrue(relievo.detach(self.renderer))
+        self.assertEqual(picture(self.window), self.first)
+        self.assertIsNone(self.renderer.GetPass())
+
+    def test_the_users_pass_comes_back(self):
+        own = vtkOpenGLFXAAPass()
+        own.SetDelegatePass(vtkRenderStepsPass())
+        self.renderer.SetPass(own)
+        smoothed = picture(self.window)
+        self.assertNotEqual(smoothed, self.first, "the user's pass does nothing")
+        frame = relievo.attach(self.renderer)
+        self.assertIs(frame.GetDelegatePass(), own)
+        self.assertEqual(picture(self.window), smoothed)
+        self.assertTrue(relievo.detach(self.renderer))
+        self.assertIs(self.renderer.GetPass(), own)
+        self.assertEqual(picture(self.window), smoothed)
+        self.renderer.SetPass(None)
+        self.assertEqual(picture(self.window), self.first)
+
+    def test_twice(self):
+        frame = relievo.attach(self.renderer)
+        self.assertIs(relievo.attach(self.renderer), frame)
+        self.assertTrue(relievo.detach(self.renderer))
+        self.assertFalse(relievo.detach(self.renderer))
+
+    def test_a_layer_as_the_picture(self):
+        frame = relievo.attach(self.renderer)
+        frame.SetDisplayLayer("normal")
+        self.assertNotEqual(picture(self.window), self.first)
+        frame.SetDisplayLayer(None)
+        self.assertEqual(picture(self.window), self.first)
+
+    def test_errors(self):
+        for wrong in (None, "renderer", self.window):
+            for function in (relievo.attach, relievo.detach, relievo.report):
+                with self.assertRaises(ValueError) as caught:
+                    function(wrong)
+                self.assertIn("got", str(caught.exception))
+
+    def test_report(self):
+        with self.assertRaises(ValueError) as caught:
+            relievo.report(self.renderer)
+        self.assertIn("attach()", str(caught.exception))
+        frame = relievo.attach(self.renderer)
+        self.window.Render()
+        idle = {stage["name"]: stage for stage in relievo.report(frame)["stages"]}
+        self.assertFalse(idle["gbuffer"]["ran"])
+        self.assertEqual(idle["gbuffer"]["bytes"], 0)
+        frame.RequestLayer("depth")
+        for _ in range(4):
+            self.window.Render()
+        busy = relievo.report(self.renderer)
+        stage = {stage["name"]: stage for stage in busy["stages"]}["gbuffer"]
+        self.assertTrue(stage["ran"])
+        self.assertIn("depth", stage["reason"])
+        self.assertGreaterEqual(stage["bytes"], 4 * 300 * 200)
+        self.assertEqual(busy["bytes"], frame.GetBytesHeld())
+        self.assertEqual(busy["size"], [300, 200])
+        frame.ReleaseLayer("depth")
+        self.window.Render()
+        self.assertEqual(relievo.report(frame)["bytes"], 0)
+
+
+class Package(unittest.TestCase):
+    def test_every_public_function_says_what_it_does(self):
+        for name in relievo.__all__:
+            function = getattr(relievo, name)
+            text = inspect.getdoc(function)
+            self.assertTrue(text, name)
+            for parameter in inspect.signature(function).parameters:
+                self.assertIn(parameter, text, f"{name}: {parameter}")
+            if name not in ("layer_names", "attributes"):
+                self.assertIn("Raises", text, name)
+
+    def test_the_wrapped_classes_are_there(self):
+        for name in ("vtkRelievoPass", "vtkRelievoGBufferPass", "vtkRelievoLayerSource",
+                     "vtkRelievoLinearDepthPass", "vtkRelievoEXRWriter", "vtkRelievoEXRReader",
+                     "vtkRelievoOFFReader", "vtkRelievoDepthToPoints"):  # fmt: skip
+            self.assertTrue(getattr(relievo, name)().IsA(name), name)
+
+    def test_import_again(self):
+        self.assertIs(importlib.import_module("relievo"), relievo)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,234 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Images as numpy arrays, OpenEXR round trips, points from depth; errors as exceptions."""
+
+import json
+import os
+import pathlib
+import tempfile
+import unittest
+
+import numpy
+import scenes
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkLight
+
+import relievo
+
+LAYERS = ["color", "depth", "range", "normal", "position", "albedo", "actor", "cell"]
+
+
+def image_of(**arrays):
+    """A vtkImageData of numpy arrays of one shape (rows, columns[, components]), row 0 at the top."""
+    image = vtkImageData()
+    for name, values in arrays.items():
+        image.SetDimensions(values.shape[1], values.shape[0], 1)
+        flat = values[::-1].reshape(values.shape[0] * values.shape[1], -1)
+        array = numpy_to_vtk(flat, deep=True)
+        array.SetName(name)
+        image.GetPointData().AddArray(array)
+    return image
+
+
+class FolderTest(unittest.TestCase):
+    def setUp(self):
+        kept = tempfile.TemporaryDirectory()
+        self.addCleanup(kept.cleanup)
+        self.folder = pathlib.Path(kept.name)
+
+
+class Layer(unittest.TestCase):
+    def setUp(self):
+        self.values = numpy.arange(24, dtype=numpy.float32).reshape(4, 6)
+        self.vectors = numpy.arange(72, dtype=numpy.float64).reshape(4, 6, 3)
+        self.image = image_of(one=self.values, three=self.vectors)
+
+    def test_shape_and_order(self):
+        numpy.testing.assert_array_equal(relievo.layer(self.image, "one"), self.values)
+        numpy.testing.assert_array_equal(relievo.layer(self.image, "three"), self.vectors)
+        # VTK's first value is the lower left pixel's.
+        self.assertEqual(self.image.GetPointData().GetArray("one").GetValue(0), self.values[3, 0])
+
+    def test_it_is_no_copy(self):
+        view = relievo.layer(self.image, "one")
+        view[3, 0] = 77
+        self.assertEqual(self.image.GetPointData().GetArray("one").GetValue(0), 77)
+        self.image.GetPointData().GetArray("one").SetValue(1, 78)
+        self.assertEqual(view[3, 1], 78)
+        self.assertFalse(view.flags.owndata)
+
+    def test_it_outlives_the_image(self):
+        view = relievo.layer(self.image, "one")
+        expected = self.values.copy()
+        self.image = None
+        for _ in range(20):
+            image_of(filler=numpy.zeros((64, 64)))
+        numpy.testing.assert_array_equal(view, expected)
+
+    def test_unknown(self):
+        with self.assertRaises(ValueError) as caught:
+            relievo.layer(self.image, "two")
+        self.assertIn("'two'", str(caught.exception))
+        self.assertIn("one, three", str(caught.exception))
+        for wrong in (None, "image", numpy.zeros(3)):
+            with self.assertRaises(ValueError):
+                relievo.layer(wrong, "one")
+
+
+class RoundTrip(FolderTest):
+    def test_a_capture_comes_back_bit_for_bit(self):
+        image = relievo.capture(scenes.plane_and_sphere(), LAYERS, size=(90, 60))
+        for compression in ("none", "rle", "zips", "zip", "piz"):
+            with self.subTest(compression=compression):
+                path = self.folder / f"{compression}.exr"
+                self.assertIsNone(relievo.write_exr(path, image, compression=compression))
+                back = relievo.read_exr(path)
+                self.assertEqual(sorted(relievo.layer_names(back)), sorted(LAYERS))
+                for name in LAYERS:
+                    before, after = relievo.layer(image, name), relievo.layer(back, name)
+                    self.assertEqual(before.dtype, after.dtype, name)
+                    if name == "position":  # float in the file, relative to relievo:origin
+                        numpy.testing.assert_allclose(after, before, rtol=0, atol=2e-6)
+                    else:
+                        self.assertEqual(before.tobytes(), after.tobytes(), name)
+
+    def test_the_camera_comes_back(self):
+        renderer = scenes.plane_and_sphere()
+        for position in ((3, 5, 2), (-1, 0.1, 7)):
+            light = vtkLight()
+            light.SetPosition(*position)
+            renderer.AddLight(light)
+        image = relievo.capture(renderer, "depth", size=(20, 10))
+        relievo.write_exr(self.folder / "a.exr", image)
+        before = relievo.attributes(image)
+        after = relievo.attributes(relievo.read_exr(self.folder / "a.exr"))
+        for name in ("worldToCamera", "worldToNDC", "near", "far", "relievo:origin"):
+            numpy.testing.assert_allclose(after[name], before[name], rtol=1e-6, err_msg=name)
+        self.assertEqual(len(before["lights"]), 2)
+        self.assertEqual(json.loads(before["lights"][1])["position"], [-1, 0.1, 7])
+        self.assertEqual(after["lights"], before["lights"])
+
+    def test_pixel_types(self):
+        values = numpy.linspace(0, 1, 24, dtype=numpy.float32).reshape(4, 6)
+        relievo.write_exr(self.folder / "a.exr", image_of(v=values), pixel_types={"v": "half"})
+        back = relievo.layer(relievo.read_exr(self.folder / "a.exr"), "v")
+        numpy.testing.assert_array_equal(back, values.astype(numpy.float16).astype(numpy.float32))
+        self.assertTrue((back != values).any())
+
+    def test_special_values(self):
+        values = numpy.array([[numpy.inf, -numpy.inf], [numpy.nan, -0.0]], numpy.float32)
+        relievo.write_exr(self.folder / "a.exr", image_of(v=values))
+        back = relievo.layer(relievo.read_exr(self.folder / "a.exr"), "v")
+        self.assertEqual(back.tobytes(), values.tobytes())
+
+    def test_names_as_str_and_path(self):
+        image = image_of(v=numpy.zeros((2, 2), numpy.float32))
+        relievo.write_exr(str(self.folder / "a.exr"), image)
+        self.assertEqual(relievo.read_exr(str(self.folder / "a.exr")).GetDimensions(), (2, 2, 1))
+
+
+class WriteErrors(FolderTest):
+    def setUp(self):
+        super().setUp()
+        self.image = image_of(v=numpy.zeros((2, 2), numpy.float32))
+
+    def refused(self, kind, *arguments, **more):
+        with self.assertRaises(kind) as caught:
+            relievo.write_exr(*arguments, **more)
+        self.assertEqual(sorted(os.listdir(self.folder)), [])
+        return str(caught.exception)
+
+    def test_arguments(self):
+        path = self.folder / "a.exr"
+        self.assertIn("image: got None", self.refused(ValueError, path, None))
+        self.assertIn("'zap'", self.refused(ValueError, path, self.image, compression="zap"))
+        self.assertIn("3", self.refused(ValueError, path, self.image, compression=3))
+        said = self.refused(ValueError, path, self.image, pixel_types={"v": "double"})
+        self.assertIn("'v'", said)
+        self.assertIn("'double'", said)
+        self.refused(ValueError, path, self.image, pixel_types={"v": "uint"})
+
+    def test_places(self):
+        said = self.refused(FileNotFoundError, self.folder / "no" / "a.exr", self.image)
+        self.assertIn(str(self.folder / "no" / "a.exr"), said)
+        self.refused(IsADirectoryError, self.folder, self.image)
+        (self.folder / "file").write_text("")
+        with self.assertRaises(NotADirectoryError):
+            relievo.write_exr(self.folder / "file" / "a.exr", self.image)
+
+    def test_an_old_file_stays_after_an_error(self):
+        path = self.folder / "a.exr"
+        relievo.write_exr(path, self.image)
+        before = path.read_bytes()
+        with self.assertRaises(ValueError):
+            relievo.write_exr(path, self.image, pixel_types={"v": "uint"})
+        self.assertEqual(path.read_bytes(), before)
+
+
+class ReadErrors(FolderTest):
+    def test_places(self):
+        with self.assertRaises(FileNotFoundError) as caught:
+            relievo.read_exr(self.folder / "gone.exr")
+        self.assertIn("gone.exr", str(caught.exception))
+        with self.assertRaises(IsADirectoryError):
+            relievo.read_exr(self.folder)
+
+    def test_broken_files(self):
+        path = self.folder / "a.exr"
+        relievo.write_exr(path, relievo.capture(scenes.plane_and_sphere(), "depth", size=(64, 64)))
+        whole = path.read_bytes()
+        for label, content in (
+            ("empty", b""),
+            ("text", b"this is no picture\n" * 9),
+            ("header only", whole[:200]),
+            ("cut", whole[: len(whole) // 2]),
+        ):
+            with self.subTest(label=label):
+                path.write_bytes(content)
+                with self.assertRaises(ValueError) as caught:
+                    relievo.read_exr(path)
+                self.assertIn(str(path), str(caught.exception))
+
+
+class Points(unittest.TestCase):
+    def check(self, renderer, limit):
+        image = relievo.capture(renderer, ["depth", "actor"], size=(90, 60))
+        cloud = relievo.depth_to_points(image)
+        finite = numpy.isfinite(relievo.layer(image, "depth"))
+        self.assertEqual(cloud.GetNumberOfPoints(), finite.sum())
+        self.assertEqual(cloud.GetNumberOfVerts(), finite.sum())
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+
+        points = vtk_to_numpy(cloud.GetPoints().GetData())
+        self.assertEqual(points.dtype, numpy.float64)
+        # The points of actor 0 lie in its plane, whose corners are known in double.
+        plane = vtk_to_numpy(
+            renderer.GetActors().GetItemAsObject(0).GetMapper().GetInput().GetPoints().GetData()
+        )
+        normal = numpy.cross(plane[1] - plane[0], plane[2] - plane[0])
+        normal /= numpy.linalg.norm(normal)
+        on_plane = vtk_to_numpy(cloud.GetPointData().GetArray("actor")) == 0
+        self.assertGreater(on_plane.sum(), 1000)
+        off = numpy.abs((points[on_plane] - plane[0]) @ normal)
+        self.assertLessEqual(off.max(), limit)
+
+    def test_perspective(self):
+        self.check(scenes.plane_and_sphere(), 2e-5)
+
+    def test_parallel(self):
+        self.check(scenes.plane_and_sphere(parallel=True), 2e-5)
+
+    def test_far_from_the_origin(self):
+        self.check(scenes.plane_and_sphere(far_from_origin=(5e5, 5e6, 0)), 2e-4)
+
+    def test_errors(self):
+        with self.assertRaises(ValueError) as caught:
+            relievo.depth_to_points(image_of(v=numpy.zeros((2, 2), numpy.float32)))
+        self.assertIn("depth", str(caught.exception))
+        with self.assertRaises(ValueError):
+            relievo.depth_to_points("image")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
