@@ -1,0 +1,18 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Depth, in world units, of everything that a renderer sees: ten lines."""
+
+import relievo
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+
+sphere = vtkSphereSource()
+actor = vtkActor()
+actor.SetMapper(vtkPolyDataMapper())
+actor.GetMapper().SetInputConnection(sphere.GetOutputPort())
+renderer = vtkRenderer()
+renderer.AddActor(actor)
+renderer.ResetCamera()
+image = relievo.capture(renderer, ["depth", "normal"], size=(640, 480))
+depth = relievo.layer(image, "depth")  # numpy, (480, 640), float32; infinity where nothing is
+print(f"nearest {depth.min():.4f}, in the middle {depth[240, 320]:.4f}, in the corner {depth[0, 0]}")

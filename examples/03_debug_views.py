@@ -1,0 +1,43 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Layers as the picture: what a shader sees, without reading anything back.
+
+    03_debug_views.py [FOLDER]    writes FOLDER/view_LAYER.png
+"""
+
+import relievo
+import scene
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+
+
+def save(window, path):
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(grab.GetOutputPort())
+    writer.SetFileName(str(path))
+    writer.Write()
+    print(path)
+
+
+renderer, window = scene.make()
+folder = scene.folder()
+frame = relievo.attach(renderer)  # around whatever pass the renderer has
+for layer in ("depth", "normal", "geometric_normal", "albedo", "actor", "cell", "Elevation"):
+    frame.SetDisplayLayer(layer)
+    save(window, folder / f"view_{layer}.png")
+
+# Scalars go through a colour map; the values at its ends can be chosen.
+frame.SetDisplayLayer("depth")
+frame.SetDisplayRange(4, 9)
+save(window, folder / "view_depth_4_to_9.png")
+
+# Depth in grey as a pass of its own, for a renderer that shows nothing else.
+relievo.detach(renderer)
+linear = relievo.vtkRelievoLinearDepthPass()
+linear.NormalizedOff()
+linear.SetRange(4, 9)
+renderer.SetPass(linear)
+save(window, folder / "view_linear_depth.png")

@@ -1,0 +1,88 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A small scene that the examples share: three shapes on a floor, one with an array to look at."""
+
+import pathlib
+import sys
+
+from vtkmodules.vtkFiltersCore import vtkElevationFilter
+from vtkmodules.vtkFiltersSources import (
+    vtkConeSource,
+    vtkPlaneSource,
+    vtkSphereSource,
+    vtkSuperquadricSource,
+)
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+)
+
+
+def folder():
+    """Where an example writes: the first word of the command line, or the current folder."""
+    chosen = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+    chosen.mkdir(parents=True, exist_ok=True)
+    return chosen
+
+
+def make(columns=640, rows=480):
+    """A renderer in an off-screen window; keep the window as long as the renderer is drawn."""
+    floor = vtkPlaneSource()
+    floor.SetOrigin(-3, 0, -3)
+    floor.SetPoint1(-3, 0, 3)
+    floor.SetPoint2(3, 0, -3)
+    ball = vtkSphereSource()
+    ball.SetCenter(-1.1, 0.6, 0.4)
+    ball.SetRadius(0.6)
+    ball.SetThetaResolution(64)
+    ball.SetPhiResolution(64)
+    cone = vtkConeSource()
+    cone.SetCenter(1.2, 0.6, 0.6)
+    cone.SetDirection(0, 1, 0)
+    cone.SetHeight(1.2)
+    cone.SetRadius(0.5)
+    cone.SetResolution(48)
+    ring = vtkSuperquadricSource()
+    ring.ToroidalOn()
+    ring.SetThickness(0.4)
+    ring.SetSize(0.8)
+    ring.SetCenter(0.1, 0.8, -0.9)
+    ring.SetThetaResolution(64)
+    ring.SetPhiResolution(64)
+
+    renderer = vtkRenderer()
+    for source, colour in (
+        (floor, (0.55, 0.55, 0.6)),
+        (ball, (0.8, 0.25, 0.2)),
+        (cone, (0.25, 0.6, 0.35)),
+        (ring, (0.25, 0.4, 0.8)),
+    ):
+        height = vtkElevationFilter()  # the point array "Elevation": 0 on the floor, 1 at y = 2
+        height.SetInputConnection(source.GetOutputPort())
+        height.SetLowPoint(0, 0, 0)
+        height.SetHighPoint(0, 2, 0)
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(height.GetOutputPort())
+        mapper.ScalarVisibilityOff()
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(*colour)
+        actor.GetProperty().SetInterpolationToPhong()
+        renderer.AddActor(actor)
+    light = vtkLight()
+    light.SetLightTypeToSceneLight()
+    light.SetPosition(3, 5, 2)
+    renderer.AddLight(light)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(2.5, 3, 6)
+    camera.SetFocalPoint(0, 0.5, 0)
+    camera.SetClippingRange(2, 14)
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(columns, rows)
+    window.AddRenderer(renderer)
+    return renderer, window
