@@ -25,7 +25,7 @@ public:
 
   // The layer is an array's name, or point:NAME or cell:NAME.
   vtkRelievoArraySampler(const std::string& layer, const vtkRelievoDrawTable& draws,
-    const vtkRelievoView& view, int width, int height);
+    const vtkRelievoView& view);
 
   // Looks the array up in what was drawn; returns VTK_FLOAT or VTK_DOUBLE and says what is wrong.
   int Prepare(int& components, std::string& wrong);
@@ -38,7 +38,6 @@ private:
   {
     vtkDataArray* Array = nullptr;
     bool OfPoints = false;
-    glm::dmat4 ViewToModel = glm::dmat4(1.0);
   };
   // A mesh may be drawn by several actors.
   using Key = std::pair<const void*, const void*>;
@@ -52,7 +51,6 @@ private:
   bool AllowCells = true;
   const vtkRelievoDrawTable& Draws;
   const vtkRelievoView& View;
-  glm::dvec2 Size;
   int Components = 0;
   std::map<Key, Source> Sources;
 };

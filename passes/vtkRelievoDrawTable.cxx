@@ -8,11 +8,14 @@
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoGBufferSplice.h"
+#include "vtkRelievoView.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
 
 #include <algorithm>
 
@@ -85,8 +88,19 @@ std::uint32_t vtkRelievoDrawTable::Add(
   const vtkIdType most = CountPrimitives(actor, mapper, primitiveSource);
   const std::uint32_t count =
     static_cast<std::uint32_t>(std::min<vtkIdType>(most, NothingWord - first));
-  this->Draws.push_back(Draw{
-    actor, actor->GetPropertyKeys(), mapper, primitiveSource, first, count, -1, actor, {} });
+  Draw draw{};
+  draw.Actor = actor;
+  draw.Keys = actor->GetPropertyKeys();
+  draw.Mapper = mapper;
+  draw.PrimitiveSource = primitiveSource;
+  draw.First = first;
+  draw.Count = count;
+  vtkMatrix4x4* matrix = actor->GetMatrix();
+  for (int i = 0; i < 16; ++i)
+  {
+    draw.ModelToWorld[i % 4][i / 4] = matrix->GetElement(i / 4, i % 4);
+  }
+  this->Draws.push_back(draw);
   return first;
 }
 
@@ -105,6 +119,11 @@ void vtkRelievoDrawTable::ResolveRanges(Draw& draw)
     vtkCellArray* cells[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
       mesh->GetStrips() };
     map->Update(cells, representation, mesh->GetPoints());
+    // Built here, since the threads that look cells up may not build them.
+    if (mesh->NeedToBuildCells())
+    {
+      mesh->BuildCells();
+    }
   };
 #ifdef RELIEVO_COMPOSITE_HELPER
   if (auto* helper = vtkCompositeMapperHelper2::SafeDownCast(mapper))
@@ -130,7 +149,7 @@ void vtkRelievoDrawTable::ResolveRanges(Draw& draw)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoDrawTable::Resolve(vtkRenderer* renderer)
+void vtkRelievoDrawTable::Resolve(vtkRenderer* renderer, const vtkRelievoView& view)
 {
   std::map<const void*, std::pair<int, vtkActor*>> actors;
   vtkActorCollection* collection = renderer->GetActors();
@@ -153,6 +172,12 @@ void vtkRelievoDrawTable::Resolve(vtkRenderer* renderer)
     }
     draw.ActorIndex = found == actors.end() ? -1 : found->second.first;
     draw.Prop = found == actors.end() ? draw.Actor.GetPointer() : found->second.second;
+    draw.ModelToView = view.WorldToView * draw.ModelToWorld;
+    draw.ViewToModel = glm::inverse(draw.ModelToView);
+    vtkShaderProperty* shaders = draw.Prop ? draw.Prop->GetShaderProperty() : nullptr;
+    draw.Deformed = shaders &&
+      (shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
+        shaders->GetNumberOfShaderReplacements() > 0);
     ResolveRanges(draw);
   }
 }
@@ -210,6 +235,9 @@ vtkRelievoDrawTable::Hit vtkRelievoDrawTable::Find(std::uint32_t word) const
   const std::uint32_t primitive = word - draw.First;
   hit.Actor = draw.ActorIndex;
   hit.Prop = draw.Prop;
+  hit.ViewToModel = &draw.ViewToModel;
+  hit.ModelToView = &draw.ModelToView;
+  hit.Deformed = draw.Deformed;
   hit.Block = 0;
   if (draw.PrimitiveSource == vtkRelievoGBufferSplice::NoPrimitive)
   {

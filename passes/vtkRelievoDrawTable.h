@@ -7,6 +7,7 @@
 #ifndef vtkRelievoDrawTable_h
 #define vtkRelievoDrawTable_h
 
+#include "vtkRelievoFormulas.h" // for GLM
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
@@ -20,6 +21,7 @@ class vtkOpenGLCellToVTKCellMap;
 class vtkOpenGLPolyDataMapper;
 class vtkPolyData;
 class vtkRenderer;
+struct vtkRelievoView;
 
 class vtkRelievoDrawTable
 {
@@ -31,6 +33,9 @@ public:
     vtkIdType Cell = -1; // of Mesh, or the glyphs' input point
     vtkPolyData* Mesh = nullptr; // nullptr for glyphs
     vtkActor* Prop = nullptr;
+    const glm::dmat4* ViewToModel = nullptr;
+    const glm::dmat4* ModelToView = nullptr;
+    bool Deformed = false; // by shader code of the actor's own
 
     // Which of the OpenGL primitives that Mesh's cell was cut into: 0 is the first.
     vtkIdType GetPrimitiveInCell() const;
@@ -46,7 +51,7 @@ public:
   std::uint32_t Add(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int primitiveSource);
 
   // Makes ready for Find(), from what the mappers hold now.
-  void Resolve(vtkRenderer* renderer);
+  void Resolve(vtkRenderer* renderer, const vtkRelievoView& view);
 
   // After Resolve(): every mesh drawn, and (Mesh == nullptr) every actor of glyphs, with its actor.
   std::vector<Hit> GetMeshes() const;
@@ -70,8 +75,12 @@ private:
     int PrimitiveSource;
     std::uint32_t First;
     std::uint32_t Count;
+    glm::dmat4 ModelToWorld; // as it was drawn: an assembly gives its parts other matrices
     int ActorIndex;
     vtkActor* Prop;
+    glm::dmat4 ViewToModel;
+    glm::dmat4 ModelToView;
+    bool Deformed;
     std::vector<Range> Ranges; // by First
   };
 

@@ -67,7 +67,8 @@ vtkRelievoGBufferPass::vtkRelievoGBufferPass()
 vtkRelievoGBufferPass::~vtkRelievoGBufferPass() = default;
 
 //------------------------------------------------------------------------------
-void vtkRelievoGBufferPass::SetLayers(const std::vector<std::string>& layers)
+void vtkRelievoGBufferPass::SetLayers(
+  const std::vector<std::string>& layers, const std::vector<std::string>& read)
 {
   this->Internal->Layers = layers;
   vtkRelievoGBufferLayout layout;
@@ -77,6 +78,12 @@ void vtkRelievoGBufferPass::SetLayers(const std::vector<std::string>& layers)
   for (const std::string& layer : layers)
   {
     vtkRelievoLayerReader::AddChannels(layer, layout);
+  }
+  for (const std::string& layer : read)
+  {
+    layout.Ids = layout.Ids ||
+      (this->RefineDepth && this->DepthFormat == DEPTH_32F &&
+        (layer == "depth" || layer == "range" || layer == "position"));
   }
   layout.Arrange();
   if (layout != this->Internal->Layout)
@@ -379,5 +386,6 @@ void vtkRelievoGBufferPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NormalDepthFormat: " << this->NormalDepthFormat << "\n";
   os << indent << "NormalSpace: " << (this->NormalSpace == WORLD ? "World" : "View") << "\n";
   os << indent << "ShareGeometryPass: " << this->ShareGeometryPass << "\n";
+  os << indent << "RefineDepth: " << this->RefineDepth << "\n";
   os << indent << "Shared: " << this->Shared << "\n";
 }

@@ -8,6 +8,7 @@
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkRelievoArraySampler.h"
+#include "vtkRelievoDepthRefiner.h"
 #include "vtkRelievoDrawTable.h"
 #include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoGBufferPass.h"
@@ -247,7 +248,29 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadDepth()
       out[i] =
         static_cast<float>(DecodeDepth(words[i * stride], this->Layout.DepthFormat, this->View));
     });
+  if (this->Layout.DepthFormat == vtkRelievoGBufferPass::DEPTH_32F && this->Layout.IdWord >= 0)
+  {
+    this->RefineDepth(out);
+  }
   return array;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayerReader::RefineDepth(float* depths)
+{
+  this->Draws->Resolve(this->Renderer, this->View);
+  int stride = 0;
+  const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
+  const vtkIdType width = this->Region[2];
+  vtkRelievoDepthRefiner refiner(*this->Draws, this->View, words, stride);
+  vtkSMPTools::For(0, this->Region[3],
+    [&](vtkIdType from, vtkIdType to)
+    {
+      for (vtkIdType y = from; y < to; ++y)
+      {
+        refiner.RefineRow(static_cast<int>(y), depths + y * width);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -359,7 +382,7 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadAlbedo()
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadId(const std::string& layer)
 {
-  this->Draws->Resolve(this->Renderer);
+  this->Draws->Resolve(this->Renderer, this->View);
   auto array = NewArray<vtkIntArray>(1, this->GetNumberOfPixels());
   int* out = array->GetPointer(0);
   int stride = 0;
@@ -378,8 +401,8 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadId(const std::string& l
 vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNamedArray(
   const std::string& layer, std::string& wrong)
 {
-  this->Draws->Resolve(this->Renderer);
-  vtkRelievoArraySampler sampler(layer, *this->Draws, this->View, this->Region[2], this->Region[3]);
+  this->Draws->Resolve(this->Renderer, this->View);
+  vtkRelievoArraySampler sampler(layer, *this->Draws, this->View);
   int components = 0;
   const int type = sampler.Prepare(components, wrong);
   if (!wrong.empty())

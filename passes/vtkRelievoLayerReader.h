@@ -44,6 +44,7 @@ private:
   vtkIdType GetNumberOfPixels() const;
 
   vtkSmartPointer<vtkDataArray> ReadDepth();
+  void RefineDepth(float* depths);
   vtkSmartPointer<vtkDataArray> ReadRange();
   vtkSmartPointer<vtkDataArray> ReadPosition();
   vtkSmartPointer<vtkDataArray> ReadNormal(int firstWord);

@@ -235,7 +235,8 @@ void vtkRelievoPass::Render(const vtkRenderState* s)
     {
       std::sort(layers.begin(), layers.end());
       layers.erase(std::unique(layers.begin(), layers.end()), layers.end());
-      in.GBuffer->SetLayers(layers);
+      in.GBuffer->SetLayers(
+        layers, std::vector<std::string>(in.Requested.begin(), in.Requested.end()));
     }
     const bool runs = !selecting && (*stage)->GetEnabled() && (*stage)->IsNeeded(s, reason);
     if (runs)

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The point, line or triangle of a mesh that a pixel shows, and the pixel's ray to it, in double.
+#ifndef vtkRelievoCellGeometry_h
+#define vtkRelievoCellGeometry_h
+
+#include "vtkRelievoDrawTable.h"
+
+struct vtkRelievoView;
+
+struct vtkRelievoCellGeometry
+{
+  int Count = 0; // 1 point, 2 line, 3 triangle; 0: not known
+  vtkIdType Points[3] = { -1, -1, -1 };
+  glm::dvec3 Corners[3]; // model coordinates
+
+  // The primitive of the hit, as VTK's mappers cut the cell.
+  explicit vtkRelievoCellGeometry(const vtkRelievoDrawTable::Hit& hit);
+
+  // Shares of the corners where the ray meets the primitive, or comes nearest to it.
+  void GetWeights(const glm::dvec3& from, const glm::dvec3& along, double weights[3]) const;
+
+  // Where the ray meets the triangle's plane, as from + t along. False if it is parallel to it.
+  bool Intersect(const glm::dvec3& from, const glm::dvec3& along, double& t) const;
+};
+
+// The ray of a pixel's centre in model coordinates; from + t along is at depth t.
+struct vtkRelievoPixelRay
+{
+  glm::dvec3 From;
+  glm::dvec3 Along;
+
+  vtkRelievoPixelRay(
+    const vtkRelievoView& view, const glm::dmat4& viewToModel, int x, int y);
+};
+
+#endif
