@@ -31,10 +31,26 @@ float relievoDepthFromNormalized(float normalized, float zNear, float zFar)
   return zNear + normalized * (zFar - zNear);
 }
 
-// Perspective: depth to window z.
+// Perspective: depth to reversed z, which shrinks towards the far plane as a float's steps do.
+float relievoPerspectiveReversedZ(float depth, float zNear, float zFar)
+{
+  return isinf(depth)
+    ? -depth
+    : (zNear / depth) * ((float(1.0) - depth / zFar) / (float(1.0) - zNear / zFar));
+}
+
+float relievoPerspectiveDepthFromReversed(float reversedZ, float zNear, float zFar)
+{
+  return isinf(reversedZ)
+    ? -reversedZ
+    : zNear / (zNear / zFar + reversedZ * (float(1.0) - zNear / zFar));
+}
+
+// Perspective: depth to window z, as 1 - reversed z: far away, where window z is coarsest, only its
+// own last bit is lost.
 float relievoPerspectiveWindowZ(float depth, float zNear, float zFar)
 {
-  return isinf(depth) ? depth : ((depth - zNear) / depth) / (float(1.0) - zNear / zFar);
+  return isinf(depth) ? depth : float(1.0) - relievoPerspectiveReversedZ(depth, zNear, zFar);
 }
 
 // Perspective: window z to depth. Loses digits as far / near grows: only 1 - z tells far depths.
@@ -54,21 +70,6 @@ float relievoParallelWindowZ(float depth, float zNear, float zFar)
 float relievoParallelDepth(float windowZ, float zNear, float zFar)
 {
   return zNear + windowZ * (zFar - zNear);
-}
-
-// Perspective: depth to reversed z, which shrinks towards the far plane as a float's steps do.
-float relievoPerspectiveReversedZ(float depth, float zNear, float zFar)
-{
-  return isinf(depth)
-    ? -depth
-    : (zNear / depth) * ((float(1.0) - depth / zFar) / (float(1.0) - zNear / zFar));
-}
-
-float relievoPerspectiveDepthFromReversed(float reversedZ, float zNear, float zFar)
-{
-  return isinf(reversedZ)
-    ? -reversedZ
-    : zNear / (zNear / zFar + reversedZ * (float(1.0) - zNear / zFar));
 }
 
 // Parallel projection: depth to reversed z and back.

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RelievoBench.h"
+
+#include <iostream>
+
+//------------------------------------------------------------------------------
+const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
+{
+  static const std::vector<RelievoBenchEntry> entries = {
+    { "normals", "error of the normal formats against bits and time", RelievoBenchNormals },
+    { "depth", "error of the depth formats against bytes and far / near", RelievoBenchDepth },
+  };
+  return entries;
+}
+
+//------------------------------------------------------------------------------
+int RelievoBench(const std::string& name, const std::string& outDir)
+{
+  for (const RelievoBenchEntry& entry : RelievoBenchEntries())
+  {
+    if (name == entry.Name)
+    {
+      return entry.Run(outDir);
+    }
+  }
+  std::cerr << "bench: no bench '" << name << "'; there are:";
+  for (const RelievoBenchEntry& entry : RelievoBenchEntries())
+  {
+    std::cerr << ' ' << entry.Name;
+  }
+  std::cerr << '\n';
+  return 2;
+}

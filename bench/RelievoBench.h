@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RelievoBench.h
+ * @brief The benches by name: each measures, writes CSV, and draws its charts as PNG and SVG.
+ */
+#ifndef RelievoBench_h
+#define RelievoBench_h
+
+#include <string>
+#include <vector>
+
+/** A bench: the word for the command line, what it measures in a line, and the work. */
+struct RelievoBenchEntry
+{
+  const char* Name;
+  const char* What;
+  int (*Run)(const std::string& outDir);
+};
+
+/** All benches, in the order to list them. */
+const std::vector<RelievoBenchEntry>& RelievoBenchEntries();
+
+/**
+ * Runs one bench; its files are written into outDir, which is made when it is not there. Progress
+ * and measured values go to the standard output, errors to the standard error. Charts need a
+ * display. Returns 0 when done, 1 when the work failed, 2 when there is no bench of that name.
+ */
+int RelievoBench(const std::string& name, const std::string& outDir);
+
+/** Chart 1: error of the normal formats against bits and time. About half a minute. */
+int RelievoBenchNormals(const std::string& outDir);
+
+/** Chart 2: error of the depth formats against bytes and far / near. A few seconds. */
+int RelievoBenchDepth(const std::string& outDir);
+
+#endif

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Runs one of the benches of formats and checks its CSV against what the formats must reach.
+//   testBenchFormats normals|depth
+#include "Check.h"
+#include "RelievoBench.h"
+#include "Session.h"
+#include "TextTools.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+using Row = std::map<std::string, std::string>;
+
+// The fields of a line; a quoted one may hold commas.
+std::vector<std::string> Split(const std::string& line)
+{
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (char c : line)
+  {
+    if (c == '"')
+    {
+      quoted = !quoted;
+    }
+    else if (c == ',' && !quoted)
+    {
+      fields.emplace_back();
+    }
+    else
+    {
+      fields.back() += c;
+    }
+  }
+  return fields;
+}
+
+std::vector<Row> ReadCsv(const std::string& path)
+{
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  const std::vector<std::string> columns = Split(line);
+  std::vector<Row> rows;
+  while (std::getline(file, line))
+  {
+    const std::vector<std::string> fields = Split(line);
+    if (!RELIEVO_CHECK(fields.size() == columns.size()))
+    {
+      continue;
+    }
+    rows.emplace_back();
+    for (std::size_t i = 0; i < columns.size(); ++i)
+    {
+      rows.back()[columns[i]] = fields[i];
+    }
+  }
+  return rows;
+}
+
+double Value(const Row& row, const std::string& column)
+{
+  const auto at = row.find(column);
+  return at == row.end() ? std::strtod("nan", nullptr) : std::strtod(at->second.c_str(), nullptr);
+}
+
+// Each row of a format is within the limits of its columns; there must be `count` rows.
+void Check(const std::vector<Row>& rows, const std::string& format, int count,
+  const std::map<std::string, double>& limits)
+{
+  int found = 0;
+  for (const Row& row : rows)
+  {
+    if (row.at("format") != format)
+    {
+      continue;
+    }
+    ++found;
+    for (const auto& limit : limits)
+    {
+      RELIEVO_CHECK_AT_MOST(Value(row, limit.first), limit.second, format + ": " + limit.first);
+    }
+  }
+  RELIEVO_CHECK_THAT(found == count, "rows of " + format + ": " + std::to_string(found));
+}
+
+void CheckNormals(const std::vector<Row>& rows)
+{
+  const std::string seams = "max at axes and seams";
+  Check(rows, "octahedral precise 2x16", 1,
+    { { "max", 0.0026 }, { seams, 0.0026 }, { "mean degrees", 0.00125 } });
+  Check(rows, "octahedral 2x16", 1, { { "max", 0.00372 }, { seams, 0.00372 } });
+  Check(rows, "octahedral 2x8", 1, { { "max", 0.9571 }, { "mean degrees", 0.34 } });
+  Check(rows, "octahedral precise 2x8", 1, { { "max", 0.6381 }, { "mean degrees", 0.318 } });
+  Check(rows, "0.5n+0.5 RGB8", 1, { { "max", 0.3892 }, { "mean degrees", 0.1715 } });
+  Check(rows, "0.5n+0.5 RGB10A2", 1, { { "max", 0.0971 }, { "mean degrees", 0.0427 } });
+  Check(rows, "half xyz", 1, { { "max", 0.0243 }, { "mean degrees", 0.0062 } });
+  Check(rows, "float xyz", 1, { { "max", 4e-6 }, { seams, 4e-6 } });
+}
+
+void CheckDepth(const std::vector<Row>& rows)
+{
+  const std::string largest = "max";
+  Check(rows, "R32F, linear", 5,
+    { { largest, 6e-8 }, { "neighbours equal", 0. }, { "neighbours swapped", 0. } });
+  Check(rows, "reversed z, 32F", 5,
+    { { largest, 5e-7 }, { "neighbours equal", 0. }, { "neighbours swapped", 0. } });
+  Check(rows, "R16F, scaled by 2^k", 5, { { largest, 0x1p-11 }, { "neighbours swapped", 0. } });
+  Check(rows, "window z, 24 bits", 5, { { largest, 0.032 }, { "neighbours swapped", 0. } });
+  Check(rows, "window z, 32F", 5, { { largest, 0.032 }, { "neighbours swapped", 0. } });
+  Check(rows, "RGBA8 alpha, linear", 5, { { largest, 1. }, { "neighbours swapped", 0. } });
+}
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  relievoTest::TextTools text;
+  relievoTest::Session session;
+  const std::string name = argc > 1 ? argv[1] : "";
+  const std::string folder = relievoTest::OutputFolder() + "/" + name;
+  vtksys::SystemTools::RemoveADirectory(folder);
+  RELIEVO_CHECK(RelievoBench(name, folder) == 0);
+  const std::vector<Row> rows = ReadCsv(folder + "/" + name + ".csv");
+  if (name == "normals")
+  {
+    CheckNormals(rows);
+  }
+  else
+  {
+    CheckDepth(rows);
+  }
+  for (const std::string chart :
+    { "normals-bits", "normals-bits-mean", "normals-time", "depth-bytes", "depth-ratio" })
+  {
+    const bool own = chart.compare(0, name.size(), name) == 0;
+    for (const char* kind : { ".png", ".svg" })
+    {
+      const std::string path = folder + "/" + chart + kind;
+      RELIEVO_CHECK_THAT(vtksys::SystemTools::FileExists(path, true) == own, path);
+    }
+  }
+  text.Release();
+  return session.Result();
+}
