@@ -4,8 +4,8 @@
  * @class vtkRelievoOFFReader
  * @brief Reads surface meshes in the Object File Format (.off), as text.
  *
- * Understood are the headers OFF, COFF, NOFF, STOFF and their combinations ([ST][C][N]OFF), comments
- * from `#` to the end of the line, and colours of faces. The output holds
+ * Understood are the headers OFF, COFF, NOFF, STOFF and their combinations ([ST][C][N]OFF),
+ * comments from `#` to the end of the line, and colours of faces. The output holds
  * - points in double precision (OutputPointsPrecision changes that);
  * - polygons; faces of two points are lines, faces of one point vertices;
  * - point arrays `Normals` (float, 3), `RGBA` (unsigned char, 4), `TextureCoordinates` (float, 2)
@@ -13,8 +13,9 @@
  * - a cell array `RGBA` (unsigned char, 4) when any face has a colour of 3 or 4 numbers; faces
  *   without one, or with a colour-map index, are opaque grey (170).
  *
- * Colours are 0 to 255 when any number of any colour is above 1, else 0 to 1. Four-dimensional (4OFF, nOFF)
- * and binary files are refused, as are numbers that are not finite and indices out of range.
+ * Colours are 0 to 255 when any number of any colour is above 1, else 0 to 1. Four-dimensional
+ * (4OFF, nOFF) and binary files are refused, as are numbers that are not finite and indices out of
+ * range.
  *
  * Errors: one error event that names the file, the line and what was expected; GetErrorCode() is
  * set and the output is empty. Memory stays within a small multiple of the file's size, whatever
