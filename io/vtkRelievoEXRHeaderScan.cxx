@@ -115,8 +115,10 @@ bool ScanAttribute(InputStream& stream)
   const uint64_t size = ReadInt(stream, 4);
   if (size > stream.GetRemaining() || size > 0x7fffffff)
   {
-    throw Broken("attribute " + Shown(name) + " claims " + std::to_string(size) +
-      " bytes, but only " + std::to_string(stream.GetRemaining()) + " follow");
+    throw Failure(vtkErrorCode::PrematureEndOfFileError,
+      "its header is broken or cut off: attribute " + Shown(name) + " claims " +
+        std::to_string(size) + " bytes, but only " + std::to_string(stream.GetRemaining()) +
+        " follow; write or fetch it again");
   }
   const uint64_t end = stream.tellg() + size;
   const auto fixed = FixedSizes.find(type);

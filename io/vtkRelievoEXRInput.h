@@ -69,9 +69,6 @@ public:
   /** Header of the first of the chosen parts. */
   const Imf::Header& GetHeader() const { return this->File->header(this->ChosenParts.front()); }
 
-  /** True when reading went past the end of the file. */
-  bool GetHitEnd() const { return this->Stream.GetHitEnd(); }
-
 private:
   InputStream Stream;
   std::unique_ptr<Imf::MultiPartInputFile> File;

@@ -37,8 +37,8 @@ struct vtkRelievoEXRReader::Internals
   std::vector<Input::Part> Parts;
   std::vector<Input::Channel> Channels;
   std::vector<std::string> Layers;
-  // The last file's header could not be read; that has been said.
-  bool Refused = false;
+  // When reading failed, the reader's time then: it has been said, and holds until something changes.
+  vtkMTimeType RefusedAt = 0;
 
   // Opens the file and chooses what the reader is set to read, noting what there is on the way.
   std::unique_ptr<Input> Open(vtkRelievoEXRReader* self);
@@ -200,13 +200,7 @@ int vtkRelievoEXRReader::RequestInformation(
         info, scalars->VtkType, static_cast<int>(scalars->Channels.size()));
     }
   });
-  this->Self->Refused = failure.Code != vtkErrorCode::NoError;
-  this->SetErrorCode(failure.Code);
-  if (this->Self->Refused)
-  {
-    vtkErrorMacro("Cannot read '" << (this->FileName ? this->FileName : "")
-                                  << "': " << failure.what() << ".");
-  }
+  this->Report(failure.Code, failure.what());
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   info->Set(vtkDataObject::ORIGIN(), origin, 3);
   info->Set(vtkDataObject::SPACING(), spacing, 3);
@@ -220,13 +214,12 @@ int vtkRelievoEXRReader::RequestData(
 {
   vtkImageData* output = vtkImageData::GetData(outputVector, 0);
   output->Initialize();
-  if (this->Self->Refused)
+  if (this->Self->RefusedAt == this->GetMTime())
   {
     return 1;
   }
   std::unique_ptr<Input> input;
   const Failure failure = relievo::exr::Translate(Advice, [&] {
-    this->UpdateProgress(0.0);
     input = this->Self->Open(this);
     const Imath::Box2i data = input->GetDataWindow();
     const Imath::Box2i display = input->GetDisplayWindow();
@@ -246,15 +239,24 @@ int vtkRelievoEXRReader::RequestData(
         points->HasArray("color") ? "color" : points->GetArrayName(0));
     }
   });
-  this->SetErrorCode(failure.Code);
   if (failure.Code != vtkErrorCode::NoError)
   {
     output->Initialize();
-    const std::string message = failure.what();
-    if (!message.empty())
-    {
-      vtkErrorMacro("Cannot read '" << this->FileName << "': " << message << ".");
-    }
   }
+  this->Report(failure.Code, failure.what());
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoEXRReader::Report(unsigned long code, const std::string& message)
+{
+  this->SetErrorCode(code);
+  this->Self->RefusedAt = 0;
+  if (!message.empty())
+  {
+    // The pipeline asks again for data that it did not get; the answer is not given twice.
+    this->Self->RefusedAt = this->GetMTime();
+    vtkErrorMacro(
+      "Cannot read '" << (this->FileName ? this->FileName : "") << "': " << message << ".");
+  }
 }

@@ -21,9 +21,9 @@
  * Attributes become field data; which ones is told in docs/exr.md.
  *
  * When a file cannot be read there is one error message, which names the file, says what is wrong and
- * what to do; GetErrorCode() is set and the output is empty. Setting AbortExecute from a progress
- * observer stops reading without a message; the output is empty and the code is
- * vtkErrorCode::UserError.
+ * what to do; GetErrorCode() is set, and the output is empty until the reader is changed. Setting
+ * AbortExecute from a progress observer stops reading without a message; the output is empty and the
+ * code is vtkErrorCode::UserError.
  *
  * @sa vtkRelievoEXRWriter
  */
@@ -35,6 +35,7 @@
 #include "vtkImageAlgorithm.h"
 
 #include <memory> // for the internals
+#include <string> // for messages
 
 class vtkDataArraySelection;
 
@@ -107,6 +108,8 @@ protected:
 private:
   vtkRelievoEXRReader(const vtkRelievoEXRReader&) = delete;
   void operator=(const vtkRelievoEXRReader&) = delete;
+
+  void Report(unsigned long code, const std::string& message);
 
   struct Internals;
   std::unique_ptr<Internals> Self;

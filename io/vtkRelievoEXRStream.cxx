@@ -70,7 +70,6 @@ bool InputStream::read(char* to, int count)
   const bool enough = count >= 0 && static_cast<uint64_t>(count) <= this->GetRemaining();
   if (!enough || std::fread(to, 1, count, this->File.get()) != static_cast<std::size_t>(count))
   {
-    this->HitEnd = true;
     throw Iex::InputExc("Unexpected end of file.");
   }
   this->Position += count;
@@ -83,8 +82,7 @@ void InputStream::seekg(uint64_t position)
   // Damaged tables of offsets lead anywhere.
   if (position > this->Size || Seek(this->File.get(), position) != 0)
   {
-    this->HitEnd = true;
-    throw Iex::InputExc("An offset leads outside the file.");
+    throw Iex::InputExc("Unexpected end of file: an offset leads behind it.");
   }
   this->Position = position;
 }

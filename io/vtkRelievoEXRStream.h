@@ -22,7 +22,7 @@ struct CloseFile
 };
 using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
 
-/** A file to read. Reading past its end throws Iex::InputExc and is remembered. */
+/** A file to read. Reading or seeking past its end throws Iex::InputExc, "Unexpected end of file". */
 class InputStream : public Imf::IStream
 {
 public:
@@ -39,13 +39,11 @@ public:
   {
     return this->Position < this->Size ? this->Size - this->Position : 0;
   }
-  bool GetHitEnd() const { return this->HitEnd; }
 
 private:
   FilePointer File;
   uint64_t Size = 0;
   uint64_t Position = 0;
-  bool HitEnd = false;
 };
 
 /**

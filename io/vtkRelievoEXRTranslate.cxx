@@ -47,8 +47,9 @@ Failure Translate(const std::string& advice, const std::function<void()>& work)
     return Failure(vtkErrorCode::UnknownError,
       "there is not enough memory; choose fewer channels or a smaller image");
   }
-  catch (const Iex::InputExc& exception)
+  catch (const Iex::BaseExc& exception)
   {
+    // Exceptions of the stream come through OpenEXR's threads as text only.
     const std::string reason = Reason(exception.what());
     const bool end = reason.find("end of file") != std::string::npos;
     return Failure(end ? vtkErrorCode::PrematureEndOfFileError : vtkErrorCode::FileFormatError,
@@ -57,11 +58,11 @@ Failure Translate(const std::string& advice, const std::function<void()>& work)
   catch (const std::exception& exception)
   {
     return Failure(
-      vtkErrorCode::FileFormatError, "OpenEXR reports: " + Reason(exception.what()) + "; " + advice);
+      vtkErrorCode::UnknownError, "an exception was thrown: " + Reason(exception.what()));
   }
   catch (...)
   {
-    return Failure(vtkErrorCode::UnknownError, "an unknown exception was thrown; " + advice);
+    return Failure(vtkErrorCode::UnknownError, "an unknown exception was thrown");
   }
 }
 }

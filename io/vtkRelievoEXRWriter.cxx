@@ -223,7 +223,6 @@ int vtkRelievoEXRWriter::RequestData(
     {
       throw Failure(vtkErrorCode::NoFileNameError, "no file name is given; set it with SetFileName");
     }
-    this->UpdateProgress(0.0);
     Output::Settings settings = this->Self->Settings;
     settings.Compression = static_cast<Imf::Compression>(this->Compression);
     settings.DWALevel = static_cast<float>(this->DWALevel);
