@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Good runs: the picture's size and pixels, the EXR's channels and values, the report."""
 
+import base64
 import json
 import math
 
@@ -63,6 +64,37 @@ def write_data(folder):
     return ["a.vtp", "a.stl", "a.ply", "a.vtk", "a.vti", "a.vtm", "a.vtu"]
 
 
+def gltf_triangle(colour):
+    """TRIANGLE as glTF, of a material of that colour."""
+    points = numpy.array([(-1, -1, 0), (1, -1, 0), (-1, 1, 0)], "<f4").tobytes()
+    return json.dumps(
+        {
+            "asset": {"version": "2.0"},
+            "scene": 0,
+            "scenes": [{"nodes": [0]}],
+            "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+            "materials": [
+                {"pbrMetallicRoughness": {"baseColorFactor": [*colour, 1], "metallicFactor": 0}}
+            ],
+            "accessors": [
+                {
+                    "bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                    "min": [-1, -1, 0], "max": [1, 1, 0],
+                }
+            ],
+            "bufferViews": [{"buffer": 0, "byteLength": len(points)}],
+            "buffers": [
+                {
+                    "byteLength": len(points),
+                    "uri": "data:application/octet-stream;base64,"
+                    + base64.b64encode(points).decode(),
+                }
+            ],
+        }
+    )  # fmt: skip
+
+
 class Picture(CliTest):
     def test_size_and_silence(self):
         done = self.render("--png", "a.png")
@@ -113,6 +145,20 @@ class Picture(CliTest):
                 self.relievo("render", name, "--size", "60x60", "--png", "a.png")
                 lit = read_png(self.folder / "a.png").sum(axis=2) > 0
                 self.assertGreater(lit.mean(), 0.2)
+
+    def test_gltf_keeps_its_materials(self):
+        (self.folder / "a.gltf").write_text(gltf_triangle((0.2, 0.7, 0.1)))
+        look = [*LOOK, "--size", "64x64", "--light", "sun:0,0,1"]
+        self.relievo("render", "a.gltf", *look, "--png", "a.png")
+        red, green, blue = (int(value) for value in read_png(self.folder / "a.png")[36, 20])
+        self.assertGreater(green, red)
+        self.assertGreater(red, blue)
+        self.relievo("render", "a.gltf", *look, "--shading", "flat", "--exr", "a.exr",
+                     "--layers", "albedo,depth")  # fmt: skip
+        _, channels = self.exr("a.exr")
+        for name, value in zip("RGB", (0.2, 0.7, 0.1)):
+            self.assertAlmostEqual(float(channels[f"albedo.{name}"][36, 20]), value, delta=0.01)
+        self.assertAlmostEqual(float(channels["depth.Z"][36, 20]), 5, delta=1e-5)
 
     def test_overwrites_and_follows_links(self):
         (self.folder / "real").mkdir()
@@ -192,9 +238,20 @@ class Layers(CliTest):
                 numpy.testing.assert_allclose(
                     channels["height.V"][hit], channels["position.Y"][hit] + 0.5, atol=2e-3
                 )
-        self.refused_array()
 
-    def refused_array(self):
+    def test_array_that_shares_a_layers_name(self):
+        write_data(self.folder)
+        self.relievo("render", "a.vtp", "--size", "60x60", "--exr", "a.exr",
+                     "--layers", "depth,point:height")  # fmt: skip
+        header, channels = self.exr("a.exr")
+        names = [channel["name"] for channel in header["channels"]]
+        self.assertEqual(sorted(names), ["A", "B", "G", "R", "depth.Z", "point:height.V"])
+        seen = numpy.isfinite(channels["depth.Z"])
+        self.assertTrue(numpy.isfinite(channels["point:height.V"][seen]).all())
+        self.assertTrue(numpy.isnan(channels["point:height.V"][~seen]).all())
+
+    def test_unknown_array(self):
+        write_data(self.folder)
         done = self.relievo("render", "a.vtp", "--exr", "b.exr", "--layers", "hieght", status=2)
         self.assertIn("'hieght'", done.stderr)
         self.assertIn("height", done.stderr)
