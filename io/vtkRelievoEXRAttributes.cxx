@@ -237,8 +237,7 @@ void ReadOther(const Imf::Header& header, const std::string& name, vtkFieldData*
   else if (const auto* c = ValueOf<Imf::Chromaticities>(header, name))
   {
     AddFieldNumbers(fields, name, VTK_FLOAT,
-      { c->red.x, c->red.y, c->green.x, c->green.y, c->blue.x, c->blue.y, c->white.x,
-        c->white.y });
+      { c->red.x, c->red.y, c->green.x, c->green.y, c->blue.x, c->blue.y, c->white.x, c->white.y });
   }
 }
 }

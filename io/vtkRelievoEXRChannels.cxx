@@ -56,8 +56,8 @@ bool IsId(const std::string& array)
 class Grouping
 {
 public:
-  Grouping(const std::vector<NamedChannel>& channels, std::vector<bool> taken,
-    std::set<std::string> names)
+  Grouping(
+    const std::vector<NamedChannel>& channels, std::vector<bool> taken, std::set<std::string> names)
     : Channels(channels)
     , Taken(std::move(taken))
     , Names(std::move(names))
@@ -119,7 +119,7 @@ private:
     return found == this->Index.end() || this->Taken[found->second] ? -1 : found->second;
   }
 
-  // Makes an array of prefix + suffix for as many leading suffixes as there are, if at least `least`.
+  // Makes an array of prefix + suffix for the leading suffixes that are there, if at least `least`.
   void TryGroup(const std::string& array, const std::string& prefix,
     const std::vector<std::string>& suffixes, std::size_t least, int vtkType = VTK_VOID)
   {
@@ -204,8 +204,7 @@ bool IsNormalized(const std::string& array, int vtkType, int components)
 //------------------------------------------------------------------------------
 bool IsPosition(const std::string& array, int vtkType, int components)
 {
-  return array == "position" && components == 3 &&
-    (vtkType == VTK_FLOAT || vtkType == VTK_DOUBLE);
+  return array == "position" && components == 3 && (vtkType == VTK_FLOAT || vtkType == VTK_DOUBLE);
 }
 
 //------------------------------------------------------------------------------

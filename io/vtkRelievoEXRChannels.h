@@ -14,10 +14,11 @@
  * | with 2 or 3 components             | NAME.X NAME.Y [NAME.Z]                |
  * | with 4 or more components          | NAME.0 NAME.1 NAME.2 NAME.3 ...       |
  *
- * The string vector `relievo:arrays` records, array by array, the VTK type, the number of components
- * and the name ("double 3 position"), so that a file gives back the arrays it was made from, in their
- * order. Files of other programs have no such record: there the table alone decides, R G B [A] after
- * any layer name count as one array too, and every other channel is an array of its own.
+ * The string vector `relievo:arrays` records, array by array, the VTK type, the number of
+ * components and the name ("double 3 position"), so that a file gives back the arrays it was made
+ * from, in their order. Files of other programs have no such record: there the table alone decides,
+ * R G B [A] after any layer name count as one array too, and every other channel is an array of its
+ * own.
  */
 #ifndef vtkRelievoEXRChannels_h
 #define vtkRelievoEXRChannels_h

@@ -120,8 +120,8 @@ uint32_t ToUint(const Component& component, const T* tuple, Losses& losses)
   {
     using Limits =
       std::numeric_limits<std::conditional_t<std::is_signed<T>::value, int32_t, uint32_t>>;
-    if (sizeof(T) > 4 && (value < static_cast<T>(Limits::min()) ||
-                           value > static_cast<T>(Limits::max())))
+    if (sizeof(T) > 4 &&
+      (value < static_cast<T>(Limits::min()) || value > static_cast<T>(Limits::max())))
     {
       Note(losses.Inexact, losses, value);
     }
@@ -200,8 +200,8 @@ void DecodeTyped(
 }
 
 template <typename T>
-void DecodePositionTyped(const float* const pixels[3], vtkDataArray* array,
-  const double origin[3], vtkIdType first, vtkIdType count)
+void DecodePositionTyped(const float* const pixels[3], vtkDataArray* array, const double origin[3],
+  vtkIdType first, vtkIdType count)
 {
   const bool relative = HasOrigin(origin);
   T* to = static_cast<T*>(array->GetVoidPointer(first * 3));

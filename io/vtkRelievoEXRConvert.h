@@ -4,21 +4,20 @@
  * @file vtkRelievoEXRConvert.h
  * @brief Values of VTK arrays as pixels of EXR channels, and back.
  *
- * | values                    | FLOAT              | HALF             | UINT                        |
- * |---------------------------|--------------------|------------------|-----------------------------|
- * | float                     | the same bits      | nearest half     | -                           |
- * | double                    | nearest float      | nearest half     | -                           |
- * | integers                  | if exact           | if exact         | their low 32 bits, -1 is    |
- * |                           |                    |                  | 0xFFFFFFFF                  |
- * | bytes of color and albedo | v / 255            | v / 255          | v                           |
- * | position                  | v - origin         | v - origin       | -                           |
+ * | values                    | FLOAT         | HALF         | UINT                           |
+ * |---------------------------|---------------|--------------|--------------------------------|
+ * | float                     | the same bits | nearest half | -                              |
+ * | double                    | nearest float | nearest half | -                              |
+ * | integers                  | if exact      | if exact     | 32 bits, -1 becomes 0xFFFFFFFF |
+ * | bytes of color and albedo | v / 255       | v / 255      | v                              |
+ * | position                  | v - origin    | v - origin   | -                              |
  *
  * v / 255 gives its byte back from a half too: neighbours among the 256 values are at least eight
  * halfs apart.
  *
- * A position of exactly (0, 0, 0), which is the background, is stored as (-0, -0, -0): zero for every
- * program that reads it, and told from a surface point at the origin, whose difference is +0. With an
- * origin of (0, 0, 0) nothing is subtracted and nothing marked.
+ * A position of exactly (0, 0, 0), which is the background, is stored as (-0, -0, -0): zero for
+ * every program that reads it, and told from a surface point at the origin, whose difference is +0.
+ * With an origin of (0, 0, 0) nothing is subtracted and nothing marked.
  */
 #ifndef vtkRelievoEXRConvert_h
 #define vtkRelievoEXRConvert_h

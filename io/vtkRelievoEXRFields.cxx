@@ -22,9 +22,9 @@ std::vector<double> FieldNumbers(vtkFieldData* fields, const std::string& name, 
   if (!array || array->GetNumberOfValues() != static_cast<vtkIdType>(n))
   {
     throw Failure(vtkErrorCode::UserError,
-      "the field data array '" + name + "' has " +
-        std::to_string(found->GetNumberOfValues()) + (array ? " numbers" : " values") +
-        ", but " + std::to_string(n) + " numbers are expected; give that many or remove it");
+      "the field data array '" + name + "' has " + std::to_string(found->GetNumberOfValues()) +
+        (array ? " numbers" : " values") + ", but " + std::to_string(n) +
+        " numbers are expected; give that many or remove it");
   }
   std::vector<double> values;
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
@@ -54,8 +54,7 @@ void Insert(Imf::Header& header, const std::string& name, const Imf::Attribute& 
 {
   // OpenEXR refuses to change the type of an attribute that every header has.
   const auto found = header.find(name);
-  if (found == header.end() ||
-    std::string(found.attribute().typeName()) == attribute.typeName())
+  if (found == header.end() || std::string(found.attribute().typeName()) == attribute.typeName())
   {
     header.insert(name, attribute);
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoEXRFields.h
- * @brief Small steps between field data and EXR headers, shared by what writes and reads attributes.
+ * @brief Small steps between field data and EXR headers.
  */
 #ifndef vtkRelievoEXRFields_h
 #define vtkRelievoEXRFields_h
@@ -17,7 +17,9 @@ class vtkFieldData;
 
 namespace relievo::exr
 {
-/** The numbers of a field array; empty when it is not there. Throws Failure unless there are `n`. */
+/**
+ * The numbers of a field array; empty when it is not there. Throws Failure unless there are `n`.
+ */
 std::vector<double> FieldNumbers(vtkFieldData* fields, const std::string& name, std::size_t n);
 
 /** Adds a field array of one tuple with these values. */

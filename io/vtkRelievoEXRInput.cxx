@@ -44,8 +44,8 @@ Input::Input(const std::string& fileName)
   ScanHeaders(this->Stream);
   // Damaged tables of offsets are not guessed anew: that reads pixels of unknown places.
   const bool reconstruct = false;
-  this->File = std::make_unique<Imf::MultiPartInputFile>(
-    this->Stream, Imf::globalThreadCount(), reconstruct);
+  this->File =
+    std::make_unique<Imf::MultiPartInputFile>(this->Stream, Imf::globalThreadCount(), reconstruct);
   for (int i = 0; i < this->File->parts(); ++i)
   {
     const Imf::Header& header = this->File->header(i);
@@ -73,8 +73,9 @@ void Input::ChoosePart(int part)
       throw Failure(vtkErrorCode::FileFormatError,
         PartTitle(i, this->Parts[i]) + " is of type " + Shown(this->Parts[i].Type) +
           ", but only flat images (scanlineimage, tiledimage) are read; " +
-          (count > 1 ? "choose another part with SetPart, or flatten it with a program for deep data"
-                     : "flatten it with a program for deep data"));
+          (count > 1
+              ? "choose another part with SetPart, or flatten it with a program for deep data"
+              : "flatten it with a program for deep data"));
     }
     const Imf::Header& header = this->File->header(i);
     if (!headers.empty() && header.dataWindow() != headers.front()->dataWindow())
@@ -100,8 +101,7 @@ void Input::ChoosePart(int part)
       {
         name = this->Parts[chosen].Name + "." + name;
       }
-      const bool subsampled =
-        channel.channel().xSampling != 1 || channel.channel().ySampling != 1;
+      const bool subsampled = channel.channel().xSampling != 1 || channel.channel().ySampling != 1;
       this->Channels.push_back(
         { name, channel.name(), chosen, channel.channel().type, subsampled });
     }
@@ -169,8 +169,7 @@ void Input::Read(vtkPointData* points, const std::function<bool(double)>& progre
   std::vector<vtkDataArray*> arrays;
   for (const ArrayLayout& layout : this->Arrays)
   {
-    auto array =
-      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(layout.VtkType));
+    auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(layout.VtkType));
     array->SetName(layout.Name.c_str());
     array->SetNumberOfComponents(static_cast<int>(layout.Channels.size()));
     array->SetNumberOfTuples(width * height);

@@ -85,7 +85,8 @@ Imath::V3d PositionOrigin(vtkImageData* image)
   vtkDataArray* positions = image->GetPointData()->GetArray("position");
   const std::vector<double> given = FieldNumbers(image->GetFieldData(), "relievo:origin", 3);
   // Floats are stored as they are: subtracting an origin could not keep all their bits.
-  if (!positions || positions->GetNumberOfComponents() != 3 || positions->GetDataType() != VTK_DOUBLE)
+  if (!positions || positions->GetNumberOfComponents() != 3 ||
+    positions->GetDataType() != VTK_DOUBLE)
   {
     return Imath::V3d(0);
   }
@@ -128,7 +129,8 @@ Output::Output(vtkImageData* image, const Settings& settings)
 {
   this->PlanWindows(image);
   this->Header.compression() = settings.Compression;
-  if (settings.Compression == Imf::DWAA_COMPRESSION || settings.Compression == Imf::DWAB_COMPRESSION)
+  if (settings.Compression == Imf::DWAA_COMPRESSION ||
+    settings.Compression == Imf::DWAB_COMPRESSION)
   {
     this->Header.dwaCompressionLevel() = settings.DWALevel;
   }
@@ -163,8 +165,7 @@ void Output::PlanWindows(vtkImageData* image)
   Imath::Box2i oldData;
   Imath::Box2i oldDisplay;
   if (ReadWindow(image->GetFieldData(), "dataWindow", oldData) &&
-    ReadWindow(image->GetFieldData(), "displayWindow", oldDisplay) &&
-    oldData.size() == data.size())
+    ReadWindow(image->GetFieldData(), "displayWindow", oldDisplay) && oldData.size() == data.size())
   {
     data = oldData;
     display = oldDisplay;
@@ -276,8 +277,8 @@ void Output::PlanArray(vtkDataArray* array, const Settings& settings, const doub
       : normalized && pixel != Imf::UINT                   ? Coding::Normalized
                                                            : Coding::Plain;
     this->Header.channels().insert(channel, Imf::Channel(pixel));
-    this->Channels.push_back(
-      { channel, pixel, { this->Arrays.back(), c, code, { origin[0], origin[1], origin[2] } }, {} });
+    this->Channels.push_back({ channel, pixel,
+      { this->Arrays.back(), c, code, { origin[0], origin[1], origin[2] } }, {} });
   }
 }
 
@@ -380,8 +381,7 @@ void Output::CheckLosses(const Channel& channel) const
   if (channel.Lost.Inexact > 0)
   {
     throw Unfit("the array '" + std::string(channel.Source.Array->GetName()) + "' holds " +
-      channel.Lost.First + ", which " + TypeName(channel.Type) +
-      " cannot hold exactly; " +
+      channel.Lost.First + ", which " + TypeName(channel.Type) + " cannot hold exactly; " +
       (channel.Type == Imf::UINT ? "EXR has 32 bits for integers: convert the array"
                                  : "choose UINT with SetPixelType"));
   }

@@ -37,7 +37,7 @@ struct vtkRelievoEXRReader::Internals
   std::vector<Input::Part> Parts;
   std::vector<Input::Channel> Channels;
   std::vector<std::string> Layers;
-  // When reading failed, the reader's time then: it has been said, and holds until something changes.
+  // When reading failed, the reader's time then: said, and so until something changes.
   vtkMTimeType RefusedAt = 0;
 
   // Opens the file and chooses what the reader is set to read, noting what there is on the way.
@@ -235,8 +235,7 @@ int vtkRelievoEXRReader::RequestData(
     vtkPointData* points = output->GetPointData();
     if (points->GetNumberOfArrays() > 0)
     {
-      points->SetActiveScalars(
-        points->HasArray("color") ? "color" : points->GetArrayName(0));
+      points->SetActiveScalars(points->HasArray("color") ? "color" : points->GetArrayName(0));
     }
   });
   if (failure.Code != vtkErrorCode::NoError)

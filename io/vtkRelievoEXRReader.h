@@ -8,22 +8,23 @@
  * parts, any compression. Deep data and subsampled channels are refused.
  *
  * The output has one point per pixel of the file's data window, row 0 at the bottom, its extent
- * beginning at 0, spacing 1. Its origin is where the lower left pixel of the data window lies in the
- * display window, counted from that window's lower left pixel: (0, 0) unless the two differ. Both
- * windows are in the field data (`dataWindow`, `displayWindow`: min x, min y, max x, max y, y down).
+ * beginning at 0, spacing 1. Its origin is where the lower left pixel of the data window lies in
+ * the display window, counted from that window's lower left pixel: (0, 0) unless the two differ.
+ * Both windows are in the field data (`dataWindow`, `displayWindow`: min x, min y, max x, max y, y
+ * down).
  *
  * Files of vtkRelievoEXRWriter give back the arrays they were made from: names, types, order, and
  * values bit for bit (what the pixel type had to round stays rounded). `position` is in world
- * coordinates again, in double: `relievo:origin` plus the float of the file. Ids are -1 where nothing
- * is. In other files `R G B [A]` become the float array `color`, `LAYER.R ...` and `LAYER.X ...` become
- * `LAYER`, and every other channel becomes an array of the channel's name; HALF and FLOAT become
- * float, UINT becomes unsigned int. `color`, or else the first array, is made the active scalars.
- * Attributes become field data; which ones is told in docs/exr.md.
+ * coordinates again, in double: `relievo:origin` plus the float of the file. Ids are -1 where
+ * nothing is. In other files `R G B [A]` become the float array `color`, `LAYER.R ...` and `LAYER.X
+ * ...` become `LAYER`, and every other channel becomes an array of the channel's name; HALF and
+ * FLOAT become float, UINT becomes unsigned int. `color`, or else the first array, is made the
+ * active scalars. Attributes become field data; which ones is told in docs/exr.md.
  *
- * When a file cannot be read there is one error message, which names the file, says what is wrong and
- * what to do; GetErrorCode() is set, and the output is empty until the reader is changed. Setting
- * AbortExecute from a progress observer stops reading without a message; the output is empty and the
- * code is vtkErrorCode::UserError.
+ * When a file cannot be read there is one error message, which names the file, says what is wrong
+ * and what to do; GetErrorCode() is set, and the output is empty until the reader is changed.
+ * Setting AbortExecute from a progress observer stops reading without a message; the output is
+ * empty and the code is vtkErrorCode::UserError.
  *
  * @sa vtkRelievoEXRWriter
  */
@@ -81,7 +82,9 @@ public:
   const char* GetChannelName(int channel);
   ///@}
 
-  /** Pixel type of a channel as in vtkRelievoEXRWriter::PixelType (UINT 0, HALF 1, FLOAT 2), or -1. */
+  /**
+   * Pixel type of a channel as in vtkRelievoEXRWriter::PixelType (UINT 0, HALF 1, FLOAT 2), or -1.
+   */
   int GetChannelPixelType(int channel);
 
   ///@{

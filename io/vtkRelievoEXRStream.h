@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoEXRStream.h
- * @brief The files under OpenEXR: one that knows its size, and one that appears only when it is whole.
+ * @brief The files under OpenEXR: one knows its size, one appears only when it is whole.
  */
 #ifndef vtkRelievoEXRStream_h
 #define vtkRelievoEXRStream_h
@@ -22,7 +22,9 @@ struct CloseFile
 };
 using FilePointer = std::unique_ptr<std::FILE, CloseFile>;
 
-/** A file to read. Reading or seeking past its end throws Iex::InputExc, "Unexpected end of file". */
+/**
+ * A file to read. Reading or seeking past its end throws Iex::InputExc, "Unexpected end of file".
+ */
 class InputStream : public Imf::IStream
 {
 public:

@@ -221,7 +221,8 @@ int vtkRelievoEXRWriter::RequestData(
   const Failure failure = relievo::exr::Translate(advice, [&] {
     if (!this->FileName || !*this->FileName)
     {
-      throw Failure(vtkErrorCode::NoFileNameError, "no file name is given; set it with SetFileName");
+      throw Failure(
+        vtkErrorCode::NoFileNameError, "no file name is given; set it with SetFileName");
     }
     Output::Settings settings = this->Self->Settings;
     settings.Compression = static_cast<Imf::Compression>(this->Compression);
@@ -247,8 +248,8 @@ int vtkRelievoEXRWriter::RequestData(
   const std::string message = failure.what();
   if (!message.empty())
   {
-    vtkErrorMacro("Cannot write '" << (this->FileName ? this->FileName : "") << "': " << message
-                                   << ".");
+    vtkErrorMacro(
+      "Cannot write '" << (this->FileName ? this->FileName : "") << "': " << message << ".");
   }
   if (!warning.empty())
   {

@@ -4,8 +4,8 @@
  * @class   vtkRelievoEXRWriter
  * @brief   writes an image's point arrays into an OpenEXR file, one layer per array
  *
- * The input is a vtkImageData of W x H x 1 points, row 0 at the bottom; the file has one part of scan
- * lines, the top line first. Every point array is written:
+ * The input is a vtkImageData of W x H x 1 points, row 0 at the bottom; the file has one part of
+ * scan lines, the top line first. Every point array is written:
  *
  * | array                            | channels                              |
  * |----------------------------------|---------------------------------------|
@@ -59,10 +59,10 @@ public:
   };
 
   /**
-   * How pixels are packed. NO_COMPRESSION, RLE, ZIPS (line by line), ZIP (16 lines) and PIZ (32 lines)
-   * lose nothing. PXR24 rounds FLOAT to 24 bits. B44 and B44A lose accuracy in HALF. DWAA and DWAB
-   * lose accuracy in channels named R, G, B or Y, of whatever layer: in normal.Y and position.Y too.
-   * The writer warns of that.
+   * How pixels are packed. NO_COMPRESSION, RLE, ZIPS (line by line), ZIP (16 lines) and PIZ (32
+   * lines) lose nothing. PXR24 rounds FLOAT to 24 bits. B44 and B44A lose accuracy in HALF. DWAA
+   * and DWAB lose accuracy in channels named R, G, B or Y, of whatever layer: in normal.Y and
+   * position.Y too. The writer warns of that.
    */
   enum CompressionType
   {
@@ -105,9 +105,9 @@ public:
 
   ///@{
   /**
-   * Pixel type of the channels of an array (`normal`), or of one channel (`normal.X`).
-   * Integers may be HALF or FLOAT only as far as these hold them exactly, and float or double may not
-   * be UINT: Write() refuses both. Values beyond the range of HALF become infinite, with a warning.
+   * Pixel type of the channels of an array (`normal`), or of one channel (`normal.X`). Integers may
+   * be HALF or FLOAT only as far as these hold them exactly, and float or double may not be UINT:
+   * Write() refuses both. Values beyond the range of HALF become infinite, with a warning.
    */
   virtual void SetPixelType(const char* name, int type);
   virtual void RemoveAllPixelTypes();
@@ -118,8 +118,8 @@ public:
 
   ///@{
   /**
-   * Attributes of your own, besides those from the field data. Names that the format or Relievo uses
-   * are refused with an error; docs/exr.md lists them.
+   * Attributes of your own, besides those from the field data. Names that the format or Relievo
+   * uses are refused with an error; docs/exr.md lists them.
    */
   virtual void SetStringAttribute(const char* name, const char* value);
   virtual void SetDoubleAttribute(const char* name, double value);

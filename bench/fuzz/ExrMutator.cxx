@@ -122,7 +122,8 @@ void Mutator::Damage(std::string& bytes, std::size_t from, Random& random) const
     case 2: // bits
       for (uint64_t i = Below(random, 16) + 1; i > 0; --i)
       {
-        bytes[from + Below(random, bytes.size() - from)] ^= static_cast<char>(1 << Below(random, 8));
+        bytes[from + Below(random, bytes.size() - from)] ^=
+          static_cast<char>(1 << Below(random, 8));
       }
       break;
     case 3:
@@ -205,9 +206,8 @@ void Mutator::DamageHeader(std::string& bytes, Random& random) const
       }
       else if (size > 0)
       {
-        bytes[place.Value + Below(random, size)] = static_cast<char>(Below(random, 3) == 0
-            ? random()
-            : Below(random, 12));
+        bytes[place.Value + Below(random, size)] =
+          static_cast<char>(Below(random, 3) == 0 ? random() : Below(random, 12));
       }
       break;
     case 4: // removed, or there twice
@@ -232,7 +232,8 @@ void Mutator::DamageHeader(std::string& bytes, Random& random) const
       break;
     }
     case 6: // the flags
-      bytes[5] = static_cast<char>(Below(random, 2) == 0 ? random() : bytes[5] ^ (1 << Below(random, 6)));
+      bytes[5] =
+        static_cast<char>(Below(random, 2) == 0 ? random() : bytes[5] ^ (1 << Below(random, 6)));
       break;
     default: // an offset of a chunk, or what stands before its pixels
       PutInt(bytes, end + 4 * Below(random, 40), InterestingInt(random));

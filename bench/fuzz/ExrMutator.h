@@ -21,9 +21,9 @@ public:
   explicit Mutator(std::vector<std::string> seeds);
 
   /**
-   * File number `index`: a seed with one to four kinds of damage: bits and bytes changed, the file cut
-   * or lengthened, stretches removed, doubled or taken from another seed, attributes of the header
-   * with other sizes, types or values, other flags, and offsets that lead elsewhere.
+   * File number `index`: a seed with one to four kinds of damage: bits and bytes changed, the file
+   * cut or lengthened, stretches removed, doubled or taken from another seed, attributes of the
+   * header with other sizes, types or values, other flags, and offsets that lead elsewhere.
    */
   std::string Make(uint64_t index) const;
 

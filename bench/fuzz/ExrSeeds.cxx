@@ -24,8 +24,8 @@ const int NumberOfCompressions = 10;
 
 Imf::Header MixedHeader(const Box2i& window, int compression)
 {
-  Imf::Header header = ioTest::MakeHeader(window, window, { "R", "G", "B", "A" }, Imf::HALF,
-    static_cast<Imf::Compression>(compression));
+  Imf::Header header = ioTest::MakeHeader(
+    window, window, { "R", "G", "B", "A" }, Imf::HALF, static_cast<Imf::Compression>(compression));
   header.channels().insert("depth.Z", Imf::Channel(Imf::FLOAT));
   header.channels().insert("cell.id", Imf::Channel(Imf::UINT));
   return header;

@@ -41,8 +41,8 @@ struct Pixels
         for (int x = 0; x < width; ++x, to += size)
         {
           const int value = shift +
-            Pixel(index, window.min.x + x * channel.xSampling,
-              window.min.y + y * channel.ySampling);
+            Pixel(
+              index, window.min.x + x * channel.xSampling, window.min.y + y * channel.ySampling);
           if (channel.type == Imf::UINT)
           {
             *reinterpret_cast<unsigned int*>(to) = value;
@@ -176,14 +176,14 @@ void WriteDeep(const std::string& name, const Imf::Header& header)
   }
   Imf::DeepFrameBuffer buffer;
   const std::ptrdiff_t offset = window.min.x + static_cast<std::ptrdiff_t>(window.min.y) * width;
-  buffer.insertSampleCountSlice(Imf::Slice(Imf::UINT,
-    reinterpret_cast<char*>(counts.data() - offset), sizeof(unsigned int),
-    sizeof(unsigned int) * width));
+  buffer.insertSampleCountSlice(
+    Imf::Slice(Imf::UINT, reinterpret_cast<char*>(counts.data() - offset), sizeof(unsigned int),
+      sizeof(unsigned int) * width));
   for (auto it = deep.channels().begin(); it != deep.channels().end(); ++it)
   {
     buffer.insert(it.name(),
-      Imf::DeepSlice(Imf::FLOAT, reinterpret_cast<char*>(pointers.data() - offset),
-        sizeof(float*), sizeof(float*) * width, sizeof(float)));
+      Imf::DeepSlice(Imf::FLOAT, reinterpret_cast<char*>(pointers.data() - offset), sizeof(float*),
+        sizeof(float*) * width, sizeof(float)));
   }
   Imf::DeepScanLineOutputFile file(name.c_str(), deep);
   file.setFrameBuffer(buffer);

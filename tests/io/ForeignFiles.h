@@ -4,13 +4,13 @@
  * @file ForeignFiles.h
  * @brief EXR files as other programs write them: made by OpenEXR itself, pixels from formulas.
  *
- * The pixel at (x, y) of the file (y down) has, in every channel, the value of Pixel(channel, x, y).
+ * The pixel at (x, y) of the file, y down, has the value Pixel(channel, x, y) in every channel.
  */
 #ifndef ForeignFiles_h
 #define ForeignFiles_h
 
-#include <OpenEXR/ImfCompression.h>
 #include <Imath/ImathBox.h>
+#include <OpenEXR/ImfCompression.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfPixelType.h>
 #include <OpenEXR/ImfTileDescription.h>

@@ -93,18 +93,21 @@ vtkSmartPointer<vtkImageData> MakeLayers(int width, int height)
   AddArray(image, "color", VTK_FLOAT, 4, [](int i, int c) { return std::abs(Wave(i, c)) * 3; });
   for (const char* name : { "depth", "range" })
   {
-    AddArray(image, name, VTK_FLOAT, 1,
-      [&](int i, int) { return background(i) ? Infinity : i == 5 ? NaN : 10 + Wave(i, 0); });
+    AddArray(image, name, VTK_FLOAT, 1, [&](int i, int) {
+      return background(i) ? Infinity : i == 5 ? NaN : 10 + Wave(i, 0);
+    });
   }
   for (const char* name : { "normal", "geometric_normal" })
   {
-    AddArray(image, name, VTK_FLOAT, 3,
-      [&](int i, int c) { return background(i) ? 0 : i == 6 ? -0.0 : Wave(i, c); });
+    AddArray(image, name, VTK_FLOAT, 3, [&](int i, int c) {
+      return background(i) ? 0 : i == 6 ? -0.0 : Wave(i, c);
+    });
   }
   AddArray(image, "position", VTK_DOUBLE, 3, [&](int i, int c) {
     return background(i) ? 0.0 : origin[c] + static_cast<double>(static_cast<float>(Wave(i, c)));
   });
-  AddArray(image, "albedo", VTK_UNSIGNED_CHAR, 4, [](int i, int c) { return (i * 7 + c * 61) % 256; });
+  AddArray(
+    image, "albedo", VTK_UNSIGNED_CHAR, 4, [](int i, int c) { return (i * 7 + c * 61) % 256; });
   const double ids[] = { -1, 0, 1, 2147483647, -2147483648.0, 16777217, 65535 };
   for (const char* name : { "actor", "block", "cell" })
   {
@@ -121,8 +124,8 @@ vtkSmartPointer<vtkImageData> MakeLayers(int width, int height)
 
   AddField(image, "worldToCamera",
     { 0.8, 0, -0.6, 1.1, 0.1, 0.9, 0.2, -5000000.1, 0.6, 0, 0.8, -7.7, 0, 0, 0, 1 });
-  AddField(
-    image, "worldToNDC", { 1.3, 0.1, -0.2, 3, 0, 1.7, 0.4, -2, 0.3, 0.2, -1.1, 5, 0.1, 0.2, -1, 9 });
+  AddField(image, "worldToNDC",
+    { 1.3, 0.1, -0.2, 3, 0, 1.7, 0.4, -2, 0.3, 0.2, -1.1, 5, 0.1, 0.2, -1, 9 });
   AddField(image, "near", { 0.1 });
   AddField(image, "far", { 1234.5678901 });
   AddField(image, "relievo:origin", { origin[0], origin[1], origin[2] });

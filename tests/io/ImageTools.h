@@ -31,7 +31,9 @@ void AddField(vtkImageData* image, const std::string& name, const std::vector<do
 void AddStrings(
   vtkImageData* image, const std::string& name, const std::vector<std::string>& values);
 
-/** Every layer of a capture, background, infinities, NaNs and large ids included, and field data. */
+/**
+ * Every layer of a capture, background, infinities, NaNs and large ids included, and field data.
+ */
 vtkSmartPointer<vtkImageData> MakeLayers(int width, int height);
 
 /** Reads a file; the output is empty when that fails. */

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that cannot be read and places that cannot be written: one clear message, nothing left over.
+// Files that cannot be read, places that cannot be written: one clear message, nothing left over.
 #include "ForeignFiles.h"
 #include "ImageTools.h"
 
@@ -59,7 +59,8 @@ void CheckRefused(const std::string& file, const std::string& words, unsigned lo
   RELIEVO_CHECK_THAT(reader->GetErrorCode() == code,
     what + vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
   RELIEVO_CHECK_THAT(reader->GetOutput()->GetNumberOfPoints() == 0, what + "points");
-  RELIEVO_CHECK_THAT(reader->GetOutput()->GetPointData()->GetNumberOfArrays() == 0, what + "arrays");
+  RELIEVO_CHECK_THAT(
+    reader->GetOutput()->GetPointData()->GetNumberOfArrays() == 0, what + "arrays");
   RELIEVO_CHECK_THAT(
     reader->GetOutput()->GetFieldData()->GetNumberOfArrays() == 0, what + "field data");
 }
@@ -144,18 +145,18 @@ void TestHugeHeaders()
   const std::string corner = Int(0) + Int(0);
   check(WithAttribute(good, "dataWindow", corner + Int(2147483647) + Int(2147483647)),
     "Invalid data window", vtkErrorCode::FileFormatError);
-  check(WithAttribute(good, "dataWindow", corner + Int(most) + Int(most)),
-    "end of file", vtkErrorCode::PrematureEndOfFileError);
+  check(WithAttribute(good, "dataWindow", corner + Int(most) + Int(most)), "end of file",
+    vtkErrorCode::PrematureEndOfFileError);
   check(WithAttribute(good, "dataWindow", Int(-most) + Int(0) + Int(most) + Int(36)),
     "2147483645 x 37 pixels, more than can be packed", vtkErrorCode::PrematureEndOfFileError);
   check(WithAttribute(good, "dataWindow", corner + Int(100000) + Int(36)),
     "100001 x 37 pixels, more than can be packed", vtkErrorCode::PrematureEndOfFileError);
-  check(WithAttribute(good, "dataWindow", Int(5) + Int(0) + Int(4) + Int(0)),
-    "Invalid data window", vtkErrorCode::FileFormatError);
-  check(WithAttribute(tiled, "tiles", Int(2147483647) + Int(2147483647)),
-    "more than can be packed", vtkErrorCode::PrematureEndOfFileError);
-  check(WithAttribute(tiled, "tiles", Int(1) + Int(100000000)),
-    "more than can be packed", vtkErrorCode::PrematureEndOfFileError);
+  check(WithAttribute(good, "dataWindow", Int(5) + Int(0) + Int(4) + Int(0)), "Invalid data window",
+    vtkErrorCode::FileFormatError);
+  check(WithAttribute(tiled, "tiles", Int(2147483647) + Int(2147483647)), "more than can be packed",
+    vtkErrorCode::PrematureEndOfFileError);
+  check(WithAttribute(tiled, "tiles", Int(1) + Int(100000000)), "more than can be packed",
+    vtkErrorCode::PrematureEndOfFileError);
   // An attribute of 2 GiB, and one whose size is not its type's.
   std::string bytes = good;
   const std::size_t size = bytes.find("lineOrder", bytes.find("lineOrder") + 9) + 10;

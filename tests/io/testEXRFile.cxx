@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkRelievoEXRWriter puts into a file, seen through OpenEXR itself and not through our reader.
+// What vtkRelievoEXRWriter puts into a file, seen by OpenEXR itself and not by our reader.
 #include "ImageTools.h"
 
 #include "Check.h"
@@ -89,8 +89,7 @@ void TestChannels()
   RELIEVO_CHECK_THAT(found == expected, "channels are:\n" + found);
   RELIEVO_CHECK(file.header().compression() == Imf::ZIP_COMPRESSION);
   RELIEVO_CHECK(file.header().lineOrder() == Imf::INCREASING_Y);
-  RELIEVO_CHECK(
-    file.header().dataWindow() == Imath::Box2i(Imath::V2i(0, 0), Imath::V2i(4, 3)));
+  RELIEVO_CHECK(file.header().dataWindow() == Imath::Box2i(Imath::V2i(0, 0), Imath::V2i(4, 3)));
   RELIEVO_CHECK(file.header().displayWindow() == file.header().dataWindow());
 }
 
@@ -100,8 +99,8 @@ void TestOrientation()
   const int width = 6;
   const int height = 40; // more than a chunk
   auto image = ioTest::MakeImage(width, height);
-  ioTest::AddArray(image, "depth", VTK_FLOAT, 1,
-    [&](int i, int) { return 1000.0 * (i / width) + i % width; });
+  ioTest::AddArray(
+    image, "depth", VTK_FLOAT, 1, [&](int i, int) { return 1000.0 * (i / width) + i % width; });
   RELIEVO_CHECK(ioTest::Write(image, File()));
   Imf::InputFile file(File().c_str());
   const std::vector<float> lines = Floats(file, "depth.Z");
@@ -128,8 +127,9 @@ void TestPixels()
     [](int i, int) { return i == 0 ? std::numeric_limits<double>::infinity() : i; });
   ioTest::AddArray(
     image, "albedo", VTK_UNSIGNED_CHAR, 3, [](int i, int c) { return i * 85 - (c == 1 && i > 0); });
-  ioTest::AddArray(image, "position", VTK_DOUBLE, 3,
-    [](int i, int c) { return i == 0 ? 0 : i == 1 ? 100.5 + c : 100.5 + c + 0.25 * i; });
+  ioTest::AddArray(image, "position", VTK_DOUBLE, 3, [](int i, int c) {
+    return i == 0 ? 0 : i == 1 ? 100.5 + c : 100.5 + c + 0.25 * i;
+  });
   ioTest::AddField(image, "relievo:origin", { 100.5, 101.5, 102.5 });
   RELIEVO_CHECK(ioTest::Write(image, File()));
   Imf::InputFile file(File().c_str());

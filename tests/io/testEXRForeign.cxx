@@ -85,8 +85,7 @@ void TestScanLines()
         const std::string expected =
           type == Imf::UINT ? "Z unsigned int 1, a unsigned int 1" : "Z float 1, a float 1";
         RELIEVO_CHECK_THAT(Arrays(image) == expected, Arrays(image));
-        RELIEVO_CHECK_THAT(
-          Holds(image, "Z", 0, 0, Window) && Holds(image, "a", 0, 1, Window),
+        RELIEVO_CHECK_THAT(Holds(image, "Z", 0, 0, Window) && Holds(image, "a", 0, 1, Window),
           "type " + std::to_string(type) + ", compression " + std::to_string(c));
       }
     }
@@ -155,8 +154,7 @@ void TestNames()
                                "left float 1, left.V float 1, "
                                "mixed.X float 1, mixed.Y unsigned int 1, odd. float 1";
   RELIEVO_CHECK_THAT(Arrays(image) == expected, "arrays are: " + Arrays(image));
-  RELIEVO_CHECK(
-    image->GetPointData()->GetScalars() == image->GetPointData()->GetArray("color"));
+  RELIEVO_CHECK(image->GetPointData()->GetScalars() == image->GetPointData()->GetArray("color"));
   // In the order of their names, ".V" is 0 and "A" is 1.
   RELIEVO_CHECK(Holds(image, "color", 3, 1, Window) && Holds(image, "color", 2, 2, Window));
   RELIEVO_CHECK(Holds(image, ".V", 0, 0, Window) && Holds(image, "color", 1, 3, Window));
@@ -192,8 +190,8 @@ void TestSelection()
   RELIEVO_CHECK(Holds(reader->GetOutput(), "depth", 0, 3, Window));
   reader->GetChannelSelection()->EnableArray("G");
   reader->Update();
-  RELIEVO_CHECK_THAT(Arrays(reader->GetOutput()) == "depth float 1, G float 1",
-    Arrays(reader->GetOutput()));
+  RELIEVO_CHECK_THAT(
+    Arrays(reader->GetOutput()) == "depth float 1, G float 1", Arrays(reader->GetOutput()));
   reader->GetChannelSelection()->DisableAllArrays();
   reader->Update();
   RELIEVO_CHECK(reader->GetOutput()->GetNumberOfPoints() == 45 * 37);
@@ -210,8 +208,7 @@ void TestParts()
 
   ioTest::WriteParts(File(), { color, tiled });
   auto both = ioTest::Read(File());
-  RELIEVO_CHECK_THAT(
-    Arrays(both) == "color float 3, depth float 1, part1.R float 1", Arrays(both));
+  RELIEVO_CHECK_THAT(Arrays(both) == "color float 3, depth float 1, part1.R float 1", Arrays(both));
   RELIEVO_CHECK(Holds(both, "color", 0, 2, Window) && Holds(both, "part1.R", 0, 3, Window) &&
     Holds(both, "depth", 0, 4, Window));
 
@@ -299,7 +296,8 @@ void TestCamera()
   }
   // x = 2 x' - w, y = w - 2 y': from the first column of the row-vector matrix.
   vtkDataArray* ndc = fields->GetArray("worldToNDC");
-  RELIEVO_CHECK(ndc && ndc->GetComponent(0, 0) == 2 * 1 - 4 && ndc->GetComponent(0, 4) == 4 - 2 * 2);
+  RELIEVO_CHECK(
+    ndc && ndc->GetComponent(0, 0) == 2 * 1 - 4 && ndc->GetComponent(0, 4) == 4 - 2 * 2);
   RELIEVO_CHECK(ndc->GetComponent(0, 8) == 3 && ndc->GetComponent(0, 12) == 4);
   RELIEVO_CHECK(fields->GetArray("near")->GetComponent(0, 0) == 0.5);
   RELIEVO_CHECK(fields->GetArray("position")->GetComponent(0, 2) == 3);
@@ -310,7 +308,8 @@ void TestCamera()
 void TestManners()
 {
   const Box2i large(V2i(0, 0), V2i(1999, 2999));
-  ioTest::WriteScanLines(File(), MakeHeader(large, large, { "Z" }, Imf::FLOAT, Imf::ZIP_COMPRESSION));
+  ioTest::WriteScanLines(
+    File(), MakeHeader(large, large, { "Z" }, Imf::FLOAT, Imf::ZIP_COMPRESSION));
   vtkNew<vtkRelievoEXRReader> reader;
   RELIEVO_CHECK(reader->CanReadFile(File().c_str()) == 1);
   RELIEVO_CHECK(reader->CanReadFile("/no/such/file.exr") == 0);

@@ -122,10 +122,8 @@ void TestFields()
 void TestFloatBits()
 {
   auto image = ioTest::MakeImage(64, 64);
-  auto* array =
-    vtkFloatArray::SafeDownCast(ioTest::AddArray(image, "bits", VTK_FLOAT, 1, [](int, int) {
-      return 0;
-    }));
+  auto* array = vtkFloatArray::SafeDownCast(
+    ioTest::AddArray(image, "bits", VTK_FLOAT, 1, [](int, int) { return 0; }));
   std::mt19937 random(1);
   for (int i = 0; i < 4096; ++i)
   {
@@ -140,7 +138,8 @@ void TestFloatBits()
 void TestBytes()
 {
   auto image = ioTest::MakeImage(256, 1);
-  ioTest::AddArray(image, "albedo", VTK_UNSIGNED_CHAR, 4, [](int i, int c) { return (i + c) % 256; });
+  ioTest::AddArray(
+    image, "albedo", VTK_UNSIGNED_CHAR, 4, [](int i, int c) { return (i + c) % 256; });
   ioTest::AddArray(image, "color", VTK_UNSIGNED_CHAR, 3, [](int i, int) { return i; });
   for (const int type :
     { vtkRelievoEXRWriter::HALF, vtkRelievoEXRWriter::FLOAT, vtkRelievoEXRWriter::UINT })
@@ -158,9 +157,9 @@ void TestBytes()
 
 void TestIntegers()
 {
-  const int types[] = { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
-    VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
-    VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE };
+  const int types[] = { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
+    VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
+    VTK_ID_TYPE };
   auto image = ioTest::MakeImage(8, 2);
   for (const int type : types)
   {
@@ -195,11 +194,11 @@ void TestPosition()
     auto image = ioTest::MakeImage(16, 16);
     ioTest::AddArray(image, "position", VTK_DOUBLE, 3, [&](int i, int c) {
       const double offset = static_cast<double>(static_cast<float>(scale * uniform(random)));
-      return i % 8 == 0                                ? 0.0       // background
-        : i % 8 == 1                                   ? origin[c] // a surface at the origin
-        : i % 8 == 2 && c == 1 && origin[1] == 0.0     ? -0.0
-        : i % 8 == 3 && c == 0                         ? std::numeric_limits<double>::infinity()
-                                                       : origin[c] + offset;
+      return i % 8 == 0                            ? 0.0       // background
+        : i % 8 == 1                               ? origin[c] // a surface at the origin
+        : i % 8 == 2 && c == 1 && origin[1] == 0.0 ? -0.0
+        : i % 8 == 3 && c == 0                     ? std::numeric_limits<double>::infinity()
+                                                   : origin[c] + offset;
     });
     ioTest::AddField(image, "relievo:origin", { origin[0], origin[1], origin[2] });
     CheckSame(image, "position, round " + std::to_string(round));
@@ -306,8 +305,7 @@ void TestOtherArrays()
   }
   image->GetPointData()->AddArray(array);
   auto expected = ioTest::MakeImage(3, 4);
-  ioTest::AddArray(
-    expected, "soa", VTK_FLOAT, 3, [](int i, int c) { return (3 * i + c) * 0.3; });
+  ioTest::AddArray(expected, "soa", VTK_FLOAT, 3, [](int i, int c) { return (3 * i + c) * 0.3; });
   RELIEVO_CHECK(ioTest::Write(image, File()));
   std::string difference = ioTest::Difference(expected, ioTest::Read(File()));
   RELIEVO_CHECK_THAT(difference.empty(), difference);
