@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Draws once over the frame's viewport with a shader that reads layers: the drawing half of a stage
-// that works on the picture. The shader includes gbuffer/read.glsl and has, from here,
-//   in vec2 texCoord; uniform vec2 relievoSize; uniform ivec2 relievoOffset;
-// the texel of a pixel being ivec2(floor(texCoord * relievoSize)) + relievoOffset.
+// that works on the picture. The shader includes gbuffer/read.glsl, and is given texCoord (vec2) and
+// as uniforms relievoSize (vec2) and relievoOffset (ivec2): the texel of a pixel in the layers is
+// ivec2(floor(texCoord * relievoSize)) + relievoOffset.
 #ifndef vtkRelievoScreenQuad_h
 #define vtkRelievoScreenQuad_h
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""testChecks.py CHECK: tools/check finds each kind of mistake where it is, and nothing in a clean tree."""
+"""testChecks.py CHECK: tools/check finds each kind of mistake, and none in a clean tree."""
 
 import os
 import pathlib
@@ -24,7 +24,8 @@ CLEAN = {
 MISTAKES = {
     "look": ("passes/vtkB.cxx", LICENCE + "int  B(){return 1;}\n", "clang-format"),
     "shell": ("tools/bad", CLEAN["tools/run"] + "cd $1 && rm -rf $unset/*\nfi\n", "shellcheck"),
-    "python": ("python/relievo/b.py", CLEAN["python/relievo/a.py"] + "def (:\n", "does not compile"),
+    "python": ("python/relievo/b.py", CLEAN["python/relievo/a.py"] + "def (:\n",
+               "does not compile"),
     "licence": ("io/vtkB.h", "int B();\n", "SPDX"),
     "blanks": ("shaders/b.glsl", LICENCE + "float b; \n", "white space"),
     "tab": ("python/relievo/c.py", CLEAN["python/relievo/a.py"] + "\tx = 1\n", "tab"),
@@ -34,7 +35,8 @@ MISTAKES = {
     "ParaView module": ("io/vtk.module", "NAME\n  Relievo::IO\nDEPENDS\n  ParaView::Core\n",
                         "plugin/ only"),
     "GLSL": ("passes/vtkD.cxx", LICENCE + 'const char* D = "gl_FragDepth = 1.;";\n', "shaders/"),
-    "GLSL uniform": ("passes/vtkE.cxx", LICENCE + 'const char* E = "uniform vec3 e;";\n', "shaders/"),
+    "GLSL uniform": ("passes/vtkE.cxx", LICENCE + 'const char* E = "uniform vec3 e;";\n',
+                     "shaders/"),
     "OpenGL": ("filters/vtkF.h", LICENCE + '#include "vtkOpenGLActor.h"\n', "no OpenGL"),
     "sideways": ("filters/vtk.module", "NAME\n  Relievo::Filters\nDEPENDS\n  Relievo::Passes\n",
                  "depends on Relievo::Shaders only"),
@@ -72,12 +74,14 @@ def main(command):
         if name != "none":
             write(tree, {path: text})
         status, output = check(command, tree)
-        lines = [line for line in output.splitlines() if line.startswith(path) and words in line]
+        lines = [line for line in output.splitlines()
+                 if line.startswith(path) and words in line]
         if name == "none" and status != 0:
             failures.append(f"a clean tree: status {status}\n{output}")
         if name != "none" and (status != 1 or not lines):
-            failures.append(f"{name}: no complaint about {path} with '{words}', status {status}\n{output}")
-    print("\n".join(failures) or f"{len(MISTAKES)} kinds of mistakes found, none where there is none")
+            failures.append(
+                f"{name}: no complaint about {path} with '{words}', status {status}\n{output}")
+    print("\n".join(failures) or f"{len(MISTAKES)} kinds of mistakes found, none in a clean tree")
     return 1 if failures else 0
 
 

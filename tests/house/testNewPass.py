@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """testNewPass.py SOURCE CMAKE CTEST [CMAKE OPTIONS...]: "add a pass in N steps", done.
 
-In a copy of the tree, tools/new-pass adds a pass; the copy is built and the new pass's own test runs.
-The copy keeps its build, so that a second run compiles only what changed.
+In a copy of the tree, tools/new-pass adds a pass; the copy is built and the new pass's own test
+runs. The copy keeps its build, so that a second run compiles only what changed.
 """
 
 import filecmp

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""outside.py FILE.exr PREFIX: captures a sphere with the relievo installed in PREFIX, reads it back."""
+"""outside.py FILE.exr PREFIX: captures with the relievo installed in PREFIX and reads it back."""
 
 import sys
 
