@@ -5,6 +5,8 @@
 #include "vtkActor.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkOpenGLGlyph3DHelper.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoGBufferLayout.h"
@@ -48,6 +50,14 @@ void FillVarying(std::string& vertex, std::string& geometry, std::string& fragme
   {
     MarkBehind(fragment, "//RELIEVO::Position::Impl", Section(file, "FragmentImpl"));
   }
+}
+
+// Normals at the points, which VTK's shader leaves out where it computes no light.
+bool HasPointNormals(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
+  return mapper->CurrentInput && mapper->CurrentInput->GetPointData()->GetNormals() &&
+    actor->GetProperty()->GetInterpolation() != VTK_FLAT &&
+    !vtkOpenGLGlyph3DHelper::SafeDownCast(mapper);
 }
 
 bool CanCarryVarying(
@@ -108,19 +118,20 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   }
   const int primitiveType = vtkRelievoAccess::Mapper::BoundPrimitiveType(mapper);
   const int source = GetPrimitiveSource(mapper, actor);
+  const bool triangles = primitiveType == vtkOpenGLPolyDataMapper::PrimitiveTris ||
+    primitiveType == vtkOpenGLPolyDataMapper::PrimitiveTriStrips;
   const bool needsPosition = !Has(fragment, "vec4 vertexVC =");
+  const bool needsNormal = triangles && !Has(fragment, "normalVCVSOutput") && HasPointNormals(mapper, actor);
   const bool needsInstance = layout.IdWord >= 0 && source == InstanceOfGlyphs;
-  if ((needsPosition || needsInstance) && !CanCarryVarying(vertex, geometry, fragment))
+  if ((needsPosition || needsNormal || needsInstance) && !CanCarryVarying(vertex, geometry, fragment))
   {
     return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl";
   }
 
   const bool impostor = Has(fragment, "vertexVC.xyz =");
-  const bool hasNormal = Has(fragment, "normalVCVSOutput");
+  const bool hasNormal = needsNormal || Has(fragment, "normalVCVSOutput");
   const bool spherePoints = Has(fragment, "ZCalcR") && Has(fragment, "gl_PointCoord");
   const bool tubeLines = Has(fragment, "ZCalcR") && Has(fragment, "float lenZ");
-  const bool triangles = primitiveType == vtkOpenGLPolyDataMapper::PrimitiveTris ||
-    primitiveType == vtkOpenGLPolyDataMapper::PrimitiveTriStrips;
   const bool surface =
     triangles && !impostor && actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
 
@@ -128,6 +139,10 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   {
     FillVarying(vertex, geometry, fragment, "position.glsl", true);
     FillMark(vertex, "RELIEVO_VERTEX_MC", Has(vertex, "vec4 vertex =") ? "vertex" : "vertexMC");
+  }
+  if (needsNormal)
+  {
+    FillVarying(vertex, geometry, fragment, "normal.glsl", true);
   }
   if (needsInstance)
   {
@@ -147,7 +162,8 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   const bool asksFace = layout.GeometricNormalWord >= 0 || !hasNormal;
   define(surface && asksFace && !isFaceNormal, "RELIEVO_FACE_NORMAL");
   define(hasNormal, "RELIEVO_HAS_NORMAL");
-  define(Has(fragment, "gl_FrontFacing == false) { normalVCVSOutput"), "RELIEVO_NORMAL_BY_WINDING");
+  define(needsNormal || Has(fragment, "gl_FrontFacing == false) { normalVCVSOutput"),
+    "RELIEVO_NORMAL_BY_WINDING");
   define(spherePoints, "RELIEVO_SPHERE_POINTS");
   define(tubeLines && !spherePoints, "RELIEVO_TUBE_LINES");
   define(Has(fragment, "vec3 albedo ="), "RELIEVO_PBR_ALBEDO");

@@ -271,6 +271,11 @@ void vtkRelievoPass::Render(const vtkRenderState* s)
   {
     this->RenderDelegate(s, needed);
   }
+  else
+  {
+    // The delegate would have done it: VTK's shaders are built for the lights that it counts.
+    renderer->UpdateLights();
+  }
   each(&vtkRelievoStage::RenderAfter);
   if (timed)
   {
