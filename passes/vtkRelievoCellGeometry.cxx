@@ -4,10 +4,10 @@
 
 #include "vtkActor.h"
 #include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoView.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ vtkRelievoCellGeometry::vtkRelievoCellGeometry(const vtkRelievoDrawTable::Hit& h
   {
     return;
   }
-  static thread_local vtkSmartPointer<vtkIdList> ids = vtkSmartPointer<vtkIdList>::New();
+  vtkNew<vtkIdList> ids;
   hit.Mesh->GetCellPoints(hit.Cell, ids);
   vtkIdType corners[3] = { 0, 0, 0 };
   const int count = GetCorners(hit.Mesh->GetCellType(hit.Cell),

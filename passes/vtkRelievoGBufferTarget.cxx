@@ -9,6 +9,7 @@
 #include "vtkRelievoGBufferLayout.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace
@@ -126,6 +127,13 @@ std::string vtkRelievoGBufferTarget::AttachShared(
   if (framebuffer == 0)
   {
     return "the delegate draws to the window itself";
+  }
+  // A pass that draws larger and scales down, say: the textures would cut its picture off.
+  GLint viewport[4] = { 0, 0, 0, 0 };
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  if (!std::equal(viewport, viewport + 4, region))
+  {
+    return "the delegate draws to another place or size than the renderer's viewport";
   }
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
