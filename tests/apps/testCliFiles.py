@@ -4,6 +4,7 @@
 
 import os
 import pathlib
+import pty
 import signal
 import subprocess
 import time
@@ -154,6 +155,26 @@ class Display(CliTest):
             display = ":" + number.readline().strip()
         for i in range(5):
             self.render("--size", "8x8", "--png", f"{i}.png", environment={"DISPLAY": display})
+
+
+class Progress(CliTest):
+    def test_on_a_terminal_only(self):
+        words = ["render", "triangle.off", *LOOK, "--size", "64x64", "--exr", "a.exr"]
+        self.assertEqual(self.relievo(*words).stderr, "")
+        ours, theirs = pty.openpty()
+        run = subprocess.Popen([RELIEVO, *words], cwd=self.folder, stderr=theirs)
+        os.close(theirs)
+        said = b""
+        try:
+            while piece := os.read(ours, 4096):
+                said += piece
+        except OSError:  # how Linux says that the other end of a terminal is closed
+            pass
+        os.close(ours)
+        self.assertEqual(run.wait(timeout=60), 0)
+        for step in (b"reading triangle.off", b"rendering 64x64", b"writing a.exr"):
+            self.assertIn(b"relievo: " + step + b" 0 %", said)
+        self.assertTrue(said.endswith(b"\r\x1b[K"), "the line is not cleared at the end")
 
 
 if __name__ == "__main__":
