@@ -2,12 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoDepthRefiner.h"
 
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
 #include "vtkRelievoCellGeometry.h"
+#include "vtkRelievoMeshLinks.h"
 #include "vtkRelievoView.h"
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+namespace
+{
+// Not another surface altogether.
+bool IsSameSurface(double a, double b)
+{
+  return std::abs(a - b) < 0.01 * b;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkRelievoDepthRefiner::vtkRelievoDepthRefiner(const vtkRelievoDrawTable& draws,
@@ -90,8 +105,7 @@ double vtkRelievoDepthRefiner::GetNeighbourDepth(
   int x, int y, const Ray& ray, double depth) const
 {
   const std::uint32_t own = this->GetWord(x, y);
-  // Of all that hold the centre the nearest is seen, unless it is another surface altogether.
-  const double reach = 0.01 * depth;
+  // Of all that hold the centre the nearest is seen.
   double best = std::numeric_limits<double>::infinity();
   for (int j = std::max(0, y - 1); j <= std::min(this->View.Viewport[3] - 1, y + 1); ++j)
   {
@@ -105,17 +119,82 @@ double vtkRelievoDepthRefiner::GetNeighbourDepth(
       }
       bool inside = false;
       const double candidate = GetDepth(triangle, ray, inside);
-      if (inside && std::abs(candidate - depth) < reach)
+      if (inside && IsSameSurface(candidate, depth))
       {
         best = std::min(best, candidate);
       }
     }
   }
-  return std::isfinite(best) ? best : depth;
+  return best;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoDepthRefiner::RefineRow(int y, float* depths)
+double vtkRelievoDepthRefiner::GetAdjacentDepth(
+  int x, int y, double depth, vtkRelievoMeshLinks& links) const
+{
+  const vtkRelievoDrawTable::Hit hit = this->Draws.Find(this->GetWord(x, y));
+  const Ray ray = this->GetRay(x, y);
+  vtkRelievoMeshLinks::Links& cells = links.Get(hit.Mesh);
+  vtkNew<vtkIdList> corners;
+  vtkNew<vtkIdList> ids;
+  hit.Mesh->GetCellPoints(hit.Cell, corners);
+  double best = std::numeric_limits<double>::infinity();
+  for (vtkIdType c = 0; c < corners->GetNumberOfIds(); ++c)
+  {
+    const vtkIdType point = corners->GetId(c);
+    for (vtkIdType k = 0; k < cells.GetNumberOfCells(point); ++k)
+    {
+      hit.Mesh->GetCellPoints(cells.GetCells(point)[k], ids);
+      // As VTK's mappers cut polygons: into fans.
+      for (vtkIdType i = 2; i < ids->GetNumberOfIds(); ++i)
+      {
+        Triangle triangle;
+        const vtkIdType fan[3] = { ids->GetId(0), ids->GetId(i - 1), ids->GetId(i) };
+        for (int j = 0; j < 3; ++j)
+        {
+          glm::dvec3 model;
+          hit.Mesh->GetPoint(fan[j], &model[0]);
+          triangle.Corners[j] = glm::dvec3(*hit.ModelToView * glm::dvec4(model, 1.0));
+        }
+        bool inside = false;
+        const double candidate = GetDepth(triangle, ray, inside);
+        if (inside && IsSameSurface(candidate, depth))
+        {
+          best = std::min(best, candidate);
+        }
+      }
+    }
+  }
+  return best;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDepthRefiner::Refine(float* depths, vtkRelievoMeshLinks& links)
+{
+  vtkSMPThreadLocal<std::vector<Pixel>> open;
+  const vtkIdType width = this->View.Viewport[2];
+  vtkSMPTools::For(0, this->View.Viewport[3],
+    [&](vtkIdType from, vtkIdType to)
+    {
+      for (vtkIdType y = from; y < to; ++y)
+      {
+        this->RefineRow(static_cast<int>(y), depths + y * width, open.Local());
+      }
+    });
+  // A few in ten thousand.
+  for (const std::vector<Pixel>& pixels : open)
+  {
+    for (const Pixel& pixel : pixels)
+    {
+      float& depth = depths[pixel.Y * width + pixel.X];
+      const double found = this->GetAdjacentDepth(pixel.X, pixel.Y, depth, links);
+      depth = std::isfinite(found) ? static_cast<float>(found) : depth;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDepthRefiner::RefineRow(int y, float* depths, std::vector<Pixel>& open) const
 {
   std::uint32_t last = 0xffffffffu;
   Triangle triangle;
@@ -136,7 +215,15 @@ void vtkRelievoDepthRefiner::RefineRow(int y, float* depths)
     double depth = GetDepth(triangle, ray, inside);
     if (!inside && std::isfinite(depth))
     {
-      depth = this->GetNeighbourDepth(x, y, ray, depth);
+      const double found = this->GetNeighbourDepth(x, y, ray, depth);
+      if (std::isfinite(found))
+      {
+        depth = found;
+      }
+      else
+      {
+        open.push_back(Pixel{ x, y });
+      }
     }
     if (std::isfinite(depth))
     {

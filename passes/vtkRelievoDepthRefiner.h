@@ -4,12 +4,17 @@
 // The depth at the pixels' centres from the mesh in double: the id word says which triangle. A
 // rasteriser has two errors that this takes away: it interpolates in float, which on a triangle on
 // edge is off by a thousandth; and it rounds corners to parts of a pixel (1/256, as a rule), so that
-// a pixel near an edge may be given to the neighbour and extrapolate from there.
+// a pixel near an edge may be given to the neighbour and extrapolate from there. The triangle that
+// truly holds the centre is looked for among those of the neighbouring pixels, then, for slivers that
+// no pixel shows, among those that share a point with the triangle shown.
 #ifndef vtkRelievoDepthRefiner_h
 #define vtkRelievoDepthRefiner_h
 
 #include "vtkRelievoDrawTable.h"
 
+#include <vector>
+
+class vtkRelievoMeshLinks;
 struct vtkRelievoView;
 
 class vtkRelievoDepthRefiner
@@ -19,10 +24,15 @@ public:
   vtkRelievoDepthRefiner(const vtkRelievoDrawTable& draws, const vtkRelievoView& view,
     const std::uint32_t* words, int stride);
 
-  // Replaces the depths of row y where a triangle of a mesh is seen.
-  void RefineRow(int y, float* depths);
+  // Replaces the view's depths where a triangle of a mesh is seen.
+  void Refine(float* depths, vtkRelievoMeshLinks& links);
 
 private:
+  struct Pixel
+  {
+    int X;
+    int Y;
+  };
   // A triangle in eye space; not Known: something else, or a triangle that shader code moves.
   struct Triangle
   {
@@ -42,8 +52,12 @@ private:
   // Depth where the ray meets the triangle, or the point of it that is nearest to that.
   static double GetDepth(const Triangle& triangle, const Ray& ray, bool& inside);
 
-  // Depth on the neighbours' triangle that holds the pixel's centre, else what is given.
+  // Those of row y; pixels whose centre no triangle at hand holds are added to `open`.
+  void RefineRow(int y, float* depths, std::vector<Pixel>& open) const;
+
+  // Depth on the neighbours' triangle that holds the pixel's centre; infinity if none does.
   double GetNeighbourDepth(int x, int y, const Ray& ray, double depth) const;
+  double GetAdjacentDepth(int x, int y, double depth, vtkRelievoMeshLinks& links) const;
 
   const vtkRelievoDrawTable& Draws;
   const vtkRelievoView& View;

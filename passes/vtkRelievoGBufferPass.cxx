@@ -16,6 +16,7 @@
 #include "vtkRelievoGBufferSplice.h"
 #include "vtkRelievoGBufferTarget.h"
 #include "vtkRelievoLayerReader.h"
+#include "vtkRelievoMeshLinks.h"
 #include "vtkRelievoOpaqueProps.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoView.h"
@@ -40,6 +41,7 @@ public:
   int Offset[2] = { 0, 0 }; // of the viewport within the textures
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkRelievoDrawTable Draws;
+  vtkRelievoMeshLinks Links; // built when a read needs them
   vtkRelievoOpaqueProps Props;
   std::set<vtkAbstractMapper*> Refused;
   std::set<std::string> Said; // refusals that have been reported, by reason and mapper's class
@@ -127,6 +129,7 @@ void vtkRelievoGBufferPass::RenderBefore(vtkRelievoPass* frame, const vtkRenderS
   in.Renderer = renderer;
   in.View.Take(renderer, s);
   in.Draws.Clear();
+  in.Links.Prune();
   in.Refused.clear();
   in.Valid = false;
   in.Writing = false;
@@ -321,7 +324,7 @@ bool vtkRelievoGBufferPass::ReadLayer(const std::string& name, vtkImageData* ima
   const int region[4] = { in.Offset[0], in.Offset[1], in.View.Viewport[2], in.View.Viewport[3] };
   vtkRelievoLayerReader reader(in.Layout, in.Target, region, in.View);
   reader.SetNormalSpaceIsWorld(this->NormalSpace == WORLD);
-  reader.SetDraws(&in.Draws, in.Renderer);
+  reader.SetDraws(&in.Draws, &in.Links, in.Renderer);
   const std::string wrong = reader.Read(name, image);
   if (!wrong.empty())
   {

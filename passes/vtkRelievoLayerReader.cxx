@@ -261,16 +261,7 @@ void vtkRelievoLayerReader::RefineDepth(float* depths)
   this->Draws->Resolve(this->Renderer, this->View);
   int stride = 0;
   const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
-  const vtkIdType width = this->Region[2];
-  vtkRelievoDepthRefiner refiner(*this->Draws, this->View, words, stride);
-  vtkSMPTools::For(0, this->Region[3],
-    [&](vtkIdType from, vtkIdType to)
-    {
-      for (vtkIdType y = from; y < to; ++y)
-      {
-        refiner.RefineRow(static_cast<int>(y), depths + y * width);
-      }
-    });
+  vtkRelievoDepthRefiner(*this->Draws, this->View, words, stride).Refine(depths, *this->Links);
 }
 
 //------------------------------------------------------------------------------

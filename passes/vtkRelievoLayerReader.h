@@ -15,6 +15,7 @@ class vtkDataArray;
 class vtkImageData;
 class vtkRelievoDrawTable;
 class vtkRelievoGBufferTarget;
+class vtkRelievoMeshLinks;
 class vtkRenderer;
 struct vtkRelievoGBufferLayout;
 struct vtkRelievoView;
@@ -30,9 +31,10 @@ public:
   static void AddChannels(const std::string& layer, vtkRelievoGBufferLayout& layout);
 
   void SetNormalSpaceIsWorld(bool world) { this->WorldNormals = world; }
-  void SetDraws(vtkRelievoDrawTable* draws, vtkRenderer* renderer)
+  void SetDraws(vtkRelievoDrawTable* draws, vtkRelievoMeshLinks* links, vtkRenderer* renderer)
   {
     this->Draws = draws;
+    this->Links = links;
     this->Renderer = renderer;
   }
 
@@ -58,6 +60,7 @@ private:
   const vtkRelievoView& View;
   bool WorldNormals = true;
   vtkRelievoDrawTable* Draws = nullptr;
+  vtkRelievoMeshLinks* Links = nullptr;
   vtkRenderer* Renderer = nullptr;
   std::vector<std::vector<std::uint32_t>> Words; // by attachment, as read
 };

@@ -27,8 +27,8 @@ struct LayerErrors
   /** Pixels that either side shows, and the share of all where one shows what the other does not. */
   long long Compared = 0;
   double Coverage = 0.;
-  /** Inner pixels left out: within 1/256 pixel of an edge of their triangle. */
-  long long OnEdges = 0;
+  /** Inner pixels left out: their triangle is narrower than 1/64 pixel. */
+  long long OnSlivers = 0;
   /** Relative error of the depth of inner pixels. */
   double DepthMedian = 0.;
   double DepthP99 = 0.;
