@@ -8,11 +8,13 @@
 #ifndef vtkRelievoGBufferLayout_h
 #define vtkRelievoGBufferLayout_h
 
+#include "vtkRelievoPassesModule.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
 
-struct vtkRelievoGBufferLayout
+struct VTKRELIEVOPASSES_EXPORT vtkRelievoGBufferLayout
 {
   // What is asked.
   bool Depth = false;

@@ -4,8 +4,6 @@
 
 #include "vtkActor.h"
 #include "vtkAbstractMapper.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -43,7 +41,6 @@ public:
   vtkRelievoDrawTable Draws;
   vtkRelievoMeshLinks Links; // built when a read needs them
   vtkRelievoOpaqueProps Props;
-  std::set<vtkAbstractMapper*> Refused;
   std::set<std::string> Said; // refusals that have been reported, by reason and mapper's class
   std::string NotShared;      // why the delegate's geometry pass cannot be shared
   bool Writing = false;
@@ -130,7 +127,6 @@ void vtkRelievoGBufferPass::RenderBefore(vtkRelievoPass* frame, const vtkRenderS
   in.View.Take(renderer, s);
   in.Draws.Clear();
   in.Links.Prune();
-  in.Refused.clear();
   in.Valid = false;
   in.Writing = false;
   this->Shared = false;
