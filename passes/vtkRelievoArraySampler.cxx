@@ -28,8 +28,8 @@ vtkDataSet* GetGlyphPoints(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoArraySampler::vtkRelievoArraySampler(const std::string& layer,
-  const vtkRelievoDrawTable& draws, const vtkRelievoView& view)
+vtkRelievoArraySampler::vtkRelievoArraySampler(
+  const std::string& layer, const vtkRelievoDrawTable& draws, const vtkRelievoView& view)
   : Name(layer)
   , Draws(draws)
   , View(view)
@@ -86,8 +86,8 @@ int vtkRelievoArraySampler::Prepare(int& components, std::string& wrong)
     this->Sources[Key(hit.Prop, hit.Mesh)] = source;
     this->Components = std::max(this->Components, source.Array->GetNumberOfComponents());
     // Integers of four bytes and more do not fit into a float.
-    wide = wide ||
-      (source.Array->GetDataType() != VTK_FLOAT && source.Array->GetDataTypeSize() >= 4);
+    wide =
+      wide || (source.Array->GetDataType() != VTK_FLOAT && source.Array->GetDataTypeSize() >= 4);
   }
   if (this->Sources.empty() && !meshes.empty())
   {
@@ -133,8 +133,8 @@ void vtkRelievoArraySampler::Sample(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoArraySampler::SampleInCell(const vtkRelievoDrawTable::Hit& hit, const Source& source,
-  int x, int y, double* values) const
+void vtkRelievoArraySampler::SampleInCell(
+  const vtkRelievoDrawTable::Hit& hit, const Source& source, int x, int y, double* values) const
 {
   const vtkRelievoCellGeometry geometry(hit);
   const vtkRelievoPixelRay ray(this->View, *hit.ViewToModel, x, y);

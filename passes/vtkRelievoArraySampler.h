@@ -24,8 +24,8 @@ public:
   static constexpr int MaximumComponents = 16;
 
   // The layer is an array's name, or point:NAME or cell:NAME.
-  vtkRelievoArraySampler(const std::string& layer, const vtkRelievoDrawTable& draws,
-    const vtkRelievoView& view);
+  vtkRelievoArraySampler(
+    const std::string& layer, const vtkRelievoDrawTable& draws, const vtkRelievoView& view);
 
   // Looks the array up in what was drawn; returns VTK_FLOAT or VTK_DOUBLE and says what is wrong.
   int Prepare(int& components, std::string& wrong);
@@ -43,8 +43,8 @@ private:
   using Key = std::pair<const void*, const void*>;
 
   Source Find(vtkDataSetAttributes* points, vtkDataSetAttributes* cells) const;
-  void SampleInCell(const vtkRelievoDrawTable::Hit& hit, const Source& source, int x, int y,
-    double* values) const;
+  void SampleInCell(
+    const vtkRelievoDrawTable::Hit& hit, const Source& source, int x, int y, double* values) const;
 
   std::string Name;
   bool AllowPoints = true;

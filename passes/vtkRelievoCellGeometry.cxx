@@ -46,9 +46,9 @@ vtkRelievoCellGeometry::vtkRelievoCellGeometry(const vtkRelievoDrawTable::Hit& h
   vtkNew<vtkIdList> ids;
   hit.Mesh->GetCellPoints(hit.Cell, ids);
   vtkIdType corners[3] = { 0, 0, 0 };
-  const int count = GetCorners(hit.Mesh->GetCellType(hit.Cell),
-    hit.Prop->GetProperty()->GetRepresentation(), ids->GetNumberOfIds(), hit.GetPrimitiveInCell(),
-    corners);
+  const int count =
+    GetCorners(hit.Mesh->GetCellType(hit.Cell), hit.Prop->GetProperty()->GetRepresentation(),
+      ids->GetNumberOfIds(), hit.GetPrimitiveInCell(), corners);
   for (int i = 0; i < count; ++i)
   {
     if (corners[i] >= ids->GetNumberOfIds())
@@ -117,8 +117,8 @@ vtkRelievoPixelRay::vtkRelievoPixelRay(
   const vtkRelievoView& view, const glm::dmat4& viewToModel, int x, int y)
 {
   using namespace relievo::f64;
-  const glm::dvec2 ndc = relievoNdcFromPixel(
-    glm::dvec2(x, y), glm::dvec2(view.Viewport[2], view.Viewport[3]));
+  const glm::dvec2 ndc =
+    relievoNdcFromPixel(glm::dvec2(x, y), glm::dvec2(view.Viewport[2], view.Viewport[3]));
   const glm::dvec3 eye = relievoEyePosition(ndc, 0.0, view.ViewToNDC);
   const glm::dvec3 ahead = relievoEyePosition(ndc, 1.0, view.ViewToNDC);
   this->From = glm::dvec3(viewToModel * glm::dvec4(eye, 1.0));

@@ -31,8 +31,7 @@ struct vtkRelievoPixelRay
   glm::dvec3 From;
   glm::dvec3 Along;
 
-  vtkRelievoPixelRay(
-    const vtkRelievoView& view, const glm::dmat4& viewToModel, int x, int y);
+  vtkRelievoPixelRay(const vtkRelievoView& view, const glm::dmat4& viewToModel, int x, int y);
 };
 
 #endif

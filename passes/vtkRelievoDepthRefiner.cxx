@@ -101,8 +101,7 @@ double vtkRelievoDepthRefiner::GetDepth(const Triangle& triangle, const Ray& ray
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoDepthRefiner::GetNeighbourDepth(
-  int x, int y, const Ray& ray, double depth) const
+double vtkRelievoDepthRefiner::GetNeighbourDepth(int x, int y, const Ray& ray, double depth) const
 {
   const std::uint32_t own = this->GetWord(x, y);
   // Of all that hold the centre the nearest is seen.
@@ -173,14 +172,12 @@ void vtkRelievoDepthRefiner::Refine(float* depths, vtkRelievoMeshLinks& links)
 {
   vtkSMPThreadLocal<std::vector<Pixel>> open;
   const vtkIdType width = this->View.Viewport[2];
-  vtkSMPTools::For(0, this->View.Viewport[3],
-    [&](vtkIdType from, vtkIdType to)
+  vtkSMPTools::For(0, this->View.Viewport[3], [&](vtkIdType from, vtkIdType to) {
+    for (vtkIdType y = from; y < to; ++y)
     {
-      for (vtkIdType y = from; y < to; ++y)
-      {
-        this->RefineRow(static_cast<int>(y), depths + y * width, open.Local());
-      }
-    });
+      this->RefineRow(static_cast<int>(y), depths + y * width, open.Local());
+    }
+  });
   // A few in ten thousand.
   for (const std::vector<Pixel>& pixels : open)
   {

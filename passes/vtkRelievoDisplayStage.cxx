@@ -98,8 +98,7 @@ bool vtkRelievoDisplayStage::UploadColors(vtkRelievoPass* frame, vtkOpenGLRender
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoDisplayStage::PrepareQuad(
-  vtkOpenGLRenderWindow* window, const std::string& defines)
+bool vtkRelievoDisplayStage::PrepareQuad(vtkOpenGLRenderWindow* window, const std::string& defines)
 {
   if (this->Quad && this->Defines == defines)
   {
@@ -132,8 +131,8 @@ void vtkRelievoDisplayStage::RenderAfter(vtkRelievoPass* frame, const vtkRenderS
   defines += "#define RELIEVO_SHOW " + std::to_string(shown) + "\n";
   if (!this->PrepareQuad(window, defines))
   {
-    vtkErrorMacro("The shader display/layerFS.glsl does not compile for the layer '" << this->Layer
-                                                                                     << "'.");
+    vtkErrorMacro(
+      "The shader display/layerFS.glsl does not compile for the layer '" << this->Layer << "'.");
     return;
   }
   vtkRelievoView view;
@@ -165,10 +164,9 @@ void vtkRelievoDisplayStage::RenderAfter(vtkRelievoPass* frame, const vtkRenderS
   }
   int offset[2];
   gbuffer->GetOffset(offset);
-  const float range[2] = {
-    static_cast<float>(this->Range[0] < this->Range[1] ? this->Range[0] : view.Near),
-    static_cast<float>(this->Range[0] < this->Range[1] ? this->Range[1] : view.Far)
-  };
+  const float range[2] = { static_cast<float>(
+                             this->Range[0] < this->Range[1] ? this->Range[0] : view.Near),
+    static_cast<float>(this->Range[0] < this->Range[1] ? this->Range[1] : view.Far) };
   float background[3];
   for (int i = 0; i < 3; ++i)
   {
@@ -192,8 +190,8 @@ void vtkRelievoDisplayStage::RenderAfter(vtkRelievoPass* frame, const vtkRenderS
   program->SetUniformf("relievoFar", static_cast<float>(view.Far));
   program->SetUniformi("relievoParallel", view.Parallel);
   program->SetUniformi("relievoGrey", this->Grey);
-  program->SetUniformi("relievoWorldNormals",
-    gbuffer->GetNormalSpace() == vtkRelievoGBufferPass::WORLD);
+  program->SetUniformi(
+    "relievoWorldNormals", gbuffer->GetNormalSpace() == vtkRelievoGBufferPass::WORLD);
   program->SetUniformMatrix4x4("relievoProjection", projection);
   program->SetUniformMatrix4x4("relievoViewToWorld", viewToWorld);
   this->Quad->Render();

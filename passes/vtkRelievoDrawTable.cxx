@@ -114,8 +114,7 @@ void vtkRelievoDrawTable::ResolveRanges(Draw& draw)
     return;
   }
   const int representation = draw.Actor->GetProperty()->GetRepresentation();
-  auto update = [representation](vtkOpenGLCellToVTKCellMap* map, vtkPolyData* mesh)
-  {
+  auto update = [representation](vtkOpenGLCellToVTKCellMap* map, vtkPolyData* mesh) {
     vtkCellArray* cells[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
       mesh->GetStrips() };
     map->Update(cells, representation, mesh->GetPoints());
@@ -248,9 +247,9 @@ vtkRelievoDrawTable::Hit vtkRelievoDrawTable::Find(std::uint32_t word) const
     hit.Cell = primitive;
     return hit;
   }
-  auto behind = std::upper_bound(draw.Ranges.begin(), draw.Ranges.end(),
-    static_cast<vtkIdType>(primitive),
-    [](vtkIdType value, const Range& range) { return value < range.First; });
+  auto behind =
+    std::upper_bound(draw.Ranges.begin(), draw.Ranges.end(), static_cast<vtkIdType>(primitive),
+      [](vtkIdType value, const Range& range) { return value < range.First; });
   if (behind == draw.Ranges.begin())
   {
     return hit;

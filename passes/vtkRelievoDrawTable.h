@@ -28,9 +28,9 @@ class vtkRelievoDrawTable
 public:
   struct Hit
   {
-    int Actor = -1;      // place in vtkRenderer::GetActors()
-    int Block = -1;      // flat index; 0 for data that is not composite
-    vtkIdType Cell = -1; // of Mesh, or the glyphs' input point
+    int Actor = -1;              // place in vtkRenderer::GetActors()
+    int Block = -1;              // flat index; 0 for data that is not composite
+    vtkIdType Cell = -1;         // of Mesh, or the glyphs' input point
     vtkPolyData* Mesh = nullptr; // nullptr for glyphs
     vtkActor* Prop = nullptr;
     const glm::dmat4* ViewToModel = nullptr;

@@ -34,8 +34,8 @@ std::vector<std::uint32_t> GetNormalDepthBackground(int format)
   switch (format)
   {
     case vtkRelievoGBufferPass::NORMAL_DEPTH_RGBA32F:
-      return { relievoNormalDepth32FNone.x, relievoNormalDepth32FNone.y, relievoNormalDepth32FNone.z,
-        relievoNormalDepth32FNone.w };
+      return { relievoNormalDepth32FNone.x, relievoNormalDepth32FNone.y,
+        relievoNormalDepth32FNone.z, relievoNormalDepth32FNone.w };
     case vtkRelievoGBufferPass::NORMAL_DEPTH_RGBA16F:
       return { relievoNormalDepth16FNone.x, relievoNormalDepth16FNone.y };
     default:
@@ -68,8 +68,7 @@ int vtkRelievoGBufferLayout::GetNormalDepthWords(int format)
 void vtkRelievoGBufferLayout::Arrange()
 {
   this->Background.clear();
-  auto add = [this](const std::vector<std::uint32_t>& background)
-  {
+  auto add = [this](const std::vector<std::uint32_t>& background) {
     const int first = this->GetNumberOfWords();
     this->Background.insert(this->Background.end(), background.begin(), background.end());
     return first;
@@ -85,9 +84,9 @@ void vtkRelievoGBufferLayout::Arrange()
   if (this->NormalFormat == vtkRelievoGBufferPass::NORMAL_AUTO)
   {
     // Full floats where they fit into the attachments that are there anyhow, otherwise one word.
-    const int togetherWords =
-      together ? GetNormalDepthWords(this->NormalDepth) : 0;
-    const int others = togetherWords + (depthAlone ? 1 : 0) + (this->Ids ? 1 : 0) + (this->Albedo ? 1 : 0);
+    const int togetherWords = together ? GetNormalDepthWords(this->NormalDepth) : 0;
+    const int others =
+      togetherWords + (depthAlone ? 1 : 0) + (this->Ids ? 1 : 0) + (this->Albedo ? 1 : 0);
     const int attachmentsFloat = (others + 3 * normals + 3) / 4;
     const int attachmentsPacked = (others + normals + 3) / 4;
     this->ChosenNormalFormat = attachmentsFloat == attachmentsPacked
@@ -116,8 +115,7 @@ std::string vtkRelievoGBufferLayout::GetDefines() const
 {
   std::ostringstream out;
   out << "#define RELIEVO_ATTACHMENTS " << this->GetNumberOfAttachments() << "\n";
-  auto define = [&out](const char* name, int word)
-  {
+  auto define = [&out](const char* name, int word) {
     if (word >= 0)
     {
       out << "#define RELIEVO_" << name << "_WORD " << word << "\n";

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoGBufferPass.h"
 
-#include "vtkActor.h"
 #include "vtkAbstractMapper.h"
+#include "vtkActor.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -218,8 +218,8 @@ void vtkRelievoGBufferPass::RenderAfter(vtkRelievoPass*, const vtkRenderState* s
   }
   if (wrong.empty())
   {
-    in.SetMode(vtkRelievoGBufferSplice::Mode{
-      true, in.View.Far > 1e4 * in.View.Near && !in.View.Parallel });
+    in.SetMode(
+      vtkRelievoGBufferSplice::Mode{ true, in.View.Far > 1e4 * in.View.Near && !in.View.Parallel });
     in.Offset[0] = in.Offset[1] = 0;
     in.Draws.Clear();
     in.Writing = true;
@@ -313,7 +313,8 @@ bool vtkRelievoGBufferPass::ReadLayer(const std::string& name, vtkImageData* ima
   Internals& in = *this->Internal;
   if (!in.Valid || !in.Renderer)
   {
-    vtkErrorMacro("The layer '" << name << "' is read, but the last frame made no layers: ask for it "
+    vtkErrorMacro("The layer '" << name
+                                << "' is read, but the last frame made no layers: ask for it "
                                 << "(RequestLayer) and render before.");
     return false;
   }

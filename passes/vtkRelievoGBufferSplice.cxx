@@ -38,8 +38,8 @@ std::string Section(const char* file, const char* section)
 }
 
 // The three stages' declarations and statements of one varying, at the marks of the position.
-void FillVarying(std::string& vertex, std::string& geometry, std::string& fragment, const char* file,
-  bool hasFragmentImpl)
+void FillVarying(std::string& vertex, std::string& geometry, std::string& fragment,
+  const char* file, bool hasFragmentImpl)
 {
   MarkBehind(vertex, "//RELIEVO::Position::Dec", Section(file, "VertexDec"));
   MarkBehind(vertex, "//RELIEVO::Position::Impl", Section(file, "VertexImpl"));
@@ -63,8 +63,9 @@ bool HasPointNormals(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
 bool CanCarryVarying(
   const std::string& vertex, const std::string& geometry, const std::string& fragment)
 {
-  auto marked = [](const std::string& source)
-  { return Has(source, "//RELIEVO::Position::Dec") && Has(source, "//RELIEVO::Position::Impl"); };
+  auto marked = [](const std::string& source) {
+    return Has(source, "//RELIEVO::Position::Dec") && Has(source, "//RELIEVO::Position::Impl");
+  };
   return marked(vertex) && marked(fragment) && (geometry.empty() || marked(geometry));
 }
 
@@ -121,9 +122,11 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   const bool triangles = primitiveType == vtkOpenGLPolyDataMapper::PrimitiveTris ||
     primitiveType == vtkOpenGLPolyDataMapper::PrimitiveTriStrips;
   const bool needsPosition = !Has(fragment, "vec4 vertexVC =");
-  const bool needsNormal = triangles && !Has(fragment, "normalVCVSOutput") && HasPointNormals(mapper, actor);
+  const bool needsNormal =
+    triangles && !Has(fragment, "normalVCVSOutput") && HasPointNormals(mapper, actor);
   const bool needsInstance = layout.IdWord >= 0 && source == InstanceOfGlyphs;
-  if ((needsPosition || needsNormal || needsInstance) && !CanCarryVarying(vertex, geometry, fragment))
+  if ((needsPosition || needsNormal || needsInstance) &&
+    !CanCarryVarying(vertex, geometry, fragment))
   {
     return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl";
   }
@@ -151,8 +154,7 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
 
   std::ostringstream defines;
   defines << layout.GetDefines() << "#define RELIEVO_PRIMITIVE_SOURCE " << source << "\n";
-  auto define = [&defines](bool on, const char* name)
-  {
+  auto define = [&defines](bool on, const char* name) {
     if (on)
     {
       defines << "#define " << name << "\n";

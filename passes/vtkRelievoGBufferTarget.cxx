@@ -85,8 +85,9 @@ std::string vtkRelievoGBufferTarget::Allocate(
   {
     this->Release(window);
     std::ostringstream out;
-    out << "layers of " << width << " x " << height << " pixels are asked, this OpenGL makes at most "
-        << limit << " x " << limit << ": make the window smaller, or capture it in tiles";
+    out << "layers of " << width << " x " << height
+        << " pixels are asked, this OpenGL makes at most " << limit << " x " << limit
+        << ": make the window smaller, or capture it in tiles";
     return out.str();
   }
   std::vector<int> channels;

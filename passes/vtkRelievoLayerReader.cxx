@@ -14,6 +14,7 @@
 #include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoGBufferTarget.h"
 #include "vtkRelievoView.h"
+#include "vtkRelievoWordDecoder.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -38,86 +39,15 @@ template <typename Function>
 void ForPixels(const int region[4], Function f)
 {
   const vtkIdType width = region[2];
-  vtkSMPTools::For(0, region[3],
-    [&](vtkIdType from, vtkIdType to)
+  vtkSMPTools::For(0, region[3], [&](vtkIdType from, vtkIdType to) {
+    for (vtkIdType y = from; y < to; ++y)
     {
-      for (vtkIdType y = from; y < to; ++y)
+      for (vtkIdType x = 0; x < width; ++x)
       {
-        for (vtkIdType x = 0; x < width; ++x)
-        {
-          f(y * width + x, static_cast<int>(x), static_cast<int>(y));
-        }
+        f(y * width + x, static_cast<int>(x), static_cast<int>(y));
       }
-    });
-}
-
-glm::vec3 DecodeNormal(const std::uint32_t* words, int format)
-{
-  using namespace relievo::f32;
-  switch (format)
-  {
-    case vtkRelievoGBufferPass::NORMAL_FLOAT32:
-      return relievoUnpackNormalFloat(glm::uvec3(words[0], words[1], words[2]));
-    case vtkRelievoGBufferPass::NORMAL_FLOAT16:
-      return relievoUnpackNormalHalf(glm::uvec2(words[0], words[1]));
-    case vtkRelievoGBufferPass::NORMAL_OCT16:
-    case vtkRelievoGBufferPass::NORMAL_OCT16_PRECISE:
-      return relievoUnpackNormalOct16(words[0]);
-    case vtkRelievoGBufferPass::NORMAL_OCT8:
-    case vtkRelievoGBufferPass::NORMAL_OCT8_PRECISE:
-      return relievoUnpackNormalOct8(words[0]);
-    case vtkRelievoGBufferPass::NORMAL_RGB10A2:
-      return relievoUnpackNormalUnorm10(words[0]);
-    default:
-      return relievoUnpackNormalUnorm8(words[0]);
-  }
-}
-
-double DecodeDepth(std::uint32_t word, int format, const vtkRelievoView& view)
-{
-  using namespace relievo::f64;
-  switch (format)
-  {
-    case vtkRelievoGBufferPass::DEPTH_16F:
-      return relievoUnpackDepth16F(
-        word, relievo::f32::relievoDepth16FScale(static_cast<float>(view.Far)));
-    case vtkRelievoGBufferPass::DEPTH_WINDOW_Z24:
-    {
-      const double z = relievoUnpackWindowZ24(word);
-      return view.Parallel ? relievoParallelDepth(z, view.Near, view.Far)
-                           : relievoPerspectiveDepth(z, view.Near, view.Far);
     }
-    case vtkRelievoGBufferPass::DEPTH_REVERSED_32F:
-    {
-      const double z = relievoUnpackDepth32F(word);
-      if (std::isinf(z))
-      {
-        return -z;
-      }
-      return view.Parallel ? relievoParallelDepthFromReversed(z, view.Near, view.Far)
-                           : relievoPerspectiveDepthFromReversed(z, view.Near, view.Far);
-    }
-    default:
-      return relievoUnpackDepth32F(word);
-  }
-}
-
-// Normal (xyz) and depth (w) of one texel.
-glm::vec4 DecodeNormalDepth(const std::uint32_t* words, int format, const vtkRelievoView& view)
-{
-  using namespace relievo::f32;
-  const float zNear = static_cast<float>(view.Near);
-  const float zFar = static_cast<float>(view.Far);
-  switch (format)
-  {
-    case vtkRelievoGBufferPass::NORMAL_DEPTH_RGBA32F:
-      return relievoUnpackNormalDepth32F(glm::uvec4(words[0], words[1], words[2], words[3]));
-    case vtkRelievoGBufferPass::NORMAL_DEPTH_RGBA16F:
-      return relievoUnpackNormalDepth16F(
-        glm::uvec2(words[0], words[1]), relievoDepth16FScale(zFar));
-    default:
-      return relievoUnpackNormalDepth8(words[0], zNear, zFar);
-  }
+  });
 }
 }
 
@@ -237,17 +167,18 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadDepth()
   if (this->Layout.NormalDepthWord >= 0)
   {
     const std::uint32_t* words = this->GetWords(this->Layout.NormalDepthWord, stride);
-    ForPixels(this->Region, [&](vtkIdType i, int, int)
-      { out[i] = DecodeNormalDepth(words + i * stride, this->Layout.NormalDepth, this->View).w; });
+    ForPixels(this->Region, [&](vtkIdType i, int, int) {
+      out[i] = vtkRelievoWordDecoder::DecodeNormalDepth(
+        words + i * stride, this->Layout.NormalDepth, this->View)
+                 .w;
+    });
     return array;
   }
   const std::uint32_t* words = this->GetWords(this->Layout.DepthWord, stride);
-  ForPixels(this->Region,
-    [&](vtkIdType i, int, int)
-    {
-      out[i] =
-        static_cast<float>(DecodeDepth(words[i * stride], this->Layout.DepthFormat, this->View));
-    });
+  ForPixels(this->Region, [&](vtkIdType i, int, int) {
+    out[i] = static_cast<float>(
+      vtkRelievoWordDecoder::DecodeDepth(words[i * stride], this->Layout.DepthFormat, this->View));
+  });
   if (this->Layout.DepthFormat == vtkRelievoGBufferPass::DEPTH_32F && this->Layout.IdWord >= 0)
   {
     this->RefineDepth(out);
@@ -270,15 +201,13 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadRange()
   vtkSmartPointer<vtkDataArray> depths = this->ReadDepth();
   float* values = vtkFloatArray::SafeDownCast(depths)->GetPointer(0);
   const glm::dvec2 size(this->Region[2], this->Region[3]);
-  ForPixels(this->Region,
-    [&](vtkIdType i, int x, int y)
+  ForPixels(this->Region, [&](vtkIdType i, int x, int y) {
+    if (std::isfinite(values[i]))
     {
-      if (std::isfinite(values[i]))
-      {
-        values[i] = static_cast<float>(relievo::f64::relievoRange(relievoEyePosition(
-          relievoNdcFromPixel(glm::dvec2(x, y), size), values[i], this->View.ViewToNDC)));
-      }
-    });
+      values[i] = static_cast<float>(relievo::f64::relievoRange(relievoEyePosition(
+        relievoNdcFromPixel(glm::dvec2(x, y), size), values[i], this->View.ViewToNDC)));
+    }
+  });
   return depths;
 }
 
@@ -291,21 +220,19 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadPosition()
   double* out = array->GetPointer(0);
   const glm::dvec2 size(this->Region[2], this->Region[3]);
   const glm::dmat4 viewToWorld = glm::inverse(this->View.WorldToView);
-  ForPixels(this->Region,
-    [&](vtkIdType i, int x, int y)
+  ForPixels(this->Region, [&](vtkIdType i, int x, int y) {
+    glm::dvec3 world(0.0);
+    if (std::isfinite(values[i]))
     {
-      glm::dvec3 world(0.0);
-      if (std::isfinite(values[i]))
-      {
-        world = relievo::f64::relievoWorldPosition(
-          relievoEyePosition(
-            relievoNdcFromPixel(glm::dvec2(x, y), size), values[i], this->View.ViewToNDC),
-          viewToWorld);
-      }
-      out[3 * i] = world.x;
-      out[3 * i + 1] = world.y;
-      out[3 * i + 2] = world.z;
-    });
+      world = relievo::f64::relievoWorldPosition(
+        relievoEyePosition(
+          relievoNdcFromPixel(glm::dvec2(x, y), size), values[i], this->View.ViewToNDC),
+        viewToWorld);
+    }
+    out[3 * i] = world.x;
+    out[3 * i + 1] = world.y;
+    out[3 * i + 2] = world.z;
+  });
   return array;
 }
 
@@ -316,9 +243,9 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNormal(int firstWord)
   float* out = array->GetPointer(0);
   const bool together = firstWord < 0;
   // Words may begin in one attachment and end in the next.
-  const int count =
-    together ? vtkRelievoGBufferLayout::GetNormalDepthWords(this->Layout.NormalDepth)
-             : vtkRelievoGBufferLayout::GetNormalWords(this->Layout.ChosenNormalFormat);
+  const int count = together
+    ? vtkRelievoGBufferLayout::GetNormalDepthWords(this->Layout.NormalDepth)
+    : vtkRelievoGBufferLayout::GetNormalWords(this->Layout.ChosenNormalFormat);
   const std::uint32_t* words[4] = {};
   int strides[4] = {};
   const int first = together ? this->Layout.NormalDepthWord : firstWord;
@@ -330,25 +257,24 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNormal(int firstWord)
   const glm::mat3 toSpace = this->WorldNormals
     ? glm::mat3(glm::transpose(glm::dmat3(this->View.WorldToView)))
     : glm::mat3(1.0f);
-  ForPixels(this->Region,
-    [&](vtkIdType i, int, int)
+  ForPixels(this->Region, [&](vtkIdType i, int, int) {
+    std::uint32_t packed[4] = {};
+    for (int k = 0; k < count; ++k)
     {
-      std::uint32_t packed[4] = {};
-      for (int k = 0; k < count; ++k)
-      {
-        packed[k] = words[k][i * strides[k]];
-      }
-      glm::vec3 normal = together
-        ? glm::vec3(DecodeNormalDepth(packed, this->Layout.NormalDepth, this->View))
-        : DecodeNormal(packed, this->Layout.ChosenNormalFormat);
-      if (normal != glm::vec3(0.0f))
-      {
-        normal = glm::normalize(toSpace * normal);
-      }
-      out[3 * i] = normal.x;
-      out[3 * i + 1] = normal.y;
-      out[3 * i + 2] = normal.z;
-    });
+      packed[k] = words[k][i * strides[k]];
+    }
+    glm::vec3 normal = together
+      ? glm::vec3(
+          vtkRelievoWordDecoder::DecodeNormalDepth(packed, this->Layout.NormalDepth, this->View))
+      : vtkRelievoWordDecoder::DecodeNormal(packed, this->Layout.ChosenNormalFormat);
+    if (normal != glm::vec3(0.0f))
+    {
+      normal = glm::normalize(toSpace * normal);
+    }
+    out[3 * i] = normal.x;
+    out[3 * i + 1] = normal.y;
+    out[3 * i + 2] = normal.z;
+  });
   return array;
 }
 
@@ -359,14 +285,12 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadAlbedo()
   unsigned char* out = array->GetPointer(0);
   int stride = 0;
   const std::uint32_t* words = this->GetWords(this->Layout.AlbedoWord, stride);
-  ForPixels(this->Region,
-    [&](vtkIdType i, int, int)
+  ForPixels(this->Region, [&](vtkIdType i, int, int) {
+    for (int k = 0; k < 4; ++k)
     {
-      for (int k = 0; k < 4; ++k)
-      {
-        out[4 * i + k] = static_cast<unsigned char>(words[i * stride] >> (8 * k));
-      }
-    });
+      out[4 * i + k] = static_cast<unsigned char>(words[i * stride] >> (8 * k));
+    }
+  });
   return array;
 }
 
@@ -379,12 +303,10 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadId(const std::string& l
   int stride = 0;
   const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
   const int which = layer == "actor" ? 0 : layer == "block" ? 1 : 2;
-  ForPixels(this->Region,
-    [&](vtkIdType i, int, int)
-    {
-      const auto hit = this->Draws->Find(words[i * stride]);
-      out[i] = which == 0 ? hit.Actor : which == 1 ? hit.Block : static_cast<int>(hit.Cell);
-    });
+  ForPixels(this->Region, [&](vtkIdType i, int, int) {
+    const auto hit = this->Draws->Find(words[i * stride]);
+    out[i] = which == 0 ? hit.Actor : which == 1 ? hit.Block : static_cast<int>(hit.Cell);
+  });
   return array;
 }
 
@@ -406,12 +328,10 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNamedArray(
   array->SetNumberOfTuples(this->GetNumberOfPixels());
   int stride = 0;
   const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
-  ForPixels(this->Region,
-    [&](vtkIdType i, int x, int y)
-    {
-      double values[vtkRelievoArraySampler::MaximumComponents];
-      sampler.Sample(this->Draws->Find(words[i * stride]), x, y, values);
-      array->SetTuple(i, values);
-    });
+  ForPixels(this->Region, [&](vtkIdType i, int x, int y) {
+    double values[vtkRelievoArraySampler::MaximumComponents];
+    sampler.Sample(this->Draws->Find(words[i * stride]), x, y, values);
+    array->SetTuple(i, values);
+  });
   return array;
 }

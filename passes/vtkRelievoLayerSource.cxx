@@ -47,7 +47,9 @@ std::string DescribeLight(vtkLight* light)
 {
   std::ostringstream out;
   out.precision(17);
-  const char* type = !light->GetPositional() ? "sun" : light->GetConeAngle() < 90.0 ? "spot" : "point";
+  const char* type = !light->GetPositional() ? "sun"
+    : light->GetConeAngle() < 90.0           ? "spot"
+                                             : "point";
   const char* frame = light->LightTypeIsHeadlight() ? "headlight"
     : light->LightTypeIsCameraLight()               ? "camera"
                                                     : "scene";
@@ -244,8 +246,8 @@ void vtkRelievoLayerSource::ReadColor(vtkImageData* image)
   {
     for (int c = 0; c < 3; ++c)
     {
-      out[4 * i + c] = static_cast<float>(
-        relievo::f64::relievoLinearFromSrgb(bytes->GetValue(4 * i + c) / 255.0));
+      out[4 * i + c] =
+        static_cast<float>(relievo::f64::relievoLinearFromSrgb(bytes->GetValue(4 * i + c) / 255.0));
     }
     out[4 * i + 3] = hasAlpha ? static_cast<float>(bytes->GetValue(4 * i + 3)) / 255.0f : 1.0f;
   }
@@ -258,8 +260,7 @@ void vtkRelievoLayerSource::AddCamera(vtkImageData* image)
   vtkRelievoView view;
   view.Take(this->Renderer, nullptr);
   double rows[16];
-  auto addMatrix = [&](const char* name, const glm::dmat4& matrix)
-  {
+  auto addMatrix = [&](const char* name, const glm::dmat4& matrix) {
     for (int i = 0; i < 16; ++i)
     {
       rows[i] = matrix[i % 4][i / 4];

@@ -11,7 +11,7 @@
 #ifndef vtkRelievoLinearDepthPass_h
 #define vtkRelievoLinearDepthPass_h
 
-#include "vtkNew.h" // for the frame
+#include "vtkNew.h"                 // for the frame
 #include "vtkRelievoPassesModule.h" // for the export macro
 #include "vtkRenderPass.h"
 

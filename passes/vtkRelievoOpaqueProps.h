@@ -30,8 +30,8 @@ public:
   void RenderOpaque(vtkRenderer* renderer);
 
 private:
-  std::vector<vtkProp*> Props;    // in the renderer's order
-  std::vector<vtkActor*> Actors;  // the same, assemblies taken apart
+  std::vector<vtkProp*> Props;   // in the renderer's order
+  std::vector<vtkActor*> Actors; // the same, assemblies taken apart
   std::string Foreign;
 };
 

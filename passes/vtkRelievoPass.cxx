@@ -5,12 +5,11 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
-#include "vtkRelievoAccess.h"
+#include "vtkRelievoDelegate.h"
 #include "vtkRelievoDisplayStage.h"
 #include "vtkRelievoFrameReport.h"
 #include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoGpuTimer.h"
-#include "vtkRelievoOpaqueMarker.h"
 #include "vtkRelievoStage.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -20,7 +19,6 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoPass);
-vtkStandardNewMacro(vtkRelievoOpaqueMarker);
 
 class vtkRelievoPass::Internals
 {
@@ -32,9 +30,7 @@ public:
   std::set<std::string> Requested;
   vtkRelievoGpuTimer Timer;
   vtkRelievoFrameReport Report;
-  vtkNew<vtkRelievoOpaqueMarker> Begin;
-  vtkNew<vtkRelievoOpaqueMarker> End;
-  std::vector<vtkProp*> Props; // of the frame, between the markers
+  vtkRelievoDelegate Picture;
 
   // In the order in which the frame runs them.
   std::vector<vtkRelievoStage*> GetStages()
@@ -130,7 +126,8 @@ void vtkRelievoPass::AddStage(vtkRelievoStage* stage)
   auto& added = this->Internal->Added;
   if (!stage || std::find(added.begin(), added.end(), stage) != added.end())
   {
-    vtkErrorMacro("AddStage was given " << (stage ? "a stage that is there already." : "no stage."));
+    vtkErrorMacro(
+      "AddStage was given " << (stage ? "a stage that is there already." : "no stage."));
     return;
   }
   added.push_back(stage);
@@ -220,8 +217,8 @@ void vtkRelievoPass::Render(const vtkRenderState* s)
   this->NumberOfRenderedProps = 0;
   window->MakeCurrent();
 
-  in.Display->SetFrame(this->DisplayLayer ? this->DisplayLayer : "", this->DisplayRange,
-    this->DisplayGrey);
+  in.Display->SetFrame(
+    this->DisplayLayer ? this->DisplayLayer : "", this->DisplayRange, this->DisplayGrey);
   // A selection draws its own picture of ids, to its own rules.
   const bool selecting = renderer->GetSelector() != nullptr;
   std::vector<vtkRelievoStage*> needed;
@@ -257,8 +254,7 @@ void vtkRelievoPass::Render(const vtkRenderState* s)
     in.Timer.BeginFrame(window);
     in.Timer.Begin("frame");
   }
-  auto each = [&](void (vtkRelievoStage::*step)(vtkRelievoPass*, const vtkRenderState*))
-  {
+  auto each = [&](void (vtkRelievoStage::*step)(vtkRelievoPass*, const vtkRenderState*)) {
     for (vtkRelievoStage* stage : needed)
     {
       in.Timer.Begin(stage->GetStageName());
@@ -293,63 +289,28 @@ void vtkRelievoPass::RenderDelegate(
   const vtkRenderState* s, const std::vector<vtkRelievoStage*>& needed)
 {
   Internals& in = *this->Internal;
-  auto* renderer = static_cast<vtkOpenGLRenderer*>(s->GetRenderer());
-  const bool marked = !needed.empty() && s->GetPropArrayCount() > 0;
-  in.Props.clear();
-  if (marked)
+  std::function<void()> begin;
+  std::function<void()> end;
+  if (!needed.empty())
   {
-    in.Begin->Reached = [&]()
-    {
+    begin = [&]() {
       for (vtkRelievoStage* stage : needed)
       {
         in.Timer.Begin(stage->GetStageName());
         stage->BeginOpaque(this, s);
       }
     };
-    in.End->Reached = [&]()
-    {
+    end = [&]() {
       for (vtkRelievoStage* stage : needed)
       {
         stage->EndOpaque(this, s);
         in.Timer.End(stage->GetStageName());
       }
     };
-    in.Props.push_back(in.Begin);
-    in.Props.insert(
-      in.Props.end(), s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
-    in.Props.push_back(in.End);
-    in.Timer.Begin("delegate");
   }
-  if (in.Delegate)
-  {
-    vtkRenderState state(renderer);
-    state.SetFrameBuffer(s->GetFrameBuffer());
-    state.SetRequiredKeys(s->GetRequiredKeys());
-    state.SetPropArrayAndCount(marked ? in.Props.data() : s->GetPropArray(),
-      marked ? static_cast<int>(in.Props.size()) : s->GetPropArrayCount());
-    in.Delegate->Render(&state);
-    this->NumberOfRenderedProps += in.Delegate->GetNumberOfRenderedProps();
-  }
-  else
-  {
-    vtkProp** props = vtkRelievoAccess::Renderer::Props(renderer);
-    const int count = vtkRelievoAccess::Renderer::NumberOfProps(renderer);
-    if (marked)
-    {
-      vtkRelievoAccess::Renderer::Props(renderer) = in.Props.data();
-      vtkRelievoAccess::Renderer::NumberOfProps(renderer) = static_cast<int>(in.Props.size());
-    }
-    vtkRelievoAccess::Renderer::RenderOwnSteps(renderer);
-    vtkRelievoAccess::Renderer::Props(renderer) = props;
-    vtkRelievoAccess::Renderer::NumberOfProps(renderer) = count;
-    this->NumberOfRenderedProps += renderer->GetNumberOfPropsRendered();
-  }
-  if (marked)
-  {
-    in.Timer.End("delegate");
-    in.Begin->Reached = nullptr;
-    in.End->Reached = nullptr;
-  }
+  in.Timer.Begin("delegate");
+  this->NumberOfRenderedProps += in.Picture.Render(in.Delegate, s, begin, end);
+  in.Timer.End("delegate");
 }
 
 //------------------------------------------------------------------------------
@@ -361,8 +322,8 @@ void vtkRelievoPass::Report(const vtkRenderState* s, const std::vector<vtkReliev
   delegate.Name = "delegate";
   delegate.Ran = !this->LayersOnly;
   delegate.Reason = this->LayersOnly ? "only the layers are asked for"
-    : in.Delegate                    ? std::string("draws the picture: ") + in.Delegate->GetClassName()
-                                     : "draws the picture: the renderer's own steps";
+    : in.Delegate ? std::string("draws the picture: ") + in.Delegate->GetClassName()
+                  : "draws the picture: the renderer's own steps";
   in.Report.Lines.push_back(delegate);
   for (vtkRelievoStage* stage : in.GetStages())
   {
@@ -419,7 +380,8 @@ void vtkRelievoPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "DelegatePass: "
-     << (this->Internal->Delegate ? this->Internal->Delegate->GetClassName() : "(renderer's own steps)")
+     << (this->Internal->Delegate ? this->Internal->Delegate->GetClassName()
+                                  : "(renderer's own steps)")
      << "\n";
   os << indent << "Requested layers:";
   for (const std::string& name : this->Internal->Requested)

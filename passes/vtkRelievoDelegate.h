@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Draws the picture as it would be without Relievo, by a pass or by the renderer's own steps, and
+// tells when its opaque geometry begins and ends.
+#ifndef vtkRelievoDelegate_h
+#define vtkRelievoDelegate_h
+
+#include "vtkNew.h"
+#include "vtkRelievoOpaqueMarker.h"
+
+#include <functional>
+#include <vector>
+
+class vtkRenderPass;
+class vtkRenderState;
+
+class vtkRelievoDelegate
+{
+public:
+  // Without a pass the renderer's own steps. Returns the number of props drawn. Begin and end are
+  // called as often as the delegate draws opaque geometry; empty ones cost nothing.
+  int Render(vtkRenderPass* pass, const vtkRenderState* s, const std::function<void()>& begin,
+    const std::function<void()>& end);
+
+private:
+  static int RenderPass(
+    vtkRenderPass* pass, const vtkRenderState* s, vtkProp** props, int numberOfProps);
+  static int RenderOwnSteps(const vtkRenderState* s, vtkProp** props, int numberOfProps);
+
+  vtkNew<vtkRelievoOpaqueMarker> Begin;
+  vtkNew<vtkRelievoOpaqueMarker> End;
+  std::vector<vtkProp*> Props; // of the frame, between the markers
+};
+
+#endif
