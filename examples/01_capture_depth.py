@@ -15,4 +15,4 @@ renderer.AddActor(actor)
 renderer.ResetCamera()
 image = relievo.capture(renderer, ["depth", "normal"], size=(640, 480))
 depth = relievo.layer(image, "depth")  # numpy, (480, 640), float32; infinity where nothing is
-print(f"nearest {depth.min():.4f}, in the middle {depth[240, 320]:.4f}, in the corner {depth[0, 0]}")
+print(f"nearest {depth.min():.4f}, middle {depth[240, 320]:.4f}, corner {depth[0, 0]}")

@@ -38,7 +38,8 @@ except ImportError:
 # names begin with; the first that fits. The three painted ones are the blocks of one actor.
 MATERIALS = {
     "paint": ((0.55, 0.015, 0.02), 0.1, 0.25, ("frt-fairing", "fuel-tank", "fr-mud-guard")),
-    "second paint": ((0.78, 0.76, 0.72), 0.1, 0.25, ("rear-body", "rear-mud-guard", "fairing-inner")),
+    "second paint": ((0.78, 0.76, 0.72), 0.1, 0.25, ("rear-body", "rear-mud-guard",
+                                                   "fairing-inner")),
     "helmet": ((0.85, 0.45, 0.04), 0.1, 0.25, ("rider-helmet",)),
     "rubber": ((0.025, 0.025, 0.028), 0.0, 0.7, ("fr-wh-tyre", "rr-wh-tyre", "driversseat",
                                                "rearseat", "footpeg", "water-pipe")),
@@ -112,7 +113,8 @@ def some_cells(mesh, ids):
     used, renumbered = numpy.unique(points[places], return_inverse=True)
     piece = vtkPolyData()
     piece.SetPoints(vtkPoints())
-    piece.GetPoints().SetData(numpy_to_vtk(vtk_to_numpy(mesh.GetPoints().GetData())[used], deep=True))
+    whole_points = vtk_to_numpy(mesh.GetPoints().GetData())
+    piece.GetPoints().SetData(numpy_to_vtk(whole_points[used], deep=True))
     cells = vtkCellArray()
     cells.SetData(numpy_to_vtk(starts, deep=True, array_type=12),
                   numpy_to_vtk(renumbered, deep=True, array_type=12))  # fmt: skip

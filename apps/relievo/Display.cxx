@@ -29,7 +29,7 @@ void OpenDisplay(vtkRenderWindow* window)
     return;
   }
   // Kept open until the process ends: an X server without -noreset starts anew when its last client
-  // leaves, and answers nobody meanwhile. That is also why a run just after another one tries again.
+  // leaves, and answers nobody meanwhile. That is also why a run just after another tries again.
   static Display* display = nullptr;
   for (int attempt = 0; !display && attempt < 10; ++attempt)
   {

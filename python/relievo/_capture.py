@@ -79,8 +79,8 @@ def _frame_of(renderer):
 
 @functools.lru_cache(maxsize=1)
 def _spare_window():
-    """The window of renderers that have none, made once: an OpenGL context takes longer to make than
-    many a capture, and an X server that loses its only client starts anew and answers nobody."""
+    """The window of renderers that have none, made once: an OpenGL context takes longer to make
+    than many a capture, and an X server that loses its only client starts anew, deaf meanwhile."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
@@ -90,7 +90,7 @@ def _spare_window():
 
 @contextmanager
 def _window_of(renderer, size):
-    """The renderer is in a window in which its viewport has that size; afterwards all is as before."""
+    """The renderer is in a window where its viewport has that size; afterwards all is as before."""
     window = renderer.GetRenderWindow()
     if window is None:
         if size is None:
@@ -121,7 +121,7 @@ def _fit(window, renderer, size):
     window.Initialize()  # at its own size: X ends the process for sizes that it cannot make
     limit = vtkTextureObject.GetMaximumTextureSize(window)
     if max(size) > limit:
-        raise ValueError(f"size: got {size!r}, expected at most {limit} each way: OpenGL's limit here")
+        raise ValueError(f"size: got {size!r}, expected at most {limit} each way, OpenGL's limit")
     viewport = renderer.GetViewport()
     tries = []
     for axis in (0, 1):

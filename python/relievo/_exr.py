@@ -44,7 +44,9 @@ def write_exr(path, image, compression="zip", pixel_types=None):
             )
         for name, kind in (pixel_types or {}).items():
             if kind not in _PIXEL_TYPES:
-                raise ValueError(f"pixel_types[{name!r}]: got {kind!r}, expected half, float or uint")
+                raise ValueError(
+                    f"pixel_types[{name!r}]: got {kind!r}, expected half, float or uint"
+                )
             writer.SetPixelType(name, _PIXEL_TYPES[kind])
         writer.SetFileName(os.fspath(path))
         writer.SetInputData(image)
@@ -58,10 +60,10 @@ def read_exr(path):
     path: name of the file, str or path-like. Scan lines or tiles, one part or several, any
         compression; deep data is refused.
 
-    Returns vtkImageData of (columns, rows, 1) points, VTK's row 0 at the bottom (layer() gives row 0
-    at the top), one point array per layer, attributes as field data. A file of write_exr() gives
-    back its layers bit for bit, position in world space again. In other files R G B [A] become
-    `color` and every other channel or group of channels its own array, float or unsigned int.
+    Returns vtkImageData of (columns, rows, 1) points, VTK's row 0 at the bottom (layer() gives
+    row 0 at the top), one point array per layer, attributes as field data. A file of write_exr()
+    gives back its layers bit for bit, position in world space again. In other files R G B [A]
+    become `color` and every other channel or group of channels its own array, float or unsigned int.
 
     Raises FileNotFoundError or another OSError if the file cannot be opened, ValueError if it is no
     whole OpenEXR file.

@@ -48,6 +48,6 @@ def report(frame):
     if hasattr(frame, "IsA") and frame.IsA("vtkRenderer"):
         owner, frame = frame, frame.GetPass()
         if frame is None or not frame.IsA("vtkRelievoPass"):
-            raise ValueError(f"frame: {owner.GetClassName()} has no vtkRelievoPass; attach() it first")
+            raise ValueError(f"frame: the {owner.GetClassName()} has none; attach() it first")
     require(frame, "vtkRelievoPass", "frame")
     return json.loads(frame.GetFrameReport())

@@ -30,7 +30,8 @@ def layer(image, name):
     require(image, "vtkImageData", "image")
     array = image.GetPointData().GetArray(name)
     if array is None:
-        raise ValueError(f"layer {name!r}: the image holds {', '.join(layer_names(image)) or 'none'}")
+        known = ", ".join(layer_names(image)) or "none"
+        raise ValueError(f"layer {name!r}: the image holds {known}")
     columns, rows, _ = image.GetDimensions()
     components = array.GetNumberOfComponents()
     shape = (rows, columns) if components == 1 else (rows, columns, components)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // exrDump FILE.exr RAW: reads an EXR file with OpenEXR's own C++ interface and nothing of Relievo.
-// The header goes to the standard output as JSON (width, height, compression, channels with name and
-// type as stored, attributes with name and type, matrices and numbers with their values); the
+// The header goes to the standard output as JSON (width, height, compression, channels with name
+// and type as stored, attributes with name and type, matrices and numbers with their values); the
 // channels go to RAW one after the other, top row first, half and float as float32, uint as uint32.
 
 #include <ImfChannelList.h>

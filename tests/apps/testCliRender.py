@@ -14,7 +14,7 @@ BACKGROUND_ID = 0xFFFFFFFF
 
 
 def write_data(folder):
-    """A sphere with the array `height` as every kind of file that VTK writes; returns their names."""
+    """A sphere with the array `height` as every kind of file that VTK writes; returns the names."""
     from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkElevationFilter
     from vtkmodules.vtkFiltersSources import vtkSphereSource
     from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
@@ -105,9 +105,10 @@ class Picture(CliTest):
         self.assertEqual(self.names(), ["a.png", "b.png", "triangle.off"])
 
     def test_the_triangle_is_where_it_belongs(self):
-        # Parallel projection of half height 2 on 100x100 pixels: 25 pixels to a unit, the middle at
-        # 50. The corners (-1,-1), (1,-1), (-1,1) are the pixels 25 and 75 from the left and the top.
-        self.render("--size", "100x100", "--parallel-scale", "2", "--shading", "flat", "--png", "a.png")
+        # Parallel projection of half height 2 on 100x100 pixels: 25 pixels to a unit, the middle
+        # at 50. The corners (-1,-1), (1,-1), (-1,1) are 25 and 75 pixels from the left and the top.
+        self.render("--size", "100x100", "--parallel-scale", "2", "--shading", "flat",
+                    "--png", "a.png")  # fmt: skip
         lit = read_png(self.folder / "a.png").sum(axis=2) > 0
         rows, columns = numpy.mgrid[0:100, 0:100] + 0.5
         inside = (columns > 25) & (rows < 75) & (rows - 25 > columns - 25)
@@ -169,10 +170,14 @@ class Picture(CliTest):
         self.assertEqual(read_png(self.folder / "real" / "a.png").shape, (768, 1024, 3))
 
 
+def names_of(header):
+    return sorted(channel["name"] for channel in header["channels"])
+
+
 class Layers(CliTest):
     def test_channels(self):
-        self.render("--size", "40x30", "--exr", "a.exr", "--layers",
-                    "depth,range,normal,geometric_normal,position,albedo,actor,block,cell")  # fmt: skip
+        layers = "depth,range,normal,geometric_normal,position,albedo,actor,block,cell"
+        self.render("--size", "40x30", "--exr", "a.exr", "--layers", layers)
         header, channels = self.exr("a.exr")
         self.assertEqual((header["width"], header["height"]), (40, 30))
         types = {channel["name"]: channel["type"] for channel in header["channels"]}
@@ -214,16 +219,12 @@ class Layers(CliTest):
     def test_without_layers_colour_and_depth(self):
         self.render("--size", "8x8", "--exr", "a.exr")
         header, _ = self.exr("a.exr")
-        self.assertEqual(
-            sorted(channel["name"] for channel in header["channels"]), ["A", "B", "G", "R", "depth.Z"]
-        )
+        self.assertEqual(names_of(header), ["A", "B", "G", "R", "depth.Z"])
 
     def test_only_what_was_asked(self):
         self.render("--size", "8x8", "--exr", "a.exr", "--layers", "cell")
         header, _ = self.exr("a.exr")
-        self.assertEqual(
-            sorted(channel["name"] for channel in header["channels"]), ["A", "B", "G", "R", "cell.id"]
-        )
+        self.assertEqual(names_of(header), ["A", "B", "G", "R", "cell.id"])
 
     def test_array_by_name(self):
         write_data(self.folder)
@@ -244,8 +245,7 @@ class Layers(CliTest):
         self.relievo("render", "a.vtp", "--size", "60x60", "--exr", "a.exr",
                      "--layers", "depth,point:height")  # fmt: skip
         header, channels = self.exr("a.exr")
-        names = [channel["name"] for channel in header["channels"]]
-        self.assertEqual(sorted(names), ["A", "B", "G", "R", "depth.Z", "point:height.V"])
+        self.assertEqual(names_of(header), ["A", "B", "G", "R", "depth.Z", "point:height.V"])
         seen = numpy.isfinite(channels["depth.Z"])
         self.assertTrue(numpy.isfinite(channels["point:height.V"][seen]).all())
         self.assertTrue(numpy.isnan(channels["point:height.V"][~seen]).all())
@@ -280,7 +280,8 @@ class Layers(CliTest):
 
 class Report(CliTest):
     def test_report(self):
-        self.render("--size", "32x32", "--layers", "depth,normal", "--exr", "a.exr", "--report", "a.json")
+        self.render("--size", "32x32", "--layers", "depth,normal", "--exr", "a.exr",
+                    "--report", "a.json")  # fmt: skip
         report = json.loads((self.folder / "a.json").read_text())
         self.assertIsInstance(report, dict)
         stages = {stage["name"]: stage for stage in report["stages"]}

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Wrong words: exit status 2, one line that names the option and what was given, nothing written."""
+"""Wrong words: exit status 2, one line with the option and what was given, nothing written."""
 
 import re
 
@@ -71,8 +71,9 @@ class Words(CliTest):
         done = self.refused("render", "triangle.off", "--sise", "8x8", "--png", "a.png", status=2,
                             says=["--sise", "no such option", "--size"])  # fmt: skip
         self.assertNotIn("8x8", done.stderr)
-        self.refused("render", "-p", "triangle.off", status=2, says="-p: relievo render has no such")
-        self.refused("bench", "normals", "--png", "a.png", status=2, says=["--png", "bench", "--out"])
+        self.refused("render", "-p", "triangle.off", status=2, says="-p: relievo render has no")
+        self.refused("bench", "normals", "--png", "a.png", status=2,
+                     says=["--png", "bench", "--out"])  # fmt: skip
 
     def test_missing_value(self):
         self.refused("render", "triangle.off", "--png", status=2, says=["--png", "missing"])

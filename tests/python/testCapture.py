@@ -107,9 +107,8 @@ class Layers(unittest.TestCase):
             self.assertEqual((values.shape, values.dtype), (shape, kind), name)
             self.assertTrue((values[0, 0] == background).all(), name)
             self.assertFalse((values[24, 32] == background).all(), name)
-        numpy.testing.assert_allclose(
-            relievo.layer(image, "Normals")[24, 32], relievo.layer(image, "normal")[24, 32], atol=1e-2
-        )
+        array, normal = relievo.layer(image, "Normals"), relievo.layer(image, "normal")
+        numpy.testing.assert_allclose(array[24, 32], normal[24, 32], atol=1e-2)
 
     def test_one_name_and_repeated_names(self):
         image = relievo.capture(self.renderer, "depth", size=(8, 8))
@@ -118,7 +117,8 @@ class Layers(unittest.TestCase):
         self.assertEqual(relievo.layer_names(image), ["cell", "depth"])
 
     def test_default_is_depth(self):
-        self.assertEqual(relievo.layer_names(relievo.capture(self.renderer, size=(8, 8))), ["depth"])
+        image = relievo.capture(self.renderer, size=(8, 8))
+        self.assertEqual(relievo.layer_names(image), ["depth"])
 
     def test_matrices_take_a_position_to_its_pixel(self):
         image = relievo.capture(self.renderer, ["position", "depth"], size=(64, 48))

@@ -20,7 +20,7 @@ LAYERS = ["color", "depth", "range", "normal", "position", "albedo", "actor", "c
 
 
 def image_of(**arrays):
-    """A vtkImageData of numpy arrays of one shape (rows, columns[, components]), row 0 at the top."""
+    """A vtkImageData of numpy arrays (rows, columns[, components]), row 0 at the top."""
     image = vtkImageData()
     for name, values in arrays.items():
         image.SetDimensions(values.shape[1], values.shape[0], 1)
