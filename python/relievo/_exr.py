@@ -63,7 +63,8 @@ def read_exr(path):
     Returns vtkImageData of (columns, rows, 1) points, VTK's row 0 at the bottom (layer() gives
     row 0 at the top), one point array per layer, attributes as field data. A file of write_exr()
     gives back its layers bit for bit, position in world space again. In other files R G B [A]
-    become `color` and every other channel or group of channels its own array, float or unsigned int.
+    become `color` and every other channel or group of channels its own array, float or unsigned
+    int.
 
     Raises FileNotFoundError or another OSError if the file cannot be opened, ValueError if it is no
     whole OpenEXR file.
