@@ -10,6 +10,7 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
   static const std::vector<RelievoBenchEntry> entries = {
     { "normals", "error of the normal formats against bits and time", RelievoBenchNormals },
     { "depth", "error of the depth formats against bytes and far / near", RelievoBenchDepth },
+    { "capture", "capture of depth, normal and cell against VTK's own means", RelievoBenchCapture },
   };
   return entries;
 }

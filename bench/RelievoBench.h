@@ -34,4 +34,7 @@ int RelievoBenchNormals(const std::string& outDir);
 /** Chart 2: error of the depth formats against bytes and far / near. A few seconds. */
 int RelievoBenchDepth(const std::string& outDir);
 
+/** Capture of depth, normal and cell against z and cells by VTK's own means. About a minute. */
+int RelievoBenchCapture(const std::string& outDir);
+
 #endif
