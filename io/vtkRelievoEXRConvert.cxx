@@ -116,12 +116,11 @@ template <typename T>
 uint32_t ToUint(const Component& component, const T* tuple, Losses& losses)
 {
   const T value = tuple[component.Index];
-  if constexpr (std::is_integral<T>::value)
+  if constexpr (std::is_integral<T>::value && sizeof(T) > 4)
   {
     using Limits =
       std::numeric_limits<std::conditional_t<std::is_signed<T>::value, int32_t, uint32_t>>;
-    if (sizeof(T) > 4 &&
-      (value < static_cast<T>(Limits::min()) || value > static_cast<T>(Limits::max())))
+    if (value < static_cast<T>(Limits::min()) || value > static_cast<T>(Limits::max()))
     {
       Note(losses.Inexact, losses, value);
     }

@@ -183,15 +183,19 @@ int NumberOfLevels(uint64_t size, Imf::LevelRoundingMode rounding)
   return levels;
 }
 
+double NumberOfPieces(uint64_t size, uint64_t piece)
+{
+  const uint64_t pieces = (size + piece - 1) / piece;
+  return static_cast<double>(pieces);
+}
+
 double NumberOfTiles(uint64_t width, uint64_t height, const Imf::TileDescription& tiles)
 {
   const auto across = [&](int level) {
-    const uint64_t size = LevelSize(width, level, tiles.roundingMode);
-    return static_cast<double>((size + tiles.xSize - 1) / tiles.xSize);
+    return NumberOfPieces(LevelSize(width, level, tiles.roundingMode), tiles.xSize);
   };
   const auto down = [&](int level) {
-    const uint64_t size = LevelSize(height, level, tiles.roundingMode);
-    return static_cast<double>((size + tiles.ySize - 1) / tiles.ySize);
+    return NumberOfPieces(LevelSize(height, level, tiles.roundingMode), tiles.ySize);
   };
   if (tiles.mode == Imf::RIPMAP_LEVELS)
   {
@@ -220,7 +224,7 @@ double NumberOfTiles(uint64_t width, uint64_t height, const Imf::TileDescription
 
 Demand DemandOf(const Imf::Header& header)
 {
-  const Imath::Box2i window = header.dataWindow();
+  const Imath::Box2i& window = header.dataWindow();
   const uint64_t width = static_cast<int64_t>(window.max.x) - window.min.x + 1;
   const uint64_t height = static_cast<int64_t>(window.max.y) - window.min.y + 1;
   double bytesPerPixel = 0;
@@ -242,7 +246,7 @@ Demand DemandOf(const Imf::Header& header)
   else
   {
     const uint64_t lines = LinesPerChunk(header.compression());
-    demand.Chunks = static_cast<double>((height + lines - 1) / lines);
+    demand.Chunks = NumberOfPieces(height, lines);
     demand.WorkingBytes = bytesPerPixel * static_cast<double>(width) * lines;
   }
   return demand;

@@ -49,7 +49,10 @@ Input::Input(const std::string& fileName)
   for (int i = 0; i < this->File->parts(); ++i)
   {
     const Imf::Header& header = this->File->header(i);
-    this->Parts.push_back({ header.hasName() ? header.name() : "", header.type() });
+    // Names become names of arrays, which end at a zero byte: so end them here, or two that differ
+    // would become one.
+    const std::string name = header.hasName() ? header.name().c_str() : "";
+    this->Parts.push_back({ name, header.type() });
   }
 }
 
@@ -166,7 +169,7 @@ void Input::Read(vtkPointData* points, const std::function<bool(double)>& progre
   const int64_t width = static_cast<int64_t>(window.max.x) - window.min.x + 1;
   const int64_t height = static_cast<int64_t>(window.max.y) - window.min.y + 1;
 
-  std::vector<vtkDataArray*> arrays;
+  std::vector<vtkSmartPointer<vtkDataArray>> arrays;
   for (const ArrayLayout& layout : this->Arrays)
   {
     auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(layout.VtkType));
@@ -222,7 +225,7 @@ void Input::Read(vtkPointData* points, const std::function<bool(double)>& progre
 }
 
 //------------------------------------------------------------------------------
-void Input::DecodeBlock(const std::vector<vtkDataArray*>& arrays,
+void Input::DecodeBlock(const std::vector<vtkSmartPointer<vtkDataArray>>& arrays,
   const std::vector<std::unique_ptr<char[]>>& pixels, int firstLine, int lastLine) const
 {
   const Imath::Box2i window = this->GetDataWindow();

@@ -9,6 +9,7 @@
 
 #include "vtkRelievoEXRChannels.h"
 #include "vtkRelievoEXRStream.h"
+#include "vtkSmartPointer.h"
 
 #include <Imath/ImathBox.h>
 #include <OpenEXR/ImfHeader.h>
@@ -79,7 +80,7 @@ private:
   std::vector<ArrayLayout> Arrays;
 
   int GetBlockLines(uint64_t width) const;
-  void DecodeBlock(const std::vector<vtkDataArray*>& arrays,
+  void DecodeBlock(const std::vector<vtkSmartPointer<vtkDataArray>>& arrays,
     const std::vector<std::unique_ptr<char[]>>& pixels, int firstLine, int lastLine) const;
 };
 }

@@ -110,7 +110,7 @@ bool ReadWindow(vtkFieldData* fields, const char* name, Imath::Box2i& window)
   }
   double v[4];
   array->GetTuple(0, v);
-  const double most = std::numeric_limits<int>::max() / 2; // OpenEXR's own limit
+  const int most = std::numeric_limits<int>::max() / 2; // OpenEXR's own limit
   for (const double value : v)
   {
     if (!(std::abs(value) < most))

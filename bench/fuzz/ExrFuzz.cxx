@@ -50,8 +50,9 @@ private:
   vtkNew<vtkCallbackCommand> Ignore;
 };
 
-std::string CheckRead(vtkImageData* image, const Listener& listener)
+std::string CheckRead(vtkRelievoEXRReader* reader, const Listener& listener)
 {
+  vtkImageData* image = reader->GetOutput();
   if (!listener.Errors.empty())
   {
     return "was read, but with an error: " + listener.Errors[0];
@@ -59,6 +60,10 @@ std::string CheckRead(vtkImageData* image, const Listener& listener)
   if (image->GetNumberOfPoints() == 0)
   {
     return "was read, but is empty";
+  }
+  if (image->GetPointData()->GetNumberOfArrays() != reader->GetNumberOfLayers())
+  {
+    return "has other arrays than the reader says";
   }
   for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
   {
@@ -132,7 +137,7 @@ Result Run(uint64_t first, uint64_t count, const std::string& folder, double lim
     if (code == 0)
     {
       ++result.Read;
-      fault = CheckRead(reader->GetOutput(), listener);
+      fault = CheckRead(reader, listener);
       if (fault.empty() && result.Read % 16 == 0)
       {
         fault = CheckWrite(reader->GetOutput(), folder + "/again.exr");

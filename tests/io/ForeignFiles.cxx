@@ -170,6 +170,7 @@ void WriteDeep(const std::string& name, const Imf::Header& header)
   std::vector<unsigned int> counts(width * height, 1);
   std::vector<float> samples(width * height, 2.0f);
   std::vector<float*> pointers;
+  pointers.reserve(samples.size());
   for (float& sample : samples)
   {
     pointers.push_back(&sample);

@@ -165,10 +165,10 @@ void TestHugeHeaders()
   check(bytes.replace(size, 4, Int(3)), "attribute 'lineOrder' has 3 bytes, but lineOrder has 1",
     vtkErrorCode::FileFormatError);
   // More channels than anybody has.
-  std::vector<std::string> names;
-  for (int i = 0; i < 5000; ++i)
+  std::vector<std::string> names(5000);
+  for (std::string& name : names)
   {
-    names.push_back("c" + std::to_string(i));
+    name = "c" + std::to_string(&name - names.data());
   }
   const Box2i pixel(V2i(0, 0), V2i(0, 0));
   ioTest::WriteScanLines(File(), ioTest::MakeHeader(pixel, pixel, names, Imf::HALF));

@@ -23,8 +23,8 @@
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfVecAttribute.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace
 {
@@ -100,7 +100,7 @@ void TestOrientation()
   const int height = 40; // more than a chunk
   auto image = ioTest::MakeImage(width, height);
   ioTest::AddArray(
-    image, "depth", VTK_FLOAT, 1, [&](int i, int) { return 1000.0 * (i / width) + i % width; });
+    image, "depth", VTK_FLOAT, 1, [&](int i, int) { return 1000 * (i / width) + i % width; });
   RELIEVO_CHECK(ioTest::Write(image, File()));
   Imf::InputFile file(File().c_str());
   const std::vector<float> lines = Floats(file, "depth.Z");
@@ -185,7 +185,7 @@ void TestCamera()
   RELIEVO_CHECK_NEAR(picture.y, 0.6, 1e-6, "y in OpenEXR's NDC");
 
   const auto* exact = header.findTypedAttribute<Imf::M44dAttribute>("relievo:worldToNDC");
-  RELIEVO_CHECK(exact && std::memcmp(exact->value()[0], ndc.data(), 16 * sizeof(double)) == 0);
+  RELIEVO_CHECK(exact && std::equal(ndc.begin(), ndc.end(), exact->value()[0]));
   const auto* near = header.findTypedAttribute<Imf::FloatAttribute>("near");
   const auto* exactNear = header.findTypedAttribute<Imf::DoubleAttribute>("relievo:near");
   RELIEVO_CHECK(near && near->value() == 0.1f && exactNear && exactNear->value() == 0.1);

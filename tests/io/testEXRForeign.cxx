@@ -238,6 +238,20 @@ void TestParts()
   RELIEVO_CHECK(reader->GetOutput()->GetNumberOfPoints() == 0);
 }
 
+// Names of parts that differ only behind a zero byte are one name to VTK.
+void TestPartNames()
+{
+  const Imf::Header header = MakeHeader(Window, Window, { "Z" });
+  ioTest::WriteParts(File(), { header, header, header });
+  std::string bytes = ioTest::Bytes(File());
+  bytes[bytes.find("part1") + 2] = 0;
+  bytes[bytes.find("part2") + 2] = 0;
+  ioTest::WriteBytes(File(), bytes);
+  auto image = ioTest::Read(File());
+  RELIEVO_CHECK_THAT(Arrays(image) == "Z float 1, pa.Z float 1, pa.pa.Z float 1", Arrays(image));
+  RELIEVO_CHECK(Holds(image, "pa.Z", 0, 1, Window) && Holds(image, "pa.pa.Z", 0, 2, Window));
+}
+
 void TestRefused()
 {
   // Chroma of half resolution in both directions, as in luminance and chroma files.
@@ -331,6 +345,7 @@ int main()
   TestIds();
   TestSelection();
   TestParts();
+  TestPartNames();
   TestRefused();
   TestCamera();
   TestManners();
