@@ -13,6 +13,7 @@ import numpy
 
 RELIEVO = os.environ["RELIEVO"]
 EXR_DUMP = os.environ["EXR_DUMP"]
+BENCHES = os.environ["BENCHES"] == "1"  # whether the command was built with them
 
 # A triangle in the plane z = 0, seen by the camera of LOOK as a triangle of known pixels.
 TRIANGLE = "OFF\n3 1 0\n-1 -1 0\n1 -1 0\n-1 1 0\n3 0 1 2\n"

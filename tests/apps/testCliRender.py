@@ -5,10 +5,11 @@
 import base64
 import json
 import math
+import unittest
 
 import numpy
 
-from cli import LOOK, CliTest, main, read_png
+from cli import BENCHES, LOOK, CliTest, main, read_png
 
 BACKGROUND_ID = 0xFFFFFFFF
 
@@ -303,6 +304,7 @@ class Report(CliTest):
         )
 
 
+@unittest.skipUnless(BENCHES, "built without benches")
 class Bench(CliTest):
     def test_depth(self):
         done = self.relievo("bench", "depth", "--out", "charts/new")
