@@ -336,7 +336,7 @@ void ScanHeaders(InputStream& stream)
 void CheckPlausible(const std::vector<const Imf::Header*>& parts, uint64_t fileSize)
 {
   // Small pictures may have large tiles; what is unpacked at once is allowed this much anyway.
-  const double freeBytes = 256.0 * 1024 * 1024;
+  const double freeBytes = 128.0 * 1024 * 1024;
   double packedBytes = 0;
   for (const Imf::Header* header : parts)
   {

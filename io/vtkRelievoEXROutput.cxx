@@ -19,6 +19,7 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfStringVectorAttribute.h>
+#include <OpenEXR/ImfThreading.h>
 #include <OpenEXR/ImfVecAttribute.h>
 
 #include <algorithm>
@@ -300,7 +301,7 @@ void Output::Write(Imf::OStream& stream, const std::function<bool(double)>& prog
     pixels.emplace_back(new char[4 * width * blockLines]);
   }
 
-  Imf::OutputFile file(stream, this->Header);
+  Imf::OutputFile file(stream, this->Header, Imf::globalThreadCount());
   for (int64_t y = window.min.y; y <= window.max.y; y += blockLines)
   {
     const int first = static_cast<int>(y);

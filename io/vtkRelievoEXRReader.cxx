@@ -14,6 +14,7 @@
 #include "vtkRelievoEXRAttributes.h"
 #include "vtkRelievoEXRFailure.h"
 #include "vtkRelievoEXRInput.h"
+#include "vtkRelievoEXRThreads.h"
 #include "vtkRelievoEXRTranslate.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -54,6 +55,7 @@ std::unique_ptr<Input> vtkRelievoEXRReader::Internals::Open(vtkRelievoEXRReader*
   {
     throw Failure(vtkErrorCode::NoFileNameError, "no file name is given; set it with SetFileName");
   }
+  relievo::exr::StartThreads(self->NumberOfThreads);
   auto input = std::make_unique<Input>(self->FileName);
   this->Parts = input->GetParts();
   input->ChoosePart(self->Part);
@@ -95,6 +97,7 @@ void vtkRelievoEXRReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Part: " << this->Part << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "ChannelSelection:\n";
   this->Self->Selection->PrintSelf(os, indent.GetNextIndent());
 }

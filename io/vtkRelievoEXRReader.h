@@ -96,6 +96,12 @@ public:
   /** Which channels to read, by name; filled by UpdateInformation(). Default: all. */
   vtkDataArraySelection* GetChannelSelection();
 
+  ///@{
+  /** Threads that unpack the pixels, as vtkRelievoEXRWriter::NumberOfThreads. Default: 0. */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 64);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
   /** Changes of the selection count as changes of the reader. */
   vtkMTimeType GetMTime() override;
 
@@ -118,6 +124,7 @@ private:
   std::unique_ptr<Internals> Self;
   char* FileName = nullptr;
   int Part = -1;
+  int NumberOfThreads = 0;
 };
 
 #endif

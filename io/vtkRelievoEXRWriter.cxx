@@ -11,6 +11,7 @@
 #include "vtkRelievoEXRFailure.h"
 #include "vtkRelievoEXROutput.h"
 #include "vtkRelievoEXRStream.h"
+#include "vtkRelievoEXRThreads.h"
 #include "vtkRelievoEXRTranslate.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -56,6 +57,7 @@ void vtkRelievoEXRWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Compression: " << this->GetCompressionName() << "\n";
   os << indent << "DWALevel: " << this->DWALevel << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   for (const auto& choice : this->Self->Settings.PixelTypes)
   {
     os << indent << "PixelType of " << choice.first << ": " << PixelTypeNames[choice.second]
@@ -224,6 +226,7 @@ int vtkRelievoEXRWriter::RequestData(
       throw Failure(
         vtkErrorCode::NoFileNameError, "no file name is given; set it with SetFileName");
     }
+    relievo::exr::StartThreads(this->NumberOfThreads);
     Output::Settings settings = this->Self->Settings;
     settings.Compression = static_cast<Imf::Compression>(this->Compression);
     settings.DWALevel = static_cast<float>(this->DWALevel);

@@ -126,6 +126,17 @@ public:
   virtual void RemoveAllAttributes();
   ///@}
 
+  ///@{
+  /**
+   * Threads that pack the pixels, 0 to 64. They belong to OpenEXR, and so to the whole process:
+   * there will be at least as many from now on, for every reader and writer. 0 starts none. A
+   * process that is forked (Python's multiprocessing on Linux) after they were started cannot use
+   * them and would wait for ever, so they are only started when asked for. Default: 0.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 64);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
   /** Writes the file. Returns 1, or 0 after an error or an abort. */
   virtual int Write();
 
@@ -149,6 +160,7 @@ private:
   char* FileName = nullptr;
   int Compression = ZIP;
   double DWALevel = 45;
+  int NumberOfThreads = 0;
 };
 
 #endif

@@ -118,6 +118,29 @@ void TestFields()
   }
 }
 
+// Threads change neither the file nor what is read. Last of all: they stay.
+void TestThreads()
+{
+  auto image = ioTest::MakeLayers(200, 150);
+  std::string bytes[2];
+  for (const int threads : { 0, 3 })
+  {
+    vtkNew<vtkRelievoEXRWriter> writer;
+    writer->SetInputData(image);
+    writer->SetFileName(File().c_str());
+    writer->SetNumberOfThreads(threads);
+    RELIEVO_CHECK(writer->Write() == 1);
+    bytes[threads > 0] = ioTest::Bytes(File());
+    vtkNew<vtkRelievoEXRReader> reader;
+    reader->SetFileName(File().c_str());
+    reader->SetNumberOfThreads(threads);
+    reader->Update();
+    const std::string difference = ioTest::Difference(image, reader->GetOutput());
+    RELIEVO_CHECK_THAT(difference.empty(), difference);
+  }
+  RELIEVO_CHECK(!bytes[0].empty() && bytes[0] == bytes[1]);
+}
+
 // Every float there is by its bits, as far as patterns go: signalling NaNs, denormals, -0.
 void TestFloatBits()
 {
@@ -349,5 +372,6 @@ int main()
   TestOverflow();
   TestOtherArrays();
   TestComparison();
+  TestThreads();
   return session.Result();
 }
