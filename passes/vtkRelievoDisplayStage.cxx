@@ -2,21 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoDisplayStage.h"
 
-#include "vtkCamera.h"
 #include "vtkImageData.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoLayerColors.h"
 #include "vtkRelievoPass.h"
-#include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoView.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -98,38 +92,19 @@ bool vtkRelievoDisplayStage::UploadColors(vtkRelievoPass* frame, vtkOpenGLRender
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoDisplayStage::PrepareQuad(vtkOpenGLRenderWindow* window, const std::string& defines)
-{
-  if (this->Quad && this->Defines == defines)
-  {
-    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
-  }
-  else
-  {
-    this->Defines = defines;
-    std::string source = vtkRelievoShaderLibrary::Get("display/layerFS.glsl");
-    vtkShaderProgram::Substitute(source, "//RELIEVO::Defines", defines, false);
-    this->Quad.reset(new vtkOpenGLQuadHelper(window, nullptr, source.c_str(), ""));
-  }
-  return this->Quad->Program && this->Quad->Program->GetCompiled();
-}
-
-//------------------------------------------------------------------------------
 void vtkRelievoDisplayStage::RenderAfter(vtkRelievoPass* frame, const vtkRenderState* s)
 {
   vtkRenderer* renderer = s->GetRenderer();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkRelievoGBufferPass* gbuffer = frame->GetGBuffer();
-  const vtkRelievoGBufferLayout& layout = gbuffer->GetLayout();
   const int shown = GetShown(this->Layer);
-  if (shown == 0 ? !this->UploadColors(frame, window) : !gbuffer->GetTexture(0))
+  if (!gbuffer->GetTexture(0) || (shown == 0 && !this->UploadColors(frame, window)))
   {
     return;
   }
-
-  std::string defines = layout.GetDefines();
-  defines += "#define RELIEVO_SHOW " + std::to_string(shown) + "\n";
-  if (!this->PrepareQuad(window, defines))
+  vtkShaderProgram* program = this->Quad.Ready(window, gbuffer, "display/layerFS.glsl",
+    "#define RELIEVO_SHOW " + std::to_string(shown) + "\n");
+  if (!program)
   {
     vtkErrorMacro(
       "The shader display/layerFS.glsl does not compile for the layer '" << this->Layer << "'.");
@@ -137,33 +112,6 @@ void vtkRelievoDisplayStage::RenderAfter(vtkRelievoPass* frame, const vtkRenderS
   }
   vtkRelievoView view;
   view.Take(renderer, s);
-  vtkOpenGLState* state = window->GetState();
-  state->Push();
-  state->vtkglViewport(view.Viewport[0], view.Viewport[1], view.Viewport[2], view.Viewport[3]);
-  state->vtkglScissor(view.Viewport[0], view.Viewport[1], view.Viewport[2], view.Viewport[3]);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDepthMask(GL_FALSE);
-
-  vtkShaderProgram* program = this->Quad->Program;
-  static const char* const samplers[] = { "relievoWords1", "relievoWords2", "relievoWords3" };
-  vtkTextureObject* textures[3] = { nullptr, nullptr, nullptr };
-  if (shown == 0)
-  {
-    this->Colors->Activate();
-    program->SetUniformi("relievoColors", this->Colors->GetTextureUnit());
-  }
-  else
-  {
-    for (int i = 0; i < layout.GetNumberOfAttachments() && i < 3; ++i)
-    {
-      textures[i] = gbuffer->GetTexture(i);
-      textures[i]->Activate();
-      program->SetUniformi(samplers[i], textures[i]->GetTextureUnit());
-    }
-  }
-  int offset[2];
-  gbuffer->GetOffset(offset);
   const float range[2] = { static_cast<float>(
                              this->Range[0] < this->Range[1] ? this->Range[0] : view.Near),
     static_cast<float>(this->Range[0] < this->Range[1] ? this->Range[1] : view.Far) };
@@ -172,8 +120,6 @@ void vtkRelievoDisplayStage::RenderAfter(vtkRelievoPass* frame, const vtkRenderS
   {
     background[i] = static_cast<float>(renderer->GetBackground()[i]);
   }
-  const float size[2] = { static_cast<float>(view.Viewport[2]),
-    static_cast<float>(view.Viewport[3]) };
   float projection[16];
   float viewToWorld[16];
   const glm::dmat4 world = glm::inverse(view.WorldToView);
@@ -182,33 +128,28 @@ void vtkRelievoDisplayStage::RenderAfter(vtkRelievoPass* frame, const vtkRenderS
     projection[i] = static_cast<float>(view.ViewToNDC[i / 4][i % 4]);
     viewToWorld[i] = static_cast<float>(world[i / 4][i % 4]);
   }
-  program->SetUniform2i("relievoOffset", offset);
-  program->SetUniform2f("relievoSize", size);
   program->SetUniform2f("relievoShown", range);
   program->SetUniform3f("relievoBackground", background);
-  program->SetUniformf("relievoNear", static_cast<float>(view.Near));
-  program->SetUniformf("relievoFar", static_cast<float>(view.Far));
-  program->SetUniformi("relievoParallel", view.Parallel);
   program->SetUniformi("relievoGrey", this->Grey);
   program->SetUniformi(
     "relievoWorldNormals", gbuffer->GetNormalSpace() == vtkRelievoGBufferPass::WORLD);
   program->SetUniformMatrix4x4("relievoProjection", projection);
   program->SetUniformMatrix4x4("relievoViewToWorld", viewToWorld);
-  this->Quad->Render();
+  if (shown == 0)
+  {
+    this->Colors->Activate();
+    program->SetUniformi("relievoColors", this->Colors->GetTextureUnit());
+  }
+  vtkOpenGLState* state = window->GetState();
+  state->Push();
+  state->vtkglDisable(GL_BLEND);
+  this->Quad.Draw(window, gbuffer, view);
+  state->Pop();
   this->DrawCalls = 1;
-
   if (shown == 0)
   {
     this->Colors->Deactivate();
   }
-  for (vtkTextureObject* texture : textures)
-  {
-    if (texture)
-    {
-      texture->Deactivate();
-    }
-  }
-  state->Pop();
 }
 
 //------------------------------------------------------------------------------
@@ -220,11 +161,7 @@ vtkIdType vtkRelievoDisplayStage::GetBytesHeld()
 //------------------------------------------------------------------------------
 void vtkRelievoDisplayStage::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Quad)
-  {
-    this->Quad->ReleaseGraphicsResources(window);
-    this->Quad.reset();
-  }
+  this->Quad.Release(window);
   if (this->Colors)
   {
     this->Colors->ReleaseGraphicsResources(window);

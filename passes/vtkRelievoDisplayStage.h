@@ -6,12 +6,12 @@
 #ifndef vtkRelievoDisplayStage_h
 #define vtkRelievoDisplayStage_h
 
+#include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoStage.h"
 #include "vtkSmartPointer.h"
 
-#include <memory>
+#include <string>
 
-class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
 
@@ -42,14 +42,11 @@ private:
 
   // The colours of a layer, made on the CPU, as a texture; false if the layer cannot be read.
   bool UploadColors(vtkRelievoPass* frame, vtkOpenGLRenderWindow* window);
-  bool PrepareQuad(vtkOpenGLRenderWindow* window, const std::string& defines);
 
   std::string Layer;
   double Range[2] = { 0.0, 0.0 };
   bool Grey = false;
-  bool FromWords = false;
-  std::string Defines; // of the quad's shader
-  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  vtkRelievoScreenQuad Quad;
   vtkSmartPointer<vtkTextureObject> Colors;
   vtkIdType ColorBytes = 0;
 };
