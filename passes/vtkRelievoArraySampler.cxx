@@ -9,7 +9,6 @@
 #include "vtkMapper.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkRelievoCellGeometry.h"
 
 #include <algorithm>
 #include <limits>
@@ -105,42 +104,62 @@ int vtkRelievoArraySampler::Prepare(int& components, std::string& wrong)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoArraySampler::Sample(
-  const vtkRelievoDrawTable::Hit& hit, int x, int y, double* values) const
+void vtkRelievoArraySampler::Enter(std::uint32_t word, Place& place) const
 {
-  std::fill(values, values + this->Components, NoValue);
-  if (!hit.Prop || hit.Cell < 0)
+  if (word == place.Word)
   {
     return;
   }
-  auto found = this->Sources.find(Key(hit.Prop, hit.Mesh));
+  place.Word = word;
+  place.Hit = this->Draws.Find(word);
+  place.Values = Source();
+  if (!place.Hit.Prop || place.Hit.Cell < 0)
+  {
+    return;
+  }
+  auto found = this->Sources.find(Key(place.Hit.Prop, place.Hit.Mesh));
   if (found == this->Sources.end())
   {
     return;
   }
-  const Source& source = found->second;
-  if (hit.Mesh && source.OfPoints)
+  place.Values = found->second;
+  if (place.Hit.Mesh && place.Values.OfPoints)
   {
-    this->SampleInCell(hit, source, x, y, values);
+    place.Geometry = vtkRelievoCellGeometry(place.Hit, place.Scratch);
   }
-  else if (hit.Cell < source.Array->GetNumberOfTuples())
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoArraySampler::Sample(const Place& place, int x, int y, double* values) const
+{
+  std::fill(values, values + this->Components, NoValue);
+  vtkDataArray* array = place.Values.Array;
+  if (!array)
   {
-    for (int c = 0; c < source.Array->GetNumberOfComponents(); ++c)
+    return;
+  }
+  if (place.Hit.Mesh && place.Values.OfPoints)
+  {
+    this->SampleInCell(place, x, y, values);
+  }
+  else if (place.Hit.Cell < array->GetNumberOfTuples())
+  {
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
     {
-      values[c] = source.Array->GetComponent(hit.Cell, c);
+      values[c] = array->GetComponent(place.Hit.Cell, c);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoArraySampler::SampleInCell(
-  const vtkRelievoDrawTable::Hit& hit, const Source& source, int x, int y, double* values) const
+void vtkRelievoArraySampler::SampleInCell(const Place& place, int x, int y, double* values) const
 {
-  const vtkRelievoCellGeometry geometry(hit);
-  const vtkRelievoPixelRay ray(this->View, *hit.ViewToModel, x, y);
+  const vtkRelievoCellGeometry& geometry = place.Geometry;
+  vtkDataArray* array = place.Values.Array;
+  const vtkRelievoPixelRay ray(this->View, *place.Hit.ViewToModel, x, y);
   double weights[3];
   geometry.GetWeights(ray.From, ray.Along, weights);
-  for (int c = 0; c < source.Array->GetNumberOfComponents() && geometry.Count > 0; ++c)
+  for (int c = 0; c < array->GetNumberOfComponents() && geometry.Count > 0; ++c)
   {
     values[c] = 0.0;
     for (int i = 0; i < geometry.Count; ++i)
@@ -148,7 +167,7 @@ void vtkRelievoArraySampler::SampleInCell(
       // A share of nothing keeps a NaN or an infinity at the other corner out.
       if (weights[i] > 0.0)
       {
-        values[c] += weights[i] * source.Array->GetComponent(geometry.Points[i], c);
+        values[c] += weights[i] * array->GetComponent(geometry.Points[i], c);
       }
     }
   }

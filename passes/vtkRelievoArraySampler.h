@@ -8,6 +8,9 @@
 #ifndef vtkRelievoArraySampler_h
 #define vtkRelievoArraySampler_h
 
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkRelievoCellGeometry.h"
 #include "vtkRelievoDrawTable.h"
 #include "vtkRelievoView.h"
 
@@ -30,21 +33,32 @@ public:
   // Looks the array up in what was drawn; returns VTK_FLOAT or VTK_DOUBLE and says what is wrong.
   int Prepare(int& components, std::string& wrong);
 
-  // The values at the pixel; NaN where nothing is or the array is missing. Threads may call it.
-  void Sample(const vtkRelievoDrawTable::Hit& hit, int x, int y, double* values) const;
-
-private:
   struct Source
   {
     vtkDataArray* Array = nullptr;
     bool OfPoints = false;
   };
+
+  // What a thread's pixel shows. Kept from pixel to pixel: neighbours mostly show the same.
+  struct Place
+  {
+    std::uint32_t Word = vtkRelievoDrawTable::Nothing;
+    vtkRelievoDrawTable::Hit Hit;
+    Source Values;
+    vtkRelievoCellGeometry Geometry;
+    vtkNew<vtkIdList> Scratch;
+  };
+  void Enter(std::uint32_t word, Place& place) const;
+
+  // The values at the pixel, which shows the place; NaN where nothing is or the array is missing.
+  void Sample(const Place& place, int x, int y, double* values) const;
+
+private:
   // A mesh may be drawn by several actors.
   using Key = std::pair<const void*, const void*>;
 
   Source Find(vtkDataSetAttributes* points, vtkDataSetAttributes* cells) const;
-  void SampleInCell(
-    const vtkRelievoDrawTable::Hit& hit, const Source& source, int x, int y, double* values) const;
+  void SampleInCell(const Place& place, int x, int y, double* values) const;
 
   std::string Name;
   bool AllowPoints = true;

@@ -3,8 +3,8 @@
 #include "vtkRelievoCellGeometry.h"
 
 #include "vtkActor.h"
+#include "vtkCellArray.h"
 #include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoView.h"
@@ -14,48 +14,103 @@
 
 namespace
 {
-// Corners of primitive k of a cell, as VTK's mappers cut cells: polygons into fans.
-int GetCorners(int cellType, int representation, vtkIdType count, vtkIdType k, vtkIdType corners[3])
+bool IsDegenerate(vtkPolyData* mesh, vtkIdType a, vtkIdType b, vtkIdType c)
 {
-  const bool polygon = cellType == VTK_TRIANGLE || cellType == VTK_QUAD || cellType == VTK_POLYGON;
-  if (representation == VTK_POINTS || cellType == VTK_VERTEX || cellType == VTK_POLY_VERTEX)
+  glm::dvec3 p[3];
+  mesh->GetPoint(a, &p[0][0]);
+  mesh->GetPoint(b, &p[1][0]);
+  mesh->GetPoint(c, &p[2][0]);
+  return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
+}
+
+// Places of the corners of primitive k of a cell, as VTK's mappers cut cells: polygons into fans, of
+// which triangles with two equal corners are not drawn. Returns their number.
+int GetCorners(
+  const vtkRelievoDrawTable::Hit& hit, const vtkRelievoCell& cell, vtkIdType corners[3])
+{
+  // Most cells are triangles, the one primitive of theirs.
+  const int representation = hit.Prop->GetProperty()->GetRepresentation();
+  const bool polygon = cell.Kind == vtkRelievoCell::Polys;
+  const bool whole = polygon && cell.Count == 3 && representation == VTK_SURFACE;
+  const vtkIdType k = whole ? 0 : hit.GetPrimitiveInCell();
+  if (representation == VTK_POINTS || cell.Kind == vtkRelievoCell::Verts)
   {
     corners[0] = k;
     return 1;
   }
-  if (cellType == VTK_LINE || cellType == VTK_POLY_LINE || representation == VTK_WIREFRAME)
+  if (cell.Kind == vtkRelievoCell::Lines || representation == VTK_WIREFRAME)
   {
     corners[0] = k;
-    corners[1] = polygon ? (k + 1) % count : k + 1;
+    corners[1] = polygon ? (k + 1) % cell.Count : k + 1;
     return 2;
   }
   corners[0] = polygon ? 0 : k;
   corners[1] = k + 1;
   corners[2] = k + 2;
+  if (polygon && cell.Count > 3)
+  {
+    vtkIdType drawn = -1;
+    for (vtkIdType i = 2; i < cell.Count; ++i)
+    {
+      drawn += IsDegenerate(hit.Mesh, cell.Points[0], cell.Points[i - 1], cell.Points[i]) ? 0 : 1;
+      if (drawn == k)
+      {
+        corners[1] = i - 1;
+        corners[2] = i;
+        break;
+      }
+    }
+  }
   return 3;
 }
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoCellGeometry::vtkRelievoCellGeometry(const vtkRelievoDrawTable::Hit& hit)
+vtkRelievoCell::vtkRelievoCell(vtkPolyData* mesh, vtkIdType cell, vtkIdList* scratch)
+{
+  vtkCellArray* arrays[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
+    mesh->GetStrips() };
+  for (this->Kind = Verts; this->Kind <= Strips; ++this->Kind)
+  {
+    vtkCellArray* array = arrays[this->Kind];
+    const vtkIdType count = array->GetNumberOfCells();
+    if (cell >= count)
+    {
+      cell -= count;
+      continue;
+    }
+    if (array->IsStorageShareable())
+    {
+      array->GetCellAtId(cell, this->Count, this->Points);
+    }
+    else
+    {
+      array->GetCellAtId(cell, scratch);
+      this->Count = scratch->GetNumberOfIds();
+      this->Points = scratch->GetPointer(0);
+    }
+    return;
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoCellGeometry::vtkRelievoCellGeometry(
+  const vtkRelievoDrawTable::Hit& hit, vtkIdList* scratch)
 {
   if (!hit.Mesh || hit.Cell < 0)
   {
     return;
   }
-  vtkNew<vtkIdList> ids;
-  hit.Mesh->GetCellPoints(hit.Cell, ids);
+  const vtkRelievoCell cell(hit.Mesh, hit.Cell, scratch);
   vtkIdType corners[3] = { 0, 0, 0 };
-  const int count =
-    GetCorners(hit.Mesh->GetCellType(hit.Cell), hit.Prop->GetProperty()->GetRepresentation(),
-      ids->GetNumberOfIds(), hit.GetPrimitiveInCell(), corners);
+  const int count = GetCorners(hit, cell, corners);
   for (int i = 0; i < count; ++i)
   {
-    if (corners[i] >= ids->GetNumberOfIds())
+    if (corners[i] >= cell.Count)
     {
       return;
     }
-    this->Points[i] = ids->GetId(corners[i]);
+    this->Points[i] = cell.Points[corners[i]];
     hit.Mesh->GetPoint(this->Points[i], &this->Corners[i][0]);
   }
   this->Count = count;

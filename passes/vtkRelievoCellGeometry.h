@@ -7,7 +7,26 @@
 
 #include "vtkRelievoDrawTable.h"
 
+class vtkIdList;
 struct vtkRelievoView;
+
+// The points of a cell. Other than vtkPolyData's own look-up this builds nothing in the mesh, and
+// threads may do it at once, each with a scratch list of its own, which must outlive the cell.
+struct vtkRelievoCell
+{
+  enum Kinds
+  {
+    Verts,
+    Lines,
+    Polys,
+    Strips
+  };
+  int Kind = Polys;
+  vtkIdType Count = 0;
+  const vtkIdType* Points = nullptr;
+
+  vtkRelievoCell(vtkPolyData* mesh, vtkIdType cell, vtkIdList* scratch);
+};
 
 struct vtkRelievoCellGeometry
 {
@@ -15,8 +34,10 @@ struct vtkRelievoCellGeometry
   vtkIdType Points[3] = { -1, -1, -1 };
   glm::dvec3 Corners[3]; // model coordinates
 
+  vtkRelievoCellGeometry() = default;
+
   // The primitive of the hit, as VTK's mappers cut the cell.
-  explicit vtkRelievoCellGeometry(const vtkRelievoDrawTable::Hit& hit);
+  vtkRelievoCellGeometry(const vtkRelievoDrawTable::Hit& hit, vtkIdList* scratch);
 
   // Shares of the corners where the ray meets the primitive, or comes nearest to it.
   void GetWeights(const glm::dvec3& from, const glm::dvec3& along, double weights[3]) const;

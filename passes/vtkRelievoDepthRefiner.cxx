@@ -7,22 +7,58 @@
 #include "vtkPolyData.h"
 #include "vtkRelievoCellGeometry.h"
 #include "vtkRelievoMeshLinks.h"
+#include "vtkRelievoRows.h"
 #include "vtkRelievoView.h"
-#include "vtkSMPThreadLocal.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 namespace
 {
+constexpr std::uint32_t Nothing = vtkRelievoDrawTable::Nothing;
+
 // Not another surface altogether.
 bool IsSameSurface(double a, double b)
 {
   return std::abs(a - b) < 0.01 * b;
 }
 }
+
+// The triangles that a thread saw last, by their words: the row above showed most of them.
+class vtkRelievoDepthRefiner::Recent
+{
+public:
+  explicit Recent(const vtkRelievoDepthRefiner& refiner)
+    : Refiner(refiner)
+    , Entries(Size)
+  {
+  }
+
+  const Triangle& Get(std::uint32_t word)
+  {
+    Entry& entry = this->Entries[word % Size];
+    if (entry.Word != word)
+    {
+      entry.Word = word;
+      entry.Seen = this->Refiner.GetTriangle(word, this->Scratch);
+    }
+    return entry.Seen;
+  }
+
+private:
+  // 60 kB: stays in the second-level cache.
+  static constexpr std::size_t Size = 512;
+  struct Entry
+  {
+    std::uint32_t Word = Nothing;
+    Triangle Seen;
+  };
+  const vtkRelievoDepthRefiner& Refiner;
+  std::vector<Entry> Entries;
+  vtkNew<vtkIdList> Scratch;
+};
 
 //------------------------------------------------------------------------------
 vtkRelievoDepthRefiner::vtkRelievoDepthRefiner(const vtkRelievoDrawTable& draws,
@@ -41,69 +77,88 @@ std::uint32_t vtkRelievoDepthRefiner::GetWord(int x, int y) const
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoDepthRefiner::Triangle vtkRelievoDepthRefiner::GetTriangle(std::uint32_t word) const
+void vtkRelievoDepthRefiner::SetCorner(
+  Triangle& triangle, int i, const glm::dmat4& modelToView, const glm::dvec3& model) const
+{
+  const glm::dvec4 eye = modelToView * glm::dvec4(model, 1.0);
+  const glm::dvec4 clip = this->View.ViewToNDC * eye;
+  triangle.Clip[i] = glm::dvec3(clip.x, clip.y, clip.w);
+  triangle.Depth[i] = -eye.z;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoDepthRefiner::Triangle vtkRelievoDepthRefiner::GetTriangle(
+  std::uint32_t word, vtkIdList* scratch) const
 {
   Triangle triangle;
   const vtkRelievoDrawTable::Hit hit = this->Draws.Find(word);
   if (hit.Mesh && !hit.Deformed)
   {
-    const vtkRelievoCellGeometry cell(hit);
+    const vtkRelievoCellGeometry cell(hit, scratch);
     triangle.Known = cell.Count == 3;
     for (int i = 0; i < cell.Count; ++i)
     {
-      triangle.Corners[i] = glm::dvec3(*hit.ModelToView * glm::dvec4(cell.Corners[i], 1.0));
+      this->SetCorner(triangle, i, *hit.ModelToView, cell.Corners[i]);
     }
   }
   return triangle;
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoDepthRefiner::Ray vtkRelievoDepthRefiner::GetRay(int x, int y) const
+vtkRelievoDepthRefiner::Weights vtkRelievoDepthRefiner::GetWeights(
+  const Triangle& triangle, int x, int y) const
 {
-  using namespace relievo::f64;
-  const glm::dvec2 ndc = relievoNdcFromPixel(
-    glm::dvec2(x, y), glm::dvec2(this->View.Viewport[2], this->View.Viewport[3]));
-  Ray ray;
-  ray.From = relievoEyePosition(ndc, 0.0, this->View.ViewToNDC);
-  ray.Along = relievoEyePosition(ndc, 1.0, this->View.ViewToNDC) - ray.From;
-  return ray;
+  // The point of the triangle that is drawn at ndc is the mean of its corners with weights for which
+  // the mean of the clip coordinates is a multiple of (ndc, 1). With the origin moved to ndc that is
+  // the areas that the corners' x and y span; moving first keeps small triangles' digits.
+  const glm::dvec2 size(this->View.Viewport[2], this->View.Viewport[3]);
+  const glm::dvec2 ndc = relievo::f64::relievoNdcFromPixel(glm::dvec2(x, y), size);
+  glm::dvec2 p[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec3& corner = triangle.Clip[i];
+    p[i] = glm::dvec2(corner.x - ndc.x * corner.z, corner.y - ndc.y * corner.z);
+  }
+  const double step = 2.0 / size.x;
+  Weights weights;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int a = (i + 1) % 3;
+    const int b = (i + 2) % 3;
+    weights.At[i] = p[a].x * p[b].y - p[b].x * p[a].y;
+    weights.Step[i] = step * (triangle.Clip[b].z * p[a].y - triangle.Clip[a].z * p[b].y);
+  }
+  return weights;
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoDepthRefiner::GetDepth(const Triangle& triangle, const Ray& ray, bool& inside)
+double vtkRelievoDepthRefiner::GetDepth(
+  const Triangle& triangle, const Weights& weights, double steps, bool& inside)
 {
-  // Volumes between the ray and the edges: the barycentric coordinates of the meeting point.
-  glm::dvec3 p[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    p[i] = triangle.Corners[i] - ray.From;
-  }
   double w[3];
-  double sum = 0.0;
   for (int i = 0; i < 3; ++i)
   {
-    w[i] = glm::dot(ray.Along, glm::cross(p[(i + 1) % 3], p[(i + 2) % 3]));
-    sum += w[i];
+    w[i] = weights.At[i] + steps * weights.Step[i];
   }
+  double sum = w[0] + w[1] + w[2];
   const double sign = sum < 0.0 ? -1.0 : 1.0;
-  inside = true;
-  sum = 0.0;
-  for (double& weight : w)
+  inside = w[0] * sign >= 0.0 && w[1] * sign >= 0.0 && w[2] * sign >= 0.0;
+  if (!inside)
   {
-    inside = inside && weight * sign >= 0.0;
-    weight = std::max(0.0, weight * sign);
-    sum += weight;
+    for (double& weight : w)
+    {
+      weight = std::max(0.0, weight * sign);
+    }
+    sum = w[0] + w[1] + w[2];
   }
-  // Corners' eye-space z is minus their depth.
-  return -(w[0] * triangle.Corners[0].z + w[1] * triangle.Corners[1].z +
-           w[2] * triangle.Corners[2].z) /
-    sum;
+  const double* d = triangle.Depth;
+  return d[0] + (w[1] * (d[1] - d[0]) + w[2] * (d[2] - d[0])) / sum;
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoDepthRefiner::GetNeighbourDepth(int x, int y, const Ray& ray, double depth) const
+double vtkRelievoDepthRefiner::GetNeighbourDepth(int x, int y, double depth, Recent& recent) const
 {
-  const std::uint32_t own = this->GetWord(x, y);
+  std::uint32_t last = this->GetWord(x, y);
   // Of all that hold the centre the nearest is seen.
   double best = std::numeric_limits<double>::infinity();
   for (int j = std::max(0, y - 1); j <= std::min(this->View.Viewport[3] - 1, y + 1); ++j)
@@ -111,13 +166,18 @@ double vtkRelievoDepthRefiner::GetNeighbourDepth(int x, int y, const Ray& ray, d
     for (int i = std::max(0, x - 1); i <= std::min(this->View.Viewport[2] - 1, x + 1); ++i)
     {
       const std::uint32_t word = this->GetWord(i, j);
-      const Triangle triangle = word == own ? Triangle() : this->GetTriangle(word);
+      if (word == last || word == Nothing)
+      {
+        continue;
+      }
+      last = word;
+      const Triangle& triangle = recent.Get(word);
       if (!triangle.Known)
       {
         continue;
       }
       bool inside = false;
-      const double candidate = GetDepth(triangle, ray, inside);
+      const double candidate = GetDepth(triangle, this->GetWeights(triangle, x, y), 0.0, inside);
       if (inside && IsSameSurface(candidate, depth))
       {
         best = std::min(best, candidate);
@@ -132,31 +192,30 @@ double vtkRelievoDepthRefiner::GetAdjacentDepth(
   int x, int y, double depth, vtkRelievoMeshLinks& links) const
 {
   const vtkRelievoDrawTable::Hit hit = this->Draws.Find(this->GetWord(x, y));
-  const Ray ray = this->GetRay(x, y);
   vtkRelievoMeshLinks::Links& cells = links.Get(hit.Mesh);
-  vtkNew<vtkIdList> corners;
-  vtkNew<vtkIdList> ids;
-  hit.Mesh->GetCellPoints(hit.Cell, corners);
+  vtkNew<vtkIdList> ownScratch;
+  vtkNew<vtkIdList> scratch;
+  const vtkRelievoCell own(hit.Mesh, hit.Cell, ownScratch);
   double best = std::numeric_limits<double>::infinity();
-  for (vtkIdType c = 0; c < corners->GetNumberOfIds(); ++c)
+  for (vtkIdType c = 0; c < own.Count; ++c)
   {
-    const vtkIdType point = corners->GetId(c);
+    const vtkIdType point = own.Points[c];
     for (vtkIdType k = 0; k < cells.GetNumberOfCells(point); ++k)
     {
-      hit.Mesh->GetCellPoints(cells.GetCells(point)[k], ids);
+      const vtkRelievoCell cell(hit.Mesh, cells.GetCells(point)[k], scratch);
       // As VTK's mappers cut polygons: into fans.
-      for (vtkIdType i = 2; i < ids->GetNumberOfIds(); ++i)
+      for (vtkIdType i = 2; i < cell.Count; ++i)
       {
         Triangle triangle;
-        const vtkIdType fan[3] = { ids->GetId(0), ids->GetId(i - 1), ids->GetId(i) };
+        const vtkIdType fan[3] = { cell.Points[0], cell.Points[i - 1], cell.Points[i] };
         for (int j = 0; j < 3; ++j)
         {
           glm::dvec3 model;
           hit.Mesh->GetPoint(fan[j], &model[0]);
-          triangle.Corners[j] = glm::dvec3(*hit.ModelToView * glm::dvec4(model, 1.0));
+          this->SetCorner(triangle, j, *hit.ModelToView, model);
         }
         bool inside = false;
-        const double candidate = GetDepth(triangle, ray, inside);
+        const double candidate = GetDepth(triangle, this->GetWeights(triangle, x, y), 0.0, inside);
         if (inside && IsSameSurface(candidate, depth))
         {
           best = std::min(best, candidate);
@@ -170,49 +229,64 @@ double vtkRelievoDepthRefiner::GetAdjacentDepth(
 //------------------------------------------------------------------------------
 void vtkRelievoDepthRefiner::Refine(float* depths, vtkRelievoMeshLinks& links)
 {
-  vtkSMPThreadLocal<std::vector<Pixel>> open;
-  const vtkIdType width = this->View.Viewport[2];
-  vtkSMPTools::For(0, this->View.Viewport[3], [&](vtkIdType from, vtkIdType to) {
+  const int width = this->View.Viewport[2];
+  std::vector<Pixel> open;
+  std::mutex openMutex;
+  vtkRelievoForRows(this->View.Viewport[3], width, [&](vtkIdType from, vtkIdType to) {
+    Recent recent(*this);
+    std::vector<Pixel> ownOpen;
     for (vtkIdType y = from; y < to; ++y)
     {
-      this->RefineRow(static_cast<int>(y), depths + y * width, open.Local());
+      this->RefineRow(static_cast<int>(y), depths + y * width, recent, ownOpen);
     }
+    const std::lock_guard<std::mutex> lock(openMutex);
+    open.insert(open.end(), ownOpen.begin(), ownOpen.end());
   });
   // A few in ten thousand.
-  for (const std::vector<Pixel>& pixels : open)
+  for (const Pixel& pixel : open)
   {
-    for (const Pixel& pixel : pixels)
-    {
-      float& depth = depths[pixel.Y * width + pixel.X];
-      const double found = this->GetAdjacentDepth(pixel.X, pixel.Y, depth, links);
-      depth = std::isfinite(found) ? static_cast<float>(found) : depth;
-    }
+    float& depth = depths[static_cast<std::ptrdiff_t>(pixel.Y) * width + pixel.X];
+    const double found = this->GetAdjacentDepth(pixel.X, pixel.Y, depth, links);
+    depth = std::isfinite(found) ? static_cast<float>(found) : depth;
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoDepthRefiner::RefineRow(int y, float* depths, std::vector<Pixel>& open) const
+void vtkRelievoDepthRefiner::RefineRow(
+  int y, float* depths, Recent& recent, std::vector<Pixel>& open) const
 {
-  std::uint32_t last = 0xffffffffu;
+  const std::uint32_t* words =
+    this->Words + static_cast<std::ptrdiff_t>(y) * this->View.Viewport[2] * this->Stride;
+  std::uint32_t last = Nothing;
   Triangle triangle;
+  Weights weights{};
+  int first = 0; // the pixel that the weights are of
   for (int x = 0; x < this->View.Viewport[2]; ++x)
   {
-    const std::uint32_t word = this->GetWord(x, y);
+    const std::uint32_t word = words[static_cast<std::ptrdiff_t>(x) * this->Stride];
+    if (word == Nothing)
+    {
+      continue;
+    }
     if (word != last)
     {
       last = word;
-      triangle = this->GetTriangle(word);
+      first = x;
+      triangle = recent.Get(word);
+      if (triangle.Known)
+      {
+        weights = this->GetWeights(triangle, x, y);
+      }
     }
     if (!triangle.Known || !std::isfinite(depths[x]))
     {
       continue;
     }
-    const Ray ray = this->GetRay(x, y);
     bool inside = false;
-    double depth = GetDepth(triangle, ray, inside);
+    double depth = GetDepth(triangle, weights, x - first, inside);
     if (!inside && std::isfinite(depth))
     {
-      const double found = this->GetNeighbourDepth(x, y, ray, depth);
+      const double found = this->GetNeighbourDepth(x, y, depth, recent);
       if (std::isfinite(found))
       {
         depth = found;

@@ -14,6 +14,7 @@
 
 #include <vector>
 
+class vtkIdList;
 class vtkRelievoMeshLinks;
 struct vtkRelievoView;
 
@@ -33,30 +34,39 @@ private:
     int X;
     int Y;
   };
-  // A triangle in eye space; not Known: something else, or a triangle that shader code moves.
+  // A triangle as the view projects it: x, y and w of its corners in clip coordinates, and their
+  // depths. Not Known: something else, or a triangle that shader code moves.
   struct Triangle
   {
     bool Known = false;
-    glm::dvec3 Corners[3];
+    glm::dvec3 Clip[3];
+    double Depth[3];
   };
-  struct Ray
+  // A triangle's weights at a pixel, up to a common factor, and how they change to the next pixel
+  // on the right: they are linear over the view, in every projection.
+  struct Weights
   {
-    glm::dvec3 From;
-    glm::dvec3 Along;
+    double At[3];
+    double Step[3];
   };
+  class Recent;
 
   std::uint32_t GetWord(int x, int y) const;
-  Triangle GetTriangle(std::uint32_t word) const;
-  Ray GetRay(int x, int y) const;
+  void SetCorner(
+    Triangle& triangle, int i, const glm::dmat4& modelToView, const glm::dvec3& model) const;
+  Triangle GetTriangle(std::uint32_t word, vtkIdList* scratch) const;
+  Weights GetWeights(const Triangle& triangle, int x, int y) const;
 
-  // Depth where the ray meets the triangle, or the point of it that is nearest to that.
-  static double GetDepth(const Triangle& triangle, const Ray& ray, bool& inside);
+  // Depth `steps` pixels on, or of the triangle's point that is nearest to that. Not finite if the
+  // triangle is seen on edge.
+  static double GetDepth(
+    const Triangle& triangle, const Weights& weights, double steps, bool& inside);
 
   // Those of row y; pixels whose centre no triangle at hand holds are added to `open`.
-  void RefineRow(int y, float* depths, std::vector<Pixel>& open) const;
+  void RefineRow(int y, float* depths, Recent& recent, std::vector<Pixel>& open) const;
 
   // Depth on the neighbours' triangle that holds the pixel's centre; infinity if none does.
-  double GetNeighbourDepth(int x, int y, const Ray& ray, double depth) const;
+  double GetNeighbourDepth(int x, int y, double depth, Recent& recent) const;
   double GetAdjacentDepth(int x, int y, double depth, vtkRelievoMeshLinks& links) const;
 
   const vtkRelievoDrawTable& Draws;

@@ -21,8 +21,6 @@
 
 namespace
 {
-constexpr std::uint32_t NothingWord = 0xffffffffu;
-
 vtkIdType CountPrimitivesAtMost(vtkPolyData* mesh)
 {
   // Every primitive ends at another point of its cell; strips drawn as lines have two for a point.
@@ -87,7 +85,7 @@ std::uint32_t vtkRelievoDrawTable::Add(
   }
   const vtkIdType most = CountPrimitives(actor, mapper, primitiveSource);
   const std::uint32_t count =
-    static_cast<std::uint32_t>(std::min<vtkIdType>(most, NothingWord - first));
+    static_cast<std::uint32_t>(std::min<vtkIdType>(most, Nothing - first));
   Draw draw{};
   draw.Actor = actor;
   draw.Keys = actor->GetPropertyKeys();
@@ -118,11 +116,6 @@ void vtkRelievoDrawTable::ResolveRanges(Draw& draw)
     vtkCellArray* cells[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
       mesh->GetStrips() };
     map->Update(cells, representation, mesh->GetPoints());
-    // Built here, since the threads that look cells up may not build them.
-    if (mesh->NeedToBuildCells())
-    {
-      mesh->BuildCells();
-    }
   };
 #ifdef RELIEVO_COMPOSITE_HELPER
   if (auto* helper = vtkCompositeMapperHelper2::SafeDownCast(mapper))
@@ -220,7 +213,7 @@ std::vector<vtkRelievoDrawTable::Hit> vtkRelievoDrawTable::GetMeshes() const
 vtkRelievoDrawTable::Hit vtkRelievoDrawTable::Find(std::uint32_t word) const
 {
   Hit hit;
-  if (word == NothingWord)
+  if (word == Nothing)
   {
     return hit;
   }

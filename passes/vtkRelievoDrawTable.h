@@ -26,6 +26,9 @@ struct vtkRelievoView;
 class vtkRelievoDrawTable
 {
 public:
+  // The word of a pixel that shows nothing.
+  static constexpr std::uint32_t Nothing = 0xffffffffu;
+
   struct Hit
   {
     int Actor = -1;              // place in vtkRenderer::GetActors()

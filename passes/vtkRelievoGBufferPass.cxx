@@ -310,24 +310,29 @@ vtkMTimeType vtkRelievoGBufferPass::GetShaderStageMTime()
 //------------------------------------------------------------------------------
 bool vtkRelievoGBufferPass::ReadLayer(const std::string& name, vtkImageData* image)
 {
+  return this->ReadLayers({ name }, image);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGBufferPass::ReadLayers(const std::vector<std::string>& names, vtkImageData* image)
+{
   Internals& in = *this->Internal;
-  if (!in.Valid || !in.Renderer)
-  {
-    vtkErrorMacro("The layer '" << name
-                                << "' is read, but the last frame made no layers: ask for it "
-                                << "(RequestLayer) and render before.");
-    return false;
-  }
   const int region[4] = { in.Offset[0], in.Offset[1], in.View.Viewport[2], in.View.Viewport[3] };
   vtkRelievoLayerReader reader(in.Layout, in.Target, region, in.View);
   reader.SetNormalSpaceIsWorld(this->NormalSpace == WORLD);
   reader.SetDraws(&in.Draws, &in.Links, in.Renderer);
-  const std::string wrong = reader.Read(name, image);
-  if (!wrong.empty())
+  for (const std::string& name : names)
   {
-    vtkErrorMacro("The layer '" << name << "' cannot be read: " << wrong << ".");
+    const std::string wrong = in.Valid && in.Renderer
+      ? reader.Read(name, image)
+      : "the last frame made no layers; ask for it (RequestLayer) and render before";
+    if (!wrong.empty())
+    {
+      vtkErrorMacro("The layer '" << name << "' cannot be read: " << wrong << ".");
+      return false;
+    }
   }
-  return wrong.empty();
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -275,8 +275,7 @@ void vtkRelievoGBufferTarget::WriteLayers(bool on)
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoGBufferTarget::Read(
-  int attachment, const int region[4], std::vector<std::uint32_t>& words)
+bool vtkRelievoGBufferTarget::Read(int attachment, const int region[4], std::uint32_t* words)
 {
   if (attachment < 0 || attachment >= static_cast<int>(this->Textures.size()) || !this->Window)
   {
@@ -285,7 +284,6 @@ bool vtkRelievoGBufferTarget::Read(
   this->Window->MakeCurrent();
   vtkOpenGLState* state = this->Window->GetState();
   const int channels = this->Channels[attachment];
-  words.resize(static_cast<std::size_t>(region[2]) * region[3] * channels);
   state->PushFramebufferBindings();
   GLuint reader = 0;
   glGenFramebuffers(1, &reader);
@@ -295,7 +293,7 @@ bool vtkRelievoGBufferTarget::Read(
   glReadBuffer(GL_COLOR_ATTACHMENT0);
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(region[0], region[1], region[2], region[3], GetTexelFormat(channels).External,
-    GL_UNSIGNED_INT, words.data());
+    GL_UNSIGNED_INT, words);
   state->PopFramebufferBindings();
   glDeleteFramebuffers(1, &reader);
   return true;

@@ -43,8 +43,8 @@ public:
   // Between Begin/Attach and End/Detach: whether the draw calls that follow write the layers.
   void WriteLayers(bool on);
 
-  // Four, two or one words per pixel of the region, row 0 at the bottom.
-  bool Read(int attachment, const int region[4], std::vector<std::uint32_t>& words);
+  // Four, two or one words per pixel of the region, row 0 at the bottom, into room for all of them.
+  bool Read(int attachment, const int region[4], std::uint32_t* words);
 
   vtkTextureObject* GetTexture(int attachment);
   vtkIdType GetBytes() const;

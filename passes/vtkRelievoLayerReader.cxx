@@ -13,9 +13,9 @@
 #include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoGBufferTarget.h"
+#include "vtkRelievoRows.h"
 #include "vtkRelievoView.h"
 #include "vtkRelievoWordDecoder.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
@@ -39,7 +39,7 @@ template <typename Function>
 void ForPixels(const int region[4], Function f)
 {
   const vtkIdType width = region[2];
-  vtkSMPTools::For(0, region[3], [&](vtkIdType from, vtkIdType to) {
+  vtkRelievoForRows(region[3], region[2], [&](vtkIdType from, vtkIdType to) {
     for (vtkIdType y = from; y < to; ++y)
     {
       for (vtkIdType x = 0; x < width; ++x)
@@ -88,12 +88,14 @@ const std::uint32_t* vtkRelievoLayerReader::GetWords(int word, int& stride)
 {
   const int attachment = word / 4;
   stride = this->Layout.GetNumberOfChannels(attachment);
-  std::vector<std::uint32_t>& words = this->Words[attachment];
-  if (words.empty())
+  std::unique_ptr<std::uint32_t[]>& words = this->Words[attachment];
+  if (!words)
   {
-    this->Target.Read(attachment, this->Region, words);
+    // Not cleared first: all of it is read.
+    words.reset(new std::uint32_t[static_cast<std::size_t>(this->GetNumberOfPixels()) * stride]);
+    this->Target.Read(attachment, this->Region, words.get());
   }
-  return words.data() + word % 4;
+  return words.get() + word % 4;
 }
 
 //------------------------------------------------------------------------------
@@ -120,7 +122,7 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
   vtkSmartPointer<vtkDataArray> array;
   if (layer == "depth")
   {
-    array = this->ReadDepth();
+    array = this->GetDepth();
   }
   else if (layer == "range")
   {
@@ -159,7 +161,7 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadDepth()
+vtkSmartPointer<vtkFloatArray> vtkRelievoLayerReader::ReadDepth()
 {
   auto array = NewArray<vtkFloatArray>(1, this->GetNumberOfPixels());
   float* out = array->GetPointer(0);
@@ -175,11 +177,14 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadDepth()
     return array;
   }
   const std::uint32_t* words = this->GetWords(this->Layout.DepthWord, stride);
+  const bool isFloat = this->Layout.DepthFormat == vtkRelievoGBufferPass::DEPTH_32F;
   ForPixels(this->Region, [&](vtkIdType i, int, int) {
-    out[i] = static_cast<float>(
-      vtkRelievoWordDecoder::DecodeDepth(words[i * stride], this->Layout.DepthFormat, this->View));
+    const std::uint32_t word = words[i * stride];
+    out[i] = isFloat ? relievo::f32::relievoUnpackDepth32F(word)
+                     : static_cast<float>(vtkRelievoWordDecoder::DecodeDepth(
+                         word, this->Layout.DepthFormat, this->View));
   });
-  if (this->Layout.DepthFormat == vtkRelievoGBufferPass::DEPTH_32F && this->Layout.IdWord >= 0)
+  if (isFloat && this->Layout.IdWord >= 0)
   {
     this->RefineDepth(out);
   }
@@ -187,9 +192,29 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadDepth()
 }
 
 //------------------------------------------------------------------------------
+vtkFloatArray* vtkRelievoLayerReader::GetDepth()
+{
+  if (!this->Depth)
+  {
+    this->Depth = this->ReadDepth();
+  }
+  return this->Depth;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayerReader::ResolveDraws()
+{
+  if (!this->Resolved)
+  {
+    this->Draws->Resolve(this->Renderer, this->View);
+    this->Resolved = true;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoLayerReader::RefineDepth(float* depths)
 {
-  this->Draws->Resolve(this->Renderer, this->View);
+  this->ResolveDraws();
   int stride = 0;
   const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
   vtkRelievoDepthRefiner(*this->Draws, this->View, words, stride).Refine(depths, *this->Links);
@@ -198,35 +223,36 @@ void vtkRelievoLayerReader::RefineDepth(float* depths)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadRange()
 {
-  vtkSmartPointer<vtkDataArray> depths = this->ReadDepth();
-  float* values = vtkFloatArray::SafeDownCast(depths)->GetPointer(0);
+  const float* depths = this->GetDepth()->GetPointer(0);
+  auto array = NewArray<vtkFloatArray>(1, this->GetNumberOfPixels());
+  float* out = array->GetPointer(0);
   const glm::dvec2 size(this->Region[2], this->Region[3]);
   ForPixels(this->Region, [&](vtkIdType i, int x, int y) {
-    if (std::isfinite(values[i]))
+    out[i] = depths[i];
+    if (std::isfinite(depths[i]))
     {
-      values[i] = static_cast<float>(relievo::f64::relievoRange(relievoEyePosition(
-        relievoNdcFromPixel(glm::dvec2(x, y), size), values[i], this->View.ViewToNDC)));
+      out[i] = static_cast<float>(relievo::f64::relievoRange(relievoEyePosition(
+        relievoNdcFromPixel(glm::dvec2(x, y), size), depths[i], this->View.ViewToNDC)));
     }
   });
-  return depths;
+  return array;
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadPosition()
 {
-  vtkSmartPointer<vtkDataArray> depths = this->ReadDepth();
-  const float* values = vtkFloatArray::SafeDownCast(depths)->GetPointer(0);
+  const float* depths = this->GetDepth()->GetPointer(0);
   auto array = NewArray<vtkDoubleArray>(3, this->GetNumberOfPixels());
   double* out = array->GetPointer(0);
   const glm::dvec2 size(this->Region[2], this->Region[3]);
   const glm::dmat4 viewToWorld = glm::inverse(this->View.WorldToView);
   ForPixels(this->Region, [&](vtkIdType i, int x, int y) {
     glm::dvec3 world(0.0);
-    if (std::isfinite(values[i]))
+    if (std::isfinite(depths[i]))
     {
       world = relievo::f64::relievoWorldPosition(
         relievoEyePosition(
-          relievoNdcFromPixel(glm::dvec2(x, y), size), values[i], this->View.ViewToNDC),
+          relievoNdcFromPixel(glm::dvec2(x, y), size), depths[i], this->View.ViewToNDC),
         viewToWorld);
     }
     out[3 * i] = world.x;
@@ -257,23 +283,35 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNormal(int firstWord)
   const glm::mat3 toSpace = this->WorldNormals
     ? glm::mat3(glm::transpose(glm::dmat3(this->View.WorldToView)))
     : glm::mat3(1.0f);
-  ForPixels(this->Region, [&](vtkIdType i, int, int) {
+  const vtkIdType width = this->Region[2];
+  vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
+    // Neighbours mostly show the background or one flat triangle.
     std::uint32_t packed[4] = {};
-    for (int k = 0; k < count; ++k)
+    glm::vec3 normal(0.0f);
+    for (vtkIdType i = from * width; i < to * width; ++i)
     {
-      packed[k] = words[k][i * strides[k]];
+      bool same = i > from * width;
+      for (int k = 0; k < count; ++k)
+      {
+        const std::uint32_t word = words[k][i * strides[k]];
+        same = same && word == packed[k];
+        packed[k] = word;
+      }
+      if (!same)
+      {
+        normal = together
+          ? glm::vec3(vtkRelievoWordDecoder::DecodeNormalDepth(
+              packed, this->Layout.NormalDepth, this->View))
+          : vtkRelievoWordDecoder::DecodeNormal(packed, this->Layout.ChosenNormalFormat);
+        if (normal != glm::vec3(0.0f))
+        {
+          normal = glm::normalize(toSpace * normal);
+        }
+      }
+      out[3 * i] = normal.x;
+      out[3 * i + 1] = normal.y;
+      out[3 * i + 2] = normal.z;
     }
-    glm::vec3 normal = together
-      ? glm::vec3(
-          vtkRelievoWordDecoder::DecodeNormalDepth(packed, this->Layout.NormalDepth, this->View))
-      : vtkRelievoWordDecoder::DecodeNormal(packed, this->Layout.ChosenNormalFormat);
-    if (normal != glm::vec3(0.0f))
-    {
-      normal = glm::normalize(toSpace * normal);
-    }
-    out[3 * i] = normal.x;
-    out[3 * i + 1] = normal.y;
-    out[3 * i + 2] = normal.z;
   });
   return array;
 }
@@ -297,15 +335,28 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadAlbedo()
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadId(const std::string& layer)
 {
-  this->Draws->Resolve(this->Renderer, this->View);
+  this->ResolveDraws();
   auto array = NewArray<vtkIntArray>(1, this->GetNumberOfPixels());
   int* out = array->GetPointer(0);
   int stride = 0;
   const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
-  const int which = layer == "actor" ? 0 : layer == "block" ? 1 : 2;
-  ForPixels(this->Region, [&](vtkIdType i, int, int) {
-    const auto hit = this->Draws->Find(words[i * stride]);
-    out[i] = which == 0 ? hit.Actor : which == 1 ? hit.Block : static_cast<int>(hit.Cell);
+  const vtkIdType width = this->Region[2];
+  vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
+    std::uint32_t last = vtkRelievoDrawTable::Nothing;
+    int value = -1;
+    for (vtkIdType i = from * width; i < to * width; ++i)
+    {
+      const std::uint32_t word = words[i * stride];
+      if (word != last)
+      {
+        last = word;
+        const auto hit = this->Draws->Find(word);
+        value = layer == "actor" ? hit.Actor
+          : layer == "block"     ? hit.Block
+                                 : static_cast<int>(hit.Cell);
+      }
+      out[i] = value;
+    }
   });
   return array;
 }
@@ -314,7 +365,7 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadId(const std::string& l
 vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNamedArray(
   const std::string& layer, std::string& wrong)
 {
-  this->Draws->Resolve(this->Renderer, this->View);
+  this->ResolveDraws();
   vtkRelievoArraySampler sampler(layer, *this->Draws, this->View);
   int components = 0;
   const int type = sampler.Prepare(components, wrong);
@@ -328,10 +379,16 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNamedArray(
   array->SetNumberOfTuples(this->GetNumberOfPixels());
   int stride = 0;
   const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
-  ForPixels(this->Region, [&](vtkIdType i, int x, int y) {
+  const vtkIdType width = this->Region[2];
+  vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
+    vtkRelievoArraySampler::Place place;
     double values[vtkRelievoArraySampler::MaximumComponents];
-    sampler.Sample(this->Draws->Find(words[i * stride]), x, y, values);
-    array->SetTuple(i, values);
+    for (vtkIdType i = from * width; i < to * width; ++i)
+    {
+      sampler.Enter(words[i * stride], place);
+      sampler.Sample(place, static_cast<int>(i % width), static_cast<int>(i / width), values);
+      array->SetTuple(i, values);
+    }
   });
   return array;
 }

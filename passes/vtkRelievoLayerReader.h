@@ -8,10 +8,12 @@
 #include "vtkSmartPointer.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 class vtkDataArray;
+class vtkFloatArray;
 class vtkImageData;
 class vtkRelievoDrawTable;
 class vtkRelievoGBufferTarget;
@@ -45,7 +47,12 @@ private:
   const std::uint32_t* GetWords(int word, int& stride);
   vtkIdType GetNumberOfPixels() const;
 
-  vtkSmartPointer<vtkDataArray> ReadDepth();
+  // Looks up what the words mean, once.
+  void ResolveDraws();
+
+  // The layer depth, made once: range and position are made of it.
+  vtkFloatArray* GetDepth();
+  vtkSmartPointer<vtkFloatArray> ReadDepth();
   void RefineDepth(float* depths);
   vtkSmartPointer<vtkDataArray> ReadRange();
   vtkSmartPointer<vtkDataArray> ReadPosition();
@@ -62,7 +69,9 @@ private:
   vtkRelievoDrawTable* Draws = nullptr;
   vtkRelievoMeshLinks* Links = nullptr;
   vtkRenderer* Renderer = nullptr;
-  std::vector<std::vector<std::uint32_t>> Words; // by attachment, as read
+  bool Resolved = false;
+  vtkSmartPointer<vtkFloatArray> Depth;
+  std::vector<std::unique_ptr<std::uint32_t[]>> Words; // by attachment, as read
 };
 
 #endif

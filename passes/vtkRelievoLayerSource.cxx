@@ -23,6 +23,7 @@
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <sstream>
 
 vtkStandardNewMacro(vtkRelievoLayerSource);
@@ -164,16 +165,20 @@ int vtkRelievoLayerSource::RequestData(
   }
 
   bool good = this->Draw(pass, color);
+  std::vector<std::string> read = this->Layers;
+  read.erase(std::remove(read.begin(), read.end(), "color"), read.end());
+  good = good && pass->ReadLayers(read, image);
+  if (good && color)
+  {
+    this->ReadColor(image);
+  }
+  // In the order in which they were asked for.
   for (std::size_t i = 0; i < this->Layers.size() && good; ++i)
   {
-    if (this->Layers[i] == "color")
-    {
-      this->ReadColor(image);
-    }
-    else
-    {
-      good = pass->ReadLayer(this->Layers[i], image);
-    }
+    const char* name = this->Layers[i].c_str();
+    vtkSmartPointer<vtkDataArray> array = image->GetPointData()->GetArray(name);
+    image->GetPointData()->RemoveArray(name);
+    image->GetPointData()->AddArray(array);
   }
   if (good)
   {

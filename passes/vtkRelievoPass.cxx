@@ -194,12 +194,19 @@ bool vtkRelievoPass::IsLayerRequested(const std::string& name)
 //------------------------------------------------------------------------------
 bool vtkRelievoPass::ReadLayer(const std::string& name, vtkImageData* image)
 {
+  return this->ReadLayers({ name }, image);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPass::ReadLayers(const std::vector<std::string>& names, vtkImageData* image)
+{
   if (!image)
   {
-    vtkErrorMacro("ReadLayer of '" << name << "' was given no image to fill.");
+    vtkErrorMacro("ReadLayer of '" << (names.empty() ? std::string() : names.front())
+                                   << "' was given no image to fill.");
     return false;
   }
-  return this->Internal->GBuffer->ReadLayer(name, image);
+  return this->Internal->GBuffer->ReadLayers(names, image);
 }
 
 //------------------------------------------------------------------------------

@@ -104,12 +104,16 @@ public:
   vtkBooleanMacro(LayersOnly, bool);
   ///@}
 
+  ///@{
   /**
-   * Reads a layer of the last frame into the image as a point array of the layer's name; row 0 is
+   * Reads layers of the last frame into the image as point arrays of the layers' names; row 0 is
    * the bottom row. The image's dimensions are set if it has no points. Returns false, with an
-   * error, if the last frame did not make the layer.
+   * error, at the first layer that the last frame did not make. Several at once are read faster than
+   * one by one: they share what comes from the GPU.
    */
   bool ReadLayer(const std::string& name, vtkImageData* image);
+  bool ReadLayers(const std::vector<std::string>& names, vtkImageData* image);
+  ///@}
 
   /**
    * What the last frames did, as JSON: for every stage its name, whether it ran, the reason in
