@@ -255,12 +255,8 @@ void vtkRelievoPass::Render(const vtkRenderState* s)
     }
   }
 
-  const bool timed = !needed.empty();
-  if (timed)
-  {
-    in.Timer.BeginFrame(window);
-    in.Timer.Begin("frame");
-  }
+  in.Timer.BeginFrame(window);
+  in.Timer.Begin("frame");
   auto each = [&](void (vtkRelievoStage::*step)(vtkRelievoPass*, const vtkRenderState*)) {
     for (vtkRelievoStage* stage : needed)
     {
@@ -280,11 +276,8 @@ void vtkRelievoPass::Render(const vtkRenderState* s)
     renderer->UpdateLights();
   }
   each(&vtkRelievoStage::RenderAfter);
-  if (timed)
-  {
-    in.Timer.End("frame");
-    in.Timer.EndFrame();
-  }
+  in.Timer.End("frame");
+  in.Timer.EndFrame();
   if (!selecting)
   {
     this->Report(s, needed);
