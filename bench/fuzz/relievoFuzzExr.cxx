@@ -7,6 +7,8 @@
 
 #include <vtkErrorCode.h>
 
+#include <unistd.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -41,7 +43,7 @@ int main(int argc, char* argv[])
     return 2;
   }
   const std::filesystem::path folder =
-    std::filesystem::temp_directory_path() / ("relievo-fuzz-exr-" + std::to_string(first));
+    std::filesystem::temp_directory_path() / ("relievo-fuzz-exr-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   const auto start = std::chrono::steady_clock::now();
   const exrFuzz::Result result =
