@@ -5,8 +5,11 @@
 #include "vtkActor.h"
 #include "vtkActor2D.h"
 #include "vtkAssembly.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkLODProp3D.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderPass.h"
@@ -23,56 +26,65 @@ bool WritesLayers(vtkActor* actor)
 {
   return actor && actor->GetMapper() && !vtkSkybox::SafeDownCast(actor);
 }
+
+// What the prop draws: the leaves of an assembly, the levels of detail, or itself.
+void CollectParts(vtkProp* prop, std::vector<vtkProp*>& parts)
+{
+  parts.clear();
+  if (vtkAssembly::SafeDownCast(prop) || vtkPropAssembly::SafeDownCast(prop))
+  {
+    prop->InitPathTraversal();
+    while (vtkAssemblyPath* path = prop->GetNextPath())
+    {
+      parts.push_back(path->GetLastNode()->GetViewProp());
+    }
+  }
+  else if (vtkLODProp3D::SafeDownCast(prop))
+  {
+    vtkNew<vtkPropCollection> levels;
+    prop->GetActors(levels);
+    vtkCollectionSimpleIterator it;
+    levels->InitTraversal(it);
+    while (vtkProp* level = levels->GetNextProp(it))
+    {
+      parts.push_back(level);
+    }
+  }
+  else
+  {
+    parts.push_back(prop);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoOpaqueProps::Collect(const vtkRenderState* s)
 {
   this->Props.clear();
-  this->Actors.clear();
   this->Foreign.clear();
-  vtkNew<vtkPropCollection> parts;
+  std::vector<vtkProp*> parts;
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
   {
     vtkProp* prop = s->GetPropArray()[i];
-    // These draw nothing in the opaque phase.
-    if (vtkActor2D::SafeDownCast(prop) || vtkVolume::SafeDownCast(prop))
+    CollectParts(prop, parts);
+    bool writes = false;
+    for (vtkProp* part : parts)
     {
-      continue;
-    }
-    parts->RemoveAllItems();
-    if (vtkAssembly::SafeDownCast(prop) || vtkPropAssembly::SafeDownCast(prop))
-    {
-      prop->GetActors(parts);
-    }
-    else
-    {
-      parts->AddItem(prop);
-    }
-    bool writes = true;
-    const std::size_t before = this->Actors.size();
-    vtkCollectionSimpleIterator it;
-    parts->InitTraversal(it);
-    while (vtkProp* part = parts->GetNextProp(it))
-    {
-      vtkActor* actor = vtkActor::SafeDownCast(part);
-      if (WritesLayers(actor))
+      // These draw nothing in the opaque phase.
+      if (vtkActor2D::SafeDownCast(part) || vtkVolume::SafeDownCast(part))
       {
-        this->Actors.push_back(actor);
+        continue;
       }
-      else
+      writes = WritesLayers(vtkActor::SafeDownCast(part));
+      if (!writes)
       {
-        writes = false;
         this->Foreign = part->GetClassName();
+        break;
       }
     }
     if (writes)
     {
       this->Props.push_back(prop);
-    }
-    else
-    {
-      this->Actors.resize(before);
     }
   }
 }
@@ -80,13 +92,14 @@ void vtkRelievoOpaqueProps::Collect(const vtkRenderState* s)
 //------------------------------------------------------------------------------
 void vtkRelievoOpaqueProps::AddPass(vtkOpenGLRenderPass* pass)
 {
-  for (vtkActor* actor : this->Actors)
+  // An assembly's own keys: it hands them to its parts whenever it draws them.
+  for (vtkProp* prop : this->Props)
   {
-    vtkInformation* keys = actor->GetPropertyKeys();
+    vtkInformation* keys = prop->GetPropertyKeys();
     if (!keys)
     {
       vtkNew<vtkInformation> made;
-      actor->SetPropertyKeys(made);
+      prop->SetPropertyKeys(made);
       keys = made;
     }
     keys->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
@@ -96,9 +109,9 @@ void vtkRelievoOpaqueProps::AddPass(vtkOpenGLRenderPass* pass)
 //------------------------------------------------------------------------------
 void vtkRelievoOpaqueProps::RemovePass(vtkOpenGLRenderPass* pass)
 {
-  for (vtkActor* actor : this->Actors)
+  for (vtkProp* prop : this->Props)
   {
-    vtkInformation* keys = actor->GetPropertyKeys();
+    vtkInformation* keys = prop->GetPropertyKeys();
     if (!keys)
     {
       continue;

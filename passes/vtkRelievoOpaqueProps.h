@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The props of a frame that write layers: actors with a mapper, also as parts of assemblies.
+// The props of a frame that write layers: actors with a mapper, also as parts of assemblies
+// and as levels of detail.
 #ifndef vtkRelievoOpaqueProps_h
 #define vtkRelievoOpaqueProps_h
 
 #include <string>
 #include <vector>
 
-class vtkActor;
 class vtkOpenGLRenderPass;
 class vtkProp;
 class vtkRenderState;
@@ -22,7 +22,7 @@ public:
   // Class of a prop that may draw opaque geometry but writes no layers; empty if there is none.
   const std::string& GetForeign() const { return this->Foreign; }
 
-  // Splices the pass into the shaders of the actors, until it is removed.
+  // Splices the pass into the shaders of the props, until it is removed.
   void AddPass(vtkOpenGLRenderPass* pass);
   void RemovePass(vtkOpenGLRenderPass* pass);
 
@@ -30,8 +30,7 @@ public:
   void RenderOpaque(vtkRenderer* renderer);
 
 private:
-  std::vector<vtkProp*> Props;   // in the renderer's order
-  std::vector<vtkActor*> Actors; // the same, assemblies taken apart
+  std::vector<vtkProp*> Props; // in the renderer's order
   std::string Foreign;
 };
 
