@@ -8,16 +8,15 @@
 #include "EmbreeScene.h"
 #include "GLCheck.h"
 #include "Layers.h"
+#include "Props.h"
 #include "Session.h"
 #include "Stage.h"
 
-#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkRelievoGBufferPass.h>
@@ -28,6 +27,7 @@
 
 namespace
 {
+using relievoTest::AddActor;
 using relievoTest::AngleDegrees;
 using relievoTest::Layers;
 using relievoTest::PixelTruth;
@@ -62,16 +62,6 @@ void Place(vtkActor* actor, const Placing& placing)
   actor->SetScale(placing.Scale[0], placing.Scale[1], placing.Scale[2]);
   actor->SetOrientation(placing.Turn[0], placing.Turn[1], placing.Turn[2]);
   actor->SetPosition(0.1, 0.4, -0.2);
-}
-
-vtkSmartPointer<vtkActor> AddActor(vtkRenderer* renderer, vtkPolyData* mesh)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(mesh);
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  renderer->AddActor(actor);
-  return actor;
 }
 
 // The normals that the points or the cells carry, or none.
