@@ -252,7 +252,7 @@ bool IsFreeAttribute(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-void WriteAttributes(vtkFieldData* fields, Imf::Header& header)
+void WriteAttributes(vtkFieldData* fields, const std::set<std::string>& except, Imf::Header& header)
 {
   WriteCamera(fields, header);
   for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
@@ -260,7 +260,8 @@ void WriteAttributes(vtkFieldData* fields, Imf::Header& header)
     vtkAbstractArray* array = fields->GetAbstractArray(i);
     const std::string name = array->GetName() ? array->GetName() : "";
     const bool own = name == "lights" || name == "chromaticities" || name == "envmap";
-    if (name.empty() || name.size() > LongestName || (IsReserved(name) && !own))
+    const bool skip = (IsReserved(name) && !own) || except.count(name) > 0;
+    if (name.empty() || name.size() > LongestName || skip)
     {
       continue;
     }

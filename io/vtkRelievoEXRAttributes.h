@@ -23,14 +23,19 @@
 
 #include <OpenEXR/ImfHeader.h>
 
+#include <set>
 #include <string>
 
 class vtkFieldData;
 
 namespace relievo::exr
 {
-/** Adds the field data to the header; throws Failure when a known array has the wrong size. */
-void WriteAttributes(vtkFieldData* fields, Imf::Header& header);
+/**
+ * Adds the field data to the header, but for arrays with one of the names in `except`.
+ * Throws Failure when a known array has the wrong size.
+ */
+void WriteAttributes(
+  vtkFieldData* fields, const std::set<std::string>& except, Imf::Header& header);
 
 /** Adds the header's attributes to the field data. */
 void ReadAttributes(const Imf::Header& header, vtkFieldData* fields);

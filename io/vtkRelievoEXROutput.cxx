@@ -135,18 +135,20 @@ Output::Output(vtkImageData* image, const Settings& settings)
   {
     this->Header.dwaCompressionLevel() = settings.DWALevel;
   }
-  WriteAttributes(image->GetFieldData(), this->Header);
-  this->PlanArrays(image, settings);
+  // Names of the user's own attributes. They are not replaced afterwards: Imf::Header::erase leaks.
+  std::set<std::string> names;
   for (const auto& attribute : settings.Strings)
   {
-    this->Header.erase(attribute.first); // field data of another type
+    names.insert(attribute.first);
     Insert(this->Header, attribute.first, Imf::StringAttribute(attribute.second));
   }
   for (const auto& attribute : settings.Doubles)
   {
-    this->Header.erase(attribute.first);
+    names.insert(attribute.first);
     Insert(this->Header, attribute.first, Imf::DoubleAttribute(attribute.second));
   }
+  WriteAttributes(image->GetFieldData(), names, this->Header);
+  this->PlanArrays(image, settings); // last: the origin may be another than the field data's
 }
 
 //------------------------------------------------------------------------------
