@@ -7,6 +7,7 @@
 #ifndef vtkRelievoAccess_h
 #define vtkRelievoAccess_h
 
+#include "vtkGlyph3DMapper.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderer.h"
@@ -53,6 +54,19 @@ public:
   {
     vtkOpenGLHelper* bound = mapper->*(&Mapper::LastBoundBO);
     return bound ? bound->PrimitiveType : static_cast<int>(PrimitiveEnd);
+  }
+};
+
+class GlyphMapper : public vtkGlyph3DMapper
+{
+public:
+  static vtkDataArray* MaskArray(vtkGlyph3DMapper* mapper, vtkDataSet* input)
+  {
+    return (mapper->*(&GlyphMapper::GetMaskArray))(input);
+  }
+  static vtkDataArray* SourceIndexArray(vtkGlyph3DMapper* mapper, vtkDataSet* input)
+  {
+    return (mapper->*(&GlyphMapper::GetSourceIndexArray))(input);
   }
 };
 

@@ -17,13 +17,10 @@ namespace
 {
 constexpr double NoValue = std::numeric_limits<double>::quiet_NaN();
 
-vtkDataSet* GetGlyphPoints(vtkActor* actor)
+const void* GetData(const vtkRelievoDrawTable::Hit& hit)
 {
-  return actor && actor->GetMapper()
-    ? vtkDataSet::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0))
-    : nullptr;
+  return hit.Mesh ? static_cast<const void*>(hit.Mesh) : hit.Points;
 }
-
 }
 
 //------------------------------------------------------------------------------
@@ -74,15 +71,15 @@ int vtkRelievoArraySampler::Prepare(int& components, std::string& wrong)
     {
       source = this->Find(hit.Mesh->GetPointData(), hit.Mesh->GetCellData());
     }
-    else if (vtkDataSet* glyphs = GetGlyphPoints(hit.Prop))
+    else if (hit.Points)
     {
-      source = this->Find(glyphs->GetPointData(), nullptr);
+      source = this->Find(hit.Points->GetPointData(), nullptr);
     }
     if (!source.Array)
     {
       continue;
     }
-    this->Sources[Key(hit.Prop, hit.Mesh)] = source;
+    this->Sources[Key(hit.Prop, GetData(hit))] = source;
     this->Components = std::max(this->Components, source.Array->GetNumberOfComponents());
     // Integers of four bytes and more do not fit into a float.
     wide =
@@ -117,7 +114,7 @@ void vtkRelievoArraySampler::Enter(std::uint32_t word, Place& place) const
   {
     return;
   }
-  auto found = this->Sources.find(Key(place.Hit.Prop, place.Hit.Mesh));
+  auto found = this->Sources.find(Key(place.Hit.Prop, GetData(place.Hit)));
   if (found == this->Sources.end())
   {
     return;

@@ -13,6 +13,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoGBufferSplice.h"
+#include "vtkRelievoGlyphDraws.h"
 #include "vtkRelievoView.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
@@ -141,6 +142,36 @@ void vtkRelievoDrawTable::ResolveRanges(Draw& draw)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoDrawTable::ResolveGlyphs()
+{
+  std::map<const void*, std::vector<Draw*>> byActor;
+  for (Draw& draw : this->Draws)
+  {
+    if (draw.PrimitiveSource == vtkRelievoGBufferSplice::InstanceOfGlyphs && draw.Prop)
+    {
+      byActor[draw.Prop].push_back(&draw);
+    }
+  }
+  for (auto& actor : byActor)
+  {
+    std::vector<Draw*>& draws = actor.second;
+    auto* mapper = vtkGlyph3DMapper::SafeDownCast(draws[0]->Prop->GetMapper());
+    std::vector<vtkRelievoGlyphDraw> glyphs;
+    if (mapper)
+    {
+      glyphs = vtkRelievoGetGlyphDraws(mapper);
+    }
+    // A mapper that draws in another way than VTK's keeps its points to itself.
+    for (std::size_t i = 0; i < draws.size() && glyphs.size() == draws.size(); ++i)
+    {
+      draws[i]->Block = glyphs[i].Block;
+      draws[i]->Points = glyphs[i].Points;
+      draws[i]->Ids = std::move(glyphs[i].Ids);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoDrawTable::Resolve(vtkRenderer* renderer, const vtkRelievoView& view)
 {
   std::map<const void*, std::pair<int, vtkActor*>> actors;
@@ -170,20 +201,37 @@ void vtkRelievoDrawTable::Resolve(vtkRenderer* renderer, const vtkRelievoView& v
     draw.Deformed = shaders &&
       (shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
         shaders->GetNumberOfShaderReplacements() > 0);
+    draw.Block = 0;
+    draw.Points = nullptr;
+    draw.Ids.clear();
+    if (draw.PrimitiveSource == vtkRelievoGBufferSplice::PointOfMesh && draw.Mapper)
+    {
+      draw.Points = draw.Mapper->CurrentInput;
+    }
     ResolveRanges(draw);
   }
+  this->ResolveGlyphs();
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoDrawTable::Hit::GetPrimitiveInCell() const
 {
-  vtkIdType k = 0;
-  while (this->Word - k > this->First &&
-    this->Map->ConvertOpenGLCellIdToVTKCellId(false, this->Word - k - 1) == this->Cell)
+  // A mesh's primitives are in the order of its cells; a cell may have millions (a long line).
+  vtkIdType from = this->First;
+  vtkIdType to = this->Word;
+  while (from < to)
   {
-    ++k;
+    const vtkIdType middle = from + (to - from) / 2;
+    if (this->Map->ConvertOpenGLCellIdToVTKCellId(false, middle) < this->Cell)
+    {
+      from = middle + 1;
+    }
+    else
+    {
+      to = middle;
+    }
   }
-  return k;
+  return this->Word - from;
 }
 
 //------------------------------------------------------------------------------
@@ -195,7 +243,8 @@ std::vector<vtkRelievoDrawTable::Hit> vtkRelievoDrawTable::GetMeshes() const
     Hit hit;
     hit.Actor = draw.ActorIndex;
     hit.Prop = draw.Prop;
-    if (draw.PrimitiveSource == vtkRelievoGBufferSplice::InstanceOfGlyphs)
+    hit.Points = draw.Points;
+    if (draw.Points)
     {
       meshes.push_back(hit);
     }
@@ -225,20 +274,22 @@ vtkRelievoDrawTable::Hit vtkRelievoDrawTable::Find(std::uint32_t word) const
   }
   const Draw& draw = *(next - 1);
   const std::uint32_t primitive = word - draw.First;
+  if (primitive >= draw.Count)
+  {
+    return hit;
+  }
   hit.Actor = draw.ActorIndex;
   hit.Prop = draw.Prop;
   hit.ViewToModel = &draw.ViewToModel;
   hit.ModelToView = &draw.ModelToView;
   hit.Deformed = draw.Deformed;
-  hit.Block = 0;
-  if (draw.PrimitiveSource == vtkRelievoGBufferSplice::NoPrimitive)
+  hit.Block = draw.Block;
+  if (draw.Points)
   {
-    return hit;
-  }
-  if (draw.PrimitiveSource == vtkRelievoGBufferSplice::InstanceOfGlyphs)
-  {
-    hit.Cell = primitive;
-    return hit;
+    hit.Points = draw.Points;
+    hit.Cell = draw.PrimitiveSource == vtkRelievoGBufferSplice::PointOfMesh ? primitive
+      : primitive < draw.Ids.size()                                         ? draw.Ids[primitive]
+                                                                            : -1;
   }
   auto behind =
     std::upper_bound(draw.Ranges.begin(), draw.Ranges.end(), static_cast<vtkIdType>(primitive),

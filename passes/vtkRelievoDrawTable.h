@@ -16,6 +16,7 @@
 #include <vector>
 
 class vtkActor;
+class vtkDataSet;
 class vtkInformation;
 class vtkOpenGLCellToVTKCellMap;
 class vtkOpenGLPolyDataMapper;
@@ -31,10 +32,11 @@ public:
 
   struct Hit
   {
-    int Actor = -1;              // place in vtkRenderer::GetActors()
-    int Block = -1;              // flat index; 0 for data that is not composite
-    vtkIdType Cell = -1;         // of Mesh, or the glyphs' input point
-    vtkPolyData* Mesh = nullptr; // nullptr for glyphs
+    int Actor = -1;               // place in vtkRenderer::GetActors()
+    int Block = -1;               // flat index; 0 for data that is not composite
+    vtkIdType Cell = -1;          // of Mesh, or a point of Points
+    vtkPolyData* Mesh = nullptr;  // whose triangles, lines or points are seen
+    vtkDataSet* Points = nullptr; // whose points are seen as glyphs, spheres or sticks
     vtkActor* Prop = nullptr;
     const glm::dmat4* ViewToModel = nullptr;
     const glm::dmat4* ModelToView = nullptr;
@@ -56,7 +58,7 @@ public:
   // Makes ready for Find(), from what the mappers hold now.
   void Resolve(vtkRenderer* renderer, const vtkRelievoView& view);
 
-  // After Resolve(): every mesh drawn, and (Mesh == nullptr) every actor of glyphs, with its actor.
+  // After Resolve(): every mesh and every points that were drawn, with the actor.
   std::vector<Hit> GetMeshes() const;
 
   // What the word means; all of it nothing if it means nothing. Threads may call it at once.
@@ -85,9 +87,13 @@ private:
     glm::dmat4 ModelToView;
     bool Deformed;
     std::vector<Range> Ranges; // by First
+    int Block;                 // of Points
+    vtkDataSet* Points;
+    std::vector<vtkIdType> Ids; // of Points, by instance of a glyph
   };
 
   static void ResolveRanges(Draw& draw);
+  void ResolveGlyphs();
 
   std::vector<Draw> Draws;
 };

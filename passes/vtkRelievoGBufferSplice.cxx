@@ -5,6 +5,8 @@
 #include "vtkActor.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkOpenGLGlyph3DHelper.h"
+#include "vtkOpenGLSphereMapper.h"
+#include "vtkOpenGLStickMapper.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -80,6 +82,10 @@ int vtkRelievoGBufferSplice::GetPrimitiveSource(vtkOpenGLPolyDataMapper* mapper,
     auto* glyphs = vtkGlyph3DMapper::SafeDownCast(actor->GetMapper());
     return glyphs && glyphs->GetCullingAndLOD() ? NoPrimitive : InstanceOfGlyphs;
   }
+  if (vtkOpenGLSphereMapper::SafeDownCast(mapper) || vtkOpenGLStickMapper::SafeDownCast(mapper))
+  {
+    return PointOfMesh;
+  }
   return vtkRelievoAccess::Mapper::BoundPrimitiveType(mapper) >
       vtkOpenGLPolyDataMapper::PrimitiveTriStrips
     ? NoPrimitive
@@ -125,7 +131,10 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   const bool needsNormal =
     triangles && !Has(fragment, "normalVCVSOutput") && HasPointNormals(mapper, actor);
   const bool needsInstance = layout.IdWord >= 0 && source == InstanceOfGlyphs;
-  if ((needsPosition || needsNormal || needsInstance) &&
+  const bool normalByWinding =
+    needsNormal || Has(fragment, "gl_FrontFacing == false) { normalVCVSOutput");
+  const bool needsWinding = normalByWinding && Has(vertex, "mat4 GCMCMatrix;");
+  if ((needsPosition || needsNormal || needsInstance || needsWinding) &&
     !CanCarryVarying(vertex, geometry, fragment))
   {
     return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl";
@@ -151,6 +160,10 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   {
     FillVarying(vertex, geometry, fragment, "instance.glsl", false);
   }
+  if (needsWinding)
+  {
+    FillVarying(vertex, geometry, fragment, "winding.glsl", false);
+  }
 
   std::ostringstream defines;
   defines << layout.GetDefines() << "#define RELIEVO_PRIMITIVE_SOURCE " << source << "\n";
@@ -164,12 +177,14 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   const bool asksFace = layout.GeometricNormalWord >= 0 || !hasNormal;
   define(surface && asksFace && !isFaceNormal, "RELIEVO_FACE_NORMAL");
   define(hasNormal, "RELIEVO_HAS_NORMAL");
-  define(needsNormal || Has(fragment, "gl_FrontFacing == false) { normalVCVSOutput"),
-    "RELIEVO_NORMAL_BY_WINDING");
+  define(normalByWinding, "RELIEVO_NORMAL_BY_WINDING");
+  define(needsWinding, "RELIEVO_GLYPH_WINDING");
   define(spherePoints, "RELIEVO_SPHERE_POINTS");
   define(tubeLines && !spherePoints, "RELIEVO_TUBE_LINES");
   define(Has(fragment, "vec3 albedo ="), "RELIEVO_PBR_ALBEDO");
-  define(mode.LayersOnly, "RELIEVO_LAYERS_ONLY");
+  // VTK complains of attributes of culled glyphs that a shader does not use: let it use all.
+  const bool culledGlyphs = source == NoPrimitive && vtkOpenGLGlyph3DHelper::SafeDownCast(mapper);
+  define(mode.LayersOnly && !culledGlyphs, "RELIEVO_LAYERS_ONLY");
   define(mode.LinearVisibility, "RELIEVO_LINEAR_VISIBILITY");
 
   std::string write = Section("write.glsl", "FragmentImpl");

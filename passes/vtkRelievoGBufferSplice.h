@@ -18,7 +18,8 @@ enum PrimitiveSource
 {
   PrimitiveOfMesh = 0,
   InstanceOfGlyphs = 1,
-  NoPrimitive = 2
+  NoPrimitive = 2,
+  PointOfMesh = 3 // a sphere or a stick at every point
 };
 
 // The source of a mapper that draws for an actor now.

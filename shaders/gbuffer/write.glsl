@@ -5,9 +5,9 @@
 // Defines, by vtkRelievoGBufferLayout: RELIEVO_ATTACHMENTS, RELIEVO_*_WORD, RELIEVO_*_FORMAT; by
 // vtkRelievoGBufferSplice, from what the mapper's shader has: RELIEVO_FACE_NORMAL (the
 // face's normal is asked and VTK computes none), RELIEVO_HAS_NORMAL (normalVCVSOutput),
-// RELIEVO_NORMAL_BY_WINDING, RELIEVO_SPHERE_POINTS, RELIEVO_TUBE_LINES,
-// RELIEVO_PBR_ALBEDO, RELIEVO_PRIMITIVE_SOURCE (0 the primitive, 1 the glyph's instance, 2 none),
-// RELIEVO_LAYERS_ONLY, RELIEVO_LINEAR_VISIBILITY.
+// RELIEVO_NORMAL_BY_WINDING, RELIEVO_GLYPH_WINDING (winding.glsl is spliced),
+// RELIEVO_SPHERE_POINTS, RELIEVO_TUBE_LINES, RELIEVO_PBR_ALBEDO, RELIEVO_PRIMITIVE_SOURCE (0 or 3
+// the primitive, 1 the glyph's instance, 2 none), RELIEVO_LAYERS_ONLY, RELIEVO_LINEAR_VISIBILITY.
 
 //RELIEVO::Section(Extensions)
 //RELIEVO::Include(extensions.glsl)
@@ -118,6 +118,9 @@ uvec3 relievoPackNormal(vec3 n)
 #ifdef RELIEVO_NORMAL_BY_WINDING
   // VTK turns these by the winding, which a mirroring actor matrix inverts.
   relievoNormalVC *= relievoWinding;
+#ifdef RELIEVO_GLYPH_WINDING
+  relievoNormalVC *= relievoGlyphWindingVSOutput;
+#endif
 #endif
 #ifndef RELIEVO_FACE_NORMAL
   relievoFaceVC = relievoNormalVC;
@@ -150,7 +153,7 @@ uvec3 relievoPackNormal(vec3 n)
 
 #ifdef RELIEVO_ID_WORD
   relievoWords[RELIEVO_ID_WORD] = uint(relievoFirstPrimitive);
-#if RELIEVO_PRIMITIVE_SOURCE == 0
+#if RELIEVO_PRIMITIVE_SOURCE == 0 || RELIEVO_PRIMITIVE_SOURCE == 3
   relievoWords[RELIEVO_ID_WORD] += uint(gl_PrimitiveID + PrimitiveIDOffset);
 #elif RELIEVO_PRIMITIVE_SOURCE == 1
   relievoWords[RELIEVO_ID_WORD] += uint(relievoInstanceVSOutput);

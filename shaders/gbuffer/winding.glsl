@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether a glyph's own matrix mirrors it: -1 if it does, else 1.
+
+//RELIEVO::Section(VertexDec)
+flat out float relievoGlyphWindingVSOutput;
+
+//RELIEVO::Section(VertexImpl)
+  relievoGlyphWindingVSOutput = determinant(mat3(GCMCMatrix)) < 0.0 ? -1.0 : 1.0;
+
+//RELIEVO::Section(GeometryDec)
+flat in float relievoGlyphWindingVSOutput[];
+flat out float relievoGlyphWindingGSOutput;
+
+//RELIEVO::Section(GeometryImpl)
+  relievoGlyphWindingGSOutput = relievoGlyphWindingVSOutput[i];
+
+//RELIEVO::Section(FragmentDec)
+flat in float relievoGlyphWindingVSOutput;
