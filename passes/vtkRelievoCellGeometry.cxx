@@ -42,6 +42,12 @@ int GetCorners(
   {
     corners[0] = k;
     corners[1] = polygon ? (k + 1) % cell.Count : k + 1;
+    if (cell.Kind == vtkRelievoCell::Strips && k > 0)
+    {
+      // The first edge, then two for every further point.
+      corners[0] = k / 2;
+      corners[1] = (k - 1) / 2 + 2;
+    }
     return 2;
   }
   corners[0] = polygon ? 0 : k;
