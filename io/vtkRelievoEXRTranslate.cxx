@@ -7,6 +7,7 @@
 #include <OpenEXR/Iex.h>
 
 #include <new>
+#include <stdexcept>
 
 namespace relievo::exr
 {
@@ -54,6 +55,11 @@ Failure Translate(const std::string& advice, const std::function<void()>& work)
     const bool end = reason.find("end of file") != std::string::npos;
     return Failure(end ? vtkErrorCode::PrematureEndOfFileError : vtkErrorCode::FileFormatError,
       "OpenEXR reports: " + reason + "; " + advice);
+  }
+  catch (const std::length_error&)
+  {
+    // What OpenEXR makes of a negative number of chunks.
+    return Failure(vtkErrorCode::FileFormatError, "a size in its header is impossible; " + advice);
   }
   catch (const std::exception& exception)
   {

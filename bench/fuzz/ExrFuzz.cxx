@@ -10,6 +10,7 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
+#include <vtkErrorCode.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -83,8 +84,10 @@ std::string CheckRead(vtkRelievoEXRReader* reader, const Listener& listener)
   return "";
 }
 
-std::string CheckRefused(vtkImageData* image, const Listener& listener, const std::string& file)
+std::string CheckRefused(vtkRelievoEXRReader* reader, const Listener& listener)
 {
+  vtkImageData* image = reader->GetOutput();
+  const std::string file = reader->GetFileName();
   if (listener.Errors.size() != 1)
   {
     return "was refused with " + std::to_string(listener.Errors.size()) + " errors instead of one";
@@ -92,6 +95,10 @@ std::string CheckRefused(vtkImageData* image, const Listener& listener, const st
   if (listener.Errors[0].find(file) == std::string::npos)
   {
     return "was refused with an error that does not name the file: " + listener.Errors[0];
+  }
+  if (reader->GetErrorCode() == vtkErrorCode::UnknownError)
+  {
+    return "was refused for want of memory, or by an exception nobody knows: " + listener.Errors[0];
   }
   if (image->GetNumberOfPoints() != 0 || image->GetPointData()->GetNumberOfArrays() != 0 ||
     image->GetFieldData()->GetNumberOfArrays() != 0)
@@ -147,7 +154,7 @@ Result Run(uint64_t first, uint64_t count, const std::string& folder, double lim
     {
       ++result.Refused;
       ++result.RefusedByCode[code];
-      fault = CheckRefused(reader->GetOutput(), listener, file);
+      fault = CheckRefused(reader, listener);
     }
     const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

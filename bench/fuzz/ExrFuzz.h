@@ -28,8 +28,8 @@ struct Result
 /**
  * Makes the damaged files `first` to `first + count - 1` and reads each. A file that is read must
  * give no error, code 0, and arrays of one tuple per pixel; one that is refused exactly one error
- * that names the file, another code, and an empty output. Every 16th picture that was read is
- * written again. A file that takes more than `limitSeconds` is a fault too.
+ * that names the file, a code other than UnknownError, and an empty output. Every 16th picture that
+ * was read is written again. A file that takes more than `limitSeconds` is a fault too.
  * \param folder    Where the files are written, one after the other; the last one stays.
  * \param progress  Called after every file with the number of files done.
  */
