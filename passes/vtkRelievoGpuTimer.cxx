@@ -142,8 +142,10 @@ void vtkRelievoGpuTimer::Release()
   // Queries of a context that is gone are gone with it.
   if (this->Window && !this->FreeQueries.empty())
   {
-    this->Window->MakeCurrent();
+    // Another window may be drawing now: its context comes back.
+    this->Window->PushContext();
     glDeleteQueries(static_cast<GLsizei>(this->FreeQueries.size()), this->FreeQueries.data());
+    this->Window->PopContext();
   }
   this->FreeQueries.clear();
   this->Milliseconds.clear();

@@ -13,6 +13,7 @@
 #include "vtkRelievoStage.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <set>
@@ -31,6 +32,7 @@ public:
   vtkRelievoGpuTimer Timer;
   vtkRelievoFrameReport Report;
   vtkRelievoDelegate Picture;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
 
   // In the order in which the frame runs them.
   std::vector<vtkRelievoStage*> GetStages()
@@ -88,11 +90,7 @@ bool vtkRelievoPass::Detach(vtkRenderer* renderer)
   vtkSmartPointer<vtkRelievoPass> alive = pass;
   if (renderer->GetRenderWindow())
   {
-    for (vtkRelievoStage* stage : pass->Internal->GetStages())
-    {
-      stage->ReleaseGraphicsResources(renderer->GetRenderWindow());
-    }
-    pass->Internal->Timer.Release();
+    pass->ReleaseStages(renderer->GetRenderWindow());
   }
   renderer->SetPass(pass->GetDelegatePass());
   return true;
@@ -222,6 +220,12 @@ void vtkRelievoPass::Render(const vtkRenderState* s)
     return;
   }
   this->NumberOfRenderedProps = 0;
+  if (in.Window && in.Window != window)
+  {
+    // One pass in two windows: what a context holds is released in it, before the other is current.
+    this->ReleaseStages(in.Window);
+  }
+  in.Window = window;
   window->MakeCurrent();
 
   in.Display->SetFrame(
@@ -361,13 +365,19 @@ vtkIdType vtkRelievoPass::GetBytesHeld()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoPass::ReleaseGraphicsResources(vtkWindow* window)
+void vtkRelievoPass::ReleaseStages(vtkWindow* window)
 {
   for (vtkRelievoStage* stage : this->Internal->GetStages())
   {
     stage->ReleaseGraphicsResources(window);
   }
   this->Internal->Timer.Release();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->ReleaseStages(window);
   if (this->Internal->Delegate)
   {
     this->Internal->Delegate->ReleaseGraphicsResources(window);

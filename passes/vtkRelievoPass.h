@@ -145,6 +145,8 @@ private:
 
   void Report(const vtkRenderState* s, const std::vector<vtkRelievoStage*>& needed);
 
+  void ReleaseStages(vtkWindow* window);
+
   class Internals;
   std::unique_ptr<Internals> Internal;
 };
