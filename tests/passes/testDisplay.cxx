@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Layers shown as the picture: each colour is what the layer's value says, by the formula files.
+// Before all of GLM, whose packing functions its own would compete with.
+#include <vtkRelievoFormulas.h>
+
+#include "Check.h"
+#include "GLCheck.h"
+#include "Layers.h"
+#include "Props.h"
+#include "Session.h"
+#include "Stage.h"
+#include "Window.h"
+
+#include <vtkCamera.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkProperty.h>
+#include <vtkRelievoLinearDepthPass.h>
+#include <vtkRelievoPass.h>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+
+namespace
+{
+using relievoTest::Layers;
+using relievoTest::Way;
+
+const double Near = 4.;
+const double Far = 10.;
+const glm::dvec3 Background(0.1, 0.2, 0.3);
+
+struct Fixture : relievoTest::Stage
+{
+  Fixture()
+    : Stage(160, 120)
+  {
+    auto mesh = relievoTest::MakeBall(1.2);
+    vtkNew<vtkFloatArray> heights;
+    heights->SetName("height");
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      heights->InsertNextValue(static_cast<float>(mesh->GetPoint(i)[1]));
+    }
+    mesh->GetPointData()->AddArray(heights);
+    relievoTest::AddActor(this->Renderer, mesh)->GetProperty()->SetColor(0.8, 0.4, 0.2);
+    auto box = relievoTest::AddActor(this->Renderer, relievoTest::MakeBox(3., 0.1, 3.));
+    box->GetProperty()->SetColor(0.2, 0.6, 0.4);
+    this->Renderer->SetBackground(Background.x, Background.y, Background.z);
+    this->Renderer->GetActiveCamera()->SetClippingRange(Near, Far);
+  }
+};
+
+// Expected colour, 0 to 1, of a pixel.
+using Color = std::function<glm::dvec3(const Layers&, int, int)>;
+
+// Share of pixels that are off by more than 1.5 / 255.
+double GetShareOff(vtkImageData* picture, const Layers& layers, const Color& color)
+{
+  long off = 0;
+  for (int y = 0; y < layers.Height; ++y)
+  {
+    for (int x = 0; x < layers.Width; ++x)
+    {
+      const auto* rgb = static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0));
+      const glm::dvec3 expected = glm::clamp(color(layers, x, y), 0., 1.) * 255.;
+      off += std::abs(rgb[0] - expected.x) > 1.5 || std::abs(rgb[1] - expected.y) > 1.5 ||
+        std::abs(rgb[2] - expected.z) > 1.5;
+    }
+  }
+  return static_cast<double>(off) / (layers.Width * layers.Height);
+}
+
+bool IsThere(const Layers& layers, int x, int y)
+{
+  return std::isfinite(layers.Value("depth", x, y));
+}
+
+glm::dvec3 GetMapped(double value, double from, double to)
+{
+  return glm::dvec3(relievo::f32::relievoColormap(
+    static_cast<float>(glm::clamp((value - from) / (to - from), 0., 1.))));
+}
+
+void TestLayers()
+{
+  Fixture fixture;
+  relievoTest::GLCheck gl(fixture.Window);
+  const Layers layers(fixture.Renderer,
+    { "depth", "range", "normal", "geometric_normal", "albedo", "actor", "block", "cell",
+      "height" },
+    Way::Own);
+  const auto vectors = [](const char* name) {
+    return [name](const Layers& l, int x, int y) {
+      return IsThere(l, x, y) ? 0.5 * l.Vector(name, x, y) + 0.5 : Background;
+    };
+  };
+  const auto ids = [](const char* name) {
+    return [name](const Layers& l, int x, int y) {
+      const int id = l.Id(name, x, y);
+      return id < 0 ? Background
+                    : glm::dvec3(relievo::f32::relievoHashColor(static_cast<glm::uint>(id)));
+    };
+  };
+  const auto scalars = [](const char* name, double from, double to) {
+    return [=](const Layers& l, int x, int y) {
+      return IsThere(l, x, y) ? GetMapped(l.Value(name, x, y), from, to) : Background;
+    };
+  };
+  const struct
+  {
+    const char* Name;
+    Color Expected;
+    double Range[2];
+  } shown[] = {
+    { "depth", scalars("depth", Near, Far), { 0., 0. } },
+    { "depth", scalars("depth", 5., 7.), { 5., 7. } },
+    { "range", scalars("range", Near, Far), { 0., 0. } },
+    { "normal", vectors("normal"), { 0., 0. } },
+    { "geometric_normal", vectors("geometric_normal"), { 0., 0. } },
+    { "albedo",
+      [](const Layers& l, int x, int y) {
+        return IsThere(l, x, y) ? l.Vector("albedo", x, y) / 255. : Background;
+      },
+      { 0., 0. } },
+    { "actor", ids("actor"), { 0., 0. } },
+    { "block", ids("block"), { 0., 0. } },
+    { "cell", ids("cell"), { 0., 0. } },
+    { "height",
+      [](const Layers& l, int x, int y) {
+        const double value = l.Value("height", x, y);
+        return std::isnan(value) ? Background : GetMapped(value, -1.2, 1.2);
+      },
+      { -1.2, 1.2 } },
+  };
+  vtkRelievoPass* frame = vtkRelievoPass::Attach(fixture.Renderer);
+  for (const auto& one : shown)
+  {
+    frame->SetDisplayLayer(one.Name);
+    frame->SetDisplayRange(one.Range[0], one.Range[1]);
+    const auto picture = relievoTest::Picture(fixture.Window);
+    RELIEVO_CHECK_AT_MOST(
+      GetShareOff(picture, layers, one.Expected), 0.001, std::string(one.Name) + " shown");
+    // The comparison can fail: the picture of another layer does.
+    RELIEVO_CHECK(GetShareOff(picture, layers,
+                    [](const Layers&, int x, int) { return glm::dvec3(x % 2); }) > 0.5);
+  }
+  frame->SetDisplayLayer("no such array");
+  {
+    relievoTest::ExpectMessage expect("no such array");
+    fixture.Window->Render();
+  }
+  frame->SetDisplayLayer("position");
+  const auto position = relievoTest::Picture(fixture.Window);
+  RELIEVO_CHECK(GetShareOff(position, layers, [](const Layers& l, int x, int y) {
+    return IsThere(l, x, y) ? glm::dvec3(2.) : Background;
+  }) > 0.1);
+  vtkRelievoPass::Detach(fixture.Renderer);
+  gl.Poll("layers");
+}
+
+// A slider moves values, not structure: no program is compiled anew.
+void TestNoRecompile()
+{
+  Fixture fixture;
+  vtkRelievoPass* frame = vtkRelievoPass::Attach(fixture.Renderer);
+  frame->SetDisplayLayer("depth");
+  fixture.Window->Render();
+  fixture.Window->Render();
+  const int programs = relievoTest::CountGLObjects(fixture.Window).Programs;
+  for (int i = 0; i < 5; ++i)
+  {
+    frame->SetDisplayRange(4. + 0.1 * i, 9.);
+    frame->SetDisplayGrey(i % 2 == 0);
+    fixture.Renderer->GetActiveCamera()->Azimuth(3.);
+    fixture.Renderer->GetActiveCamera()->SetClippingRange(Near + 0.1 * i, Far);
+    fixture.Window->Render();
+  }
+  RELIEVO_CHECK(relievoTest::CountGLObjects(fixture.Window).Programs == programs);
+  vtkRelievoPass::Detach(fixture.Renderer);
+}
+
+void TestLinearDepth()
+{
+  Fixture fixture;
+  const Layers layers(fixture.Renderer, { "depth" }, Way::Own);
+  const auto expect = [&](double from, double to) {
+    return [=](const Layers& l, int x, int y) {
+      const double depth = l.Value("depth", x, y);
+      return glm::dvec3(std::isinf(depth) ? 1. : (depth - from) / (to - from));
+    };
+  };
+  vtkNew<vtkRelievoLinearDepthPass> pass;
+  fixture.Renderer->SetPass(pass);
+  RELIEVO_CHECK_AT_MOST(
+    GetShareOff(relievoTest::Picture(fixture.Window), layers, expect(Near, Far)), 0.001,
+    "normalised");
+  pass->NormalizedOff();
+  RELIEVO_CHECK_AT_MOST(GetShareOff(relievoTest::Picture(fixture.Window), layers, expect(0., 1.)),
+    0.001, "world units");
+  pass->SetRange(5., 8.);
+  RELIEVO_CHECK_AT_MOST(
+    GetShareOff(relievoTest::Picture(fixture.Window), layers, expect(5., 8.)), 0.001, "a range");
+  RELIEVO_CHECK(GetShareOff(relievoTest::Picture(fixture.Window), layers, expect(Near, Far)) > 0.1);
+  pass->ReleaseGraphicsResources(fixture.Window);
+  fixture.Renderer->SetPass(nullptr);
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  relievoTest::Session session;
+  TestLayers();
+  TestNoRecompile();
+  TestLinearDepth();
+  return session.Result();
+}
