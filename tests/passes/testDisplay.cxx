@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Layers shown as the picture: each colour is what the layer's value says, by the formula files.
-// Before all of GLM, whose packing functions its own would compete with.
+
+// First, since GLM's own packing functions would compete with its.
 #include <vtkRelievoFormulas.h>
 
 #include "Check.h"
