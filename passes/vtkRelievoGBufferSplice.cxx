@@ -182,10 +182,12 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   define(spherePoints, "RELIEVO_SPHERE_POINTS");
   define(tubeLines && !spherePoints, "RELIEVO_TUBE_LINES");
   define(Has(fragment, "vec3 albedo ="), "RELIEVO_PBR_ALBEDO");
+  define(Has(fragment, "float diffuseIntensityBF;"), "RELIEVO_BACKFACE_PROPERTY");
   // VTK complains of attributes of culled glyphs that a shader does not use: let it use all.
   const bool culledGlyphs = source == NoPrimitive && vtkOpenGLGlyph3DHelper::SafeDownCast(mapper);
   define(mode.LayersOnly && !culledGlyphs, "RELIEVO_LAYERS_ONLY");
   define(mode.LinearVisibility, "RELIEVO_LINEAR_VISIBILITY");
+  define(Has(fragment, "gl_FragDepth = gl_FragCoord.z + cFactor"), "RELIEVO_COINCIDENT_OFFSET");
 
   std::string write = Section("write.glsl", "FragmentImpl");
   const std::size_t begin = fragment.find("//RELIEVO::Texture::Begin");

@@ -6,8 +6,9 @@
 // vtkRelievoGBufferSplice, from what the mapper's shader has: RELIEVO_FACE_NORMAL (the
 // face's normal is asked and VTK computes none), RELIEVO_HAS_NORMAL (normalVCVSOutput),
 // RELIEVO_NORMAL_BY_WINDING, RELIEVO_GLYPH_WINDING (winding.glsl is spliced),
-// RELIEVO_SPHERE_POINTS, RELIEVO_TUBE_LINES, RELIEVO_PBR_ALBEDO, RELIEVO_PRIMITIVE_SOURCE (0 or 3
-// the primitive, 1 the glyph's instance, 2 none), RELIEVO_LAYERS_ONLY, RELIEVO_LINEAR_VISIBILITY.
+// RELIEVO_SPHERE_POINTS, RELIEVO_TUBE_LINES, RELIEVO_PBR_ALBEDO, RELIEVO_BACKFACE_PROPERTY,
+// RELIEVO_PRIMITIVE_SOURCE (0 or 3 the primitive, 1 the glyph's instance, 2 none),
+// RELIEVO_LAYERS_ONLY, RELIEVO_LINEAR_VISIBILITY, RELIEVO_COINCIDENT_OFFSET.
 
 //RELIEVO::Section(Extensions)
 //RELIEVO::Include(extensions.glsl)
@@ -173,14 +174,23 @@ uvec3 relievoPackNormal(vec3 n)
 #ifdef RELIEVO_PBR_ALBEDO
   vec4 relievoAlbedo = vec4(albedo, opacity);
 #else
-  vec4 relievoAlbedo = vec4(0.0, 0.0, 0.0, opacity);
-  if (diffuseIntensity > 0.0)
+  float relievoDiffuse = diffuseIntensity;
+  float relievoAmbient = ambientIntensity;
+#ifdef RELIEVO_BACKFACE_PROPERTY
+  if (gl_FrontFacing == false)
   {
-    relievoAlbedo.rgb = diffuseColor / diffuseIntensity;
+    relievoDiffuse = diffuseIntensityBF;
+    relievoAmbient = ambientIntensityBF;
   }
-  else if (ambientIntensity > 0.0)
+#endif
+  vec4 relievoAlbedo = vec4(0.0, 0.0, 0.0, opacity);
+  if (relievoDiffuse > 0.0)
   {
-    relievoAlbedo.rgb = ambientColor / ambientIntensity;
+    relievoAlbedo.rgb = diffuseColor / relievoDiffuse;
+  }
+  else if (relievoAmbient > 0.0)
+  {
+    relievoAlbedo.rgb = ambientColor / relievoAmbient;
   }
 #endif
   // VTK's own texture code once more, on the unlit colour. Its output has this name by then.
@@ -202,7 +212,12 @@ uvec3 relievoPackNormal(vec3 n)
 #ifdef RELIEVO_LINEAR_VISIBILITY
   // Window z cannot order far fragments when far / near is large; a float of the depth itself keeps
   // its relative precision everywhere.
+#ifdef RELIEVO_COINCIDENT_OFFSET
+  // VTK moves coincident surfaces apart in window z; here by the same part of the depth.
+  gl_FragDepth = (relievoDepth / relievoFar) * (1.0 + gl_FragDepth - gl_FragCoord.z);
+#else
   gl_FragDepth = relievoDepth / relievoFar;
+#endif
 #endif
 #ifdef RELIEVO_LAYERS_ONLY
   // Nobody sees the colour: what only it needs (light, reflections) is not computed.
