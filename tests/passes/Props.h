@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Props.h
- * @brief Small things to put before the layers: actors, balls, moved copies.
+ * @brief Small things to put before the layers: actors, balls, moved copies, textures.
  */
 #ifndef relievoTestProps_h
 #define relievoTestProps_h
@@ -10,6 +10,9 @@
 #include <vtkActor.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkTexture.h>
+
+#include <glm/glm.hpp>
 
 class vtkRenderer;
 
@@ -23,6 +26,18 @@ vtkSmartPointer<vtkPolyData> MakeBall(double radius);
 
 /** A copy moved by x, y, z, points in float. */
 vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* mesh, double x, double y, double z);
+
+/** A square of half width 1 in the plane z = 0, one quad, with texture coordinates from 0 to 1. */
+vtkSmartPointer<vtkPolyData> MakeSquare();
+
+/**
+ * A texture of 4 x 4 texels, not interpolated: orange (255, 128, 0) where x + y is even, elsewhere
+ * blue (0, 128, 255) or, with `holes`, nothing.
+ */
+vtkSmartPointer<vtkTexture> MakeChecker(bool holes);
+
+/** The parity of x + y of the texel at a place of the square; -1 near the border of one. */
+int GetCheckerParity(const glm::dvec3& place);
 }
 
 #endif
