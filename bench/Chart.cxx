@@ -88,12 +88,20 @@ void AddSeries(
   vtkNew<vtkTable> table;
   table->AddColumn(across);
   table->AddColumn(up);
+  const ChartStyle style = StyleOf(index);
+  if (series.Bars)
+  {
+    vtkPlot* bars = chart->AddPlot(vtkChart::BAR);
+    bars->SetInputData(table, 0, 1);
+    bars->SetColor(style.Color[0], style.Color[1], style.Color[2], 255);
+    bars->GetPen()->SetLineType(vtkPen::NO_PEN);
+    return;
+  }
   // VTK reports an error for a line of one point.
   const bool line = series.Line && places.size() > 1;
   vtkPlotPoints* plot =
     vtkPlotPoints::SafeDownCast(chart->AddPlot(line ? vtkChart::LINE : vtkChart::POINTS));
   plot->SetInputData(table, 0, 1);
-  const ChartStyle style = StyleOf(index);
   plot->SetColor(style.Color[0], style.Color[1], style.Color[2], 255);
   plot->SetWidth(1.5f);
   plot->GetPen()->SetLineType(style.Dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
@@ -124,6 +132,7 @@ bool WritePng(const Chart& wanted, const std::string& path)
   vtkNew<vtkChartXY> chart;
   view->GetScene()->AddItem(chart);
   chart->SetTitle(wanted.Title);
+  chart->SetBarWidthFraction(static_cast<float>(BarShare));
   chart->GetTitleProperties()->SetFontSize(17);
 
   const ChartScale x = FitX(wanted);

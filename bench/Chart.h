@@ -23,13 +23,15 @@ struct ChartAxis
   std::vector<std::pair<double, std::string>> Ticks;
 };
 
-/** Points of one method, joined in their order unless Line is off. */
+/** Points of one method, joined in their order unless Line is off; or bars from 0. */
 struct ChartSeries
 {
   std::string Name;
   std::vector<double> X;
   std::vector<double> Y;
   bool Line = true;
+  /** Bars stand side by side around X, which must count 1, 2, 3 ... in every series of bars. */
+  bool Bars = false;
 };
 
 /** A chart of 900 x 600 pixels, its legend beside the data; each series has a marker of its own. */

@@ -23,7 +23,8 @@ void AddEvenTicks(ChartScale& scale)
   const double first = std::ceil(scale.Low / step - 1e-9);
   for (double i = first; i * step <= scale.High + 1e-9 * step; i += 1.)
   {
-    scale.Ticks.emplace_back(i * step, Number(i * step));
+    const double place = i * step + 0.; // not -0
+    scale.Ticks.emplace_back(place, Number(place));
   }
 }
 
@@ -91,7 +92,11 @@ ChartScale FitX(const Chart& chart)
   std::vector<double> values;
   for (const ChartSeries& series : chart.Series)
   {
-    values.insert(values.end(), series.X.begin(), series.X.end());
+    for (double x : series.X)
+    {
+      // A group of bars has half a step of room on either side.
+      values.insert(values.end(), { x - (series.Bars ? 0.5 : 0.), x + (series.Bars ? 0.5 : 0.) });
+    }
   }
   return Fit(chart.X, values);
 }
@@ -104,7 +109,14 @@ ChartScale FitY(const Chart& chart)
   {
     values.insert(values.end(), series.Y.begin(), series.Y.end());
   }
-  return Fit(chart.Y, values);
+  if (!HasBars(chart))
+  {
+    return Fit(chart.Y, values);
+  }
+  values.push_back(0.);
+  ChartScale scale = Fit(chart.Y, values);
+  scale.Low = 0.;
+  return scale;
 }
 
 //------------------------------------------------------------------------------
@@ -120,6 +132,13 @@ std::vector<std::pair<double, double>> Places(
     }
   }
   return places;
+}
+
+//------------------------------------------------------------------------------
+bool HasBars(const Chart& chart)
+{
+  return std::any_of(chart.Series.begin(), chart.Series.end(),
+    [](const ChartSeries& series) { return series.Bars; });
 }
 
 //------------------------------------------------------------------------------

@@ -38,6 +38,10 @@ ChartScale FitY(const Chart& chart);
 std::vector<std::pair<double, double>> Places(
   const ChartSeries& series, const ChartScale& x, const ChartScale& y);
 
+/** Whether the series of a chart are bars, and the share of a group's room that they take. */
+bool HasBars(const Chart& chart);
+constexpr double BarShare = 0.8;
+
 /** How a series is drawn. */
 struct ChartStyle
 {

@@ -98,6 +98,12 @@ void Polyline(
   out << "\"/>\n";
 }
 
+void Bar(std::ostream& out, double left, double right, double top, const ChartStyle& style)
+{
+  out << "<rect fill=\"" << ColorOf(style) << "\" x=\"" << Fixed(left) << "\" y=\"" << Fixed(top)
+      << "\" width=\"" << Fixed(right - left) << "\" height=\"" << Fixed(Bottom - top) << "\"/>\n";
+}
+
 // Right end of the data; the legend stands beyond it. Letters are about 7 wide at size 13.
 double RightEnd(const Chart& chart)
 {
@@ -154,15 +160,26 @@ std::string SvgOf(const Chart& chart)
     {
       point = { pixelX(point.first), pixelY(point.second) };
     }
+    if (chart.Series[i].Bars)
+    {
+      const double width =
+        BarShare / static_cast<double>(chart.Series.size()) * (pixelX(1.) - pixelX(0.));
+      const double offset = static_cast<double>(i) - 0.5 * static_cast<double>(chart.Series.size());
+      for (const auto& point : points)
+      {
+        const double left = point.first + offset * width;
+        Bar(out, left, left + width, point.second, style);
+      }
+    }
     const double legendY = Top + 8. + LegendLine * static_cast<double>(i);
-    if (chart.Series[i].Line && points.size() > 1)
+    if (chart.Series[i].Line && !chart.Series[i].Bars && points.size() > 1)
     {
       Polyline(out, points, style);
       Polyline(out, { { right + 12., legendY }, { right + 38., legendY } }, style);
     }
-    for (const auto& point : points)
+    for (std::size_t k = 0; k < points.size() && !chart.Series[i].Bars; ++k)
     {
-      Marker(out, point.first, point.second, style);
+      Marker(out, points[k].first, points[k].second, style);
     }
     Marker(out, right + 25., legendY, style);
     Text(out, right + 45., legendY + 4.5, 13, "start", chart.Series[i].Name);

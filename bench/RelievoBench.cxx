@@ -10,6 +10,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
   static const std::vector<RelievoBenchEntry> entries = {
     { "normals", "error of the normal formats against bits and time", RelievoBenchNormals },
     { "depth", "error of the depth formats against bytes and far / near", RelievoBenchDepth },
+    { "position", "error of positions against bytes and frame time", RelievoBenchPosition },
+    { "gbuffer", "what layers cost a frame, against VTK's plain frame", RelievoBenchGBuffer },
     { "capture", "capture of depth, normal and cell against VTK's own means", RelievoBenchCapture },
   };
   return entries;

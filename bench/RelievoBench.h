@@ -34,6 +34,12 @@ int RelievoBenchNormals(const std::string& outDir);
 /** Chart 2: error of the depth formats against bytes and far / near. A few seconds. */
 int RelievoBenchDepth(const std::string& outDir);
 
+/** Chart 3: error of positions against bytes and frame time, by what is kept. Under a minute. */
+int RelievoBenchPosition(const std::string& outDir);
+
+/** What layers cost a frame, against a plain frame and a peer. A few minutes. */
+int RelievoBenchGBuffer(const std::string& outDir);
+
 /** Capture of depth, normal and cell against z and cells by VTK's own means. About a minute. */
 int RelievoBenchCapture(const std::string& outDir);
 
