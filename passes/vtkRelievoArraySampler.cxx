@@ -21,6 +21,13 @@ const void* GetData(const vtkRelievoDrawTable::Hit& hit)
 {
   return hit.Mesh ? static_cast<const void*>(hit.Mesh) : hit.Points;
 }
+
+// An array with a value for everyone, else nullptr.
+vtkDataArray* GetArray(vtkDataSetAttributes* attributes, const std::string& name, vtkIdType count)
+{
+  vtkDataArray* array = attributes->GetArray(name.c_str());
+  return array && array->GetNumberOfTuples() >= count ? array : nullptr;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -43,18 +50,17 @@ vtkRelievoArraySampler::vtkRelievoArraySampler(
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoArraySampler::Source vtkRelievoArraySampler::Find(
-  vtkDataSetAttributes* points, vtkDataSetAttributes* cells) const
+vtkRelievoArraySampler::Source vtkRelievoArraySampler::Find(vtkDataSet* data, bool cells) const
 {
   Source source;
-  if (this->AllowPoints && points)
+  if (this->AllowPoints)
   {
-    source.Array = points->GetArray(this->Name.c_str());
+    source.Array = GetArray(data->GetPointData(), this->Name, data->GetNumberOfPoints());
     source.OfPoints = source.Array != nullptr;
   }
   if (!source.Array && this->AllowCells && cells)
   {
-    source.Array = cells->GetArray(this->Name.c_str());
+    source.Array = GetArray(data->GetCellData(), this->Name, data->GetNumberOfCells());
   }
   return source;
 }
@@ -69,11 +75,11 @@ int vtkRelievoArraySampler::Prepare(int& components, std::string& wrong)
     Source source;
     if (hit.Mesh)
     {
-      source = this->Find(hit.Mesh->GetPointData(), hit.Mesh->GetCellData());
+      source = this->Find(hit.Mesh, true);
     }
     else if (hit.Points)
     {
-      source = this->Find(hit.Points->GetPointData(), nullptr);
+      source = this->Find(hit.Points, false);
     }
     if (!source.Array)
     {

@@ -19,7 +19,7 @@
 #include <utility>
 
 class vtkDataArray;
-class vtkDataSetAttributes;
+class vtkDataSet;
 
 class vtkRelievoArraySampler
 {
@@ -57,7 +57,7 @@ private:
   // A mesh may be drawn by several actors.
   using Key = std::pair<const void*, const void*>;
 
-  Source Find(vtkDataSetAttributes* points, vtkDataSetAttributes* cells) const;
+  Source Find(vtkDataSet* data, bool cells) const;
   void SampleInCell(const Place& place, int x, int y, double* values) const;
 
   std::string Name;

@@ -99,45 +99,45 @@ std::uint32_t vtkRelievoDrawTable::Add(
   {
     draw.ModelToWorld[i % 4][i / 4] = matrix->GetElement(i / 4, i % 4);
   }
+  if (primitiveSource == vtkRelievoGBufferSplice::PrimitiveOfMesh)
+  {
+    AddRanges(draw, mapper);
+  }
+  else if (primitiveSource == vtkRelievoGBufferSplice::PointOfMesh)
+  {
+    draw.Points = mapper->CurrentInput;
+  }
   this->Draws.push_back(draw);
   return first;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoDrawTable::ResolveRanges(Draw& draw)
+void vtkRelievoDrawTable::AddRanges(Draw& draw, vtkOpenGLPolyDataMapper* mapper)
 {
-  draw.Ranges.clear();
-  vtkOpenGLPolyDataMapper* mapper = draw.Mapper;
-  if (!mapper || !draw.Actor || draw.PrimitiveSource != vtkRelievoGBufferSplice::PrimitiveOfMesh)
-  {
-    return;
-  }
   const int representation = draw.Actor->GetProperty()->GetRepresentation();
-  auto update = [representation](vtkOpenGLCellToVTKCellMap* map, vtkPolyData* mesh) {
+  auto add = [&](int block, vtkPolyData* mesh, vtkOpenGLCellToVTKCellMap* map) {
     vtkCellArray* cells[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
       mesh->GetStrips() };
+    // Before VTK takes its offsets from it: until it is asked, the map also counts triangles without
+    // area, which are not drawn.
     map->Update(cells, representation, mesh->GetPoints());
+    draw.Ranges.push_back(Range{ map->GetPrimitiveOffsets()[0], block, mesh, map });
   };
 #ifdef RELIEVO_COMPOSITE_HELPER
   if (auto* helper = vtkCompositeMapperHelper2::SafeDownCast(mapper))
   {
     for (const auto& block : vtkRelievoAccess::CompositeHelper::Blocks(helper))
     {
-      vtkOpenGLCellToVTKCellMap* map = block.second->CellCellMap;
-      update(map, block.first);
-      draw.Ranges.push_back(Range{ map->GetPrimitiveOffsets()[0],
-        static_cast<int>(block.second->FlatIndex), block.first, map });
+      add(static_cast<int>(block.second->FlatIndex), block.first, block.second->CellCellMap);
     }
     std::sort(draw.Ranges.begin(), draw.Ranges.end(),
-      [](const Range& a, const Range& b) { return a.First < b.First; });
+      [](const Range& x, const Range& y) { return x.First < y.First; });
     return;
   }
 #endif
-  if (vtkPolyData* mesh = mapper->CurrentInput)
+  if (mapper->CurrentInput)
   {
-    vtkOpenGLCellToVTKCellMap* map = vtkRelievoAccess::Mapper::CellMap(mapper);
-    update(map, mesh);
-    draw.Ranges.push_back(Range{ 0, 0, mesh, map });
+    add(0, mapper->CurrentInput, vtkRelievoAccess::Mapper::CellMap(mapper));
   }
 }
 
@@ -201,14 +201,6 @@ void vtkRelievoDrawTable::Resolve(vtkRenderer* renderer, const vtkRelievoView& v
     draw.Deformed = shaders &&
       (shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
         shaders->GetNumberOfShaderReplacements() > 0);
-    draw.Block = 0;
-    draw.Points = nullptr;
-    draw.Ids.clear();
-    if (draw.PrimitiveSource == vtkRelievoGBufferSplice::PointOfMesh && draw.Mapper)
-    {
-      draw.Points = draw.Mapper->CurrentInput;
-    }
-    ResolveRanges(draw);
   }
   this->ResolveGlyphs();
 }

@@ -8,6 +8,7 @@
 #define vtkRelievoDrawTable_h
 
 #include "vtkRelievoFormulas.h" // for GLM
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
@@ -69,8 +70,9 @@ private:
   {
     vtkIdType First; // first primitive of the block
     int Block;
-    vtkPolyData* Mesh;
-    vtkOpenGLCellToVTKCellMap* Map;
+    // Kept alive: the layers may be read after the scene has let go of them.
+    vtkSmartPointer<vtkPolyData> Mesh;
+    vtkSmartPointer<vtkOpenGLCellToVTKCellMap> Map;
   };
   struct Draw
   {
@@ -88,11 +90,11 @@ private:
     bool Deformed;
     std::vector<Range> Ranges; // by First
     int Block;                 // of Points
-    vtkDataSet* Points;
+    vtkSmartPointer<vtkDataSet> Points;
     std::vector<vtkIdType> Ids; // of Points, by instance of a glyph
   };
 
-  static void ResolveRanges(Draw& draw);
+  static void AddRanges(Draw& draw, vtkOpenGLPolyDataMapper* mapper);
   void ResolveGlyphs();
 
   std::vector<Draw> Draws;

@@ -378,6 +378,7 @@ void vtkRelievoGBufferPass::GetClippingRange(double range[2])
 void vtkRelievoGBufferPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Target.Release(window);
+  this->Internal->Draws.Clear();
   this->Internal->Valid = false;
   this->Superclass::ReleaseGraphicsResources(window);
 }
