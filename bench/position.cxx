@@ -333,9 +333,9 @@ int RelievoBenchPosition(const std::string& outDir)
     }
   }
   const std::vector<relievoTest::TimingPair> frames = TimeFrames(mesh);
-  Table table({ "kept per pixel", "bytes", "from", "projection", "scene at", "pixels",
-    "left out on edges", "error px median", "p99", "max", "max of the format alone",
-    "times a plain frame", "+-", "frame measured with", "load" });
+  Table table({ "format", "bytes", "from", "projection", "scene at", "pixels", "left out on edges",
+    "error px median", "p99", "max", "max of the format alone", "times a plain frame", "+-",
+    "frame measured with", "load" });
   for (std::size_t m = 0; m < std::size(Methods); ++m)
   {
     const Method& method = Methods[m];

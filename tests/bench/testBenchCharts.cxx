@@ -15,6 +15,7 @@
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -130,6 +131,65 @@ void TestFiles()
   RELIEVO_CHECK(!WriteChart(SmallChart(), relievoTest::OutputFolder() + "/no-such-folder/small"));
 }
 
+// The value of an attribute of the n-th element that begins so.
+double Attribute(const std::string& svg, const std::string& element, int n, const std::string& name)
+{
+  std::size_t at = svg.find(element);
+  for (; n > 0 && at != std::string::npos; --n)
+  {
+    at = svg.find(element, at + 1);
+  }
+  const std::size_t value = at == std::string::npos ? at : svg.find(" " + name + "=\"", at);
+  return value == std::string::npos ? 0. : std::atof(svg.c_str() + value + name.size() + 3);
+}
+
+void TestBars()
+{
+  Chart chart;
+  chart.X.Ticks = { { 1., "here" }, { 2., "there" } };
+  for (double value : { 1., 2. })
+  {
+    ChartSeries series;
+    series.Name = "bars";
+    series.X = { 1., 2. };
+    series.Y = { value, 2. * value };
+    series.Bars = true;
+    chart.Series.push_back(series);
+  }
+  RELIEVO_CHECK(HasBars(chart) && !HasBars(SmallChart()));
+  RELIEVO_CHECK(FitY(chart).Low == 0. && FitX(chart).Low < 0.5 && FitX(chart).High > 2.5);
+  const std::string svg = SvgOf(chart);
+  const std::string first = "<rect fill=\"#0072b2\"";
+  const std::string second = "<rect fill=\"#d55e00\"";
+  RELIEVO_CHECK(Count(svg, first) == 2 && Count(svg, second) == 3); // and a square in the legend
+  const double one = Attribute(svg, first, 0, "height");
+  RELIEVO_CHECK_NEAR(Attribute(svg, first, 1, "height"), 2. * one, 0.02, "bar of 2");
+  RELIEVO_CHECK_NEAR(Attribute(svg, second, 1, "height"), 4. * one, 0.04, "bar of 4");
+  const double right = Attribute(svg, first, 0, "x") + Attribute(svg, first, 0, "width");
+  RELIEVO_CHECK_NEAR(Attribute(svg, second, 0, "x"), right, 0.02, "bars side by side");
+
+  // The picture: the second colour's bars are twice as high.
+  const std::string stem = relievoTest::OutputFolder() + "/bars";
+  RELIEVO_CHECK(WriteChart(chart, stem));
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName((stem + ".png").c_str());
+  reader->Update();
+  const int* size = reader->GetOutput()->GetDimensions();
+  double inColor[2] = { 0., 0. };
+  for (int i = 0; i < size[0] * size[1]; ++i)
+  {
+    const unsigned char* pixel =
+      static_cast<unsigned char*>(reader->GetOutput()->GetScalarPointer()) + 3 * i;
+    for (int k = 0; k < 2; ++k)
+    {
+      const ChartStyle style = StyleOf(k);
+      inColor[k] += std::equal(style.Color, style.Color + 3, pixel) ? 1. : 0.;
+    }
+  }
+  RELIEVO_CHECK(inColor[0] > 10000.);
+  RELIEVO_CHECK_NEAR(inColor[1] / inColor[0], 2., 0.1, "pixels of the bars");
+}
+
 void TestNames()
 {
   RELIEVO_CHECK(RelievoBench("no such bench", relievoTest::OutputFolder()) == 2);
@@ -147,6 +207,7 @@ int main()
   TestScales();
   TestSvg();
   TestFiles();
+  TestBars();
   TestNames();
   text.Release();
   return session.Result();

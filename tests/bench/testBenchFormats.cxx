@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Runs one of the benches of formats and checks its CSV against what the formats must reach.
-//   testBenchFormats normals|depth
+//   testBenchFormats normals|depth|position
 #include "Check.h"
 #include "RelievoBench.h"
 #include "Session.h"
@@ -10,6 +10,7 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -119,6 +120,32 @@ void CheckDepth(const std::vector<Row>& rows)
   Check(rows, "window z, 32F", 5, { { largest, 0.032 }, { "neighbours swapped", 0. } });
   Check(rows, "RGBA8 alpha, linear", 5, { { largest, 1. }, { "neighbours swapped", 0. } });
 }
+
+// Errors in pixels: perspective and parallel, at the origin and far from it.
+void CheckPosition(const std::vector<Row>& rows)
+{
+  Check(rows, "depth R32F + id, refined", 4, { { "max", 0.01 } });
+  for (const char* format : { "depth R32F", "reversed z, 32F", "window z, 24 bits",
+         "window z, 32F *", "eye space RGBA32F *" })
+  {
+    Check(rows, format, 4, { { "p99", 0.01 }, { "max of the format alone", 0.01 } });
+  }
+  Check(rows, "depth R16F", 4, { { "max", 2. } });
+  for (const Row& row : rows)
+  {
+    const bool far = row.at("scene at") != "origin";
+    const double worst = Value(row, "max");
+    if (row.at("format") == "world RGBA32F *")
+    {
+      RELIEVO_CHECK(far ? worst > 10. && worst < 100. : worst < 0.01);
+    }
+    else if (row.at("format") == "world RGBA16F *")
+    {
+      RELIEVO_CHECK(far ? std::isinf(worst) : worst < 1.);
+    }
+    RELIEVO_CHECK(Value(row, "pixels") > 100000. && Value(row, "left out on edges") < 5000.);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -135,12 +162,16 @@ int main(int argc, char* argv[])
   {
     CheckNormals(rows);
   }
+  else if (name == "position")
+  {
+    CheckPosition(rows);
+  }
   else
   {
     CheckDepth(rows);
   }
-  for (const std::string chart :
-    { "normals-bits", "normals-bits-mean", "normals-time", "depth-bytes", "depth-ratio" })
+  for (const std::string chart : { "normals-bits", "normals-bits-mean", "normals-time",
+         "depth-bytes", "depth-ratio", "position-bytes", "position-time" })
   {
     const bool own = chart.compare(0, name.size(), name) == 0;
     for (const char* kind : { ".png", ".svg" })
