@@ -280,7 +280,9 @@ void vtkRelievoLayerSource::AddCamera(vtkImageData* image)
   this->Renderer->GetActiveCamera()->GetFocalPoint(origin);
   for (double& value : origin)
   {
-    value = static_cast<float>(value);
+    // Volatile: GCC 12 leaves the rounding out where two doubles go to float and back side by side.
+    const volatile float rounded = static_cast<float>(value);
+    value = rounded;
   }
   AddDoubles(image, "relievo:origin", origin, 3);
 

@@ -85,6 +85,15 @@ class Layers(unittest.TestCase):
         scenes.add(self.renderer, vtkSphereSource())
         self.renderer.ResetCamera()
 
+    def test_origin_is_the_focal_point_in_float(self):
+        self.renderer.GetActiveCamera().SetFocalPoint(0.1, 0.2, 0.3)
+        image = relievo.capture(self.renderer, ["depth"], size=(64, 48))
+        origin = image.GetFieldData().GetArray("relievo:origin")
+        self.assertEqual(
+            [origin.GetValue(i) for i in range(3)],
+            [float(numpy.float32(v)) for v in (0.1, 0.2, 0.3)],
+        )
+
     def test_background_and_types(self):
         names = ["depth", "range", "normal", "geometric_normal", "position", "albedo", "color",
                  "actor", "block", "cell", "Normals"]  # fmt: skip
