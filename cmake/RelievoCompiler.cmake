@@ -8,6 +8,9 @@ if (RELIEVO_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
     "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" "${RELIEVO_CCACHE}")
 endif ()
 
+# What an interpreter that is not instrumented needs in its environment to load what is. Python
+# itself keeps what it allocates: leaks are the business of the C++ tests.
+set(relievo_sanitizer_environment)
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wshadow;-Wnon-virtual-dtor>")
   if (RELIEVO_WARNINGS_AS_ERRORS)
@@ -16,5 +19,14 @@ if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   if (RELIEVO_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
+    set(relievo_preload)
+    # The C++ library as well: the sanitizer looks there for what it intercepts, when it starts.
+    foreach (name IN ITEMS libasan.so libstdc++.so)
+      execute_process(COMMAND "${CMAKE_CXX_COMPILER}" "-print-file-name=${name}"
+        OUTPUT_VARIABLE path OUTPUT_STRIP_TRAILING_WHITESPACE)
+      list(APPEND relievo_preload "${path}")
+    endforeach ()
+    list(JOIN relievo_preload ":" relievo_preload)
+    set(relievo_sanitizer_environment "LD_PRELOAD=${relievo_preload}" "ASAN_OPTIONS=detect_leaks=0")
   endif ()
 endif ()

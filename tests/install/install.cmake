@@ -44,7 +44,7 @@ endif ()
 
 file(READ "${here}/build/pythonpath" pythonpath)
 run("an outside script" "${CMAKE_COMMAND}" -E env
-  "PYTHONPATH=${pythonpath}:${VTK_PYTHONPATH}"
+  "PYTHONPATH=${pythonpath}:${VTK_PYTHONPATH}" ${PYTHON_ENVIRONMENT}
   "${PYTHON}" "${OUTSIDE}/outside.py" "${here}/script.exr" "${here}/prefix")
 message(STATUS "${output}")
 
