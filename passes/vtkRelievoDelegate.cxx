@@ -5,8 +5,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkRelievoAccess.h"
-#include "vtkRenderPass.h"
 #include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
 
 vtkStandardNewMacro(vtkRelievoOpaqueMarker);
 
@@ -26,11 +26,29 @@ int vtkRelievoDelegate::Render(vtkRenderPass* pass, const vtkRenderState* s,
     props = this->Props.data();
     count = static_cast<int>(this->Props.size());
   }
+  if (!pass && s->GetFrameBuffer())
+  {
+    if (!this->Steps)
+    {
+      this->Steps = vtkSmartPointer<vtkRenderStepsPass>::New();
+    }
+    pass = this->Steps;
+  }
   const int drawn = pass ? RenderPass(pass, s, props, count) : RenderOwnSteps(s, props, count);
   this->Props.clear();
   this->Begin->Reached = nullptr;
   this->End->Reached = nullptr;
   return drawn;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDelegate::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->Steps)
+  {
+    this->Steps->ReleaseGraphicsResources(window);
+    this->Steps = nullptr;
+  }
 }
 
 //------------------------------------------------------------------------------

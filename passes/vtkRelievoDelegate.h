@@ -8,26 +8,32 @@
 
 #include "vtkNew.h"
 #include "vtkRelievoOpaqueMarker.h"
+#include "vtkRenderPass.h"
+#include "vtkSmartPointer.h"
 
 #include <functional>
 #include <vector>
 
-class vtkRenderPass;
 class vtkRenderState;
+class vtkWindow;
 
 class vtkRelievoDelegate
 {
 public:
-  // Without a pass the renderer's own steps. Returns the number of props drawn. Begin and end are
-  // called as often as the delegate draws opaque geometry; empty ones cost nothing.
+  // Without a pass the renderer's own steps; into a framebuffer of an outer pass, which those know
+  // nothing of, the same steps as a pass. Returns the number of props drawn. Begin and end are called
+  // as often as the delegate draws opaque geometry; empty ones cost nothing.
   int Render(vtkRenderPass* pass, const vtkRenderState* s, const std::function<void()>& begin,
     const std::function<void()>& end);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   static int RenderPass(
     vtkRenderPass* pass, const vtkRenderState* s, vtkProp** props, int numberOfProps);
   static int RenderOwnSteps(const vtkRenderState* s, vtkProp** props, int numberOfProps);
 
+  vtkSmartPointer<vtkRenderPass> Steps;
   vtkNew<vtkRelievoOpaqueMarker> Begin;
   vtkNew<vtkRelievoOpaqueMarker> End;
   std::vector<vtkProp*> Props; // of the frame, between the markers

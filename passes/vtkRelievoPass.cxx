@@ -378,6 +378,7 @@ void vtkRelievoPass::ReleaseStages(vtkWindow* window)
 void vtkRelievoPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->ReleaseStages(window);
+  this->Internal->Picture.ReleaseGraphicsResources(window);
   if (this->Internal->Delegate)
   {
     this->Internal->Delegate->ReleaseGraphicsResources(window);
