@@ -14,6 +14,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -160,6 +161,26 @@ long long CountDifferent(const Layers& a, const Layers& b, const std::string& na
     count += same ? 0 : 1;
   }
   return count;
+}
+
+//------------------------------------------------------------------------------
+double LargestDifference(const Layers& a, const Layers& b, const std::string& name)
+{
+  vtkDataArray* first = a.Image->GetPointData()->GetArray(name.c_str());
+  vtkDataArray* second = b.Image->GetPointData()->GetArray(name.c_str());
+  double largest = CountDifferent(a, b, name) < 0 ? 1e300 : 0.;
+  for (vtkIdType i = 0; largest < 1e300 && i < first->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < first->GetNumberOfComponents(); ++c)
+    {
+      const double u = first->GetComponent(i, c);
+      const double v = second->GetComponent(i, c);
+      const bool same = u == v || (std::isnan(u) && std::isnan(v));
+      const double off = std::abs(u - v);
+      largest = std::max(largest, same ? 0. : std::isfinite(off) ? off : 1e300);
+    }
+  }
+  return largest;
 }
 
 //------------------------------------------------------------------------------
