@@ -23,8 +23,8 @@ bool IsDegenerate(vtkPolyData* mesh, vtkIdType a, vtkIdType b, vtkIdType c)
   return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
 }
 
-// Places of the corners of primitive k of a cell, as VTK's mappers cut cells: polygons into fans, of
-// which triangles with two equal corners are not drawn. Returns their number.
+// Places of the corners of primitive k of a cell, as VTK's mappers cut cells: polygons into fans,
+// of which triangles with two equal corners are not drawn. Returns their number.
 int GetCorners(
   const vtkRelievoDrawTable::Hit& hit, const vtkRelievoCell& cell, vtkIdType corners[3])
 {

@@ -108,9 +108,9 @@ vtkRelievoDepthRefiner::Triangle vtkRelievoDepthRefiner::GetTriangle(
 vtkRelievoDepthRefiner::Weights vtkRelievoDepthRefiner::GetWeights(
   const Triangle& triangle, int x, int y) const
 {
-  // The point of the triangle that is drawn at ndc is the mean of its corners with weights for which
-  // the mean of the clip coordinates is a multiple of (ndc, 1). With the origin moved to ndc that is
-  // the areas that the corners' x and y span; moving first keeps small triangles' digits.
+  // The point of the triangle that is drawn at ndc is the mean of its corners with weights for
+  // which the mean of the clip coordinates is a multiple of (ndc, 1). With the origin moved to ndc
+  // that is the areas that the corners' x and y span; moving first keeps small triangles' digits.
   const glm::dvec2 size(this->View.Viewport[2], this->View.Viewport[3]);
   const glm::dvec2 ndc = relievo::f64::relievoNdcFromPixel(glm::dvec2(x, y), size);
   glm::dvec2 p[3];

@@ -3,10 +3,10 @@
 //
 // The depth at the pixels' centres from the mesh in double: the id word says which triangle. A
 // rasteriser has two errors that this takes away: it interpolates in float, which on a triangle on
-// edge is off by a thousandth; and it rounds corners to parts of a pixel (1/256, as a rule), so that
-// a pixel near an edge may be given to the neighbour and extrapolate from there. The triangle that
-// truly holds the centre is looked for among those of the neighbouring pixels, then, for slivers that
-// no pixel shows, among those that share a point with the triangle shown.
+// edge is off by a thousandth; and it rounds corners to parts of a pixel (1/256, as a rule), so
+// that a pixel near an edge may be given to the neighbour and extrapolate from there. The triangle
+// that truly holds the centre is looked for among those of the neighbouring pixels, then, for
+// slivers that no pixel shows, among those that share a point with the triangle shown.
 #ifndef vtkRelievoDepthRefiner_h
 #define vtkRelievoDepthRefiner_h
 

@@ -118,8 +118,8 @@ void vtkRelievoDrawTable::AddRanges(Draw& draw, vtkOpenGLPolyDataMapper* mapper)
   auto add = [&](int block, vtkPolyData* mesh, vtkOpenGLCellToVTKCellMap* map) {
     vtkCellArray* cells[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
       mesh->GetStrips() };
-    // Before VTK takes its offsets from it: until it is asked, the map also counts triangles without
-    // area, which are not drawn.
+    // Before VTK takes its offsets from it: until it is asked, the map also counts triangles
+    // without area, which are not drawn.
     map->Update(cells, representation, mesh->GetPoints());
     draw.Ranges.push_back(Range{ map->GetPrimitiveOffsets()[0], block, mesh, map });
   };

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The draw calls of a frame that wrote layers, and what a pixel's id word means: actor, block, cell,
-// and the mesh with its data. The word counts the primitives of the frame through: a draw's first
-// one has the number after the last one of the draw before.
+// The draw calls of a frame that wrote layers, and what a pixel's id word means: actor, block,
+// cell, and the mesh with its data. The word counts the primitives of the frame through: a draw's
+// first one has the number after the last one of the draw before.
 #ifndef vtkRelievoDrawTable_h
 #define vtkRelievoDrawTable_h
 

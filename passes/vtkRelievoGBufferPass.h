@@ -6,8 +6,8 @@
  *
  * The layers are written while the delegate draws its opaque geometry, into more attachments of the
  * framebuffer that it draws to; where that cannot be (a multisampled framebuffer, a delegate that
- * uses the attachments itself, far/near beyond 1e4, props that write no layers) in a geometry pass of its own,
- * without light. The frame report says which.
+ * uses the attachments itself, far/near beyond 1e4, props that write no layers) in a geometry pass
+ * of its own, without light. The frame report says which.
  *
  * Every value belongs to the pixel's centre. Surfaces, lines and points of vtkPolyDataMapper,
  * composite mappers and vtkGlyph3DMapper, sphere and stick impostors are written; translucent
@@ -119,8 +119,8 @@ public:
   ///@{
   /**
    * Whether depth, range and position are refined when they are read: where a triangle of a mesh is
-   * seen, the depth is taken from its corners in double, free of the rasteriser's rounding. Costs the
-   * id word. Default on; DEPTH_32F on its own only, and not for actors with shader code of their own.
+   * seen, the depth is taken from its corners in double, free of the rasteriser's rounding. Costs
+   * the id word. Default on; DEPTH_32F only, and not for actors with shader code of their own.
    */
   vtkSetMacro(RefineDepth, bool);
   vtkGetMacro(RefineDepth, bool);

@@ -11,9 +11,9 @@
  * layer: depth, range float, world units, +infinity where nothing is; normal, geometric_normal 3
  * float, unit, zero where nothing is; position 3 double, world; albedo 4 unsigned char; color 4
  * float, scene-linear, premultiplied; actor, block, cell int, -1 where nothing is; arrays float or
- * double, NaN where nothing is. actor is the place in vtkRenderer::GetActors(), block the flat index
- * in a composite dataset (0 in others), cell the cell of the drawn vtkPolyData, or the input point of
- * a glyph.
+ * double, NaN where nothing is. actor is the place in vtkRenderer::GetActors(), block the flat
+ * index in a composite dataset (0 in others), cell the cell of the drawn vtkPolyData, or the input
+ * point of a glyph.
  *
  * Field data: worldToCamera and worldToNDC (16 double, rows first, as vtkMatrix4x4), near, far,
  * relievo:origin (3 double: the camera's focal point, rounded to float), lights (one JSON string

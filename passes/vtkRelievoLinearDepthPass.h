@@ -31,14 +31,20 @@ public:
   ///@}
 
   ///@{
-  /** Whether depths from the near to the far plane are shown as 0 to 1. Default on; off shows world units. */
+  /**
+   * Whether depths from the near to the far plane are shown as 0 to 1. Default on; off shows world
+   * units.
+   */
   vtkSetMacro(Normalized, bool);
   vtkGetMacro(Normalized, bool);
   vtkBooleanMacro(Normalized, bool);
   ///@}
 
   ///@{
-  /** Depths, in world units, shown as 0 and 1 when Normalized is off. Default (0, 1): the depth itself. */
+  /**
+   * Depths, in world units, shown as 0 and 1 when Normalized is off. Default (0, 1): the depth
+   * itself.
+   */
   vtkSetVector2Macro(Range, double);
   vtkGetVector2Macro(Range, double);
   ///@}

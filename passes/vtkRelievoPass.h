@@ -91,7 +91,10 @@ public:
   ///@}
 
   ///@{
-  /** Shows scalar layers as grey (or raw values in a float framebuffer), not in colours. Default off. */
+  /**
+   * Shows scalar layers as grey (or raw values in a float framebuffer), not in colours. Default
+   * off.
+   */
   vtkSetMacro(DisplayGrey, bool);
   vtkGetMacro(DisplayGrey, bool);
   vtkBooleanMacro(DisplayGrey, bool);
@@ -108,8 +111,8 @@ public:
   /**
    * Reads layers of the last frame into the image as point arrays of the layers' names; row 0 is
    * the bottom row. The image's dimensions are set if it has no points. Returns false, with an
-   * error, at the first layer that the last frame did not make. Several at once are read faster than
-   * one by one: they share what comes from the GPU.
+   * error, at the first layer that the last frame did not make. Several at once are read faster
+   * than one by one: they share what comes from the GPU.
    */
   bool ReadLayer(const std::string& name, vtkImageData* image);
   bool ReadLayers(const std::vector<std::string>& names, vtkImageData* image);
@@ -117,8 +120,8 @@ public:
 
   /**
    * What the last frames did, as JSON: for every stage its name, whether it ran, the reason in
-   * words, GPU milliseconds (of the newest frame whose timers have arrived; null before), bytes held,
-   * draw calls; and the totals.
+   * words, GPU milliseconds (of the newest frame whose timers have arrived; null before), bytes
+   * held, draw calls; and the totals.
    */
   std::string GetFrameReport();
 

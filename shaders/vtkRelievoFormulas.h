@@ -5,8 +5,8 @@
  * @brief The formulas of shaders/formulas/ as C++, through GLM: the same lines that the GPU runs.
  *
  * relievo::f32 computes in float, as the shaders do; relievo::f64 computes in double: `float`,
- * vec2, mat4 ... stand for double, dvec2, dmat4 ... there. Words (`uint`, uvec2 ...) have 32 bits in
- * both, and a number that is stored as float or half is rounded to it in both. Everything has
+ * vec2, mat4 ... stand for double, dvec2, dmat4 ... there. Words (`uint`, uvec2 ...) have 32 bits
+ * in both, and a number that is stored as float or half is rounded to it in both. Everything has
  * internal linkage.
  */
 #ifndef vtkRelievoFormulas_h

@@ -28,12 +28,15 @@ public:
   /** Path of source i, in [0, GetNumberOfSources()); nullptr outside. */
   static const char* GetName(int i);
 
-  /** The source with its includes resolved; empty, with an error, if the name or an include is not known. */
+  /**
+   * The source with its includes resolved; empty, with an error, if the name or an include is not
+   * known.
+   */
   static std::string Get(const std::string& name);
 
   /**
-   * The part of a source from its line `//RELIEVO::Section(section)` to the next such line, with its
-   * includes resolved; empty, with an error, if the source or the section is not known.
+   * The part of a source from its line `//RELIEVO::Section(section)` to the next such line, with
+   * its includes resolved; empty, with an error, if the source or the section is not known.
    */
   static std::string GetSection(const std::string& name, const std::string& section);
 

@@ -112,8 +112,8 @@ LayerErrors CompareLayers(vtkImageData* layers, const EmbreeScene& scene, vtkRen
         const Ray next = view.PixelRay(x + 1.5, y + 0.5);
         const double span = glm::length(next.At(pixel.Depth) - ray.At(pixel.Depth));
         const double off = glm::length(Vector(position, i) - pixel.Position) / span;
-        errors.PositionMax = std::max(
-          { errors.PositionMax, glm::length(at - glm::dvec2(x + 0.5, y + 0.5)), off });
+        errors.PositionMax =
+          std::max({ errors.PositionMax, glm::length(at - glm::dvec2(x + 0.5, y + 0.5)), off });
       }
       errors.WrongActors += actor && static_cast<int>(actor->GetComponent(i, 0)) != pixel.Actor;
       const bool inside = pixel.EdgeDistance > 0.01;
@@ -144,7 +144,8 @@ LayerErrors CompareLayers(vtkImageData* layers, const EmbreeScene& scene, vtkRen
       }
     }
   }
-  errors.Coverage = static_cast<double>(uncovered) / (static_cast<double>(truth.Width) * truth.Height);
+  errors.Coverage =
+    static_cast<double>(uncovered) / (static_cast<double>(truth.Width) * truth.Height);
   errors.DepthMax = relative.empty() ? 0. : *std::max_element(relative.begin(), relative.end());
   errors.DepthMedian = Quantile(relative, 0.5);
   errors.DepthP99 = Quantile(relative, 0.99);
@@ -156,11 +157,11 @@ std::string LayerErrors::ToString() const
 {
   std::ostringstream out;
   out << this->Compared << " pixels; coverage differs in " << 100. * this->Coverage
-      << " %; on slivers " << this->OnSlivers << "; depth median " << this->DepthMedian << " p99 " << this->DepthP99 << " max "
-      << this->DepthMax << "; range max " << this->RangeMax << "; face normal max "
-      << this->FaceNormalMax << " deg; normal max " << this->NormalMax << " deg; position max "
-      << this->PositionMax << " px; wrong actors " << this->WrongActors << ", cells "
-      << this->WrongCells;
+      << " %; on slivers " << this->OnSlivers << "; depth median " << this->DepthMedian << " p99 "
+      << this->DepthP99 << " max " << this->DepthMax << "; range max " << this->RangeMax
+      << "; face normal max " << this->FaceNormalMax << " deg; normal max " << this->NormalMax
+      << " deg; position max " << this->PositionMax << " px; wrong actors " << this->WrongActors
+      << ", cells " << this->WrongCells;
   return out.str();
 }
 }

@@ -24,7 +24,9 @@ class EmbreeScene;
 /** Errors of the layers that the image has; layers it has not leave theirs at 0. */
 struct LayerErrors
 {
-  /** Pixels that either side shows, and the share of all where one shows what the other does not. */
+  /**
+   * Pixels that either side shows, and the share of all where one shows what the other does not.
+   */
   long long Compared = 0;
   double Coverage = 0.;
   /** Inner pixels left out: their triangle is narrower than 1/64 pixel. */
@@ -48,7 +50,9 @@ struct LayerErrors
   std::string ToString() const;
 };
 
-/** Captures layers of a renderer in a window by vtkRelievoLayerSource; fails the test if it cannot. */
+/**
+ * Captures layers of a renderer in a window by vtkRelievoLayerSource; fails the test if it cannot.
+ */
 vtkSmartPointer<vtkImageData> CaptureLayers(
   vtkRenderer* renderer, const std::vector<std::string>& layers);
 

@@ -277,8 +277,9 @@ void TestStickMapper(bool parallel)
     TraceRods(View(stage.Renderer), rods), 0.2, { 2e-4, 0.1, 0.02 }, true);
 }
 
-// Sprites and tubes are balls and rods in parallel projection (where VTK's own depth buffer has them
-// stand out twice as far as they do). In perspective they are what VTK makes of them: its depth buffer.
+// Sprites and tubes are balls and rods in parallel projection (where VTK's own depth buffer has
+// them stand out twice as far as they do). In perspective they are what VTK makes of them: its
+// depth buffer.
 void CheckAgainstDepthBuffer(const std::string& what, const Stage& stage)
 {
   const Layers layers(stage.Renderer, { "depth" }, Way::Shared);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Broken data: NaN and infinite points, triangles without area, normals of length zero or NaN, arrays of
-// NaN and infinities. What is whole beside it comes out as without it, and OpenGL has no complaint.
+// Broken data: NaN and infinite points, triangles without area, normals of length zero or NaN,
+// arrays of NaN and infinities. What is whole beside it comes out as without it, and OpenGL has no
+// complaint.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Attach, ask, show, release, resize, detach: the picture is VTK's own whenever no layer is shown, bit
-// for bit, whatever draws it; GPU memory stays where it is; the user's pass comes back.
+// Attach, ask, show, release, resize, detach: the picture is VTK's own whenever no layer is shown,
+// bit for bit, whatever draws it; GPU memory stays where it is; the user's pass comes back.
 #include "Check.h"
 #include "GLCheck.h"
 #include "ImageCompare.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Layers of unusual views: off-centre windows, several viewports, resized, tiny, empty and huge windows,
-// two windows with one pass, a camera inside, up along the view, release and render again.
+// Layers of unusual views: off-centre windows, several viewports, resized, tiny, empty and huge
+// windows, two windows with one pass, a camera inside, up along the view, release and render again.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"
