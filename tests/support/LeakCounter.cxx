@@ -109,7 +109,9 @@ LeakCounter::LeakCounter()
 std::string LeakCounter::Leaks() const
 {
   // Kept by VTK until the process ends, however the work went.
-  static const char* const singletons[] = { "vtkOutputWindow" };
+  // The text renderer keeps the properties of the texts that it drew last.
+  static const char* const singletons[] = { "vtkFreeTypeTools", "vtkMathTextFreeTypeTextRenderer",
+    "vtkOutputWindow", "vtkTextProperty" };
   std::ostringstream text;
   for (const auto& entry : LiveObjects())
   {
