@@ -4,10 +4,10 @@
 // Chart 3: how far from the surface the position of a pixel is, by what is kept in the G-buffer for
 // it, against its bytes and the time of the frame that writes it.
 //
-// Truth is Embree on the same triangles, for the pixels whose verdict is sure. What the passes offer
-// is drawn and captured. What they do not offer is computed: the depth that the GPU wrote in 32-bit
-// float, rounded on as such a texture rounds. The error of each format alone is that of the truth
-// rounded so.
+// Truth is Embree on the same triangles, for the pixels whose verdict is sure. What the passes
+// offer is drawn and captured. What they do not offer is computed: the depth that the GPU wrote in
+// 32-bit float, rounded on as such a texture rounds. The error of each format alone is that of the
+// truth rounded so.
 #include "RelievoBench.h"
 
 #include "Chart.h"

@@ -21,8 +21,8 @@ class vtkRelievoDelegate
 {
 public:
   // Without a pass the renderer's own steps; into a framebuffer of an outer pass, which those know
-  // nothing of, the same steps as a pass. Returns the number of props drawn. Begin and end are called
-  // as often as the delegate draws opaque geometry; empty ones cost nothing.
+  // nothing of, the same steps as a pass. Returns the number of props drawn. Begin and end are
+  // called as often as the delegate draws opaque geometry; empty ones cost nothing.
   int Render(vtkRenderPass* pass, const vtkRenderState* s, const std::function<void()>& begin,
     const std::function<void()>& end);
 
