@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Props that write no layers: volumes, translucent actors, axes, texts, images, skyboxes, backgrounds.
-// The picture with them stays as it is, bit for bit, and the layers stay as they are without them.
+// Props that write no layers: volumes, translucent actors, axes, texts, images, skyboxes,
+// backgrounds. The picture with them stays as it is, bit for bit, and the layers stay as they are
+// without them.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The words behind the layers: every format holds the bytes that it says and leaves the background
-// exact for all layers, also with a far plane 1e7 times as far as the near one; and what AUTO takes.
+// exact for all layers, also with a far plane 1e7 times as far as the near one; and what AUTO
+// takes.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"

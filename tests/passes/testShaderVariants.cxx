@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every kind of shader that VTK's mappers build takes the layers in: all mappers, representations and
-// materials, beside each other, for every number of attachments, kind of light and way of drawing.
-// A shader that does not compile is a VTK error, and so a failure; an actor that is not seen, too.
+// Every kind of shader that VTK's mappers build takes the layers in: all mappers, representations
+// and materials, beside each other, for every number of attachments, kind of light and way of
+// drawing. A shader that does not compile is a VTK error, and so a failure; an actor that is not
+// seen, too.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"
