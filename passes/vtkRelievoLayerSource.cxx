@@ -13,6 +13,7 @@
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoPass.h"
@@ -21,9 +22,11 @@
 #include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
+#include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 vtkStandardNewMacro(vtkRelievoLayerSource);
@@ -61,6 +64,25 @@ std::string DescribeLight(vtkLight* light)
   out << ", \"intensity\": " << light->GetIntensity()
       << ", \"cone_angle\": " << light->GetConeAngle() << "}";
   return out.str();
+}
+
+// Pixels that a window's framebuffers may have each way.
+int GetSizeLimit(vtkRenderWindow* any)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(any);
+  if (!window)
+  {
+    return std::numeric_limits<int>::max();
+  }
+  if (window->GetNeverRendered())
+  {
+    // Only a context can tell, and making one at an impossible size may end the program.
+    const int size[2] = { window->GetSize()[0], window->GetSize()[1] };
+    window->SetSize(std::min(size[0], 1024), std::min(size[1], 1024));
+    window->Initialize();
+    window->SetSize(size[0], size[1]);
+  }
+  return vtkTextureObject::GetMaximumTextureSize(window);
 }
 }
 
@@ -210,6 +232,14 @@ bool vtkRelievoLayerSource::Draw(vtkRelievoPass* pass, bool color)
   {
     vtkErrorMacro("The renderer's viewport has " << size[0] << " x " << size[1]
                                                  << " pixels; give the window a size.");
+    return false;
+  }
+  const int limit = GetSizeLimit(window);
+  if (all[0] > limit || all[1] > limit)
+  {
+    vtkErrorMacro("The window has "
+      << all[0] << " x " << all[1] << " pixels, this OpenGL makes at most " << limit << " x "
+      << limit << ": make the window smaller, or capture it in tiles.");
     return false;
   }
   if (color)
