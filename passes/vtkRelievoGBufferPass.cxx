@@ -78,11 +78,14 @@ void vtkRelievoGBufferPass::SetLayers(
   {
     vtkRelievoLayerReader::AddChannels(layer, layout);
   }
+  // A depth that shares its texel with the normal is as it was written.
+  const bool together =
+    this->NormalDepthFormat != NORMAL_DEPTH_SEPARATE && layout.Normal && layout.Depth;
+  const bool refines = this->RefineDepth && this->DepthFormat == DEPTH_32F && !together;
   for (const std::string& layer : read)
   {
-    layout.Ids = layout.Ids ||
-      (this->RefineDepth && this->DepthFormat == DEPTH_32F &&
-        (layer == "depth" || layer == "range" || layer == "position"));
+    layout.Ids =
+      layout.Ids || (refines && (layer == "depth" || layer == "range" || layer == "position"));
   }
   layout.Arrange();
   if (layout != this->Internal->Layout)

@@ -120,7 +120,8 @@ public:
   /**
    * Whether depth, range and position are refined when they are read: where a triangle of a mesh is
    * seen, the depth is taken from its corners in double, free of the rasteriser's rounding. Costs
-   * the id word. Default on; DEPTH_32F only, and not for actors with shader code of their own.
+   * the id word. Default on; DEPTH_32F on its own only, and not for actors with shader code
+   * of their own.
    */
   vtkSetMacro(RefineDepth, bool);
   vtkGetMacro(RefineDepth, bool);
