@@ -69,7 +69,7 @@ public:
 /** Number of pixels at which a layer of the two differs in any component; NaN equals NaN. */
 long long CountDifferent(const Layers& a, const Layers& b, const std::string& name);
 
-/** Largest difference of a component of a layer; 1e300 where only one is finite, or on a failure. */
+/** Largest difference of a component of a layer; 1e300 where only one is finite, or on failure. */
 double LargestDifference(const Layers& a, const Layers& b, const std::string& name);
 
 /** Whether two pictures are the same in every byte; says where not. */

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Unusual windows and projections: multisampled, tiled, stereo, with renderers one over the other or
-// of the same actors, without area, larger than OpenGL; sheared, explicit and moved projections.
+// Unusual windows and projections: multisampled, tiled, stereo, with renderers one over the other
+// or of the same actors, without area, larger than OpenGL; sheared, explicit and moved projections.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"
@@ -267,8 +267,8 @@ void TestImpossibleSizes()
   vtkRelievoPass::Detach(flat);
 }
 
-// Whatever the projection: the position is at the depth that the view's matrix says, is drawn at its
-// pixel, and is on a facet of the ball.
+// Whatever the projection: the position is at the depth that the view's matrix says, is drawn at
+// its pixel, and is on a facet of the ball.
 void TestProjection(const char* what, const std::function<void(vtkCamera*)>& set)
 {
   for (const Way way : relievoTest::BothWays)
