@@ -192,7 +192,7 @@ double vtkRelievoDepthRefiner::GetAdjacentDepth(
   int x, int y, double depth, vtkRelievoMeshLinks& links) const
 {
   const vtkRelievoDrawTable::Hit hit = this->Draws.Find(this->GetWord(x, y));
-  vtkRelievoMeshLinks::Links& cells = links.Get(hit.Mesh);
+  const vtkRelievoMeshLinks::Links& cells = links.Get(hit.Mesh);
   vtkNew<vtkIdList> ownScratch;
   vtkNew<vtkIdList> scratch;
   const vtkRelievoCell own(hit.Mesh, hit.Cell, ownScratch);
@@ -200,18 +200,20 @@ double vtkRelievoDepthRefiner::GetAdjacentDepth(
   for (vtkIdType c = 0; c < own.Count; ++c)
   {
     const vtkIdType point = own.Points[c];
-    for (vtkIdType k = 0; k < cells.GetNumberOfCells(point); ++k)
+    for (vtkIdType k = cells.Offsets[point]; k < cells.Offsets[point + 1]; ++k)
     {
-      const vtkRelievoCell cell(hit.Mesh, cells.GetCells(point)[k], scratch);
+      const vtkRelievoCell cell(hit.Mesh, cells.Cells[k], scratch);
       // As VTK's mappers cut polygons: into fans.
+      const bool fans = cell.Kind == vtkRelievoCell::Polys;
       for (vtkIdType i = 2; i < cell.Count; ++i)
       {
         Triangle triangle;
-        const vtkIdType fan[3] = { cell.Points[0], cell.Points[i - 1], cell.Points[i] };
+        const vtkIdType corners[3] = { cell.Points[fans ? 0 : i - 2], cell.Points[i - 1],
+          cell.Points[i] };
         for (int j = 0; j < 3; ++j)
         {
           glm::dvec3 model;
-          hit.Mesh->GetPoint(fan[j], &model[0]);
+          hit.Mesh->GetPoint(corners[j], &model[0]);
           this->SetCorner(triangle, j, *hit.ModelToView, model);
         }
         bool inside = false;

@@ -1,25 +1,34 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which cells use a point, for the meshes that asked; kept while a mesh stays as it is.
+// Which polygons and strips use a point, for the meshes that asked; kept while a mesh stays as it
+// is. (VTK 9.1's and 9.2's vtkStaticCellLinksTemplate writes beyond its memory for vtkPolyData of
+// several kinds of cells.)
 #ifndef vtkRelievoMeshLinks_h
 #define vtkRelievoMeshLinks_h
 
-#include "vtkStaticCellLinksTemplate.h"
+#include "vtkType.h"
 #include "vtkWeakPointer.h"
 
 #include <map>
-#include <memory>
+#include <vector>
 
 class vtkPolyData;
 
 class vtkRelievoMeshLinks
 {
 public:
-  using Links = vtkStaticCellLinksTemplate<vtkIdType>;
+  // The cells of every point, one point's behind the other's.
+  struct Links
+  {
+    std::vector<vtkIdType> Offsets; // into Cells, one more than there are points
+    std::vector<vtkIdType> Cells;   // ids in the mesh
+
+    void Build(vtkPolyData* mesh);
+  };
 
   // Builds them if need be.
-  Links& Get(vtkPolyData* mesh);
+  const Links& Get(vtkPolyData* mesh);
 
   // Forgets meshes that are gone or have changed.
   void Prune();
@@ -29,7 +38,7 @@ private:
   {
     vtkWeakPointer<vtkPolyData> Mesh;
     vtkMTimeType Time = 0;
-    std::unique_ptr<Links> Cells;
+    Links Cells;
 
     bool IsValid() const;
   };

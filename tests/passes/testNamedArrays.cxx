@@ -127,6 +127,19 @@ vtkSmartPointer<vtkPolyData> MakeMesh()
   return mesh;
 }
 
+// A ball, and before its triangles many cells of another kind, which draw nothing.
+vtkSmartPointer<vtkPolyData> MakeLoadedBall()
+{
+  auto ball = relievoTest::MakeBall(1.);
+  vtkNew<vtkCellArray> lines;
+  for (int i = 0; i < 50000; ++i)
+  {
+    lines->InsertNextCell({ 0, 0 });
+  }
+  ball->SetLines(lines);
+  return ball;
+}
+
 // NaN equals NaN.
 bool Same(double a, double b)
 {
@@ -324,6 +337,7 @@ int main()
   CheckValues("ball", relievoTest::MakeBall(1.), {}, false);
   CheckValues("ball, parallel", relievoTest::MakeBall(1.), {}, true);
   CheckValues("ball at (5e5, 5e6, 0)", relievoTest::MakeBall(1.), { 5e5, 5e6, 0. }, false);
+  CheckValues("ball behind many lines", MakeLoadedBall(), {}, false);
   CheckValues("polygons and a strip", MakeMesh(), {}, false);
   CheckValues("box", relievoTest::MakeBox(2., 1.2, 1.), {}, false);
   TestBadPointValues();
