@@ -25,6 +25,7 @@
 #include <vtkPointData.h>
 #include <vtkRelievoLayerSource.h>
 #include <vtkRelievoPass.h>
+#include <vtkSphereSource.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -127,17 +128,22 @@ vtkSmartPointer<vtkPolyData> MakeMesh()
   return mesh;
 }
 
-// A ball, and before its triangles many cells of another kind, which draw nothing.
+// A ball of triangles smaller than pixels, and before them many cells of another kind, which draw
+// nothing.
 vtkSmartPointer<vtkPolyData> MakeLoadedBall()
 {
-  auto ball = relievoTest::MakeBall(1.);
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(1.);
+  source->SetThetaResolution(160);
+  source->SetPhiResolution(160);
+  source->Update();
   vtkNew<vtkCellArray> lines;
-  for (int i = 0; i < 50000; ++i)
+  for (int i = 0; i < 1000000; ++i)
   {
     lines->InsertNextCell({ 0, 0 });
   }
-  ball->SetLines(lines);
-  return ball;
+  source->GetOutput()->SetLines(lines);
+  return source->GetOutput();
 }
 
 // NaN equals NaN.
