@@ -187,7 +187,9 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   const bool culledGlyphs = source == NoPrimitive && vtkOpenGLGlyph3DHelper::SafeDownCast(mapper);
   define(mode.LayersOnly && !culledGlyphs, "RELIEVO_LAYERS_ONLY");
   define(mode.LinearVisibility, "RELIEVO_LINEAR_VISIBILITY");
-  define(Has(fragment, "FragCoord.z + cFactor"), "RELIEVO_COINCIDENT_OFFSET");
+  // VTK 9.1 adds the offset alone.
+  define(Has(fragment, "FragCoord.z + cFactor") || Has(fragment, "FragCoord.z + 1.0*cOffset"),
+    "RELIEVO_COINCIDENT_OFFSET");
 
   std::string write = Section("write.glsl", "FragmentImpl");
   const std::size_t begin = fragment.find("//RELIEVO::Texture::Begin");

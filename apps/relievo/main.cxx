@@ -31,7 +31,7 @@ int Run(std::vector<std::string> words)
   words.erase(words.begin());
   if (command == "--version")
   {
-    std::printf("relievo %s (VTK %s)\n", RELIEVO_VERSION, vtkVersion::GetVTKVersionFull());
+    std::printf("relievo %s (VTK %s)\n", RELIEVO_VERSION, vtkVersion::GetVTKVersion());
   }
   else if (command == "render")
   {

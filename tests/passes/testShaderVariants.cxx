@@ -34,6 +34,7 @@
 #include <vtkTexture.h>
 #include <vtkTriangleFilter.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkVersion.h>
 
 #include <functional>
 #include <iostream>
@@ -354,6 +355,17 @@ int main()
     // No light at all, a sun, a lamp, a spot.
     for (const int kind : { 4, 1, 2, 3, 0 })
     {
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+      // VTK 9.1's own shader of edges as tubes does not compile without a light.
+      for (vtkActor* actor : actors)
+      {
+        vtkProperty* property = actor->GetProperty();
+        if (property->GetEdgeVisibility() && property->GetLineWidth() > 1.f)
+        {
+          property->SetRenderLinesAsTubes(kind != 4);
+        }
+      }
+#endif
       SetLight(stage.Renderer, kind);
       Test(stage, "light " + std::to_string(kind), Layouts[1], kind % 2 ? Way::Own : Way::Shared,
         count);
