@@ -20,17 +20,37 @@ namespace relievoTest
 {
 namespace
 {
-void GLAPIENTRY TakeMessage(GLenum, GLenum type, GLuint id, GLenum severity, GLsizei length,
+// Mesa gives the warnings of its shader compiler the high severity, and only when it compiles: its
+// cache on disk keeps silent. These are of VTK's vtkEDLShadeFS.glsl.
+bool IsKnownWarning(GLenum source, const std::string& text)
+{
+  if (source != GL_DEBUG_SOURCE_SHADER_COMPILER)
+  {
+    return false;
+  }
+  for (const char* known : { "warning: `S' used uninitialized", "warning: `t' used uninitialized",
+         "warning: `Z' used uninitialized" })
+  {
+    if (text.find(known) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void GLAPIENTRY TakeMessage(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
   const GLchar* message, const void* count)
 {
-  if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH)
+  const std::string words(message, length < 0 ? std::strlen(message) : static_cast<size_t>(length));
+  if ((type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) ||
+    IsKnownWarning(source, words))
   {
     return;
   }
   ++*static_cast<int*>(const_cast<void*>(count));
   std::ostringstream text;
-  text << "(" << id << ") "
-       << std::string(message, length < 0 ? std::strlen(message) : static_cast<size_t>(length));
+  text << "(" << id << ") " << words;
   Fail("OpenGL", 0, text.str());
 }
 

@@ -19,7 +19,9 @@
 #include <vtkSphereSource.h>
 #include <vtkTextureObject.h>
 
+#include <chrono>
 #include <iostream>
+#include <string>
 
 namespace
 {
@@ -61,6 +63,34 @@ void TestErrors()
   RELIEVO_CHECK(relievoTest::Picture(window, true)->GetNumberOfScalarComponents() == 4);
 }
 
+// Whether the compiler's warning of a variable of this name fails the test.
+int FailuresOfWarning(const std::string& name)
+{
+  return relievoTest::FailuresOf([&name] {
+    // Mesa's cache on disk is silent about a text that it knows: each run has one of its own.
+    const std::string text = "#version 150\nout vec4 color;\nvoid main() { float " + name +
+      "; color = vec4(" + name + "); } // " +
+      std::to_string(std::chrono::system_clock::now().time_since_epoch().count());
+    const char* const lines = text.c_str();
+    const GLuint shader = glCreateShader(GL_FRAGMENT_SHADER);
+    glShaderSource(shader, 1, &lines, nullptr);
+    glCompileShader(shader);
+    glDeleteShader(shader);
+  });
+}
+
+void TestWarnings()
+{
+  const auto window = relievoTest::MakeWindow(16, 16, Sphere());
+  relievoTest::GLCheck gl(window);
+  RELIEVO_CHECK_THAT(FailuresOfWarning("Z") == 0, "VTK's own warnings are known");
+  const char* version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+  if (version && std::string(version).find("Mesa") != std::string::npos)
+  {
+    RELIEVO_CHECK_THAT(FailuresOfWarning("depth") == 1, "other warnings must be seen");
+  }
+}
+
 void TestBytes()
 {
   const auto window = relievoTest::MakeWindow(64, 48, Sphere());
@@ -100,6 +130,7 @@ int main()
 {
   relievoTest::Session session;
   TestErrors();
+  TestWarnings();
   TestBytes();
   TestClosedWindow();
   return session.Result();
