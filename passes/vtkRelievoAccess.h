@@ -31,6 +31,12 @@ public:
   static vtkProp**& Props(vtkRenderer* ren) { return ren->*(&Renderer::PropArray); }
   static int& NumberOfProps(vtkRenderer* ren) { return ren->*(&Renderer::PropArrayCount); }
 
+  // Past SetActiveCamera, which tells observers of a change that the user never sees.
+  static vtkCamera*& CameraInUse(vtkRenderer* ren) { return ren->*(&Renderer::ActiveCamera); }
+
+  // Camera and head lights, brought to where the camera is now.
+  static void FollowCamera(vtkRenderer* ren) { (ren->*(&Renderer::UpdateLightGeometry))(); }
+
   // What vtkOpenGLRenderer::DeviceRender does when no pass is set.
   static void RenderOwnSteps(vtkOpenGLRenderer* ren)
   {

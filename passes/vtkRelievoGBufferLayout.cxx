@@ -45,6 +45,17 @@ std::vector<std::uint32_t> GetNormalDepthBackground(int format)
 }
 
 //------------------------------------------------------------------------------
+int vtkRelievoGBufferLayout::GetLight(const std::string& layer)
+{
+  const std::string prefix = "shadow_";
+  const std::string number =
+    layer.compare(0, prefix.size(), prefix) == 0 ? layer.substr(prefix.size()) : std::string();
+  const bool isNumber = !number.empty() && number.size() < 4 &&
+    std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return isNumber ? std::stoi(number) : -1;
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoGBufferLayout::GetNormalWords(int format)
 {
   switch (format)
@@ -79,6 +90,7 @@ void vtkRelievoGBufferLayout::Arrange()
   const bool depthAlone = this->Depth && !together;
   const bool normalAlone = this->Normal && !together;
 
+  const int shadowWords = static_cast<int>(this->Shadows.size() + 1) / 2;
   const int normals = (normalAlone ? 1 : 0) + (this->GeometricNormal ? 1 : 0);
   this->ChosenNormalFormat = this->NormalFormat;
   if (this->NormalFormat == vtkRelievoGBufferPass::NORMAL_AUTO)
@@ -86,7 +98,8 @@ void vtkRelievoGBufferLayout::Arrange()
     // Full floats where they fit into the attachments that are there anyhow, otherwise one word.
     const int togetherWords = together ? GetNormalDepthWords(this->NormalDepth) : 0;
     const int others =
-      togetherWords + (depthAlone ? 1 : 0) + (this->Ids ? 1 : 0) + (this->Albedo ? 1 : 0);
+      togetherWords + (depthAlone ? 1 : 0) + (this->Ids ? 1 : 0) + (this->Albedo ? 1 : 0) +
+      shadowWords;
     const int attachmentsFloat = (others + 3 * normals + 3) / 4;
     const int attachmentsPacked = (others + normals + 3) / 4;
     this->ChosenNormalFormat = attachmentsFloat == attachmentsPacked
@@ -101,6 +114,9 @@ void vtkRelievoGBufferLayout::Arrange()
   this->NormalWord = normalAlone ? add(noNormal) : -1;
   this->GeometricNormalWord = this->GeometricNormal ? add(noNormal) : -1;
   this->AlbedoWord = this->Albedo ? add({ 0u }) : -1;
+  // Where nothing is, no light is blocked.
+  this->ShadowWord =
+    shadowWords > 0 ? add(std::vector<std::uint32_t>(shadowWords, 0xffffffffu)) : -1;
 }
 
 //------------------------------------------------------------------------------
@@ -127,6 +143,11 @@ std::string vtkRelievoGBufferLayout::GetDefines() const
   define("NORMAL", this->NormalWord);
   define("GEOMETRIC_NORMAL", this->GeometricNormalWord);
   define("ALBEDO", this->AlbedoWord);
+  define("SHADOW", this->ShadowWord);
+  for (std::size_t i = 0; i < this->Shadows.size(); ++i)
+  {
+    out << "#define RELIEVO_SHADOW_LAYER_" << i << " " << this->Shadows[i] << "\n";
+  }
   out << "#define RELIEVO_NORMAL_FORMAT " << this->ChosenNormalFormat << "\n";
   out << "#define RELIEVO_DEPTH_FORMAT " << this->DepthFormat << "\n";
   out << "#define RELIEVO_NORMAL_DEPTH_FORMAT " << this->NormalDepth << "\n";

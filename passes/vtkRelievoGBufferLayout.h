@@ -22,6 +22,7 @@ struct VTKRELIEVOPASSES_EXPORT vtkRelievoGBufferLayout
   bool GeometricNormal = false;
   bool Albedo = false;
   bool Ids = false;
+  std::vector<int> Shadows; // lights, by their number in the renderer, ascending
   int NormalFormat = 0; // vtkRelievoGBufferPass::NormalFormats
   int DepthFormat = 0;  // vtkRelievoGBufferPass::DepthFormats
   int NormalDepth = 0;  // vtkRelievoGBufferPass::NormalDepthFormats
@@ -33,6 +34,7 @@ struct VTKRELIEVOPASSES_EXPORT vtkRelievoGBufferLayout
   int NormalDepthWord = -1;
   int AlbedoWord = -1;
   int IdWord = -1;
+  int ShadowWord = -1; // two lights a word, 16 bits each
 
   // The format that NORMAL_AUTO came to. Set by Arrange().
   int ChosenNormalFormat = 0;
@@ -48,6 +50,9 @@ struct VTKRELIEVOPASSES_EXPORT vtkRelievoGBufferLayout
 
   // 1, 2 or 4: a texture of three words is not renderable everywhere.
   int GetNumberOfChannels(int attachment) const;
+
+  // The light of a layer shadow_N, or -1.
+  static int GetLight(const std::string& layer);
 
   // Words of a normal, and of a normal with depth, by format.
   static int GetNormalWords(int format);

@@ -13,45 +13,19 @@
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoShaderLibrary.h"
+#include "vtkRelievoSpliceText.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
 #include <sstream>
+
+using namespace vtkRelievoSpliceText;
 
 namespace
 {
-bool Has(const std::string& source, const std::string& text)
-{
-  return source.find(text) != std::string::npos;
-}
-
-void MarkBehind(std::string& source, const std::string& tag, const std::string& mark)
-{
-  vtkShaderProgram::Substitute(source, tag, tag + "\n" + mark, false);
-}
-
-void FillMark(std::string& source, const std::string& mark, const std::string& text)
-{
-  vtkShaderProgram::Substitute(source, mark, text, false);
-}
-
 std::string Section(const char* file, const char* section)
 {
   return vtkRelievoShaderLibrary::GetSection(std::string("gbuffer/") + file, section);
-}
-
-// The three stages' declarations and statements of one varying, at the marks of the position.
-void FillVarying(std::string& vertex, std::string& geometry, std::string& fragment,
-  const char* file, bool hasFragmentImpl)
-{
-  MarkBehind(vertex, "//RELIEVO::Position::Dec", Section(file, "VertexDec"));
-  MarkBehind(vertex, "//RELIEVO::Position::Impl", Section(file, "VertexImpl"));
-  MarkBehind(geometry, "//RELIEVO::Position::Dec", Section(file, "GeometryDec"));
-  MarkBehind(geometry, "//RELIEVO::Position::Impl", Section(file, "GeometryImpl"));
-  MarkBehind(fragment, "//RELIEVO::Position::Dec", Section(file, "FragmentDec"));
-  if (hasFragmentImpl)
-  {
-    MarkBehind(fragment, "//RELIEVO::Position::Impl", Section(file, "FragmentImpl"));
-  }
 }
 
 // Normals at the points, which VTK's shader leaves out where it computes no light.
@@ -61,16 +35,6 @@ bool HasPointNormals(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
     actor->GetProperty()->GetInterpolation() != VTK_FLAT &&
     !vtkOpenGLGlyph3DHelper::SafeDownCast(mapper);
 }
-
-bool CanCarryVarying(
-  const std::string& vertex, const std::string& geometry, const std::string& fragment)
-{
-  auto marked = [](const std::string& source) {
-    return Has(source, "//RELIEVO::Position::Dec") && Has(source, "//RELIEVO::Position::Impl");
-  };
-  return marked(vertex) && marked(fragment) && (geometry.empty() || marked(geometry));
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -96,11 +60,7 @@ int vtkRelievoGBufferSplice::GetPrimitiveSource(vtkOpenGLPolyDataMapper* mapper,
 void vtkRelievoGBufferSplice::Mark(
   std::string& vertex, std::string& geometry, std::string& fragment)
 {
-  for (std::string* source : { &vertex, &geometry, &fragment })
-  {
-    MarkBehind(*source, "//VTK::PositionVC::Dec", "//RELIEVO::Position::Dec");
-    MarkBehind(*source, "//VTK::PositionVC::Impl", "//RELIEVO::Position::Impl");
-  }
+  MarkVaryings(vertex, geometry, fragment);
   MarkBehind(fragment, "//VTK::System::Dec", "//RELIEVO::Extensions");
   MarkBehind(fragment, "//VTK::Output::Dec", "//RELIEVO::Write::Dec");
   MarkBehind(fragment, "//VTK::Picking::Impl", "//RELIEVO::Write::Impl");
@@ -123,19 +83,17 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
       return std::string("its fragment shader lacks VTK's tag for ") + mark;
     }
   }
-  const int primitiveType = vtkRelievoAccess::Mapper::BoundPrimitiveType(mapper);
   const int source = GetPrimitiveSource(mapper, actor);
-  const bool triangles = primitiveType == vtkOpenGLPolyDataMapper::PrimitiveTris ||
-    primitiveType == vtkOpenGLPolyDataMapper::PrimitiveTriStrips;
-  const bool needsPosition = !Has(fragment, "vec4 vertexVC =");
+  const bool triangles = DrawsTriangles(mapper);
   const bool needsNormal =
     triangles && !Has(fragment, "normalVCVSOutput") && HasPointNormals(mapper, actor);
   const bool needsInstance = layout.IdWord >= 0 && source == InstanceOfGlyphs;
   const bool normalByWinding =
     needsNormal || Has(fragment, "gl_FrontFacing == false) { normalVCVSOutput");
   const bool needsWinding = normalByWinding && Has(vertex, "mat4 GCMCMatrix;");
-  if ((needsPosition || needsNormal || needsInstance || needsWinding) &&
-    !CanCarryVarying(vertex, geometry, fragment))
+  if (((needsNormal || needsInstance || needsWinding) &&
+        !CanCarryVarying(vertex, geometry, fragment)) ||
+    !EnsurePosition(vertex, geometry, fragment))
   {
     return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl";
   }
@@ -147,11 +105,6 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   const bool surface =
     triangles && !impostor && actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
 
-  if (needsPosition)
-  {
-    FillVarying(vertex, geometry, fragment, "position.glsl", true);
-    FillMark(vertex, "RELIEVO_VERTEX_MC", Has(vertex, "vec4 vertex =") ? "vertex" : "vertexMC");
-  }
   if (needsNormal)
   {
     FillVarying(vertex, geometry, fragment, "normal.glsl", true);
@@ -198,6 +151,17 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   {
     FillMark(write, "//RELIEVO::Texture::Copy", fragment.substr(begin, end - begin));
   }
+  std::string shadows;
+  for (std::size_t i = 0; i < layout.Shadows.size(); i += 2)
+  {
+    const std::size_t second = std::min(i + 1, layout.Shadows.size() - 1);
+    std::string word = Section("write.glsl", "ShadowWord");
+    FillWord(word, "RELIEVO_OFFSET", std::to_string(i / 2));
+    FillWord(word, "RELIEVO_FIRST", std::to_string(layout.Shadows[i]));
+    FillWord(word, "RELIEVO_SECOND", std::to_string(layout.Shadows[second]));
+    shadows += word;
+  }
+  FillMark(write, "//RELIEVO::Shadow::Words", shadows);
   FillMark(fragment, "//RELIEVO::Extensions", Section("write.glsl", "Extensions") + defines.str());
   FillMark(fragment, "//RELIEVO::Write::Dec", Section("write.glsl", "FragmentDec"));
   FillMark(fragment, "//RELIEVO::UniformFlow::Impl", Section("write.glsl", "UniformFlow"));

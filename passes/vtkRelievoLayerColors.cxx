@@ -6,6 +6,7 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoGBufferLayout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,11 +55,16 @@ std::vector<unsigned char> vtkRelievoLayerColors::Make(
   const vtkIdType count = array ? array->GetNumberOfTuples() : 0;
   std::vector<unsigned char> colors(static_cast<std::size_t>(image->GetNumberOfPoints()) * 4, 0);
   const bool ids = layer == "actor" || layer == "block" || layer == "cell";
+  const bool shadow = vtkRelievoGBufferLayout::GetLight(layer) >= 0;
   const int components = array ? array->GetNumberOfComponents() : 1;
   Extremes extremes[3];
   for (int c = 0; c < std::min(3, components) && !ids && array; ++c)
   {
     extremes[c] = GetFiniteExtremes(array, c);
+    if (shadow)
+    {
+      extremes[c] = Extremes{ 0.0, 1.0 };
+    }
     if (range[0] < range[1])
     {
       extremes[c] = Extremes{ range[0], range[1] };
@@ -77,7 +83,7 @@ std::vector<unsigned char> vtkRelievoLayerColors::Make(
     else if (components < 3)
     {
       there = std::isfinite(first);
-      color = GetScalarColor(first, extremes[0], grey);
+      color = GetScalarColor(first, extremes[0], grey || shadow);
     }
     else
     {

@@ -16,8 +16,8 @@
 #include "vtkRelievoRows.h"
 #include "vtkRelievoView.h"
 #include "vtkRelievoWordDecoder.h"
-#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -69,8 +69,15 @@ void vtkRelievoLayerReader::AddChannels(const std::string& layer, vtkRelievoGBuf
   layout.Normal = layout.Normal || layer == "normal";
   layout.GeometricNormal = layout.GeometricNormal || layer == "geometric_normal";
   layout.Albedo = layout.Albedo || layer == "albedo";
+  const int light = vtkRelievoGBufferLayout::GetLight(layer);
+  if (light >= 0 &&
+    std::find(layout.Shadows.begin(), layout.Shadows.end(), light) == layout.Shadows.end())
+  {
+    layout.Shadows.insert(
+      std::upper_bound(layout.Shadows.begin(), layout.Shadows.end(), light), light);
+  }
   const bool depth = layer == "depth" || layer == "range" || layer == "position";
-  const bool named =
+  const bool named = light < 0 &&
     !id && !depth && layer != "normal" && layer != "geometric_normal" && layer != "albedo";
   // A named array is looked up in the mesh, at the pixel's place in the pixel's cell.
   layout.Depth = layout.Depth || depth || named;
@@ -114,7 +121,9 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
   AddChannels(layer, needed);
   if ((needed.Depth && !this->Layout.Depth) || (needed.Normal && !this->Layout.Normal) ||
     (needed.GeometricNormal && !this->Layout.GeometricNormal) ||
-    (needed.Albedo && !this->Layout.Albedo) || (needed.Ids && !this->Layout.Ids))
+    (needed.Albedo && !this->Layout.Albedo) || (needed.Ids && !this->Layout.Ids) ||
+    !std::includes(this->Layout.Shadows.begin(), this->Layout.Shadows.end(),
+      needed.Shadows.begin(), needed.Shadows.end()))
   {
     return "the last frame did not make it; ask for it (RequestLayer) and render before";
   }
@@ -143,6 +152,10 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
   else if (needed.Albedo)
   {
     array = this->ReadAlbedo();
+  }
+  else if (!needed.Shadows.empty())
+  {
+    array = this->ReadShadow(needed.Shadows.front(), wrong);
   }
   else if (layer == "actor" || layer == "block" || layer == "cell")
   {
@@ -311,22 +324,6 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNormal(int firstWord)
       out[3 * i] = normal.x;
       out[3 * i + 1] = normal.y;
       out[3 * i + 2] = normal.z;
-    }
-  });
-  return array;
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadAlbedo()
-{
-  auto array = NewArray<vtkUnsignedCharArray>(4, this->GetNumberOfPixels());
-  unsigned char* out = array->GetPointer(0);
-  int stride = 0;
-  const std::uint32_t* words = this->GetWords(this->Layout.AlbedoWord, stride);
-  ForPixels(this->Region, [&](vtkIdType i, int, int) {
-    for (int k = 0; k < 4; ++k)
-    {
-      out[4 * i + k] = static_cast<unsigned char>(words[i * stride] >> (8 * k));
     }
   });
   return array;

@@ -58,6 +58,7 @@ private:
   vtkSmartPointer<vtkDataArray> ReadPosition();
   vtkSmartPointer<vtkDataArray> ReadNormal(int firstWord);
   vtkSmartPointer<vtkDataArray> ReadAlbedo();
+  vtkSmartPointer<vtkDataArray> ReadShadow(int light, std::string& wrong);
   vtkSmartPointer<vtkDataArray> ReadId(const std::string& layer);
   vtkSmartPointer<vtkDataArray> ReadNamedArray(const std::string& layer, std::string& wrong);
 

@@ -8,8 +8,10 @@
 #include "vtkRelievoDelegate.h"
 #include "vtkRelievoDisplayStage.h"
 #include "vtkRelievoFrameReport.h"
+#include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoGpuTimer.h"
+#include "vtkRelievoShadowPass.h"
 #include "vtkRelievoStage.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -26,6 +28,7 @@ class vtkRelievoPass::Internals
 public:
   vtkSmartPointer<vtkRenderPass> Delegate;
   vtkNew<vtkRelievoGBufferPass> GBuffer;
+  vtkNew<vtkRelievoShadowPass> Shadows;
   vtkNew<vtkRelievoDisplayStage> Display;
   std::vector<vtkSmartPointer<vtkRelievoStage>> Added;
   std::set<std::string> Requested;
@@ -39,6 +42,7 @@ public:
   {
     std::vector<vtkRelievoStage*> stages;
     stages.push_back(this->GBuffer);
+    stages.push_back(this->Shadows);
     for (auto& stage : this->Added)
     {
       stages.push_back(stage);
@@ -80,6 +84,28 @@ vtkRenderPass* vtkRelievoPass::GetDelegatePass()
 vtkRelievoGBufferPass* vtkRelievoPass::GetGBuffer()
 {
   return this->Internal->GBuffer;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowPass* vtkRelievoPass::GetShadowPass()
+{
+  return this->Internal->Shadows;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPass::SetShadows(bool on)
+{
+  if (this->Internal->Shadows->GetVisible() != on)
+  {
+    this->Internal->Shadows->SetVisible(on);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPass::GetShadows()
+{
+  return this->Internal->Shadows->GetVisible();
 }
 
 //------------------------------------------------------------------------------
@@ -209,6 +235,11 @@ void vtkRelievoPass::Render(const vtkRenderState* s)
       layers.erase(std::unique(layers.begin(), layers.end()), layers.end());
       in.GBuffer->SetLayers(
         layers, std::vector<std::string>(in.Requested.begin(), in.Requested.end()));
+    }
+    if (*stage == in.Shadows.GetPointer())
+    {
+      in.Shadows->SetLayersAsked(std::any_of(layers.begin(), layers.end(),
+        [](const std::string& layer) { return vtkRelievoGBufferLayout::GetLight(layer) >= 0; }));
     }
     const bool runs = !selecting && (*stage)->GetEnabled() && (*stage)->IsNeeded(s, reason);
     if (runs)

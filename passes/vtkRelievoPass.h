@@ -8,8 +8,8 @@
  * (depth, normals, ids ...) and effects. Nothing that nobody asked for is rendered, stored or
  * looked up. The frame report says what ran, why, and what it cost.
  *
- * Layers: depth, range, normal, geometric_normal, position, albedo, actor, block, cell, and any
- * point or cell array by name (`point:NAME` or `cell:NAME` to name one that shares a layer's name).
+ * Layers: depth, range, normal, geometric_normal, position, albedo, actor, block, cell, shadow_N
+ * (of the renderer's light N), and any point or cell array by name (`point:NAME` or `cell:NAME` to name one that shares a layer's name).
  */
 #ifndef vtkRelievoPass_h
 #define vtkRelievoPass_h
@@ -24,6 +24,7 @@
 
 class vtkImageData;
 class vtkRelievoGBufferPass;
+class vtkRelievoShadowPass;
 class vtkRelievoStage;
 class vtkRenderer;
 
@@ -52,6 +53,16 @@ public:
 
   /** The stage that makes the layers: its formats and spaces are set there. */
   vtkRelievoGBufferPass* GetGBuffer();
+
+  ///@{
+  /** Whether shadows are seen in the picture. Default off. */
+  void SetShadows(bool on);
+  bool GetShadows();
+  vtkBooleanMacro(Shadows, bool);
+  ///@}
+
+  /** The stage that makes the shadows: size, filter, and what casts and receives are set there. */
+  vtkRelievoShadowPass* GetShadowPass();
 
   ///@{
   /** More stages, run in the order of their addition. The G-buffer is always there, as stage 0. */

@@ -52,9 +52,10 @@ void vtkRelievoScreenQuad::Draw(
   vtkOpenGLRenderWindow* window, vtkRelievoGBufferPass* gbuffer, const vtkRelievoView& view)
 {
   vtkShaderProgram* program = this->Quad->Program;
-  static const char* const samplers[] = { "relievoWords1", "relievoWords2", "relievoWords3" };
+  static const char* const samplers[] = { "relievoWords1", "relievoWords2", "relievoWords3",
+    "relievoWords4", "relievoWords5" };
   std::vector<vtkTextureObject*> textures;
-  for (int i = 0; i < gbuffer->GetLayout().GetNumberOfAttachments() && i < 3; ++i)
+  for (int i = 0; i < gbuffer->GetLayout().GetNumberOfAttachments(); ++i)
   {
     textures.push_back(gbuffer->GetTexture(i));
     textures.back()->Activate();

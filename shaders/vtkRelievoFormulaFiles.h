@@ -19,3 +19,5 @@
 #include "formulas/hash_color.glsl"
 
 #include "formulas/colormap.glsl"
+
+#include "formulas/shadow.glsl"

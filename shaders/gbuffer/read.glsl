@@ -10,6 +10,12 @@ uniform usampler2D relievoWords2;
 #if RELIEVO_ATTACHMENTS > 2
 uniform usampler2D relievoWords3;
 #endif
+#if RELIEVO_ATTACHMENTS > 3
+uniform usampler2D relievoWords4;
+#endif
+#if RELIEVO_ATTACHMENTS > 4
+uniform usampler2D relievoWords5;
+#endif
 uniform float relievoNear;
 uniform float relievoFar;
 uniform int relievoParallel;
@@ -28,9 +34,21 @@ uint relievoFetchWord(ivec2 texel, int word)
   }
 #endif
 #if RELIEVO_ATTACHMENTS > 2
-  else
+  else if (word < 12)
   {
     words = texelFetch(relievoWords3, texel, 0);
+  }
+#endif
+#if RELIEVO_ATTACHMENTS > 3
+  else if (word < 16)
+  {
+    words = texelFetch(relievoWords4, texel, 0);
+  }
+#endif
+#if RELIEVO_ATTACHMENTS > 4
+  else
+  {
+    words = texelFetch(relievoWords5, texel, 0);
   }
 #endif
   int channel = word % 4;

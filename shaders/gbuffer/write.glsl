@@ -24,6 +24,18 @@ layout(location = 2) out uvec4 relievoOutput2;
 #if RELIEVO_ATTACHMENTS > 2
 layout(location = 3) out uvec4 relievoOutput3;
 #endif
+#if RELIEVO_ATTACHMENTS > 3
+layout(location = 4) out uvec4 relievoOutput4;
+#endif
+#if RELIEVO_ATTACHMENTS > 4
+layout(location = 5) out uvec4 relievoOutput5;
+#endif
+// Without casting lights, or in what no shadow was spliced into, every light passes.
+#ifdef RELIEVO_SHADOW_LIGHTS
+#define RELIEVO_VISIBILITY(light) relievoVisibilityOf(light)
+#else
+#define RELIEVO_VISIBILITY(light) 1.0
+#endif
 uniform int relievoFirstPrimitive;
 uniform float relievoWinding;
 uniform float relievoNear;
@@ -202,12 +214,22 @@ uvec3 relievoPackNormal(vec3 n)
   relievoWords[RELIEVO_ALBEDO_WORD] = packUnorm4x8(relievoAlbedo);
 #endif
 
+#ifdef RELIEVO_SHADOW_WORD
+  //RELIEVO::Shadow::Words
+#endif
+
   relievoOutput1 = uvec4(relievoWords[0], relievoWords[1], relievoWords[2], relievoWords[3]);
 #if RELIEVO_ATTACHMENTS > 1
   relievoOutput2 = uvec4(relievoWords[4], relievoWords[5], relievoWords[6], relievoWords[7]);
 #endif
 #if RELIEVO_ATTACHMENTS > 2
   relievoOutput3 = uvec4(relievoWords[8], relievoWords[9], relievoWords[10], relievoWords[11]);
+#endif
+#if RELIEVO_ATTACHMENTS > 3
+  relievoOutput4 = uvec4(relievoWords[12], relievoWords[13], relievoWords[14], relievoWords[15]);
+#endif
+#if RELIEVO_ATTACHMENTS > 4
+  relievoOutput5 = uvec4(relievoWords[16], relievoWords[17], relievoWords[18], relievoWords[19]);
 #endif
 #ifdef RELIEVO_LINEAR_VISIBILITY
   // Window z cannot order far fragments when far / near is large; a float of the depth itself keeps
@@ -223,3 +245,7 @@ uvec3 relievoPackNormal(vec3 n)
   // Nobody sees the colour: what only it needs (light, reflections) is not computed.
   gl_FragData[0] = vec4(0.0, 0.0, 0.0, gl_FragData[0].a);
 #endif
+
+//RELIEVO::Section(ShadowWord)
+  relievoWords[RELIEVO_SHADOW_WORD + RELIEVO_OFFSET] =
+    packUnorm2x16(vec2(RELIEVO_VISIBILITY(RELIEVO_FIRST), RELIEVO_VISIBILITY(RELIEVO_SECOND)));

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoPropParts.h"
+
+#include "vtkActor.h"
+#include "vtkActor2D.h"
+#include "vtkAssembly.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkLODProp3D.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderPass.h"
+#include "vtkPropAssembly.h"
+#include "vtkPropCollection.h"
+#include "vtkSkybox.h"
+#include "vtkVolume.h"
+
+//------------------------------------------------------------------------------
+void vtkRelievoPropParts::Collect(vtkProp* prop, std::vector<Part>& parts)
+{
+  parts.clear();
+  if (vtkAssembly::SafeDownCast(prop) || vtkPropAssembly::SafeDownCast(prop))
+  {
+    prop->InitPathTraversal();
+    while (vtkAssemblyPath* path = prop->GetNextPath())
+    {
+      vtkAssemblyNode* leaf = path->GetLastNode();
+      parts.push_back({ leaf->GetViewProp(), leaf->GetMatrix() });
+    }
+  }
+  else if (vtkLODProp3D::SafeDownCast(prop))
+  {
+    vtkNew<vtkPropCollection> levels;
+    prop->GetActors(levels);
+    vtkCollectionSimpleIterator it;
+    levels->InitTraversal(it);
+    while (vtkProp* level = levels->GetNextProp(it))
+    {
+      parts.push_back({ level, nullptr });
+    }
+  }
+  else
+  {
+    parts.push_back({ prop, nullptr });
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkRelievoPropParts::GetMeshActor(const Part& part)
+{
+  vtkActor* actor = vtkActor::SafeDownCast(part.Prop);
+  return actor && actor->GetMapper() && !vtkSkybox::SafeDownCast(actor) ? actor : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPropParts::DrawsNoOpaque(const Part& part)
+{
+  return vtkActor2D::SafeDownCast(part.Prop) || vtkVolume::SafeDownCast(part.Prop);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPropParts::AddPass(vtkProp* prop, vtkOpenGLRenderPass* pass)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  if (!keys)
+  {
+    vtkNew<vtkInformation> made;
+    prop->SetPropertyKeys(made);
+    keys = made;
+  }
+  keys->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPropParts::RemovePass(vtkProp* prop, vtkOpenGLRenderPass* pass)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  if (!keys)
+  {
+    return;
+  }
+  keys->Remove(vtkOpenGLRenderPass::RenderPasses(), pass);
+  if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
+  {
+    keys->Remove(vtkOpenGLRenderPass::RenderPasses());
+  }
+}

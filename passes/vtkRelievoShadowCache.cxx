@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowCache.h"
+
+#include "vtkRelievoShadowProps.h"
+
+#include <algorithm>
+
+namespace
+{
+// A map is kept while it is at most this many times as large as one that fits the view; texels are
+// up to the root of it wider then.
+constexpr double LargestSlack = 1.5;
+// A moving view gets a map with this share of its size to spare on each side, so that the next
+// views are in it as well.
+constexpr double MovingMargin = 0.1;
+
+bool IsSame(const vtkRelievoShadowLight& a, const vtkRelievoShadowLight& b)
+{
+  return a.Light == b.Light && a.Positional == b.Positional && a.IsSpot() == b.IsSpot() &&
+    (!a.IsSpot() || a.ConeAngle == b.ConeAngle) && (!a.Positional || a.Position == b.Position) &&
+    ((a.Positional && !a.IsSpot()) || a.Direction == b.Direction);
+}
+
+bool IsSame(const std::vector<vtkRelievoBox>& a, const std::vector<vtkRelievoBox>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const vtkRelievoBox& x, const vtkRelievoBox& y) { return x.Min == y.Min && x.Max == y.Max; });
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowCache::Update(const std::vector<vtkRelievoShadowLight>& casting,
+  const vtkRelievoShadowProps& props, const glm::dmat4& worldToNDC,
+  const vtkRelievoShadowFit::Request& request)
+{
+  const bool sameRequest =
+    request.Size == this->Request.Size && request.Border == this->Request.Border;
+  const bool sameCasters = props.GetState() == this->Casters;
+  const bool sameView =
+    worldToNDC == this->WorldToNDC && IsSame(props.GetReceiverBoxes(), this->Receivers);
+  std::vector<Entry> entries;
+  std::vector<vtkRelievoShadowRegion::Polygon> region;
+  bool cut = false;
+  bool otherLights = casting.size() != this->Entries.size();
+  for (const vtkRelievoShadowLight& light : casting)
+  {
+    auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
+      [&light](const Entry& entry) { return entry.Light.Light == light.Light; });
+    Entry entry;
+    bool sameLight = false;
+    if (found != this->Entries.end())
+    {
+      sameLight = IsSame(found->Light, light);
+      entry = std::move(*found);
+      this->Entries.erase(found);
+    }
+    else
+    {
+      otherLights = true;
+    }
+    entry.Light = light;
+    const bool sameMap = sameLight && sameCasters && sameRequest;
+    if (!sameMap || !sameView)
+    {
+      if (!cut)
+      {
+        region = vtkRelievoShadowRegion::Cut(props.GetReceiverBoxes(), worldToNDC);
+        cut = true;
+      }
+      this->Refit(entry, props, region, request, sameMap);
+    }
+    entries.push_back(std::move(entry));
+  }
+  this->Entries = std::move(entries);
+  this->Casters = props.GetState();
+  this->Receivers = props.GetReceiverBoxes();
+  this->WorldToNDC = worldToNDC;
+  this->Request = request;
+  this->AssignLayers(otherLights);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowCache::Refit(Entry& entry, const vtkRelievoShadowProps& props,
+  const std::vector<vtkRelievoShadowRegion::Polygon>& region,
+  const vtkRelievoShadowFit::Request& request, bool onlyViewChanged)
+{
+  const std::vector<vtkRelievoBox>& casters = props.GetCasterBoxes();
+  std::vector<vtkRelievoShadowView> views =
+    vtkRelievoShadowFit::Fit(entry.Light, region, casters, request);
+  if (onlyViewChanged)
+  {
+    const bool kept = views.size() == entry.Maps.size() &&
+      std::equal(views.begin(), views.end(), entry.Maps.begin(),
+        [&request](const vtkRelievoShadowView& view, const Map& map) {
+          return view.Side == map.View.Side &&
+            map.View.Width * map.View.Height <= LargestSlack * view.Width * view.Height &&
+            map.View.Contains(view.Points, request.Size, request.Border);
+        });
+    if (kept)
+    {
+      return;
+    }
+    vtkRelievoShadowFit::Request wider = request;
+    wider.Margin = MovingMargin;
+    views = vtkRelievoShadowFit::Fit(entry.Light, region, casters, wider);
+  }
+  // Layers stay with the light: they are drawn over.
+  std::vector<Map> maps(views.size());
+  for (std::size_t i = 0; i < views.size(); ++i)
+  {
+    maps[i].View = std::move(views[i]);
+    maps[i].Layer = i < entry.Maps.size() ? entry.Maps[i].Layer : -1;
+  }
+  entry.Maps = std::move(maps);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowCache::AssignLayers(bool otherLights)
+{
+  const int needed = this->GetNumberOfMaps();
+  const int layers = otherLights ? needed : std::max(needed, this->Layers);
+  if (layers != this->Layers)
+  {
+    this->Layers = layers;
+    this->Invalidate();
+    int next = 0;
+    for (Entry& entry : this->Entries)
+    {
+      for (Map& map : entry.Maps)
+      {
+        map.Layer = next++;
+      }
+    }
+    return;
+  }
+  std::vector<bool> used(layers, false);
+  for (Entry& entry : this->Entries)
+  {
+    for (Map& map : entry.Maps)
+    {
+      if (map.Layer >= 0)
+      {
+        used[map.Layer] = true;
+      }
+    }
+  }
+  for (Entry& entry : this->Entries)
+  {
+    for (Map& map : entry.Maps)
+    {
+      if (map.Layer < 0)
+      {
+        map.Layer = static_cast<int>(std::find(used.begin(), used.end(), false) - used.begin());
+        used[map.Layer] = true;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowCache::GetNumberOfMaps() const
+{
+  int count = 0;
+  for (const Entry& entry : this->Entries)
+  {
+    count += static_cast<int>(entry.Maps.size());
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowCache::Invalidate()
+{
+  for (Entry& entry : this->Entries)
+  {
+    for (Map& map : entry.Maps)
+    {
+      map.Drawn = false;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowCache::Clear()
+{
+  *this = vtkRelievoShadowCache();
+}

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The views that a light's maps are drawn from: fitted to where shadows can be seen, and in depth to
+// what can cast there. One view for a sun and for a lamp that sees everything within a cone, up to
+// six sides of a cube for others.
+#ifndef vtkRelievoShadowFit_h
+#define vtkRelievoShadowFit_h
+
+#include "vtkRelievoShadowRegion.h"
+
+#include <vector>
+
+struct vtkRelievoShadowLight;
+
+struct vtkRelievoShadowView
+{
+  glm::dvec3 Position{ 0.0 };
+  glm::dvec3 Forward{ 0.0 }; // unit
+  glm::dvec3 Up{ 0.0 };      // unit, square to Forward
+  bool Parallel = true;
+  double Near = 0.0;
+  double Far = 1.0;
+  int Side = -1;                  // of a cube; -1: turned freely
+  glm::dmat4 WorldToView{ 1.0 };  // looks along -z
+  glm::dmat4 ViewToNDC{ 1.0 };
+  double Texel = 0.0;             // map depth of a texel's width, where w = 1
+  double Width = 0.0;             // of the map: world units, or tangents of a perspective view
+  double Height = 0.0;
+  std::vector<glm::dvec3> Points; // corners of what it was fitted to
+
+  // Whether all points are in the map, `border` texels off its rim, and before its far plane.
+  bool Contains(const std::vector<glm::dvec3>& points, int size, int border) const;
+
+  // Whether something in the box may cast into the map.
+  bool Sees(const vtkRelievoBox& box) const;
+};
+
+namespace vtkRelievoShadowFit
+{
+struct Request
+{
+  int Size = 2048;     // of the map, in texels
+  int Border = 2;      // texels around the region that the filter reaches
+  double Margin = 0.0; // more around the region, as a share of its size
+};
+
+// Empty if no shadow can be seen.
+std::vector<vtkRelievoShadowView> Fit(const vtkRelievoShadowLight& light,
+  const std::vector<vtkRelievoShadowRegion::Polygon>& region,
+  const std::vector<vtkRelievoBox>& casters, const Request& request);
+}
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowLight.h"
+
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkRenderer.h"
+
+namespace
+{
+bool IsAtEye(const vtkRelievoShadowLight& light, vtkCamera* camera)
+{
+  glm::dvec3 eye(0.0);
+  glm::dvec3 gaze(0.0);
+  camera->GetPosition(eye.x, eye.y, eye.z);
+  camera->GetDirectionOfProjection(gaze.x, gaze.y, gaze.z);
+  // A light of parallel rays casts no shadow that is seen along them, which only a parallel camera
+  // does; the eye's own place is that for a lamp.
+  const bool along = glm::length(light.Direction - gaze) < 1e-6;
+  return light.Positional
+    ? glm::length(light.Position - eye) <= 1e-6 * camera->GetDistance() &&
+      !camera->GetParallelProjection()
+    : along && camera->GetParallelProjection();
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoShadowLight> vtkRelievoShadowLight::Collect(vtkRenderer* renderer)
+{
+  std::vector<vtkRelievoShadowLight> lights;
+  vtkLightCollection* collection = renderer->GetLights();
+  vtkCollectionSimpleIterator it;
+  collection->InitTraversal(it);
+  int on = 0;
+  while (vtkLight* source = collection->GetNextLight(it))
+  {
+    vtkRelievoShadowLight light;
+    light.Light = source;
+    light.Number = static_cast<int>(lights.size());
+    light.ShaderIndex = source->GetSwitch() ? on++ : -1;
+    light.Positional = source->GetPositional() != 0;
+    light.ConeAngle = source->GetConeAngle();
+    glm::dvec3 focus(0.0);
+    source->GetTransformedPosition(light.Position.x, light.Position.y, light.Position.z);
+    source->GetTransformedFocalPoint(focus.x, focus.y, focus.z);
+    const double distance = glm::length(focus - light.Position);
+    if (distance > 0.0 && std::isfinite(distance))
+    {
+      light.Direction = (focus - light.Position) / distance;
+    }
+    else if (!light.Positional || light.ConeAngle < 90.0)
+    {
+      light.NoShadow = "its position and focal point are the same: it has no direction";
+      light.Broken = true;
+    }
+    if (light.ShaderIndex < 0)
+    {
+      light.NoShadow = "it is switched off";
+      light.Broken = false;
+    }
+    else if (source->LightTypeIsHeadlight() || IsAtEye(light, renderer->GetActiveCamera()))
+    {
+      light.NoShadow = "a light at the eye hides its own shadows";
+      light.Broken = false;
+    }
+    else if (light.IsSpot() && light.ConeAngle <= 0.0)
+    {
+      light.NoShadow = "its cone angle is 0";
+      light.Broken = true;
+    }
+    lights.push_back(light);
+  }
+  return lights;
+}

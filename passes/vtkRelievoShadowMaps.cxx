@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowMaps.h"
+
+#include "vtkCamera.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRelievoAccess.h"
+#include "vtkRenderer.h"
+#include "vtkTextureUnitManager.h"
+
+#include <algorithm>
+
+namespace
+{
+void AllocateDepth(unsigned int texture, int size, int layers)
+{
+  glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT32F, size, size, layers, 0,
+    GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowMaps::vtkRelievoShadowMaps() = default;
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowMaps::~vtkRelievoShadowMaps()
+{
+  this->Release(this->Window);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowMaps::GetLargestSize()
+{
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  return limit;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowMaps::Allocate(vtkOpenGLRenderWindow* window, int size, int layers)
+{
+  if (this->Window == window && this->Size == size && this->Layers == layers)
+  {
+    return false;
+  }
+  this->Release(this->Window);
+  this->Window = window;
+  glGenTextures(1, &this->Texture);
+  AllocateDepth(this->Texture, size, std::max(1, layers));
+  glGenTextures(1, &this->Empty);
+  AllocateDepth(this->Empty, 1, 1);
+  this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+  this->Framebuffer->SetContext(window);
+  this->Size = size;
+  this->Layers = layers;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMaps::Begin()
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->Push();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  const unsigned int none = GL_NONE;
+  state->vtkglDrawBuffers(1, const_cast<unsigned int*>(&none));
+  state->vtkglViewport(0, 0, this->Size, this->Size);
+  state->vtkglScissor(0, 0, this->Size, this->Size);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_TRUE);
+  // Casters before the near plane cast from it.
+  glEnable(GL_DEPTH_CLAMP);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
+  const std::function<void()>& casters)
+{
+  if (!this->Camera)
+  {
+    this->Camera = vtkSmartPointer<vtkCamera>::New();
+    this->Camera->UseExplicitProjectionTransformMatrixOn();
+  }
+  glFramebufferTextureLayer(
+    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, this->Texture, 0, layer);
+  const GLfloat farthest = 1.0f;
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+
+  vtkNew<vtkMatrix4x4> projection;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      projection->SetElement(row, column, view.ViewToNDC[column][row]);
+    }
+  }
+  const glm::dvec3 focus = view.Position + view.Forward * std::abs(view.Far);
+  this->Camera->SetParallelProjection(view.Parallel);
+  this->Camera->SetPosition(view.Position.x, view.Position.y, view.Position.z);
+  this->Camera->SetFocalPoint(focus.x, focus.y, focus.z);
+  this->Camera->SetViewUp(view.Up.x, view.Up.y, view.Up.z);
+  this->Camera->SetExplicitProjectionTransformMatrix(projection);
+  this->Camera->Modified();
+  vtkMatrix4x4* worldToView = this->Camera->GetModelViewTransformMatrix();
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      view.WorldToView[column][row] = worldToView->GetElement(row, column);
+    }
+  }
+  vtkCamera*& active = vtkRelievoAccess::Renderer::CameraInUse(renderer);
+  vtkCamera* const own = active;
+  active = this->Camera;
+  casters();
+  active = own;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMaps::End()
+{
+  glDisable(GL_DEPTH_CLAMP);
+  glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, 0, 0, 0);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PopFramebufferBindings();
+  state->Pop();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMaps::DrawBothSides()
+{
+  this->Window->GetState()->vtkglDisable(GL_CULL_FACE);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMaps::BindTexture(unsigned int texture)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->Unit));
+  glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+  state->vtkglActiveTexture(GL_TEXTURE0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowMaps::Bind(bool maps)
+{
+  if (this->Unit < 0)
+  {
+    this->Unit = this->Window->GetState()->GetTextureUnitManager()->Allocate();
+  }
+  if (this->Unit >= 0)
+  {
+    this->BindTexture(maps ? this->Texture : this->Empty);
+  }
+  return this->Unit >= 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMaps::Unbind()
+{
+  if (this->Unit >= 0 && this->Window)
+  {
+    this->BindTexture(0);
+    this->Window->GetState()->GetTextureUnitManager()->Free(this->Unit);
+  }
+  this->Unit = -1;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoShadowMaps::GetBytes() const
+{
+  return 4 * static_cast<vtkIdType>(this->Size) * this->Size * this->Layers;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMaps::Release(vtkWindow* window)
+{
+  if (window && this->Texture)
+  {
+    this->Window->MakeCurrent();
+    this->Unbind();
+    glDeleteTextures(1, &this->Texture);
+    glDeleteTextures(1, &this->Empty);
+    this->Framebuffer->ReleaseGraphicsResources(window);
+  }
+  this->Texture = 0;
+  this->Empty = 0;
+  this->Framebuffer = nullptr;
+  this->Unit = -1;
+  this->Size = 0;
+  this->Layers = 0;
+}

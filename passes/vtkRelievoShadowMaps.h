@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The maps of a frame's lights on the GPU: the layers of one array of depth textures, so that any
+// number of lights takes one texture unit.
+#ifndef vtkRelievoShadowMaps_h
+#define vtkRelievoShadowMaps_h
+
+#include "vtkNew.h"
+#include "vtkRelievoShadowFit.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <functional>
+#include <string>
+
+class vtkCamera;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkWindow;
+
+class vtkRelievoShadowMaps
+{
+public:
+  vtkRelievoShadowMaps();
+  ~vtkRelievoShadowMaps();
+  vtkRelievoShadowMaps(const vtkRelievoShadowMaps&) = delete;
+  void operator=(const vtkRelievoShadowMaps&) = delete;
+
+  // Room for maps of size x size texels. True if what was drawn before is lost. The window's
+  // context must be current.
+  bool Allocate(vtkOpenGLRenderWindow* window, int size, int layers);
+
+  // The largest map of this OpenGL.
+  static int GetLargestSize();
+
+  // Draws one map: `casters` is called with the view as the renderer's camera, between Begin and
+  // End, which keep OpenGL's state. The view's matrices become exactly those that were drawn with.
+  void Begin();
+  void Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
+    const std::function<void()>& casters);
+  void End();
+
+  // For the draw call that follows: a sheet blocks light from both sides.
+  void DrawBothSides();
+
+  // Binds the maps for looking up, or an empty texture that stands in for them while they are drawn.
+  // Returns false if no texture unit is free.
+  bool Bind(bool maps);
+  void Unbind();
+  int GetTextureUnit() const { return this->Unit; }
+
+  int GetSize() const { return this->Size; }
+  vtkIdType GetBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  void BindTexture(unsigned int texture);
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkSmartPointer<vtkCamera> Camera;
+  unsigned int Texture = 0;
+  unsigned int Empty = 0;
+  int Size = 0;
+  int Layers = 0;
+  int Unit = -1;
+};
+
+#endif

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoShadowPass
+ * @brief Shadows of every light that VTK has, in VTK's own light code.
+ *
+ * A stage of the frame: before the delegate draws, the depth seen from each casting light is drawn
+ * into a map; while it draws, each light's colour is taken down by its visibility wherever VTK's
+ * shaders read it. Phong, flat and PBR, textures, colour maps, glyphs, blocks and impostors keep
+ * their look and lose only the light that is blocked. Maps are kept until the light, what casts, or
+ * what is seen changes.
+ *
+ * Lights: directional, spot of any cone angle, point (positional with a cone angle of 90 degrees
+ * and more). A light at the eye hides its own shadows and is left out; one without a direction
+ * warns once. vtkLight::ShadowAttenuation (0 to 1) is each light's own strength.
+ *
+ * Maps are fitted to the part of the scene that the camera sees (L. Williams, Casting curved shadows
+ * on curved surfaces, 1978, for the map; receiver-plane depth bias after J. Isidoro, Shadow mapping:
+ * GPU-based tips and techniques, 2006; percentage-closer filtering after W. Reeves, D. Salesin, R.
+ * Cook, Rendering antialiased shadows with depth maps, 1987).
+ *
+ * Translucent geometry receives shadows and casts none, unless asked to. Volumes, and props that
+ * draw without a vtkActor's mapper, neither cast nor receive.
+ */
+#ifndef vtkRelievoShadowPass_h
+#define vtkRelievoShadowPass_h
+
+#include "vtkRelievoPassesModule.h" // for the export macro
+#include "vtkRelievoStage.h"
+
+#include <memory> // for the internals
+#include <string> // for reasons
+
+class vtkLight;
+class vtkProp;
+
+class VTKRELIEVOPASSES_EXPORT vtkRelievoShadowPass : public vtkRelievoStage
+{
+public:
+  static vtkRelievoShadowPass* New();
+  vtkTypeMacro(vtkRelievoShadowPass, vtkRelievoStage);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Whether shadows are seen in the picture. Default off; layers shadow_N are made either way. */
+  vtkSetMacro(Visible, bool);
+  vtkGetMacro(Visible, bool);
+  vtkBooleanMacro(Visible, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Width and height of each map in texels, 16 to the OpenGL's limit; a larger one is drawn at the
+   * limit, with a warning. Default 2048.
+   */
+  vtkSetClampMacro(MapSize, int, 16, VTK_INT_MAX);
+  vtkGetMacro(MapSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the filter over the map in texels, 0 to 16: the shadow's edge is that soft. 1
+   * interpolates between the verdicts of four texels; 0 takes the nearest one. Default 1.
+   */
+  vtkSetClampMacro(FilterRadius, int, 0, 16);
+  vtkGetMacro(FilterRadius, int);
+  ///@}
+
+  ///@{
+  /**
+   * How far behind what the light sees a surface may lie and still be lit, in texels' widths, 0 to
+   * 100. On top of the receiver's own plane, so that flat surfaces need none but for rounding.
+   * Default 0.5.
+   */
+  vtkSetClampMacro(Bias, double, 0.0, 100.0);
+  vtkGetMacro(Bias, double);
+  ///@}
+
+  ///@{
+  /** Part of a blocked light that is taken away, 0 to 1. Default 1. */
+  vtkSetClampMacro(Strength, double, 0.0, 1.0);
+  vtkGetMacro(Strength, double);
+  ///@}
+
+  ///@{
+  /** Whether a light casts shadows. Default: every light does. */
+  void SetLightCasts(vtkLight* light, bool casts);
+  bool GetLightCasts(vtkLight* light);
+  ///@}
+
+  enum Casting
+  {
+    CASTS_IF_OPAQUE = -1,
+    CASTS_NEVER = 0,
+    CASTS_ALWAYS = 1
+  };
+
+  ///@{
+  /**
+   * Whether a prop of the renderer casts: its opaque geometry only (default), never, or also its
+   * translucent geometry.
+   */
+  void SetPropCasts(vtkProp* prop, int casts);
+  int GetPropCasts(vtkProp* prop);
+  ///@}
+
+  ///@{
+  /** Whether a prop of the renderer receives shadows. Default true. */
+  void SetPropReceives(vtkProp* prop, bool receives);
+  bool GetPropReceives(vtkProp* prop);
+  ///@}
+
+  ///@{
+  /** Of the last frame: lights that cast, maps they have, and maps that were drawn anew. */
+  int GetNumberOfCastingLights();
+  int GetNumberOfMaps();
+  vtkGetMacro(NumberOfMapsDrawn, int);
+  ///@}
+
+  std::string GetStageName() override { return "shadows"; }
+  vtkIdType GetBytesHeld() override;
+
+  ///@{
+  /** Called by VTK's mappers. */
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+  ///@}
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkRelievoShadowPass();
+  ~vtkRelievoShadowPass() override;
+
+  friend class vtkRelievoPass;
+
+  bool IsNeeded(const vtkRenderState* s, std::string& reason) override;
+  void RenderBefore(vtkRelievoPass* frame, const vtkRenderState* s) override;
+  void RenderAfter(vtkRelievoPass* frame, const vtkRenderState* s) override;
+
+  /** Whether a layer shadow_N is asked for in this frame. */
+  void SetLayersAsked(bool asked) { this->LayersAsked = asked; }
+
+  bool Visible = false;
+  int MapSize = 2048;
+  int FilterRadius = 1;
+  double Bias = 0.5;
+  double Strength = 1.0;
+  int NumberOfMapsDrawn = 0;
+  bool LayersAsked = false;
+
+private:
+  vtkRelievoShadowPass(const vtkRelievoShadowPass&) = delete;
+  void operator=(const vtkRelievoShadowPass&) = delete;
+
+  void SetFrameParameters(vtkShaderProgram* program);
+  void DrawMaps(const vtkRenderState* s);
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

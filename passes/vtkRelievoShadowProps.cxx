@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowProps.h"
+
+#include "vtkActor.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRelievoPropParts.h"
+#include "vtkRelievoShadowFit.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+#include "vtkTexture.h"
+#include "vtkUniforms.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace
+{
+vtkMTimeType GetDataTime(vtkDataObject* data)
+{
+  vtkMTimeType time = data ? data->GetMTime() : 0;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      time = std::max(time, it->GetCurrentDataObject()->GetMTime());
+    }
+  }
+  return time;
+}
+
+vtkMTimeType GetTextureTime(vtkTexture* texture)
+{
+  return texture ? std::max(texture->GetMTime(), GetDataTime(texture->GetInputDataObject(0, 0)))
+                 : 0;
+}
+
+// Of what a mapper draws, not of how it colours it.
+vtkMTimeType GetMapperTime(vtkMapper* mapper)
+{
+  vtkMTimeType time = 0;
+  for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
+    {
+      time = std::max(time, GetDataTime(mapper->GetInputDataObject(port, i)));
+    }
+  }
+  if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
+  {
+    time = std::max(time, planes->GetMTime());
+    vtkCollectionSimpleIterator it;
+    planes->InitTraversal(it);
+    while (vtkPlane* plane = planes->GetNextPlane(it))
+    {
+      time = std::max(time, plane->GetMTime());
+    }
+  }
+  // A plain mapper's own settings are about colour; others' may be sizes, blocks, orientations.
+  return std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0
+    ? time
+    : std::max(time, mapper->GetMTime());
+}
+
+bool GetBox(vtkProp* prop, vtkRelievoBox& box)
+{
+  const double* b = prop->GetBounds();
+  if (!b || !vtkMath::AreBoundsInitialized(b))
+  {
+    return false;
+  }
+  box.Min = glm::dvec3(b[0], b[2], b[4]);
+  box.Max = glm::dvec3(b[1], b[3], b[5]);
+  return !glm::any(glm::isnan(box.Min)) && !glm::any(glm::isnan(box.Max)) &&
+    !glm::any(glm::isinf(box.Min)) && !glm::any(glm::isinf(box.Max));
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowProps::Choice& vtkRelievoShadowProps::GetChoice(vtkProp* prop)
+{
+  this->Choices.erase(std::remove_if(this->Choices.begin(), this->Choices.end(),
+                        [](const Choice& choice) { return !choice.Prop; }),
+    this->Choices.end());
+  for (Choice& choice : this->Choices)
+  {
+    if (choice.Prop == prop)
+    {
+      return choice;
+    }
+  }
+  this->Choices.emplace_back();
+  this->Choices.back().Prop = prop;
+  return this->Choices.back();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
+{
+  this->Spliced.clear();
+  this->Casters.clear();
+  this->CasterBoxes.clear();
+  this->ReceiverBoxes.clear();
+  this->NotReceiving.clear();
+  this->State.clear();
+  const std::set<vtkProp*> drawn(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  std::vector<vtkRelievoPropParts::Part> parts;
+  vtkPropCollection* props = s->GetRenderer()->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    if (!prop->GetVisibility())
+    {
+      continue;
+    }
+    Choice choice;
+    for (const Choice& made : this->Choices)
+    {
+      choice = made.Prop == prop ? made : choice;
+    }
+    vtkRelievoPropParts::Collect(prop, parts);
+    parts.erase(std::remove_if(parts.begin(), parts.end(),
+                  [](const vtkRelievoPropParts::Part& part) {
+                    return !vtkRelievoPropParts::GetMeshActor(part);
+                  }),
+      parts.end());
+    vtkRelievoBox box;
+    // The bounds bring the mapper's input up to date as well.
+    if (parts.empty() || !GetBox(prop, box))
+    {
+      continue;
+    }
+    this->Spliced.push_back(prop);
+    const bool translucent = choice.Casts == 1;
+    const bool casts =
+      choice.Casts == 1 || (choice.Casts == -1 && prop->HasOpaqueGeometry() != 0);
+    if (casts)
+    {
+      this->Casters.push_back({ prop, translucent });
+      this->CasterBoxes.push_back(box);
+      this->State.push_back(reinterpret_cast<std::uintptr_t>(prop));
+      this->State.push_back(translucent ? 1 : 0);
+    }
+    if (choice.Receives && drawn.count(prop))
+    {
+      this->ReceiverBoxes.push_back(box);
+    }
+    for (const vtkRelievoPropParts::Part& part : parts)
+    {
+      vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
+      if (!choice.Receives)
+      {
+        this->NotReceiving.insert(actor);
+      }
+      if (casts)
+      {
+        vtkMatrix4x4* matrix = part.Matrix ? part.Matrix : actor->GetMatrix();
+        std::for_each(&matrix->Element[0][0], &matrix->Element[0][0] + 16,
+          [this](double value) { this->AddDouble(value); });
+        this->AddState(actor);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProps::AddDouble(double value)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  this->State.push_back(bits);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProps::AddState(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  this->State.push_back(reinterpret_cast<std::uintptr_t>(actor));
+  this->State.push_back(reinterpret_cast<std::uintptr_t>(mapper));
+  this->State.push_back(reinterpret_cast<std::uintptr_t>(mapper->GetInputDataObject(0, 0)));
+  this->State.push_back(GetMapperTime(mapper));
+  this->State.push_back(actor->GetVisibility() ? 1 : 0);
+  this->State.push_back(actor->HasOpaqueGeometry() ? 1 : 0);
+  vtkProperty* property = actor->GetProperty();
+  this->State.push_back(property->GetRepresentation());
+  this->State.push_back((property->GetVertexVisibility() ? 1 : 0) +
+    (property->GetRenderPointsAsSpheres() ? 2 : 0) + (property->GetRenderLinesAsTubes() ? 4 : 0));
+  this->AddDouble(property->GetPointSize());
+  this->AddDouble(property->GetLineWidth());
+  // Cut-outs: what is not there casts nothing.
+  this->State.push_back(GetTextureTime(actor->GetTexture()));
+  for (const auto& named : property->GetAllTextures())
+  {
+    this->State.push_back(GetTextureTime(named.second));
+  }
+  // Replacements and uniforms of a user may move vertices.
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  this->State.push_back(shaders->GetShaderMTime());
+  this->State.push_back(shaders->GetVertexCustomUniforms()->GetMTime());
+  this->State.push_back(shaders->GetGeometryCustomUniforms()->GetMTime());
+  this->State.push_back(shaders->GetFragmentCustomUniforms()->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProps::AddPass(vtkOpenGLRenderPass* pass)
+{
+  for (vtkProp* prop : this->Spliced)
+  {
+    vtkRelievoPropParts::AddPass(prop, pass);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProps::RemovePass(vtkOpenGLRenderPass* pass)
+{
+  for (vtkProp* prop : this->Spliced)
+  {
+    vtkRelievoPropParts::RemovePass(prop, pass);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view)
+{
+  for (std::size_t i = 0; i < this->Casters.size(); ++i)
+  {
+    if (view.Sees(this->CasterBoxes[i]))
+    {
+      this->Casters[i].Prop->RenderOpaqueGeometry(renderer);
+      if (this->Casters[i].Translucent)
+      {
+        this->Casters[i].Prop->RenderTranslucentPolygonalGeometry(renderer);
+      }
+    }
+  }
+}

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What casts and what receives shadows in a renderer, and whether what casts has changed since the
+// frame before.
+#ifndef vtkRelievoShadowProps_h
+#define vtkRelievoShadowProps_h
+
+#include "vtkRelievoShadowRegion.h"
+#include "vtkWeakPointer.h"
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+class vtkActor;
+class vtkOpenGLRenderPass;
+class vtkProp;
+class vtkRenderState;
+class vtkRenderer;
+struct vtkRelievoShadowView;
+
+class vtkRelievoShadowProps
+{
+public:
+  // What was chosen for a prop; casting: -1 opaque geometry only, 0 never, 1 always.
+  struct Choice
+  {
+    vtkWeakPointer<vtkProp> Prop;
+    int Casts = -1;
+    bool Receives = true;
+  };
+  Choice& GetChoice(vtkProp* prop);
+
+  // Casters are all visible props of the renderer, also outside the view; receivers those drawn.
+  void Collect(const vtkRenderState* s);
+
+  // The state of what casts, for comparison.
+  const std::vector<std::uint64_t>& GetState() const { return this->State; }
+
+  const std::vector<vtkRelievoBox>& GetCasterBoxes() const { return this->CasterBoxes; }
+  const std::vector<vtkRelievoBox>& GetReceiverBoxes() const { return this->ReceiverBoxes; }
+  bool Receives(vtkProp* part) const { return this->NotReceiving.count(part) == 0; }
+
+  void AddPass(vtkOpenGLRenderPass* pass);
+  void RemovePass(vtkOpenGLRenderPass* pass);
+
+  // Draws the depth of what may cast into the view.
+  void RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view);
+
+private:
+  void AddState(vtkActor* actor);
+  void AddDouble(double value);
+
+  struct Caster
+  {
+    vtkProp* Prop;
+    bool Translucent; // draws its translucent geometry as well
+  };
+  std::vector<Choice> Choices;
+  std::vector<vtkProp*> Spliced;
+  std::vector<Caster> Casters;
+  std::vector<vtkRelievoBox> CasterBoxes; // of Casters, one each
+  std::vector<vtkRelievoBox> ReceiverBoxes;
+  std::set<vtkProp*> NotReceiving;
+  std::vector<std::uint64_t> State;
+};
+
+#endif

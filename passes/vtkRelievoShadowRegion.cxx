@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowRegion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using vtkRelievoShadowRegion::Polygon;
+
+constexpr int Faces[6][4] = { { 0, 2, 6, 4 }, { 1, 5, 7, 3 }, { 0, 4, 5, 1 }, { 2, 3, 7, 6 },
+  { 0, 1, 3, 2 }, { 4, 6, 7, 5 } };
+
+std::array<glm::dvec4, 6> GetFrustumPlanes(const glm::dmat4& worldToNDC)
+{
+  const glm::dmat4 rows = glm::transpose(worldToNDC);
+  return { rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1],
+    rows[3] + rows[2], rows[3] - rows[2] };
+}
+
+std::array<glm::dvec4, 6> GetBoxPlanes(const vtkRelievoBox& box)
+{
+  return { glm::dvec4(1, 0, 0, -box.Min.x), glm::dvec4(-1, 0, 0, box.Max.x),
+    glm::dvec4(0, 1, 0, -box.Min.y), glm::dvec4(0, -1, 0, box.Max.y),
+    glm::dvec4(0, 0, 1, -box.Min.z), glm::dvec4(0, 0, -1, box.Max.z) };
+}
+
+// The faces of a hexahedron with corners in the order of vtkRelievoBox::GetCorners, cut by planes.
+void AddFaces(const std::array<glm::dvec3, 8>& corners, const std::array<glm::dvec4, 6>& planes,
+  std::vector<Polygon>& polygons)
+{
+  for (const auto& face : Faces)
+  {
+    Polygon polygon;
+    for (const int corner : face)
+    {
+      polygon.push_back(corners[corner]);
+    }
+    for (const glm::dvec4& plane : planes)
+    {
+      polygon = vtkRelievoShadowRegion::Clip(polygon, plane);
+    }
+    if (!polygon.empty())
+    {
+      polygons.push_back(polygon);
+    }
+  }
+}
+
+double Cross(const glm::dvec2& a, const glm::dvec2& b)
+{
+  return a.x * b.y - a.y * b.x;
+}
+
+// Andrew's monotone chain (1979).
+std::vector<glm::dvec2> GetHull(std::vector<glm::dvec2> points)
+{
+  std::sort(points.begin(), points.end(), [](const glm::dvec2& a, const glm::dvec2& b) {
+    return a.x < b.x || (a.x == b.x && a.y < b.y);
+  });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3)
+  {
+    return points;
+  }
+  std::vector<glm::dvec2> hull;
+  for (int side = 0; side < 2; ++side)
+  {
+    const std::size_t first = hull.size();
+    for (const glm::dvec2& point : points)
+    {
+      while (hull.size() >= first + 2 &&
+        Cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0.0)
+      {
+        hull.pop_back();
+      }
+      hull.push_back(point);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+}
+
+//------------------------------------------------------------------------------
+std::array<glm::dvec3, 8> vtkRelievoBox::GetCorners() const
+{
+  std::array<glm::dvec3, 8> corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners[i] = glm::dvec3(i & 1 ? this->Max.x : this->Min.x, i & 2 ? this->Max.y : this->Min.y,
+      i & 4 ? this->Max.z : this->Min.z);
+  }
+  return corners;
+}
+
+//------------------------------------------------------------------------------
+Polygon vtkRelievoShadowRegion::Clip(const Polygon& polygon, const glm::dvec4& plane)
+{
+  // Sutherland and Hodgman (1974).
+  Polygon kept;
+  auto side = [&plane](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const glm::dvec3& from = polygon[i];
+    const glm::dvec3& to = polygon[(i + 1) % polygon.size()];
+    const double a = side(from);
+    const double b = side(to);
+    if (a >= 0.0)
+    {
+      kept.push_back(from);
+    }
+    if ((a >= 0.0) != (b >= 0.0))
+    {
+      kept.push_back(from + (to - from) * (a / (a - b)));
+    }
+  }
+  return kept;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Polygon> vtkRelievoShadowRegion::Cut(
+  const std::vector<vtkRelievoBox>& boxes, const glm::dmat4& worldToNDC)
+{
+  std::array<glm::dvec3, 8> frustum;
+  const glm::dmat4 ndcToWorld = glm::inverse(worldToNDC);
+  const std::array<glm::dvec3, 8> cube =
+    vtkRelievoBox{ glm::dvec3(-1.0), glm::dvec3(1.0) }.GetCorners();
+  std::transform(cube.begin(), cube.end(), frustum.begin(), [&ndcToWorld](const glm::dvec3& p) {
+    const glm::dvec4 world = ndcToWorld * glm::dvec4(p, 1.0);
+    return glm::dvec3(world) / world.w;
+  });
+  const std::array<glm::dvec4, 6> planes = GetFrustumPlanes(worldToNDC);
+  std::vector<Polygon> polygons;
+  for (const vtkRelievoBox& box : boxes)
+  {
+    AddFaces(box.GetCorners(), planes, polygons);
+    AddFaces(frustum, GetBoxPlanes(box), polygons);
+  }
+  return polygons;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowRegion::Rectangle vtkRelievoShadowRegion::Enclose(std::vector<glm::dvec2> points)
+{
+  const std::vector<glm::dvec2> hull = GetHull(std::move(points));
+  Rectangle best;
+  for (std::size_t i = 0; i < hull.size(); ++i)
+  {
+    // The least rectangle has a side along a side of the hull (Freeman and Shapira, 1975).
+    const glm::dvec2 edge = hull[(i + 1) % hull.size()] - hull[i];
+    Rectangle rectangle;
+    rectangle.Angle = std::atan2(edge.y, edge.x);
+    const glm::dvec2 x(std::cos(rectangle.Angle), std::sin(rectangle.Angle));
+    const glm::dvec2 y(-x.y, x.x);
+    rectangle.Min = glm::dvec2(1e300);
+    rectangle.Max = glm::dvec2(-1e300);
+    for (const glm::dvec2& point : hull)
+    {
+      const glm::dvec2 turned(glm::dot(point, x), glm::dot(point, y));
+      rectangle.Min = glm::min(rectangle.Min, turned);
+      rectangle.Max = glm::max(rectangle.Max, turned);
+    }
+    if (i == 0 || rectangle.GetArea() < best.GetArea())
+    {
+      best = rectangle;
+    }
+  }
+  return best;
+}

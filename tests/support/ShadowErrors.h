@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ShadowErrors.h
+ * @brief How many shadow verdicts of a picture are wrong, against rays.
+ */
+#ifndef relievoTestShadowErrors_h
+#define relievoTestShadowErrors_h
+
+#include "Truth.h"
+
+#include <string>
+#include <vector>
+
+class vtkLight;
+
+namespace relievoTest
+{
+class EmbreeScene;
+
+/** What each pixel must show of a light: in shadow, lit, or not to be judged. */
+struct ShadowTruth
+{
+  enum Verdict : unsigned char
+  {
+    Unjudged,
+    Lit,
+    Dark
+  };
+  int Width = 0;
+  int Height = 0;
+  std::vector<Verdict> Verdicts; // row 0 at the bottom
+  long long Flipping = 0;        // pixels left out because a small jitter flips the verdict
+};
+
+/** A picture's verdicts against that truth. */
+struct ShadowErrors
+{
+  long long Compared = 0;
+  long long Dark = 0;        // of these, truly in shadow
+  long long FalseShadow = 0; // lit, but drawn in shadow
+  long long FalseLight = 0;  // in shadow, but drawn lit
+  long long Flipping = 0;
+
+  /** Share of the compared pixels that are wrong. */
+  double Wrong() const
+  {
+    return static_cast<double>(this->FalseShadow + this->FalseLight) /
+      static_cast<double>(this->Compared > 0 ? this->Compared : 1);
+  }
+  std::string ToString() const;
+};
+
+/**
+ * Rays from every pixel's place to the light. Judged are pixels that show a surface whose geometric
+ * normal n turns to the light, n * l > 0.05 (within the cone of a spot), and whose verdict four
+ * rays that start `jitter` (world units) beside agree with.
+ */
+ShadowTruth TraceShadow(
+  const EmbreeScene& scene, const TruthImage& view, vtkLight* light, double jitter = 1e-5);
+
+/** `visibility`: 1 lit, 0 dark, per pixel of the truth, row 0 at the bottom; 0.5 divides. */
+ShadowErrors CompareShadow(const ShadowTruth& truth, const float* visibility);
+}
+
+#endif
