@@ -13,6 +13,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
     { "position", "error of positions against bytes and frame time", RelievoBenchPosition },
     { "gbuffer", "what layers cost a frame, against VTK's plain frame", RelievoBenchGBuffer },
     { "capture", "capture of depth, normal and cell against VTK's own means", RelievoBenchCapture },
+    { "shadow-frames", "what shadows cost a frame, still and moving, against a peer",
+      RelievoBenchShadowFrames },
   };
   return entries;
 }

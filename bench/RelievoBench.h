@@ -43,4 +43,7 @@ int RelievoBenchGBuffer(const std::string& outDir);
 /** Capture of depth, normal and cell against z and cells by VTK's own means. About a minute. */
 int RelievoBenchCapture(const std::string& outDir);
 
+/** What shadows cost a frame, still and moving, against a plain frame and a peer. Minutes. */
+int RelievoBenchShadowFrames(const std::string& outDir);
+
 #endif

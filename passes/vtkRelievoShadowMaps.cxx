@@ -23,6 +23,8 @@ void AllocateDepth(unsigned int texture, int size, int layers)
     GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_NONE);
   glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
@@ -190,7 +192,8 @@ void vtkRelievoShadowMaps::Release(vtkWindow* window)
 {
   if (window && this->Texture)
   {
-    this->Window->MakeCurrent();
+    // Not by the weak pointer: in the window's own destructor it points nowhere.
+    window->MakeCurrent();
     this->Unbind();
     glDeleteTextures(1, &this->Texture);
     glDeleteTextures(1, &this->Empty);

@@ -27,12 +27,7 @@ vtkStandardNewMacro(vtkRelievoShadowPass);
 
 namespace
 {
-// A lamp may need the six sides of a cube, a sun one map.
-int GetRoom(const vtkRelievoShadowLight& light)
-{
-  return light.Positional ? 6 : 1;
-}
-// Uniforms for more faces than this are not promised by OpenGL 3.2.
+// Room for uniforms: two matrices each.
 constexpr int MostFaces = 48;
 }
 
@@ -163,14 +158,14 @@ bool vtkRelievoShadowPass::IsNeeded(const vtkRenderState* s, std::string& reason
     {
       light.NoShadow = "it is chosen to cast none (SetLightCasts)";
     }
-    if (light.NoShadow.empty() && faces + GetRoom(light) > MostFaces)
+    if (light.NoShadow.empty() && faces + (light.Positional ? 6 : 1) > MostFaces)
     {
       light.NoShadow = "the lights before it take all maps that a shader has room for";
       light.Broken = true;
     }
     if (light.NoShadow.empty())
     {
-      faces += GetRoom(light);
+      faces += light.Positional ? 6 : 1;
       in.Casting.push_back(light);
       continue;
     }
@@ -201,21 +196,9 @@ void vtkRelievoShadowPass::RenderBefore(vtkRelievoPass*, const vtkRenderState* s
   Internals& in = *this->Internal;
   this->DrawCalls = 0;
   this->NumberOfMapsDrawn = 0;
-  vtkRelievoShadowSplice::Structure structure;
-  structure.Numbers = static_cast<int>(in.Lights.size());
-  structure.Unlit = this->LayersAsked;
-  for (const vtkRelievoShadowLight& light : in.Casting)
-  {
-    structure.ShaderIndices.push_back(light.ShaderIndex);
-    structure.Faces += GetRoom(light);
-  }
-  if (!(structure == in.Structure))
-  {
-    in.Structure = structure;
-    in.StructureTime.Modified();
-  }
   in.View.Take(s->GetRenderer(), s);
   in.Props.Collect(s);
+  this->FitMaps(s);
   in.Props.AddPass(this);
   in.Spliced = true;
   this->DrawMaps(s);
@@ -224,11 +207,10 @@ void vtkRelievoShadowPass::RenderBefore(vtkRelievoPass*, const vtkRenderState* s
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowPass::DrawMaps(const vtkRenderState* s)
+void vtkRelievoShadowPass::FitMaps(const vtkRenderState* s)
 {
   Internals& in = *this->Internal;
-  vtkRenderer* renderer = s->GetRenderer();
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
   vtkRelievoShadowFit::Request request;
   request.Size = this->MapSize;
   const int largest = vtkRelievoShadowMaps::GetLargestSize();
@@ -249,6 +231,26 @@ void vtkRelievoShadowPass::DrawMaps(const vtkRenderState* s)
   {
     in.Cache.Invalidate();
   }
+  vtkRelievoShadowSplice::Structure structure;
+  structure.Numbers = static_cast<int>(in.Lights.size());
+  structure.Unlit = this->LayersAsked;
+  structure.WideFilter = this->FilterRadius > 1;
+  for (const auto& entry : in.Cache.GetEntries())
+  {
+    structure.Lights.push_back({ entry.Light.ShaderIndex, entry.Maps.size() > 1 });
+  }
+  if (!(structure == in.Structure))
+  {
+    in.Structure = structure;
+    in.StructureTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::DrawMaps(const vtkRenderState* s)
+{
+  Internals& in = *this->Internal;
+  vtkRenderer* renderer = s->GetRenderer();
   in.Told.clear();
   for (auto& entry : in.Cache.GetEntries())
   {
@@ -329,38 +331,42 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
   const glm::dmat4 viewToWorld = glm::inverse(in.View.WorldToView);
   glm::dmat4 ndcToMap(0.5);
   ndcToMap[3] = glm::dvec4(0.5, 0.5, 0.5, 1.0);
-  std::vector<glm::mat4> matrices(in.Structure.Faces, glm::mat4(0.f));
-  std::vector<float> texels(in.Structure.Faces, 0.f);
-  std::vector<int> layers(in.Structure.Faces, 0);
-  std::vector<int> firsts(1, 0);
+  const int faces = in.Structure.GetFaces();
+  std::vector<glm::mat4> matrices(faces, glm::mat4(0.f));
+  std::vector<glm::mat4> planes(faces, glm::mat4(0.f));
+  std::vector<float> texels(faces, 0.f);
+  std::vector<int> layers(faces, -1);
   std::vector<glm::vec4> sources;
   std::vector<float> strengths;
   std::vector<int> slots(in.Structure.Numbers, -1);
-  int face = 0;
+  int first = 0;
   for (const auto& entry : in.Cache.GetEntries())
   {
     const vtkRelievoShadowLight& light = entry.Light;
-    slots[light.Number] = static_cast<int>(sources.size());
-    const glm::dvec4 place = light.Positional ? glm::dvec4(light.Position, 1.0)
-                                              : glm::dvec4(-light.Direction, 0.0);
-    sources.emplace_back(in.View.WorldToView * place);
-    strengths.push_back(
-      this->Visible ? static_cast<float>(this->Strength * light.Light->GetShadowAttenuation()) : 0.f);
+    const double strength = this->Strength * light.Light->GetShadowAttenuation();
+    const glm::dvec4 place =
+      light.Positional ? glm::dvec4(light.Position, 1.0) : glm::dvec4(-light.Direction, 0.0);
+    int face = first;
     for (const auto& map : entry.Maps)
     {
-      matrices[face] =
-        glm::mat4(ndcToMap * map.View.ViewToNDC * (map.View.WorldToView * viewToWorld));
+      const glm::dmat4 viewToMap =
+        ndcToMap * map.View.ViewToNDC * (map.View.WorldToView * viewToWorld);
+      matrices[face] = glm::mat4(viewToMap);
+      planes[face] = glm::mat4(glm::transpose(glm::inverse(viewToMap)));
       texels[face] = static_cast<float>(map.View.Texel);
       layers[face++] = map.Layer;
     }
-    firsts.push_back(face);
+    first += in.Structure.Lights[sources.size()].GetRoom();
+    slots[light.Number] = static_cast<int>(sources.size());
+    sources.emplace_back(in.View.WorldToView * place);
+    strengths.push_back(this->Visible ? static_cast<float>(strength) : 0.f);
   }
   const int lights = static_cast<int>(sources.size());
   program->SetUniformi("relievoShadowMaps", in.Maps.GetTextureUnit());
-  program->SetUniformMatrix4x4v("relievoShadowMatrix", in.Structure.Faces, &matrices[0][0][0]);
-  program->SetUniform1fv("relievoShadowTexel", in.Structure.Faces, texels.data());
-  program->SetUniform1iv("relievoShadowLayer", in.Structure.Faces, layers.data());
-  program->SetUniform1iv("relievoShadowFirst", lights + 1, firsts.data());
+  program->SetUniformMatrix4x4v("relievoShadowMatrix", faces, &matrices[0][0][0]);
+  program->SetUniformMatrix4x4v("relievoShadowPlane", faces, &planes[0][0][0]);
+  program->SetUniform1fv("relievoShadowTexel", faces, texels.data());
+  program->SetUniform1iv("relievoShadowLayer", faces, layers.data());
   program->SetUniform4fv(
     "relievoShadowSource", lights, reinterpret_cast<const float(*)[4]>(&sources[0][0]));
   program->SetUniform1fv("relievoShadowStrength", lights, strengths.data());
@@ -397,8 +403,7 @@ bool vtkRelievoShadowPass::SetShaderParameters(
     this->SetFrameParameters(program);
   }
   vtkProperty* property = actor->GetProperty();
-  program->SetUniformi(
-    "relievoShadowReceives", !in.DrawingMaps && in.Props.Receives(prop) ? 1 : 0);
+  program->SetUniformf("relievoShadowReceives", in.Props.Receives(prop) ? 1.f : 0.f);
   program->SetUniformf("relievoShadowLift",
     std::max(property->GetPointSize(), property->GetLineWidth()));
   return true;

@@ -70,7 +70,7 @@ public:
   /**
    * How far behind what the light sees a surface may lie and still be lit, in texels' widths, 0 to
    * 100. On top of the receiver's own plane, so that flat surfaces need none but for rounding.
-   * Default 0.5.
+   * Default 1.5.
    */
   vtkSetClampMacro(Bias, double, 0.0, 100.0);
   vtkGetMacro(Bias, double);
@@ -149,7 +149,7 @@ protected:
   bool Visible = false;
   int MapSize = 2048;
   int FilterRadius = 1;
-  double Bias = 0.5;
+  double Bias = 1.5;
   double Strength = 1.0;
   int NumberOfMapsDrawn = 0;
   bool LayersAsked = false;
@@ -159,6 +159,7 @@ private:
   void operator=(const vtkRelievoShadowPass&) = delete;
 
   void SetFrameParameters(vtkShaderProgram* program);
+  void FitMaps(const vtkRenderState* s);
   void DrawMaps(const vtkRenderState* s);
 
   class Internals;

@@ -16,6 +16,7 @@ namespace
 {
 const char* const Dec = "//RELIEVO::Shadow::Dec";
 const char* const Impl = "//RELIEVO::Shadow::Impl";
+const char* const Extensions = "//RELIEVO::Shadow::Extensions";
 const char* const UniformFlow = "//RELIEVO::Shadow::UniformFlow";
 
 std::string Section(const char* section)
@@ -23,11 +24,13 @@ std::string Section(const char* section)
   return vtkRelievoShaderLibrary::GetSection("shadow/receive.glsl", section);
 }
 
-std::string Numbered(const char* section, int number, int slot)
+std::string Fill(const char* section, int number, int slot, int face, bool cube)
 {
   std::string text = Section(section);
   FillWord(text, "RELIEVO_NUMBER", std::to_string(number));
   FillWord(text, "RELIEVO_SLOT", std::to_string(slot));
+  FillWord(text, "RELIEVO_FACE", std::to_string(face));
+  FillWord(text, "RELIEVO_LOOK_UP", cube ? "relievoShadowCube" : "relievoShadowOne");
   return text;
 }
 }
@@ -37,6 +40,7 @@ void vtkRelievoShadowSplice::Mark(
   std::string& vertex, std::string& geometry, std::string& fragment)
 {
   MarkVaryings(vertex, geometry, fragment);
+  MarkBehind(fragment, "//VTK::System::Dec", Extensions);
   MarkBehind(fragment, "//VTK::Light::Dec", Dec);
   vtkShaderProgram::Substitute(
     fragment, "//VTK::Light::Impl", std::string(Impl) + "\n  //VTK::Light::Impl", false);
@@ -49,23 +53,28 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   std::string& fragment, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor,
   const Structure& structure)
 {
-  std::ostringstream dec;
   std::string lights;
-  std::string impl;
-  for (std::size_t slot = 0; slot < structure.ShaderIndices.size(); ++slot)
+  std::string visibility;
+  std::string colors;
+  int slot = 0;
+  int face = 0;
+  for (const Structure::Light& light : structure.Lights)
   {
-    const int number = structure.ShaderIndices[slot];
+    const int number = light.ShaderIndex;
+    visibility += ::Fill("Visibility", number, slot, face, light.Cube);
     if (Has(fragment, "uniform vec3 lightColor" + std::to_string(number) + ";"))
     {
-      lights += Numbered("LightDec", number, static_cast<int>(slot));
-      impl += Numbered("LightImpl", number, static_cast<int>(slot));
+      lights += ::Fill("LightDec", number, slot, face, light.Cube);
+      colors += ::Fill("LightImpl", number, slot, face, light.Cube);
     }
+    ++slot;
+    face += light.GetRoom();
   }
-  if (structure.ShaderIndices.empty() || (impl.empty() && !structure.Unlit))
+  if (structure.Lights.empty() || (colors.empty() && !structure.Unlit))
   {
     return std::string();
   }
-  for (const char* mark : { Dec, Impl, UniformFlow })
+  for (const char* mark : { Extensions, Dec, Impl, UniformFlow })
   {
     if (!Has(fragment, mark))
     {
@@ -79,21 +88,19 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   const bool impostor = Has(fragment, "vertexVC.xyz =") && Has(fragment, "normalVCVSOutput");
   const bool surface = DrawsTriangles(mapper) && !impostor &&
     actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
-  dec << "#define RELIEVO_SHADOW_LIGHTS " << structure.ShaderIndices.size() << "\n";
-  dec << "#define RELIEVO_SHADOW_FACES " << structure.Faces << "\n";
+  std::ostringstream dec;
+  dec << "#define RELIEVO_SHADOW_LIGHTS " << structure.Lights.size() << "\n";
+  dec << "#define RELIEVO_SHADOW_FACES " << structure.GetFaces() << "\n";
   dec << "#define RELIEVO_SHADOW_NUMBERS " << structure.Numbers << "\n";
-  if (impostor)
-  {
-    dec << "#define RELIEVO_SHADOW_IMPOSTOR\n";
-  }
-  if (surface)
-  {
-    dec << "#define RELIEVO_SHADOW_FACE_NORMAL\n";
-  }
-  std::string visibility = Section("FragmentImpl");
-  FillWord(visibility, "RELIEVO_IMPOSTOR_NORMAL", impostor ? "normalVCVSOutput" : "vec3(0.0)");
+  dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
+  dec << (impostor ? "#define RELIEVO_SHADOW_IMPOSTOR\n" : "");
+  dec << (surface ? "#define RELIEVO_SHADOW_FACE_NORMAL\n" : "");
+  dec << (impostor || surface ? "#define RELIEVO_SHADOW_HAS_PLANE\n" : "");
+  std::string normal = Section("FragmentImpl");
+  FillWord(normal, "RELIEVO_IMPOSTOR_NORMAL", impostor ? "normalVCVSOutput" : "vec3(0.0)");
+  FillMark(fragment, Extensions, Section("Extensions"));
   FillMark(fragment, Dec, dec.str() + Section("FragmentDec") + lights);
   FillMark(fragment, UniformFlow, Section("UniformFlow"));
-  FillMark(fragment, Impl, visibility + impl);
+  FillMark(fragment, Impl, normal + visibility + colors);
   return std::string();
 }

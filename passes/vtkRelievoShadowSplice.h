@@ -16,14 +16,34 @@ namespace vtkRelievoShadowSplice
 // What shaders are built for; a change builds them anew.
 struct Structure
 {
-  std::vector<int> ShaderIndices; // of the casting lights, as VTK's shaders count lights
-  int Faces = 0;                  // room for maps
+  struct Light
+  {
+    int ShaderIndex; // as VTK's shaders count lights
+    bool Cube;       // room for six maps instead of one
+
+    int GetRoom() const { return this->Cube ? 6 : 1; }
+    bool operator==(const Light& other) const
+    {
+      return this->ShaderIndex == other.ShaderIndex && this->Cube == other.Cube;
+    }
+  };
+  std::vector<Light> Lights; // that cast
+  bool WideFilter = false;   // of a radius above 1
   int Numbers = 0;                // lights of the renderer
   bool Unlit = false;             // visibility is asked for also where no light is computed
 
+  int GetFaces() const
+  {
+    int faces = 0;
+    for (const Light& light : this->Lights)
+    {
+      faces += light.GetRoom();
+    }
+    return faces;
+  }
   bool operator==(const Structure& other) const
   {
-    return this->ShaderIndices == other.ShaderIndices && this->Faces == other.Faces &&
+    return this->Lights == other.Lights && this->WideFilter == other.WideFilter &&
       this->Numbers == other.Numbers && this->Unlit == other.Unlit;
   }
 };

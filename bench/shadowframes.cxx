@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What shadows cost a frame: ratios to the plain frame and to vtkShadowMapPass with maps of the same
+// size, drawn in turn in one process: a still scene, a light that moves, a camera that moves.
+#include "RelievoBench.h"
+
+#include "FrameBench.h"
+#include "Table.h"
+
+#include <vtkCamera.h>
+#include <vtkCameraPass.h>
+#include <vtkLight.h>
+#include <vtkLightsPass.h>
+#include <vtkNew.h>
+#include <vtkOpaquePass.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoShadowPass.h>
+#include <vtkRenderPassCollection.h>
+#include <vtkRenderer.h>
+#include <vtkSequencePass.h>
+#include <vtkShadowMapBakerPass.h>
+#include <vtkShadowMapPass.h>
+
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace relievoBench;
+using relievoTest::Timed;
+using relievoTest::Timing;
+
+constexpr int MapSize = 2048;
+constexpr int Pixels = 600;
+constexpr int Rounds = 21;
+
+struct Way
+{
+  const char* Name;
+  std::function<void(vtkRenderer*)> SetUp;
+};
+
+void UsePeer(vtkRenderer* renderer)
+{
+  vtkNew<vtkShadowMapBakerPass> baker;
+  vtkNew<vtkShadowMapPass> shadows;
+  vtkNew<vtkSequencePass> opaque;
+  vtkNew<vtkRenderPassCollection> opaquePasses;
+  opaquePasses->AddItem(vtkNew<vtkLightsPass>());
+  opaquePasses->AddItem(vtkNew<vtkOpaquePass>());
+  opaque->SetPasses(opaquePasses);
+  vtkNew<vtkCameraPass> opaqueCamera;
+  opaqueCamera->SetDelegatePass(opaque);
+  baker->SetOpaqueSequence(opaqueCamera);
+  baker->SetResolution(MapSize);
+  shadows->SetShadowMapBakerPass(baker);
+  shadows->SetOpaqueSequence(opaque);
+  vtkNew<vtkSequencePass> sequence;
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(baker);
+  passes->AddItem(shadows);
+  sequence->SetPasses(passes);
+  vtkNew<vtkCameraPass> camera;
+  camera->SetDelegatePass(sequence);
+  renderer->SetPass(camera);
+}
+
+void Attach(vtkRenderer* renderer)
+{
+  vtkRelievoPass::Attach(renderer);
+}
+
+void UseShadows(vtkRenderer* renderer)
+{
+  vtkRelievoPass* pass = vtkRelievoPass::Attach(renderer);
+  pass->ShadowsOn();
+  pass->GetShadowPass()->SetMapSize(MapSize);
+}
+
+const Way Ways[] = {
+  { "plain", nullptr },
+  { "attached, shadows off", Attach },
+  { "map", UseShadows },
+  { "vtkShadowMapPass", UsePeer },
+};
+
+// What changes from frame to frame.
+struct Motion
+{
+  const char* Name;
+  std::function<void(const relievoTest::ReferenceScene&, int frame)> Step;
+};
+
+const Motion Motions[] = {
+  { "still", nullptr },
+  { "light moves",
+    [](const relievoTest::ReferenceScene& scene, int frame) {
+      scene.Light->SetPosition(3. + 0.02 * (frame % 50), 5., 2.);
+    } },
+  { "camera moves",
+    [](const relievoTest::ReferenceScene& scene, int frame) {
+      scene.Renderer->GetActiveCamera()->SetPosition(
+        2.5 + 2. * std::sin(0.02 * frame), 3., 6. - 2. * (1. - std::cos(0.02 * frame)));
+    } },
+};
+
+bool Measure(const std::string& name, vtkPolyData* mesh, const Motion& motion, Table& table)
+{
+  std::vector<std::unique_ptr<SceneWindow>> windows;
+  std::vector<Timed> frames;
+  for (const Way& way : Ways)
+  {
+    windows.emplace_back(new SceneWindow(mesh, Pixels, Pixels));
+    SceneWindow* window = windows.back().get();
+    if (way.SetUp)
+    {
+      way.SetUp(window->Scene.Renderer);
+    }
+    Timed frame = window->Frame();
+    if (motion.Step)
+    {
+      auto count = std::make_shared<int>(0);
+      frame.Prepare = [window, &motion, count]() { motion.Step(window->Scene, (*count)++); };
+    }
+    frames.push_back(frame);
+  }
+  const std::vector<Timing> times = TimeInTurn(frames, Rounds);
+  std::cout << name << ", " << motion.Name << ", plain frame "
+            << Number(1e3 * times[0].Median(), 3) << " ms:" << std::endl;
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    const auto plain = PairOf(times[i], times[0]);
+    const auto peer = PairOf(times[i], times.back());
+    std::cout << "  " << Ways[i].Name << ": " << Number(1e3 * times[i].Median(), 3) << " ms, "
+              << Number(plain.Ratio(), 3) << " +- " << Number(plain.RatioSpread(), 1)
+              << " x plain, " << Number(peer.Ratio(), 3) << " +- "
+              << Number(peer.RatioSpread(), 1) << " x vtkShadowMapPass" << std::endl;
+    table.AddRow({ name, motion.Name, Ways[i].Name, Number(1e3 * times[i].Median(), 4),
+      Number(plain.Ratio(), 4), Number(plain.RatioSpread(), 2), Number(peer.Ratio(), 4),
+      Number(peer.RatioSpread(), 2), Number(LoadAverage(), 2) });
+  }
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+int RelievoBenchShadowFrames(const std::string& outDir)
+{
+  if (!MakeFolder(outDir))
+  {
+    return 1;
+  }
+  Table table({ "scene", "motion", "frame", "milliseconds", "times a plain frame", "+-",
+    "times vtkShadowMapPass", "+- of it", "load" });
+  for (const std::string& name : relievoTest::ReferenceMeshes())
+  {
+    const vtkSmartPointer<vtkPolyData> mesh = SceneMesh(name);
+    if (!mesh)
+    {
+      return 1;
+    }
+    for (const Motion& motion : Motions)
+    {
+      if (!Measure(name, mesh, motion, table))
+      {
+        return 1;
+      }
+    }
+  }
+  return table.WriteCsv(outDir + "/shadow-frames.csv") ? 0 : 1;
+}
