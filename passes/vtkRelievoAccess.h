@@ -8,7 +8,9 @@
 #define vtkRelievoAccess_h
 
 #include "vtkGlyph3DMapper.h"
+#include "vtkMatrix4x4.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
+#include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkVersionMacros.h"
@@ -53,6 +55,28 @@ public:
   static vtkOpenGLCellToVTKCellMap* CellMap(vtkOpenGLPolyDataMapper* mapper)
   {
     return mapper->*(&Mapper::CellCellMap);
+  }
+
+  static vtkOpenGLVertexBufferObjectGroup* Buffers(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return mapper->*(&Mapper::VBOs);
+  }
+  static vtkMTimeType BuildTime(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return (mapper->*(&Mapper::VBOBuildTime)).GetMTime();
+  }
+  // Of the coordinates in the buffer, transposed.
+  static vtkMatrix4x4* ShiftScale(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return mapper->*(&Mapper::VBOShiftScale);
+  }
+  static vtkOpenGLIndexBufferObject* Indices(vtkOpenGLPolyDataMapper* mapper, int type)
+  {
+    return (mapper->*(&Mapper::Primitives))[type].IBO;
+  }
+  static int IndexCount(vtkOpenGLPolyDataMapper* mapper, int type)
+  {
+    return static_cast<int>(Indices(mapper, type)->IndexCount);
   }
 
   // One of the mapper's PrimitiveTypes; PrimitiveEnd while nothing is bound.

@@ -9,6 +9,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
+#include "vtkRelievoCasterDraw.h"
 #include "vtkRelievoShadowCache.h"
 #include "vtkRelievoShadowMaps.h"
 #include "vtkRelievoShadowProps.h"
@@ -40,6 +41,7 @@ public:
   vtkRelievoShadowProps Props;
   vtkRelievoShadowCache Cache;
   vtkRelievoShadowMaps Maps;
+  vtkRelievoCasterDraw PlainDraw;
   vtkRelievoShadowSplice::Structure Structure;
   vtkTimeStamp StructureTime;
   vtkRelievoView View;
@@ -267,7 +269,7 @@ void vtkRelievoShadowPass::DrawMaps(const vtkRenderState* s)
         in.Maps.Begin();
       }
       in.Maps.Draw(map.Layer, map.View, renderer,
-        [&]() { in.Props.RenderCasters(renderer, map.View); });
+        [&]() { this->DrawCalls += in.Props.RenderCasters(renderer, map.View, in.PlainDraw); });
       map.Drawn = true;
       ++this->NumberOfMapsDrawn;
     }
@@ -425,6 +427,7 @@ vtkIdType vtkRelievoShadowPass::GetBytesHeld()
 void vtkRelievoShadowPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Maps.Release(window);
+  this->Internal->PlainDraw.Release(window);
   this->Internal->Cache.Clear();
   this->NumberOfMapsDrawn = 0;
   this->Superclass::ReleaseGraphicsResources(window);

@@ -12,7 +12,9 @@
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPropCollection.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
+#include "vtkRelievoCasterDraw.h"
 #include "vtkRelievoPropParts.h"
 #include "vtkRelievoShadowFit.h"
 #include "vtkRenderState.h"
@@ -232,17 +234,37 @@ void vtkRelievoShadowProps::RemovePass(vtkOpenGLRenderPass* pass)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view)
+int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
+  vtkRelievoCasterDraw& plainDraw)
 {
+  std::vector<vtkActor*> plain;
   for (std::size_t i = 0; i < this->Casters.size(); ++i)
   {
-    if (view.Sees(this->CasterBoxes[i]))
+    const Caster& caster = this->Casters[i];
+    if (!view.Sees(this->CasterBoxes[i]))
     {
-      this->Casters[i].Prop->RenderOpaqueGeometry(renderer);
-      if (this->Casters[i].Translucent)
-      {
-        this->Casters[i].Prop->RenderTranslucentPolygonalGeometry(renderer);
-      }
+      continue;
+    }
+    if (vtkActor* actor = vtkRelievoCasterDraw::GetPlainActor(caster.Prop))
+    {
+      plain.push_back(actor);
+      continue;
+    }
+    caster.Prop->RenderOpaqueGeometry(renderer);
+    if (caster.Translucent)
+    {
+      caster.Prop->RenderTranslucentPolygonalGeometry(renderer);
     }
   }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  int calls = 0;
+  if (!plain.empty() && plainDraw.Begin(window, view.ViewToNDC * view.WorldToView))
+  {
+    for (vtkActor* actor : plain)
+    {
+      calls += plainDraw.Draw(actor);
+    }
+    plainDraw.End();
+  }
+  return calls;
 }

@@ -16,6 +16,7 @@
 class vtkActor;
 class vtkOpenGLRenderPass;
 class vtkProp;
+class vtkRelievoCasterDraw;
 class vtkRenderState;
 class vtkRenderer;
 struct vtkRelievoShadowView;
@@ -45,8 +46,10 @@ public:
   void AddPass(vtkOpenGLRenderPass* pass);
   void RemovePass(vtkOpenGLRenderPass* pass);
 
-  // Draws the depth of what may cast into the view.
-  void RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view);
+  // Draws the depth of what may cast into the view, plain meshes from their buffers, the rest as
+  // it draws itself. Returns the draw calls of the first.
+  int RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
+    vtkRelievoCasterDraw& plainDraw);
 
 private:
   void AddState(vtkActor* actor);

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoCasterDraw.h"
+
+#include "vtkActor.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRelievoAccess.h"
+#include "vtkRelievoShaderLibrary.h"
+#include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+#include "vtkTexture.h"
+
+#include <cstring>
+
+namespace
+{
+using Access = vtkRelievoAccess::Mapper;
+
+glm::dmat4 ToGlm(vtkMatrix4x4* matrix)
+{
+  glm::dmat4 out(1.0);
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      out[column][row] = matrix->GetElement(row, column);
+    }
+  }
+  return out;
+}
+
+bool HasOwnShaders(vtkActor* actor)
+{
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  return shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
+    shaders->HasFragmentShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkRelievoCasterDraw::GetPlainActor(vtkProp* prop)
+{
+  // Exactly these classes: a derived one may draw otherwise.
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!actor || std::strcmp(actor->GetClassName(), "vtkOpenGLActor") != 0 || !actor->GetMapper() ||
+    std::strcmp(actor->GetMapper()->GetClassName(), "vtkOpenGLPolyDataMapper") != 0)
+  {
+    return nullptr;
+  }
+  auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(actor->GetMapper());
+  vtkProperty* property = actor->GetProperty();
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  if (property->GetRepresentation() != VTK_SURFACE || property->GetVertexVisibility() ||
+    actor->GetTexture() || property->GetNumberOfTextures() > 0 || HasOwnShaders(actor) ||
+    (planes && planes->GetNumberOfItems() > 0))
+  {
+    return nullptr;
+  }
+  vtkPolyData* input = mapper->GetInput();
+  const vtkMTimeType built = Access::BuildTime(mapper);
+  if (!input || mapper->CurrentInput != input || built < input->GetMTime() ||
+    built < mapper->GetMTime())
+  {
+    return nullptr;
+  }
+  vtkOpenGLVertexBufferObject* vertices = Access::Buffers(mapper)->GetVBO("vertexMC");
+  const bool flat = Access::IndexCount(mapper, vtkOpenGLPolyDataMapper::PrimitivePoints) == 0 &&
+    Access::IndexCount(mapper, vtkOpenGLPolyDataMapper::PrimitiveLines) == 0;
+  return vertices && vertices->GetDataType() == VTK_FLOAT &&
+      vertices->GetNumberOfComponents() == 3 && flat
+    ? actor
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC)
+{
+  this->WorldToNDC = worldToNDC;
+  this->Program = window->GetShaderCache()->ReadyShaderProgram(
+    vtkRelievoShaderLibrary::Get("shadow/casterVS.glsl").c_str(),
+    vtkRelievoShaderLibrary::Get("shadow/casterFS.glsl").c_str(), "");
+  if (!this->Program)
+  {
+    return false;
+  }
+  if (this->Arrays == 0)
+  {
+    glGenVertexArrays(1, &this->Arrays);
+  }
+  glBindVertexArray(this->Arrays);
+  this->Attribute =
+    glGetAttribLocation(static_cast<unsigned int>(this->Program->GetHandle()), "vertexMC");
+  glEnableVertexAttribArray(static_cast<unsigned int>(this->Attribute));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoCasterDraw::Draw(vtkActor* actor)
+{
+  auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(actor->GetMapper());
+  vtkOpenGLVertexBufferObject* vertices = Access::Buffers(mapper)->GetVBO("vertexMC");
+  glm::dmat4 modelToNDC = this->WorldToNDC * ToGlm(actor->GetMatrix());
+  if (vertices->GetCoordShiftAndScaleEnabled())
+  {
+    modelToNDC = modelToNDC * glm::transpose(ToGlm(Access::ShiftScale(mapper)));
+  }
+  const glm::mat4 matrix(modelToNDC);
+  this->Program->SetUniformMatrix4x4(
+    "MCDCMatrix", const_cast<float*>(&matrix[0][0]));
+  vertices->Bind();
+  glVertexAttribPointer(static_cast<unsigned int>(this->Attribute), 3, GL_FLOAT, GL_FALSE,
+    static_cast<GLsizei>(vertices->GetStride()), nullptr);
+  const int last = Access::Buffers(mapper)->GetNumberOfTuples("vertexMC") - 1;
+  int calls = 0;
+  for (const int type :
+    { vtkOpenGLPolyDataMapper::PrimitiveTris, vtkOpenGLPolyDataMapper::PrimitiveTriStrips })
+  {
+    const int count = Access::IndexCount(mapper, type);
+    if (count > 0)
+    {
+      Access::Indices(mapper, type)->Bind();
+      glDrawRangeElements(
+        GL_TRIANGLES, 0, static_cast<GLuint>(last), count, GL_UNSIGNED_INT, nullptr);
+      ++calls;
+    }
+  }
+  vertices->Release();
+  return calls;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterDraw::End()
+{
+  glBindVertexArray(0);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterDraw::Release(vtkWindow* window)
+{
+  if (window && this->Arrays)
+  {
+    window->MakeCurrent();
+    glDeleteVertexArrays(1, &this->Arrays);
+  }
+  this->Arrays = 0;
+  this->Program = nullptr;
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Draws the depth of plain meshes from their mappers' buffers, without the mappers' shaders: what a
+// map needs of them, and all that most casters are.
+#ifndef vtkRelievoCasterDraw_h
+#define vtkRelievoCasterDraw_h
+
+#include "vtkRelievoFormulas.h" // for GLM
+#include "vtkWeakPointer.h"
+
+class vtkActor;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkShaderProgram;
+class vtkWindow;
+
+class vtkRelievoCasterDraw
+{
+public:
+  // The prop as an actor whose triangles are all that it casts, with buffers that are up to date;
+  // nullptr for anything else: textures, own shaders, clipping planes, lines, other mappers.
+  static vtkActor* GetPlainActor(vtkProp* prop);
+
+  // Between Begin and End, into what is bound for drawing. False if the shader does not compile.
+  bool Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC);
+  int Draw(vtkActor* actor); // returns draw calls
+  void End();
+
+  void Release(vtkWindow* window);
+
+private:
+  vtkShaderProgram* Program = nullptr; // the window's shader cache owns it
+  glm::dmat4 WorldToNDC{ 1.0 };
+  unsigned int Arrays = 0;
+  int Attribute = -1;
+};
+
+#endif
