@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A small scene that the examples share: three shapes on a floor, one with an array to look at."""
 
+import os
 import pathlib
 import sys
 
@@ -26,6 +27,15 @@ def folder():
     chosen = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
     chosen.mkdir(parents=True, exist_ok=True)
     return chosen
+
+
+def data(name):
+    """The path of a real mesh that tools/unpack-data puts into the folder RELIEVO_DATA."""
+    default = pathlib.Path(__file__).resolve().parent.parent / "build" / "data"
+    path = pathlib.Path(os.environ.get("RELIEVO_DATA", default)) / name
+    if not path.is_file():
+        raise SystemExit(f"{path} is missing: run tools/unpack-data")
+    return str(path)
 
 
 def make(columns=640, rows=480):

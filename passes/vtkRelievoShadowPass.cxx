@@ -331,14 +331,16 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
 {
   Internals& in = *this->Internal;
   const glm::dmat4 viewToWorld = glm::inverse(in.View.WorldToView);
+  // Texels are counted from the centre of the lowest left one.
+  const double half = 0.5 * in.Maps.GetSize();
   glm::dmat4 ndcToMap(0.5);
-  ndcToMap[3] = glm::dvec4(0.5, 0.5, 0.5, 1.0);
+  ndcToMap[0].x = ndcToMap[1].y = half;
+  ndcToMap[3] = glm::dvec4(half - 0.5, half - 0.5, 0.5, 1.0);
   const int faces = in.Structure.GetFaces();
   std::vector<glm::mat4> matrices(faces, glm::mat4(0.f));
   std::vector<glm::mat4> planes(faces, glm::mat4(0.f));
   std::vector<float> texels(faces, 0.f);
-  std::vector<int> layers(faces, -1);
-  std::vector<glm::vec4> sources;
+  std::vector<float> layers(faces, -1.f);
   std::vector<float> strengths;
   std::vector<int> slots(in.Structure.Numbers, -1);
   int first = 0;
@@ -346,8 +348,6 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
   {
     const vtkRelievoShadowLight& light = entry.Light;
     const double strength = this->Strength * light.Light->GetShadowAttenuation();
-    const glm::dvec4 place =
-      light.Positional ? glm::dvec4(light.Position, 1.0) : glm::dvec4(-light.Direction, 0.0);
     int face = first;
     for (const auto& map : entry.Maps)
     {
@@ -356,21 +356,18 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
       matrices[face] = glm::mat4(viewToMap);
       planes[face] = glm::mat4(glm::transpose(glm::inverse(viewToMap)));
       texels[face] = static_cast<float>(map.View.Texel);
-      layers[face++] = map.Layer;
+      layers[face++] = static_cast<float>(map.Layer);
     }
-    first += in.Structure.Lights[sources.size()].GetRoom();
-    slots[light.Number] = static_cast<int>(sources.size());
-    sources.emplace_back(in.View.WorldToView * place);
+    first += in.Structure.Lights[strengths.size()].GetRoom();
+    slots[light.Number] = static_cast<int>(strengths.size());
     strengths.push_back(this->Visible ? static_cast<float>(strength) : 0.f);
   }
-  const int lights = static_cast<int>(sources.size());
+  const int lights = static_cast<int>(strengths.size());
   program->SetUniformi("relievoShadowMaps", in.Maps.GetTextureUnit());
   program->SetUniformMatrix4x4v("relievoShadowMatrix", faces, &matrices[0][0][0]);
   program->SetUniformMatrix4x4v("relievoShadowPlane", faces, &planes[0][0][0]);
   program->SetUniform1fv("relievoShadowTexel", faces, texels.data());
-  program->SetUniform1iv("relievoShadowLayer", faces, layers.data());
-  program->SetUniform4fv(
-    "relievoShadowSource", lights, reinterpret_cast<const float(*)[4]>(&sources[0][0]));
+  program->SetUniform1fv("relievoShadowLayer", faces, layers.data());
   program->SetUniform1fv("relievoShadowStrength", lights, strengths.data());
   program->SetUniform1iv("relievoShadowSlot", in.Structure.Numbers, slots.data());
   program->SetUniformf("relievoShadowSize", static_cast<float>(in.Maps.GetSize()));
@@ -405,7 +402,7 @@ bool vtkRelievoShadowPass::SetShaderParameters(
     this->SetFrameParameters(program);
   }
   vtkProperty* property = actor->GetProperty();
-  program->SetUniformf("relievoShadowReceives", in.Props.Receives(prop) ? 1.f : 0.f);
+  program->SetUniformf("relievoShadowReceives", in.Props.Receives(prop) ? 1.f : -1.f);
   program->SetUniformf("relievoShadowLift",
     std::max(property->GetPointSize(), property->GetLineWidth()));
   return true;

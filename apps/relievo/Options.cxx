@@ -3,6 +3,7 @@
 #include "Options.h"
 
 #include "Failure.h"
+#include "Shadows.h"
 #include "Values.h"
 
 #include <algorithm>
@@ -144,12 +145,22 @@ void TakeLight(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void TakeShadows(RenderOptions&, const std::string& word)
+void TakeShadows(RenderOptions& options, const std::string& word)
 {
-  if (ParseChoice("--shadows", word, { "off", "map", "forward", "warped" }) != 0)
+  constexpr Shadows methods[] = { Shadows::Off, Shadows::Map, Shadows::Forward, Shadows::Warped };
+  options.ShadowMethod =
+    methods[ParseChoice("--shadows", word, { "off", "map", "forward", "warped" })];
+  if (!HasShadows(options.ShadowMethod))
   {
-    throw WordsError("--shadows " + word + ": not built yet; give --shadows off");
+    throw WordsError("--shadows " + word + ": not in this build yet; give map or off");
   }
+}
+
+//------------------------------------------------------------------------------
+void TakeShadowSize(RenderOptions& options, const std::string& word)
+{
+  // OpenGL's own limit is asked when there is an OpenGL.
+  options.ShadowSize = ParseWhole("--shadow-size", word, SmallestShadowSize, 65536);
 }
 
 //------------------------------------------------------------------------------
@@ -160,10 +171,6 @@ void TakeLayers(RenderOptions& options, const std::string& word)
     if (name.empty())
     {
       RefuseValue("--layers", word, "names between commas, such as depth,normal");
-    }
-    if (name.rfind("shadow_", 0) == 0)
-    {
-      throw WordsError("--layers " + name + ": not built yet: there are no shadows to capture");
     }
     if (std::find(options.Layers.begin(), options.Layers.end(), name) == options.Layers.end())
     {
@@ -204,11 +211,7 @@ const OptionRow RenderRows[] = {
   { "--shading", TakeShading, false },
   { "--light", TakeLight, true },
   { "--shadows", TakeShadows, false },
-  // Read and checked already, so that scripts written for shadows need no change; it has nothing to
-  // size while shadows are off.
-  { "--shadow-size",
-    [](RenderOptions&, const std::string& word) { ParseWhole("--shadow-size", word, 1, 32768); },
-    false },
+  { "--shadow-size", TakeShadowSize, false },
   { "--layers", TakeLayers, true },
   { "--png", TakePath<&RenderOptions::PNG>, false },
   { "--exr", TakePath<&RenderOptions::EXR>, false },
@@ -258,7 +261,7 @@ void WalkWords(const std::vector<std::string>& words, const std::string& command
 }
 
 //------------------------------------------------------------------------------
-void CheckTogether(const RenderOptions& options)
+void CheckTogether(const RenderOptions& options, const std::set<std::string>& given)
 {
   if (options.Files.empty())
   {
@@ -276,6 +279,18 @@ void CheckTogether(const RenderOptions& options)
   if (!options.Layers.empty() && options.EXR.empty() && options.Report.empty())
   {
     throw WordsError("--layers: layers are written to OpenEXR: give --exr F as well");
+  }
+  if (!options.Lights.empty())
+  {
+    const int lights = static_cast<int>(options.Lights.size());
+    CheckShadowLayers(options, lights, lights == 1 ? "--light option" : "--light options");
+  }
+  if (options.ShadowSize && given.count("--shadows") == 0 &&
+    std::all_of(options.Layers.begin(), options.Layers.end(),
+      [](const std::string& name) { return GetLightOfLayer(name) < 0; }))
+  {
+    throw WordsError("--shadow-size: there are no shadows to size: give --shadows map, or a layer "
+                     "shadow_N, as well");
   }
 }
 }
@@ -306,7 +321,7 @@ RenderOptions ParseRender(const std::vector<std::string>& words)
       row->Take(options, value);
     },
     [&](const std::string& word) { options.Files.push_back(word); });
-  CheckTogether(options);
+  CheckTogether(options, seen);
   return options;
 }
 

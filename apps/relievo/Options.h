@@ -24,6 +24,17 @@ enum class Shading
   PBR
 };
 
+enum class Shadows
+{
+  Off,
+  Map,
+  Forward,
+  Warped
+};
+
+/// Width and height in texels of the smallest shadow map.
+constexpr int SmallestShadowSize = 16;
+
 struct CameraPlace
 {
   std::array<double, 3> Position;
@@ -55,6 +66,8 @@ struct RenderOptions
   std::optional<std::array<double, 2>> Clip;
   Shading ShadingKind = Shading::FromFile;
   std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
+  Shadows ShadowMethod = Shadows::Off;
+  std::optional<int> ShadowSize;   ///< of each map, texels
   std::vector<std::string> Layers; ///< each once; those of the EXR beside its colour
   std::string PNG, EXR, Report;    ///< empty: not asked for
 };

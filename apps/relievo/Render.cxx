@@ -10,6 +10,7 @@
 #include "Progress.h"
 #include "Readers.h"
 #include "Scene.h"
+#include "Shadows.h"
 #include "Values.h"
 
 #include "vtkImageData.h"
@@ -58,11 +59,11 @@ std::vector<std::string> LayersToCapture(const RenderOptions& options, const Sce
   for (const std::string& name : unnamed ? DefaultLayers : options.Layers)
   {
     if (std::find(BuiltInLayers.begin(), BuiltInLayers.end(), name) == BuiltInLayers.end() &&
-      scene.Arrays.count(ArrayOf(name)) == 0)
+      GetLightOfLayer(name) < 0 && scene.Arrays.count(ArrayOf(name)) == 0)
     {
       const std::vector<std::string> arrays(scene.Arrays.begin(), scene.Arrays.end());
       RefuseValue("--layers", name,
-        "one of " + Join(BuiltInLayers, ", ") +
+        "one of " + Join(BuiltInLayers, ", ") + ", shadow_N" +
           (arrays.empty() ? "; the files hold no arrays" : ", or an array: " + Join(arrays, ", ")));
     }
     if (std::find(layers.begin(), layers.end(), name) == layers.end())
@@ -142,13 +143,15 @@ void Render(const RenderOptions& options)
   Progress progress;
   const Scene scene = BuildScene(options, progress);
   const std::vector<std::string> layers = LayersToCapture(options, scene);
+  const int lights = CountLights(scene.Renderer);
+  CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
   OpenDisplay(scene.Window);
 
   const std::string size = std::to_string(options.Size[0]) + "x" + std::to_string(options.Size[1]);
   progress.Begin("rendering " + size);
   // A plain picture is VTK's own: nothing of Relievo is attached that nobody asked for.
   vtkRelievoPass* pass = nullptr;
-  if (!layers.empty() || !options.Report.empty())
+  if (!layers.empty() || !options.Report.empty() || options.ShadowMethod != Shadows::Off)
   {
     pass = vtkRelievoPass::Attach(scene.Renderer);
   }
@@ -160,6 +163,10 @@ void Render(const RenderOptions& options)
     }
   }
   CheckSize(scene.Window, options.Size);
+  if (pass)
+  {
+    SetShadows(pass, scene.Window, options);
+  }
   for (int frame = 1; !options.Report.empty() && frame < FramesUntilTimed; ++frame)
   {
     scene.Window->Render();

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shadow maps: the receiver plane in the map, the bias in texels, the weights of the filter.
 //
-// Map space: u, v in [0, 1] over the map, depth in [0, 1] from its near to its far plane;
-// viewToMap takes eye space there (homogeneous; w is 1 for a parallel light, the distance along the
-// light's axis for a perspective one).
+// Map space: u, v in texels from the centre of the lowest left one, depth in [0, 1] from the map's
+// near to its far plane; viewToMap takes eye space there (homogeneous; w is 1 for a parallel light,
+// the distance along the light's axis for a perspective one).
 
 // The plane through an eye-space point, as (normal, -normal . point), is taken to map space by
-// mapPlane, the transposed inverse of viewToMap: planes stay planes in a perspective map.
+// the transposed inverse of viewToMap: planes stay planes in a perspective map. A plane whose
+// normal points at the light's side has a negative z there.
 
 // Slope of a plane of map space: depth per u and per v. `steepest` bounds each: a plane that the
 // light grazes has none.
