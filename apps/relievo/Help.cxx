@@ -26,8 +26,8 @@ render draws the FILEs off screen and writes what is asked for.
                             sun:DX,DY,DZ                    direction towards the sun
                             spot:PX,PY,PZ,FX,FY,FZ,CONE     CONE: half the opening, degrees
                             point:PX,PY,PZ
-  --shadows METHOD        every light casts, in the picture: off or map (off); forward and warped are
-                          not in this build yet
+  --shadows METHOD        whether and how the lights cast, in the picture: off or map (off);
+                          forward and warped are not in this build yet
   --shadow-size N         side of each shadow map in texels, 16 to OpenGL's limit (2048)
   --layers A,B,...        what the EXR holds beside its colour (depth): depth range normal
                           geometric_normal position albedo actor block cell, shadow_N (light
@@ -49,7 +49,7 @@ Examples
   relievo render bunny.off --size 1920x1080 --light sun:3,5,2 --layers depth,normal,cell \
     --exr bunny.exr --report bunny.json
   relievo render wing.vtu --parallel-scale 2 --layers depth,Pressure --exr wing.exr
-  relievo render buildings.obj --light sun:3,5,2 --light spot:0,9,0,0,0,0,30 --shadows map \
+  relievo render buildings.obj --light sun:3,2,5 --light point:120,90,99 --shadows map \
     --png town.png --layers shadow_0,shadow_1 --exr town.exr
   relievo bench normals --out charts
 )";

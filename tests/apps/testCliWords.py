@@ -42,13 +42,16 @@ WRONG_VALUES = [
     ("--light", "spot:0,0,1,0,0,0,181", "CONE"),
     ("--light", "point:", "3 finite numbers"),
     ("--shadows", "soft", "off, map, forward, warped"),
-    ("--shadows", "map", "not built yet"),
-    ("--shadows", "forward", "not built yet"),
-    ("--shadows", "warped", "not built yet"),
-    ("--shadow-size", "0", "whole number"),
+    ("--shadows", "forward", "not in this build yet"),
+    ("--shadows", "warped", "not in this build yet"),
+    ("--shadow-size", "0", "whole number from 16"),
+    ("--shadow-size", "15", "whole number from 16"),
+    ("--shadow-size", "65537", "whole number from 16"),
     ("--shadow-size", "1.5", "whole number"),
     ("--layers", "depth,,normal", "names between commas"),
-    ("--layers", "shadow_0", "not built yet"),
+    ("--layers", "shadow_", "shadow_N"),
+    ("--layers", "shadow_one", "shadow_N"),
+    ("--layers", "shadow_1", "there is 1 light"),
 ]
 
 
@@ -98,9 +101,26 @@ class Words(CliTest):
         self.refused("render", "triangle.off", "--png", "a.png", "--layers", "depth", status=2,
                      says=["--layers", "--exr"])  # fmt: skip
 
+    def test_shadows_of_lights_that_are_not(self):
+        lights = ["--light", "sun:0,0,1", "--light", "point:1,2,3"]
+        self.refused("render", "triangle.off", "--exr", "a.exr", *lights, "--layers", "shadow_2",
+                     status=2, says=["--layers", "'shadow_2'", "shadow_1", "2 --light options"])  # fmt: skip
+        self.refused("render", "triangle.off", "--exr", "a.exr", *lights[:2], "--layers",
+                     "shadow_0,shadow_1", status=2,
+                     says=["--layers", "'shadow_1'", "1 --light option,"])  # fmt: skip
+
+    def test_a_size_of_no_shadows(self):
+        self.refused("render", "triangle.off", "--png", "a.png", "--shadow-size", "512", status=2,
+                     says=["--shadow-size", "--shadows map", "shadow_N"])  # fmt: skip
+
+    def test_a_map_beyond_opengl(self):
+        self.refused("render", "triangle.off", "--png", "a.png", "--shadows", "map",
+                     "--shadow-size", "65536", status=2,
+                     says=["--shadow-size", "'65536'", "from 16 to", "OpenGL"])  # fmt: skip
+
     def test_unknown_layer(self):
         self.refused("render", "triangle.off", "--exr", "a.exr", "--layers", "depth,detph",
-                     status=2, says=["--layers", "'detph'", "geometric_normal"])  # fmt: skip
+                     status=2, says=["--layers", "'detph'", "geometric_normal", "shadow_N"])  # fmt: skip
 
     def test_unknown_extension(self):
         (self.folder / "notes.doc").write_text("words")

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Shadows as the command line asks for them: in the picture, and as layers shadow_N of light N.
+ */
+#ifndef Shadows_h
+#define Shadows_h
+
+#include <string>
+
+class vtkRelievoPass;
+class vtkRenderer;
+class vtkRenderWindow;
+
+namespace cli
+{
+struct RenderOptions;
+enum class Shadows;
+
+/// Whether this build has the method.
+bool HasShadows(Shadows method);
+
+/// The light of a layer shadow_N, from 0; -1 for any other name.
+int GetLightOfLayer(const std::string& layer);
+
+/// Throws WordsError if a layer is of a light beyond the `lights` that there are. `whose` says in
+/// the message what they are, such as "--light options".
+void CheckShadowLayers(const RenderOptions& options, int lights, const std::string& whose);
+
+/// Lights that the renderer will draw with: VTK makes a headlight where there are none.
+int CountLights(vtkRenderer* renderer);
+
+/// Sets the pass as asked. Throws WordsError if the maps are larger than the window's OpenGL makes.
+void SetShadows(vtkRelievoPass* pass, vtkRenderWindow* window, const RenderOptions& options);
+}
+
+#endif

@@ -1,0 +1,122 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Shadows by --shadows and by layers shadow_N: where they must be, for each kind of light."""
+
+import json
+
+import numpy
+
+from cli import CliTest, main, read_png
+
+# A plate of half width 1/2 hangs at z = 1 over a floor of half width 2 at z = 0; a parallel camera
+# looks down on them, 25 pixels to a unit.
+PLATE = "OFF\n4 1 0\n-0.5 -0.5 1\n0.5 -0.5 1\n0.5 0.5 1\n-0.5 0.5 1\n4 0 1 2 3\n"
+FLOOR = "OFF\n4 1 0\n-2 -2 0\n2 -2 0\n2 2 0\n-2 2 0\n4 0 1 2 3\n"
+SIDE = 100
+LOOK = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10", "--parallel-scale", "2",
+        "--size", f"{SIDE}x{SIDE}", "--shading", "flat"]  # fmt: skip
+
+# Lights and what of the floor each leaves dark: x0, x1, y0, y1. A light at height h over a place
+# throws the plate's edge at e to place + (e - place) h / (h - 1).
+LIGHTS = {
+    "sun:-1,0,1": (0.5, 1.5, -0.5, 0.5),
+    "sun:1,1,1": (-1.5, -0.5, -1.5, -0.5),
+    "spot:-1,0,3,0,0,0,60": (-0.25, 1.25, -0.75, 0.75),
+    "spot:-1,0,3,0,0,0,120": (-0.25, 1.25, -0.75, 0.75),
+    "point:0.5,-1,3": (-1.0, 0.5, -0.25, 1.25),
+}
+
+
+def dark(bounds):
+    """Pixels of the shadow with these bounds, and pixels further than one from its edge or the
+    plate's."""
+    rows, columns = numpy.mgrid[0:SIDE, 0:SIDE] + 0.5
+    x, y = (columns - SIDE / 2) / 25, (SIDE / 2 - rows) / 25
+
+    def outside(x0, x1, y0, y1):  # signed distance in pixels, of the larger axis
+        return 25 * numpy.maximum.reduce([x0 - x, x - x1, y0 - y, y - y1])
+
+    shadow, plate = outside(*bounds), outside(-0.5, 0.5, -0.5, 0.5)
+    return (shadow < 0) & (plate > 0), (abs(shadow) > 1) & (abs(plate) > 1)
+
+
+class Shadows(CliTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "plate.off").write_text(PLATE)
+        (self.folder / "floor.off").write_text(FLOOR)
+        self.before = self.names()
+
+    def draw(self, *words, lights=(), **more):
+        lit = [word for light in lights for word in ("--light", light)]
+        return self.relievo("render", "plate.off", "floor.off", *LOOK, *lit, *words, **more)
+
+    def picture(self, *words, lights):
+        self.draw("--png", "a.png", *words, lights=lights)
+        return read_png(self.folder / "a.png")[..., 0].astype(int)
+
+    def check_layer(self, values, bounds):
+        shadow, sure = dark(bounds)
+        numpy.testing.assert_array_equal(values[sure], numpy.where(shadow, 0.0, 1.0)[sure])
+        self.assertGreater((shadow & sure).sum(), 300)
+
+    def test_each_light_darkens_its_side(self):
+        for light, bounds in LIGHTS.items():
+            with self.subTest(light=light):
+                off = self.picture(lights=[light])
+                on = self.picture("--shadows", "map", lights=[light])
+                shadow, sure = dark(bounds)
+                self.assertGreater(off[shadow & sure].min(), 60)
+                self.assertEqual(on[shadow & sure].max(), 0)
+                numpy.testing.assert_array_equal(on[sure & ~shadow], off[sure & ~shadow])
+                numpy.testing.assert_array_equal(
+                    self.picture("--shadows", "off", lights=[light]), off
+                )
+
+    def test_all_lights_cast(self):
+        lights = list(LIGHTS)
+        layers = [f"shadow_{i}" for i in range(len(lights))]
+        done = self.draw("--exr", "a.exr", "--layers", ",".join(layers), lights=lights)
+        self.assertEqual(done.stderr, "")
+        header, channels = self.exr("a.exr")
+        names = sorted(channel["name"] for channel in header["channels"])
+        self.assertEqual(names, sorted(["R", "G", "B", "A", *(f"{name}.V" for name in layers)]))
+        for light, name in zip(lights, layers):
+            with self.subTest(light=light):
+                self.check_layer(channels[f"{name}.V"], LIGHTS[light])
+
+    def test_the_colour_of_the_exr_is_shadowed_as_the_picture(self):
+        light = "sun:-1,0,1"
+        for words, seen in ((["--shadows", "map"], True), ([], False)):
+            self.draw("--exr", "a.exr", "--layers", "shadow_0", *words, lights=[light])
+            _, channels = self.exr("a.exr")
+            self.check_layer(channels["shadow_0.V"], LIGHTS[light])  # made whether seen or not
+            shadow, sure = dark(LIGHTS[light])
+            self.assertEqual((channels["R"][shadow & sure] == 0).all(), seen)
+            self.assertEqual((channels["R"][shadow & sure] > 0.1).all(), not seen)
+
+    def test_a_headlight_hides_its_shadows(self):
+        self.draw("--exr", "a.exr", "--layers", "shadow_0", "--shadows", "map")
+        _, channels = self.exr("a.exr")
+        self.assertEqual(set(channels["shadow_0.V"].ravel()), {1.0})
+
+    def test_the_size_of_the_map(self):
+        light = ["sun:-1,0,1"]
+        for size in (16, 512):
+            self.draw("--shadows", "map", "--shadow-size", size, "--exr", "a.exr", "--layers",
+                      "shadow_0", "--report", "a.json", lights=light)  # fmt: skip
+            report = json.loads((self.folder / "a.json").read_text())
+            stage = {stage["name"]: stage for stage in report["stages"]}["shadows"]
+            self.assertTrue(stage["ran"])
+            self.assertEqual(stage["bytes"], 4 * size * size)
+            _, channels = self.exr("a.exr")
+            shadow, sure = dark(LIGHTS[light[0]])
+            wrong = (channels["shadow_0.V"] != numpy.where(shadow, 0, 1)) & sure
+            self.assertEqual(wrong.any(), size == 16, f"map of {size}")
+        # Without shadows nothing is held, whatever the size.
+        self.draw("--shadows", "off", "--shadow-size", 512, "--report", "a.json", lights=light)
+        self.assertEqual(json.loads((self.folder / "a.json").read_text())["bytes"], 0)
+
+
+if __name__ == "__main__":
+    main()
