@@ -167,8 +167,11 @@ bool MakeView(const Frame& frame, bool parallel, const std::vector<glm::dvec3>& 
   {
     return false;
   }
-  const double before = 1e-3 * (view.Far - first);
-  view.Near = parallel ? first - before : std::max(first - before, NearestShare * view.Far);
+  const double before = 1e-3 * (view.Far - std::max(first, nearest));
+  // Nothing is looked up before the region: casters there are drawn onto the near plane, and a far
+  // one does not take the digits of the others.
+  view.Near = parallel ? std::max(first, nearest) - before
+                       : std::max(first - before, NearestShare * view.Far);
   view.ViewToNDC = Project(rectangle, parallel, view.Near, view.Far);
   const glm::dvec2 size = rectangle.Max - rectangle.Min;
   view.Width = size.x;

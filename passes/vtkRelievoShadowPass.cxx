@@ -239,7 +239,8 @@ void vtkRelievoShadowPass::FitMaps(const vtkRenderState* s)
   structure.WideFilter = this->FilterRadius > 1;
   for (const auto& entry : in.Cache.GetEntries())
   {
-    structure.Lights.push_back({ entry.Light.ShaderIndex, entry.Maps.size() > 1 });
+    structure.Lights.push_back(
+      { entry.Light.ShaderIndex, !entry.Light.Positional, entry.Maps.size() > 1 });
   }
   if (!(structure == in.Structure))
   {
@@ -337,10 +338,13 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
   ndcToMap[0].x = ndcToMap[1].y = half;
   ndcToMap[3] = glm::dvec4(half - 0.5, half - 0.5, 0.5, 1.0);
   const int faces = in.Structure.GetFaces();
-  std::vector<glm::mat4> matrices(faces, glm::mat4(0.f));
-  std::vector<glm::mat4> planes(faces, glm::mat4(0.f));
+  // Where there is no map, every point is outside of it.
+  glm::mat4 nowhere(0.f);
+  nowhere[3] = glm::vec4(-1e9f, -1e9f, 0.f, 1.f);
+  std::vector<glm::mat4> matrices(faces, nowhere);
+  std::vector<glm::mat4> planes(faces, glm::mat4(1.f));
   std::vector<float> texels(faces, 0.f);
-  std::vector<float> layers(faces, -1.f);
+  std::vector<float> layers(faces, 0.f);
   std::vector<float> strengths;
   std::vector<int> slots(in.Structure.Numbers, -1);
   int first = 0;
@@ -353,7 +357,9 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
     {
       const glm::dmat4 viewToMap =
         ndcToMap * map.View.ViewToNDC * (map.View.WorldToView * viewToWorld);
-      matrices[face] = glm::mat4(viewToMap);
+      glm::dmat4 biased = viewToMap;
+      biased[3].z -= this->Bias * map.View.Texel;
+      matrices[face] = glm::mat4(biased);
       planes[face] = glm::mat4(glm::transpose(glm::inverse(viewToMap)));
       texels[face] = static_cast<float>(map.View.Texel);
       layers[face++] = static_cast<float>(map.Layer);
@@ -372,7 +378,6 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
   program->SetUniform1iv("relievoShadowSlot", in.Structure.Numbers, slots.data());
   program->SetUniformf("relievoShadowSize", static_cast<float>(in.Maps.GetSize()));
   program->SetUniformi("relievoShadowRadius", this->FilterRadius);
-  program->SetUniformf("relievoShadowBias", static_cast<float>(this->Bias));
 }
 
 //------------------------------------------------------------------------------
@@ -402,7 +407,8 @@ bool vtkRelievoShadowPass::SetShaderParameters(
     this->SetFrameParameters(program);
   }
   vtkProperty* property = actor->GetProperty();
-  program->SetUniformf("relievoShadowReceives", in.Props.Receives(prop) ? 1.f : -1.f);
+  program->SetUniformf("relievoShadowInner",
+    in.Props.Receives(prop) ? 0.5f * (in.Maps.GetSize() - 1) - this->FilterRadius : -1.f);
   program->SetUniformf("relievoShadowLift",
     std::max(property->GetPointSize(), property->GetLineWidth()));
   return true;

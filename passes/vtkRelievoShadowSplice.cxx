@@ -24,13 +24,17 @@ std::string Section(const char* section)
   return vtkRelievoShaderLibrary::GetSection("shadow/receive.glsl", section);
 }
 
-std::string Fill(const char* section, int number, int slot, int face, bool cube)
+std::string Numbered(const char* section, const vtkRelievoShadowSplice::Structure::Light& light,
+  int slot, int face)
 {
   std::string text = Section(section);
-  FillWord(text, "RELIEVO_NUMBER", std::to_string(number));
+  FillWord(text, "RELIEVO_NUMBER", std::to_string(light.ShaderIndex));
   FillWord(text, "RELIEVO_SLOT", std::to_string(slot));
   FillWord(text, "RELIEVO_FACE", std::to_string(face));
-  FillWord(text, "RELIEVO_LOOK_UP", cube ? "relievoShadowCube" : "relievoShadowOne");
+  FillWord(text, "RELIEVO_LOOK_UP",
+    light.Parallel   ? "relievoShadowSun"
+      : light.Cube ? "relievoShadowCube"
+                   : "relievoShadowLamp");
   return text;
 }
 }
@@ -60,12 +64,11 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   int face = 0;
   for (const Structure::Light& light : structure.Lights)
   {
-    const int number = light.ShaderIndex;
-    visibility += ::Fill("Visibility", number, slot, face, light.Cube);
-    if (Has(fragment, "uniform vec3 lightColor" + std::to_string(number) + ";"))
+    visibility += Numbered("Visibility", light, slot, face);
+    if (Has(fragment, "uniform vec3 lightColor" + std::to_string(light.ShaderIndex) + ";"))
     {
-      lights += ::Fill("LightDec", number, slot, face, light.Cube);
-      colors += ::Fill("LightImpl", number, slot, face, light.Cube);
+      lights += Numbered("LightDec", light, slot, face);
+      colors += Numbered("LightImpl", light, slot, face);
     }
     ++slot;
     face += light.GetRoom();

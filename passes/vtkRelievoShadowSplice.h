@@ -19,12 +19,14 @@ struct Structure
   struct Light
   {
     int ShaderIndex; // as VTK's shaders count lights
-    bool Cube;       // room for six maps instead of one
+    bool Parallel;
+    bool Cube; // room for six maps instead of one
 
     int GetRoom() const { return this->Cube ? 6 : 1; }
     bool operator==(const Light& other) const
     {
-      return this->ShaderIndex == other.ShaderIndex && this->Cube == other.Cube;
+      return this->ShaderIndex == other.ShaderIndex && this->Parallel == other.Parallel &&
+        this->Cube == other.Cube;
     }
   };
   std::vector<Light> Lights; // that cast

@@ -12,11 +12,10 @@
 
 // Slope of a plane of map space: depth per u and per v. `steepest` bounds each: a plane that the
 // light grazes has none.
-vec2 relievoReceiverSlope(vec4 plane, float steepest)
+vec2 relievoReceiverSlope(vec3 plane, float steepest)
 {
-  float c = max(abs(plane.z), float(1e-30));
-  c = plane.z < float(0.0) ? -c : c;
-  return vec2(clamp(-plane.x / c, -steepest, steepest), clamp(-plane.y / c, -steepest, steepest));
+  return vec2(clamp(-plane.x / plane.z, -steepest, steepest),
+    clamp(-plane.y / plane.z, -steepest, steepest));
 }
 
 // Weight of tap i of the 2 * radius taps 1 - radius ... radius in one direction; `part` is the place

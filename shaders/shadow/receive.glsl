@@ -14,17 +14,16 @@
 //RELIEVO::Section(FragmentDec)
 //RELIEVO::Include(formulas/shadow.glsl)
 uniform sampler2DArray relievoShadowMaps;
-uniform mat4 relievoShadowMatrix[RELIEVO_SHADOW_FACES]; // eye space to map space
-uniform mat4 relievoShadowPlane[RELIEVO_SHADOW_FACES];  // the same for planes
+uniform mat4 relievoShadowMatrix[RELIEVO_SHADOW_FACES]; // eye space to map space, less the bias
+uniform mat4 relievoShadowPlane[RELIEVO_SHADOW_FACES];  // the same for planes, without the bias
 uniform float relievoShadowTexel[RELIEVO_SHADOW_FACES]; // depth of a texel's width, at w = 1
-uniform float relievoShadowLayer[RELIEVO_SHADOW_FACES]; // -1: no map
+uniform float relievoShadowLayer[RELIEVO_SHADOW_FACES];
 uniform float relievoShadowStrength[RELIEVO_SHADOW_LIGHTS];
 uniform int relievoShadowSlot[RELIEVO_SHADOW_NUMBERS]; // of light N of the renderer; -1: casts none
 uniform float relievoShadowSize;  // of a map, in texels
+uniform float relievoShadowInner; // half of it, less the filter; -1 for what receives no shadows
 uniform int relievoShadowRadius;  // of the filter, in texels; 0: the nearest texel alone
-uniform float relievoShadowBias;  // in texels
 uniform float relievoShadowLift;  // in texels: of points and lines, which have no plane
-uniform float relievoShadowReceives; // 1, or -1 for what receives none
 float relievoVisibility[RELIEVO_SHADOW_LIGHTS];
 
 float relievoVisibilityOf(int number)
@@ -91,40 +90,56 @@ float relievoShadowFilter(float layer, vec3 place, vec2 slope)
 #endif
 }
 
-// What of the light of a map reaches the point; `seen` is whether the map holds the point at all.
-// normalVC: of the receiver's plane, of any length, towards the eye.
+// Whether the map holds the place.
+bool relievoShadowSees(vec3 place)
+{
+  vec2 off = abs(place.xy - (0.5 * relievoShadowSize - 0.5));
+  return max(off.x, off.y) <= relievoShadowInner;
+}
+
+// plane: the receiver's, in map space; its z is negative if the side that is seen faces the light.
+// If not, the surface itself is in between.
+float relievoShadowAt(int face, vec3 place, vec3 plane, float texel)
+{
+#ifdef RELIEVO_SHADOW_HAS_PLANE
+  float lit = relievoShadowFilter(
+    relievoShadowLayer[face], place, relievoReceiverSlope(plane, 64.0 * texel));
+  return plane.z < 0.0 ? lit : 0.0;
+#else
+  place.z -= relievoShadowLift * texel;
+  return relievoShadowFilter(relievoShadowLayer[face], place, vec2(0.0));
+#endif
+}
+
+// A light of parallel rays. normalVC: of the receiver's plane, of any length, towards the eye.
+float relievoShadowSun(int face, vec3 positionVC, vec3 normalVC)
+{
+  vec3 place = (relievoShadowMatrix[face] * vec4(positionVC, 1.0)).xyz;
+  vec3 plane = mat3(relievoShadowPlane[face]) * normalVC;
+  float lit = relievoShadowAt(face, place, plane, relievoShadowTexel[face]);
+  return relievoShadowSees(place) ? lit : 1.0;
+}
+
+// One perspective map; `seen`: whether it holds the point.
 float relievoShadowFace(int face, vec3 positionVC, vec3 normalVC, out bool seen)
 {
   vec4 map = relievoShadowMatrix[face] * vec4(positionVC, 1.0);
   float inverse = 1.0 / map.w;
   vec3 place = map.xyz * inverse;
-  float middle = 0.5 * relievoShadowSize - 0.5;
-  vec2 off = abs(place.xy - middle);
-  seen = max(off.x, off.y) <= middle - float(relievoShadowRadius) &&
-    min(min(map.w, relievoShadowReceives), relievoShadowLayer[face] + 0.5) > 0.0;
-  float texel = relievoShadowTexel[face] * inverse;
-#ifdef RELIEVO_SHADOW_HAS_PLANE
+  seen = map.w > 0.0 && relievoShadowSees(place);
   vec4 plane = relievoShadowPlane[face] * vec4(normalVC, -dot(normalVC, positionVC));
-  place.z -= relievoShadowBias * texel;
-  // The side that is seen may be turned away from the light: the surface itself is in between.
-  float facing = plane.z < 0.0 ? 1.0 : 0.0;
-  return facing *
-    relievoShadowFilter(relievoShadowLayer[face], place, relievoReceiverSlope(plane, 64.0 * texel));
-#else
-  place.z -= (relievoShadowBias + relievoShadowLift) * texel;
-  return relievoShadowFilter(relievoShadowLayer[face], place, vec2(0.0));
-#endif
+  return relievoShadowAt(face, place, plane.xyz, relievoShadowTexel[face] * inverse);
 }
 
-// A light with one map.
-float relievoShadowOne(int face, vec3 positionVC, vec3 normalVC)
+// A lamp with one map.
+float relievoShadowLamp(int face, vec3 positionVC, vec3 normalVC)
 {
   bool seen;
   float lit = relievoShadowFace(face, positionVC, normalVC, seen);
   return seen ? lit : 1.0;
 }
 
-// A light with up to six.
+// A lamp with up to six.
 float relievoShadowCube(int first, vec3 positionVC, vec3 normalVC)
 {
   for (int face = first; face < first + 6; ++face)
