@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every numbered example runs and writes what it says."""
 
+import datetime
+import math
 import os
 import pathlib
 import subprocess
@@ -10,10 +12,13 @@ import tempfile
 import unittest
 
 import numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 import relievo
 
 EXAMPLES = pathlib.Path(os.environ["RELIEVO_EXAMPLES"])
+sys.path.insert(0, str(EXAMPLES))
+import sun  # noqa: E402
 
 # file name: the files that the example writes
 WRITES = {
@@ -26,7 +31,22 @@ WRITES = {
     ],
     "04_point_cloud.py": ["points.vtp"],
     "05_frame_report.py": [],
+    "06_sun_study.py": [
+        "frame_00.png", "frame_01.png", "frame_02.png", "frame_03.png", "frame_04.png",
+        "frame_05.png", "sun_hours.png",
+    ],
+    "07_three_spots.py": ["three_spots.png", "three_spots_layers.png"],
 }  # fmt: skip
+
+# file name: words after the folder, for examples that take long otherwise
+WORDS = {"06_sun_study.py": ["--every", "120"]}
+
+
+def read_png(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return relievo.layer(reader.GetOutput(), reader.GetOutput().GetPointData().GetArrayName(0))
 
 
 class Examples(unittest.TestCase):
@@ -37,7 +57,7 @@ class Examples(unittest.TestCase):
 
     def run_example(self, name):
         done = subprocess.run(
-            [sys.executable, EXAMPLES / name, self.folder / "out"],
+            [sys.executable, EXAMPLES / name, self.folder / "out", *WORDS.get(name, [])],
             cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=100,
         )  # fmt: skip
         self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -75,6 +95,65 @@ class Examples(unittest.TestCase):
         numpy.testing.assert_allclose(relievo.layer(image, "Elevation")[floor], 0, atol=5e-6)
 
         self.assertTrue(self.run_example("05_frame_report.py").strip().endswith("True"))
+
+    def test_sun_study(self):
+        said = self.run_example("06_sun_study.py")
+        # The sun is lowest first and last, and 90 - latitude high at noon of the equinox.
+        heights = [float(line.split("the sun ")[1].split()[0]) for line in said.splitlines()[:6]]
+        numpy.testing.assert_allclose(heights, heights[::-1], atol=0.11)
+        self.assertEqual(heights[:3], sorted(heights[:3]))
+        self.assertAlmostEqual(max(heights), 40.2, delta=0.5)  # at 11 h and 13 h
+        # Long shadows make the first frame the darker one, but not black.
+        early, noon = (read_png(self.folder / "out" / f"frame_0{i}.png") for i in (0, 2))
+        self.assertEqual(early.shape, (540, 960, 3))
+        self.assertLess(early.mean(), 0.8 * noon.mean())
+        self.assertGreater(early[100:].std(), 10)
+
+    def test_three_spots(self):
+        self.run_example("07_three_spots.py")
+        picture = read_png(self.folder / "out" / "three_spots.png").astype(float)
+        # What one spot does not reach has the colour of the two others: yellow without blue, cyan
+        # without red; magenta, without green, is behind the bike.
+        red, green, blue = picture[..., 0], picture[..., 1], picture[..., 2]
+        self.assertGreater((numpy.minimum(red, green) > 1.5 * blue + 30).mean(), 0.03)
+        self.assertGreater((numpy.minimum(green, blue) > 1.5 * red + 30).mean(), 0.03)
+        self.assertGreater((picture.min(axis=2) > 150).mean(), 0.3, "hardly anything is white")
+
+
+class Sun(unittest.TestCase):
+    def test_declination(self):
+        # Of 2026, at noon UT: 2.8 hours before an equinox, 11.9 after the other, at the solstices.
+        for month, day, truth in ((3, 20, -0.046), (9, 23, -0.193), (6, 21, 23.44), (12, 21, -23.44)):
+            found = math.degrees(sun.declination(datetime.date(2026, month, day)))
+            self.assertAlmostEqual(found, truth, delta=0.012)
+        # The whole year against the series of J. W. Spencer (Search 2, 1971, page 172), which knows
+        # the day's number but not the leap years: a day of drift.
+        for day in range(365):
+            g = 2 * math.pi * day / 365
+            series = math.degrees(
+                0.006918 - 0.399912 * math.cos(g) + 0.070257 * math.sin(g)
+                - 0.006758 * math.cos(2 * g) + 0.000907 * math.sin(2 * g)
+                - 0.002697 * math.cos(3 * g) + 0.001480 * math.sin(3 * g)
+            )  # fmt: skip
+            date = datetime.date(2026, 1, 1) + datetime.timedelta(day)
+            self.assertAlmostEqual(math.degrees(sun.declination(date)), series, delta=0.45)
+
+    def test_direction(self):
+        date = datetime.date(2026, 6, 21)
+        tilt = sun.declination(date)
+        self.assertAlmostEqual(math.degrees(tilt), 23.44, delta=0.02)
+        for latitude in (-35.0, 0.0, 10.0, 48.0, 89.0):
+            for hour in (0, 5.5, 12, 18):
+                self.assertAlmostEqual(math.hypot(*sun.direction(latitude, date, hour)), 1)
+            east, north, up = sun.direction(latitude, date, 12)
+            self.assertAlmostEqual(east, 0)
+            self.assertAlmostEqual(math.atan2(north, up), tilt - math.radians(latitude))
+            self.assertGreater(sun.direction(latitude, date, 9)[0], 0, "the morning sun is east")
+            half = sun.day_length(latitude, date) / 2
+            if 0 < half < 12:
+                self.assertAlmostEqual(sun.direction(latitude, date, 12 - half)[2], 0)
+        self.assertEqual(sun.day_length(80, date), 24)
+        self.assertEqual(sun.day_length(-80, date), 0)
 
 
 if __name__ == "__main__":
