@@ -20,8 +20,19 @@ position           3 double    world position                                   
 albedo             4           surface colour before light, RGBA                     0
 color              4 float     the picture, scene-linear and premultiplied           the window's
 actor block cell   1 int       ids, from 0                                           -1
+shadow_N           1 float     what is not blocked of light N: 1 lit, 0 dark         1
 any array's name   as it is    point data interpolated, cell data as it is
 =================  ==========  ====================================================  ==========
+
+N counts renderer.GetLights() from 0. Layers shadow_N need no shadows in the picture; those are
+
+    frame = relievo.attach(renderer)
+    frame.ShadowsOn()                                 # every light casts; ShadowsOff() ends it
+    shadows = frame.GetShadowPass()
+    shadows.SetMapSize(4096)                          # texels; 2048 if not set
+    shadows.SetLightCasts(light, False)               # a light that casts none
+    shadows.SetPropCasts(actor, shadows.CASTS_NEVER)  # or CASTS_ALWAYS, CASTS_IF_OPAQUE (default)
+    shadows.SetPropReceives(actor, False)
 
 Wrong arguments raise ValueError, files OSError, drawing RuntimeError; each names what was given.
 The wrapped classes (vtkRelievoPass, vtkRelievoEXRWriter, ...) are in this package as well.

@@ -14,7 +14,8 @@ def attach(renderer):
     renderer: a vtkRenderer. Its picture does not change: with nothing asked of it the frame only
     hands over to the renderer's own pass. A renderer that has the frame keeps it.
 
-    Returns the vtkRelievoPass. Raises ValueError for anything but a renderer, RuntimeError if the
+    Returns the vtkRelievoPass: its ShadowsOn() makes every light cast, SetDisplayLayer() shows a
+    layer as the picture, RequestLayer() makes one in every frame. Raises ValueError for anything but a renderer, RuntimeError if the
     frame refuses.
     """
     require(renderer, "vtkRenderer", "renderer")

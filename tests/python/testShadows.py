@@ -1,0 +1,178 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Layers shadow_N against rays in double, shadows in the picture, who casts and receives."""
+
+import pathlib
+import tempfile
+import unittest
+
+import numpy
+import scenes
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkWindowToImageFilter
+
+import relievo
+
+# A plate of half width 1/2 hangs at y = 1 over a floor of half width 3 at y = 0.
+LIGHTS = {  # name: place (of the sun: the direction to it), positional, cone angle
+    "sun": ((1, 2, 0.5), False, 30),
+    "spot": ((-1.5, 3, 0.4), True, 40),
+    "point": ((0.3, 2.5, -1), True, 180),
+}
+
+
+def plate(half, height):
+    source = vtkPlaneSource()
+    source.SetOrigin(-half, height, -half)
+    source.SetPoint1(-half, height, half)
+    source.SetPoint2(half, height, -half)
+    return source
+
+
+def make_light(place, positional, cone):
+    light = vtkLight()
+    light.SetLightTypeToSceneLight()
+    light.SetPositional(positional)
+    light.SetConeAngle(cone)
+    light.SetIntensity(0.3)  # three of them stay below white
+    light.SetPosition(*place)
+    light.SetFocalPoint(0, 0, 0)
+    return light
+
+
+def edge_distance(position, light):
+    """How far the ray from each point of the floor to the light misses the plate's edge: its place
+    in the plate's plane, negative inside."""
+    place, positional, _ = LIGHTS[light]
+    towards = numpy.array(place, float) - (position if positional else 0)
+    at = position + towards * ((1 - position[..., 1:2]) / towards[..., 1:2])
+    return numpy.maximum(abs(at[..., 0]), abs(at[..., 2])) - 0.5
+
+
+class Shadows(unittest.TestCase):
+    def setUp(self):
+        self.renderer = vtkRenderer()
+        self.floor = scenes.add(self.renderer, plate(3, 0))
+        self.plate = scenes.add(self.renderer, plate(0.5, 1))
+        self.renderer.AutomaticLightCreationOff()
+        self.lights = [make_light(*LIGHTS[name]) for name in LIGHTS]
+        for light in self.lights:
+            self.renderer.AddLight(light)
+        camera = self.renderer.GetActiveCamera()
+        camera.SetPosition(2.5, 3, 6)
+        camera.SetFocalPoint(0, 0.3, 0)
+        camera.SetClippingRange(2, 14)
+        self.window = scenes.window_of(self.renderer)
+        self.layers = [f"shadow_{i}" for i in range(len(LIGHTS))]
+
+    def capture(self):
+        image = relievo.capture(self.renderer, ["actor", "position", *self.layers])
+        self.floor_seen = relievo.layer(image, "actor") == 0
+        self.position = relievo.layer(image, "position").copy()
+        return image, [relievo.layer(image, name).copy() for name in self.layers]
+
+    def dark(self, light):
+        """Pixels of the floor that the plate hides from the light, two texels and more inside."""
+        return self.floor_seen & (edge_distance(self.position, light) < -0.02)
+
+    def picture(self):
+        self.window.Render()
+        grab = vtkWindowToImageFilter()
+        grab.SetInput(self.window)
+        grab.ReadFrontBufferOff()
+        grab.ShouldRerenderOff()
+        grab.Update()
+        return relievo.layer(grab.GetOutput(), "ImageScalars").astype(int)
+
+    def test_layers_against_rays(self):
+        image, shadows = self.capture()
+        self.assertIsNone(self.renderer.GetPass(), "capture left its frame")
+        nothing = relievo.layer(image, "actor") < 0
+        self.assertTrue(nothing.any())
+        for name, values in zip(LIGHTS, shadows):
+            with self.subTest(light=name):
+                self.assertEqual((values.dtype, values.shape), (numpy.float32, (200, 300)))
+                distance = edge_distance(self.position, name)
+                sure = self.floor_seen & (abs(distance) > 0.02)
+                self.assertGreater(self.dark(name).sum(), 300)
+                self.assertGreater(sure.sum(), 0.9 * self.floor_seen.sum())
+                numpy.testing.assert_array_equal(values[sure], (distance > 0)[sure])
+                self.assertEqual(set(values[nothing]), {1.0})
+
+    def test_the_picture(self):
+        off = self.picture()
+        self.capture()
+        frame = relievo.attach(self.renderer)
+        frame.ShadowsOn()
+        on = self.picture()
+        for name in LIGHTS:
+            self.assertTrue((on < off).any(axis=2)[self.dark(name)].all(), name)
+        self.assertTrue((on <= off).all())
+        lit = self.floor_seen & numpy.all(
+            [edge_distance(self.position, name) > 0.02 for name in LIGHTS], axis=0
+        )
+        self.assertGreater(lit.sum(), 1000)
+        numpy.testing.assert_array_equal(on[lit], off[lit])
+        stage = {stage["name"]: stage for stage in relievo.report(frame)["stages"]}["shadows"]
+        self.assertIn("3 lights cast", stage["reason"])
+        self.assertEqual(stage["bytes"], frame.GetBytesHeld())
+        frame.ShadowsOff()
+        numpy.testing.assert_array_equal(self.picture(), off)
+        self.assertEqual(frame.GetBytesHeld(), 0)
+
+    def test_who_casts_and_receives(self):
+        _, shadows = self.capture()
+        dark = [self.dark(name) for name in LIGHTS]
+        for values, place in zip(shadows, dark):
+            self.assertEqual(values[place].max(), 0)
+        choices = relievo.attach(self.renderer).GetShadowPass()
+
+        choices.SetLightCasts(self.lights[1], False)
+        self.assertFalse(choices.GetLightCasts(self.lights[1]))
+        _, shadows = self.capture()
+        self.assertEqual([values[place].max() for values, place in zip(shadows, dark)], [0, 1, 0])
+        self.assertEqual(shadows[1].min(), 1)
+        choices.SetLightCasts(self.lights[1], True)
+
+        choices.SetPropCasts(self.plate, choices.CASTS_NEVER)
+        _, shadows = self.capture()
+        self.assertEqual([values[place].min() for values, place in zip(shadows, dark)], [1, 1, 1])
+        choices.SetPropCasts(self.plate, choices.CASTS_IF_OPAQUE)
+        choices.SetPropReceives(self.floor, False)
+        _, shadows = self.capture()
+        self.assertEqual([values[place].min() for values, place in zip(shadows, dark)], [1, 1, 1])
+        choices.SetPropReceives(self.floor, True)
+        _, shadows = self.capture()
+        self.assertEqual([values[place].max() for values, place in zip(shadows, dark)], [0, 0, 0])
+
+        choices.SetStrength(0.5)  # for the picture; layers say what is blocked, not how dark it looks
+        _, shadows = self.capture()
+        self.assertEqual([values[place].max() for values, place in zip(shadows, dark)], [0, 0, 0])
+
+    def test_a_light_that_is_off_keeps_its_number(self):
+        _, before = self.capture()
+        self.lights[0].SwitchOff()
+        _, shadows = self.capture()
+        self.assertEqual(shadows[0].min(), 1)
+        numpy.testing.assert_array_equal(shadows[1][self.floor_seen], before[1][self.floor_seen])
+
+    def test_exr(self):
+        image, shadows = self.capture()
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "a.exr"
+            relievo.write_exr(path, image)
+            self.assertIn(b"shadow_2.V\0", path.read_bytes())
+            back = relievo.read_exr(path)
+        for name, values in zip(self.layers, shadows):
+            numpy.testing.assert_array_equal(relievo.layer(back, name), values)
+
+    def test_errors(self):
+        for name, says in (("shadow_3", "3 lights"), ("shadow_x", "neither a layer nor")):
+            with self.assertRaises(ValueError) as caught:
+                relievo.capture(self.renderer, ["depth", name])
+            self.assertIn(name, str(caught.exception))
+            self.assertIn(says, str(caught.exception))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
