@@ -170,6 +170,12 @@ int vtkRelievoShadowCache::GetNumberOfMaps() const
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoShadowCache::SetCasters(const vtkRelievoShadowProps& props)
+{
+  this->Casters = props.GetState();
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoShadowCache::Invalidate()
 {
   for (Entry& entry : this->Entries)

@@ -39,6 +39,9 @@ public:
   // Layers that the maps take: as many as there are maps, or as were needed since lights changed.
   int GetNumberOfLayers() const { return this->Layers; }
 
+  // What cast when the maps were drawn, if it looks otherwise now without having changed.
+  void SetCasters(const vtkRelievoShadowProps& props);
+
   // What the layers held is lost.
   void Invalidate();
   void Clear();

@@ -46,7 +46,8 @@ public:
   vtkTimeStamp StructureTime;
   vtkRelievoView View;
   bool DrawingMaps = false;
-  std::set<vtkShaderProgram*> Told; // programs that have this frame's parameters
+  std::set<vtkShaderProgram*> Told;   // programs that have this frame's parameters
+  std::set<vtkShaderProgram*> Lightly; // programs that VTK gave its lights in a light's eye space
   std::set<std::string> Said;
   bool Spliced = false;
 
@@ -283,7 +284,7 @@ void vtkRelievoShadowPass::DrawMaps(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowPass::RenderAfter(vtkRelievoPass*, const vtkRenderState*)
+void vtkRelievoShadowPass::RenderAfter(vtkRelievoPass*, const vtkRenderState* s)
 {
   Internals& in = *this->Internal;
   if (in.Spliced)
@@ -291,6 +292,12 @@ void vtkRelievoShadowPass::RenderAfter(vtkRelievoPass*, const vtkRenderState*)
     in.Props.RemovePass(this);
     in.Maps.Unbind();
     in.Spliced = false;
+    if (in.Props.ChangesByDrawing())
+    {
+      // Some mappers count themselves as modified when they draw.
+      in.Props.Collect(s);
+      in.Cache.SetCasters(in.Props);
+    }
   }
 }
 
@@ -343,6 +350,7 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
   nowhere[3] = glm::vec4(-1e9f, -1e9f, 0.f, 1.f);
   std::vector<glm::mat4> matrices(faces, nowhere);
   std::vector<glm::mat4> planes(faces, glm::mat4(1.f));
+  std::vector<glm::vec4> eyes(faces, glm::vec4(0.f));
   std::vector<float> texels(faces, 0.f);
   std::vector<float> layers(faces, 0.f);
   std::vector<float> strengths;
@@ -361,6 +369,8 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
       biased[3].z -= this->Bias * map.View.Texel;
       matrices[face] = glm::mat4(biased);
       planes[face] = glm::mat4(glm::transpose(glm::inverse(viewToMap)));
+      eyes[face] = glm::vec4(
+        viewToMap * (in.View.Parallel ? glm::dvec4(0, 0, 1, 0) : glm::dvec4(0, 0, 0, 1)));
       texels[face] = static_cast<float>(map.View.Texel);
       layers[face++] = static_cast<float>(map.Layer);
     }
@@ -372,6 +382,8 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
   program->SetUniformi("relievoShadowMaps", in.Maps.GetTextureUnit());
   program->SetUniformMatrix4x4v("relievoShadowMatrix", faces, &matrices[0][0][0]);
   program->SetUniformMatrix4x4v("relievoShadowPlane", faces, &planes[0][0][0]);
+  program->SetUniform4fv(
+    "relievoShadowEye", faces, reinterpret_cast<const float(*)[4]>(&eyes[0][0]));
   program->SetUniform1fv("relievoShadowTexel", faces, texels.data());
   program->SetUniform1fv("relievoShadowLayer", faces, layers.data());
   program->SetUniform1fv("relievoShadowStrength", lights, strengths.data());
@@ -393,10 +405,14 @@ bool vtkRelievoShadowPass::SetShaderParameters(
   if (in.DrawingMaps)
   {
     ++this->DrawCalls;
-    // VTK takes the lights' uniforms, in the light's own eye space now, for those of the frame.
-    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+    in.Lightly.insert(program);
     // A sheet blocks light from both sides.
     in.Maps.DrawBothSides();
+  }
+  else if (in.Lightly.erase(program))
+  {
+    // What VTK takes for this frame's uniforms of the lights are a map's.
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
   }
   if (!program->IsUniformUsed("relievoShadowMaps"))
   {

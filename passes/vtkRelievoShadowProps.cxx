@@ -48,6 +48,11 @@ vtkMTimeType GetTextureTime(vtkTexture* texture)
                  : 0;
 }
 
+bool IsPlain(vtkMapper* mapper)
+{
+  return std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
+}
+
 // Of what a mapper draws, not of how it colours it.
 vtkMTimeType GetMapperTime(vtkMapper* mapper)
 {
@@ -70,9 +75,7 @@ vtkMTimeType GetMapperTime(vtkMapper* mapper)
     }
   }
   // A plain mapper's own settings are about colour; others' may be sizes, blocks, orientations.
-  return std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0
-    ? time
-    : std::max(time, mapper->GetMTime());
+  return IsPlain(mapper) ? time : std::max(time, mapper->GetMTime());
 }
 
 bool GetBox(vtkProp* prop, vtkRelievoBox& box)
@@ -116,6 +119,7 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
   this->ReceiverBoxes.clear();
   this->NotReceiving.clear();
   this->State.clear();
+  this->Unsteady = false;
   const std::set<vtkProp*> drawn(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
   std::vector<vtkRelievoPropParts::Part> parts;
   vtkPropCollection* props = s->GetRenderer()->GetViewProps();
@@ -189,6 +193,7 @@ void vtkRelievoShadowProps::AddDouble(double value)
 void vtkRelievoShadowProps::AddState(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
+  this->Unsteady = this->Unsteady || !IsPlain(mapper);
   this->State.push_back(reinterpret_cast<std::uintptr_t>(actor));
   this->State.push_back(reinterpret_cast<std::uintptr_t>(mapper));
   this->State.push_back(reinterpret_cast<std::uintptr_t>(mapper->GetInputDataObject(0, 0)));

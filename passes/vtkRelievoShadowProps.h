@@ -39,6 +39,9 @@ public:
   // The state of what casts, for comparison.
   const std::vector<std::uint64_t>& GetState() const { return this->State; }
 
+  // Whether drawing alone may change the state: to be collected again after it.
+  bool ChangesByDrawing() const { return this->Unsteady; }
+
   const std::vector<vtkRelievoBox>& GetCasterBoxes() const { return this->CasterBoxes; }
   const std::vector<vtkRelievoBox>& GetReceiverBoxes() const { return this->ReceiverBoxes; }
   bool Receives(vtkProp* part) const { return this->NotReceiving.count(part) == 0; }
@@ -67,6 +70,7 @@ private:
   std::vector<vtkRelievoBox> ReceiverBoxes;
   std::set<vtkProp*> NotReceiving;
   std::vector<std::uint64_t> State;
+  bool Unsteady = false;
 };
 
 #endif

@@ -31,10 +31,7 @@ std::string Numbered(const char* section, const vtkRelievoShadowSplice::Structur
   FillWord(text, "RELIEVO_NUMBER", std::to_string(light.ShaderIndex));
   FillWord(text, "RELIEVO_SLOT", std::to_string(slot));
   FillWord(text, "RELIEVO_FACE", std::to_string(face));
-  FillWord(text, "RELIEVO_LOOK_UP",
-    light.Parallel   ? "relievoShadowSun"
-      : light.Cube ? "relievoShadowCube"
-                   : "relievoShadowLamp");
+  FillWord(text, "RELIEVO_LOOK_UP", light.Cube ? "relievoShadowCube" : "relievoShadowLamp");
   return text;
 }
 }
@@ -57,14 +54,20 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   std::string& fragment, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor,
   const Structure& structure)
 {
+  const bool impostor = Has(fragment, "vertexVC.xyz =") && Has(fragment, "normalVCVSOutput");
   std::string lights;
+  std::string flow = Section("UniformFlow");
   std::string visibility;
   std::string colors;
   int slot = 0;
   int face = 0;
   for (const Structure::Light& light : structure.Lights)
   {
-    visibility += Numbered("Visibility", light, slot, face);
+    visibility += Numbered(!light.Parallel ? "Visibility"
+        : impostor                         ? "SunImpostorVisibility"
+                                           : "SunVisibility",
+      light, slot, face);
+    flow += light.Parallel && !impostor ? Numbered("SunFlow", light, slot, face) : std::string();
     if (Has(fragment, "uniform vec3 lightColor" + std::to_string(light.ShaderIndex) + ";"))
     {
       lights += Numbered("LightDec", light, slot, face);
@@ -88,7 +91,6 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   {
     return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl";
   }
-  const bool impostor = Has(fragment, "vertexVC.xyz =") && Has(fragment, "normalVCVSOutput");
   const bool surface = DrawsTriangles(mapper) && !impostor &&
     actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
   std::ostringstream dec;
@@ -103,7 +105,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   FillWord(normal, "RELIEVO_IMPOSTOR_NORMAL", impostor ? "normalVCVSOutput" : "vec3(0.0)");
   FillMark(fragment, Extensions, Section("Extensions"));
   FillMark(fragment, Dec, dec.str() + Section("FragmentDec") + lights);
-  FillMark(fragment, UniformFlow, Section("UniformFlow"));
+  FillMark(fragment, UniformFlow, flow);
   FillMark(fragment, Impl, normal + visibility + colors);
   return std::string();
 }

@@ -17,6 +17,7 @@ uniform sampler2DArray relievoShadowMaps;
 uniform mat4 relievoShadowMatrix[RELIEVO_SHADOW_FACES]; // eye space to map space, less the bias
 uniform mat4 relievoShadowPlane[RELIEVO_SHADOW_FACES];  // the same for planes, without the bias
 uniform float relievoShadowTexel[RELIEVO_SHADOW_FACES]; // depth of a texel's width, at w = 1
+uniform vec4 relievoShadowEye[RELIEVO_SHADOW_FACES]; // in map space; w = 0: the direction to it
 uniform float relievoShadowLayer[RELIEVO_SHADOW_FACES];
 uniform float relievoShadowStrength[RELIEVO_SHADOW_LIGHTS];
 uniform int relievoShadowSlot[RELIEVO_SHADOW_NUMBERS]; // of light N of the renderer; -1: casts none
@@ -97,26 +98,27 @@ bool relievoShadowSees(vec3 place)
   return max(off.x, off.y) <= relievoShadowInner;
 }
 
-// plane: the receiver's, in map space; its z is negative if the side that is seen faces the light.
-// If not, the surface itself is in between.
-float relievoShadowAt(int face, vec3 place, vec3 plane, float texel)
+// plane: normal of the receiver's plane in map space, of any length. `facing` is negative if the
+// side that is seen faces the light; if not, the surface itself is in between.
+float relievoShadowAt(int face, vec3 place, vec3 plane, float facing, float texel)
 {
 #ifdef RELIEVO_SHADOW_HAS_PLANE
   float lit = relievoShadowFilter(
     relievoShadowLayer[face], place, relievoReceiverSlope(plane, 64.0 * texel));
-  return plane.z < 0.0 ? lit : 0.0;
+  return facing < 0.0 ? lit : 0.0;
 #else
   place.z -= relievoShadowLift * texel;
   return relievoShadowFilter(relievoShadowLayer[face], place, vec2(0.0));
 #endif
 }
 
-// A light of parallel rays. normalVC: of the receiver's plane, of any length, towards the eye.
-float relievoShadowSun(int face, vec3 positionVC, vec3 normalVC)
+// A light of parallel rays, at a place of its map.
+float relievoShadowSun(int face, vec3 place, vec3 plane)
 {
-  vec3 place = (relievoShadowMatrix[face] * vec4(positionVC, 1.0)).xyz;
-  vec3 plane = mat3(relievoShadowPlane[face]) * normalVC;
-  float lit = relievoShadowAt(face, place, plane, relievoShadowTexel[face]);
+  // Towards the eye, which is a direction in a parallel view.
+  vec4 eye = relievoShadowEye[face];
+  float facing = plane.z * dot(plane, eye.xyz - eye.w * place);
+  float lit = relievoShadowAt(face, place, plane, facing, relievoShadowTexel[face]);
   return relievoShadowSees(place) ? lit : 1.0;
 }
 
@@ -128,7 +130,8 @@ float relievoShadowFace(int face, vec3 positionVC, vec3 normalVC, out bool seen)
   vec3 place = map.xyz * inverse;
   seen = map.w > 0.0 && relievoShadowSees(place);
   vec4 plane = relievoShadowPlane[face] * vec4(normalVC, -dot(normalVC, positionVC));
-  return relievoShadowAt(face, place, plane.xyz, relievoShadowTexel[face] * inverse);
+  return relievoShadowAt(
+    face, place, plane.xyz, plane.z, relievoShadowTexel[face] * inverse);
 }
 
 // A lamp with one map.
@@ -168,6 +171,21 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
   vec3 relievoShadowDx = dFdx(vertexVC.xyz);
   vec3 relievoShadowDy = dFdy(vertexVC.xyz);
 #endif
+
+//RELIEVO::Section(SunFlow)
+  vec3 relievoShadowPlaceRELIEVO_SLOT =
+    (relievoShadowMatrix[RELIEVO_FACE] * vec4(vertexVC.xyz, 1.0)).xyz;
+  vec3 relievoShadowPlaneRELIEVO_SLOT =
+    cross(dFdx(relievoShadowPlaceRELIEVO_SLOT), dFdy(relievoShadowPlaceRELIEVO_SLOT));
+
+//RELIEVO::Section(SunVisibility)
+  relievoVisibility[RELIEVO_SLOT] = relievoShadowSun(
+    RELIEVO_FACE, relievoShadowPlaceRELIEVO_SLOT, relievoShadowPlaneRELIEVO_SLOT);
+
+//RELIEVO::Section(SunImpostorVisibility)
+  relievoVisibility[RELIEVO_SLOT] = relievoShadowSun(RELIEVO_FACE,
+    (relievoShadowMatrix[RELIEVO_FACE] * vec4(vertexVC.xyz, 1.0)).xyz,
+    mat3(relievoShadowPlane[RELIEVO_FACE]) * relievoShadowNormalVC);
 
 //RELIEVO::Section(FragmentImpl)
 #if defined(RELIEVO_SHADOW_IMPOSTOR)
