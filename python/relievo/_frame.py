@@ -15,8 +15,8 @@ def attach(renderer):
     hands over to the renderer's own pass. A renderer that has the frame keeps it.
 
     Returns the vtkRelievoPass: its ShadowsOn() makes every light cast, SetDisplayLayer() shows a
-    layer as the picture, RequestLayer() makes one in every frame. Raises ValueError for anything but a renderer, RuntimeError if the
-    frame refuses.
+    layer as the picture, RequestLayer() makes one in every frame. Raises ValueError for anything
+    but a renderer, RuntimeError if the frame refuses.
     """
     require(renderer, "vtkRenderer", "renderer")
     with Watch(renderer) as watch:

@@ -104,7 +104,8 @@ class Words(CliTest):
     def test_shadows_of_lights_that_are_not(self):
         lights = ["--light", "sun:0,0,1", "--light", "point:1,2,3"]
         self.refused("render", "triangle.off", "--exr", "a.exr", *lights, "--layers", "shadow_2",
-                     status=2, says=["--layers", "'shadow_2'", "shadow_1", "2 --light options"])  # fmt: skip
+                     status=2,
+                     says=["--layers", "'shadow_2'", "shadow_1", "2 --light options"])  # fmt: skip
         self.refused("render", "triangle.off", "--exr", "a.exr", *lights[:2], "--layers",
                      "shadow_0,shadow_1", status=2,
                      says=["--layers", "'shadow_1'", "1 --light option,"])  # fmt: skip
@@ -120,7 +121,8 @@ class Words(CliTest):
 
     def test_unknown_layer(self):
         self.refused("render", "triangle.off", "--exr", "a.exr", "--layers", "depth,detph",
-                     status=2, says=["--layers", "'detph'", "geometric_normal", "shadow_N"])  # fmt: skip
+                     status=2,
+                     says=["--layers", "'detph'", "geometric_normal", "shadow_N"])  # fmt: skip
 
     def test_unknown_extension(self):
         (self.folder / "notes.doc").write_text("words")

@@ -123,8 +123,9 @@ class Examples(unittest.TestCase):
 class Sun(unittest.TestCase):
     def test_declination(self):
         # Of 2026, at noon UT: 2.8 hours before an equinox, 11.9 after the other, at the solstices.
-        for month, day, truth in ((3, 20, -0.046), (9, 23, -0.193), (6, 21, 23.44), (12, 21, -23.44)):
-            found = math.degrees(sun.declination(datetime.date(2026, month, day)))
+        truths = {(3, 20): -0.046, (9, 23): -0.193, (6, 21): 23.44, (12, 21): -23.44}
+        for day, truth in truths.items():
+            found = math.degrees(sun.declination(datetime.date(2026, *day)))
             self.assertAlmostEqual(found, truth, delta=0.012)
         # The whole year against the series of J. W. Spencer (Search 2, 1971, page 172), which knows
         # the day's number but not the leap years: a day of drift.

@@ -145,7 +145,7 @@ class Shadows(unittest.TestCase):
         _, shadows = self.capture()
         self.assertEqual([values[place].max() for values, place in zip(shadows, dark)], [0, 0, 0])
 
-        choices.SetStrength(0.5)  # for the picture; layers say what is blocked, not how dark it looks
+        choices.SetStrength(0.5)  # of the picture: layers say what is blocked
         _, shadows = self.capture()
         self.assertEqual([values[place].max() for values, place in zip(shadows, dark)], [0, 0, 0])
 
