@@ -4,7 +4,7 @@
 
     06_sun_study.py [FOLDER] [--latitude DEG] [--date YYYY-MM-DD] [--every MINUTES]
 
-Default: out/sun-study, latitude 48, the day of the spring equinox, every 20 minutes. Writes to FOLDER
+Default: out/sun-study, latitude 48, a spring equinox, every 20 minutes. Writes to FOLDER
     frame_NN.png     the town in the sun, from sunrise to sunset, for a film
     sun_hours.png    hours of sun as colours: the ground from above, and roofs and walls as well
 

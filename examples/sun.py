@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Where the sun stands: declination, direction, and the hours between sunrise and sunset.
 
-The declination is that of the low-precision formulas for the sun in the Astronomical Almanac, section
-C, right to 0.01 degrees from 1950 to 2050; it is taken at noon in Greenwich and moves by up to 0.4
-degrees a day. Direction and day length follow from it and the hour angle by spherical trigonometry,
-as in J. A. Duffie and W. A. Beckman, Solar Engineering of Thermal Processes, section 1.6. Times are
-true solar time: the sun is highest at 12. (Clocks differ by the longitude within their zone and by
-the equation of time.) Refraction, 0.6 degrees at the horizon, is left out.
+The declination is that of the low-precision formulas for the sun in the Astronomical Almanac,
+section C, right to 0.01 degrees from 1950 to 2050; it is taken at noon in Greenwich and moves by up
+to 0.4 degrees a day. Direction and day length follow from it and the hour angle by spherical
+trigonometry, as in J. A. Duffie and W. A. Beckman, Solar Engineering of Thermal Processes, section
+1.6. Times are true solar time: the sun is highest at 12. (Clocks differ by the longitude within
+their zone and by the equation of time.) Refraction, 0.6 degrees at the horizon, is left out.
 """
 
 import datetime
