@@ -120,6 +120,23 @@ class Shadows(unittest.TestCase):
         numpy.testing.assert_array_equal(self.picture(), off)
         self.assertEqual(frame.GetBytesHeld(), 0)
 
+    def test_maps_drawn_anew_leave_the_light_as_it_is(self):
+        # VTK's own shaders draw such a caster into the map, and the light's uniforms with it.
+        self.plate.GetShaderProperty().AddVertexShaderReplacement(
+            "//VTK::PositionVC::Impl", True, "//VTK::PositionVC::Impl\n", False
+        )
+        frame = relievo.attach(self.renderer)
+        for x in (1, -1, 0.5):
+            frame.ShadowsOn()
+            self.picture()
+            self.lights[0].SetPosition(x + 0.1, 2, 0.5)  # only the sun's map is drawn anew
+            on = self.picture()
+            self.assertEqual(frame.GetShadowPass().GetNumberOfMapsDrawn(), 1)
+            frame.ShadowsOff()
+            off = self.picture()
+            self.assertTrue((on <= off).all(), "brighter than without shadows")
+            self.assertGreater((on == off).all(axis=2).mean(), 0.7)
+
     def test_who_casts_and_receives(self):
         _, shadows = self.capture()
         dark = [self.dark(name) for name in LIGHTS]
