@@ -15,6 +15,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
     { "capture", "capture of depth, normal and cell against VTK's own means", RelievoBenchCapture },
     { "shadow-frames", "what shadows cost a frame, still and moving, against a peer",
       RelievoBenchShadowFrames },
+    { "shadows", "wrong shadows against map size and frame time, every method and light",
+      RelievoBenchShadows },
   };
   return entries;
 }

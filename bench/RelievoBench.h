@@ -46,4 +46,7 @@ int RelievoBenchCapture(const std::string& outDir);
 /** What shadows cost a frame, still and moving, against a plain frame and a peer. Minutes. */
 int RelievoBenchShadowFrames(const std::string& outDir);
 
+/** Chart 4: wrong shadow verdicts against map size and frame time. A few minutes. */
+int RelievoBenchShadows(const std::string& outDir);
+
 #endif

@@ -6,21 +6,13 @@
 #include "RelievoBench.h"
 
 #include "FrameBench.h"
+#include "ShadowWays.h"
 #include "Table.h"
 
 #include <vtkCamera.h>
-#include <vtkCameraPass.h>
 #include <vtkLight.h>
-#include <vtkLightsPass.h>
-#include <vtkNew.h>
-#include <vtkOpaquePass.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
-#include <vtkRenderPassCollection.h>
 #include <vtkRenderer.h>
-#include <vtkSequencePass.h>
-#include <vtkShadowMapBakerPass.h>
-#include <vtkShadowMapPass.h>
 
 #include <cmath>
 #include <functional>
@@ -45,47 +37,25 @@ struct Way
   std::function<void(vtkRenderer*)> SetUp;
 };
 
-void UsePeer(vtkRenderer* renderer)
-{
-  vtkNew<vtkShadowMapBakerPass> baker;
-  vtkNew<vtkShadowMapPass> shadows;
-  vtkNew<vtkSequencePass> opaque;
-  vtkNew<vtkRenderPassCollection> opaquePasses;
-  opaquePasses->AddItem(vtkNew<vtkLightsPass>());
-  opaquePasses->AddItem(vtkNew<vtkOpaquePass>());
-  opaque->SetPasses(opaquePasses);
-  vtkNew<vtkCameraPass> opaqueCamera;
-  opaqueCamera->SetDelegatePass(opaque);
-  baker->SetOpaqueSequence(opaqueCamera);
-  baker->SetResolution(MapSize);
-  shadows->SetShadowMapBakerPass(baker);
-  shadows->SetOpaqueSequence(opaque);
-  vtkNew<vtkSequencePass> sequence;
-  vtkNew<vtkRenderPassCollection> passes;
-  passes->AddItem(baker);
-  passes->AddItem(shadows);
-  sequence->SetPasses(passes);
-  vtkNew<vtkCameraPass> camera;
-  camera->SetDelegatePass(sequence);
-  renderer->SetPass(camera);
-}
-
 void Attach(vtkRenderer* renderer)
 {
   vtkRelievoPass::Attach(renderer);
 }
 
-void UseShadows(vtkRenderer* renderer)
+void UseMap(vtkRenderer* renderer)
 {
-  vtkRelievoPass* pass = vtkRelievoPass::Attach(renderer);
-  pass->ShadowsOn();
-  pass->GetShadowPass()->SetMapSize(MapSize);
+  UseShadowMap(renderer, MapSize);
+}
+
+void UsePeer(vtkRenderer* renderer)
+{
+  UseShadowPeer(renderer, MapSize);
 }
 
 const Way Ways[] = {
   { "plain", nullptr },
   { "attached, shadows off", Attach },
-  { "map", UseShadows },
+  { "map", UseMap },
   { "vtkShadowMapPass", UsePeer },
 };
 

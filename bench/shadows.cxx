@@ -1,0 +1,360 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Chart 4: how many shadow verdicts are wrong, against the size of the map and the time of the
+// frame, for every method and kind of light, with vtkShadowMapPass in the same run.
+//
+// A verdict is taken from the picture, for every way alike: a pixel is in shadow when it is nearer
+// to black than to the picture without shadows. Truth is Embree on the same triangles. Times are
+// of whole frames, still and with a light that moves, drawn in turn with the plain frame.
+#include "RelievoBench.h"
+
+#include "Chart.h"
+#include "FrameBench.h"
+#include "ShadowVerdicts.h"
+#include "Table.h"
+#include "Window.h"
+
+#include <vtkLight.h>
+#include <vtkRelievoPass.h>
+#include <vtkRenderer.h>
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace relievoBench;
+using relievoTest::SceneLight;
+using relievoTest::Timed;
+using relievoTest::Timing;
+
+const int MapSizes[] = { 512, 1024, 2048, 4096 };
+constexpr int DefaultSize = 2048;
+constexpr int Rounds = 9;
+constexpr double None = std::numeric_limits<double>::quiet_NaN();
+
+const ShadowLight Lights[] = {
+  { "sun", SceneLight::Sun, 0. },
+  { "sun at 10 degrees", SceneLight::Sun, 10. },
+  { "spot", SceneLight::Spot, 0. },
+  { "point", SceneLight::Point, 0. },
+};
+
+struct Size
+{
+  int Width;
+  int Height;
+
+  std::string Name() const
+  {
+    return std::to_string(this->Width) + "x" + std::to_string(this->Height);
+  }
+};
+const Size Square = { 600, 600 };
+const Size OtherShapes[] = { { 800, 450 }, { 400, 1600 } };
+
+// A motion's frame time: milliseconds, and times the plain frame and the peer's.
+struct Time
+{
+  double Milliseconds = None;
+  double Plain = None;
+  double PlainSpread = None;
+  double Peer = None;
+  double PeerSpread = None;
+};
+
+struct Result
+{
+  std::string Scene;
+  std::string Light;
+  std::string Window;
+  std::string Shading;
+  std::string Way;
+  int MapSize;
+  relievoTest::ShadowErrors Errors;
+  Time Still;
+  Time Moving;
+  double Load = None;
+
+  double Wrong() const { return 100. * this->Errors.Wrong(); }
+};
+
+void Measure(ShadowVerdicts& verdicts, const Result& about, int mapSize, std::vector<Result>& results)
+{
+  for (const ShadowWay& way : ShadowWays())
+  {
+    if (mapSize > way.LargestMap)
+    {
+      continue;
+    }
+    results.push_back(about);
+    Result& result = results.back();
+    result.Way = way.Name;
+    result.MapSize = mapSize;
+    result.Errors = verdicts.Measure(way, mapSize);
+    std::cout << about.Scene << ", " << about.Light << ", " << about.Window << ", "
+              << about.Shading << ", " << way.Name << " " << mapSize << ": "
+              << result.Errors.ToString() << std::endl;
+  }
+}
+
+// Every light and map size in a square window; of meshes the sun in windows of other shapes, and
+// all lights with physically based shading, at the default size.
+void MeasureScene(
+  const std::string& name, vtkPolyData* mesh, bool isReal, std::vector<Result>& results)
+{
+  relievoTest::TruthImage view;
+  for (const ShadowLight& light : Lights)
+  {
+    ShadowVerdicts verdicts(
+      name, mesh, light, Square.Width, Square.Height, view.Pixels.empty() ? nullptr : &view);
+    view = verdicts.View;
+    Result about{ name, light.Name, Square.Name(), "flat", "", 0, {}, {}, {}, None };
+    for (int mapSize : MapSizes)
+    {
+      Measure(verdicts, about, mapSize, results);
+    }
+    if (isReal)
+    {
+      verdicts.UsePBR();
+      about.Shading = "PBR";
+      Measure(verdicts, about, DefaultSize, results);
+    }
+  }
+  for (const Size& size : OtherShapes)
+  {
+    if (isReal)
+    {
+      ShadowVerdicts verdicts(name, mesh, Lights[0], size.Width, size.Height);
+      Measure(verdicts, { name, Lights[0].Name, size.Name(), "flat", "", 0, {}, {}, {}, None },
+        DefaultSize, results);
+    }
+  }
+}
+
+// A scene in a window of its own, drawn one way.
+struct WayWindow
+{
+  relievoTest::ReferenceScene Scene;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  int Frames = 0;
+
+  WayWindow(const std::string& name, vtkPolyData* mesh, const ShadowLight& light)
+    : Scene(MakeShadowScene(name, mesh, light))
+    , Window(relievoTest::MakeWindow(Square.Width, Square.Height, this->Scene.Renderer))
+  {
+  }
+
+  void MoveLight()
+  {
+    double at[3];
+    this->Scene.Light->GetPosition(at);
+    this->Scene.Light->SetPosition(at[0] + (++this->Frames % 2 ? 0.02 : -0.02), at[1], at[2]);
+  }
+};
+
+// Frame times of every way at every size, into the results that are there.
+void TimeScene(const std::string& name, vtkPolyData* mesh, const ShadowLight& light,
+  std::vector<Result>& results)
+{
+  WayWindow plain(name, mesh, light);
+  std::vector<std::unique_ptr<WayWindow>> windows;
+  for (std::size_t w = 0; w < ShadowWays().size(); ++w)
+  {
+    windows.emplace_back(new WayWindow(name, mesh, light));
+  }
+  for (int mapSize : MapSizes)
+  {
+    for (const bool moving : { false, true })
+    {
+      std::vector<WayWindow*> drawn(1, &plain);
+      std::vector<const ShadowWay*> ways;
+      for (std::size_t w = 0; w < windows.size(); ++w)
+      {
+        const ShadowWay& way = ShadowWays()[w];
+        if (mapSize <= way.LargestMap)
+        {
+          UseNoShadows(windows[w]->Window, windows[w]->Scene.Renderer);
+          way.SetUp(windows[w]->Scene.Renderer, mapSize);
+          drawn.push_back(windows[w].get());
+          ways.push_back(&way);
+        }
+      }
+      std::vector<Timed> frames;
+      for (WayWindow* window : drawn)
+      {
+        Timed frame = relievoTest::Frame(window->Window);
+        if (moving)
+        {
+          frame.Prepare = [window]() { window->MoveLight(); };
+        }
+        frames.push_back(frame);
+      }
+      const std::vector<Timing> times = TimeInTurn(frames, Rounds, 2);
+      for (std::size_t i = 0; i < ways.size(); ++i)
+      {
+        const auto pair = PairOf(times[i + 1], times[0]);
+        const auto peer = PairOf(times[i + 1], times.back());
+        const Time time{ 1e3 * times[i + 1].Median(), pair.Ratio(), pair.RatioSpread(),
+          peer.Ratio(), peer.RatioSpread() };
+        for (Result& result : results)
+        {
+          if (result.Scene == name && result.Light == light.Name && result.MapSize == mapSize &&
+            result.Window == Square.Name() && result.Shading == "flat" &&
+            result.Way == ways[i]->Name)
+          {
+            (moving ? result.Moving : result.Still) = time;
+            result.Load = LoadAverage();
+          }
+        }
+        std::cout << name << ", " << light.Name << ", " << (moving ? "light moves" : "still")
+                  << ", " << ways[i]->Name << " " << mapSize << ": "
+                  << Number(time.Milliseconds, 3) << " ms, " << Number(time.Plain, 3) << " +- "
+                  << Number(time.PlainSpread, 1) << " x plain, " << Number(time.Peer, 3) << " +- "
+                  << Number(time.PeerSpread, 1) << " x vtkShadowMapPass" << std::endl;
+      }
+    }
+  }
+}
+
+std::string Field(double value, int digits)
+{
+  return std::isnan(value) ? std::string() : Number(value, digits);
+}
+
+Table MakeTable(const std::vector<Result>& results)
+{
+  Table table({ "scene", "light", "window", "shading", "method", "map", "pixels", "dark %",
+    "wrong %", "false shadow %", "false light %", "leak % of dark", "left out, flipping",
+    "still ms", "still x plain", "+-", "still x vtkShadowMapPass", "+- of it", "moving ms",
+    "moving x plain", "+- of moving", "moving x vtkShadowMapPass", "+- of that", "load" });
+  for (const Result& r : results)
+  {
+    const auto& e = r.Errors;
+    std::vector<std::string> row = { r.Scene, r.Light, r.Window, r.Shading, r.Way,
+      std::to_string(r.MapSize), std::to_string(e.Compared), Number(Percent(e.Dark, e.Compared)),
+      Number(r.Wrong()), Number(Percent(e.FalseShadow, e.Compared)),
+      Number(Percent(e.FalseLight, e.Compared)), Number(Percent(e.FalseLight, e.Dark)),
+      std::to_string(e.Flipping) };
+    for (const Time& time : { r.Still, r.Moving })
+    {
+      row.insert(row.end(),
+        { Field(time.Milliseconds, 4), Field(time.Plain, 4), Field(time.PlainSpread, 2),
+          Field(time.Peer, 4), Field(time.PeerSpread, 2) });
+    }
+    row.push_back(Field(r.Load, 2));
+    table.AddRow(row);
+  }
+  return table;
+}
+
+struct Line
+{
+  std::string Scene;
+  std::string Light;
+  std::string Label;
+};
+
+// A line per way and scene; x by the map's size or by the time of a moving light's frame.
+Chart MakeChart(const std::string& title, const std::vector<Line>& lines,
+  const std::vector<Result>& results, bool overTime)
+{
+  Chart chart;
+  chart.Title = title;
+  chart.Y.Title = "wrong verdicts, % of pixels";
+  chart.Y.Log = true;
+  chart.X.Log = true;
+  chart.X.Title =
+    overTime ? "milliseconds of a frame, the light moves, software OpenGL" : "map, texels";
+  if (!overTime)
+  {
+    for (int mapSize : MapSizes)
+    {
+      chart.X.Ticks.emplace_back(mapSize, std::to_string(mapSize));
+    }
+  }
+  else
+  {
+    for (int ms : { 5, 10, 20, 50, 100, 200, 500 })
+    {
+      chart.X.Ticks.emplace_back(ms, std::to_string(ms));
+    }
+  }
+  for (const Line& line : lines)
+  {
+    for (const ShadowWay& way : ShadowWays())
+    {
+      ChartSeries series;
+      series.Name = line.Label + ", " + way.Name;
+      for (const Result& r : results)
+      {
+        if (r.Scene == line.Scene && r.Light == line.Light && r.Way == way.Name &&
+          r.Window == Square.Name() && r.Shading == "flat")
+        {
+          series.X.push_back(overTime ? r.Moving.Milliseconds : r.MapSize);
+          series.Y.push_back(r.Wrong());
+        }
+      }
+      chart.Series.push_back(series);
+    }
+  }
+  return chart;
+}
+
+bool WriteCharts(const std::vector<Result>& results, const std::string& outDir)
+{
+  const std::vector<Line> meshes = { { "bunny", "sun", "bunny" },
+    { "motorBike", "sun", "motorBike" }, { "buildings", "sun", "buildings" } };
+  const std::vector<Line> lights = { { "motorBike", "sun at 10 degrees", "sun at 10°" },
+    { "motorBike", "spot", "spot" }, { "motorBike", "point", "point" } };
+  const std::vector<Line> coded = { { SpheresScene, "sun", SpheresScene },
+    { HorizonScene, "sun", HorizonScene } };
+  const std::vector<Line> timed = { { "motorBike", "sun", "motorBike" },
+    { HorizonScene, "sun", HorizonScene } };
+  return WriteChart(MakeChart("Wrong shadows under the sun, real meshes", meshes, results, false),
+           outDir + "/shadows-meshes") &&
+    WriteChart(MakeChart("Wrong shadows of other lights, motorBike", lights, results, false),
+      outDir + "/shadows-lights") &&
+    WriteChart(MakeChart("Wrong shadows under the sun, spheres, and poles to the horizon", coded,
+                 results, false),
+      outDir + "/shadows-coded") &&
+    WriteChart(MakeChart("Wrong shadows under the sun against frame time; maps of 512 to 4096",
+                 timed, results, true),
+      outDir + "/shadows-time");
+}
+}
+
+//------------------------------------------------------------------------------
+int RelievoBenchShadows(const std::string& outDir)
+{
+  if (!MakeFolder(outDir))
+  {
+    return 1;
+  }
+  std::vector<std::string> names = relievoTest::ReferenceMeshes();
+  const std::size_t real = names.size();
+  names.insert(names.end(), { SpheresScene, HorizonScene });
+  std::vector<Result> results;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    const vtkSmartPointer<vtkPolyData> mesh = ShadowSceneMesh(names[i]);
+    if (!mesh)
+    {
+      return 1;
+    }
+    MeasureScene(names[i], mesh, i < real, results);
+    TimeScene(names[i], mesh, Lights[0], results);
+    if (names[i] == "bunny")
+    {
+      TimeScene(names[i], mesh, Lights[std::size(Lights) - 1], results);
+    }
+  }
+  const bool written =
+    MakeTable(results).WriteCsv(outDir + "/shadows.csv") && WriteCharts(results, outDir);
+  return written ? 0 : 1;
+}
