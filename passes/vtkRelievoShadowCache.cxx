@@ -61,14 +61,16 @@ void vtkRelievoShadowCache::Update(const std::vector<vtkRelievoShadowLight>& cas
     }
     entry.Light = light;
     const bool sameMap = sameLight && sameCasters && sameRequest;
-    if (!sameMap || !sameView)
+    // A view that stands still gets maps that fit it.
+    if (!sameMap || !sameView || !entry.Exact)
     {
       if (!cut)
       {
         region = vtkRelievoShadowRegion::Cut(props.GetReceiverBoxes(), worldToNDC);
         cut = true;
       }
-      this->Refit(entry, props, region, request, sameMap);
+      this->Refit(entry, props, region, request, sameMap && !sameView);
+      entry.Cube = entry.Cube || entry.Maps.size() > 1;
     }
     entries.push_back(std::move(entry));
   }
@@ -83,12 +85,13 @@ void vtkRelievoShadowCache::Update(const std::vector<vtkRelievoShadowLight>& cas
 //------------------------------------------------------------------------------
 void vtkRelievoShadowCache::Refit(Entry& entry, const vtkRelievoShadowProps& props,
   const std::vector<vtkRelievoShadowRegion::Polygon>& region,
-  const vtkRelievoShadowFit::Request& request, bool onlyViewChanged)
+  const vtkRelievoShadowFit::Request& request, bool keep)
 {
   const std::vector<vtkRelievoBox>& casters = props.GetCasterBoxes();
   std::vector<vtkRelievoShadowView> views =
     vtkRelievoShadowFit::Fit(entry.Light, region, casters, request);
-  if (onlyViewChanged)
+  entry.Exact = !keep;
+  if (keep)
   {
     const bool kept = views.size() == entry.Maps.size() &&
       std::equal(views.begin(), views.end(), entry.Maps.begin(),

@@ -27,6 +27,8 @@ public:
   {
     vtkRelievoShadowLight Light;
     std::vector<Map> Maps;
+    bool Cube = false;  // it has had several maps: shaders keep room for six
+    bool Exact = false; // the maps fit the view, with nothing to spare
   };
 
   // Fits maps to the casting lights, keeping what is still right.
@@ -49,7 +51,7 @@ public:
 private:
   void Refit(Entry& entry, const vtkRelievoShadowProps& props,
     const std::vector<vtkRelievoShadowRegion::Polygon>& region,
-    const vtkRelievoShadowFit::Request& request, bool onlyViewChanged);
+    const vtkRelievoShadowFit::Request& request, bool keep);
   void AssignLayers(bool otherLights);
 
   std::vector<Entry> Entries;

@@ -69,14 +69,26 @@ bool vtkRelievoShadowMaps::Allocate(vtkOpenGLRenderWindow* window, int size, int
 }
 
 //------------------------------------------------------------------------------
+glm::dmat4 vtkRelievoShadowMaps::GetNDCToMap(int size)
+{
+  const double half = 0.5 * size;
+  glm::dmat4 m(0.5);
+  m[0].x = m[1].y = half;
+  m[3] = glm::dvec4(half - 0.5, half - 0.5, 0.5, 1.0);
+  return m;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoShadowMaps::Begin()
 {
   vtkOpenGLState* state = this->Window->GetState();
   state->Push();
   state->PushFramebufferBindings();
   this->Framebuffer->Bind();
-  const unsigned int none = GL_NONE;
-  state->vtkglDrawBuffers(1, const_cast<unsigned int*>(&none));
+  // VTK remembers the buffers of the framebuffer bound before and may think that nothing changes.
+  unsigned int none = GL_NONE;
+  state->vtkglDrawBuffers(1, &none);
+  glDrawBuffers(1, &none);
   state->vtkglViewport(0, 0, this->Size, this->Size);
   state->vtkglScissor(0, 0, this->Size, this->Size);
   state->vtkglDisable(GL_BLEND);

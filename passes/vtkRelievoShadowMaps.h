@@ -36,6 +36,9 @@ public:
   // The largest map of this OpenGL.
   static int GetLargestSize();
 
+  // NDC to map space: texels from the centre of the lowest left one, depth in [0, 1].
+  static glm::dmat4 GetNDCToMap(int size);
+
   // Draws one map: `casters` is called with the view as the renderer's camera, between Begin and
   // End, which keep OpenGL's state. The view's matrices become exactly those that were drawn with.
   void Begin();

@@ -48,6 +48,26 @@ public:
   vtkBooleanMacro(Visible, bool);
   ///@}
 
+  enum Methods
+  {
+    METHOD_MAP = 0,
+    METHOD_FORWARD = 1
+  };
+
+  ///@{
+  /**
+   * How a place's light is found. METHOD_MAP (default) looks it up in the light's map.
+   * METHOD_FORWARD carries the map's samples into the camera's view, as a mesh that is cut where
+   * depth jumps, and compares them there, in eye space, with what is seen (H. Zhang, Forward shadow
+   * mapping, 1998); its masks have the pictures' pixels, so its edges are not filtered. Translucent
+   * geometry, and pictures drawn at another size than the viewport's, are looked up in the map.
+   */
+  vtkSetClampMacro(Method, int, METHOD_MAP, METHOD_FORWARD);
+  vtkGetMacro(Method, int);
+  void SetMethodToMap() { this->SetMethod(METHOD_MAP); }
+  void SetMethodToForward() { this->SetMethod(METHOD_FORWARD); }
+  ///@}
+
   ///@{
   /**
    * Width and height of each map in texels, 16 to the OpenGL's limit; a larger one is drawn at the
@@ -147,6 +167,7 @@ protected:
   void SetLayersAsked(bool asked) { this->LayersAsked = asked; }
 
   bool Visible = false;
+  int Method = METHOD_MAP;
   int MapSize = 2048;
   int FilterRadius = 1;
   double Bias = 1.5;
@@ -161,6 +182,7 @@ private:
   void SetFrameParameters(vtkShaderProgram* program);
   void FitMaps(const vtkRenderState* s);
   void DrawMaps(const vtkRenderState* s);
+  void DrawMasks(const vtkRenderState* s);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

@@ -114,6 +114,8 @@ vtkRelievoShadowProps::Choice& vtkRelievoShadowProps::GetChoice(vtkProp* prop)
 void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
 {
   this->Spliced.clear();
+  this->Seen.clear();
+  this->MereReceivers = false;
   this->Casters.clear();
   this->CasterBoxes.clear();
   this->ReceiverBoxes.clear();
@@ -159,9 +161,14 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
       this->State.push_back(reinterpret_cast<std::uintptr_t>(prop));
       this->State.push_back(translucent ? 1 : 0);
     }
-    if (choice.Receives && drawn.count(prop))
+    if (drawn.count(prop))
     {
-      this->ReceiverBoxes.push_back(box);
+      this->Seen.push_back(prop);
+      this->MereReceivers = this->MereReceivers || !casts;
+      if (choice.Receives)
+      {
+        this->ReceiverBoxes.push_back(box);
+      }
     }
     for (const vtkRelievoPropParts::Part& part : parts)
     {
@@ -261,11 +268,39 @@ int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievo
       caster.Prop->RenderTranslucentPolygonalGeometry(renderer);
     }
   }
+  return RenderPlain(renderer, plain, view.ViewToNDC * view.WorldToView, plainDraw);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowProps::RenderSurfaces(
+  vtkRenderer* renderer, const glm::dmat4& worldToNDC, vtkRelievoCasterDraw& plainDraw)
+{
+  std::vector<vtkActor*> plain;
+  for (vtkProp* prop : this->Seen)
+  {
+    vtkActor* actor = vtkRelievoCasterDraw::GetPlainActor(prop);
+    if (actor && actor->HasOpaqueGeometry())
+    {
+      plain.push_back(actor);
+    }
+    else
+    {
+      prop->RenderOpaqueGeometry(renderer);
+    }
+  }
+  return RenderPlain(renderer, plain, worldToNDC, plainDraw);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowProps::RenderPlain(vtkRenderer* renderer,
+  const std::vector<vtkActor*>& actors, const glm::dmat4& worldToNDC,
+  vtkRelievoCasterDraw& plainDraw)
+{
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   int calls = 0;
-  if (!plain.empty() && plainDraw.Begin(window, view.ViewToNDC * view.WorldToView))
+  if (!actors.empty() && plainDraw.Begin(window, worldToNDC))
   {
-    for (vtkActor* actor : plain)
+    for (vtkActor* actor : actors)
     {
       calls += plainDraw.Draw(actor);
     }

@@ -54,7 +54,16 @@ public:
   int RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
     vtkRelievoCasterDraw& plainDraw);
 
+  // Draws the depth of the opaque geometry that is seen, likewise.
+  int RenderSurfaces(
+    vtkRenderer* renderer, const glm::dmat4& worldToNDC, vtkRelievoCasterDraw& plainDraw);
+
+  // Whether something is seen that casts no shadow.
+  bool HasMereReceivers() const { return this->MereReceivers; }
+
 private:
+  static int RenderPlain(vtkRenderer* renderer, const std::vector<vtkActor*>& actors,
+    const glm::dmat4& worldToNDC, vtkRelievoCasterDraw& plainDraw);
   void AddState(vtkActor* actor);
   void AddDouble(double value);
 
@@ -65,6 +74,8 @@ private:
   };
   std::vector<Choice> Choices;
   std::vector<vtkProp*> Spliced;
+  std::vector<vtkProp*> Seen; // of Spliced
+  bool MereReceivers = false;
   std::vector<Caster> Casters;
   std::vector<vtkRelievoBox> CasterBoxes; // of Casters, one each
   std::vector<vtkRelievoBox> ReceiverBoxes;

@@ -25,6 +25,12 @@ uniform float relievoShadowSize;  // of a map, in texels
 uniform float relievoShadowInner; // half of it, less the filter; -1 for what receives no shadows
 uniform int relievoShadowRadius;  // of the filter, in texels; 0: the nearest texel alone
 uniform float relievoShadowLift;  // in texels: of points and lines, which have no plane
+#ifdef RELIEVO_SHADOW_FORWARD
+uniform sampler2DArray relievoShadowMasks;
+uniform int relievoShadowMask[RELIEVO_SHADOW_FACES]; // the mask of the face's light
+uniform ivec2 relievoShadowOrigin; // of the viewport in what is drawn to
+uniform int relievoShadowMasked;   // whether the masks hold for what is drawn
+#endif
 float relievoVisibility[RELIEVO_SHADOW_LIGHTS];
 
 float relievoVisibilityOf(int number)
@@ -102,6 +108,18 @@ bool relievoShadowSees(vec3 place)
 // side that is seen faces the light; if not, the surface itself is in between.
 float relievoShadowAt(int face, vec3 place, vec3 plane, float facing, float texel)
 {
+#ifdef RELIEVO_SHADOW_FORWARD
+  if (relievoShadowMasked != 0)
+  {
+    ivec2 pixel = ivec2(gl_FragCoord.xy) - relievoShadowOrigin;
+    float mask = texelFetch(relievoShadowMasks, ivec3(pixel, relievoShadowMask[face]), 0).r;
+#ifdef RELIEVO_SHADOW_HAS_PLANE
+    return facing < 0.0 ? mask : 0.0;
+#else
+    return mask;
+#endif
+  }
+#endif
 #ifdef RELIEVO_SHADOW_HAS_PLANE
   float lit = relievoShadowFilter(
     relievoShadowLayer[face], place, relievoReceiverSlope(plane, 64.0 * texel));

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the parts of vtkRelievoShadowPass share: its methods are in several files.
+#ifndef vtkRelievoShadowInternals_h
+#define vtkRelievoShadowInternals_h
+
+#include "vtkLight.h"
+#include "vtkRelievoCasterDraw.h"
+#include "vtkRelievoForwardMasks.h"
+#include "vtkRelievoShadowCache.h"
+#include "vtkRelievoShadowMaps.h"
+#include "vtkRelievoShadowPass.h"
+#include "vtkRelievoShadowProps.h"
+#include "vtkRelievoShadowSplice.h"
+#include "vtkRelievoView.h"
+#include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+class vtkShaderProgram;
+
+class vtkRelievoShadowPass::Internals
+{
+public:
+  std::vector<vtkRelievoShadowLight> Lights;  // all of the renderer, in this frame
+  std::vector<vtkRelievoShadowLight> Casting; // those with a place in the shaders
+  std::vector<vtkWeakPointer<vtkLight>> NotCasting; // chosen so
+  vtkRelievoShadowProps Props;
+  vtkRelievoShadowCache Cache;
+  vtkRelievoShadowMaps Maps;
+  vtkRelievoForwardMasks Masks;
+  vtkRelievoCasterDraw PlainDraw;
+  vtkRelievoShadowSplice::Structure Structure;
+  vtkTimeStamp StructureTime;
+  vtkRelievoView View;
+  bool DrawingMaps = false;
+  bool DrawingDepth = false; // that the camera sees, for the masks
+  std::set<vtkShaderProgram*> Told;   // programs that have this frame's parameters
+  std::set<vtkShaderProgram*> Lightly; // programs that VTK gave its lights in a light's eye space
+  std::set<std::string> Said;
+  bool Spliced = false;
+
+  struct MaskState // what the masks were drawn for
+  {
+    glm::dmat4 WorldToNDC{ 0.0 };
+    std::vector<std::uint64_t> Surfaces;
+  } MaskState;
+
+  bool IsChosen(vtkLight* light) const
+  {
+    return std::find(this->NotCasting.begin(), this->NotCasting.end(), light) ==
+      this->NotCasting.end();
+  }
+};
+
+#endif

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The maps of a frame, and what the forward method makes of them.
+#include "vtkRelievoShadowInternals.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+
+#include <sstream>
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::FitMaps(const vtkRenderState* s)
+{
+  Internals& in = *this->Internal;
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
+  vtkRelievoShadowFit::Request request;
+  request.Size = this->MapSize;
+  const int largest = vtkRelievoShadowMaps::GetLargestSize();
+  if (request.Size > largest)
+  {
+    request.Size = largest;
+    if (in.Said.insert("size" + std::to_string(this->MapSize)).second)
+    {
+      vtkWarningMacro("Shadow maps of " << this->MapSize << " x " << this->MapSize
+                                        << " texels were asked for, this OpenGL makes at most "
+                                        << largest << " x " << largest << ": these are used.");
+    }
+  }
+  request.Border = this->FilterRadius + 1;
+  in.Cache.Update(
+    in.Casting, in.Props, in.View.ViewToNDC * in.View.WorldToView, request);
+  if (in.Maps.Allocate(window, request.Size, in.Cache.GetNumberOfLayers()))
+  {
+    in.Cache.Invalidate();
+  }
+  vtkRelievoShadowSplice::Structure structure;
+  structure.Numbers = static_cast<int>(in.Lights.size());
+  structure.Unlit = this->LayersAsked;
+  structure.WideFilter = this->FilterRadius > 1;
+  structure.Forward = this->Method == METHOD_FORWARD;
+  for (const auto& entry : in.Cache.GetEntries())
+  {
+    structure.Lights.push_back({ entry.Light.ShaderIndex, !entry.Light.Positional, entry.Cube });
+  }
+  if (!(structure == in.Structure))
+  {
+    in.Structure = structure;
+    in.StructureTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::DrawMaps(const vtkRenderState* s)
+{
+  Internals& in = *this->Internal;
+  vtkRenderer* renderer = s->GetRenderer();
+  in.Told.clear();
+  for (auto& entry : in.Cache.GetEntries())
+  {
+    for (auto& map : entry.Maps)
+    {
+      if (map.Drawn)
+      {
+        continue;
+      }
+      if (!in.DrawingMaps)
+      {
+        in.DrawingMaps = true;
+        in.Maps.Bind(false);
+        in.Maps.Begin();
+      }
+      in.Maps.Draw(map.Layer, map.View, renderer,
+        [&]() { this->DrawCalls += in.Props.RenderCasters(renderer, map.View, in.PlainDraw); });
+      map.Drawn = true;
+      ++this->NumberOfMapsDrawn;
+    }
+  }
+  if (in.DrawingMaps)
+  {
+    in.Maps.End();
+    in.DrawingMaps = false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::DrawMasks(const vtkRenderState* s)
+{
+  Internals& in = *this->Internal;
+  vtkRenderer* renderer = s->GetRenderer();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const glm::dmat4 worldToNDC = in.View.ViewToNDC * in.View.WorldToView;
+  const bool lost = in.Masks.Allocate(window, in.View.Viewport[2], in.View.Viewport[3],
+    static_cast<int>(in.Cache.GetEntries().size()));
+  in.Masks.Bind();
+  in.Maps.Bind(true); // making the masks may have taken their place
+  // What only receives is not in the casters' state: redrawn whenever there is any.
+  if (!lost && this->NumberOfMapsDrawn == 0 && in.MaskState.WorldToNDC == worldToNDC &&
+    in.MaskState.Surfaces == in.Props.GetState() && !in.Props.HasMereReceivers())
+  {
+    return;
+  }
+  in.MaskState.WorldToNDC = worldToNDC;
+  in.MaskState.Surfaces = in.Props.GetState();
+  in.DrawingDepth = true;
+  in.Masks.DrawDepth(
+    [&]() { this->DrawCalls += in.Props.RenderSurfaces(renderer, worldToNDC, in.PlainDraw); });
+  in.DrawingDepth = false;
+  int light = 0;
+  for (const auto& entry : in.Cache.GetEntries())
+  {
+    if (in.Masks.BeginLight(light++, in.View, in.Maps.GetTextureUnit(), in.Maps.GetSize()))
+    {
+      for (const auto& map : entry.Maps)
+      {
+        in.Masks.DrawMap(map.View, map.Layer, this->Bias);
+        ++this->DrawCalls;
+      }
+    }
+    in.Masks.EndLight();
+  }
+}

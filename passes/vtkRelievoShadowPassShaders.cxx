@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the pass tells VTK's mappers and their shaders.
+#include "vtkRelievoShadowInternals.h"
+
+#include "vtkActor.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkShaderProgram.h"
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowPass::PreReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    vtkRelievoShadowSplice::Mark(vertexShader, geometryShader, fragmentShader);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* abstractMapper,
+  vtkProp* prop)
+{
+  Internals& in = *this->Internal;
+  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!mapper || !actor)
+  {
+    return true;
+  }
+  const std::string missing = vtkRelievoShadowSplice::Fill(
+    vertexShader, geometryShader, fragmentShader, mapper, actor, in.Structure);
+  if (!missing.empty() && in.Said.insert(mapper->GetClassName() + missing).second)
+  {
+    vtkErrorMacro("No shadows on what " << mapper->GetClassName() << " draws: " << missing
+                                        << ". Use VTK's shader templates, with their tags.");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
+{
+  Internals& in = *this->Internal;
+  const glm::dmat4 viewToWorld = glm::inverse(in.View.WorldToView);
+  const glm::dmat4 ndcToMap = vtkRelievoShadowMaps::GetNDCToMap(in.Maps.GetSize());
+  const int faces = in.Structure.GetFaces();
+  // Where there is no map, every point is outside of it.
+  glm::mat4 nowhere(0.f);
+  nowhere[3] = glm::vec4(-1e9f, -1e9f, 0.f, 1.f);
+  std::vector<glm::mat4> matrices(faces, nowhere);
+  std::vector<glm::mat4> planes(faces, glm::mat4(1.f));
+  std::vector<glm::vec4> eyes(faces, glm::vec4(0.f));
+  std::vector<float> texels(faces, 0.f);
+  std::vector<float> layers(faces, 0.f);
+  std::vector<int> masks(faces, 0);
+  std::vector<float> strengths;
+  std::vector<int> slots(in.Structure.Numbers, -1);
+  int first = 0;
+  for (const auto& entry : in.Cache.GetEntries())
+  {
+    const vtkRelievoShadowLight& light = entry.Light;
+    const double strength = this->Strength * light.Light->GetShadowAttenuation();
+    int face = first;
+    for (const auto& map : entry.Maps)
+    {
+      const glm::dmat4 viewToMap =
+        ndcToMap * map.View.ViewToNDC * (map.View.WorldToView * viewToWorld);
+      glm::dmat4 biased = viewToMap;
+      biased[3].z -= this->Bias * map.View.Texel;
+      matrices[face] = glm::mat4(biased);
+      planes[face] = glm::mat4(glm::transpose(glm::inverse(viewToMap)));
+      eyes[face] = glm::vec4(
+        viewToMap * (in.View.Parallel ? glm::dvec4(0, 0, 1, 0) : glm::dvec4(0, 0, 0, 1)));
+      texels[face] = static_cast<float>(map.View.Texel);
+      masks[face] = static_cast<int>(strengths.size());
+      layers[face++] = static_cast<float>(map.Layer);
+    }
+    first += in.Structure.Lights[strengths.size()].GetRoom();
+    slots[light.Number] = static_cast<int>(strengths.size());
+    strengths.push_back(this->Visible ? static_cast<float>(strength) : 0.f);
+  }
+  const int lights = static_cast<int>(strengths.size());
+  program->SetUniformi("relievoShadowMaps", in.Maps.GetTextureUnit());
+  program->SetUniformMatrix4x4v("relievoShadowMatrix", faces, &matrices[0][0][0]);
+  program->SetUniformMatrix4x4v("relievoShadowPlane", faces, &planes[0][0][0]);
+  program->SetUniform4fv(
+    "relievoShadowEye", faces, reinterpret_cast<const float(*)[4]>(&eyes[0][0]));
+  program->SetUniform1fv("relievoShadowTexel", faces, texels.data());
+  program->SetUniform1fv("relievoShadowLayer", faces, layers.data());
+  program->SetUniform1fv("relievoShadowStrength", lights, strengths.data());
+  program->SetUniform1iv("relievoShadowSlot", in.Structure.Numbers, slots.data());
+  program->SetUniformf("relievoShadowSize", static_cast<float>(in.Maps.GetSize()));
+  program->SetUniformi("relievoShadowRadius", this->FilterRadius);
+  if (in.Structure.Forward)
+  {
+    program->SetUniformi("relievoShadowMasks", in.Masks.GetTextureUnit());
+    program->SetUniform1iv("relievoShadowMask", faces, masks.data());
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowPass::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  Internals& in = *this->Internal;
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!in.Spliced || !actor)
+  {
+    return true;
+  }
+  if (in.DrawingMaps)
+  {
+    ++this->DrawCalls;
+    in.Lightly.insert(program);
+    // A sheet blocks light from both sides.
+    in.Maps.DrawBothSides();
+  }
+  else if (in.Lightly.erase(program))
+  {
+    // What VTK takes for this frame's uniforms of the lights are a map's.
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+  }
+  if (!program->IsUniformUsed("relievoShadowMaps"))
+  {
+    return true;
+  }
+  if (in.Told.insert(program).second)
+  {
+    this->SetFrameParameters(program);
+  }
+  vtkProperty* property = actor->GetProperty();
+  program->SetUniformf("relievoShadowInner",
+    in.Props.Receives(prop) ? 0.5f * (in.Maps.GetSize() - 1) - this->FilterRadius : -1.f);
+  if (in.Structure.Forward)
+  {
+    int region[4];
+    vtkRelievoForwardMasks::GetViewport(region);
+    // A mask is of the opaque surfaces that are seen, at the size of the viewport.
+    const bool holds = !in.DrawingMaps && !in.DrawingDepth && actor->HasOpaqueGeometry() &&
+      region[2] == in.View.Viewport[2] && region[3] == in.View.Viewport[3];
+    program->SetUniformi("relievoShadowMasked", holds ? 1 : 0);
+    program->SetUniform2i("relievoShadowOrigin", region);
+  }
+  program->SetUniformf("relievoShadowLift",
+    std::max(property->GetPointSize(), property->GetLineWidth()));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoShadowPass::GetShaderStageMTime()
+{
+  return this->Internal->StructureTime.GetMTime();
+}

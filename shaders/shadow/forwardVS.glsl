@@ -1,0 +1,55 @@
+//VTK::System::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Forward shadow mapping (H. Zhang, 1998): each sample of a light's map, a square of its texel's
+// size, is carried into the camera's view. Where samples go on, squares share their corners, so that
+// what is lit is drawn without holes; where depth jumps, they end half a texel off.
+uniform sampler2DArray relievoShadowMaps;
+uniform int relievoLayer;
+uniform int relievoSize;
+uniform mat4 relievoMapToClip; // map space: texels from the centre of the lowest left one, depth
+uniform mat4 relievoMapToView;
+uniform float relievoJump; // of depth between samples, at w = 1, from which on they do not go on
+uniform float relievoTexel; // width of a texel in world units, at w = 1
+uniform vec2 relievoW;      // 1 / w of the map = x + y * depth
+out float relievoDepthVSOutput;
+out float relievoTexelVSOutput;
+
+float relievoSample(ivec2 texel)
+{
+  ivec2 last = ivec2(relievoSize - 1);
+  return texelFetch(relievoShadowMaps, ivec3(clamp(texel, ivec2(0), last), relievoLayer), 0).r;
+}
+
+void main()
+{
+  int place = gl_VertexID / 6;
+  int corner = gl_VertexID - 6 * place;
+  ivec2 texel = ivec2(place % relievoSize, place / relievoSize);
+  ivec2 side = ivec2(corner == 1 || corner == 2 || corner == 4 ? 1 : -1,
+    corner == 2 || corner == 4 || corner == 5 ? 1 : -1);
+  float own = relievoSample(texel);
+  float inverseW = relievoW.x + relievoW.y * own;
+  float jump = relievoJump * inverseW;
+  float x = relievoSample(texel + ivec2(side.x, 0));
+  float y = relievoSample(texel + ivec2(0, side.y));
+  float xy = relievoSample(texel + side);
+  bool goesX = abs(x - own) <= jump;
+  bool goesY = abs(y - own) <= jump;
+  float depth = 0.25 * (own + x + y + xy);
+  if (!goesX || !goesY || abs(xy - own) > 2.0 * jump)
+  {
+    // The slope as far as the neighbours on either side tell it.
+    float beforeX = relievoSample(texel - ivec2(side.x, 0));
+    float beforeY = relievoSample(texel - ivec2(0, side.y));
+    float slopeX = goesX ? x - own : abs(own - beforeX) <= jump ? own - beforeX : 0.0;
+    float slopeY = goesY ? y - own : abs(own - beforeY) <= jump ? own - beforeY : 0.0;
+    depth = own + 0.5 * (slopeX + slopeY);
+  }
+  vec4 map = vec4(vec2(texel) + 0.5 * vec2(side), depth, 1.0);
+  vec4 view = relievoMapToView * map;
+  relievoDepthVSOutput = -view.z / view.w;
+  relievoTexelVSOutput = relievoTexel / inverseW;
+  // Nothing is drawn at depth 1.
+  gl_Position = own < 1.0 ? relievoMapToClip * map : vec4(2.0, 2.0, 2.0, 1.0);
+}
