@@ -5,6 +5,7 @@
 #include "vtkRelievoShadowProps.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -22,6 +23,13 @@ bool IsSame(const vtkRelievoShadowLight& a, const vtkRelievoShadowLight& b)
     ((a.Positional && !a.IsSpot()) || a.Direction == b.Direction);
 }
 
+// Whether the texels are spent about as the view asks.
+bool IsNear(const vtkRelievoMapAxis& a, const vtkRelievoMapAxis& b)
+{
+  return a.Pieces == b.Pieces && std::abs(a.Focus - b.Focus) <= 0.1 &&
+    a.Ratio <= LargestSlack * b.Ratio && b.Ratio <= LargestSlack * a.Ratio;
+}
+
 bool IsSame(const std::vector<vtkRelievoBox>& a, const std::vector<vtkRelievoBox>& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -35,7 +43,8 @@ void vtkRelievoShadowCache::Update(const std::vector<vtkRelievoShadowLight>& cas
   const vtkRelievoShadowFit::Request& request)
 {
   const bool sameRequest =
-    request.Size == this->Request.Size && request.Border == this->Request.Border;
+    request.Size == this->Request.Size && request.Border == this->Request.Border &&
+    request.Warp == this->Request.Warp;
   const bool sameCasters = props.GetState() == this->Casters;
   const bool sameView =
     worldToNDC == this->WorldToNDC && IsSame(props.GetReceiverBoxes(), this->Receivers);
@@ -96,7 +105,7 @@ void vtkRelievoShadowCache::Refit(Entry& entry, const vtkRelievoShadowProps& pro
     const bool kept = views.size() == entry.Maps.size() &&
       std::equal(views.begin(), views.end(), entry.Maps.begin(),
         [&request](const vtkRelievoShadowView& view, const Map& map) {
-          return view.Side == map.View.Side &&
+          return view.Side == map.View.Side && IsNear(view.U, map.View.U) &&
             map.View.Width * map.View.Height <= LargestSlack * view.Width * view.Height &&
             map.View.Contains(view.Points, request.Size, request.Border);
         });

@@ -37,6 +37,7 @@ struct Frame
   glm::dvec3 Forward;
   glm::dvec3 Up;
   glm::dvec3 Right;
+  glm::dvec2 Shear{ 0.0 }; // right and up per forward: of oblique parallel rays
 
   Frame(const glm::dvec3& origin, const glm::dvec3& forward, const glm::dvec3& up)
     : Origin(origin)
@@ -50,8 +51,9 @@ struct Frame
   glm::dvec3 Map(const glm::dvec3& world) const
   {
     const glm::dvec3 p = world - this->Origin;
-    return glm::dvec3(
-      glm::dot(p, this->Right), glm::dot(p, this->Up), glm::dot(p, this->Forward));
+    const double depth = glm::dot(p, this->Forward);
+    return glm::dvec3(glm::dot(p, this->Right) - depth * this->Shear.x,
+      glm::dot(p, this->Up) - depth * this->Shear.y, depth);
   }
 
   // The plane right * x + up * y + forward * z >= 0 through the origin, in world coordinates.
@@ -113,6 +115,66 @@ void Widen(vtkRelievoShadowRegion::Rectangle& r, const Request& request)
   r.Max = middle + half;
 }
 
+// The frame whose depth is the height over the ground, which is what stands on the view-up's nearest
+// axis: rays are sheared upright, and the map lies in the ground. Upright rays if the sun is too low.
+Frame MakeGroundFrame(
+  const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& viewUp)
+{
+  constexpr double Lowest = 0.03;
+  auto nearestAxis = [](const glm::dvec3& v) {
+    const glm::dvec3 size = glm::abs(v);
+    return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  };
+  int axis = nearestAxis(viewUp);
+  if (std::abs(direction[axis]) < Lowest)
+  {
+    axis = nearestAxis(direction);
+  }
+  glm::dvec3 forward(0.0);
+  forward[axis] = direction[axis] < 0.0 ? -1.0 : 1.0;
+  Frame frame(origin, forward, AnySquareTo(forward));
+  const double depth = glm::dot(direction, forward);
+  frame.Shear = glm::dvec2(
+    glm::dot(direction, frame.Right) / depth, glm::dot(direction, frame.Up) / depth);
+  return frame;
+}
+
+// How much of a texel along the light is a texel of the map's depth.
+double GetObliqueness(const Frame& frame)
+{
+  return 1.0 / std::sqrt(1.0 + glm::dot(frame.Shear, frame.Shear));
+}
+
+// What the camera needs along one axis of the map: where most texels, and how many times fewer at
+// the farther end. Pixels on a surface grow with their distance from the eye.
+void SetWarp(vtkRelievoShadowView& view, const std::vector<glm::dvec3>& world,
+  const std::vector<glm::dvec2>& places, const Request& request)
+{
+  if (request.ParallelEye)
+  {
+    return;
+  }
+  double nearest = 1e300;
+  double farthest = 0.0;
+  glm::dvec2 focus(0.5);
+  for (std::size_t i = 0; i < world.size(); ++i)
+  {
+    const double depth = glm::dot(world[i] - request.Eye, request.Gaze);
+    farthest = std::max(farthest, depth);
+    if (depth < nearest)
+    {
+      nearest = depth;
+      focus = places[i];
+    }
+  }
+  if (!(nearest > 0.0))
+  {
+    return;
+  }
+  // The u axis runs along the gaze. Across it, distance changes little.
+  view.U.Warp(focus.x, std::min(farthest / nearest, 36.0), request.Size);
+}
+
 // A view for the points (right, up, forward of the frame). False if nothing casts into it.
 bool MakeView(const Frame& frame, bool parallel, const std::vector<glm::dvec3>& world,
   const std::vector<vtkRelievoBox>& casters, const Request& request, vtkRelievoShadowView& view)
@@ -133,6 +195,13 @@ bool MakeView(const Frame& frame, bool parallel, const std::vector<glm::dvec3>& 
     return false;
   }
   vtkRelievoShadowRegion::Rectangle rectangle = vtkRelievoShadowRegion::Enclose(flat);
+  const glm::dvec2 along(
+    glm::dot(request.Gaze, frame.Right), glm::dot(request.Gaze, frame.Up));
+  const bool warp = request.Warp && parallel && glm::length(along) > 0.2;
+  if (warp)
+  {
+    rectangle = vtkRelievoShadowRegion::EncloseAt(flat, std::atan2(along.y, along.x));
+  }
   Widen(rectangle, request);
   const double c = std::cos(rectangle.Angle);
   const double s = std::sin(rectangle.Angle);
@@ -150,7 +219,10 @@ bool MakeView(const Frame& frame, bool parallel, const std::vector<glm::dvec3>& 
   {
     view.Far = view.Near + 1e-6 * std::max(1e-12, std::abs(view.Near));
   }
-  view.ViewToNDC = Project(rectangle, parallel, view.Near, view.Far);
+  glm::dmat4 shear(1.0);
+  shear[2].x = c * frame.Shear.x + s * frame.Shear.y;
+  shear[2].y = c * frame.Shear.y - s * frame.Shear.x;
+  view.ViewToNDC = Project(rectangle, parallel, view.Near, view.Far) * shear;
   double first = 1e300;
   for (const vtkRelievoBox& box : casters)
   {
@@ -172,13 +244,23 @@ bool MakeView(const Frame& frame, bool parallel, const std::vector<glm::dvec3>& 
   // one does not take the digits of the others.
   view.Near = parallel ? std::max(first, nearest) - before
                        : std::max(first - before, NearestShare * view.Far);
-  view.ViewToNDC = Project(rectangle, parallel, view.Near, view.Far);
+  view.ViewToNDC = Project(rectangle, parallel, view.Near, view.Far) * shear;
   const glm::dvec2 size = rectangle.Max - rectangle.Min;
   view.Width = size.x;
   view.Height = size.y;
   const double texel = std::max(size.x, size.y) / request.Size;
-  view.Texel = parallel ? texel / (view.Far - view.Near)
+  view.Texel = parallel ? GetObliqueness(frame) * texel / (view.Far - view.Near)
                         : texel * view.Far * view.Near / (view.Far - view.Near);
+  if (warp)
+  {
+    const glm::dmat4 worldToNDC = view.ViewToNDC * view.WorldToView;
+    std::vector<glm::dvec2> places;
+    for (const glm::dvec3& point : world)
+    {
+      places.push_back(0.5 + 0.5 * glm::dvec2(worldToNDC * glm::dvec4(point, 1.0)));
+    }
+    SetWarp(view, world, places, request);
+  }
   return true;
 }
 
@@ -243,6 +325,58 @@ double GetCone(const glm::dvec3& tip, const std::vector<glm::dvec3>& points, glm
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoMapAxis::Warp(double focus, double ratio, int size)
+{
+  *this = vtkRelievoMapAxis();
+  // Fewer pieces would not gain what they cost.
+  if (!(ratio > 1.5))
+  {
+    return;
+  }
+  this->Focus = focus;
+  this->Ratio = ratio;
+  this->Pieces = ratio > 6.0 ? 4 : ratio > 2.5 ? 3 : 2;
+  const double reach = std::max(focus, 1.0 - focus);
+  // The density of the logistic function falls as 1 / cosh^2.
+  const double k = 2.0 * std::acosh(std::sqrt(ratio)) / reach;
+  auto logistic = [&](double x) { return 1.0 / (1.0 + std::exp(-k * (x - focus))); };
+  const double low = logistic(0.0);
+  const double high = logistic(1.0);
+  for (int i = 1; i < this->Pieces; ++i)
+  {
+    const double to =
+      std::round(static_cast<double>(i) * size / this->Pieces) / static_cast<double>(size);
+    const double value = low + to * (high - low);
+    this->To[i] = to;
+    this->From[i] = focus - std::log(1.0 / value - 1.0) / k;
+  }
+  this->From[this->Pieces] = this->To[this->Pieces] = 1.0;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowView vtkRelievoShadowView::GetPiece(
+  int u, int v, int size, int region[4]) const
+{
+  vtkRelievoShadowView piece = *this;
+  glm::dmat4 crop(1.0);
+  const vtkRelievoMapAxis* axes[2] = { &this->U, &this->V };
+  const int places[2] = { u, v };
+  for (int k = 0; k < 2; ++k)
+  {
+    const vtkRelievoMapAxis& axis = *axes[k];
+    const int i = places[k];
+    const double from = 2.0 * axis.From[i] - 1.0;
+    const double to = 2.0 * axis.From[i + 1] - 1.0;
+    crop[k][k] = 2.0 / (to - from);
+    crop[3][k] = -(to + from) / (to - from);
+    region[k] = static_cast<int>(std::lround(axis.To[i] * size));
+    region[2 + k] = static_cast<int>(std::lround(axis.To[i + 1] * size)) - region[k];
+  }
+  piece.ViewToNDC = crop * this->ViewToNDC;
+  return piece;
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoShadowView::Contains(
   const std::vector<glm::dvec3>& points, int size, int border) const
 {
@@ -285,7 +419,9 @@ std::vector<vtkRelievoShadowView> vtkRelievoShadowFit::Fit(const vtkRelievoShado
   if (!light.Positional)
   {
     // The origin of a sun's view is near what it sees, so that no digits are lost far away.
-    const Frame frame(points.front(), light.Direction, AnySquareTo(light.Direction));
+    const Frame frame = request.Warp
+      ? MakeGroundFrame(points.front(), light.Direction, request.ViewUp)
+      : Frame(points.front(), light.Direction, AnySquareTo(light.Direction));
     if (MakeView(frame, true, points, casters, request, view))
     {
       views.push_back(view);

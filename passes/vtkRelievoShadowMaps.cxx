@@ -101,33 +101,25 @@ void vtkRelievoShadowMaps::Begin()
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
-  const std::function<void()>& casters)
+  const std::function<void(const vtkRelievoShadowView&)>& casters)
 {
   if (!this->Camera)
   {
     this->Camera = vtkSmartPointer<vtkCamera>::New();
     this->Camera->UseExplicitProjectionTransformMatrixOn();
   }
-  glFramebufferTextureLayer(
-    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, this->Texture, 0, layer);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglViewport(0, 0, this->Size, this->Size);
+  state->vtkglScissor(0, 0, this->Size, this->Size);
+  glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, this->Texture, 0, layer);
   const GLfloat farthest = 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
 
-  vtkNew<vtkMatrix4x4> projection;
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      projection->SetElement(row, column, view.ViewToNDC[column][row]);
-    }
-  }
   const glm::dvec3 focus = view.Position + view.Forward * std::abs(view.Far);
   this->Camera->SetParallelProjection(view.Parallel);
   this->Camera->SetPosition(view.Position.x, view.Position.y, view.Position.z);
   this->Camera->SetFocalPoint(focus.x, focus.y, focus.z);
   this->Camera->SetViewUp(view.Up.x, view.Up.y, view.Up.z);
-  this->Camera->SetExplicitProjectionTransformMatrix(projection);
-  this->Camera->Modified();
   vtkMatrix4x4* worldToView = this->Camera->GetModelViewTransformMatrix();
   for (int row = 0; row < 4; ++row)
   {
@@ -136,10 +128,38 @@ void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
       view.WorldToView[column][row] = worldToView->GetElement(row, column);
     }
   }
+  for (int u = 0; u < view.U.Pieces; ++u)
+  {
+    for (int v = 0; v < view.V.Pieces; ++v)
+    {
+      int region[4];
+      const vtkRelievoShadowView piece = view.GetPiece(u, v, this->Size, region);
+      this->DrawPiece(piece, region, renderer, casters);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMaps::DrawPiece(const vtkRelievoShadowView& view, const int region[4],
+  vtkRenderer* renderer, const std::function<void(const vtkRelievoShadowView&)>& casters)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglViewport(region[0], region[1], region[2], region[3]);
+  state->vtkglScissor(region[0], region[1], region[2], region[3]);
+  vtkNew<vtkMatrix4x4> projection;
+  for (int row = 0; row < 4; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      projection->SetElement(row, column, view.ViewToNDC[column][row]);
+    }
+  }
+  this->Camera->SetExplicitProjectionTransformMatrix(projection);
+  this->Camera->Modified();
   vtkCamera*& active = vtkRelievoAccess::Renderer::CameraInUse(renderer);
   vtkCamera* const own = active;
   active = this->Camera;
-  casters();
+  casters(view);
   active = own;
 }
 

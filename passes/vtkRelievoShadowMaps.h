@@ -39,11 +39,12 @@ public:
   // NDC to map space: texels from the centre of the lowest left one, depth in [0, 1].
   static glm::dmat4 GetNDCToMap(int size);
 
-  // Draws one map: `casters` is called with the view as the renderer's camera, between Begin and
+  // Draws one map: `casters` is called with the view as the renderer's camera, once for each piece
+  // of a map whose texels are not evenly spent, between Begin and
   // End, which keep OpenGL's state. The view's matrices become exactly those that were drawn with.
   void Begin();
   void Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
-    const std::function<void()>& casters);
+    const std::function<void(const vtkRelievoShadowView&)>& casters);
   void End();
 
   // For the draw call that follows: a sheet blocks light from both sides.
@@ -60,6 +61,8 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  void DrawPiece(const vtkRelievoShadowView& view, const int region[4], vtkRenderer* renderer,
+    const std::function<void(const vtkRelievoShadowView&)>& casters);
   void BindTexture(unsigned int texture);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

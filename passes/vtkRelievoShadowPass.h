@@ -51,7 +51,8 @@ public:
   enum Methods
   {
     METHOD_MAP = 0,
-    METHOD_FORWARD = 1
+    METHOD_FORWARD = 1,
+    METHOD_WARPED = 2
   };
 
   ///@{
@@ -61,11 +62,16 @@ public:
    * depth jumps, and compares them there, in eye space, with what is seen (H. Zhang, Forward shadow
    * mapping, 1998); its masks have the pictures' pixels, so its edges are not filtered. Translucent
    * geometry, and pictures drawn at another size than the viewport's, are looked up in the map.
+   * METHOD_WARPED spends more of a sun's map where the camera is near: the map lies in the ground,
+   * with rays sheared upright so that its depth is the height, and along the gaze its density has
+   * the shape of the logistic function's, in up to four straight pieces, each drawn by itself, so
+   * that edges stay straight. Lamps' maps are as for METHOD_MAP.
    */
-  vtkSetClampMacro(Method, int, METHOD_MAP, METHOD_FORWARD);
+  vtkSetClampMacro(Method, int, METHOD_MAP, METHOD_WARPED);
   vtkGetMacro(Method, int);
   void SetMethodToMap() { this->SetMethod(METHOD_MAP); }
   void SetMethodToForward() { this->SetMethod(METHOD_FORWARD); }
+  void SetMethodToWarped() { this->SetMethod(METHOD_WARPED); }
   ///@}
 
   ///@{
@@ -180,6 +186,7 @@ private:
   void operator=(const vtkRelievoShadowPass&) = delete;
 
   void SetFrameParameters(vtkShaderProgram* program);
+  void SetWarpParameters(vtkShaderProgram* program);
   void FitMaps(const vtkRenderState* s);
   void DrawMaps(const vtkRenderState* s);
   void DrawMasks(const vtkRenderState* s);

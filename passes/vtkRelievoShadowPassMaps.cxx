@@ -29,6 +29,12 @@ void vtkRelievoShadowPass::FitMaps(const vtkRenderState* s)
     }
   }
   request.Border = this->FilterRadius + 1;
+  request.Warp = this->Method == METHOD_WARPED;
+  const glm::dmat4 viewToWorld = glm::inverse(in.View.WorldToView);
+  request.Eye = glm::dvec3(viewToWorld[3]);
+  request.Gaze = glm::normalize(-glm::dvec3(viewToWorld[2]));
+  request.ViewUp = glm::dvec3(viewToWorld[1]);
+  request.ParallelEye = in.View.Parallel;
   in.Cache.Update(
     in.Casting, in.Props, in.View.ViewToNDC * in.View.WorldToView, request);
   if (in.Maps.Allocate(window, request.Size, in.Cache.GetNumberOfLayers()))
@@ -39,6 +45,7 @@ void vtkRelievoShadowPass::FitMaps(const vtkRenderState* s)
   structure.Numbers = static_cast<int>(in.Lights.size());
   structure.Unlit = this->LayersAsked;
   structure.WideFilter = this->FilterRadius > 1;
+  structure.Warped = this->Method == METHOD_WARPED;
   structure.Forward = this->Method == METHOD_FORWARD;
   for (const auto& entry : in.Cache.GetEntries())
   {
@@ -72,7 +79,9 @@ void vtkRelievoShadowPass::DrawMaps(const vtkRenderState* s)
         in.Maps.Begin();
       }
       in.Maps.Draw(map.Layer, map.View, renderer,
-        [&]() { this->DrawCalls += in.Props.RenderCasters(renderer, map.View, in.PlainDraw); });
+        [&](const vtkRelievoShadowView& view) {
+          this->DrawCalls += in.Props.RenderCasters(renderer, view, in.PlainDraw);
+        });
       map.Drawn = true;
       ++this->NumberOfMapsDrawn;
     }

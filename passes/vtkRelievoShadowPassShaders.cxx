@@ -71,7 +71,8 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
       const glm::dmat4 viewToMap =
         ndcToMap * map.View.ViewToNDC * (map.View.WorldToView * viewToWorld);
       glm::dmat4 biased = viewToMap;
-      biased[3].z -= this->Bias * map.View.Texel;
+      // The width of a texel of a warped map depends on the place: its bias as well.
+      biased[3].z -= in.Structure.Warped ? 0.0 : this->Bias * map.View.Texel;
       matrices[face] = glm::mat4(biased);
       planes[face] = glm::mat4(glm::transpose(glm::inverse(viewToMap)));
       eyes[face] = glm::vec4(
@@ -96,11 +97,64 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
   program->SetUniform1iv("relievoShadowSlot", in.Structure.Numbers, slots.data());
   program->SetUniformf("relievoShadowSize", static_cast<float>(in.Maps.GetSize()));
   program->SetUniformi("relievoShadowRadius", this->FilterRadius);
+  if (in.Structure.Warped)
+  {
+    this->SetWarpParameters(program);
+  }
   if (in.Structure.Forward)
   {
     program->SetUniformi("relievoShadowMasks", in.Masks.GetTextureUnit());
     program->SetUniform1iv("relievoShadowMask", faces, masks.data());
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::SetWarpParameters(vtkShaderProgram* program)
+{
+  Internals& in = *this->Internal;
+  const int faces = in.Structure.GetFaces();
+  std::vector<glm::vec4> breaks(faces, glm::vec4(1e30f));
+  std::vector<glm::vec4> scales(faces, glm::vec4(1.f, 0.f, 0.f, 0.f));
+  std::vector<glm::vec4> offsets(faces, glm::vec4(0.f));
+  std::vector<float> across(faces, 1.f);
+  const double size = in.Maps.GetSize();
+  int first = 0;
+  int slot = 0;
+  for (const auto& entry : in.Cache.GetEntries())
+  {
+    int face = first;
+    for (const auto& map : entry.Maps)
+    {
+      // A texel's place x goes to scale * x + offset; each piece adds to what the one before has.
+      const vtkRelievoMapAxis& axis = map.View.U;
+      double scale = 0.0;
+      double offset = 0.0;
+      for (int i = 0; i < axis.Pieces; ++i)
+      {
+        const double s =
+          (axis.To[i + 1] - axis.To[i]) / (axis.From[i + 1] - axis.From[i]);
+        const double o = (axis.To[i] - s * axis.From[i]) * size + 0.5 * s - 0.5;
+        scales[face][i] = static_cast<float>(s - scale);
+        offsets[face][i] = static_cast<float>(o - offset);
+        if (i > 0)
+        {
+          breaks[face][i - 1] = static_cast<float>(axis.From[i] * size - 0.5);
+        }
+        scale = s;
+        offset = o;
+      }
+      across[face++] = static_cast<float>(map.View.Height / map.View.Width);
+    }
+    first += in.Structure.Lights[slot++].GetRoom();
+  }
+  auto floats = [](std::vector<glm::vec4>& v) {
+    return reinterpret_cast<const float(*)[4]>(&v[0][0]);
+  };
+  program->SetUniform4fv("relievoShadowBreaks", faces, floats(breaks));
+  program->SetUniform4fv("relievoShadowScales", faces, floats(scales));
+  program->SetUniform4fv("relievoShadowOffsets", faces, floats(offsets));
+  program->SetUniform1fv("relievoShadowAcross", faces, across.data());
+  program->SetUniformf("relievoShadowBias", static_cast<float>(this->Bias));
 }
 
 //------------------------------------------------------------------------------

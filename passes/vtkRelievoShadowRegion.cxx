@@ -143,6 +143,25 @@ std::vector<Polygon> vtkRelievoShadowRegion::Cut(
 }
 
 //------------------------------------------------------------------------------
+vtkRelievoShadowRegion::Rectangle vtkRelievoShadowRegion::EncloseAt(
+  const std::vector<glm::dvec2>& points, double angle)
+{
+  Rectangle rectangle;
+  rectangle.Angle = angle;
+  const glm::dvec2 x(std::cos(angle), std::sin(angle));
+  const glm::dvec2 y(-x.y, x.x);
+  rectangle.Min = glm::dvec2(1e300);
+  rectangle.Max = glm::dvec2(-1e300);
+  for (const glm::dvec2& point : points)
+  {
+    const glm::dvec2 turned(glm::dot(point, x), glm::dot(point, y));
+    rectangle.Min = glm::min(rectangle.Min, turned);
+    rectangle.Max = glm::max(rectangle.Max, turned);
+  }
+  return rectangle;
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoShadowRegion::Rectangle vtkRelievoShadowRegion::Enclose(std::vector<glm::dvec2> points)
 {
   const std::vector<glm::dvec2> hull = GetHull(std::move(points));
@@ -151,18 +170,7 @@ vtkRelievoShadowRegion::Rectangle vtkRelievoShadowRegion::Enclose(std::vector<gl
   {
     // The least rectangle has a side along a side of the hull (Freeman and Shapira, 1975).
     const glm::dvec2 edge = hull[(i + 1) % hull.size()] - hull[i];
-    Rectangle rectangle;
-    rectangle.Angle = std::atan2(edge.y, edge.x);
-    const glm::dvec2 x(std::cos(rectangle.Angle), std::sin(rectangle.Angle));
-    const glm::dvec2 y(-x.y, x.x);
-    rectangle.Min = glm::dvec2(1e300);
-    rectangle.Max = glm::dvec2(-1e300);
-    for (const glm::dvec2& point : hull)
-    {
-      const glm::dvec2 turned(glm::dot(point, x), glm::dot(point, y));
-      rectangle.Min = glm::min(rectangle.Min, turned);
-      rectangle.Max = glm::max(rectangle.Max, turned);
-    }
+    const Rectangle rectangle = EncloseAt(hull, std::atan2(edge.y, edge.x));
     if (i == 0 || rectangle.GetArea() < best.GetArea())
     {
       best = rectangle;

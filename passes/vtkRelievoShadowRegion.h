@@ -43,6 +43,7 @@ struct Rectangle
   }
 };
 Rectangle Enclose(std::vector<glm::dvec2> points);
+Rectangle EncloseAt(const std::vector<glm::dvec2>& points, double angle);
 }
 
 #endif

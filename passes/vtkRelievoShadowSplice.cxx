@@ -98,6 +98,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   dec << "#define RELIEVO_SHADOW_FACES " << structure.GetFaces() << "\n";
   dec << "#define RELIEVO_SHADOW_NUMBERS " << structure.Numbers << "\n";
   dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
+  dec << (structure.Warped ? "#define RELIEVO_SHADOW_WARPED\n" : "");
   dec << (structure.Forward ? "#define RELIEVO_SHADOW_FORWARD\n" : "");
   dec << (impostor ? "#define RELIEVO_SHADOW_IMPOSTOR\n" : "");
   dec << (surface ? "#define RELIEVO_SHADOW_FACE_NORMAL\n" : "");

@@ -31,6 +31,7 @@ struct Structure
   };
   std::vector<Light> Lights; // that cast
   bool WideFilter = false;   // of a radius above 1
+  bool Warped = false;       // maps spend texels unevenly
   bool Forward = false;      // masks say what is lit, where they hold
   int Numbers = 0;                // lights of the renderer
   bool Unlit = false;             // visibility is asked for also where no light is computed
@@ -47,7 +48,7 @@ struct Structure
   bool operator==(const Structure& other) const
   {
     return this->Lights == other.Lights && this->WideFilter == other.WideFilter &&
-      this->Forward == other.Forward &&
+      this->Warped == other.Warped && this->Forward == other.Forward &&
       this->Numbers == other.Numbers && this->Unlit == other.Unlit;
   }
 };

@@ -25,6 +25,15 @@ uniform float relievoShadowSize;  // of a map, in texels
 uniform float relievoShadowInner; // half of it, less the filter; -1 for what receives no shadows
 uniform int relievoShadowRadius;  // of the filter, in texels; 0: the nearest texel alone
 uniform float relievoShadowLift;  // in texels: of points and lines, which have no plane
+#ifdef RELIEVO_SHADOW_WARPED
+// Along u, texels are spent in up to four straight pieces: from each break on, scale and offset grow
+// by the next number.
+uniform vec4 relievoShadowBreaks[RELIEVO_SHADOW_FACES];
+uniform vec4 relievoShadowScales[RELIEVO_SHADOW_FACES];
+uniform vec4 relievoShadowOffsets[RELIEVO_SHADOW_FACES];
+uniform float relievoShadowAcross[RELIEVO_SHADOW_FACES]; // height of the map over its width
+uniform float relievoShadowBias;                         // in texels
+#endif
 #ifdef RELIEVO_SHADOW_FORWARD
 uniform sampler2DArray relievoShadowMasks;
 uniform int relievoShadowMask[RELIEVO_SHADOW_FACES]; // the mask of the face's light
@@ -120,13 +129,26 @@ float relievoShadowAt(int face, vec3 place, vec3 plane, float facing, float texe
 #endif
   }
 #endif
+  vec2 slope = vec2(0.0);
 #ifdef RELIEVO_SHADOW_HAS_PLANE
-  float lit = relievoShadowFilter(
-    relievoShadowLayer[face], place, relievoReceiverSlope(plane, 64.0 * texel));
+  slope = relievoReceiverSlope(plane, 64.0 * texel);
+#endif
+#ifdef RELIEVO_SHADOW_WARPED
+  vec4 pieces = vec4(1.0, step(relievoShadowBreaks[face].xyz, place.xxx));
+  float scale = dot(pieces, relievoShadowScales[face]);
+  place.x = scale * place.x + dot(pieces, relievoShadowOffsets[face]);
+  slope.x /= scale;
+  // The longer side of a texel, as a share of the longer side of an even one.
+  float across = relievoShadowAcross[face];
+  texel *= max(1.0 / scale, across) / max(1.0, across);
+  place.z -= relievoShadowBias * texel;
+#endif
+#ifdef RELIEVO_SHADOW_HAS_PLANE
+  float lit = relievoShadowFilter(relievoShadowLayer[face], place, slope);
   return facing < 0.0 ? lit : 0.0;
 #else
   place.z -= relievoShadowLift * texel;
-  return relievoShadowFilter(relievoShadowLayer[face], place, vec2(0.0));
+  return relievoShadowFilter(relievoShadowLayer[face], place, slope);
 #endif
 }
 
