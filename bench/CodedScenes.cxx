@@ -111,7 +111,10 @@ vtkSmartPointer<vtkPolyData> Slabs()
 {
   Shapes shapes;
   shapes.AddSlab(0., 0.4, 2.4, 0.);
-  shapes.AddSlab(0.4, 0.03, 1.4, 25.);
+  for (int i = 0; i < 6; ++i)
+  {
+    shapes.AddSlab(0.4 + 0.01 * i, 0.01, 2. - 0.3 * i, 25. * (i + 1));
+  }
   return shapes.Mesh();
 }
 

@@ -18,7 +18,7 @@ namespace relievoBench
 {
 /**
  * Spheres and poles on the ground of the reference scenes; two rows of poles to the horizon,
- * seen from a man's height; a thin slab that lies askew on a thick one.
+ * seen from a man's height; thin slabs (1/100) that lie askew on each other and on a thick one.
  */
 constexpr const char* SpheresScene = "spheres";
 constexpr const char* HorizonScene = "horizon";

@@ -17,6 +17,7 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
       RelievoBenchShadowFrames },
     { "shadows", "wrong shadows against map size and frame time, every method and light",
       RelievoBenchShadows },
+    { "bias", "false shadow against leak as the shadows' bias grows", RelievoBenchBias },
   };
   return entries;
 }

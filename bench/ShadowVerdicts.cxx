@@ -44,8 +44,15 @@ void ShadowVerdicts::UsePBR()
 relievoTest::ShadowErrors ShadowVerdicts::Measure(const ShadowWay& way, int mapSize)
 {
   way.SetUp(this->Scene.Renderer, mapSize);
-  const vtkSmartPointer<vtkImageData> picture = relievoTest::Picture(this->Window);
+  const relievoTest::ShadowErrors errors = this->MeasureAsItIs();
   UseNoShadows(this->Window, this->Scene.Renderer);
+  return errors;
+}
+
+//------------------------------------------------------------------------------
+relievoTest::ShadowErrors ShadowVerdicts::MeasureAsItIs()
+{
+  const vtkSmartPointer<vtkImageData> picture = relievoTest::Picture(this->Window);
   return relievoTest::CompareShadow(
     this->Truth, PictureVisibility(picture, this->Plain, this->Gamma).data());
 }

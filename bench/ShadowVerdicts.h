@@ -37,6 +37,9 @@ public:
   /** What a way gets wrong; plain frames are drawn again afterwards. */
   relievoTest::ShadowErrors Measure(const ShadowWay& way, int mapSize);
 
+  /** What the renderer's pass as it is gets wrong. */
+  relievoTest::ShadowErrors MeasureAsItIs();
+
   relievoTest::ReferenceScene Scene;
   vtkSmartPointer<vtkRenderWindow> Window;
   relievoTest::TruthImage View;

@@ -21,11 +21,24 @@
 
 namespace relievoBench
 {
+namespace
+{
+void UseMethod(vtkRenderer* renderer, int mapSize, int method)
+{
+  vtkRelievoPass* pass = vtkRelievoPass::Attach(renderer);
+  pass->ShadowsOn();
+  pass->GetShadowPass()->SetMapSize(mapSize);
+  pass->GetShadowPass()->SetMethod(method);
+}
+}
+
 //------------------------------------------------------------------------------
 const std::vector<ShadowWay>& ShadowWays()
 {
   static const std::vector<ShadowWay> ways = {
     { "map", UseShadowMap, 4096 },
+    { "forward", UseShadowForward, 1024 },
+    { "warped", UseShadowWarped, 4096 },
     { "vtkShadowMapPass", UseShadowPeer, 4096 },
   };
   return ways;
@@ -60,9 +73,19 @@ void UseShadowPeer(vtkRenderer* renderer, int mapSize)
 //------------------------------------------------------------------------------
 void UseShadowMap(vtkRenderer* renderer, int mapSize)
 {
-  vtkRelievoPass* pass = vtkRelievoPass::Attach(renderer);
-  pass->ShadowsOn();
-  pass->GetShadowPass()->SetMapSize(mapSize);
+  UseMethod(renderer, mapSize, vtkRelievoShadowPass::METHOD_MAP);
+}
+
+//------------------------------------------------------------------------------
+void UseShadowForward(vtkRenderer* renderer, int mapSize)
+{
+  UseMethod(renderer, mapSize, vtkRelievoShadowPass::METHOD_FORWARD);
+}
+
+//------------------------------------------------------------------------------
+void UseShadowWarped(vtkRenderer* renderer, int mapSize)
+{
+  UseMethod(renderer, mapSize, vtkRelievoShadowPass::METHOD_WARPED);
 }
 
 //------------------------------------------------------------------------------

@@ -29,8 +29,10 @@ const std::vector<ShadowWay>& ShadowWays();
 /** vtkShadowMapPass with everything that it needs, in place of the renderer's pass. */
 void UseShadowPeer(vtkRenderer* renderer, int mapSize);
 
-/** vtkRelievoPass with shadows by the default method, about the renderer's pass. */
+/** vtkRelievoPass with shadows, by each of its methods, about the renderer's pass. */
 void UseShadowMap(vtkRenderer* renderer, int mapSize);
+void UseShadowForward(vtkRenderer* renderer, int mapSize);
+void UseShadowWarped(vtkRenderer* renderer, int mapSize);
 
 /** Plain frames again; what the pass held is released. */
 void UseNoShadows(vtkRenderWindow* window, vtkRenderer* renderer);

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Chart 5: what grows and what shrinks with the bias of a shadow map: false shadow on what is lit,
+// and leak of light into what is dark, under a high sun, a low one and a grazing one.
+//
+// vtkRelievoShadowPass is drawn, and judged by its pictures against Embree. Beside it a constant
+// bias, the usual one, computed in double precision from a map of the same size, with and without
+// the receiver's plane; and vtkShadowMapPass, which has no bias to set, as a point.
+#include "RelievoBench.h"
+
+#include "Chart.h"
+#include "ShadowSimulation.h"
+#include "ShadowVerdicts.h"
+#include "Table.h"
+
+#include <vtkLight.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoShadowPass.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace relievoBench;
+using relievoTest::SceneLight;
+using relievoTest::ShadowErrors;
+
+constexpr int MapSize = 2048;
+constexpr int Pixels = 600;
+const double Biases[] = { 0., 0.25, 0.5, 1., 1.5, 2., 4., 8., 16. };
+const char* const Scenes[] = { "bunny", "motorBike", SlabsScene };
+const ShadowLight Suns[] = {
+  { "45", SceneLight::Sun, 45. },
+  { "10", SceneLight::Sun, 10. },
+  { "3", SceneLight::Sun, 3. },
+};
+
+const char* const Drawn = "map";
+const char* const SimulatedPlane = "receiver plane, computed";
+const char* const SimulatedConstant = "constant, computed";
+const char* const Peer = "vtkShadowMapPass";
+
+struct Result
+{
+  std::string Scene;
+  std::string Sun;
+  std::string Method;
+  double Bias;
+  ShadowErrors Errors;
+
+  double FalseShadow() const
+  {
+    return Percent(this->Errors.FalseShadow, this->Errors.Compared - this->Errors.Dark);
+  }
+  double Leak() const { return Percent(this->Errors.FalseLight, this->Errors.Dark); }
+  double Wrong() const { return 100. * this->Errors.Wrong(); }
+};
+
+void Add(std::vector<Result>& results, const Result& result)
+{
+  results.push_back(result);
+  std::cout << result.Scene << ", sun at " << result.Sun << " degrees, " << result.Method
+            << ", bias " << result.Bias << ": " << result.Errors.ToString() << std::endl;
+}
+
+void Measure(
+  const std::string& name, vtkPolyData* mesh, const ShadowLight& sun, std::vector<Result>& results)
+{
+  ShadowVerdicts verdicts(name, mesh, sun, Pixels, Pixels);
+  vtkRenderer* renderer = verdicts.Scene.Renderer;
+  UseShadowMap(renderer, MapSize);
+  vtkRelievoShadowPass* pass = vtkRelievoPass::SafeDownCast(renderer->GetPass())->GetShadowPass();
+  for (double bias : Biases)
+  {
+    pass->SetBias(bias);
+    Add(results, { name, sun.Name, Drawn, bias, verdicts.MeasureAsItIs() });
+  }
+  UseNoShadows(verdicts.Window, renderer);
+  UseShadowPeer(renderer, MapSize);
+  Add(results, { name, sun.Name, Peer, 0., verdicts.MeasureAsItIs() });
+  UseNoShadows(verdicts.Window, renderer);
+
+  glm::dvec3 toSun;
+  verdicts.Scene.Light->GetPosition(&toSun[0]);
+  const ShadowSimulation simulation(*verdicts.Scene.MakeTruth(), verdicts.View, toSun, MapSize);
+  for (const bool plane : { true, false })
+  {
+    for (double bias : Biases)
+    {
+      Add(results,
+        { name, sun.Name, plane ? SimulatedPlane : SimulatedConstant, bias,
+          relievoTest::CompareShadow(
+            verdicts.Truth, simulation.Visibility(verdicts.View, bias, plane).data()) });
+    }
+  }
+}
+
+// Percent on a logarithmic axis; none, and hardly any, at its end.
+constexpr double Least = 1e-3;
+
+ChartAxis PercentAxis(const std::string& title)
+{
+  ChartAxis axis;
+  axis.Title = title;
+  axis.Log = true;
+  axis.Ticks = { { Least, "0" }, { 1e-2, "0.01" }, { 0.1, "0.1" }, { 1., "1" }, { 10., "10" },
+    { 100., "100" } };
+  return axis;
+}
+
+Chart TradeChart(const ShadowLight& sun, const std::vector<Result>& results)
+{
+  Chart chart;
+  chart.Title = "Sun at " + std::string(sun.Name) + "°, map of 2048: bias from 0 to 16 texels";
+  chart.X = PercentAxis("leak, % of what is dark");
+  chart.Y = PercentAxis("false shadow, % of what is lit");
+  for (const char* scene : Scenes)
+  {
+    for (const char* method : { Drawn, SimulatedConstant, Peer })
+    {
+      ChartSeries series;
+      series.Name = std::string(scene) + ", " + method;
+      for (const Result& r : results)
+      {
+        if (r.Scene == scene && r.Sun == sun.Name && r.Method == method)
+        {
+          series.X.push_back(std::max(Least, r.Leak()));
+          series.Y.push_back(std::max(Least, r.FalseShadow()));
+        }
+      }
+      chart.Series.push_back(series);
+    }
+  }
+  return chart;
+}
+
+Chart WrongChart(const std::vector<Result>& results)
+{
+  Chart chart;
+  chart.Title = "Wrong shadows of maps of 2048 against the bias";
+  chart.X.Title = "bias, texels (none: off the chart, 10 to 70 %)";
+  chart.X.Log = true;
+  for (double bias : Biases)
+  {
+    if (bias > 0.)
+    {
+      chart.X.Ticks.emplace_back(bias, Number(bias));
+    }
+  }
+  chart.Y.Title = "wrong verdicts, % of pixels";
+  chart.Y.Log = true;
+  for (const char* scene : Scenes)
+  {
+    for (const ShadowLight& sun : Suns)
+    {
+      ChartSeries series;
+      series.Name = std::string(scene) + ", sun at " + sun.Name + "°";
+      for (const Result& r : results)
+      {
+        if (r.Scene == scene && r.Sun == sun.Name && r.Method == Drawn && r.Bias > 0.)
+        {
+          series.X.push_back(r.Bias);
+          series.Y.push_back(r.Wrong());
+        }
+      }
+      chart.Series.push_back(series);
+    }
+  }
+  return chart;
+}
+}
+
+//------------------------------------------------------------------------------
+int RelievoBenchBias(const std::string& outDir)
+{
+  if (!MakeFolder(outDir))
+  {
+    return 1;
+  }
+  std::vector<Result> results;
+  for (const char* name : Scenes)
+  {
+    const vtkSmartPointer<vtkPolyData> mesh = ShadowSceneMesh(name);
+    if (!mesh)
+    {
+      return 1;
+    }
+    for (const ShadowLight& sun : Suns)
+    {
+      Measure(name, mesh, sun, results);
+    }
+  }
+  Table table({ "scene", "sun, degrees", "method", "bias, texels", "pixels", "dark %", "wrong %",
+    "false shadow % of lit", "leak % of dark", "left out, flipping" });
+  for (const Result& r : results)
+  {
+    table.AddRow({ r.Scene, r.Sun, r.Method, r.Method == Peer ? std::string() : Number(r.Bias),
+      std::to_string(r.Errors.Compared), Number(Percent(r.Errors.Dark, r.Errors.Compared)),
+      Number(r.Wrong()), Number(r.FalseShadow()), Number(r.Leak()),
+      std::to_string(r.Errors.Flipping) });
+  }
+  bool written = table.WriteCsv(outDir + "/bias.csv") &&
+    WriteChart(WrongChart(results), outDir + "/bias-wrong");
+  for (const ShadowLight& sun : Suns)
+  {
+    written = written && WriteChart(TradeChart(sun, results), outDir + "/bias-" + sun.Name);
+  }
+  return written ? 0 : 1;
+}
