@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What shadows cost a frame: ratios to the plain frame and to vtkShadowMapPass with maps of the same
-// size, drawn in turn in one process: a still scene, a light that moves, a camera that moves.
+// What shadows cost a frame: ratios to the plain frame and to vtkShadowMapPass with maps of the
+// same size, drawn in turn in one process: a still scene, a light that moves, a camera that moves.
 #include "RelievoBench.h"
 
 #include "FrameBench.h"
@@ -100,16 +100,16 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const Motion& motion, T
     frames.push_back(frame);
   }
   const std::vector<Timing> times = TimeInTurn(frames, Rounds);
-  std::cout << name << ", " << motion.Name << ", plain frame "
-            << Number(1e3 * times[0].Median(), 3) << " ms:" << std::endl;
+  std::cout << name << ", " << motion.Name << ", plain frame " << Number(1e3 * times[0].Median(), 3)
+            << " ms:" << std::endl;
   for (std::size_t i = 0; i < times.size(); ++i)
   {
     const auto plain = PairOf(times[i], times[0]);
     const auto peer = PairOf(times[i], times.back());
     std::cout << "  " << Ways[i].Name << ": " << Number(1e3 * times[i].Median(), 3) << " ms, "
               << Number(plain.Ratio(), 3) << " +- " << Number(plain.RatioSpread(), 1)
-              << " x plain, " << Number(peer.Ratio(), 3) << " +- "
-              << Number(peer.RatioSpread(), 1) << " x vtkShadowMapPass" << std::endl;
+              << " x plain, " << Number(peer.Ratio(), 3) << " +- " << Number(peer.RatioSpread(), 1)
+              << " x vtkShadowMapPass" << std::endl;
     table.AddRow({ name, motion.Name, Ways[i].Name, Number(1e3 * times[i].Median(), 4),
       Number(plain.Ratio(), 4), Number(plain.RatioSpread(), 2), Number(peer.Ratio(), 4),
       Number(peer.RatioSpread(), 2), Number(LoadAverage(), 2) });

@@ -114,8 +114,7 @@ int vtkRelievoCasterDraw::Draw(vtkActor* actor)
     modelToNDC = modelToNDC * glm::transpose(ToGlm(Access::ShiftScale(mapper)));
   }
   const glm::mat4 matrix(modelToNDC);
-  this->Program->SetUniformMatrix4x4(
-    "MCDCMatrix", const_cast<float*>(&matrix[0][0]));
+  this->Program->SetUniformMatrix4x4("MCDCMatrix", const_cast<float*>(&matrix[0][0]));
   vertices->Bind();
   glVertexAttribPointer(static_cast<unsigned int>(this->Attribute), 3, GL_FLOAT, GL_FALSE,
     static_cast<GLsizei>(vertices->GetStride()), nullptr);

@@ -54,8 +54,8 @@ bool vtkRelievoForwardMasks::Allocate(
   this->Lights = lights;
   glGenTextures(1, &this->Masks);
   glBindTexture(GL_TEXTURE_2D_ARRAY, this->Masks);
-  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R8, width, height, lights, 0, GL_RED, GL_UNSIGNED_BYTE,
-    nullptr);
+  glTexImage3D(
+    GL_TEXTURE_2D_ARRAY, 0, GL_R8, width, height, lights, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
@@ -152,8 +152,7 @@ bool vtkRelievoForwardMasks::BeginLight(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoForwardMasks::DrawMap(
-  const vtkRelievoShadowView& view, int layer, double tolerance)
+void vtkRelievoForwardMasks::DrawMap(const vtkRelievoShadowView& view, int layer, double tolerance)
 {
   const glm::dmat4 worldToMap =
     vtkRelievoShadowMaps::GetNDCToMap(this->MapSize) * view.ViewToNDC * view.WorldToView;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Forward shadow mapping: which pixels each light reaches, found by carrying the samples of its maps
-// into the camera's view (H. Zhang, Forward shadow mapping, 1998) and comparing them there, in eye
-// space, with the depth of what is seen.
+// Forward shadow mapping: which pixels each light reaches, found by carrying the samples of its
+// maps into the camera's view (H. Zhang, Forward shadow mapping, 1998) and comparing them there, in
+// eye space, with the depth of what is seen.
 #ifndef vtkRelievoForwardMasks_h
 #define vtkRelievoForwardMasks_h
 

@@ -97,9 +97,8 @@ void vtkRelievoGBufferLayout::Arrange()
   {
     // Full floats where they fit into the attachments that are there anyhow, otherwise one word.
     const int togetherWords = together ? GetNormalDepthWords(this->NormalDepth) : 0;
-    const int others =
-      togetherWords + (depthAlone ? 1 : 0) + (this->Ids ? 1 : 0) + (this->Albedo ? 1 : 0) +
-      shadowWords;
+    const int others = togetherWords + (depthAlone ? 1 : 0) + (this->Ids ? 1 : 0) +
+      (this->Albedo ? 1 : 0) + shadowWords;
     const int attachmentsFloat = (others + 3 * normals + 3) / 4;
     const int attachmentsPacked = (others + normals + 3) / 4;
     this->ChosenNormalFormat = attachmentsFloat == attachmentsPacked

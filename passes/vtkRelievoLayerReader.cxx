@@ -77,8 +77,8 @@ void vtkRelievoLayerReader::AddChannels(const std::string& layer, vtkRelievoGBuf
       std::upper_bound(layout.Shadows.begin(), layout.Shadows.end(), light), light);
   }
   const bool depth = layer == "depth" || layer == "range" || layer == "position";
-  const bool named = light < 0 &&
-    !id && !depth && layer != "normal" && layer != "geometric_normal" && layer != "albedo";
+  const bool named = light < 0 && !id && !depth && layer != "normal" &&
+    layer != "geometric_normal" && layer != "albedo";
   // A named array is looked up in the mesh, at the pixel's place in the pixel's cell.
   layout.Depth = layout.Depth || depth || named;
   layout.Ids = layout.Ids || id || named;
@@ -122,8 +122,8 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
   if ((needed.Depth && !this->Layout.Depth) || (needed.Normal && !this->Layout.Normal) ||
     (needed.GeometricNormal && !this->Layout.GeometricNormal) ||
     (needed.Albedo && !this->Layout.Albedo) || (needed.Ids && !this->Layout.Ids) ||
-    !std::includes(this->Layout.Shadows.begin(), this->Layout.Shadows.end(),
-      needed.Shadows.begin(), needed.Shadows.end()))
+    !std::includes(this->Layout.Shadows.begin(), this->Layout.Shadows.end(), needed.Shadows.begin(),
+      needed.Shadows.end()))
   {
     return "the last frame did not make it; ask for it (RequestLayer) and render before";
   }

@@ -95,11 +95,7 @@ vtkRelievoShadowPass* vtkRelievoPass::GetShadowPass()
 //------------------------------------------------------------------------------
 void vtkRelievoPass::SetShadows(bool on)
 {
-  if (this->Internal->Shadows->GetVisible() != on)
-  {
-    this->Internal->Shadows->SetVisible(on);
-    this->Modified();
-  }
+  this->Internal->Shadows->SetVisible(on);
 }
 
 //------------------------------------------------------------------------------
@@ -139,7 +135,7 @@ int vtkRelievoPass::GetNumberOfStages()
 //------------------------------------------------------------------------------
 vtkRelievoStage* vtkRelievoPass::GetStage(int i)
 {
-  const std::vector<vtkRelievoStage*> stages = this->Internal->GetStages();
+  const auto stages = this->Internal->GetStages();
   return i >= 0 && i < static_cast<int>(stages.size()) ? stages[i] : nullptr;
 }
 

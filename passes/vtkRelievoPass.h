@@ -9,7 +9,8 @@
  * looked up. The frame report says what ran, why, and what it cost.
  *
  * Layers: depth, range, normal, geometric_normal, position, albedo, actor, block, cell, shadow_N
- * (of the renderer's light N), and any point or cell array by name (`point:NAME` or `cell:NAME` to name one that shares a layer's name).
+ * (of the renderer's light N), and any point or cell array by name (`point:NAME` or `cell:NAME` to
+ * name one that shares a layer's name).
  */
 #ifndef vtkRelievoPass_h
 #define vtkRelievoPass_h

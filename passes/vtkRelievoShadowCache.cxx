@@ -32,8 +32,10 @@ bool IsNear(const vtkRelievoMapAxis& a, const vtkRelievoMapAxis& b)
 
 bool IsSame(const std::vector<vtkRelievoBox>& a, const std::vector<vtkRelievoBox>& b)
 {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-    [](const vtkRelievoBox& x, const vtkRelievoBox& y) { return x.Min == y.Min && x.Max == y.Max; });
+  return std::equal(
+    a.begin(), a.end(), b.begin(), b.end(), [](const vtkRelievoBox& x, const vtkRelievoBox& y) {
+      return x.Min == y.Min && x.Max == y.Max;
+    });
 }
 }
 
@@ -42,9 +44,8 @@ void vtkRelievoShadowCache::Update(const std::vector<vtkRelievoShadowLight>& cas
   const vtkRelievoShadowProps& props, const glm::dmat4& worldToNDC,
   const vtkRelievoShadowFit::Request& request)
 {
-  const bool sameRequest =
-    request.Size == this->Request.Size && request.Border == this->Request.Border &&
-    request.Warp == this->Request.Warp;
+  const bool sameRequest = request.Size == this->Request.Size &&
+    request.Border == this->Request.Border && request.Warp == this->Request.Warp;
   const bool sameCasters = props.GetState() == this->Casters;
   const bool sameView =
     worldToNDC == this->WorldToNDC && IsSame(props.GetReceiverBoxes(), this->Receivers);

@@ -64,8 +64,8 @@ struct Frame
   }
 };
 
-glm::dmat4 LookAlong(
-  const glm::dvec3& position, const glm::dvec3& forward, const glm::dvec3& right, const glm::dvec3& up)
+glm::dmat4 LookAlong(const glm::dvec3& position, const glm::dvec3& forward, const glm::dvec3& right,
+  const glm::dvec3& up)
 {
   glm::dmat4 m(1.0);
   const glm::dvec3 rows[3] = { right, up, -forward };
@@ -115,8 +115,9 @@ void Widen(vtkRelievoShadowRegion::Rectangle& r, const Request& request)
   r.Max = middle + half;
 }
 
-// The frame whose depth is the height over the ground, which is what stands on the view-up's nearest
-// axis: rays are sheared upright, and the map lies in the ground. Upright rays if the sun is too low.
+// The frame whose depth is the height over the ground, which is what stands on the view-up's
+// nearest axis: rays are sheared upright, and the map lies in the ground. Upright rays if the sun
+// is too low.
 Frame MakeGroundFrame(
   const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& viewUp)
 {
@@ -134,8 +135,8 @@ Frame MakeGroundFrame(
   forward[axis] = direction[axis] < 0.0 ? -1.0 : 1.0;
   Frame frame(origin, forward, AnySquareTo(forward));
   const double depth = glm::dot(direction, forward);
-  frame.Shear = glm::dvec2(
-    glm::dot(direction, frame.Right) / depth, glm::dot(direction, frame.Up) / depth);
+  frame.Shear =
+    glm::dvec2(glm::dot(direction, frame.Right) / depth, glm::dot(direction, frame.Up) / depth);
   return frame;
 }
 
@@ -195,8 +196,7 @@ bool MakeView(const Frame& frame, bool parallel, const std::vector<glm::dvec3>& 
     return false;
   }
   vtkRelievoShadowRegion::Rectangle rectangle = vtkRelievoShadowRegion::Enclose(flat);
-  const glm::dvec2 along(
-    glm::dot(request.Gaze, frame.Right), glm::dot(request.Gaze, frame.Up));
+  const glm::dvec2 along(glm::dot(request.Gaze, frame.Right), glm::dot(request.Gaze, frame.Up));
   const bool warp = request.Warp && parallel && glm::length(along) > 0.2;
   if (warp)
   {
@@ -325,86 +325,6 @@ double GetCone(const glm::dvec3& tip, const std::vector<glm::dvec3>& points, glm
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoMapAxis::Warp(double focus, double ratio, int size)
-{
-  *this = vtkRelievoMapAxis();
-  // Fewer pieces would not gain what they cost.
-  if (!(ratio > 1.5))
-  {
-    return;
-  }
-  this->Focus = focus;
-  this->Ratio = ratio;
-  this->Pieces = ratio > 6.0 ? 4 : ratio > 2.5 ? 3 : 2;
-  const double reach = std::max(focus, 1.0 - focus);
-  // The density of the logistic function falls as 1 / cosh^2.
-  const double k = 2.0 * std::acosh(std::sqrt(ratio)) / reach;
-  auto logistic = [&](double x) { return 1.0 / (1.0 + std::exp(-k * (x - focus))); };
-  const double low = logistic(0.0);
-  const double high = logistic(1.0);
-  for (int i = 1; i < this->Pieces; ++i)
-  {
-    const double to =
-      std::round(static_cast<double>(i) * size / this->Pieces) / static_cast<double>(size);
-    const double value = low + to * (high - low);
-    this->To[i] = to;
-    this->From[i] = focus - std::log(1.0 / value - 1.0) / k;
-  }
-  this->From[this->Pieces] = this->To[this->Pieces] = 1.0;
-}
-
-//------------------------------------------------------------------------------
-vtkRelievoShadowView vtkRelievoShadowView::GetPiece(
-  int u, int v, int size, int region[4]) const
-{
-  vtkRelievoShadowView piece = *this;
-  glm::dmat4 crop(1.0);
-  const vtkRelievoMapAxis* axes[2] = { &this->U, &this->V };
-  const int places[2] = { u, v };
-  for (int k = 0; k < 2; ++k)
-  {
-    const vtkRelievoMapAxis& axis = *axes[k];
-    const int i = places[k];
-    const double from = 2.0 * axis.From[i] - 1.0;
-    const double to = 2.0 * axis.From[i + 1] - 1.0;
-    crop[k][k] = 2.0 / (to - from);
-    crop[3][k] = -(to + from) / (to - from);
-    region[k] = static_cast<int>(std::lround(axis.To[i] * size));
-    region[2 + k] = static_cast<int>(std::lround(axis.To[i + 1] * size)) - region[k];
-  }
-  piece.ViewToNDC = crop * this->ViewToNDC;
-  return piece;
-}
-
-//------------------------------------------------------------------------------
-bool vtkRelievoShadowView::Contains(
-  const std::vector<glm::dvec3>& points, int size, int border) const
-{
-  const double inner = 1.0 - 2.0 * border / size + 1e-9;
-  const glm::dmat4 worldToNDC = this->ViewToNDC * this->WorldToView;
-  return std::all_of(points.begin(), points.end(), [&](const glm::dvec3& point) {
-    const glm::dvec4 p = worldToNDC * glm::dvec4(point, 1.0);
-    return p.w > 0.0 && std::abs(p.x) <= inner * p.w && std::abs(p.y) <= inner * p.w &&
-      p.z <= p.w * (1.0 + 1e-9);
-  });
-}
-
-//------------------------------------------------------------------------------
-bool vtkRelievoShadowView::Sees(const vtkRelievoBox& box) const
-{
-  // Not if all corners are beyond the same side of the map, or beyond its far plane.
-  const glm::dmat4 worldToNDC = this->ViewToNDC * this->WorldToView;
-  int outside = 31;
-  for (const glm::dvec3& corner : box.GetCorners())
-  {
-    const glm::dvec4 p = worldToNDC * glm::dvec4(corner, 1.0);
-    outside &= (p.x < -p.w ? 1 : 0) | (p.x > p.w ? 2 : 0) | (p.y < -p.w ? 4 : 0) |
-      (p.y > p.w ? 8 : 0) | ((this->Parallel ? p.z > p.w : p.w <= 0.0) ? 16 : 0);
-  }
-  return outside == 0;
-}
-
-//------------------------------------------------------------------------------
 std::vector<vtkRelievoShadowView> vtkRelievoShadowFit::Fit(const vtkRelievoShadowLight& light,
   const std::vector<Polygon>& region, const std::vector<vtkRelievoBox>& casters,
   const Request& request)
@@ -448,8 +368,8 @@ std::vector<vtkRelievoShadowView> vtkRelievoShadowFit::Fit(const vtkRelievoShado
     const Frame frame(light.Position, axis, AnySquareTo(axis));
     // A little more than the cone: its rim is computed in float.
     const double opening = 1.001 * std::max(tangent, 1e-4);
-    if (MakeView(frame, false, GetPointsWithin(region, frame, opening, nearest), casters, request,
-          view))
+    if (MakeView(
+          frame, false, GetPointsWithin(region, frame, opening, nearest), casters, request, view))
     {
       views.push_back(view);
     }

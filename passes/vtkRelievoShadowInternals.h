@@ -27,8 +27,8 @@ class vtkShaderProgram;
 class vtkRelievoShadowPass::Internals
 {
 public:
-  std::vector<vtkRelievoShadowLight> Lights;  // all of the renderer, in this frame
-  std::vector<vtkRelievoShadowLight> Casting; // those with a place in the shaders
+  std::vector<vtkRelievoShadowLight> Lights;        // all of the renderer, in this frame
+  std::vector<vtkRelievoShadowLight> Casting;       // those with a place in the shaders
   std::vector<vtkWeakPointer<vtkLight>> NotCasting; // chosen so
   vtkRelievoShadowProps Props;
   vtkRelievoShadowCache Cache;
@@ -39,8 +39,8 @@ public:
   vtkTimeStamp StructureTime;
   vtkRelievoView View;
   bool DrawingMaps = false;
-  bool DrawingDepth = false; // that the camera sees, for the masks
-  std::set<vtkShaderProgram*> Told;   // programs that have this frame's parameters
+  bool DrawingDepth = false;           // that the camera sees, for the masks
+  std::set<vtkShaderProgram*> Told;    // programs that have this frame's parameters
   std::set<vtkShaderProgram*> Lightly; // programs that VTK gave its lights in a light's eye space
   std::set<std::string> Said;
   bool Spliced = false;

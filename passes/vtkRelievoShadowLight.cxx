@@ -18,10 +18,9 @@ bool IsAtEye(const vtkRelievoShadowLight& light, vtkCamera* camera)
   // A light of parallel rays casts no shadow that is seen along them, which only a parallel camera
   // does; the eye's own place is that for a lamp.
   const bool along = glm::length(light.Direction - gaze) < 1e-6;
-  return light.Positional
-    ? glm::length(light.Position - eye) <= 1e-6 * camera->GetDistance() &&
+  return light.Positional ? glm::length(light.Position - eye) <= 1e-6 * camera->GetDistance() &&
       !camera->GetParallelProjection()
-    : along && camera->GetParallelProjection();
+                          : along && camera->GetParallelProjection();
 }
 }
 

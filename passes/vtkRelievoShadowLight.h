@@ -16,7 +16,7 @@ class vtkRenderer;
 struct vtkRelievoShadowLight
 {
   vtkLight* Light = nullptr;
-  int Number = 0;   // place in vtkRenderer::GetLights()
+  int Number = 0;       // place in vtkRenderer::GetLights()
   int ShaderIndex = -1; // among the lights that are on, as VTK's shaders count; -1 if off
   bool Positional = false;
   double ConeAngle = 90.0;            // degrees from the axis; 90 and more: all directions

@@ -50,8 +50,8 @@ public:
   // For the draw call that follows: a sheet blocks light from both sides.
   void DrawBothSides();
 
-  // Binds the maps for looking up, or an empty texture that stands in for them while they are drawn.
-  // Returns false if no texture unit is free.
+  // Binds the maps for looking up, or an empty texture that stands in for them while they are
+  // drawn. Returns false if no texture unit is free.
   bool Bind(bool maps);
   void Unbind();
   int GetTextureUnit() const { return this->Unit; }

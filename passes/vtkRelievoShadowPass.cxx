@@ -55,8 +55,8 @@ void vtkRelievoShadowPass::SetPropCasts(vtkProp* prop, int casts)
 {
   if (!prop || casts < CASTS_IF_OPAQUE || casts > CASTS_ALWAYS)
   {
-    vtkErrorMacro("SetPropCasts was given " << (prop ? "casting " : "no prop and casting ")
-                                            << casts << "; give it a vtkProp of the renderer, and "
+    vtkErrorMacro("SetPropCasts was given " << (prop ? "casting " : "no prop and casting ") << casts
+                                            << "; give it a vtkProp of the renderer, and "
                                             << "-1 (if opaque), 0 (never) or 1 (always).");
     return;
   }

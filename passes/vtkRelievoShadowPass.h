@@ -14,10 +14,10 @@
  * and more). A light at the eye hides its own shadows and is left out; one without a direction
  * warns once. vtkLight::ShadowAttenuation (0 to 1) is each light's own strength.
  *
- * Maps are fitted to the part of the scene that the camera sees (L. Williams, Casting curved shadows
- * on curved surfaces, 1978, for the map; receiver-plane depth bias after J. Isidoro, Shadow mapping:
- * GPU-based tips and techniques, 2006; percentage-closer filtering after W. Reeves, D. Salesin, R.
- * Cook, Rendering antialiased shadows with depth maps, 1987).
+ * Maps are fitted to the part of the scene that the camera sees (L. Williams, Casting curved
+ * shadows on curved surfaces, 1978, for the map; receiver-plane depth bias after J. Isidoro, Shadow
+ * mapping: GPU-based tips and techniques, 2006; percentage-closer filtering after W. Reeves, D.
+ * Salesin, R. Cook, Rendering antialiased shadows with depth maps, 1987).
  *
  * Translucent geometry receives shadows and casts none, unless asked to. Volumes, and props that
  * draw without a vtkActor's mapper, neither cast nor receive.

@@ -35,8 +35,7 @@ void vtkRelievoShadowPass::FitMaps(const vtkRenderState* s)
   request.Gaze = glm::normalize(-glm::dvec3(viewToWorld[2]));
   request.ViewUp = glm::dvec3(viewToWorld[1]);
   request.ParallelEye = in.View.Parallel;
-  in.Cache.Update(
-    in.Casting, in.Props, in.View.ViewToNDC * in.View.WorldToView, request);
+  in.Cache.Update(in.Casting, in.Props, in.View.ViewToNDC * in.View.WorldToView, request);
   if (in.Maps.Allocate(window, request.Size, in.Cache.GetNumberOfLayers()))
   {
     in.Cache.Invalidate();
@@ -78,10 +77,9 @@ void vtkRelievoShadowPass::DrawMaps(const vtkRenderState* s)
         in.Maps.Bind(false);
         in.Maps.Begin();
       }
-      in.Maps.Draw(map.Layer, map.View, renderer,
-        [&](const vtkRelievoShadowView& view) {
-          this->DrawCalls += in.Props.RenderCasters(renderer, view, in.PlainDraw);
-        });
+      in.Maps.Draw(map.Layer, map.View, renderer, [&](const vtkRelievoShadowView& view) {
+        this->DrawCalls += in.Props.RenderCasters(renderer, view, in.PlainDraw);
+      });
       map.Drawn = true;
       ++this->NumberOfMapsDrawn;
     }

@@ -75,8 +75,8 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
       biased[3].z -= in.Structure.Warped ? 0.0 : this->Bias * map.View.Texel;
       matrices[face] = glm::mat4(biased);
       planes[face] = glm::mat4(glm::transpose(glm::inverse(viewToMap)));
-      eyes[face] = glm::vec4(
-        viewToMap * (in.View.Parallel ? glm::dvec4(0, 0, 1, 0) : glm::dvec4(0, 0, 0, 1)));
+      eyes[face] =
+        glm::vec4(viewToMap * (in.View.Parallel ? glm::dvec4(0, 0, 1, 0) : glm::dvec4(0, 0, 0, 1)));
       texels[face] = static_cast<float>(map.View.Texel);
       masks[face] = static_cast<int>(strengths.size());
       layers[face++] = static_cast<float>(map.Layer);
@@ -131,8 +131,7 @@ void vtkRelievoShadowPass::SetWarpParameters(vtkShaderProgram* program)
       double offset = 0.0;
       for (int i = 0; i < axis.Pieces; ++i)
       {
-        const double s =
-          (axis.To[i + 1] - axis.To[i]) / (axis.From[i + 1] - axis.From[i]);
+        const double s = (axis.To[i + 1] - axis.To[i]) / (axis.From[i + 1] - axis.From[i]);
         const double o = (axis.To[i] - s * axis.From[i]) * size + 0.5 * s - 0.5;
         scales[face][i] = static_cast<float>(s - scale);
         offsets[face][i] = static_cast<float>(o - offset);
@@ -200,8 +199,8 @@ bool vtkRelievoShadowPass::SetShaderParameters(
     program->SetUniformi("relievoShadowMasked", holds ? 1 : 0);
     program->SetUniform2i("relievoShadowOrigin", region);
   }
-  program->SetUniformf("relievoShadowLift",
-    std::max(property->GetPointSize(), property->GetLineWidth()));
+  program->SetUniformf(
+    "relievoShadowLift", std::max(property->GetPointSize(), property->GetLineWidth()));
   return true;
 }
 

@@ -9,10 +9,10 @@
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPropCollection.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCasterDraw.h"
 #include "vtkRelievoPropParts.h"
@@ -152,8 +152,7 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
     }
     this->Spliced.push_back(prop);
     const bool translucent = choice.Casts == 1;
-    const bool casts =
-      choice.Casts == 1 || (choice.Casts == -1 && prop->HasOpaqueGeometry() != 0);
+    const bool casts = choice.Casts == 1 || (choice.Casts == -1 && prop->HasOpaqueGeometry() != 0);
     if (casts)
     {
       this->Casters.push_back({ prop, translucent });
@@ -246,8 +245,8 @@ void vtkRelievoShadowProps::RemovePass(vtkOpenGLRenderPass* pass)
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
-  vtkRelievoCasterDraw& plainDraw)
+int vtkRelievoShadowProps::RenderCasters(
+  vtkRenderer* renderer, const vtkRelievoShadowView& view, vtkRelievoCasterDraw& plainDraw)
 {
   std::vector<vtkActor*> plain;
   for (std::size_t i = 0; i < this->Casters.size(); ++i)
@@ -292,9 +291,8 @@ int vtkRelievoShadowProps::RenderSurfaces(
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoShadowProps::RenderPlain(vtkRenderer* renderer,
-  const std::vector<vtkActor*>& actors, const glm::dmat4& worldToNDC,
-  vtkRelievoCasterDraw& plainDraw)
+int vtkRelievoShadowProps::RenderPlain(vtkRenderer* renderer, const std::vector<vtkActor*>& actors,
+  const glm::dmat4& worldToNDC, vtkRelievoCasterDraw& plainDraw)
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   int calls = 0;

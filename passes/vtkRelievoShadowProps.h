@@ -51,8 +51,8 @@ public:
 
   // Draws the depth of what may cast into the view, plain meshes from their buffers, the rest as
   // it draws itself. Returns the draw calls of the first.
-  int RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
-    vtkRelievoCasterDraw& plainDraw);
+  int RenderCasters(
+    vtkRenderer* renderer, const vtkRelievoShadowView& view, vtkRelievoCasterDraw& plainDraw);
 
   // Draws the depth of the opaque geometry that is seen, likewise.
   int RenderSurfaces(

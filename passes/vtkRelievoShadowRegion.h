@@ -37,10 +37,7 @@ struct Rectangle
   glm::dvec2 Min{ 0.0 };
   glm::dvec2 Max{ 0.0 };
 
-  double GetArea() const
-  {
-    return (this->Max.x - this->Min.x) * (this->Max.y - this->Min.y);
-  }
+  double GetArea() const { return (this->Max.x - this->Min.x) * (this->Max.y - this->Min.y); }
 };
 Rectangle Enclose(std::vector<glm::dvec2> points);
 Rectangle EncloseAt(const std::vector<glm::dvec2>& points, double angle);

@@ -24,8 +24,8 @@ std::string Section(const char* section)
   return vtkRelievoShaderLibrary::GetSection("shadow/receive.glsl", section);
 }
 
-std::string Numbered(const char* section, const vtkRelievoShadowSplice::Structure::Light& light,
-  int slot, int face)
+std::string Numbered(
+  const char* section, const vtkRelievoShadowSplice::Structure::Light& light, int slot, int face)
 {
   std::string text = Section(section);
   FillWord(text, "RELIEVO_NUMBER", std::to_string(light.ShaderIndex));
@@ -37,8 +37,7 @@ std::string Numbered(const char* section, const vtkRelievoShadowSplice::Structur
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowSplice::Mark(
-  std::string& vertex, std::string& geometry, std::string& fragment)
+void vtkRelievoShadowSplice::Mark(std::string& vertex, std::string& geometry, std::string& fragment)
 {
   MarkVaryings(vertex, geometry, fragment);
   MarkBehind(fragment, "//VTK::System::Dec", Extensions);
@@ -68,7 +67,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
                                            : "SunVisibility",
       light, slot, face);
     flow += light.Parallel && !impostor ? Numbered("SunFlow", light, slot, face) : std::string();
-    if (Has(fragment, "uniform vec3 lightColor" + std::to_string(light.ShaderIndex) + ";"))
+    if (Has(fragment, " lightColor" + std::to_string(light.ShaderIndex) + ";"))
     {
       lights += Numbered("LightDec", light, slot, face);
       colors += Numbered("LightImpl", light, slot, face);
@@ -91,8 +90,8 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   {
     return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl";
   }
-  const bool surface = DrawsTriangles(mapper) && !impostor &&
-    actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  const bool surface =
+    DrawsTriangles(mapper) && !impostor && actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
   std::ostringstream dec;
   dec << "#define RELIEVO_SHADOW_LIGHTS " << structure.Lights.size() << "\n";
   dec << "#define RELIEVO_SHADOW_FACES " << structure.GetFaces() << "\n";

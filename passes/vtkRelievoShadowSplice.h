@@ -33,8 +33,8 @@ struct Structure
   bool WideFilter = false;   // of a radius above 1
   bool Warped = false;       // maps spend texels unevenly
   bool Forward = false;      // masks say what is lit, where they hold
-  int Numbers = 0;                // lights of the renderer
-  bool Unlit = false;             // visibility is asked for also where no light is computed
+  int Numbers = 0;           // lights of the renderer
+  bool Unlit = false;        // visibility is asked for also where no light is computed
 
   int GetFaces() const
   {

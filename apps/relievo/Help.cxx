@@ -26,8 +26,8 @@ render draws the FILEs off screen and writes what is asked for.
                             sun:DX,DY,DZ                    direction towards the sun
                             spot:PX,PY,PZ,FX,FY,FZ,CONE     CONE: half the opening, degrees
                             point:PX,PY,PZ
-  --shadows METHOD        whether and how the lights cast, in the picture: off or map (off);
-                          forward and warped are not in this build yet
+  --shadows METHOD        whether and how the lights cast, in the picture: off, map, forward
+                          or warped (off)
   --shadow-size N         side of each shadow map in texels, 16 to OpenGL's limit (2048)
   --layers A,B,...        what the EXR holds beside its colour (depth): depth range normal
                           geometric_normal position albedo actor block cell, shadow_N (light

@@ -150,10 +150,6 @@ void TakeShadows(RenderOptions& options, const std::string& word)
   constexpr Shadows methods[] = { Shadows::Off, Shadows::Map, Shadows::Forward, Shadows::Warped };
   options.ShadowMethod =
     methods[ParseChoice("--shadows", word, { "off", "map", "forward", "warped" })];
-  if (!HasShadows(options.ShadowMethod))
-  {
-    throw WordsError("--shadows " + word + ": not in this build yet; give map or off");
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -15,17 +15,8 @@
 #include <algorithm>
 #include <cctype>
 
-// 1 once vtkRelievoShadowPass has SetMethod(): forward and warped are then taken and handed to it.
-#define RELIEVO_SHADOW_METHODS 0
-
 namespace cli
 {
-//------------------------------------------------------------------------------
-bool HasShadows(Shadows method)
-{
-  return RELIEVO_SHADOW_METHODS != 0 || method == Shadows::Off || method == Shadows::Map;
-}
-
 //------------------------------------------------------------------------------
 int GetLightOfLayer(const std::string& layer)
 {
@@ -79,10 +70,8 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderWindow* window, const RenderOptio
     }
     pass->GetShadowPass()->SetMapSize(*options.ShadowSize);
   }
-#if RELIEVO_SHADOW_METHODS
   constexpr int methods[] = { vtkRelievoShadowPass::METHOD_MAP, vtkRelievoShadowPass::METHOD_MAP,
     vtkRelievoShadowPass::METHOD_FORWARD, vtkRelievoShadowPass::METHOD_WARPED };
   pass->GetShadowPass()->SetMethod(methods[static_cast<int>(options.ShadowMethod)]);
-#endif
 }
 }

@@ -18,7 +18,6 @@ struct RenderOptions;
 enum class Shadows;
 
 /// Whether this build has the method.
-bool HasShadows(Shadows method);
 
 /// The light of a layer shadow_N, from 0; -1 for any other name.
 int GetLightOfLayer(const std::string& layer);

@@ -18,8 +18,8 @@ vec2 relievoReceiverSlope(vec3 plane, float steepest)
     clamp(-plane.y / plane.z, -steepest, steepest));
 }
 
-// Weight of tap i of the 2 * radius taps 1 - radius ... radius in one direction; `part` is the place
-// of the point between taps 0 and 1. The weights of a row add up to 2 * radius - 1.
+// Weight of tap i of the 2 * radius taps 1 - radius ... radius in one direction; `part` is the
+// place of the point between taps 0 and 1. The weights of a row add up to 2 * radius - 1.
 float relievoFilterWeight(int i, int radius, float part)
 {
   if (i == 1 - radius)

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Forward shadow mapping (H. Zhang, 1998): each sample of a light's map, a square of its texel's
-// size, is carried into the camera's view. Where samples go on, squares share their corners, so that
-// what is lit is drawn without holes; where depth jumps, they end half a texel off.
+// size, is carried into the camera's view. Where samples go on, squares share their corners, so
+// that what is lit is drawn without holes; where depth jumps, they end half a texel off.
 uniform sampler2DArray relievoShadowMaps;
 uniform int relievoLayer;
 uniform int relievoSize;

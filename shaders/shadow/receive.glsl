@@ -5,8 +5,9 @@
 //
 // Defines, by vtkRelievoShadowSplice: RELIEVO_SHADOW_LIGHTS (casting lights), RELIEVO_SHADOW_FACES
 // (room for their maps), RELIEVO_SHADOW_NUMBERS (lights of the renderer), RELIEVO_SHADOW_WIDE (the
-// filter's radius is above 1), and of the mapper's shader: RELIEVO_SHADOW_HAS_PLANE, RELIEVO_SHADOW_FACE_NORMAL (a surface: its plane comes from derivatives),
-// RELIEVO_SHADOW_IMPOSTOR (VTK moved vertexVC to the impostor, normalVCVSOutput is exact).
+// filter's radius is above 1), and of the mapper's shader: RELIEVO_SHADOW_HAS_PLANE,
+// RELIEVO_SHADOW_FACE_NORMAL (a surface: its plane comes from derivatives), RELIEVO_SHADOW_IMPOSTOR
+// (VTK moved vertexVC to the impostor, normalVCVSOutput is exact).
 
 //RELIEVO::Section(Extensions)
 #extension GL_ARB_texture_gather : enable
@@ -26,8 +27,8 @@ uniform float relievoShadowInner; // half of it, less the filter; -1 for what re
 uniform int relievoShadowRadius;  // of the filter, in texels; 0: the nearest texel alone
 uniform float relievoShadowLift;  // in texels: of points and lines, which have no plane
 #ifdef RELIEVO_SHADOW_WARPED
-// Along u, texels are spent in up to four straight pieces: from each break on, scale and offset grow
-// by the next number.
+// Along u, texels are spent in up to four straight pieces: from each break on, scale and offset
+// grow by the next number.
 uniform vec4 relievoShadowBreaks[RELIEVO_SHADOW_FACES];
 uniform vec4 relievoShadowScales[RELIEVO_SHADOW_FACES];
 uniform vec4 relievoShadowOffsets[RELIEVO_SHADOW_FACES];
@@ -66,8 +67,8 @@ vec4 relievoShadowGather(float layer, vec2 corner)
 #endif
 }
 
-// Which of those texels let light through to a receiver with this depth at the corner texel. Nothing
-// is drawn at depth 1, so a receiver there is lit.
+// Which of those texels let light through to a receiver with this depth at the corner texel.
+// Nothing is drawn at depth 1, so a receiver there is lit.
 vec4 relievoShadowLit(float layer, vec2 corner, float depth, vec2 slope)
 {
   vec4 receivers = depth + vec4(slope.y, slope.x + slope.y, slope.x, 0.0);

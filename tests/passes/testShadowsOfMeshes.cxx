@@ -55,8 +55,8 @@ void Test(const std::string& mesh, SceneLight kind, const std::string& name, dou
     window->Render();
     const auto view = truth->Trace(relievoTest::View(scene.Renderer));
     const auto shadow = relievoTest::TraceShadow(*truth, view, scene.Light);
-    const std::string what = mesh + ", " + name + ", " + std::to_string(size[0]) + " x " +
-      std::to_string(size[1]);
+    const std::string what =
+      mesh + ", " + name + ", " + std::to_string(size[0]) + " x " + std::to_string(size[1]);
     const Layers phong(scene.Renderer, { "shadow_0" });
     const auto errors = relievoTest::CompareShadow(shadow, Visibility(phong));
     std::cout << what << ": " << errors.ToString() << "\n";

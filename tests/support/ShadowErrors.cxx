@@ -21,8 +21,7 @@ std::string ShadowErrors::ToString() const
   const double all = static_cast<double>(this->Compared > 0 ? this->Compared : 1);
   out << 100. * this->Wrong() << " % wrong (" << this->FalseShadow << " false shadow, "
       << this->FalseLight << " false light of " << this->Compared << " pixels, "
-      << 100. * static_cast<double>(this->Dark) / all << " % dark; " << this->Flipping
-      << " flip)";
+      << 100. * static_cast<double>(this->Dark) / all << " % dark; " << this->Flipping << " flip)";
   return out.str();
 }
 
@@ -44,30 +43,31 @@ ShadowTruth TraceShadow(
   truth.Height = view.Height;
   truth.Verdicts.assign(view.Pixels.size(), ShadowTruth::Unjudged);
   std::atomic<long long> flipping(0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(view.Pixels.size()), [&](vtkIdType from, vtkIdType to) {
-    for (vtkIdType i = from; i < to; ++i)
-    {
-      const PixelTruth& pixel = view.Pixels[i];
-      if (!pixel.Hit)
+  vtkSMPTools::For(
+    0, static_cast<vtkIdType>(view.Pixels.size()), [&](vtkIdType from, vtkIdType to) {
+      for (vtkIdType i = from; i < to; ++i)
       {
-        continue;
+        const PixelTruth& pixel = view.Pixels[i];
+        if (!pixel.Hit)
+        {
+          continue;
+        }
+        const glm::dvec3 toLight = positional ? position - pixel.Position : -axis;
+        const glm::dvec3 unit = glm::normalize(toLight);
+        if (glm::dot(pixel.Normal, unit) <= 0.05 || (spot && glm::dot(-unit, axis) < cosine + 1e-3))
+        {
+          continue;
+        }
+        const ShadowVerdict verdict = scene.Shadow(
+          pixel, toLight, positional ? 1. : std::numeric_limits<double>::infinity(), jitter);
+        if (!verdict.Stable)
+        {
+          ++flipping;
+          continue;
+        }
+        truth.Verdicts[i] = verdict.Occluded ? ShadowTruth::Dark : ShadowTruth::Lit;
       }
-      const glm::dvec3 toLight = positional ? position - pixel.Position : -axis;
-      const glm::dvec3 unit = glm::normalize(toLight);
-      if (glm::dot(pixel.Normal, unit) <= 0.05 || (spot && glm::dot(-unit, axis) < cosine + 1e-3))
-      {
-        continue;
-      }
-      const ShadowVerdict verdict = scene.Shadow(
-        pixel, toLight, positional ? 1. : std::numeric_limits<double>::infinity(), jitter);
-      if (!verdict.Stable)
-      {
-        ++flipping;
-        continue;
-      }
-      truth.Verdicts[i] = verdict.Occluded ? ShadowTruth::Dark : ShadowTruth::Lit;
-    }
-  });
+    });
   truth.Flipping = flipping;
   return truth;
 }
