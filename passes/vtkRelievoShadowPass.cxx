@@ -3,6 +3,7 @@
 #include "vtkRelievoShadowInternals.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkProp.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRenderState.h"
@@ -15,7 +16,7 @@ vtkStandardNewMacro(vtkRelievoShadowPass);
 
 namespace
 {
-// Room for uniforms: two matrices each.
+// Room for uniforms.
 constexpr int MostFaces = 48;
 }
 
@@ -112,6 +113,8 @@ bool vtkRelievoShadowPass::IsNeeded(const vtkRenderState* s, std::string& reason
   }
   vtkRenderer* renderer = s->GetRenderer();
   vtkRelievoAccess::Renderer::FollowCamera(renderer);
+  // The shaders that draw the maps are built for the lights that VTK counts here.
+  static_cast<vtkOpenGLRenderer*>(renderer)->UpdateLights();
   in.Lights = vtkRelievoShadowLight::Collect(renderer);
   in.Casting.clear();
   std::ostringstream without;

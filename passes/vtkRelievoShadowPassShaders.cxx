@@ -53,7 +53,6 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
   glm::mat4 nowhere(0.f);
   nowhere[3] = glm::vec4(-1e9f, -1e9f, 0.f, 1.f);
   std::vector<glm::mat4> matrices(faces, nowhere);
-  std::vector<glm::mat4> planes(faces, glm::mat4(1.f));
   std::vector<glm::vec4> eyes(faces, glm::vec4(0.f));
   std::vector<float> texels(faces, 0.f);
   std::vector<float> layers(faces, 0.f);
@@ -74,7 +73,6 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
       // The width of a texel of a warped map depends on the place: its bias as well.
       biased[3].z -= in.Structure.Warped ? 0.0 : this->Bias * map.View.Texel;
       matrices[face] = glm::mat4(biased);
-      planes[face] = glm::mat4(glm::transpose(glm::inverse(viewToMap)));
       eyes[face] =
         glm::vec4(viewToMap * (in.View.Parallel ? glm::dvec4(0, 0, 1, 0) : glm::dvec4(0, 0, 0, 1)));
       texels[face] = static_cast<float>(map.View.Texel);
@@ -88,7 +86,6 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
   const int lights = static_cast<int>(strengths.size());
   program->SetUniformi("relievoShadowMaps", in.Maps.GetTextureUnit());
   program->SetUniformMatrix4x4v("relievoShadowMatrix", faces, &matrices[0][0][0]);
-  program->SetUniformMatrix4x4v("relievoShadowPlane", faces, &planes[0][0][0]);
   program->SetUniform4fv(
     "relievoShadowEye", faces, reinterpret_cast<const float(*)[4]>(&eyes[0][0]));
   program->SetUniform1fv("relievoShadowTexel", faces, texels.data());

@@ -31,7 +31,6 @@ std::string Numbered(
   FillWord(text, "RELIEVO_NUMBER", std::to_string(light.ShaderIndex));
   FillWord(text, "RELIEVO_SLOT", std::to_string(slot));
   FillWord(text, "RELIEVO_FACE", std::to_string(face));
-  FillWord(text, "RELIEVO_LOOK_UP", light.Cube ? "relievoShadowCube" : "relievoShadowLamp");
   return text;
 }
 }
@@ -62,11 +61,14 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   int face = 0;
   for (const Structure::Light& light : structure.Lights)
   {
-    visibility += Numbered(!light.Parallel ? "Visibility"
-        : impostor                         ? "SunImpostorVisibility"
-                                           : "SunVisibility",
-      light, slot, face);
-    flow += light.Parallel && !impostor ? Numbered("SunFlow", light, slot, face) : std::string();
+    // An impostor has its own normal. Derivatives are not to be had where a cube's side is chosen.
+    const std::string way = light.Cube ? "Cube"
+      : impostor                       ? "Normal"
+      : light.Parallel                 ? "Sun"
+                                       : "Lamp";
+    visibility += Numbered((way + "Visibility").c_str(), light, slot, face);
+    flow += way == "Sun" || way == "Lamp" ? Numbered((way + "Flow").c_str(), light, slot, face)
+                                          : std::string();
     if (Has(fragment, " lightColor" + std::to_string(light.ShaderIndex) + ";"))
     {
       lights += Numbered("LightDec", light, slot, face);

@@ -6,9 +6,43 @@
 // near to its far plane; viewToMap takes eye space there (homogeneous; w is 1 for a parallel light,
 // the distance along the light's axis for a perspective one).
 
-// The plane through an eye-space point, as (normal, -normal . point), is taken to map space by
-// the transposed inverse of viewToMap: planes stay planes in a perspective map. A plane whose
-// normal points at the light's side has a negative z there.
+// A tangent of the plane with this normal: square to it, about as long.
+vec3 relievoTangent(vec3 normal)
+{
+  if (abs(normal.x) > abs(normal.y))
+  {
+    return vec3(-normal.z, float(0.0), normal.x);
+  }
+  return vec3(float(0.0), normal.z, -normal.y);
+}
+
+// How the map coordinates (u, v, depth) of a point change that moves along a direction. `map` is
+// viewToMap * (point, 1).
+vec3 relievoMapDerivative(mat4 viewToMap, vec4 map, vec3 direction)
+{
+  vec4 moved = viewToMap * vec4(direction, float(0.0));
+  return vec3(moved.x - map.x / map.w * moved.w, moved.y - map.y / map.w * moved.w,
+           moved.z - map.z / map.w * moved.w) /
+    map.w;
+}
+
+// Normal in map space of the plane through the point that has this normal in eye space: planes stay
+// planes in a perspective map. Of any length and on any side.
+vec3 relievoMapPlane(mat4 viewToMap, vec4 map, vec3 normalVC)
+{
+  vec3 tangent = relievoTangent(normalVC);
+  return cross(relievoMapDerivative(viewToMap, map, tangent),
+    relievoMapDerivative(viewToMap, map, cross(normalVC, tangent)));
+}
+
+// Negative if the side of a plane that the eye sees faces the light. `place` is a point of the plane,
+// `eye` the eye in homogeneous map space, or the direction to it (w = 0).
+float relievoMapFacing(vec3 plane, vec3 place, vec4 eye)
+{
+  return plane.z *
+    (plane.x * (eye.x - eye.w * place.x) + plane.y * (eye.y - eye.w * place.y) +
+      plane.z * (eye.z - eye.w * place.z));
+}
 
 // Slope of a plane of map space: depth per u and per v. `steepest` bounds each: a plane that the
 // light grazes has none.

@@ -16,7 +16,6 @@
 //RELIEVO::Include(formulas/shadow.glsl)
 uniform sampler2DArray relievoShadowMaps;
 uniform mat4 relievoShadowMatrix[RELIEVO_SHADOW_FACES]; // eye space to map space, less the bias
-uniform mat4 relievoShadowPlane[RELIEVO_SHADOW_FACES];  // the same for planes, without the bias
 uniform float relievoShadowTexel[RELIEVO_SHADOW_FACES]; // depth of a texel's width, at w = 1
 uniform vec4 relievoShadowEye[RELIEVO_SHADOW_FACES]; // in map space; w = 0: the direction to it
 uniform float relievoShadowLayer[RELIEVO_SHADOW_FACES];
@@ -114,10 +113,14 @@ bool relievoShadowSees(vec3 place)
   return max(off.x, off.y) <= relievoShadowInner;
 }
 
-// plane: normal of the receiver's plane in map space, of any length. `facing` is negative if the
-// side that is seen faces the light; if not, the surface itself is in between.
-float relievoShadowAt(int face, vec3 place, vec3 plane, float facing, float texel)
+// What of the light of a map reaches a place of it. plane: normal of the receiver's plane in map
+// space, of any length. Dark where the side that is seen is turned away: the surface is in between.
+float relievoShadowAt(int face, vec3 place, vec3 plane, float inverseW)
 {
+  float texel = relievoShadowTexel[face] * inverseW;
+#ifdef RELIEVO_SHADOW_HAS_PLANE
+  float facing = relievoMapFacing(plane, place, relievoShadowEye[face]);
+#endif
 #ifdef RELIEVO_SHADOW_FORWARD
   if (relievoShadowMasked != 0)
   {
@@ -153,34 +156,17 @@ float relievoShadowAt(int face, vec3 place, vec3 plane, float facing, float texe
 #endif
 }
 
-// A light of parallel rays, at a place of its map.
+// A light with one map: of parallel rays, or a lamp's.
 float relievoShadowSun(int face, vec3 place, vec3 plane)
 {
-  // Towards the eye, which is a direction in a parallel view.
-  vec4 eye = relievoShadowEye[face];
-  float facing = plane.z * dot(plane, eye.xyz - eye.w * place);
-  float lit = relievoShadowAt(face, place, plane, facing, relievoShadowTexel[face]);
+  float lit = relievoShadowAt(face, place, plane, 1.0);
   return relievoShadowSees(place) ? lit : 1.0;
 }
-
-// One perspective map; `seen`: whether it holds the point.
-float relievoShadowFace(int face, vec3 positionVC, vec3 normalVC, out bool seen)
+float relievoShadowLamp(int face, vec4 map, vec3 plane)
 {
-  vec4 map = relievoShadowMatrix[face] * vec4(positionVC, 1.0);
-  float inverse = 1.0 / map.w;
-  vec3 place = map.xyz * inverse;
-  seen = map.w > 0.0 && relievoShadowSees(place);
-  vec4 plane = relievoShadowPlane[face] * vec4(normalVC, -dot(normalVC, positionVC));
-  return relievoShadowAt(
-    face, place, plane.xyz, plane.z, relievoShadowTexel[face] * inverse);
-}
-
-// A lamp with one map.
-float relievoShadowLamp(int face, vec3 positionVC, vec3 normalVC)
-{
-  bool seen;
-  float lit = relievoShadowFace(face, positionVC, normalVC, seen);
-  return seen ? lit : 1.0;
+  vec3 place = map.xyz / map.w;
+  float lit = relievoShadowAt(face, place, plane, 1.0 / map.w);
+  return map.w > 0.0 && relievoShadowSees(place) ? lit : 1.0;
 }
 
 // A lamp with up to six.
@@ -188,11 +174,11 @@ float relievoShadowCube(int first, vec3 positionVC, vec3 normalVC)
 {
   for (int face = first; face < first + 6; ++face)
   {
-    bool seen;
-    float lit = relievoShadowFace(face, positionVC, normalVC, seen);
-    if (seen)
+    vec4 map = relievoShadowMatrix[face] * vec4(positionVC, 1.0);
+    if (map.w > 0.0 && relievoShadowSees(map.xyz / map.w))
     {
-      return lit;
+      vec3 plane = relievoMapPlane(relievoShadowMatrix[face], map, normalVC);
+      return relievoShadowAt(face, map.xyz / map.w, plane, 1.0 / map.w);
     }
   }
   return 1.0;
@@ -223,27 +209,38 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
   relievoVisibility[RELIEVO_SLOT] = relievoShadowSun(
     RELIEVO_FACE, relievoShadowPlaceRELIEVO_SLOT, relievoShadowPlaneRELIEVO_SLOT);
 
-//RELIEVO::Section(SunImpostorVisibility)
-  relievoVisibility[RELIEVO_SLOT] = relievoShadowSun(RELIEVO_FACE,
-    (relievoShadowMatrix[RELIEVO_FACE] * vec4(vertexVC.xyz, 1.0)).xyz,
-    mat3(relievoShadowPlane[RELIEVO_FACE]) * relievoShadowNormalVC);
+//RELIEVO::Section(LampFlow)
+  vec4 relievoShadowMapRELIEVO_SLOT =
+    relievoShadowMatrix[RELIEVO_FACE] * vec4(vertexVC.xyz, 1.0);
+  vec3 relievoShadowPlaceRELIEVO_SLOT =
+    relievoShadowMapRELIEVO_SLOT.xyz / relievoShadowMapRELIEVO_SLOT.w;
+  vec3 relievoShadowPlaneRELIEVO_SLOT =
+    cross(dFdx(relievoShadowPlaceRELIEVO_SLOT), dFdy(relievoShadowPlaceRELIEVO_SLOT));
+
+//RELIEVO::Section(LampVisibility)
+  relievoVisibility[RELIEVO_SLOT] = relievoShadowLamp(
+    RELIEVO_FACE, relievoShadowMapRELIEVO_SLOT, relievoShadowPlaneRELIEVO_SLOT);
+
+//RELIEVO::Section(NormalVisibility)
+  {
+    vec4 map = relievoShadowMatrix[RELIEVO_FACE] * vec4(vertexVC.xyz, 1.0);
+    relievoVisibility[RELIEVO_SLOT] = relievoShadowLamp(RELIEVO_FACE, map,
+      relievoMapPlane(relievoShadowMatrix[RELIEVO_FACE], map, relievoShadowNormalVC));
+  }
+
+//RELIEVO::Section(CubeVisibility)
+  relievoVisibility[RELIEVO_SLOT] =
+    relievoShadowCube(RELIEVO_FACE, vertexVC.xyz, relievoShadowNormalVC);
 
 //RELIEVO::Section(FragmentImpl)
 #if defined(RELIEVO_SHADOW_IMPOSTOR)
   vec3 relievoShadowNormalVC = RELIEVO_IMPOSTOR_NORMAL;
 #elif defined(RELIEVO_SHADOW_FACE_NORMAL)
-  vec3 relievoShadowNormalVC = cross(relievoShadowDx, relievoShadowDy);
-  relievoShadowNormalVC *= (cameraParallel != 0 ? -relievoShadowNormalVC.z
-                                                : dot(relievoShadowNormalVC, vertexVC.xyz)) > 0.0
-    ? -1.0
-    : 1.0;
+  vec3 relievoShadowNormalVC =
+    normalize(cross(normalize(relievoShadowDx), normalize(relievoShadowDy)));
 #else
-  vec3 relievoShadowNormalVC = vec3(0.0);
+  vec3 relievoShadowNormalVC = vec3(0.0, 0.0, 1.0);
 #endif
-
-//RELIEVO::Section(Visibility)
-  relievoVisibility[RELIEVO_SLOT] =
-    RELIEVO_LOOK_UP(RELIEVO_FACE, vertexVC.xyz, relievoShadowNormalVC);
 
 //RELIEVO::Section(LightImpl)
   relievoShadowedColorRELIEVO_NUMBER = relievoUnshadowedColorRELIEVO_NUMBER() *
