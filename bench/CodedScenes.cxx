@@ -139,8 +139,7 @@ vtkSmartPointer<vtkPolyData> ShadowSceneMesh(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-ReferenceScene MakeShadowScene(
-  const std::string& name, vtkPolyData* mesh, const ShadowLight& light)
+ReferenceScene MakeShadowScene(const std::string& name, vtkPolyData* mesh, const ShadowLight& light)
 {
   ReferenceScene scene = relievoTest::MakeReferenceScene(mesh, light.Kind);
   if (name == HorizonScene)

@@ -18,8 +18,8 @@ double Percent(long long part, long long all)
 }
 
 //------------------------------------------------------------------------------
-ShadowVerdicts::ShadowVerdicts(const std::string& name, vtkPolyData* mesh,
-  const ShadowLight& light, int width, int height, const relievoTest::TruthImage* view)
+ShadowVerdicts::ShadowVerdicts(const std::string& name, vtkPolyData* mesh, const ShadowLight& light,
+  int width, int height, const relievoTest::TruthImage* view)
   : Scene(MakeShadowScene(name, mesh, light))
   , Window(relievoTest::MakeWindow(width, height, this->Scene.Renderer))
 {

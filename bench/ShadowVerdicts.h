@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShadowVerdicts.h
- * @brief A scene of the shadow benches in a window, and how many verdicts of its pictures are wrong.
+ * @brief A scene of the shadow benches in a window, and how many of its verdicts are wrong.
  */
 #ifndef relievoBenchShadowVerdicts_h
 #define relievoBenchShadowVerdicts_h

@@ -36,10 +36,10 @@ void UseMethod(vtkRenderer* renderer, int mapSize, int method)
 const std::vector<ShadowWay>& ShadowWays()
 {
   static const std::vector<ShadowWay> ways = {
-    { "map", UseShadowMap, 4096 },
-    { "forward", UseShadowForward, 1024 },
-    { "warped", UseShadowWarped, 4096 },
-    { "vtkShadowMapPass", UseShadowPeer, 4096 },
+    { "map", UseShadowMap, 4096, false },
+    { "forward", UseShadowForward, 1024, true },
+    { "warped", UseShadowWarped, 4096, false },
+    { "vtkShadowMapPass", UseShadowPeer, 4096, false },
   };
   return ways;
 }

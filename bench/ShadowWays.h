@@ -21,6 +21,7 @@ struct ShadowWay
   const char* Name;
   void (*SetUp)(vtkRenderer* renderer, int mapSize);
   int LargestMap; // larger ones take too long on software OpenGL
+  bool IsSlow;    // there; timed in fewer frames
 };
 
 /** Every method of vtkRelievoShadowPass, then vtkShadowMapPass, the peer. */

@@ -204,8 +204,8 @@ int RelievoBenchBias(const std::string& outDir)
       Number(r.Wrong()), Number(r.FalseShadow()), Number(r.Leak()),
       std::to_string(r.Errors.Flipping) });
   }
-  bool written = table.WriteCsv(outDir + "/bias.csv") &&
-    WriteChart(WrongChart(results), outDir + "/bias-wrong");
+  bool written =
+    table.WriteCsv(outDir + "/bias.csv") && WriteChart(WrongChart(results), outDir + "/bias-wrong");
   for (const ShadowLight& sun : Suns)
   {
     written = written && WriteChart(TradeChart(sun, results), outDir + "/bias-" + sun.Name);
