@@ -11,7 +11,9 @@
 
 #include <vtkCamera.h>
 #include <vtkLight.h>
+#include <vtkNew.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoShadowPass.h>
 #include <vtkRenderer.h>
 
 #include <cmath>
@@ -79,6 +81,46 @@ const Motion Motions[] = {
     } },
 };
 
+// What each casting light costs: the frame must not grow faster than their number.
+void MeasureLights(const std::string& name, vtkPolyData* mesh, Table& table)
+{
+  std::vector<std::unique_ptr<SceneWindow>> windows;
+  std::vector<Timed> frames;
+  const int counts[] = { 0, 1, 2, 4, 8 };
+  for (const int count : counts)
+  {
+    windows.emplace_back(new SceneWindow(mesh, Pixels, Pixels));
+    vtkRenderer* renderer = windows.back()->Scene.Renderer;
+    UseMap(renderer);
+    vtkRelievoShadowPass* shadows = vtkRelievoPass::Attach(renderer)->GetShadowPass();
+    shadows->SetLightCasts(windows.back()->Scene.Light, count > 0);
+    // Eight lights shine in every frame; `count` of them cast.
+    for (int i = 1; i < 8; ++i)
+    {
+      vtkNew<vtkLight> light;
+      light->SetLightTypeToSceneLight();
+      light->SetPosition(3. * std::cos(i), 5., 3. * std::sin(i));
+      light->SetFocalPoint(0., 0., 0.);
+      light->SetIntensity(0.1);
+      renderer->AddLight(light);
+      shadows->SetLightCasts(light, i < count);
+    }
+    frames.push_back(windows.back()->Frame());
+  }
+  const std::vector<Timing> times = TimeInTurn(frames, Rounds);
+  std::cout << name << ", eight lights:" << std::endl;
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    const auto none = PairOf(times[i], times[0]);
+    std::cout << "  " << counts[i] << " cast: " << Number(1e3 * times[i].Median(), 3) << " ms, "
+              << Number(none.Ratio(), 3) << " +- " << Number(none.RatioSpread(), 1) << " x none"
+              << std::endl;
+    table.AddRow({ name, "still, eight lights", std::to_string(counts[i]) + " cast",
+      Number(1e3 * times[i].Median(), 4), Number(none.Ratio(), 4), Number(none.RatioSpread(), 2),
+      "", "", Number(LoadAverage(), 2) });
+  }
+}
+
 bool Measure(const std::string& name, vtkPolyData* mesh, const Motion& motion, Table& table)
 {
   std::vector<std::unique_ptr<SceneWindow>> windows;
@@ -141,6 +183,7 @@ int RelievoBenchShadowFrames(const std::string& outDir)
         return 1;
       }
     }
+    MeasureLights(name, mesh, table);
   }
   return table.WriteCsv(outDir + "/shadow-frames.csv") ? 0 : 1;
 }

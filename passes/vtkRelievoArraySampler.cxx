@@ -94,7 +94,7 @@ int vtkRelievoArraySampler::Prepare(int& components, std::string& wrong)
   if (this->Sources.empty() && !meshes.empty())
   {
     wrong = "it is neither a layer nor a point or cell array of anything drawn. Layers are depth, "
-            "range, normal, geometric_normal, position, albedo, actor, block, cell";
+            "range, normal, geometric_normal, position, albedo, actor, block, cell, shadow_N";
   }
   else if (this->Components > MaximumComponents)
   {

@@ -41,7 +41,8 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadShadow(int light, std::
   const int lights = this->Renderer ? this->Renderer->GetLights()->GetNumberOfItems() : 0;
   if (light >= lights)
   {
-    wrong = "the renderer has " + std::to_string(lights) + " lights, counted from 0";
+    wrong = "the renderer has " + std::to_string(lights) + (lights == 1 ? " light" : " lights") +
+      ", counted from 0";
     return nullptr;
   }
   const std::vector<int>& shadows = this->Layout.Shadows;

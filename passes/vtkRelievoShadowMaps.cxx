@@ -69,6 +69,18 @@ bool vtkRelievoShadowMaps::Allocate(vtkOpenGLRenderWindow* window, int size, int
 }
 
 //------------------------------------------------------------------------------
+int vtkRelievoShadowMaps::GetMostFaces()
+{
+  // Numbers per face in shaders/shadow/receive.glsl; numbers left to VTK's own shader.
+  constexpr int PerFace = 36;
+  constexpr int ForOthers = 512;
+  constexpr int Enough = 96;
+  GLint numbers = 0;
+  glGetIntegerv(GL_MAX_FRAGMENT_UNIFORM_COMPONENTS, &numbers);
+  return std::min(Enough, std::max(6, (numbers - ForOthers) / PerFace));
+}
+
+//------------------------------------------------------------------------------
 glm::dmat4 vtkRelievoShadowMaps::GetNDCToMap(int size)
 {
   const double half = 0.5 * size;

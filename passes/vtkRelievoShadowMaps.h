@@ -36,6 +36,9 @@ public:
   // The largest map of this OpenGL.
   static int GetLargestSize();
 
+  // How many maps a shader of this OpenGL has room for in its uniforms.
+  static int GetMostFaces();
+
   // NDC to map space: texels from the centre of the lowest left one, depth in [0, 1].
   static glm::dmat4 GetNDCToMap(int size);
 

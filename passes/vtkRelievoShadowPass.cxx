@@ -14,12 +14,6 @@
 
 vtkStandardNewMacro(vtkRelievoShadowPass);
 
-namespace
-{
-// Room for uniforms.
-constexpr int MostFaces = 48;
-}
-
 //------------------------------------------------------------------------------
 vtkRelievoShadowPass::vtkRelievoShadowPass()
   : Internal(new Internals)
@@ -119,13 +113,14 @@ bool vtkRelievoShadowPass::IsNeeded(const vtkRenderState* s, std::string& reason
   in.Casting.clear();
   std::ostringstream without;
   int faces = 0;
+  const int mostFaces = vtkRelievoShadowMaps::GetMostFaces();
   for (vtkRelievoShadowLight& light : in.Lights)
   {
     if (light.NoShadow.empty() && !in.IsChosen(light.Light))
     {
       light.NoShadow = "it is chosen to cast none (SetLightCasts)";
     }
-    if (light.NoShadow.empty() && faces + (light.Positional ? 6 : 1) > MostFaces)
+    if (light.NoShadow.empty() && faces + (light.Positional ? 6 : 1) > mostFaces)
     {
       light.NoShadow = "the lights before it take all maps that a shader has room for";
       light.Broken = true;
@@ -150,9 +145,9 @@ bool vtkRelievoShadowPass::IsNeeded(const vtkRenderState* s, std::string& reason
     return false;
   }
   out << in.Casting.size() << (in.Casting.size() == 1 ? " light casts, " : " lights cast, ")
-      << in.Cache.GetNumberOfMaps() << " maps of " << in.Maps.GetSize() << " x "
-      << in.Maps.GetSize() << " texels, " << this->NumberOfMapsDrawn << " drawn anew"
-      << without.str();
+      << in.Cache.GetNumberOfMaps() << (in.Cache.GetNumberOfMaps() == 1 ? " map of " : " maps of ")
+      << in.Maps.GetSize() << " x " << in.Maps.GetSize() << " texels, " << this->NumberOfMapsDrawn
+      << " drawn anew" << without.str();
   reason = out.str();
   return true;
 }
