@@ -316,7 +316,7 @@ Chart MakeChart(const std::string& title, const std::vector<Line>& lines,
   }
   else
   {
-    for (int ms : { 5, 10, 20, 50, 100, 200, 500 })
+    for (int ms : { 5, 10, 20, 50, 100, 200, 500, 1000 })
     {
       chart.X.Ticks.emplace_back(ms, std::to_string(ms));
     }
