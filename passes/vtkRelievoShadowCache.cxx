@@ -183,6 +183,25 @@ int vtkRelievoShadowCache::GetNumberOfMaps() const
 }
 
 //------------------------------------------------------------------------------
+glm::dvec3 vtkRelievoShadowCache::GetCenter() const
+{
+  glm::dvec3 low(1e300);
+  glm::dvec3 high(-1e300);
+  for (const Entry& entry : this->Entries)
+  {
+    for (const Map& map : entry.Maps)
+    {
+      for (const glm::dvec3& point : map.View.Points)
+      {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+      }
+    }
+  }
+  return low.x <= high.x ? 0.5 * (low + high) : glm::dvec3(0.0);
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoShadowCache::SetCasters(const vtkRelievoShadowProps& props)
 {
   this->Casters = props.GetState();

@@ -38,6 +38,9 @@ public:
   std::vector<Entry>& GetEntries() { return this->Entries; }
   int GetNumberOfMaps() const;
 
+  // The middle of what the maps are fitted to, in world coordinates.
+  glm::dvec3 GetCenter() const;
+
   // Layers that the maps take: as many as there are maps, or as were needed since lights changed.
   int GetNumberOfLayers() const { return this->Layers; }
 

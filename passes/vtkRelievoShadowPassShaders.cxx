@@ -48,6 +48,10 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
   Internals& in = *this->Internal;
   const glm::dmat4 viewToWorld = glm::inverse(in.View.WorldToView);
   const glm::dmat4 ndcToMap = vtkRelievoShadowMaps::GetNDCToMap(in.Maps.GetSize());
+  // As the shader has it, in float.
+  const glm::vec3 center(in.View.WorldToView * glm::dvec4(in.Cache.GetCenter(), 1.0));
+  glm::dmat4 fromCenter(1.0);
+  fromCenter[3] = glm::dvec4(glm::dvec3(center), 1.0);
   const int faces = in.Structure.GetFaces();
   // Where there is no map, every point is outside of it.
   glm::mat4 nowhere(0.f);
@@ -72,7 +76,7 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
       glm::dmat4 biased = viewToMap;
       // The width of a texel of a warped map depends on the place: its bias as well.
       biased[3].z -= in.Structure.Warped ? 0.0 : this->Bias * map.View.Texel;
-      matrices[face] = glm::mat4(biased);
+      matrices[face] = glm::mat4(biased * fromCenter);
       eyes[face] =
         glm::vec4(viewToMap * (in.View.Parallel ? glm::dvec4(0, 0, 1, 0) : glm::dvec4(0, 0, 0, 1)));
       texels[face] = static_cast<float>(map.View.Texel);
@@ -85,6 +89,7 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
   }
   const int lights = static_cast<int>(strengths.size());
   program->SetUniformi("relievoShadowMaps", in.Maps.GetTextureUnit());
+  program->SetUniform3f("relievoShadowCenter", &center.x);
   program->SetUniformMatrix4x4v("relievoShadowMatrix", faces, &matrices[0][0][0]);
   program->SetUniform4fv(
     "relievoShadowEye", faces, reinterpret_cast<const float(*)[4]>(&eyes[0][0]));

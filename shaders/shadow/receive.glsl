@@ -15,7 +15,12 @@
 //RELIEVO::Section(FragmentDec)
 //RELIEVO::Include(formulas/shadow.glsl)
 uniform sampler2DArray relievoShadowMaps;
-uniform mat4 relievoShadowMatrix[RELIEVO_SHADOW_FACES]; // eye space to map space, less the bias
+// Places are taken from a point amid what is seen: far from the eye the large parts of matrix and
+// position would cancel each other, and their digits with them.
+uniform vec3 relievoShadowCenter; // eye space
+#define RELIEVO_SHADOW_POSITION (vertexVC.xyz - relievoShadowCenter)
+// From there to map space, less the bias.
+uniform mat4 relievoShadowMatrix[RELIEVO_SHADOW_FACES];
 uniform float relievoShadowTexel[RELIEVO_SHADOW_FACES]; // depth of a texel's width, at w = 1
 uniform vec4 relievoShadowEye[RELIEVO_SHADOW_FACES]; // in map space; w = 0: the direction to it
 uniform float relievoShadowLayer[RELIEVO_SHADOW_FACES];
@@ -170,11 +175,11 @@ float relievoShadowLamp(int face, vec4 map, vec3 plane)
 }
 
 // A lamp with up to six.
-float relievoShadowCube(int first, vec3 positionVC, vec3 normalVC)
+float relievoShadowCube(int first, vec3 position, vec3 normalVC)
 {
   for (int face = first; face < first + 6; ++face)
   {
-    vec4 map = relievoShadowMatrix[face] * vec4(positionVC, 1.0);
+    vec4 map = relievoShadowMatrix[face] * vec4(position, 1.0);
     if (map.w > 0.0 && relievoShadowSees(map.xyz / map.w))
     {
       vec3 plane = relievoMapPlane(relievoShadowMatrix[face], map, normalVC);
@@ -201,7 +206,7 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
 
 //RELIEVO::Section(SunFlow)
   vec3 relievoShadowPlaceRELIEVO_SLOT =
-    (relievoShadowMatrix[RELIEVO_FACE] * vec4(vertexVC.xyz, 1.0)).xyz;
+    (relievoShadowMatrix[RELIEVO_FACE] * vec4(RELIEVO_SHADOW_POSITION, 1.0)).xyz;
   vec3 relievoShadowPlaneRELIEVO_SLOT =
     cross(dFdx(relievoShadowPlaceRELIEVO_SLOT), dFdy(relievoShadowPlaceRELIEVO_SLOT));
 
@@ -211,7 +216,7 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
 
 //RELIEVO::Section(LampFlow)
   vec4 relievoShadowMapRELIEVO_SLOT =
-    relievoShadowMatrix[RELIEVO_FACE] * vec4(vertexVC.xyz, 1.0);
+    relievoShadowMatrix[RELIEVO_FACE] * vec4(RELIEVO_SHADOW_POSITION, 1.0);
   vec3 relievoShadowPlaceRELIEVO_SLOT =
     relievoShadowMapRELIEVO_SLOT.xyz / relievoShadowMapRELIEVO_SLOT.w;
   vec3 relievoShadowPlaneRELIEVO_SLOT =
@@ -223,14 +228,14 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
 
 //RELIEVO::Section(NormalVisibility)
   {
-    vec4 map = relievoShadowMatrix[RELIEVO_FACE] * vec4(vertexVC.xyz, 1.0);
+    vec4 map = relievoShadowMatrix[RELIEVO_FACE] * vec4(RELIEVO_SHADOW_POSITION, 1.0);
     relievoVisibility[RELIEVO_SLOT] = relievoShadowLamp(RELIEVO_FACE, map,
       relievoMapPlane(relievoShadowMatrix[RELIEVO_FACE], map, relievoShadowNormalVC));
   }
 
 //RELIEVO::Section(CubeVisibility)
   relievoVisibility[RELIEVO_SLOT] =
-    relievoShadowCube(RELIEVO_FACE, vertexVC.xyz, relievoShadowNormalVC);
+    relievoShadowCube(RELIEVO_FACE, RELIEVO_SHADOW_POSITION, relievoShadowNormalVC);
 
 //RELIEVO::Section(FragmentImpl)
 #if defined(RELIEVO_SHADOW_IMPOSTOR)

@@ -218,6 +218,7 @@ void TestWorlds()
     s.AddThings();
     s.AddSun(-3., 4., -2.);
     s.AddLamp({ -1., 4., -1.5 }, { 0.3, 0., 0.3 }, 40.);
+    s.AddLamp({ -1., 3., -1.5 }, { 0.3, 0., 0.3 }, 90.);
     s.Renderer->GetActiveCamera()->SetPosition(2.5e3, 2.5e3 + 0.5, 6e3);
     s.Renderer->GetActiveCamera()->SetViewAngle(0.03);
     s.Renderer->GetActiveCamera()->SetClippingRange(5e3, 9e3);
