@@ -36,8 +36,7 @@ bool vtkRelievoShadowPass::PostReplaceShaderValues(std::string& vertexShader,
     vertexShader, geometryShader, fragmentShader, mapper, actor, in.Structure);
   if (!missing.empty() && in.Said.insert(mapper->GetClassName() + missing).second)
   {
-    vtkErrorMacro("No shadows on what " << mapper->GetClassName() << " draws: " << missing
-                                        << ". Use VTK's shader templates, with their tags.");
+    vtkErrorMacro("No shadows on what " << mapper->GetClassName() << " draws: " << missing << ".");
   }
   return true;
 }
@@ -105,7 +104,9 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
   }
   if (in.Structure.Forward)
   {
-    program->SetUniformi("relievoShadowMasks", in.Masks.GetTextureUnit());
+    // While maps are drawn there are no masks yet; the sampler needs a unit all the same.
+    program->SetUniformi("relievoShadowMasks",
+      in.Masks.GetTextureUnit() >= 0 ? in.Masks.GetTextureUnit() : in.Maps.GetTextureUnit());
     program->SetUniform1iv("relievoShadowMask", faces, masks.data());
   }
 }

@@ -81,16 +81,21 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   {
     return std::string();
   }
+  if (Has(fragment, "shadowAttenuation0"))
+  {
+    return "vtkShadowMapPass has put its own into its shaders; take one of the two";
+  }
   for (const char* mark : { Extensions, Dec, Impl, UniformFlow })
   {
     if (!Has(fragment, mark))
     {
-      return std::string("its fragment shader lacks VTK's tag for ") + mark;
+      return std::string("its fragment shader lacks VTK's tag for ") + mark +
+        "; use VTK's templates, with their tags";
     }
   }
   if (!EnsurePosition(vertex, geometry, fragment))
   {
-    return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl";
+    return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl; use VTK's templates";
   }
   const bool surface =
     DrawsTriangles(mapper) && !impostor && actor->GetProperty()->GetRepresentation() == VTK_SURFACE;

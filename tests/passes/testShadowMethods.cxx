@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The methods behind vtkRelievoShadowPass::SetMethod: how wrong each is against rays, where warped
+// maps win, first frames, back to the first method, and VTK's own shadows beside ours.
+#include "Check.h"
+#include "GLCheck.h"
+#include "Layers.h"
+#include "Session.h"
+#include "ShadowScenes.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkLightsPass.h>
+#include <vtkNew.h>
+#include <vtkOpaquePass.h>
+#include <vtkPointData.h>
+#include <vtkProperty.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoShadowPass.h>
+#include <vtkRenderPassCollection.h>
+#include <vtkRenderWindow.h>
+#include <vtkSequencePass.h>
+#include <vtkShadowMapBakerPass.h>
+#include <vtkShadowMapPass.h>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+using relievoTest::ShadowStage;
+using Pass = vtkRelievoShadowPass;
+
+const char* const Names[] = { "map", "forward", "warped" };
+
+bool SameLayer(vtkImageData* a, vtkImageData* b)
+{
+  return relievoTest::CountDifferent(relievoTest::Layers(a), relievoTest::Layers(b), "shadow_0") ==
+    0;
+}
+
+// Sun and lamps on plain things. Forward has no filter, so its edges are a texel and a pixel wide.
+void TestErrors()
+{
+  for (const int method : { Pass::METHOD_MAP, Pass::METHOD_FORWARD, Pass::METHOD_WARPED })
+  {
+    ShadowStage stage;
+    const relievoTest::GLCheck gl(stage.Window);
+    stage.AddThings();
+    stage.AddSun(-3., 4., -2.);
+    stage.AddLamp({ -1., 4., -1.5 }, { 0.3, 0., 0.3 }, 40.);
+    stage.AddLamp({ 0.2, 2.5, 1.5 }, { 0.3, 0., 0.3 }, 90.); // several maps
+    stage.GetShadows()->SetMethod(method);
+    stage.GetShadows()->SetMapSize(512);
+    const double limit = method == Pass::METHOD_FORWARD ? 0.02 : 0.005;
+    for (int light = 0; light < 3; ++light)
+    {
+      relievoTest::CheckShadow(
+        stage, light, limit, std::string(Names[method]) + ", light " + std::to_string(light));
+    }
+  }
+}
+
+// Poles in two rows to the horizon, a low sun: the far ones take most of an even map for nothing.
+void TestHorizon()
+{
+  double wrong[3] = { 0., 0., 0. };
+  for (const int method : { Pass::METHOD_MAP, Pass::METHOD_WARPED })
+  {
+    ShadowStage stage(400, 300);
+    for (int i = 0; i < 24; ++i)
+    {
+      stage.AddBox({ -0.6, 0.25, 2. - 2. * i }, { 0.06, 0.5, 0.06 });
+      stage.AddBox({ 0.9, 0.25, 1.5 - 2. * i }, { 0.06, 0.5, 0.06 });
+    }
+    stage.AddBox({ 0., -0.05, -22. }, { 12., 0.1, 52. });
+    vtkCamera* camera = stage.Renderer->GetActiveCamera();
+    camera->SetPosition(0., 0.8, 4.);
+    camera->SetFocalPoint(0., 0.3, 0.);
+    camera->SetViewAngle(50.);
+    camera->SetClippingRange(0.5, 60.);
+    stage.AddSun(-4., 1.5, -1.);
+    stage.GetShadows()->SetMethod(method);
+    stage.GetShadows()->SetMapSize(1024);
+    const auto errors = relievoTest::JudgeShadow(stage, 0);
+    std::cout << "horizon, " << Names[method] << ": " << errors.ToString() << "\n";
+    RELIEVO_CHECK(errors.Dark > 1000);
+    wrong[method] = errors.Wrong();
+  }
+  RELIEVO_CHECK_AT_MOST(
+    wrong[Pass::METHOD_WARPED] / wrong[Pass::METHOD_MAP], 0.75, "horizon, warped over map");
+}
+
+// The first frame of a renderer is as right as the next ones, and methods leave nothing behind.
+void TestChanges()
+{
+  ShadowStage stage;
+  stage.AddThings();
+  stage.AddSun(-3., 4., -2.);
+  vtkRelievoPass* frame = stage.GetFrame();
+  vtkSmartPointer<vtkImageData> first[3];
+  vtkIdType bytes[3] = { 0, 0, 0 };
+  for (const bool again : { false, true })
+  {
+    for (const int method : { Pass::METHOD_MAP, Pass::METHOD_FORWARD, Pass::METHOD_WARPED })
+    {
+      stage.GetShadows()->SetMethod(method);
+      stage.GetShadows()->SetMapSize(512);
+      frame->ShadowsOn();
+      frame->RequestLayer("shadow_0");
+      for (int i = 0; i < 2; ++i)
+      {
+        stage.Window->Render();
+        vtkNew<vtkImageData> image;
+        RELIEVO_CHECK(frame->ReadLayer("shadow_0", image));
+        const std::string what = std::string(Names[method]) + (again ? ", again" : "");
+        if (!first[method])
+        {
+          first[method] = image;
+          bytes[method] = frame->GetBytesHeld();
+        }
+        RELIEVO_CHECK_THAT(SameLayer(first[method], image), what + ": another picture");
+        RELIEVO_CHECK_THAT(bytes[method] == frame->GetBytesHeld(), what + ": other bytes");
+      }
+    }
+  }
+  RELIEVO_CHECK_THAT(!SameLayer(first[0], first[1]) && !SameLayer(first[0], first[2]),
+    "methods that make the same picture are one method");
+}
+
+// VTK's own shadow pass as the delegate: light would be taken twice. Ours says so and leaves it.
+void TestPeer()
+{
+  ShadowStage stage;
+  stage.AddThings();
+  stage.AddSun(-3., 4., -2.);
+  vtkNew<vtkShadowMapBakerPass> baker;
+  vtkNew<vtkShadowMapPass> peer;
+  vtkNew<vtkSequencePass> opaque;
+  vtkNew<vtkRenderPassCollection> steps;
+  steps->AddItem(vtkNew<vtkLightsPass>());
+  steps->AddItem(vtkNew<vtkOpaquePass>());
+  opaque->SetPasses(steps);
+  baker->SetOpaqueSequence(opaque);
+  peer->SetShadowMapBakerPass(baker);
+  peer->SetOpaqueSequence(opaque);
+  vtkRelievoPass* frame = stage.GetFrame();
+  vtkNew<vtkSequencePass> both;
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(baker);
+  passes->AddItem(peer);
+  both->SetPasses(passes);
+  frame->SetDelegatePass(both);
+  stage.Window->Render();
+  std::vector<std::string> said;
+  vtkNew<vtkCallbackCommand> listen;
+  listen->SetClientData(&said);
+  listen->SetCallback([](vtkObject*, unsigned long, void* list, void* text) {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(static_cast<const char*>(text));
+  });
+  stage.GetShadows()->AddObserver(vtkCommand::ErrorEvent, listen);
+  frame->ShadowsOn();
+  stage.Window->Render();
+  stage.Window->Render();
+  RELIEVO_CHECK_THAT(said.size() == 1 && said[0].find("vtkShadowMapPass") != std::string::npos,
+    "VTK's own shadows beside ours: said " + (said.empty() ? "nothing" : said[0]) + ", times " +
+      std::to_string(said.size()));
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  relievoTest::Session session;
+  TestErrors();
+  TestHorizon();
+  TestChanges();
+  TestPeer();
+  return session.Result();
+}
