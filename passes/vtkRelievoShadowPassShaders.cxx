@@ -9,6 +9,8 @@
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 
+#include <glm/matrix.hpp>
+
 //------------------------------------------------------------------------------
 bool vtkRelievoShadowPass::PreReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
@@ -96,6 +98,10 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
   program->SetUniform1fv("relievoShadowLayer", faces, layers.data());
   program->SetUniform1fv("relievoShadowStrength", lights, strengths.data());
   program->SetUniform1iv("relievoShadowSlot", in.Structure.Numbers, slots.data());
+  const bool mirrored = glm::determinant(glm::dmat3(in.View.WorldToView)) *
+      glm::determinant(glm::dmat2(in.View.ViewToNDC)) <
+    0.0;
+  program->SetUniformf("relievoShadowHand", mirrored ? 1.f : -1.f);
   program->SetUniformf("relievoShadowSize", static_cast<float>(in.Maps.GetSize()));
   program->SetUniformi("relievoShadowRadius", this->FilterRadius);
   if (in.Structure.Warped)

@@ -23,6 +23,9 @@ uniform vec3 relievoShadowCenter; // eye space
 uniform mat4 relievoShadowMatrix[RELIEVO_SHADOW_FACES];
 uniform float relievoShadowTexel[RELIEVO_SHADOW_FACES]; // depth of a texel's width, at w = 1
 uniform vec4 relievoShadowEye[RELIEVO_SHADOW_FACES]; // in map space; w = 0: the direction to it
+// -1; 1 if the picture is mirrored. A plane's normal from derivatives in map space points away from
+// the light where eye and light see the same side: a picture and a map are not each other's mirror.
+uniform float relievoShadowHand;
 uniform float relievoShadowLayer[RELIEVO_SHADOW_FACES];
 uniform float relievoShadowStrength[RELIEVO_SHADOW_LIGHTS];
 uniform int relievoShadowSlot[RELIEVO_SHADOW_NUMBERS]; // of light N of the renderer; -1: casts none
@@ -119,13 +122,11 @@ bool relievoShadowSees(vec3 place)
 }
 
 // What of the light of a map reaches a place of it. plane: normal of the receiver's plane in map
-// space, of any length. Dark where the side that is seen is turned away: the surface is in between.
-float relievoShadowAt(int face, vec3 place, vec3 plane, float inverseW)
+// space, of any length. Dark unless `facing` is negative: the side that is seen is turned away from
+// the light, the surface is in between.
+float relievoShadowAt(int face, vec3 place, vec3 plane, float facing, float inverseW)
 {
   float texel = relievoShadowTexel[face] * inverseW;
-#ifdef RELIEVO_SHADOW_HAS_PLANE
-  float facing = relievoMapFacing(plane, place, relievoShadowEye[face]);
-#endif
 #ifdef RELIEVO_SHADOW_FORWARD
   if (relievoShadowMasked != 0)
   {
@@ -164,13 +165,13 @@ float relievoShadowAt(int face, vec3 place, vec3 plane, float inverseW)
 // A light with one map: of parallel rays, or a lamp's.
 float relievoShadowSun(int face, vec3 place, vec3 plane)
 {
-  float lit = relievoShadowAt(face, place, plane, 1.0);
+  float lit = relievoShadowAt(face, place, plane, relievoShadowHand * plane.z, 1.0);
   return relievoShadowSees(place) ? lit : 1.0;
 }
-float relievoShadowLamp(int face, vec4 map, vec3 plane)
+float relievoShadowLamp(int face, vec4 map, vec3 plane, float facing)
 {
   vec3 place = map.xyz / map.w;
-  float lit = relievoShadowAt(face, place, plane, 1.0 / map.w);
+  float lit = relievoShadowAt(face, place, plane, facing, 1.0 / map.w);
   return map.w > 0.0 && relievoShadowSees(place) ? lit : 1.0;
 }
 
@@ -183,7 +184,8 @@ float relievoShadowCube(int first, vec3 position, vec3 normalVC)
     if (map.w > 0.0 && relievoShadowSees(map.xyz / map.w))
     {
       vec3 plane = relievoMapPlane(relievoShadowMatrix[face], map, normalVC);
-      return relievoShadowAt(face, map.xyz / map.w, plane, 1.0 / map.w);
+      float facing = relievoMapFacing(plane, map.xyz / map.w, relievoShadowEye[face]);
+      return relievoShadowAt(face, map.xyz / map.w, plane, facing, 1.0 / map.w);
     }
   }
   return 1.0;
@@ -224,13 +226,15 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
 
 //RELIEVO::Section(LampVisibility)
   relievoVisibility[RELIEVO_SLOT] = relievoShadowLamp(
-    RELIEVO_FACE, relievoShadowMapRELIEVO_SLOT, relievoShadowPlaneRELIEVO_SLOT);
+    RELIEVO_FACE, relievoShadowMapRELIEVO_SLOT, relievoShadowPlaneRELIEVO_SLOT,
+    relievoShadowHand * relievoShadowPlaneRELIEVO_SLOT.z);
 
 //RELIEVO::Section(NormalVisibility)
   {
     vec4 map = relievoShadowMatrix[RELIEVO_FACE] * vec4(RELIEVO_SHADOW_POSITION, 1.0);
-    relievoVisibility[RELIEVO_SLOT] = relievoShadowLamp(RELIEVO_FACE, map,
-      relievoMapPlane(relievoShadowMatrix[RELIEVO_FACE], map, relievoShadowNormalVC));
+    vec3 plane = relievoMapPlane(relievoShadowMatrix[RELIEVO_FACE], map, relievoShadowNormalVC);
+    relievoVisibility[RELIEVO_SLOT] = relievoShadowLamp(RELIEVO_FACE, map, plane,
+      relievoMapFacing(plane, map.xyz / map.w, relievoShadowEye[RELIEVO_FACE]));
   }
 
 //RELIEVO::Section(CubeVisibility)
