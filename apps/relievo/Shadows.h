@@ -17,7 +17,6 @@ namespace cli
 struct RenderOptions;
 enum class Shadows;
 
-
 /// The light of a layer shadow_N, from 0; -1 for any other name.
 int GetLightOfLayer(const std::string& layer);
 

@@ -35,8 +35,8 @@ vec3 relievoMapPlane(mat4 viewToMap, vec4 map, vec3 normalVC)
     relievoMapDerivative(viewToMap, map, cross(normalVC, tangent)));
 }
 
-// Negative if the side of a plane that the eye sees faces the light. `place` is a point of the plane,
-// `eye` the eye in homogeneous map space, or the direction to it (w = 0).
+// Negative if the side of a plane that the eye sees faces the light. `place` is a point of the
+// plane, `eye` the eye in homogeneous map space, or the direction to it (w = 0).
 float relievoMapFacing(vec3 plane, vec3 place, vec4 eye)
 {
   return plane.z *
