@@ -42,7 +42,7 @@ WRONG_VALUES = [
     ("--light", "spot:0,0,1,0,0,0,181", "CONE"),
     ("--light", "point:", "3 finite numbers"),
     ("--shadows", "soft", "off, map, forward, warped"),
-    ("--shadows", "", "off, map, forward, warped"),
+    ("--shadows", "warp", "off, map, forward, warped"),
     ("--shadow-size", "0", "whole number from 16"),
     ("--shadow-size", "15", "whole number from 16"),
     ("--shadow-size", "65537", "whole number from 16"),
