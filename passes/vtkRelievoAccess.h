@@ -7,12 +7,17 @@
 #ifndef vtkRelievoAccess_h
 #define vtkRelievoAccess_h
 
+#include "vtkActor.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkStateStorage.h"
+#include "vtkTexture.h"
 #include "vtkVersionMacros.h"
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
@@ -64,6 +69,16 @@ public:
   static vtkMTimeType BuildTime(vtkOpenGLPolyDataMapper* mapper)
   {
     return (mapper->*(&Mapper::VBOBuildTime)).GetMTime();
+  }
+  // Whether the buffers were built for this actor's property, input and texture, as they are now:
+  // the question of GetNeedToRebuildBufferObjects, which takes its answer for done.
+  static bool AreBuffersOf(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+  {
+    vtkStateStorage state;
+    state.Append(actor->GetProperty()->GetMTime(), "actor mtime");
+    state.Append(mapper->CurrentInput ? mapper->CurrentInput->GetMTime() : 0, "input mtime");
+    state.Append(actor->GetTexture() ? actor->GetTexture()->GetMTime() : 0, "texture mtime");
+    return !(mapper->*(&Mapper::VBOBuildState) != state);
   }
   // Of the coordinates in the buffer, transposed.
   static vtkMatrix4x4* ShiftScale(vtkOpenGLPolyDataMapper* mapper)

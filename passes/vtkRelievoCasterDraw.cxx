@@ -47,7 +47,13 @@ bool HasOwnShaders(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-vtkActor* vtkRelievoCasterDraw::GetPlainActor(vtkProp* prop)
+vtkRelievoCasterDraw::~vtkRelievoCasterDraw()
+{
+  this->Release(this->Window);
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkRelievoCasterDraw::GetPlainActor(vtkProp* prop) const
 {
   // Exactly these classes: a derived one may draw otherwise.
   auto* actor = vtkActor::SafeDownCast(prop);
@@ -68,7 +74,12 @@ vtkActor* vtkRelievoCasterDraw::GetPlainActor(vtkProp* prop)
   vtkPolyData* input = mapper->GetInput();
   const vtkMTimeType built = Access::BuildTime(mapper);
   if (!input || mapper->CurrentInput != input || built < input->GetMTime() ||
-    built < mapper->GetMTime())
+    built < mapper->GetMTime() || !Access::AreBuffersOf(mapper, actor))
+  {
+    return nullptr;
+  }
+  const auto known = this->Built.find(mapper);
+  if (known == this->Built.end() || known->second != built)
   {
     return nullptr;
   }
@@ -79,6 +90,22 @@ vtkActor* vtkRelievoCasterDraw::GetPlainActor(vtkProp* prop)
       vertices->GetNumberOfComponents() == 3 && flat
     ? actor
     : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterDraw::SetWindow(vtkOpenGLRenderWindow* window)
+{
+  if (this->Window != window)
+  {
+    this->Release(this->Window);
+    this->Window = window;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterDraw::Learn(vtkOpenGLPolyDataMapper* mapper)
+{
+  this->Built[mapper] = Access::BuildTime(mapper);
 }
 
 //------------------------------------------------------------------------------
@@ -145,6 +172,10 @@ void vtkRelievoCasterDraw::End()
 //------------------------------------------------------------------------------
 void vtkRelievoCasterDraw::Release(vtkWindow* window)
 {
+  if (window && this->Window && this->Window != window)
+  {
+    return; // what is held is another window's
+  }
   if (window && this->Arrays)
   {
     window->MakeCurrent();
@@ -152,4 +183,5 @@ void vtkRelievoCasterDraw::Release(vtkWindow* window)
   }
   this->Arrays = 0;
   this->Program = nullptr;
+  this->Built.clear();
 }

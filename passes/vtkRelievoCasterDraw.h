@@ -7,9 +7,13 @@
 #define vtkRelievoCasterDraw_h
 
 #include "vtkRelievoFormulas.h" // for GLM
+#include "vtkType.h"
 #include "vtkWeakPointer.h"
 
+#include <map>
+
 class vtkActor;
+class vtkOpenGLPolyDataMapper;
 class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkShaderProgram;
@@ -18,9 +22,21 @@ class vtkWindow;
 class vtkRelievoCasterDraw
 {
 public:
-  // The prop as an actor whose triangles are all that it casts, with buffers that are up to date;
-  // nullptr for anything else: textures, own shaders, clipping planes, lines, other mappers.
-  static vtkActor* GetPlainActor(vtkProp* prop);
+  vtkRelievoCasterDraw() = default;
+  ~vtkRelievoCasterDraw();
+  vtkRelievoCasterDraw(const vtkRelievoCasterDraw&) = delete;
+  void operator=(const vtkRelievoCasterDraw&) = delete;
+
+  // The window that is drawn in; what another one held is released.
+  void SetWindow(vtkOpenGLRenderWindow* window);
+
+  // A mapper has drawn in this window: its buffers, as built now, are in this context.
+  void Learn(vtkOpenGLPolyDataMapper* mapper);
+
+  // The prop as an actor whose triangles are all that it casts, with buffers in this context that
+  // are up to date; nullptr for anything else: textures, own shaders, clipping planes, lines, other
+  // mappers.
+  vtkActor* GetPlainActor(vtkProp* prop) const;
 
   // Between Begin and End, into what is bound for drawing. False if the shader does not compile.
   bool Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC);
@@ -30,8 +46,10 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkShaderProgram* Program = nullptr; // the window's shader cache owns it
   glm::dmat4 WorldToNDC{ 1.0 };
+  std::map<vtkOpenGLPolyDataMapper*, vtkMTimeType> Built; // pointers for comparison only
   unsigned int Arrays = 0;
   int Attribute = -1;
 };

@@ -86,8 +86,11 @@ void vtkRelievoForwardMasks::Begin()
 void vtkRelievoForwardMasks::DrawTo(unsigned int buffer)
 {
   // VTK remembers the buffers of the framebuffer bound before and may think that nothing changes.
-  this->Window->GetState()->vtkglDrawBuffers(1, &buffer);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglDrawBuffers(1, &buffer);
   glDrawBuffers(1, &buffer);
+  state->vtkglReadBuffer(buffer);
+  glReadBuffer(buffer);
 }
 
 //------------------------------------------------------------------------------
@@ -170,7 +173,7 @@ void vtkRelievoForwardMasks::DrawMap(const vtkRelievoShadowView& view, int layer
   this->Program->SetUniformf("relievoTexel", static_cast<float>(texel));
   this->Program->SetUniform2f("relievoW", w);
   this->Program->SetUniformf("relievoTolerance", static_cast<float>(tolerance));
-  glDrawArrays(GL_TRIANGLES, 0, 6 * this->MapSize * this->MapSize);
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * this->MapSize, this->MapSize);
 }
 
 //------------------------------------------------------------------------------
@@ -183,16 +186,21 @@ void vtkRelievoForwardMasks::EndLight()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoForwardMasks::Bind()
+bool vtkRelievoForwardMasks::Bind()
 {
   vtkOpenGLState* state = this->Window->GetState();
   if (this->Unit < 0)
   {
     this->Unit = state->GetTextureUnitManager()->Allocate();
   }
+  if (this->Unit < 0)
+  {
+    return false;
+  }
   state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->Unit));
   glBindTexture(GL_TEXTURE_2D_ARRAY, this->Masks);
   state->vtkglActiveTexture(GL_TEXTURE0);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -218,6 +226,10 @@ vtkIdType vtkRelievoForwardMasks::GetBytes() const
 //------------------------------------------------------------------------------
 void vtkRelievoForwardMasks::Release(vtkWindow* window)
 {
+  if (window && this->Window && this->Window != window)
+  {
+    return; // what is held is another window's
+  }
   if (window && this->Masks)
   {
     window->MakeCurrent();

@@ -44,7 +44,8 @@ public:
   void DrawMap(const vtkRelievoShadowView& view, int layer, double tolerance);
   void EndLight();
 
-  void Bind();
+  // False if no texture unit is free.
+  bool Bind();
   void Unbind();
   int GetTextureUnit() const { return this->Unit; }
 

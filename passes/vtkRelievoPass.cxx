@@ -210,6 +210,7 @@ void vtkRelievoPass::Render(const vtkRenderState* s)
   {
     // One pass in two windows: what a context holds is released in it, before the other is current.
     this->ReleaseStages(in.Window);
+    in.Picture.ReleaseGraphicsResources(in.Window);
   }
   in.Window = window;
   window->MakeCurrent();
@@ -261,7 +262,7 @@ void vtkRelievoPass::Render(const vtkRenderState* s)
     }
   };
   each(&vtkRelievoStage::RenderBefore);
-  if (!this->LayersOnly)
+  if (!this->LayersOnly || selecting)
   {
     this->RenderDelegate(s, needed);
   }
@@ -326,10 +327,10 @@ void vtkRelievoPass::Report(const vtkRenderState* s, const std::vector<vtkReliev
     line.Name = stage->GetStageName();
     line.Ran = std::find(needed.begin(), needed.end(), stage) != needed.end();
     // Asked again: how a stage ran is known only now.
-    stage->IsNeeded(s, line.Reason);
-    if (!stage->GetEnabled())
+    line.Reason = "switched off (EnabledOff)";
+    if (stage->GetEnabled())
     {
-      line.Reason = "switched off (EnabledOff)";
+      stage->IsNeeded(s, line.Reason);
     }
     line.Bytes = stage->GetBytesHeld();
     line.DrawCalls = line.Ran ? stage->GetDrawCalls() : 0;

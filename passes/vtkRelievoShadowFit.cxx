@@ -140,12 +140,6 @@ Frame MakeGroundFrame(
   return frame;
 }
 
-// How much of a texel along the light is a texel of the map's depth.
-double GetObliqueness(const Frame& frame)
-{
-  return 1.0 / std::sqrt(1.0 + glm::dot(frame.Shear, frame.Shear));
-}
-
 // What the camera needs along one axis of the map: where most texels, and how many times fewer at
 // the farther end. Pixels on a surface grow with their distance from the eye.
 void SetWarp(vtkRelievoShadowView& view, const std::vector<glm::dvec3>& world,
@@ -239,17 +233,23 @@ bool MakeView(const Frame& frame, bool parallel, const std::vector<glm::dvec3>& 
   {
     return false;
   }
-  const double before = 1e-3 * (view.Far - std::max(first, nearest));
+  const glm::dvec2 size = rectangle.Max - rectangle.Min;
+  const double texel = std::max(size.x, size.y) / request.Size;
+  // Room for a few texels' bias on both sides, and for the wider texels of a warped map.
+  const double room = 8.0 * texel * (warp ? 8.0 : 1.0) * (parallel ? 1.0 : view.Far);
+  view.Far += parallel ? room : 0.0;
+  const double before = std::max(1e-3 * (view.Far - std::max(first, nearest)), room);
   // Nothing is looked up before the region: casters there are drawn onto the near plane, and a far
   // one does not take the digits of the others.
   view.Near = parallel ? std::max(first, nearest) - before
                        : std::max(first - before, NearestShare * view.Far);
   view.ViewToNDC = Project(rectangle, parallel, view.Near, view.Far) * shear;
-  const glm::dvec2 size = rectangle.Max - rectangle.Min;
+  view.NearCut = parallel && nearest > first;
   view.Width = size.x;
   view.Height = size.y;
-  const double texel = std::max(size.x, size.y) / request.Size;
-  view.Texel = parallel ? GetObliqueness(frame) * texel / (view.Far - view.Near)
+  // Along an oblique ray a texel's width is less of the map's depth.
+  const double oblique = 1.0 / std::sqrt(1.0 + glm::dot(frame.Shear, frame.Shear));
+  view.Texel = parallel ? oblique * texel / (view.Far - view.Near)
                         : texel * view.Far * view.Near / (view.Far - view.Near);
   if (warp)
   {

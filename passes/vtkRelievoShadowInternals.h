@@ -38,6 +38,7 @@ public:
   vtkRelievoShadowSplice::Structure Structure;
   vtkTimeStamp StructureTime;
   vtkRelievoView View;
+  int Radius = 1; // of the filter, as the maps' size allows
   bool DrawingMaps = false;
   bool DrawingDepth = false;           // that the camera sees, for the masks
   std::set<vtkShaderProgram*> Told;    // programs that have this frame's parameters
@@ -49,6 +50,8 @@ public:
   {
     glm::dmat4 WorldToNDC{ 0.0 };
     std::vector<std::uint64_t> Surfaces;
+    std::vector<vtkLight*> Lights; // for comparison only
+    double Bias = -1.0;
   } MaskState;
 
   bool IsChosen(vtkLight* light) const

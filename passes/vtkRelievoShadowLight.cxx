@@ -7,6 +7,8 @@
 #include "vtkLightCollection.h"
 #include "vtkRenderer.h"
 
+#include <cmath>
+
 namespace
 {
 bool IsAtEye(const vtkRelievoShadowLight& light, vtkCamera* camera)

@@ -13,6 +13,7 @@
 #include "vtkTextureUnitManager.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -58,7 +59,7 @@ bool vtkRelievoShadowMaps::Allocate(vtkOpenGLRenderWindow* window, int size, int
   this->Release(this->Window);
   this->Window = window;
   glGenTextures(1, &this->Texture);
-  AllocateDepth(this->Texture, size, std::max(1, layers));
+  AllocateDepth(this->Texture, layers > 0 ? size : 1, std::max(1, layers));
   glGenTextures(1, &this->Empty);
   AllocateDepth(this->Empty, 1, 1);
   this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
@@ -72,7 +73,7 @@ bool vtkRelievoShadowMaps::Allocate(vtkOpenGLRenderWindow* window, int size, int
 int vtkRelievoShadowMaps::GetMostFaces()
 {
   // Numbers per face in shaders/shadow/receive.glsl; numbers left to VTK's own shader.
-  constexpr int PerFace = 36;
+  constexpr int PerFace = 48;
   constexpr int ForOthers = 512;
   constexpr int Enough = 96;
   GLint numbers = 0;
@@ -103,6 +104,10 @@ void vtkRelievoShadowMaps::Begin()
   glDrawBuffers(1, &none);
   state->vtkglViewport(0, 0, this->Size, this->Size);
   state->vtkglScissor(0, 0, this->Size, this->Size);
+  state->vtkglReadBuffer(GL_NONE);
+  glReadBuffer(GL_NONE);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_BLEND);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
@@ -127,7 +132,10 @@ void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
   const GLfloat farthest = 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
 
-  const glm::dvec3 focus = view.Position + view.Forward * std::abs(view.Far);
+  // Far enough off for the direction to keep its digits.
+  const double reach =
+    std::max({ std::abs(view.Far), view.Width, view.Height, 1e-6 * glm::length(view.Position) });
+  const glm::dvec3 focus = view.Position + view.Forward * reach;
   this->Camera->SetParallelProjection(view.Parallel);
   this->Camera->SetPosition(view.Position.x, view.Position.y, view.Position.z);
   this->Camera->SetFocalPoint(focus.x, focus.y, focus.z);
@@ -189,6 +197,7 @@ void vtkRelievoShadowMaps::End()
 void vtkRelievoShadowMaps::DrawBothSides()
 {
   this->Window->GetState()->vtkglDisable(GL_CULL_FACE);
+  this->Window->GetState()->vtkglDepthMask(GL_TRUE); // also of what is translucent
 }
 
 //------------------------------------------------------------------------------
@@ -234,6 +243,10 @@ vtkIdType vtkRelievoShadowMaps::GetBytes() const
 //------------------------------------------------------------------------------
 void vtkRelievoShadowMaps::Release(vtkWindow* window)
 {
+  if (window && this->Window && this->Window != window)
+  {
+    return; // what is held is another window's
+  }
   if (window && this->Texture)
   {
     // Not by the weak pointer: in the window's own destructor it points nowhere.

@@ -3,6 +3,7 @@
 #include "vtkRelievoShadowInternals.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkProp.h"
 #include "vtkRelievoAccess.h"
@@ -160,7 +161,20 @@ void vtkRelievoShadowPass::RenderBefore(vtkRelievoPass*, const vtkRenderState* s
   this->NumberOfMapsDrawn = 0;
   in.View.Take(s->GetRenderer(), s);
   in.Props.Collect(s);
+  if (in.View.Viewport[2] <= 0 || in.View.Viewport[3] <= 0)
+  {
+    return;
+  }
+  in.PlainDraw.SetWindow(static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow()));
   this->FitMaps(s);
+  if (!in.Maps.Bind(false))
+  {
+    if (in.Said.insert("unit").second)
+    {
+      vtkErrorMacro("No shadows: all texture units of this OpenGL are taken. Use fewer textures.");
+    }
+    return;
+  }
   in.Props.AddPass(this);
   in.Spliced = true;
   this->DrawMaps(s);

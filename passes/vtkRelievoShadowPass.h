@@ -85,8 +85,9 @@ public:
 
   ///@{
   /**
-   * Radius of the filter over the map in texels, 0 to 16: the shadow's edge is that soft. 1
-   * interpolates between the verdicts of four texels; 0 takes the nearest one. Default 1.
+   * Radius of the filter over the map in texels, 0 to 16, a quarter of the map at most: the
+   * shadow's edge is that soft. 1 interpolates between the verdicts of four texels; 0 takes the
+   * nearest one. Default 1.
    */
   vtkSetClampMacro(FilterRadius, int, 0, 16);
   vtkGetMacro(FilterRadius, int);

@@ -7,8 +7,9 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
 
-#include <sstream>
+#include <algorithm>
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowPass::FitMaps(const vtkRenderState* s)
@@ -28,7 +29,8 @@ void vtkRelievoShadowPass::FitMaps(const vtkRenderState* s)
                                         << largest << " x " << largest << ": these are used.");
     }
   }
-  request.Border = this->FilterRadius + 1;
+  in.Radius = std::min(this->FilterRadius, request.Size / 4);
+  request.Border = in.Radius + 1;
   request.Warp = this->Method == METHOD_WARPED;
   const glm::dmat4 viewToWorld = glm::inverse(in.View.WorldToView);
   request.Eye = glm::dvec3(viewToWorld[3]);
@@ -43,7 +45,7 @@ void vtkRelievoShadowPass::FitMaps(const vtkRenderState* s)
   vtkRelievoShadowSplice::Structure structure;
   structure.Numbers = static_cast<int>(in.Lights.size());
   structure.Unlit = this->LayersAsked;
-  structure.WideFilter = this->FilterRadius > 1;
+  structure.WideFilter = in.Radius > 1;
   structure.Warped = this->Method == METHOD_WARPED;
   structure.Forward = this->Method == METHOD_FORWARD;
   for (const auto& entry : in.Cache.GetEntries())
@@ -88,6 +90,12 @@ void vtkRelievoShadowPass::DrawMaps(const vtkRenderState* s)
   {
     in.Maps.End();
     in.DrawingMaps = false;
+    // What VTK takes for these programs' lights are in a light's eye space.
+    for (vtkShaderProgram* program : in.Lightly)
+    {
+      program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+    }
+    in.Lightly.clear();
   }
 }
 
@@ -100,16 +108,27 @@ void vtkRelievoShadowPass::DrawMasks(const vtkRenderState* s)
   const glm::dmat4 worldToNDC = in.View.ViewToNDC * in.View.WorldToView;
   const bool lost = in.Masks.Allocate(window, in.View.Viewport[2], in.View.Viewport[3],
     static_cast<int>(in.Cache.GetEntries().size()));
-  in.Masks.Bind();
+  if (!in.Masks.Bind())
+  {
+    return;
+  }
   in.Maps.Bind(true); // making the masks may have taken their place
+  std::vector<vtkLight*> lights;
+  for (const auto& entry : in.Cache.GetEntries())
+  {
+    lights.push_back(entry.Light.Light);
+  }
   // What only receives is not in the casters' state: redrawn whenever there is any.
   if (!lost && this->NumberOfMapsDrawn == 0 && in.MaskState.WorldToNDC == worldToNDC &&
-    in.MaskState.Surfaces == in.Props.GetState() && !in.Props.HasMereReceivers())
+    in.MaskState.Surfaces == in.Props.GetState() && in.MaskState.Lights == lights &&
+    in.MaskState.Bias == this->Bias && !in.Props.HasMereReceivers())
   {
     return;
   }
   in.MaskState.WorldToNDC = worldToNDC;
   in.MaskState.Surfaces = in.Props.GetState();
+  in.MaskState.Lights = lights;
+  in.MaskState.Bias = this->Bias;
   in.DrawingDepth = true;
   in.Masks.DrawDepth(
     [&]() { this->DrawCalls += in.Props.RenderSurfaces(renderer, worldToNDC, in.PlainDraw); });

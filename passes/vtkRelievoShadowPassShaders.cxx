@@ -103,7 +103,7 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
     0.0;
   program->SetUniformf("relievoShadowHand", mirrored ? 1.f : -1.f);
   program->SetUniformf("relievoShadowSize", static_cast<float>(in.Maps.GetSize()));
-  program->SetUniformi("relievoShadowRadius", this->FilterRadius);
+  program->SetUniformi("relievoShadowRadius", in.Radius);
   if (in.Structure.Warped)
   {
     this->SetWarpParameters(program);
@@ -166,8 +166,8 @@ void vtkRelievoShadowPass::SetWarpParameters(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoShadowPass::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+bool vtkRelievoShadowPass::SetShaderParameters(vtkShaderProgram* program,
+  vtkAbstractMapper* abstractMapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   Internals& in = *this->Internal;
   auto* actor = vtkActor::SafeDownCast(prop);
@@ -175,17 +175,16 @@ bool vtkRelievoShadowPass::SetShaderParameters(
   {
     return true;
   }
+  if (auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper))
+  {
+    in.PlainDraw.Learn(mapper);
+  }
   if (in.DrawingMaps)
   {
     ++this->DrawCalls;
     in.Lightly.insert(program);
     // A sheet blocks light from both sides.
     in.Maps.DrawBothSides();
-  }
-  else if (in.Lightly.erase(program))
-  {
-    // What VTK takes for this frame's uniforms of the lights are a map's.
-    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
   }
   if (!program->IsUniformUsed("relievoShadowMaps"))
   {
@@ -197,7 +196,7 @@ bool vtkRelievoShadowPass::SetShaderParameters(
   }
   vtkProperty* property = actor->GetProperty();
   program->SetUniformf("relievoShadowInner",
-    in.Props.Receives(prop) ? 0.5f * (in.Maps.GetSize() - 1) - this->FilterRadius : -1.f);
+    in.Props.Receives(prop) ? 0.5f * (in.Maps.GetSize() - 1) - in.Radius : -1.f);
   if (in.Structure.Forward)
   {
     int region[4];

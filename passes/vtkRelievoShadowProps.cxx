@@ -3,6 +3,7 @@
 #include "vtkRelievoShadowProps.h"
 
 #include "vtkActor.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkGlyph3DMapper.h"
@@ -188,6 +189,17 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoShadowProps::Receives(vtkProp* part) const
+{
+  // A level of detail draws an actor of its own, with the keys of the one that was chosen for.
+  return std::none_of(
+    this->NotReceiving.begin(), this->NotReceiving.end(), [part](vtkProp* chosen) {
+      return chosen == part ||
+        (chosen->GetPropertyKeys() && chosen->GetPropertyKeys() == part->GetPropertyKeys());
+    });
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoShadowProps::AddDouble(double value)
 {
   std::uint64_t bits;
@@ -218,8 +230,17 @@ void vtkRelievoShadowProps::AddState(vtkActor* actor)
   {
     this->State.push_back(GetTextureTime(named.second));
   }
-  // Replacements and uniforms of a user may move vertices.
+  if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
+  {
+    vtkObject* blocks = glyphs->GetBlockAttributes();
+    this->State.push_back(blocks ? blocks->GetMTime() : 0);
+  }
+  // Replacements and uniforms of a user may move vertices, by arrays that the mapper hands on.
   vtkShaderProperty* shaders = actor->GetShaderProperty();
+  this->State.push_back(
+    shaders->HasVertexShaderCode() || shaders->GetNumberOfShaderReplacements() > 0
+      ? mapper->GetMTime()
+      : 0);
   this->State.push_back(shaders->GetShaderMTime());
   this->State.push_back(shaders->GetVertexCustomUniforms()->GetMTime());
   this->State.push_back(shaders->GetGeometryCustomUniforms()->GetMTime());
@@ -256,7 +277,7 @@ int vtkRelievoShadowProps::RenderCasters(
     {
       continue;
     }
-    if (vtkActor* actor = vtkRelievoCasterDraw::GetPlainActor(caster.Prop))
+    if (vtkActor* actor = plainDraw.GetPlainActor(caster.Prop))
     {
       plain.push_back(actor);
       continue;
@@ -277,8 +298,11 @@ int vtkRelievoShadowProps::RenderSurfaces(
   std::vector<vtkActor*> plain;
   for (vtkProp* prop : this->Seen)
   {
-    vtkActor* actor = vtkRelievoCasterDraw::GetPlainActor(prop);
-    if (actor && actor->HasOpaqueGeometry())
+    vtkActor* actor = plainDraw.GetPlainActor(prop);
+    // What is culled is not seen.
+    const bool culls = actor &&
+      (actor->GetProperty()->GetBackfaceCulling() || actor->GetProperty()->GetFrontfaceCulling());
+    if (actor && !culls && actor->HasOpaqueGeometry())
     {
       plain.push_back(actor);
     }

@@ -44,7 +44,7 @@ public:
 
   const std::vector<vtkRelievoBox>& GetCasterBoxes() const { return this->CasterBoxes; }
   const std::vector<vtkRelievoBox>& GetReceiverBoxes() const { return this->ReceiverBoxes; }
-  bool Receives(vtkProp* part) const { return this->NotReceiving.count(part) == 0; }
+  bool Receives(vtkProp* part) const;
 
   void AddPass(vtkOpenGLRenderPass* pass);
   void RemovePass(vtkOpenGLRenderPass* pass);

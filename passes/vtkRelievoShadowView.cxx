@@ -65,7 +65,7 @@ bool vtkRelievoShadowView::Contains(
   return std::all_of(points.begin(), points.end(), [&](const glm::dvec3& point) {
     const glm::dvec4 p = worldToNDC * glm::dvec4(point, 1.0);
     return p.w > 0.0 && std::abs(p.x) <= inner * p.w && std::abs(p.y) <= inner * p.w &&
-      p.z <= p.w * (1.0 + 1e-9);
+      p.z <= p.w * (1.0 + 1e-9) && (!this->NearCut || p.z >= -p.w * (1.0 + 1e-9));
   });
 }
 

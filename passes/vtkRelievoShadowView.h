@@ -34,6 +34,7 @@ struct vtkRelievoShadowView
   bool Parallel = true;
   double Near = 0.0;
   double Far = 1.0;
+  bool NearCut = false;          // casters were drawn onto the near plane, before the region's own
   int Side = -1;                 // of a cube; -1: turned freely
   glm::dmat4 WorldToView{ 1.0 }; // looks along -z
   glm::dmat4 ViewToNDC{ 1.0 };

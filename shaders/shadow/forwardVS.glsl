@@ -23,9 +23,10 @@ float relievoSample(ivec2 texel)
 
 void main()
 {
-  int place = gl_VertexID / 6;
-  int corner = gl_VertexID - 6 * place;
-  ivec2 texel = ivec2(place % relievoSize, place / relievoSize);
+  // An instance is a row of the map.
+  int column = gl_VertexID / 6;
+  int corner = gl_VertexID - 6 * column;
+  ivec2 texel = ivec2(column, gl_InstanceID);
   ivec2 side = ivec2(corner == 1 || corner == 2 || corner == 4 ? 1 : -1,
     corner == 2 || corner == 4 || corner == 5 ? 1 : -1);
   float own = relievoSample(texel);

@@ -75,11 +75,12 @@ vec4 relievoShadowGather(float layer, vec2 corner)
 }
 
 // Which of those texels let light through to a receiver with this depth at the corner texel.
-// Nothing is drawn at depth 1, so a receiver there is lit.
+// Nothing is drawn at depth 1, so a receiver there is lit; casters before the map are drawn at
+// depth 0, so no bias may bring a receiver there.
 vec4 relievoShadowLit(float layer, vec2 corner, float depth, vec2 slope)
 {
   vec4 receivers = depth + vec4(slope.y, slope.x + slope.y, slope.x, 0.0);
-  return step(min(receivers, 1.0), relievoShadowGather(layer, corner));
+  return step(clamp(receivers, 1e-7, 1.0), relievoShadowGather(layer, corner));
 }
 
 // place: in map space; slope: of the receiver's depth per texel. Branches cost more than they save:

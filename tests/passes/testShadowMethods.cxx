@@ -95,6 +95,29 @@ void TestHorizon()
     wrong[Pass::METHOD_WARPED] / wrong[Pass::METHOD_MAP], 0.75, "horizon, warped over map");
 }
 
+// What casts is out of the view, and what receives is flat: the map's near plane is at the receiver.
+void TestFlatReceiver()
+{
+  for (const int method : { Pass::METHOD_MAP, Pass::METHOD_WARPED })
+  {
+    for (const double bias : { 1.5, 50. })
+    {
+      ShadowStage stage;
+      stage.AddGround();
+      stage.AddBox({ 0., 5., 0. }, { 1.5, 0.01, 1.5 });
+      stage.Renderer->GetActiveCamera()->SetPosition(0., 2., 0.01);
+      stage.Renderer->GetActiveCamera()->SetFocalPoint(0., 0., 0.);
+      stage.Renderer->GetActiveCamera()->SetViewAngle(80.);
+      stage.Renderer->GetActiveCamera()->SetClippingRange(0.1, 10.);
+      stage.AddSun(0.3, 5., 0.2);
+      stage.GetShadows()->SetMethod(method);
+      stage.GetShadows()->SetBias(bias);
+      relievoTest::CheckShadow(stage, 0, 0.002,
+        std::string("flat ground, ") + Names[method] + ", bias " + std::to_string(bias));
+    }
+  }
+}
+
 // The first frame of a renderer is as right as the next ones, and methods leave nothing behind.
 void TestChanges()
 {
@@ -178,6 +201,7 @@ int main()
   relievoTest::Session session;
   TestErrors();
   TestHorizon();
+  TestFlatReceiver();
   TestChanges();
   TestPeer();
   return session.Result();
