@@ -95,7 +95,8 @@ void TestHorizon()
     wrong[Pass::METHOD_WARPED] / wrong[Pass::METHOD_MAP], 0.75, "horizon, warped over map");
 }
 
-// What casts is out of the view, and what receives is flat: the map's near plane is at the receiver.
+// What casts is out of the view, and what receives is flat: the map's near plane is at the
+// receiver.
 void TestFlatReceiver()
 {
   for (const int method : { Pass::METHOD_MAP, Pass::METHOD_WARPED })
