@@ -61,6 +61,7 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
   std::vector<glm::vec4> eyes(faces, glm::vec4(0.f));
   std::vector<float> texels(faces, 0.f);
   std::vector<float> layers(faces, 0.f);
+  std::vector<float> lowest(faces, -1.f);
   std::vector<int> masks(faces, 0);
   std::vector<float> strengths;
   std::vector<int> slots(in.Structure.Numbers, -1);
@@ -81,6 +82,7 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
       eyes[face] =
         glm::vec4(viewToMap * (in.View.Parallel ? glm::dvec4(0, 0, 1, 0) : glm::dvec4(0, 0, 0, 1)));
       texels[face] = static_cast<float>(map.View.Texel);
+      lowest[face] = map.View.NearCut ? 1e-7f : -1e9f;
       masks[face] = static_cast<int>(strengths.size());
       layers[face++] = static_cast<float>(map.Layer);
     }
@@ -96,6 +98,7 @@ void vtkRelievoShadowPass::SetFrameParameters(vtkShaderProgram* program)
     "relievoShadowEye", faces, reinterpret_cast<const float(*)[4]>(&eyes[0][0]));
   program->SetUniform1fv("relievoShadowTexel", faces, texels.data());
   program->SetUniform1fv("relievoShadowLayer", faces, layers.data());
+  program->SetUniform1fv("relievoShadowLowest", faces, lowest.data());
   program->SetUniform1fv("relievoShadowStrength", lights, strengths.data());
   program->SetUniform1iv("relievoShadowSlot", in.Structure.Numbers, slots.data());
   const bool mirrored = glm::determinant(glm::dmat3(in.View.WorldToView)) *

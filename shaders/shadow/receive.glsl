@@ -27,6 +27,7 @@ uniform vec4 relievoShadowEye[RELIEVO_SHADOW_FACES]; // in map space; w = 0: the
 // the light where eye and light see the same side: a picture and a map are not each other's mirror.
 uniform float relievoShadowHand;
 uniform float relievoShadowLayer[RELIEVO_SHADOW_FACES];
+uniform float relievoShadowLowest[RELIEVO_SHADOW_FACES]; // depth of a receiver
 uniform float relievoShadowStrength[RELIEVO_SHADOW_LIGHTS];
 uniform int relievoShadowSlot[RELIEVO_SHADOW_NUMBERS]; // of light N of the renderer; -1: casts none
 uniform float relievoShadowSize;  // of a map, in texels
@@ -75,17 +76,18 @@ vec4 relievoShadowGather(float layer, vec2 corner)
 }
 
 // Which of those texels let light through to a receiver with this depth at the corner texel.
-// Nothing is drawn at depth 1, so a receiver there is lit; casters before the map are drawn at
-// depth 0, so no bias may bring a receiver there.
-vec4 relievoShadowLit(float layer, vec2 corner, float depth, vec2 slope)
+// Nothing is drawn at depth 1, so a receiver there is lit. Casters before the map are drawn at depth
+// 0, so where there may be some no bias may bring a receiver there.
+vec4 relievoShadowLit(int face, vec2 corner, float depth, vec2 slope)
 {
   vec4 receivers = depth + vec4(slope.y, slope.x + slope.y, slope.x, 0.0);
-  return step(clamp(receivers, 1e-7, 1.0), relievoShadowGather(layer, corner));
+  return step(clamp(receivers, relievoShadowLowest[face], 1.0),
+    relievoShadowGather(relievoShadowLayer[face], corner));
 }
 
 // place: in map space; slope: of the receiver's depth per texel. Branches cost more than they save:
 // but for wide filters this is one straight line of code.
-float relievoShadowFilter(float layer, vec3 place, vec2 slope)
+float relievoShadowFilter(int face, vec3 place, vec2 slope)
 {
   vec2 corner = floor(place.xy);
   vec2 part = place.xy - corner;
@@ -101,7 +103,7 @@ float relievoShadowFilter(float layer, vec3 place, vec2 slope)
       vec2 x = vec2(relievoFilterWeight(i, relievoShadowRadius, part.x),
         relievoFilterWeight(i + 1, relievoShadowRadius, part.x));
       vec2 offset = vec2(i, j);
-      vec4 four = relievoShadowLit(layer, corner + offset, depth + dot(slope, offset), slope);
+      vec4 four = relievoShadowLit(face, corner + offset, depth + dot(slope, offset), slope);
       lit += y.x * dot(x, four.wz) + y.y * dot(x, four.xy);
     }
   }
@@ -109,7 +111,7 @@ float relievoShadowFilter(float layer, vec3 place, vec2 slope)
   return lit / (across * across);
 #else
   part = relievoShadowRadius == 0 ? floor(part + 0.5) : part;
-  vec4 four = relievoShadowLit(layer, corner, depth, slope);
+  vec4 four = relievoShadowLit(face, corner, depth, slope);
   vec2 rows = mix(four.wx, four.zy, part.x);
   return mix(rows.x, rows.y, part.y);
 #endif
@@ -155,11 +157,11 @@ float relievoShadowAt(int face, vec3 place, vec3 plane, float facing, float inve
   place.z -= relievoShadowBias * texel;
 #endif
 #ifdef RELIEVO_SHADOW_HAS_PLANE
-  float lit = relievoShadowFilter(relievoShadowLayer[face], place, slope);
+  float lit = relievoShadowFilter(face, place, slope);
   return facing < 0.0 ? lit : 0.0;
 #else
   place.z -= relievoShadowLift * texel;
-  return relievoShadowFilter(relievoShadowLayer[face], place, slope);
+  return relievoShadowFilter(face, place, slope);
 #endif
 }
 
