@@ -76,8 +76,8 @@ vec4 relievoShadowGather(float layer, vec2 corner)
 }
 
 // Which of those texels let light through to a receiver with this depth at the corner texel.
-// Nothing is drawn at depth 1, so a receiver there is lit. Casters before the map are drawn at depth
-// 0, so where there may be some no bias may bring a receiver there.
+// Nothing is drawn at depth 1, so a receiver there is lit. Casters before the map are drawn at
+// depth 0, so where there may be some no bias may bring a receiver there.
 vec4 relievoShadowLit(int face, vec2 corner, float depth, vec2 slope)
 {
   vec4 receivers = depth + vec4(slope.y, slope.x + slope.y, slope.x, 0.0);
