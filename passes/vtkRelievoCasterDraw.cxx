@@ -15,6 +15,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoShaderLibrary.h"
+#include "vtkRelievoView.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
@@ -24,19 +25,6 @@
 namespace
 {
 using Access = vtkRelievoAccess::Mapper;
-
-glm::dmat4 ToGlm(vtkMatrix4x4* matrix)
-{
-  glm::dmat4 out(1.0);
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      out[column][row] = matrix->GetElement(row, column);
-    }
-  }
-  return out;
-}
 
 bool HasOwnShaders(vtkActor* actor)
 {
@@ -135,10 +123,10 @@ int vtkRelievoCasterDraw::Draw(vtkActor* actor)
 {
   auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(actor->GetMapper());
   vtkOpenGLVertexBufferObject* vertices = Access::Buffers(mapper)->GetVBO("vertexMC");
-  glm::dmat4 modelToNDC = this->WorldToNDC * ToGlm(actor->GetMatrix());
+  glm::dmat4 modelToNDC = this->WorldToNDC * vtkRelievoToGlm(actor->GetMatrix());
   if (vertices->GetCoordShiftAndScaleEnabled())
   {
-    modelToNDC = modelToNDC * glm::transpose(ToGlm(Access::ShiftScale(mapper)));
+    modelToNDC = modelToNDC * glm::transpose(vtkRelievoToGlm(Access::ShiftScale(mapper)));
   }
   const glm::mat4 matrix(modelToNDC);
   this->Program->SetUniformMatrix4x4("MCDCMatrix", const_cast<float*>(&matrix[0][0]));

@@ -40,9 +40,10 @@ public:
   vtkRelievoView View;
   int Radius = 1; // of the filter, as the maps' size allows
   bool DrawingMaps = false;
-  bool DrawingDepth = false;           // that the camera sees, for the masks
-  std::set<vtkShaderProgram*> Told;    // programs that have this frame's parameters
-  std::set<vtkShaderProgram*> Lightly; // programs that VTK gave its lights in a light's eye space
+  bool DrawingDepth = false;        // that the camera sees, for the masks
+  std::set<vtkShaderProgram*> Told; // programs that have this frame's parameters
+  std::set<vtkShaderProgram*>
+    LitForMaps; // programs that VTK gave its lights in a light's eye space
   std::set<std::string> Said;
   bool Spliced = false;
 

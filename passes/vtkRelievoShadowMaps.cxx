@@ -9,6 +9,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRelievoAccess.h"
+#include "vtkRelievoView.h"
 #include "vtkRenderer.h"
 #include "vtkTextureUnitManager.h"
 
@@ -140,14 +141,7 @@ void vtkRelievoShadowMaps::Draw(int layer, vtkRelievoShadowView& view, vtkRender
   this->Camera->SetPosition(view.Position.x, view.Position.y, view.Position.z);
   this->Camera->SetFocalPoint(focus.x, focus.y, focus.z);
   this->Camera->SetViewUp(view.Up.x, view.Up.y, view.Up.z);
-  vtkMatrix4x4* worldToView = this->Camera->GetModelViewTransformMatrix();
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      view.WorldToView[column][row] = worldToView->GetElement(row, column);
-    }
-  }
+  view.WorldToView = vtkRelievoToGlm(this->Camera->GetModelViewTransformMatrix());
   for (int u = 0; u < view.U.Pieces; ++u)
   {
     for (int v = 0; v < view.V.Pieces; ++v)

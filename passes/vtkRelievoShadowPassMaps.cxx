@@ -91,11 +91,11 @@ void vtkRelievoShadowPass::DrawMaps(const vtkRenderState* s)
     in.Maps.End();
     in.DrawingMaps = false;
     // What VTK takes for these programs' lights are in a light's eye space.
-    for (vtkShaderProgram* program : in.Lightly)
+    for (vtkShaderProgram* program : in.LitForMaps)
     {
       program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
     }
-    in.Lightly.clear();
+    in.LitForMaps.clear();
   }
 }
 

@@ -185,7 +185,7 @@ bool vtkRelievoShadowPass::SetShaderParameters(vtkShaderProgram* program,
   if (in.DrawingMaps)
   {
     ++this->DrawCalls;
-    in.Lightly.insert(program);
+    in.LitForMaps.insert(program);
     // A sheet blocks light from both sides.
     in.Maps.DrawBothSides();
   }

@@ -8,9 +8,8 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
-namespace
-{
-glm::dmat4 ToGlm(vtkMatrix4x4* matrix)
+//------------------------------------------------------------------------------
+glm::dmat4 vtkRelievoToGlm(vtkMatrix4x4* matrix)
 {
   glm::dmat4 out(1.0);
   for (int row = 0; row < 4; ++row)
@@ -21,7 +20,6 @@ glm::dmat4 ToGlm(vtkMatrix4x4* matrix)
     }
   }
   return out;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -44,7 +42,7 @@ void vtkRelievoView::Take(vtkRenderer* renderer, const vtkRenderState* s)
   this->Near = range[0];
   this->Far = range[1];
   this->Parallel = camera->GetParallelProjection() != 0;
-  this->WorldToView = ToGlm(camera->GetModelViewTransformMatrix());
-  this->ViewToNDC =
-    ToGlm(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
+  this->WorldToView = vtkRelievoToGlm(camera->GetModelViewTransformMatrix());
+  this->ViewToNDC = vtkRelievoToGlm(
+    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0));
 }

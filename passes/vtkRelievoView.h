@@ -8,8 +8,12 @@
 
 #include "vtkRelievoFormulas.h"
 
+class vtkMatrix4x4;
 class vtkRenderState;
 class vtkRenderer;
+
+// Column-major, as GLM has it.
+glm::dmat4 vtkRelievoToGlm(vtkMatrix4x4* matrix);
 
 struct vtkRelievoView
 {
