@@ -13,7 +13,7 @@ if (RELIEVO_USE_PARAVIEW)
   # and all else that any part of it was built with. Its own list holds a name that VTK thinks old.
   set(relievo_warn_deprecated "${CMAKE_WARN_DEPRECATED}")
   set(CMAKE_WARN_DEPRECATED OFF)
-  find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingViews)
+  find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingServerManager RemotingViews)
   set(CMAKE_WARN_DEPRECATED "${relievo_warn_deprecated}")
 endif ()
 # After ParaView, VTK_DIR is ParaView's own VTK.

@@ -3,9 +3,17 @@
 file(GLOB relievo_module_files CONFIGURE_DEPENDS
   "${CMAKE_CURRENT_SOURCE_DIR}/shaders/vtk.module" "${CMAKE_CURRENT_SOURCE_DIR}/passes/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/io/vtk.module" "${CMAKE_CURRENT_SOURCE_DIR}/filters/vtk.module")
+set(relievo_requested Relievo::Shaders Relievo::Passes Relievo::IO Relievo::Filters)
+# Of ParaView's plugin: not for Python, which reaches it through ParaView's server manager.
+set(relievo_plugin_modules)
+if (RELIEVO_USE_PARAVIEW)
+  set(relievo_plugin_modules Relievo::PluginServer)
+  list(APPEND relievo_requested ${relievo_plugin_modules})
+  list(APPEND relievo_module_files "${CMAKE_CURRENT_SOURCE_DIR}/plugin/server/vtk.module")
+endif ()
 vtk_module_scan(
   MODULE_FILES ${relievo_module_files}
-  REQUEST_MODULES Relievo::Shaders Relievo::Passes Relievo::IO Relievo::Filters
+  REQUEST_MODULES ${relievo_requested}
   PROVIDES_MODULES relievo_modules
   ENABLE_TESTS OFF)
 vtk_module_build(
@@ -20,3 +28,4 @@ vtk_module_build(
   TEST_DIRECTORY_NAME NONE
   VERSION "${PROJECT_VERSION}"
   SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+list(REMOVE_ITEM relievo_modules ${relievo_plugin_modules})

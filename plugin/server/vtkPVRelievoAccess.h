@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the plugin needs of ParaView's view and VTK's light kit, and they keep protected. The members
+// are named through derived classes that are never made: checked when compiled.
+#ifndef vtkPVRelievoAccess_h
+#define vtkPVRelievoAccess_h
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkLightKit.h"
+#include "vtkPVRenderView.h"
+#include "vtkPVSynchronizedRenderer.h"
+
+#include <array>
+
+namespace vtkPVRelievoAccess
+{
+class View : public vtkPVRenderView
+{
+public:
+  // Where the view's passes are put together.
+  static vtkPVSynchronizedRenderer* Passes(vtkPVRenderView* view)
+  {
+    return view->*(&View::SynchronizedRenderers);
+  }
+  static vtkLightKit* Kit(vtkPVRenderView* view) { return view->*(&View::LightKit); }
+};
+
+class LightKit : public vtkLightKit
+{
+public:
+  static vtkLight* Key(vtkLightKit* kit) { return kit->*(&LightKit::KeyLight); }
+  static std::array<vtkLight*, 4> Others(vtkLightKit* kit)
+  {
+    return { kit->*(&LightKit::FillLight), kit->*(&LightKit::BackLight0),
+      kit->*(&LightKit::BackLight1), kit->*(&LightKit::HeadLight) };
+  }
+};
+}
+
+#endif

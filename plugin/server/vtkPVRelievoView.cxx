@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVRelievoView.h"
+
+#include "vtkCommand.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVDefaultPass.h"
+#include "vtkPVRelievoAccess.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoShadowPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkPVRelievoView);
+
+namespace
+{
+std::vector<vtkPVRelievoView*>& GetAll()
+{
+  static std::vector<vtkPVRelievoView*> all;
+  return all;
+}
+}
+
+class vtkPVRelievoView::Internals
+{
+public:
+  vtkWeakPointer<vtkPVRenderView> View;
+  vtkNew<vtkRelievoPass> Frame;
+  vtkNew<vtkPVDefaultPass> Delegate;
+  vtkNew<vtkLight> SunLight;
+  unsigned long StartTag = 0;
+  double KitIntensity = -1.0;  // the user's, of the kit's key light
+  double DimmedIntensity = -1; // what it was set to because of the sun
+  std::string Report;
+};
+
+//------------------------------------------------------------------------------
+vtkPVRelievoView::vtkPVRelievoView()
+  : Internal(new Internals)
+{
+  this->Internal->Frame->SetDelegatePass(this->Internal->Delegate);
+  this->Internal->SunLight->SetLightTypeToSceneLight();
+  this->Internal->SunLight->PositionalOff();
+  GetAll().push_back(this);
+}
+
+//------------------------------------------------------------------------------
+vtkPVRelievoView::~vtkPVRelievoView()
+{
+  GetAll().erase(std::remove(GetAll().begin(), GetAll().end(), this), GetAll().end());
+  if (this->Internal->View)
+  {
+    vtkRenderer* renderer = this->Internal->View->GetRenderer();
+    renderer->RemoveObserver(this->Internal->StartTag);
+    this->Sun = false;
+    this->PlaceSun();
+    auto* passes = vtkPVRelievoAccess::View::Passes(this->Internal->View);
+    if (passes->GetRenderPass() == this->Internal->Frame)
+    {
+      passes->SetRenderPass(nullptr);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetView(vtkPVView* view)
+{
+  Internals& in = *this->Internal;
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (!renderView || in.View)
+  {
+    vtkErrorMacro("SetView was given " << (renderView ? "a second view" : "no render view")
+                                       << "; give it one vtkPVRenderView, once.");
+    return;
+  }
+  in.View = renderView;
+  vtkRenderer* renderer = renderView->GetRenderer();
+  // After the observers that bring the client's camera to this process.
+  in.StartTag =
+    renderer->AddObserver(vtkCommand::StartEvent, this, &vtkPVRelievoView::Prepare, -10.0F);
+}
+
+//------------------------------------------------------------------------------
+vtkPVRelievoView* vtkPVRelievoView::Find(vtkPVView* view)
+{
+  for (vtkPVRelievoView* each : GetAll())
+  {
+    if (view && each->Internal->View == view)
+    {
+      return each;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVRelievoView::IsAnythingOn()
+{
+  return this->GetShadows() || this->Internal->Frame->GetDisplayLayer();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::Prepare()
+{
+  this->PlaceSun();
+  this->PlacePass();
+  if (this->IsAnythingOn())
+  {
+    this->ChooseCasters();
+    ++this->NumberOfFrames;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::PlacePass()
+{
+  Internals& in = *this->Internal;
+  vtkPVSynchronizedRenderer* passes = vtkPVRelievoAccess::View::Passes(in.View);
+  vtkRenderPass* current = passes->GetRenderPass();
+  if (this->IsAnythingOn())
+  {
+    if (!current)
+    {
+      passes->SetRenderPass(in.Frame);
+    }
+  }
+  else if (current == in.Frame)
+  {
+    in.Frame->ReleaseGraphicsResources(in.View->GetRenderWindow());
+    passes->SetRenderPass(nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::PlaceSun()
+{
+  Internals& in = *this->Internal;
+  vtkRenderer* renderer = in.View->GetRenderer();
+  vtkLightKit* kit = vtkPVRelievoAccess::View::Kit(in.View);
+  const bool there = renderer->GetLights()->IsItemPresent(in.SunLight) != 0;
+  if (kit->GetKeyLightIntensity() != in.DimmedIntensity)
+  {
+    in.KitIntensity = kit->GetKeyLightIntensity(); // set by the user since
+  }
+  if (!this->Sun)
+  {
+    if (there)
+    {
+      renderer->RemoveLight(in.SunLight);
+      kit->SetKeyLightIntensity(in.KitIntensity);
+      in.DimmedIntensity = -1.0;
+    }
+    return;
+  }
+  double direction[3];
+  this->GetSunDirection(direction);
+  in.SunLight->SetFocalPoint(0.0, 0.0, 0.0);
+  in.SunLight->SetPosition(direction);
+  in.SunLight->SetIntensity(this->SunIntensity);
+  in.SunLight->SetColor(this->SunColor);
+  if (!there)
+  {
+    renderer->AddLight(in.SunLight);
+  }
+  in.DimmedIntensity = in.KitIntensity * this->SunKitShare;
+  kit->SetKeyLightIntensity(in.DimmedIntensity);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::ChooseCasters()
+{
+  Internals& in = *this->Internal;
+  vtkRelievoShadowPass* shadows = in.Frame->GetShadowPass();
+  vtkLightKit* kit = vtkPVRelievoAccess::View::Kit(in.View);
+  auto choose = [shadows](vtkLight* light, bool casts) {
+    if (shadows->GetLightCasts(light) != casts)
+    {
+      shadows->SetLightCasts(light, casts);
+    }
+  };
+  const bool all = this->LightKitCasts == KIT_CASTS_ALL;
+  choose(vtkPVRelievoAccess::LightKit::Key(kit),
+    all || this->LightKitCasts == KIT_CASTS_KEY_LIGHT ||
+      (this->LightKitCasts == KIT_CASTS_WITHOUT_SUN && !this->Sun));
+  for (vtkLight* light : vtkPVRelievoAccess::LightKit::Others(kit))
+  {
+    choose(light, all);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::GetSunDirection(double direction[3])
+{
+  constexpr double Degree = 3.14159265358979323846 / 180.0;
+  const double level = std::cos(this->SunElevation * Degree);
+  const double east = level * std::sin(this->SunAzimuth * Degree);
+  const double north = level * std::cos(this->SunAzimuth * Degree);
+  const double up = std::sin(this->SunElevation * Degree);
+  const double byUpAxis[3][3] = { { up, east, north }, { east, up, -north }, { east, north, up } };
+  std::copy_n(byUpAxis[this->SunUpAxis], 3, direction);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadows(bool on)
+{
+  this->Internal->Frame->SetShadows(on);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVRelievoView::GetShadows()
+{
+  return this->Internal->Frame->GetShadows();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowMethod(int method)
+{
+  this->Internal->Frame->GetShadowPass()->SetMethod(method);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowMapSize(int size)
+{
+  this->Internal->Frame->GetShadowPass()->SetMapSize(size);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowFilterRadius(int radius)
+{
+  this->Internal->Frame->GetShadowPass()->SetFilterRadius(radius);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowBias(double bias)
+{
+  this->Internal->Frame->GetShadowPass()->SetBias(bias);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowStrength(double strength)
+{
+  this->Internal->Frame->GetShadowPass()->SetStrength(strength);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetDisplayLayer(const char* name)
+{
+  // The panel's word for the picture itself.
+  const bool picture = !name || !*name || std::string(name) == "None";
+  this->Internal->Frame->SetDisplayLayer(picture ? nullptr : name);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetDisplayRange(double first, double last)
+{
+  this->Internal->Frame->SetDisplayRange(first, last);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetDisplayGrey(bool on)
+{
+  this->Internal->Frame->SetDisplayGrey(on);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPVRelievoView::GetFrameReport()
+{
+  this->Internal->Report = this->NumberOfFrames ? this->Internal->Frame->GetFrameReport() : "";
+  return this->Internal->Report.c_str();
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoPass* vtkPVRelievoView::GetFrame()
+{
+  return this->Internal->Frame;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "View: " << this->Internal->View.GetPointer() << "\n";
+  os << indent << "LightKitCasts: " << this->LightKitCasts << "\n";
+  os << indent << "Sun: " << this->Sun << "\n";
+  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n";
+  os << indent << "SunElevation: " << this->SunElevation << "\n";
+  os << indent << "SunIntensity: " << this->SunIntensity << "\n";
+  os << indent << "SunColor: " << this->SunColor[0] << " " << this->SunColor[1] << " "
+     << this->SunColor[2] << "\n";
+  os << indent << "SunUpAxis: " << this->SunUpAxis << "\n";
+  os << indent << "SunKitShare: " << this->SunKitShare << "\n";
+  os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
+  os << indent << "Frame:\n";
+  this->Internal->Frame->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkPVRelievoView
+ * @brief What Relievo does in one of ParaView's render views, on one process.
+ *
+ * Puts a vtkRelievoPass where the view takes its render pass from, as long as anything of Relievo's
+ * is on, and takes it away again when all is off: then the view is ParaView's own. A pass that
+ * another feature of ParaView put there (ray tracing, value images) stays, and Relievo waits.
+ *
+ * Every setting is a property of the view's proxy (view.xml), so state files, Python traces and
+ * undo know it.
+ */
+#ifndef vtkPVRelievoView_h
+#define vtkPVRelievoView_h
+
+#include "vtkObject.h"
+#include "vtkRelievoPluginServerModule.h" // for the export macro
+
+#include <memory> // for the internals
+
+class vtkPVView;
+class vtkRelievoPass;
+
+class VTKRELIEVOPLUGINSERVER_EXPORT vtkPVRelievoView : public vtkObject
+{
+public:
+  static vtkPVRelievoView* New();
+  vtkTypeMacro(vtkPVRelievoView, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** The view to work in: a vtkPVRenderView. Given once, when the view's proxy is made. */
+  void SetView(vtkPVView* view);
+
+  ///@{
+  /** Shadows in the picture. Default off. */
+  void SetShadows(bool on);
+  bool GetShadows();
+  ///@}
+
+  ///@{
+  /** As of vtkRelievoShadowPass. */
+  void SetShadowMethod(int method);
+  void SetShadowMapSize(int size);
+  void SetShadowFilterRadius(int radius);
+  void SetShadowBias(double bias);
+  void SetShadowStrength(double strength);
+  ///@}
+
+  enum LightKitCasting
+  {
+    KIT_CASTS_NOTHING = 0,
+    KIT_CASTS_WITHOUT_SUN = 1, // the key light, while the sun is off
+    KIT_CASTS_KEY_LIGHT = 2,
+    KIT_CASTS_ALL = 3
+  };
+
+  ///@{
+  /** Which lights of the view's light kit cast. Default: its key light, while the sun is off. */
+  vtkSetClampMacro(LightKitCasts, int, KIT_CASTS_NOTHING, KIT_CASTS_ALL);
+  vtkGetMacro(LightKitCasts, int);
+  ///@}
+
+  ///@{
+  /** A light from a fixed direction in the world. Default off. */
+  vtkSetMacro(Sun, bool);
+  vtkGetMacro(Sun, bool);
+  ///@}
+
+  ///@{
+  /** Degrees from north (see SunUpAxis), clockwise seen from above. Default 150. */
+  vtkSetMacro(SunAzimuth, double);
+  vtkGetMacro(SunAzimuth, double);
+  ///@}
+
+  ///@{
+  /** Degrees above the horizon, -90 to 90. Default 45. */
+  vtkSetClampMacro(SunElevation, double, -90.0, 90.0);
+  vtkGetMacro(SunElevation, double);
+  ///@}
+
+  ///@{
+  /** Default 0.8. */
+  vtkSetClampMacro(SunIntensity, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SunIntensity, double);
+  ///@}
+
+  ///@{
+  /** RGB, 0 to 1. Default white. */
+  vtkSetVector3Macro(SunColor, double);
+  vtkGetVector3Macro(SunColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * The axis that points up: 0 for x, 1 for y, 2 for z (default). North is y with z up, -z with y
+   * up (a map laid on the ground), z with x up.
+   */
+  vtkSetClampMacro(SunUpAxis, int, 0, 2);
+  vtkGetMacro(SunUpAxis, int);
+  ///@}
+
+  ///@{
+  /**
+   * What is left of the light kit while the sun is on, 0 to 1: the kit alone lights a scene fully.
+   * Default 0.4.
+   */
+  vtkSetClampMacro(SunKitShare, double, 0.0, 1.0);
+  vtkGetMacro(SunKitShare, double);
+  ///@}
+
+  /** Direction towards the sun, of unit length, in the world. */
+  void GetSunDirection(double direction[3]);
+
+  ///@{
+  /** As of vtkRelievoPass. */
+  void SetDisplayLayer(const char* name);
+  void SetDisplayRange(double first, double last);
+  void SetDisplayGrey(bool on);
+  ///@}
+
+  /** The frame report of the last picture that this process drew, as JSON; empty before. */
+  const char* GetFrameReport();
+
+  /** Pictures that this process has drawn with Relievo on. */
+  vtkGetMacro(NumberOfFrames, int);
+
+  /** The frame, also while it is not in use. */
+  vtkRelievoPass* GetFrame();
+
+  /** The object that works in a view, or nullptr. */
+  static vtkPVRelievoView* Find(vtkPVView* view);
+
+protected:
+  vtkPVRelievoView();
+  ~vtkPVRelievoView() override;
+
+  int LightKitCasts = KIT_CASTS_WITHOUT_SUN;
+  bool Sun = false;
+  double SunAzimuth = 150.0;
+  double SunElevation = 45.0;
+  double SunIntensity = 0.8;
+  double SunColor[3] = { 1.0, 1.0, 1.0 };
+  int SunUpAxis = 2;
+  double SunKitShare = 0.4;
+  int NumberOfFrames = 0;
+
+private:
+  vtkPVRelievoView(const vtkPVRelievoView&) = delete;
+  void operator=(const vtkPVRelievoView&) = delete;
+
+  bool IsAnythingOn();
+  void Prepare();
+  void PlacePass();
+  void PlaceSun();
+  void ChooseCasters();
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif
