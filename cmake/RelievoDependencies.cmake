@@ -5,6 +5,7 @@ set(relievo_vtk_components
   CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   ChartsCore FiltersCore FiltersGeneral FiltersGeometry FiltersHybrid FiltersModeling FiltersSources
   IOExport IOGeometry IOImage IOImport IOLegacy IOPLY IOXML ImagingCore InteractionStyle
+  ParallelCore
   RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
   RenderingOpenGL2 RenderingVolumeOpenGL2 ViewsContext2D WrappingPythonCore Python WrappingTools)
 

@@ -40,15 +40,15 @@ bool IsSame(const std::vector<vtkRelievoBox>& a, const std::vector<vtkRelievoBox
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowCache::Update(const std::vector<vtkRelievoShadowLight>& casting,
-  const vtkRelievoShadowProps& props, const glm::dmat4& worldToNDC,
-  const vtkRelievoShadowFit::Request& request)
+void vtkRelievoShadowCache::Update(
+  const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene)
 {
-  const bool sameRequest = request.Size == this->Request.Size &&
-    request.Border == this->Request.Border && request.Warp == this->Request.Warp;
-  const bool sameCasters = props.GetState() == this->Casters;
+  const vtkRelievoShadowFit::Request& request = scene.Request;
+  const vtkRelievoShadowFit::Request& before = this->Scene.Request;
+  const bool sameRequest =
+    request.Size == before.Size && request.Border == before.Border && request.Warp == before.Warp;
   const bool sameView =
-    worldToNDC == this->WorldToNDC && IsSame(props.GetReceiverBoxes(), this->Receivers);
+    scene.WorldToNDC == this->Scene.WorldToNDC && IsSame(scene.Receivers, this->Scene.Receivers);
   std::vector<Entry> entries;
   std::vector<vtkRelievoShadowRegion::Polygon> region;
   bool cut = false;
@@ -70,36 +70,32 @@ void vtkRelievoShadowCache::Update(const std::vector<vtkRelievoShadowLight>& cas
       otherLights = true;
     }
     entry.Light = light;
-    const bool sameMap = sameLight && sameCasters && sameRequest;
+    const bool sameMap = sameLight && scene.SameCasters && sameRequest;
     // A view that stands still gets maps that fit it.
     if (!sameMap || !sameView || !entry.Exact)
     {
       if (!cut)
       {
-        region = vtkRelievoShadowRegion::Cut(props.GetReceiverBoxes(), worldToNDC);
+        region = vtkRelievoShadowRegion::Cut(scene.Receivers, scene.WorldToNDC);
         cut = true;
       }
-      this->Refit(entry, props, region, request, sameMap && !sameView);
+      Refit(entry, scene, region, sameMap && !sameView);
       entry.Cube = entry.Cube || entry.Maps.size() > 1;
     }
     entries.push_back(std::move(entry));
   }
   this->Entries = std::move(entries);
-  this->Casters = props.GetState();
-  this->Receivers = props.GetReceiverBoxes();
-  this->WorldToNDC = worldToNDC;
-  this->Request = request;
+  this->Scene = scene;
   this->AssignLayers(otherLights);
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowCache::Refit(Entry& entry, const vtkRelievoShadowProps& props,
-  const std::vector<vtkRelievoShadowRegion::Polygon>& region,
-  const vtkRelievoShadowFit::Request& request, bool keep)
+void vtkRelievoShadowCache::Refit(Entry& entry, const vtkRelievoShadowScene& scene,
+  const std::vector<vtkRelievoShadowRegion::Polygon>& region, bool keep)
 {
-  const std::vector<vtkRelievoBox>& casters = props.GetCasterBoxes();
+  const vtkRelievoShadowFit::Request& request = scene.Request;
   std::vector<vtkRelievoShadowView> views =
-    vtkRelievoShadowFit::Fit(entry.Light, region, casters, request);
+    vtkRelievoShadowFit::Fit(entry.Light, region, scene.Casters, request);
   entry.Exact = !keep;
   if (keep)
   {
@@ -116,7 +112,7 @@ void vtkRelievoShadowCache::Refit(Entry& entry, const vtkRelievoShadowProps& pro
     }
     vtkRelievoShadowFit::Request wider = request;
     wider.Margin = MovingMargin;
-    views = vtkRelievoShadowFit::Fit(entry.Light, region, casters, wider);
+    views = vtkRelievoShadowFit::Fit(entry.Light, region, scene.Casters, wider);
   }
   // Layers stay with the light: they are drawn over.
   std::vector<Map> maps(views.size());
@@ -202,9 +198,22 @@ glm::dvec3 vtkRelievoShadowCache::GetCenter() const
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoShadowCache::SetEntries(std::vector<Entry> entries, int layers)
+{
+  this->Entries = std::move(entries);
+  this->Layers = layers;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoShadowCache::SetCasters(const vtkRelievoShadowProps& props)
 {
   this->Casters = props.GetState();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowCache::HasCasters(const vtkRelievoShadowProps& props) const
+{
+  return this->Casters == props.GetState();
 }
 
 //------------------------------------------------------------------------------

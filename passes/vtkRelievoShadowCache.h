@@ -14,6 +14,16 @@
 
 class vtkRelievoShadowProps;
 
+// What maps are fitted to.
+struct vtkRelievoShadowScene
+{
+  std::vector<vtkRelievoBox> Casters;
+  std::vector<vtkRelievoBox> Receivers;
+  bool SameCasters = false; // as when the maps were drawn
+  glm::dmat4 WorldToNDC{ 0.0 };
+  vtkRelievoShadowFit::Request Request;
+};
+
 class vtkRelievoShadowCache
 {
 public:
@@ -32,10 +42,13 @@ public:
   };
 
   // Fits maps to the casting lights, keeping what is still right.
-  void Update(const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowProps& props,
-    const glm::dmat4& worldToNDC, const vtkRelievoShadowFit::Request& request);
+  void Update(
+    const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene);
 
   std::vector<Entry>& GetEntries() { return this->Entries; }
+
+  // Maps that another process fitted, in their layers.
+  void SetEntries(std::vector<Entry> entries, int layers);
   int GetNumberOfMaps() const;
 
   // The middle of what the maps are fitted to, in world coordinates.
@@ -44,24 +57,22 @@ public:
   // Layers that the maps take: as many as there are maps, or as were needed since lights changed.
   int GetNumberOfLayers() const { return this->Layers; }
 
-  // What cast when the maps were drawn, if it looks otherwise now without having changed.
+  // What casts as the maps are drawn, or what it looks like now without having changed.
   void SetCasters(const vtkRelievoShadowProps& props);
+  bool HasCasters(const vtkRelievoShadowProps& props) const;
 
   // What the layers held is lost.
   void Invalidate();
   void Clear();
 
 private:
-  void Refit(Entry& entry, const vtkRelievoShadowProps& props,
-    const std::vector<vtkRelievoShadowRegion::Polygon>& region,
-    const vtkRelievoShadowFit::Request& request, bool keep);
+  static void Refit(Entry& entry, const vtkRelievoShadowScene& scene,
+    const std::vector<vtkRelievoShadowRegion::Polygon>& region, bool keep);
   void AssignLayers(bool otherLights);
 
   std::vector<Entry> Entries;
   std::vector<std::uint64_t> Casters;
-  std::vector<vtkRelievoBox> Receivers;
-  glm::dmat4 WorldToNDC{ 0.0 };
-  vtkRelievoShadowFit::Request Request;
+  vtkRelievoShadowScene Scene; // that the maps were fitted to
   int Layers = 0;
 };
 

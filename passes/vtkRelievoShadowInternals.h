@@ -9,6 +9,7 @@
 #include "vtkRelievoCasterDraw.h"
 #include "vtkRelievoForwardMasks.h"
 #include "vtkRelievoShadowCache.h"
+#include "vtkRelievoShadowExchange.h"
 #include "vtkRelievoShadowMaps.h"
 #include "vtkRelievoShadowPass.h"
 #include "vtkRelievoShadowProps.h"
@@ -32,6 +33,7 @@ public:
   std::vector<vtkWeakPointer<vtkLight>> NotCasting; // chosen so
   vtkRelievoShadowProps Props;
   vtkRelievoShadowCache Cache;
+  vtkRelievoShadowExchange Exchange;
   vtkRelievoShadowMaps Maps;
   vtkRelievoForwardMasks Masks;
   vtkRelievoCasterDraw PlainDraw;

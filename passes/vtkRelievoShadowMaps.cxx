@@ -178,6 +178,26 @@ void vtkRelievoShadowMaps::DrawPiece(const vtkRelievoShadowView& view, const int
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoShadowMaps::Read(std::vector<float>& depths)
+{
+  depths.resize(static_cast<std::size_t>(this->Size) * this->Size);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, this->Size, this->Size, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMaps::Write(int layer, const std::vector<float>& depths)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  this->BindTexture(this->Texture);
+  glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, this->Size, this->Size, 1,
+    GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  this->BindTexture(this->Empty);
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoShadowMaps::End()
 {
   glDisable(GL_DEPTH_CLAMP);

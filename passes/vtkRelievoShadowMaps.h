@@ -13,7 +13,7 @@
 #include "vtkWeakPointer.h"
 
 #include <functional>
-#include <string>
+#include <vector>
 
 class vtkCamera;
 class vtkOpenGLFramebufferObject;
@@ -49,6 +49,10 @@ public:
   void Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
     const std::function<void(const vtkRelievoShadowView&)>& casters);
   void End();
+
+  // The depths of the map drawn last, row by row, and others in their place.
+  void Read(std::vector<float>& depths);
+  void Write(int layer, const std::vector<float>& depths);
 
   // For the draw call that follows: a sheet blocks light from both sides.
   void DrawBothSides();

@@ -85,6 +85,29 @@ bool vtkRelievoShadowPass::GetPropReceives(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoShadowPass::SetController(vtkMultiProcessController* controller)
+{
+  if (this->GetController() != controller)
+  {
+    this->Internal->Exchange.SetController(controller);
+    this->Internal->Cache.Clear(); // maps of this process alone, or of others that are gone
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkRelievoShadowPass::GetController()
+{
+  return this->Internal->Exchange.GetController();
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowPass::GetMergeSeconds()
+{
+  return this->Internal->Exchange.GetSeconds();
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoShadowPass::GetNumberOfCastingLights()
 {
   return static_cast<int>(this->Internal->Casting.size());
@@ -148,7 +171,7 @@ bool vtkRelievoShadowPass::IsNeeded(const vtkRenderState* s, std::string& reason
   out << in.Casting.size() << (in.Casting.size() == 1 ? " light casts, " : " lights cast, ")
       << in.Cache.GetNumberOfMaps() << (in.Cache.GetNumberOfMaps() == 1 ? " map of " : " maps of ")
       << in.Maps.GetSize() << " x " << in.Maps.GetSize() << " texels, " << this->NumberOfMapsDrawn
-      << " drawn anew" << without.str();
+      << " drawn anew" << in.Exchange.GetReport() << without.str();
   reason = out.str();
   return true;
 }

@@ -32,6 +32,7 @@
 #include <string> // for reasons
 
 class vtkLight;
+class vtkMultiProcessController;
 class vtkProp;
 
 class VTKRELIEVOPASSES_EXPORT vtkRelievoShadowPass : public vtkRelievoStage
@@ -136,6 +137,20 @@ public:
   void SetPropReceives(vtkProp* prop, bool receives);
   bool GetPropReceives(vtkProp* prop);
   ///@}
+
+  ///@{
+  /**
+   * The processes that draw one picture together, each its own part of the scene: every light's map
+   * then holds what casts on any of them (the least depth over all, texel by texel), so that
+   * casters and receivers may be anywhere. Every process must draw every frame, with the same
+   * lights. Default nullptr: this process alone.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
+  /** Seconds that bringing the maps together took in the last frame in which any was drawn. */
+  double GetMergeSeconds();
 
   ///@{
   /** Of the last frame: lights that cast, maps they have, and maps that were drawn anew. */

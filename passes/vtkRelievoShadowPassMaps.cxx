@@ -16,7 +16,8 @@ void vtkRelievoShadowPass::FitMaps(const vtkRenderState* s)
 {
   Internals& in = *this->Internal;
   auto* window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
-  vtkRelievoShadowFit::Request request;
+  vtkRelievoShadowScene scene;
+  vtkRelievoShadowFit::Request& request = scene.Request;
   request.Size = this->MapSize;
   const int largest = vtkRelievoShadowMaps::GetLargestSize();
   if (request.Size > largest)
@@ -37,10 +38,31 @@ void vtkRelievoShadowPass::FitMaps(const vtkRenderState* s)
   request.Gaze = glm::normalize(-glm::dvec3(viewToWorld[2]));
   request.ViewUp = glm::dvec3(viewToWorld[1]);
   request.ParallelEye = in.View.Parallel;
-  in.Cache.Update(in.Casting, in.Props, in.View.ViewToNDC * in.View.WorldToView, request);
+  scene.WorldToNDC = in.View.ViewToNDC * in.View.WorldToView;
+  scene.Casters = in.Props.GetCasterBoxes();
+  scene.Receivers = in.Props.GetReceiverBoxes();
+  scene.SameCasters = in.Cache.HasCasters(in.Props);
+  in.Cache.SetCasters(in.Props);
+  const bool together = in.Exchange.IsOn();
+  if (together)
+  {
+    in.Exchange.Gather(scene);
+  }
+  if (!together || in.Exchange.IsRoot())
+  {
+    in.Cache.Update(in.Casting, scene);
+  }
+  if (together)
+  {
+    in.Exchange.Share(in.Cache, in.Casting, request.Size);
+  }
   if (in.Maps.Allocate(window, request.Size, in.Cache.GetNumberOfLayers()))
   {
     in.Cache.Invalidate();
+  }
+  if (together)
+  {
+    in.Exchange.Agree(in.Cache);
   }
   vtkRelievoShadowSplice::Structure structure;
   structure.Numbers = static_cast<int>(in.Lights.size());
@@ -82,6 +104,10 @@ void vtkRelievoShadowPass::DrawMaps(const vtkRenderState* s)
       in.Maps.Draw(map.Layer, map.View, renderer, [&](const vtkRelievoShadowView& view) {
         this->DrawCalls += in.Props.RenderCasters(renderer, view, in.PlainDraw);
       });
+      if (in.Exchange.IsOn())
+      {
+        in.Exchange.Merge(in.Maps, map.Layer);
+      }
       map.Drawn = true;
       ++this->NumberOfMapsDrawn;
     }

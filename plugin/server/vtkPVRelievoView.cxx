@@ -4,6 +4,7 @@
 
 #include "vtkCommand.h"
 #include "vtkLight.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVDefaultPass.h"
@@ -12,6 +13,7 @@
 #include "vtkRelievoShadowPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSynchronizedRenderers.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
@@ -116,6 +118,7 @@ void vtkPVRelievoView::Prepare()
   if (this->IsAnythingOn())
   {
     this->ChooseCasters();
+    this->ChooseProcesses();
     ++this->NumberOfFrames;
   }
 }
@@ -195,6 +198,24 @@ void vtkPVRelievoView::ChooseCasters()
   {
     choose(light, all);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::ChooseProcesses()
+{
+  Internals& in = *this->Internal;
+  vtkPVSynchronizedRenderer* passes = vtkPVRelievoAccess::View::Passes(in.View);
+  vtkSynchronizedRenderers* ranks = passes->GetParallelSynchronizer();
+  vtkMultiProcessController* controller = ranks ? ranks->GetParallelController() : nullptr;
+  const bool together = controller && controller->GetNumberOfProcesses() > 1 &&
+    passes->GetEnabled() && !passes->GetDataReplicatedOnAllProcesses() &&
+    ranks->GetParallelRendering();
+  if (together)
+  {
+    // A process without geometry in view would not be asked to draw, and the others would wait.
+    passes->SetRenderEmptyImages(true);
+  }
+  in.Frame->GetShadowPass()->SetController(together ? controller : nullptr);
 }
 
 //------------------------------------------------------------------------------

@@ -154,6 +154,7 @@ private:
   void PlacePass();
   void PlaceSun();
   void ChooseCasters();
+  void ChooseProcesses();
 
   class Internals;
   std::unique_ptr<Internals> Internal;
