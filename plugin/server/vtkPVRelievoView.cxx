@@ -39,6 +39,7 @@ public:
   vtkNew<vtkRelievoPass> Frame;
   vtkNew<vtkPVDefaultPass> Delegate;
   vtkNew<vtkLight> SunLight;
+  unsigned long EarlyTag = 0;
   unsigned long StartTag = 0;
   double KitIntensity = -1.0;  // the user's, of the kit's key light
   double DimmedIntensity = -1; // what it was set to because of the sun
@@ -62,6 +63,7 @@ vtkPVRelievoView::~vtkPVRelievoView()
   if (this->Internal->View)
   {
     vtkRenderer* renderer = this->Internal->View->GetRenderer();
+    renderer->RemoveObserver(this->Internal->EarlyTag);
     renderer->RemoveObserver(this->Internal->StartTag);
     this->Sun = false;
     this->PlaceSun();
@@ -86,6 +88,8 @@ void vtkPVRelievoView::SetView(vtkPVView* view)
   }
   in.View = renderView;
   vtkRenderer* renderer = renderView->GetRenderer();
+  in.EarlyTag =
+    renderer->AddObserver(vtkCommand::StartEvent, this, &vtkPVRelievoView::KeepLayersSharp, 10.0F);
   // After the observers that bring the client's camera to this process.
   in.StartTag =
     renderer->AddObserver(vtkCommand::StartEvent, this, &vtkPVRelievoView::Prepare, -10.0F);
@@ -120,6 +124,19 @@ void vtkPVRelievoView::Prepare()
     this->ChooseCasters();
     this->ChooseProcesses();
     ++this->NumberOfFrames;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::KeepLayersSharp()
+{
+  Internals& in = *this->Internal;
+  if (in.Frame->GetDisplayLayer())
+  {
+    // A layer's pixels are measured, not smoothed: several processes would, after compositing. The
+    // view switches it on again before its next picture.
+    in.View->GetRenderer()->SetUseFXAA(false);
+    vtkPVRelievoAccess::View::Passes(in.View)->SetUseFXAA(false);
   }
 }
 

@@ -151,6 +151,7 @@ private:
 
   bool IsAnythingOn();
   void Prepare();
+  void KeepLayersSharp();
   void PlacePass();
   void PlaceSun();
   void ChooseCasters();
