@@ -192,7 +192,7 @@ int vtkRelievoLayerSource::RequestData(
   good = good && pass->ReadLayers(read, image);
   if (good && color)
   {
-    this->ReadColor(image);
+    vtkRelievoLayerSource::AddColor(this->Renderer, image);
   }
   // In the order in which they were asked for.
   for (std::size_t i = 0; i < this->Layers.size() && good; ++i)
@@ -204,7 +204,7 @@ int vtkRelievoLayerSource::RequestData(
   }
   if (good)
   {
-    this->AddCamera(image);
+    vtkRelievoLayerSource::AddCamera(this->Renderer, image);
   }
   else
   {
@@ -257,13 +257,13 @@ bool vtkRelievoLayerSource::Draw(vtkRelievoPass* pass, bool color)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoLayerSource::ReadColor(vtkImageData* image)
+void vtkRelievoLayerSource::AddColor(vtkRenderer* renderer, vtkImageData* image)
 {
   int size[2];
   int origin[2];
-  this->Renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
   vtkNew<vtkUnsignedCharArray> bytes;
-  vtkRenderWindow* window = this->Renderer->GetRenderWindow();
+  vtkRenderWindow* window = renderer->GetRenderWindow();
   window->GetRGBACharPixelData(origin[0], origin[1], origin[0] + size[0] - 1,
     origin[1] + size[1] - 1, window->GetDoubleBuffer() ? 0 : 1, bytes);
   const bool hasAlpha = window->GetAlphaBitPlanes() != 0;
@@ -290,10 +290,10 @@ void vtkRelievoLayerSource::ReadColor(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoLayerSource::AddCamera(vtkImageData* image)
+void vtkRelievoLayerSource::AddCamera(vtkRenderer* renderer, vtkImageData* image)
 {
   vtkRelievoView view;
-  view.Take(this->Renderer, nullptr);
+  view.Take(renderer, nullptr);
   double rows[16];
   auto addMatrix = [&](const char* name, const glm::dmat4& matrix) {
     for (int i = 0; i < 16; ++i)
@@ -307,7 +307,7 @@ void vtkRelievoLayerSource::AddCamera(vtkImageData* image)
   AddDoubles(image, "near", &view.Near, 1);
   AddDoubles(image, "far", &view.Far, 1);
   double origin[3];
-  this->Renderer->GetActiveCamera()->GetFocalPoint(origin);
+  renderer->GetActiveCamera()->GetFocalPoint(origin);
   for (double& value : origin)
   {
     // Volatile: GCC 12 leaves the rounding out where two doubles go to float and back side by side.
@@ -319,8 +319,8 @@ void vtkRelievoLayerSource::AddCamera(vtkImageData* image)
   vtkNew<vtkStringArray> lights;
   lights->SetName("lights");
   vtkCollectionSimpleIterator it;
-  this->Renderer->GetLights()->InitTraversal(it);
-  while (vtkLight* light = this->Renderer->GetLights()->GetNextLight(it))
+  renderer->GetLights()->InitTraversal(it);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
   {
     if (light->GetSwitch())
     {

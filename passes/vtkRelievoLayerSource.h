@@ -31,6 +31,7 @@
 #include <string> // for names
 #include <vector> // for names
 
+class vtkImageData;
 class vtkRelievoPass;
 class vtkRenderer;
 
@@ -58,6 +59,16 @@ public:
   /** The scene changes without telling: always renders anew. */
   vtkMTimeType GetMTime() override;
 
+  ///@{
+  /**
+   * What the layers have besides the G-buffer, of a picture that has been drawn already: the layer
+   * `color`, from the window's pixels, and the field data. For layers that are read elsewhere
+   * (vtkRelievoPass::ReadLayers).
+   */
+  static void AddColor(vtkRenderer* renderer, vtkImageData* image);
+  static void AddCamera(vtkRenderer* renderer, vtkImageData* image);
+  ///@}
+
 protected:
   vtkRelievoLayerSource();
   ~vtkRelievoLayerSource() override;
@@ -71,8 +82,6 @@ private:
   void operator=(const vtkRelievoLayerSource&) = delete;
 
   bool Draw(vtkRelievoPass* pass, bool color);
-  void ReadColor(vtkImageData* image);
-  void AddCamera(vtkImageData* image);
 
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<std::string> Layers;
