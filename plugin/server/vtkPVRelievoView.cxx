@@ -9,6 +9,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVDefaultPass.h"
 #include "vtkPVRelievoAccess.h"
+#include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
 #include "vtkRenderWindow.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,7 @@ public:
   vtkNew<vtkLight> SunLight;
   unsigned long EarlyTag = 0;
   unsigned long StartTag = 0;
+  std::map<std::string, int> Asked; // layers, and by how many
   double KitIntensity = -1.0;  // the user's, of the kit's key light
   double DimmedIntensity = -1; // what it was set to because of the sun
   std::string Report;
@@ -111,7 +114,42 @@ vtkPVRelievoView* vtkPVRelievoView::Find(vtkPVView* view)
 //------------------------------------------------------------------------------
 bool vtkPVRelievoView::IsAnythingOn()
 {
-  return this->GetShadows() || this->Internal->Frame->GetDisplayLayer();
+  return this->GetShadows() || this->Internal->Frame->GetDisplayLayer() ||
+    !this->Internal->Asked.empty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVRelievoView::IsInPlace()
+{
+  return this->Internal->View &&
+    vtkPVRelievoAccess::View::Passes(this->Internal->View)->GetRenderPass() ==
+    this->Internal->Frame;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::RequestLayer(const std::string& name)
+{
+  ++this->Internal->Asked[name];
+  this->Internal->Frame->RequestLayer(name);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::ReleaseLayer(const std::string& name)
+{
+  Internals& in = *this->Internal;
+  const auto found = in.Asked.find(name);
+  if (found == in.Asked.end() || --found->second > 0)
+  {
+    return;
+  }
+  in.Asked.erase(found);
+  in.Frame->ReleaseLayer(name);
+  vtkRenderWindow* window = in.View ? in.View->GetRenderWindow() : nullptr;
+  if (in.Asked.empty() && !in.Frame->GetDisplayLayer() && window && !window->GetNeverRendered())
+  {
+    window->MakeCurrent();
+    in.Frame->GetGBuffer()->ReleaseGraphicsResources(window);
+  }
 }
 
 //------------------------------------------------------------------------------

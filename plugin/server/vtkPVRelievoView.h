@@ -18,6 +18,7 @@
 #include "vtkRelievoPluginServerModule.h" // for the export macro
 
 #include <memory> // for the internals
+#include <string> // for names
 
 class vtkPVView;
 class vtkRelievoPass;
@@ -118,6 +119,18 @@ public:
   void SetDisplayRange(double first, double last);
   void SetDisplayGrey(bool on);
   ///@}
+
+  ///@{
+  /**
+   * Layers that the view's pictures make until all who asked for them have released them: what
+   * GetFrame()->ReadLayers() reads after a picture. The G-buffer is freed with the last.
+   */
+  void RequestLayer(const std::string& name);
+  void ReleaseLayer(const std::string& name);
+  ///@}
+
+  /** Whether the view's pictures are drawn through the frame: it is in use, nothing else is. */
+  bool IsInPlace();
 
   /** The frame report of the last picture that this process drew, as JSON; empty before. */
   const char* GetFrameReport();
