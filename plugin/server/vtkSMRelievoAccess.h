@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the plugin needs of ParaView's proxies, and they keep protected. The members are named
+// through a derived class that is never made: checked when compiled.
+#ifndef vtkSMRelievoAccess_h
+#define vtkSMRelievoAccess_h
+
+#include "vtkSMProxy.h"
+
+class vtkPVXMLElement;
+class vtkSMSessionProxyManager;
+
+namespace vtkSMRelievoAccess
+{
+class Proxy : public vtkSMProxy
+{
+public:
+  static vtkSMProxy* Find(vtkSMProxy* proxy, const char* name)
+  {
+    vtkSMProxy* (vtkSMProxy::*get)(const char*) = &Proxy::GetSubProxy;
+    return (proxy->*get)(name);
+  }
+  static int Make(
+    vtkSMProxy* proxy, vtkSMSessionProxyManager* manager, vtkPVXMLElement* element)
+  {
+    return (proxy->*(&Proxy::CreateSubProxiesAndProperties))(manager, element);
+  }
+};
+}
+
+#endif
