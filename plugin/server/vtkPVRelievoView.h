@@ -81,7 +81,7 @@ public:
   ///@}
 
   ///@{
-  /** Default 0.8. */
+  /** Default 0.7. */
   vtkSetClampMacro(SunIntensity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SunIntensity, double);
   ///@}
@@ -104,7 +104,7 @@ public:
   ///@{
   /**
    * What is left of the light kit while the sun is on, 0 to 1: the kit alone lights a scene fully.
-   * Default 0.4.
+   * Default 0.3.
    */
   vtkSetClampMacro(SunKitShare, double, 0.0, 1.0);
   vtkGetMacro(SunKitShare, double);
@@ -152,10 +152,10 @@ protected:
   bool Sun = false;
   double SunAzimuth = 150.0;
   double SunElevation = 45.0;
-  double SunIntensity = 0.8;
+  double SunIntensity = 0.7;
   double SunColor[3] = { 1.0, 1.0, 1.0 };
   int SunUpAxis = 2;
-  double SunKitShare = 0.4;
+  double SunKitShare = 0.3;
   int NumberOfFrames = 0;
 
 private:

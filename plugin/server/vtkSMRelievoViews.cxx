@@ -165,7 +165,7 @@ int vtkSMRelievoViews::Upgrade()
   for (session->InitTraversal(); !session->IsDoneWithTraversal(); session->GoToNextItem())
   {
     auto* current = vtkSMSession::SafeDownCast(session->GetCurrentSession());
-    if (!current || current->IsMultiClients())
+    if (!current || !current->GetSessionProxyManager() || current->IsMultiClients())
     {
       continue; // in a shared session proxies must stay as the server sent them
     }

@@ -1,0 +1,106 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws pictures of a scene whose parts lie on the ranks: ranksScene.py FOLDER NAME
+
+With several ranks the ground is on the last one and the rest spread over the others, so that what
+casts and what receives are never on the same rank. Writes FOLDER/STEP-NAME.png for every step.
+"""
+
+import sys
+
+import pv
+from paraview import simple
+
+FOLDER, NAME = sys.argv[1:3]
+
+# What a rank makes of its part of the scene; run by ParaView on each of them.
+PART = """
+import numpy, pathlib
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+controller = vtkMultiProcessController.GetGlobalController()
+ranks, rank = controller.GetNumberOfProcesses(), controller.GetLocalProcessId()
+others = ranks - 1 if ranks > 1 else 1
+if "WHAT" == "ground" and rank == ranks - 1:
+    plane = vtkPlaneSource()
+    plane.SetOrigin(-3, -3, 0)
+    plane.SetPoint1(3, -3, 0)
+    plane.SetPoint2(-3, 3, 0)
+    plane.Update()
+    self.GetOutput().ShallowCopy(plane.GetOutput())
+elif "WHAT" == "bunny" and (ranks == 1 or rank < others):
+    words = pathlib.Path("DATA/bunny.off").read_text().split()
+    points, faces = int(words[1]), int(words[2])
+    xyz = numpy.array(words[4 : 4 + 3 * points], float).reshape(-1, 3)
+    cells = numpy.array(words[4 + 3 * points : 4 + 3 * points + 4 * faces], int).reshape(-1, 4)
+    low, high = xyz.min(axis=0), xyz.max(axis=0)
+    # z up, 2 long, on the ground. Built-ins like max() are ParaView's own in here.
+    xyz = (xyz - 0.5 * (low + high)) * (2.0 / (high - low).max())
+    xyz = numpy.ascontiguousarray(numpy.stack([xyz[:, 0], -xyz[:, 2], xyz[:, 1] - xyz[:, 1].min()], 1))
+    mine = numpy.array_split(cells, others)[rank]
+    output = self.GetOutput()
+    output.SetPoints(vtkPoints())
+    output.GetPoints().SetData(numpy_to_vtk(xyz, deep=True))
+    polys = vtkCellArray()
+    polys.SetData(3, numpy_to_vtkIdTypeArray(numpy.ascontiguousarray(mine[:, 1:]).ravel(), deep=True))
+    output.SetPolys(polys)
+"""
+
+pv.load()
+view = simple.CreateView("RenderView")
+view.ViewSize = [450, 300]
+for what in ("ground", "bunny"):
+    part = simple.ProgrammableSource()
+    part.OutputDataSetType = "vtkPolyData"
+    part.Script = PART.replace("WHAT", what).replace("DATA", str(pv.DATA))
+    shown = simple.Show(part, view)
+    shown.Interpolation = "Flat"
+view.CameraPosition = [5, -7, 5]
+view.CameraFocalPoint = [0, 0, 0.7]
+view.CameraViewUp = [0, 0, 1]
+view.CameraViewAngle = 20
+
+
+def step(name):
+    """The picture now."""
+    simple.Render(view)
+    pv.write(f"{FOLDER}/{name}-{NAME}.png", pv.picture(view))
+
+
+step("off")
+view.RelievoShadows = 1
+step("kit")
+view.RelievoSun = 1
+step("sun")
+print("report:", view.SMProxy.UpdatePropertyInformation(), view.GetProperty("RelievoFrameReport"))
+view.RelievoSunAzimuth = 60
+step("moved-sun")
+view.CameraPosition = [2, -4, 2]
+step("moved-camera")
+view.RelievoShadowMethod = "Warped"
+step("warped")
+view.RelievoShadowMethod = "Forward"
+step("forward")
+view.RelievoShadowMethod = "Map"
+light = simple.AddLight(view=view)
+light.Coords = "Scene"
+light.Type = "Positional"
+light.Position = [0.4, -0.9, 2.5]
+light.FocalPoint = [0, 0, 0]
+light.ConeAngle = 90
+step("lamp")
+view.RelievoDisplayLayer = "normal"
+step("normal")
+view.RelievoDisplayLayer = "depth"
+step("depth")
+view.RelievoDisplayLayer = "None"
+view.RelievoSun = 0
+view.RelievoShadows = 0
+simple.RemoveLight(light)
+view.CameraPosition = [5, -7, 5]
+step("off-again")
+pv.clear()  # no sys.exit() here: the other ranks would not hear of it

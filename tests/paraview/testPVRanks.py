@@ -1,0 +1,69 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Several ranks, with what casts and what receives on different ones, draw what one rank draws."""
+
+import os
+import pathlib
+import subprocess
+
+import pv
+
+STEPS = "off kit sun moved-sun moved-camera warped forward lamp normal depth off-again".split()
+SCENE = pathlib.Path(__file__).with_name("ranksScene.py")
+
+
+def draw(ranks):
+    """All steps' pictures with so many ranks, and what ParaView wrote."""
+    launcher = []
+    if ranks > 1:
+        launcher = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(ranks)]
+    done = subprocess.run(
+        [*launcher, str(pv.TOOLS / "pvbatch"), str(SCENE), str(pv.OUTPUT), str(ranks)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+        timeout=100,
+        # pvpython is a rank of its own already, and tells so in variables that its children inherit.
+        env={n: v for n, v in os.environ.items() if not n.startswith(("OMPI_", "PMIX_", "ORTE_"))},
+    )
+    if done.returncode:
+        raise AssertionError(f"{ranks} ranks: exit {done.returncode}\n{done.stdout}")
+    return {name: pv.read(pv.OUTPUT / f"{name}-{ranks}.png") for name in STEPS}, done.stdout
+
+
+class Ranks(pv.Test):
+    """Two and four ranks against one."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.one, cls.said = draw(1)
+
+    def test_scene(self):
+        """The steps are what they say: there are shadows, and they move with the sun."""
+        self.assertEqual(pv.messages(self.said), [])
+        self.differ(self.one["kit"], self.one["off"], "kit", share=0.004)
+        self.differ(self.one["sun"], self.one["moved-sun"], "moved sun")
+        self.differ(self.one["lamp"], self.one["moved-camera"], "lamp")
+        self.same(self.one["off"], self.one["off-again"], "off again")
+
+    def check(self, ranks):
+        """All steps; of shadows no more than 0.02 % of the pixels may differ."""
+        several, said = draw(ranks)
+        self.assertEqual(pv.messages(said), [])
+        self.assertIn(f"merged over {ranks} processes", said)
+        for name in STEPS:
+            with self.subTest(step=name, ranks=ranks):
+                self.near(self.one[name], several[name], f"{name} {ranks}", share=0.0002)
+
+    def test_two(self):
+        """The caster on one, the ground on the other."""
+        self.check(2)
+
+    def test_four(self):
+        """The caster on three."""
+        self.check(4)
+
+
+if __name__ == "__main__":
+    pv.main()
