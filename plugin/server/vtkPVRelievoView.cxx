@@ -9,6 +9,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVDefaultPass.h"
 #include "vtkPVRelievoAccess.h"
+#include "vtkPropCollection.h"
 #include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
@@ -252,6 +253,19 @@ void vtkPVRelievoView::ChooseCasters()
   for (vtkLight* light : vtkPVRelievoAccess::LightKit::Others(kit))
   {
     choose(light, all);
+  }
+  // What ParaView draws beside the data cannot be picked: outlines, selections, the centre's axes.
+  vtkPropCollection* props = in.View->GetRenderer()->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    const int casts = prop->GetPickable() ? vtkRelievoShadowPass::CASTS_IF_OPAQUE
+                                          : vtkRelievoShadowPass::CASTS_NEVER;
+    if (shadows->GetPropCasts(prop) != casts)
+    {
+      shadows->SetPropCasts(prop, casts);
+    }
   }
 }
 

@@ -1,0 +1,198 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the plugin's tests share: the plugin, pictures as numpy, how two differ, other processes."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import time
+import unittest
+
+import numpy
+from paraview import simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+
+PLUGIN = os.environ["RELIEVO_PLUGIN"]
+TOOLS = pathlib.Path(os.environ["RELIEVO_PV_FOLDER"])
+OUTPUT = pathlib.Path(os.environ.get("RELIEVO_TEST_OUTPUT", "."))
+DATA = pathlib.Path(os.environ.get("RELIEVO_DATA", "."))
+# How ParaView and VTK begin what they have to say.
+MESSAGE = re.compile(r"(ERR|WARN|FATAL)\|.*|(ERROR|Warning): In .*")
+
+
+def load(**more):
+    """Loads the plugin here (remote=False), or as said."""
+    simple.LoadPlugin(PLUGIN, **{"remote": False, "ns": simple.__dict__, **more})
+
+
+def clear():
+    """Deletes all views and sources. Much faster than a new session."""
+    for view in simple.GetViews():
+        for shown in list(view.Representations):
+            simple.Delete(shown)
+        simple.Delete(view)
+    for source in simple.GetSources().values():
+        simple.Delete(source)
+
+
+def pixels(image):
+    """A vtkImageData's colours as uint8 (rows, columns, 3), the top row first."""
+    columns, rows, _ = image.GetDimensions()
+    scalars = vtk_to_numpy(image.GetPointData().GetScalars())
+    return scalars.reshape(rows, columns, -1)[::-1, :, :3].copy()
+
+
+def picture(view):
+    """What the view draws now, at full quality."""
+    return pixels(view.SMProxy.CaptureWindow(1))
+
+
+def read(path):
+    """A PNG file's colours."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return pixels(reader.GetOutput())
+
+
+def write(path, colours):
+    """Writes colours as pixels() gives them into a PNG file."""
+    rows, columns, _ = colours.shape
+    image = vtkImageData()
+    image.SetDimensions(columns, rows, 1)
+    flat = numpy.ascontiguousarray(colours[::-1]).reshape(-1, 3).astype(numpy.uint8)
+    image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
+    writer = vtkPNGWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(image)
+    writer.Write()
+
+
+def unlike(first, second, level=0):
+    """Where two pictures differ by more than `level` grey levels in any channel: (rows, columns)."""
+    return (numpy.abs(first.astype(int) - second.astype(int)) > level).any(axis=2)
+
+
+def messages(text):
+    """The errors and warnings in what a process wrote, without times and places."""
+    return [found.group(0) for found in MESSAGE.finditer(text)]
+
+
+class Test(unittest.TestCase):
+    """Comparisons that leave what they saw in the test's folder when they fail."""
+
+    def same(self, first, second, what):
+        """Two pictures are equal, bit for bit."""
+        self.near(first, second, what, level=0, share=0.0)
+
+    def near(self, first, second, what, level=1, share=0.001):
+        """No more than a share of the pixels differ by more than a number of grey levels."""
+        self.assertEqual(first.shape, second.shape, f"{what}: sizes")
+        wrong = unlike(first, second, level)
+        if wrong.mean() > share:
+            difference = numpy.abs(first.astype(int) - second.astype(int))
+            self.leave(what, first=first, second=second, differs=numpy.clip(difference * 10, 0, 255))
+            self.fail(
+                f"{what}: {wrong.sum()} of {wrong.size} pixels differ by more than {level},"
+                f" {share:g} of them may; at most by {difference.max()}, mean {difference.mean():.4f}"
+            )
+
+    def differ(self, first, second, what, share=0.01):
+        """At least a share of the pixels differ: that something happened at all."""
+        self.assertEqual(first.shape, second.shape, f"{what}: sizes")
+        if unlike(first, second, 2).mean() < share:
+            self.leave(what, first=first, second=second)
+            self.fail(f"{what}: the pictures are alike")
+
+    def leave(self, what, **pictures):
+        """Writes pictures to look at into the test's folder."""
+        stem = re.sub(r"\W+", "-", f"{self._testMethodName} {what}")
+        for name, colours in pictures.items():
+            write(OUTPUT / f"{stem}-{name}.png", colours)
+
+
+def run(script, *words, tool="pvpython", status=0, timeout=100):
+    """Runs a script in a process of its own; returns all it wrote. `status` None: any."""
+    done = subprocess.run(
+        [str(TOOLS / tool), str(script), *map(str, words)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+        timeout=timeout,
+        cwd=OUTPUT,
+    )
+    if status is not None and done.returncode != status:
+        raise AssertionError(f"{tool} {script}: exit {done.returncode}\n{done.stdout}")
+    return done.stdout
+
+
+class Server:
+    """A pvserver on a port that was free, ended with the `with` block or by its own time limit."""
+
+    def __init__(self, *words, launcher=(), limit=100):
+        self.words = [*launcher, str(TOOLS / "pvserver"), *words]
+        self.limit = limit
+        self.log = OUTPUT / "pvserver.log"
+
+    def __enter__(self):
+        # Port 0: pvserver takes a free one and says which.
+        with self.log.open("w") as log:
+            self.process = subprocess.Popen(
+                ["timeout", str(self.limit), *self.words, "--server-port=0"],
+                stdout=log,
+                stderr=subprocess.STDOUT,
+            )
+        try:
+            self.port = self._wait_for_port()
+        except BaseException:
+            self._end()
+            raise
+        return self
+
+    def _wait_for_port(self):
+        end = time.monotonic() + 60
+        while time.monotonic() < end:
+            said = re.search(r"Accepting connection\(s\): .*:(\d+)", self.text())
+            if said:
+                return int(said.group(1))
+            if self.process.poll() is not None:
+                break
+            time.sleep(0.05)
+        raise AssertionError(f"pvserver did not start:\n{self.text()}")
+
+    def text(self):
+        """What the server wrote so far."""
+        return self.log.read_text(errors="replace")
+
+    def _end(self):
+        if self.process.poll() is None:
+            self.process.terminate()
+        try:
+            self.process.wait(20)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+
+    def __exit__(self, *_):
+        # It ends by itself when its client disconnects.
+        try:
+            self.process.wait(20)
+        except subprocess.TimeoutExpired:
+            self._end()
+
+
+def main():
+    """Runs the script's cases; the exit status says whether all passed."""
+    done = unittest.main(argv=[sys.argv[0], "-v", *sys.argv[1:]], module="__main__", exit=False)
+    leave(not done.result.wasSuccessful())
+
+
+def leave(status=0):
+    """Ends the script. ParaView 5.11 crashes in sys.exit() while there are views."""
+    clear()
+    sys.exit(status)
