@@ -39,11 +39,11 @@ def clear():
         simple.Delete(source)
 
 
-def pixels(image):
-    """A vtkImageData's colours as uint8 (rows, columns, 3), the top row first."""
+def pixels(image, channels=3):
+    """A vtkImageData's colours as uint8 (rows, columns, channels), the top row first."""
     columns, rows, _ = image.GetDimensions()
     scalars = vtk_to_numpy(image.GetPointData().GetScalars())
-    return scalars.reshape(rows, columns, -1)[::-1, :, :3].copy()
+    return scalars.reshape(rows, columns, -1)[::-1, :, :channels].copy()
 
 
 def picture(view):
@@ -51,12 +51,12 @@ def picture(view):
     return pixels(view.SMProxy.CaptureWindow(1))
 
 
-def read(path):
+def read(path, channels=3):
     """A PNG file's colours."""
     reader = vtkPNGReader()
     reader.SetFileName(str(path))
     reader.Update()
-    return pixels(reader.GetOutput())
+    return pixels(reader.GetOutput(), channels)
 
 
 def write(path, colours):
@@ -64,7 +64,7 @@ def write(path, colours):
     rows, columns, _ = colours.shape
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)
-    flat = numpy.ascontiguousarray(colours[::-1]).reshape(-1, 3).astype(numpy.uint8)
+    flat = numpy.ascontiguousarray(colours[::-1]).reshape(rows * columns, -1).astype(numpy.uint8)
     image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
     writer = vtkPNGWriter()
     writer.SetFileName(str(path))

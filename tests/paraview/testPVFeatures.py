@@ -9,9 +9,9 @@ With the words `draw FILE` the script draws all features without the plugin.
 import sys
 
 import features
+import judge
 import numpy
 import pv
-import stage
 
 
 def draw():
@@ -32,26 +32,9 @@ class Features(pv.Test):
         if name != "nothing":
             self.differ(first, self.own["nothing"], name + ", the feature itself", 1e-4)
         truth = scene.verdicts(margin=1 + features.FEATURES[name][1])
-        self.shadows(scene, truth, name)
+        judge.shadows(self, judge.sun(scene), truth, name)
         scene.sun(on=False, shadows=False)
         self.same(pv.picture(scene.view), first, name + ", off again")
-
-    def shadows(self, scene, truth, name):
-        scene.sun(shadows=False)
-        lit = pv.picture(scene.view)
-        scene.sun(shadows=False, intensity=0.0)
-        dark = pv.picture(scene.view)
-        scene.sun()
-        found = pv.picture(scene.view)
-        expected = numpy.where((truth == stage.DARK)[..., None], dark, lit)
-        sure = truth != stage.UNSURE
-        # What the light does not change is the same whatever it reaches, at edges too.
-        sure |= ~pv.unlike(lit, dark)
-        shadow = sure & (truth == stage.DARK) & pv.unlike(lit, dark, 8)
-        self.assertGreater(shadow.mean(), 0.02, name + ": no shadow in this picture")
-        self.assertGreater(sure.mean(), 0.8, name + ": too few pixels to judge")
-        found = numpy.where(sure[..., None], found, expected)
-        self.near(found, expected, name + ", shadows", level=1, share=3e-4)
 
 
 for each in features.FEATURES:
