@@ -21,3 +21,9 @@
 #include "formulas/colormap.glsl"
 
 #include "formulas/shadow.glsl"
+
+#include "formulas/environment.glsl"
+
+#include "formulas/irradiance.glsl"
+
+#include "formulas/prefilter.glsl"

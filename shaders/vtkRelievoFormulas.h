@@ -17,6 +17,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -91,7 +92,9 @@ inline float FromHalf(std::uint32_t half)
 
 #define RELIEVO_FORMULA_BUILTINS                                                                   \
   using glm::abs;                                                                                  \
+  using glm::atan;                                                                                 \
   using glm::clamp;                                                                                \
+  using glm::cos;                                                                                  \
   using glm::cross;                                                                                \
   using glm::dot;                                                                                  \
   using glm::exp;                                                                                  \
@@ -107,6 +110,7 @@ inline float FromHalf(std::uint32_t half)
   using glm::mix;                                                                                  \
   using glm::normalize;                                                                            \
   using glm::pow;                                                                                  \
+  using glm::sin;                                                                                  \
   using glm::sqrt;                                                                                 \
   using uint = std::uint32_t;                                                                      \
   using uvec2 = glm::uvec2;                                                                        \

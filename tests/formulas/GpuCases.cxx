@@ -50,7 +50,10 @@ std::string FragmentShader()
       vtkRelievoShaderLibrary::Get("formulas/unproject.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/srgb.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/hash_color.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/colormap.glsl"));
+      vtkRelievoShaderLibrary::Get("formulas/colormap.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/environment.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/irradiance.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/prefilter.glsl"));
   vtkShaderProgram::Substitute(shader, "//RELIEVO::Cases", ReadTestShader("cases.glsl"));
   return shader;
 }

@@ -194,6 +194,50 @@ uvec4 relievoTestColor(int which, uvec4 a)
   return uvec4(relievoHash(a.x), relievoHash(a.y), relievoHash(a.z), relievoHash(a.w));
 }
 
+// Environment: a.xyz a direction; 42 to 45: a.xy a place (45 also: cosine, roughness), b.x a face.
+uvec4 relievoTestEnvironment(int which, uvec4 a, uvec4 b)
+{
+  vec3 d = relievoTestVector(a);
+  vec2 st = vec2(d.x, d.y);
+  if (which == 40)
+  {
+    vec2 uv = relievoEquirectangularFromDirection(d);
+    vec2 ball = relievoSphereMapFromDirection(d);
+    return relievoTestBits(vec4(uv.x, uv.y, ball.x, ball.y));
+  }
+  if (which == 41)
+  {
+    int face = relievoCubeFace(d);
+    vec2 place = relievoCubeFromDirection(d, face);
+    return uvec4(uint(face), floatBitsToUint(place.x), floatBitsToUint(place.y),
+      floatBitsToUint(relievoCubeDensity(place)));
+  }
+  if (which == 42)
+  {
+    return relievoTestBits3(relievoDirectionFromEquirectangular(st));
+  }
+  if (which == 43)
+  {
+    return relievoTestBits3(relievoDirectionFromCube(st, int(b.x)));
+  }
+  if (which == 44)
+  {
+    return relievoTestBits3(relievoDirectionFromSphereMap(st));
+  }
+  if (which == 45)
+  {
+    return relievoTestBits(vec4(relievoEquirectangularDensity(st), relievoSphereMapDensity(st),
+      relievoPrefilterWeight(d.x, d.y) * d.y * d.y, relievoPrefilterLevel(d.y, 6)));
+  }
+  vec3 coefficients[9];
+  for (int i = 0; i < 9; ++i)
+  {
+    float shade = float(i + 1);
+    coefficients[i] = vec3(shade, float(1.0) / shade, relievoPrefilterRoughness(i, 9));
+  }
+  return relievoTestBits3(relievoShIrradiance(d, coefficients));
+}
+
 uvec4 relievoTestCase(int which, uvec4 a, uvec4 b)
 {
   if (which < 10)
@@ -208,5 +252,9 @@ uvec4 relievoTestCase(int which, uvec4 a, uvec4 b)
   {
     return relievoTestSpace(which, a, b);
   }
-  return relievoTestColor(which, a);
+  if (which < 40)
+  {
+    return relievoTestColor(which, a);
+  }
+  return relievoTestEnvironment(which, a, b);
 }
