@@ -161,6 +161,10 @@ int vtkRelievoDepthToPoints::RequestData(
   Camera camera;
   std::string problem;
   this->SetErrorCode(vtkErrorCode::NoError);
+  if (input->GetNumberOfPoints() == 0)
+  {
+    return 1; // of several processes those without a part of the image
+  }
   if (!GetDepth(input, name, problem) || !GetCamera(input->GetFieldData(), camera, problem))
   {
     // The output stays empty. Status 0 would make the pipeline say it again in its own words.

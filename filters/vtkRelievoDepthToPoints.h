@@ -10,6 +10,8 @@
  * - field arrays worldToCamera and worldToNDC: 16 numbers each, row by row as vtkMatrix4x4 stores
  *   them. Both act on world coordinates as they are, however far from the origin.
  *
+ * An image without pixels gives no points: on several processes one has the image.
+ *
  * Output: one vertex per pixel with a finite depth, where the ray through the pixel's centre has
  * that depth; coordinates are double. Any projection will do: perspective, parallel, off-centre,
  * oblique. The formulas are those of shaders/formulas/unproject.glsl, in double. The field data is

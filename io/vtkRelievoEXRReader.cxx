@@ -217,7 +217,10 @@ int vtkRelievoEXRReader::RequestData(
 {
   vtkImageData* output = vtkImageData::GetData(outputVector, 0);
   output->Initialize();
-  if (this->Self->RefusedAt == this->GetMTime())
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  const bool later = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) &&
+    info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
+  if (later || this->Self->RefusedAt == this->GetMTime())
   {
     return 1;
   }

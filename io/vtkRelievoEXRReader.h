@@ -21,6 +21,9 @@
  * FLOAT become float, UINT becomes unsigned int. `color`, or else the first array, is made the
  * active scalars. Attributes become field data; which ones is told in docs/exr.md.
  *
+ * The image is whole: of several pieces that a pipeline asks for (one for each process), the first
+ * is the image and the others are empty.
+ *
  * When a file cannot be read there is one error message, which names the file, says what is wrong
  * and what to do; GetErrorCode() is set, and the output is empty until the reader is changed.
  * Setting AbortExecute from a progress observer stops reading without a message; the output is

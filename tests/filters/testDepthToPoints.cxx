@@ -14,6 +14,7 @@
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -179,6 +180,13 @@ void TestNothingThere()
   filter->Update();
   RELIEVO_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
   RELIEVO_CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+
+  // No pixels at all, without arrays: the same, without a message.
+  vtkNew<vtkImageData> empty;
+  filter->SetInputData(empty);
+  filter->Update();
+  RELIEVO_CHECK(filter->GetErrorCode() == vtkErrorCode::NoError);
+  RELIEVO_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
 }
 
 // Runs the filter on an image that `spoil` has damaged; it must say `words` and give nothing.

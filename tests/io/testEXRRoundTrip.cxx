@@ -10,8 +10,10 @@
 
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
+#include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkImageFlip.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -355,6 +357,21 @@ void TestComparison()
   normal->SetValue(17, std::nextafter(normal->GetValue(17), 9.0f));
   RELIEVO_CHECK(!ioTest::Difference(image, ioTest::Read(File())).empty());
 }
+
+// The camera belongs to the whole image: it is not cut into pieces.
+void TestPieces()
+{
+  auto image = ioTest::MakeLayers(40, 30);
+  RELIEVO_CHECK(ioTest::Write(image, File()));
+  for (const int piece : { 0, 1, 2 })
+  {
+    vtkNew<vtkRelievoEXRReader> reader;
+    reader->SetFileName(File().c_str());
+    reader->UpdatePiece(piece, 3, 0);
+    RELIEVO_CHECK(reader->GetOutput()->GetNumberOfPoints() == (piece == 0 ? 1200 : 0));
+    RELIEVO_CHECK(reader->GetErrorCode() == vtkErrorCode::NoError);
+  }
+}
 }
 
 int main()
@@ -373,5 +390,6 @@ int main()
   TestOtherArrays();
   TestComparison();
   TestThreads();
+  TestPieces();
   return session.Result();
 }
