@@ -1,0 +1,155 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which of a view's lights cast, and where: the sun, lights that users add, the light kit."""
+
+import judge
+import numpy
+import pv
+import stage
+from paraview import simple
+
+
+class Lights(pv.Test):
+    @classmethod
+    def setUpClass(cls):
+        pv.load()
+
+    def setUp(self):
+        pv.clear()
+        self.scene = stage.Stage()
+        self.view = self.scene.view
+        self.scene.render()
+
+    def add(self, **values):
+        """A light that a user adds, alone in the view."""
+        self.view.UseLight = 0
+        light = simple.AddLight(self.view)
+        light.Coords = "Scene"
+        light.Intensity = 0.6
+        for name, value in values.items():
+            setattr(light, name, value)
+        return light
+
+    def states(self, light):
+        """The lit, the dark and the found picture of that light."""
+        self.view.RelievoShadows = 0
+        lit = pv.picture(self.view)
+        intensity = light.Intensity
+        light.Intensity = 0.0
+        dark = pv.picture(self.view)
+        light.Intensity = intensity
+        self.view.RelievoShadows = 1
+        return lit, dark, pv.picture(self.view)
+
+    def test_the_sun_with_each_axis_up(self):
+        for axis, azimuth in (("X", 20.0), ("Y", 200.0)):
+            east, north, up = stage.sun(azimuth, 20.0)
+            # North is z with x up, -z with y up.
+            towards = (up, east, north) if axis == "X" else (east, up, -north)
+            self.scene.sun()
+            self.view.RelievoSunUpAxis = axis
+            self.view.RelievoSunAzimuth = azimuth
+            self.view.RelievoSunElevation = 20.0
+            pictures = []
+            for shadows, intensity in ((0, 1.0), (0, 0.0), (1, 1.0)):
+                self.view.RelievoShadows = shadows
+                self.view.RelievoSunIntensity = intensity
+                pictures.append(pv.picture(self.view))
+            truth = self.scene.verdicts(light=numpy.array(towards))
+            judge.shadows(self, pictures, truth, axis + " up")
+
+    def test_the_sun_stays_and_the_kit_is_given_back(self):
+        before = self.view.KeyLightIntensity
+        own = pv.picture(self.view)
+        self.scene.sun()
+        self.view.RelievoSunColor = [1.0, 0.2, 0.2]
+        red = pv.picture(self.view)
+        seen = (self.scene.verdicts() == stage.LIT) & (red[..., 0] > 100)
+        self.assertGreater(seen.mean(), 0.1)
+        self.assertTrue((red[seen][:, 0] > red[seen][:, 2]).all())
+        self.view.KeyLightIntensity = before / 2
+        pv.picture(self.view)
+        self.view.KeyLightIntensity = before
+        self.scene.sun(on=False, shadows=False)
+        self.same(pv.picture(self.view), own, "the sun taken away")
+        self.assertEqual(self.view.KeyLightIntensity, before)
+
+    def test_a_directional_light(self):
+        towards = stage.sun(100.0, 50.0)
+        light = self.add(Type="Directional", Position=10 * towards, FocalPoint=[0.0, 0.0, 0.0])
+        truth = self.scene.verdicts(light=towards)
+        judge.shadows(self, self.states(light), truth, "directional", least=0.01)
+
+    def test_spots_and_point_lights(self):
+        place = [-1.5, -1.5, 4.5]
+        for cone in (20.0, 60.0, 90.0):
+            light = self.add(Type="Positional", Position=place, FocalPoint=[0.0, 0.0, 0.4])
+            light.ConeAngle = cone
+            truth = self.scene.verdicts(lamp=place, cone=cone)
+            judge.shadows(self, self.states(light), truth, f"cone {cone}")
+            simple.RemoveLight(light)
+
+    def test_strength_of_one_light_and_of_all(self):
+        towards = stage.sun()
+        light = self.add(Type="Directional", Position=10 * towards, FocalPoint=[0.0, 0.0, 0.0])
+        lit, dark, found = self.states(light)
+        truth = self.scene.verdicts()
+        for owner in (light, self.view):
+            owner.RelievoShadowStrength = 0.0
+            self.same(pv.picture(self.view), lit, "no strength")
+            owner.RelievoShadowStrength = 0.25
+            quarter = pv.picture(self.view).astype(int)
+            shadow = (truth == stage.DARK) & pv.unlike(lit, dark, 40)
+            self.assertGreater(shadow.mean(), 0.02)
+            expected = 0.75 * lit[shadow] + 0.25 * dark[shadow]
+            self.assertLess(numpy.abs(quarter[shadow] - expected).max(), 2.0)
+            owner.RelievoShadowStrength = 1.0
+            self.same(pv.picture(self.view), found, "full strength")
+
+    def test_a_light_that_is_off_or_at_the_eye_casts_nothing(self):
+        own = self.add(Coords="Headlight")
+        lit, _, found = self.states(own)
+        self.same(found, lit, "headlight")
+        own.Coords = "Ambient"
+        lit, _, found = self.states(own)
+        self.same(found, lit, "ambient light")
+        off = self.add(Type="Directional", Position=[5.0, 0.0, 5.0], Enable=0)
+        self.same(pv.picture(self.view), lit, "a light that is off")
+        off.Enable = 1
+        self.differ(pv.picture(self.view), lit, "a light that is on")
+
+    def test_the_kits_key_light(self):
+        origin, direction = self.scene.rays(stage.SIZE)
+        eye = numpy.array(self.view.CameraPosition)
+        back = eye - numpy.array(self.view.CameraFocalPoint)
+        back /= numpy.linalg.norm(back)
+        right = numpy.cross([0.0, 0.0, 1.0], back)
+        right /= numpy.linalg.norm(right)
+        up = numpy.cross(back, right)
+        azimuth, elevation = numpy.radians(
+            [self.view.KeyLightAzimuth, self.view.KeyLightElevation]
+        )
+        level = numpy.cos(elevation)
+        towards = (
+            right * level * numpy.sin(azimuth)
+            + up * numpy.sin(elevation)
+            + back * level * numpy.cos(azimuth)
+        )
+        truth = self.scene.verdicts(light=towards)
+        lit = pv.picture(self.view)
+        self.view.RelievoShadows = 1
+        found = pv.picture(self.view)
+        sunny = truth == stage.LIT
+        kept = numpy.where(sunny[..., None], found, lit)
+        self.near(kept, lit, "what the key light reaches", share=3e-4)
+        ground = (truth == stage.DARK) & (lit.min(axis=2) > 150)
+        self.assertGreater(ground.mean(), 0.01)
+        self.assertTrue(pv.unlike(found, lit, 8)[ground].all(), "what it does not reach")
+        self.view.RelievoLightKitCasts = "Nothing"
+        self.same(pv.picture(self.view), lit, "a kit that casts nothing")
+        self.view.RelievoLightKitCasts = "All lights"
+        self.differ(pv.picture(self.view), found, "all lights of the kit", share=0.005)
+
+
+if __name__ == "__main__":
+    pv.main()
