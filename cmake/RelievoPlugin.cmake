@@ -1,6 +1,35 @@
 # Builds the ParaView plugin into <build>/plugin, and installs it where ParaView looks for plugins:
 # PV_PLUGIN_PATH may name the build's folder or the installed one.
 
+# Its part in ParaView's window is built where Qt's developer files are. They are asked for here and
+# not through ParaView's component pqComponents, which would ask for those of all its readers too.
+set(RELIEVO_PLUGIN_GUI AUTO CACHE STRING
+  "The plugin's panel, tool bar and help in ParaView's window: ON, OFF, or AUTO (where Qt is)")
+set_property(CACHE RELIEVO_PLUGIN_GUI PROPERTY STRINGS AUTO ON OFF)
+set(relievo_plugin_gui OFF)
+if (RELIEVO_PLUGIN_GUI)
+  set(relievo_qt Core Gui Widgets OpenGL)
+  find_package(Qt5 5.15 QUIET COMPONENTS ${relievo_qt})
+  if (Qt5_FOUND AND TARGET ParaView::pqComponents)
+    set(relievo_plugin_gui ON)
+    # What these libraries use inside is the linker's to find, not CMake's: it would ask for all
+    # readers again.
+    foreach (target IN ITEMS ParaView::pqWidgets ParaView::pqCore ParaView::pqComponents)
+      get_target_property(configurations ${target} IMPORTED_CONFIGURATIONS)
+      foreach (configuration IN LISTS configurations)
+        set_target_properties(${target} PROPERTIES
+          "IMPORTED_LINK_DEPENDENT_LIBRARIES_${configuration}" "")
+      endforeach ()
+    endforeach ()
+  elseif (RELIEVO_PLUGIN_GUI STREQUAL "AUTO")
+    message(STATUS "ParaView plugin: for servers and scripts only (no developer files of Qt)")
+  else ()
+    message(FATAL_ERROR "RELIEVO_PLUGIN_GUI is ON, but Qt 5.15's developer files (${relievo_qt}) or "
+      "ParaView's Qt libraries were not found. On Debian install qtbase5-dev and libqt5opengl5-dev; "
+      "or set RELIEVO_PLUGIN_GUI=OFF.")
+  endif ()
+endif ()
+
 paraview_plugin_scan(
   PLUGIN_FILES "${PROJECT_SOURCE_DIR}/plugin/paraview.plugin"
   ENABLE_BY_DEFAULT ON

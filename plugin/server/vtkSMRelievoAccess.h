@@ -21,8 +21,7 @@ public:
     vtkSMProxy* (vtkSMProxy::*get)(const char*) = &Proxy::GetSubProxy;
     return (proxy->*get)(name);
   }
-  static int Make(
-    vtkSMProxy* proxy, vtkSMSessionProxyManager* manager, vtkPVXMLElement* element)
+  static int Make(vtkSMProxy* proxy, vtkSMSessionProxyManager* manager, vtkPVXMLElement* element)
   {
     return (proxy->*(&Proxy::CreateSubProxiesAndProperties))(manager, element);
   }

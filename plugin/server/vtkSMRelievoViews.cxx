@@ -126,8 +126,8 @@ if make and sm.ActiveConnection:
 void vtkSMRelievoViews::Start()
 {
   const auto type = vtkProcessModule::GetProcessType();
-  if (Instance() || (type != vtkProcessModule::PROCESS_CLIENT &&
-                      type != vtkProcessModule::PROCESS_BATCH))
+  if (Instance() ||
+    (type != vtkProcessModule::PROCESS_CLIENT && type != vtkProcessModule::PROCESS_BATCH))
   {
     return;
   }

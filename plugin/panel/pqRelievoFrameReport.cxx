@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqRelievoFrameReport.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMap>
+#include <QRegularExpression>
+#include <QStringList>
+
+//------------------------------------------------------------------------------
+bool pqRelievoFrameReport::Read(const QByteArray& json)
+{
+  *this = pqRelievoFrameReport();
+  const QJsonObject frame = QJsonDocument::fromJson(json).object();
+  for (const QJsonValue& value : frame["stages"].toArray())
+  {
+    const QJsonObject object = value.toObject();
+    Stage stage;
+    stage.Name = object["name"].toString();
+    stage.Label = GetLabel(stage.Name);
+    stage.Reason = object["reason"].toString();
+    stage.Ran = object["ran"].toBool();
+    stage.Milliseconds = object["gpu_ms"].toDouble(-1.0);
+    stage.Bytes = object["bytes"].toDouble();
+    stage.DrawCalls = object["draw_calls"].toInt(-1);
+    this->Stages.append(stage);
+  }
+  this->Milliseconds = frame["gpu_ms"].toDouble(-1.0);
+  this->Bytes = frame["bytes"].toDouble();
+  this->Width = frame["size"].toArray().at(0).toInt();
+  this->Height = frame["size"].toArray().at(1).toInt();
+  return !this->Stages.isEmpty();
+}
+
+//------------------------------------------------------------------------------
+QString pqRelievoFrameReport::Stage::GetShortReason() const
+{
+  static const QRegularExpression ofLight("^light (\\d+) (.*)$");
+  QStringList parts;
+  QMap<QString, QStringList> lights; // what is said of them -> which
+  for (const QString& part : this->Reason.split("; "))
+  {
+    const QRegularExpressionMatch match = ofLight.match(part);
+    if (!match.hasMatch())
+    {
+      parts.append(part);
+      continue;
+    }
+    QStringList& numbers = lights[match.captured(2)];
+    if (numbers.isEmpty())
+    {
+      parts.append(match.captured(2)); // its place; filled in below
+    }
+    numbers.append(match.captured(1));
+  }
+  for (QString& part : parts)
+  {
+    const QStringList numbers = lights.value(part);
+    if (!numbers.isEmpty())
+    {
+      part = (numbers.size() > 1 ? "lights " : "light ") + numbers.join(", ") + " " + part;
+    }
+  }
+  return parts.join("; ");
+}
+
+//------------------------------------------------------------------------------
+QString pqRelievoFrameReport::GetLabel(const QString& name)
+{
+  static const QMap<QString, QString> labels = { { "delegate", "ParaView's picture" },
+    { "gbuffer", "Layers" }, { "shadows", "Shadows" }, { "display", "Shown layer" } };
+  return labels.value(name, name);
+}
+
+//------------------------------------------------------------------------------
+QString pqRelievoFrameReport::FormatMilliseconds(double milliseconds)
+{
+  if (milliseconds < 0.0)
+  {
+    return QString(QChar(0x2013));
+  }
+  if (milliseconds > 0.0 && milliseconds < 0.001)
+  {
+    return "<0.001";
+  }
+  const int digits = milliseconds < 1.0 ? 3
+    : milliseconds < 10.0               ? 2
+    : milliseconds < 100.0              ? 1
+                                        : 0;
+  return QString::number(milliseconds, 'f', digits);
+}
+
+//------------------------------------------------------------------------------
+QString pqRelievoFrameReport::FormatBytes(double bytes)
+{
+  if (bytes <= 0.0)
+  {
+    return QString(QChar(0x2013));
+  }
+  static const char* units[] = { "B", "KiB", "MiB", "GiB", "TiB" };
+  int unit = 0;
+  while (bytes >= 1024.0 && unit < 4)
+  {
+    bytes /= 1024.0;
+    ++unit;
+  }
+  return QString::number(bytes, 'f', unit == 0 || bytes >= 100.0 ? 0 : 1) + " " + units[unit];
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A frame report (vtkRelievoPass::GetFrameReport) as the panel shows it.
+#ifndef pqRelievoFrameReport_h
+#define pqRelievoFrameReport_h
+
+#include <QByteArray>
+#include <QString>
+#include <QVector>
+
+struct pqRelievoFrameReport
+{
+  struct Stage
+  {
+    QString Name;   // of the report
+    QString Label;  // for people
+    QString Reason; // why it ran, or did not
+    bool Ran = false;
+    double Milliseconds = -1.0; // on the GPU; -1: not measured (yet)
+    double Bytes = 0.0;         // of GPU memory
+    int DrawCalls = -1;         // -1: not counted
+
+    /** The reason, with what holds for several lights said once. */
+    QString GetShortReason() const;
+  };
+  QVector<Stage> Stages;
+  double Milliseconds = -1.0; // of the whole frame
+  double Bytes = 0.0;
+  int Width = 0; // pixels
+  int Height = 0;
+
+  /** True if there was a report in the JSON; false leaves an empty one. */
+  bool Read(const QByteArray& json);
+
+  /** What people call a stage of a report. */
+  static QString GetLabel(const QString& name);
+
+  ///@{
+  /** "<0.001", "0.041", "41.2"; "16.0 MiB"; an en dash where there is no number. */
+  static QString FormatMilliseconds(double milliseconds);
+  static QString FormatBytes(double bytes);
+  ///@}
+};
+
+#endif

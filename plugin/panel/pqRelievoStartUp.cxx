@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqRelievoStartUp.h"
+
+#include "pqCoreUtilities.h"
+#include "pqPropertiesPanel.h"
+#include "pqRelievoPanel.h"
+#include "pqRelievoToolBar.h"
+#include "vtkCommand.h"
+#include "vtkSMRelievoViews.h"
+
+//------------------------------------------------------------------------------
+pqRelievoStartUp::pqRelievoStartUp(QObject* parent)
+  : Superclass(parent)
+{
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoStartUp::OnStartUp()
+{
+  if (auto* views = vtkSMRelievoViews::GetInstance())
+  {
+    this->Connector->Connect(views, vtkCommand::UpdateEvent, this, SLOT(Refresh()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoStartUp::OnShutDown()
+{
+  this->Connector->Disconnect();
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoStartUp::Refresh()
+{
+  QWidget* window = pqCoreUtilities::mainWidget();
+  if (!window)
+  {
+    return;
+  }
+  for (pqPropertiesPanel* panel : window->findChildren<pqPropertiesPanel*>())
+  {
+    // It makes a view's widgets when the view becomes another one.
+    pqView* view = panel->view();
+    panel->setView(nullptr);
+    panel->setView(view);
+  }
+  for (pqRelievoPanel* panel : window->findChildren<pqRelievoPanel*>())
+  {
+    panel->Rewatch();
+  }
+  for (pqRelievoToolBar* bar : window->findChildren<pqRelievoToolBar*>())
+  {
+    bar->Rewatch();
+  }
+}
