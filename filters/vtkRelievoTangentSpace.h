@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkRelievoTangentSpace.h
+ * @brief Tangents at the corners of triangles, by the method of vtkRelievoTangents, on plain arrays.
+ */
+#ifndef vtkRelievoTangentSpace_h
+#define vtkRelievoTangentSpace_h
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace relievo
+{
+/**
+ * M. Mikkelsen, Simulation of Wrinkled Surfaces Revisited, 2008: corners are joined where position,
+ * normal and texture coordinate are the same numbers; around such a vertex those triangles that
+ * meet in edges and whose textures have the same handedness share a tangent: the average of theirs,
+ * each put into the plane of the vertex's normal, by the angles of their corners.
+ */
+class TangentSpace
+{
+public:
+  /** What a corner is made of. A normal without length puts nothing into a plane. */
+  struct Vertex
+  {
+    glm::dvec3 Position;
+    glm::dvec3 Normal;
+    glm::dvec2 Texture;
+  };
+
+  using Triangle = std::array<int, 3>;
+
+  /** Triangles are numbers of vertices; vertices may be the same ones several times. */
+  TangentSpace(std::vector<Vertex> vertices, const std::vector<Triangle>& triangles);
+
+  /** The unit tangent of a corner and, as w, the handedness: bitangent = w cross(normal, tangent). */
+  glm::dvec4 GetTangent(std::size_t triangle, int corner) const;
+
+  /** Triangles whose texture coordinates (or positions) have no area, and so no tangent of theirs. */
+  std::size_t GetNumberOfDegenerate() const { return this->NumberOfDegenerate; }
+
+private:
+  static constexpr int None = -1;
+
+  struct Face
+  {
+    Triangle Vertex;                               // joined ones, by one of them
+    Triangle Neighbour = { { None, None, None } }; // across the edge after corner i
+    Triangle Group = { { None, None, None } };
+    glm::dvec3 S = glm::dvec3(0.); // along growing u
+    glm::dvec3 T = glm::dvec3(0.); // along growing v
+    bool Preserving = false;       // the texture is not mirrored
+    bool JoinsAny = true;          // no texture area: takes what it is given
+    bool Collapsed = false;        // two corners are in one place
+  };
+
+  struct Group
+  {
+    int Vertex;
+    bool Preserving;
+    glm::dvec4 Tangent;
+    std::vector<int> Faces;
+  };
+
+  void Join(const std::vector<Triangle>& triangles);
+  void MeasureFaces();
+  void FindNeighbours();
+  void FindGroups();
+  void Grow(int group, int face);
+  void Average(Group& group);
+
+  std::vector<Vertex> Vertices;
+  std::vector<int> Place; // per vertex one that has its position
+  std::vector<Face> Faces;
+  std::vector<Group> Groups;
+  std::vector<int> GroupOfVertex;
+  std::vector<int> GroupOfPlace;
+  std::size_t NumberOfDegenerate = 0;
+};
+}
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoTangents
+ * @brief Gives a triangle mesh the tangents that normal maps are baked with (MikkTSpace).
+ *
+ * Input: a vtkPolyData of triangles (its vertices and lines pass through) with texture coordinates
+ * of two or three components in its point data (the active ones, or SetInputArrayToProcess(1, ...)).
+ * Normals are those of the points (the active ones, or SetInputArrayToProcess(0, ...)), else those
+ * of the cells, else the triangles' own by their winding: a mesh without point normals is drawn
+ * flat.
+ *
+ * Output: the mesh with a float point array (TangentsName) of four components: the unit tangent,
+ * across the point's normal, along growing u; and the handedness w, 1 or -1, by which
+ *
+ *     bitangent = w * cross(normal, tangent)
+ *
+ * points along growing v, as in glTF, also where triangles wind against their normals. Where a
+ * point has several tangents, at the seam of a mirrored half, it is split: the first triangle that
+ * uses it keeps the point's number, and the others get points at the end, with all arrays copied.
+ * Flat meshes are split at every edge that is not even, and get point normals. Points without
+ * triangles have tangent 0 0 0 0. Cells and cell data stay as they are. The id array
+ * "vtkOriginalPointIds" tells which point of the input a point was.
+ *
+ * Method: M. Mikkelsen, Simulation of Wrinkled Surfaces Revisited, master's thesis, University of
+ * Copenhagen, 2008 (MikkTSpace). Corners count as one where position, normal and texture coordinate
+ * are the same numbers, whichever points they are; each triangle's tangents come from its texture
+ * coordinates; around a vertex, triangles that meet in edges and have the same handedness are
+ * averaged, put into the plane of the vertex's normal and weighted by the angle of the corner.
+ * Shaders must use the interpolated normal and tangent without normalising them first to get back
+ * exactly what a baker put in.
+ *
+ * Triangles without texture area (constant or collinear coordinates, NaN, or less area than the
+ * rounding of floats) take the tangent of the triangles beside them, then of any triangle at the
+ * vertex, then at the position; with none of them any unit vector across the normal, w 1.
+ * GetNumberOfDegenerateTriangles() counts them.
+ *
+ * Errors, once, with an empty output and vtkErrorCode::UserError: no texture coordinates; polygons
+ * that are not triangles, or triangle strips (run vtkTriangleFilter first). A mesh without points
+ * gives one without points.
+ */
+#ifndef vtkRelievoTangents_h
+#define vtkRelievoTangents_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkRelievoFiltersModule.h" // for the export macro
+
+class VTKRELIEVOFILTERS_EXPORT vtkRelievoTangents : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkRelievoTangents* New();
+  vtkTypeMacro(vtkRelievoTangents, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Name of the array of tangents. Default is "tangent". */
+  vtkSetStringMacro(TangentsName);
+  vtkGetStringMacro(TangentsName);
+  ///@}
+
+  /** Triangles without texture area, and points that were added by splitting; of the last run. */
+  vtkGetMacro(NumberOfDegenerateTriangles, vtkIdType);
+  vtkGetMacro(NumberOfAddedPoints, vtkIdType);
+
+protected:
+  vtkRelievoTangents();
+  ~vtkRelievoTangents() override;
+
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+private:
+  char* TangentsName = nullptr;
+  vtkIdType NumberOfDegenerateTriangles = 0;
+  vtkIdType NumberOfAddedPoints = 0;
+
+  vtkRelievoTangents(const vtkRelievoTangents&) = delete;
+  void operator=(const vtkRelievoTangents&) = delete;
+};
+
+#endif
