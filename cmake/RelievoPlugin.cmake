@@ -1,5 +1,6 @@
 # Builds the ParaView plugin into <build>/plugin, and installs it where ParaView looks for plugins:
-# PV_PLUGIN_PATH may name the build's folder or the installed one.
+# PV_PLUGIN_PATH may name the build's folder or the installed one, PV_PLUGIN_CONFIG_FILE the
+# relievo.plugins.xml beside it; either loads it in every program of ParaView that starts.
 
 # Its part in ParaView's window is built where Qt's developer files are. They are asked for here and
 # not through ParaView's component pqComponents, which would ask for those of all its readers too.
@@ -30,12 +31,35 @@ if (RELIEVO_PLUGIN_GUI)
   endif ()
 endif ()
 
+# Its pages in ParaView's help need Qt's help generator, and xmlpatterns to make them from the XML. On
+# Debian xmlpatterns may be a link that leads nowhere.
+set(relievo_plugin_help OFF)
+if (relievo_plugin_gui)
+  find_package(Qt5Help 5.15 QUIET)
+  find_program(qt_xmlpatterns_executable NAMES xmlpatterns-qt5 xmlpatterns
+    HINTS "${Qt5_DIR}/../../../bin" DOC "Path to xmlpatterns")
+  mark_as_advanced(qt_xmlpatterns_executable)
+  set(relievo_no_xmlpatterns 1)
+  if (qt_xmlpatterns_executable)
+    execute_process(COMMAND "${qt_xmlpatterns_executable}" -version
+      RESULT_VARIABLE relievo_no_xmlpatterns OUTPUT_QUIET ERROR_QUIET)
+  endif ()
+  if (TARGET Qt5::qhelpgenerator AND NOT relievo_no_xmlpatterns)
+    set(relievo_plugin_help ON)
+  else ()
+    message(STATUS "ParaView plugin: without pages in ParaView's help, which need qhelpgenerator and "
+      "xmlpatterns (Debian: qttools5-dev, qtxmlpatterns5-dev-tools)")
+  endif ()
+endif ()
+
 paraview_plugin_scan(
   PLUGIN_FILES "${PROJECT_SOURCE_DIR}/plugin/paraview.plugin"
   ENABLE_BY_DEFAULT ON
   PROVIDES_PLUGINS relievo_plugins)
 paraview_plugin_build(
   PLUGINS ${relievo_plugins}
+  AUTOLOAD ${relievo_plugins}
+  PLUGINS_FILE_NAME relievo.plugins.xml
   RUNTIME_DESTINATION "${CMAKE_INSTALL_BINDIR}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}")
@@ -43,3 +67,5 @@ paraview_plugin_build(
 set(relievo_plugin_folder "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/Relievo")
 file(MAKE_DIRECTORY "${relievo_plugin_folder}")
 file(CREATE_LINK "${relievo_plugin_folder}" "${PROJECT_BINARY_DIR}/plugin/Relievo" SYMBOLIC)
+file(CREATE_LINK "${relievo_plugin_folder}/../relievo.plugins.xml"
+  "${PROJECT_BINARY_DIR}/plugin/relievo.plugins.xml" SYMBOLIC)
