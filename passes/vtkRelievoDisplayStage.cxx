@@ -70,7 +70,13 @@ std::vector<std::string> vtkRelievoDisplayStage::GetNeededLayers()
 bool vtkRelievoDisplayStage::UploadColors(vtkRelievoPass* frame, vtkOpenGLRenderWindow* window)
 {
   vtkNew<vtkImageData> image;
-  if (!frame->ReadLayer(this->Layer, image))
+  const std::string wrong = frame->GetGBuffer()->ReadLayers({ this->Layer }, image);
+  if (!wrong.empty() && wrong != this->Told)
+  {
+    vtkErrorMacro(<< wrong);
+  }
+  this->Told = wrong;
+  if (!wrong.empty())
   {
     return false;
   }

@@ -49,6 +49,7 @@ private:
   vtkRelievoScreenQuad Quad;
   vtkSmartPointer<vtkTextureObject> Colors;
   vtkIdType ColorBytes = 0;
+  std::string Told; // what was wrong with the layer in the last frame: told once
 };
 
 #endif

@@ -311,13 +311,8 @@ vtkMTimeType vtkRelievoGBufferPass::GetShaderStageMTime()
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoGBufferPass::ReadLayer(const std::string& name, vtkImageData* image)
-{
-  return this->ReadLayers({ name }, image);
-}
-
-//------------------------------------------------------------------------------
-bool vtkRelievoGBufferPass::ReadLayers(const std::vector<std::string>& names, vtkImageData* image)
+std::string vtkRelievoGBufferPass::ReadLayers(
+  const std::vector<std::string>& names, vtkImageData* image)
 {
   Internals& in = *this->Internal;
   const int region[4] = { in.Offset[0], in.Offset[1], in.View.Viewport[2], in.View.Viewport[3] };
@@ -331,11 +326,10 @@ bool vtkRelievoGBufferPass::ReadLayers(const std::vector<std::string>& names, vt
       : "the last frame made no layers; ask for it (RequestLayer) and render before";
     if (!wrong.empty())
     {
-      vtkErrorMacro("The layer '" << name << "' cannot be read: " << wrong << ".");
-      return false;
+      return "The layer '" + name + "' cannot be read: " + wrong + ".";
     }
   }
-  return true;
+  return {};
 }
 
 //------------------------------------------------------------------------------

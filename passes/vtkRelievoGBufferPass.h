@@ -140,11 +140,11 @@ public:
   /** Whether the last frame wrote the layers in the delegate's geometry pass. */
   vtkGetMacro(Shared, bool);
 
-  ///@{
-  /** Reads layers of the last frame: see vtkRelievoPass::ReadLayer. */
-  bool ReadLayer(const std::string& name, vtkImageData* image);
-  bool ReadLayers(const std::vector<std::string>& names, vtkImageData* image);
-  ///@}
+  /**
+   * Reads layers of the last frame: see vtkRelievoPass::ReadLayers. Returns what is wrong, in
+   * words: empty when all were read.
+   */
+  std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image);
 
   ///@{
   /** For stages that sample the layers on the GPU: the words' layout, the textures, and the

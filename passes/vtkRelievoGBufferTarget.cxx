@@ -292,6 +292,9 @@ bool vtkRelievoGBufferTarget::Read(int attachment, const int region[4], std::uin
     this->Textures[attachment]->GetHandle(), 0);
   glReadBuffer(GL_COLOR_ATTACHMENT0);
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
+  // Reading waits for the drawing anyway; Mesa's software OpenGL forgets to wait for what a
+  // framebuffer drew that is no longer bound, and gives some tiles as they were before.
+  glFinish();
   glReadPixels(region[0], region[1], region[2], region[3], GetTexelFormat(channels).External,
     GL_UNSIGNED_INT, words);
   state->PopFramebufferBindings();

@@ -184,13 +184,14 @@ bool vtkRelievoPass::ReadLayer(const std::string& name, vtkImageData* image)
 //------------------------------------------------------------------------------
 bool vtkRelievoPass::ReadLayers(const std::vector<std::string>& names, vtkImageData* image)
 {
-  if (!image)
+  const std::string wrong = image
+    ? this->Internal->GBuffer->ReadLayers(names, image)
+    : "Reading layers needs an image to fill, and was given none; give it a vtkImageData.";
+  if (!wrong.empty())
   {
-    vtkErrorMacro("ReadLayer of '" << (names.empty() ? std::string() : names.front())
-                                   << "' was given no image to fill.");
-    return false;
+    vtkErrorMacro(<< wrong);
   }
-  return this->Internal->GBuffer->ReadLayers(names, image);
+  return wrong.empty();
 }
 
 //------------------------------------------------------------------------------
