@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVRelievoCapture.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVRelievoLayerMerge.h"
+#include "vtkPVRelievoLayerRead.h"
+#include "vtkPVRelievoView.h"
+#include "vtkPVRenderView.h"
+#include "vtkPVSession.h"
+#include "vtkPointData.h"
+#include "vtkProcessModule.h"
+#include "vtkRelievoGBufferPass.h"
+#include "vtkRelievoLayerSource.h"
+#include "vtkRelievoPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkPVRelievoCapture);
+
+namespace
+{
+constexpr int MoveTag = 46121;
+constexpr const char* ProcessLayer = "process";
+}
+
+class vtkPVRelievoCapture::Internals
+{
+public:
+  vtkWeakPointer<vtkPVView> View;
+  std::vector<std::string> Layers;
+  vtkWeakPointer<vtkPVRelievoView> Started; // the view that makes the layers now
+  std::vector<std::string> Requested;       // of it
+  bool Failed = false;                      // the last Read() did
+  vtkNew<vtkImageData> Image;
+
+  bool IsAsked(const std::string& name) const
+  {
+    return std::find(this->Layers.begin(), this->Layers.end(), name) != this->Layers.end();
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkPVRelievoCapture::vtkPVRelievoCapture()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkPVRelievoCapture::~vtkPVRelievoCapture()
+{
+  this->Stop();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoCapture::SetView(vtkPVView* view)
+{
+  if (this->Internal->View != view)
+  {
+    this->Stop();
+    this->Internal->View = view;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoCapture::AddLayer(const char* name)
+{
+  if (name && *name && !this->Internal->IsAsked(name))
+  {
+    this->Internal->Layers.emplace_back(name);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoCapture::RemoveAllLayers()
+{
+  this->Internal->Layers.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoCapture::Start()
+{
+  Internals& in = *this->Internal;
+  this->Stop();
+  in.Started = vtkPVRelievoView::Find(in.View);
+  if (!in.Started)
+  {
+    return;
+  }
+  in.Requested = in.Layers;
+  in.Requested.erase(
+    std::remove(in.Requested.begin(), in.Requested.end(), "color"), in.Requested.end());
+  // Parts of the scene are put together by it; others do not pay for a layer nobody reads.
+  const bool parts = vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_CLIENT &&
+    vtkProcessModule::GetProcessModule()->GetNumberOfLocalPartitions() > 1;
+  if (parts && !in.Requested.empty() && !in.IsAsked("depth"))
+  {
+    in.Requested.emplace_back("depth");
+  }
+  vtkRenderWindow* window = vtkPVRenderView::SafeDownCast(in.View)->GetRenderWindow();
+  if (window && !window->GetNeverRendered())
+  {
+    // A server with nothing to draw is left out of the picture: it must not show an old one's.
+    window->MakeCurrent();
+    in.Started->GetFrame()->GetGBuffer()->ReleaseGraphicsResources(window);
+  }
+  for (const std::string& name : in.Requested)
+  {
+    in.Started->RequestLayer(name);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoCapture::Stop()
+{
+  Internals& in = *this->Internal;
+  for (const std::string& name : in.Requested)
+  {
+    if (in.Started)
+    {
+      in.Started->ReleaseLayer(name);
+    }
+  }
+  in.Requested.clear();
+  in.Started = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoCapture::Read(bool together, bool quiet)
+{
+  Internals& in = *this->Internal;
+  in.Image->Initialize();
+  in.Failed = false;
+  vtkPVRelievoView* view = in.Started;
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const int process = controller ? controller->GetLocalProcessId() : 0;
+  const int processes = together && controller ? controller->GetNumberOfProcesses() : 1;
+  if (!together && process != 0)
+  {
+    return; // the root drew it all
+  }
+  std::vector<std::string> names = in.Requested;
+  std::string wrong;
+  if (!view)
+  {
+    wrong = "Relievo does not work in this view; take a render view made after the plugin was "
+            "loaded";
+  }
+  else if (!names.empty() && !view->IsInPlace())
+  {
+    wrong = "the view was not drawn with Relievo: it is hidden, or another feature draws it (ray "
+            "tracing, for example); show the view or switch that off, and grab again";
+  }
+  else if (!names.empty() && view->GetFrame()->GetGBuffer()->GetTexture(0))
+  {
+    wrong = vtkPVRelievoLayerRead::ReadSome(view->GetFrame(), names, in.Image);
+  }
+  else if (!names.empty() && processes == 1)
+  {
+    wrong = "the view was not drawn; show it, and grab again";
+  }
+
+  if (processes > 1 && !names.empty())
+  {
+    if (in.IsAsked("cell") && !in.IsAsked(ProcessLayer))
+    {
+      vtkPVRelievoLayerMerge::AddProcess(process, ProcessLayer, in.Image);
+      names.emplace_back(ProcessLayer);
+    }
+    const std::string parted = vtkPVRelievoLayerMerge::Merge(controller, names, in.Image);
+    wrong = parted.empty() ? wrong : parted;
+    if (process != 0)
+    {
+      return;
+    }
+  }
+  vtkRenderer* renderer = view ? vtkPVRenderView::SafeDownCast(in.View)->GetRenderer() : nullptr;
+  if (processes > 1 && view && view->IsInPlace())
+  {
+    int size[2];
+    renderer->GetTiledSize(&size[0], &size[1]);
+    vtkPVRelievoLayerMerge::FillBackground(names, size, in.Image);
+  }
+  for (const std::string& name : names)
+  {
+    if (!in.Image->GetPointData()->HasArray(name.c_str()))
+    {
+      // What another process lacks is no fault of the layer.
+      wrong = wrong.empty() ? "no process draws anything with the array '" + name + "'" : wrong;
+      in.Image->Initialize();
+      in.Failed = true;
+      if (!quiet)
+      {
+        vtkErrorMacro("No layers: " << wrong << ".");
+      }
+      return;
+    }
+  }
+  if (!names.empty())
+  {
+    vtkRelievoLayerSource::AddCamera(renderer, in.Image);
+  }
+  this->Arrange();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoCapture::ReadColor()
+{
+  Internals& in = *this->Internal;
+  auto* view = vtkPVRenderView::SafeDownCast(in.View);
+  if (!view || in.Failed || !in.IsAsked("color") ||
+    vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() != 0)
+  {
+    return;
+  }
+  vtkRenderer* renderer = view->GetRenderer();
+  const vtkIdType points = in.Image->GetNumberOfPoints();
+  int size[2];
+  renderer->GetTiledSize(&size[0], &size[1]);
+  if (points > 0 && points != static_cast<vtkIdType>(size[0]) * size[1])
+  {
+    vtkErrorMacro("No layer 'color': the window has "
+      << size[0] << " x " << size[1] << " pixels, the layers " << points << "; grab again.");
+    in.Image->Initialize();
+    return;
+  }
+  vtkRelievoLayerSource::AddColor(renderer, in.Image);
+  if (points == 0)
+  {
+    vtkRelievoLayerSource::AddCamera(renderer, in.Image);
+  }
+  this->Arrange();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoCapture::MoveToServer()
+{
+  this->Move(true);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoCapture::MoveToClient()
+{
+  this->Move(false);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoCapture::Move(bool toServer)
+{
+  Internals& in = *this->Internal;
+  auto* session =
+    vtkPVSession::SafeDownCast(vtkProcessModule::GetProcessModule()->GetActiveSession());
+  if (!session)
+  {
+    return;
+  }
+  // One of them: the client has the server's, the servers' root the client's, others none.
+  vtkMultiProcessController* server = session->GetController(vtkPVSession::DATA_SERVER_ROOT);
+  vtkMultiProcessController* client = session->GetController(vtkPVSession::CLIENT);
+  vtkMultiProcessController* peer = server ? server : client;
+  if (!peer)
+  {
+    return;
+  }
+  const bool gives = (server != nullptr) == toServer;
+  if (gives)
+  {
+    peer->Send(in.Image, 1, MoveTag);
+    in.Image->Initialize();
+    return;
+  }
+  auto received = vtk::TakeSmartPointer(peer->ReceiveDataObject(1, MoveTag));
+  auto* image = vtkImageData::SafeDownCast(received);
+  if (in.Failed || !image || image->GetNumberOfPoints() == 0)
+  {
+    in.Image->Initialize(); // half of what is asked is none
+    return;
+  }
+  if (in.Image->GetNumberOfPoints() == 0)
+  {
+    in.Image->ShallowCopy(image);
+  }
+  else if (image->GetNumberOfPoints() == in.Image->GetNumberOfPoints())
+  {
+    for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
+    {
+      in.Image->GetPointData()->AddArray(image->GetPointData()->GetArray(i));
+    }
+  }
+  else
+  {
+    vtkErrorMacro("The picture has " << image->GetNumberOfPoints() << " pixels here, "
+                                     << in.Image->GetNumberOfPoints()
+                                     << " on the other side; grab again.");
+    in.Image->Initialize();
+  }
+  this->Arrange();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoCapture::Arrange()
+{
+  // The arrays in the order in which they were asked for, and none besides.
+  Internals& in = *this->Internal;
+  vtkPointData* layers = in.Image->GetPointData();
+  std::vector<vtkSmartPointer<vtkDataArray>> arrays;
+  for (const std::string& name : in.Layers)
+  {
+    arrays.emplace_back(layers->GetArray(name.c_str()));
+  }
+  arrays.emplace_back(layers->GetArray(ProcessLayer));
+  layers->Initialize();
+  for (vtkDataArray* array : arrays)
+  {
+    if (array)
+    {
+      layers->AddArray(array);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkPVRelievoCapture::GetImage()
+{
+  return this->Internal->Image;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoCapture::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "View: " << this->Internal->View.GetPointer() << "\n";
+  os << indent << "Layers:";
+  for (const std::string& name : this->Internal->Layers)
+  {
+    os << " " << name;
+  }
+  os << "\n" << indent << "Image:\n";
+  this->Internal->Image->PrintSelf(os, indent.GetNextIndent());
+}
