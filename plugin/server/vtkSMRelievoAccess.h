@@ -6,6 +6,7 @@
 #ifndef vtkSMRelievoAccess_h
 #define vtkSMRelievoAccess_h
 
+#include "vtkSMMessageMinimal.h"
 #include "vtkSMProxy.h"
 
 class vtkPVXMLElement;
@@ -25,6 +26,7 @@ public:
   {
     return (proxy->*(&Proxy::CreateSubProxiesAndProperties))(manager, element);
   }
+  static vtkSMMessage* GetState(vtkSMProxy* proxy) { return proxy->*(&Proxy::State); }
 };
 }
 

@@ -8,6 +8,7 @@
 #include "vtkPVPluginTracker.h"
 #include "vtkPVXMLElement.h"
 #include "vtkProcessModule.h"
+#include "vtkSMMessage.h"
 #include "vtkSMPluginManager.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyIterator.h"
@@ -18,6 +19,7 @@
 #include "vtkSMSession.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSettings.h"
+#include "vtkSMStateLocator.h"
 #include "vtkSMUndoStackBuilder.h"
 #include "vtkSessionIterator.h"
 #include "vtkSmartPointer.h"
@@ -77,6 +79,24 @@ void TakeUserDefaults(vtkSMSessionProxyManager* manager, vtkSMProxy* view, vtkSM
     {
       property->GetProperty()->Copy(from->GetProperty(property->GetKey()));
     }
+  }
+}
+
+// Undo makes a closed view anew from a state that names its sub-proxies.
+void AddToState(vtkSMProxy* view, vtkSMProxy* settings)
+{
+  auto add = [settings](vtkSMMessage& state) {
+    ProxyState_SubProxy* entry = state.AddExtension(ProxyState::subproxy);
+    entry->set_name(SubProxyName);
+    entry->set_global_id(settings->GetGlobalID());
+  };
+  add(*vtkSMRelievoAccess::Proxy::GetState(view));
+  vtkSMMessage kept;
+  vtkSMStateLocator* states = view->GetSession()->GetStateLocator();
+  if (states && states->FindState(view->GetGlobalID(), &kept, false))
+  {
+    add(kept);
+    states->RegisterState(&kept);
   }
 }
 
@@ -226,6 +246,7 @@ bool vtkSMRelievoViews::UpgradeView(vtkSMProxy* view)
   vtkSMProxy* settings = vtkSMRelievoViews::GetSettings(view);
   TakeUserDefaults(manager, view, settings);
   settings->UpdateVTKObjects();
+  AddToState(view, settings);
   return true;
 }
 

@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin in ParaView's window: the XML files of this folder are played in a real one.
+
+One argument: the name of the case to run; each takes a start of ParaView.
+"""
+
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import pv  # noqa: E402
+
+HERE = pathlib.Path(__file__).resolve().parent
+# How Qt's and QtTesting's messages begin in ParaView's output.
+QT_MESSAGE = re.compile(r"^(critical|warning|fatal): .*(\n(?!debug:).+)*", re.MULTILINE)
+
+
+def play(script, *words, seconds=60, **environment):
+    """Plays a script in a new ParaView window: what it wrote, and what windowShell.py noted."""
+    home = pv.OUTPUT / "home"
+    shutil.rmtree(home, ignore_errors=True)
+    home.mkdir(mode=0o700)
+    notes = pv.OUTPUT / "notes.jsonl"
+    notes.unlink(missing_ok=True)
+    command = [str(pv.TOOLS / "paraview"), "--dr", "--exit", f"--test-script={HERE / script}",
+               f"--test-directory={pv.OUTPUT}",
+               f"--data-directory={pathlib.Path(pv.PLUGIN).parent}", *words]
+    process = subprocess.run(
+        command, env={**os.environ, "HOME": str(home), "XDG_RUNTIME_DIR": str(home),
+                      "PYTHONPATH": str(HERE), **environment},
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=seconds, check=False,
+        text=True, errors="replace")
+    (pv.OUTPUT / f"{script}.log").write_text(process.stdout, encoding="utf-8")
+    found = {}
+    if notes.exists():
+        found = dict(json.loads(line) for line in notes.read_text(encoding="utf-8").splitlines())
+    return process, found
+
+
+class Window(pv.Test):
+    """One case is one window."""
+
+    def played(self, script, *words, **environment):
+        """Plays a script that must succeed without a message; what it noted."""
+        process, notes = play(script, *words, **environment)
+        said = pv.messages(process.stdout)
+        said += [found.group(0) for found in QT_MESSAGE.finditer(process.stdout)]
+        self.assertEqual(said, [], f"{script}: ParaView has something to say")
+        self.assertNotIn("exception", notes, notes.get("exception"))
+        self.assertEqual(process.returncode, 0, process.stdout[-2000:])
+        self.assertIn("Success =  true", process.stdout)
+        return notes
+
+    def testLoadByManager(self):
+        """Loaded by the Plugin Manager; shadows of the view that was open in its properties."""
+        notes = self.played("loadByManager.xml")
+        before, loaded, on, off = (
+            pv.read(pv.OUTPUT / f"{name}.png") for name in ("before", "loaded", "on", "off"))
+        self.same(before, loaded, "loaded, all off")
+        self.same(before, off, "off again")
+        self.assertEqual(notes["on"][0]["RelievoShadows"], 1)
+        self.assertEqual(notes["off"][0]["RelievoShadows"], 0)
+        # The ball's shadow on the floor: darker, and somewhere in the middle third.
+        darker = (before.astype(int) - on.astype(int)).min(axis=2) > 20
+        self.assertGreater(darker.sum(), 200)
+        self.assertFalse((on.astype(int) - before.astype(int) > 1).any(), "nothing gets lighter")
+
+    def testPanelTimes(self):
+        """The dock has times of the stages that ran while it is open, none when closed."""
+        notes = self.played("panelTimes.xml", PV_PLUGIN_PATH=str(pathlib.Path(pv.PLUGIN).parent))
+        self.assertEqual(notes["shadows"][0]["RelievoShadows"], 1)
+
+    def testSunUndo(self):
+        """One click on the sun: one step of undo, lines of a trace; closed views come back with it."""
+        notes = self.played("sunUndo.xml")
+        both = {"RelievoSun": 1, "RelievoShadows": 1, "RelievoShadowMapSize": 2048}
+        self.assertEqual(notes["sun"], [both])
+        self.assertIn("RelievoSun = 1", notes["trace"])
+        self.assertIn("RelievoShadows = 1", notes["trace"])
+        self.assertEqual(notes["undone"], [both])
+        self.assertEqual(notes["back"], [both])
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

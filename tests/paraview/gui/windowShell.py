@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of ParaView's window run in its Python shell. Whatever they find goes into a file:
+the shell itself only prints."""
+
+import json
+import os
+import pathlib
+import time
+import traceback
+
+from paraview import simple, smtrace
+
+OUTPUT = pathlib.Path(os.environ["RELIEVO_TEST_OUTPUT"])
+
+
+def note(name, value):
+    """Keeps a value for the test."""
+    with open(OUTPUT / "notes.jsonl", "a", encoding="utf-8") as notes:
+        notes.write(json.dumps([name, value]) + "\n")
+
+
+def noted(function):
+    """An exception is kept as well: without this it would be lost in the shell."""
+
+    def run(*arguments):
+        try:
+            return function(*arguments)
+        except Exception:  # pylint: disable=broad-except
+            note("exception", traceback.format_exc())
+            raise
+
+    return run
+
+
+@noted
+def scene():
+    """A ball above a floor in the active view."""
+    view = simple.GetActiveView()
+    simple._DisableFirstRenderCameraReset()
+    floor = simple.Plane(Origin=[-3, -3, 0], Point1=[3, -3, 0], Point2=[-3, 3, 0])
+    simple.Show(floor, view)
+    ball = simple.Sphere(Center=[0, 0, 1], ThetaResolution=32, PhiResolution=32)
+    simple.Show(ball, view)
+    view.OrientationAxesVisibility = 0
+    view.CameraPosition = [4, -6, 5]
+    view.CameraFocalPoint = [0, 0, 0.5]
+    view.CameraViewUp = [0, 0, 1]
+    simple.Render(view)
+
+
+@noted
+def shoot(name):
+    """Saves what the active view shows."""
+    simple.SaveScreenshot(str(OUTPUT / f"{name}.png"), simple.GetActiveView(),
+                          ImageResolution=[400, 300])
+
+
+@noted
+def render(times=1):
+    """Draws the active view; time passes in which the panel may read the report."""
+    for _ in range(times):
+        simple.Render(simple.GetActiveView())
+    time.sleep(0.4)
+
+
+@noted
+def settings(name):
+    """Keeps Relievo's settings of every view, as far as the views know them."""
+    note(name, [{key: view.GetPropertyValue(key)
+                 for key in ("RelievoShadows", "RelievoSun", "RelievoShadowMapSize")
+                 if view.SMProxy.GetProperty(key)}
+                for view in simple.GetRenderViews()])
+
+
+@noted
+def startTrace():
+    """From now on what is done is written as Python."""
+    smtrace.start_trace()
+
+
+@noted
+def stopTrace(name):
+    """Keeps the trace."""
+    note(name, smtrace.stop_trace())
