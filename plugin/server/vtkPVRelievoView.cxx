@@ -300,68 +300,6 @@ void vtkPVRelievoView::GetSunDirection(double direction[3])
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoView::SetShadows(bool on)
-{
-  this->Internal->Frame->SetShadows(on);
-}
-
-//------------------------------------------------------------------------------
-bool vtkPVRelievoView::GetShadows()
-{
-  return this->Internal->Frame->GetShadows();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetShadowMethod(int method)
-{
-  this->Internal->Frame->GetShadowPass()->SetMethod(method);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetShadowMapSize(int size)
-{
-  this->Internal->Frame->GetShadowPass()->SetMapSize(size);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetShadowFilterRadius(int radius)
-{
-  this->Internal->Frame->GetShadowPass()->SetFilterRadius(radius);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetShadowBias(double bias)
-{
-  this->Internal->Frame->GetShadowPass()->SetBias(bias);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetShadowStrength(double strength)
-{
-  this->Internal->Frame->GetShadowPass()->SetStrength(strength);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetDisplayLayer(const char* name)
-{
-  // The panel's word for the picture itself.
-  const bool picture = !name || !*name || std::string(name) == "None";
-  this->Internal->Frame->SetDisplayLayer(picture ? nullptr : name);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetDisplayRange(double first, double last)
-{
-  this->Internal->Frame->SetDisplayRange(first, last);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetDisplayGrey(bool on)
-{
-  this->Internal->Frame->SetDisplayGrey(on);
-}
-
-//------------------------------------------------------------------------------
 const char* vtkPVRelievoView::GetFrameReport()
 {
   this->Internal->Report = this->NumberOfFrames ? this->Internal->Frame->GetFrameReport() : "";

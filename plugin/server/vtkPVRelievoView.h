@@ -9,7 +9,7 @@
  * another feature of ParaView put there (ray tracing, value images) stays, and Relievo waits.
  *
  * Every setting is a property of the view's proxy (view.xml), so state files, Python traces and
- * undo know it.
+ * undo know it. A value out of its range is brought into it, with a warning that says so.
  */
 #ifndef vtkPVRelievoView_h
 #define vtkPVRelievoView_h
@@ -58,7 +58,7 @@ public:
 
   ///@{
   /** Which lights of the view's light kit cast. Default: its key light, while the sun is off. */
-  vtkSetClampMacro(LightKitCasts, int, KIT_CASTS_NOTHING, KIT_CASTS_ALL);
+  void SetLightKitCasts(int casts);
   vtkGetMacro(LightKitCasts, int);
   ///@}
 
@@ -70,25 +70,25 @@ public:
 
   ///@{
   /** Degrees from north (see SunUpAxis), clockwise seen from above. Default 150. */
-  vtkSetMacro(SunAzimuth, double);
+  void SetSunAzimuth(double degrees);
   vtkGetMacro(SunAzimuth, double);
   ///@}
 
   ///@{
   /** Degrees above the horizon, -90 to 90. Default 45. */
-  vtkSetClampMacro(SunElevation, double, -90.0, 90.0);
+  void SetSunElevation(double degrees);
   vtkGetMacro(SunElevation, double);
   ///@}
 
   ///@{
-  /** Default 0.7. */
-  vtkSetClampMacro(SunIntensity, double, 0.0, VTK_DOUBLE_MAX);
+  /** 0 to 1000; 1 lights a white surface that faces it fully. Default 0.7. */
+  void SetSunIntensity(double intensity);
   vtkGetMacro(SunIntensity, double);
   ///@}
 
   ///@{
   /** RGB, 0 to 1. Default white. */
-  vtkSetVector3Macro(SunColor, double);
+  void SetSunColor(double red, double green, double blue);
   vtkGetVector3Macro(SunColor, double);
   ///@}
 
@@ -97,7 +97,7 @@ public:
    * The axis that points up: 0 for x, 1 for y, 2 for z (default). North is y with z up, -z with y
    * up (a map laid on the ground), z with x up.
    */
-  vtkSetClampMacro(SunUpAxis, int, 0, 2);
+  void SetSunUpAxis(int axis);
   vtkGetMacro(SunUpAxis, int);
   ///@}
 
@@ -106,7 +106,7 @@ public:
    * What is left of the light kit while the sun is on, 0 to 1: the kit alone lights a scene fully.
    * Default 0.3.
    */
-  vtkSetClampMacro(SunKitShare, double, 0.0, 1.0);
+  void SetSunKitShare(double share);
   vtkGetMacro(SunKitShare, double);
   ///@}
 

@@ -1,0 +1,250 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Properties by script: trace, state files in fresh processes, undo, wrong values, no plugin.
+
+With the words `restore plugin|none FILE PICTURE` the script loads a state and draws it; with
+`wrong` it sets wrong values and says what came of them.
+"""
+
+import json
+import sys
+
+import numpy
+import pv
+import stage
+from paraview import servermanager, simple, smstate, smtrace
+
+# Every property of the view: default, another value as a script gives it.
+PROPERTIES = {
+    "RelievoShadows": (0, 1),
+    "RelievoShadowMethod": ("Map", "Warped"),
+    "RelievoShadowMapSize": (2048, 1024),
+    "RelievoShadowFilterRadius": (1, 3),
+    "RelievoShadowBias": (1.5, 2.5),
+    "RelievoShadowStrength": (1.0, 0.75),
+    "RelievoLightKitCasts": ("Key light, without a sun", "Nothing"),
+    "RelievoSun": (0, 1),
+    "RelievoSunAzimuth": (150.0, 240.0),
+    "RelievoSunElevation": (45.0, 35.0),
+    "RelievoSunUpAxis": ("Z", "Y"),
+    "RelievoSunIntensity": (0.7, 0.9),
+    "RelievoSunColor": ([1.0, 1.0, 1.0], [1.0, 0.9, 0.7]),
+    "RelievoSunKitShare": (0.3, 0.5),
+    "RelievoDisplayLayer": ("None", "normal"),
+    "RelievoDisplayRange": ([0.0, 0.0], [5.0, 12.0]),
+    "RelievoDisplayGrey": (0, 1),
+}
+
+# Wrong values, and what the warning or the error says; a word that Python refuses has an exception.
+WRONG = (
+    ("RelievoShadowMapSize", 3, "expected 16 to 16384: 16 is taken"),
+    ("RelievoShadowMapSize", 2**31 - 1, "expected 16 to 16384: 16384 is taken"),
+    ("RelievoShadowStrength", 7, "was given 7, expected 0 to 1: 1 is taken"),
+    ("RelievoShadowFilterRadius", -1, "expected 0 to 16: 0 is taken"),
+    ("RelievoShadowBias", float("nan"), "was given nan, expected 0 to 100"),
+    ("RelievoShadowMethod", 9, "expected 0 to 2: 2 is taken"),
+    ("RelievoShadowMethod", "Magic", "ValueError"),
+    ("RelievoLightKitCasts", -3, "expected 0 to 3: 0 is taken"),
+    ("RelievoSunElevation", 200, "expected -90 to 90: 90 is taken"),
+    ("RelievoSunAzimuth", float("inf"), "expected 0 to 360: 360 is taken"),
+    ("RelievoSunUpAxis", 7, "expected 0 to 2: 2 is taken"),
+    ("RelievoSunIntensity", -1, "expected 0 to 1000: 0 is taken"),
+    ("RelievoSunColor", [0.5, 2.0, 0.5], "was given 2, expected 0 to 1: 1 is taken"),
+    ("RelievoSunKitShare", 1.5, "expected 0 to 1: 1 is taken"),
+    ("RelievoDisplayLayer", "nosuch", "The layer 'nosuch' cannot be read"),
+    ("RelievoDisplayLayer", "shadow_99", "The layer 'shadow_99' cannot be read"),
+)
+
+
+def value(view, name):
+    """A property's value, as Python's own objects."""
+    found, default = getattr(view, name), PROPERTIES[name][0]
+    if isinstance(default, str):
+        return str(found).strip("'")
+    return list(found) if isinstance(default, list) else found
+
+
+def restore(path, picture):
+    """Loads a state file as a user does, and draws its view."""
+    if path.endswith(".py"):
+        with open(path) as state:
+            exec(compile(state.read(), path, "exec"), {})
+    else:
+        simple.LoadState(path)
+    view = simple.GetActiveView()
+    # Neither kind of state holds these two, for their values are application settings.
+    view.MultiSamples, view.UseFXAA = 0, 0
+    numpy.save(picture, pv.picture(view))
+    print("restored", [name for name in view.ListProperties() if "Relievo" in name])
+
+
+def set_wrong_values():
+    """Each wrong value is set and taken back; what the process writes is the result."""
+    pv.load()
+    scene = stage.Stage((120, 80))
+    scene.sun()
+    first = pv.picture(scene.view)
+    for number, (name, wrong, _) in enumerate(WRONG):
+        # ParaView's messages go to the same place as these lines, in order.
+        print(f"case {number} {name}", file=sys.stderr, flush=True)
+        before = value(scene.view, name)
+        try:
+            setattr(scene.view, name, wrong)
+        except ValueError as refused:
+            print("ValueError", refused, file=sys.stderr, flush=True)
+        if name != "RelievoShadowMapSize" or wrong < 16:
+            shown = pv.picture(scene.view)
+            if name == "RelievoDisplayLayer":
+                print("kept", (shown == first).all(), file=sys.stderr, flush=True)
+        setattr(scene.view, name, before)
+        print("same", (pv.picture(scene.view) == first).all(), file=sys.stderr, flush=True)
+    print("no plugin", file=sys.stderr, flush=True)
+    try:
+        simple.LoadPlugin("/nowhere/Relievo.so")
+    except RuntimeError as refused:
+        print("RuntimeError", refused, file=sys.stderr, flush=True)
+
+
+class Scripting(pv.Test):
+    @classmethod
+    def setUpClass(cls):
+        pv.load()
+
+    def setUp(self):
+        pv.clear()
+        self.scene = stage.Stage()
+        self.view = self.scene.view
+        self.scene.render()
+
+    def set_all(self):
+        for name, (_, other) in PROPERTIES.items():
+            setattr(self.view, name, other)
+
+    def test_defaults_are_those_said_and_everything_has_a_text(self):
+        known = [name for name in self.view.ListProperties() if name.startswith("Relievo")]
+        self.assertEqual(sorted(known), sorted([*PROPERTIES, "RelievoFrameReport"]))
+        for name, (default, _) in PROPERTIES.items():
+            self.assertEqual(value(self.view, name), default, name)
+            self.assertGreater(len(getattr(type(self.view), name).__doc__.strip()), 15, name)
+
+    def test_trace_records_every_property(self):
+        light = simple.AddLight(self.view)
+        smtrace.start_trace()
+        # What the panel does when its values are applied.
+        for proxy, values in (
+            (self.view, {name: other for name, (_, other) in PROPERTIES.items()}),
+            (light, {"RelievoShadowStrength": 0.25}),
+        ):
+            item = smtrace._create_trace_item_internal(
+                "PropertiesModified", kwargs={"proxy": proxy}
+            )
+            for name, other in values.items():
+                setattr(proxy, name, other)
+            item.finalize()
+            del item
+        trace = smtrace.stop_trace()
+        for name, (_, other) in PROPERTIES.items():
+            self.assertIn(f".{name} = {other!r}", trace)
+        self.assertIn("light1.RelievoShadowStrength = 0.25", trace)
+
+    def test_states_restore_the_picture_in_fresh_processes(self):
+        self.scene.sun()
+        self.view.RelievoShadowStrength = 0.8
+        light = simple.AddLight(self.view)
+        light.Coords, light.Type = "Scene", "Positional"
+        light.Position, light.FocalPoint = [3.0, -2.0, 4.0], [0.0, 0.0, 0.0]
+        light.Intensity, light.RelievoShadowStrength = 0.5, 0.5
+        picture = pv.picture(self.view)
+        self.view.RelievoShadows = 0
+        plain = pv.picture(self.view)
+        self.view.RelievoShadows = 1
+        pvsm, python = pv.OUTPUT / "state.pvsm", pv.OUTPUT / "state.py"
+        simple.SaveState(str(pvsm))
+        python.write_text(smstate.get_state())
+        for state in (pvsm, python):
+            found = pv.OUTPUT / (state.name + ".npy")
+            said = pv.run(__file__, "restore", "plugin", state, found, tool="pvbatch")
+            self.assertEqual(pv.messages(said), [], state.name)
+            self.same(numpy.load(found), picture, state.name)
+        # Without the plugin: ParaView's own picture, or its own words, and no crash.
+        found = pv.OUTPUT / "without.npy"
+        said = pv.run(__file__, "restore", "none", pvsm, found)
+        self.assertIn("restored []", said)
+        self.differ(numpy.load(found), plain, "neither sun nor shadows")
+        said = pv.run(__file__, "restore", "none", python, found, status=1)
+        self.assertIn("AttributeError: Attribute RelievoShadow", said)
+
+    def test_undo_and_redo(self):
+        manager = servermanager.vtkSMProxyManager.GetProxyManager()
+        builder, stack = servermanager.vtkSMUndoStackBuilder(), servermanager.vtkSMUndoStack()
+        builder.SetUndoStack(stack)
+        stack.SetStackDepth(len(PROPERTIES))
+        manager.SetUndoStackBuilder(builder)
+        self.addCleanup(manager.SetUndoStackBuilder, None)
+
+        def go(step):
+            """What ParaView's menu does."""
+            builder.SetIgnoreAllChanges(True)
+            step()
+            session = servermanager.ActiveConnection.Session
+            session.GetSessionProxyManager().UpdateRegisteredProxies(1)
+            builder.SetIgnoreAllChanges(False)
+
+        # The stack knows no state before the first change that it sees of an object.
+        self.view.RelievoSunAzimuth = 1.0
+        self.view.RelievoSunAzimuth = PROPERTIES["RelievoSunAzimuth"][0]
+        own = pv.picture(self.view)
+        for name, (default, other) in PROPERTIES.items():
+            builder.Begin(name)
+            setattr(self.view, name, other)
+            builder.End()
+            builder.PushToStack()
+            go(stack.Undo)
+            self.assertEqual(value(self.view, name), default, name)
+            go(stack.Redo)
+            self.assertEqual(value(self.view, name), other, name)
+        changed = pv.picture(self.view)
+        self.differ(changed, own, "all changed")
+        for _ in PROPERTIES:
+            go(stack.Undo)
+        self.same(pv.picture(self.view), own, "all undone")
+        for _ in PROPERTIES:
+            go(stack.Redo)
+        self.same(pv.picture(self.view), changed, "all done again")
+
+    def test_wrong_values_and_a_plugin_that_is_not_there(self):
+        said = pv.run(__file__, "wrong", tool="pvbatch")
+        cases, _, missing = said.partition("no plugin")
+        self.assertIn("RuntimeError Problem loading plugin /nowhere/Relievo.so", missing)
+        cases = cases.split("case ")[1:]
+        self.assertEqual(len(cases), len(WRONG), said)
+        for (name, wrong, words), text in zip(WRONG, cases):
+            self.assertIn(words, text, f"{name} = {wrong}")
+            self.assertEqual(text.count(words), 1, f"{name} = {wrong} is told once: {text}")
+            self.assertIn("same True", text, f"{name} = {wrong}: the picture afterwards")
+            self.assertNotIn("kept False", text, f"{name} = {wrong}: the picture meanwhile")
+
+    def test_the_frame_report(self):
+        def report():
+            self.view.UpdatePropertyInformation()
+            return self.view.GetProperty("RelievoFrameReport").GetElement(0)
+
+        self.assertEqual(report(), "")
+        self.scene.sun()
+        for _ in range(4):
+            pv.picture(self.view)
+        stages = {each["name"]: each for each in json.loads(report())["stages"]}
+        self.assertTrue(stages["shadows"]["ran"])
+        self.assertEqual(stages["shadows"]["bytes"], 4 * 2048**2)
+
+
+if sys.argv[1:2] == ["restore"]:
+    if sys.argv[2] == "plugin":
+        pv.load()
+    restore(*sys.argv[3:])
+    pv.leave()
+elif sys.argv[1:2] == ["wrong"]:
+    set_wrong_values()
+    pv.leave()
+elif __name__ == "__main__":
+    pv.main()
