@@ -100,6 +100,12 @@ public:
     vtkOpenGLHelper* bound = mapper->*(&Mapper::LastBoundBO);
     return bound ? bound->PrimitiveType : static_cast<int>(PrimitiveEnd);
   }
+  // As opposed to points and lines.
+  static bool DrawsTriangles(vtkOpenGLPolyDataMapper* mapper)
+  {
+    const int type = BoundPrimitiveType(mapper);
+    return type == PrimitiveTris || type == PrimitiveTriStrips;
+  }
 };
 
 class GlyphMapper : public vtkGlyph3DMapper

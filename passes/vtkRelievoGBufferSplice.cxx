@@ -84,7 +84,7 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
     }
   }
   const int source = GetPrimitiveSource(mapper, actor);
-  const bool triangles = DrawsTriangles(mapper);
+  const bool triangles = vtkRelievoAccess::Mapper::DrawsTriangles(mapper);
   const bool needsNormal =
     triangles && !Has(fragment, "normalVCVSOutput") && HasPointNormals(mapper, actor);
   const bool needsInstance = layout.IdWord >= 0 && source == InstanceOfGlyphs;
@@ -107,15 +107,15 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
 
   if (needsNormal)
   {
-    FillVarying(vertex, geometry, fragment, "normal.glsl", true);
+    FillVarying(vertex, geometry, fragment, "gbuffer/normal.glsl", true);
   }
   if (needsInstance)
   {
-    FillVarying(vertex, geometry, fragment, "instance.glsl", false);
+    FillVarying(vertex, geometry, fragment, "gbuffer/instance.glsl", false);
   }
   if (needsWinding)
   {
-    FillVarying(vertex, geometry, fragment, "winding.glsl", false);
+    FillVarying(vertex, geometry, fragment, "gbuffer/winding.glsl", false);
   }
 
   std::ostringstream defines;

@@ -4,6 +4,7 @@
 
 #include "vtkActor.h"
 #include "vtkProperty.h"
+#include "vtkRelievoAccess.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
 #include "vtkShaderProgram.h"
@@ -97,8 +98,8 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   {
     return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl; use VTK's templates";
   }
-  const bool surface =
-    DrawsTriangles(mapper) && !impostor && actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  const bool surface = vtkRelievoAccess::Mapper::DrawsTriangles(mapper) && !impostor &&
+    actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
   std::ostringstream dec;
   dec << "#define RELIEVO_SHADOW_LIGHTS " << structure.Lights.size() << "\n";
   dec << "#define RELIEVO_SHADOW_FACES " << structure.GetFaces() << "\n";

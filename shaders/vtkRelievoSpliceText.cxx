@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoSpliceText.h"
 
-#include "vtkRelievoAccess.h"
 #include "vtkRelievoShaderLibrary.h"
-#include "vtkShaderProgram.h"
 
 //------------------------------------------------------------------------------
 bool vtkRelievoSpliceText::Has(const std::string& source, const std::string& text)
@@ -16,14 +14,18 @@ bool vtkRelievoSpliceText::Has(const std::string& source, const std::string& tex
 void vtkRelievoSpliceText::MarkBehind(
   std::string& source, const std::string& tag, const std::string& mark)
 {
-  vtkShaderProgram::Substitute(source, tag, tag + "\n" + mark, false);
+  FillMark(source, tag, tag + "\n" + mark);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSpliceText::FillMark(
   std::string& source, const std::string& mark, const std::string& text)
 {
-  vtkShaderProgram::Substitute(source, mark, text, false);
+  const std::size_t at = source.find(mark);
+  if (at != std::string::npos)
+  {
+    source.replace(at, mark.size(), text);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -62,9 +64,8 @@ bool vtkRelievoSpliceText::CanCarryVarying(
 void vtkRelievoSpliceText::FillVarying(std::string& vertex, std::string& geometry,
   std::string& fragment, const char* file, bool hasFragmentImpl)
 {
-  auto section = [file](const char* name) {
-    return vtkRelievoShaderLibrary::GetSection(std::string("gbuffer/") + file, name);
-  };
+  auto section = [file](
+                   const char* name) { return vtkRelievoShaderLibrary::GetSection(file, name); };
   MarkBehind(vertex, "//RELIEVO::Position::Dec", section("VertexDec"));
   MarkBehind(vertex, "//RELIEVO::Position::Impl", section("VertexImpl"));
   MarkBehind(geometry, "//RELIEVO::Position::Dec", section("GeometryDec"));
@@ -88,15 +89,7 @@ bool vtkRelievoSpliceText::EnsurePosition(
   {
     return false;
   }
-  FillVarying(vertex, geometry, fragment, "position.glsl", true);
+  FillVarying(vertex, geometry, fragment, "gbuffer/position.glsl", true);
   FillMark(vertex, "RELIEVO_VERTEX_MC", Has(vertex, "vec4 vertex =") ? "vertex" : "vertexMC");
   return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkRelievoSpliceText::DrawsTriangles(vtkOpenGLPolyDataMapper* mapper)
-{
-  const int type = vtkRelievoAccess::Mapper::BoundPrimitiveType(mapper);
-  return type == vtkOpenGLPolyDataMapper::PrimitiveTris ||
-    type == vtkOpenGLPolyDataMapper::PrimitiveTriStrips;
 }
