@@ -2,8 +2,10 @@
 
 file(GLOB relievo_module_files CONFIGURE_DEPENDS
   "${CMAKE_CURRENT_SOURCE_DIR}/shaders/vtk.module" "${CMAKE_CURRENT_SOURCE_DIR}/passes/vtk.module"
+  "${CMAKE_CURRENT_SOURCE_DIR}/materials/vtk.module"
   "${CMAKE_CURRENT_SOURCE_DIR}/io/vtk.module" "${CMAKE_CURRENT_SOURCE_DIR}/filters/vtk.module")
-set(relievo_requested Relievo::Shaders Relievo::Passes Relievo::IO Relievo::Filters)
+set(relievo_requested Relievo::Shaders Relievo::Passes Relievo::Materials
+  Relievo::IO Relievo::Filters)
 # Of ParaView's plugin: not for Python, which reaches it through ParaView's server manager.
 set(relievo_plugin_modules)
 if (RELIEVO_USE_PARAVIEW)

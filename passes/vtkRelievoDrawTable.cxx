@@ -7,8 +7,10 @@
 #include "vtkCellArray.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
@@ -198,9 +200,12 @@ void vtkRelievoDrawTable::Resolve(vtkRenderer* renderer, const vtkRelievoView& v
     draw.ModelToView = view.WorldToView * draw.ModelToWorld;
     draw.ViewToModel = glm::inverse(draw.ModelToView);
     vtkShaderProperty* shaders = draw.Prop ? draw.Prop->GetShaderProperty() : nullptr;
-    draw.Deformed = shaders &&
-      (shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
-        shaders->GetNumberOfShaderReplacements() > 0);
+    // The frame's own stages have left the actor by now; who stays may move what is seen.
+    vtkInformation* keys = draw.Prop ? draw.Prop->GetPropertyKeys() : nullptr;
+    draw.Deformed = (keys && keys->Has(vtkOpenGLRenderPass::RenderPasses())) ||
+      (shaders &&
+        (shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
+          shaders->GetNumberOfShaderReplacements() > 0));
   }
   this->ResolveGlyphs();
 }

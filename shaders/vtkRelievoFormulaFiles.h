@@ -27,3 +27,5 @@
 #include "formulas/irradiance.glsl"
 
 #include "formulas/prefilter.glsl"
+
+#include "formulas/tangent_frame.glsl"

@@ -101,7 +101,11 @@ uvec3 relievoPackNormal(vec3 n)
     relievoWords[i] = uint(0);
   }
 
+#ifdef RELIEVO_DEPTH_CORRECTION
+  float relievoDepth = -RELIEVO_SURFACE_VC.z;
+#else
   float relievoDepth = -vertexVC.z;
+#endif
   // Points as spheres and lines as tubes stand before their primitive by a share of the radius,
   // which VTK gives in eye space at unit depth.
 #if defined(RELIEVO_SPHERE_POINTS) || defined(RELIEVO_TUBE_LINES)

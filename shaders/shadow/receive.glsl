@@ -19,6 +19,13 @@ uniform sampler2DArray relievoShadowMaps;
 // position would cancel each other, and their digits with them.
 uniform vec3 relievoShadowCenter; // eye space
 #define RELIEVO_SHADOW_POSITION (vertexVC.xyz - relievoShadowCenter)
+#ifdef RELIEVO_RECEIVER_SHIFT_VC
+// A relief shows another place of its mesh than the one that the pixel sees.
+#define RELIEVO_SHADOW_SHIFTED(face, map) \
+  ((map) + relievoShadowMatrix[face] * vec4(RELIEVO_RECEIVER_SHIFT_VC, 0.0))
+#else
+#define RELIEVO_SHADOW_SHIFTED(face, map) (map)
+#endif
 // From there to map space, less the bias.
 uniform mat4 relievoShadowMatrix[RELIEVO_SHADOW_FACES];
 uniform float relievoShadowTexel[RELIEVO_SHADOW_FACES]; // depth of a texel's width, at w = 1
@@ -183,7 +190,8 @@ float relievoShadowCube(int first, vec3 position, vec3 normalVC)
 {
   for (int face = first; face < first + 6; ++face)
   {
-    vec4 map = relievoShadowMatrix[face] * vec4(position, 1.0);
+    vec4 map =
+      RELIEVO_SHADOW_SHIFTED(face, relievoShadowMatrix[face] * vec4(position, 1.0));
     if (map.w > 0.0 && relievoShadowSees(map.xyz / map.w))
     {
       vec3 plane = relievoMapPlane(relievoShadowMatrix[face], map, normalVC);
@@ -216,8 +224,9 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
     cross(dFdx(relievoShadowPlaceRELIEVO_SLOT), dFdy(relievoShadowPlaceRELIEVO_SLOT));
 
 //RELIEVO::Section(SunVisibility)
-  relievoVisibility[RELIEVO_SLOT] = relievoShadowSun(
-    RELIEVO_FACE, relievoShadowPlaceRELIEVO_SLOT, relievoShadowPlaneRELIEVO_SLOT);
+  relievoVisibility[RELIEVO_SLOT] = relievoShadowSun(RELIEVO_FACE,
+    RELIEVO_SHADOW_SHIFTED(RELIEVO_FACE, vec4(relievoShadowPlaceRELIEVO_SLOT, 1.0)).xyz,
+    relievoShadowPlaneRELIEVO_SLOT);
 
 //RELIEVO::Section(LampFlow)
   vec4 relievoShadowMapRELIEVO_SLOT =
@@ -228,9 +237,9 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
     cross(dFdx(relievoShadowPlaceRELIEVO_SLOT), dFdy(relievoShadowPlaceRELIEVO_SLOT));
 
 //RELIEVO::Section(LampVisibility)
-  relievoVisibility[RELIEVO_SLOT] = relievoShadowLamp(
-    RELIEVO_FACE, relievoShadowMapRELIEVO_SLOT, relievoShadowPlaneRELIEVO_SLOT,
-    relievoShadowHand * relievoShadowPlaneRELIEVO_SLOT.z);
+  relievoVisibility[RELIEVO_SLOT] = relievoShadowLamp(RELIEVO_FACE,
+    RELIEVO_SHADOW_SHIFTED(RELIEVO_FACE, relievoShadowMapRELIEVO_SLOT),
+    relievoShadowPlaneRELIEVO_SLOT, relievoShadowHand * relievoShadowPlaneRELIEVO_SLOT.z);
 
 //RELIEVO::Section(NormalVisibility)
   {

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// An image as a texture for shaders: its values as they are (scaled to 0 .. 1 for integers), with
+// mipmaps, in the precision it has.
+#ifndef vtkRelievoMaterialMap_h
+#define vtkRelievoMaterialMap_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <string>
+
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkRelievoMaterialMap
+{
+public:
+  ~vtkRelievoMaterialMap();
+
+  void SetImage(vtkImageData* image);
+  vtkImageData* GetImage() const { return this->Image; }
+  bool IsFloat() const;
+
+  // Least and greatest known value of the first component; 0, 1 for integers, as shaders have them.
+  void GetRange(double range[2]) const;
+
+  // Makes the texture, if the image, the window or the choice is another than before. `failure` and
+  // `remark` say what went wrong or was done otherwise. False: there is no texture.
+  bool Load(vtkOpenGLRenderWindow* window, bool repeat, std::string& failure, std::string& remark);
+
+  // Gives the texture a unit until Deactivate().
+  int Activate();
+  void Deactivate();
+
+  int GetWidth() const { return this->Size[0]; }
+  int GetHeight() const { return this->Size[1]; }
+  vtkIdType GetBytes() const { return this->Bytes; }
+  void Release(vtkWindow* window);
+
+private:
+  vtkSmartPointer<vtkImageData> Image;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkSmartPointer<vtkTextureObject> Texture;
+  vtkMTimeType LoadTime = 0;
+  bool Repeat = true;
+  int Size[2] = { 0, 0 };
+  vtkIdType Bytes = 0;
+};
+
+#endif

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoMaterialSplice.h"
+
+#include "vtkRelievoShaderLibrary.h"
+#include "vtkRelievoSpliceText.h"
+
+#include <cctype>
+#include <sstream>
+
+using namespace vtkRelievoSpliceText;
+
+namespace
+{
+const char* const Defines = "//RELIEVO::Material::Defines";
+const char* const Dec = "//RELIEVO::Material::Dec";
+const char* const UniformFlow = "//RELIEVO::Material::UniformFlow";
+const char* const Depth = "//RELIEVO::Material::Depth";
+const char* const Normal = "//RELIEVO::Material::Normal";
+const char* const Light = "//RELIEVO::Material::Light";
+constexpr const char* File = "material/surface.glsl";
+
+std::string Section(const char* section)
+{
+  return vtkRelievoShaderLibrary::GetSection(File, section);
+}
+
+void MarkBefore(std::string& source, const std::string& tag, const std::string& mark)
+{
+  FillMark(source, tag, mark + "\n  " + tag);
+}
+
+bool IsNamePart(char c)
+{
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+// Names a variable otherwise wherever the shader's main() reads it.
+void Rename(std::string& source, const std::string& name, const std::string& other)
+{
+  std::size_t at = source.find(name, source.find("void main()"));
+  while (at != std::string::npos)
+  {
+    const std::size_t end = at + name.size();
+    const bool whole =
+      !IsNamePart(source[at - 1]) && (end == source.size() || !IsNamePart(source[end]));
+    if (whole)
+    {
+      source.replace(at, name.size(), other);
+    }
+    at = source.find(name, at + (whole ? other.size() : name.size()));
+  }
+}
+
+// The direction towards light i in eye space, as VTK's shader can say it.
+std::string GetTowards(const std::string& fragment, const std::string& i)
+{
+  if (Has(fragment, "uniform vec3 lightPositionVC" + i + ";"))
+  {
+    return "lightPositional" + i + " != 0 ? normalize(lightPositionVC" + i +
+      " - relievoSurfaceVC) : -lightDirectionVC" + i;
+  }
+  return Has(fragment, "uniform vec3 lightDirectionVC" + i + ";") ? "-lightDirectionVC" + i
+                                                                  : std::string();
+}
+
+void AddSelfShadow(std::string& fragment)
+{
+  std::string lit;
+  for (int number = 0;; ++number)
+  {
+    const std::string i = std::to_string(number);
+    if (!Has(fragment, " lightColor" + i + ";"))
+    {
+      break;
+    }
+    const std::string towards = GetTowards(fragment, i);
+    if (!towards.empty()) // else a light at the eye, which sees what is seen
+    {
+      lit += "  float relievoReliefLit" + i + " = relievoReliefLit(" + towards + ");\n";
+      Rename(fragment, "lightColor" + i, "(relievoReliefLit" + i + " * lightColor" + i + ")");
+    }
+  }
+  FillMark(fragment, Light, lit);
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMaterialSplice::Mark(
+  std::string& vertex, std::string& geometry, std::string& fragment)
+{
+  MarkVaryings(vertex, geometry, fragment);
+  for (std::string* source : { &vertex, &geometry, &fragment })
+  {
+    MarkBehind(*source, "//VTK::System::Dec", Defines);
+  }
+  MarkBehind(fragment, "//VTK::Light::Dec", Dec);
+  MarkBefore(fragment, "//VTK::UniformFlow::Impl", UniformFlow);
+  MarkBefore(fragment, "//VTK::Depth::Impl", Depth);
+  MarkBehind(fragment, "//VTK::Normal::Impl", Normal);
+  MarkBefore(fragment, "//VTK::Light::Impl", Light);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoMaterialSplice::Fill(std::string& vertex, std::string& geometry,
+  std::string& fragment, const Structure& structure, int tangentComponents)
+{
+  for (const char* mark : { Defines, Dec, UniformFlow, Depth, Normal, Light })
+  {
+    if (!Has(fragment, mark))
+    {
+      return std::string("its fragment shader lacks VTK's tag for ") + mark +
+        "; use VTK's templates, with their tags";
+    }
+  }
+  if (!CanCarryVarying(vertex, geometry, fragment) || !EnsurePosition(vertex, geometry, fragment))
+  {
+    return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl; use VTK's templates";
+  }
+  std::ostringstream defines;
+  auto define = [&defines](bool on, const char* text) {
+    if (on)
+    {
+      defines << "#define " << text << "\n";
+    }
+  };
+  const bool relief = structure.Method > 0;
+  const bool corrects = relief && structure.DepthCorrection;
+  define(structure.NormalMap, "RELIEVO_NORMAL_MAP");
+  define(structure.HeightMap, "RELIEVO_HEIGHT_MAP");
+  define(structure.HeightMap, ("RELIEVO_METHOD " + std::to_string(structure.Method)).c_str());
+  define(corrects, "RELIEVO_DEPTH_CORRECTION");
+  define(relief && structure.Clip, "RELIEVO_CLIP");
+  const bool tangents = structure.NormalMap && tangentComponents >= 3;
+  define(tangents, "RELIEVO_TANGENTS");
+  define(
+    tangents, tangentComponents == 4 ? "RELIEVO_TANGENT_TYPE vec4" : "RELIEVO_TANGENT_TYPE vec3");
+  for (std::string* source : { &vertex, &geometry, &fragment })
+  {
+    FillMark(*source, Defines, defines.str());
+  }
+
+  if (!Has(vertex, "in vec2 tcoord;"))
+  {
+    MarkBehind(vertex, "//RELIEVO::Position::Dec", "in vec2 tcoord;");
+  }
+  FillVarying(vertex, geometry, fragment, File, false);
+  std::string extra;
+  if (corrects)
+  {
+    extra += Has(fragment, "uniform mat4 MCVCMatrix;") ? "" : "uniform mat4 MCVCMatrix;\n";
+    extra += Has(fragment, "uniform mat4 MCDCMatrix;") ? "" : "uniform mat4 MCDCMatrix;\n";
+  }
+  MarkBehind(fragment, Dec, extra);
+
+  // What VTK's own textures show lies where the ray meets the relief.
+  if (relief)
+  {
+    Rename(fragment, "tcoordVCVSOutput", "relievoTCoord");
+  }
+  FillMark(fragment, UniformFlow, Section("UniformFlow"));
+  if (corrects)
+  {
+    // VTK's offset of coincident geometry starts from the mesh's depth.
+    FillWord(fragment, "gl_FragDepth = gl_FragCoord.z +", "gl_FragDepth = gl_FragDepth +");
+    FillMark(fragment, Depth, Section("Depth"));
+  }
+  const bool lit = Has(fragment, "vec3 normalVCVSOutput =");
+  FillMark(fragment, Normal, lit ? Section("Normal") : std::string());
+  if (relief && structure.SelfShadow && lit)
+  {
+    AddSelfShadow(fragment);
+  }
+  return std::string();
+}

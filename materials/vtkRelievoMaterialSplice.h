@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The text of a material in VTK's shaders.
+#ifndef vtkRelievoMaterialSplice_h
+#define vtkRelievoMaterialSplice_h
+
+#include <string>
+
+namespace vtkRelievoMaterialSplice
+{
+struct Structure
+{
+  bool NormalMap = false;
+  bool HeightMap = false;
+  int Method = 0; // of relief; 0: heights give normals only
+  bool SelfShadow = false;
+  bool DepthCorrection = false;
+  bool Clip = false;
+
+  bool operator==(const Structure& other) const
+  {
+    return this->NormalMap == other.NormalMap && this->HeightMap == other.HeightMap &&
+      this->Method == other.Method && this->SelfShadow == other.SelfShadow &&
+      this->DepthCorrection == other.DepthCorrection && this->Clip == other.Clip;
+  }
+};
+
+void Mark(std::string& vertex, std::string& geometry, std::string& fragment);
+
+// tangentComponents: of the mesh's tangents; 0: it has none. Returns what is missing, or nothing.
+std::string Fill(std::string& vertex, std::string& geometry, std::string& fragment,
+  const Structure& structure, int tangentComponents);
+}
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How texture coordinates lie on a surface, from two small steps on it: positions change by px and
+// py, texture coordinates by uvx and uvy (screen-space derivatives, or two edges of a triangle).
+// After C. Schueler, Followup: normal mapping without precomputed tangents (2013).
+
+// Texture-space area of the two steps; negative on mirrored coordinates seen from the same side.
+float relievoTextureArea(vec2 uvx, vec2 uvy)
+{
+  return uvx.x * uvy.y - uvx.y * uvy.x;
+}
+
+// Whether the coordinates spread at all: not constant, and not along a line only.
+bool relievoHasTextureFrame(vec2 uvx, vec2 uvy)
+{
+  float area = relievoTextureArea(uvx, uvy);
+  return area * area > float(1e-10) * dot(uvx, uvx) * dot(uvy, uvy);
+}
+
+// How the position changes with u and with v. The frame must be there.
+vec3 relievoPositionPerU(vec3 px, vec3 py, vec2 uvx, vec2 uvy)
+{
+  return (px * uvy.y - py * uvx.y) / relievoTextureArea(uvx, uvy);
+}
+vec3 relievoPositionPerV(vec3 px, vec3 py, vec2 uvx, vec2 uvy)
+{
+  return (py * uvx.x - px * uvy.x) / relievoTextureArea(uvx, uvy);
+}
+
+// How u and v change along a direction: the part of it in the plane of perU and perV, which need be
+// neither of unit length nor square to each other.
+vec2 relievoTextureStep(vec3 direction, vec3 perU, vec3 perV)
+{
+  float uu = dot(perU, perU);
+  float uv = dot(perU, perV);
+  float vv = dot(perV, perV);
+  float du = dot(direction, perU);
+  float dv = dot(direction, perV);
+  return vec2(du * vv - dv * uv, dv * uu - du * uv) / (uu * vv - uv * uv);
+}
+
+// A tangent-space normal in the space of the frame: x along `tangent` made square to the normal, y
+// square to both on the side of `perV`, z along the normal (unit).
+vec3 relievoFromTangentSpace(vec3 mapped, vec3 normal, vec3 tangent, vec3 perV)
+{
+  vec3 t = normalize(tangent - normal * dot(normal, tangent));
+  vec3 b = cross(normal, t);
+  b = dot(b, perV) < float(0.0) ? -b : b;
+  return normalize(t * mapped.x + b * mapped.y + normal * mapped.z);
+}
+
+// The normal of a surface lifted by a height along its unit normal. slopes: change of the height,
+// in units of length, with u and with v.
+vec3 relievoLiftedNormal(vec3 normal, vec3 perU, vec3 perV, vec2 slopes)
+{
+  vec3 alongU = cross(perV, normal);
+  vec3 alongV = cross(normal, perU);
+  float volume = dot(perU, alongU);
+  return normalize(normal - (alongU * slopes.x + alongV * slopes.y) / volume);
+}
