@@ -141,8 +141,9 @@ float relievoMeet(vec2 uv, vec2 through)
 
 void relievoSeeRelief(vec3 gazeVC, vec3 vertexVC)
 {
-  vec2 across = max(abs(relievoUVdX), abs(relievoUVdY)) * relievoHeightSize;
-  relievoLevel = max(0.0, log2(max(across.x, across.y)));
+  // Of a pixel's footprint the shorter side: along the longer one the ray takes its steps.
+  float across = min(length(relievoUVdX * relievoHeightSize), length(relievoUVdY * relievoHeightSize));
+  relievoLevel = max(0.0, log2(across));
 #if RELIEVO_METHOD > 0
   float down = max(-dot(gazeVC, relievoFaceVC), 1e-3);
   vec2 through = relievoTextureStep(gazeVC, relievoPerU, relievoPerV) * (relievoHeightScale / down);

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ReliefTruth.h
+ * @brief Height fields in closed form below a plane, their images, and where rays meet them.
+ *
+ * The plane is z = 0 with texture coordinates u = (x + 1) / 2, v = (y + 1) / 2; heights run from 0
+ * on the ground, `scale` below the plane, to 1 on it.
+ */
+#ifndef relievoTestReliefTruth_h
+#define relievoTestReliefTruth_h
+
+#include <vtkImageData.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <glm/glm.hpp>
+
+#include <functional>
+
+namespace relievoTest
+{
+/** A height of [0, 1] for texture coordinates, with period 1 in each. */
+using HeightField = std::function<double(const glm::dvec2&)>;
+
+/** Three waves. */
+double Waves(const glm::dvec2& uv);
+
+/** Square posts, 8 x 8 in a tile, with sides of this share of a tile, on level ground. */
+HeightField Posts(double side);
+
+/** What a texture of size x size texels of the field shows: straight between their centres. */
+HeightField Sampled(const HeightField& field, int size);
+
+/** Slope of the field with u and v, by differences in double precision. */
+glm::dvec2 SlopeOf(const HeightField& field, const glm::dvec2& uv);
+
+/** The field at texel centres, one float component; row 0 is at v = 0. */
+vtkSmartPointer<vtkImageData> HeightImage(const HeightField& field, int size);
+
+/** The plane from (-1, -1, 0) to (1, 1, 0) with texture coordinates, of cells x cells quads. */
+vtkSmartPointer<vtkPolyData> ReliefPlane(int cells);
+
+/** A ray of a pixel's centre through the plane. */
+struct ReliefRay
+{
+  glm::dvec3 Origin{ 0. };
+  glm::dvec3 Direction{ 0. }; // unit
+  double AxisPerLength = 1.;  // eye-space depth gained per length of the ray
+  glm::dvec3 OnPlane{ 0. };
+  bool MeetsPlane = false; // inside the plane's square, from above
+};
+ReliefRay RayOf(vtkRenderer* renderer, int x, int y);
+
+/**
+ * Where the ray meets the field, below the plane: depth from 0 (plane) to 1 (ground), to 1e-9. The
+ * field is looked at `looks` times along the way first.
+ */
+double MeetRelief(const HeightField& field, const ReliefRay& ray, double scale, int looks = 20000);
+
+/** The texture coordinates there. */
+glm::dvec2 ReliefTCoord(const ReliefRay& ray, double scale, double depth);
+}
+
+#endif
