@@ -283,7 +283,7 @@ bool vtkRelievoMaterial::PostReplaceShaderValues(std::string& vertexShader,
   else
   {
     missing = vtkRelievoMaterialSplice::Fill(vertexShader, geometryShader, fragmentShader,
-      in.Structure, vtkRelievoMaterialAccess::GetComponents(mapper, "tangentMC"));
+      in.Structure, vtkRelievoMaterialAccess::GetComponents(mapper, "tangentMC") == 3);
   }
   if (!missing.empty() && in.Said.insert(mapper->GetClassName() + missing).second)
   {

@@ -7,7 +7,7 @@
  * Attached to any number of actors whose meshes have texture coordinates; each keeps its colours,
  * textures, shading (Phong, flat or PBR), shadows and layers. The mesh's texture coordinates place
  * the maps; row 0 of an image is at v = 0. The tangent frame comes from the mesh's tangents if its
- * point data have them (vtkPointData::GetTangents, 3 or 4 components), else from screen-space
+ * point data have them (vtkPointData::GetTangents; the bitangent's side is that of v), else from screen-space
  * derivatives (C. Schueler, Followup: normal mapping without precomputed tangents, 2013), right on
  * mirrored coordinates too. Faces whose texture coordinates do not spread stay as they are.
  *

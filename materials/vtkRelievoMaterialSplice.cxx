@@ -103,7 +103,7 @@ void vtkRelievoMaterialSplice::Mark(
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoMaterialSplice::Fill(std::string& vertex, std::string& geometry,
-  std::string& fragment, const Structure& structure, int tangentComponents)
+  std::string& fragment, const Structure& structure, bool tangents)
 {
   for (const char* mark : { Defines, Dec, UniformFlow, Depth, Normal, Light })
   {
@@ -131,10 +131,7 @@ std::string vtkRelievoMaterialSplice::Fill(std::string& vertex, std::string& geo
   define(structure.HeightMap, ("RELIEVO_METHOD " + std::to_string(structure.Method)).c_str());
   define(corrects, "RELIEVO_DEPTH_CORRECTION");
   define(relief && structure.Clip, "RELIEVO_CLIP");
-  const bool tangents = structure.NormalMap && tangentComponents >= 3;
-  define(tangents, "RELIEVO_TANGENTS");
-  define(
-    tangents, tangentComponents == 4 ? "RELIEVO_TANGENT_TYPE vec4" : "RELIEVO_TANGENT_TYPE vec3");
+  define(structure.NormalMap && tangents, "RELIEVO_TANGENTS");
   for (std::string* source : { &vertex, &geometry, &fragment })
   {
     FillMark(*source, Defines, defines.str());

@@ -28,9 +28,9 @@ struct Structure
 
 void Mark(std::string& vertex, std::string& geometry, std::string& fragment);
 
-// tangentComponents: of the mesh's tangents; 0: it has none. Returns what is missing, or nothing.
+// tangents: the mesh has some. Returns what is missing, or nothing.
 std::string Fill(std::string& vertex, std::string& geometry, std::string& fragment,
-  const Structure& structure, int tangentComponents);
+  const Structure& structure, bool tangents);
 }
 
 #endif

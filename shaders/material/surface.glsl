@@ -11,14 +11,14 @@
 //RELIEVO::Section(VertexDec)
 out vec2 relievoTCoordVSOutput;
 #ifdef RELIEVO_TANGENTS
-in RELIEVO_TANGENT_TYPE tangentMC;
+in vec3 tangentMC;
 out vec3 relievoTangentVSOutput;
 #endif
 
 //RELIEVO::Section(VertexImpl)
   relievoTCoordVSOutput = tcoord;
 #ifdef RELIEVO_TANGENTS
-  relievoTangentVSOutput = mat3(MCVCMatrix) * tangentMC.xyz;
+  relievoTangentVSOutput = mat3(MCVCMatrix) * tangentMC;
 #endif
 
 //RELIEVO::Section(GeometryDec)
@@ -43,14 +43,14 @@ in vec3 relievoTangentVSOutput;
 #endif
 uniform vec4 relievoTextureTransform; // tiles per texture coordinate, offset in tiles
 
-vec2 relievoUV;      // of what is seen, in tiles
-vec2 relievoTCoord;  // the same, as VTK's textures count
-vec2 relievoUVdX;    // per pixel, on the mesh
-vec2 relievoUVdY;
-vec3 relievoPerU;    // eye space, on the mesh
-vec3 relievoPerV;
-vec3 relievoFaceVC;  // unit normal of the mesh's face, towards the eye
-bool relievoFramed;  // there is a frame: texture coordinates spread over the face
+vec2 relievoUV = vec2(0.0); // of what is seen, in tiles
+vec2 relievoTCoord = vec2(0.0); // the same, as VTK's textures count
+vec2 relievoUVdX = vec2(0.0); // per pixel, on the mesh
+vec2 relievoUVdY = vec2(0.0);
+vec3 relievoPerU = vec3(1.0, 0.0, 0.0); // eye space, on the mesh
+vec3 relievoPerV = vec3(0.0, 1.0, 0.0);
+vec3 relievoFaceVC = vec3(0.0, 0.0, 1.0); // unit normal of the mesh's face, towards the eye
+bool relievoFramed = false; // there is a frame: texture coordinates spread over the face
 
 #ifdef RELIEVO_NORMAL_MAP
 uniform sampler2D relievoNormalMap;
@@ -63,13 +63,13 @@ uniform vec2 relievoNormalWeight; // of the map's x and y: strength; negative y 
 #define RELIEVO_RECEIVER_SHIFT_VC relievoShiftVC
 uniform sampler2D relievoHeightMap;
 uniform vec2 relievoHeightDecode; // from the texture's values to 0 .. 1: scale, offset
-uniform vec2 relievoHeightSize;   // texels
+uniform vec2 relievoHeightSize; // texels
 uniform float relievoHeightScale; // length in the world of a height of 1
-uniform vec4 relievoSteps;        // per texel; least, most; of the refinement
-float relievoLevel;               // of the map's mipmaps: one for all looks along a ray
-float relievoHitDepth;            // 0 on the mesh, 1 on the ground
-vec3 relievoSurfaceVC;            // what is seen
-vec3 relievoShiftVC;              // to the place of the mesh above it
+uniform vec4 relievoSteps; // per texel; least, most; of the refinement
+float relievoLevel = 0.0; // of the map's mipmaps: one for all looks along a ray
+float relievoHitDepth = 0.0; // 0 on the mesh, 1 on the ground
+vec3 relievoSurfaceVC = vec3(0.0); // what is seen
+vec3 relievoShiftVC = vec3(0.0); // to the place of the mesh above it
 
 float relievoHeight(vec2 uv)
 {
@@ -247,19 +247,23 @@ float relievoReliefLit(vec3 towardsVC)
 //RELIEVO::Section(Normal)
   if (relievoFramed)
   {
+    // VTK turns normals by the winding, which a mirroring actor inverts: map on the side that is
+    // seen, and leave it turned as VTK has it.
+    float relievoSide = dot(normalVCVSOutput, relievoFaceVC) < 0.0 ? -1.0 : 1.0;
+    vec3 relievoNormalVC = relievoSide * normalVCVSOutput;
 #ifdef RELIEVO_NORMAL_MAP
     vec3 relievoMapped = textureGrad(relievoNormalMap, relievoUV, relievoUVdX, relievoUVdY).xyz *
       relievoNormalDecode.x + relievoNormalDecode.y;
     relievoMapped.xy *= relievoNormalWeight;
 #ifdef RELIEVO_TANGENTS
-    normalVCVSOutput = relievoFromTangentSpace(
-      relievoMapped, normalVCVSOutput, relievoTangentVSOutput, relievoPerV);
+    vec3 relievoTangentVC = relievoTangentVSOutput;
 #else
-    normalVCVSOutput =
-      relievoFromTangentSpace(relievoMapped, normalVCVSOutput, relievoPerU, relievoPerV);
+    vec3 relievoTangentVC = relievoPerU;
 #endif
+    normalVCVSOutput = relievoSide *
+      relievoFromTangentSpace(relievoMapped, relievoNormalVC, relievoTangentVC, relievoPerV);
 #elif defined(RELIEVO_HEIGHT_MAP)
-    normalVCVSOutput = relievoLiftedNormal(
-      normalVCVSOutput, relievoPerU, relievoPerV, relievoSlopes(relievoUV));
+    normalVCVSOutput = relievoSide *
+      relievoLiftedNormal(relievoNormalVC, relievoPerU, relievoPerV, relievoSlopes(relievoUV));
 #endif
   }

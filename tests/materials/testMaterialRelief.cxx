@@ -93,6 +93,7 @@ struct Scene
   relievoTest::Stage Stage{ 400, 300 };
   vtkSmartPointer<vtkActor> Actor = AddActor(this->Stage.Renderer, ReliefPlane(4));
   vtkNew<vtkRelievoMaterial> Material;
+  GLCheck Watch{ this->Stage.Window };
 
   explicit Scene(const HeightField& field)
   {
