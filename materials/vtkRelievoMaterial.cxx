@@ -20,6 +20,7 @@
 #include "vtkRelievoMaterialSplice.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkTexture.h"
 #include "vtkWeakPointer.h"
 
 #include <cmath>
@@ -29,6 +30,33 @@ vtkStandardNewMacro(vtkRelievoMaterial);
 
 namespace
 {
+// VTK's composite mappers hand on texture coordinates only to who has a texture. By this name the
+// shaders look at none.
+constexpr const char* Carrier = "colortexture";
+
+void AddCarrier(vtkActor* actor)
+{
+  if (actor->GetMapper() && actor->GetMapper()->IsA("vtkCompositePolyDataMapper2") &&
+    !actor->GetProperty()->GetTexture(Carrier))
+  {
+    vtkNew<vtkImageData> texel;
+    texel->SetDimensions(1, 1, 1);
+    texel->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    texel->SetScalarComponentFromDouble(0, 0, 0, 0, 255.0);
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(texel);
+    actor->GetProperty()->SetTexture(Carrier, texture);
+  }
+}
+
+void RemoveCarrier(vtkActor* actor)
+{
+  if (actor->GetMapper() && actor->GetMapper()->IsA("vtkCompositePolyDataMapper2"))
+  {
+    actor->GetProperty()->RemoveTexture(Carrier);
+  }
+}
+
 // The window that a prop is being drawn in: what it belongs to, up to a renderer, knows it.
 vtkOpenGLRenderWindow* FindWindow(vtkProp* prop)
 {
@@ -133,6 +161,7 @@ void vtkRelievoMaterial::Attach(vtkActor* actor)
     actor->SetPropertyKeys(keys);
   }
   actor->GetPropertyKeys()->Append(vtkOpenGLRenderPass::RenderPasses(), this);
+  AddCarrier(actor);
   actor->Modified();
 }
 
@@ -147,6 +176,7 @@ void vtkRelievoMaterial::Detach(vtkActor* actor)
     {
       keys->Remove(vtkOpenGLRenderPass::RenderPasses());
     }
+    RemoveCarrier(actor);
     actor->Modified();
   }
 }
@@ -318,9 +348,10 @@ bool vtkRelievoMaterial::SetShaderParameters(vtkShaderProgram* program,
     vtkRelievoMaterialMap& Map;
     const char* Sampler;
     const char* Name;
+    int LeastComponents;
   };
-  for (const Use& use : { Use{ in.Normals, "relievoNormalMap", "normal map" },
-         Use{ in.Heights, "relievoHeightMap", "height map" } })
+  for (const Use& use : { Use{ in.Normals, "relievoNormalMap", "normal map", 3 },
+         Use{ in.Heights, "relievoHeightMap", "height map", 1 } })
   {
     if (!program->IsUniformUsed(use.Sampler))
     {
@@ -328,7 +359,7 @@ bool vtkRelievoMaterial::SetShaderParameters(vtkShaderProgram* program,
     }
     std::string failure;
     std::string remark;
-    if (!use.Map.Load(in.Window, this->Repeat, failure, remark))
+    if (!use.Map.Load(in.Window, use.LeastComponents, this->Repeat, failure, remark))
     {
       vtkErrorMacro("No " << use.Name << ": " << failure << ".");
       // From the next picture on without it; this one shows the mesh as if the map were flat.

@@ -87,8 +87,8 @@ void vtkRelievoMaterialMap::GetRange(double range[2]) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoMaterialMap::Load(
-  vtkOpenGLRenderWindow* window, bool repeat, std::string& failure, std::string& remark)
+bool vtkRelievoMaterialMap::Load(vtkOpenGLRenderWindow* window, int leastComponents, bool repeat,
+  std::string& failure, std::string& remark)
 {
   vtkDataArray* values = GetValues(this->Image);
   if (!values || values->GetNumberOfTuples() == 0)
@@ -108,11 +108,12 @@ bool vtkRelievoMaterialMap::Load(
   }
   const int* size = this->Image->GetDimensions();
   const int components = values->GetNumberOfComponents();
-  if (size[2] != 1 || components < 1 || components > 4)
+  if (size[2] != 1 || components < leastComponents || components > 4)
   {
     std::ostringstream out;
     out << "it has " << size[0] << " x " << size[1] << " x " << size[2] << " points of "
-        << components << " components; one slice in z, of 1 to 4 components, was expected";
+        << components << " components; one slice in z, of " << leastComponents
+        << " to 4 components, was expected";
     failure = out.str();
     return false;
   }

@@ -31,7 +31,8 @@ public:
 
   // Makes the texture, if the image, the window or the choice is another than before. `failure` and
   // `remark` say what went wrong or was done otherwise. False: there is no texture.
-  bool Load(vtkOpenGLRenderWindow* window, bool repeat, std::string& failure, std::string& remark);
+  bool Load(vtkOpenGLRenderWindow* window, int leastComponents, bool repeat, std::string& failure,
+    std::string& remark);
 
   // Gives the texture a unit until Deactivate().
   int Activate();

@@ -10,11 +10,14 @@ float relievoTextureArea(vec2 uvx, vec2 uvy)
   return uvx.x * uvy.y - uvx.y * uvy.x;
 }
 
-// Whether the coordinates spread at all: not constant, and not along a line only.
+// Whether the coordinates spread at all: not constant, and not along a line only, both by more than
+// coordinates of about 1 are rounded in float.
 bool relievoHasTextureFrame(vec2 uvx, vec2 uvy)
 {
-  float area = relievoTextureArea(uvx, uvy);
-  return area * area > float(1e-10) * dot(uvx, uvx) * dot(uvy, uvy);
+  float area = abs(relievoTextureArea(uvx, uvy));
+  float x = length(uvx);
+  float y = length(uvy);
+  return area > float(1e-4) * x * y && area > float(4e-7) * (x + y);
 }
 
 // How the position changes with u and with v. The frame must be there.

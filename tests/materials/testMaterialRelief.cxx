@@ -11,8 +11,10 @@
 #include "Stage.h"
 
 #include <vtkCamera.h>
+#include <vtkLight.h>
 #include <vtkProperty.h>
 #include <vtkRelievoMaterial.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -165,6 +167,82 @@ void TestPosts()
   scene.Material->SetMaximumSteps(16);
   RELIEVO_CHECK_THAT(Measure(renderer, seen, false).Missed > 0.02, "16 steps miss posts at 75");
 }
+
+// What the relief itself blocks of a sun, seen in the picture: dark or not.
+void TestSelfShadow()
+{
+  Scene scene(Waves);
+  vtkRenderer* renderer = scene.Stage.Renderer;
+  Look(renderer->GetActiveCamera(), 45., false);
+  renderer->RemoveAllLights();
+  vtkNew<vtkLight> sun;
+  const glm::dvec3 towards = glm::normalize(glm::dvec3(1., 0.3, 0.45));
+  sun->SetPosition(towards.x, towards.y, towards.z);
+  sun->SetFocalPoint(0., 0., 0.);
+  renderer->AddLight(sun);
+  scene.Actor->GetProperty()->SetAmbient(0.);
+  scene.Material->SelfShadowOn();
+  scene.Stage.Window->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  scene.Stage.Window->GetPixelData(0, 0, 399, 299, 0, pixels);
+  auto isBlocked = [&](const glm::dvec2& uv, double depth) {
+    const glm::dvec2 through = glm::dvec2(towards) / towards.z * depth * Scale / 2.;
+    for (double way = 0.002; way < 1.; way += 0.002)
+    {
+      if (Waves(uv + way * through) > 1. - depth * (1. - way) + 1e-4)
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  int wrong = 0;
+  int counted = 0;
+  int dark = 0;
+  for (int y = 2; y < 300; y += 5)
+  {
+    for (int x = 2; x < 400; x += 5)
+    {
+      const ReliefRay ray = RayOf(renderer, x, y);
+      if (!ray.MeetsPlane)
+      {
+        continue;
+      }
+      const double depth = MeetRelief(Waves, ray, Scale);
+      const glm::dvec2 uv = ReliefTCoord(ray, Scale, depth);
+      const glm::dvec3 normal = glm::normalize(glm::dvec3(-SlopeOf(Waves, uv) * Scale / 2., 1.));
+      const bool blocked = isBlocked(uv, depth);
+      bool edge = glm::dot(normal, towards) < 0.05;
+      for (const double j : { -0.004, 0.004 })
+      {
+        for (const glm::dvec2& by : { glm::dvec2(j, 0.), glm::dvec2(0., j) })
+        {
+          edge = edge || isBlocked(uv + by, 1. - Waves(uv + by)) != blocked;
+        }
+      }
+      if (edge)
+      {
+        continue;
+      }
+      ++counted;
+      dark += blocked ? 1 : 0;
+      wrong += (pixels->GetComponent(y * 400 + x, 0) < 3.) != blocked ? 1 : 0;
+    }
+  }
+  std::cout << "self-shadow: " << counted << " rays, " << dark << " dark, " << wrong << " wrong\n";
+  RELIEVO_CHECK_THAT(counted > 500 && dark > counted / 20, "self-shadow: there is some");
+  RELIEVO_CHECK_AT_MOST(static_cast<double>(wrong) / counted, 0.01, "self-shadow: wrong");
+  scene.Material->SelfShadowOff();
+  scene.Stage.Window->Render();
+  vtkNew<vtkUnsignedCharArray> without;
+  scene.Stage.Window->GetPixelData(0, 0, 399, 299, 0, without);
+  int darker = 0;
+  for (vtkIdType i = 0; i < without->GetNumberOfTuples(); ++i)
+  {
+    darker += without->GetComponent(i, 0) > pixels->GetComponent(i, 0) + 2. ? 1 : 0;
+  }
+  RELIEVO_CHECK_THAT(darker > 1000, "without self-shadow more is lit");
+}
 }
 
 int main()
@@ -173,5 +251,6 @@ int main()
   TestWaves();
   TestMethods();
   TestPosts();
+  TestSelfShadow();
   return session.Result();
 }
