@@ -8,7 +8,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRelievoLayerMerge.h"
-#include "vtkPVRelievoLayerRead.h"
 #include "vtkPVRelievoView.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVSession.h"
@@ -32,6 +31,29 @@ namespace
 {
 constexpr int MoveTag = 46121;
 constexpr const char* ProcessLayer = "process";
+
+// Reads what can be read: on several processes each lacks arrays of what others draw. Returns what
+// is wrong with the first that cannot.
+std::string ReadSome(
+  vtkRelievoPass* frame, const std::vector<std::string>& names, vtkImageData* image)
+{
+  std::string first;
+  auto next = names.begin();
+  while (next != names.end())
+  {
+    const std::vector<std::string> rest(next, names.end());
+    const std::string wrong = frame->GetGBuffer()->ReadLayers(rest, image);
+    if (wrong.empty())
+    {
+      break;
+    }
+    first = first.empty() ? wrong : first;
+    next = std::find_if(next, names.end(),
+      [&](const std::string& name) { return !image->GetPointData()->HasArray(name.c_str()); });
+    next += next != names.end() ? 1 : 0;
+  }
+  return first;
+}
 }
 
 class vtkPVRelievoCapture::Internals
@@ -153,21 +175,21 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
   std::string wrong;
   if (!view)
   {
-    wrong = "Relievo does not work in this view; take a render view made after the plugin was "
-            "loaded";
+    wrong = "Relievo does not work in this view. Take a render view made after the plugin was "
+            "loaded.";
   }
   else if (!names.empty() && !view->IsInPlace())
   {
-    wrong = "the view was not drawn with Relievo: it is hidden, or another feature draws it (ray "
-            "tracing, for example); show the view or switch that off, and grab again";
+    wrong = "The view was not drawn with Relievo: it is hidden, or another feature draws it (ray "
+            "tracing, for example). Show the view or switch that off, and grab again.";
   }
   else if (!names.empty() && view->GetFrame()->GetGBuffer()->GetTexture(0))
   {
-    wrong = vtkPVRelievoLayerRead::ReadSome(view->GetFrame(), names, in.Image);
+    wrong = ReadSome(view->GetFrame(), names, in.Image);
   }
   else if (!names.empty() && processes == 1)
   {
-    wrong = "the view was not drawn; show it, and grab again";
+    wrong = "The view was not drawn. Show it, and grab again.";
   }
 
   if (processes > 1 && !names.empty())
@@ -178,7 +200,7 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
       names.emplace_back(ProcessLayer);
     }
     const std::string parted = vtkPVRelievoLayerMerge::Merge(controller, names, in.Image);
-    wrong = parted.empty() ? wrong : parted;
+    wrong = parted.empty() ? wrong : "The processes' layers do not fit together: " + parted + ".";
     if (process != 0)
     {
       return;
@@ -196,12 +218,12 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
     if (!in.Image->GetPointData()->HasArray(name.c_str()))
     {
       // What another process lacks is no fault of the layer.
-      wrong = wrong.empty() ? "no process draws anything with the array '" + name + "'" : wrong;
+      wrong = wrong.empty() ? "Nothing that is drawn has the array '" + name + "'." : wrong;
       in.Image->Initialize();
       in.Failed = true;
       if (!quiet)
       {
-        vtkErrorMacro("No layers: " << wrong << ".");
+        vtkErrorMacro("No layers. " << wrong);
       }
       return;
     }

@@ -10,8 +10,8 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMRelievoCaptureProxy.h"
+#include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
-#include "vtkSMViewProxy.h"
 
 #include <cstring>
 
@@ -36,7 +36,7 @@ vtkSMRelievoLayersProxy::~vtkSMRelievoLayersProxy()
 //------------------------------------------------------------------------------
 vtkSMViewProxy* vtkSMRelievoLayersProxy::GetView()
 {
-  return vtkSMViewProxy::SafeDownCast(vtkSMPropertyHelper(this, "View").GetAsProxy());
+  return vtkSMRenderViewProxy::SafeDownCast(vtkSMPropertyHelper(this, "View").GetAsProxy());
 }
 
 //------------------------------------------------------------------------------
@@ -127,6 +127,22 @@ void vtkSMRelievoLayersProxy::UpdatePipeline(double time)
 }
 
 //------------------------------------------------------------------------------
+void vtkSMRelievoLayersProxy::PostUpdateData(bool usingCache)
+{
+  if (!usingCache)
+  {
+    this->InvalidateDataInformation();
+  }
+  this->PostUpdateDataSelfOnly(usingCache);
+}
+
+//------------------------------------------------------------------------------
+void vtkSMRelievoLayersProxy::MarkDirtyFromProducer(vtkSMProxy*, vtkSMProxy*, vtkSMProperty*)
+{
+  // Its only producer is the view.
+}
+
+//------------------------------------------------------------------------------
 void vtkSMRelievoLayersProxy::Grab(bool quiet)
 {
   if (this->Grabbing || this->Started)
@@ -140,7 +156,7 @@ void vtkSMRelievoLayersProxy::Grab(bool quiet)
   {
     this->Wanted = false;
     vtkErrorMacro("No layers: " << (view ? "none is chosen; choose some in Layers"
-                                         : "no view is chosen; set View to a render view")
+                                         : "View is no render view; set it to one")
                                 << ".");
     return;
   }

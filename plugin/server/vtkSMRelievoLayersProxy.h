@@ -34,6 +34,16 @@ protected:
   vtkSMRelievoLayersProxy();
   ~vtkSMRelievoLayersProxy() override;
 
+  ///@{
+  /**
+   * A view is no input: it is not up to date because the layers are, and they stay as they are when
+   * it changes.
+   */
+  void PostUpdateData(bool usingCache) override;
+  void MarkDirtyFromProducer(
+    vtkSMProxy* modified, vtkSMProxy* producer, vtkSMProperty* property) override;
+  ///@}
+
 private:
   vtkSMRelievoLayersProxy(const vtkSMRelievoLayersProxy&) = delete;
   void operator=(const vtkSMRelievoLayersProxy&) = delete;
@@ -52,7 +62,7 @@ private:
   void OnUnregistered(vtkObject*, unsigned long, void* what);
 
   bool Connected = false; // the algorithm knows its capture
-  bool Wanted = false;    // what the properties say has not been grabbed
+  bool Wanted = true;     // what the properties say has not been grabbed
   bool Pushing = false;   // in UpdateVTKObjects()
   bool Grabbing = false;  // in Grab()
   bool Started = false;   // the view draws a picture that is grabbed
