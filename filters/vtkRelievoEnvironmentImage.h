@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkRelievoEnvironmentImage.h
+ * @brief An environment's light by direction, out of an image of any projection.
+ *
+ * Orientation: shaders/formulas/environment.glsl. A cube is one image of n x n x 6 points, its
+ * slices the faces +x -x +y -y +z -z as they are given to OpenGL.
+ */
+#ifndef vtkRelievoEnvironmentImage_h
+#define vtkRelievoEnvironmentImage_h
+
+#include "vtkRelievoFormulas.h"
+
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkImageData;
+
+namespace relievo
+{
+/** The numbers are those of vtkRelievoEnvironmentConvert::ProjectionType. */
+enum class Projection
+{
+  Automatic = 0,
+  Equirectangular = 1,
+  Cube = 2,
+  SphereMap = 3
+};
+
+/** The projection of an image of this size, or Automatic where it has none: see the docstring of
+ * vtkRelievoEnvironmentConvert::SetInputProjection. */
+Projection ProjectionOfSize(const int size[3]);
+
+/** A place of an image: slice (face), and texture coordinates in it. */
+struct EnvironmentPlace
+{
+  int Slice;
+  f64::vec2 At;
+};
+
+/** The shape of an environment image: what its texels look at. */
+class EnvironmentShape
+{
+public:
+  EnvironmentShape(Projection projection, int width, int height, bool mirrored);
+
+  Projection GetProjection() const { return this->Kind; }
+  bool IsMirrored() const { return this->Mirrored; }
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+  int GetSlices() const { return this->Kind == Projection::Cube ? 6 : 1; }
+  vtkIdType GetNumberOfTexels() const
+  {
+    return static_cast<vtkIdType>(this->Width) * this->Height * this->GetSlices();
+  }
+
+  /** Direction of a place, not of length 1. */
+  f64::vec3 GetDirection(const EnvironmentPlace& place) const;
+
+  /** Solid angle per area of [0, 1]^2 at a place, steradian; 0 outside of a sphere map's circle. */
+  double GetDensity(const EnvironmentPlace& place) const;
+
+  /** Angle between neighbouring texels about a place, radian: the smaller and the larger way. */
+  f64::vec2 GetSteps(const EnvironmentPlace& place) const;
+
+  /** The place that looks in a direction, of any length. */
+  EnvironmentPlace GetPlace(const f64::vec3& direction) const;
+
+  /** The width of a cube's face with as much detail. */
+  double GetDetail() const;
+
+private:
+  Projection Kind;
+  int Width;
+  int Height;
+  bool Mirrored; // the light of (x, y, z) is where the formulas put (x, y, -z)
+};
+
+/** The texels as floats, red, green, blue. */
+class EnvironmentImage
+{
+public:
+  /**
+   * Reads the image's array (null: none). One component is grey, of four the fourth is left out;
+   * integers are fractions of their largest number; sRGB makes them, or floats in [0, 1], linear.
+   * NaN counts as 0, infinity as 65504, the largest half. Words in `problem` when it cannot be.
+   */
+  EnvironmentImage(vtkImageData* image, vtkDataArray* array, Projection projection, bool mirrored,
+    bool sRGB, std::string& problem);
+
+  const EnvironmentShape& GetShape() const { return this->Shape; }
+
+  /** The texel itself. */
+  const f32::vec3& GetTexel(int slice, int column, int row) const
+  {
+    return this->Texels[(static_cast<std::size_t>(slice) * this->Shape.GetHeight() + row) *
+        this->Shape.GetWidth() +
+      column];
+  }
+
+  /** Between the four texels about a direction, of any length; over seams, poles and edges. */
+  f32::vec3 Sample(const f32::vec3& direction) const;
+
+  /** Whether both sizes are even, so that texels can be taken by fours. */
+  bool CanHalve() const;
+
+  /** Half as wide and high: each texel the mean of four over their solid angles. */
+  EnvironmentImage Halve() const;
+
+private:
+  explicit EnvironmentImage(const EnvironmentShape& shape);
+
+  f32::vec3 Fetch(int slice, int column, int row) const;
+  f32::vec3 FetchCube(int face, int column, int row) const;
+  f32::vec3 FetchSphereMap(int column, int row) const;
+
+  EnvironmentShape Shape;
+  std::vector<f32::vec3> Texels;
+};
+}
+
+#endif
