@@ -121,11 +121,12 @@ void vtkRelievoDisplayStage::RenderAfter(vtkRelievoPass* frame, const vtkRenderS
   const float range[2] = { static_cast<float>(
                              this->Range[0] < this->Range[1] ? this->Range[0] : view.Near),
     static_cast<float>(this->Range[0] < this->Range[1] ? this->Range[1] : view.Far) };
-  float background[3];
+  float background[4];
   for (int i = 0; i < 3; ++i)
   {
     background[i] = static_cast<float>(renderer->GetBackground()[i]);
   }
+  background[3] = static_cast<float>(renderer->GetBackgroundAlpha());
   float projection[16];
   float viewToWorld[16];
   const glm::dmat4 world = glm::inverse(view.WorldToView);
@@ -135,7 +136,7 @@ void vtkRelievoDisplayStage::RenderAfter(vtkRelievoPass* frame, const vtkRenderS
     viewToWorld[i] = static_cast<float>(world[i / 4][i % 4]);
   }
   program->SetUniform2f("relievoShown", range);
-  program->SetUniform3f("relievoBackground", background);
+  program->SetUniform4f("relievoBackground", background);
   program->SetUniformi("relievoGrey", this->Grey);
   program->SetUniformi(
     "relievoWorldNormals", gbuffer->GetNormalSpace() == vtkRelievoGBufferPass::WORLD);

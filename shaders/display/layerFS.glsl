@@ -13,7 +13,7 @@ in vec2 texCoord;
 uniform ivec2 relievoOffset; // of the viewport within the words
 uniform vec2 relievoSize;    // of the viewport
 uniform vec2 relievoShown;     // values of the first and the last colour
-uniform vec3 relievoBackground;
+uniform vec4 relievoBackground; // with its opacity, by which processes lay pictures over others
 uniform int relievoGrey;
 uniform int relievoWorldNormals;
 uniform mat4 relievoProjection;
@@ -26,7 +26,7 @@ uniform sampler2D relievoColors;
 vec4 relievoVectorColor(vec3 normalVC)
 {
   vec3 n = relievoWorldNormals != 0 ? mat3(relievoViewToWorld) * normalVC : normalVC;
-  return dot(n, n) > 0.0 ? vec4(0.5 * normalize(n) + 0.5, 1.0) : vec4(relievoBackground, 1.0);
+  return dot(n, n) > 0.0 ? vec4(0.5 * normalize(n) + 0.5, 1.0) : relievoBackground;
 }
 #endif
 
@@ -36,7 +36,7 @@ vec4 relievoScalarColor(float value)
   if (isinf(value))
   {
     // A picture in grey shows "nothing here" as farther than everything.
-    return vec4(relievoGrey != 0 ? vec3(1.0) : relievoBackground, 1.0);
+    return relievoGrey != 0 ? vec4(1.0) : relievoBackground;
   }
   float t = (value - relievoShown.x) / (relievoShown.y - relievoShown.x);
   return vec4(relievoGrey != 0 ? vec3(t) : relievoColormap(clamp(t, 0.0, 1.0)), 1.0);
@@ -49,7 +49,7 @@ void main()
   ivec2 texel = pixel + relievoOffset;
 #if RELIEVO_SHOW == 0
   vec4 color = texelFetch(relievoColors, pixel, 0);
-  gl_FragData[0] = color.a > 0.0 ? vec4(color.rgb, 1.0) : vec4(relievoBackground, 1.0);
+  gl_FragData[0] = color.a > 0.0 ? vec4(color.rgb, 1.0) : relievoBackground;
 #elif RELIEVO_SHOW == 1
   gl_FragData[0] = relievoScalarColor(relievoFetchDepth(texel));
 #elif RELIEVO_SHOW == 2
@@ -63,6 +63,6 @@ void main()
   gl_FragData[0] = relievoVectorColor(relievoFetchNormalAt(texel, RELIEVO_GEOMETRIC_NORMAL_WORD));
 #else
   vec4 albedo = unpackUnorm4x8(relievoFetchWord(texel, RELIEVO_ALBEDO_WORD));
-  gl_FragData[0] = vec4(albedo.a > 0.0 ? albedo.rgb : relievoBackground, 1.0);
+  gl_FragData[0] = albedo.a > 0.0 ? vec4(albedo.rgb, 1.0) : relievoBackground;
 #endif
 }
