@@ -102,6 +102,14 @@ public:
       column];
   }
 
+  /** The texel; of a sphere map's outside of the circle the nearest one inside. */
+  f32::vec3 GetLight(int slice, int column, int row) const
+  {
+    return this->Shape.GetProjection() == Projection::SphereMap
+      ? this->FetchSphereMap(column, row)
+      : this->GetTexel(slice, column, row);
+  }
+
   /** Between the four texels about a direction, of any length; over seams, poles and edges. */
   f32::vec3 Sample(const f32::vec3& direction) const;
 

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoEnvironmentIrradiance
+ * @brief Nine numbers a colour that tell how a whole environment lights a matt surface.
+ *
+ * Input: an environment image as vtkRelievoEnvironmentConvert takes it, of any projection.
+ *
+ * Output: a vtkTable of nine rows with one column "radiance" of three components (red, green, blue,
+ * double): the coefficients of the light in the real orthonormal spherical harmonics up to order 2,
+ * row l * l + l + m. GetCoefficient gives one, GetIrradiance evaluates them; shaders do so by
+ * shaders/formulas/irradiance.glsl, with the same lines.
+ *
+ * Each texel counts as even light over its exact solid angle: harmonics are integrated over it with
+ * Gauss's 2 x 2 points, on texels divided until a cube's face has 32 across, and the whole is 4 pi.
+ *
+ * Irradiance is exact for light that is itself such a sum; for other light it lacks the even orders
+ * from 4 on, mostly 1 % of it (R. Ramamoorthi, P. Hanrahan: An Efficient Representation for
+ * Irradiance Environment Maps, SIGGRAPH 2001), and for a single point of light up to 9 %.
+ *
+ * Errors, once, with an empty output and vtkErrorCode::UserError: no such array; an image that is
+ * not of the input projection's shape. An image without points gives a table without rows.
+ */
+#ifndef vtkRelievoEnvironmentIrradiance_h
+#define vtkRelievoEnvironmentIrradiance_h
+
+#include "vtkRelievoFiltersModule.h" // for the export macro
+#include "vtkTableAlgorithm.h"
+
+class VTKRELIEVOFILTERS_EXPORT vtkRelievoEnvironmentIrradiance : public vtkTableAlgorithm
+{
+public:
+  static vtkRelievoEnvironmentIrradiance* New();
+  vtkTypeMacro(vtkRelievoEnvironmentIrradiance, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * As of vtkRelievoEnvironmentConvert: the projection (0, AUTOMATIC, by size, is the default);
+   * whether numbers are sRGB (default off); whether the image is mirrored (default off).
+   */
+  vtkSetClampMacro(InputProjection, int, 0, 3);
+  vtkGetMacro(InputProjection, int);
+  vtkSetMacro(InputSRGB, bool);
+  vtkGetMacro(InputSRGB, bool);
+  vtkBooleanMacro(InputSRGB, bool);
+  vtkSetMacro(InputMirrored, bool);
+  vtkGetMacro(InputMirrored, bool);
+  vtkBooleanMacro(InputMirrored, bool);
+  ///@}
+
+  /** Coefficient `index` (0 to 8) of the last run, red, green, blue; zeros for another index. */
+  void GetCoefficient(int index, double color[3]);
+
+  /**
+   * Irradiance on a surface with this normal (any length but 0) in the last run's environment: the
+   * integral of light times max(cosine, 0), red, green, blue. Constant light L gives pi L.
+   */
+  void GetIrradiance(const double normal[3], double color[3]);
+
+protected:
+  vtkRelievoEnvironmentIrradiance();
+  ~vtkRelievoEnvironmentIrradiance() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+private:
+  int InputProjection = 0;
+  bool InputSRGB = false;
+  bool InputMirrored = false;
+  double Coefficients[9][3] = {};
+
+  vtkRelievoEnvironmentIrradiance(const vtkRelievoEnvironmentIrradiance&) = delete;
+  void operator=(const vtkRelievoEnvironmentIrradiance&) = delete;
+};
+
+#endif
