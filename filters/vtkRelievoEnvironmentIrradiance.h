@@ -14,9 +14,9 @@
  * Each texel counts as even light over its exact solid angle: harmonics are integrated over it with
  * Gauss's 2 x 2 points, on texels divided until a cube's face has 32 across, and the whole is 4 pi.
  *
- * Irradiance is exact for light that is itself such a sum; for other light it lacks the even orders
- * from 4 on, mostly 1 % of it (R. Ramamoorthi, P. Hanrahan: An Efficient Representation for
- * Irradiance Environment Maps, SIGGRAPH 2001), and for a single point of light up to 9 %.
+ * Irradiance is exact for light of orders up to 3; of other light it lacks the even orders from 4
+ * on, mostly 1 % of it (R. Ramamoorthi, P. Hanrahan: An Efficient Representation for Irradiance
+ * Environment Maps, SIGGRAPH 2001), and for a single point of light up to 9 %.
  *
  * Errors, once, with an empty output and vtkErrorCode::UserError: no such array; an image that is
  * not of the input projection's shape. An image without points gives a table without rows.
