@@ -4,7 +4,8 @@
  * @class vtkSMRelievoViewProxy
  * @brief Proxy of vtkPVRelievoView, a sub-proxy of a render view's.
  *
- * Tells its object, on every process, which view it belongs to.
+ * Tells its object, on every process, which view it belongs to. Takes the frame report from the
+ * server when that draws the view's pictures, else from this process.
  */
 #ifndef vtkSMRelievoViewProxy_h
 #define vtkSMRelievoViewProxy_h
@@ -24,6 +25,8 @@ public:
 protected:
   vtkSMRelievoViewProxy() = default;
   ~vtkSMRelievoViewProxy() override = default;
+
+  void UpdatePropertyInformationInternal(vtkSMProperty* property) override;
 
   bool KnowsView = false;
 
