@@ -87,6 +87,14 @@ class Window(pv.Test):
         self.assertEqual(notes["undone"], [both])
         self.assertEqual(notes["back"], [both])
 
+    def testRemote(self):
+        """Loaded on a server and here: a view that was open, and what the server's pictures took."""
+        with pv.Server() as server:
+            notes = self.played("remote.xml", f"--server-url=cs://localhost:{server.port}")
+        self.assertEqual(pv.messages(server.text()), [], "the server has something to say")
+        self.assertTrue(notes["server draws"])
+        self.assertEqual(notes["on"][0]["RelievoShadows"], 1)
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

@@ -65,6 +65,15 @@ def render(times=1):
 
 
 @noted
+def drawOnServer():
+    """The server draws the active view's pictures, however little there is to draw."""
+    view = simple.GetActiveView()
+    view.RemoteRenderThreshold = 0
+    simple.Render(view)
+    note("server draws", view.SMProxy.GetClientSideObject().GetUseDistributedRenderingForRender())
+
+
+@noted
 def settings(name):
     """Keeps Relievo's settings of every view, as far as the views know them."""
     note(name, [{key: view.GetPropertyValue(key)
