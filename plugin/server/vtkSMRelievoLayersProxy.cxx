@@ -74,6 +74,7 @@ void vtkSMRelievoLayersProxy::Watch(vtkSMViewProxy* view)
     this->Watched->RemoveObserver(this->EndTag);
   }
   this->Watched = view;
+  this->Early = view && view->GetRenderWindow() && view->GetRenderWindow()->GetNeverRendered();
   if (view)
   {
     this->StartTag =
@@ -100,9 +101,8 @@ void vtkSMRelievoLayersProxy::UpdateVTKObjects()
   {
     // A scene that was never drawn may still be in the making: what it lacks is no error yet, and
     // its first picture is grabbed again.
-    const bool early = view->GetRenderWindow() && view->GetRenderWindow()->GetNeverRendered();
-    this->Grab(early);
-    this->Wanted = early;
+    this->Grab(this->Early);
+    this->Wanted = this->Early;
   }
 }
 
@@ -224,6 +224,7 @@ void vtkSMRelievoLayersProxy::OnViewStarts(vtkObject*, unsigned long, void* inte
 //------------------------------------------------------------------------------
 void vtkSMRelievoLayersProxy::OnViewEnds()
 {
+  this->Early = this->Early && this->Grabbing;
   if (this->Started)
   {
     this->Wanted = false;
@@ -253,5 +254,6 @@ void vtkSMRelievoLayersProxy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Wanted: " << this->Wanted << "\n";
+  os << indent << "Early: " << this->Early << "\n";
   os << indent << "Watched: " << this->Watched.GetPointer() << "\n";
 }

@@ -63,6 +63,7 @@ private:
 
   bool Connected = false; // the algorithm knows its capture
   bool Wanted = true;     // what the properties say has not been grabbed
+  bool Early = false;     // the view was drawn for its layers only
   bool Pushing = false;   // in UpdateVTKObjects()
   bool Grabbing = false;  // in Grab()
   bool Started = false;   // the view draws a picture that is grabbed
