@@ -18,6 +18,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
     { "shadows", "wrong shadows against map size and frame time, every method and light",
       RelievoBenchShadows },
     { "bias", "false shadow against leak as the shadows' bias grows", RelievoBenchBias },
+    { "relief", "what relief methods miss, against looks, time and full geometry",
+      RelievoBenchRelief },
   };
   return entries;
 }

@@ -4,15 +4,16 @@
 // Depth and normals of relief against rays marched in double precision through the height fields.
 #include "Check.h"
 #include "GLCheck.h"
-#include "Layers.h"
 #include "Props.h"
 #include "ReliefTruth.h"
 #include "Session.h"
 #include "Stage.h"
 
 #include <vtkCamera.h>
+#include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkProperty.h>
+#include <vtkRelievoLayerSource.h>
 #include <vtkRelievoMaterial.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -26,68 +27,14 @@ using namespace relievoTest;
 constexpr double Scale = 0.2; // a tenth of a tile
 constexpr int Texels = 512;
 
-void Look(vtkCamera* camera, double degrees, bool parallel)
+ReliefErrors Measure(vtkRenderer* renderer, const HeightField& field)
 {
-  const double angle = degrees * 3.14159265358979 / 180.;
-  camera->SetPosition(0.3 * std::sin(angle), -4. * std::sin(angle), 4. * std::cos(angle));
-  camera->SetFocalPoint(0., 0., 0.);
-  camera->SetViewUp(0., 1., 0.);
-  camera->SetViewAngle(20.);
-  camera->SetParallelProjection(parallel);
-  camera->SetParallelScale(0.7);
-  camera->SetClippingRange(0.5, 9.);
-}
-
-struct Errors
-{
-  double Mean = 0.;   // of the depth below the plane, as a share of the relief's height
-  double Missed = 0.; // share of rays that are off by more than 5 %
-  double Normal = 0.; // degrees, mean over rays that are not missed
-  double Depth = 0.;  // of the layer, relative, mean
-  int Rays = 0;
-};
-
-Errors Measure(vtkRenderer* renderer, const HeightField& field, bool normals)
-{
-  Layers layers(renderer, { "depth", "normal" });
-  Errors errors;
-  int kept = 0;
-  for (int y = 2; y < layers.Height; y += 5)
-  {
-    for (int x = 2; x < layers.Width; x += 5)
-    {
-      const ReliefRay ray = RayOf(renderer, x, y);
-      if (!ray.MeetsPlane || !std::isfinite(layers.Value("depth", x, y)))
-      {
-        continue;
-      }
-      ++errors.Rays;
-      const double truth = MeetRelief(field, ray, Scale);
-      const double length = layers.Value("depth", x, y) / ray.AxisPerLength;
-      const double below = -(ray.Origin + length * ray.Direction).z / Scale;
-      const double wrong = std::abs(below - truth);
-      if (wrong > 0.05)
-      {
-        errors.Missed += 1.;
-        continue;
-      }
-      ++kept;
-      errors.Mean += wrong;
-      if (normals)
-      {
-        const glm::dvec2 uv = ReliefTCoord(ray, Scale, truth);
-        const glm::dvec2 slope = SlopeOf(field, uv) * Scale / 2.; // a tile is 2 long
-        const glm::dvec3 normal = glm::normalize(glm::dvec3(-slope, 1.));
-        const glm::dvec3 seen = layers.Vector("normal", x, y);
-        errors.Normal += std::atan2(glm::length(glm::cross(normal, seen)), glm::dot(normal, seen)) *
-          180. / 3.14159265358979;
-      }
-    }
-  }
-  errors.Missed /= errors.Rays;
-  errors.Mean /= kept;
-  errors.Normal /= kept;
-  return errors;
+  vtkNew<vtkRelievoLayerSource> source;
+  source->SetRenderer(renderer);
+  source->AddLayer("depth");
+  source->AddLayer("normal");
+  source->Update();
+  return CompareRelief(source->GetOutput(), renderer, field, Scale);
 }
 
 struct Scene
@@ -116,12 +63,13 @@ void TestWaves()
   {
     for (const double angle : { 0., 45., 60., 75., 80. })
     {
-      Look(renderer->GetActiveCamera(), angle, parallel);
+      LookAtRelief(renderer, angle, parallel);
       const std::string what =
         "waves at " + std::to_string(static_cast<int>(angle)) + (parallel ? ", parallel" : "");
-      const Errors errors = Measure(renderer, Waves, true);
+      const ReliefErrors errors = Measure(renderer, Waves);
       RELIEVO_CHECK_THAT(errors.Rays > 500, what + ": rays");
-      RELIEVO_CHECK_AT_MOST(errors.Mean, angle <= 60. ? 0.001 : 0.002, what + ": mean depth error");
+      RELIEVO_CHECK_AT_MOST(
+        errors.Depth, angle <= 60. ? 0.001 : 0.002, what + ": mean depth error");
       RELIEVO_CHECK_AT_MOST(errors.Missed, angle <= 75. ? 0.002 : 0.01, what + ": missed");
       RELIEVO_CHECK_AT_MOST(errors.Normal, 1.0, what + ": mean normal error, degrees");
     }
@@ -133,15 +81,15 @@ void TestMethods()
 {
   Scene scene(Waves);
   vtkRenderer* renderer = scene.Stage.Renderer;
-  Look(renderer->GetActiveCamera(), 60., false);
+  LookAtRelief(renderer, 60.);
   double before = 1.;
   for (int method = vtkRelievoMaterial::METHOD_PARALLAX;
        method <= vtkRelievoMaterial::METHOD_RELIEF; ++method)
   {
     scene.Material->SetMethod(method);
-    const Errors errors = Measure(renderer, Waves, false);
-    const double wrong = errors.Mean * (1. - errors.Missed) + 0.05 * errors.Missed;
-    std::cout << "method " << method << ": mean " << errors.Mean << ", missed " << errors.Missed
+    const ReliefErrors errors = Measure(renderer, Waves);
+    const double wrong = errors.Depth * (1. - errors.Missed) + 0.05 * errors.Missed;
+    std::cout << "method " << method << ": mean " << errors.Depth << ", missed " << errors.Missed
               << "\n";
     RELIEVO_CHECK_THAT(wrong < before, "method " + std::to_string(method) + " is better");
     before = wrong;
@@ -157,15 +105,15 @@ void TestPosts()
   const HeightField seen = Sampled(field, Texels);
   for (const double angle : { 45., 60., 75. })
   {
-    Look(renderer->GetActiveCamera(), angle, false);
+    LookAtRelief(renderer, angle);
     renderer->GetActiveCamera()->SetViewAngle(8.);
     const std::string what = "posts at " + std::to_string(static_cast<int>(angle));
     RELIEVO_CHECK_AT_MOST(
-      Measure(renderer, seen, false).Missed, 0.01, what + ": missed at the default steps");
+      Measure(renderer, seen).Missed, 0.01, what + ": missed at the default steps");
   }
   // The same with the fixed steps of the simple methods: they must be seen to miss.
   scene.Material->SetMaximumSteps(16);
-  RELIEVO_CHECK_THAT(Measure(renderer, seen, false).Missed > 0.02, "16 steps miss posts at 75");
+  RELIEVO_CHECK_THAT(Measure(renderer, seen).Missed > 0.02, "16 steps miss posts at 75");
 }
 
 // What the relief itself blocks of a sun, seen in the picture: dark or not.
@@ -173,7 +121,7 @@ void TestSelfShadow()
 {
   Scene scene(Waves);
   vtkRenderer* renderer = scene.Stage.Renderer;
-  Look(renderer->GetActiveCamera(), 45., false);
+  LookAtRelief(renderer, 45.);
   renderer->RemoveAllLights();
   vtkNew<vtkLight> sun;
   const glm::dvec3 towards = glm::normalize(glm::dvec3(1., 0.3, 0.45));

@@ -172,3 +172,66 @@ double relievoTest::MeetRelief(
   }
   return below;
 }
+
+//------------------------------------------------------------------------------
+void relievoTest::LookAtRelief(vtkRenderer* renderer, double degrees, bool parallel)
+{
+  const double angle = degrees * TwoPi / 360.;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(0.3 * std::sin(angle), -4. * std::sin(angle), 4. * std::cos(angle));
+  camera->SetFocalPoint(0., 0., 0.);
+  camera->SetViewUp(0., 1., 0.);
+  camera->SetViewAngle(20.);
+  camera->SetParallelProjection(parallel);
+  camera->SetParallelScale(0.7);
+  camera->SetClippingRange(0.5, 9.);
+}
+
+//------------------------------------------------------------------------------
+relievoTest::ReliefErrors relievoTest::CompareRelief(
+  vtkImageData* layers, vtkRenderer* renderer, const HeightField& field, double scale, int stride)
+{
+  vtkDataArray* depths = layers->GetPointData()->GetArray("depth");
+  vtkDataArray* normals = layers->GetPointData()->GetArray("normal");
+  const int* size = layers->GetDimensions();
+  ReliefErrors errors;
+  int kept = 0;
+  for (int y = stride / 2; y < size[1]; y += stride)
+  {
+    for (int x = stride / 2; x < size[0]; x += stride)
+    {
+      const vtkIdType pixel = static_cast<vtkIdType>(y) * size[0] + x;
+      const double depth = depths->GetComponent(pixel, 0);
+      const ReliefRay ray = RayOf(renderer, x, y);
+      if (!ray.MeetsPlane || !std::isfinite(depth))
+      {
+        continue;
+      }
+      ++errors.Rays;
+      const double truth = MeetRelief(field, ray, scale);
+      const glm::dvec3 place = ray.Origin + ray.Direction * (depth / ray.AxisPerLength);
+      const double wrong = std::abs(-place.z / scale - truth);
+      if (wrong > 0.05)
+      {
+        errors.Missed += 1.;
+        continue;
+      }
+      ++kept;
+      errors.Depth += wrong;
+      if (normals)
+      {
+        glm::dvec3 seen;
+        normals->GetTuple(pixel, &seen.x);
+        // A tile is 2 long.
+        const glm::dvec2 slope = SlopeOf(field, ReliefTCoord(ray, scale, truth)) * scale / 2.;
+        const glm::dvec3 normal(-slope, 1.);
+        errors.Normal +=
+          std::atan2(glm::length(glm::cross(normal, seen)), glm::dot(normal, seen)) * 360. / TwoPi;
+      }
+    }
+  }
+  errors.Missed /= errors.Rays;
+  errors.Depth /= kept;
+  errors.Normal /= kept;
+  return errors;
+}

@@ -59,6 +59,25 @@ ReliefRay RayOf(vtkRenderer* renderer, int x, int y);
  */
 double MeetRelief(const HeightField& field, const ReliefRay& ray, double scale, int looks = 20000);
 
+/** How far what is seen is from the truth. */
+struct ReliefErrors
+{
+  int Rays = 0;
+  double Missed = 0.; // share of rays that are off by more than 5 % of the relief's height
+  double Depth = 0.;  // of the others: mean, as a share of the relief's height
+  double Normal = 0.; // of the others: mean, degrees; 0 without the layer
+};
+
+/**
+ * Compares the layers `depth` and `normal` (may be missing) of a picture of the plane with rays
+ * through the field, every `stride`-th pixel of every `stride`-th row.
+ */
+ReliefErrors CompareRelief(vtkImageData* layers, vtkRenderer* renderer, const HeightField& field,
+  double scale, int stride = 5);
+
+/** The camera 4 from the plane's middle, so many degrees off its normal. */
+void LookAtRelief(vtkRenderer* renderer, double degrees, bool parallel = false);
+
 /** The texture coordinates there. */
 glm::dvec2 ReliefTCoord(const ReliefRay& ray, double scale, double depth);
 }

@@ -1,0 +1,377 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Chart 7: what relief methods miss, and how far off they are in depth and normal, against the
+// looks that they take at the heights and the time of a frame; and a plane with relief against the
+// geometry that it stands for.
+//
+// Truth is a ray marched in double precision through the height field itself, and Embree on the
+// full geometry. Looks are counted by the same steps on the CPU.
+#include "RelievoBench.h"
+
+#include "Chart.h"
+#include "EmbreeScene.h"
+#include "FrameBench.h"
+#include "ReliefTruth.h"
+#include "Table.h"
+#include "View.h"
+#include "Window.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRelievoLayerSource.h>
+#include <vtkRelievoMaterial.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace relievoBench;
+using namespace relievoTest;
+
+constexpr double Scale = 0.2; // a tenth of the tile
+constexpr int Texels = 512;
+constexpr int FullTexels = 1025; // corners of 2 x 1024 x 1024 triangles
+constexpr int Width = 600;
+constexpr int Height = 450;
+constexpr int Rounds = 15;
+const double Angles[] = { 0., 45., 60., 75., 80. };
+using Material = vtkRelievoMaterial;
+
+struct Way
+{
+  const char* Name;
+  int Method;
+  int Steps; // 0: as many as texels ask for
+};
+const Way Ways[] = {
+  { "parallax", Material::METHOD_PARALLAX, 1 },
+  { "steep 16", Material::METHOD_STEEP, 16 },
+  { "steep 32", Material::METHOD_STEEP, 32 },
+  { "steep 64", Material::METHOD_STEEP, 64 },
+  { "occlusion 16", Material::METHOD_OCCLUSION, 16 },
+  { "occlusion 32", Material::METHOD_OCCLUSION, 32 },
+  { "occlusion 64", Material::METHOD_OCCLUSION, 64 },
+  { "relief 16", Material::METHOD_RELIEF, 16 },
+  { "relief 32", Material::METHOD_RELIEF, 32 },
+  { "relief 64", Material::METHOD_RELIEF, 64 },
+  { "occlusion, by texels", Material::METHOD_OCCLUSION, 0 },
+  { "relief, by texels (default)", Material::METHOD_RELIEF, 0 },
+};
+
+struct ReliefWindow
+{
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkActor> Actor;
+  vtkNew<Material> Surface;
+  vtkSmartPointer<vtkRenderWindow> Window;
+
+  explicit ReliefWindow(vtkPolyData* mesh)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(mesh);
+    this->Actor->SetMapper(mapper);
+    this->Renderer->AddActor(this->Actor);
+    this->Window = MakeWindow(Width, Height, this->Renderer);
+    LookAtRelief(this->Renderer, 60.);
+  }
+  ~ReliefWindow() { this->Surface->Detach(this->Actor); }
+
+  void Wear(const HeightField& field, int texels, const Way& way)
+  {
+    this->Surface->SetHeightMap(HeightImage(field, texels));
+    this->Surface->SetHeightRange(0., 1.);
+    this->Surface->SetHeightScale(Scale);
+    this->Surface->DepthCorrectionOn();
+    this->Surface->SetMethod(way.Method);
+    if (way.Steps > 0)
+    {
+      this->Surface->SetMinimumSteps(way.Steps);
+      this->Surface->SetMaximumSteps(way.Steps);
+    }
+    this->Surface->Attach(this->Actor);
+  }
+
+  vtkSmartPointer<vtkImageData> Capture()
+  {
+    vtkNew<vtkRelievoLayerSource> source;
+    source->SetRenderer(this->Renderer);
+    source->AddLayer("depth");
+    source->AddLayer("normal");
+    source->Update();
+    return source->GetOutput();
+  }
+
+  Timed Frame() const { return relievoTest::Frame(this->Window); }
+};
+
+// Looks at the heights of one ray, by the steps of shaders/material/surface.glsl.
+double CountLooks(Material* surface, const HeightField& field, const ReliefRay& ray)
+{
+  if (surface->GetMethod() == Material::METHOD_PARALLAX)
+  {
+    return 1.;
+  }
+  const glm::dvec2 through = ReliefTCoord(ray, Scale, 1.) - ReliefTCoord(ray, Scale, 0.);
+  const double steps =
+    std::clamp(std::ceil(glm::length(through) * Texels * surface->GetStepsPerTexel()),
+      static_cast<double>(surface->GetMinimumSteps()),
+      static_cast<double>(surface->GetMaximumSteps()));
+  double looks = 1.;
+  for (double i = 1.; i <= steps; i += 1.)
+  {
+    looks += 1.;
+    if (1. - i / steps <= field(ReliefTCoord(ray, Scale, i / steps)))
+    {
+      break;
+    }
+  }
+  return looks + (surface->GetMethod() == Material::METHOD_RELIEF ? surface->GetBisections() : 0);
+}
+
+double MeanLooks(ReliefWindow& window, const HeightField& field)
+{
+  double looks = 0.;
+  int rays = 0;
+  for (int y = 4; y < Height; y += 9)
+  {
+    for (int x = 4; x < Width; x += 9)
+    {
+      const ReliefRay ray = RayOf(window.Renderer, x, y);
+      if (ray.MeetsPlane)
+      {
+        looks += CountLooks(window.Surface, field, ray);
+        ++rays;
+      }
+    }
+  }
+  return looks / rays;
+}
+
+struct Field
+{
+  const char* Name;
+  HeightField Truth;
+};
+
+// The field as a mesh of 2 x cells x cells triangles, with the plane's texture coordinates.
+vtkSmartPointer<vtkPolyData> FullGeometry(const HeightField& field, int corners)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (int j = 0; j < corners; ++j)
+  {
+    for (int i = 0; i < corners; ++i)
+    {
+      const glm::dvec2 uv = glm::dvec2(i, j) / (corners - 1.);
+      points->InsertNextPoint(2. * uv.x - 1., 2. * uv.y - 1., (field(uv) - 1.) * Scale);
+      const glm::dvec3 n = glm::normalize(glm::dvec3(-SlopeOf(field, uv) * Scale / 2., 1.));
+      normals->InsertNextTuple3(n.x, n.y, n.z);
+    }
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (int j = 0; j + 1 < corners; ++j)
+  {
+    for (int i = 0; i + 1 < corners; ++i)
+    {
+      const vtkIdType a = static_cast<vtkIdType>(j) * corners + i;
+      const vtkIdType c = a + corners;
+      triangles->InsertNextCell({ a, a + 1, c + 1 });
+      triangles->InsertNextCell({ a, c + 1, c });
+    }
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(triangles);
+  mesh->GetPointData()->SetNormals(normals);
+  return mesh;
+}
+
+std::vector<unsigned char> Pixels(vtkRenderWindow* window)
+{
+  window->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetPixelData(0, 0, Width - 1, Height - 1, 0, pixels);
+  return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
+}
+
+// A plane of two triangles with relief in the place of two million triangles.
+bool BenchGeometry(const std::string& outDir)
+{
+  ReliefWindow plain(ReliefPlane(1));
+  ReliefWindow mapped(ReliefPlane(1));
+  mapped.Wear(Waves, FullTexels - 1, { "normals", Material::METHOD_OFF, 0 });
+  ReliefWindow off(ReliefPlane(1));
+  off.Wear(Waves, FullTexels - 1, Ways[std::size(Ways) - 1]);
+  off.Surface->EnabledOff();
+  ReliefWindow relief(ReliefPlane(1));
+  relief.Wear(Waves, FullTexels - 1, Ways[std::size(Ways) - 1]);
+  const vtkSmartPointer<vtkPolyData> mesh = FullGeometry(Waves, FullTexels);
+  ReliefWindow full(mesh);
+  const auto times = TimeInTurn(
+    { plain.Frame(), mapped.Frame(), off.Frame(), relief.Frame(), full.Frame() }, Rounds);
+
+  // Depth against Embree on the full geometry, and the pictures.
+  const vtkSmartPointer<vtkImageData> layers = relief.Capture();
+  EmbreeScene embree;
+  embree.AddActor(mesh);
+  const TruthImage truth = embree.Trace(View(relief.Renderer));
+  vtkDataArray* depths = layers->GetPointData()->GetArray("depth");
+  double off5 = 0.;
+  double mean = 0.;
+  int count = 0;
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < Width; ++x)
+    {
+      const double seen = depths->GetComponent(static_cast<vtkIdType>(y) * Width + x, 0);
+      const PixelTruth& pixel = truth.At(x, y);
+      if (pixel.Hit && std::isfinite(seen))
+      {
+        const double wrong = std::abs(seen - pixel.Depth) / Scale;
+        off5 += wrong > 0.05 ? 1. : 0.;
+        mean += wrong > 0.05 ? 0. : wrong;
+        ++count;
+      }
+    }
+  }
+  const auto a = Pixels(relief.Window);
+  const auto b = Pixels(full.Window);
+  double difference = 0.;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    difference += std::abs(static_cast<double>(a[i]) - b[i]);
+  }
+  difference /= static_cast<double>(a.size());
+
+  Table table({ "drawn", "ms", "times the plane", "+-", "times the full geometry", "+-" });
+  const char* const names[] = { "plane of 2 triangles", "plane with normals of heights",
+    "plane with its material off", "plane with relief", "full geometry, 2097152 triangles" };
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    const TimingPair plane = PairOf(times[i], times[0]);
+    const TimingPair whole = PairOf(times[i], times[4]);
+    std::cout << names[i] << ": " << plane.ToString("frame", "plane") << "; "
+              << Number(whole.Ratio(), 3) << " of the full geometry" << std::endl;
+    table.AddRow({ names[i], Number(1000. * times[i].Median(), 4), Number(plane.Ratio(), 3),
+      Number(plane.RatioSpread(), 1), Number(whole.Ratio(), 3), Number(whole.RatioSpread(), 1) });
+  }
+  std::cout
+    << "relief against the full geometry (Embree): depth off by more than 5 % of the height "
+    << Number(100. * off5 / count, 3) << " % of pixels (rims included), mean of the others "
+    << Number(100. * mean / count, 3) << " %; pictures differ by " << Number(difference, 3)
+    << " grey levels in the mean" << std::endl;
+  return table.WriteCsv(outDir + "/relief-geometry.csv");
+}
+}
+
+//------------------------------------------------------------------------------
+int RelievoBenchRelief(const std::string& outDir)
+{
+  if (!MakeFolder(outDir))
+  {
+    return 1;
+  }
+  const Field fields[] = { { "waves", Waves },
+    { "posts 4 texels thin", Sampled(Posts(4. / Texels), Texels) } };
+  ReliefWindow plain(ReliefPlane(4));
+  std::vector<std::unique_ptr<ReliefWindow>> windows;
+  std::vector<Timed> frames(1, plain.Frame());
+  for (const Way& way : Ways)
+  {
+    windows.emplace_back(new ReliefWindow(ReliefPlane(4)));
+    windows.back()->Wear(Waves, Texels, way);
+    frames.push_back(windows.back()->Frame());
+  }
+  const auto times = TimeInTurn(frames, Rounds);
+
+  Table table({ "field", "method", "degrees", "looks", "missed %", "depth error % of height",
+    "normal error degrees", "times a plain frame (waves, 60)", "+-" });
+  Chart errors;
+  errors.Title = "Depth error of relief methods, waves at 60 degrees";
+  errors.X.Title = "looks at the heights per pixel";
+  errors.X.Log = true;
+  errors.Y.Title = "mean depth error, share of the relief's height";
+  errors.Y.Log = true;
+  Chart cost = errors;
+  cost.X.Title = "times a plain frame, software OpenGL";
+  cost.X.Log = false;
+  Chart missed;
+  missed.Title = "Thin posts (4 texels of 512) that relief methods miss";
+  missed.X.Title = "degrees off the normal";
+  missed.Y.Title = "% of pixels";
+  const char* const families[] = { "parallax", "steep", "occlusion", "relief" };
+  for (const char* family : families)
+  {
+    errors.Series.push_back({ family, {}, {} });
+    cost.Series.push_back({ family, {}, {}, false });
+  }
+  errors.Series.push_back({ "relief, by texels (default)", {}, {} });
+  cost.Series.push_back({ "relief, by texels (default)", {}, {}, false });
+  for (const Field& field : fields)
+  {
+    const bool waves = &field == fields;
+    for (std::size_t w = 0; w < std::size(Ways); ++w)
+    {
+      const Way& way = Ways[w];
+      ReliefWindow& window = *windows[w];
+      window.Wear(field.Truth, Texels, way);
+      const TimingPair time = PairOf(times[w + 1], times[0]);
+      ChartSeries line{ way.Name, {}, {} };
+      for (const double angle : Angles)
+      {
+        LookAtRelief(window.Renderer, angle);
+        if (!waves)
+        {
+          window.Renderer->GetActiveCamera()->SetViewAngle(8.); // a texel is a pixel or more
+        }
+        const ReliefErrors e =
+          CompareRelief(window.Capture(), window.Renderer, field.Truth, Scale, 9);
+        const double looks = MeanLooks(window, field.Truth);
+        std::cout << field.Name << ", " << way.Name << " at " << angle << ": " << Number(looks, 3)
+                  << " looks, missed " << Number(100. * e.Missed, 3) << " %, depth "
+                  << Number(100. * e.Depth, 3) << " %, normal " << Number(e.Normal, 3) << " degrees"
+                  << std::endl;
+        table.AddRow({ field.Name, way.Name, Number(angle, 3), Number(looks, 3),
+          Number(100. * e.Missed, 3), Number(100. * e.Depth, 3), Number(e.Normal, 3),
+          Number(time.Ratio(), 3), Number(time.RatioSpread(), 1) });
+        line.X.push_back(angle);
+        line.Y.push_back(100. * e.Missed);
+        if (waves && angle == 60.)
+        {
+          const double mean = e.Depth * (1. - e.Missed) + 0.05 * e.Missed;
+          const std::size_t series = way.Steps == 0 ? 4 : static_cast<std::size_t>(way.Method - 1);
+          if (way.Steps > 0 || way.Method == Material::METHOD_RELIEF)
+          {
+            errors.Series[series].X.push_back(looks);
+            errors.Series[series].Y.push_back(mean);
+            cost.Series[series].X.push_back(time.Ratio());
+            cost.Series[series].Y.push_back(mean);
+          }
+        }
+      }
+      if (!waves && (way.Steps == 0 || way.Method == Material::METHOD_RELIEF))
+      {
+        missed.Series.push_back(line);
+      }
+    }
+  }
+  windows.clear();
+  const bool written = BenchGeometry(outDir) && table.WriteCsv(outDir + "/relief.csv") &&
+    WriteChart(errors, outDir + "/relief-error") && WriteChart(cost, outDir + "/relief-cost") &&
+    WriteChart(missed, outDir + "/relief-missed");
+  return written ? 0 : 1;
+}
