@@ -201,6 +201,9 @@ float relievoReliefLit(vec3 towardsVC)
   relievoUV = relievoTCoordVSOutput * relievoTextureTransform.xy + relievoTextureTransform.zw;
   relievoUVdX = dFdx(relievoUV);
   relievoUVdY = dFdy(relievoUV);
+#if defined(RELIEVO_NORMAL_MAP) && !defined(RELIEVO_HEIGHT_MAP)
+  vec3 relievoMapped = texture(relievoNormalMap, relievoUV).xyz;
+#endif
   {
     vec3 px = dFdx(vertexVC.xyz);
     vec3 py = dFdy(vertexVC.xyz);
@@ -252,8 +255,11 @@ float relievoReliefLit(vec3 towardsVC)
     float relievoSide = dot(normalVCVSOutput, relievoFaceVC) < 0.0 ? -1.0 : 1.0;
     vec3 relievoNormalVC = relievoSide * normalVCVSOutput;
 #ifdef RELIEVO_NORMAL_MAP
-    vec3 relievoMapped = textureGrad(relievoNormalMap, relievoUV, relievoUVdX, relievoUVdY).xyz *
-      relievoNormalDecode.x + relievoNormalDecode.y;
+#ifdef RELIEVO_HEIGHT_MAP
+    vec3 relievoMapped =
+      textureGrad(relievoNormalMap, relievoUV, relievoUVdX, relievoUVdY).xyz;
+#endif
+    relievoMapped = relievoMapped * relievoNormalDecode.x + relievoNormalDecode.y;
     relievoMapped.xy *= relievoNormalWeight;
 #ifdef RELIEVO_TANGENTS
     vec3 relievoTangentVC = relievoTangentVSOutput;

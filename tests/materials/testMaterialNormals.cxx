@@ -37,7 +37,7 @@ glm::dvec3 NormalOf(const glm::dvec2& uv)
 
 // The field's normals at texel centres, as floats or integers.
 template <typename Array>
-vtkSmartPointer<vtkImageData> NormalImage(double scale, double offset)
+vtkSmartPointer<vtkImageData> FormattedNormals(double scale, double offset)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(Size, Size, 1);
@@ -125,7 +125,7 @@ struct Scene
   Scene()
   {
     LookDown(this->Stage);
-    this->Material->SetNormalMap(NormalImage<vtkFloatArray>(1., 0.));
+    this->Material->SetNormalMap(FormattedNormals<vtkFloatArray>(1., 0.));
     this->Material->Attach(this->Actor);
   }
   ~Scene() { this->Material->Detach(this->Actor); }
@@ -138,9 +138,9 @@ void TestFormats()
   double worst = 0.;
   RELIEVO_CHECK_AT_MOST(MeanError(renderer, TruthOnPlane, &worst), 0.02, "float: mean, degrees");
   RELIEVO_CHECK_AT_MOST(worst, 0.3, "float: worst, degrees");
-  scene.Material->SetNormalMap(NormalImage<vtkUnsignedCharArray>(255., 0.));
+  scene.Material->SetNormalMap(FormattedNormals<vtkUnsignedCharArray>(255., 0.));
   RELIEVO_CHECK_AT_MOST(MeanError(renderer, TruthOnPlane), 0.3, "8-bit: mean, degrees");
-  scene.Material->SetNormalMap(NormalImage<vtkUnsignedShortArray>(65535., 0.));
+  scene.Material->SetNormalMap(FormattedNormals<vtkUnsignedShortArray>(65535., 0.));
   RELIEVO_CHECK_AT_MOST(MeanError(renderer, TruthOnPlane), 0.02, "16-bit: mean, degrees");
   for (const auto interpolation : { VTK_FLAT, VTK_GOURAUD, VTK_PHONG, VTK_PBR })
   {

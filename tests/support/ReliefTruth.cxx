@@ -92,6 +92,26 @@ vtkSmartPointer<vtkImageData> relievoTest::HeightImage(const HeightField& field,
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> relievoTest::NormalImage(
+  const HeightField& field, int size, double scale)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size, size, 1);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("normal");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(static_cast<vtkIdType>(size) * size);
+  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+  {
+    const glm::dvec2 uv = glm::dvec2(i % size + 0.5, i / size + 0.5) / static_cast<double>(size);
+    const glm::dvec3 n = glm::normalize(glm::dvec3(-SlopeOf(field, uv) * scale / 2., 1.));
+    normals->SetTuple3(i, n.x, n.y, n.z);
+  }
+  image->GetPointData()->SetScalars(normals);
+  return image;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> relievoTest::ReliefPlane(int cells)
 {
   vtkNew<vtkPlaneSource> plane;

@@ -39,6 +39,9 @@ glm::dvec2 SlopeOf(const HeightField& field, const glm::dvec2& uv);
 /** The field at texel centres, one float component; row 0 is at v = 0. */
 vtkSmartPointer<vtkImageData> HeightImage(const HeightField& field, int size);
 
+/** Tangent-space normals of the field `scale` high (the plane's tile is 2 long), three floats. */
+vtkSmartPointer<vtkImageData> NormalImage(const HeightField& field, int size, double scale = 0.2);
+
 /** The plane from (-1, -1, 0) to (1, 1, 0) with texture coordinates, of cells x cells quads. */
 vtkSmartPointer<vtkPolyData> ReliefPlane(int cells);
 
