@@ -29,6 +29,12 @@ render draws the FILEs off screen and writes what is asked for.
   --shadows METHOD        whether and how the lights cast, in the picture: off, map, forward
                           or warped (off)
   --shadow-size N         side of each shadow map in texels, 16 to OpenGL's limit (2048)
+  --normal-map F          normals from an image (.png .jpg .tif .bmp .hdr .exr; OpenGL's green),
+                          placed by the meshes' texture coordinates; values, not sRGB colours
+  --height-map F[,SCALE]  heights from an image; the ground lies SCALE below the mesh, in world
+                          units (0.02 of the scene's longest side)
+  --relief METHOD         how heights are seen: off (as normals only), parallax, steep, occlusion
+                          or relief (relief)
   --layers A,B,...        what the EXR holds beside its colour (depth): depth range normal
                           geometric_normal position albedo actor block cell, shadow_N (light
                           of the Nth --light from 0: 1 lit, 0 dark), or the name of a point or

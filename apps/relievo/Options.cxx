@@ -160,6 +160,30 @@ void TakeShadowSize(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
+void TakeHeightMap(RenderOptions& options, const std::string& word)
+{
+  // A file's name may hold commas: only a number behind the last one is the scale.
+  const std::string::size_type comma = word.rfind(',');
+  options.HeightMap = word;
+  if (comma != std::string::npos &&
+    word.find_first_not_of("0123456789.eE+-", comma + 1) == std::string::npos)
+  {
+    options.HeightMap = word.substr(0, comma);
+    options.HeightScale =
+      ParseNumberBetween("--height-map " + word, word.substr(comma + 1), 0.0, Infinity);
+  }
+}
+
+//------------------------------------------------------------------------------
+void TakeRelief(RenderOptions& options, const std::string& word)
+{
+  constexpr Relief methods[] = { Relief::Off, Relief::Parallax, Relief::Steep, Relief::Occlusion,
+    Relief::Relief };
+  options.ReliefMethod =
+    methods[ParseChoice("--relief", word, { "off", "parallax", "steep", "occlusion", "relief" })];
+}
+
+//------------------------------------------------------------------------------
 void TakeLayers(RenderOptions& options, const std::string& word)
 {
   for (const std::string& name : Split(word, ','))
@@ -208,6 +232,9 @@ const OptionRow RenderRows[] = {
   { "--light", TakeLight, true },
   { "--shadows", TakeShadows, false },
   { "--shadow-size", TakeShadowSize, false },
+  { "--normal-map", TakePath<&RenderOptions::NormalMap>, false },
+  { "--height-map", TakeHeightMap, false },
+  { "--relief", TakeRelief, false },
   { "--layers", TakeLayers, true },
   { "--png", TakePath<&RenderOptions::PNG>, false },
   { "--exr", TakePath<&RenderOptions::EXR>, false },
@@ -280,6 +307,10 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
   {
     const int lights = static_cast<int>(options.Lights.size());
     CheckShadowLayers(options, lights, lights == 1 ? "--light option" : "--light options");
+  }
+  if (given.count("--relief") && options.HeightMap.empty())
+  {
+    throw WordsError("--relief: there are no heights: give --height-map F as well");
   }
   if (options.ShadowSize && given.count("--shadows") == 0 &&
     std::all_of(options.Layers.begin(), options.Layers.end(),

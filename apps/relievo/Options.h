@@ -32,6 +32,15 @@ enum class Shadows
   Warped
 };
 
+enum class Relief
+{
+  Off,
+  Parallax,
+  Steep,
+  Occlusion,
+  Relief
+};
+
 /// Width and height in texels of the smallest shadow map.
 constexpr int SmallestShadowSize = 16;
 
@@ -67,7 +76,10 @@ struct RenderOptions
   Shading ShadingKind = Shading::FromFile;
   std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
   Shadows ShadowMethod = Shadows::Off;
-  std::optional<int> ShadowSize;   ///< of each map, texels
+  std::optional<int> ShadowSize;     ///< of each map, texels
+  std::string NormalMap, HeightMap;  ///< files; empty: none
+  std::optional<double> HeightScale; ///< depth of the relief, world units
+  Relief ReliefMethod = Relief::Relief;
   std::vector<std::string> Layers; ///< each once; those of the EXR beside its colour
   std::string PNG, EXR, Report;    ///< empty: not asked for
 };

@@ -11,6 +11,7 @@
 #include "Readers.h"
 #include "Scene.h"
 #include "Shadows.h"
+#include "Surface.h"
 #include "Values.h"
 
 #include "vtkImageData.h"
@@ -128,6 +129,7 @@ void Render(const RenderOptions& options)
     CheckExtension(path);
     CheckReadable(path);
   }
+  CheckMaps(options);
   Outputs outputs;
   const std::pair<const char*, const std::string&> places[] = { { "--png", options.PNG },
     { "--exr", options.EXR }, { "--report", options.Report } };
@@ -142,6 +144,7 @@ void Render(const RenderOptions& options)
   Messages::Collect();
   Progress progress;
   const Scene scene = BuildScene(options, progress);
+  SetMaps(scene.Renderer, options, progress);
   const std::vector<std::string> layers = LayersToCapture(options, scene);
   const int lights = CountLights(scene.Renderer);
   CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
