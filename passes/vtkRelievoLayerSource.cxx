@@ -82,6 +82,7 @@ int GetSizeLimit(vtkRenderWindow* any)
     window->Initialize();
     window->SetSize(size[0], size[1]);
   }
+  window->MakeCurrent(); // another window may have drawn since
   return vtkTextureObject::GetMaximumTextureSize(window);
 }
 }

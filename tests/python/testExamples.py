@@ -36,13 +36,14 @@ WRITES = {
         "frame_05.png", "sun_hours.png",
     ],
     "07_three_spots.py": ["three_spots.png", "three_spots_layers.png"],
+    "10_relief_terrain.py": ["relief_terrain.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.
 BY_PARAVIEW = ["08_paraview_tour.py"]
 
 # file name: words after the folder, for examples that take long otherwise
-WORDS = {"06_sun_study.py": ["--every", "120"]}
+WORDS = {"06_sun_study.py": ["--every", "120"], "10_relief_terrain.py": ["257"]}
 
 
 def read_png(path):
@@ -122,6 +123,16 @@ class Examples(unittest.TestCase):
         self.assertGreater((numpy.minimum(red, green) > 1.5 * blue + 30).mean(), 0.03)
         self.assertGreater((numpy.minimum(green, blue) > 1.5 * red + 30).mean(), 0.03)
         self.assertGreater((picture.min(axis=2) > 150).mean(), 0.3, "hardly anything is white")
+
+
+    def test_relief_terrain(self):
+        said = self.run_example("10_relief_terrain.py")
+        median = float(said.split("depths are ")[1].split()[0])
+        self.assertLess(median, 0.5, "the relief is not the geometry")
+        picture = read_png(self.folder / "out" / "relief_terrain.png").astype(float)
+        left, right = picture[:, :600], picture[:, 600:]
+        self.assertLess(abs(left - right).mean(), 12)
+        self.assertGreater(left.std(), 30)
 
 
 class Sun(unittest.TestCase):
