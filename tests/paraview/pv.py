@@ -115,10 +115,10 @@ class Test(unittest.TestCase):
             write(OUTPUT / f"{stem}-{name}.png", colours)
 
 
-def run(script, *words, tool="pvpython", status=0, timeout=100):
+def run(script, *words, tool="pvpython", status=0, timeout=100, launcher=()):
     """Runs a script in a process of its own; returns all it wrote. `status` None: any."""
     done = subprocess.run(
-        [str(TOOLS / tool), str(script), *map(str, words)],
+        [*launcher, str(TOOLS / tool), str(script), *map(str, words)],
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,

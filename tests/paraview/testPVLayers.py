@@ -114,9 +114,8 @@ class Layers(pv.Test):
         facing = true["normal"] @ stage.sun() > 0.05
         self.assertLess((wrong & sure & facing).sum() / (sure & facing).sum(), 2e-3)
         linear = found["color"][..., :3].astype(float)
-        display = numpy.where(
-            linear <= 0.0031308, linear * 12.92, 1.055 * numpy.maximum(linear, 1e-9) ** (1 / 2.4) - 0.055
-        )
+        curve = 1.055 * numpy.maximum(linear, 1e-9) ** (1 / 2.4) - 0.055
+        display = numpy.where(linear <= 0.0031308, linear * 12.92, curve)
         self.near(numpy.rint(display * 255), pv.picture(self.view), "colour", level=0, share=0.0)
 
     def test_when_they_are_grabbed(self):
@@ -156,7 +155,8 @@ class Layers(pv.Test):
             near = layers.arrays(source)["range"][:150].min()
             self.assertLess(abs(near - (eye - radius)), 1e-3)
             points.UpdatePipeline()
-            high = layers.vtk_to_numpy(simple.FetchData(points)[0].GetPoints().GetData())[:, 2].max()
+            cloud = simple.FetchData(points)[0]
+            high = layers.vtk_to_numpy(cloud.GetPoints().GetData())[:, 2].max()
             self.assertLess(abs(high - self.scene.center[2] - radius), 5e-3)
             scene.GoToNext()
 
