@@ -59,7 +59,7 @@ class Window(pv.Test):
         return notes
 
     def testLoadByManager(self):
-        """Loaded by the Plugin Manager; shadows of the view that was open in its properties."""
+        """Loaded by its manager; shadows of the view that was open, in its properties; a new session."""
         notes = self.played("loadByManager.xml")
         before, loaded, on, off = (
             pv.read(pv.OUTPUT / f"{name}.png") for name in ("before", "loaded", "on", "off"))
@@ -67,6 +67,7 @@ class Window(pv.Test):
         self.same(before, off, "off again")
         self.assertEqual(notes["on"][0]["RelievoShadows"], 1)
         self.assertEqual(notes["off"][0]["RelievoShadows"], 0)
+        self.assertEqual(notes["new session"][0]["RelievoSun"], 1)
         # The ball's shadow on the floor: darker, and somewhere in the middle third.
         darker = (before.astype(int) - on.astype(int)).min(axis=2) > 20
         self.assertGreater(darker.sum(), 200)
