@@ -59,7 +59,7 @@ class Window(pv.Test):
         return notes
 
     def testLoadByManager(self):
-        """Loaded by its manager; shadows of the view that was open, in its properties; a new session."""
+        """Loaded by its manager; shadows of a view that was open, by its properties; a new session."""
         notes = self.played("loadByManager.xml")
         before, loaded, on, off = (
             pv.read(pv.OUTPUT / f"{name}.png") for name in ("before", "loaded", "on", "off"))
@@ -79,7 +79,7 @@ class Window(pv.Test):
         self.assertEqual(notes["shadows"][0]["RelievoShadows"], 1)
 
     def testSunUndo(self):
-        """One click on the sun: one step of undo, lines of a trace; closed views come back with it."""
+        """One click on the sun: a step of undo, lines of a trace; closed views come back with it."""
         notes = self.played("sunUndo.xml")
         both = {"RelievoSun": 1, "RelievoShadows": 1, "RelievoShadowMapSize": 2048}
         self.assertEqual(notes["sun"], [both])
@@ -89,7 +89,7 @@ class Window(pv.Test):
         self.assertEqual(notes["back"], [both])
 
     def testRemote(self):
-        """Loaded on a server and here: a view that was open, and what the server's pictures took."""
+        """Loaded on a server and here: a view that was open, what the server's pictures took."""
         with pv.Server() as server:
             notes = self.played("remote.xml", f"--server-url=cs://localhost:{server.port}")
         self.assertEqual(pv.messages(server.text()), [], "the server has something to say")
