@@ -14,7 +14,7 @@ bool pqRelievoFrameReport::Read(const QByteArray& json)
 {
   *this = pqRelievoFrameReport();
   const QJsonObject frame = QJsonDocument::fromJson(json).object();
-  for (const QJsonValue& value : frame["stages"].toArray())
+  for (const auto& value : frame["stages"].toArray())
   {
     const QJsonObject object = value.toObject();
     Stage stage;

@@ -90,7 +90,7 @@ pqRelievoPanel::pqRelievoPanel(QWidget* parent)
   });
   QObject::connect(&pqActiveObjects::instance(), &pqActiveObjects::viewChanged, this,
     [this](pqView*) { this->Rewatch(); });
-  QTimer::singleShot(0, this, [this] { this->Introduce(); });
+  QTimer::singleShot(0, this, SLOT(Introduce()));
 }
 
 //------------------------------------------------------------------------------

@@ -48,9 +48,9 @@ public:
 
 private Q_SLOTS:
   void ShowToggles();
+  void Introduce();
 
 private:
-  void Introduce();
   void Watch(pqView* view);
   void Schedule();
   void Refresh();

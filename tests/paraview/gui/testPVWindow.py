@@ -59,7 +59,7 @@ class Window(pv.Test):
         return notes
 
     def testLoadByManager(self):
-        """Loaded by its manager; shadows of a view that was open, by its properties; a new session."""
+        """Loaded by its manager; shadows by the properties of an older view; a new session."""
         notes = self.played("loadByManager.xml")
         before, loaded, on, off = (
             pv.read(pv.OUTPUT / f"{name}.png") for name in ("before", "loaded", "on", "off"))
@@ -79,7 +79,7 @@ class Window(pv.Test):
         self.assertEqual(notes["shadows"][0]["RelievoShadows"], 1)
 
     def testSunUndo(self):
-        """One click on the sun: a step of undo, lines of a trace; closed views come back with it."""
+        """A click on the sun: a step of undo, lines of a trace; closed views come back with it."""
         notes = self.played("sunUndo.xml")
         both = {"RelievoSun": 1, "RelievoShadows": 1, "RelievoShadowMapSize": 2048}
         self.assertEqual(notes["sun"], [both])
