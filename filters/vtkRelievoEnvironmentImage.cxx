@@ -176,24 +176,32 @@ EnvironmentImage::EnvironmentImage(const EnvironmentShape& shape)
 }
 
 //------------------------------------------------------------------------------
-EnvironmentImage::EnvironmentImage(vtkImageData* image, vtkDataArray* array, Projection projection,
-  bool mirrored, bool sRGB, std::string& problem)
-  : Shape(projection, 1, 1, mirrored)
+Projection EnvironmentImage::Check(
+  vtkImageData* image, vtkDataArray* array, Projection projection, std::string& problem)
 {
   if (!array || array->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
     problem = "the image needs a point array of colours (its scalars, or SetInputArrayToProcess); "
               "its point arrays are: " +
       ArrayNames(image->GetPointData());
-    return;
+    return Projection::Automatic;
   }
-  int size[3];
-  image->GetDimensions(size);
+  const int* size = image->GetDimensions();
   const Projection kind = projection == Projection::Automatic ? ProjectionOfSize(size) : projection;
-  if (!Fits(size, kind, problem))
+  return Fits(size, kind, problem) ? kind : Projection::Automatic;
+}
+
+//------------------------------------------------------------------------------
+EnvironmentImage::EnvironmentImage(vtkImageData* image, vtkDataArray* array, Projection projection,
+  bool mirrored, bool sRGB, std::string& problem)
+  : Shape(projection, 1, 1, mirrored)
+{
+  const Projection kind = Check(image, array, projection, problem);
+  if (!problem.empty())
   {
     return;
   }
+  const int* size = image->GetDimensions();
   this->Shape = EnvironmentShape(kind, size[0], size[1], mirrored);
   this->Texels.resize(array->GetNumberOfTuples());
   const int components = array->GetNumberOfComponents();

@@ -92,6 +92,10 @@ public:
   EnvironmentImage(vtkImageData* image, vtkDataArray* array, Projection projection, bool mirrored,
     bool sRGB, std::string& problem);
 
+  /** The projection that the constructor would take, and its words where there is none. */
+  static Projection Check(
+    vtkImageData* image, vtkDataArray* array, Projection projection, std::string& problem);
+
   const EnvironmentShape& GetShape() const { return this->Shape; }
 
   /** The texel itself. */
