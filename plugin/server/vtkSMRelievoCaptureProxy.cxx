@@ -94,8 +94,19 @@ void vtkSMRelievoCaptureProxy::Finish(int destination, bool quiet)
   {
     return;
   }
+  // The image of servers that only draw would have to go to those that hold the data.
+  vtkSMSession* session = this->GetSession();
+  if (session->GetController(vtkPVSession::DATA_SERVER_ROOT) !=
+    session->GetController(vtkPVSession::RENDER_SERVER_ROOT))
+  {
+    this->Call("Stop", this->GetLocation());
+    this->View = nullptr;
+    vtkErrorMacro("No layers of a data server with a render server of its own: connect to a "
+                  "pvserver, which is both.");
+    return;
+  }
   // Messages of servers reach the client while progress is prepared.
-  this->GetSession()->PrepareProgress();
+  session->PrepareProgress();
   const bool together = view->GetUseDistributedRenderingForRender();
   vtkClientServerStream stream;
   stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "Read" << (together ? 1 : 0)
@@ -115,7 +126,7 @@ void vtkSMRelievoCaptureProxy::Finish(int destination, bool quiet)
     this->Call("MoveToClient", both);
   }
   this->Call("Stop", this->GetLocation());
-  this->GetSession()->CleanupPendingProgress();
+  session->CleanupPendingProgress();
   this->View = nullptr;
 }
 
