@@ -273,7 +273,7 @@ int main()
   TestFurnace();
   TestGradient();
   TestSums("smooth light", MakeEnvironment(SmoothLight, Cube, 128), 5e-4, 20, 0.01);
-  TestSums("smooth light, tolerance 1e-5", MakeEnvironment(SmoothLight, Cube, 64), 1e-5, 10, 0.001);
+  TestSums("smooth light, tolerance 1e-5", MakeEnvironment(SmoothLight, Cube, 64), 1e-5, 10, 0.002);
   TestSuns();
   TestStructure();
   return session.Result();
