@@ -88,6 +88,19 @@ class Window(pv.Test):
         self.assertEqual(notes["undone"], [both])
         self.assertEqual(notes["back"], [both])
 
+    def testLayersMenus(self):
+        """Relievo Layers and Depth To Points by the menus, of a view that is not the active one."""
+        notes = self.played("layersMenus.xml", PV_PLUGIN_PATH=str(pathlib.Path(pv.PLUGIN).parent))
+        first, again = notes["first"], notes["again"]
+        for each in (first, again):
+            self.assertTrue(each["first"])
+            self.assertEqual(each["size"], each["view"])
+        self.assertGreater(first["seen"], 10000)
+        # The floor that is seen now lies behind the ball.
+        self.assertGreater(again["mean"], first["mean"] + 0.01)
+        self.assertEqual(notes["points"], again["seen"])
+        self.assertIsNone(notes["closed"])
+
     def testRemote(self):
         """Loaded on a server and here: a view that was open, what the server's pictures took."""
         with pv.Server() as server:

@@ -92,3 +92,47 @@ def startTrace():
 def stopTrace(name):
     """Keeps the trace."""
     note(name, smtrace.stop_trace())
+
+
+@noted
+def secondView():
+    """A view beside the first; it becomes the active one."""
+    layout = simple.GetLayout()
+    layout.SplitHorizontal(0, 0.5)
+    layout.AssignView(2, simple.CreateView("RenderView"))
+    simple.RenderAllViews()
+
+
+@noted
+def moveBall():
+    """Takes the ball out of the first view's sight."""
+    simple.FindSource("Sphere1").Center = [0, 0, -100]
+
+
+@noted
+def layers(name):
+    """Keeps what the layers are of: the view, its size, how much is seen and how near it is."""
+    source = simple.FindSource("RelievoLayers1")
+    if not source.View:
+        note(name, None)
+        return
+    source.UpdatePipeline()
+    image = simple.FetchData(source)[0]
+    depth = image.GetPointData().GetArray("depth")
+    depths = [depth.GetValue(i) for i in range(depth.GetNumberOfTuples())]
+    seen = [each for each in depths if each < 1e30]
+    note(name, {"size": image.GetDimensions()[:2], "view": list(source.View.ViewSize),
+                "first": source.View == simple.FindView("RenderView1"),
+                "seen": len(seen), "mean": sum(seen) / len(seen)})
+
+
+@noted
+def points(name):
+    """Keeps how many points the depth makes."""
+    note(name, simple.FindSource("DepthToPoints1").GetDataInformation().GetNumberOfPoints())
+
+
+@noted
+def closeView():
+    """Closes the view that the layers are of."""
+    simple.Delete(simple.FindView("RenderView1"))
