@@ -15,9 +15,11 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRelievoEnvironment.h"
 #include "vtkRelievoMaterialAccess.h"
 #include "vtkRelievoMaterialMap.h"
 #include "vtkRelievoMaterialSplice.h"
+#include "vtkRelievoReflection.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTexture.h"
@@ -84,6 +86,8 @@ public:
   vtkRelievoMaterialMap Heights;
   vtkRelievoMaterialSplice::Structure Structure;
   vtkTimeStamp StructureTime;
+  vtkSmartPointer<vtkRelievoEnvironment> Environment;
+  vtkRelievoEnvironmentTextures::Structure EnvironmentStructure;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // drawn in last
   std::set<std::string> Said;
   vtkSmartPointer<vtkImageData> Broken; // a map that made no texture
@@ -101,6 +105,10 @@ public:
     {
       inUse->Normals.Deactivate();
       inUse->Heights.Deactivate();
+      if (inUse->Environment)
+      {
+        vtkRelievoEnvironmentTextures::Of(inUse->Environment).Deactivate(inUse->Window);
+      }
     }
     inUse = this;
   }
@@ -271,12 +279,31 @@ vtkImageData* vtkRelievoMaterial::GetHeightMap()
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoMaterial::SetEnvironment(vtkRelievoEnvironment* environment)
+{
+  Internals& in = *this->Internal;
+  if (in.Environment && in.Environment != environment)
+  {
+    vtkRelievoEnvironmentTextures::Of(in.Environment).Deactivate(in.Window);
+  }
+  in.Environment = environment;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoEnvironment* vtkRelievoMaterial::GetEnvironment()
+{
+  return this->Internal->Environment;
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoMaterial::PreReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
 {
   if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
   {
     vtkRelievoMaterialSplice::Mark(vertexShader, geometryShader, fragmentShader);
+    vtkRelievoReflection::Mark(fragmentShader);
   }
   return true;
 }
@@ -289,16 +316,25 @@ bool vtkRelievoMaterial::PostReplaceShaderValues(std::string& vertexShader,
   Internals& in = *this->Internal;
   auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
   auto* actor = vtkActor::SafeDownCast(prop);
-  if (!mapper || !actor || (!in.Structure.NormalMap && !in.Structure.HeightMap) ||
+  const bool maps = in.Structure.NormalMap || in.Structure.HeightMap;
+  const bool mirrors = in.EnvironmentStructure.Projection != 0;
+  if (!mapper || !actor || (!maps && !mirrors) ||
     !vtkRelievoMaterialAccess::DrawsTriangles(mapper) ||
     actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
   {
     return true;
   }
+  auto say = [&](const char* what, const std::string& missing) {
+    if (!missing.empty() && in.Said.insert(mapper->GetClassName() + missing).second)
+    {
+      vtkErrorMacro(
+        "No " << what << " on what " << mapper->GetClassName() << " draws: " << missing << ".");
+    }
+  };
   std::string missing;
   if (vtkOpenGLGlyph3DHelper::SafeDownCast(mapper))
   {
-    missing = "glyphs carry no materials";
+    missing = "glyphs carry no maps";
   }
   else if (vtkRelievoMaterialAccess::GetComponents(mapper, "tcoord") < 2)
   {
@@ -310,14 +346,20 @@ bool vtkRelievoMaterial::PostReplaceShaderValues(std::string& vertexShader,
     missing = "InterpolateScalarsBeforeMapping takes the texture coordinates for colours; switch "
               "it off";
   }
-  else
+  if (maps && missing.empty())
   {
     missing = vtkRelievoMaterialSplice::Fill(vertexShader, geometryShader, fragmentShader,
       in.Structure, vtkRelievoMaterialAccess::GetComponents(mapper, "tangentMC") == 3);
   }
-  if (!missing.empty() && in.Said.insert(mapper->GetClassName() + missing).second)
+  if (maps)
   {
-    vtkErrorMacro("No material on what " << mapper->GetClassName() << " draws: " << missing << ".");
+    say("maps", missing);
+  }
+  if (mirrors)
+  {
+    say("environment",
+      vtkRelievoReflection::Fill(
+        vertexShader, geometryShader, fragmentShader, in.EnvironmentStructure));
   }
   return true;
 }
@@ -329,7 +371,9 @@ bool vtkRelievoMaterial::SetShaderParameters(vtkShaderProgram* program,
   Internals& in = *this->Internal;
   auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
   auto* actor = vtkActor::SafeDownCast(prop);
-  if (!mapper || !actor || !program->IsUniformUsed("relievoTextureTransform"))
+  const bool maps = program->IsUniformUsed("relievoTextureTransform");
+  const bool mirrors = in.Environment && vtkRelievoReflection::IsIn(program);
+  if (!mapper || !actor || (!maps && !mirrors))
   {
     return true;
   }
@@ -339,6 +383,22 @@ bool vtkRelievoMaterial::SetShaderParameters(vtkShaderProgram* program,
     in.Window = window;
   }
   in.Use();
+  if (maps)
+  {
+    this->SetMapParameters(program, actor);
+  }
+  if (mirrors)
+  {
+    vtkRelievoReflection::SetParameters(program, in.Window, in.Environment,
+      { this->Reflectivity, this->Roughness, this->ReflectionWeight, this->IrradianceWeight });
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMaterial::SetMapParameters(vtkShaderProgram* program, vtkActor* actor)
+{
+  Internals& in = *this->Internal;
   const float transform[4] = { static_cast<float>(this->TextureScale[0]),
     static_cast<float>(this->TextureScale[1]), static_cast<float>(this->TextureOffset[0]),
     static_cast<float>(this->TextureOffset[1]) };
@@ -383,7 +443,6 @@ bool vtkRelievoMaterial::SetShaderParameters(vtkShaderProgram* program,
   {
     this->SetHeightParameters(program, actor);
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -412,7 +471,20 @@ void vtkRelievoMaterial::SetHeightParameters(vtkShaderProgram* program, vtkActor
 //------------------------------------------------------------------------------
 vtkMTimeType vtkRelievoMaterial::GetShaderStageMTime()
 {
-  return this->Internal->StructureTime.GetMTime();
+  // VTK asks before each drawing: images of the environment may be others than before.
+  Internals& in = *this->Internal;
+  vtkRelievoEnvironmentTextures::Structure structure;
+  if (this->Enabled && in.Environment)
+  {
+    structure = vtkRelievoEnvironmentTextures::Of(in.Environment).GetStructure();
+  }
+  structure = structure.Projection ? structure : vtkRelievoEnvironmentTextures::Structure();
+  if (!(structure == in.EnvironmentStructure))
+  {
+    in.EnvironmentStructure = structure;
+    in.StructureTime.Modified();
+  }
+  return in.StructureTime.GetMTime();
 }
 
 //------------------------------------------------------------------------------
@@ -429,6 +501,10 @@ void vtkRelievoMaterial::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Normals.Release(window);
   this->Internal->Heights.Release(window);
+  if (this->Internal->Environment)
+  {
+    this->Internal->Environment->ReleaseGraphicsResources(window);
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -455,4 +531,9 @@ void vtkRelievoMaterial::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TextureOffset: " << this->TextureOffset[0] << " " << this->TextureOffset[1]
      << "\n";
   os << indent << "Repeat: " << this->Repeat << "\n";
+  os << indent << "Environment: " << this->GetEnvironment() << "\n";
+  os << indent << "Reflectivity: " << this->Reflectivity << "\n";
+  os << indent << "Roughness: " << this->Roughness << "\n";
+  os << indent << "ReflectionWeight: " << this->ReflectionWeight << "\n";
+  os << indent << "IrradianceWeight: " << this->IrradianceWeight << "\n";
 }

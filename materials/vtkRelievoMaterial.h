@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoMaterial
- * @brief Fine structure on an actor's surface, from images: normals and relief.
+ * @brief Fine structure on an actor's surface, from images: normals and relief; and what it mirrors.
  *
- * Attached to any number of actors whose meshes have texture coordinates; each keeps its colours,
- * textures, shading (Phong, flat or PBR), shadows and layers. The mesh's texture coordinates place
- * the maps; row 0 of an image is at v = 0. The tangent frame comes from the mesh's tangents if its
+ * Attached to any number of actors; each keeps its colours, textures, shading (Phong, flat or PBR),
+ * shadows and layers. For maps their meshes need texture coordinates, which place the maps; row 0 of an image is at v = 0. The tangent frame comes from the mesh's tangents if its
  * point data have them (vtkPointData::GetTangents; the bitangent's side is that of v), else from screen-space
  * derivatives (C. Schueler, Followup: normal mapping without precomputed tangents, 2013), right on
  * mirrored coordinates too. Faces whose texture coordinates do not spread stay as they are.
@@ -33,6 +32,7 @@
 class vtkActor;
 class vtkImageData;
 class vtkProp;
+class vtkRelievoEnvironment;
 
 class VTKRELIEVOMATERIALS_EXPORT vtkRelievoMaterial : public vtkOpenGLRenderPass
 {
@@ -185,7 +185,46 @@ public:
   vtkBooleanMacro(Repeat, bool);
   ///@}
 
-  /** Bytes of the textures on the GPU. */
+  ///@{
+  /**
+   * What is all around: mirrored about the (mapped) normal, and the light of its irradiance. Needs
+   * no texture coordinates; only what VTK lights has normals to mirror about, so an actor with
+   * lighting off, or in a renderer without lights, shows none. nullptr (default): none.
+   */
+  void SetEnvironment(vtkRelievoEnvironment* environment);
+  vtkRelievoEnvironment* GetEnvironment();
+  ///@}
+
+  ///@{
+  /**
+   * Share of the light that is mirrored where it is looked at straight from above, 0 to 1; all of it
+   * at grazing angles (C. Schlick, An inexpensive BRDF model for physically-based rendering, 1994),
+   * but for rough surfaces, 1 - Roughness (S. Lagarde, Adopting a physically based shading model,
+   * 2011). The rest is what the surface shows otherwise; of a translucent one, also what is behind.
+   * Default 0.04: of glass, plastic, paint; metals have 0.5 to 1.
+   */
+  vtkSetClampMacro(Reflectivity, double, 0.0, 1.0);
+  vtkGetMacro(Reflectivity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Roughness of the mirror, 0 to 1, by the environment's levels; without these it is sharp. Not the
+   * roughness of VTK's PBR shading, which is for its lights. Default 0.
+   */
+  vtkSetClampMacro(Roughness, double, 0.0, 1.0);
+  vtkGetMacro(Roughness, double);
+  ///@}
+
+  ///@{
+  /** Factors of the mirrored share, 0 to 1, and of the irradiance, not negative. Default 1. */
+  vtkSetClampMacro(ReflectionWeight, double, 0.0, 1.0);
+  vtkGetMacro(ReflectionWeight, double);
+  vtkSetClampMacro(IrradianceWeight, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(IrradianceWeight, double);
+  ///@}
+
+  /** Bytes of the maps' textures on the GPU; the environment counts its own. */
   vtkIdType GetBytesHeld();
 
   /** Draws nothing: VTK's mappers call the rest. */
@@ -224,12 +263,17 @@ protected:
   double TextureScale[2] = { 1.0, 1.0 };
   double TextureOffset[2] = { 0.0, 0.0 };
   bool Repeat = true;
+  double Reflectivity = 0.04;
+  double Roughness = 0.0;
+  double ReflectionWeight = 1.0;
+  double IrradianceWeight = 1.0;
 
 private:
   vtkRelievoMaterial(const vtkRelievoMaterial&) = delete;
   void operator=(const vtkRelievoMaterial&) = delete;
 
   void Restructure();
+  void SetMapParameters(vtkShaderProgram* program, vtkActor* actor);
   void SetHeightParameters(vtkShaderProgram* program, vtkActor* actor);
 
   class Internals;

@@ -26,6 +26,8 @@
 
 #include "formulas/irradiance.glsl"
 
+#include "formulas/fresnel.glsl"
+
 #include "formulas/prefilter.glsl"
 
 #include "formulas/tangent_frame.glsl"

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// An environment's images as textures, in each window that draws with them, and the uniforms of
+// environment/lookup.glsl.
+#ifndef vtkRelievoEnvironmentTextures_h
+#define vtkRelievoEnvironmentTextures_h
+
+#include "vtkMultiBlockDataSet.h"
+#include "vtkRelievoEnvironmentImages.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+#include "vtkTimeStamp.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkRelievoEnvironment;
+class vtkShaderProgram;
+class vtkWindow;
+
+class vtkRelievoEnvironmentTextures
+{
+public:
+  // What shaders are compiled for.
+  struct Structure
+  {
+    int Projection = 0; // 0: there is nothing to be drawn with
+    bool Rough = false;
+    bool Irradiance = false;
+    bool Encoded = false;
+
+    bool operator==(const Structure& other) const
+    {
+      return this->Projection == other.Projection && this->Rough == other.Rough &&
+        this->Irradiance == other.Irradiance && this->Encoded == other.Encoded;
+    }
+    std::string GetDefines() const;
+  };
+
+  static vtkRelievoEnvironmentTextures& Of(vtkRelievoEnvironment* environment);
+
+  explicit vtkRelievoEnvironmentTextures(vtkRelievoEnvironment* owner);
+  ~vtkRelievoEnvironmentTextures();
+
+  vtkSmartPointer<vtkImageData> Image;
+  vtkSmartPointer<vtkMultiBlockDataSet> Levels;
+  vtkSmartPointer<vtkDataArray> Coefficients;
+  int Projection = 0; // of the image; 0 by its size
+  bool SRGB = false;
+  vtkTimeStamp ChangeTime; // of which images there are, and what they mean
+
+  // Looks at images that are another than before; says once what is wrong with them.
+  const Structure& GetStructure();
+
+  // Gives the textures units until Deactivate(), and the program what environment/lookup.glsl asks
+  // for. Makes them first where they are not made yet. False: there are none.
+  bool Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program, double roughness);
+  void Deactivate(vtkOpenGLRenderWindow* window);
+
+  vtkIdType GetBytes();
+  void Release(vtkWindow* window);
+
+private:
+  struct Held
+  {
+    vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+    vtkSmartPointer<vtkTextureObject> Image;
+    vtkSmartPointer<vtkTextureObject> Levels;
+    double Detail = 1.0;
+    vtkMTimeType Time = 0;
+    vtkIdType Bytes = 0;
+  };
+
+  vtkMTimeType GetImagesTime() const;
+  vtkImageData* GetSharp() const;
+  vtkImageData* GetLevel(unsigned int level) const;
+  bool CheckLevels(std::string& failure) const;
+  bool Load(Held& held);
+  bool LoadLevels(Held& held);
+  void Fail(const std::string& failure);
+
+  vtkRelievoEnvironment* Owner;
+  Structure Is;
+  vtkMTimeType LookTime = 0;
+  std::vector<Held> All;
+};
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoSkybox
+ * @brief Shows an environment behind everything else in the picture.
+ *
+ * Added to a renderer like any prop (vtkRenderer::AddViewProp). The environment is infinitely far:
+ * it turns with the view, and moving shifts nothing. Each pixel shows the direction of its own ray,
+ * out of the camera's matrices in double precision: right at any view angle, far from the origin,
+ * off axis, sheared, in stereo and in tiles.
+ *
+ * In a parallel projection all rays have one direction: by default the picture's background is the
+ * one colour that is there. With ParallelViewAngle it is what a perspective view with that angle
+ * would have behind it.
+ *
+ * It leaves depth as it is, so layers have nothing there; it throws no shadow, has no bounds, and
+ * is not picked.
+ */
+#ifndef vtkRelievoSkybox_h
+#define vtkRelievoSkybox_h
+
+#include "vtkProp.h"
+#include "vtkRelievoMaterialsModule.h" // for the export macro
+
+#include <memory> // for the internals
+
+class vtkMatrix3x3;
+class vtkRelievoEnvironment;
+class vtkRenderer;
+
+class VTKRELIEVOMATERIALS_EXPORT vtkRelievoSkybox : public vtkProp
+{
+public:
+  static vtkRelievoSkybox* New();
+  vtkTypeMacro(vtkRelievoSkybox, vtkProp);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** What is shown. nullptr (default): nothing. */
+  void SetEnvironment(vtkRelievoEnvironment* environment);
+  vtkRelievoEnvironment* GetEnvironment();
+  ///@}
+
+  ///@{
+  /** How much it is blurred, 0 to 1, by the environment's levels. Default 0. */
+  vtkSetClampMacro(Roughness, double, 0.0, 1.0);
+  vtkGetMacro(Roughness, double);
+  ///@}
+
+  ///@{
+  /**
+   * In parallel projections: the full vertical angle that the picture's height shows, degrees, 0 to
+   * 170. Default 0: one direction, as the rays have.
+   */
+  vtkSetClampMacro(ParallelViewAngle, double, 0.0, 170.0);
+  vtkGetMacro(ParallelViewAngle, double);
+  ///@}
+
+  /**
+   * What takes (x, y, 1) to the direction in the environment that is seen there, of any length; x
+   * and y are from -1 to 1 in the renderer's viewport.
+   */
+  void GetScreenToEnvironment(vtkRenderer* renderer, vtkMatrix3x3* matrix);
+
+  ///@{
+  /** Called by the renderer. */
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  ///@}
+
+protected:
+  vtkRelievoSkybox();
+  ~vtkRelievoSkybox() override;
+
+  double Roughness = 0.0;
+  double ParallelViewAngle = 0.0;
+
+private:
+  vtkRelievoSkybox(const vtkRelievoSkybox&) = delete;
+  void operator=(const vtkRelievoSkybox&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The light of an environment by direction, in the environment's own axes.
+//
+// Defines: RELIEVO_ENVIRONMENT (1 equirectangular, 2 cube, 3 sphere map: the image) and
+// RELIEVO_ENVIRONMENT_ROUGH (there are levels for rough mirrors, a cube).
+//RELIEVO::Include(formulas/environment.glsl)
+
+#if RELIEVO_ENVIRONMENT == 2
+uniform samplerCube relievoEnvironmentImage;
+#else
+uniform sampler2D relievoEnvironmentImage;
+#endif
+uniform float relievoEnvironmentDetail; // texels a radian, in the middle of the image
+#ifdef RELIEVO_ENVIRONMENT_ROUGH
+uniform samplerCube relievoEnvironmentLevels;
+uniform vec2 relievoEnvironmentLevel; // share of the levels against the image, which level
+#endif
+
+// footprint: radians that a pixel stands for.
+vec3 relievoSharpLight(vec3 direction, float footprint)
+{
+  float level = max(0.0, log2(max(footprint, 1e-9) * relievoEnvironmentDetail));
+#if RELIEVO_ENVIRONMENT == 1
+  vec2 place = relievoEquirectangularFromDirection(direction);
+  return textureLod(relievoEnvironmentImage, place, level).rgb;
+#elif RELIEVO_ENVIRONMENT == 2
+  return textureLod(relievoEnvironmentImage, direction, level).rgb;
+#else
+  return textureLod(relievoEnvironmentImage, relievoSphereMapFromDirection(direction), level).rgb;
+#endif
+}
+
+// direction: of length 1.
+vec3 relievoEnvironmentLight(vec3 direction, float footprint)
+{
+#ifdef RELIEVO_ENVIRONMENT_ROUGH
+  vec3 light = vec3(0.0);
+  if (relievoEnvironmentLevel.x < 1.0)
+  {
+    light = relievoSharpLight(direction, footprint);
+  }
+  if (relievoEnvironmentLevel.x > 0.0)
+  {
+    vec3 rough = textureLod(relievoEnvironmentLevels, direction, relievoEnvironmentLevel.y).rgb;
+    light = mix(light, rough, relievoEnvironmentLevel.x);
+  }
+  return light;
+#else
+  return relievoSharpLight(direction, footprint);
+#endif
+}
