@@ -302,6 +302,7 @@ bool vtkRelievoMaterial::PreReplaceShaderValues(std::string& vertexShader,
 {
   if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
   {
+    this->GetShaderStageMTime(); // a mapper's first shader is made without asking
     vtkRelievoMaterialSplice::Mark(vertexShader, geometryShader, fragmentShader);
     vtkRelievoReflection::Mark(fragmentShader);
   }
