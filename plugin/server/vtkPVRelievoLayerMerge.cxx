@@ -8,6 +8,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkRelievoGBufferLayout.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -37,6 +38,10 @@ double GetNothing(const std::string& name, const Kind& kind)
   {
     return -1.0;
   }
+  if (vtkRelievoGBufferLayout::GetLight(name) >= 0)
+  {
+    return 1.0;
+  }
   const bool zero = name == "normal" || name == "geometric_normal" || name == "position" ||
     name == "albedo" || (kind.Type != VTK_FLOAT && kind.Type != VTK_DOUBLE);
   return zero ? 0.0 : std::numeric_limits<double>::quiet_NaN();
@@ -44,7 +49,7 @@ double GetNothing(const std::string& name, const Kind& kind)
 
 Kind GetKnownKind(const std::string& name)
 {
-  if (name == "depth" || name == "range")
+  if (name == "depth" || name == "range" || vtkRelievoGBufferLayout::GetLight(name) >= 0)
   {
     return { VTK_FLOAT, 1 };
   }

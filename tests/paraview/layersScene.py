@@ -57,8 +57,9 @@ def keep(view, name):
     # Nothing is in sight: no process has a part of it.
     camera = view.CameraFocalPoint[:]
     view.CameraFocalPoint = [80, -120, 60]
-    source.Layers = ["depth", "normal", "actor", "color"]
+    source.Layers = ["depth", "normal", "actor", "shadow_0", "color"]
     nothing = layers.arrays(source)
+    assert (nothing["shadow_0"] == 1).all(), "nothing"
     assert numpy.isposinf(nothing["depth"]).all() and not nothing["normal"].any(), "nothing"
     assert (nothing["actor"] == -1).all(), "nothing"
     view.CameraFocalPoint = camera
