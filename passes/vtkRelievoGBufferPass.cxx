@@ -267,8 +267,7 @@ bool vtkRelievoGBufferPass::PostReplaceShaderValues(std::string& vertexShader,
     vertexShader, geometryShader, fragmentShader, mapper, actor, in.Layout, in.Mode);
   if (!missing.empty() && in.Said.insert(mapper->GetClassName() + missing).second)
   {
-    vtkErrorMacro("No layers of what " << mapper->GetClassName() << " draws: " << missing
-                                       << ". Use VTK's shader templates, with their tags.");
+    vtkErrorMacro("No layers of what " << mapper->GetClassName() << " draws: " << missing << ".");
   }
   return true;
 }

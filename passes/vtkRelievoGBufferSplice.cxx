@@ -23,6 +23,8 @@ using namespace vtkRelievoSpliceText;
 
 namespace
 {
+constexpr const char* Advice = "; use VTK's shader templates, with their tags";
+
 std::string Section(const char* file, const char* section)
 {
   return vtkRelievoShaderLibrary::GetSection(std::string("gbuffer/") + file, section);
@@ -80,8 +82,12 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   {
     if (!Has(fragment, mark))
     {
-      return std::string("its fragment shader lacks VTK's tag for ") + mark;
+      return std::string("its fragment shader lacks VTK's tag for ") + mark + Advice;
     }
+  }
+  if (Has(fragment, "gl_FragData[1]"))
+  {
+    return "it draws to several buffers at once; give it one colour, gl_FragData[0]";
   }
   const int source = GetPrimitiveSource(mapper, actor);
   const bool triangles = vtkRelievoAccess::Mapper::DrawsTriangles(mapper);
@@ -95,7 +101,7 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
         !CanCarryVarying(vertex, geometry, fragment)) ||
     !EnsurePosition(vertex, geometry, fragment))
   {
-    return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl";
+    return std::string("its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl") + Advice;
   }
 
   const bool impostor = Has(fragment, "vertexVC.xyz =");

@@ -52,7 +52,14 @@ void vtkRelievoPropParts::Collect(vtkProp* prop, std::vector<Part>& parts)
 vtkActor* vtkRelievoPropParts::GetMeshActor(const Part& part)
 {
   vtkActor* actor = vtkActor::SafeDownCast(part.Prop);
-  return actor && actor->GetMapper() && !vtkSkybox::SafeDownCast(actor) ? actor : nullptr;
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  if (!mapper || vtkSkybox::SafeDownCast(actor))
+  {
+    return nullptr;
+  }
+  // Surface LIC draws into buffers of its own, and from them into the picture.
+  return mapper->IsA("vtkSurfaceLICMapper") || mapper->IsA("vtkCompositeSurfaceLICMapper") ? nullptr
+                                                                                           : actor;
 }
 
 //------------------------------------------------------------------------------
