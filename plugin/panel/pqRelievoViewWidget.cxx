@@ -69,7 +69,7 @@ pqSMProxy pqRelievoViewWidget::GetChosen() const
 }
 
 //------------------------------------------------------------------------------
-void pqRelievoViewWidget::SetChosen(pqSMProxy view)
+void pqRelievoViewWidget::SetChosen(const pqSMProxy& view)
 {
   if (this->Chosen != view)
   {

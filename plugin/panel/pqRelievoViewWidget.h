@@ -26,7 +26,7 @@ public:
   ///@{
   /** The view that is chosen, or nullptr. */
   pqSMProxy GetChosen() const;
-  void SetChosen(pqSMProxy view);
+  void SetChosen(const pqSMProxy& view);
   ///@}
 
 Q_SIGNALS:
