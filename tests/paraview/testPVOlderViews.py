@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Views that are older than the plugin get what later ones have."""
+
+import pv
+from paraview import servermanager, simple
+
+# A user's saved defaults of render views.
+servermanager.vtkSMSettings.GetInstance().AddCollectionFromString(
+    '{"views": {"RenderView": {"RelievoShadowMapSize": 512}}}', 10.0)
+OLDER = simple.CreateView("RenderView")
+CHART = simple.CreateView("XYChartView")
+OLDER.ViewSize = [300, 200]
+simple.Show(simple.Sphere(), OLDER)
+simple.Show(simple.Plane(XResolution=1, YResolution=1), OLDER)
+BEFORE = pv.picture(OLDER)
+pv.load()
+LATER = simple.CreateView("RenderView")
+
+
+def names(view):
+    """Relievo's properties of a view."""
+    return sorted(name for name in view.ListProperties() if name.startswith("Relievo"))
+
+
+class OlderViews(pv.Test):
+    def testProperties(self):
+        """The same properties, in the same groups; none in views of other kinds."""
+        self.assertIn("RelievoShadows", names(LATER))
+        self.assertEqual(names(OLDER), names(LATER))
+        self.assertEqual(names(CHART), [])
+
+        def groups(view):
+            proxy = view.SMProxy
+            return [proxy.GetPropertyGroup(i).GetXMLLabel()
+                    for i in range(proxy.GetNumberOfPropertyGroups())]
+
+        self.assertIn("Shadows (Relievo)", groups(OLDER))
+        self.assertEqual(groups(OLDER), groups(LATER))
+
+    def testPicture(self):
+        """Nothing changes until something is on; then something does; off again, all is as before."""
+        self.same(pv.picture(OLDER), BEFORE, "all off")
+        OLDER.RelievoSun = 1  # a Python attribute, though the class was made before the plugin came
+        self.differ(pv.picture(OLDER), BEFORE, "sun")
+        OLDER.RelievoSun = 0
+        self.same(pv.picture(OLDER), BEFORE, "off again")
+
+    def testDefaults(self):
+        """What the user saved as defaults of new views holds for these as well."""
+        self.assertEqual(LATER.RelievoShadowMapSize, 512)
+        self.assertEqual(OLDER.RelievoShadowMapSize, 512)
+        self.assertEqual(OLDER.RelievoSunElevation, LATER.RelievoSunElevation)
+
+    def testOnce(self):
+        """Loading another time changes nothing."""
+        OLDER.RelievoShadowStrength = 0.5
+        pv.load()
+        self.assertEqual(OLDER.RelievoShadowStrength, 0.5)
+        self.assertEqual(names(OLDER), names(LATER))
+        OLDER.RelievoShadowStrength = 1.0
+
+
+if __name__ == "__main__":
+    pv.main()
