@@ -59,6 +59,7 @@ for what in ("ground", "bunny"):
     part.Script = PART.replace("WHAT", what).replace("DATA", str(pv.DATA))
     shown = simple.Show(part, view)
     shown.Interpolation = "Flat"
+simple.Render(view)  # whose first call in a process turns the camera
 view.CameraPosition = [5, -7, 5]
 view.CameraFocalPoint = [0, 0, 0.7]
 view.CameraViewUp = [0, 0, 1]
