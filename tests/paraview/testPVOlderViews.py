@@ -39,7 +39,7 @@ class OlderViews(pv.Test):
         self.assertEqual(groups(OLDER), groups(LATER))
 
     def testPicture(self):
-        """Nothing changes until something is on, then something does; off again, it is as before."""
+        """Nothing changes until something is on, then it does; off again, it is as before."""
         self.same(pv.picture(OLDER), BEFORE, "all off")
         OLDER.RelievoSun = 1  # a Python attribute, though the class was made before the plugin came
         self.differ(pv.picture(OLDER), BEFORE, "sun")
