@@ -146,6 +146,12 @@ class Server:
                 ["timeout", str(self.limit), *self.words, "--server-port=0"],
                 stdout=log,
                 stderr=subprocess.STDOUT,
+                # pvpython is a rank itself, and says so in variables that mpirun would believe.
+                env={
+                    name: value
+                    for name, value in os.environ.items()
+                    if not name.startswith(("OMPI_", "PMIX_", "ORTE_"))
+                },
             )
         try:
             self.port = self._wait_for_port()
