@@ -136,6 +136,11 @@ void vtkRelievoShadowExchange::Share(
       for (auto& map : entry.Maps)
       {
         ForEachNumber(map, [&numbers](auto number) { numbers.push_back(number); });
+        numbers.push_back(static_cast<double>(map.View.Points.size()));
+        for (const glm::dvec3& point : map.View.Points)
+        {
+          numbers.insert(numbers.end(), { point.x, point.y, point.z });
+        }
       }
     }
   }
@@ -161,6 +166,12 @@ void vtkRelievoShadowExchange::Share(
       ForEachNumber(map, [&from](auto& number) {
         number = static_cast<std::remove_reference_t<decltype(number)>>(*from++);
       });
+      map.View.Points.resize(static_cast<std::size_t>(*from++));
+      for (glm::dvec3& point : map.View.Points)
+      {
+        point = glm::dvec3(from[0], from[1], from[2]);
+        from += 3;
+      }
     }
   }
   cache.SetEntries(std::move(entries), layers);

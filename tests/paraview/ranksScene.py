@@ -60,6 +60,7 @@ for what in ("ground", "bunny"):
     shown = simple.Show(part, view)
     shown.Interpolation = "Flat"
 simple.Render(view)  # whose first call in a process turns the camera
+simple.Render(view)  # the first picture of a view is fitted to the scene
 view.CameraPosition = [5, -7, 5]
 view.CameraFocalPoint = [0, 0, 0.7]
 view.CameraViewUp = [0, 0, 1]

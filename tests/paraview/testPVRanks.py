@@ -47,22 +47,27 @@ class Ranks(pv.Test):
         self.differ(self.one["lamp"], self.one["moved-camera"], "lamp")
         self.same(self.one["off"], self.one["off-again"], "off again")
 
-    def check(self, ranks):
-        """All steps; of shadows no more than 0.02 % of the pixels may differ."""
+    def check(self, ranks, level=1):
+        """
+        All steps: no more than 0.02 % of the pixels may differ by more than a number of grey levels.
+        """
         several, said = draw(ranks)
         self.assertEqual(pv.messages(said), [])
         self.assertIn(f"merged over {ranks} processes", said)
         for name in STEPS:
             with self.subTest(step=name, ranks=ranks):
-                self.near(self.one[name], several[name], f"{name} {ranks}", share=0.0002)
+                self.near(self.one[name], several[name], f"{name} {ranks}", level, share=0.0002)
 
     def test_two(self):
         """The caster on one, the ground on the other."""
         self.check(2)
 
     def test_four(self):
-        """The caster on three."""
-        self.check(4)
+        """
+        The caster on three: maps are fitted to more boxes, and an edge may lie a part of a texel
+        beside. A verdict that turns is more than 60 levels, of the sun and of the lamp.
+        """
+        self.check(4, level=60)
 
 
 if __name__ == "__main__":
