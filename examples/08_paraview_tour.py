@@ -9,9 +9,9 @@ Run it with ParaView's own pvbatch or pvpython. Writes to FOLDER (default: the c
     paraview_day.png     the same at 8, 12 and 16 o'clock (solar time, 48 degrees north, 20 March)
     paraview_bike.png    a motorbike coloured by height, in a sun and a spot, and the layer `normal`
 
-The plugin is the one in the folder RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo beside
-this folder); the meshes are those that tools/unpack-data puts into the folder RELIEVO_DATA (default:
-build/data).
+The plugin is the one in the folder RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo
+beside this folder); the meshes are those that tools/unpack-data puts into the folder RELIEVO_DATA
+(default: build/data).
 """
 
 import datetime

@@ -73,7 +73,7 @@ def write(path, colours):
 
 
 def unlike(first, second, level=0):
-    """Where two pictures differ by more than `level` grey levels in any channel: (rows, columns)."""
+    """Where two pictures differ by more than `level` grey levels in any channel."""
     return (numpy.abs(first.astype(int) - second.astype(int)) > level).any(axis=2)
 
 
@@ -95,10 +95,12 @@ class Test(unittest.TestCase):
         wrong = unlike(first, second, level)
         if wrong.mean() > share:
             difference = numpy.abs(first.astype(int) - second.astype(int))
-            self.leave(what, first=first, second=second, differs=numpy.clip(difference * 10, 0, 255))
+            shown = numpy.clip(difference * 10, 0, 255)
+            self.leave(what, first=first, second=second, differs=shown)
             self.fail(
                 f"{what}: {wrong.sum()} of {wrong.size} pixels differ by more than {level},"
-                f" {share:g} of them may; at most by {difference.max()}, mean {difference.mean():.4f}"
+                f" {share:g} of them may; at most by {difference.max()},"
+                f" mean {difference.mean():.4f}"
             )
 
     def differ(self, first, second, what, share=0.01):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A sphere over a square ground in a render view, and by rays in double which pixels a light reaches."""
+"""A sphere over a square ground in a render view; by rays in double, which pixels a light reaches."""
 
 import numpy
 from paraview import simple
@@ -17,11 +17,12 @@ def sun(azimuth=AZIMUTH, elevation=ELEVATION):
     """Direction towards the sun: azimuth in degrees from y, clockwise seen from above, z up."""
     azimuth, elevation = numpy.radians([azimuth, elevation])
     level = numpy.cos(elevation)
-    return numpy.array([level * numpy.sin(azimuth), level * numpy.cos(azimuth), numpy.sin(elevation)])
+    east, north = level * numpy.sin(azimuth), level * numpy.cos(azimuth)
+    return numpy.array([east, north, numpy.sin(elevation)])
 
 
 class Stage:
-    """`ground` and `ball` are the sources, `ground_shown` and `ball_shown` their representations."""
+    """`ground` and `ball` are the sources, `ground_shown`, `ball_shown` their representations."""
 
     def __init__(self, size=SIZE):
         self.view = simple.CreateView("RenderView")
@@ -61,7 +62,7 @@ class Stage:
         self.view.RelievoShadows = int(shadows)
 
     def rays(self, size):
-        """Origins and directions, (rows, columns, 3) each, of the pixels of a picture of that size."""
+        """Origins and directions, (rows, columns, 3) each, of a picture of that size."""
         columns, rows = size
         eye = numpy.array(self.view.CameraPosition, dtype=float)
         gaze = numpy.array(self.view.CameraFocalPoint, dtype=float) - eye
@@ -123,7 +124,7 @@ class Stage:
         blocked = (ball > ground) & numpy.isfinite(self.sphere_hit(place + 1e-6 * normal, towards))
         found = numpy.where(blocked | (facing <= 0) | ~within, DARK, LIT)
         found = numpy.where(seen, found, NONE)
-        # Edges of verdicts and of things; and where triangles, not the sphere, decide what faces it.
+        # Edges of verdicts and things; and where triangles, not the sphere, decide what faces it.
         kind = found + 4 * (ball < ground)
         unsure = seen & (ball < ground) & (numpy.abs(facing) < 0.1)
         for axis in (0, 1):
