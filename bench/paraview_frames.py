@@ -7,9 +7,10 @@ shadows, of the reference scenes.
 
 PLUGIN is the path of Relievo.so, DATA the folder that tools/unpack-data fills. Two processes, one
 without the plugin, draw in turn, a few frames each in every round, so that what else the machine
-does meets both. A ratio is the median of the rounds' ratios, +- half the distance of its quartiles. On a
-machine that does other things (the load is in the last column) the ratios of processor time, over
-all threads, are the steadier ones: with software OpenGL they are nearly all of a frame.
+does meets both. A ratio is the median of the rounds' ratios, +- half the distance of its
+quartiles. On a machine that does other things (the load is in the last column) the ratios of
+processor time, over all threads, are the steadier ones: with software OpenGL they are nearly all
+of a frame.
 """
 
 import argparse

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A sphere over a square ground in a render view; by rays in double, which pixels a light reaches."""
+"""A sphere over a square ground in a render view; by rays in double, what a light reaches."""
 
 import numpy
 from paraview import simple
