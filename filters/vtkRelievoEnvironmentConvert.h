@@ -11,10 +11,10 @@
  * pictures give such images, row 0 at the bottom.
  *
  * Output: an image of floats, three components, point array "radiance" as its scalars, origin 0,
- * spacing 1: equirectangular 2n x n x 1, sphere map n x n x 1, or a cube n x n x 6, whose slices are
- * the faces +x -x +y -y +z -z as they are given to OpenGL: point (i, j) of a slice is the texel at s
- * = (i + 0.5) / n, t = (j + 0.5) / n, so row 0 of the four side faces is the highest one. What of a
- * sphere map lies outside of its circle is 0.
+ * spacing 1: equirectangular 2n x n x 1, sphere map n x n x 1, or a cube n x n x 6, whose slices
+ * are the faces +x -x +y -y +z -z as they are given to OpenGL: point (i, j) of a slice is the texel
+ * at s = (i + 0.5) / n, t = (j + 0.5) / n, so row 0 of the four side faces is the highest one. What
+ * of a sphere map lies outside of its circle is 0.
  *
  * Which direction is where is told in shaders/formulas/environment.glsl, for all of Relievo: axes
  * right-handed, +y up; the middle of an equirectangular image looks along +x, +z is a quarter to
@@ -73,9 +73,9 @@ public:
 
   ///@{
   /**
-   * Texels: height of an equirectangular image (it is twice as wide), width of a cube's face or of a
-   * sphere map. 0 keeps the input's detail: a cube of n goes with heights of 2n and sphere maps of
-   * 3n. Default is 0.
+   * Texels: height of an equirectangular image (it is twice as wide), width of a cube's face or of
+   * a sphere map. 0 keeps the input's detail: a cube of n goes with heights of 2n and sphere maps
+   * of 3n. Default is 0.
    */
   vtkSetClampMacro(OutputSize, int, 0, 32768);
   vtkGetMacro(OutputSize, int);

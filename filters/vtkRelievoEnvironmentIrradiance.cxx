@@ -63,8 +63,9 @@ Sums SumLine(const EnvironmentImage& image, int slice, int row, int parts)
     {
       const int i = k % (2 * parts);
       const int j = k / (2 * parts);
-      const f64::vec2 inside(
-        i / 2 + 0.5 + (i % 2 ? off : -off), j / 2 + 0.5 + (j % 2 ? off : -off));
+      const f64::vec2 part(i / 2, j / 2);
+      const f64::vec2 point(i % 2 ? off : -off, j % 2 ? off : -off);
+      const f64::vec2 inside = part + 0.5 + point;
       const EnvironmentPlace place = { slice,
         (f64::vec2(column, row) + inside / static_cast<double>(parts)) / size };
       const double weight = shape.GetDensity(place) * area;

@@ -21,7 +21,7 @@
  * Tolerance of the result: where the weight bends, and where unequal light meets unequal weight. So
  * a sun of 1e5 is met as itself where it counts, nothing is left to chance, and there are no
  * fireflies and no NaN; constant light stays as it is. With the defaults 100 to 500 squares make a
- * mean, which is off the sum over all texels by 0.3 % on average and 1 % at worst, beside a sun as
+ * mean, off the sum over all texels by 0.1 to 0.3 % on average and 1 % at worst, beside a sun as
  * well. It runs on all threads of vtkSMPTools.
  *
  * Errors, once, with an empty output and vtkErrorCode::UserError: those of

@@ -21,7 +21,7 @@
  * - Sobel: central, averaged over three rows (columns) by 1 2 1: noise from texel to texel keeps
  *   3/8 of its variance, and fine relief is blurred.
  * With n texels a wave the slope of a sine is too small by (2 pi / n)^2 / 6 of itself with central,
- * by (2 pi / n)^4 / 30 with fourth order; Sobel adds (2 pi / m)^2 / 4 for m texels a wave crosswise.
+ * by (2 pi / n)^4 / 30 with fourth order; Sobel adds (2 pi / m)^2 / 4 for m texels a wave across.
  *
  * At a border that is not wrapped the slope is one-sided, through three texels where there are as
  * many (off by h^2 / 3 of the third derivative), not the halved slope that a clamped texture would

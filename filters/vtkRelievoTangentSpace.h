@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoTangentSpace.h
- * @brief Tangents at the corners of triangles, by the method of vtkRelievoTangents, on plain arrays.
+ * @brief Tangents at the corners of triangles as vtkRelievoTangents makes them, on plain arrays.
  */
 #ifndef vtkRelievoTangentSpace_h
 #define vtkRelievoTangentSpace_h
@@ -39,10 +39,10 @@ public:
   /** Triangles are numbers of vertices; vertices may be the same ones several times. */
   TangentSpace(std::vector<Vertex> vertices, const std::vector<Triangle>& triangles);
 
-  /** The unit tangent of a corner and, as w, the handedness: bitangent = w cross(normal, tangent). */
+  /** The unit tangent of a corner, and w: its bitangent is w cross(normal, tangent). */
   glm::dvec4 GetTangent(std::size_t triangle, int corner) const;
 
-  /** Triangles whose texture coordinates (or positions) have no area, and so no tangent of theirs. */
+  /** Triangles whose texture coordinates (or positions) have no area: no tangent of their own. */
   std::size_t GetNumberOfDegenerate() const { return this->NumberOfDegenerate; }
 
 private:

@@ -5,7 +5,7 @@
  * @brief Gives a triangle mesh the tangents that normal maps are baked with (MikkTSpace).
  *
  * Input: a vtkPolyData of triangles (its vertices and lines pass through) with texture coordinates
- * of two or three components in its point data (the active ones, or SetInputArrayToProcess(1, ...)).
+ * of two or three components in its point data: the active ones, or SetInputArrayToProcess(1, ...).
  * Normals are those of the points (the active ones, or SetInputArrayToProcess(0, ...)), else those
  * of the cells, else the triangles' own by their winding: a mesh without point normals is drawn
  * flat.

@@ -76,8 +76,8 @@ public:
 
   ///@{
   /**
-   * For PLANE: the way from which the texture is laid on, any length; (0, 0, 0) takes the plane that
-   * fits the points best in the sense of least squares, from the side that the polygons show.
+   * For PLANE: the way from which the texture is laid on, any length; (0, 0, 0) takes the plane
+   * that fits the points best in the sense of least squares, from the side that the polygons show.
    * Default is (0, 0, 0).
    */
   vtkSetVector3Macro(PlaneNormal, double);

@@ -159,7 +159,7 @@ void TestSuns()
         const vtkSmartPointer<vtkImageData> image = MakeEnvironment(dark, from, n);
         const int* size = image->GetDimensions();
         // Anywhere: the first at the seam or an edge. Not within 8 rows of a pole or an edge.
-        const auto row = static_cast<vtkIdType>(8 + random() % (n - 16));
+        const auto row = 8 + static_cast<vtkIdType>(random() % (n - 16));
         const auto column = static_cast<vtkIdType>(i < 3 ? 0 : random() % size[0]);
         const auto slice = static_cast<vtkIdType>(random() % size[2]);
         image->GetPointData()->GetScalars()->SetTuple3(

@@ -296,7 +296,7 @@ void TestDegenerate()
   }
 }
 
-// A cube without point normals is flat: 24 points, tangents in the faces, whoever names the normals.
+// A cube without point normals is flat: 24 points, tangents in the faces, with given normals too.
 void TestFlat()
 {
   for (const bool given : { false, true })

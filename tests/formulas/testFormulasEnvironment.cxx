@@ -204,7 +204,8 @@ double OverSphere(Work work)
   double sum = 0.;
   for (int j = 0; j < 2 * Rows; ++j)
   {
-    const double z = -1. + (j / 2 * 2 + 1. + (j % 2 ? 1. : -1.) / std::sqrt(3.)) / Rows;
+    const int step = j / 2;
+    const double z = -1. + (2. * step + 1. + (j % 2 ? 1. : -1.) / std::sqrt(3.)) / Rows;
     const double r = std::sqrt(1. - z * z);
     for (int i = 0; i < 4 * Rows; ++i)
     {
