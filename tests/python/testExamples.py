@@ -36,6 +36,7 @@ WRITES = {
         "frame_05.png", "sun_hours.png",
     ],
     "07_three_spots.py": ["three_spots.png", "three_spots_layers.png"],
+    "09_environment.py": ["environment.png", "environment_balls.png"],
     "10_relief_terrain.py": ["relief_terrain.png"],
 }  # fmt: skip
 
@@ -133,6 +134,22 @@ class Examples(unittest.TestCase):
         left, right = picture[:, :600], picture[:, 600:]
         self.assertLess(abs(left - right).mean(), 12)
         self.assertGreater(left.std(), 30)
+
+    def test_environment(self):
+        self.run_example("09_environment.py")
+        picture = read_png(self.folder / "out" / "environment.png").astype(float)
+        red, green, blue = picture[..., 0], picture[..., 1], picture[..., 2]
+        self.assertGreater((red > 1.5 * numpy.maximum(green, blue) + 30).mean(), 0.02, "the paint")
+        self.assertGreater(picture[:100].std(), 3, "the sky is even")
+        balls = read_png(self.folder / "out" / "environment_balls.png").astype(float)
+        # Each ball is rougher than the one before: it mirrors less from pixel to pixel.
+        columns = numpy.linspace(0, balls.shape[1], 7).astype(int)
+        steps = []
+        for left, right in zip(columns[:-1], columns[1:]):
+            middle = (left + right) // 2
+            steps.append(numpy.abs(numpy.diff(balls[100:200, middle - 50 : middle + 50], axis=1)).mean())
+        self.assertEqual(steps[:4], sorted(steps[:4], reverse=True))
+        self.assertGreater(steps[0], 4 * steps[2])
 
 
 class Sun(unittest.TestCase):
