@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Chart 8: how wrong the light of an environment is when it is kept in texels, by the way it is kept,
-// by the number of texels, and by the angle from the map's axis.
+// Chart 8: how wrong the light of an environment is when it is kept in texels, by the way it is
+// kept, by the number of texels, and by the angle from the map's axis.
 //
 // Texels are means over their solid angles and are read bilinearly over all seams; the truth is the
 // environment itself, in double, at directions spread evenly over the sphere.
@@ -97,8 +97,8 @@ struct Environment
   Radiance Light;
 };
 
-// An image read bilinearly is the environment, wherever its own texels are. Light is cut at 10 times
-// its mean: a sun, which would be all of the error, is better a lamp of its own.
+// An image read bilinearly is the environment, wherever its own texels are. Light is cut at 10
+// times its mean: a sun, which would be all of the error, is better a lamp of its own.
 bool ReadEnvironment(const std::string& name, std::vector<Environment>& all)
 {
   const char* folder = std::getenv("RELIEVO_DATA");

@@ -4,9 +4,9 @@
 
     09_environment.py [FOLDER]    writes FOLDER/environment.png and FOLDER/environment_balls.png
 
-The picture's sun is taken out and becomes a lamp where it stood, for only lamps throw sharp shadows;
-the rest lights by nine numbers and is mirrored by six levels of roughness. The second picture shows
-these: balls of roughness 0, 0.2 ... 1, all of a perfect mirror.
+The picture's sun is taken out and becomes a lamp where it stood, for only lamps throw sharp
+shadows; the rest lights by nine numbers and is mirrored by six levels of roughness. The second
+picture shows these: balls of roughness 0, 0.2 ... 1, all of a perfect mirror.
 
 Needs motorBike.obj and forest.exr in the folder RELIEVO_DATA (default: build/data beside this
 folder); tools/unpack-data puts them there. Without forest.exr the sky is a coded one.

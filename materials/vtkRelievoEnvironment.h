@@ -75,7 +75,7 @@ public:
   ///@{
   /**
    * Cubes for rough mirrors, as vtkRelievoEnvironmentPrefilter makes them: block k for roughness
-   * k / (blocks - 1), each half as wide as the one before. nullptr (default): all mirrors are sharp.
+   * k / (blocks - 1), each half as wide as the one before. nullptr (default): mirrors are sharp.
    */
   void SetLevels(vtkMultiBlockDataSet* levels);
   vtkMultiBlockDataSet* GetLevels();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Mirrors where they fail: a sun in one texel, edges and corners of the cube, no normals, lights and
-// texture coordinates, blocks, windows; and off, bit for bit.
+// Mirrors where they fail: a sun in one texel, edges and corners of the cube, no normals, lights
+// and texture coordinates, blocks, windows; and off, bit for bit.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a material holds besides its settings.
+#ifndef vtkRelievoMaterialInternals_h
+#define vtkRelievoMaterialInternals_h
+
+#include "vtkImageData.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRelievoEnvironment.h"
+#include "vtkRelievoEnvironmentTextures.h"
+#include "vtkRelievoMaterial.h"
+#include "vtkRelievoMaterialMap.h"
+#include "vtkRelievoMaterialSplice.h"
+#include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
+
+#include <set>
+#include <string>
+
+class vtkRelievoMaterial::Internals
+{
+public:
+  vtkRelievoMaterialMap Normals;
+  vtkRelievoMaterialMap Heights;
+  vtkRelievoMaterialSplice::Structure Structure;
+  vtkTimeStamp StructureTime;
+  vtkSmartPointer<vtkRelievoEnvironment> Environment;
+  vtkRelievoEnvironmentTextures::Structure EnvironmentStructure;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // drawn in last
+  std::set<std::string> Said;
+  vtkSmartPointer<vtkImageData> Broken; // a map that made no texture
+
+  // Units are few: they are given back when the next material, on any actor, is drawn.
+  static Internals*& GetInUse()
+  {
+    static Internals* inUse = nullptr;
+    return inUse;
+  }
+  void Use()
+  {
+    Internals*& inUse = GetInUse();
+    if (inUse)
+    {
+      inUse->Normals.Deactivate();
+      inUse->Heights.Deactivate();
+      if (inUse->Environment)
+      {
+        vtkRelievoEnvironmentTextures::Of(inUse->Environment).Deactivate(inUse->Window);
+      }
+    }
+    inUse = this;
+  }
+  ~Internals()
+  {
+    if (GetInUse() == this)
+    {
+      GetInUse() = nullptr;
+    }
+  }
+};
+
+#endif

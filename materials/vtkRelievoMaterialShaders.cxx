@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The part of vtkRelievoMaterial that VTK's mappers call: its text in their shaders, its uniforms.
+#include "vtkActor.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLGlyph3DHelper.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRelievoMaterialAccess.h"
+#include "vtkRelievoMaterialInternals.h"
+#include "vtkRelievoReflection.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <cmath>
+
+namespace
+{
+// The window that a prop is being drawn in: what it belongs to, up to a renderer, knows it.
+vtkOpenGLRenderWindow* FindWindow(vtkProp* prop)
+{
+  for (int i = 0; prop && i < prop->GetNumberOfConsumers(); ++i)
+  {
+    vtkObject* consumer = prop->GetConsumer(i);
+    vtkOpenGLRenderWindow* window = FindWindow(vtkProp::SafeDownCast(consumer));
+    if (auto* renderer = vtkRenderer::SafeDownCast(consumer))
+    {
+      window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    }
+    if (window && window->IsCurrent())
+    {
+      return window;
+    }
+  }
+  return nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoMaterial::PreReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    this->GetShaderStageMTime(); // a mapper's first shader is made without asking
+    vtkRelievoMaterialSplice::Mark(vertexShader, geometryShader, fragmentShader);
+    vtkRelievoReflection::Mark(fragmentShader);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoMaterial::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* abstractMapper,
+  vtkProp* prop)
+{
+  Internals& in = *this->Internal;
+  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  const bool maps = in.Structure.NormalMap || in.Structure.HeightMap;
+  const bool mirrors = in.EnvironmentStructure.Projection != 0;
+  if (!mapper || !actor || (!maps && !mirrors) ||
+    !vtkRelievoMaterialAccess::DrawsTriangles(mapper) ||
+    actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
+  {
+    return true;
+  }
+  auto say = [&](const char* what, const std::string& missing) {
+    if (!missing.empty() && in.Said.insert(mapper->GetClassName() + missing).second)
+    {
+      vtkErrorMacro(
+        "No " << what << " on what " << mapper->GetClassName() << " draws: " << missing << ".");
+    }
+  };
+  std::string missing;
+  if (vtkOpenGLGlyph3DHelper::SafeDownCast(mapper))
+  {
+    missing = "glyphs carry no maps";
+  }
+  else if (vtkRelievoMaterialAccess::GetComponents(mapper, "tcoord") < 2)
+  {
+    missing = "its mesh has no texture coordinates of two components; vtkRelievoTextureCoordinates "
+              "makes some";
+  }
+  else if (vtkRelievoMaterialAccess::ColorsByTexture(mapper))
+  {
+    missing = "InterpolateScalarsBeforeMapping takes the texture coordinates for colours; switch "
+              "it off";
+  }
+  if (maps && missing.empty())
+  {
+    missing = vtkRelievoMaterialSplice::Fill(vertexShader, geometryShader, fragmentShader,
+      in.Structure, vtkRelievoMaterialAccess::GetComponents(mapper, "tangentMC") == 3);
+  }
+  if (maps)
+  {
+    say("maps", missing);
+  }
+  if (mirrors)
+  {
+    say("environment",
+      vtkRelievoReflection::Fill(
+        vertexShader, geometryShader, fragmentShader, in.EnvironmentStructure));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoMaterial::SetShaderParameters(vtkShaderProgram* program,
+  vtkAbstractMapper* abstractMapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  Internals& in = *this->Internal;
+  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  const bool maps = program->IsUniformUsed("relievoTextureTransform");
+  const bool mirrors = in.Environment && vtkRelievoReflection::IsIn(program);
+  if (!mapper || !actor || (!maps && !mirrors))
+  {
+    return true;
+  }
+  // A level of detail is drawn by an actor that belongs to nothing: in the window of the last one.
+  if (vtkOpenGLRenderWindow* window = FindWindow(prop))
+  {
+    in.Window = window;
+  }
+  in.Use();
+  if (maps)
+  {
+    this->SetMapParameters(program, actor);
+  }
+  if (mirrors)
+  {
+    vtkRelievoReflection::SetParameters(program, in.Window, in.Environment,
+      { this->Reflectivity, this->Roughness, this->ReflectionWeight, this->IrradianceWeight });
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMaterial::SetMapParameters(vtkShaderProgram* program, vtkActor* actor)
+{
+  Internals& in = *this->Internal;
+  const float transform[4] = { static_cast<float>(this->TextureScale[0]),
+    static_cast<float>(this->TextureScale[1]), static_cast<float>(this->TextureOffset[0]),
+    static_cast<float>(this->TextureOffset[1]) };
+  program->SetUniform4f("relievoTextureTransform", transform);
+  struct Use
+  {
+    vtkRelievoMaterialMap& Map;
+    const char* Sampler;
+    const char* Name;
+    int LeastComponents;
+  };
+  for (const Use& use : { Use{ in.Normals, "relievoNormalMap", "normal map", 3 },
+         Use{ in.Heights, "relievoHeightMap", "height map", 1 } })
+  {
+    if (!program->IsUniformUsed(use.Sampler))
+    {
+      continue;
+    }
+    std::string failure;
+    std::string remark;
+    if (!use.Map.Load(in.Window, use.LeastComponents, this->Repeat, failure, remark))
+    {
+      vtkErrorMacro("No " << use.Name << ": " << failure << ".");
+      // From the next picture on without it; this one shows the mesh as if the map were flat.
+      in.Broken = use.Map.GetImage();
+      this->Restructure();
+      continue;
+    }
+    if (!remark.empty())
+    {
+      vtkWarningMacro("The " << use.Name << ": " << remark << ".");
+    }
+    program->SetUniformi(use.Sampler, use.Map.Activate());
+  }
+  const float flip = this->FlipGreen ? -1.f : 1.f;
+  const float strength = static_cast<float>(this->NormalStrength);
+  const float weight[2] = { strength, flip * strength };
+  program->SetUniform2f("relievoNormalWeight", weight);
+  const float decode[2][2] = { { 2.f, -1.f }, { 1.f, 0.f } };
+  program->SetUniform2f("relievoNormalDecode", decode[in.Normals.IsFloat() ? 1 : 0]);
+  if (program->IsUniformUsed("relievoHeightMap"))
+  {
+    this->SetHeightParameters(program, actor);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMaterial::SetHeightParameters(vtkShaderProgram* program, vtkActor* actor)
+{
+  Internals& in = *this->Internal;
+  double range[2] = { this->HeightRange[0], this->HeightRange[1] };
+  if (range[0] == range[1])
+  {
+    in.Heights.GetRange(range);
+  }
+  const double span = range[1] != range[0] ? range[1] - range[0] : 1.0;
+  const float decode[2] = { static_cast<float>(1.0 / span), static_cast<float>(-range[0] / span) };
+  program->SetUniform2f("relievoHeightDecode", decode);
+  const float size[2] = { static_cast<float>(in.Heights.GetWidth()),
+    static_cast<float>(in.Heights.GetHeight()) };
+  program->SetUniform2f("relievoHeightSize", size);
+  const double scale = std::cbrt(std::abs(actor->GetMatrix()->Determinant()));
+  program->SetUniformf("relievoHeightScale", static_cast<float>(this->HeightScale * scale));
+  const float steps[4] = { static_cast<float>(this->StepsPerTexel),
+    static_cast<float>(this->MinimumSteps), static_cast<float>(this->MaximumSteps),
+    static_cast<float>(this->Bisections) };
+  program->SetUniform4f("relievoSteps", steps);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoMaterial::GetShaderStageMTime()
+{
+  // VTK asks before each drawing: images of the environment may be others than before.
+  Internals& in = *this->Internal;
+  vtkRelievoEnvironmentTextures::Structure structure;
+  if (this->Enabled && in.Environment)
+  {
+    structure = vtkRelievoEnvironmentTextures::Of(in.Environment).GetStructure();
+  }
+  structure = structure.Projection ? structure : vtkRelievoEnvironmentTextures::Structure();
+  if (!(structure == in.EnvironmentStructure))
+  {
+    in.EnvironmentStructure = structure;
+    in.StructureTime.Modified();
+  }
+  return in.StructureTime.GetMTime();
+}
