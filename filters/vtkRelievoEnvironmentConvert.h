@@ -94,8 +94,8 @@ public:
   ///@{
   /**
    * Whether input, or output, is mirrored: the light of (x, y, z) is where that of (x, y, -z) would
-   * be. So are cubes of six pictures taken from inside, which vtkSkybox and VTK's lighting expect.
-   * Default is off.
+   * be. So are cubes of six pictures taken from inside, which vtkSkybox and VTK's lighting expect
+   * since VTK 9.2; vtkSkybox of 9.1 takes cubes as they are. Default is off.
    */
   vtkSetMacro(InputMirrored, bool);
   vtkGetMacro(InputMirrored, bool);

@@ -15,7 +15,8 @@
 //
 // Cube: the six faces +x -x +y -y +z -z (0 to 5) as OpenGL's samplerCube finds them, without any
 // turn or flip: texture(cube, d) is the light of d. Row 0 of the four side faces is the highest.
-// Pictures taken from inside, one a face, are mirrored against that: vtkSkybox looks up (x, y, -z).
+// Pictures taken from inside, one a face, are mirrored against that: for them vtkSkybox (since VTK
+// 9.2) looks up (x, y, -z).
 //
 // Sphere map (GL_SPHERE_MAP): the picture of a mirror ball seen from far away on +z: the middle
 // holds +z, the inscribed circle holds -z, the corners outside of it hold nothing. Equal areas

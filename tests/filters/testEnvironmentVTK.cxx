@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Relievo's orientation is VTK's: the cube that vtkEquirectangularToCubeMapTexture makes is ours;
-// vtkSkybox shows an equirectangular image, and a cube with OutputMirrored, where we say it is.
+// vtkSkybox shows an equirectangular image, and a cube (since VTK 9.2 with OutputMirrored), where we
+// say it is.
 #include "Check.h"
 #include "Environments.h"
 #include "Session.h"
@@ -22,6 +23,7 @@
 #include <vtkRenderer.h>
 #include <vtkSkybox.h>
 #include <vtkTextureObject.h>
+#include <vtkVersion.h>
 
 #include <glm/geometric.hpp>
 
@@ -145,7 +147,8 @@ void TestSkybox()
 
   vtkNew<vtkRelievoEnvironmentConvert> filter;
   filter->SetInputData(MakeEnvironment(Shade, Equirectangular, 256));
-  filter->OutputMirroredOn();
+  // VTK 9.1 looked cubes up by the world's directions, later ones turn z.
+  filter->SetOutputMirrored(VTK_VERSION_NUMBER > VTK_VERSION_CHECK(9, 1, 0));
   filter->Update();
   const int n = filter->GetOutput()->GetDimensions()[0];
   vtkDataArray* texels = filter->GetOutput()->GetPointData()->GetScalars();
@@ -165,7 +168,7 @@ void TestSkybox()
   vtkNew<vtkSkybox> box;
   box->SetProjectionToCube();
   box->SetTexture(cube);
-  RELIEVO_CHECK_AT_MOST(WorstOfPictures(box), 0.01, "vtkSkybox of a mirrored cube");
+  RELIEVO_CHECK_AT_MOST(WorstOfPictures(box), 0.01, "vtkSkybox of a cube");
 }
 }
 
