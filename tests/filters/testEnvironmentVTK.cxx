@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Relievo's orientation is VTK's: the cube that vtkEquirectangularToCubeMapTexture makes is ours;
-// vtkSkybox shows an equirectangular image, and a cube (since VTK 9.2 with OutputMirrored), where we
-// say it is.
+// vtkSkybox shows an equirectangular image, and a cube (since VTK 9.2 with OutputMirrored), where
+// we say it is.
 #include "Check.h"
 #include "Environments.h"
 #include "Session.h"
