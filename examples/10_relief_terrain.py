@@ -5,8 +5,8 @@
     10_relief_terrain.py [FOLDER [CORNERS]]    writes FOLDER/relief_terrain.png
 
 Relief is on the left, geometry on the right. Prints what each takes a frame, and how far apart the
-depths of the two are. CORNERS (1025) are those of the geometry along a side, one more than the texels
-of the heights.
+depths of the two are. CORNERS (1025) are those of the geometry along a side, one more than the
+texels of the heights.
 """
 
 import sys
@@ -149,7 +149,8 @@ for _ in range(5):
         seconds.append(time.perf_counter() - start)
 relief, geometry = (1000 * sorted(seconds)[2] for seconds in times)
 print(f"2 triangles with relief: {relief:.0f} ms a frame; "
-      f"{2 * (corners - 1) ** 2} triangles: {geometry:.0f} ms, {geometry / relief:.1f} times that")  # fmt: skip
+      f"{2 * (corners - 1) ** 2} triangles: {geometry:.0f} ms, "
+      f"{geometry / relief:.1f} times that")  # fmt: skip
 
 depths = [relievo.layer(relievo.capture(renderer_of(w), ["depth"]), "depth") for w in windows]
 both = numpy.isfinite(depths[0]) & numpy.isfinite(depths[1])

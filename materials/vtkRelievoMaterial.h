@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoMaterial
- * @brief Fine structure on an actor's surface, from images: normals and relief; and what it mirrors.
+ * @brief Fine structure on an actor's surface, from images: normals and relief; and what it
+ * mirrors.
  *
  * Attached to any number of actors; each keeps its colours, textures, shading (Phong, flat or PBR),
- * shadows and layers. For maps their meshes need texture coordinates, which place the maps; row 0 of an image is at v = 0. The tangent frame comes from the mesh's tangents if its
- * point data have them (vtkPointData::GetTangents; the bitangent's side is that of v), else from screen-space
+ * shadows and layers. For maps their meshes need texture coordinates, which place the maps; row 0
+ * of an image is at v = 0. The tangent frame comes from the mesh's tangents if its point data have
+ * them (vtkPointData::GetTangents; the bitangent's side is that of v), else from screen-space
  * derivatives (C. Schueler, Followup: normal mapping without precomputed tangents, 2013), right on
  * mirrored coordinates too. Faces whose texture coordinates do not spread stay as they are.
  *
@@ -98,7 +100,7 @@ public:
   ///@}
 
   ///@{
-  /** Depth of the ground below the mesh, in the mesh's units; scales with the actor. Default 0.1. */
+  /** Depth of the ground below the mesh, in its units; scales with the actor. Default 0.1. */
   vtkSetClampMacro(HeightScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(HeightScale, double);
   ///@}
@@ -197,11 +199,11 @@ public:
 
   ///@{
   /**
-   * Share of the light that is mirrored where it is looked at straight from above, 0 to 1; all of it
-   * at grazing angles (C. Schlick, An inexpensive BRDF model for physically-based rendering, 1994),
-   * but for rough surfaces, 1 - Roughness (S. Lagarde, Adopting a physically based shading model,
-   * 2011). The rest is what the surface shows otherwise; of a translucent one, also what is behind.
-   * Default 0.04: of glass, plastic, paint; metals have 0.5 to 1.
+   * Share of the light that is mirrored where it is looked at straight from above, 0 to 1; all of
+   * it at grazing angles (C. Schlick, An inexpensive BRDF model for physically-based rendering,
+   * 1994), but for rough surfaces, 1 - Roughness (S. Lagarde, Adopting a physically based shading
+   * model, 2011). The rest is what the surface shows otherwise; of a translucent one, also what is
+   * behind. Default 0.04: of glass, plastic, paint; metals have 0.5 to 1.
    */
   vtkSetClampMacro(Reflectivity, double, 0.0, 1.0);
   vtkGetMacro(Reflectivity, double);
@@ -209,8 +211,8 @@ public:
 
   ///@{
   /**
-   * Roughness of the mirror, 0 to 1, by the environment's levels; without these it is sharp. Not the
-   * roughness of VTK's PBR shading, which is for its lights. Default 0.
+   * Roughness of the mirror, 0 to 1, by the environment's levels; without these it is sharp. Not
+   * the roughness of VTK's PBR shading, which is for its lights. Default 0.
    */
   vtkSetClampMacro(Roughness, double, 0.0, 1.0);
   vtkGetMacro(Roughness, double);

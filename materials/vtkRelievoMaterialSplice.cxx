@@ -55,13 +55,12 @@ void Rename(std::string& source, const std::string& name, const std::string& oth
 // The direction towards light i in eye space, as VTK's shader can say it.
 std::string GetTowards(const std::string& fragment, const std::string& i)
 {
-  if (Has(fragment, "uniform vec3 lightPositionVC" + i + ";"))
+  if (Has(fragment, "vec3 lightPositionVC" + i + ";"))
   {
     return "lightPositional" + i + " != 0 ? normalize(lightPositionVC" + i +
       " - relievoSurfaceVC) : -lightDirectionVC" + i;
   }
-  return Has(fragment, "uniform vec3 lightDirectionVC" + i + ";") ? "-lightDirectionVC" + i
-                                                                  : std::string();
+  return Has(fragment, "vec3 lightDirectionVC" + i + ";") ? "-lightDirectionVC" + i : std::string();
 }
 
 void AddSelfShadow(std::string& fragment)
@@ -145,8 +144,8 @@ std::string vtkRelievoMaterialSplice::Fill(std::string& vertex, std::string& geo
   std::string extra;
   if (corrects)
   {
-    extra += Has(fragment, "uniform mat4 MCVCMatrix;") ? "" : "uniform mat4 MCVCMatrix;\n";
-    extra += Has(fragment, "uniform mat4 MCDCMatrix;") ? "" : "uniform mat4 MCDCMatrix;\n";
+    extra += Has(fragment, "mat4 MCVCMatrix;") ? "" : Section("EyeMatrix");
+    extra += Has(fragment, "mat4 MCDCMatrix;") ? "" : Section("ClipMatrix");
   }
   MarkBehind(fragment, Dec, extra);
 
@@ -159,7 +158,10 @@ std::string vtkRelievoMaterialSplice::Fill(std::string& vertex, std::string& geo
   if (corrects)
   {
     // VTK's offset of coincident geometry starts from the mesh's depth.
-    FillWord(fragment, "gl_FragDepth = gl_FragCoord.z +", "gl_FragDepth = gl_FragDepth +");
+    for (const std::string offset : { " + cFactor", " + 1.0*cOffset" })
+    {
+      FillWord(fragment, "FragCoord.z" + offset, "FragDepth" + offset);
+    }
     FillMark(fragment, Depth, Section("Depth"));
   }
   const bool lit = Has(fragment, "vec3 normalVCVSOutput =");

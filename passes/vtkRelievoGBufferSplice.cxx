@@ -85,9 +85,9 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
       return std::string("its fragment shader lacks VTK's tag for ") + mark + Advice;
     }
   }
-  if (Has(fragment, "gl_FragData[1]"))
+  if (Has(fragment, "FragData[1]"))
   {
-    return "it draws to several buffers at once; give it one colour, gl_FragData[0]";
+    return "it draws to several buffers at once; give it one colour output";
   }
   const int source = GetPrimitiveSource(mapper, actor);
   const bool triangles = vtkRelievoAccess::Mapper::DrawsTriangles(mapper);

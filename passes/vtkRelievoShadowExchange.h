@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // One set of maps for processes that each hold a part of the scene. The first process fits the maps
-// to what all of them cast and receive; each draws what it holds into them; the least depth over all
-// is what every one looks up. Only maps that changed travel.
+// to what all of them cast and receive; each draws what it holds into them; the least depth over
+// all is what every one looks up. Only maps that changed travel.
 #ifndef vtkRelievoShadowExchange_h
 #define vtkRelievoShadowExchange_h
 

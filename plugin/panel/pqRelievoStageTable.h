@@ -29,7 +29,7 @@ public:
   void SetReport(const pqRelievoFrameReport& report);
 
   ///@{
-  /** What the toggles show; no signal is sent. An empty layer is none; the first name means none. */
+  /** What the toggles show; no signal is sent. An empty layer and the first name are none. */
   void SetShadows(bool on);
   void SetLayer(const QString& layer, const QVector<QString>& names);
   ///@}

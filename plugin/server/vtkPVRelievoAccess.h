@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the plugin needs of ParaView's view and VTK's light kit, and they keep protected. The members
-// are named through derived classes that are never made: checked when compiled.
+// What the plugin needs of ParaView's view and VTK's light kit, and they keep protected. The
+// members are named through derived classes that are never made: checked when compiled.
 #ifndef vtkPVRelievoAccess_h
 #define vtkPVRelievoAccess_h
 

@@ -45,8 +45,8 @@ public:
   unsigned long EarlyTag = 0;
   unsigned long StartTag = 0;
   std::map<std::string, int> Asked; // layers, and by how many
-  double KitIntensity = -1.0;  // the user's, of the kit's key light
-  double DimmedIntensity = -1; // what it was set to because of the sun
+  double KitIntensity = -1.0;       // the user's, of the kit's key light
+  double DimmedIntensity = -1;      // what it was set to because of the sun
   std::string Report;
 };
 

@@ -3,8 +3,8 @@
 // Spliced into VTK's shaders by vtkRelievoMaterial: normals from a map, relief from heights.
 //
 // Defines: RELIEVO_NORMAL_MAP, RELIEVO_HEIGHT_MAP, RELIEVO_TANGENTS (the mesh brings tangents), and
-// with heights RELIEVO_METHOD (0 none, 1 parallax, 2 steep, 3 occlusion, 4 relief), RELIEVO_SELF_SHADOW,
-// RELIEVO_DEPTH_CORRECTION, RELIEVO_CLIP.
+// with heights RELIEVO_METHOD (0 none, 1 parallax, 2 steep, 3 occlusion, 4 relief),
+// RELIEVO_SELF_SHADOW, RELIEVO_DEPTH_CORRECTION, RELIEVO_CLIP.
 //
 // Heights are from 0 to 1, the mesh itself being at 1; below, depth is 1 - height.
 
@@ -142,7 +142,8 @@ float relievoMeet(vec2 uv, vec2 through)
 void relievoSeeRelief(vec3 gazeVC, vec3 vertexVC)
 {
   // Of a pixel's footprint the shorter side: along the longer one the ray takes its steps.
-  float across = min(length(relievoUVdX * relievoHeightSize), length(relievoUVdY * relievoHeightSize));
+  float across =
+    min(length(relievoUVdX * relievoHeightSize), length(relievoUVdY * relievoHeightSize));
   relievoLevel = max(0.0, log2(across));
 #if RELIEVO_METHOD > 0
   float down = max(-dot(gazeVC, relievoFaceVC), 1e-3);
@@ -232,6 +233,12 @@ float relievoReliefLit(vec3 towardsVC)
     discard;
   }
 #endif
+
+//RELIEVO::Section(EyeMatrix)
+uniform mat4 MCVCMatrix;
+
+//RELIEVO::Section(ClipMatrix)
+uniform mat4 MCDCMatrix;
 
 //RELIEVO::Section(Depth)
   // Window z is -A - B / z in a perspective, A z + B in a parallel picture; A and B from what VTK's

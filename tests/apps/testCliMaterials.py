@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Relief and normals by --height-map and --normal-map: where they must be seen, on a known plane."""
+"""Relief and normals by --height-map and --normal-map: what must be seen on a known plane."""
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -47,8 +47,8 @@ class Materials(CliTest):
         roof = numpy.tile(1 - abs(2 * u - 1), (SIZE, 1))[..., None]
         write_image(vtkPNGWriter(), self.folder / "roof.png", (roof * 65535).astype(numpy.uint16))
         tilted = numpy.array([0.6, 0.0, 0.8]) * 0.5 + 0.5
-        write_image(vtkPNGWriter(), self.folder / "tilted.png",
-                    numpy.tile(numpy.round(tilted * 255).astype(numpy.uint8), (8, 8, 1)))  # fmt: skip
+        bytes_of_it = numpy.round(tilted * 255).astype(numpy.uint8)
+        write_image(vtkPNGWriter(), self.folder / "tilted.png", numpy.tile(bytes_of_it, (8, 8, 1)))
         self.before = self.names()
         # Straight down, what is seen at a pixel is at its own u.
         self.u = (numpy.arange(SIDE) + 0.5) / SIDE

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Materials where they fail: bad meshes, bad maps, grazing views, cameras inside the relief, blocks,
-// several actors and windows, toggles.
+// Materials where they fail: bad meshes, bad maps, grazing views, cameras inside the relief,
+// blocks, several actors and windows, toggles.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"

@@ -40,13 +40,15 @@ elif "WHAT" == "bunny" and (ranks == 1 or rank < others):
     low, high = xyz.min(axis=0), xyz.max(axis=0)
     # z up, 2 long, on the ground. Built-ins like max() are ParaView's own in here.
     xyz = (xyz - 0.5 * (low + high)) * (2.0 / (high - low).max())
-    xyz = numpy.ascontiguousarray(numpy.stack([xyz[:, 0], -xyz[:, 2], xyz[:, 1] - xyz[:, 1].min()], 1))
+    xyz = numpy.stack([xyz[:, 0], -xyz[:, 2], xyz[:, 1] - xyz[:, 1].min()], 1)
+    xyz = numpy.ascontiguousarray(xyz)
     mine = numpy.array_split(cells, others)[rank]
     output = self.GetOutput()
     output.SetPoints(vtkPoints())
     output.GetPoints().SetData(numpy_to_vtk(xyz, deep=True))
     polys = vtkCellArray()
-    polys.SetData(3, numpy_to_vtkIdTypeArray(numpy.ascontiguousarray(mine[:, 1:]).ravel(), deep=True))
+    corners = numpy.ascontiguousarray(mine[:, 1:]).ravel()
+    polys.SetData(3, numpy_to_vtkIdTypeArray(corners, deep=True))
     output.SetPolys(polys)
 """
 

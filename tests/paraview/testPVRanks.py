@@ -24,7 +24,7 @@ def draw(ranks):
         text=True,
         errors="replace",
         timeout=100,
-        # pvpython is a rank of its own already, and tells so in variables that its children inherit.
+        # pvpython is a rank of its own already; variables that its children inherit say so.
         env={n: v for n, v in os.environ.items() if not n.startswith(("OMPI_", "PMIX_", "ORTE_"))},
     )
     if done.returncode:
@@ -49,7 +49,7 @@ class Ranks(pv.Test):
 
     def check(self, ranks, level=1):
         """
-        All steps: no more than 0.02 % of the pixels may differ by more than a number of grey levels.
+        All steps: no more than 0.02 % of the pixels may differ by more than so many grey levels.
         """
         several, said = draw(ranks)
         self.assertEqual(pv.messages(said), [])

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The filters that make materials, from Python: heights to normals, texture coordinates, tangents."""
+"""Filters that make materials, from Python: heights to normals, texture coordinates, tangents."""
 
 import unittest
 
