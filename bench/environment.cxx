@@ -139,7 +139,7 @@ bool ReadEnvironment(const std::string& name, std::vector<Environment>& all)
     texel = glm::min(texel, glm::dvec3(10. * mean / weights));
   }
   all.push_back(
-    { name, [texels, width, height](const glm::dvec3& d) {
+    { name + ", light cut at 10 means", [texels, width, height](const glm::dvec3& d) {
        const glm::dvec2 uv = relievo::f64::relievoEquirectangularFromDirection(d);
        const double x = uv.x * width - 0.5;
        const double y = std::clamp(uv.y * height - 0.5, 0., height - 1.0001);
@@ -165,7 +165,7 @@ struct Result
 Result Measure(const Way& way, int texels, const Radiance& light, double mean)
 {
   // As many looks for each texel as the finest map has for its own and more.
-  const int samples = std::clamp(static_cast<int>(std::lround(1200. / std::sqrt(texels))), 3, 48);
+  const int samples = std::clamp(static_cast<int>(std::lround(1000. / std::sqrt(texels))), 3, 40);
   Result result;
   result.How = &way;
   std::vector<double> sums(Belts, 0.);
