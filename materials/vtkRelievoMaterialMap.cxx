@@ -4,6 +4,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkTextureObject.h"
@@ -179,7 +180,9 @@ bool vtkRelievoMaterialMap::Load(vtkOpenGLRenderWindow* window, int leastCompone
   this->Texture->SetWrapT(wrap);
   this->Texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
   this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
-  this->Texture->SetGenerateMipmap(true);
+  // VTK makes no mipmaps of raw values: they are made below.
+  const int longest = std::max(this->Size[0], this->Size[1]);
+  this->Texture->SetMaxLevel(static_cast<int>(std::floor(std::log2(longest))));
   if (!this->Texture->Create2DFromRaw(static_cast<unsigned int>(this->Size[0]),
         static_cast<unsigned int>(this->Size[1]), components, type, const_cast<void*>(data)))
   {
@@ -187,6 +190,9 @@ bool vtkRelievoMaterialMap::Load(vtkOpenGLRenderWindow* window, int leastCompone
     this->Texture = nullptr;
     return false;
   }
+  this->Texture->Activate();
+  glGenerateMipmap(GL_TEXTURE_2D);
+  this->Texture->Deactivate();
   const vtkIdType texels = static_cast<vtkIdType>(this->Size[0]) * this->Size[1];
   const int each = type == VTK_UNSIGNED_CHAR ? 1 : type == VTK_UNSIGNED_SHORT ? 2 : 4;
   this->Bytes = texels * components * each * 4 / 3; // with its mipmaps
