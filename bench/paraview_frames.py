@@ -1,22 +1,24 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the plugin costs ParaView's render view: a frame without it, with it and all off, and with
-shadows, of the reference scenes.
+"""What the plugin costs ParaView's render view: a frame with it and all off against one without it,
+one with shadows against one without shadows, and the same beside ParaView, of the reference scenes.
 
     pvbatch bench/paraview_frames.py PLUGIN DATA [--rounds N] [--scenes a,b] >paraview-frames.csv
 
-PLUGIN is the path of Relievo.so, DATA the folder that tools/unpack-data fills. Two processes, one
-without the plugin, draw in turn, a few frames each in every round, so that what else the machine
-does meets both. A ratio is the median of the rounds' ratios, +- half the distance of its
+PLUGIN is the path of Relievo.so, DATA the folder that tools/unpack-data fills; the package relievo is
+on PYTHONPATH. The two frames of a pair are drawn in turn, a few in every round, the first or the
+second first by chance, so that what else the machine does meets both; frames with and without the
+plugin by two processes. A ratio is the median of the rounds' ratios, +- half the distance of its
 quartiles. On a machine that does other things (the load is in the last column) the ratios of
-processor time, over all threads, are the steadier ones: with software OpenGL they are nearly all
-of a frame.
+processor time, over all threads, are the steadier ones: with software OpenGL they are nearly all of
+a frame.
 """
 
 import argparse
 import math
 import os
 import pathlib
+import random
 import statistics
 import subprocess
 import sys
@@ -25,13 +27,12 @@ import time
 SCENES = {"bunny": "bunny.off", "motorBike": "motorBike.obj", "buildings": "buildings.obj"}
 FRAMES = 3  # timed in each turn
 MOTIONS = ("still", "camera moves", "light moves")
-# state: whether the plugin is loaded, RelievoSun, RelievoShadows
-STATES = {
-    "ParaView": (False, 0, 0),
-    "all off": (True, 0, 0),
-    "sun": (True, 1, 0),
-    "sun, shadows": (True, 1, 1),
-}
+# pairs of frames: the process that draws each (none: without the plugin; alone: VTK), sun, shadows
+PAIRS = (
+    (("ParaView", "none", 0, 0), ("all off", "plugin", 0, 0)),
+    (("sun", "plugin", 1, 0), ("sun, shadows", "plugin", 1, 1)),
+    (("alone, sun", "alone", 1, 0), ("alone, sun, shadows", "alone", 1, 1)),
+)
 
 
 def read_off(path):
@@ -71,86 +72,159 @@ def stand(mesh, z_up):
     return mesh
 
 
-def make_view(data, name):
-    """The reference scene of that mesh in a render view."""
-    from paraview import simple
+def read(data, name):
+    """The mesh of a reference scene."""
     from vtkmodules.vtkIOGeometry import vtkOBJReader
 
-    path = data / SCENES[name]
+    path = pathlib.Path(data) / SCENES[name]
     if path.suffix == ".off":
-        mesh = read_off(path)
-    else:
-        reader = vtkOBJReader()
-        reader.SetFileName(str(path))
-        reader.Update()
-        mesh = reader.GetOutput()
-    source = simple.TrivialProducer()
-    source.GetClientSideObject().SetOutput(stand(mesh, path.suffix == ".obj"))
-    ground = simple.Plane(Origin=[-3, 0, -3], Point1=[-3, 0, 3], Point2=[3, 0, -3])
-    view = simple.CreateView("RenderView")
-    view.ViewSize = [600, 600]
-    view.MultiSamples = view.UseFXAA = view.OrientationAxesVisibility = 0
-    for each in (source, ground):
-        shown = simple.Show(each, view)
-        simple.ColorBy(shown, ("POINTS", None))
-        shown.Interpolation = "Flat"
-    simple.Render(view)
-    view.CameraPosition, view.CameraFocalPoint = [2.5, 3, 6], [0, 0.5, 0]
-    view.CameraViewUp, view.CameraViewAngle = [0, 1, 0], 30
-    return view
+        return stand(read_off(path), False)
+    reader = vtkOBJReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return stand(reader.GetOutput(), True)
 
 
-def work(plugin, data, name):
-    """A process that draws when it is told: lines `STATE;MOTION` come, lines of milliseconds go,
-    by the clock and of processor time."""
-    from paraview import simple
+def look(camera, count, moves):
+    """Places the camera of the count-th frame."""
+    turn = 0.02 * count * moves
+    camera.SetPosition(2.5 + 2 * math.sin(turn), 3, 6 - 2 * (1 - math.cos(turn)))
+    camera.SetFocalPoint(0, 0.5, 0)
+    camera.SetViewUp(0, 1, 0)
+    camera.SetViewAngle(30)
 
-    loaded = plugin != "none"
-    if loaded:
-        simple.LoadPlugin(plugin, remote=False, ns=globals())
-    view = make_view(pathlib.Path(data), name)
-    window = view.SMProxy.GetRenderWindow()
+
+class InParaView:
+    """The reference scene in a render view."""
+
+    def __init__(self, plugin, data, name):
+        from paraview import simple
+
+        self.loaded = plugin != "none"
+        if self.loaded:
+            simple.LoadPlugin(plugin, remote=False, ns=globals())
+        source = simple.TrivialProducer()
+        source.GetClientSideObject().SetOutput(read(data, name))
+        ground = simple.Plane(Origin=[-3, 0, -3], Point1=[-3, 0, 3], Point2=[3, 0, -3])
+        self.view = simple.CreateView("RenderView")
+        self.view.ViewSize = [600, 600]
+        self.view.MultiSamples = self.view.UseFXAA = self.view.OrientationAxesVisibility = 0
+        for each in (source, ground):
+            shown = simple.Show(each, self.view)
+            simple.ColorBy(shown, ("POINTS", None))
+            shown.Interpolation = "Flat"
+        simple.Render(self.view)
+        self.window = self.view.SMProxy.GetRenderWindow()
+
+    def set(self, sun, shadows, count, motion):
+        look(self.view.SMProxy.GetActiveCamera(), count, motion == "camera moves")
+        if self.loaded:
+            self.view.RelievoSunUpAxis, self.view.RelievoSunElevation = "Y", 54.2
+            self.view.RelievoSun, self.view.RelievoShadows = sun, shadows
+            # Towards (3, 5, 2); north is -z.
+            self.view.RelievoSunAzimuth = 123.7 + 0.2 * (count % 50) * (motion == "light moves")
+
+    def draw(self):
+        self.view.SMProxy.StillRender()
+        self.window.WaitForCompletion()
+
+    def end(self):
+        from paraview import simple
+
+        simple.Delete(self.view)
+
+
+class Alone:
+    """The same in VTK's renderer, with ParaView's light kit."""
+
+    def __init__(self, _, data, name):
+        import relievo
+        from vtkmodules.vtkFiltersSources import vtkPlaneSource
+        from vtkmodules.vtkRenderingCore import (
+            vtkActor,
+            vtkLight,
+            vtkLightKit,
+            vtkPolyDataMapper,
+            vtkRenderer,
+            vtkRenderWindow,
+        )
+
+        ground = vtkPlaneSource()
+        ground.SetOrigin(-3, 0, -3)
+        ground.SetPoint1(-3, 0, 3)
+        ground.SetPoint2(3, 0, -3)
+        ground.Update()
+        self.renderer, self.window = vtkRenderer(), vtkRenderWindow()
+        for mesh in (read(data, name), ground.GetOutput()):
+            mapper, actor = vtkPolyDataMapper(), vtkActor()
+            mapper.SetInputData(mesh)
+            actor.SetMapper(mapper)
+            actor.GetProperty().SetInterpolationToFlat()
+            self.renderer.AddActor(actor)
+        self.renderer.AutomaticLightCreationOff()
+        self.frame = relievo.attach(self.renderer)
+        self.kit, self.sun = vtkLightKit(), vtkLight()
+        self.kit.AddLightsToRenderer(self.renderer)
+        for light in range(self.renderer.GetLights().GetNumberOfItems()):
+            fill = self.renderer.GetLights().GetItemAsObject(light)
+            self.frame.GetShadowPass().SetLightCasts(fill, False)
+        self.sun.SetLightTypeToSceneLight()
+        self.renderer.AddLight(self.sun)
+        self.window.SetOffScreenRendering(True)
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(600, 600)
+        self.window.AddRenderer(self.renderer)
+
+    def set(self, sun, shadows, count, motion):
+        look(self.renderer.GetActiveCamera(), count, motion == "camera moves")
+        self.renderer.ResetCameraClippingRange()
+        self.sun.SetPosition(3 + 0.02 * (count % 50) * (motion == "light moves"), 5, 2)
+        self.sun.SetSwitch(sun)
+        self.frame.SetShadows(bool(shadows))
+
+    def draw(self):
+        self.window.Render()
+        self.window.WaitForCompletion()
+
+    def end(self):
+        self.window.Finalize()
+
+
+def work(kind, data, name):
+    """A process that draws when it is told: lines `SUN SHADOWS MOTION` come, lines of milliseconds
+    go, by the clock and of processor time."""
+    scene = (Alone if kind == "alone" else InParaView)(kind, data, name)
     print("ready", flush=True)
     count = 0
     for line in open(0, encoding="ascii"):  # sys.stdin is ParaView's own
-        state, motion = line.strip().split(";")
-        _, sun, shadows = STATES[state]
-        if loaded:
-            view.RelievoSunUpAxis = "Y"
-            view.RelievoSunAzimuth, view.RelievoSunElevation = 124.0, 54.0  # towards (3, 5, 2)
-            view.RelievoSun, view.RelievoShadows = sun, shadows
+        sun, shadows, motion = line.strip().split(" ", 2)
         times = []
-        for frame in range(-3, FRAMES):
+        for frame in range(-4, FRAMES):
             count += 1
-            if motion == "camera moves":
-                turn = 0.02 * count
-                view.CameraPosition = [2.5 + 2 * math.sin(turn), 3, 6 - 2 * (1 - math.cos(turn))]
-            elif motion == "light moves" and loaded:
-                view.RelievoSunAzimuth = 124.0 + 0.2 * (count % 50)
+            scene.set(int(sun), int(shadows), count, motion)
             start = time.perf_counter(), time.process_time()
-            view.SMProxy.StillRender()
-            window.WaitForCompletion()
+            scene.draw()
             if frame >= 0:
                 times.append((time.perf_counter() - start[0], time.process_time() - start[1]))
         print(*(1e3 * statistics.median(each) for each in zip(*times)), flush=True)
-    simple.Delete(view)
+    scene.end()
 
 
 class Worker:
     """A process of pvbatch that draws one scene."""
 
-    def __init__(self, plugin, data, name):
+    def __init__(self, kind, data, name):
         self.process = subprocess.Popen(
-            [f"/proc/{os.getpid()}/exe", __file__, "--work", plugin, data, name],
+            [f"/proc/{os.getpid()}/exe", __file__, "--work", kind, data, name],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
         )
         if self.process.stdout.readline().strip() != "ready":
-            raise SystemExit(f"the process that draws {name} did not start")
+            raise SystemExit(f"the process that draws {name} ({kind}) did not start")
 
-    def draw(self, state, motion):
-        self.process.stdin.write(f"{state};{motion}\n")
+    def draw(self, sun, shadows, motion):
+        self.process.stdin.write(f"{sun} {shadows} {motion}\n")
         self.process.stdin.flush()
         return tuple(map(float, self.process.stdout.readline().split()))
 
@@ -167,26 +241,20 @@ def ratio(times, others):
 
 
 def bench(given, name):
-    workers = {
-        loaded: Worker(given.plugin if loaded else "none", given.data, name)
-        for loaded in (False, True)
-    }
+    kinds = {"none": "none", "plugin": given.plugin, "alone": "alone"}
+    workers = {kind: Worker(word, given.data, name) for kind, word in kinds.items()}
     for motion in MOTIONS:
-        times = {state: [] for state in STATES}
-        for _ in range(given.rounds):
-            for state, (loaded, _, _) in STATES.items():
-                times[state].append(workers[loaded].draw(state, motion))
-        for state, series in times.items():
-            cells = [name, motion, state]
+        for pair in PAIRS:
+            times = {frame: [] for frame in pair}
+            for _ in range(given.rounds):
+                for frame in random.sample(pair, 2):
+                    _, kind, sun, shadows = frame
+                    times[frame].append(workers[kind].draw(sun, shadows, motion))
+            cells = [name, motion, pair[1][0], pair[0][0]]
             for clock in (0, 1):
-                mine = [each[clock] for each in series]
-                cells.append(f"{statistics.median(mine):.1f}")
-                for other in ("ParaView", "sun"):
-                    if other == "sun" and state != "sun, shadows":
-                        cells += ["", ""]
-                        continue
-                    found = ratio(mine, [each[clock] for each in times[other]])
-                    cells += [f"{found[0]:.3f}", f"{found[1]:.3f}"]
+                first, second = ([each[clock] for each in times[frame]] for frame in pair)
+                found = ratio(second, first)
+                cells += [f"{statistics.median(second):.1f}", f"{found[0]:.3f}", f"{found[1]:.3f}"]
             cells.append(f"{os.getloadavg()[0]:.1f}")
             print(",".join(f'"{cell}"' if "," in cell else cell for cell in cells), flush=True)
     for worker in workers.values():
@@ -203,9 +271,9 @@ def main():
     parser.add_argument("--rounds", type=int, default=21)
     parser.add_argument("--scenes", default=",".join(SCENES))
     given = parser.parse_args()
-    columns = ["milliseconds", "times ParaView's", "+-", "times the sun without shadows", "+-"]
-    columns += ["processor " + columns[0], *columns[1:], "load"]
-    print("scene", "motion", "frame", *columns, sep=",")
+    columns = ["milliseconds", "ratio", "+-"]
+    print("scene", "motion", "frame", "against", *columns, end=",", sep=",")
+    print("processor " + columns[0], *columns[1:], "load", sep=",")
     for name in given.scenes.split(","):
         bench(given, name)
 
