@@ -5,8 +5,8 @@ one with shadows against one without shadows, and the same beside ParaView, of t
 
     pvbatch bench/paraview_frames.py PLUGIN DATA [--rounds N] [--scenes a,b] >paraview-frames.csv
 
-PLUGIN is the path of Relievo.so, DATA the folder that tools/unpack-data fills; the package relievo is
-on PYTHONPATH. The two frames of a pair are drawn in turn, a few in every round, the first or the
+PLUGIN is the path of Relievo.so, DATA the folder that tools/unpack-data fills; the package relievo
+is on PYTHONPATH. The two frames of a pair are drawn in turn, a few in every round, the first or the
 second first by chance, so that what else the machine does meets both; frames with and without the
 plugin by two processes. A ratio is the median of the rounds' ratios, +- half the distance of its
 quartiles. On a machine that does other things (the load is in the last column) the ratios of
