@@ -17,12 +17,14 @@ render draws the FILEs off screen and writes what is asked for.
 
   --size WxH              picture in pixels (1024x768)
   --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ
-                          position, focal point, up (fitted to the scene, looking along -z, y up)
+                          position, focal point, up (fitted to the scene, looking along -z, y up,
+                          or as --up says)
   --view-angle DEG        full vertical angle of the perspective, 0 to 180 (30)
   --parallel-scale S      parallel projection; S is half the picture's height in world units
   --clip NEAR,FAR         clipping distances, 0 < NEAR < FAR (around the scene)
   --shading KIND          flat, gouraud, phong or pbr (phong; glTF keeps its own materials)
-  --light LIGHT           may be repeated (the file's lights, else a headlight); LIGHT is
+  --light LIGHT           may be repeated (the file's lights, else the environment alone, else a
+                          headlight); LIGHT is
                             sun:DX,DY,DZ                    direction towards the sun
                             spot:PX,PY,PZ,FX,FY,FZ,CONE     CONE: half the opening, degrees
                             point:PX,PY,PZ
@@ -35,6 +37,19 @@ render draws the FILEs off screen and writes what is asked for.
                           units (0.02 of the scene's longest side)
   --relief METHOD         how heights are seen: off (as normals only), parallax, steep, occlusion
                           or relief (relief)
+  --texture-coordinates METHOD
+                          of meshes that bring none, for maps: box, plane or sphere (box, with a
+                          note)
+  --environment F[,DEG]   light from all around, mirrored and lighting, from an image (.exr .hdr
+                          .png .jpg) of all directions, twice as wide as high, or of a mirror
+                          ball, square; turned by DEG about the up axis (0). 8 and 16 bits are
+                          sRGB, floats linear light
+  --reflectivity R[,ROUGHNESS]
+                          share of the environment that is mirrored straight from above, and how
+                          blurred, 0 to 1 both (0.04,0.2)
+  --skybox                shows the environment behind everything
+  --up AXIS               which of x, y, z is up for --environment, the camera that fits the
+                          scene, and --texture-coordinates (y)
   --layers A,B,...        what the EXR holds beside its colour (depth): depth range normal
                           geometric_normal position albedo actor block cell, shadow_N (light
                           of the Nth --light from 0: 1 lit, 0 dark), or the name of a point or
@@ -46,7 +61,7 @@ render draws the FILEs off screen and writes what is asked for.
 bench measures, prints what it found, and writes CSV, PNG and SVG to DIR (the current folder).
   Without a known NAME it lists them.
 
-Options are written --name value or --name=value; -- ends them.
+Options are written --name value or --name=value, --skybox alone; -- ends them.
 Either all the files asked for are written, or none. Needs an X display; xvfb-run makes one.
 Exit status: 0 done, 1 the work failed, 2 the words were wrong.
 
@@ -57,6 +72,7 @@ Examples
   relievo render wing.vtu --parallel-scale 2 --layers depth,Pressure --exr wing.exr
   relievo render buildings.obj --light sun:3,2,5 --light point:120,90,99 --shadows map \
     --png town.png --layers shadow_0,shadow_1 --exr town.exr
+  relievo render bunny.off --environment forest.exr,90 --skybox --png bunny.png
   relievo bench normals --out charts
 )";
 }

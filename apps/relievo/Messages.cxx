@@ -38,6 +38,7 @@ public:
 
   std::vector<std::string> Errors, Warnings;
   std::vector<std::string> Named; // warnings that have been given their subject
+  std::vector<std::string> Notes;
 
 private:
   void Keep(const char* text, bool error)
@@ -98,6 +99,22 @@ void Messages::Collect()
   vtkNew<MessageCollector> collector;
   vtkOutputWindow::SetInstance(collector);
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // which prints the same text again
+}
+
+//------------------------------------------------------------------------------
+void Messages::Note(const std::string& text)
+{
+  std::vector<std::string>& notes = Collector()->Notes;
+  if (std::find(notes.begin(), notes.end(), text) == notes.end())
+  {
+    notes.push_back(text);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Messages::TakeNotes()
+{
+  return Collector()->Take(&MessageCollector::Notes);
 }
 
 //------------------------------------------------------------------------------

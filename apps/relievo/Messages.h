@@ -23,6 +23,12 @@ public:
   static void Check(
     const std::string& subject, bool failed = false, const std::string& otherwise = "");
 
+  /// Keeps what the user should know of what was done, one line.
+  static void Note(const std::string& text);
+
+  /// The notes so far, each once.
+  static std::vector<std::string> TakeNotes();
+
   /// The warnings so far, each one line, without VTK's preamble.
   static std::vector<std::string> TakeWarnings();
 };

@@ -4,7 +4,9 @@
 
 #include "Failure.h"
 #include "Shadows.h"
+#include "SurfaceOptions.h"
 #include "Values.h"
+#include "Words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -160,30 +162,6 @@ void TakeShadowSize(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void TakeHeightMap(RenderOptions& options, const std::string& word)
-{
-  // A file's name may hold commas: only a number behind the last one is the scale.
-  const std::string::size_type comma = word.rfind(',');
-  options.HeightMap = word;
-  if (comma != std::string::npos &&
-    word.find_first_not_of("0123456789.eE+-", comma + 1) == std::string::npos)
-  {
-    options.HeightMap = word.substr(0, comma);
-    options.HeightScale =
-      ParseNumberBetween("--height-map " + word, word.substr(comma + 1), 0.0, Infinity);
-  }
-}
-
-//------------------------------------------------------------------------------
-void TakeRelief(RenderOptions& options, const std::string& word)
-{
-  constexpr Relief methods[] = { Relief::Off, Relief::Parallax, Relief::Steep, Relief::Occlusion,
-    Relief::Relief };
-  options.ReliefMethod =
-    methods[ParseChoice("--relief", word, { "off", "parallax", "steep", "occlusion", "relief" })];
-}
-
-//------------------------------------------------------------------------------
 void TakeLayers(RenderOptions& options, const std::string& word)
 {
   for (const std::string& name : Split(word, ','))
@@ -212,6 +190,7 @@ struct OptionRow
   const char* Name;
   void (*Take)(RenderOptions&, const std::string& word);
   bool Repeats;
+  bool IsFlag = false; // stands alone, without a value
 };
 
 const OptionRow RenderRows[] = {
@@ -235,53 +214,17 @@ const OptionRow RenderRows[] = {
   { "--normal-map", TakePath<&RenderOptions::NormalMap>, false },
   { "--height-map", TakeHeightMap, false },
   { "--relief", TakeRelief, false },
+  { "--texture-coordinates", TakeTextureCoordinates, false },
+  { "--environment", TakeEnvironment, false },
+  { "--reflectivity", TakeReflectivity, false },
+  { "--skybox", [](RenderOptions& options, const std::string&) { options.Skybox = true; }, false,
+    true },
+  { "--up", TakeUp, false },
   { "--layers", TakeLayers, true },
   { "--png", TakePath<&RenderOptions::PNG>, false },
   { "--exr", TakePath<&RenderOptions::EXR>, false },
   { "--report", TakePath<&RenderOptions::Report>, false },
 };
-
-//------------------------------------------------------------------------------
-// Walks over the words: calls option(name, value) for "--name value" and "--name=value", and
-// plain(word) for the others. `known` holds the names; each takes one value.
-template <typename Option, typename Plain>
-void WalkWords(const std::vector<std::string>& words, const std::string& command,
-  const std::vector<std::string>& known, Option option, Plain plain)
-{
-  for (std::size_t i = 0; i < words.size(); ++i)
-  {
-    const std::string& word = words[i];
-    if (word == "--")
-    {
-      std::for_each(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, words.end(), plain);
-      return;
-    }
-    if (word.size() < 2 || word[0] != '-')
-    {
-      plain(word);
-      continue;
-    }
-    const std::string::size_type equals = word.find('=');
-    const std::string name = word.substr(0, equals);
-    if (std::find(known.begin(), known.end(), name) == known.end())
-    {
-      throw WordsError(
-        name + ": relievo " + command + " has no such option; it has " + Join(known, ", "));
-    }
-    if (equals != std::string::npos)
-    {
-      option(name, word.substr(equals + 1));
-    }
-    else if (i + 1 < words.size() && words[i + 1].rfind("--", 0) != 0)
-    {
-      option(name, words[++i]);
-    }
-    else
-    {
-      throw WordsError(name + ": its value is missing; see relievo --help");
-    }
-  }
-}
 
 //------------------------------------------------------------------------------
 void CheckTogether(const RenderOptions& options, const std::set<std::string>& given)
@@ -308,10 +251,7 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
     const int lights = static_cast<int>(options.Lights.size());
     CheckShadowLayers(options, lights, lights == 1 ? "--light option" : "--light options");
   }
-  if (given.count("--relief") && options.HeightMap.empty())
-  {
-    throw WordsError("--relief: there are no heights: give --height-map F as well");
-  }
+  CheckSurfaceOptions(options, given);
   if (options.ShadowSize && given.count("--shadows") == 0 &&
     std::all_of(options.Layers.begin(), options.Layers.end(),
       [](const std::string& name) { return GetLightOfLayer(name) < 0; }))
@@ -327,10 +267,10 @@ RenderOptions ParseRender(const std::vector<std::string>& words)
 {
   RenderOptions options;
   std::set<std::string> seen;
-  std::vector<std::string> known;
+  std::vector<KnownOption> known;
   for (const OptionRow& row : RenderRows)
   {
-    known.push_back(row.Name);
+    known.push_back({ row.Name, row.IsFlag });
   }
   WalkWords(
     words, "render", known,
@@ -341,7 +281,7 @@ RenderOptions ParseRender(const std::vector<std::string>& words)
       {
         throw WordsError(name + ": given twice, expected once");
       }
-      if (value.empty())
+      if (value.empty() && !row->IsFlag)
       {
         throw WordsError(name + ": its value is empty; see relievo --help");
       }
@@ -357,7 +297,7 @@ BenchOptions ParseBench(const std::vector<std::string>& words)
 {
   BenchOptions options;
   WalkWords(
-    words, "bench", { "--out" },
+    words, "bench", { { "--out", false } },
     [&](const std::string&, const std::string& value) { options.Folder = value; },
     [&](const std::string& word) {
       if (!options.Name.empty())

@@ -41,6 +41,14 @@ enum class Relief
   Relief
 };
 
+/// How meshes without texture coordinates get some.
+enum class Mapping
+{
+  Box,
+  Plane,
+  Sphere
+};
+
 /// Width and height in texels of the smallest shadow map.
 constexpr int SmallestShadowSize = 16;
 
@@ -80,6 +88,13 @@ struct RenderOptions
   std::string NormalMap, HeightMap;  ///< files; empty: none
   std::optional<double> HeightScale; ///< depth of the relief, world units
   Relief ReliefMethod = Relief::Relief;
+  std::optional<Mapping> TextureMapping; ///< none: as a box, with a note
+  std::string Environment;               ///< file; empty: none
+  double EnvironmentRotation = 0.0;      ///< degrees about the up axis
+  double Reflectivity = 0.04;            ///< share of the environment's light that is mirrored
+  double Roughness = 0.2;                ///< of that mirror
+  bool Skybox = false;
+  int UpAxis = 1;                  ///< of the world: 0, 1, 2 for x, y, z
   std::vector<std::string> Layers; ///< each once; those of the EXR beside its colour
   std::string PNG, EXR, Report;    ///< empty: not asked for
 };

@@ -129,7 +129,10 @@ void Render(const RenderOptions& options)
     CheckExtension(path);
     CheckReadable(path);
   }
-  CheckMaps(options);
+  CheckSurface(options);
+  std::vector<std::string> inputs = options.Files;
+  inputs.insert(inputs.end(), { options.NormalMap, options.HeightMap, options.Environment });
+  inputs.erase(std::remove(inputs.begin(), inputs.end(), std::string()), inputs.end());
   Outputs outputs;
   const std::pair<const char*, const std::string&> places[] = { { "--png", options.PNG },
     { "--exr", options.EXR }, { "--report", options.Report } };
@@ -137,14 +140,14 @@ void Render(const RenderOptions& options)
   {
     if (!path.empty())
     {
-      outputs.Add(option, path, options.Files);
+      outputs.Add(option, path, inputs);
     }
   }
 
   Messages::Collect();
   Progress progress;
   const Scene scene = BuildScene(options, progress);
-  SetMaps(scene.Renderer, options, progress);
+  SetSurface(scene.Renderer, options, progress);
   const std::vector<std::string> layers = LayersToCapture(options, scene);
   const int lights = CountLights(scene.Renderer);
   CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
@@ -213,6 +216,10 @@ void Render(const RenderOptions& options)
     throw WorkError(outputs.WithGivenNames(error.what()));
   }
   outputs.Commit();
+  for (const std::string& note : Messages::TakeNotes())
+  {
+    std::fprintf(stderr, "relievo: %s\n", note.c_str());
+  }
   for (const std::string& warning : Messages::TakeWarnings())
   {
     std::fprintf(stderr, "relievo: warning: %s\n", warning.c_str());

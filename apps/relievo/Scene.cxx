@@ -9,6 +9,7 @@
 #include "Options.h"
 #include "Progress.h"
 #include "Readers.h"
+#include "TextureCoordinates.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -16,6 +17,7 @@
 #include "vtkDataObject.h"
 #include "vtkGLTFImporter.h"
 #include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkProperty.h"
@@ -75,15 +77,23 @@ void SetShading(vtkRenderer* renderer, Shading kind)
 }
 
 //------------------------------------------------------------------------------
-void AddLights(vtkRenderer* renderer, const std::vector<LightChoice>& lights)
+void AddLights(vtkRenderer* renderer, const RenderOptions& options)
 {
-  if (lights.empty())
+  if (options.Lights.empty())
   {
+    if (!options.Environment.empty() && renderer->GetLights()->GetNumberOfItems() == 0)
+    {
+      // The environment lights: but without any light VTK's shaders have no normals to light by.
+      vtkNew<vtkLight> dark;
+      dark->SetLightTypeToHeadlight();
+      dark->SetIntensity(0.0);
+      renderer->AddLight(dark);
+    }
     return; // the file's lights, or the headlight that VTK makes
   }
   renderer->RemoveAllLights();
   renderer->AutomaticLightCreationOff();
-  for (const LightChoice& choice : lights)
+  for (const LightChoice& choice : options.Lights)
   {
     vtkNew<vtkLight> light;
     light->SetLightTypeToSceneLight();
@@ -125,6 +135,11 @@ void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options)
   }
   else
   {
+    // Where an environment's z is: with z up, that of a world with y up is turned about x.
+    const bool zUp = options.UpAxis == 2;
+    camera->SetPosition(0.0, zUp ? -1.0 : 0.0, zUp ? 0.0 : 1.0);
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetViewUp(options.UpAxis == 0, options.UpAxis == 1, options.UpAxis == 2);
     renderer->ResetCamera();
   }
   if (options.ParallelScale)
@@ -149,6 +164,7 @@ Scene BuildScene(const RenderOptions& options, Progress& progress)
   scene.Renderer = vtkSmartPointer<vtkRenderer>::New();
   scene.Window->AddRenderer(scene.Renderer);
 
+  const bool mapped = !options.NormalMap.empty() || !options.HeightMap.empty();
   const bool smooth = options.ShadingKind != Shading::Flat;
   for (const std::string& path : options.Files)
   {
@@ -170,12 +186,16 @@ Scene BuildScene(const RenderOptions& options, Progress& progress)
     {
       vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
       AddArrayNames(actor, scene.Arrays);
+      if (mapped)
+      {
+        AddTextureCoordinates(actor, options, path);
+      }
       shows = shows || vtkMath::AreBoundsInitialized(actor->GetBounds());
     }
     Messages::Check(path, !shows, "holds nothing that can be drawn: no points, or no cells");
   }
   SetShading(scene.Renderer, options.ShadingKind);
-  AddLights(scene.Renderer, options.Lights);
+  AddLights(scene.Renderer, options);
   PlaceCamera(scene.Renderer, options);
   return scene;
 }

@@ -2,24 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface.h"
 
-#include "Failure.h"
-#include "Messages.h"
+#include "Environment.h"
+#include "Images.h"
 #include "Options.h"
-#include "Progress.h"
-#include "Readers.h"
-#include "Values.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkImageData.h"
-#include "vtkImageReader2.h"
-#include "vtkImageReader2Factory.h"
 #include "vtkNew.h"
-#include "vtkRelievoEXRReader.h"
+#include "vtkRelievoEnvironment.h"
 #include "vtkRelievoMaterial.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace cli
 {
@@ -32,78 +30,65 @@ const std::vector<std::string> Extensions = { ".png", ".jpg", ".jpeg", ".tif", "
 constexpr double DefaultDepth = 0.02;
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> ReadMap(const std::string& path, Progress& progress)
+void SetHeights(vtkRelievoMaterial* material, vtkRenderer* renderer, const RenderOptions& options,
+  Progress& progress)
 {
-  progress.Begin("reading " + path);
-  vtkSmartPointer<vtkImageAlgorithm> reader;
-  if (ExtensionOf(path) == ".exr")
-  {
-    auto exr = vtkSmartPointer<vtkRelievoEXRReader>::New();
-    exr->SetFileName(path.c_str());
-    reader = exr;
-  }
-  else if (auto* image = vtkImageReader2Factory::CreateImageReader2(path.c_str()))
-  {
-    reader.TakeReference(image);
-    image->SetFileName(path.c_str());
-  }
-  if (reader)
-  {
-    progress.Observe(reader);
-    reader->Update();
-  }
-  progress.End();
-  vtkSmartPointer<vtkImageData> image = reader ? reader->GetOutput() : nullptr;
-  Messages::Check(path, !image || image->GetNumberOfPoints() == 0, NotAsNamed(path));
-  return image;
+  double bounds[6];
+  renderer->ComputeVisiblePropBounds(bounds);
+  const double longest =
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  material->SetHeightMap(ReadImage(options.HeightMap, progress));
+  material->SetHeightScale(options.HeightScale.value_or(DefaultDepth * longest));
+  constexpr int methods[] = { vtkRelievoMaterial::METHOD_OFF, vtkRelievoMaterial::METHOD_PARALLAX,
+    vtkRelievoMaterial::METHOD_STEEP, vtkRelievoMaterial::METHOD_OCCLUSION,
+    vtkRelievoMaterial::METHOD_RELIEF };
+  material->SetMethod(methods[static_cast<int>(options.ReliefMethod)]);
+  material->SetDepthCorrection(options.ReliefMethod != Relief::Off);
+  material->SetSelfShadow(options.ShadowMethod != Shadows::Off);
 }
 }
 
 //------------------------------------------------------------------------------
-void CheckMaps(const RenderOptions& options)
+void CheckSurface(const RenderOptions& options)
 {
   for (const auto& [option, path] :
     { std::pair<const char*, std::string>("--normal-map", options.NormalMap),
       std::pair<const char*, std::string>("--height-map", options.HeightMap) })
   {
-    if (path.empty())
+    if (!path.empty())
     {
-      continue;
+      CheckImage(option, path, Extensions);
     }
-    if (std::find(Extensions.begin(), Extensions.end(), ExtensionOf(path)) == Extensions.end())
-    {
-      RefuseValue(option, path, "an image: " + Join(Extensions, " "));
-    }
-    CheckReadable(path);
   }
+  CheckEnvironment(options);
 }
 
 //------------------------------------------------------------------------------
-void SetMaps(vtkRenderer* renderer, const RenderOptions& options, Progress& progress)
+void SetSurface(vtkRenderer* renderer, const RenderOptions& options, Progress& progress)
 {
-  if (options.NormalMap.empty() && options.HeightMap.empty())
+  if (options.NormalMap.empty() && options.HeightMap.empty() && options.Environment.empty())
   {
     return;
   }
   vtkNew<vtkRelievoMaterial> material;
   if (!options.NormalMap.empty())
   {
-    material->SetNormalMap(ReadMap(options.NormalMap, progress));
+    material->SetNormalMap(ReadImage(options.NormalMap, progress));
   }
   if (!options.HeightMap.empty())
   {
-    double bounds[6];
-    renderer->ComputeVisiblePropBounds(bounds);
-    const double longest =
-      std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-    material->SetHeightMap(ReadMap(options.HeightMap, progress));
-    material->SetHeightScale(options.HeightScale.value_or(DefaultDepth * longest));
-    constexpr int methods[] = { vtkRelievoMaterial::METHOD_OFF, vtkRelievoMaterial::METHOD_PARALLAX,
-      vtkRelievoMaterial::METHOD_STEEP, vtkRelievoMaterial::METHOD_OCCLUSION,
-      vtkRelievoMaterial::METHOD_RELIEF };
-    material->SetMethod(methods[static_cast<int>(options.ReliefMethod)]);
-    material->SetDepthCorrection(options.ReliefMethod != Relief::Off);
-    material->SetSelfShadow(options.ShadowMethod != Shadows::Off);
+    SetHeights(material, renderer, options, progress);
+  }
+  if (!options.Environment.empty())
+  {
+    const vtkSmartPointer<vtkRelievoEnvironment> environment = ReadEnvironment(options, progress);
+    material->SetEnvironment(environment);
+    material->SetReflectivity(options.Reflectivity);
+    material->SetRoughness(options.Roughness);
+    if (options.Skybox)
+    {
+      ShowSky(renderer, environment);
+    }
   }
   vtkActorCollection* actors = renderer->GetActors();
   vtkCollectionSimpleIterator it;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Fine structure on what is drawn, from image files: normals and relief.
+ * What surfaces wear, from image files: normals, relief, and what is all around.
  */
 #ifndef Surface_h
 #define Surface_h
@@ -13,11 +13,11 @@ namespace cli
 class Progress;
 struct RenderOptions;
 
-/// Throws WordsError or WorkError for a map's file that is no image, or cannot be opened.
-void CheckMaps(const RenderOptions& options);
+/// Throws WordsError or WorkError for a file that is no image, or cannot be opened.
+void CheckSurface(const RenderOptions& options);
 
-/// Puts the maps on every actor. Throws WorkError with the file's name.
-void SetMaps(vtkRenderer* renderer, const RenderOptions& options, Progress& progress);
+/// Puts maps and environment on every actor. Throws WorkError with the file's name.
+void SetSurface(vtkRenderer* renderer, const RenderOptions& options, Progress& progress);
 }
 
 #endif

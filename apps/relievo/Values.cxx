@@ -83,7 +83,8 @@ std::vector<double> ParseNumbers(
   }
   if (!good)
   {
-    RefuseValue(option, word, std::to_string(count) + " finite numbers: " + form);
+    RefuseValue(option, word,
+      (count == 1 ? "a finite number: " : std::to_string(count) + " finite numbers: ") + form);
   }
   return numbers;
 }

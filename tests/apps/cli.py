@@ -94,5 +94,20 @@ def read_png(path):
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)[::-1]
 
 
+def write_image(writer, path, values):
+    """Values (rows, columns, components), the first row at v = 0."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+
+    rows, columns, components = values.shape
+    image = vtkImageData()
+    image.SetDimensions(columns, rows, 1)
+    flat = numpy.ascontiguousarray(values).reshape(-1, components)
+    image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
+    writer.SetFileName(str(path))
+    writer.SetInputData(image)
+    writer.Write()
+
+
 def main():
     unittest.main(verbosity=2)

@@ -3,11 +3,14 @@
 """Relief and normals by --height-map and --normal-map: what must be seen on a known plane."""
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
+from vtkmodules.vtkIOGeometry import vtkOBJReader
 from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter
 
-from cli import CliTest, main
+from cli import CliTest, main, write_image
 
 # Half width 1, at z = 0, u along x and v along y.
 PLANE = """v -1 -1 0
@@ -24,18 +27,6 @@ SIDE = 100
 LOOK = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10", "--parallel-scale", "1",
         "--size", f"{SIDE}x{SIDE}"]  # fmt: skip
 SIZE = 128
-
-
-def write_image(writer, path, values):
-    """Values (rows, columns, components), the first row at v = 0."""
-    rows, columns, components = values.shape
-    image = vtkImageData()
-    image.SetDimensions(columns, rows, 1)
-    flat = numpy.ascontiguousarray(values).reshape(-1, components)
-    image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
-    writer.SetFileName(str(path))
-    writer.SetInputData(image)
-    writer.Write()
 
 
 class Materials(CliTest):
@@ -99,9 +90,97 @@ class Materials(CliTest):
         self.refused(*look, "--relief", "steep", status=2, says="--height-map")
         self.refused(*look, "--relief", "deep", "--height-map", "roof.png", status=2,
                      says=["--relief", "deep", "parallax"])  # fmt: skip
-        # A mesh without texture coordinates.
-        self.refused("render", "triangle.off", "--normal-map", "tilted.png", "--png", "a.png",
-                     status=1, says="texture coordinates")  # fmt: skip
+        self.refused(*look, "--texture-coordinates", "box", status=2,
+                     says=["--texture-coordinates", "--normal-map"])  # fmt: skip
+        self.refused(*look, "--texture-coordinates", "cone", "--normal-map", "tilted.png", status=2,
+                     says=["--texture-coordinates", "cone", "sphere"])  # fmt: skip
+
+    def test_mesh_without_texture_coordinates(self):
+        """As on a box: the same u and v as PLANE has, for its side is 2; that is said, once."""
+        bare = "\n".join(line for line in PLANE.split("\n") if not line.startswith(("vt", "f")))
+        (self.folder / "plane.obj").write_text(bare + "f 1 2 3 4\n")
+        words = ["render", "plane.obj", "--normal-map", "tilted.png", "--png", "a.png"]
+        said = self.relievo(*words).stderr
+        self.assertEqual(said.count("\n"), 1, said)
+        for text in ("relievo: plane.obj", "no texture coordinates", "box",
+                     "--texture-coordinates"):  # fmt: skip
+            self.assertIn(text, said)
+        self.test_relief()
+        self.test_normal_map()
+        for method in ("box", "plane", "sphere"):  # asked for: nothing is noted
+            self.assertEqual(self.relievo(*words, "--texture-coordinates", method).stderr, "")
+        self.assertEqual(self.relievo(*words[:2], "--png", "b.png").stderr, "")
+
+    def test_blocks_without_texture_coordinates(self):
+        """Of a file's blocks, those without get some: one map lies alike on both."""
+        (self.folder / "bare.obj").write_text(
+            "\n".join(line for line in PLANE.split("\n") if not line.startswith(("vt", "f")))
+            + "f 1 2 3 4\n"
+        )
+        blocks = vtkMultiBlockDataSet()
+        for i, name in enumerate(("plane.obj", "bare.obj")):
+            reader = vtkOBJReader()
+            reader.SetFileName(str(self.folder / name))
+            half = vtkTransformFilter()
+            turn = vtkTransform()
+            turn.Translate(i - 0.5, 0, 0)
+            turn.Scale(0.5, 1, 1)
+            half.SetTransform(turn)
+            half.SetInputConnection(reader.GetOutputPort())
+            half.Update()
+            blocks.SetBlock(i, half.GetOutput())
+        writer = vtkXMLMultiBlockDataWriter()
+        writer.SetFileName(str(self.folder / "blocks.vtm"))
+        writer.SetInputData(blocks)
+        writer.Write()
+        said = self.relievo("render", "blocks.vtm", *LOOK, "--normal-map", "tilted.png", "--exr",
+                            "a.exr", "--layers", "normal,block").stderr  # fmt: skip
+        self.assertEqual(said.count("no texture coordinates"), 1, said)
+        seen = self.exr("a.exr")[1]
+        self.assertEqual(len(numpy.unique(seen["block.id"])), 2)
+        for axis, value in zip("XYZ", (0.6, 0.0, 0.8)):
+            numpy.testing.assert_allclose(seen[f"normal.{axis}"], value, atol=0.006)
+
+    def test_box(self):
+        """On a cube the map stands upright on every side, u to the right seen from outside."""
+        cube = "".join(f"v {x} {y} {z}\n" for z in (-1, 1) for y in (-1, 1) for x in (-1, 1))
+        cube += "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
+        (self.folder / "cube.obj").write_text(cube)
+        for up, sides in (
+            ((0, 1, 0), ((1, 0, 0), (-1, 0, 0), (0, 0, 1), (0, 0, -1))),
+            ((0, 0, 1), ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))),
+        ):
+            for side in map(numpy.array, sides):
+                camera = ",".join(map(str, [*(5 * side), 0, 0, 0, *up]))
+                self.relievo("render", "cube.obj", "--camera", camera, "--parallel-scale", "0.9",
+                             "--size", "20x20", "--normal-map", "tilted.png", "--exr", "a.exr",
+                             "--up", "xyz"[up.index(1)], "--layers", "normal")  # fmt: skip
+                seen = self.exr("a.exr")[1]
+                truth = 0.6 * numpy.cross(up, side) + 0.8 * side
+                for axis, value in zip("XYZ", truth):
+                    numpy.testing.assert_allclose(seen[f"normal.{axis}"], value, atol=0.006)
+
+    def test_sphere(self):
+        """Longitude is u: heights that rise in the upper half of the map lie there on a ball."""
+        v = (numpy.arange(SIZE) + 0.5) / SIZE
+        halves = numpy.repeat((v > 0.5)[:, None, None], SIZE, axis=1)
+        write_image(vtkPNGWriter(), self.folder / "halves.png", (halves * 255).astype(numpy.uint8))
+        rings, around = numpy.linspace(-1.5, 1.5, 40), numpy.linspace(0, 2 * numpy.pi, 80)[:-1]
+        points = [(numpy.cos(a) * numpy.cos(b), numpy.sin(a), numpy.cos(a) * numpy.sin(b))
+                  for a in rings for b in around]  # fmt: skip
+        ball = "".join("v {:.6f} {:.6f} {:.6f}\n".format(*point) for point in points)
+        for ring in range(39):
+            for i in range(79):
+                low, next_low = 79 * ring + i + 1, 79 * ring + (i + 1) % 79 + 1
+                ball += f"f {low} {low + 79} {next_low + 79} {next_low}\n"
+        (self.folder / "ball.obj").write_text(ball)
+        self.relievo("render", "ball.obj", *LOOK, "--height-map", "halves.png,0.2", "--exr",
+                     "a.exr", "--texture-coordinates", "sphere")  # fmt: skip
+        depth = self.exr("a.exr")[1]["depth.Z"]
+        upper, lower = depth[SIDE // 2 - 8, SIDE // 2], depth[SIDE // 2 + 8, SIDE // 2]
+        surface = 5 - numpy.sqrt(1 - 0.15**2)
+        self.assertAlmostEqual(float(upper), surface, delta=0.02)
+        self.assertAlmostEqual(float(lower), surface + 0.2, delta=0.03)
 
 
 if __name__ == "__main__":

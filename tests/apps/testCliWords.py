@@ -47,6 +47,12 @@ WRONG_VALUES = [
     ("--shadow-size", "15", "whole number from 16"),
     ("--shadow-size", "65537", "whole number from 16"),
     ("--shadow-size", "1.5", "whole number"),
+    ("--up", "w", "x, y, z"),
+    ("--reflectivity", "1.5", "R[,ROUGHNESS], both from 0 to 1"),
+    ("--reflectivity", "0.5,-1", "both from 0 to 1"),
+    ("--reflectivity", "bright", "a finite number"),
+    ("--environment", "sky.png,1e999", "a finite number"),
+    ("--environment", "sky.xyz", ".exr .hdr .png"),
     ("--layers", "depth,,normal", "names between commas"),
     ("--layers", "shadow_", "shadow_N"),
     ("--layers", "shadow_one", "shadow_N"),
@@ -151,7 +157,7 @@ class Help(CliTest):
         self.assertGreater(len(options), 10)
         page = self.relievo("--help").stdout
         for option in options:
-            self.assertRegex(page, rf"(?m)^  {option} [A-Z]")
+            self.assertRegex(page, rf"(?m)^  {option}( [A-Z]|  )")
         for line in page.splitlines():
             self.assertLessEqual(len(line), 100)
         self.assertEqual(self.relievo("render", "--help").stdout, page)
