@@ -27,6 +27,7 @@
 #include "vtkOpenGLError.h" // for GLenum
 
 #include "vtkCompositeMapperHelper2.h"
+#include "vtkCompositePolyDataMapper2.h"
 #endif
 
 namespace vtkRelievoAccess
@@ -129,6 +130,42 @@ public:
     vtkCompositeMapperHelper2* helper)
   {
     return helper->*(&CompositeHelper::Data);
+  }
+  // As Mapper's, for all blocks.
+  static bool AreBuffersOf(vtkCompositeMapperHelper2* helper, vtkActor* actor)
+  {
+    vtkStateStorage state;
+    state.Append(actor->GetProperty()->GetMTime(), "actor mtime");
+    for (const auto& block : Blocks(helper))
+    {
+      state.Append(block.first ? block.first->GetMTime() : 0, "input mtime");
+    }
+    state.Append(actor->GetTexture() ? actor->GetTexture()->GetMTime() : 0, "texture mtime");
+    return !(helper->*(&CompositeHelper::VBOBuildState) != state);
+  }
+};
+
+class CompositeMapper : public vtkCompositePolyDataMapper2
+{
+public:
+  static const std::map<const std::string, vtkCompositeMapperHelper2*>& GetHelpers(
+    vtkCompositePolyDataMapper2* mapper)
+  {
+    return mapper->*(&CompositeMapper::Helpers);
+  }
+  // Whether the helpers have the blocks of this actor as they are now, and what is said of each.
+  static bool AreHelpersOf(vtkCompositePolyDataMapper2* mapper, vtkActor* actor)
+  {
+    const vtkTimeStamp& sorted = mapper->*(&CompositeMapper::HelperMTime);
+    vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+    vtkStateStorage state;
+    state.Append(actor->GetProperty()->GetMTime(), "actor mtime");
+    state.Append(mapper->GetMTime(), "this mtime");
+    state.Append(sorted, "helper mtime");
+    state.Append(actor->GetTexture() ? actor->GetTexture()->GetMTime() : 0, "texture mtime");
+    return input && sorted.GetMTime() >= input->GetMTime() &&
+      sorted.GetMTime() >= mapper->GetMTime() &&
+      !(mapper->*(&CompositeMapper::RenderValuesState) != state);
   }
 };
 #endif

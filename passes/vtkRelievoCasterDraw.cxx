@@ -20,7 +20,9 @@
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
 
+#include <algorithm>
 #include <cstring>
+#include <set>
 
 namespace
 {
@@ -32,6 +34,45 @@ bool HasOwnShaders(vtkActor* actor)
   return shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
     shaders->HasFragmentShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
 }
+
+std::set<std::string>& GetActorClasses()
+{
+  static std::set<std::string> classes{ "vtkOpenGLActor" };
+  return classes;
+}
+
+#ifdef RELIEVO_COMPOSITE_HELPER
+// A composite mapper's helpers, if all is current, seen and opaque; else none.
+std::vector<vtkOpenGLPolyDataMapper*> GetHelpers(
+  vtkCompositePolyDataMapper2* mapper, vtkActor* actor)
+{
+  using Composite = vtkRelievoAccess::CompositeMapper;
+  using Helper = vtkRelievoAccess::CompositeHelper;
+  if (!Composite::AreHelpersOf(mapper, actor))
+  {
+    return {};
+  }
+  std::vector<vtkOpenGLPolyDataMapper*> found;
+  for (const auto& named : Composite::GetHelpers(mapper))
+  {
+    vtkCompositeMapperHelper2* helper = named.second;
+    if (std::strcmp(helper->GetClassName(), "vtkCompositeMapperHelper2") != 0 ||
+      Access::BuildTime(helper) < helper->GetMTime() || !Helper::AreBuffersOf(helper, actor))
+    {
+      return {};
+    }
+    for (const auto& block : Helper::Blocks(helper))
+    {
+      if (!block.second->Visibility || !block.second->IsOpaque)
+      {
+        return {};
+      }
+    }
+    found.push_back(helper);
+  }
+  return found;
+}
+#endif
 }
 
 //------------------------------------------------------------------------------
@@ -41,43 +82,69 @@ vtkRelievoCasterDraw::~vtkRelievoCasterDraw()
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoCasterDraw::AddActorClass(const std::string& name)
+{
+  GetActorClasses().insert(name);
+}
+
+//------------------------------------------------------------------------------
 vtkActor* vtkRelievoCasterDraw::GetPlainActor(vtkProp* prop) const
 {
-  // Exactly these classes: a derived one may draw otherwise.
   auto* actor = vtkActor::SafeDownCast(prop);
-  if (!actor || std::strcmp(actor->GetClassName(), "vtkOpenGLActor") != 0 || !actor->GetMapper() ||
-    std::strcmp(actor->GetMapper()->GetClassName(), "vtkOpenGLPolyDataMapper") != 0)
+  return actor && !this->GetBuffers(actor).empty() ? actor : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor* actor) const
+{
+  // Exactly these classes, of actors and of mappers: a derived one may draw otherwise.
+  vtkMapper* mapper = actor->GetMapper();
+  if (!mapper || GetActorClasses().count(actor->GetClassName()) == 0)
   {
-    return nullptr;
+    return {};
   }
-  auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(actor->GetMapper());
   vtkProperty* property = actor->GetProperty();
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   if (property->GetRepresentation() != VTK_SURFACE || property->GetVertexVisibility() ||
     actor->GetTexture() || property->GetNumberOfTextures() > 0 || HasOwnShaders(actor) ||
     (planes && planes->GetNumberOfItems() > 0))
   {
-    return nullptr;
+    return {};
   }
-  vtkPolyData* input = mapper->GetInput();
-  const vtkMTimeType built = Access::BuildTime(mapper);
-  if (!input || mapper->CurrentInput != input || built < input->GetMTime() ||
-    built < mapper->GetMTime() || !Access::AreBuffersOf(mapper, actor))
+  std::vector<vtkOpenGLPolyDataMapper*> mappers;
+  if (std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0)
   {
-    return nullptr;
+    auto* own = static_cast<vtkOpenGLPolyDataMapper*>(mapper);
+    vtkPolyData* input = own->GetInput();
+    const bool current = input && own->CurrentInput == input &&
+      Access::BuildTime(own) >= input->GetMTime() && Access::BuildTime(own) >= own->GetMTime() &&
+      Access::AreBuffersOf(own, actor);
+    mappers.assign(current ? 1 : 0, own);
   }
+#ifdef RELIEVO_COMPOSITE_HELPER
+  else if (std::strcmp(mapper->GetClassName(), "vtkCompositePolyDataMapper2") == 0)
+  {
+    mappers = GetHelpers(static_cast<vtkCompositePolyDataMapper2*>(mapper), actor);
+  }
+#endif
+  const bool built = std::all_of(mappers.begin(), mappers.end(),
+    [this](vtkOpenGLPolyDataMapper* each) { return this->IsBuilt(each); });
+  return built ? mappers : std::vector<vtkOpenGLPolyDataMapper*>();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::IsBuilt(vtkOpenGLPolyDataMapper* mapper) const
+{
   const auto known = this->Built.find(mapper);
-  if (known == this->Built.end() || known->second != built)
+  if (known == this->Built.end() || known->second != Access::BuildTime(mapper))
   {
-    return nullptr;
+    return false;
   }
   vtkOpenGLVertexBufferObject* vertices = Access::Buffers(mapper)->GetVBO("vertexMC");
   const bool flat = Access::IndexCount(mapper, vtkOpenGLPolyDataMapper::PrimitivePoints) == 0 &&
     Access::IndexCount(mapper, vtkOpenGLPolyDataMapper::PrimitiveLines) == 0;
   return vertices && vertices->GetDataType() == VTK_FLOAT &&
-      vertices->GetNumberOfComponents() == 3 && flat
-    ? actor
-    : nullptr;
+    vertices->GetNumberOfComponents() == 3 && flat;
 }
 
 //------------------------------------------------------------------------------
@@ -121,7 +188,17 @@ bool vtkRelievoCasterDraw::Begin(vtkOpenGLRenderWindow* window, const glm::dmat4
 //------------------------------------------------------------------------------
 int vtkRelievoCasterDraw::Draw(vtkActor* actor)
 {
-  auto* mapper = static_cast<vtkOpenGLPolyDataMapper*>(actor->GetMapper());
+  int calls = 0;
+  for (vtkOpenGLPolyDataMapper* mapper : this->GetBuffers(actor))
+  {
+    calls += this->Draw(mapper, actor);
+  }
+  return calls;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoCasterDraw::Draw(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
   vtkOpenGLVertexBufferObject* vertices = Access::Buffers(mapper)->GetVBO("vertexMC");
   glm::dmat4 modelToNDC = this->WorldToNDC * vtkRelievoToGlm(actor->GetMatrix());
   if (vertices->GetCoordShiftAndScaleEnabled())

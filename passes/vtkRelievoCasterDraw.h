@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Draws the depth of plain meshes from their mappers' buffers, without the mappers' shaders: what a
-// map needs of them, and all that most casters are.
+// map needs of them, and all that most casters are. Composite meshes as well, where VTK has a
+// mapper of helpers for them (before 9.3).
 #ifndef vtkRelievoCasterDraw_h
 #define vtkRelievoCasterDraw_h
 
@@ -11,6 +12,8 @@
 #include "vtkWeakPointer.h"
 
 #include <map>
+#include <string>
+#include <vector>
 
 class vtkActor;
 class vtkOpenGLPolyDataMapper;
@@ -30,6 +33,9 @@ public:
   // The window that is drawn in; what another one held is released.
   void SetWindow(vtkOpenGLRenderWindow* window);
 
+  // Actors of this class draw their mapper as vtkOpenGLActor does.
+  static void AddActorClass(const std::string& name);
+
   // A mapper has drawn in this window: its buffers, as built now, are in this context.
   void Learn(vtkOpenGLPolyDataMapper* mapper);
 
@@ -46,6 +52,11 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  // The mappers whose buffers are all that the actor draws; none if it draws otherwise.
+  std::vector<vtkOpenGLPolyDataMapper*> GetBuffers(vtkActor* actor) const;
+  bool IsBuilt(vtkOpenGLPolyDataMapper* mapper) const;
+  int Draw(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
+
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkShaderProgram* Program = nullptr; // the window's shader cache owns it
   glm::dmat4 WorldToNDC{ 1.0 };

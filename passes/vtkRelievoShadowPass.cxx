@@ -67,6 +67,12 @@ int vtkRelievoShadowPass::GetPropCasts(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoShadowPass::AddPlainActorClass(const std::string& name)
+{
+  vtkRelievoCasterDraw::AddActorClass(name);
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoShadowPass::SetPropReceives(vtkProp* prop, bool receives)
 {
   if (!prop)

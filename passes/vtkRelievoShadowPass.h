@@ -149,6 +149,13 @@ public:
   vtkMultiProcessController* GetController();
   ///@}
 
+  /**
+   * Names a class of actors that draw their mapper as VTK's own actor does, whatever else they do:
+   * plain meshes of such actors are drawn into maps without their shaders, which is faster. In
+   * effect for all passes of the process.
+   */
+  static void AddPlainActorClass(const std::string& name);
+
   /** Seconds that bringing the maps together took in the last frame in which any was drawn. */
   double GetMergeSeconds();
 

@@ -55,6 +55,8 @@ vtkPVRelievoView::vtkPVRelievoView()
   : Internal(new Internals)
 {
   this->Internal->Frame->SetDelegatePass(this->Internal->Delegate);
+  // The actor of all of ParaView's surfaces; what it has more is a coarse mapper for interaction.
+  vtkRelievoShadowPass::AddPlainActorClass("vtkPVLODActor");
   this->Internal->SunLight->SetLightTypeToSceneLight();
   this->Internal->SunLight->PositionalOff();
   GetAll().push_back(this);
