@@ -11,13 +11,13 @@ float relievoTextureArea(vec2 uvx, vec2 uvy)
 }
 
 // Whether the coordinates spread at all: not constant, and not along a line only, both by more than
-// coordinates of about 1 are rounded in float.
+// coordinates of about 1 are rounded in float. In squares: roots cost more.
 bool relievoHasTextureFrame(vec2 uvx, vec2 uvy)
 {
-  float area = abs(relievoTextureArea(uvx, uvy));
-  float x = length(uvx);
-  float y = length(uvy);
-  return area > float(1e-4) * x * y && area > float(4e-7) * (x + y);
+  float area = relievoTextureArea(uvx, uvy);
+  float xx = dot(uvx, uvx);
+  float yy = dot(uvy, uvy);
+  return area * area > max(float(1e-8) * xx * yy, float(1.6e-13) * (xx + yy));
 }
 
 // How the position changes with u and with v. The frame must be there.
@@ -42,14 +42,13 @@ vec2 relievoTextureStep(vec3 direction, vec3 perU, vec3 perV)
   return vec2(du * vv - dv * uv, dv * uu - du * uv) / (uu * vv - uv * uv);
 }
 
-// A tangent-space normal in the space of the frame: x along `tangent` made square to the normal, y
-// square to both on the side of `perV`, z along the normal (unit).
-vec3 relievoFromTangentSpace(vec3 mapped, vec3 normal, vec3 tangent, vec3 perV)
+// A tangent-space normal in the space of the frame: x along `tangent` made square to the normal
+// (unit), z along the normal, y square to both: a quarter turn from x to y is counter-clockwise
+// around the normal for handedness 1, clockwise for -1.
+vec3 relievoFromTangentSpace(vec3 mapped, vec3 normal, vec3 tangent, float handedness)
 {
   vec3 t = normalize(tangent - normal * dot(normal, tangent));
-  vec3 b = cross(normal, t);
-  b = dot(b, perV) < float(0.0) ? -b : b;
-  return normalize(t * mapped.x + b * mapped.y + normal * mapped.z);
+  return normalize(t * mapped.x + cross(normal, t) * (handedness * mapped.y) + normal * mapped.z);
 }
 
 // The normal of a surface lifted by a height along its unit normal. slopes: change of the height,

@@ -49,6 +49,7 @@ vec2 relievoUVdX = vec2(0.0); // per pixel, on the mesh
 vec2 relievoUVdY = vec2(0.0);
 vec3 relievoPerU = vec3(1.0, 0.0, 0.0); // eye space, on the mesh
 vec3 relievoPerV = vec3(0.0, 1.0, 0.0);
+float relievoHandedness = 1.0; // -1 on mirrored coordinates, as they are seen
 vec3 relievoFaceVC = vec3(0.0, 0.0, 1.0); // unit normal of the mesh's face, towards the eye
 bool relievoFramed = false; // there is a frame: texture coordinates spread over the face
 
@@ -202,30 +203,34 @@ float relievoReliefLit(vec3 towardsVC)
   relievoUV = relievoTCoordVSOutput * relievoTextureTransform.xy + relievoTextureTransform.zw;
   relievoUVdX = dFdx(relievoUV);
   relievoUVdY = dFdy(relievoUV);
-#if defined(RELIEVO_NORMAL_MAP) && !defined(RELIEVO_HEIGHT_MAP)
+#ifndef RELIEVO_HEIGHT_MAP
   vec3 relievoMapped = texture(relievoNormalMap, relievoUV).xyz;
 #endif
   {
     vec3 px = dFdx(vertexVC.xyz);
     vec3 py = dFdy(vertexVC.xyz);
+    relievoFramed = relievoHasTextureFrame(relievoUVdX, relievoUVdY);
+    relievoHandedness = relievoTextureArea(relievoUVdX, relievoUVdY) < 0.0 ? -1.0 : 1.0;
+    relievoPerU = relievoPositionPerU(px, py, relievoUVdX, relievoUVdY);
+    relievoPerV = relievoPositionPerV(px, py, relievoUVdX, relievoUVdY);
+#ifdef RELIEVO_HEIGHT_MAP
     vec3 gazeVC = cameraParallel != 0 ? vec3(0.0, 0.0, -1.0) : normalize(vertexVC.xyz);
     relievoFaceVC = normalize(cross(normalize(px), normalize(py)));
-    relievoFaceVC = dot(relievoFaceVC, gazeVC) > 0.0 ? -relievoFaceVC : relievoFaceVC;
-    relievoFramed = relievoHasTextureFrame(relievoUVdX, relievoUVdY);
-#ifdef RELIEVO_HEIGHT_MAP
     relievoHitDepth = 0.0;
     relievoShiftVC = vec3(0.0);
     relievoSurfaceVC = vertexVC.xyz;
+#else
+    vec3 gazeVC = cameraParallel != 0 ? vec3(0.0, 0.0, -1.0) : vertexVC.xyz;
+    relievoFaceVC = cross(px, py); // of any length: only its side counts
 #endif
+    relievoFaceVC = dot(relievoFaceVC, gazeVC) > 0.0 ? -relievoFaceVC : relievoFaceVC;
+#ifdef RELIEVO_HEIGHT_MAP
     if (relievoFramed)
     {
-      relievoPerU = relievoPositionPerU(px, py, relievoUVdX, relievoUVdY);
-      relievoPerV = relievoPositionPerV(px, py, relievoUVdX, relievoUVdY);
-#ifdef RELIEVO_HEIGHT_MAP
       relievoSeeRelief(gazeVC, vertexVC.xyz);
       relievoTCoord = (relievoUV - relievoTextureTransform.zw) / relievoTextureTransform.xy;
-#endif
     }
+#endif
   }
 #ifdef RELIEVO_CLIP
   if (any(lessThan(relievoUV, vec2(0.0))) || any(greaterThan(relievoUV, vec2(1.0))))
@@ -260,23 +265,24 @@ uniform mat4 MCDCMatrix;
     // VTK turns normals by the winding, which a mirroring actor inverts: map on the side that is
     // seen, and leave it turned as VTK has it.
     float relievoSide = dot(normalVCVSOutput, relievoFaceVC) < 0.0 ? -1.0 : 1.0;
-    vec3 relievoNormalVC = relievoSide * normalVCVSOutput;
 #ifdef RELIEVO_NORMAL_MAP
 #ifdef RELIEVO_HEIGHT_MAP
     vec3 relievoMapped =
       textureGrad(relievoNormalMap, relievoUV, relievoUVdX, relievoUVdY).xyz;
 #endif
     relievoMapped = relievoMapped * relievoNormalDecode.x + relievoNormalDecode.y;
-    relievoMapped.xy *= relievoNormalWeight;
+    // Mapping on the other side and turning the result back is, in one: x the other way round.
+    relievoMapped.xy *= vec2(relievoSide, 1.0) * relievoNormalWeight;
 #ifdef RELIEVO_TANGENTS
     vec3 relievoTangentVC = relievoTangentVSOutput;
 #else
     vec3 relievoTangentVC = relievoPerU;
 #endif
-    normalVCVSOutput = relievoSide *
-      relievoFromTangentSpace(relievoMapped, relievoNormalVC, relievoTangentVC, relievoPerV);
+    normalVCVSOutput = relievoFromTangentSpace(
+      relievoMapped, normalVCVSOutput, relievoTangentVC, relievoHandedness);
 #elif defined(RELIEVO_HEIGHT_MAP)
     normalVCVSOutput = relievoSide *
-      relievoLiftedNormal(relievoNormalVC, relievoPerU, relievoPerV, relievoSlopes(relievoUV));
+      relievoLiftedNormal(
+        relievoSide * normalVCVSOutput, relievoPerU, relievoPerV, relievoSlopes(relievoUV));
 #endif
   }
