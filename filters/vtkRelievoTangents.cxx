@@ -201,7 +201,12 @@ int vtkRelievoTangents::RequestData(
     }
     output->GetPointData()->AddArray(array);
   };
-  makeArray(this->TangentsName ? this->TangentsName : "tangent", 4, 0);
+  const std::string name = this->TangentsName ? this->TangentsName : "tangent";
+  makeArray(name.c_str(), 4, 0);
+  // VTK's attribute has three components; what it takes the other side from is its users' affair.
+  const std::string active = name == "Tangents" ? "Tangents (active)" : "Tangents";
+  makeArray(active.c_str(), 3, 0);
+  output->GetPointData()->SetActiveTangents(active.c_str());
   if (!flat.empty())
   {
     makeArray("Normals", 3, 4);
