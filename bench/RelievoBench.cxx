@@ -20,6 +20,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
     { "bias", "false shadow against leak as the shadows' bias grows", RelievoBenchBias },
     { "relief", "what relief methods miss, against looks, time and full geometry",
       RelievoBenchRelief },
+    { "normal-maps", "what a normal map costs a frame, against VTK's own textures",
+      RelievoBenchNormalMaps },
     { "environment", "error of environments against texels and angle, by the map",
       RelievoBenchEnvironment },
   };

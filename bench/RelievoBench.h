@@ -58,4 +58,7 @@ int RelievoBenchEnvironment(const std::string& outDir);
 /** Chart 7: errors of relief methods against looks and time, and full geometry. Minutes. */
 int RelievoBenchRelief(const std::string& outDir);
 
+/** What a normal map costs a full-screen frame, against VTK's own textures. Half a minute. */
+int RelievoBenchNormalMaps(const std::string& outDir);
+
 #endif
