@@ -16,9 +16,9 @@
  *     bitangent = w * cross(normal, tangent)
  *
  * points along growing v, as in glTF, also where triangles wind against their normals. The first
- * three are also the point data's active tangents (vtkPointData::GetTangents), "Tangents": materials
- * (vtkRelievoMaterial, which finds the side of v by itself) and VTK's PBR shading use them as they
- * are; the latter takes w for 1, so mirrored halves come out wrong there. Where a
+ * three are the point data's active tangents as well ("Tangents"): vtkRelievoMaterial, which finds
+ * the side of v by itself, and VTK's PBR shading use them as they are; the latter takes w for 1, so
+ * mirrored halves come out wrong there. Where a
  * point has several tangents, at the seam of a mirrored half, it is split: the first triangle that
  * uses it keeps the point's number, and the others get points at the end, with all arrays copied.
  * Flat meshes are split at every edge that is not even, and get point normals. Points without

@@ -22,8 +22,8 @@ struct RenderOptions;
 /// Throws WordsError or WorkError for a file that is no environment, or cannot be opened.
 void CheckEnvironment(const RenderOptions& options);
 
-/// The environment of the options with its irradiance, and levels if the mirror is rough; nullptr if
-/// there is none. Whole numbers are sRGB, floats linear. Throws WorkError with the file's name.
+/// The environment of the options with its irradiance, and levels if the mirror is rough; nullptr
+/// if there is none. Whole numbers are sRGB, floats linear. Throws WorkError with the file's name.
 vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
   const RenderOptions& options, Progress& progress);
 

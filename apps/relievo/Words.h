@@ -18,8 +18,8 @@ struct KnownOption
   bool IsFlag; ///< stands alone; any other takes one value
 };
 
-/// Calls option(name, value) for "--name value" and "--name=value", option(name, "") for a flag, and
-/// plain(word) for the other words and all behind "--". Throws WordsError for an option of
+/// Calls option(name, value) for "--name value" and "--name=value", option(name, "") for a flag,
+/// and plain(word) for the other words and all behind "--". Throws WordsError for an option of
 /// `command` that is not known, a value that is missing, and a flag's value.
 void WalkWords(const std::vector<std::string>& words, const std::string& command,
   const std::vector<KnownOption>& known,

@@ -42,7 +42,8 @@ def write_exr(path, values):
     def attribute(name, kind, data):
         return name + b"\0" + kind + b"\0" + struct.pack("<i", len(data)) + data
 
-    channels = b"".join(name + b"\0" + struct.pack("<iB3xii", 2, 0, 1, 1) for name in (b"B", b"G", b"R"))
+    float_channel = b"\0" + struct.pack("<iB3xii", 2, 0, 1, 1)
+    channels = b"".join(name + float_channel for name in (b"B", b"G", b"R"))
     window = struct.pack("<4i", 0, 0, columns - 1, rows - 1)
     header = struct.pack("<ii", 20000630, 2)
     header += attribute(b"channels", b"chlist", channels + b"\0")

@@ -53,6 +53,7 @@ std::string FragmentShader()
       vtkRelievoShaderLibrary::Get("formulas/colormap.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/environment.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/irradiance.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/fresnel.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/prefilter.glsl"));
   vtkShaderProgram::Substitute(shader, "//RELIEVO::Cases", ReadTestShader("cases.glsl"));
   return shader;

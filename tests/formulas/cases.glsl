@@ -229,6 +229,11 @@ uvec4 relievoTestEnvironment(int which, uvec4 a, uvec4 b)
     return relievoTestBits(vec4(relievoEquirectangularDensity(st), relievoSphereMapDensity(st),
       relievoPrefilterWeight(d.x, d.y) * d.y * d.y, relievoPrefilterLevel(d.y, 6)));
   }
+  if (which == 47)
+  {
+    return relievoTestBits(vec4(relievoFresnel(d.x, d.y, d.z), relievoFresnel(d.x, d.y, float(0.0)),
+      relievoFresnel(d.x, float(0.0), d.z), relievoFresnel(d.x, -d.y, d.z)));
+  }
   vec3 coefficients[9];
   for (int i = 0; i < 9; ++i)
   {

@@ -65,6 +65,8 @@ void TestEnvironment(GpuCases& gpu)
     gpu, { 45, "densities, GGX", { Number(0., 1e-4), place, Number(2e-5, 1e-6), place } }, places);
   Compare(
     gpu, { 46, "irradiance", { Number(0., 1e-4), Number(0., 1e-5), place, place } }, directions);
+  const Rule share = Number(0., 3e-7);
+  Compare(gpu, { 47, "Fresnel share", { share, share, share, share } }, UnitInputs());
 }
 
 // OpenGL's own look-up, nearest texel, against the formulas: for every texel's centre of a cube and
