@@ -12,6 +12,8 @@
 #include "vtkRelievoMaterialInternals.h"
 #include "vtkTexture.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkRelievoMaterial);
 
 namespace
@@ -93,6 +95,7 @@ void vtkRelievoMaterial::Attach(vtkActor* actor)
   }
   actor->GetPropertyKeys()->Append(vtkOpenGLRenderPass::RenderPasses(), this);
   AddCarrier(actor);
+  this->Internal->Actors.emplace_back(actor);
   actor->Modified();
 }
 
@@ -108,6 +111,10 @@ void vtkRelievoMaterial::Detach(vtkActor* actor)
       keys->Remove(vtkOpenGLRenderPass::RenderPasses());
     }
     RemoveCarrier(actor);
+    auto& actors = this->Internal->Actors;
+    actors.erase(std::remove_if(actors.begin(), actors.end(),
+                   [actor](vtkActor* each) { return !each || each == actor; }),
+      actors.end());
     actor->Modified();
   }
 }

@@ -5,6 +5,7 @@
 #ifndef vtkRelievoMaterialInternals_h
 #define vtkRelievoMaterialInternals_h
 
+#include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoEnvironment.h"
@@ -18,6 +19,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 class vtkRelievoMaterial::Internals
 {
@@ -29,6 +31,7 @@ public:
   vtkSmartPointer<vtkRelievoEnvironment> Environment;
   vtkRelievoEnvironmentTextures::Structure EnvironmentStructure;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // drawn in last
+  std::vector<vtkWeakPointer<vtkActor>> Actors; // attached to
   std::set<std::string> Said;
   vtkSmartPointer<vtkImageData> Broken; // a map that made no texture
 

@@ -119,8 +119,13 @@ bool vtkRelievoMaterial::SetShaderParameters(vtkShaderProgram* program,
   {
     return true;
   }
-  // A level of detail is drawn by an actor that belongs to nothing: in the window of the last one.
-  if (vtkOpenGLRenderWindow* window = FindWindow(prop))
+  vtkOpenGLRenderWindow* window = FindWindow(prop);
+  // Levels of detail (vtkLODActor, ParaView's actors) are drawn by an actor that belongs to nothing.
+  for (std::size_t i = 0; !window && i < in.Actors.size(); ++i)
+  {
+    window = FindWindow(in.Actors[i]);
+  }
+  if (window)
   {
     in.Window = window;
   }

@@ -1,18 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the plugin needs of ParaView's view and VTK's light kit, and they keep protected. The
-// members are named through derived classes that are never made: checked when compiled.
+// What the plugin needs of ParaView's view and representations and VTK's light kit, and they keep
+// protected. The members are named through derived classes that are never made: checked when
+// compiled.
 #ifndef vtkPVRelievoAccess_h
 #define vtkPVRelievoAccess_h
 
+#include "vtkGeometryRepresentationWithFaces.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkLightKit.h"
+#include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVSynchronizedRenderer.h"
 
 #include <array>
+#include <vector>
 
 namespace vtkPVRelievoAccess
 {
@@ -25,6 +29,21 @@ public:
     return view->*(&View::SynchronizedRenderers);
   }
   static vtkLightKit* Kit(vtkPVRenderView* view) { return view->*(&View::LightKit); }
+};
+
+class Surface : public vtkGeometryRepresentationWithFaces
+{
+public:
+  // What draws it: the front, and the back where that can look otherwise.
+  static std::vector<vtkActor*> Actors(vtkGeometryRepresentation* representation)
+  {
+    std::vector<vtkActor*> actors = { representation->GetActor() };
+    if (auto* faces = vtkGeometryRepresentationWithFaces::SafeDownCast(representation))
+    {
+      actors.push_back(faces->*(&Surface::BackfaceActor));
+    }
+    return actors;
+  }
 };
 
 class LightKit : public vtkLightKit
