@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVRelievoImageFile.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkImageReader2.h"
+#include "vtkImageReader2Factory.h"
+#include "vtkNew.h"
+#include "vtkPVRelievoText.h"
+#include "vtkPointData.h"
+#include "vtkRelievoEXRReader.h"
+#include "vtkWeakPointer.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <system_error>
+#include <utility>
+
+namespace
+{
+using Time = std::filesystem::file_time_type;
+
+// Images that are in use, and when their files were written.
+std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>>& Held()
+{
+  static std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>> held;
+  return held;
+}
+
+// The first thing that a reader has to say against a file; it is not printed.
+void Keep(vtkObject*, unsigned long, void* words, void* text)
+{
+  auto* kept = static_cast<std::string*>(words);
+  if (kept->empty() && text)
+  {
+    *kept = vtkPVRelievoText::OfMessage(static_cast<const char*>(text));
+  }
+}
+
+vtkSmartPointer<vtkImageAlgorithm> MakeReader(const std::string& path)
+{
+  vtkNew<vtkRelievoEXRReader> exr;
+  if (exr->CanReadFile(path.c_str()))
+  {
+    exr->SetFileName(path.c_str());
+    return exr;
+  }
+  // By its name first: asked about any file, some readers have something to print.
+  const std::string ending = std::filesystem::path(path).extension().string();
+  auto reader =
+    vtk::TakeSmartPointer(vtkImageReader2Factory::CreateImageReader2FromExtension(ending.c_str()));
+  if (ending.empty() || !reader || !reader->CanReadFile(path.c_str()))
+  {
+    return nullptr;
+  }
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkPVRelievoImageFile::Read(
+  const std::string& path, std::string& failure)
+{
+  std::error_code error;
+  const Time written = std::filesystem::last_write_time(path, error);
+  if (error || std::filesystem::is_directory(path, error))
+  {
+    failure = error ? "an image, but there is no such file" : "an image, but it is a folder";
+    return nullptr;
+  }
+  auto& held = Held()[path];
+  if (held.second && held.first == written)
+  {
+    return held.second.GetPointer();
+  }
+  const vtkSmartPointer<vtkImageAlgorithm> reader = MakeReader(path);
+  if (!reader)
+  {
+    failure =
+      "an image (png, jpg, tif, bmp, hdr, exr), but its name or its first bytes are of none";
+    return nullptr;
+  }
+  std::string said;
+  vtkNew<vtkCallbackCommand> keep;
+  keep->SetCallback(Keep);
+  keep->SetClientData(&said);
+  for (vtkObject* speaker :
+    { static_cast<vtkObject*>(reader), static_cast<vtkObject*>(reader->GetExecutive()) })
+  {
+    speaker->AddObserver(vtkCommand::ErrorEvent, keep);
+    speaker->AddObserver(vtkCommand::WarningEvent, keep);
+  }
+  reader->Update();
+  vtkSmartPointer<vtkImageData> image = reader->GetOutput();
+  if (!said.empty() || !image || !image->GetPointData()->GetScalars() ||
+    image->GetNumberOfPoints() == 0)
+  {
+    failure = "an image, but it cannot be read" + (said.empty() ? said : ": " + said);
+    return nullptr;
+  }
+  vtkNew<vtkImageData> alone; // which does not hold the reader
+  alone->ShallowCopy(image);
+  held = { written, alone.Get() };
+  return alone;
+}

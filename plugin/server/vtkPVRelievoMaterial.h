@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkPVRelievoMaterial
+ * @brief The material of one of ParaView's surface representations, on one process.
+ *
+ * Puts a vtkRelievoMaterial on the actors of a vtkGeometryRepresentation, front and back, while it
+ * is on and has something to show: a map that could be read, or the view's environment to mirror.
+ * Off it takes it away again, and ParaView's picture is its own.
+ *
+ * Every process reads the maps' files itself, so they must be found by the same name on all that
+ * draw. A file that cannot be read gives one error, and the surface is drawn without it.
+ *
+ * Every setting is a property of the representation's proxy (material.xml). A value out of its
+ * range is brought into it, with a warning that says so.
+ */
+#ifndef vtkPVRelievoMaterial_h
+#define vtkPVRelievoMaterial_h
+
+#include "vtkObject.h"
+#include "vtkRelievoPluginServerModule.h" // for the export macro
+
+#include <memory> // for the internals
+
+class vtkPVDataRepresentation;
+class vtkPVView;
+class vtkRelievoEnvironment;
+class vtkRelievoMaterial;
+
+class VTKRELIEVOPLUGINSERVER_EXPORT vtkPVRelievoMaterial : public vtkObject
+{
+public:
+  static vtkPVRelievoMaterial* New();
+  vtkTypeMacro(vtkPVRelievoMaterial, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The representation to work on, a vtkGeometryRepresentation. Given once, when its proxy is made.
+   */
+  void SetRepresentation(vtkPVDataRepresentation* representation);
+
+  ///@{
+  /** Whether the surface wears the material; its files are not read before. Default off. */
+  void SetEnabled(bool on);
+  vtkGetMacro(Enabled, bool);
+  ///@}
+
+  ///@{
+  /** Files of the maps; empty (default): none. */
+  void SetNormalMap(const char* file);
+  void SetHeightMap(const char* file);
+  ///@}
+
+  ///@{
+  /** Whether the surface mirrors the environment of its view, and is lit by it. Default off. */
+  void SetMirror(bool on);
+  vtkGetMacro(Mirror, bool);
+  ///@}
+
+  ///@{
+  /** As of vtkRelievoMaterial. */
+  void SetNormalStrength(double factor);
+  void SetFlipGreen(bool on);
+  void SetHeightScale(double depth);
+  void SetHeightRange(double ground, double top);
+  void SetReliefMethod(int method);
+  void SetSelfShadow(bool on);
+  void SetDepthCorrection(bool on);
+  void SetClipAtBorders(bool on);
+  void SetStepsPerTexel(double steps);
+  void SetMinimumSteps(int steps);
+  void SetMaximumSteps(int steps);
+  void SetBisections(int count);
+  void SetTextureScale(double u, double v);
+  void SetTextureOffset(double u, double v);
+  void SetRepeat(bool on);
+  void SetReflectivity(double share);
+  void SetRoughness(double roughness);
+  void SetReflectionWeight(double factor);
+  void SetIrradianceWeight(double factor);
+  ///@}
+
+  /** Gives the view's environment, or nullptr, to all materials in it that mirror. */
+  static void Mirrors(vtkPVView* view, vtkRelievoEnvironment* environment);
+
+  /** What the actors wear while the material is on. */
+  vtkRelievoMaterial* GetMaterial();
+
+protected:
+  vtkPVRelievoMaterial();
+  ~vtkPVRelievoMaterial() override;
+
+  bool Enabled = false;
+  bool Mirror = false;
+
+private:
+  vtkPVRelievoMaterial(const vtkPVRelievoMaterial&) = delete;
+  void operator=(const vtkPVRelievoMaterial&) = delete;
+
+  void Apply();
+  void Say(vtkObject* material, unsigned long event, void* text);
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

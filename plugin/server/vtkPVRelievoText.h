@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What VTK's objects say, without where they say it.
+#ifndef vtkPVRelievoText_h
+#define vtkPVRelievoText_h
+
+#include <string>
+
+namespace vtkPVRelievoText
+{
+// "ERROR: In a.cxx, line 1\nvtkThing (0x1): text\n\n" becomes "text".
+inline std::string OfMessage(std::string text)
+{
+  const std::string::size_type line = text.find(", line ");
+  const std::string::size_type address = text.find("): ", line == std::string::npos ? 0 : line);
+  if (line != std::string::npos && address != std::string::npos)
+  {
+    text.erase(0, address + 3);
+  }
+  text.erase(text.find_last_not_of(" \n.") + 1);
+  return text;
+}
+}
+
+#endif
