@@ -120,7 +120,7 @@ bool vtkRelievoMaterial::SetShaderParameters(vtkShaderProgram* program,
     return true;
   }
   vtkOpenGLRenderWindow* window = FindWindow(prop);
-  // Levels of detail (vtkLODActor, ParaView's actors) are drawn by an actor that belongs to nothing.
+  // Levels of detail (vtkLODActor, ParaView) are drawn by an actor that belongs to nothing.
   for (std::size_t i = 0; !window && i < in.Actors.size(); ++i)
   {
     window = FindWindow(in.Actors[i]);

@@ -13,11 +13,14 @@
 #include "vtkRelievoEXRReader.h"
 #include "vtkWeakPointer.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -38,6 +41,65 @@ void Keep(vtkObject*, unsigned long, void* words, void* text)
   {
     *kept = vtkPVRelievoText::OfMessage(static_cast<const char*>(text));
   }
+}
+
+// As of PNG's chunks: ISO 3309.
+std::uint32_t Checksum(const std::vector<char>& bytes)
+{
+  static const auto table = [] {
+    std::array<std::uint32_t, 256> made{};
+    for (std::uint32_t i = 0; i < 256; ++i)
+    {
+      made[i] = i;
+      for (int bit = 0; bit < 8; ++bit)
+      {
+        made[i] = (made[i] >> 1) ^ (made[i] & 1 ? 0xEDB88320U : 0U);
+      }
+    }
+    return made;
+  }();
+  std::uint32_t sum = ~0U;
+  for (const char byte : bytes)
+  {
+    sum = table[(sum ^ static_cast<unsigned char>(byte)) & 0xFF] ^ (sum >> 8);
+  }
+  return ~sum;
+}
+
+// What is wrong with a PNG file's chunks, empty if nothing is: VTK's reader crashes on such files.
+std::string FindDamage(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(0, std::ios::end);
+  const auto size = static_cast<std::uint64_t>(file.tellg());
+  file.seekg(8);
+  auto number = [&file] {
+    unsigned char bytes[4] = {};
+    file.read(reinterpret_cast<char*>(bytes), 4);
+    return (static_cast<std::uint32_t>(bytes[0]) << 24) | (bytes[1] << 16) | (bytes[2] << 8) |
+      bytes[3];
+  };
+  for (std::uint64_t at = 8; at + 12 <= size;)
+  {
+    const std::uint64_t length = number();
+    at += length + 12;
+    if (at > size)
+    {
+      break;
+    }
+    std::vector<char> bytes(length + 4);
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    const std::uint32_t sum = number();
+    if (sum != Checksum(bytes))
+    {
+      return "it is damaged";
+    }
+    if (std::string(bytes.data(), 4) == "IEND")
+    {
+      return {};
+    }
+  }
+  return "it ends too early";
 }
 
 vtkSmartPointer<vtkImageAlgorithm> MakeReader(const std::string& path)
@@ -84,7 +146,7 @@ vtkSmartPointer<vtkImageData> vtkPVRelievoImageFile::Read(
       "an image (png, jpg, tif, bmp, hdr, exr), but its name or its first bytes are of none";
     return nullptr;
   }
-  std::string said;
+  std::string said = reader->IsA("vtkPNGReader") ? FindDamage(path) : std::string();
   vtkNew<vtkCallbackCommand> keep;
   keep->SetCallback(Keep);
   keep->SetClientData(&said);
@@ -94,7 +156,10 @@ vtkSmartPointer<vtkImageData> vtkPVRelievoImageFile::Read(
     speaker->AddObserver(vtkCommand::ErrorEvent, keep);
     speaker->AddObserver(vtkCommand::WarningEvent, keep);
   }
-  reader->Update();
+  if (said.empty())
+  {
+    reader->Update();
+  }
   vtkSmartPointer<vtkImageData> image = reader->GetOutput();
   if (!said.empty() || !image || !image->GetPointData()->GetScalars() ||
     image->GetNumberOfPoints() == 0)

@@ -1,0 +1,203 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A white square, seen straight from above in the light of one lamp at the camera; and maps.
+
+With the words `restore FILE PICTURE` the script loads a state and draws it; with `wrong` it gives
+wrong files and values and says what came of them; with `ranks FOLDER NAME` it draws parts of a
+square that lie on the ranks.
+"""
+
+import math
+import sys
+
+import numpy
+import pv
+from paraview import simple
+
+SIZE = (240, 180)
+LIGHT = 0.8
+DISTANCE = 2.0
+ANGLE = 30.0  # of the camera's view, up and down
+
+
+def write_normals(name, normal, shape=(16, 16)):
+    """An 8-bit map of one normal everywhere; its path."""
+    codes = numpy.round((numpy.asarray(normal, float) + 1) / 2 * 255)
+    pv.write(pv.OUTPUT / name, numpy.broadcast_to(codes, (*shape, 3)))
+    return str(pv.OUTPUT / name)
+
+
+def write_heights(name, heights):
+    """An 8-bit map of heights from 0 to 1, the top row first; its path."""
+    codes = numpy.round(numpy.asarray(heights, float) * 255)
+    pv.write(pv.OUTPUT / name, numpy.repeat(codes[:, :, None], 3, axis=2))
+    return str(pv.OUTPUT / name)
+
+
+def lean(degrees, towards=0.0):
+    """The unit normal that leans so far from z, towards an angle from u to v."""
+    lean, towards = math.radians(degrees), math.radians(towards)
+    level = math.sin(lean)
+    return numpy.array([level * math.cos(towards), level * math.sin(towards), math.cos(lean)])
+
+
+class Scene:
+    """`square` is the source, one unit wide, `shown` its representation."""
+
+    def __init__(self, source=None, size=SIZE, light=(0.0, 0.0, 1.0)):
+        self.view = make_view(size)
+        self.square = source or simple.Plane(XResolution=1, YResolution=1)
+        self.shown = self.show(self.square)
+        lamp = simple.AddLight(self.view)
+        lamp.Coords, lamp.Type, lamp.Intensity = "Scene", "Directional", LIGHT
+        lamp.Position, lamp.FocalPoint = list(light), [0.0, 0.0, 0.0]
+        simple.Render(self.view)  # whose first call in a process turns the camera
+        self.look()
+
+    def show(self, source):
+        """Shows it all white, without the light that comes from nowhere."""
+        shown = simple.Show(source, self.view)
+        shown.AmbientColor = shown.DiffuseColor = [1.0, 1.0, 1.0]
+        return shown
+
+    def look(self):
+        self.view.CameraPosition = [0.0, 0.0, DISTANCE]
+        self.view.CameraFocalPoint = [0.0, 0.0, 0.0]
+        self.view.CameraViewUp = [0.0, 1.0, 0.0]
+        self.view.CameraViewAngle = ANGLE
+
+    def middle(self):
+        """The colour in the middle of the picture, and the picture."""
+        picture = pv.picture(self.view)
+        return picture[picture.shape[0] // 2, picture.shape[1] // 2], picture
+
+
+def make_view(size=SIZE):
+    """A view without lights, one sample a pixel, black behind."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = size
+    view.OrientationAxesVisibility = 0
+    view.UseFXAA, view.MultiSamples = 0, 0
+    view.UseColorPaletteForBackground, view.Background = 0, [0.0, 0.0, 0.0]
+    view.UseLight = 0
+    return view
+
+
+def restore(path, picture):
+    """Loads a state file as a user does, and draws its view."""
+    if path.endswith(".py"):
+        with open(path) as state:
+            exec(compile(state.read(), path, "exec"), {})
+    else:
+        simple.LoadState(path)
+    view = simple.GetActiveView()
+    # Neither kind of state holds these two, for their values are application settings.
+    view.MultiSamples, view.UseFXAA = 0, 0
+    numpy.save(picture, pv.picture(view))
+
+
+def say(*words):
+    """Where ParaView's messages go, in order."""
+    print(*words, file=sys.stderr, flush=True)
+
+
+# Files and values that will not do, and what is said of each.
+def wrong():
+    """(property, value, words of the message)."""
+    text = pv.OUTPUT / "no image.png"
+    text.write_text("no image")
+    cut = pv.OUTPUT / "cut.png"
+    whole = pv.OUTPUT / "whole.png"
+    pv.write(whole, numpy.random.default_rng(1).integers(0, 255, (64, 64, 3)))
+    cut.write_bytes(whole.read_bytes()[:2000])
+    return (
+        ("RelievoNormalMap", "/nowhere.png", "'/nowhere.png', expected an image, but there is no"),
+        ("RelievoHeightMap", str(text), "expected an image (png, jpg, tif, bmp, hdr, exr), but"),
+        ("RelievoNormalMap", str(pv.OUTPUT), "expected an image, but it is a folder"),
+        ("RelievoNormalMap", str(cut), "expected an image, but it cannot be read"),
+        ("RelievoHeightScale", -1.0, "was given -1, expected 0 to 1e+30: 0 is taken"),
+        ("RelievoReliefMethod", 9, "was given 9, expected 0 to 4: 4 is taken"),
+        ("RelievoRoughness", 2.0, "was given 2, expected 0 to 1: 1 is taken"),
+        ("RelievoMaximumSteps", 0, "was given 0, expected 1 to 4096: 1 is taken"),
+    )
+
+
+def set_wrong():
+    """Each is set and taken back; what the process writes is the result."""
+    scene = Scene()
+    scene.shown.RelievoMaterial = 1
+    _, first = scene.middle()
+    for number, (name, value, _) in enumerate(wrong()):
+        say(f"case {number} {name}")
+        before = getattr(scene.shown, name)
+        setattr(scene.shown, name, value)
+        same = (scene.middle()[1] == first).all() and (scene.middle()[1] == first).all()
+        setattr(scene.shown, name, before)
+        say("same", same and (scene.middle()[1] == first).all())
+    say("case", "no texture coordinates")
+    bare = simple.ProgrammableFilter(Input=scene.square)
+    bare.Script = "output.GetPointData().SetTCoords(None)"
+    simple.Hide(scene.square, scene.view)
+    shown = scene.show(bare)
+    _, first = scene.middle()
+    shown.RelievoMaterial = 1
+    shown.RelievoNormalMap = write_normals("leaning.png", lean(30))
+    # all() is ParaView's own since the filter's script.
+    say("same", numpy.all([(scene.middle()[1] == first).all() for _ in range(3)]))
+
+
+# What a rank makes of its part of a square: as many stripes as there are ranks.
+STRIPES = """
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+controller = vtkMultiProcessController.GetGlobalController()
+ranks, rank = controller.GetNumberOfProcesses(), controller.GetLocalProcessId()
+first, last = rank / ranks, (rank + 1) / ranks
+stripe = vtkPlaneSource()
+stripe.SetOrigin(first - 0.5, -0.5, 0)
+stripe.SetPoint1(last - 0.5, -0.5, 0)
+stripe.SetPoint2(first - 0.5, 0.5, 0)
+stripe.Update()
+made = stripe.GetOutput()
+places = made.GetPointData().GetTCoords()
+for i in range(places.GetNumberOfTuples()):
+    u, v = places.GetTuple(i)
+    places.SetTuple(i, (first + u * (last - first), v))
+self.GetOutput().ShallowCopy(made)
+"""
+
+
+def draw_ranks(folder, name):
+    """Writes FOLDER/NAME-STEP.png for each step."""
+    stripes = simple.ProgrammableSource()
+    stripes.OutputDataSetType = "vtkPolyData"
+    stripes.Script = STRIPES
+    scene = Scene(stripes, light=(1.0, 1.0, 2.0))
+    scene.view.CameraPosition = [0.9, -1.1, 1.2]
+
+    def step(what):
+        pv.write(f"{folder}/{name}-{what}.png", pv.picture(scene.view))
+
+    step("off")
+    wave = numpy.linspace(0, 4 * numpy.pi, 128)
+    heights = 0.5 + 0.25 * (numpy.sin(wave)[:, None] + numpy.cos(2 * wave)[None, :])
+    scene.shown.RelievoMaterial = 1
+    scene.shown.RelievoHeightMap = write_heights(f"{name}.png", heights)
+    scene.shown.RelievoHeightScale = 0.1
+    scene.shown.RelievoSelfShadow = 1
+    scene.shown.RelievoClipAtBorders = 1
+    step("relief")
+    scene.shown.RelievoHeightMap = ""
+    scene.shown.RelievoNormalMap = write_normals(f"{name}-n.png", lean(30, 45))
+    step("normals")
+    scene.shown.RelievoMaterial = 0
+    step("off-again")
+
+
+if __name__ == "__main__":
+    pv.load()
+    {"restore": restore, "wrong": set_wrong, "ranks": draw_ranks}[sys.argv[1]](*sys.argv[2:])
+    if sys.argv[1] == "ranks":
+        pv.clear()  # no sys.exit() here: the other ranks would not hear of it
+    else:
+        pv.leave()
