@@ -8,6 +8,7 @@
 // environment itself, in double, at directions spread evenly over the sphere.
 #include "RelievoBench.h"
 
+#include "BenchSizes.h"
 #include "Chart.h"
 #include "EnvironmentMaps.h"
 #include "Table.h"
@@ -31,10 +32,7 @@ namespace
 {
 using namespace relievoBench;
 constexpr double Pi = 3.14159265358979323846;
-constexpr int Looks = 100000;
-constexpr int Turns = 4;  // of the environment against the map: what it holds where is chance
 constexpr int Belts = 18; // of 10 degrees
-constexpr int Chosen = 6 * 64 * 64; // texels of the chart by angle
 
 struct Way
 {
@@ -52,18 +50,18 @@ const Way Ways[] = {
 };
 
 // Evenly spread: a spiral of golden angles.
-glm::dvec3 Look(int i)
+glm::dvec3 Look(int i, int looks)
 {
-  const double z = 1. - (2. * i + 1.) / Looks;
+  const double z = 1. - (2. * i + 1.) / looks;
   const double turn = Pi * (3. - std::sqrt(5.)) * i;
   const double r = std::sqrt(1. - z * z);
   return { r * std::cos(turn), r * std::sin(turn), z };
 }
 
 // About an axis, by an angle, both of golden sections: as different as can be.
-glm::dvec3 Turned(int turn, const glm::dvec3& d)
+glm::dvec3 Turned(int turn, int turns, const glm::dvec3& d)
 {
-  const double z = 1. - (2. * turn + 1.) / Turns;
+  const double z = 1. - (2. * turn + 1.) / turns;
   const double side = std::sqrt(1. - z * z);
   const glm::dvec3 axis(side * std::cos(2.4 * turn), z, side * std::sin(2.4 * turn));
   const double angle = 1. + 2.4 * turn;
@@ -162,23 +160,25 @@ struct Result
   std::vector<double> ByAngle;
 };
 
-Result Measure(const Way& way, int texels, const Radiance& light, double mean)
+Result Measure(
+  const Way& way, int texels, const Radiance& light, double mean, const EnvironmentSizes& sizes)
 {
   // As many looks for each texel as the finest map has for its own and more.
-  const int samples = std::clamp(static_cast<int>(std::lround(1000. / std::sqrt(texels))), 3, 40);
+  const int samples =
+    std::clamp(static_cast<int>(std::lround(sizes.Detail / std::sqrt(texels))), 3, 40);
   Result result;
   result.How = &way;
   std::vector<double> sums(Belts, 0.);
   std::vector<double> counts(Belts, 0.);
-  for (int turn = 0; turn < Turns; ++turn)
+  for (int turn = 0; turn < sizes.Turns; ++turn)
   {
-    const auto turned = [&](const glm::dvec3& d) { return light(Turned(turn, d)); };
+    const auto turned = [&](const glm::dvec3& d) { return light(Turned(turn, sizes.Turns, d)); };
     const EnvironmentTexels map(
       way.Map, EnvironmentTexels::SizeFor(way.Map, texels), turned, samples);
     result.Texels = map.GetNumberOfTexels();
-    for (int i = 0; i < Looks; ++i)
+    for (int i = 0; i < sizes.Looks; ++i)
     {
-      const glm::dvec3 d = Look(i);
+      const glm::dvec3 d = Look(i, sizes.Looks);
       const glm::dvec3 off = map.Read(d) - turned(d);
       const double angle = std::acos(std::clamp(d[way.Axis], -1., 1.));
       const int belt = std::min(Belts - 1, static_cast<int>(angle / Pi * Belts));
@@ -192,11 +192,12 @@ Result Measure(const Way& way, int texels, const Radiance& light, double mean)
     all += sums[i];
     result.ByAngle.push_back(std::sqrt(sums[i] / counts[i]) / mean);
   }
-  result.Rms = std::sqrt(all / Looks / Turns) / mean;
+  result.Rms = std::sqrt(all / sizes.Looks / sizes.Turns) / mean;
   return result;
 }
 
-bool Draw(const std::string& stem, const std::string& name, const std::vector<Result>& results)
+bool Draw(
+  const std::string& stem, const std::string& name, const std::vector<Result>& results, int chosen)
 {
   Chart texels;
   texels.Title = "Environments: error against texels, " + name;
@@ -205,7 +206,7 @@ bool Draw(const std::string& stem, const std::string& name, const std::vector<Re
   texels.Y.Title = "RMS error / mean light";
   texels.Y.Log = true;
   Chart angle;
-  angle.Title = "Environments: error by angle, " + std::to_string(Chosen) + " texels, " + name;
+  angle.Title = "Environments: error by angle, " + std::to_string(chosen) + " texels, " + name;
   angle.X.Title = "degrees from the map's axis (of lat-long: from its pole)";
   for (int ticks = 0; ticks <= 180; ticks += 30)
   {
@@ -224,7 +225,7 @@ bool Draw(const std::string& stem, const std::string& name, const std::vector<Re
       }
       byTexels.X.push_back(result.Texels);
       byTexels.Y.push_back(result.Rms);
-      if (std::abs(result.Texels - Chosen) < Chosen / 20)
+      if (std::abs(result.Texels - chosen) < chosen / 20)
       {
         for (int i = 0; i < Belts; ++i)
         {
@@ -241,10 +242,10 @@ bool Draw(const std::string& stem, const std::string& name, const std::vector<Re
 }
 
 //------------------------------------------------------------------------------
-int RelievoBenchEnvironment(const std::string& outDir)
+int relievoBench::BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes)
 {
   std::vector<Environment> environments = { { "sky and lobes", SkyAndLobes } };
-  if (!MakeFolder(outDir) || !ReadEnvironment("forest", environments))
+  if (!MakeFolder(outDir) || (sizes.RealWorlds && !ReadEnvironment("forest", environments)))
   {
     return 1;
   }
@@ -254,17 +255,17 @@ int RelievoBenchEnvironment(const std::string& outDir)
   for (const Environment& environment : environments)
   {
     double mean = 0.;
-    for (int i = 0; i < Looks; ++i)
+    for (int i = 0; i < sizes.Looks; ++i)
     {
-      const glm::dvec3 light = environment.Light(Look(i));
-      mean += (light.x + light.y + light.z) / (3. * Looks);
+      const glm::dvec3 light = environment.Light(Look(i, sizes.Looks));
+      mean += (light.x + light.y + light.z) / (3. * sizes.Looks);
     }
     std::vector<Result> results;
     for (const Way& way : Ways)
     {
-      for (const int side : { 8, 16, 32, 64, 128 })
+      for (const int side : sizes.Sides)
       {
-        results.push_back(Measure(way, 6 * side * side, environment.Light, mean));
+        results.push_back(Measure(way, 6 * side * side, environment.Light, mean, sizes));
         const Result& result = results.back();
         const auto within = [&result](int first, int last) {
           double sum = 0.;
@@ -283,10 +284,17 @@ int RelievoBenchEnvironment(const std::string& outDir)
                   << " texels: " << Number(result.Rms) << " of the mean light" << std::endl;
       }
     }
+    const int chosen = sizes.Sides[sizes.Sides.size() - 2];
     const bool coded = &environment == &environments[0];
     written = written &&
       Draw(outDir + "/environment-" + std::string(coded ? "coded" : "forest"), environment.Name,
-        results);
+        results, 6 * chosen * chosen);
   }
   return table.WriteCsv(outDir + "/environment.csv") && written ? 0 : 1;
+}
+
+//------------------------------------------------------------------------------
+int RelievoBenchEnvironment(const std::string& outDir)
+{
+  return BenchEnvironment(outDir, EnvironmentSizes());
 }

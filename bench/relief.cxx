@@ -9,6 +9,7 @@
 // full geometry. Looks are counted by the same steps on the CPU.
 #include "RelievoBench.h"
 
+#include "BenchSizes.h"
 #include "Chart.h"
 #include "EmbreeScene.h"
 #include "FrameBench.h"
@@ -42,12 +43,7 @@ using namespace relievoBench;
 using namespace relievoTest;
 
 constexpr double Scale = 0.2; // a tenth of the tile
-constexpr int Texels = 512;
-constexpr int FullTexels = 1025; // corners of 2 x 1024 x 1024 triangles
-constexpr int Width = 600;
-constexpr int Height = 450;
-constexpr int Rounds = 15;
-const double Angles[] = { 0., 45., 60., 75., 80. };
+ReliefSizes Sizes;            // of the run
 using Material = vtkRelievoMaterial;
 
 struct Way
@@ -84,7 +80,7 @@ struct ReliefWindow
     mapper->SetInputData(mesh);
     this->Actor->SetMapper(mapper);
     this->Renderer->AddActor(this->Actor);
-    this->Window = MakeWindow(Width, Height, this->Renderer);
+    this->Window = MakeWindow(Sizes.Width, Sizes.Height, this->Renderer);
     LookAtRelief(this->Renderer, 60.);
   }
   ~ReliefWindow() { this->Surface->Detach(this->Actor); }
@@ -126,7 +122,7 @@ double CountLooks(Material* surface, const HeightField& field, const ReliefRay& 
   }
   const glm::dvec2 through = ReliefTCoord(ray, Scale, 1.) - ReliefTCoord(ray, Scale, 0.);
   const double steps =
-    std::clamp(std::ceil(glm::length(through) * Texels * surface->GetStepsPerTexel()),
+    std::clamp(std::ceil(glm::length(through) * Sizes.Texels * surface->GetStepsPerTexel()),
       static_cast<double>(surface->GetMinimumSteps()),
       static_cast<double>(surface->GetMaximumSteps()));
   double looks = 1.;
@@ -145,9 +141,9 @@ double MeanLooks(ReliefWindow& window, const HeightField& field)
 {
   double looks = 0.;
   int rays = 0;
-  for (int y = 4; y < Height; y += 9)
+  for (int y = 4; y < Sizes.Height; y += 9)
   {
-    for (int x = 4; x < Width; x += 9)
+    for (int x = 4; x < Sizes.Width; x += 9)
     {
       const ReliefRay ray = RayOf(window.Renderer, x, y);
       if (ray.MeetsPlane)
@@ -204,7 +200,7 @@ std::vector<unsigned char> Pixels(vtkRenderWindow* window)
 {
   window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
-  window->GetPixelData(0, 0, Width - 1, Height - 1, 0, pixels);
+  window->GetPixelData(0, 0, Sizes.Width - 1, Sizes.Height - 1, 0, pixels);
   return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
 }
 
@@ -213,21 +209,21 @@ bool BenchGeometry(const std::string& outDir)
 {
   ReliefWindow plain(ReliefPlane(1));
   ReliefWindow mapped(ReliefPlane(1));
-  mapped.Wear(Waves, FullTexels - 1, { "normals", Material::METHOD_OFF, 0 });
+  mapped.Wear(Waves, Sizes.FullCells, { "normals", Material::METHOD_OFF, 0 });
   ReliefWindow normals(ReliefPlane(1));
-  normals.Surface->SetNormalMap(NormalImage(Waves, FullTexels - 1));
+  normals.Surface->SetNormalMap(NormalImage(Waves, Sizes.FullCells));
   normals.Surface->Attach(normals.Actor);
   ReliefWindow off(ReliefPlane(1));
-  off.Wear(Waves, FullTexels - 1, Ways[std::size(Ways) - 1]);
+  off.Wear(Waves, Sizes.FullCells, Ways[std::size(Ways) - 1]);
   off.Surface->EnabledOff();
   ReliefWindow relief(ReliefPlane(1));
-  relief.Wear(Waves, FullTexels - 1, Ways[std::size(Ways) - 1]);
+  relief.Wear(Waves, Sizes.FullCells, Ways[std::size(Ways) - 1]);
   relief.Surface->ClipAtBordersOn();
-  const vtkSmartPointer<vtkPolyData> mesh = FullGeometry(Waves, FullTexels);
+  const vtkSmartPointer<vtkPolyData> mesh = FullGeometry(Waves, Sizes.FullCells + 1);
   ReliefWindow full(mesh);
   const auto times = TimeInTurn(
     { plain.Frame(), normals.Frame(), mapped.Frame(), off.Frame(), relief.Frame(), full.Frame() },
-    Rounds);
+    Sizes.Rounds);
 
   // Depth against Embree on the full geometry, and the pictures.
   const vtkSmartPointer<vtkImageData> layers = relief.Capture();
@@ -241,11 +237,11 @@ bool BenchGeometry(const std::string& outDir)
   int count = 0;
   const auto a = Pixels(relief.Window);
   const auto b = Pixels(full.Window);
-  for (int y = 0; y < Height; ++y)
+  for (int y = 0; y < Sizes.Height; ++y)
   {
-    for (int x = 0; x < Width; ++x)
+    for (int x = 0; x < Sizes.Width; ++x)
     {
-      const double seen = depths->GetComponent(static_cast<vtkIdType>(y) * Width + x, 0);
+      const double seen = depths->GetComponent(static_cast<vtkIdType>(y) * Sizes.Width + x, 0);
       const PixelTruth& pixel = truth.At(x, y);
       if (pixel.Hit && std::isfinite(seen))
       {
@@ -255,7 +251,7 @@ bool BenchGeometry(const std::string& outDir)
         ++count;
         for (int c = 0; c < 3; ++c)
         {
-          const std::size_t i = (static_cast<std::size_t>(y) * Width + x) * 3 + c;
+          const std::size_t i = (static_cast<std::size_t>(y) * Sizes.Width + x) * 3 + c;
           difference += std::abs(static_cast<double>(a[i]) - b[i]) / 3.;
         }
       }
@@ -263,9 +259,10 @@ bool BenchGeometry(const std::string& outDir)
   }
 
   Table table({ "drawn", "ms", "times the plane", "+-", "times the full geometry", "+-" });
-  const char* const names[] = { "plane of 2 triangles", "plane with a normal map",
+  const std::string triangles = std::to_string(2 * Sizes.FullCells * Sizes.FullCells);
+  const std::string names[] = { "plane of 2 triangles", "plane with a normal map",
     "plane with normals of heights", "plane with its material off", "plane with relief",
-    "full geometry, 2097152 triangles" };
+    "full geometry, " + triangles + " triangles" };
   for (std::size_t i = 0; i < times.size(); ++i)
   {
     const TimingPair plane = PairOf(times[i], times[0]);
@@ -285,24 +282,25 @@ bool BenchGeometry(const std::string& outDir)
 }
 
 //------------------------------------------------------------------------------
-int RelievoBenchRelief(const std::string& outDir)
+int relievoBench::BenchRelief(const std::string& outDir, const ReliefSizes& sizes)
 {
+  Sizes = sizes;
   if (!MakeFolder(outDir))
   {
     return 1;
   }
   const Field fields[] = { { "waves", Waves },
-    { "posts 4 texels thin", Sampled(Posts(4. / Texels), Texels) } };
+    { "posts 4 texels thin", Sampled(Posts(4. / Sizes.Texels), Sizes.Texels) } };
   ReliefWindow plain(ReliefPlane(4));
   std::vector<std::unique_ptr<ReliefWindow>> windows;
   std::vector<Timed> frames(1, plain.Frame());
   for (const Way& way : Ways)
   {
     windows.emplace_back(new ReliefWindow(ReliefPlane(4)));
-    windows.back()->Wear(Waves, Texels, way);
+    windows.back()->Wear(Waves, Sizes.Texels, way);
     frames.push_back(windows.back()->Frame());
   }
-  const auto times = TimeInTurn(frames, Rounds);
+  const auto times = TimeInTurn(frames, Sizes.Rounds);
 
   Table table({ "field", "method", "degrees", "looks", "missed %", "depth error % of height",
     "normal error degrees", "times a plain frame (waves, 60)", "+-" });
@@ -316,7 +314,8 @@ int RelievoBenchRelief(const std::string& outDir)
   cost.X.Title = "times a plain frame, software OpenGL";
   cost.X.Log = false;
   Chart missed;
-  missed.Title = "Thin posts (4 texels of 512) that relief methods miss";
+  missed.Title =
+    "Thin posts (4 texels of " + std::to_string(Sizes.Texels) + ") that relief methods miss";
   missed.X.Title = "degrees off the normal";
   missed.Y.Title = "% of pixels";
   const char* const families[] = { "parallax", "steep", "occlusion", "relief" };
@@ -334,10 +333,10 @@ int RelievoBenchRelief(const std::string& outDir)
     {
       const Way& way = Ways[w];
       ReliefWindow& window = *windows[w];
-      window.Wear(field.Truth, Texels, way);
+      window.Wear(field.Truth, Sizes.Texels, way);
       const TimingPair time = PairOf(times[w + 1], times[0]);
       ChartSeries line{ way.Name, {}, {} };
-      for (const double angle : Angles)
+      for (const double angle : Sizes.Angles)
       {
         LookAtRelief(window.Renderer, angle);
         if (!waves)
@@ -380,4 +379,10 @@ int RelievoBenchRelief(const std::string& outDir)
     WriteChart(errors, outDir + "/relief-error") && WriteChart(cost, outDir + "/relief-cost") &&
     WriteChart(missed, outDir + "/relief-missed");
   return written ? 0 : 1;
+}
+
+//------------------------------------------------------------------------------
+int RelievoBenchRelief(const std::string& outDir)
+{
+  return BenchRelief(outDir, ReliefSizes());
 }

@@ -4,6 +4,7 @@
 // Runs one of the benches of formats and checks its CSV against what the formats must reach.
 //   testBenchFormats normals|depth|position
 #include "Check.h"
+#include "CsvFile.h"
 #include "RelievoBench.h"
 #include "Session.h"
 #include "TextTools.h"
@@ -11,68 +12,14 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace
 {
-using Row = std::map<std::string, std::string>;
-
-// The fields of a line; a quoted one may hold commas.
-std::vector<std::string> Split(const std::string& line)
-{
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (char c : line)
-  {
-    if (c == '"')
-    {
-      quoted = !quoted;
-    }
-    else if (c == ',' && !quoted)
-    {
-      fields.emplace_back();
-    }
-    else
-    {
-      fields.back() += c;
-    }
-  }
-  return fields;
-}
-
-std::vector<Row> ReadCsv(const std::string& path)
-{
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);
-  const std::vector<std::string> columns = Split(line);
-  std::vector<Row> rows;
-  while (std::getline(file, line))
-  {
-    const std::vector<std::string> fields = Split(line);
-    if (!RELIEVO_CHECK(fields.size() == columns.size()))
-    {
-      continue;
-    }
-    rows.emplace_back();
-    for (std::size_t i = 0; i < columns.size(); ++i)
-    {
-      rows.back()[columns[i]] = fields[i];
-    }
-  }
-  return rows;
-}
-
-double Value(const Row& row, const std::string& column)
-{
-  const auto at = row.find(column);
-  return at == row.end() ? std::strtod("nan", nullptr) : std::strtod(at->second.c_str(), nullptr);
-}
+using relievoTest::Row;
+using relievoTest::Value;
 
 // Each row of a format is within the limits of its columns; there must be `count` rows.
 void Check(const std::vector<Row>& rows, const std::string& format, int count,
@@ -157,7 +104,7 @@ int main(int argc, char* argv[])
   const std::string folder = relievoTest::OutputFolder() + "/" + name;
   vtksys::SystemTools::RemoveADirectory(folder);
   RELIEVO_CHECK(RelievoBench(name, folder) == 0);
-  const std::vector<Row> rows = ReadCsv(folder + "/" + name + ".csv");
+  const std::vector<Row> rows = relievoTest::ReadCsv(folder + "/" + name + ".csv");
   if (name == "normals")
   {
     CheckNormals(rows);

@@ -35,8 +35,8 @@ using namespace relievoTest;
 constexpr int Size = 200;
 const glm::dvec3 Mapped(0.48, 0.36, 0.8); // what the whole map holds
 
-// v is y less the bend at |x|, u is |x|: along growing u, at the same v, y follows the bend. That is
-// the tangent; the left half is mirrored.
+// v is y less the bend at |x|, u is |x|: along growing u, at the same v, y follows the bend, and so
+// does the tangent; the left half is mirrored.
 double Bend(double x)
 {
   return 0.3 * std::sin(2.5 * x);

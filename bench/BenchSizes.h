@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BenchSizes.h
+ * @brief How much the benches of materials look at: the charts' sizes, and smaller ones for tests.
+ */
+#ifndef relievoBenchSizes_h
+#define relievoBenchSizes_h
+
+#include <string>
+#include <vector>
+
+namespace relievoBench
+{
+struct EnvironmentSizes
+{
+  int Looks = 100000;
+  int Turns = 4; // of the environment against the map: what it holds where is chance
+  std::vector<int> Sides = { 8, 16, 32, 64, 128 }; // of a cube's face; the last but one by angle
+  double Detail = 1000.; // a texel is looked at Detail / sqrt(texels) times each way, 3 to 40
+  bool RealWorlds = true;
+};
+
+struct ReliefSizes
+{
+  int Texels = 512;
+  int FullCells = 1024; // of the full geometry, each way
+  int Width = 600;
+  int Height = 450;
+  int Rounds = 15;
+  std::vector<double> Angles = { 0., 45., 60., 75., 80. }; // degrees; charts show 60
+};
+
+/** The benches of the same names, smaller or larger; as RelievoBenchEnvironment and so on. */
+int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
+int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
+}
+
+#endif
