@@ -188,6 +188,7 @@ Scene BuildScene(const RenderOptions& options, Progress& progress)
       AddArrayNames(actor, scene.Arrays);
       if (mapped)
       {
+        TurnTextureCoordinates(actor);
         AddTextureCoordinates(actor, options, path);
       }
       shows = shows || vtkMath::AreBoundsInitialized(actor->GetBounds());

@@ -14,6 +14,10 @@ namespace cli
 {
 struct RenderOptions;
 
+/// Takes what turns the actor's texture coordinates about into the coordinates: those of glTF count v
+/// downwards, and VTK's importer has textures turned over instead, which maps know nothing of.
+void TurnTextureCoordinates(vtkActor* actor);
+
 /// Gives the meshes of the actor, which are of the file `path`, texture coordinates where they have
 /// polygons and none. If the options do not say how, as a box, and that is noted.
 void AddTextureCoordinates(vtkActor* actor, const RenderOptions& options, const std::string& path);

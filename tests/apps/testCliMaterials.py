@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Relief and normals by --height-map and --normal-map: what must be seen on a known plane."""
 
+import json
+
 import numpy
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkCommonTransforms import vtkTransform
@@ -159,6 +161,51 @@ class Materials(CliTest):
                 truth = 0.6 * numpy.cross(up, side) + 0.8 * side
                 for axis, value in zip("XYZ", truth):
                     numpy.testing.assert_allclose(seen[f"normal.{axis}"], value, atol=0.006)
+
+    def test_gltf(self):
+        """Images stand on a glTF model as its own textures do, though its v counts downwards."""
+        corners = numpy.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], numpy.float32)
+        normals = numpy.tile(numpy.array([0, 0, 1], numpy.float32), (4, 1))
+        texture = numpy.array([(0, 1), (1, 1), (1, 0), (0, 0)], numpy.float32)
+        triangles = numpy.array([0, 1, 2, 0, 2, 3], numpy.uint16)
+        parts = [part.tobytes() for part in (corners, normals, texture, triangles)]
+        starts = numpy.cumsum([0] + [len(part) for part in parts])
+        (self.folder / "plane.bin").write_bytes(b"".join(parts))
+        (self.folder / "plane.gltf").write_text(json.dumps({
+            "asset": {"version": "2.0"},
+            "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{
+                "attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2},
+                "indices": 3, "material": 0}]}],
+            "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0},
+                                                    "metallicFactor": 0}}],
+            "textures": [{"source": 0}], "images": [{"uri": "halves.png"}],
+            "buffers": [{"uri": "plane.bin", "byteLength": int(starts[-1])}],
+            "bufferViews": [{"buffer": 0, "byteOffset": int(start), "byteLength": len(part)}
+                            for start, part in zip(starts, parts)],
+            "accessors": [
+                {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+                 "min": [-1, -1, 0], "max": [1, 1, 0]},
+                {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3"},
+                {"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC2"},
+                {"bufferView": 3, "componentType": 5123, "count": 6, "type": "SCALAR"},
+            ],
+        }))  # fmt: skip
+        halves = numpy.zeros((64, 64, 3), numpy.uint8)
+        halves[32:] = 255  # the upper half of the image
+        write_image(vtkPNGWriter(), self.folder / "halves.png", halves)
+        upwards = numpy.round((numpy.array([0, 0.6, 0.8]) * 0.5 + 0.5) * 255).astype(numpy.uint8)
+        write_image(vtkPNGWriter(), self.folder / "up.png", numpy.tile(upwards, (8, 8, 1)))
+        self.relievo("render", "plane.gltf", *LOOK, "--height-map", "halves.png,0.2",
+                     "--normal-map", "up.png", "--exr", "a.exr",
+                     "--layers", "depth,normal,albedo")  # fmt: skip
+        seen = self.exr("a.exr")[1]
+        upper, lower = slice(5, SIDE // 2 - 5), slice(SIDE // 2 + 5, SIDE - 5)
+        numpy.testing.assert_allclose(seen["depth.Z"][upper], 5, atol=1e-4)
+        numpy.testing.assert_allclose(seen["depth.Z"][lower], 5.2, atol=1e-4)
+        numpy.testing.assert_allclose(seen["normal.Y"], 0.6, atol=0.006)
+        self.assertGreater(seen["albedo.G"][upper].min(), 0.99)
+        self.assertLess(seen["albedo.G"][lower].max(), 0.01)
 
     def test_sphere(self):
         """Longitude is u: heights that rise in the upper half of the map lie there on a ball."""
