@@ -14,8 +14,8 @@ namespace cli
 {
 struct RenderOptions;
 
-/// Takes what turns the actor's texture coordinates about into the coordinates: those of glTF count v
-/// downwards, and VTK's importer has textures turned over instead, which maps know nothing of.
+/// Puts what turns the actor's textures into its mesh's texture coordinates: those of glTF count v
+/// downwards, and VTK's importer turns textures over instead, of which maps know nothing.
 void TurnTextureCoordinates(vtkActor* actor);
 
 /// Gives the meshes of the actor, which are of the file `path`, texture coordinates where they have
