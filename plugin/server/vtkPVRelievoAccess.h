@@ -14,6 +14,7 @@
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVSynchronizedRenderer.h"
+#include "vtkSynchronizedRenderers.h"
 
 #include <array>
 #include <vector>
@@ -43,6 +44,16 @@ public:
       actors.push_back(faces->*(&Surface::BackfaceActor));
     }
     return actors;
+  }
+};
+
+class Synchronizer : public vtkSynchronizedRenderers
+{
+public:
+  // The picture that it sends or shows.
+  static vtkRawImage& Capture(vtkSynchronizedRenderers* synchronizer)
+  {
+    return (synchronizer->*(&Synchronizer::CaptureRenderedImage))();
   }
 };
 

@@ -156,13 +156,26 @@ void vtkPVRelievoMaterial::Say(vtkObject*, unsigned long, void* text)
 }
 
 //------------------------------------------------------------------------------
+bool vtkPVRelievoMaterial::IsMirroring(vtkPVView* view)
+{
+  return this->Enabled && this->Mirror && this->Internal->Representation &&
+    this->Internal->Representation->GetView() == view;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVRelievoMaterial::IsMirrored(vtkPVView* view)
+{
+  return std::any_of(GetAll().begin(), GetAll().end(),
+    [view](vtkPVRelievoMaterial* each) { return each->IsMirroring(view); });
+}
+
+//------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::Mirrors(vtkPVView* view, vtkRelievoEnvironment* environment)
 {
   for (vtkPVRelievoMaterial* each : GetAll())
   {
     Internals& in = *each->Internal;
-    if (each->Enabled && each->Mirror && in.Representation &&
-      in.Representation->GetView() == view && in.Material->GetEnvironment() != environment)
+    if (each->IsMirroring(view) && in.Material->GetEnvironment() != environment)
     {
       in.Material->SetEnvironment(environment);
       each->Apply();

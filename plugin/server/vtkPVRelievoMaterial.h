@@ -80,6 +80,9 @@ public:
   void SetIrradianceWeight(double factor);
   ///@}
 
+  /** Whether any material in the view mirrors its environment. */
+  static bool IsMirrored(vtkPVView* view);
+
   /** Gives the view's environment, or nullptr, to all materials in it that mirror. */
   static void Mirrors(vtkPVView* view, vtkRelievoEnvironment* environment);
 
@@ -97,6 +100,7 @@ private:
   vtkPVRelievoMaterial(const vtkPVRelievoMaterial&) = delete;
   void operator=(const vtkPVRelievoMaterial&) = delete;
 
+  bool IsMirroring(vtkPVView* view);
   void Apply();
   void Say(vtkObject* material, unsigned long event, void* text);
 

@@ -9,6 +9,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPVDefaultPass.h"
 #include "vtkPVRelievoAccess.h"
+#include "vtkPVRelievoEnvironment.h"
 #include "vtkPropCollection.h"
 #include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoPass.h"
@@ -42,8 +43,10 @@ public:
   vtkNew<vtkRelievoPass> Frame;
   vtkNew<vtkPVDefaultPass> Delegate;
   vtkNew<vtkLight> SunLight;
+  vtkPVRelievoEnvironment Surroundings;
   unsigned long EarlyTag = 0;
   unsigned long StartTag = 0;
+  unsigned long EndTag = 0;
   std::map<std::string, int> Asked; // layers, and by how many
   double KitIntensity = -1.0;       // the user's, of the kit's key light
   double DimmedIntensity = -1;      // what it was set to because of the sun
@@ -59,6 +62,8 @@ vtkPVRelievoView::vtkPVRelievoView()
   vtkRelievoShadowPass::AddPlainActorClass("vtkPVLODActor");
   this->Internal->SunLight->SetLightTypeToSceneLight();
   this->Internal->SunLight->PositionalOff();
+  this->Internal->Surroundings.Environment->GammaCorrectOn();
+  this->Internal->Surroundings.Environment->SetUpAxis(2);
   GetAll().push_back(this);
 }
 
@@ -71,6 +76,8 @@ vtkPVRelievoView::~vtkPVRelievoView()
     vtkRenderer* renderer = this->Internal->View->GetRenderer();
     renderer->RemoveObserver(this->Internal->EarlyTag);
     renderer->RemoveObserver(this->Internal->StartTag);
+    renderer->RemoveObserver(this->Internal->EndTag);
+    this->Internal->Surroundings.Leave(this->Internal->View);
     this->Sun = false;
     this->PlaceSun();
     auto* passes = vtkPVRelievoAccess::View::Passes(this->Internal->View);
@@ -99,6 +106,8 @@ void vtkPVRelievoView::SetView(vtkPVView* view)
   // After the observers that bring the client's camera to this process.
   in.StartTag =
     renderer->AddObserver(vtkCommand::StartEvent, this, &vtkPVRelievoView::Prepare, -10.0F);
+  // Before those that send it away.
+  in.EndTag = renderer->AddObserver(vtkCommand::EndEvent, this, &vtkPVRelievoView::Finish, 10.0F);
 }
 
 //------------------------------------------------------------------------------
@@ -166,6 +175,13 @@ void vtkPVRelievoView::Prepare()
     this->ChooseProcesses();
     ++this->NumberOfFrames;
   }
+  this->Internal->Surroundings.Prepare(this, this->Internal->View);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::Finish()
+{
+  this->Internal->Surroundings.Finish(this->Internal->View);
 }
 
 //------------------------------------------------------------------------------
@@ -315,6 +331,12 @@ vtkRelievoPass* vtkPVRelievoView::GetFrame()
 }
 
 //------------------------------------------------------------------------------
+vtkPVRelievoEnvironment& vtkPVRelievoView::GetSurroundings()
+{
+  return this->Internal->Surroundings;
+}
+
+//------------------------------------------------------------------------------
 void vtkPVRelievoView::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -328,7 +350,10 @@ void vtkPVRelievoView::PrintSelf(ostream& os, vtkIndent indent)
      << this->SunColor[2] << "\n";
   os << indent << "SunUpAxis: " << this->SunUpAxis << "\n";
   os << indent << "SunKitShare: " << this->SunKitShare << "\n";
+  os << indent << "Skybox: " << this->Internal->Surroundings.Sky << "\n";
   os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
+  os << indent << "Environment:\n";
+  this->Internal->Surroundings.Environment->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Frame:\n";
   this->Internal->Frame->PrintSelf(os, indent.GetNextIndent());
 }

@@ -20,6 +20,7 @@
 #include <memory> // for the internals
 #include <string> // for names
 
+class vtkPVRelievoEnvironment;
 class vtkPVView;
 class vtkRelievoPass;
 
@@ -114,6 +115,26 @@ public:
   void GetSunDirection(double direction[3]);
 
   ///@{
+  /**
+   * A picture of the light from all directions, which materials of the view's surfaces mirror
+   * (vtkPVRelievoMaterial); empty (default): none. Integers count as sRGB, floats as linear light.
+   * Read when it is first mirrored or shown, on each process that draws.
+   */
+  void SetEnvironment(const char* file);
+  ///@}
+
+  ///@{
+  /** As of vtkRelievoEnvironment, but that colours stand for light (GammaCorrect), and z is up. */
+  void SetEnvironmentRotation(double degrees);
+  void SetEnvironmentIntensity(double factor);
+  void SetEnvironmentUp(int axis);
+  void SetEnvironmentGammaCorrect(bool on);
+  ///@}
+
+  /** Whether the environment is shown behind everything. Default off. */
+  void SetSkybox(bool on);
+
+  ///@{
   /** As of vtkRelievoPass. */
   void SetDisplayLayer(const char* name);
   void SetDisplayRange(double first, double last);
@@ -140,6 +161,9 @@ public:
 
   /** The frame, also while it is not in use. */
   vtkRelievoPass* GetFrame();
+
+  /** The view's environment. */
+  vtkPVRelievoEnvironment& GetSurroundings();
 
   /** The object that works in a view, or nullptr. */
   static vtkPVRelievoView* Find(vtkPVView* view);
@@ -169,6 +193,7 @@ private:
   void PlaceSun();
   void ChooseCasters();
   void ChooseProcesses();
+  void Finish();
 
   class Internals;
   std::unique_ptr<Internals> Internal;

@@ -4,6 +4,7 @@
 // The settings of vtkPVRelievoView.
 #include "vtkPVRelievoView.h"
 
+#include "vtkPVRelievoEnvironment.h"
 #include "vtkPVRelievoWithin.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
@@ -113,6 +114,47 @@ void vtkPVRelievoView::SetSunKitShare(double share)
 {
   this->SunKitShare = vtkPVRelievoWithin(this, "SunKitShare", share, 0.0, 1.0);
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetEnvironment(const char* file)
+{
+  this->GetSurroundings().SetFile(file);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetEnvironmentRotation(double degrees)
+{
+  // As with the sun's azimuth, 370 is as good as 10.
+  this->GetSurroundings().Environment->SetRotation(std::isfinite(degrees)
+      ? degrees
+      : vtkPVRelievoWithin(this, "EnvironmentRotation", degrees, 0.0, 360.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetEnvironmentIntensity(double factor)
+{
+  this->GetSurroundings().Environment->SetIntensity(
+    vtkPVRelievoWithin(this, "EnvironmentIntensity", factor, 0.0, 1000.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetEnvironmentUp(int axis)
+{
+  this->GetSurroundings().Environment->SetUpAxis(
+    vtkPVRelievoWithin(this, "EnvironmentUp", axis, 0, 2));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetEnvironmentGammaCorrect(bool on)
+{
+  this->GetSurroundings().Environment->SetGammaCorrect(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSkybox(bool on)
+{
+  this->GetSurroundings().Sky = on;
 }
 
 //------------------------------------------------------------------------------

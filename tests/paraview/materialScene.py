@@ -3,8 +3,8 @@
 """A white square, seen straight from above in the light of one lamp at the camera; and maps.
 
 With the words `restore FILE PICTURE` the script loads a state and draws it; with `wrong` it gives
-wrong files and values and says what came of them; with `ranks FOLDER NAME` it draws parts of a
-square that lie on the ranks.
+wrong files and values and says what came of them; with `ranks FOLDER NAME [PORT THRESHOLD]` it
+draws parts of a square that lie on the ranks, with a server from so many megabytes on.
 """
 
 import math
@@ -39,6 +39,29 @@ def lean(degrees, towards=0.0):
     lean, towards = math.radians(degrees), math.radians(towards)
     level = math.sin(lean)
     return numpy.array([level * math.cos(towards), level * math.sin(towards), math.cos(lean)])
+
+
+# The colour of light from +x, -x, +y, -y, +z, -z of an environment; the same in sRGB and linear.
+AXES = numpy.array(
+    [[255, 0, 0], [0, 255, 255], [0, 255, 0], [255, 0, 255], [0, 0, 255], [255, 255, 0]]
+)
+
+
+def write_axes(name, rows=64):
+    """
+    An equirectangular picture of the colours of the axes; its path. As vtkRelievoEnvironment has
+    it: +y is up, the middle looks along +x, +z is a quarter to its right.
+    """
+    high = math.pi * (0.5 - (numpy.arange(rows) + 0.5) / rows)[:, None]
+    right = 2 * math.pi * ((numpy.arange(2 * rows) + 0.5) / (2 * rows) - 0.5)[None, :]
+    level = numpy.cos(high)
+    towards = numpy.stack(
+        [level * numpy.cos(right), numpy.sin(high) + 0 * right, level * numpy.sin(right)], axis=-1
+    )
+    axis = numpy.abs(towards).argmax(axis=-1)
+    negative = numpy.take_along_axis(towards, axis[..., None], axis=-1)[..., 0] < 0
+    pv.write(pv.OUTPUT / name, AXES[2 * axis + negative])
+    return str(pv.OUTPUT / name)
 
 
 class Scene:
@@ -109,12 +132,17 @@ def wrong():
     cut = pv.OUTPUT / "cut.png"
     whole = pv.OUTPUT / "whole.png"
     pv.write(whole, numpy.random.default_rng(1).integers(0, 255, (64, 64, 3)))
+    pv.write(pv.OUTPUT / "wide.png", numpy.zeros((16, 48, 3)))
     cut.write_bytes(whole.read_bytes()[:2000])
     return (
         ("RelievoNormalMap", "/nowhere.png", "'/nowhere.png', expected an image, but there is no"),
         ("RelievoHeightMap", str(text), "expected an image (png, jpg, tif, bmp, hdr, exr), but"),
         ("RelievoNormalMap", str(pv.OUTPUT), "expected an image, but it is a folder"),
         ("RelievoNormalMap", str(cut), "expected an image, but it cannot be read"),
+        ("RelievoEnvironment", "/nowhere.hdr", "'/nowhere.hdr', expected an image, but there is no"),
+        ("RelievoEnvironment", str(whole).replace("whole", "wide"), "but it has 48 x 16 pixels"),
+        ("RelievoEnvironmentIntensity", -1.0, "was given -1, expected 0 to 1000: 0 is taken"),
+        ("RelievoEnvironmentUp", 3, "was given 3, expected 0 to 2: 2 is taken"),
         ("RelievoHeightScale", -1.0, "was given -1, expected 0 to 1e+30: 0 is taken"),
         ("RelievoReliefMethod", 9, "was given 9, expected 0 to 4: 4 is taken"),
         ("RelievoRoughness", 2.0, "was given 2, expected 0 to 1: 1 is taken"),
@@ -126,13 +154,15 @@ def set_wrong():
     """Each is set and taken back; what the process writes is the result."""
     scene = Scene()
     scene.shown.RelievoMaterial = 1
+    scene.view.RelievoSkybox = 1
     _, first = scene.middle()
     for number, (name, value, _) in enumerate(wrong()):
         say(f"case {number} {name}")
-        before = getattr(scene.shown, name)
-        setattr(scene.shown, name, value)
+        owner = scene.view if "Environment" in name else scene.shown
+        before = getattr(owner, name)
+        setattr(owner, name, value)
         same = (scene.middle()[1] == first).all() and (scene.middle()[1] == first).all()
-        setattr(scene.shown, name, before)
+        setattr(owner, name, before)
         say("same", same and (scene.middle()[1] == first).all())
     say("case", "no texture coordinates")
     bare = simple.ProgrammableFilter(Input=scene.square)
@@ -167,12 +197,18 @@ self.GetOutput().ShallowCopy(made)
 """
 
 
-def draw_ranks(folder, name):
+def draw_ranks(folder, name, port=None, threshold=None):
     """Writes FOLDER/NAME-STEP.png for each step."""
+    if port:
+        simple.Connect("localhost", int(port))
+        pv.load()
+        pv.load(remote=True)
     stripes = simple.ProgrammableSource()
     stripes.OutputDataSetType = "vtkPolyData"
     stripes.Script = STRIPES
     scene = Scene(stripes, light=(1.0, 1.0, 2.0))
+    if threshold:
+        scene.view.RemoteRenderThreshold = float(threshold)
     scene.view.CameraPosition = [0.9, -1.1, 1.2]
 
     def step(what):
@@ -190,6 +226,15 @@ def draw_ranks(folder, name):
     scene.shown.RelievoHeightMap = ""
     scene.shown.RelievoNormalMap = write_normals(f"{name}-n.png", lean(30, 45))
     step("normals")
+    scene.view.RelievoEnvironment = write_axes(f"{name}-e.png")
+    scene.view.RelievoSkybox = 1
+    scene.shown.RelievoMirror, scene.shown.RelievoReflectivity = 1, 0.5
+    scene.shown.RelievoRoughness = 0.3
+    step("sky")
+    scene.shown.Opacity = 0.5
+    step("glass")
+    scene.shown.Opacity = 1.0
+    scene.view.RelievoSkybox = 0
     scene.shown.RelievoMaterial = 0
     step("off-again")
 

@@ -9,37 +9,62 @@ import subprocess
 import pv
 
 SCENE = pathlib.Path(__file__).with_name("materialScene.py")
+STEPS = ("off", "relief", "normals", "sky", "glass", "off-again")
+
+
+MPIRUN = ("mpirun", "--allow-run-as-root", "--oversubscribe", "-np")
+
+
+def draw(name, *words, tool=("pvpython",)):
+    """All steps' pictures."""
+    *launcher, tool = tool
+    done = subprocess.run(
+        [*launcher, str(pv.TOOLS / tool), *map(str, (SCENE, "ranks", pv.OUTPUT, name, *words))],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+        timeout=60,
+        # pvpython is a rank of its own already; variables that its children inherit say so.
+        env={n: v for n, v in os.environ.items() if not n.startswith(("OMPI_", "PMIX_", "ORTE_"))},
+    )
+    if done.returncode or pv.messages(done.stdout):
+        raise AssertionError(f"{name}: exit {done.returncode}\n{done.stdout}")
+    return {step: pv.read(pv.OUTPUT / f"{name}-{step}.png") for step in STEPS}
 
 
 class MaterialRanks(pv.Test):
-    def test_ranks(self):
-        """A square in two parts on two ranks, and in one."""
-        pictures = []
-        for ranks in (1, 2):
-            launcher = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(ranks)]
-            script = [SCENE, "ranks", pv.OUTPUT, ranks]
-            done = subprocess.run(
-                [*launcher, str(pv.TOOLS / "pvbatch"), *map(str, script)],
-                stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT,
-                text=True,
-                errors="replace",
-                timeout=60,
-                # pvpython is a rank of its own already; variables that its children inherit say so.
-                env={n: v for n, v in os.environ.items()
-                     if not n.startswith(("OMPI_", "PMIX_", "ORTE_"))},
-            )  # fmt: skip
-            self.assertEqual(done.returncode, 0, done.stdout)
-            self.assertEqual(pv.messages(done.stdout), [])
-            pictures.append({step: pv.read(pv.OUTPUT / f"{ranks}-{step}.png")
-                             for step in ("off", "relief", "normals", "off-again")})  # fmt: skip
-        one, two = pictures
-        for step in one:
-            # The triangles are others: a texel's look may fall on the other side of an edge.
-            self.near(one[step], two[step], step, level=2, share=0.002)
-        self.differ(one["relief"], one["off"], "relief", share=0.1)
-        self.differ(one["normals"], one["off"], "normals", share=0.1)
-        self.same(two["off"], two["off-again"], "off again")
+    """Against one process that draws alone."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.alone = draw("alone")
+
+    def compare(self, pictures, where):
+        # The triangles are others: a texel's look may fall on the other side of an edge.
+        for step in STEPS:
+            self.near(self.alone[step], pictures[step], f"{step} {where}", level=2, share=0.002)
+        self.same(pictures["off"], pictures["off-again"], f"off again {where}")
+
+    def test_scene(self):
+        """Each step is another."""
+        for first, second in zip(STEPS, STEPS[1:]):
+            self.differ(self.alone[first], self.alone[second], f"{first} {second}", share=0.1)
+
+    def test_two_ranks(self):
+        """A square in two parts."""
+        self.compare(draw("two", tool=(*MPIRUN, "2", "pvbatch")), "on two ranks")
+
+    def test_servers(self):
+        """Drawn by a server of one rank, of two, and by their client."""
+        for words, threshold, where in (
+            ((), 0, "server"),
+            ((*MPIRUN, "2"), 0, "two"),
+            ((), 1e9, "client"),
+        ):
+            with self.subTest(where), pv.Server(launcher=words) as server:
+                self.compare(draw(where, server.port, threshold), f"by {where}")
+                self.assertEqual(pv.messages(server.text()), [])
 
 
 if __name__ == "__main__":

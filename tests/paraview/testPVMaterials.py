@@ -209,7 +209,9 @@ class Materials(pv.Test):
             self.assertIn("same True", text)
 
     def wear_all(self):
-        """Every property has its other value."""
+        """Every property has its other value, in an environment."""
+        self.view.RelievoEnvironment = materialScene.write_axes("axes.png")
+        self.view.RelievoSkybox = 1
         wave = numpy.sin(numpy.linspace(0, 6 * math.pi, 64))
         name = materialScene.write_heights("map.png", 0.5 + 0.4 * wave[:, None] * wave[None, :])
         for key, (_, other) in PROPERTIES.items():

@@ -9,6 +9,7 @@ With the words `restore plugin|none FILE PICTURE` the script loads a state and d
 import json
 import sys
 
+import materialScene
 import numpy
 import pv
 import stage
@@ -30,6 +31,12 @@ PROPERTIES = {
     "RelievoSunIntensity": (0.7, 0.9),
     "RelievoSunColor": ([1.0, 1.0, 1.0], [1.0, 0.9, 0.7]),
     "RelievoSunKitShare": (0.3, 0.5),
+    "RelievoEnvironment": ("", str(pv.OUTPUT / "axes.png")),
+    "RelievoSkybox": (0, 1),
+    "RelievoEnvironmentRotation": (0.0, 30.0),
+    "RelievoEnvironmentIntensity": (1.0, 0.5),
+    "RelievoEnvironmentUp": ("Z", "Y"),
+    "RelievoEnvironmentGammaCorrect": (1, 0),
     "RelievoDisplayLayer": ("None", "normal"),
     "RelievoDisplayRange": ([0.0, 0.0], [5.0, 12.0]),
     "RelievoDisplayGrey": (0, 1),
@@ -109,6 +116,7 @@ class Scripting(pv.Test):
     @classmethod
     def setUpClass(cls):
         pv.load()
+        materialScene.write_axes("axes.png")
 
     def setUp(self):
         pv.clear()

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVRelievoEnvironment.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
+#include "vtkOpenGLError.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPVRelievoAccess.h"
+#include "vtkPVRelievoImageFile.h"
+#include "vtkPVRelievoMaterial.h"
+#include "vtkPVRelievoWithin.h"
+#include "vtkPropCollection.h"
+#include "vtkRelievoEnvironmentIrradiance.h"
+#include "vtkRelievoEnvironmentPrefilter.h"
+#include "vtkRenderer.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+namespace
+{
+// Texels across a face of the levels: a second's work.
+constexpr int LevelSize = 128;
+
+// Whether the view's picture is made elsewhere, and this process only shows it.
+bool IsDrawnElsewhere(vtkPVRenderView* view)
+{
+  return vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT &&
+    view->GetUseDistributedRenderingForRender();
+}
+
+// Who puts the pictures of several processes together, or nullptr.
+vtkSynchronizedRenderers* FindCompositor(vtkPVRenderView* view)
+{
+  auto* ranks = vtkPVRelievoAccess::View::Passes(view)->GetParallelSynchronizer();
+  vtkMultiProcessController* controller = ranks ? ranks->GetParallelController() : nullptr;
+  return controller && controller->GetNumberOfProcesses() > 1 && ranks->GetParallelRendering()
+    ? ranks
+    : nullptr;
+}
+}
+
+// What is made of a file.
+struct vtkPVRelievoEnvironment::Light
+{
+  vtkSmartPointer<vtkImageData> Image;
+  bool SRGB = false;
+  vtkSmartPointer<vtkMultiBlockDataSet> Levels;
+  vtkSmartPointer<vtkDataArray> Irradiance;
+
+  void MakeLevels()
+  {
+    if (this->Levels)
+    {
+      return;
+    }
+    vtkNew<vtkRelievoEnvironmentPrefilter> levels;
+    levels->SetInputData(this->Image);
+    levels->SetInputSRGB(this->SRGB);
+    levels->SetSize(LevelSize);
+    levels->Update();
+    this->Levels = levels->GetOutput();
+    vtkNew<vtkRelievoEnvironmentIrradiance> irradiance;
+    irradiance->SetInputData(this->Image);
+    irradiance->SetInputSRGB(this->SRGB);
+    irradiance->Update();
+    this->Irradiance =
+      vtkDataArray::SafeDownCast(irradiance->GetOutput()->GetColumnByName("radiance"));
+  }
+};
+
+//------------------------------------------------------------------------------
+std::shared_ptr<vtkPVRelievoEnvironment::Light> vtkPVRelievoEnvironment::Read(
+  vtkObject* self, const std::string& path)
+{
+  std::string failure;
+  const vtkSmartPointer<vtkImageData> image = vtkPVRelievoImageFile::Read(path, failure);
+  if (image)
+  {
+    const int* size = image->GetDimensions();
+    if (size[0] != 2 * size[1] && size[0] != size[1])
+    {
+      failure = "an image twice as wide as high (equirectangular) or as wide as high (sphere map), "
+                "but it has " +
+        std::to_string(size[0]) + " x " + std::to_string(size[1]) + " pixels";
+    }
+  }
+  if (!failure.empty())
+  {
+    if (vtkPVRelievoSpeaks())
+    {
+      vtkErrorWithObjectMacro(self,
+        "RelievoEnvironment was given '" << path << "', expected " << failure
+                                         << ". There is no environment.");
+    }
+    return nullptr;
+  }
+  static std::map<vtkImageData*, std::weak_ptr<Light>> all;
+  std::shared_ptr<Light> light = all[image].lock();
+  if (!light)
+  {
+    light = std::make_shared<Light>();
+    light->Image = image;
+    const int type = image->GetScalarType();
+    light->SRGB = type != VTK_FLOAT && type != VTK_DOUBLE;
+    all[image] = light;
+  }
+  return light;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoEnvironment::SetFile(const char* file)
+{
+  const std::string path = file ? file : "";
+  if (path != this->Path)
+  {
+    this->Path = path;
+    this->HasRead = false;
+    this->Content = nullptr;
+    this->Environment->SetImage(nullptr);
+    this->Environment->SetLevels(nullptr);
+    this->Environment->SetIrradiance(nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVRelievoEnvironment::Ready(vtkObject* self, bool mirrored)
+{
+  if (this->Path.empty())
+  {
+    return false;
+  }
+  if (!this->HasRead)
+  {
+    this->HasRead = true;
+    this->Content = Read(self, this->Path);
+  }
+  if (!this->Content)
+  {
+    return false;
+  }
+  if (mirrored)
+  {
+    this->Content->MakeLevels();
+  }
+  this->Environment->SetSRGB(this->Content->SRGB);
+  this->Environment->SetImage(this->Content->Image);
+  this->Environment->SetLevels(this->Content->Levels);
+  this->Environment->SetIrradiance(this->Content->Irradiance);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoEnvironment::Prepare(vtkObject* self, vtkPVRenderView* view)
+{
+  const bool mirrored = vtkPVRelievoMaterial::IsMirrored(view);
+  const bool ready =
+    (mirrored || this->Sky) && !IsDrawnElsewhere(view) && this->Ready(self, mirrored);
+  vtkPVRelievoMaterial::Mirrors(view, ready ? this->Environment.Get() : nullptr);
+  this->Skybox->SetEnvironment(ready && this->Sky ? this->Environment.Get() : nullptr);
+  vtkRenderer* renderer = view->GetRenderer();
+  const bool wanted = this->Skybox->GetEnvironment() && !FindCompositor(view);
+  if (wanted && !renderer->HasViewProp(this->Skybox))
+  {
+    renderer->AddViewProp(this->Skybox);
+  }
+  else if (!wanted)
+  {
+    renderer->RemoveViewProp(this->Skybox);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoEnvironment::Finish(vtkPVRenderView* view)
+{
+  vtkSynchronizedRenderers* ranks = FindCompositor(view);
+  vtkRenderer* renderer = view->GetRenderer();
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!this->Skybox->GetEnvironment() || !ranks || !window || renderer->GetSelector() ||
+    ranks->GetParallelController()->GetLocalProcessId() != 0)
+  {
+    return;
+  }
+  auto& whole = vtkPVRelievoAccess::Synchronizer::Capture(ranks);
+  vtkUnsignedCharArray* colors = whole.GetRawPtr();
+  if (!whole.IsValid() || colors->GetNumberOfComponents() != 4)
+  {
+    return;
+  }
+  // Where the picture was drawn is free: the whole is put there next.
+  const int width = whole.GetWidth();
+  const int height = whole.GetHeight();
+  std::vector<unsigned char> sky(static_cast<std::size_t>(width) * height * 4);
+  vtkOpenGLState* state = window->GetState();
+  state->Push();
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglViewport(0, 0, width, height);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+  this->Skybox->RenderOpaqueGeometry(renderer);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, sky.data());
+  state->Pop();
+  unsigned char* color = colors->GetPointer(0);
+  for (std::size_t i = 0; i < sky.size(); i += 4)
+  {
+    const int behind = 255 - color[i + 3]; // colours come multiplied by their opacity
+    for (std::size_t j = i; j < i + 3; ++j)
+    {
+      color[j] =
+        static_cast<unsigned char>(std::min(255, color[j] + (behind * sky[j] + 127) / 255));
+    }
+    color[i + 3] = 255;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoEnvironment::Leave(vtkPVRenderView* view)
+{
+  view->GetRenderer()->RemoveViewProp(this->Skybox);
+  vtkPVRelievoMaterial::Mirrors(view, nullptr);
+}
