@@ -139,7 +139,7 @@ def wrong():
         ("RelievoHeightMap", str(text), "expected an image (png, jpg, tif, bmp, hdr, exr), but"),
         ("RelievoNormalMap", str(pv.OUTPUT), "expected an image, but it is a folder"),
         ("RelievoNormalMap", str(cut), "expected an image, but it cannot be read"),
-        ("RelievoEnvironment", "/nowhere.hdr", "'/nowhere.hdr', expected an image, but there is no"),
+        ("RelievoEnvironment", "/nowhere.hdr", "/nowhere.hdr', expected an image, but there is"),
         ("RelievoEnvironment", str(whole).replace("whole", "wide"), "but it has 48 x 16 pixels"),
         ("RelievoEnvironmentIntensity", -1.0, "was given -1, expected 0 to 1000: 0 is taken"),
         ("RelievoEnvironmentUp", 3, "was given 3, expected 0 to 2: 2 is taken"),
