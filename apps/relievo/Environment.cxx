@@ -24,8 +24,10 @@ namespace cli
 {
 namespace
 {
-// Texels across a face of the sharpest of the levels for rough mirrors: a second's work.
+// Texels across a face of the sharpest of the levels for rough mirrors, and what their sums may err
+// by: a second's work.
 constexpr int LevelSize = 128;
+constexpr double LevelTolerance = 2e-3;
 
 //------------------------------------------------------------------------------
 void CheckShape(vtkImageData* image, const std::string& path)
@@ -82,6 +84,7 @@ vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
     levels->SetInputData(image);
     levels->SetInputSRGB(sRGB);
     levels->SetSize(LevelSize);
+    levels->SetTolerance(LevelTolerance);
     progress.Observe(levels);
     levels->Update();
     environment->SetLevels(levels->GetOutput());
