@@ -8,10 +8,10 @@ one with shadows against one without shadows, and the same beside ParaView, of t
 PLUGIN is the path of Relievo.so, DATA the folder that tools/unpack-data fills; the package relievo
 is on PYTHONPATH. The two frames of a pair are drawn in turn, a few in every round, the first or the
 second first by chance, so that what else the machine does meets both; frames with and without the
-plugin by two processes. A ratio is the median of the rounds' ratios, +- half the distance of its
-quartiles. On a machine that does other things (the load is in the last column) the ratios of
-processor time, over all threads, are the steadier ones: with software OpenGL they are nearly all of
-a frame.
+plugin by two processes, which others follow every few rounds. A ratio is the median of the rounds'
+ratios, +- half the distance of its quartiles. On a machine that does other things (the load is in
+the last column) the ratios of processor time, over all threads, are the steadier ones: with
+software OpenGL they are nearly all of a frame.
 """
 
 import argparse
@@ -26,6 +26,7 @@ import time
 
 SCENES = {"bunny": "bunny.off", "motorBike": "motorBike.obj", "buildings": "buildings.obj"}
 FRAMES = 3  # timed in each turn
+ROUNDS_OF_A_PROCESS = 3  # then others: one may be faster than the other for as long as it lives
 MOTIONS = ("still", "camera moves", "light moves")
 # pairs of frames: the process that draws each (none: without the plugin; alone: VTK), sun, shadows
 PAIRS = (
@@ -191,13 +192,13 @@ class Alone:
 
 
 def work(kind, data, name):
-    """A process that draws when it is told: lines `SUN SHADOWS MOTION` come, lines of milliseconds
-    go, by the clock and of processor time."""
+    """A process that draws when it is told: lines `SUN SHADOWS ROUND MOTION` come, lines of
+    milliseconds go, by the clock and of processor time. A round is the same path in each process."""
     scene = (Alone if kind == "alone" else InParaView)(kind, data, name)
     print("ready", flush=True)
-    count = 0
     for line in open(0, encoding="ascii"):  # sys.stdin is ParaView's own
-        sun, shadows, motion = line.strip().split(" ", 2)
+        sun, shadows, number, motion = line.strip().split(" ", 3)
+        count = int(number) * (FRAMES + 4)
         times = []
         for frame in range(-4, FRAMES):
             count += 1
@@ -223,8 +224,8 @@ class Worker:
         if self.process.stdout.readline().strip() != "ready":
             raise SystemExit(f"the process that draws {name} ({kind}) did not start")
 
-    def draw(self, sun, shadows, motion):
-        self.process.stdin.write(f"{sun} {shadows} {motion}\n")
+    def draw(self, sun, shadows, number, motion):
+        self.process.stdin.write(f"{sun} {shadows} {number} {motion}\n")
         self.process.stdin.flush()
         return tuple(map(float, self.process.stdout.readline().split()))
 
@@ -242,23 +243,27 @@ def ratio(times, others):
 
 def bench(given, name):
     kinds = {"none": "none", "plugin": given.plugin, "alone": "alone"}
-    workers = {kind: Worker(word, given.data, name) for kind, word in kinds.items()}
-    for motion in MOTIONS:
-        for pair in PAIRS:
-            times = {frame: [] for frame in pair}
-            for _ in range(given.rounds):
+    times = {(motion, frame): [] for motion in MOTIONS for pair in PAIRS for frame in pair}
+    for number in range(given.rounds):
+        if number % ROUNDS_OF_A_PROCESS == 0:
+            workers = {kind: Worker(word, given.data, name) for kind, word in kinds.items()}
+        for motion in MOTIONS:
+            for pair in PAIRS:
                 for frame in random.sample(pair, 2):
                     _, kind, sun, shadows = frame
-                    times[frame].append(workers[kind].draw(sun, shadows, motion))
+                    times[motion, frame].append(workers[kind].draw(sun, shadows, number, motion))
+        if number % ROUNDS_OF_A_PROCESS == ROUNDS_OF_A_PROCESS - 1 or number == given.rounds - 1:
+            for worker in workers.values():
+                worker.end()
+    for motion in MOTIONS:
+        for pair in PAIRS:
             cells = [name, motion, pair[1][0], pair[0][0]]
             for clock in (0, 1):
-                first, second = ([each[clock] for each in times[frame]] for frame in pair)
+                first, second = ([each[clock] for each in times[motion, frame]] for frame in pair)
                 found = ratio(second, first)
                 cells += [f"{statistics.median(second):.1f}", f"{found[0]:.3f}", f"{found[1]:.3f}"]
             cells.append(f"{os.getloadavg()[0]:.1f}")
             print(",".join(f'"{cell}"' if "," in cell else cell for cell in cells), flush=True)
-    for worker in workers.values():
-        worker.end()
 
 
 def main():
@@ -268,7 +273,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("plugin")
     parser.add_argument("data")
-    parser.add_argument("--rounds", type=int, default=21)
+    parser.add_argument("--rounds", type=int, default=30)
     parser.add_argument("--scenes", default=",".join(SCENES))
     given = parser.parse_args()
     columns = ["milliseconds", "ratio", "+-"]
