@@ -203,7 +203,8 @@ public:
    * it at grazing angles (C. Schlick, An inexpensive BRDF model for physically-based rendering,
    * 1994), but for rough surfaces, 1 - Roughness (S. Lagarde, Adopting a physically based shading
    * model, 2011). The rest is what the surface shows otherwise; of a translucent one, also what is
-   * behind. Default 0.04: of glass, plastic, paint; metals have 0.5 to 1.
+   * behind. Default 0.04: of glass, plastic, paint. As far as a PBR surface is a metal (Metallic of
+   * its vtkProperty) its own colour takes this share's place, and tints what is mirrored.
    */
   vtkSetClampMacro(Reflectivity, double, 0.0, 1.0);
   vtkGetMacro(Reflectivity, double);

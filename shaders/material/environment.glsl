@@ -18,7 +18,7 @@ uniform mat3 relievoEnvironmentFromWorld;
 uniform vec4 relievoReflection; // reflectivity, roughness, weight, intensity
 vec3 relievoReflected = vec3(0.0); // direction in the environment
 float relievoReflectedWidth = 0.0; // radians that the pixel sees of it
-float relievoMirrored = 0.0; // share of the light
+float relievoGaze = 0.0; // cosine of the view to the normal
 
 #ifdef RELIEVO_ENCODED
 vec3 relievoLightOf(vec3 color)
@@ -51,9 +51,7 @@ uniform vec3 relievoIrradiance[9]; // with intensity and weight, over pi
     mat3 fromVC = relievoEnvironmentFromWorld * envMatrix;
     relievoReflected = normalize(fromVC * reflect(gazeVC, normalVCVSOutput));
     relievoReflectedWidth = max(length(dFdx(relievoReflected)), length(dFdy(relievoReflected)));
-    float cosine = -dot(gazeVC, normalVCVSOutput);
-    relievoMirrored =
-      relievoReflection.z * relievoFresnel(relievoReflection.x, cosine, relievoReflection.y);
+    relievoGaze = -dot(gazeVC, normalVCVSOutput);
   }
 
 //RELIEVO::Section(Light)
@@ -75,8 +73,19 @@ uniform vec3 relievoIrradiance[9]; // with intensity and weight, over pi
   {
     vec3 mirrored =
       relievoReflection.w * relievoEnvironmentLight(relievoReflected, relievoReflectedWidth);
-    float opacity = 1.0 - (1.0 - gl_FragData[0].a) * (1.0 - relievoMirrored);
-    vec3 own = relievoLightOf(gl_FragData[0].rgb) * gl_FragData[0].a * (1.0 - relievoMirrored);
-    vec3 light = (own + relievoMirrored * mirrored) / max(opacity, 1e-6);
+    vec3 share =
+      vec3(relievoFresnel(relievoReflection.x, relievoGaze, relievoReflection.y));
+#ifdef RELIEVO_PBR
+    // A metal's mirror has its colour.
+    vec3 ofMetal = vec3(relievoFresnel(albedo.r, relievoGaze, relievoReflection.y),
+      relievoFresnel(albedo.g, relievoGaze, relievoReflection.y),
+      relievoFresnel(albedo.b, relievoGaze, relievoReflection.y));
+    share = mix(share, ofMetal, metallic);
+#endif
+    share *= relievoReflection.z;
+    float hidden = max(share.r, max(share.g, share.b)); // of what is behind
+    float opacity = 1.0 - (1.0 - gl_FragData[0].a) * (1.0 - hidden);
+    vec3 own = relievoLightOf(gl_FragData[0].rgb) * gl_FragData[0].a * (1.0 - share);
+    vec3 light = (own + share * mirrored) / max(opacity, 1e-6);
     gl_FragData[0] = vec4(relievoColorOf(light), opacity);
   }

@@ -235,6 +235,34 @@ void TestFresnel()
   }
 }
 
+// A PBR surface mirrors in its own colour as far as it is a metal, and white where it is grazed.
+void TestMetal()
+{
+  const glm::dvec3 normal(0., 0., 1.);
+  const glm::dvec3 gold(1., 0.77, 0.34);
+  Scene scene(Smooth, Cube, 256, Wall(normal));
+  vtkProperty* look = scene.Actor->GetProperty();
+  look->SetInterpolationToPBR();
+  look->SetColor(gold.x, gold.y, gold.z);
+  scene.Material->SetReflectivity(0.04);
+  scene.LookAt({ 1.5, 0.2, 0.5 }, 40.);
+  for (const double metallic : { 0., 0.5, 1. })
+  {
+    look->SetMetallic(metallic);
+    RELIEVO_CHECK_AT_MOST(scene.Worst([&](const glm::dvec3& d) {
+      const double cosine = -glm::dot(d, normal);
+      if (cosine < 0.1) // the wall ends
+      {
+        return Nothing;
+      }
+      const glm::dvec3 straight = glm::mix(glm::dvec3(0.04), gold, metallic);
+      const glm::dvec3 share = straight + (1. - straight) * std::pow(1. - cosine, 5.);
+      return glm::pow(share * Smooth(glm::reflect(d, normal)), glm::dvec3(1. / 2.2));
+    }),
+      1., "metal " + std::to_string(metallic) + ", 255ths");
+  }
+}
+
 vtkSmartPointer<vtkPolyData> FineBall()
 {
   vtkNew<vtkSphereSource> ball;
@@ -320,6 +348,7 @@ int main()
   TestTurns();
   TestNormalMap();
   TestFresnel();
+  TestMetal();
   TestFurnace();
   TestIrradiance();
   return session.Result();
