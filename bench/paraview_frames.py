@@ -193,7 +193,7 @@ class Alone:
 
 def work(kind, data, name):
     """A process that draws when it is told: lines `SUN SHADOWS ROUND MOTION` come, lines of
-    milliseconds go, by the clock and of processor time. A round is the same path in each process."""
+    milliseconds go, by the clock and of processor time. A round is the same path each time."""
     scene = (Alone if kind == "alone" else InParaView)(kind, data, name)
     print("ready", flush=True)
     for line in open(0, encoding="ascii"):  # sys.stdin is ParaView's own
