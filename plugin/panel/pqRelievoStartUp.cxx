@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqRelievoStartUp.h"
 
+#include "pqActiveObjects.h"
 #include "pqCoreUtilities.h"
+#include "pqDataRepresentation.h"
 #include "pqPropertiesPanel.h"
 #include "pqRelievoPanel.h"
 #include "pqRelievoToolBar.h"
@@ -40,10 +42,13 @@ void pqRelievoStartUp::Refresh()
   }
   for (pqPropertiesPanel* panel : window->findChildren<pqPropertiesPanel*>())
   {
-    // It makes a view's widgets when the view becomes another one.
+    // It makes widgets when the view or the representation becomes another one.
     pqView* view = panel->view();
     panel->setView(nullptr);
     panel->setView(view);
+    pqDataRepresentation* shown = pqActiveObjects::instance().activeRepresentation();
+    panel->setRepresentation(nullptr);
+    panel->setRepresentation(shown);
   }
   for (pqRelievoPanel* panel : window->findChildren<pqRelievoPanel*>())
   {

@@ -28,13 +28,22 @@
 #endif
 
 #include <cstring>
+#include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkSMRelievoViews);
 
 namespace
 {
-constexpr const char* SubProxyName = "Relievo";
+// What older proxies are given: the sub-proxy of view.xml, and that of material.xml.
+struct Kind
+{
+  const char* Group;
+  const char* SubProxy;
+};
+constexpr Kind View{ "views", "Relievo" };
+constexpr Kind Representation{ "representations", "RelievoMaterial" };
 
 vtkSmartPointer<vtkSMRelievoViews>& Instance()
 {
@@ -42,8 +51,8 @@ vtkSmartPointer<vtkSMRelievoViews>& Instance()
   return instance;
 }
 
-// The part of a view's definition that makes Relievo's sub-proxy, or nullptr.
-vtkPVXMLElement* FindSubProxyElement(vtkPVXMLElement* definition)
+// The part of a definition that makes Relievo's sub-proxy, or nullptr.
+vtkPVXMLElement* FindSubProxyElement(vtkPVXMLElement* definition, const char* name)
 {
   for (unsigned int i = 0; definition && i < definition->GetNumberOfNestedElements(); ++i)
   {
@@ -51,7 +60,7 @@ vtkPVXMLElement* FindSubProxyElement(vtkPVXMLElement* definition)
     vtkPVXMLElement* proxy = std::strcmp(element->GetName(), "SubProxy") == 0
       ? element->FindNestedElementByName("Proxy")
       : nullptr;
-    if (proxy && std::strcmp(proxy->GetAttributeOrEmpty("name"), SubProxyName) == 0)
+    if (proxy && std::strcmp(proxy->GetAttributeOrEmpty("name"), name) == 0)
     {
       return element;
     }
@@ -59,10 +68,11 @@ vtkPVXMLElement* FindSubProxyElement(vtkPVXMLElement* definition)
   return nullptr;
 }
 
-// What the user saved as defaults of render views; ParaView gives it to new views only.
-void TakeUserDefaults(vtkSMSessionProxyManager* manager, vtkSMProxy* view, vtkSMProxy* settings)
+// What the user saved as defaults of such proxies; ParaView gives it to new ones only.
+void TakeUserDefaults(vtkSMSessionProxyManager* manager, vtkSMProxy* proxy, const char* name)
 {
-  auto fresh = vtk::TakeSmartPointer(manager->NewProxy(view->GetXMLGroup(), view->GetXMLName()));
+  vtkSMProxy* settings = vtkSMRelievoAccess::Proxy::Find(proxy, name);
+  auto fresh = vtk::TakeSmartPointer(manager->NewProxy(proxy->GetXMLGroup(), proxy->GetXMLName()));
   if (!fresh)
   {
     return;
@@ -71,7 +81,7 @@ void TakeUserDefaults(vtkSMSessionProxyManager* manager, vtkSMProxy* view, vtkSM
   fresh->SetLocation(0);
   fresh->SetPrototype(true);
   vtkSMSettings::GetInstance()->GetProxySettings(fresh);
-  vtkSMProxy* from = vtkSMRelievoAccess::Proxy::Find(fresh, SubProxyName);
+  vtkSMProxy* from = vtkSMRelievoAccess::Proxy::Find(fresh, name);
   auto property = vtk::TakeSmartPointer(settings->NewPropertyIterator());
   for (property->Begin(); from && !property->IsAtEnd(); property->Next())
   {
@@ -82,18 +92,19 @@ void TakeUserDefaults(vtkSMSessionProxyManager* manager, vtkSMProxy* view, vtkSM
   }
 }
 
-// Undo makes a closed view anew from a state that names its sub-proxies.
-void AddToState(vtkSMProxy* view, vtkSMProxy* settings)
+// Undo makes a closed view or a deleted representation anew from a state that names its sub-proxies.
+void AddToState(vtkSMProxy* proxy, const char* name)
 {
-  auto add = [settings](vtkSMMessage& state) {
+  vtkSMProxy* settings = vtkSMRelievoAccess::Proxy::Find(proxy, name);
+  auto add = [settings, name](vtkSMMessage& state) {
     ProxyState_SubProxy* entry = state.AddExtension(ProxyState::subproxy);
-    entry->set_name(SubProxyName);
+    entry->set_name(name);
     entry->set_global_id(settings->GetGlobalID());
   };
-  add(*vtkSMRelievoAccess::Proxy::GetState(view));
+  add(*vtkSMRelievoAccess::Proxy::GetState(proxy));
   vtkSMMessage kept;
-  vtkSMStateLocator* states = view->GetSession()->GetStateLocator();
-  if (states && states->FindState(view->GetGlobalID(), &kept, false))
+  vtkSMStateLocator* states = proxy->GetSession()->GetStateLocator();
+  if (states && states->FindState(proxy->GetGlobalID(), &kept, false))
   {
     add(kept);
     states->RegisterState(&kept);
@@ -101,23 +112,24 @@ void AddToState(vtkSMProxy* view, vtkSMProxy* settings)
 }
 
 // Prototypes that were made of old definitions.
-void DropPrototypes(vtkSMSessionProxyManager* manager)
+void DropPrototypes(vtkSMSessionProxyManager* manager, const Kind& kind)
 {
+  const std::string group = std::string(kind.Group) + "_prototypes";
   std::vector<vtkSmartPointer<vtkSMProxy>> old;
   vtkNew<vtkSMProxyIterator> prototype;
   prototype->SetSessionProxyManager(manager);
   prototype->SetSkipPrototypes(false);
-  for (prototype->Begin("views_prototypes"); !prototype->IsAtEnd(); prototype->Next())
+  for (prototype->Begin(group.c_str()); !prototype->IsAtEnd(); prototype->Next())
   {
     old.emplace_back(prototype->GetProxy());
   }
   for (vtkSMProxy* each : old)
   {
-    manager->UnRegisterProxy("views_prototypes", each->GetXMLName(), each);
+    manager->UnRegisterProxy(group.c_str(), each->GetXMLName(), each);
   }
 }
 
-// paraview.servermanager keeps a class of each kind of view from its first use on.
+// paraview.servermanager keeps a class of each kind of proxy from its first use on.
 void TellPython()
 {
 #if VTK_MODULE_ENABLE_VTK_PythonInterpreter
@@ -133,12 +145,44 @@ if make and sm.ActiveConnection:
     manager = sm.ActiveConnection.Session.GetSessionProxyManager()
     for kind in vars(sm.ActiveConnection.ProxiesNS.rendering).values():
         if isinstance(kind, type) and issubclass(kind, sm.Proxy):
-            proto = manager.GetPrototypeProxy("views", kind.__name__)
-            for name, value in make(proto).items() if proto else ():
-                if name.startswith("Relievo") and not hasattr(kind, name):
-                    setattr(kind, name, value)
+            for group in "views", "representations":
+                if not manager.GetProxyDefinitionManager().HasDefinition(group, kind.__name__):
+                    continue
+                proto = manager.GetPrototypeProxy(group, kind.__name__)
+                for name, value in make(proto).items() if proto else ():
+                    if name.startswith("Relievo") and not hasattr(kind, name):
+                        setattr(kind, name, value)
 ''', {}))");
 #endif
+}
+
+// Gives one proxy what later ones have; false if there was nothing to do.
+bool UpgradeProxy(vtkSMProxy* proxy, const Kind& kind)
+{
+  if (!proxy || !proxy->GetObjectsCreated() ||
+    vtkSMRelievoAccess::Proxy::Find(proxy, kind.SubProxy))
+  {
+    return false;
+  }
+  vtkSMSessionProxyManager* manager = proxy->GetSessionProxyManager();
+  vtkPVXMLElement* element =
+    FindSubProxyElement(manager->GetProxyDefinitionManager()->GetCollapsedProxyDefinition(
+                          proxy->GetXMLGroup(), proxy->GetXMLName(), nullptr, false),
+      kind.SubProxy);
+  if (!element)
+  {
+    return false;
+  }
+  vtkNew<vtkPVXMLElement> part;
+  part->AddNestedElement(element, 0);
+  if (!vtkSMRelievoAccess::Proxy::Make(proxy, manager, part))
+  {
+    return false;
+  }
+  TakeUserDefaults(manager, proxy, kind.SubProxy);
+  vtkSMRelievoAccess::Proxy::Find(proxy, kind.SubProxy)->UpdateVTKObjects();
+  AddToState(proxy, kind.SubProxy);
+  return true;
 }
 }
 
@@ -180,7 +224,7 @@ void vtkSMRelievoViews::OnChange()
 //------------------------------------------------------------------------------
 int vtkSMRelievoViews::Upgrade()
 {
-  std::vector<vtkSmartPointer<vtkSMProxy>> views;
+  std::vector<std::pair<vtkSmartPointer<vtkSMProxy>, const Kind*>> older;
   auto session = vtk::TakeSmartPointer(vtkProcessModule::GetProcessModule()->NewSessionIterator());
   for (session->InitTraversal(); !session->IsDoneWithTraversal(); session->GoToNextItem())
   {
@@ -189,12 +233,15 @@ int vtkSMRelievoViews::Upgrade()
     {
       continue; // in a shared session proxies must stay as the server sent them
     }
-    DropPrototypes(current->GetSessionProxyManager());
-    vtkNew<vtkSMProxyIterator> view;
-    view->SetSessionProxyManager(current->GetSessionProxyManager());
-    for (view->Begin("views"); !view->IsAtEnd(); view->Next())
+    for (const Kind* kind : { &View, &Representation })
     {
-      views.emplace_back(view->GetProxy());
+      DropPrototypes(current->GetSessionProxyManager(), *kind);
+      vtkNew<vtkSMProxyIterator> proxy;
+      proxy->SetSessionProxyManager(current->GetSessionProxyManager());
+      for (proxy->Begin(kind->Group); !proxy->IsAtEnd(); proxy->Next())
+      {
+        older.emplace_back(proxy->GetProxy(), kind);
+      }
     }
   }
 
@@ -206,9 +253,9 @@ int vtkSMRelievoViews::Upgrade()
     undo->SetIgnoreAllChanges(true);
   }
   int count = 0;
-  for (vtkSMProxy* view : views)
+  for (const auto& each : older)
   {
-    count += vtkSMRelievoViews::UpgradeView(view) ? 1 : 0;
+    count += UpgradeProxy(each.first, *each.second) ? 1 : 0;
   }
   if (undo)
   {
@@ -225,35 +272,13 @@ int vtkSMRelievoViews::Upgrade()
 //------------------------------------------------------------------------------
 bool vtkSMRelievoViews::UpgradeView(vtkSMProxy* view)
 {
-  if (!view || !view->GetObjectsCreated() || vtkSMRelievoViews::GetSettings(view))
-  {
-    return false;
-  }
-  vtkSMSessionProxyManager* manager = view->GetSessionProxyManager();
-  vtkPVXMLElement* element =
-    FindSubProxyElement(manager->GetProxyDefinitionManager()->GetCollapsedProxyDefinition(
-      view->GetXMLGroup(), view->GetXMLName(), nullptr, false));
-  if (!element)
-  {
-    return false;
-  }
-  vtkNew<vtkPVXMLElement> part;
-  part->AddNestedElement(element, 0);
-  if (!vtkSMRelievoAccess::Proxy::Make(view, manager, part))
-  {
-    return false;
-  }
-  vtkSMProxy* settings = vtkSMRelievoViews::GetSettings(view);
-  TakeUserDefaults(manager, view, settings);
-  settings->UpdateVTKObjects();
-  AddToState(view, settings);
-  return true;
+  return UpgradeProxy(view, View);
 }
 
 //------------------------------------------------------------------------------
 vtkSMProxy* vtkSMRelievoViews::GetSettings(vtkSMProxy* view)
 {
-  return view ? vtkSMRelievoAccess::Proxy::Find(view, SubProxyName) : nullptr;
+  return view ? vtkSMRelievoAccess::Proxy::Find(view, View.SubProxy) : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMRelievoViews
- * @brief Gives render views that are older than the plugin what later ones are made with.
+ * @brief Gives render views and surfaces that are older than the plugin what later ones are made
+ * with.
  *
- * A view's proxy is built from its XML once. Those made before the plugin came (ParaView's window
- * always holds one) lack the sub-proxy and the properties of view.xml. This adds them from the same
- * XML, in the process that holds the proxies, as soon as that process and its server know the
- * plugin: when it is loaded on either, and when definitions are read again. Views that have them
- * stay as they are.
+ * A proxy is built from its XML once. Views made before the plugin came (ParaView's window always
+ * holds one) lack the sub-proxy and the properties of view.xml, representations those of
+ * material.xml. This adds them from the same XML, in the process that holds the proxies, as soon as
+ * that process and its server know the plugin: when it is loaded on either, and when definitions
+ * are read again. Those that have them stay as they are.
  *
- * Where a Python interpreter runs, its classes of views learn the properties too.
+ * Where a Python interpreter runs, its classes learn the properties too.
  *
- * Events: vtkCommand::UpdateEvent after Upgrade() has changed a view.
+ * Events: vtkCommand::UpdateEvent after Upgrade() has changed any.
  */
 #ifndef vtkSMRelievoViews_h
 #define vtkSMRelievoViews_h
@@ -35,7 +36,7 @@ public:
   /** The one that Start() made; nullptr before, and in processes without proxies (servers). */
   static vtkSMRelievoViews* GetInstance();
 
-  /** Upgrades every view of every session; returns how many it changed. */
+  /** Upgrades all views and representations of every session; returns how many it changed. */
   int Upgrade();
 
   /** Upgrades one view's proxy. True if it was changed, false if there was nothing to do. */

@@ -1,21 +1,27 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Views that are older than the plugin get what later ones have."""
+"""Views and surfaces that are older than the plugin get what later ones have."""
 
+import materialScene
 import pv
 from paraview import servermanager, simple
 
 # A user's saved defaults of render views.
 servermanager.vtkSMSettings.GetInstance().AddCollectionFromString(
-    '{"views": {"RenderView": {"RelievoShadowMapSize": 512}}}', 10.0)
+    '{"views": {"RenderView": {"RelievoShadowMapSize": 512}},'
+    ' "representations": {"GeometryRepresentation": {"RelievoHeightScale": 0.5}}}', 10.0)
 OLDER = simple.CreateView("RenderView")
 CHART = simple.CreateView("XYChartView")
 OLDER.ViewSize = [300, 200]
 simple.Show(simple.Sphere(), OLDER)
-simple.Show(simple.Plane(XResolution=1, YResolution=1), OLDER)
+PLANE = simple.Plane(XResolution=1, YResolution=1)
+OLDER_PLANE = simple.Show(PLANE, OLDER)
+OLDER_GRID = simple.Show(simple.Wavelet(WholeExtent=[0, 1, 0, 1, 0, 1]), OLDER)
 BEFORE = pv.picture(OLDER)
 pv.load()
 LATER = simple.CreateView("RenderView")
+LATER_PLANE = simple.Show(PLANE, LATER)
+LATER_GRID = simple.Show(simple.Wavelet(WholeExtent=[0, 1, 0, 1, 0, 1]), LATER)
 
 
 def names(view):
@@ -51,6 +57,18 @@ class OlderViews(pv.Test):
         self.assertEqual(LATER.RelievoShadowMapSize, 512)
         self.assertEqual(OLDER.RelievoShadowMapSize, 512)
         self.assertEqual(OLDER.RelievoSunElevation, LATER.RelievoSunElevation)
+
+    def testSurfaces(self):
+        """The same of representations: properties, defaults, and that they work; gone again too."""
+        self.assertIn("RelievoNormalMap", names(LATER_PLANE))
+        self.assertEqual(names(OLDER_PLANE), names(LATER_PLANE))
+        self.assertEqual(names(OLDER_GRID), names(LATER_GRID))
+        self.assertEqual(OLDER_PLANE.RelievoHeightScale, 0.5)
+        leaning = materialScene.write_normals("leaning.png", materialScene.lean(40))
+        OLDER_PLANE.RelievoMaterial, OLDER_PLANE.RelievoNormalMap = 1, leaning
+        self.differ(pv.picture(OLDER), BEFORE, "worn")
+        OLDER_PLANE.RelievoMaterial = 0
+        self.same(pv.picture(OLDER), BEFORE, "off again")
 
     def testOnce(self):
         """Loading another time changes nothing."""
