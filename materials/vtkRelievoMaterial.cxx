@@ -233,6 +233,12 @@ vtkIdType vtkRelievoMaterial::GetBytesHeld()
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoMaterial::ReleaseTextureUnits()
+{
+  Internals::GiveBack();
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoMaterial::Render(const vtkRenderState*) {}
 
 //------------------------------------------------------------------------------

@@ -227,6 +227,12 @@ public:
   vtkGetMacro(IrradianceWeight, double);
   ///@}
 
+  /**
+   * Gives back the texture units of the material that was drawn last, as the next one that is drawn
+   * does. For applications whose windows share their OpenGL state: after each picture.
+   */
+  static void ReleaseTextureUnits();
+
   /** Bytes of the maps' textures on the GPU; the environment counts its own. */
   vtkIdType GetBytesHeld();
 

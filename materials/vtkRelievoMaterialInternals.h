@@ -41,7 +41,7 @@ public:
     static Internals* inUse = nullptr;
     return inUse;
   }
-  void Use()
+  static void GiveBack()
   {
     Internals*& inUse = GetInUse();
     if (inUse)
@@ -53,7 +53,12 @@ public:
         vtkRelievoEnvironmentTextures::Of(inUse->Environment).Deactivate(inUse->Window);
       }
     }
-    inUse = this;
+    inUse = nullptr;
+  }
+  void Use()
+  {
+    GiveBack();
+    GetInUse() = this;
   }
   ~Internals()
   {

@@ -217,7 +217,7 @@ void pqRelievoPanel::Refresh()
   pqRelievoFrameReport report;
   const bool drawn = report.Read(this->PullReport());
   this->Show(report);
-  this->Tell(drawn ? QString() : "Nothing of Relievo is on: the picture is ParaView's own.");
+  this->Tell(drawn ? QString() : "Neither shadows nor layers are on.");
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,7 @@
 #include "vtkPropCollection.h"
 #include "vtkRelievoEnvironmentIrradiance.h"
 #include "vtkRelievoEnvironmentPrefilter.h"
+#include "vtkRelievoMaterial.h"
 #include "vtkRenderer.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
@@ -180,6 +181,7 @@ void vtkPVRelievoEnvironment::Prepare(vtkObject* self, vtkPVRenderView* view)
 //------------------------------------------------------------------------------
 void vtkPVRelievoEnvironment::Finish(vtkPVRenderView* view)
 {
+  vtkRelievoMaterial::ReleaseTextureUnits(); // ParaView's windows share their OpenGL state
   vtkSynchronizedRenderers* ranks = FindCompositor(view);
   vtkRenderer* renderer = view->GetRenderer();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());

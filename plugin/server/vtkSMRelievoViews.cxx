@@ -92,7 +92,7 @@ void TakeUserDefaults(vtkSMSessionProxyManager* manager, vtkSMProxy* proxy, cons
   }
 }
 
-// Undo makes a closed view or a deleted representation anew from a state that names its sub-proxies.
+// Undo makes a closed view or deleted representation anew from a state that names its sub-proxies.
 void AddToState(vtkSMProxy* proxy, const char* name)
 {
   vtkSMProxy* settings = vtkSMRelievoAccess::Proxy::Find(proxy, name);

@@ -6,6 +6,7 @@ import materialScene
 import numpy
 import pv
 from materialScene import AXES, LIGHT, lean
+from paraview import simple
 
 # The colours seen along the world's +x, -x, +y, -y, +z, -z, by the axis that is up: the picture's
 # y is there; z up keeps x and looks along -z to +y, x up keeps z and looks along -x to +y.
@@ -138,6 +139,10 @@ class Environment(pv.Test):
         self.assertEqual(list(other.middle()[0]), list(GREEN))
         other.view.RelievoEnvironment = ""
         self.same(other.middle()[1], self.own, "no environment any more")
+        # Their windows share textures: none of this view's may be in use when the other is closed,
+        # which VTK would tell.
+        self.scene.middle()
+        simple.Delete(other.view)
 
 
 if __name__ == "__main__":

@@ -7,13 +7,13 @@ import pathlib
 
 import pv
 
-EXAMPLE = pathlib.Path(os.environ["RELIEVO_EXAMPLES"]) / "08_paraview_tour.py"
+EXAMPLES = pathlib.Path(os.environ["RELIEVO_EXAMPLES"])
+os.environ["RELIEVO_PLUGIN_PATH"] = str(pathlib.Path(pv.PLUGIN).parent)
 
 
 class Tour(pv.Test):
     def test_pictures(self):
-        os.environ["RELIEVO_PLUGIN_PATH"] = str(pathlib.Path(pv.PLUGIN).parent)
-        said = pv.run(EXAMPLE, pv.OUTPUT, tool="pvbatch")
+        said = pv.run(EXAMPLES / "08_paraview_tour.py", pv.OUTPUT, tool="pvbatch")
         self.assertEqual(pv.messages(said), [])
         # The sun at the equinox: south at noon, and as high as 90 degrees less the latitude.
         self.assertIn("12:00, azimuth 180, elevation 42", said)
@@ -26,6 +26,24 @@ class Tour(pv.Test):
         morning, noon = day[:, 4:476].max(axis=2), day[:, 484:956].max(axis=2)
         self.assertGreater((morning < 75).mean(), (noon < 75).mean() + 0.05)
         self.assertGreater(((bike[..., 2] > 250) & (bike[..., 0] > 120)).mean(), 0.2, "normals")
+
+    def test_materials(self):
+        said = pv.run(EXAMPLES / "11_paraview_materials.py", pv.OUTPUT, tool="pvbatch")
+        self.assertEqual(pv.messages(said), [])
+        both = pv.read(pv.OUTPUT / "paraview_materials.png").astype(int)
+        plain, worn = both[:, :719], both[:, 721:]
+        # The ground, lower left: even without relief; stones in the sun and gaps between with it.
+        self.assertLess(plain[430:, :200].std(axis=(0, 1)).max(), 3)
+        self.assertGreater(worn[430:, :200].std(axis=(0, 1)).min(), 25)
+        # The bike: its own red, brighter or darker; and mirrored, other colours and white.
+        bike = (plain[..., 0] > 1.5 * plain[..., 2] + 20) & (plain[..., 0] > 2 * plain[..., 1])
+        self.assertGreater(bike.mean(), 0.2)
+        self.assertGreater((worn[bike].min(axis=1) > 150).mean(), 0.02, "the sky's white")
+        self.assertGreater((worn[..., 1] > worn[..., 0])[bike].mean(), 0.02, "the forest's green")
+        # The forest in place of the background.
+        sky = (plain == plain[0, 0]).all(axis=2)
+        self.assertGreater(sky.mean(), 0.15)
+        self.assertLess(worn[sky].max(axis=1).mean(), 120)
 
 
 if __name__ == "__main__":

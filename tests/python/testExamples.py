@@ -41,7 +41,7 @@ WRITES = {
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.
-BY_PARAVIEW = ["08_paraview_tour.py"]
+BY_PARAVIEW = ["08_paraview_tour.py", "11_paraview_materials.py"]
 
 # file name: words after the folder, for examples that take long otherwise
 WORDS = {"06_sun_study.py": ["--every", "120"], "10_relief_terrain.py": ["257"]}
