@@ -31,6 +31,7 @@ public:
   std::vector<vtkRelievoShadowLight> Lights;        // all of the renderer, in this frame
   std::vector<vtkRelievoShadowLight> Casting;       // those with a place in the shaders
   std::vector<vtkWeakPointer<vtkLight>> NotCasting; // chosen so
+  std::vector<std::pair<vtkWeakPointer<vtkLight>, std::string>> Names; // for reports
   vtkRelievoShadowProps Props;
   vtkRelievoShadowCache Cache;
   vtkRelievoShadowExchange Exchange;
@@ -61,6 +62,17 @@ public:
   {
     return std::find(this->NotCasting.begin(), this->NotCasting.end(), light) ==
       this->NotCasting.end();
+  }
+  std::string GetName(const vtkRelievoShadowLight& light) const
+  {
+    for (const auto& named : this->Names)
+    {
+      if (named.first == light.Light)
+      {
+        return named.second;
+      }
+    }
+    return "light " + std::to_string(light.Number);
   }
 };
 

@@ -47,6 +47,19 @@ bool vtkRelievoShadowPass::GetLightCasts(vtkLight* light)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoShadowPass::SetLightName(vtkLight* light, const std::string& name)
+{
+  auto& names = this->Internal->Names;
+  names.erase(std::remove_if(names.begin(), names.end(),
+                [light](const auto& named) { return !named.first || named.first == light; }),
+    names.end());
+  if (light && !name.empty())
+  {
+    names.emplace_back(light, name);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoShadowPass::SetPropCasts(vtkProp* prop, int casts)
 {
   if (!prop || casts < CASTS_IF_OPAQUE || casts > CASTS_ALWAYS)
@@ -148,7 +161,7 @@ bool vtkRelievoShadowPass::IsNeeded(const vtkRenderState* s, std::string& reason
   {
     if (light.NoShadow.empty() && !in.IsChosen(light.Light))
     {
-      light.NoShadow = "it is chosen to cast none (SetLightCasts)";
+      light.NoShadow = "it is chosen so";
     }
     if (light.NoShadow.empty() && faces + (light.Positional ? 6 : 1) > mostFaces)
     {
@@ -161,10 +174,10 @@ bool vtkRelievoShadowPass::IsNeeded(const vtkRenderState* s, std::string& reason
       in.Casting.push_back(light);
       continue;
     }
-    without << "; light " << light.Number << " casts none: " << light.NoShadow;
+    without << "; " << in.GetName(light) << " casts none: " << light.NoShadow;
     if (light.Broken && in.Said.insert(std::to_string(light.Number) + light.NoShadow).second)
     {
-      vtkWarningMacro("Light " << light.Number << " casts no shadow: " << light.NoShadow << ".");
+      vtkWarningMacro(<< in.GetName(light) << " casts no shadow: " << light.NoShadow << ".");
     }
   }
   std::ostringstream out;
@@ -174,10 +187,14 @@ bool vtkRelievoShadowPass::IsNeeded(const vtkRenderState* s, std::string& reason
     reason = out.str();
     return false;
   }
-  out << in.Casting.size() << (in.Casting.size() == 1 ? " light casts, " : " lights cast, ")
-      << in.Cache.GetNumberOfMaps() << (in.Cache.GetNumberOfMaps() == 1 ? " map of " : " maps of ")
-      << in.Maps.GetSize() << " x " << in.Maps.GetSize() << " texels, " << this->NumberOfMapsDrawn
-      << " drawn anew" << in.Exchange.GetReport() << without.str();
+  for (const vtkRelievoShadowLight& light : in.Casting)
+  {
+    out << (&light == in.Casting.data() ? "" : ", ") << in.GetName(light);
+  }
+  out << (in.Casting.size() == 1 ? " casts, " : " cast, ") << in.Cache.GetNumberOfMaps()
+      << (in.Cache.GetNumberOfMaps() == 1 ? " map of " : " maps of ") << in.Maps.GetSize() << " x "
+      << in.Maps.GetSize() << " texels, " << this->NumberOfMapsDrawn << " drawn anew"
+      << in.Exchange.GetReport() << without.str();
   reason = out.str();
   return true;
 }

@@ -116,6 +116,12 @@ public:
   bool GetLightCasts(vtkLight* light);
   ///@}
 
+  /**
+   * What reports and warnings call a light. Default, and with an empty name: "light N", N its place
+   * in vtkRenderer::GetLights().
+   */
+  void SetLightName(vtkLight* light, const std::string& name);
+
   enum Casting
   {
     CASTS_IF_OPAQUE = -1,

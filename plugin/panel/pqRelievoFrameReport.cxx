@@ -37,7 +37,7 @@ bool pqRelievoFrameReport::Read(const QByteArray& json)
 //------------------------------------------------------------------------------
 QString pqRelievoFrameReport::Stage::GetShortReason() const
 {
-  static const QRegularExpression ofLight("^light (\\d+) (.*)$");
+  static const QRegularExpression ofLight("^(light \\d+|the sun|the kit's .+) (casts none: .*)$");
   QStringList parts;
   QMap<QString, QStringList> lights; // what is said of them -> which
   for (const QString& part : this->Reason.split("; "))
@@ -48,19 +48,19 @@ QString pqRelievoFrameReport::Stage::GetShortReason() const
       parts.append(part);
       continue;
     }
-    QStringList& numbers = lights[match.captured(2)];
-    if (numbers.isEmpty())
+    QStringList& names = lights[match.captured(2)];
+    if (names.isEmpty())
     {
       parts.append(match.captured(2)); // its place; filled in below
     }
-    numbers.append(match.captured(1));
+    names.append(match.captured(1));
   }
   for (QString& part : parts)
   {
-    const QStringList numbers = lights.value(part);
-    if (!numbers.isEmpty())
+    const QStringList names = lights.value(part);
+    if (!names.isEmpty())
     {
-      part = (numbers.size() > 1 ? "lights " : "light ") + numbers.join(", ") + " " + part;
+      part = names.join(", ").replace(", the kit's ", ", ") + " " + part;
     }
   }
   return parts.join("; ");

@@ -61,10 +61,13 @@ class LightKit : public vtkLightKit
 {
 public:
   static vtkLight* Key(vtkLightKit* kit) { return kit->*(&LightKit::KeyLight); }
-  static std::array<vtkLight*, 4> Others(vtkLightKit* kit)
+  // With what reports call them.
+  static std::array<std::pair<vtkLight*, const char*>, 4> Others(vtkLightKit* kit)
   {
-    return { kit->*(&LightKit::FillLight), kit->*(&LightKit::BackLight0),
-      kit->*(&LightKit::BackLight1), kit->*(&LightKit::HeadLight) };
+    return { { { kit->*(&LightKit::FillLight), "the kit's fill light" },
+      { kit->*(&LightKit::BackLight0), "the kit's first back light" },
+      { kit->*(&LightKit::BackLight1), "the kit's second back light" },
+      { kit->*(&LightKit::HeadLight), "the kit's headlight" } } };
   }
 };
 }

@@ -100,6 +100,14 @@ void vtkPVRelievoView::SetView(vtkPVView* view)
     return;
   }
   in.View = renderView;
+  vtkLightKit* kit = vtkPVRelievoAccess::View::Kit(renderView);
+  vtkRelievoShadowPass* shadows = in.Frame->GetShadowPass();
+  shadows->SetLightName(in.SunLight, "the sun");
+  shadows->SetLightName(vtkPVRelievoAccess::LightKit::Key(kit), "the kit's key light");
+  for (const auto& other : vtkPVRelievoAccess::LightKit::Others(kit))
+  {
+    shadows->SetLightName(other.first, other.second);
+  }
   vtkRenderer* renderer = renderView->GetRenderer();
   in.EarlyTag =
     renderer->AddObserver(vtkCommand::StartEvent, this, &vtkPVRelievoView::KeepLayersSharp, 10.0F);
@@ -268,9 +276,9 @@ void vtkPVRelievoView::ChooseCasters()
   choose(vtkPVRelievoAccess::LightKit::Key(kit),
     all || this->LightKitCasts == KIT_CASTS_KEY_LIGHT ||
       (this->LightKitCasts == KIT_CASTS_WITHOUT_SUN && !this->Sun));
-  for (vtkLight* light : vtkPVRelievoAccess::LightKit::Others(kit))
+  for (const auto& other : vtkPVRelievoAccess::LightKit::Others(kit))
   {
-    choose(light, all);
+    choose(other.first, all);
   }
   // What ParaView draws beside the data cannot be picked: outlines, selections, the centre's axes.
   vtkPropCollection* props = in.View->GetRenderer()->GetViewProps();

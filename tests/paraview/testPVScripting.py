@@ -244,6 +244,9 @@ class Scripting(pv.Test):
         stages = {each["name"]: each for each in json.loads(report())["stages"]}
         self.assertTrue(stages["shadows"]["ran"])
         self.assertEqual(stages["shadows"]["bytes"], 4 * 2048**2)
+        reason = stages["shadows"]["reason"].split("; ")
+        self.assertRegex(reason[0], "^the sun casts, 1 map of 2048 x 2048 texels")
+        self.assertIn("the kit's key light casts none: it is chosen so", reason)
 
 
 if sys.argv[1:2] == ["restore"]:

@@ -194,7 +194,7 @@ void TestWarnings()
   stage.AddSun(-3., 4., -2.);
   stage.GetFrame()->ShadowsOn();
   {
-    relievoTest::ExpectMessage expect("Light 0 casts no shadow");
+    relievoTest::ExpectMessage expect("light 0 casts no shadow");
     for (int i = 0; i < 3; ++i)
     {
       stage.Window->Render();
@@ -204,7 +204,7 @@ void TestWarnings()
   RELIEVO_CHECK(stage.GetShadows()->GetNumberOfCastingLights() == 1);
   const auto spot = stage.AddLamp({ 0., 3., -1. }, { 0., 0., 0. }, 0.);
   {
-    relievoTest::ExpectMessage expect("Light 2 casts no shadow: its cone angle is 0");
+    relievoTest::ExpectMessage expect("light 2 casts no shadow: its cone angle is 0");
     stage.Window->Render();
     stage.Window->Render();
     RELIEVO_CHECK(expect.Count() == 1);
