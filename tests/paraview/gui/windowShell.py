@@ -83,6 +83,13 @@ def settings(name):
 
 
 @noted
+def material(name):
+    """Keeps what the active surface wears."""
+    shown = simple.GetDisplayProperties()
+    note(name, [shown.RelievoMaterial, shown.RelievoMirror])
+
+
+@noted
 def startTrace():
     """From now on what is done is written as Python."""
     smtrace.start_trace()

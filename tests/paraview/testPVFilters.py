@@ -1,0 +1,114 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filters that make meshes and images ready for materials, as ParaView's users run them."""
+
+import materialScene
+import numpy
+import pv
+from materialScene import AXES
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+# Label, and properties whose values are words.
+FILTERS = {
+    "TextureCoordinates": ["Mapping", "Up"],
+    "Tangents": [],
+    "HeightsToNormals": ["Kernel", "Encoding"],
+    "EnvironmentConvert": ["InputProjection", "OutputProjection"],
+    "EnvironmentPrefilter": ["InputProjection"],
+    "EnvironmentIrradiance": ["InputProjection"],
+}
+
+
+def points(source, name):
+    """A point array of what a source makes, (points, components)."""
+    made = servermanager.Fetch(source)
+    found = vtk_to_numpy(made.GetPointData().GetArray(name))
+    return found.reshape(made.GetNumberOfPoints(), -1)
+
+
+class Filters(pv.Test):
+    @classmethod
+    def setUpClass(cls):
+        pv.load()
+
+    def setUp(self):
+        pv.clear()
+
+    def read_axes(self):
+        image = simple.PNGSeriesReader(FileNames=[materialScene.write_axes("axes.png")])
+        image.UpdatePipeline()
+        return image
+
+    def test_menu_and_texts(self):
+        """All are in Filters > Relievo; each property has a text, words where numbers mean some."""
+        manager = servermanager.ProxyManager()
+        for name, worded in FILTERS.items():
+            made = manager.GetPrototypeProxy("filters", f"Relievo{name}")
+            menu = made.GetHints().FindNestedElementByName("ShowInMenu")
+            self.assertEqual(menu.GetAttribute("category"), "Relievo", name)
+            self.assertEqual(made.GetXMLLabel().replace(" ", ""), name)
+            self.assertGreater(len(made.GetDocumentation().GetDescription()), 60, name)
+            for key in worded:
+                self.assertIsNotNone(made.GetProperty(key).FindDomain("vtkSMEnumerationDomain"))
+            properties = made.NewPropertyIterator()
+            properties.UnRegister(None)
+            properties.Begin()
+            while not properties.IsAtEnd():
+                text = properties.GetProperty().GetDocumentation()
+                self.assertIsNotNone(text, f"{name}.{properties.GetKey()}")
+                self.assertGreater(len(text.GetDescription().strip()), 8, properties.GetKey())
+                properties.Next()
+
+    def test_texture_coordinates_and_tangents(self):
+        square = simple.Plane(Origin=[0, 0, 0], Point1=[4, 0, 0], Point2=[0, 2, 0])
+        placed = simple.TextureCoordinates(
+            Input=simple.Triangulate(Input=square), Mapping="Plane", UpAxis="Y", TileSize=2.0
+        )
+        places = points(placed, "TCoords")
+        self.assertEqual(numpy.ptp(places, axis=0).tolist(), [2.0, 1.0])
+        placed.TileSize = 0.0
+        self.assertEqual(numpy.ptp(points(placed, "TCoords"), axis=0).tolist(), [1.0, 0.5])
+        tangents = points(simple.Tangents(Input=placed, TangentsName="along"), "along")
+        self.assertLess(numpy.abs(tangents - (1, 0, 0, 1)).max(), 1e-6)
+
+    def test_heights_to_normals(self):
+        slope = simple.Calculator(
+            Input=simple.Wavelet(WholeExtent=[0, 8, 0, 8, 0, 0]),
+            ResultArrayName="height", Function="0.5*coordsX-0.25*coordsY",
+        )  # fmt: skip
+        slope.UpdatePipeline()
+        made = simple.HeightsToNormals(Input=slope)
+        made.Heights = ["POINTS", "height"]
+        truth = numpy.array((-0.5, 0.25, 1.0))
+        self.assertLess(
+            numpy.abs(points(made, "normal") - truth / numpy.linalg.norm(truth)).max(), 1e-6
+        )
+        made.HeightScale, made.FlipGreen = 2.0, 1
+        truth = numpy.array((-1.0, -0.5, 1.0)) / 1.5
+        self.assertLess(numpy.abs(points(made, "normal") - truth).max(), 1e-6)
+        made.Encoding = "8 bits"
+        codes = points(made, "normal")
+        self.assertEqual(codes.dtype, numpy.uint8)
+        self.assertLess(numpy.abs(codes / 127.5 - 1 - truth).max(), 1 / 254)
+
+    def test_environments(self):
+        """The axes' colours in the middle of a cube's faces; levels; light of all sides."""
+        axes = self.read_axes()
+        cube = simple.EnvironmentConvert(axes, OutputSize=16, InputSRGB=1)
+        faces = points(cube, "radiance").reshape(6, 16, 16, 3)
+        self.assertLess(numpy.abs(faces[:, 7:9, 7:9] - AXES[:, None, None] / 255).max(), 1e-6)
+        levels = simple.EnvironmentPrefilter(axes, Size=16, Levels=3)
+        made = servermanager.Fetch(levels)
+        sizes = [made.GetBlock(level).GetDimensions() for level in range(3)]
+        self.assertEqual(sizes, [(16, 16, 6), (8, 8, 6), (4, 4, 6)])
+        rows = servermanager.Fetch(simple.EnvironmentIrradiance(axes))
+        first = vtk_to_numpy(rows.GetColumnByName("radiance"))[0]
+        # Each colour is light of three of the six sides: half of all, times the first harmonic's
+        # integral over the sphere.
+        self.assertEqual(rows.GetNumberOfRows(), 9)
+        self.assertLess(numpy.abs(first / numpy.sqrt(4 * numpy.pi) - 0.5).max(), 0.01)
+
+
+if __name__ == "__main__":
+    pv.main()
