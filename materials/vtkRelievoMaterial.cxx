@@ -18,9 +18,9 @@ vtkStandardNewMacro(vtkRelievoMaterial);
 
 namespace
 {
-// VTK's composite mappers hand on texture coordinates only to who has a texture. By this name the
-// shaders look at none.
-constexpr const char* Carrier = "colortexture";
+// VTK's composite mappers hand on texture coordinates only to who has a texture. Its shaders
+// declare this one and look at none that is a cube.
+constexpr const char* Carrier = "relievoCarrier";
 
 void AddCarrier(vtkActor* actor)
 {
@@ -32,7 +32,11 @@ void AddCarrier(vtkActor* actor)
     texel->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
     texel->SetScalarComponentFromDouble(0, 0, 0, 0, 255.0);
     vtkNew<vtkTexture> texture;
-    texture->SetInputData(texel);
+    texture->CubeMapOn();
+    for (int face = 0; face < 6; ++face)
+    {
+      texture->SetInputDataObject(face, texel);
+    }
     actor->GetProperty()->SetTexture(Carrier, texture);
   }
 }

@@ -164,7 +164,7 @@ void vtkPVRelievoEnvironment::Prepare(vtkObject* self, vtkPVRenderView* view)
   const bool mirrored = vtkPVRelievoMaterial::IsMirrored(view);
   const bool ready =
     (mirrored || this->Sky) && !IsDrawnElsewhere(view) && this->Ready(self, mirrored);
-  vtkPVRelievoMaterial::Mirrors(view, ready ? this->Environment.Get() : nullptr);
+  vtkPVRelievoMaterial::Prepare(view, ready ? this->Environment.Get() : nullptr);
   this->Skybox->SetEnvironment(ready && this->Sky ? this->Environment.Get() : nullptr);
   vtkRenderer* renderer = view->GetRenderer();
   const bool wanted = this->Skybox->GetEnvironment() && !FindCompositor(view);
@@ -227,5 +227,5 @@ void vtkPVRelievoEnvironment::Finish(vtkPVRenderView* view)
 void vtkPVRelievoEnvironment::Leave(vtkPVRenderView* view)
 {
   view->GetRenderer()->RemoveViewProp(this->Skybox);
-  vtkPVRelievoMaterial::Mirrors(view, nullptr);
+  vtkPVRelievoMaterial::Prepare(view, nullptr);
 }

@@ -55,6 +55,7 @@ struct Map
 class vtkPVRelievoMaterial::Internals
 {
 public:
+  bool ColorsInterpolated = false; // by this object, not by the representation's own setting
   vtkWeakPointer<vtkGeometryRepresentation> Representation;
   vtkNew<vtkRelievoMaterial> Material;
   Map Normals{ "NormalMap", {}, false, nullptr };
@@ -123,6 +124,7 @@ void vtkPVRelievoMaterial::Apply()
   }
   const bool on =
     this->Enabled && (in.Normals.Image || in.Heights.Image || in.Material->GetEnvironment());
+  this->KeepCoordinates();
   for (vtkActor* actor : vtkPVRelievoAccess::Surface::Actors(in.Representation))
   {
     if (on)
@@ -133,6 +135,18 @@ void vtkPVRelievoMaterial::Apply()
     {
       in.Material->Detach(actor);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoMaterial::KeepCoordinates()
+{
+  Internals& in = *this->Internal;
+  const bool maps = this->Enabled && (in.Normals.Image || in.Heights.Image);
+  if (in.Representation && (maps || in.ColorsInterpolated))
+  {
+    in.Representation->SetInterpolateScalarsBeforeMapping(!maps && this->InterpolateScalars);
+    in.ColorsInterpolated = maps;
   }
 }
 
@@ -170,11 +184,12 @@ bool vtkPVRelievoMaterial::IsMirrored(vtkPVView* view)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::Mirrors(vtkPVView* view, vtkRelievoEnvironment* environment)
+void vtkPVRelievoMaterial::Prepare(vtkPVView* view, vtkRelievoEnvironment* environment)
 {
   for (vtkPVRelievoMaterial* each : GetAll())
   {
     Internals& in = *each->Internal;
+    each->KeepCoordinates(); // the representation may have got its own setting after this did
     if (each->IsMirroring(view) && in.Material->GetEnvironment() != environment)
     {
       in.Material->SetEnvironment(environment);
@@ -215,6 +230,13 @@ void vtkPVRelievoMaterial::SetMirror(bool on)
 {
   this->Mirror = on;
   this->Apply();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoMaterial::SetInterpolateScalarsBeforeMapping(bool on)
+{
+  this->InterpolateScalars = on;
+  this->KeepCoordinates();
 }
 
 //------------------------------------------------------------------------------
@@ -358,6 +380,7 @@ void vtkPVRelievoMaterial::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NormalMap: " << this->Internal->Normals.Path << "\n";
   os << indent << "HeightMap: " << this->Internal->Heights.Path << "\n";
   os << indent << "Mirror: " << this->Mirror << "\n";
+  os << indent << "InterpolateScalars: " << this->InterpolateScalars << "\n";
   os << indent << "Material:\n";
   this->Internal->Material->PrintSelf(os, indent.GetNextIndent());
 }

@@ -57,6 +57,13 @@ public:
   vtkGetMacro(Mirror, bool);
   ///@}
 
+  /**
+   * The representation's own setting, which it shares: whether scalars or their colours are
+   * interpolated. Scalars take the place of the texture coordinates, so while the surface wears
+   * maps colours are, whatever this says. Default on.
+   */
+  void SetInterpolateScalarsBeforeMapping(bool on);
+
   ///@{
   /** As of vtkRelievoMaterial. */
   void SetNormalStrength(double factor);
@@ -83,8 +90,8 @@ public:
   /** Whether any material in the view mirrors its environment. */
   static bool IsMirrored(vtkPVView* view);
 
-  /** Gives the view's environment, or nullptr, to all materials in it that mirror. */
-  static void Mirrors(vtkPVView* view, vtkRelievoEnvironment* environment);
+  /** Before each picture: gives all materials in the view that mirror its environment or nullptr. */
+  static void Prepare(vtkPVView* view, vtkRelievoEnvironment* environment);
 
   /** What the actors wear while the material is on. */
   vtkRelievoMaterial* GetMaterial();
@@ -95,6 +102,7 @@ protected:
 
   bool Enabled = false;
   bool Mirror = false;
+  bool InterpolateScalars = true;
 
 private:
   vtkPVRelievoMaterial(const vtkPVRelievoMaterial&) = delete;
@@ -102,6 +110,7 @@ private:
 
   bool IsMirroring(vtkPVView* view);
   void Apply();
+  void KeepCoordinates();
   void Say(vtkObject* material, unsigned long event, void* text);
 
   class Internals;

@@ -276,6 +276,24 @@ void TestBlocks()
   RELIEVO_CHECK_THAT(many != bare, "blocks: the material is seen");
   RELIEVO_CHECK_THAT(many == one, "blocks: as one mesh");
   scene.Material->Detach(actor);
+  // Colours of points that are interpolated as values take the coordinates: they stay.
+  vtkNew<vtkFloatArray> values;
+  for (vtkIdType i = 0; i < scene.Mesh->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue(static_cast<float>(scene.Mesh->GetPoint(i)[0]));
+  }
+  scene.Mesh->GetPointData()->SetScalars(values);
+  scene.Mesh->Modified();
+  mapper->InterpolateScalarsBeforeMappingOn();
+  mapper->SetScalarRange(-1., 1.);
+  const auto colored = scene.Picture();
+  RELIEVO_CHECK_THAT(colored != bare, "blocks: colours");
+  scene.Material->Attach(actor);
+  ExpectMessage expect("InterpolateScalarsBeforeMapping");
+  RELIEVO_CHECK_THAT(scene.Picture() == colored, "blocks: colours stay");
+  RELIEVO_CHECK_THAT(scene.Picture() == colored, "blocks: and in the next picture");
+  RELIEVO_CHECK_THAT(expect.Count() == 1, "blocks: said once");
+  scene.Material->Detach(actor);
 }
 
 void TestTogether()

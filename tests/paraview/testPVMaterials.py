@@ -180,6 +180,36 @@ class Materials(pv.Test):
         back.shown.RelievoMaterial, back.shown.RelievoNormalMap = 1, leaning
         self.shade(cosine, "the back", back)
 
+    def test_colours_of_data(self):
+        """Colour maps of points and cells stay, in the mapped shade; the user's setting is kept."""
+        leaning = materialScene.write_normals("leaning.png", lean(30))
+        height = simple.Elevation(
+            Input=simple.Plane(XResolution=30, YResolution=30),
+            LowPoint=[-0.5, -0.5, 0.0], HighPoint=[0.5, 0.5, 0.0],
+        )  # fmt: skip
+        for source, array in (
+            (height, ("POINTS", "Elevation")),
+            (simple.PointDatatoCellData(Input=height, PassPointData=1), ("CELLS", "Elevation")),
+        ):
+            scene = materialScene.Scene(source)
+            shown = scene.shown
+            simple.ColorBy(shown, array)
+            shown.SetScalarBarVisibility(scene.view, False)
+            own = scene.middle()[1]
+            shown.InterpolateScalarsBeforeMapping = 0
+            colours = scene.middle()[1]
+            shown.RelievoMaterial, shown.RelievoNormalMap = 1, leaning
+            truth = colours * math.cos(math.radians(30))
+            self.assertLess(numpy.abs(scene.middle()[1] - truth).max(), 2)
+            shown.InterpolateScalarsBeforeMapping = 1
+            self.assertLess(numpy.abs(scene.middle()[1] - truth).max(), 2)
+            shown.RelievoMaterial = 0
+            self.same(scene.middle()[1], own, "off, with the setting that was changed meanwhile")
+            shown.RelievoMaterial, shown.RelievoNormalMap = 1, ""
+            self.same(scene.middle()[1], own, "without a map")
+            shown.InterpolateScalarsBeforeMapping = 0
+            self.same(scene.middle()[1], colours, "ParaView's own setting, off")
+
     def test_texture_coordinates(self):
         """A mesh without gets them from the filter."""
         ball = simple.Sphere(ThetaResolution=64, PhiResolution=64, Radius=0.5)
