@@ -198,14 +198,18 @@ int vtkRelievoSkybox::RenderOpaqueGeometry(vtkViewport* viewport)
   program->SetUniformf("relievoIntensity", static_cast<float>(in.Environment->GetIntensity()));
 
   vtkOpenGLState* state = window->GetState();
-  state->Push();
+  // One by one: vtkOpenGLState::Push would keep buffers that mappers have deleted but left bound.
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+  vtkOpenGLState::ScopedglEnableDisable test(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglDepthFunc function(state);
+  vtkOpenGLState::ScopedglDepthMask mask(state);
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDepthMask(GL_FALSE);
   quad->Render();
-  state->Pop();
   textures.Deactivate(window);
   return 1;
 }

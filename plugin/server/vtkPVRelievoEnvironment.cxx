@@ -201,15 +201,16 @@ void vtkPVRelievoEnvironment::Finish(vtkPVRenderView* view)
   const int height = whole.GetHeight();
   std::vector<unsigned char> sky(static_cast<std::size_t>(width) * height * 4);
   vtkOpenGLState* state = window->GetState();
-  state->Push();
+  vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglDepthMask mask(state);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglViewport(0, 0, width, height);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglClear(GL_DEPTH_BUFFER_BIT);
   this->Skybox->RenderOpaqueGeometry(renderer);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, sky.data());
-  state->Pop();
   unsigned char* color = colors->GetPointer(0);
   for (std::size_t i = 0; i < sky.size(); i += 4)
   {

@@ -148,6 +148,10 @@ class Pictures(pv.Test):
         self.scene.sun()
         pv.picture(self.view)
         self.assertEqual(ids(), own)
+        # The buffers that were bound when cells were selected are gone: OpenGL would tell.
+        self.scene.ball.ThetaResolution = 100
+        self.view.RelievoDisplayLayer = "normal"
+        pv.picture(self.view)
 
 
 if __name__ == "__main__":
