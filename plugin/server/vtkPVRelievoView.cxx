@@ -7,6 +7,9 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkPVDefaultPass.h"
 #include "vtkPVRelievoAccess.h"
 #include "vtkPVRelievoEnvironment.h"
@@ -33,6 +36,19 @@ std::vector<vtkPVRelievoView*>& GetAll()
 {
   static std::vector<vtkPVRelievoView*> all;
   return all;
+}
+
+// When cells are selected VTK's state takes note of the buffers that are bound (SaveGLState), and
+// binds them again whenever a state is popped, also when they are gone.
+void ForgetBuffers(vtkRenderWindow* window)
+{
+  if (auto* opened = vtkOpenGLRenderWindow::SafeDownCast(window))
+  {
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+    opened->GetState()->Reset();
+  }
 }
 }
 
@@ -179,6 +195,7 @@ void vtkPVRelievoView::Prepare()
   this->PlacePass();
   if (this->IsAnythingOn())
   {
+    ForgetBuffers(this->Internal->View->GetRenderWindow());
     this->ChooseCasters();
     this->ChooseProcesses();
     ++this->NumberOfFrames;
