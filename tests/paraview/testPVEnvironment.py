@@ -123,6 +123,47 @@ class Environment(pv.Test):
         self.shown.RelievoIrradianceWeight = 0.5
         self.sees([255 * (LIGHT + 0.0625)] * 3, "half of it")
 
+    def test_goes_together(self):
+        """With ParaView's and Relievo's own: the same cells are selected; off, the first picture."""
+        ball = self.scene.show(simple.Sphere(Radius=0.2, Center=[0.0, 0.0, 0.3]))
+        self.view.CameraPosition = [1.0, -1.5, 1.2]
+        self.view.UseLight = 1
+        self.view.RelievoEnvironment = self.axes
+        waves = numpy.sin(numpy.linspace(0, 6 * numpy.pi, 64))
+        heights = 0.5 + 0.4 * waves[:, None] * waves[None, :]
+        self.shown.RelievoHeightMap = materialScene.write_heights("waves.png", heights)
+        self.shown.RelievoHeightScale, ball.RelievoReflectivity = 0.05, 0.6
+        self.shown.RelievoMirror = ball.RelievoMirror = 1
+
+        def switch(on):
+            self.view.RelievoSkybox = self.shown.RelievoMaterial = ball.RelievoMaterial = on
+
+        def cells():
+            simple.ClearSelection()
+            simple.SelectSurfaceCells(Rectangle=[60, 40, 180, 140], View=self.view)
+            found = list(self.scene.square.GetSelectionInput(0).Input[0].IDs)
+            simple.ClearSelection()
+            return found
+
+        own = cells()
+        switch(1)
+        pv.picture(self.view)
+        self.assertEqual(cells(), own)
+        for name, on, off in (
+            ("UseFXAA", 1, 0), ("UseAmbientOcclusion", 1, 0), ("UseToneMapping", 1, 0),
+            ("MultiSamples", 8, 0), ("HiddenLineRemoval", 1, 0), ("RelievoShadows", 1, 0),
+            ("CameraParallelProjection", 1, 0), ("RelievoDisplayLayer", "normal", "None"),
+        ):  # fmt: skip
+            with self.subTest(name):
+                switch(0)
+                setattr(self.view, name, on)
+                first = pv.picture(self.view)
+                switch(1)
+                self.differ(pv.picture(self.view), first, f"{name}: worn", share=0.1)
+                switch(0)
+                self.same(pv.picture(self.view), first, f"{name}: off again")
+                setattr(self.view, name, off)
+
     def test_views_have_their_own(self):
         """Another view, with another file, beside this one; the file changes."""
         other = materialScene.Scene()
