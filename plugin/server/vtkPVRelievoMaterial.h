@@ -90,7 +90,7 @@ public:
   /** Whether any material in the view mirrors its environment. */
   static bool IsMirrored(vtkPVView* view);
 
-  /** Before each picture: gives all materials in the view that mirror its environment or nullptr. */
+  /** Before each picture: gives materials in the view that mirror its environment, or nullptr. */
   static void Prepare(vtkPVView* view, vtkRelievoEnvironment* environment);
 
   /** What the actors wear while the material is on. */

@@ -124,7 +124,7 @@ class Environment(pv.Test):
         self.sees([255 * (LIGHT + 0.0625)] * 3, "half of it")
 
     def test_goes_together(self):
-        """With ParaView's and Relievo's own: the same cells are selected; off, the first picture."""
+        """With ParaView's own and Relievo's: the same cells selected; off, the first picture."""
         ball = self.scene.show(simple.Sphere(Radius=0.2, Center=[0.0, 0.0, 0.3]))
         self.view.CameraPosition = [1.0, -1.5, 1.2]
         self.view.UseLight = 1
