@@ -8,34 +8,13 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRelievoMaterialAccess.h"
+#include "vtkRelievoMaterialEye.h"
 #include "vtkRelievoMaterialInternals.h"
 #include "vtkRelievoReflection.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
 #include <cmath>
-
-namespace
-{
-// The window that a prop is being drawn in: what it belongs to, up to a renderer, knows it.
-vtkOpenGLRenderWindow* FindWindow(vtkProp* prop)
-{
-  for (int i = 0; prop && i < prop->GetNumberOfConsumers(); ++i)
-  {
-    vtkObject* consumer = prop->GetConsumer(i);
-    vtkOpenGLRenderWindow* window = FindWindow(vtkProp::SafeDownCast(consumer));
-    if (auto* renderer = vtkRenderer::SafeDownCast(consumer))
-    {
-      window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    }
-    if (window && window->IsCurrent())
-    {
-      return window;
-    }
-  }
-  return nullptr;
-}
-}
 
 //------------------------------------------------------------------------------
 bool vtkRelievoMaterial::PreReplaceShaderValues(std::string& vertexShader,
@@ -119,17 +98,18 @@ bool vtkRelievoMaterial::SetShaderParameters(vtkShaderProgram* program,
   {
     return true;
   }
-  vtkOpenGLRenderWindow* window = FindWindow(prop);
+  vtkRenderer* renderer = vtkRelievoMaterialEye::FindRenderer(prop);
   // Levels of detail (vtkLODActor, ParaView) are drawn by an actor that belongs to nothing.
-  for (std::size_t i = 0; !window && i < in.Actors.size(); ++i)
+  for (std::size_t i = 0; !renderer && i < in.Actors.size(); ++i)
   {
-    window = FindWindow(in.Actors[i]);
+    renderer = vtkRelievoMaterialEye::FindRenderer(in.Actors[i]);
   }
-  if (window)
+  if (renderer)
   {
-    in.Window = window;
+    in.Window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   }
   in.Use();
+  vtkRelievoMaterialEye::SetParameters(program, renderer);
   if (maps)
   {
     this->SetMapParameters(program, actor);

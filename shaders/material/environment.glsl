@@ -11,6 +11,7 @@
 //RELIEVO::Section(FragmentDec)
 //RELIEVO::Include(environment/lookup.glsl)
 //RELIEVO::Include(formulas/fresnel.glsl)
+//RELIEVO::Include(material/eye.glsl)
 #ifndef RELIEVO_HAS_ENV_MATRIX
 uniform mat3 envMatrix; // VTK sets it: from the view to the world and the renderer's axes there
 #endif
@@ -47,7 +48,7 @@ uniform vec3 relievoIrradiance[9]; // with intensity and weight, over pi
 
 //RELIEVO::Section(Look)
   {
-    vec3 gazeVC = cameraParallel != 0 ? vec3(0.0, 0.0, -1.0) : normalize(vertexVC.xyz);
+    vec3 gazeVC = normalize(relievoGazeAt(vertexVC.xyz, cameraParallel != 0));
     mat3 fromVC = relievoEnvironmentFromWorld * envMatrix;
     relievoReflected = normalize(fromVC * reflect(gazeVC, normalVCVSOutput));
     relievoReflectedWidth = max(length(dFdx(relievoReflected)), length(dFdy(relievoReflected)));

@@ -37,6 +37,7 @@ out vec3 relievoTangentGSOutput;
 
 //RELIEVO::Section(FragmentDec)
 //RELIEVO::Include(formulas/tangent_frame.glsl)
+//RELIEVO::Include(material/eye.glsl)
 in vec2 relievoTCoordVSOutput;
 #ifdef RELIEVO_TANGENTS
 in vec3 relievoTangentVSOutput;
@@ -209,18 +210,18 @@ float relievoReliefLit(vec3 towardsVC)
   {
     vec3 px = dFdx(vertexVC.xyz);
     vec3 py = dFdy(vertexVC.xyz);
+    vec3 gazeVC = relievoGazeAt(vertexVC.xyz, cameraParallel != 0);
     relievoFramed = relievoHasTextureFrame(relievoUVdX, relievoUVdY);
     relievoHandedness = relievoTextureArea(relievoUVdX, relievoUVdY) < 0.0 ? -1.0 : 1.0;
     relievoPerU = relievoPositionPerU(px, py, relievoUVdX, relievoUVdY);
     relievoPerV = relievoPositionPerV(px, py, relievoUVdX, relievoUVdY);
 #ifdef RELIEVO_HEIGHT_MAP
-    vec3 gazeVC = cameraParallel != 0 ? vec3(0.0, 0.0, -1.0) : normalize(vertexVC.xyz);
+    gazeVC = normalize(gazeVC);
     relievoFaceVC = normalize(cross(normalize(px), normalize(py)));
     relievoHitDepth = 0.0;
     relievoShiftVC = vec3(0.0);
     relievoSurfaceVC = vertexVC.xyz;
 #else
-    vec3 gazeVC = cameraParallel != 0 ? vec3(0.0, 0.0, -1.0) : vertexVC.xyz;
     relievoFaceVC = cross(px, py); // of any length: only its side counts
 #endif
     relievoFaceVC = dot(relievoFaceVC, gazeVC) > 0.0 ? -relievoFaceVC : relievoFaceVC;
