@@ -4,20 +4,15 @@
 // What surfaces mirror of an environment, and how it lights them, against the light of reflected
 // rays and sums over the sphere.
 #include "Check.h"
-#include "GLCheck.h"
-#include "Props.h"
+#include "MirrorScene.h"
 #include "ReliefTruth.h"
 #include "Session.h"
-#include "Stage.h"
-#include "Surroundings.h"
 #include "View.h"
 
 #include <vtkCamera.h>
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
-#include <vtkLight.h>
-#include <vtkMatrix4x4.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataNormals.h>
@@ -30,7 +25,6 @@
 #include <vtkSphereSource.h>
 #include <vtkTable.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace
@@ -41,70 +35,11 @@ const glm::dvec3 Nothing(-1.);
 const glm::dvec3 Sides[6] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 },
   { 0, 0, -1 } };
 
-// A square through the origin that faces `normal`, 20 wide, with normals at its points.
-vtkSmartPointer<vtkPolyData> Wall(const glm::dvec3& normal)
-{
-  const glm::dvec3 n = glm::normalize(normal);
-  const glm::dvec3 u = 10. *
-    glm::normalize(glm::cross(std::abs(n.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), n));
-  const glm::dvec3 v = glm::cross(n, u);
-  auto mesh = MakePolygons({ -u - v, u - v, u + v, v - u });
-  const vtkIdType quad[4] = { 0, 1, 2, 3 };
-  mesh->GetPolys()->InsertNextCell(4, quad);
-  vtkNew<vtkFloatArray> normals;
-  normals->SetNumberOfComponents(3);
-  vtkNew<vtkFloatArray> places;
-  places->SetNumberOfComponents(2);
-  for (int i = 0; i < 4; ++i)
-  {
-    normals->InsertNextTuple3(n.x, n.y, n.z);
-    places->InsertNextTuple2(i == 1 || i == 2 ? 1. : 0., i > 1 ? 1. : 0.);
-  }
-  mesh->GetPointData()->SetNormals(normals);
-  mesh->GetPointData()->SetTCoords(places);
-  return mesh;
-}
-
-// A black wall before the camera, lit by nothing.
-struct Scene
-{
-  relievoTest::Stage Stage{ 160, 120 };
-  vtkRenderer* Renderer = this->Stage.Renderer;
-  vtkNew<vtkLight> Lamp;
-  vtkNew<vtkRelievoEnvironment> Environment;
-  vtkNew<vtkRelievoMaterial> Material;
-  vtkSmartPointer<vtkActor> Actor;
-  GLCheck Watch{ this->Stage.Window };
-
-  Scene(const Light& light, int projection, int n, vtkPolyData* mesh)
-    : Actor(AddActor(this->Renderer, mesh))
-  {
-    this->Lamp->SetIntensity(0.);
-    this->Lamp->SetLightTypeToSceneLight();
-    this->Renderer->AddLight(this->Lamp);
-    vtkProperty* look = this->Actor->GetProperty();
-    look->SetInterpolationToPhong();
-    look->SetColor(0., 0., 0.);
-    look->SetAmbient(0.);
-    this->Environment->SetImage(MakeEnvironment(light, projection, n));
-    this->Material->SetEnvironment(this->Environment);
-    this->Material->SetReflectivity(1.);
-    this->Material->Attach(this->Actor);
-  }
-  ~Scene() { this->Material->Detach(this->Actor); }
-
-  void LookAt(const glm::dvec3& normal, double viewAngle)
-  {
-    LookAlong(this->Renderer, 4. * glm::normalize(normal), -normal, viewAngle);
-  }
-  double Worst(const Light& truth) { return WorstDifference(this->Renderer, truth); }
-};
-
 void TestSides()
 {
   for (const glm::dvec3& side : Sides)
   {
-    Scene scene(SixColors, Cube, 64, Wall(side));
+    MirrorScene scene(SixColors, Cube, 64, Wall(side));
     scene.LookAt(side, 80.);
     const auto truth = [&side](const glm::dvec3& d) {
       const glm::dvec3 r = glm::reflect(d, side);
@@ -128,7 +63,7 @@ void TestProjections()
   const glm::dvec3 normal = glm::normalize(glm::dvec3(0.6, 0.5, 0.9));
   for (const int projection : { Equirectangular, Cube, SphereMap })
   {
-    Scene scene(Smooth, projection, 256, Wall(normal));
+    MirrorScene scene(Smooth, projection, 256, Wall(normal));
     const auto truth = [&](const glm::dvec3& d) { return Smooth(glm::reflect(d, normal)); };
     for (const double slant : { 0., 40., 70. })
     {
@@ -143,7 +78,7 @@ void TestProjections()
     RELIEVO_CHECK_AT_MOST(scene.Worst(truth), 1., "parallel, 255ths");
   }
   // Exactly behind, where a sphere map has its rim.
-  Scene scene(Smooth, SphereMap, 512, Wall({ 0, 0, -1 }));
+  MirrorScene scene(Smooth, SphereMap, 512, Wall({ 0, 0, -1 }));
   scene.LookAt({ 0, 0, -1 }, 20.);
   RELIEVO_CHECK_AT_MOST(scene.Worst([](const glm::dvec3& d) {
     return Smooth({ d.x, d.y, -d.z });
@@ -155,7 +90,7 @@ void TestProjections()
 void TestTurns()
 {
   const glm::dvec3 normal = glm::normalize(glm::dvec3(-0.3, 0.8, 0.5));
-  Scene scene(Smooth, Cube, 256, Wall(normal));
+  MirrorScene scene(Smooth, Cube, 256, Wall(normal));
   scene.LookAt(normal + glm::dvec3(0.4, 0., 0.3), 50.);
   const auto truth = [&](const glm::dvec3& d) { return Smooth(glm::reflect(d, normal)); };
   for (const double degrees : { 90., -37. })
@@ -185,7 +120,7 @@ void TestTurns()
 void TestNormalMap()
 {
   const glm::dvec3 tilted = glm::normalize(glm::dvec3(0.3, -0.2, 1.));
-  Scene scene(Smooth, Cube, 256, Wall({ 0, 0, 1 }));
+  MirrorScene scene(Smooth, Cube, 256, Wall({ 0, 0, 1 }));
   vtkNew<vtkImageData> map;
   map->SetDimensions(2, 2, 1);
   map->AllocateScalars(VTK_FLOAT, 3);
@@ -205,7 +140,7 @@ void TestFresnel()
   const glm::dvec3 normal(0., 0., 1.);
   const glm::dvec3 own(0.2, 0.6, 0.4);
   const glm::dvec3 behind(0.9, 0.1, 0.5);
-  Scene scene(Smooth, Cube, 256, Wall(normal));
+  MirrorScene scene(Smooth, Cube, 256, Wall(normal));
   scene.Renderer->SetBackground(behind.x, behind.y, behind.z);
   vtkProperty* look = scene.Actor->GetProperty();
   look->SetAmbientColor(own.x, own.y, own.z);
@@ -237,72 +172,12 @@ void TestFresnel()
   }
 }
 
-// As Scene::Worst, for a view whose rays only the camera's matrices know.
-double WorstThrough(vtkRenderer* renderer, const Light& truth)
-{
-  const Photo photo(renderer->GetRenderWindow());
-  vtkCamera* camera = renderer->GetActiveCamera();
-  vtkNew<vtkMatrix4x4> toWorld;
-  // Not the composite matrix: it knows no stereo.
-  vtkMatrix4x4::Multiply4x4(
-    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1., 1.),
-    camera->GetModelViewTransformMatrix(), toWorld);
-  toWorld->Invert();
-  double worst = 0.;
-  for (int y = 0; y < photo.Height; ++y)
-  {
-    for (int x = 0; x < photo.Width; ++x)
-    {
-      double ends[2][4];
-      for (int end = 0; end < 2; ++end)
-      {
-        const double place[4] = { 2. * (x + 0.5) / photo.Width - 1.,
-          2. * (y + 0.5) / photo.Height - 1., end - 0.5, 1. };
-        toWorld->MultiplyPoint(place, ends[end]);
-      }
-      const auto at = [&ends](int end) {
-        return glm::dvec3(ends[end][0], ends[end][1], ends[end][2]) / ends[end][3];
-      };
-      const glm::dvec3 off = glm::abs(truth(glm::normalize(at(1) - at(0))) - photo.At(x, y));
-      worst = std::max({ worst, off.x, off.y, off.z });
-    }
-  }
-  return 255. * worst;
-}
-
-// Each eye of a stereo picture, and sheared views, mirror along their own rays.
-void TestEyes()
-{
-  const glm::dvec3 normal = glm::normalize(glm::dvec3(0.2, 0.1, 1.));
-  const Light truth = [&normal](const glm::dvec3& d) { return Smooth(glm::reflect(d, normal)); };
-  for (const int type : { VTK_STEREO_LEFT, VTK_STEREO_RIGHT })
-  {
-    Scene scene(Smooth, Cube, 256, Wall(normal));
-    scene.LookAt({ 0.3, -0.2, 1. }, 40.);
-    scene.Renderer->GetActiveCamera()->SetEyeAngle(20.);
-    scene.Renderer->GetRenderWindow()->StereoRenderOn();
-    scene.Renderer->GetRenderWindow()->SetStereoType(type);
-    RELIEVO_CHECK_AT_MOST(
-      WorstThrough(scene.Renderer, truth), 1., "stereo " + std::to_string(type) + ", 255ths");
-  }
-  for (const bool parallel : { false, true })
-  {
-    Scene scene(Smooth, Cube, 256, Wall(normal));
-    scene.LookAt({ 0.3, -0.2, 1. }, 40.);
-    vtkCamera* camera = scene.Renderer->GetActiveCamera();
-    camera->SetParallelProjection(parallel);
-    camera->SetViewShear(0.3, -0.2, 1.);
-    RELIEVO_CHECK_AT_MOST(WorstThrough(scene.Renderer, truth), 1.,
-      parallel ? "parallel and sheared, 255ths" : "sheared, 255ths");
-  }
-}
-
 // A PBR surface mirrors in its own colour as far as it is a metal, and white where it is grazed.
 void TestMetal()
 {
   const glm::dvec3 normal(0., 0., 1.);
   const glm::dvec3 gold(1., 0.77, 0.34);
-  Scene scene(Smooth, Cube, 256, Wall(normal));
+  MirrorScene scene(Smooth, Cube, 256, Wall(normal));
   vtkProperty* look = scene.Actor->GetProperty();
   look->SetInterpolationToPBR();
   look->SetColor(gold.x, gold.y, gold.z);
@@ -354,7 +229,7 @@ void SetFilters(vtkRelievoEnvironment* environment, int size)
 void TestFurnace()
 {
   const glm::dvec3 even(0.8);
-  Scene scene([&](const glm::dvec3&) { return even; }, Cube, 16, FineBall());
+  MirrorScene scene([&](const glm::dvec3&) { return even; }, Cube, 16, FineBall());
   SetFilters(scene.Environment, 16);
   scene.LookAt({ 0.3, 0.4, 1. }, 16.);
   for (int i = 0; i <= 20; ++i)
@@ -377,7 +252,7 @@ void TestIrradiance()
   {
     for (const glm::dvec3& side : Sides)
     {
-      Scene scene(bright, Cube, 64, Wall(side));
+      MirrorScene scene(bright, Cube, 64, Wall(side));
       SetFilters(scene.Environment, 16);
       scene.Environment->SetRotation(rotation);
       scene.Material->SetReflectionWeight(0.);
@@ -410,7 +285,6 @@ int main()
   TestTurns();
   TestNormalMap();
   TestFresnel();
-  TestEyes();
   TestMetal();
   TestFurnace();
   TestIrradiance();
