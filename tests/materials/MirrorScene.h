@@ -24,7 +24,7 @@
 
 namespace relievoTest
 {
-/** A square through the origin that faces `normal`, 20 wide, with normals and texture coordinates. */
+/** A square through the origin that faces `normal`, 20 wide, with normals and coordinates. */
 inline vtkSmartPointer<vtkPolyData> Wall(const glm::dvec3& normal)
 {
   const glm::dvec3 n = glm::normalize(normal);
