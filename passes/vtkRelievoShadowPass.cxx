@@ -187,11 +187,12 @@ bool vtkRelievoShadowPass::IsNeeded(const vtkRenderState* s, std::string& reason
     reason = out.str();
     return false;
   }
+  out << in.Casting.size() << (in.Casting.size() == 1 ? " light casts" : " lights cast");
   for (const vtkRelievoShadowLight& light : in.Casting)
   {
-    out << (&light == in.Casting.data() ? "" : ", ") << in.GetName(light);
+    out << (&light == in.Casting.data() ? " (" : ", ") << in.GetName(light);
   }
-  out << (in.Casting.size() == 1 ? " casts, " : " cast, ") << in.Cache.GetNumberOfMaps()
+  out << "), " << in.Cache.GetNumberOfMaps()
       << (in.Cache.GetNumberOfMaps() == 1 ? " map of " : " maps of ") << in.Maps.GetSize() << " x "
       << in.Maps.GetSize() << " texels, " << this->NumberOfMapsDrawn << " drawn anew"
       << in.Exchange.GetReport() << without.str();

@@ -245,7 +245,7 @@ class Scripting(pv.Test):
         self.assertTrue(stages["shadows"]["ran"])
         self.assertEqual(stages["shadows"]["bytes"], 4 * 2048**2)
         reason = stages["shadows"]["reason"].split("; ")
-        self.assertRegex(reason[0], "^the sun casts, 1 map of 2048 x 2048 texels")
+        self.assertRegex(reason[0], r"^1 light casts \(the sun\), 1 map of 2048 x 2048 texels")
         self.assertIn("the kit's key light casts none: it is chosen so", reason)
 
 
