@@ -37,9 +37,9 @@ namespace
 using namespace relievoBench;
 using namespace relievoTest;
 
-constexpr int Width = 800;
-constexpr int Height = 600;
-constexpr int Texels = 1024;
+constexpr int Width = 1600; // so that a frame is long against the start of its threads
+constexpr int Height = 1200;
+constexpr int Texels = 2048;
 constexpr double ViewAngle = 30.;
 constexpr int Rounds = 31;
 constexpr int Fine = 256; // quads along a side of the finer mesh
