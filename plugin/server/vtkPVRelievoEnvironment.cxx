@@ -4,6 +4,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkLightCollection.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkOpenGLError.h"
@@ -167,6 +168,7 @@ void vtkPVRelievoEnvironment::Prepare(vtkObject* self, vtkPVRenderView* view)
   vtkPVRelievoMaterial::Prepare(view, ready ? this->Environment.Get() : nullptr);
   this->Skybox->SetEnvironment(ready && this->Sky ? this->Environment.Get() : nullptr);
   vtkRenderer* renderer = view->GetRenderer();
+  this->PlaceDarkness(renderer, ready && mirrored);
   const bool wanted = this->Skybox->GetEnvironment() && !FindCompositor(view);
   if (wanted && !renderer->HasViewProp(this->Skybox))
   {
@@ -175,6 +177,32 @@ void vtkPVRelievoEnvironment::Prepare(vtkObject* self, vtkPVRenderView* view)
   else if (!wanted)
   {
     renderer->RemoveViewProp(this->Skybox);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoEnvironment::PlaceDarkness(vtkRenderer* renderer, bool mirrored)
+{
+  // Without any light VTK shades nothing, and there are no normals to mirror about.
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator it;
+  lights->InitTraversal(it);
+  bool isLit = false;
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    isLit = isLit || (light != this->Darkness && light->GetSwitch());
+  }
+  const bool wanted = mirrored && !isLit;
+  const bool there = lights->IsItemPresent(this->Darkness) != 0;
+  if (wanted && !there)
+  {
+    this->Darkness->SetLightTypeToHeadlight();
+    this->Darkness->SetIntensity(0.0);
+    renderer->AddLight(this->Darkness);
+  }
+  else if (!wanted && there)
+  {
+    renderer->RemoveLight(this->Darkness);
   }
 }
 
@@ -228,5 +256,6 @@ void vtkPVRelievoEnvironment::Finish(vtkPVRenderView* view)
 void vtkPVRelievoEnvironment::Leave(vtkPVRenderView* view)
 {
   view->GetRenderer()->RemoveViewProp(this->Skybox);
+  this->PlaceDarkness(view->GetRenderer(), false);
   vtkPVRelievoMaterial::Prepare(view, nullptr);
 }

@@ -11,6 +11,7 @@
 #ifndef vtkPVRelievoEnvironment_h
 #define vtkPVRelievoEnvironment_h
 
+#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoSkybox.h"
@@ -20,6 +21,7 @@
 
 class vtkObject;
 class vtkPVRenderView;
+class vtkRenderer;
 
 class vtkPVRelievoEnvironment
 {
@@ -44,8 +46,10 @@ private:
   struct Light;
   static std::shared_ptr<Light> Read(vtkObject* self, const std::string& path);
   bool Ready(vtkObject* self, bool mirrored);
+  void PlaceDarkness(vtkRenderer* renderer, bool mirrored);
 
   vtkNew<vtkRelievoSkybox> Skybox;
+  vtkNew<vtkLight> Darkness; // of no intensity
   std::string Path;
   bool HasRead = false;
   std::shared_ptr<Light> Content;

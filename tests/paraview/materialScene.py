@@ -71,7 +71,7 @@ class Scene:
         self.view = make_view(size)
         self.square = source or simple.Plane(XResolution=1, YResolution=1)
         self.shown = self.show(self.square)
-        lamp = simple.AddLight(self.view)
+        self.lamp = lamp = simple.AddLight(self.view)
         lamp.Coords, lamp.Type, lamp.Intensity = "Scene", "Directional", LIGHT
         lamp.Position, lamp.FocalPoint = list(light), [0.0, 0.0, 0.0]
         simple.Render(self.view)  # whose first call in a process turns the camera

@@ -122,6 +122,10 @@ class Environment(pv.Test):
         self.sees([255 * (LIGHT + 0.125)] * 3, "irradiance")
         self.shown.RelievoIrradianceWeight = 0.5
         self.sees([255 * (LIGHT + 0.0625)] * 3, "half of it")
+        self.scene.lamp.Enable = 0
+        self.sees([255 * 0.0625] * 3, "half of it, and no other light")
+        self.shown.RelievoMirror = 0
+        self.sees([255] * 3, "unlit, as ParaView has it")
 
     def test_goes_together(self):
         """With ParaView's own and Relievo's: the same cells selected; off, the first picture."""
