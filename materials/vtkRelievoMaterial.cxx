@@ -29,8 +29,9 @@ void AddCarrier(vtkActor* actor)
   {
     vtkNew<vtkImageData> texel;
     texel->SetDimensions(1, 1, 1);
-    texel->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-    texel->SetScalarComponentFromDouble(0, 0, 0, 0, 255.0);
+    // Three bytes, which VTK takes as they are: what it maps first is gone for all faces but one.
+    texel->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    std::fill_n(static_cast<unsigned char*>(texel->GetScalarPointer()), 3, 255);
     vtkNew<vtkTexture> texture;
     texture->CubeMapOn();
     for (int face = 0; face < 6; ++face)
