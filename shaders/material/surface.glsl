@@ -51,7 +51,7 @@ vec2 relievoUVdY = vec2(0.0);
 vec3 relievoPerU = vec3(1.0, 0.0, 0.0); // eye space, on the mesh
 vec3 relievoPerV = vec3(0.0, 1.0, 0.0);
 float relievoHandedness = 1.0; // -1 on mirrored coordinates, as they are seen
-vec3 relievoFaceVC = vec3(0.0, 0.0, 1.0); // unit normal of the mesh's face, towards the eye
+vec3 relievoFaceVC = vec3(0.0, 0.0, 1.0); // of the mesh's face, towards the eye; unit with heights
 bool relievoFramed = false; // there is a frame: texture coordinates spread over the face
 
 #ifdef RELIEVO_NORMAL_MAP

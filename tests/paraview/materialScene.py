@@ -106,19 +106,6 @@ def make_view(size=SIZE):
     return view
 
 
-def restore(path, picture):
-    """Loads a state file as a user does, and draws its view."""
-    if path.endswith(".py"):
-        with open(path) as state:
-            exec(compile(state.read(), path, "exec"), {})
-    else:
-        simple.LoadState(path)
-    view = simple.GetActiveView()
-    # Neither kind of state holds these two, for their values are application settings.
-    view.MultiSamples, view.UseFXAA = 0, 0
-    numpy.save(picture, pv.picture(view))
-
-
 def say(*words):
     """Where ParaView's messages go, in order."""
     print(*words, file=sys.stderr, flush=True)
@@ -241,7 +228,7 @@ def draw_ranks(folder, name, port=None, threshold=None):
 
 if __name__ == "__main__":
     pv.load()
-    {"restore": restore, "wrong": set_wrong, "ranks": draw_ranks}[sys.argv[1]](*sys.argv[2:])
+    {"restore": pv.restore, "wrong": set_wrong, "ranks": draw_ranks}[sys.argv[1]](*sys.argv[2:])
     if sys.argv[1] == "ranks":
         pv.clear()  # no sys.exit() here: the other ranks would not hear of it
     else:

@@ -11,7 +11,7 @@ import time
 import unittest
 
 import numpy
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
@@ -49,6 +49,53 @@ def pixels(image, channels=3):
 def picture(view):
     """What the view draws now, at full quality."""
     return pixels(view.SMProxy.CaptureWindow(1))
+
+
+def restore(path, picture_path):
+    """Loads a state file as a user does, and keeps what its view draws: the view."""
+    if path.endswith(".py"):
+        with open(path) as state:
+            exec(compile(state.read(), path, "exec"), {})
+    else:
+        simple.LoadState(path)
+    view = simple.GetActiveView()
+    # Neither kind of state holds these two, for their values are application settings.
+    view.MultiSamples, view.UseFXAA = 0, 0
+    numpy.save(picture_path, picture(view))
+    return view
+
+
+class UndoStack:
+    """ParaView's undo, as its menu has it, for one test."""
+
+    def __init__(self, test, depth=10):
+        manager = servermanager.vtkSMProxyManager.GetProxyManager()
+        self.builder = servermanager.vtkSMUndoStackBuilder()
+        self.stack = servermanager.vtkSMUndoStack()
+        self.builder.SetUndoStack(self.stack)
+        self.stack.SetStackDepth(depth)
+        manager.SetUndoStackBuilder(self.builder)
+        test.addCleanup(manager.SetUndoStackBuilder, None)
+
+    def change(self, proxy, name, value):
+        """One change that can be undone."""
+        self.builder.Begin(name)
+        setattr(proxy, name, value)
+        self.builder.End()
+        self.builder.PushToStack()
+
+    def undo(self):
+        self._go(self.stack.Undo)
+
+    def redo(self):
+        self._go(self.stack.Redo)
+
+    def _go(self, step):
+        self.builder.SetIgnoreAllChanges(True)
+        step()
+        session = servermanager.ActiveConnection.Session
+        session.GetSessionProxyManager().UpdateRegisteredProxies(1)
+        self.builder.SetIgnoreAllChanges(False)
 
 
 def read(path, channels=3):

@@ -9,7 +9,7 @@ import materialScene
 import numpy
 import pv
 from materialScene import LIGHT, lean
-from paraview import servermanager, simple, smstate, smtrace
+from paraview import simple, smstate, smtrace
 
 SCENE = pathlib.Path(__file__).with_name("materialScene.py")
 
@@ -281,32 +281,16 @@ class Materials(pv.Test):
                 self.assertIn(f".{name} = {wanted!r}", trace)
 
     def test_undo(self):
-        manager = servermanager.vtkSMProxyManager.GetProxyManager()
-        builder, stack = servermanager.vtkSMUndoStackBuilder(), servermanager.vtkSMUndoStack()
-        builder.SetUndoStack(stack)
-        manager.SetUndoStackBuilder(builder)
-        self.addCleanup(manager.SetUndoStackBuilder, None)
-
-        def go(step):
-            """What ParaView's menu does."""
-            builder.SetIgnoreAllChanges(True)
-            step()
-            session = servermanager.ActiveConnection.Session
-            session.GetSessionProxyManager().UpdateRegisteredProxies(1)
-            builder.SetIgnoreAllChanges(False)
-
+        stack = pv.UndoStack(self)
         # The stack knows no state before the first change that it sees of an object.
         self.shown.RelievoNormalMap = materialScene.write_normals("leaning.png", lean(30))
         own = pv.picture(self.view)
-        builder.Begin("Material")
-        self.shown.RelievoMaterial = 1
-        builder.End()
-        builder.PushToStack()
+        stack.change(self.shown, "RelievoMaterial", 1)
         mapped = pv.picture(self.view)
         self.differ(mapped, own, "on")
-        go(stack.Undo)
+        stack.undo()
         self.same(pv.picture(self.view), own, "undone")
-        go(stack.Redo)
+        stack.redo()
         self.same(pv.picture(self.view), mapped, "done again")
 
 

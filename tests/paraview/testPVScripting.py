@@ -13,7 +13,7 @@ import materialScene
 import numpy
 import pv
 import stage
-from paraview import servermanager, simple, smstate, smtrace
+from paraview import simple, smstate, smtrace
 
 # Every property of the view: default, another value as a script gives it.
 PROPERTIES = {
@@ -69,20 +69,6 @@ def value(view, name):
     if isinstance(default, str):
         return str(found).strip("'")
     return list(found) if isinstance(default, list) else found
-
-
-def restore(path, picture):
-    """Loads a state file as a user does, and draws its view."""
-    if path.endswith(".py"):
-        with open(path) as state:
-            exec(compile(state.read(), path, "exec"), {})
-    else:
-        simple.LoadState(path)
-    view = simple.GetActiveView()
-    # Neither kind of state holds these two, for their values are application settings.
-    view.MultiSamples, view.UseFXAA = 0, 0
-    numpy.save(picture, pv.picture(view))
-    print("restored", [name for name in view.ListProperties() if "Relievo" in name])
 
 
 def set_wrong_values():
@@ -183,41 +169,24 @@ class Scripting(pv.Test):
         self.assertIn("AttributeError: Attribute RelievoShadow", said)
 
     def test_undo_and_redo(self):
-        manager = servermanager.vtkSMProxyManager.GetProxyManager()
-        builder, stack = servermanager.vtkSMUndoStackBuilder(), servermanager.vtkSMUndoStack()
-        builder.SetUndoStack(stack)
-        stack.SetStackDepth(len(PROPERTIES))
-        manager.SetUndoStackBuilder(builder)
-        self.addCleanup(manager.SetUndoStackBuilder, None)
-
-        def go(step):
-            """What ParaView's menu does."""
-            builder.SetIgnoreAllChanges(True)
-            step()
-            session = servermanager.ActiveConnection.Session
-            session.GetSessionProxyManager().UpdateRegisteredProxies(1)
-            builder.SetIgnoreAllChanges(False)
-
+        stack = pv.UndoStack(self, len(PROPERTIES))
         # The stack knows no state before the first change that it sees of an object.
         self.view.RelievoSunAzimuth = 1.0
         self.view.RelievoSunAzimuth = PROPERTIES["RelievoSunAzimuth"][0]
         own = pv.picture(self.view)
         for name, (default, other) in PROPERTIES.items():
-            builder.Begin(name)
-            setattr(self.view, name, other)
-            builder.End()
-            builder.PushToStack()
-            go(stack.Undo)
+            stack.change(self.view, name, other)
+            stack.undo()
             self.assertEqual(value(self.view, name), default, name)
-            go(stack.Redo)
+            stack.redo()
             self.assertEqual(value(self.view, name), other, name)
         changed = pv.picture(self.view)
         self.differ(changed, own, "all changed")
         for _ in PROPERTIES:
-            go(stack.Undo)
+            stack.undo()
         self.same(pv.picture(self.view), own, "all undone")
         for _ in PROPERTIES:
-            go(stack.Redo)
+            stack.redo()
         self.same(pv.picture(self.view), changed, "all done again")
 
     def test_wrong_values_and_a_plugin_that_is_not_there(self):
@@ -252,7 +221,8 @@ class Scripting(pv.Test):
 if sys.argv[1:2] == ["restore"]:
     if sys.argv[2] == "plugin":
         pv.load()
-    restore(*sys.argv[3:])
+    shown = pv.restore(*sys.argv[3:])
+    print("restored", [name for name in shown.ListProperties() if "Relievo" in name])
     pv.leave()
 elif sys.argv[1:2] == ["wrong"]:
     set_wrong_values()
