@@ -1,9 +1,10 @@
 # Scans and builds Relievo's VTK modules; each links only what its vtk.module names.
 
-file(GLOB relievo_module_files CONFIGURE_DEPENDS
-  "${CMAKE_CURRENT_SOURCE_DIR}/shaders/vtk.module" "${CMAKE_CURRENT_SOURCE_DIR}/passes/vtk.module"
-  "${CMAKE_CURRENT_SOURCE_DIR}/materials/vtk.module"
-  "${CMAKE_CURRENT_SOURCE_DIR}/io/vtk.module" "${CMAKE_CURRENT_SOURCE_DIR}/filters/vtk.module")
+include(RelievoStages)
+set(relievo_rooms shaders layers passes/frame passes/gbuffer passes/shadows passes/effects passes materials
+  io filters)
+set(relievo_module_files ${relievo_rooms})
+list(TRANSFORM relievo_module_files REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/\\1/vtk.module")
 set(relievo_requested Relievo::Shaders Relievo::Passes Relievo::Materials
   Relievo::IO Relievo::Filters)
 # Of ParaView's plugin: not for Python, which reaches it through ParaView's server manager.

@@ -2,38 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoPass
- * @brief The frame: wraps any render pass and runs the stages that the outputs asked for reach.
+ * @brief The frame with Relievo's own stages: layers, shadows, the layer that is shown, effects.
  *
- * A decorator: the delegate draws the picture exactly as without Relievo; the stages add layers
- * (depth, normals, ids ...) and effects. Nothing that nobody asked for is rendered, stored or
- * looked up. The frame report says what ran, why, and what it cost.
+ * A decorator (vtkRelievoFramePass): the delegate draws the picture exactly as without Relievo;
+ * the stages add layers (depth, normals, ids ...) and effects. Only what is asked for is rendered,
+ * stored or looked up; the frame report says what ran, why, and what it cost.
  *
  * Layers: depth, range, normal, geometric_normal, position, albedo, actor, block, cell, shadow_N
- * (of the renderer's light N), and any point or cell array by name (`point:NAME` or `cell:NAME` to
- * name one that shares a layer's name).
+ * (of the renderer's light N), any point or cell array by name (`point:NAME` or `cell:NAME` to name
+ * one that shares a layer's name), and color, the linear colour in half floats.
  */
 #ifndef vtkRelievoPass_h
 #define vtkRelievoPass_h
 
+#include "vtkRelievoFramePass.h"
 #include "vtkRelievoPassesModule.h" // for the export macro
-#include "vtkRenderPass.h"
-#include "vtkSmartPointer.h" // for the delegate and the G-buffer
 
-#include <memory> // for the internals
-#include <string> // for the report
-#include <vector> // for the stages
-
-class vtkImageData;
+class vtkRelievoDisplayStage;
 class vtkRelievoGBufferPass;
 class vtkRelievoShadowPass;
-class vtkRelievoStage;
 class vtkRenderer;
 
-class VTKRELIEVOPASSES_EXPORT vtkRelievoPass : public vtkRenderPass
+class VTKRELIEVOPASSES_EXPORT vtkRelievoPass : public vtkRelievoFramePass
 {
 public:
   static vtkRelievoPass* New();
-  vtkTypeMacro(vtkRelievoPass, vtkRenderPass);
+  vtkTypeMacro(vtkRelievoPass, vtkRelievoFramePass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -44,12 +38,6 @@ public:
    */
   static vtkRelievoPass* Attach(vtkRenderer* renderer);
   static bool Detach(vtkRenderer* renderer);
-  ///@}
-
-  ///@{
-  /** The pass that draws the picture. Default nullptr: the renderer's own steps, without a pass. */
-  virtual void SetDelegatePass(vtkRenderPass* pass);
-  vtkRenderPass* GetDelegatePass();
   ///@}
 
   /** The stage that makes the layers: its formats and spaces are set there. */
@@ -66,31 +54,12 @@ public:
   vtkRelievoShadowPass* GetShadowPass();
 
   ///@{
-  /** More stages, run in the order of their addition. The G-buffer is always there, as stage 0. */
-  void AddStage(vtkRelievoStage* stage);
-  void RemoveStage(vtkRelievoStage* stage);
-  int GetNumberOfStages();
-  vtkRelievoStage* GetStage(int i);
-  ///@}
-
-  ///@{
-  /**
-   * Layers to make in every frame, until released. An array that no visible dataset has is an
-   * error when it is read.
-   */
-  void RequestLayer(const std::string& name);
-  void ReleaseLayer(const std::string& name);
-  void ReleaseLayers();
-  bool IsLayerRequested(const std::string& name);
-  ///@}
-
-  ///@{
   /**
    * The layer shown as the picture, or nullptr (default) for the picture itself. Scalars are shown
    * through a colour map over DisplayRange, vectors as 0.5 v + 0.5, ids as distinct colours.
    */
-  vtkSetStringMacro(DisplayLayer);
-  vtkGetStringMacro(DisplayLayer);
+  void SetDisplayLayer(const char* name);
+  const char* GetDisplayLayer();
   ///@}
 
   ///@{
@@ -98,8 +67,9 @@ public:
    * Values shown as the first and the last colour, for scalar layers. Default (0, 0): from the
    * near to the far plane for depth and range, the finite extremes for arrays.
    */
-  vtkSetVector2Macro(DisplayRange, double);
-  vtkGetVector2Macro(DisplayRange, double);
+  void SetDisplayRange(double first, double last);
+  void SetDisplayRange(const double range[2]) { this->SetDisplayRange(range[0], range[1]); }
+  double* GetDisplayRange() VTK_SIZEHINT(2);
   ///@}
 
   ///@{
@@ -107,63 +77,20 @@ public:
    * Shows scalar layers as grey (or raw values in a float framebuffer), not in colours. Default
    * off.
    */
-  vtkSetMacro(DisplayGrey, bool);
-  vtkGetMacro(DisplayGrey, bool);
+  void SetDisplayGrey(bool on);
+  bool GetDisplayGrey();
   vtkBooleanMacro(DisplayGrey, bool);
   ///@}
-
-  ///@{
-  /** Makes the layers only and leaves the picture alone: for captures. Default off. */
-  vtkSetMacro(LayersOnly, bool);
-  vtkGetMacro(LayersOnly, bool);
-  vtkBooleanMacro(LayersOnly, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Reads layers of the last frame into the image as point arrays of the layers' names; row 0 is
-   * the bottom row. The image's dimensions are set if it has no points. Returns false, with an
-   * error, at the first layer that the last frame did not make. Several at once are read faster
-   * than one by one: they share what comes from the GPU.
-   */
-  bool ReadLayer(const std::string& name, vtkImageData* image);
-  bool ReadLayers(const std::vector<std::string>& names, vtkImageData* image);
-  ///@}
-
-  /**
-   * What the last frames did, as JSON: for every stage its name, whether it ran, the reason in
-   * words, GPU milliseconds (of the newest frame whose timers have arrived; null before), bytes
-   * held, draw calls; and the totals.
-   */
-  std::string GetFrameReport();
-
-  /** Bytes of GPU memory that the frame's stages hold. */
-  vtkIdType GetBytesHeld();
-
-  void Render(const vtkRenderState* s) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
   vtkRelievoPass();
   ~vtkRelievoPass() override;
 
-  char* DisplayLayer = nullptr;
-  double DisplayRange[2] = { 0.0, 0.0 };
-  bool DisplayGrey = false;
-  bool LayersOnly = false;
-
 private:
   vtkRelievoPass(const vtkRelievoPass&) = delete;
   void operator=(const vtkRelievoPass&) = delete;
 
-  void RenderDelegate(const vtkRenderState* s, const std::vector<vtkRelievoStage*>& needed);
-
-  void Report(const vtkRenderState* s, const std::vector<vtkRelievoStage*>& needed);
-
-  void ReleaseStages(vtkWindow* window);
-
-  class Internals;
-  std::unique_ptr<Internals> Internal;
+  vtkRelievoDisplayStage* GetDisplay();
 };
 
 #endif

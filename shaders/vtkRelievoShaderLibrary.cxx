@@ -5,6 +5,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkRelievoShaderTable.h"
 
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -12,7 +13,14 @@ vtkStandardNewMacro(vtkRelievoShaderLibrary);
 
 namespace
 {
-const char* Find(const std::string& name)
+// Of other libraries, by name.
+std::map<std::string, std::string>& GetAdded()
+{
+  static std::map<std::string, std::string> added;
+  return added;
+}
+
+const char* FindQuietly(const std::string& name)
 {
   for (const vtkRelievoShaderTableEntry* entry = vtkRelievoShaderTable; entry->Name; ++entry)
   {
@@ -20,6 +28,16 @@ const char* Find(const std::string& name)
     {
       return entry->Text;
     }
+  }
+  const auto added = GetAdded().find(name);
+  return added == GetAdded().end() ? nullptr : added->second.c_str();
+}
+
+const char* Find(const std::string& name)
+{
+  if (const char* text = FindQuietly(name))
+  {
+    return text;
   }
   vtkGenericWarningMacro("No GLSL source named '" << name << "' is embedded in Relievo.");
   return nullptr;
@@ -104,4 +122,16 @@ void vtkRelievoShaderLibrary::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfSources: " << GetNumberOfSources() << "\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShaderLibrary::Add(const std::string& name, const std::string& text)
+{
+  if (FindQuietly(name))
+  {
+    vtkGenericWarningMacro("A GLSL source named '" << name << "' is there already; call it else.");
+    return false;
+  }
+  GetAdded()[name] = text;
+  return true;
 }

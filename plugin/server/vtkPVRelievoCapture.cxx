@@ -183,7 +183,7 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
     wrong = "The view was not drawn with Relievo: it is hidden, or another feature draws it (ray "
             "tracing, for example). Show the view or switch that off, and grab again.";
   }
-  else if (!names.empty() && view->GetFrame()->GetGBuffer()->GetTexture(0))
+  else if (!names.empty() && view->GetFrame()->GetGBuffer()->GetHoldsLayers())
   {
     wrong = ReadSome(view->GetFrame(), names, in.Image);
   }

@@ -10,7 +10,6 @@
 //RELIEVO::Include(formulas/unproject.glsl)
 //RELIEVO::Include(formulas/colormap.glsl)
 in vec2 texCoord;
-uniform ivec2 relievoOffset; // of the viewport within the words
 uniform vec2 relievoSize;    // of the viewport
 uniform vec2 relievoShown;     // values of the first and the last colour
 uniform vec4 relievoBackground; // with its opacity, by which processes lay pictures over others
@@ -46,23 +45,22 @@ vec4 relievoScalarColor(float value)
 void main()
 {
   ivec2 pixel = ivec2(floor(texCoord * relievoSize));
-  ivec2 texel = pixel + relievoOffset;
 #if RELIEVO_SHOW == 0
   vec4 color = texelFetch(relievoColors, pixel, 0);
   gl_FragData[0] = color.a > 0.0 ? vec4(color.rgb, 1.0) : relievoBackground;
 #elif RELIEVO_SHOW == 1
-  gl_FragData[0] = relievoScalarColor(relievoFetchDepth(texel));
+  gl_FragData[0] = relievoScalarColor(relievoFetchDepth(pixel));
 #elif RELIEVO_SHOW == 2
-  float depth = relievoFetchDepth(texel);
+  float depth = relievoFetchDepth(pixel);
   vec3 positionVC = relievoEyePosition(
     relievoNdcFromPixel(vec2(pixel), relievoSize), isinf(depth) ? 1.0 : depth, relievoProjection);
   gl_FragData[0] = relievoScalarColor(isinf(depth) ? depth : length(positionVC));
 #elif RELIEVO_SHOW == 3
-  gl_FragData[0] = relievoVectorColor(relievoFetchNormal(texel));
+  gl_FragData[0] = relievoVectorColor(relievoFetchNormal(pixel));
 #elif RELIEVO_SHOW == 4
-  gl_FragData[0] = relievoVectorColor(relievoFetchNormalAt(texel, RELIEVO_GEOMETRIC_NORMAL_WORD));
+  gl_FragData[0] = relievoVectorColor(relievoFetchNormalAt(pixel, RELIEVO_GEOMETRIC_NORMAL_WORD));
 #else
-  vec4 albedo = unpackUnorm4x8(relievoFetchWord(texel, RELIEVO_ALBEDO_WORD));
+  vec4 albedo = unpackUnorm4x8(relievoFetchWord(pixel, RELIEVO_ALBEDO_WORD));
   gl_FragData[0] = albedo.a > 0.0 ? vec4(albedo.rgb, 1.0) : relievoBackground;
 #endif
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the layers back from the words of the G-buffer. Defines by vtkRelievoGBufferLayout.
+// Reads the layers back from the words of the G-buffer; pixel (0, 0) is the viewport's lower left
+// one. Defines by vtkRelievoGBufferLayout.
 //RELIEVO::Include(formulas/normal_depth.glsl)
 //RELIEVO::Include(formulas/octahedral.glsl)
 uniform usampler2D relievoWords1;
@@ -16,12 +17,14 @@ uniform usampler2D relievoWords4;
 #if RELIEVO_ATTACHMENTS > 4
 uniform usampler2D relievoWords5;
 #endif
+uniform ivec2 relievoOffset; // of the viewport within the words
 uniform float relievoNear;
 uniform float relievoFar;
 uniform int relievoParallel;
 
-uint relievoFetchWord(ivec2 texel, int word)
+uint relievoFetchWord(ivec2 pixel, int word)
 {
+  ivec2 texel = pixel + relievoOffset;
   uvec4 words = uvec4(uint(0));
   if (word < 4)
   {
@@ -55,51 +58,51 @@ uint relievoFetchWord(ivec2 texel, int word)
   return channel == 0 ? words.x : channel == 1 ? words.y : channel == 2 ? words.z : words.w;
 }
 
-vec3 relievoFetchNormalAt(ivec2 texel, int word)
+vec3 relievoFetchNormalAt(ivec2 pixel, int word)
 {
 #if RELIEVO_NORMAL_FORMAT == 1
-  return relievoUnpackNormalFloat(uvec3(relievoFetchWord(texel, word),
-    relievoFetchWord(texel, word + 1), relievoFetchWord(texel, word + 2)));
+  return relievoUnpackNormalFloat(uvec3(relievoFetchWord(pixel, word),
+    relievoFetchWord(pixel, word + 1), relievoFetchWord(pixel, word + 2)));
 #elif RELIEVO_NORMAL_FORMAT == 2
   return relievoUnpackNormalHalf(
-    uvec2(relievoFetchWord(texel, word), relievoFetchWord(texel, word + 1)));
+    uvec2(relievoFetchWord(pixel, word), relievoFetchWord(pixel, word + 1)));
 #elif RELIEVO_NORMAL_FORMAT == 3 || RELIEVO_NORMAL_FORMAT == 4
-  return relievoUnpackNormalOct16(relievoFetchWord(texel, word));
+  return relievoUnpackNormalOct16(relievoFetchWord(pixel, word));
 #elif RELIEVO_NORMAL_FORMAT == 5 || RELIEVO_NORMAL_FORMAT == 6
-  return relievoUnpackNormalOct8(relievoFetchWord(texel, word));
+  return relievoUnpackNormalOct8(relievoFetchWord(pixel, word));
 #elif RELIEVO_NORMAL_FORMAT == 7
-  return relievoUnpackNormalUnorm10(relievoFetchWord(texel, word));
+  return relievoUnpackNormalUnorm10(relievoFetchWord(pixel, word));
 #else
-  return relievoUnpackNormalUnorm8(relievoFetchWord(texel, word));
+  return relievoUnpackNormalUnorm8(relievoFetchWord(pixel, word));
 #endif
 }
 
 #ifdef RELIEVO_NORMAL_DEPTH_WORD
-vec4 relievoFetchNormalDepth(ivec2 texel)
+vec4 relievoFetchNormalDepth(ivec2 pixel)
 {
   int word = RELIEVO_NORMAL_DEPTH_WORD;
 #if RELIEVO_NORMAL_DEPTH_FORMAT == 1
-  return relievoUnpackNormalDepth8(relievoFetchWord(texel, word), relievoNear, relievoFar);
+  return relievoUnpackNormalDepth8(relievoFetchWord(pixel, word), relievoNear, relievoFar);
 #elif RELIEVO_NORMAL_DEPTH_FORMAT == 2
   return relievoUnpackNormalDepth16F(
-    uvec2(relievoFetchWord(texel, word), relievoFetchWord(texel, word + 1)),
+    uvec2(relievoFetchWord(pixel, word), relievoFetchWord(pixel, word + 1)),
     relievoDepth16FScale(relievoFar));
 #else
   return relievoUnpackNormalDepth32F(
-    uvec4(relievoFetchWord(texel, word), relievoFetchWord(texel, word + 1),
-      relievoFetchWord(texel, word + 2), relievoFetchWord(texel, word + 3)));
+    uvec4(relievoFetchWord(pixel, word), relievoFetchWord(pixel, word + 1),
+      relievoFetchWord(pixel, word + 2), relievoFetchWord(pixel, word + 3)));
 #endif
 }
 #endif
 
 #if defined(RELIEVO_DEPTH_WORD) || defined(RELIEVO_NORMAL_DEPTH_WORD)
 // World units; +infinity where nothing is.
-float relievoFetchDepth(ivec2 texel)
+float relievoFetchDepth(ivec2 pixel)
 {
 #ifdef RELIEVO_NORMAL_DEPTH_WORD
-  return relievoFetchNormalDepth(texel).w;
+  return relievoFetchNormalDepth(pixel).w;
 #else
-  uint word = relievoFetchWord(texel, RELIEVO_DEPTH_WORD);
+  uint word = relievoFetchWord(pixel, RELIEVO_DEPTH_WORD);
 #if RELIEVO_DEPTH_FORMAT == 1
   return relievoUnpackDepth16F(word, relievoDepth16FScale(relievoFar));
 #elif RELIEVO_DEPTH_FORMAT == 2
@@ -120,12 +123,12 @@ float relievoFetchDepth(ivec2 texel)
 
 #if defined(RELIEVO_NORMAL_WORD) || defined(RELIEVO_NORMAL_DEPTH_WORD)
 // Eye space, unit; the zero vector where there is none.
-vec3 relievoFetchNormal(ivec2 texel)
+vec3 relievoFetchNormal(ivec2 pixel)
 {
 #ifdef RELIEVO_NORMAL_WORD
-  return relievoFetchNormalAt(texel, RELIEVO_NORMAL_WORD);
+  return relievoFetchNormalAt(pixel, RELIEVO_NORMAL_WORD);
 #else
-  return relievoFetchNormalDepth(texel).xyz;
+  return relievoFetchNormalDepth(pixel).xyz;
 #endif
 }
 #endif

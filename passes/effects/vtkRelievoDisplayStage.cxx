@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoDisplayStage.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePlan.h"
+#include "vtkRelievoLayerColors.h"
+#include "vtkRelievoScreenQuad.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+
+vtkStandardNewMacro(vtkRelievoDisplayStage);
+
+namespace
+{
+// The layers that the shader decodes, by its RELIEVO_SHOW; 0 for all others.
+int GetShown(const std::string& layer)
+{
+  static const char* const names[] = { "", "depth", "range", "normal", "geometric_normal",
+    "albedo" };
+  for (int i = 1; i < 6; ++i)
+  {
+    if (layer == names[i])
+    {
+      return i;
+    }
+  }
+  return 0;
+}
+}
+
+class vtkRelievoDisplayStage::Internals
+{
+public:
+  vtkRelievoScreenQuad Quad;
+  vtkSmartPointer<vtkTextureObject> Colors;
+  vtkIdType ColorBytes = 0;
+  std::string Said; // what was wrong with the layer in the last frame: said once
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoDisplayStage::vtkRelievoDisplayStage()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoDisplayStage::~vtkRelievoDisplayStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoDisplayStage::SetLayer(const std::string& name)
+{
+  if (this->Layer != name)
+  {
+    this->Layer = name;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDisplayStage::Describe(vtkRelievoStageDescription& description)
+{
+  description.Name = "display";
+  description.Label = "Layer Shown";
+  description.Help = "Shows a layer as the picture.";
+  description.Slot = vtkRelievoStageDescription::DISPLAY;
+  description.Writes = { "picture" };
+  description.OnByDefault = true;
+  description.AddText("layer", [this]() { return this->Layer; },
+    [this](const std::string& name) { this->SetLayer(name); },
+    "The layer to show; empty for the picture itself.");
+  description.AddFlag("grey", this->Grey, [this](bool on) { this->SetGrey(on); },
+    "Shows scalar layers as grey, not in colours.");
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDisplayStage::Declare(
+  const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
+{
+  if (this->Layer.empty())
+  {
+    declaration.Runs = false;
+    declaration.Code = "idle";
+    declaration.Words = "no layer is shown as the picture";
+    return;
+  }
+  declaration.Reads = { this->Layer };
+  declaration.Words = "shows the layer " + this->Layer + " as the picture";
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoDisplayStage::UploadColors(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  vtkNew<vtkImageData> image;
+  const std::string wrong = context.ReadLayers({ this->Layer }, image);
+  if (!wrong.empty() && wrong != in.Said)
+  {
+    vtkErrorMacro(<< wrong);
+  }
+  in.Said = wrong;
+  if (!wrong.empty())
+  {
+    this->Explain("failed", wrong);
+    return false;
+  }
+  int size[3];
+  image->GetDimensions(size);
+  std::vector<unsigned char> colors =
+    vtkRelievoLayerColors::Make(image, this->Layer, this->Range, this->Grey);
+  if (!in.Colors)
+  {
+    in.Colors = vtkSmartPointer<vtkTextureObject>::New();
+  }
+  in.Colors->SetContext(context.Window);
+  in.Colors->SetMinificationFilter(vtkTextureObject::Nearest);
+  in.Colors->SetMagnificationFilter(vtkTextureObject::Nearest);
+  in.Colors->Create2DFromRaw(static_cast<unsigned int>(size[0]),
+    static_cast<unsigned int>(size[1]), 4, VTK_UNSIGNED_CHAR, colors.data());
+  in.ColorBytes = static_cast<vtkIdType>(colors.size());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  const int shown = GetShown(this->Layer);
+  this->DrawCalls = 0;
+  if (!context.Find(this->Layer) || (shown == 0 && !this->UploadColors(context)))
+  {
+    return;
+  }
+  vtkShaderProgram* program = in.Quad.Ready(context, "display/layerFS.glsl", { this->Layer },
+    "#define RELIEVO_SHOW " + std::to_string(shown) + "\n");
+  if (!program)
+  {
+    vtkErrorMacro("The layer '" << this->Layer << "' is not shown: " << in.Quad.GetWrong() << ".");
+    return;
+  }
+  const vtkRelievoView& view = context.View;
+  vtkRenderer* renderer = context.Renderer;
+  const float range[2] = { static_cast<float>(
+                             this->Range[0] < this->Range[1] ? this->Range[0] : view.Near),
+    static_cast<float>(this->Range[0] < this->Range[1] ? this->Range[1] : view.Far) };
+  float background[4];
+  for (int i = 0; i < 3; ++i)
+  {
+    background[i] = static_cast<float>(renderer->GetBackground()[i]);
+  }
+  background[3] = static_cast<float>(renderer->GetBackgroundAlpha());
+  program->SetUniform2f("relievoShown", range);
+  program->SetUniform4f("relievoBackground", background);
+  program->SetUniformi("relievoGrey", this->Grey);
+  if (shown == 0)
+  {
+    in.Colors->Activate();
+    program->SetUniformi("relievoColors", in.Colors->GetTextureUnit());
+  }
+  vtkOpenGLState* state = context.Window->GetState();
+  state->Push();
+  state->vtkglDisable(GL_BLEND);
+  in.Quad.Draw(context);
+  state->Pop();
+  this->DrawCalls = 1;
+  if (shown == 0)
+  {
+    in.Colors->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoDisplayStage::GetBytesHeld()
+{
+  return this->Internal->ColorBytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDisplayStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& in = *this->Internal;
+  in.Quad.Release(window);
+  if (in.Colors)
+  {
+    in.Colors->ReleaseGraphicsResources(window);
+    in.Colors = nullptr;
+  }
+  in.ColorBytes = 0;
+  this->DrawCalls = 0;
+  this->Superclass::ReleaseGraphicsResources(window);
+}

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoDisplayStage
+ * @brief The stage that shows a layer as the picture.
+ *
+ * Depth, range, normals and albedo are shown straight from the G-buffer's words; ids, positions and
+ * arrays, whose meaning is known on the CPU only, by way of it. Scalars go through a colour map
+ * over Range, vectors are shown as 0.5 v + 0.5, ids as distinct colours.
+ */
+#ifndef vtkRelievoDisplayStage_h
+#define vtkRelievoDisplayStage_h
+
+#include "vtkRelievoEffectsModule.h" // for the export macro
+#include "vtkRelievoStage.h"
+
+#include <memory> // for the internals
+#include <string> // for the layer
+
+class VTKRELIEVOEFFECTS_EXPORT vtkRelievoDisplayStage : public vtkRelievoStage
+{
+public:
+  static vtkRelievoDisplayStage* New();
+  vtkTypeMacro(vtkRelievoDisplayStage, vtkRelievoStage);
+
+  ///@{
+  /** Name of the layer to show; "" (default): none, the picture itself. */
+  void SetLayer(const std::string& name);
+  std::string GetLayer() { return this->Layer; }
+  const char* GetLayerOrNull() { return this->Layer.empty() ? nullptr : this->Layer.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Values shown as the first and the last colour, for scalar layers. Default (0, 0): from the near
+   * to the far plane for depth and range, the finite extremes for arrays.
+   */
+  vtkSetVector2Macro(Range, double);
+  vtkGetVector2Macro(Range, double);
+  ///@}
+
+  ///@{
+  /**
+   * Shows scalar layers as grey (or raw values in a float framebuffer), not in colours. Default
+   * off.
+   */
+  vtkSetMacro(Grey, bool);
+  vtkGetMacro(Grey, bool);
+  vtkBooleanMacro(Grey, bool);
+  ///@}
+
+  vtkIdType GetBytesHeld() override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkRelievoDisplayStage();
+  ~vtkRelievoDisplayStage() override;
+
+  void Describe(vtkRelievoStageDescription& description) override;
+  void Declare(
+    const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
+  void Execute(vtkRelievoFrameContext& context) override;
+
+  std::string Layer;
+  double Range[2] = { 0.0, 0.0 };
+  bool Grey = false;
+
+private:
+  vtkRelievoDisplayStage(const vtkRelievoDisplayStage&) = delete;
+  void operator=(const vtkRelievoDisplayStage&) = delete;
+
+  // The colours of the layer, made on the CPU, as a texture; false if the layer cannot be read.
+  bool UploadColors(vtkRelievoFrameContext& context);
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

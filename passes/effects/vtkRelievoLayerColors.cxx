@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoLayerColors.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkRelievoFormulas.h"
+#include "vtkRelievoLayerCatalogue.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+struct Extremes
+{
+  double From = std::numeric_limits<double>::infinity();
+  double To = -std::numeric_limits<double>::infinity();
+};
+
+Extremes GetFiniteExtremes(vtkDataArray* array, int component)
+{
+  Extremes extremes;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    const double value = array->GetComponent(i, component);
+    if (std::isfinite(value))
+    {
+      extremes.From = std::min(extremes.From, value);
+      extremes.To = std::max(extremes.To, value);
+    }
+  }
+  if (!(extremes.From < extremes.To))
+  {
+    extremes.To = extremes.From + 1.0;
+  }
+  return extremes;
+}
+
+glm::vec3 GetScalarColor(double value, const Extremes& extremes, bool grey)
+{
+  const double t = (value - extremes.From) / (extremes.To - extremes.From);
+  const float shown = static_cast<float>(std::min(1.0, std::max(0.0, t)));
+  return grey ? glm::vec3(shown) : relievo::f32::relievoColormap(shown);
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned char> vtkRelievoLayerColors::Make(
+  vtkImageData* image, const std::string& layer, const double range[2], bool grey)
+{
+  vtkDataArray* array = image->GetPointData()->GetArray(layer.c_str());
+  const vtkIdType count = array ? array->GetNumberOfTuples() : 0;
+  std::vector<unsigned char> colors(static_cast<std::size_t>(image->GetNumberOfPoints()) * 4, 0);
+  const vtkRelievoLayer::Kinds kind = vtkRelievoLayerCatalogue::Find(layer).Kind;
+  const bool ids = kind == vtkRelievoLayer::ID;
+  const bool share = kind == vtkRelievoLayer::SHARE;
+  const int components = array ? array->GetNumberOfComponents() : 1;
+  Extremes extremes[3];
+  for (int c = 0; c < std::min(3, components) && !ids && array; ++c)
+  {
+    extremes[c] = GetFiniteExtremes(array, c);
+    if (share)
+    {
+      extremes[c] = Extremes{ 0.0, 1.0 };
+    }
+    if (range[0] < range[1])
+    {
+      extremes[c] = Extremes{ range[0], range[1] };
+    }
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double first = array->GetComponent(i, 0);
+    glm::vec3 color(0.0f);
+    bool there = false;
+    if (ids)
+    {
+      there = first >= 0.0;
+      color = relievo::f32::relievoHashColor(static_cast<glm::uint>(there ? first : 0.0));
+    }
+    else if (components < 3)
+    {
+      there = std::isfinite(first);
+      color = GetScalarColor(first, extremes[0], grey || share);
+    }
+    else
+    {
+      bool zero = true;
+      there = true;
+      for (int c = 0; c < 3; ++c)
+      {
+        const double value = array->GetComponent(i, c);
+        there = there && std::isfinite(value);
+        zero = zero && value == 0.0;
+        color[c] = GetScalarColor(value, extremes[c], true).x;
+      }
+      there = there && !zero;
+    }
+    if (there)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        colors[4 * i + c] = static_cast<unsigned char>(std::lround(255.0f * color[c]));
+      }
+      colors[4 * i + 3] = 255;
+    }
+  }
+  return colors;
+}

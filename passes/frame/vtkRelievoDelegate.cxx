@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoDelegate.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkRelievoAccess.h"
+#include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
+
+vtkStandardNewMacro(vtkRelievoMarkerProp);
+
+//------------------------------------------------------------------------------
+int vtkRelievoDelegate::Render(
+  vtkRenderPass* pass, const vtkRenderState* s, const Moments& moments)
+{
+  vtkProp** props = s->GetPropArray();
+  int count = s->GetPropArrayCount();
+  if (count > 0 && (moments.OpaqueBegins || moments.OpaqueEnds || moments.OverlayBegins))
+  {
+    this->Begin->Opaque = moments.OpaqueBegins;
+    this->Begin->Overlay = moments.OverlayBegins;
+    this->End->Opaque = moments.OpaqueEnds;
+    this->Props.assign(1, this->Begin);
+    this->Props.insert(this->Props.end(), props, props + count);
+    this->Props.push_back(this->End);
+    props = this->Props.data();
+    count = static_cast<int>(this->Props.size());
+  }
+  if (!pass && s->GetFrameBuffer())
+  {
+    if (!this->Steps)
+    {
+      this->Steps = vtkSmartPointer<vtkRenderStepsPass>::New();
+    }
+    pass = this->Steps;
+  }
+  const int drawn = pass ? RenderPass(pass, s, props, count) : RenderOwnSteps(s, props, count);
+  this->Props.clear();
+  this->Begin->Opaque = this->Begin->Overlay = nullptr;
+  this->End->Opaque = nullptr;
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDelegate::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->Steps)
+  {
+    this->Steps->ReleaseGraphicsResources(window);
+    this->Steps = nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoDelegate::RenderPass(
+  vtkRenderPass* pass, const vtkRenderState* s, vtkProp** props, int numberOfProps)
+{
+  vtkRenderState state(s->GetRenderer());
+  state.SetFrameBuffer(s->GetFrameBuffer());
+  state.SetRequiredKeys(s->GetRequiredKeys());
+  state.SetPropArrayAndCount(props, numberOfProps);
+  pass->Render(&state);
+  return pass->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoDelegate::RenderOwnSteps(const vtkRenderState* s, vtkProp** props, int numberOfProps)
+{
+  auto* renderer = static_cast<vtkOpenGLRenderer*>(s->GetRenderer());
+  vtkProp**& ownProps = vtkRelievoAccess::Renderer::Props(renderer);
+  int& ownCount = vtkRelievoAccess::Renderer::NumberOfProps(renderer);
+  vtkProp** const keptProps = ownProps;
+  const int keptCount = ownCount;
+  ownProps = props;
+  ownCount = numberOfProps;
+  vtkRelievoAccess::Renderer::RenderOwnSteps(renderer);
+  ownProps = keptProps;
+  ownCount = keptCount;
+  return renderer->GetNumberOfPropsRendered();
+}

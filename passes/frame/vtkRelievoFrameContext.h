@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One frame while it is made: whose it is, what is asked of it, its camera, and what its stages have
+// written so far.
+#ifndef vtkRelievoFrameContext_h
+#define vtkRelievoFrameContext_h
+
+#include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkRelievoView.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkRelievoColorTarget;
+class vtkRelievoResource;
+class vtkRelievoScreenQuad;
+class vtkRelievoStage;
+class vtkRenderState;
+class vtkRenderer;
+
+class VTKRELIEVOFRAME_EXPORT vtkRelievoFrameContext
+{
+public:
+  vtkRenderer* Renderer = nullptr;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  const vtkRenderState* State = nullptr;
+  vtkRelievoView View;
+
+  // Whether the window's picture is drawn; if not, layers only, and the window stays as it is.
+  bool Picture = true;
+
+  // Layers that will be read back to the CPU.
+  std::vector<std::string> ReadBack;
+
+  // What is asked of a stage, of what it writes; sorted. Empty if the stage is not reached.
+  const std::vector<std::string>& GetAsked(const vtkRelievoStage* stage) const;
+  bool IsAsked(const vtkRelievoStage* stage, const std::string& resource) const;
+
+  ///@{
+  // What a stage wrote, by the resource's name; nullptr if it is not there (yet). It must live until
+  // the frame is done.
+  void Provide(const std::string& name, vtkRelievoResource* resource);
+  vtkRelievoResource* Find(const std::string& name) const;
+  ///@}
+
+  // Draws the quad, which Ready has made so, over the linear colour: as the new colour of every
+  // pixel if `replaces`, else blended as OpenGL's state says. False if there is no linear colour.
+  bool DrawColor(vtkRelievoScreenQuad& quad, bool replaces = true);
+
+  // Reads layers that earlier stages wrote: see vtkRelievoStage::ReadLayers.
+  std::function<std::string(const std::vector<std::string>&, vtkImageData*)> ReadLayers;
+
+private:
+  friend class vtkRelievoFrameRun;
+
+  std::map<const vtkRelievoStage*, std::vector<std::string>> Asked;
+  std::map<std::string, vtkRelievoResource*> Resources;
+  vtkRelievoColorTarget* Color = nullptr;
+};
+
+#endif

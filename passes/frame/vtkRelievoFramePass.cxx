@@ -1,0 +1,403 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoFramePass.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkRelievoColorTarget.h"
+#include "vtkRelievoDelegate.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFrameReport.h"
+#include "vtkRelievoFrameRun.h"
+#include "vtkRelievoGpuTimer.h"
+#include "vtkRelievoStage.h"
+#include "vtkRelievoStageRegistry.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+vtkStandardNewMacro(vtkRelievoFramePass);
+
+class vtkRelievoFramePass::Internals
+{
+public:
+  vtkSmartPointer<vtkRenderPass> Delegate;
+  std::vector<vtkSmartPointer<vtkRelievoStage>> Registered;
+  std::vector<vtkSmartPointer<vtkRelievoStage>> Added;
+  std::set<std::string> Requested;
+  std::map<std::string, vtkRelievoStage*> Writers; // in the last frame
+  std::set<std::string> Said;                      // what could not be had, told once
+  vtkRelievoGpuTimer Timer;
+  vtkRelievoFrameReport Report;
+  vtkRelievoDelegate Picture;
+  vtkRelievoColorTarget Color;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
+
+  std::vector<vtkRelievoStage*> GetStages()
+  {
+    std::vector<vtkRelievoStage*> stages;
+    for (auto& stage : this->Registered)
+    {
+      const std::string name = stage->GetStageName();
+      const bool replaced = std::any_of(this->Added.begin(), this->Added.end(),
+        [&name](const auto& added) { return added->GetStageName() == name; });
+      if (!replaced)
+      {
+        stages.push_back(stage);
+      }
+    }
+    for (auto& stage : this->Added)
+    {
+      stages.push_back(stage);
+    }
+    return stages;
+  }
+
+  // Layers of one stage after the other, in the order of the names.
+  std::string Read(const std::vector<std::string>& names, vtkImageData* image)
+  {
+    std::string wrong;
+    for (std::size_t from = 0; from < names.size() && wrong.empty();)
+    {
+      vtkRelievoStage* writer = this->FindWriter(names[from]);
+      std::size_t to = from + 1;
+      while (names[from] != "color" && to < names.size() && names[to] != "color" &&
+        this->FindWriter(names[to]) == writer)
+      {
+        ++to;
+      }
+      if (names[from] == "color")
+      {
+        wrong = this->Color.Read(image);
+        wrong = wrong.empty() ? wrong : "The layer 'color' cannot be read: " + wrong + ".";
+      }
+      else
+      {
+        const auto first = names.begin() + static_cast<std::ptrdiff_t>(from);
+        const auto last = names.begin() + static_cast<std::ptrdiff_t>(to);
+        wrong = writer ? writer->ReadLayers({ first, last }, image)
+                       : "The layer '" + names[from] +
+            "' cannot be read: the last frame made no layers; ask for it (RequestLayer) and "
+            "render before.";
+      }
+      from = to;
+    }
+    return wrong;
+  }
+
+private:
+  vtkRelievoStage* FindWriter(const std::string& name)
+  {
+    auto found = this->Writers.find(name);
+    // The layers' stage may have made more than it was asked for: range comes with depth.
+    found = found == this->Writers.end() ? this->Writers.find(std::string()) : found;
+    return found == this->Writers.end() ? nullptr : found->second;
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoFramePass::vtkRelievoFramePass()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoFramePass::~vtkRelievoFramePass() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoFramePass::AddRegisteredStages()
+{
+  for (const auto& stage : vtkRelievoStageRegistry::MakeAll())
+  {
+    stage->SetEnabled(stage->GetDescription().OnByDefault);
+    this->Internal->Registered.push_back(stage);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFramePass::SetDelegatePass(vtkRenderPass* pass)
+{
+  if (this->Internal->Delegate != pass)
+  {
+    this->Internal->Delegate = pass;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderPass* vtkRelievoFramePass::GetDelegatePass()
+{
+  return this->Internal->Delegate;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFramePass::AddStage(vtkRelievoStage* stage)
+{
+  auto& added = this->Internal->Added;
+  const auto stages = this->Internal->GetStages();
+  if (!stage || std::find(stages.begin(), stages.end(), stage) != stages.end())
+  {
+    vtkErrorMacro(
+      "AddStage was given " << (stage ? "a stage that is there already." : "no stage."));
+    return;
+  }
+  added.push_back(stage);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFramePass::RemoveStage(vtkRelievoStage* stage)
+{
+  auto& added = this->Internal->Added;
+  const auto found = std::find(added.begin(), added.end(), stage);
+  if (found == added.end())
+  {
+    return;
+  }
+  if (this->Internal->Window)
+  {
+    (*found)->ReleaseGraphicsResources(this->Internal->Window);
+  }
+  auto& writers = this->Internal->Writers;
+  for (auto writer = writers.begin(); writer != writers.end();)
+  {
+    writer = writer->second == stage ? writers.erase(writer) : std::next(writer);
+  }
+  added.erase(found);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoFramePass::GetNumberOfStages()
+{
+  return static_cast<int>(this->Internal->GetStages().size());
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoStage* vtkRelievoFramePass::GetStage(int i)
+{
+  const auto stages = this->Internal->GetStages();
+  return i >= 0 && i < static_cast<int>(stages.size()) ? stages[i] : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoStage* vtkRelievoFramePass::GetStage(const std::string& name)
+{
+  for (vtkRelievoStage* stage : this->Internal->GetStages())
+  {
+    if (stage->GetStageName() == name)
+    {
+      return stage;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFramePass::RequestLayer(const std::string& name)
+{
+  if (name.empty())
+  {
+    vtkErrorMacro("RequestLayer was given an empty name; give it a layer's or an array's name.");
+    return;
+  }
+  if (this->Internal->Requested.insert(name).second)
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFramePass::ReleaseLayer(const std::string& name)
+{
+  if (this->Internal->Requested.erase(name))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFramePass::ReleaseLayers()
+{
+  this->Internal->Requested.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFramePass::IsLayerRequested(const std::string& name)
+{
+  return this->Internal->Requested.count(name) != 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFramePass::ReadLayer(const std::string& name, vtkImageData* image)
+{
+  return this->ReadLayers({ name }, image);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFramePass::ReadLayers(const std::vector<std::string>& names, vtkImageData* image)
+{
+  const std::string wrong = image
+    ? this->Internal->Read(names, image)
+    : "Reading layers needs an image to fill, and was given none; give it a vtkImageData.";
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+  }
+  return wrong.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFramePass::Render(const vtkRenderState* s)
+{
+  Internals& in = *this->Internal;
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
+  auto* window =
+    renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  if (!window)
+  {
+    vtkErrorMacro("Relievo draws with VTK's OpenGL renderer and window only.");
+    return;
+  }
+  this->NumberOfRenderedProps = 0;
+  if (in.Window && in.Window != window)
+  {
+    // One pass in two windows: what a context holds is released in it, before the other is current.
+    this->ReleaseStages(in.Window);
+    in.Picture.ReleaseGraphicsResources(in.Window);
+  }
+  in.Window = window;
+  window->MakeCurrent();
+  if (renderer->GetSelector())
+  {
+    // A selection draws its own picture of ids, to its own rules.
+    this->NumberOfRenderedProps = in.Picture.Render(in.Delegate, s, {});
+    return;
+  }
+
+  vtkRelievoFrameContext context;
+  context.Renderer = renderer;
+  context.Window = window;
+  context.State = s;
+  context.View.Take(renderer, s);
+  context.Picture = !this->LayersOnly;
+  context.ReadBack.assign(in.Requested.begin(), in.Requested.end());
+  context.ReadLayers = [&in](const std::vector<std::string>& names, vtkImageData* image) {
+    return in.Read(names, image);
+  };
+  const std::vector<vtkRelievoStage*> stages = in.GetStages();
+  vtkRelievoFrameRun run(context, stages, in.Color, in.Timer);
+  std::vector<std::string> outputs = context.ReadBack;
+  if (context.Picture)
+  {
+    outputs.emplace_back("picture");
+  }
+  for (const std::string& wrong : run.Plan(outputs))
+  {
+    if (in.Said.insert(wrong).second)
+    {
+      vtkErrorMacro(<< wrong << ".");
+    }
+  }
+  for (vtkRelievoStage* stage : stages)
+  {
+    if (!run.IsNeeded(stage))
+    {
+      stage->ReleaseGraphicsResources(window);
+    }
+  }
+  if (!run.NeedsColor())
+  {
+    in.Color.Release(window);
+  }
+  in.Writers = run.GetWriters();
+
+  in.Timer.BeginFrame(window);
+  in.Timer.Begin("frame");
+  this->NumberOfRenderedProps = run.Execute(in.Picture, in.Delegate);
+  in.Timer.End("frame");
+  in.Timer.EndFrame();
+
+  in.Report.Begin(renderer, in.Color.GetBytes());
+  in.Report.Add("delegate", run.DrawsDelegate(), run.DrawsDelegate() ? "ran" : "not_asked",
+    !run.DrawsDelegate() ? "only the layers are asked for"
+      : in.Delegate      ? std::string("draws the picture: ") + in.Delegate->GetClassName()
+                         : "draws the picture: the renderer's own steps");
+  for (vtkRelievoStage* stage : stages)
+  {
+    in.Report.Add(stage, run.IsNeeded(stage));
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoFramePass::GetFrameReport()
+{
+  return this->Internal->Report.GetJSON(this->Internal->Timer);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoFramePass::GetBytesHeld()
+{
+  vtkIdType bytes = this->Internal->Color.GetBytes();
+  for (vtkRelievoStage* stage : this->Internal->GetStages())
+  {
+    bytes += stage->GetBytesHeld();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFramePass::ReleaseStages(vtkWindow* window)
+{
+  for (auto* list : { &this->Internal->Registered, &this->Internal->Added })
+  {
+    for (auto& stage : *list)
+    {
+      stage->ReleaseGraphicsResources(window);
+    }
+  }
+  this->Internal->Color.Release(window);
+  this->Internal->Timer.Release();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFramePass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->ReleaseStages(window);
+  this->Internal->Picture.ReleaseGraphicsResources(window);
+  if (this->Internal->Delegate)
+  {
+    this->Internal->Delegate->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFramePass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DelegatePass: "
+     << (this->Internal->Delegate ? this->Internal->Delegate->GetClassName()
+                                  : "(renderer's own steps)")
+     << "\n";
+  os << indent << "Stages:";
+  for (vtkRelievoStage* stage : this->Internal->GetStages())
+  {
+    os << " " << stage->GetStageName() << (stage->GetEnabled() ? "" : " (off)");
+  }
+  os << "\n";
+  os << indent << "Requested layers:";
+  for (const std::string& name : this->Internal->Requested)
+  {
+    os << " " << name;
+  }
+  os << "\n";
+  os << indent << "LayersOnly: " << this->LayersOnly << "\n";
+}

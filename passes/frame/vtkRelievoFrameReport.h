@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the frame did and why, as JSON.
+#ifndef vtkRelievoFrameReport_h
+#define vtkRelievoFrameReport_h
+
+#include <string>
+#include <vector>
+
+class vtkRelievoGpuTimer;
+class vtkRelievoStage;
+class vtkRenderer;
+
+class vtkRelievoFrameReport
+{
+public:
+  // Of another frame; the bytes are the frame's own, beside the stages'.
+  void Begin(vtkRenderer* renderer, long long bytes);
+  void Add(const std::string& name, bool ran, const std::string& code, const std::string& reason);
+  void Add(vtkRelievoStage* stage, bool ran);
+
+  std::string GetJSON(const vtkRelievoGpuTimer& timer) const;
+
+private:
+  struct Line
+  {
+    std::string Name;
+    bool Ran = false;
+    std::string Code;
+    std::string Reason;
+    long long Bytes = 0;
+    int DrawCalls = -1; // -1: not counted
+  };
+  std::vector<Line> Lines;
+  long long Bytes = 0;
+  int Size[2] = { 0, 0 };
+};
+
+#endif

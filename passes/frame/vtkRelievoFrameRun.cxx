@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoFrameRun.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkRelievoColorTarget.h"
+#include "vtkRelievoDelegate.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoGpuTimer.h"
+#include "vtkRelievoStage.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+vtkRelievoFrameRun::vtkRelievoFrameRun(vtkRelievoFrameContext& context,
+  const std::vector<vtkRelievoStage*>& stages, vtkRelievoColorTarget& color,
+  vtkRelievoGpuTimer& timer)
+  : Context(context)
+  , Stages(stages)
+  , Color(color)
+  , Timer(timer)
+  , Nodes(stages.size() + 1)
+  , Dropped(stages.size() + 1, false)
+{
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkRelievoFrameRun::Plan(const std::vector<std::string>& outputs)
+{
+  using Description = vtkRelievoStageDescription;
+  vtkRelievoFramePlan::Node& delegate = this->Nodes[0];
+  delegate.Name = "delegate";
+  delegate.Slot = Description::SURFACES;
+  delegate.Order = -1;
+  delegate.Declaration.Writes = { "picture", "color" };
+  for (std::size_t i = 0; i < this->Stages.size(); ++i)
+  {
+    vtkRelievoStage* stage = this->Stages[i];
+    const Description& description = stage->GetDescription();
+    vtkRelievoFramePlan::Node& node = this->Nodes[i + 1];
+    node.Name = description.Name;
+    node.Slot = description.Slot;
+    node.Order = description.Order;
+    node.Declaration.Reads = description.Reads;
+    node.Declaration.Writes = description.Writes;
+    node.Declaration.Words = description.Help;
+    node.ReadsFor = [stage](const std::vector<std::string>& asked) {
+      return stage->GetReadsFor(asked);
+    };
+    if (stage->GetEnabled())
+    {
+      stage->Declare(this->Context, node.Declaration);
+    }
+    else
+    {
+      node.Declaration.Runs = false;
+      node.Declaration.Code = "off";
+      node.Declaration.Words = "switched off (EnabledOff)";
+    }
+    if (description.Slot == Description::LIGHT_MAPS)
+    {
+      // What is made of lights is used where the picture is lit.
+      std::vector<std::string>& uses = delegate.Declaration.Uses;
+      uses.insert(uses.end(), description.Writes.begin(), description.Writes.end());
+    }
+  }
+  std::vector<std::string> wrong = this->Order.Make(this->Nodes, outputs);
+  for (std::size_t i = 0; i < this->Stages.size(); ++i)
+  {
+    const vtkRelievoFramePlan::Node& node = this->Nodes[i + 1];
+    if (node.Needed)
+    {
+      this->Context.Asked[this->Stages[i]] = node.Asked;
+      this->Stages[i]->Explain("ran", node.Declaration.Words);
+    }
+    else
+    {
+      this->Stages[i]->Explain(node.Code, node.Words);
+    }
+  }
+  return wrong;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFrameRun::IsNeeded(const vtkRelievoStage* stage) const
+{
+  for (std::size_t i = 0; i < this->Stages.size(); ++i)
+  {
+    if (this->Stages[i] == stage)
+    {
+      return this->Nodes[i + 1].Needed && !this->Dropped[i + 1];
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, vtkRelievoStage*> vtkRelievoFrameRun::GetWriters() const
+{
+  std::map<std::string, vtkRelievoStage*> writers;
+  for (std::size_t i = 0; i < this->Stages.size(); ++i)
+  {
+    if (this->Nodes[i + 1].Needed && this->Nodes[i + 1].Declaration.WritesLayers)
+    {
+      writers[std::string()] = this->Stages[i];
+    }
+    for (const std::string& resource : this->Nodes[i + 1].Asked)
+    {
+      if (resource != "color" && resource != "picture")
+      {
+        writers[resource] = this->Stages[i];
+      }
+    }
+  }
+  return writers;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameRun::ExecuteStage(int place)
+{
+  if (place > 0 && !this->Dropped[place])
+  {
+    vtkRelievoStage* stage = this->Stages[place - 1];
+    this->Timer.Begin(stage->GetStageName());
+    stage->Execute(this->Context);
+    this->Timer.End(stage->GetStageName());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameRun::ExecuteRest()
+{
+  const std::vector<int>& order = this->Order.GetOrder();
+  if (this->ColorOpen)
+  {
+    this->Color.End(this->Context);
+    this->ColorOpen = false;
+  }
+  bool presented = !this->Context.Picture || !this->Context.Color;
+  for (; this->Next < order.size(); ++this->Next)
+  {
+    // What shows something else as the picture draws over it.
+    const int slot = this->Nodes[order[this->Next]].Slot;
+    if (slot == vtkRelievoStageDescription::DISPLAY && !presented)
+    {
+      this->Color.Present(this->Context);
+      presented = true;
+    }
+    this->ExecuteStage(order[this->Next]);
+  }
+  if (!presented)
+  {
+    this->Color.Present(this->Context);
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass* pass)
+{
+  // Those that draw along while the delegate draws its opaque geometry.
+  std::vector<vtkRelievoStage*> along;
+  for (const int place : this->Order.GetOrder())
+  {
+    if (place > 0 && !this->Dropped[place])
+    {
+      along.push_back(this->Stages[place - 1]);
+    }
+  }
+  vtkRelievoDelegate::Moments moments;
+  if (!along.empty())
+  {
+    moments.OpaqueBegins = [&]() {
+      for (vtkRelievoStage* stage : along)
+      {
+        this->Timer.Begin(stage->GetStageName());
+        stage->BeginOpaque(this->Context);
+        this->Timer.End(stage->GetStageName());
+      }
+    };
+    moments.OpaqueEnds = [&]() {
+      for (vtkRelievoStage* stage : along)
+      {
+        stage->EndOpaque(this->Context);
+      }
+    };
+  }
+  if (this->Order.NeedsColor())
+  {
+    const std::string wrong = this->Color.Begin(this->Context);
+    this->ColorOpen = wrong.empty();
+    this->Context.Color = this->ColorOpen ? &this->Color : nullptr;
+    for (std::size_t i = 0; i < this->Stages.size() && !this->ColorOpen; ++i)
+    {
+      const std::vector<std::string>& reads = this->Nodes[i + 1].Declaration.Reads;
+      if (std::find(reads.begin(), reads.end(), "color") != reads.end())
+      {
+        this->Dropped[i + 1] = true;
+        this->Stages[i]->Explain("refused", "there is no linear colour here: " + wrong);
+      }
+    }
+    if (this->Context.Picture)
+    {
+      // Texts and bars are drawn over the finished picture, not into the colour that stages change.
+      moments.OverlayBegins = [this]() {
+        if (this->ColorOpen && this->Color.IsBound())
+        {
+          this->ExecuteRest();
+        }
+      };
+    }
+  }
+  this->Timer.Begin("delegate");
+  const int drawn = delegate.Render(pass, this->Context.State, moments);
+  this->Timer.End("delegate");
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoFrameRun::Execute(vtkRelievoDelegate& delegate, vtkRenderPass* pass)
+{
+  const std::vector<int>& order = this->Order.GetOrder();
+  for (const int place : order)
+  {
+    if (place > 0 && !this->Stages[place - 1]->Prepare(this->Context))
+    {
+      this->Dropped[place] = true;
+      this->Stages[place - 1]->ReleaseGraphicsResources(this->Context.Window);
+    }
+  }
+  int drawn = 0;
+  for (; this->Next < order.size() && order[this->Next] > 0 &&
+       this->Nodes[order[this->Next]].Slot < vtkRelievoStageDescription::SURFACES;
+       ++this->Next)
+  {
+    this->ExecuteStage(order[this->Next]);
+  }
+  if (this->DrawsDelegate())
+  {
+    if (this->Next < order.size() && order[this->Next] == 0)
+    {
+      ++this->Next;
+    }
+    drawn = this->DrawDelegate(delegate, pass);
+  }
+  else
+  {
+    // The delegate would have done it: VTK's shaders are built for the lights that it counts.
+    static_cast<vtkOpenGLRenderer*>(this->Context.Renderer)->UpdateLights();
+  }
+  this->ExecuteRest();
+  for (auto place = order.rbegin(); place != order.rend(); ++place)
+  {
+    if (*place > 0 && !this->Dropped[*place])
+    {
+      this->Stages[*place - 1]->Finish(this->Context);
+    }
+  }
+  return drawn;
+}

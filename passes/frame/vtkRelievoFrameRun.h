@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Makes one frame: plans which stages run, and runs them around the delegate.
+#ifndef vtkRelievoFrameRun_h
+#define vtkRelievoFrameRun_h
+
+#include "vtkRelievoFramePlan.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkRelievoColorTarget;
+class vtkRelievoDelegate;
+class vtkRelievoFrameContext;
+class vtkRelievoGpuTimer;
+class vtkRelievoStage;
+class vtkRenderPass;
+
+class vtkRelievoFrameRun
+{
+public:
+  vtkRelievoFrameRun(vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages,
+    vtkRelievoColorTarget& color, vtkRelievoGpuTimer& timer);
+
+  // Works out what runs; stages that do not say why not. Returns what cannot be had, in words.
+  std::vector<std::string> Plan(const std::vector<std::string>& outputs);
+
+  // Runs it; the number of props that the delegate drew.
+  int Execute(vtkRelievoDelegate& delegate, vtkRenderPass* pass);
+
+  bool DrawsDelegate() const { return this->Nodes[0].Needed; }
+  bool NeedsColor() const { return this->Order.NeedsColor(); }
+  bool IsNeeded(const vtkRelievoStage* stage) const;
+
+  // Who writes what was asked for in this frame; "" is who writes any other layer.
+  std::map<std::string, vtkRelievoStage*> GetWriters() const;
+
+private:
+  void ExecuteStage(int place);
+  void ExecuteRest();
+  int DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass* pass);
+
+  vtkRelievoFrameContext& Context;
+  const std::vector<vtkRelievoStage*>& Stages; // node i + 1 is stage i
+  vtkRelievoColorTarget& Color;
+  vtkRelievoGpuTimer& Timer;
+  vtkRelievoFramePlan Order;
+  std::vector<vtkRelievoFramePlan::Node> Nodes; // the first is the delegate
+  std::vector<bool> Dropped;                    // of Nodes: needed, and cannot run after all
+  std::size_t Next = 0;                         // in the order
+  bool ColorOpen = false;                       // the delegate draws into the colour target
+};
+
+#endif

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoParameter.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+namespace
+{
+std::string Write(double value)
+{
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out.precision(17);
+  out << value;
+  // 0.1 rather than 0.10000000000000001, where that is the same number.
+  for (int digits = 1; digits < 17; ++digits)
+  {
+    std::ostringstream shorter;
+    shorter.imbue(std::locale::classic());
+    shorter.precision(digits);
+    shorter << value;
+    std::istringstream in(shorter.str());
+    in.imbue(std::locale::classic());
+    double back = 0.0;
+    in >> back;
+    if (back == value)
+    {
+      return shorter.str();
+    }
+  }
+  return out.str();
+}
+
+bool ReadNumber(const std::string& word, double& value)
+{
+  std::istringstream in(word);
+  in.imbue(std::locale::classic());
+  return (in >> value) && in.peek() == std::istringstream::traits_type::eof();
+}
+
+std::vector<std::string> SplitAtCommas(const std::string& words)
+{
+  std::vector<std::string> parts(1);
+  for (char c : words)
+  {
+    if (c == ',')
+    {
+      parts.emplace_back();
+    }
+    else
+    {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoCapitalize(const std::string& name, bool spaces)
+{
+  std::string label;
+  bool first = true;
+  for (char c : name)
+  {
+    if (c == '_')
+    {
+      label += spaces ? " " : "";
+      first = true;
+      continue;
+    }
+    label += first ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    first = false;
+  }
+  return label;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoParameter::GetNumberOfComponents() const
+{
+  return this->Type == TEXT ? 0 : this->Type == COLOR ? 3 : 1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoParameter::GetLabel() const
+{
+  return vtkRelievoCapitalize(this->Name, true);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoParameter::Format() const
+{
+  if (this->Type == TEXT)
+  {
+    return this->GetText();
+  }
+  const std::vector<double> values = this->GetValues();
+  if (this->Type == FLAG)
+  {
+    return values[0] != 0.0 ? "on" : "off";
+  }
+  if (this->Type == CHOICE)
+  {
+    return this->Choices[static_cast<std::size_t>(values[0])];
+  }
+  std::string words;
+  for (double value : values)
+  {
+    words += (words.empty() ? "" : ",") + Write(value);
+  }
+  return words;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoParameter::GetExpected() const
+{
+  const std::string unit = this->Unit.empty() ? "" : " (" + this->Unit + ")";
+  const bool bounded = std::isfinite(this->Least) && std::isfinite(this->Most);
+  const std::string range = bounded
+    ? " from " + Write(this->Least) + " to " + Write(this->Most)
+    : std::isfinite(this->Least) ? ", " + Write(this->Least) + " or more"
+                                 : "";
+  switch (this->Type)
+  {
+    case FLAG:
+      return "on or off";
+    case WHOLE:
+      return "a whole number" + range + unit;
+    case NUMBER:
+      return "a number" + range + unit;
+    case COLOR:
+      return "red,green,blue, each from 0 to 1";
+    case CHOICE:
+    {
+      std::string names;
+      for (const std::string& choice : this->Choices)
+      {
+        names += (names.empty() ? "" : ", ") + choice;
+      }
+      return "one of " + names;
+    }
+    default:
+      return "a text";
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoParameter::Set(const std::vector<double>& values) const
+{
+  bool good = static_cast<int>(values.size()) == this->GetNumberOfComponents();
+  std::string given;
+  for (double value : values)
+  {
+    good = good && std::isfinite(value) && value >= this->Least && value <= this->Most;
+    good = good &&
+      ((this->Type != WHOLE && this->Type != CHOICE && this->Type != FLAG) ||
+        value == std::floor(value));
+    given += (given.empty() ? "" : ",") + Write(value);
+  }
+  if (!good)
+  {
+    return "'" + given + "' was given, expected " + this->GetExpected();
+  }
+  this->SetValues(values);
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoParameter::Parse(const std::string& words) const
+{
+  const std::string wrong = "'" + words + "' was given, expected " + this->GetExpected();
+  if (this->Type == TEXT)
+  {
+    this->SetText(words);
+    return std::string();
+  }
+  if (this->Type == FLAG)
+  {
+    static const char* const on[] = { "on", "true", "yes", "1" };
+    static const char* const off[] = { "off", "false", "no", "0" };
+    const bool isOn = std::find(std::begin(on), std::end(on), words) != std::end(on);
+    const bool isOff = std::find(std::begin(off), std::end(off), words) != std::end(off);
+    return isOn || isOff ? this->Set({ isOn ? 1.0 : 0.0 }) : wrong;
+  }
+  if (this->Type == CHOICE)
+  {
+    const auto found = std::find(this->Choices.begin(), this->Choices.end(), words);
+    return found == this->Choices.end()
+      ? wrong
+      : this->Set({ static_cast<double>(found - this->Choices.begin()) });
+  }
+  std::vector<double> values;
+  for (const std::string& part : SplitAtCommas(words))
+  {
+    double value = 0.0;
+    if (!ReadNumber(part, value))
+    {
+      return wrong;
+    }
+    values.push_back(value);
+  }
+  return this->Set(values).empty() ? std::string() : wrong;
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One parameter of a stage: what it is called, what values it takes, and how to get and set it.
+#ifndef vtkRelievoParameter_h
+#define vtkRelievoParameter_h
+
+#include "vtkRelievoFrameModule.h" // for the export macro
+
+#include <functional>
+#include <string>
+#include <vector>
+
+struct VTKRELIEVOFRAME_EXPORT vtkRelievoParameter
+{
+  enum Types
+  {
+    FLAG,   // 0 or 1
+    WHOLE,  // a whole number from Least to Most
+    NUMBER, // a finite number from Least to Most
+    CHOICE, // the place of one of Choices
+    COLOR,  // red, green, blue, 0 to 1 each
+    TEXT
+  };
+
+  std::string Name; // a lower-case word; several are joined by _
+  Types Type = NUMBER;
+  double Least = 0.0;
+  double Most = 0.0;
+  std::string Unit; // "" if it has none
+  std::string Help; // one line
+  std::vector<std::string> Choices;
+
+  std::function<std::vector<double>()> GetValues;
+  std::function<void(const std::vector<double>&)> SetValues;
+  std::function<std::string()> GetText;
+  std::function<void(const std::string&)> SetText;
+
+  // Numbers that a value consists of; 0 for a text.
+  int GetNumberOfComponents() const;
+
+  // As people read it: "map_size" is "Map Size".
+  std::string GetLabel() const;
+
+  // The value in words, which Parse takes: "0.5", "on", "warped", "1,0.5,0".
+  std::string Format() const;
+
+  // Sets the value that the words say. Returns what is wrong with them, in words; nothing is set
+  // then.
+  std::string Parse(const std::string& words) const;
+
+  // Sets the value; what is wrong, in words, as Parse.
+  std::string Set(const std::vector<double>& values) const;
+
+  // What values it takes, in words: "a number from 0 to 1".
+  std::string GetExpected() const;
+};
+
+// "depth_fade" as "Depth Fade", or without the space as "DepthFade".
+VTKRELIEVOFRAME_EXPORT std::string vtkRelievoCapitalize(const std::string& name, bool spaces);
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a prop draws with a mapper's shaders: itself, the leaves of an assembly, levels of detail;
+// and how a pass gets into those shaders.
+#ifndef vtkRelievoPropParts_h
+#define vtkRelievoPropParts_h
+
+#include "vtkRelievoFrameModule.h" // for the export macro
+
+#include <vector>
+
+class vtkActor;
+class vtkMatrix4x4;
+class vtkOpenGLRenderPass;
+class vtkProp;
+
+namespace vtkRelievoPropParts
+{
+struct Part
+{
+  vtkProp* Prop = nullptr;
+  vtkMatrix4x4* Matrix = nullptr; // an assembly's for the part; nullptr: the part's own
+};
+
+// The leaves of an assembly, the levels of detail, or the prop itself.
+VTKRELIEVOFRAME_EXPORT void Collect(vtkProp* prop, std::vector<Part>& parts);
+
+// The part as an actor whose mapper's shaders take splices, or nullptr.
+VTKRELIEVOFRAME_EXPORT vtkActor* GetMeshActor(const Part& part);
+
+// Whether the part draws nothing in three dimensions' opaque phase: texts, bars, volumes.
+VTKRELIEVOFRAME_EXPORT bool DrawsNoOpaque(const Part& part);
+
+// Splices the pass into the prop's shaders, until it is removed. An assembly hands its keys to its
+// parts whenever it draws them.
+VTKRELIEVOFRAME_EXPORT void AddPass(vtkProp* prop, vtkOpenGLRenderPass* pass);
+VTKRELIEVOFRAME_EXPORT void RemovePass(vtkProp* prop, vtkOpenGLRenderPass* pass);
+}
+
+#endif

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoStage.h"
+
+#include "vtkRelievoFramePlan.h"
+
+//------------------------------------------------------------------------------
+vtkRelievoStage::vtkRelievoStage() = default;
+
+//------------------------------------------------------------------------------
+vtkRelievoStage::~vtkRelievoStage() = default;
+
+//------------------------------------------------------------------------------
+const vtkRelievoStageDescription& vtkRelievoStage::GetDescription()
+{
+  if (!this->Description)
+  {
+    this->Description.reset(new vtkRelievoStageDescription);
+    this->Describe(*this->Description);
+    if (this->Description->Label.empty())
+    {
+      this->Description->Label = vtkRelievoCapitalize(this->Description->Name, true);
+    }
+  }
+  return *this->Description;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoStage::GetStageName()
+{
+  return this->GetDescription().Name;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoStage::GetNumberOfParameters()
+{
+  return static_cast<int>(this->GetDescription().Parameters.size());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoStage::GetParameterName(int i)
+{
+  return i >= 0 && i < this->GetNumberOfParameters() ? this->GetDescription().Parameters[i].Name
+                                                     : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoStage::GetParameterHelp(const std::string& name)
+{
+  const vtkRelievoParameter* parameter = this->GetDescription().Find(name);
+  return parameter ? parameter->Help + " Takes " + parameter->GetExpected() + "." : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoStage::GetParameter(const std::string& name)
+{
+  const vtkRelievoParameter* parameter = this->GetDescription().Find(name);
+  return parameter ? parameter->Format() : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoStage::TrySetParameter(const std::string& name, const std::string& words)
+{
+  const vtkRelievoStageDescription& description = this->GetDescription();
+  if (const vtkRelievoParameter* parameter = description.Find(name))
+  {
+    const std::string wrong = parameter->Parse(words);
+    return wrong.empty() ? wrong : description.Name + ":" + name + ": " + wrong;
+  }
+  std::string names;
+  for (const vtkRelievoParameter& parameter : description.Parameters)
+  {
+    names += (names.empty() ? "" : ", ") + parameter.Name;
+  }
+  return "the stage " + description.Name + " has no parameter '" + name + "', " +
+    (names.empty() ? "nor any other" : "only " + names);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoStage::SetParameter(const std::string& name, const std::string& words)
+{
+  const std::string wrong = this->TrySetParameter(name, words);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong << ".");
+  }
+  return wrong.empty();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoStage::Declare(const vtkRelievoFrameContext&, vtkRelievoDeclaration&) const {}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkRelievoStage::GetReadsFor(const std::vector<std::string>&) const
+{
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoStage::ReadLayers(const std::vector<std::string>& names, vtkImageData*)
+{
+  return "The layer '" + names.front() + "' cannot be read: it stays on the GPU.";
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoStage::Explain(const std::string& code, const std::string& words)
+{
+  this->ReasonCode = code;
+  this->Reason = words;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoStage::Render(const vtkRenderState*)
+{
+  vtkErrorMacro("A stage is not a pass by itself: add it to a vtkRelievoPass.");
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoStage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Name: " << this->GetStageName() << "\n";
+  os << indent << "Enabled: " << this->Enabled << "\n";
+  for (const vtkRelievoParameter& parameter : this->GetDescription().Parameters)
+  {
+    os << indent << parameter.GetLabel() << ": " << parameter.Format() << "\n";
+  }
+  os << indent << "DrawCalls: " << this->DrawCalls << "\n";
+  os << indent << "Reason: " << this->Reason << "\n";
+}

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoStage
+ * @brief One step of a frame (vtkRelievoFramePass): what it reads, writes, takes and does.
+ *
+ * A stage describes itself once (Describe). In each frame it is asked what it would do (Declare,
+ * which changes nothing); the frame works backwards from what is asked of it, and those stages that
+ * are reached prepare and execute, in the order of their slots and of what they read and write. A
+ * stage never calls another stage: it finds what others wrote in the frame's context.
+ *
+ * Parameters are set by their own methods or by name and words (SetParameter).
+ */
+#ifndef vtkRelievoStage_h
+#define vtkRelievoStage_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkRelievoFrameModule.h"      // for the export macro
+#include "vtkRelievoStageDescription.h" // for the description
+
+#include <memory> // for the description
+#include <string> // for names and words
+#include <vector> // for names
+
+class vtkImageData;
+class vtkRelievoFrameContext;
+struct vtkRelievoDeclaration;
+
+class VTKRELIEVOFRAME_EXPORT vtkRelievoStage : public vtkOpenGLRenderPass
+{
+public:
+  vtkTypeMacro(vtkRelievoStage, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Whether a frame may run the stage. Default on. */
+  vtkSetMacro(Enabled, bool);
+  vtkGetMacro(Enabled, bool);
+  vtkBooleanMacro(Enabled, bool);
+  ///@}
+
+  /** The stage's name, as frames, reports and the command line say it. */
+  std::string GetStageName();
+
+  ///@{
+  /**
+   * Parameters by name, as the description lists them. Values are words: "0.5", "on", "warped",
+   * "1,0.5,0". Set returns false, with an error, and changes nothing if there is no such parameter
+   * or if it does not take the value; Get returns "" then.
+   */
+  int GetNumberOfParameters();
+  std::string GetParameterName(int i);
+  std::string GetParameterHelp(const std::string& name);
+  std::string GetParameter(const std::string& name);
+  bool SetParameter(const std::string& name, const std::string& words);
+  ///@}
+
+  /** As SetParameter, but says what is wrong instead of reporting it; "" if the value was set. */
+  std::string TrySetParameter(const std::string& name, const std::string& words);
+
+  /** Bytes of GPU memory that the stage holds now. */
+  virtual vtkIdType GetBytesHeld() { return 0; }
+
+  /** Draw calls of the stage in the last frame. */
+  vtkGetMacro(DrawCalls, int);
+
+  ///@{
+  /**
+   * Why the stage ran, or did not, in the last frame: in words, and as a code for programs. Codes:
+   * "ran", "off" (switched off), "idle" (its parameters leave it nothing to do), "not_asked",
+   * "hidden" (what it writes is not seen), "refused" (the frame could not place it), "failed", and
+   * others that a stage's own documentation lists.
+   */
+  std::string GetReason() { return this->Reason; }
+  std::string GetReasonCode() { return this->ReasonCode; }
+  ///@}
+
+  /** Draws nothing: frames call stages. */
+  void Render(const vtkRenderState* s) override;
+
+#ifndef __VTK_WRAP__
+  /** What the stage says of itself; made once. */
+  const vtkRelievoStageDescription& GetDescription();
+#endif
+
+protected:
+  vtkRelievoStage();
+  ~vtkRelievoStage() override;
+
+  friend class vtkRelievoFramePass;
+  friend class vtkRelievoFrameRun;
+
+  /** Fills in the description. */
+  virtual void Describe(vtkRelievoStageDescription& description) = 0;
+
+  /**
+   * What the stage would do in this frame, if it is reached. By default: what the description says.
+   * Changes nothing.
+   */
+  virtual void Declare(
+    const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const;
+
+  /** More that the stage reads in order to write what is asked of it. Changes nothing. */
+  virtual std::vector<std::string> GetReadsFor(const std::vector<std::string>& asked) const;
+
+  ///@{
+  /**
+   * Called for a stage that is reached, in this order: Prepare (false, after Explain, if it cannot
+   * run after all) for all stages before any executes; Execute; Finish, for all that executed, in
+   * the opposite order, when the frame is done. BeginOpaque and EndOpaque are called when the
+   * delegate's opaque geometry begins and ends, as often as it draws some.
+   */
+  virtual bool Prepare(vtkRelievoFrameContext&) { return true; }
+  virtual void Execute(vtkRelievoFrameContext&) {}
+  virtual void BeginOpaque(vtkRelievoFrameContext&) {}
+  virtual void EndOpaque(vtkRelievoFrameContext&) {}
+  virtual void Finish(vtkRelievoFrameContext&) {}
+  ///@}
+
+  /**
+   * Adds layers that the stage wrote in the last frame to the image's point data. Returns what is
+   * wrong, in words: "" if all were added.
+   */
+  virtual std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image);
+
+  /** Says why the stage runs or does not: see GetReason. */
+  void Explain(const std::string& code, const std::string& words);
+
+  bool Enabled = true;
+  int DrawCalls = 0;
+
+private:
+  vtkRelievoStage(const vtkRelievoStage&) = delete;
+  void operator=(const vtkRelievoStage&) = delete;
+
+  std::unique_ptr<vtkRelievoStageDescription> Description;
+  std::string Reason;
+  std::string ReasonCode;
+};
+
+#endif

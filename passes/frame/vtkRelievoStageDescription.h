@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a stage says of itself, once: its name, its slot in the frame, what it reads and writes, and
+// its parameters. ParaView's properties, the command line, Python and the docs are made from it.
+#ifndef vtkRelievoStageDescription_h
+#define vtkRelievoStageDescription_h
+
+#include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkRelievoParameter.h"
+
+#include <string>
+#include <vector>
+
+struct VTKRELIEVOFRAME_EXPORT vtkRelievoStageDescription
+{
+  // When a stage runs. Within a slot, what writes a resource runs before what reads it.
+  enum Slots
+  {
+    LIGHT_MAPS = 0, // before anything is drawn for the camera
+    SURFACES = 1,   // while, and right after, the opaque geometry is drawn
+    SHADE = 2,      // light that is added per pixel
+    COMPOSITE = 3,  // works on the linear colour
+    DISPLAY = 4     // makes the picture of the linear colour, or shows something else as the picture
+  };
+
+  std::string Name;  // a lower-case word; several are joined by _
+  std::string Label; // as people read it: "Depth Fade"
+  std::string Help;  // one sentence
+  int Slot = COMPOSITE;
+  int Order = 0; // among stages of a slot that change the same resource: the smallest runs first
+  std::vector<std::string> Reads;
+  std::vector<std::string> Writes;
+
+  // Whether a frame runs the stage without being told to (its resources being asked for).
+  bool OnByDefault = false;
+
+  std::vector<vtkRelievoParameter> Parameters;
+
+  const vtkRelievoParameter* Find(const std::string& parameter) const;
+  static const char* GetSlotName(int slot);
+
+  ///@{
+  // Adds a parameter: the member that holds its value, and what gives the stage another value.
+  void AddFlag(const std::string& name, const bool& value, std::function<void(bool)> set,
+    const std::string& help);
+  void AddWhole(const std::string& name, const int& value, std::function<void(int)> set, int least,
+    int most, const std::string& unit, const std::string& help);
+  void AddNumber(const std::string& name, const double& value, std::function<void(double)> set,
+    double least, double most, const std::string& unit, const std::string& help);
+  void AddChoice(const std::string& name, const int& value, std::function<void(int)> set,
+    const std::vector<std::string>& choices, const std::string& help);
+  void AddColor(const std::string& name, const double (&value)[3],
+    std::function<void(const double*)> set, const std::string& help);
+  void AddText(const std::string& name, std::function<std::string()> get,
+    std::function<void(const std::string&)> set, const std::string& help);
+  ///@}
+};
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The camera of a frame in double: what turns a pixel and its depth into a point, in both
+// projections, off-centre frusta included.
+#ifndef vtkRelievoView_h
+#define vtkRelievoView_h
+
+#include "vtkRelievoFrameModule.h" // for the export macro
+
+#include <glm/mat4x4.hpp>
+
+class vtkMatrix4x4;
+class vtkRenderState;
+class vtkRenderer;
+
+// Column-major, as GLM has it.
+VTKRELIEVOFRAME_EXPORT glm::dmat4 vtkRelievoToGlm(vtkMatrix4x4* matrix);
+
+struct VTKRELIEVOFRAME_EXPORT vtkRelievoView
+{
+  int Viewport[4] = { 0, 0, 0, 0 }; // x, y, width, height in the framebuffer drawn to
+  bool Parallel = false;
+  double Near = 0.0;
+  double Far = 1.0;
+  glm::dmat4 WorldToView = glm::dmat4(1.0); // column-major, as GLM has it
+  glm::dmat4 ViewToNDC = glm::dmat4(1.0);
+
+  void Take(vtkRenderer* renderer, const vtkRenderState* s);
+};
+
+#endif

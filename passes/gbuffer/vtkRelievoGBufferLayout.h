@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which 32-bit word of a G-buffer pixel holds what. All attachments are unsigned integers
+// (R32UI, RG32UI or RGBA32UI): no blending, no conversion, no clamping on the way, one readback per
+// attachment, and any mix of formats side by side. A word of a format has the bits that a texture
+// of that format would have.
+#ifndef vtkRelievoGBufferLayout_h
+#define vtkRelievoGBufferLayout_h
+
+#include "vtkRelievoGBufferModule.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
+{
+  // What is asked.
+  bool Depth = false;
+  bool Normal = false;
+  bool GeometricNormal = false;
+  bool Albedo = false;
+  bool Ids = false;
+  std::vector<int> Shadows; // lights, by their number in the renderer, ascending
+  int NormalFormat = 0;     // vtkRelievoGBufferPass::NormalFormats
+  int DepthFormat = 0;      // vtkRelievoGBufferPass::DepthFormats
+  int NormalDepth = 0;      // vtkRelievoGBufferPass::NormalDepthFormats
+
+  // Where it is: the first word of each, or -1. Set by Arrange().
+  int DepthWord = -1;
+  int NormalWord = -1;
+  int GeometricNormalWord = -1;
+  int NormalDepthWord = -1;
+  int AlbedoWord = -1;
+  int IdWord = -1;
+  int ShadowWord = -1; // two lights a word, 16 bits each
+
+  // The format that NORMAL_AUTO came to. Set by Arrange().
+  int ChosenNormalFormat = 0;
+
+  // The background's words, one per word held. Set by Arrange().
+  std::vector<std::uint32_t> Background;
+
+  void Arrange();
+
+  bool IsEmpty() const { return this->Background.empty(); }
+  int GetNumberOfWords() const { return static_cast<int>(this->Background.size()); }
+  int GetNumberOfAttachments() const { return (this->GetNumberOfWords() + 3) / 4; }
+
+  // 1, 2 or 4: a texture of three words is not renderable everywhere.
+  int GetNumberOfChannels(int attachment) const;
+
+  // Words of a normal, and of a normal with depth, by format.
+  static int GetNormalWords(int format);
+  static int GetNormalDepthWords(int format);
+
+  // The structure as preprocessor defines, for the shaders in shaders/gbuffer.
+  std::string GetDefines() const;
+
+  bool operator==(const vtkRelievoGBufferLayout& other) const
+  {
+    return this->GetDefines() == other.GetDefines();
+  }
+  bool operator!=(const vtkRelievoGBufferLayout& other) const { return !(*this == other); }
+};
+
+#endif

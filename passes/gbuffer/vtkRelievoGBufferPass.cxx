@@ -1,0 +1,398 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoGBufferPass.h"
+
+#include "vtkAbstractMapper.h"
+#include "vtkActor.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRelievoDrawTable.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePlan.h"
+#include "vtkRelievoGBufferLayout.h"
+#include "vtkRelievoGBufferSplice.h"
+#include "vtkRelievoGBufferTarget.h"
+#include "vtkRelievoGBufferTextures.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoLayerReader.h"
+#include "vtkRelievoMeshLinks.h"
+#include "vtkRelievoOpaqueProps.h"
+#include "vtkRelievoView.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <set>
+
+vtkStandardNewMacro(vtkRelievoGBufferPass);
+
+class vtkRelievoGBufferPass::Internals
+{
+public:
+  vtkRelievoGBufferLayout Layout;
+  vtkRelievoGBufferSplice::Mode Mode;
+  vtkTimeStamp StructureTime; // of the layout and the mode: shaders older than it are built anew
+  vtkRelievoGBufferTarget Target;
+  vtkRelievoGBufferTextures Textures;
+  vtkRelievoView View;
+  int Offset[2] = { 0, 0 }; // of the viewport within the textures
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkRelievoDrawTable Draws;
+  vtkRelievoMeshLinks Links; // built when a read needs them
+  vtkRelievoOpaqueProps Props;
+  std::set<std::string> Said; // refusals that have been reported, by reason and mapper's class
+  std::string NotShared;      // why the delegate's geometry pass cannot be shared
+  bool Writing = false;
+  bool Valid = false; // the textures hold the last frame's layers
+
+  // The layout for the layers; `read` are those that will be read back.
+  void Arrange(vtkRelievoGBufferPass& self, const std::vector<std::string>& layers,
+    const std::vector<std::string>& read)
+  {
+    vtkRelievoGBufferLayout layout;
+    layout.NormalFormat = self.NormalFormat;
+    layout.DepthFormat = self.DepthFormat;
+    layout.NormalDepth = self.NormalDepthFormat;
+    for (const std::string& layer : layers)
+    {
+      vtkRelievoLayerReader::AddChannels(layer, layout);
+    }
+    // A depth that shares its texel with the normal is as it was written.
+    const bool together =
+      self.NormalDepthFormat != NORMAL_DEPTH_SEPARATE && layout.Normal && layout.Depth;
+    const bool refines = self.RefineDepth && self.DepthFormat == DEPTH_32F && !together;
+    for (const std::string& layer : read)
+    {
+      layout.Ids =
+        layout.Ids ||
+        (refines && vtkRelievoLayerCatalogue::Find(layer).Source == vtkRelievoLayer::FROM_DEPTH);
+    }
+    layout.Arrange();
+    if (layout != this->Layout)
+    {
+      this->Layout = layout;
+      this->StructureTime.Modified();
+    }
+  }
+
+  void SetMode(const vtkRelievoGBufferSplice::Mode& mode)
+  {
+    if (this->Mode != mode)
+    {
+      this->Mode = mode;
+      this->StructureTime.Modified();
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoGBufferPass::vtkRelievoGBufferPass()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoGBufferPass::~vtkRelievoGBufferPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::Describe(vtkRelievoStageDescription& description)
+{
+  description.Name = "gbuffer";
+  description.Label = "Layers";
+  description.Help = "Makes the layers: depth, normals, albedo, ids per pixel.";
+  description.Slot = vtkRelievoStageDescription::SURFACES;
+  description.OnByDefault = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::Declare(
+  const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
+{
+  declaration.WritesLayers = true;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkRelievoGBufferPass::GetReadsFor(
+  const std::vector<std::string>& asked) const
+{
+  const bool shadow = std::any_of(asked.begin(), asked.end(),
+    [](const std::string& layer) {
+      return vtkRelievoLayerCatalogue::Find(layer).Kind == vtkRelievoLayer::SHARE;
+    });
+  return shadow ? std::vector<std::string>{ "visibility" } : std::vector<std::string>();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGBufferPass::Prepare(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  in.Arrange(*this, context.GetAsked(this), context.ReadBack);
+  in.Renderer = context.Renderer;
+  in.View = context.View;
+  in.Draws.Clear();
+  in.Links.Prune();
+  in.Valid = false;
+  in.Writing = false;
+  this->Shared = false;
+  this->DrawCalls = 0;
+
+  in.Props.Collect(context.State);
+  in.NotShared.clear();
+  if (!this->ShareGeometryPass)
+  {
+    in.NotShared = "ShareGeometryPass is off";
+  }
+  else if (!in.Props.GetForeign().empty())
+  {
+    in.NotShared = "a " + in.Props.GetForeign() + " is drawn among the opaque geometry";
+  }
+  else if (in.View.Far > 1e4 * in.View.Near && !in.View.Parallel)
+  {
+    in.NotShared = "far / near is beyond 1e4, where window z orders fragments no more";
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::BeginOpaque(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  if (!in.NotShared.empty() || in.Writing)
+  {
+    return;
+  }
+  const int* v = in.View.Viewport;
+  in.NotShared = in.Target.Allocate(context.Window, in.Layout, v[0] + v[2], v[1] + v[3]);
+  if (in.NotShared.empty())
+  {
+    in.NotShared = in.Target.AttachShared(in.Layout, v);
+  }
+  if (!in.NotShared.empty())
+  {
+    return;
+  }
+  in.SetMode(vtkRelievoGBufferSplice::Mode{});
+  in.Offset[0] = v[0];
+  in.Offset[1] = v[1];
+  in.Draws.Clear();
+  in.Writing = true;
+  in.Props.AddPass(this);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::EndOpaque(vtkRelievoFrameContext&)
+{
+  Internals& in = *this->Internal;
+  if (!in.Writing)
+  {
+    return;
+  }
+  in.Props.RemovePass(this);
+  in.Target.DetachShared();
+  in.Writing = false;
+  in.Valid = true;
+  this->Shared = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::Execute(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  if (!in.Valid && in.View.Viewport[2] > 0 && in.View.Viewport[3] > 0)
+  {
+    if (in.NotShared.empty())
+    {
+      in.NotShared = context.Picture ? "the delegate draws no opaque geometry of this renderer"
+                                     : "only the layers are asked for, without the picture";
+    }
+    this->DrawOwnPass(context);
+  }
+  if (!in.Valid)
+  {
+    return;
+  }
+  std::string words = "asked for:";
+  in.Textures.Set(in.Layout, in.Target, in.Offset, this->NormalSpace == WORLD);
+  for (const std::string& layer : context.GetAsked(this))
+  {
+    context.Provide(layer, &in.Textures);
+    words += " " + layer;
+  }
+  this->Explain("ran",
+    words +
+      (this->Shared ? "; written while the delegate draws its opaque geometry"
+                    : "; in a geometry pass of its own, since " + in.NotShared));
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::DrawOwnPass(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  vtkOpenGLState* state = context.Window->GetState();
+  state->Push();
+  std::string wrong =
+    in.Target.Allocate(context.Window, in.Layout, in.View.Viewport[2], in.View.Viewport[3]);
+  if (wrong.empty())
+  {
+    wrong = in.Target.BeginOwn(in.Layout);
+  }
+  if (wrong.empty())
+  {
+    in.SetMode(
+      vtkRelievoGBufferSplice::Mode{ true, in.View.Far > 1e4 * in.View.Near && !in.View.Parallel });
+    in.Offset[0] = in.Offset[1] = 0;
+    in.Draws.Clear();
+    in.Writing = true;
+    in.Props.AddPass(this);
+    in.Props.RenderOpaque(context.Renderer);
+    in.Props.RemovePass(this);
+    in.Writing = false;
+    in.Target.EndOwn();
+    in.Valid = true;
+  }
+  else
+  {
+    this->Explain("failed", wrong);
+    if (in.Said.insert(wrong).second)
+    {
+      vtkErrorMacro("No layers: " << wrong << ".");
+    }
+  }
+  state->Pop();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGBufferPass::PreReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    vtkRelievoGBufferSplice::Mark(vertexShader, geometryShader, fragmentShader);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGBufferPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* abstractMapper,
+  vtkProp* prop)
+{
+  Internals& in = *this->Internal;
+  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!mapper || !actor)
+  {
+    return true;
+  }
+  const std::string missing = vtkRelievoGBufferSplice::Fill(
+    vertexShader, geometryShader, fragmentShader, mapper, actor, in.Layout, in.Mode);
+  if (!missing.empty() && in.Said.insert(mapper->GetClassName() + missing).second)
+  {
+    vtkErrorMacro("No layers of what " << mapper->GetClassName() << " draws: " << missing << ".");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
+  vtkAbstractMapper* abstractMapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  Internals& in = *this->Internal;
+  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!in.Writing || !mapper || !actor)
+  {
+    return true;
+  }
+  const bool writes =
+    program->GetFragmentShader()->GetSource().find("relievoOutput1") != std::string::npos;
+  in.Target.WriteLayers(writes);
+  if (!writes)
+  {
+    return true;
+  }
+  ++this->DrawCalls;
+  if (in.Layout.IdWord >= 0)
+  {
+    const int source = vtkRelievoGBufferSplice::GetPrimitiveSource(mapper, actor);
+    const std::uint32_t first = in.Draws.Add(actor, mapper, source);
+    program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
+  }
+  program->SetUniformf("relievoWinding", actor->GetMatrix()->Determinant() < 0.0 ? -1.0f : 1.0f);
+  program->SetUniformf("relievoNear", static_cast<float>(in.View.Near));
+  program->SetUniformf("relievoFar", static_cast<float>(in.View.Far));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoGBufferPass::GetShaderStageMTime()
+{
+  return this->Internal->StructureTime.GetMTime();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoGBufferPass::ReadLayers(
+  const std::vector<std::string>& names, vtkImageData* image)
+{
+  Internals& in = *this->Internal;
+  const int region[4] = { in.Offset[0], in.Offset[1], in.View.Viewport[2], in.View.Viewport[3] };
+  vtkRelievoLayerReader reader(in.Layout, in.Target, region, in.View);
+  reader.SetNormalSpaceIsWorld(this->NormalSpace == WORLD);
+  reader.SetDraws(&in.Draws, &in.Links, in.Renderer);
+  for (const std::string& name : names)
+  {
+    const std::string wrong = in.Valid && in.Renderer
+      ? reader.Read(name, image)
+      : "the last frame made no layers; ask for it (RequestLayer) and render before";
+    if (!wrong.empty())
+    {
+      return "The layer '" + name + "' cannot be read: " + wrong + ".";
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoGBufferPass::GetBytesHeld()
+{
+  return this->Internal->Target.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::GetSize(int size[2])
+{
+  size[0] = this->Internal->View.Viewport[2];
+  size[1] = this->Internal->View.Viewport[3];
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGBufferPass::GetHoldsLayers()
+{
+  return this->Internal->Valid;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Target.Release(window);
+  this->Internal->Draws.Clear();
+  this->Internal->Valid = false;
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NormalFormat: " << this->NormalFormat << "\n";
+  os << indent << "DepthFormat: " << this->DepthFormat << "\n";
+  os << indent << "NormalDepthFormat: " << this->NormalDepthFormat << "\n";
+  os << indent << "NormalSpace: " << (this->NormalSpace == WORLD ? "World" : "View") << "\n";
+  os << indent << "ShareGeometryPass: " << this->ShareGeometryPass << "\n";
+  os << indent << "RefineDepth: " << this->RefineDepth << "\n";
+  os << indent << "Shared: " << this->Shared << "\n";
+}
