@@ -179,8 +179,9 @@ int vtkRelievoLayerSource::RequestData(
   bool color = false;
   for (const std::string& layer : this->Layers)
   {
-    color = color || layer == "color";
-    if (layer != "color" && !pass->IsLayerRequested(layer))
+    const bool picture = layer == "color" && !this->HDR;
+    color = color || picture;
+    if (!picture && !pass->IsLayerRequested(layer))
     {
       pass->RequestLayer(layer);
       added.push_back(layer);
@@ -189,7 +190,10 @@ int vtkRelievoLayerSource::RequestData(
 
   bool good = this->Draw(pass, color);
   std::vector<std::string> read = this->Layers;
-  read.erase(std::remove(read.begin(), read.end(), "color"), read.end());
+  if (color)
+  {
+    read.erase(std::remove(read.begin(), read.end(), "color"), read.end());
+  }
   good = good && pass->ReadLayers(read, image);
   if (good && color)
   {
@@ -336,6 +340,7 @@ void vtkRelievoLayerSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Renderer.GetPointer() << "\n";
+  os << indent << "HDR: " << this->HDR << "\n";
   os << indent << "Layers:";
   for (const std::string& layer : this->Layers)
   {

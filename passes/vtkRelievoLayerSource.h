@@ -56,6 +56,17 @@ public:
   std::string GetLayer(int i);
   ///@}
 
+  ///@{
+  /**
+   * Whether the layer `color` is the frame's linear colour, unclamped, in half floats, without
+   * texts and bars, and drawn without touching the window; off (default), it is the window's
+   * picture of 8 bits, all that is drawn over the scene included.
+   */
+  vtkSetMacro(HDR, bool);
+  vtkGetMacro(HDR, bool);
+  vtkBooleanMacro(HDR, bool);
+  ///@}
+
   /** The scene changes without telling: always renders anew. */
   vtkMTimeType GetMTime() override;
 
@@ -85,6 +96,7 @@ private:
 
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<std::string> Layers;
+  bool HDR = false;
 };
 
 #endif

@@ -7,6 +7,7 @@ namespace cli
 const char* const HelpPage = R"(relievo - pictures and measurable buffers of meshes and grids
 
   relievo render FILE... [options] --png F | --exr F | --report F
+  relievo stages
   relievo bench NAME [--out DIR]
   relievo --help | --version
 
@@ -50,13 +51,19 @@ render draws the FILEs off screen and writes what is asked for.
   --skybox                shows the environment behind everything
   --up AXIS               which of x, y, z is up for --environment, the camera that fits the
                           scene, and --texture-coordinates (y)
+  --stage NAME[:PARAMETER=VALUE,...]
+                          runs a stage of the frame with these parameters; may be repeated;
+                          `relievo stages` lists them
   --layers A,B,...        what the EXR holds beside its colour (depth): depth range normal
                           geometric_normal position albedo actor block cell, shadow_N (light
                           of the Nth --light from 0: 1 lit, 0 dark), or the name of a point or
                           cell array
   --png F                 the picture
   --exr F                 OpenEXR: the colour as R G B A, then the layers as depth.Z normal.X ...
+  --hdr                   the colour of the EXR as the lights give it, unclamped, half floats
   --report F              frame report, JSON: what ran and why, GPU ms, bytes held
+
+stages lists the stages of the frame, and what their parameters take.
 
 bench measures, prints what it found, and writes CSV, PNG and SVG to DIR (the current folder).
   Without a known NAME it lists them.

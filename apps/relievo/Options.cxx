@@ -220,7 +220,13 @@ const OptionRow RenderRows[] = {
   { "--skybox", [](RenderOptions& options, const std::string&) { options.Skybox = true; }, false,
     true },
   { "--up", TakeUp, false },
+  { "--stage",
+    [](RenderOptions& options, const std::string& word) {
+      options.Stages.push_back(ParseStage(word));
+    },
+    true },
   { "--layers", TakeLayers, true },
+  { "--hdr", [](RenderOptions& options, const std::string&) { options.HDR = true; }, false, true },
   { "--png", TakePath<&RenderOptions::PNG>, false },
   { "--exr", TakePath<&RenderOptions::EXR>, false },
   { "--report", TakePath<&RenderOptions::Report>, false },
@@ -246,6 +252,11 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
   {
     throw WordsError("--layers: layers are written to OpenEXR: give --exr F as well");
   }
+  if (options.HDR && options.EXR.empty())
+  {
+    throw WordsError("--hdr: unclamped colour is written to OpenEXR: give --exr F as well");
+  }
+  CheckStages(options.Stages);
   if (!options.Lights.empty())
   {
     const int lights = static_cast<int>(options.Lights.size());

@@ -7,6 +7,8 @@
 #ifndef Options_h
 #define Options_h
 
+#include "Stages.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -95,6 +97,8 @@ struct RenderOptions
   double Roughness = 0.2;                ///< of that mirror
   bool Skybox = false;
   int UpAxis = 1;                  ///< of the world: 0, 1, 2 for x, y, z
+  std::vector<StageChoice> Stages; ///< of the frame, as given
+  bool HDR = false;                ///< the colour of the EXR unclamped
   std::vector<std::string> Layers; ///< each once; those of the EXR beside its colour
   std::string PNG, EXR, Report;    ///< empty: not asked for
 };

@@ -157,7 +157,8 @@ void Render(const RenderOptions& options)
   progress.Begin("rendering " + size);
   // A plain picture is VTK's own: nothing of Relievo is attached that nobody asked for.
   vtkRelievoPass* pass = nullptr;
-  if (!layers.empty() || !options.Report.empty() || options.ShadowMethod != Shadows::Off)
+  if (!layers.empty() || !options.Report.empty() || options.ShadowMethod != Shadows::Off ||
+    !options.Stages.empty())
   {
     pass = vtkRelievoPass::Attach(scene.Renderer);
   }
@@ -172,6 +173,7 @@ void Render(const RenderOptions& options)
   if (pass)
   {
     SetShadows(pass, scene.Window, options);
+    SetStages(pass, options.Stages);
   }
   for (int frame = 1; !options.Report.empty() && frame < FramesUntilTimed; ++frame)
   {
@@ -182,6 +184,7 @@ void Render(const RenderOptions& options)
   if (!options.EXR.empty())
   {
     source->SetRenderer(scene.Renderer);
+    source->SetHDR(options.HDR);
     for (const std::string& name : layers)
     {
       source->AddLayer(name);

@@ -6,6 +6,7 @@
 #include "Options.h"
 #include "Outputs.h"
 #include "Render.h"
+#include "Stages.h"
 
 #include "vtkVersion.h"
 
@@ -25,7 +26,7 @@ int Run(std::vector<std::string> words)
   }
   if (words.empty())
   {
-    throw cli::WordsError("no command given, expected render or bench; see relievo --help");
+    throw cli::WordsError("no command given, expected render, stages or bench; see relievo --help");
   }
   const std::string command = words.front();
   words.erase(words.begin());
@@ -37,6 +38,10 @@ int Run(std::vector<std::string> words)
   {
     cli::Render(cli::ParseRender(words));
   }
+  else if (command == "stages")
+  {
+    std::fputs(cli::DescribeStages().c_str(), stdout);
+  }
   else if (command == "bench")
   {
     return cli::Bench(cli::ParseBench(words));
@@ -44,7 +49,7 @@ int Run(std::vector<std::string> words)
   else
   {
     throw cli::WordsError(
-      "got '" + command + "', expected render, bench, --help or --version; see relievo --help");
+      "got '" + command + "', expected render, stages, bench, --help or --version; see relievo --help");
   }
   return 0;
 }

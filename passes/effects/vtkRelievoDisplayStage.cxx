@@ -74,10 +74,12 @@ void vtkRelievoDisplayStage::Describe(vtkRelievoStageDescription& description)
   description.Slot = vtkRelievoStageDescription::DISPLAY;
   description.Writes = { "picture" };
   description.OnByDefault = true;
-  description.AddText("layer", [this]() { return this->Layer; },
+  description.AddText(
+    "layer", [this]() { return this->Layer; },
     [this](const std::string& name) { this->SetLayer(name); },
     "The layer to show; empty for the picture itself.");
-  description.AddFlag("grey", this->Grey, [this](bool on) { this->SetGrey(on); },
+  description.AddFlag(
+    "grey", this->Grey, [this](bool on) { this->SetGrey(on); },
     "Shows scalar layers as grey, not in colours.");
 }
 
@@ -123,8 +125,8 @@ bool vtkRelievoDisplayStage::UploadColors(vtkRelievoFrameContext& context)
   in.Colors->SetContext(context.Window);
   in.Colors->SetMinificationFilter(vtkTextureObject::Nearest);
   in.Colors->SetMagnificationFilter(vtkTextureObject::Nearest);
-  in.Colors->Create2DFromRaw(static_cast<unsigned int>(size[0]),
-    static_cast<unsigned int>(size[1]), 4, VTK_UNSIGNED_CHAR, colors.data());
+  in.Colors->Create2DFromRaw(static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]),
+    4, VTK_UNSIGNED_CHAR, colors.data());
   in.ColorBytes = static_cast<vtkIdType>(colors.size());
   return true;
 }

@@ -61,6 +61,40 @@ int GetBoundFramebuffer()
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   return bound;
 }
+
+// The depth of what is bound for drawing: VTK's passes copy depths between framebuffers, which must
+// be of one format.
+vtkRelievoColorTarget::DepthFormat GetBoundDepth()
+{
+  vtkRelievoColorTarget::DepthFormat format;
+  GLint type = GL_UNSIGNED_NORMALIZED;
+  const GLenum place = GetBoundFramebuffer() == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
+  glGetFramebufferAttachmentParameteriv(
+    GL_DRAW_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+  if (type == GL_NONE)
+  {
+    return format;
+  }
+  glGetFramebufferAttachmentParameteriv(
+    GL_DRAW_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, &format.Bits);
+  glGetFramebufferAttachmentParameteriv(
+    GL_DRAW_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+  format.Float = type == GL_FLOAT;
+  const GLenum stencil = GetBoundFramebuffer() == 0 ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
+  glGetFramebufferAttachmentParameteriv(
+    GL_DRAW_FRAMEBUFFER, stencil, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+  format.Stencil = type != GL_NONE;
+  return format;
+}
+
+unsigned int GetInternalFormat(const vtkRelievoColorTarget::DepthFormat& depth)
+{
+  return depth.Stencil ? GL_DEPTH24_STENCIL8
+    : depth.Float      ? GL_DEPTH_COMPONENT32F
+    : depth.Bits == 32 ? GL_DEPTH_COMPONENT32
+    : depth.Bits == 16 ? GL_DEPTH_COMPONENT16
+                       : GL_DEPTH_COMPONENT24;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -99,33 +133,47 @@ vtkRelievoColorTarget::~vtkRelievoColorTarget()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoColorTarget::Allocate(vtkRelievoFrameContext& context, int samples)
+void vtkRelievoColorTarget::Allocate(
+  vtkRelievoFrameContext& context, int samples, const DepthFormat& depth)
 {
   const int* viewport = context.View.Viewport;
   const int size[4] = { viewport[0] + viewport[2], viewport[1] + viewport[3], viewport[2],
     viewport[3] };
   if (this->Window == context.Window && this->Framebuffer && samples == this->NumberOfSamples &&
-    std::equal(size, size + 4, this->Size))
+    depth.Bits == this->DepthOf.Bits && depth.Float == this->DepthOf.Float &&
+    depth.Stencil == this->DepthOf.Stencil && std::equal(size, size + 4, this->Size))
   {
     return;
   }
   this->Release(this->Window);
   this->Window = context.Window;
   this->NumberOfSamples = samples;
+  this->DepthOf = depth;
   std::copy_n(size, 4, this->Size);
   this->Color = MakeTexture(this->Window, GL_RGBA16F, size[0], size[1]);
   this->Linear[0] = MakeTexture(this->Window, GL_RGBA16F, size[2], size[3]);
   this->Linear[1] = MakeTexture(this->Window, GL_RGBA16F, size[2], size[3]);
   this->Depth = vtkSmartPointer<vtkTextureObject>::New();
   this->Depth->SetContext(this->Window);
-  this->Depth->AllocateDepth(size[0], size[1], vtkTextureObject::Fixed24);
+  if (depth.Stencil)
+  {
+    this->Depth->AllocateDepthStencil(size[0], size[1]);
+  }
+  else
+  {
+    this->Depth->AllocateDepth(size[0], size[1],
+      depth.Float          ? vtkTextureObject::Float32
+        : depth.Bits == 32 ? vtkTextureObject::Fixed32
+        : depth.Bits == 16 ? vtkTextureObject::Fixed16
+                           : vtkTextureObject::Fixed24);
+  }
   this->Pen = MakeFramebuffer(this->Window);
   this->Framebuffer = MakeFramebuffer(this->Window);
   vtkOpenGLState* state = this->Window->GetState();
   state->PushFramebufferBindings();
   if (samples > 0)
   {
-    const unsigned int formats[2] = { GL_RGBA16F, GL_DEPTH_COMPONENT24 };
+    const unsigned int formats[2] = { GL_RGBA16F, GetInternalFormat(depth) };
     for (int i = 0; i < 2; ++i)
     {
       this->Samples[i] = vtkSmartPointer<vtkRenderbuffer>::New();
@@ -163,7 +211,7 @@ std::string vtkRelievoColorTarget::Begin(vtkRelievoFrameContext& context)
   }
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
-  this->Allocate(context, samples);
+  this->Allocate(context, samples, GetBoundDepth());
   vtkOpenGLState* state = context.Window->GetState();
   state->PushFramebufferBindings();
   this->Framebuffer->Bind();
@@ -196,8 +244,8 @@ void vtkRelievoColorTarget::CopyWhatIsThere(vtkRelievoFrameContext& context)
   this->Pen->AddColorAttachment(0, there);
   this->Pen->ActivateDrawBuffer(0);
   state->vtkglScissor(0, 0, v[2], v[3]);
-  state->vtkglBlitFramebuffer(v[0], v[1], v[0] + v[2], v[1] + v[3], 0, 0, v[2], v[3],
-    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  state->vtkglBlitFramebuffer(
+    v[0], v[1], v[0] + v[2], v[1] + v[3], 0, 0, v[2], v[3], GL_COLOR_BUFFER_BIT, GL_NEAREST);
   this->Framebuffer->Bind();
   if (vtkShaderProgram* program = this->Copy.Ready(context, "frame/copyFS.glsl", {}))
   {
@@ -309,8 +357,8 @@ std::string vtkRelievoColorTarget::Read(vtkImageData* image)
   }
   if (image->GetNumberOfPoints() != static_cast<vtkIdType>(width) * height)
   {
-    return "the image has " + std::to_string(image->GetNumberOfPoints()) +
-      " points, the colour " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
+    return "the image has " + std::to_string(image->GetNumberOfPoints()) + " points, the colour " +
+      std::to_string(width) + " x " + std::to_string(height) + " pixels";
   }
   vtkNew<vtkFloatArray> color;
   color->SetName("color");
@@ -352,7 +400,7 @@ vtkIdType vtkRelievoColorTarget::GetBytes() const
   }
   const vtkIdType all = static_cast<vtkIdType>(this->Size[0]) * this->Size[1];
   const vtkIdType seen = static_cast<vtkIdType>(this->Size[2]) * this->Size[3];
-  // Half floats of four components, and a depth of 24 bits in a word.
+  // Half floats of four components, and a depth in a word.
   return (8 + 4) * all * (1 + this->NumberOfSamples) + 2 * 8 * seen;
 }
 

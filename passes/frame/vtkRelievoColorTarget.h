@@ -30,6 +30,13 @@ public:
   vtkRelievoColorTarget();
   ~vtkRelievoColorTarget() override;
 
+  struct DepthFormat
+  {
+    int Bits = 24;
+    bool Float = false;
+    bool Stencil = false;
+  };
+
   // Binds the float framebuffer for what the delegate draws. Returns why it cannot, in words;
   // nothing has changed then.
   std::string Begin(vtkRelievoFrameContext& context);
@@ -56,7 +63,7 @@ public:
   void Deactivate() override;
 
 private:
-  void Allocate(vtkRelievoFrameContext& context, int samples);
+  void Allocate(vtkRelievoFrameContext& context, int samples, const DepthFormat& depth);
   void CopyWhatIsThere(vtkRelievoFrameContext& context);
 
   class Input;
@@ -74,6 +81,7 @@ private:
   vtkRelievoScreenQuad Copy;
   int Size[4] = { 0, 0, 0, 0 }; // of the framebuffer, and of the viewport
   int NumberOfSamples = 0;
+  DepthFormat DepthOf;
   bool Valid = false;
 };
 

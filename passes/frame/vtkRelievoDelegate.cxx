@@ -11,8 +11,7 @@
 vtkStandardNewMacro(vtkRelievoMarkerProp);
 
 //------------------------------------------------------------------------------
-int vtkRelievoDelegate::Render(
-  vtkRenderPass* pass, const vtkRenderState* s, const Moments& moments)
+int vtkRelievoDelegate::Render(vtkRenderPass* pass, const vtkRenderState* s, const Moments& moments)
 {
   vtkProp** props = s->GetPropArray();
   int count = s->GetPropArrayCount();

@@ -119,8 +119,7 @@ void vtkRelievoFramePlan::Refuse(Node& node, const std::string& words)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoFramePlan::Need(
-  std::vector<Node>& nodes, int place, const std::string& resource)
+void vtkRelievoFramePlan::Need(std::vector<Node>& nodes, int place, const std::string& resource)
 {
   Node& node = nodes[place];
   const bool asked = Has(node.Asked, resource);
@@ -131,8 +130,7 @@ void vtkRelievoFramePlan::Need(
   node.Needed = true;
   if (!asked)
   {
-    node.Asked.insert(
-      std::upper_bound(node.Asked.begin(), node.Asked.end(), resource), resource);
+    node.Asked.insert(std::upper_bound(node.Asked.begin(), node.Asked.end(), resource), resource);
   }
   for (const std::string& read : GetReads(node))
   {
@@ -148,8 +146,7 @@ void vtkRelievoFramePlan::AskForColor(std::vector<Node>& nodes, int reader)
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     const bool before = reader < 0 || GetKey(nodes[i]) < GetKey(nodes[reader]);
-    if (nodes[i].Declaration.Runs &&
-      (MakesColor(nodes[i]) || (ChangesColor(nodes[i]) && before)))
+    if (nodes[i].Declaration.Runs && (MakesColor(nodes[i]) || (ChangesColor(nodes[i]) && before)))
     {
       this->Need(nodes, static_cast<int>(i), Color);
     }
@@ -157,8 +154,7 @@ void vtkRelievoFramePlan::AskForColor(std::vector<Node>& nodes, int reader)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoFramePlan::AskFor(
-  std::vector<Node>& nodes, const std::string& resource, int reader)
+void vtkRelievoFramePlan::AskFor(std::vector<Node>& nodes, const std::string& resource, int reader)
 {
   if (resource == Color)
   {
@@ -171,24 +167,21 @@ void vtkRelievoFramePlan::AskFor(
     this->Need(nodes, writer, resource);
     return;
   }
+  if (reader < 0)
+  {
+    return; // reading the output says so
+  }
   const auto idle = std::find_if(nodes.begin(), nodes.end(),
     [&resource](const Node& node) { return Has(node.Declaration.Writes, resource); });
-  const std::string why = idle == nodes.end()
-    ? "which no stage writes"
-    : "which the stage " + idle->Name + " would write, but: " + idle->Declaration.Words;
-  if (reader >= 0)
-  {
-    this->Refuse(nodes[reader], "it reads '" + resource + "', " + why);
-  }
-  else
-  {
-    this->Wrong.push_back("'" + resource + "' is asked for, " + why);
-  }
+  this->Refuse(nodes[reader],
+    "it reads '" + resource + "', " +
+      (idle == nodes.end() ? "which no stage writes"
+                           : "which the stage " + idle->Name +
+            " would write, but does not run: " + idle->Declaration.Words));
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoFramePlan::Mark(
-  std::vector<Node>& nodes, const std::vector<std::string>& outputs)
+void vtkRelievoFramePlan::Mark(std::vector<Node>& nodes, const std::vector<std::string>& outputs)
 {
   this->ColorNeeded = this->ColorSeen = false;
   for (Node& node : nodes)
@@ -269,8 +262,7 @@ bool vtkRelievoFramePlan::Sort(std::vector<Node>& nodes)
       continue;
     }
     std::vector<std::string> reads = GetReads(nodes[i]);
-    reads.insert(
-      reads.end(), nodes[i].Declaration.Uses.begin(), nodes[i].Declaration.Uses.end());
+    reads.insert(reads.end(), nodes[i].Declaration.Uses.begin(), nodes[i].Declaration.Uses.end());
     for (const std::string& read : reads)
     {
       if (read != Color)
@@ -361,10 +353,10 @@ bool vtkRelievoFramePlan::Sort(std::vector<Node>& nodes)
   walk.erase(walk.begin(), std::find(walk.begin(), walk.end(), at));
   for (const int place : walk)
   {
-    const auto wait = std::find_if(waits[place].begin(), waits[place].end(),
-      [&done](const auto& w) { return !done[w.first]; });
-    words += (words.empty() ? "" : ", ") + nodes[place].Name + " reads '" + wait->second +
-      "' of " + nodes[wait->first].Name;
+    const auto wait = std::find_if(
+      waits[place].begin(), waits[place].end(), [&done](const auto& w) { return !done[w.first]; });
+    words += (words.empty() ? "" : ", ") + nodes[place].Name + " reads '" + wait->second + "' of " +
+      nodes[wait->first].Name;
   }
   for (const int place : walk)
   {
@@ -380,10 +372,6 @@ std::vector<std::string> vtkRelievoFramePlan::Make(
   this->Wrong.clear();
   do
   {
-    // Words of outputs that cannot be had are said once, of the last round.
-    this->Wrong.erase(std::remove_if(this->Wrong.begin(), this->Wrong.end(),
-                        [](const std::string& words) { return words[0] == '\''; }),
-      this->Wrong.end());
     this->Refused = false;
     this->Mark(nodes, outputs);
   } while (this->Refused || !this->Sort(nodes));

@@ -47,8 +47,9 @@ public:
     std::string Words;
   };
 
-  // Works out which of the nodes are needed for the outputs. Returns what cannot be had, in words
-  // that name the stages: those stages, and what needs them, do not run.
+  // Works out which of the nodes are needed for the outputs. Returns which cannot run for what they
+  // read, in words that name the stages: these do not run, nor what needs them. An output that
+  // nobody writes is left out.
   std::vector<std::string> Make(std::vector<Node>& nodes, const std::vector<std::string>& outputs);
 
   // Places of the needed nodes, in the order in which they run.

@@ -45,9 +45,8 @@ std::vector<std::string> vtkRelievoFrameRun::Plan(const std::vector<std::string>
     node.Declaration.Reads = description.Reads;
     node.Declaration.Writes = description.Writes;
     node.Declaration.Words = description.Help;
-    node.ReadsFor = [stage](const std::vector<std::string>& asked) {
-      return stage->GetReadsFor(asked);
-    };
+    node.ReadsFor = [stage](
+                      const std::vector<std::string>& asked) { return stage->GetReadsFor(asked); };
     if (stage->GetEnabled())
     {
       stage->Declare(this->Context, node.Declaration);
@@ -137,21 +136,26 @@ void vtkRelievoFrameRun::ExecuteRest()
     this->Color.End(this->Context);
     this->ColorOpen = false;
   }
-  bool presented = !this->Context.Picture || !this->Context.Color;
   for (; this->Next < order.size(); ++this->Next)
   {
     // What shows something else as the picture draws over it.
     const int slot = this->Nodes[order[this->Next]].Slot;
-    if (slot == vtkRelievoStageDescription::DISPLAY && !presented)
+    if (slot == vtkRelievoStageDescription::DISPLAY)
     {
-      this->Color.Present(this->Context);
-      presented = true;
+      this->Present();
     }
     this->ExecuteStage(order[this->Next]);
   }
-  if (!presented)
+  this->Present();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameRun::Present()
+{
+  if (this->Context.Picture && this->Context.Color && !this->Presented)
   {
     this->Color.Present(this->Context);
+    this->Presented = true;
   }
 }
 

@@ -24,7 +24,7 @@ public:
   vtkRelievoFrameRun(vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages,
     vtkRelievoColorTarget& color, vtkRelievoGpuTimer& timer);
 
-  // Works out what runs; stages that do not say why not. Returns what cannot be had, in words.
+  // Works out what runs, and tells the others why not. Returns what cannot run for what it reads.
   std::vector<std::string> Plan(const std::vector<std::string>& outputs);
 
   // Runs it; the number of props that the delegate drew.
@@ -40,6 +40,7 @@ public:
 private:
   void ExecuteStage(int place);
   void ExecuteRest();
+  void Present();
   int DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass* pass);
 
   vtkRelievoFrameContext& Context;
@@ -51,6 +52,7 @@ private:
   std::vector<bool> Dropped;                    // of Nodes: needed, and cannot run after all
   std::size_t Next = 0;                         // in the order
   bool ColorOpen = false;                       // the delegate draws into the colour target
+  bool Presented = false;                       // the colour is in the window
 };
 
 #endif

@@ -10,26 +10,23 @@
 
 namespace
 {
+// The shortest digits that give the number back: 0.1, 100, 1e-07.
 std::string Write(double value)
 {
   std::ostringstream out;
   out.imbue(std::locale::classic());
-  out.precision(17);
-  out << value;
-  // 0.1 rather than 0.10000000000000001, where that is the same number.
-  for (int digits = 1; digits < 17; ++digits)
+  for (int digits = 6; digits < 18; ++digits)
   {
-    std::ostringstream shorter;
-    shorter.imbue(std::locale::classic());
-    shorter.precision(digits);
-    shorter << value;
-    std::istringstream in(shorter.str());
+    out.str(std::string());
+    out.precision(digits);
+    out << value;
+    std::istringstream in(out.str());
     in.imbue(std::locale::classic());
     double back = 0.0;
     in >> back;
     if (back == value)
     {
-      return shorter.str();
+      break;
     }
   }
   return out.str();
@@ -120,10 +117,9 @@ std::string vtkRelievoParameter::GetExpected() const
 {
   const std::string unit = this->Unit.empty() ? "" : " (" + this->Unit + ")";
   const bool bounded = std::isfinite(this->Least) && std::isfinite(this->Most);
-  const std::string range = bounded
-    ? " from " + Write(this->Least) + " to " + Write(this->Most)
-    : std::isfinite(this->Least) ? ", " + Write(this->Least) + " or more"
-                                 : "";
+  const std::string range = bounded ? " from " + Write(this->Least) + " to " + Write(this->Most)
+    : std::isfinite(this->Least)    ? ", " + Write(this->Least) + " or more"
+                                    : "";
   switch (this->Type)
   {
     case FLAG:

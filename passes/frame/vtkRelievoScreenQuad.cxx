@@ -65,8 +65,7 @@ vtkShaderProgram* vtkRelievoScreenQuad::Ready(vtkRelievoFrameContext& context,
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoScreenQuad::Draw(
-  vtkRelievoFrameContext& context, const int* viewport, bool depth)
+void vtkRelievoScreenQuad::Draw(vtkRelievoFrameContext& context, const int* viewport, bool depth)
 {
   vtkShaderProgram* program = this->Quad->Program;
   const vtkRelievoView& view = context.View;

@@ -41,14 +41,13 @@ public:
   // Draws with the program that Ready gave into x, y, width, height (default: the frame's viewport)
   // of the framebuffer that is bound, without depth test; the shader's gl_FragDepth is written if
   // `depth`. Blending is as the caller set it.
-  void Draw(
-    vtkRelievoFrameContext& context, const int* viewport = nullptr, bool depth = false);
+  void Draw(vtkRelievoFrameContext& context, const int* viewport = nullptr, bool depth = false);
 
   void Release(vtkWindow* window);
 
 private:
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
-  std::string Key; // what the program was compiled for
+  std::string Key;                            // what the program was compiled for
   std::vector<vtkRelievoResource*> Resources; // of this frame
   std::string Wrong;
 };

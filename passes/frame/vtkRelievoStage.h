@@ -110,7 +110,10 @@ protected:
    * the opposite order, when the frame is done. BeginOpaque and EndOpaque are called when the
    * delegate's opaque geometry begins and ends, as often as it draws some.
    */
-  virtual bool Prepare(vtkRelievoFrameContext&) { return true; }
+  virtual bool Prepare(vtkRelievoFrameContext&)
+  {
+    return true;
+  }
   virtual void Execute(vtkRelievoFrameContext&) {}
   virtual void BeginOpaque(vtkRelievoFrameContext&) {}
   virtual void EndOpaque(vtkRelievoFrameContext&) {}

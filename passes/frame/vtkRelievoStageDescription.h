@@ -21,7 +21,7 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoStageDescription
     SURFACES = 1,   // while, and right after, the opaque geometry is drawn
     SHADE = 2,      // light that is added per pixel
     COMPOSITE = 3,  // works on the linear colour
-    DISPLAY = 4     // makes the picture of the linear colour, or shows something else as the picture
+    DISPLAY = 4 // makes the picture of the linear colour, or shows something else as the picture
   };
 
   std::string Name;  // a lower-case word; several are joined by _

@@ -67,8 +67,7 @@ public:
     const bool refines = self.RefineDepth && self.DepthFormat == DEPTH_32F && !together;
     for (const std::string& layer : read)
     {
-      layout.Ids =
-        layout.Ids ||
+      layout.Ids = layout.Ids ||
         (refines && vtkRelievoLayerCatalogue::Find(layer).Source == vtkRelievoLayer::FROM_DEPTH);
     }
     layout.Arrange();
@@ -119,10 +118,9 @@ void vtkRelievoGBufferPass::Declare(
 std::vector<std::string> vtkRelievoGBufferPass::GetReadsFor(
   const std::vector<std::string>& asked) const
 {
-  const bool shadow = std::any_of(asked.begin(), asked.end(),
-    [](const std::string& layer) {
-      return vtkRelievoLayerCatalogue::Find(layer).Kind == vtkRelievoLayer::SHARE;
-    });
+  const bool shadow = std::any_of(asked.begin(), asked.end(), [](const std::string& layer) {
+    return vtkRelievoLayerCatalogue::Find(layer).Kind == vtkRelievoLayer::SHARE;
+  });
   return shadow ? std::vector<std::string>{ "visibility" } : std::vector<std::string>();
 }
 

@@ -41,7 +41,7 @@ public:
   vtkRelievoShadowSplice::Structure Structure;
   vtkTimeStamp StructureTime;
   vtkRelievoView View;
-  int Radius = 1; // of the filter, as the maps' size allows
+  int Radius = 1;            // of the filter, as the maps' size allows
   std::string WithoutShadow; // lights that cast none, and why
   bool LayersAsked = false;  // visibility is asked for as a layer
   bool DrawingMaps = false;

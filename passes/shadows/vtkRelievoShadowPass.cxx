@@ -148,20 +148,24 @@ void vtkRelievoShadowPass::Describe(vtkRelievoStageDescription& description)
   description.Slot = vtkRelievoStageDescription::LIGHT_MAPS;
   description.Writes = { "shadow maps" };
   description.OnByDefault = true;
-  description.AddFlag("visible", this->Visible, [this](bool on) { this->SetVisible(on); },
+  description.AddFlag(
+    "visible", this->Visible, [this](bool on) { this->SetVisible(on); },
     "Whether shadows are seen in the picture.");
-  description.AddChoice("method", this->Method, [this](int method) { this->SetMethod(method); },
+  description.AddChoice(
+    "method", this->Method, [this](int method) { this->SetMethod(method); },
     { "map", "forward", "warped" }, "How it is found out whether a light is blocked.");
-  description.AddWhole("map_size", this->MapSize, [this](int size) { this->SetMapSize(size); }, 16,
-    16384, "texels", "Width and height of each light's map.");
-  description.AddWhole("filter_radius", this->FilterRadius,
-    [this](int radius) { this->SetFilterRadius(radius); }, 0, 16, "texels",
-    "How soft the edges of shadows are.");
-  description.AddNumber("bias", this->Bias, [this](double bias) { this->SetBias(bias); }, 0.0,
-    100.0, "texels", "How far behind what the light sees a surface may lie and still be lit.");
-  description.AddNumber("strength", this->Strength,
-    [this](double strength) { this->SetStrength(strength); }, 0.0, 1.0, "",
-    "Part of a blocked light that is taken away.");
+  description.AddWhole(
+    "map_size", this->MapSize, [this](int size) { this->SetMapSize(size); }, 16, 16384, "texels",
+    "Width and height of each light's map.");
+  description.AddWhole(
+    "filter_radius", this->FilterRadius, [this](int radius) { this->SetFilterRadius(radius); }, 0,
+    16, "texels", "How soft the edges of shadows are.");
+  description.AddNumber(
+    "bias", this->Bias, [this](double bias) { this->SetBias(bias); }, 0.0, 100.0, "texels",
+    "How far behind what the light sees a surface may lie and still be lit.");
+  description.AddNumber(
+    "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0, 1.0,
+    "", "Part of a blocked light that is taken away.");
 }
 
 //------------------------------------------------------------------------------

@@ -4,17 +4,23 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fades what is far towards a colour: the colour, and its fraction as alpha, to be blended over.
+// Fades what is far towards a colour, in linear light.
 //RELIEVO::Include(gbuffer/read.glsl)
+//RELIEVO::Include(frame/color.glsl)
+//RELIEVO::Include(formulas/srgb.glsl)
 in vec2 texCoord;
-uniform vec2 relievoSize;    // of the viewport, pixels
-uniform ivec2 relievoOffset; // of the viewport within the G-buffer
-uniform vec3 sampleColor;
+uniform vec2 relievoSize;
+uniform vec3 sampleColor; // sRGB, as VTK's colours
 uniform float sampleStrength;
 
 void main()
 {
-  float depth = relievoFetchDepth(ivec2(floor(texCoord * relievoSize)) + relievoOffset);
+  ivec2 pixel = ivec2(floor(texCoord * relievoSize));
+  vec4 color = relievoFetchColor(pixel);
+  float depth = relievoFetchDepth(pixel);
   float far = clamp((depth - relievoNear) / (relievoFar - relievoNear), 0.0, 1.0);
-  gl_FragData[0] = vec4(sampleColor, isinf(depth) ? 0.0 : sampleStrength * far);
+  float share = isinf(depth) ? 0.0 : sampleStrength * far;
+  // The colour is premultiplied: what covers a part of the pixel fades as that part.
+  vec3 faded = color.a * relievoLinearColorFromSrgb(sampleColor);
+  gl_FragData[0] = vec4(mix(color.rgb, faded, share), color.a);
 }

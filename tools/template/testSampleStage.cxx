@@ -76,17 +76,26 @@ void TestStage()
   stage->SetColor(1.0, 0.0, 0.0);
   stage->SetStrength(0.8);
   vtkSmartPointer<vtkImageData> faded = scene.Picture();
-  // Depth 3 is half the way from 1 to 5: 0.4 of red over 0.6 of white. Nothing is no depth.
-  const int white[3] = { 255, 153, 153 };
+  // Depth 3 is half the way from 1 to 5: in linear light 0.4 of red over 0.6 of white, whose sRGB
+  // value is 1.055 * 0.6 ^ (1 / 2.4) - 0.055 = 0.7977. Nothing has no depth.
+  const int white[3] = { 255, 203, 203 };
   const int blue[3] = { 0, 0, 255 };
   CheckPixel(faded, 30, 30, white, "the square");
   CheckPixel(faded, 1, 1, blue, "the background");
-  RELIEVO_CHECK(frame->GetFrameReport().find("fades what is far") != std::string::npos);
+  RELIEVO_CHECK(stage->GetReasonCode() == "ran");
   RELIEVO_CHECK(frame->GetBytesHeld() > 0);
+
+  // By name and in words it is the same stage; a second one of the same name takes its place.
+  RELIEVO_CHECK(frame->GetStage("sample") == stage.GetPointer());
+  RELIEVO_CHECK(stage->GetParameter("strength") == "0.8");
+  RELIEVO_CHECK(stage->TrySetParameter("color", "1,0,0").empty());
+  RELIEVO_CHECK(!stage->TrySetParameter("strength", "2").empty());
+  RELIEVO_CHECK(SamePicture(faded, scene.Picture()));
 
   stage->SetStrength(0.0);
   RELIEVO_CHECK(SamePicture(plain, scene.Picture()));
   RELIEVO_CHECK(frame->GetBytesHeld() == 0);
+  RELIEVO_CHECK(stage->GetReasonCode() == "idle");
   stage->SetStrength(0.8);
   RELIEVO_CHECK(SamePicture(faded, scene.Picture()));
   stage->EnabledOff();

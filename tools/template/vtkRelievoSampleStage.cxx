@@ -3,15 +3,9 @@
 #include "vtkRelievoSampleStage.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLError.h" // for OpenGL
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
-#include "vtkRelievoGBufferPass.h"
-#include "vtkRelievoPass.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePlan.h"
 #include "vtkRelievoScreenQuad.h"
-#include "vtkRelievoView.h"
-#include "vtkRenderState.h"
-#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
 vtkStandardNewMacro(vtkRelievoSampleStage);
@@ -26,50 +20,53 @@ vtkRelievoSampleStage::vtkRelievoSampleStage()
 vtkRelievoSampleStage::~vtkRelievoSampleStage() = default;
 
 //------------------------------------------------------------------------------
-bool vtkRelievoSampleStage::IsNeeded(const vtkRenderState*, std::string& reason)
+void vtkRelievoSampleStage::Describe(vtkRelievoStageDescription& description)
 {
-  reason = this->Strength > 0.0 ? "fades what is far" : "Strength is 0";
-  return this->Strength > 0.0;
+  description.Name = "sample";
+  description.Help = "Fades what is far from the eye towards a colour.";
+  description.Slot = vtkRelievoStageDescription::COMPOSITE;
+  description.Reads = { "depth", "color" };
+  description.Writes = { "color" };
+  description.AddNumber(
+    "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0, 1.0,
+    "", "Fraction of the colour at the far plane.");
+  description.AddColor(
+    "color", this->Color,
+    [this](const double* color) { this->SetColor(color[0], color[1], color[2]); },
+    "The colour that things fade to.");
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> vtkRelievoSampleStage::GetNeededLayers()
+void vtkRelievoSampleStage::Declare(
+  const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
 {
-  return { "depth" };
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoSampleStage::RenderAfter(vtkRelievoPass* frame, const vtkRenderState* s)
-{
-  vtkRenderer* renderer = s->GetRenderer();
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  vtkRelievoGBufferPass* gbuffer = frame->GetGBuffer();
-  this->DrawCalls = 0;
-  if (!gbuffer->GetTexture(0))
+  if (this->Strength == 0.0)
   {
-    return; // the frame drew nothing that has a depth
+    declaration.Runs = false;
+    declaration.Code = "idle";
+    declaration.Words = "strength is 0";
   }
-  vtkShaderProgram* program = this->Quad->Ready(window, gbuffer, "sample/sampleFS.glsl");
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleStage::Execute(vtkRelievoFrameContext& context)
+{
+  this->DrawCalls = 0;
+  vtkShaderProgram* program =
+    this->Quad->Ready(context, "sample/sampleFS.glsl", { "depth", "color" });
   if (!program)
   {
-    vtkErrorMacro("The shader sample/sampleFS.glsl does not compile: see the errors above.");
+    this->Explain("failed", this->Quad->GetWrong());
     return;
   }
   const float color[3] = { static_cast<float>(this->Color[0]), static_cast<float>(this->Color[1]),
     static_cast<float>(this->Color[2]) };
   program->SetUniform3f("sampleColor", color);
   program->SetUniformf("sampleStrength", static_cast<float>(this->Strength));
-
-  vtkRelievoView view;
-  view.Take(renderer, s);
-  vtkOpenGLState* state = window->GetState();
-  state->Push();
-  state->vtkglEnable(GL_BLEND);
-  // The picture's alpha says what is drawn there: fading does not change it.
-  state->vtkglBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-  this->Quad->Draw(window, gbuffer, view);
-  state->Pop();
-  this->DrawCalls = 1;
+  if (context.DrawColor(*this->Quad))
+  {
+    this->DrawCalls = 1;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -77,13 +74,4 @@ void vtkRelievoSampleStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Quad->Release(window);
   this->Superclass::ReleaseGraphicsResources(window);
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoSampleStage::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Strength: " << this->Strength << "\n";
-  os << indent << "Color: " << this->Color[0] << " " << this->Color[1] << " " << this->Color[2]
-     << "\n";
 }

@@ -5,24 +5,23 @@
  * @brief A stage that fades what is far from the eye towards a colour.
  *
  * The fraction of the colour grows linearly with depth, from 0 at the near plane to Strength at the
- * far plane; where nothing is drawn the picture stays as it is.
+ * far plane, and is mixed in linear light; where nothing is drawn the picture stays as it is.
  */
 #ifndef vtkRelievoSampleStage_h
 #define vtkRelievoSampleStage_h
 
-#include "vtkRelievoPassesModule.h" // for the export macro
+#include "vtkRelievoEffectsModule.h" // for the export macro
 #include "vtkRelievoStage.h"
 
 #include <memory> // for the drawing half
 
 class vtkRelievoScreenQuad;
 
-class VTKRELIEVOPASSES_EXPORT vtkRelievoSampleStage : public vtkRelievoStage
+class VTKRELIEVOEFFECTS_EXPORT vtkRelievoSampleStage : public vtkRelievoStage
 {
 public:
   static vtkRelievoSampleStage* New();
   vtkTypeMacro(vtkRelievoSampleStage, vtkRelievoStage);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /** Fraction of the colour at the far plane, from 0 (the stage does not run) to 1. Default 0.5. */
@@ -31,21 +30,21 @@ public:
   ///@}
 
   ///@{
-  /** The colour that things fade to: red, green, blue from 0 to 1. Default white. */
+  /** The colour that things fade to: red, green, blue from 0 to 1, sRGB. Default white. */
   vtkSetVector3Macro(Color, double);
   vtkGetVector3Macro(Color, double);
   ///@}
 
-  std::string GetStageName() override { return "sample"; }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
   vtkRelievoSampleStage();
   ~vtkRelievoSampleStage() override;
 
-  bool IsNeeded(const vtkRenderState* s, std::string& reason) override;
-  std::vector<std::string> GetNeededLayers() override;
-  void RenderAfter(vtkRelievoPass* frame, const vtkRenderState* s) override;
+  void Describe(vtkRelievoStageDescription& description) override;
+  void Declare(
+    const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
+  void Execute(vtkRelievoFrameContext& context) override;
 
   double Strength = 0.5;
   double Color[3] = { 1.0, 1.0, 1.0 };

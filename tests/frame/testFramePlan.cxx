@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The frame's plan by itself, without OpenGL: which stages are reached, in which order, whatever the
+// order in which they are given; and what is refused, by name.
+#include "Check.h"
+#include "Session.h"
+
+#include <vtkRelievoFramePlan.h>
+#include <vtkRelievoStageDescription.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+using Plan = vtkRelievoFramePlan;
+using D = vtkRelievoStageDescription;
+using Names = std::vector<std::string>;
+
+Plan::Node Make(const std::string& name, int slot, const Names& reads, const Names& writes)
+{
+  Plan::Node node;
+  node.Name = name;
+  node.Slot = slot;
+  node.Declaration.Reads = reads;
+  node.Declaration.Writes = writes;
+  return node;
+}
+
+// The frame's own: what VTK draws, the layers, and shadow maps for both.
+std::vector<Plan::Node> MakeOwn(bool shadows)
+{
+  Plan::Node delegate = Make("delegate", D::SURFACES, {}, { "picture", "color" });
+  delegate.Order = -1;
+  delegate.Declaration.Uses = { "shadow maps" };
+  Plan::Node layers = Make("gbuffer", D::SURFACES, {}, {});
+  layers.Declaration.WritesLayers = true;
+  layers.ReadsFor = [](const Names& asked) {
+    const bool shadow = std::find(asked.begin(), asked.end(), "shadow_0") != asked.end();
+    return shadow ? Names{ "shadow maps" } : Names();
+  };
+  Plan::Node maps = Make("shadows", D::LIGHT_MAPS, {}, { "shadow maps" });
+  maps.Declaration.Offers = shadows;
+  return { delegate, layers, maps };
+}
+
+// The names of those that run, in order; every order of the nodes must give the same.
+Names Run(std::vector<Plan::Node> nodes, const Names& outputs, Names* wrong = nullptr,
+  bool* color = nullptr)
+{
+  std::mt19937 random(7);
+  Names first;
+  for (int round = 0; round < 20; ++round)
+  {
+    std::vector<Plan::Node> shuffled = nodes;
+    std::shuffle(shuffled.begin(), shuffled.end(), random);
+    Plan plan;
+    Names said = plan.Make(shuffled, outputs);
+    std::sort(said.begin(), said.end());
+    Names names;
+    for (const int place : plan.GetOrder())
+    {
+      names.push_back(shuffled[place].Name);
+    }
+    if (round == 0)
+    {
+      first = names;
+      if (wrong)
+      {
+        *wrong = said;
+      }
+      if (color)
+      {
+        *color = plan.NeedsColor();
+      }
+    }
+    RELIEVO_CHECK_THAT(names == first, "another order of the stages, another frame");
+  }
+  return first;
+}
+
+void TestReached()
+{
+  RELIEVO_CHECK((Run(MakeOwn(false), { "picture" }) == Names{ "delegate" }));
+  RELIEVO_CHECK((Run(MakeOwn(true), { "picture" }) == Names{ "shadows", "delegate" }));
+  RELIEVO_CHECK((Run(MakeOwn(false), { "picture", "depth" }) == Names{ "delegate", "gbuffer" }));
+  // Layers alone draw no picture, and no maps for a picture that nobody sees.
+  RELIEVO_CHECK((Run(MakeOwn(true), { "depth" }) == Names{ "gbuffer" }));
+  RELIEVO_CHECK((Run(MakeOwn(false), { "shadow_0" }) == Names{ "shadows", "gbuffer" }));
+  RELIEVO_CHECK(Run(MakeOwn(true), {}).empty());
+}
+
+void TestColor()
+{
+  std::vector<Plan::Node> nodes = MakeOwn(false);
+  nodes.push_back(Make("fog", D::COMPOSITE, { "depth", "color" }, { "color" }));
+  nodes.push_back(Make("bloom", D::COMPOSITE, { "color" }, { "color" }));
+  nodes.push_back(Make("light", D::SHADE, { "depth", "normal" }, { "light" }));
+  nodes.push_back(Make("lit", D::SHADE, { "light", "color" }, { "color" }));
+  bool color = false;
+  RELIEVO_CHECK((Run(nodes, { "picture" }, nullptr, &color) ==
+    Names{ "delegate", "gbuffer", "light", "lit", "bloom", "fog" }));
+  RELIEVO_CHECK(color);
+  // Order before name.
+  nodes.back().Declaration.Runs = false;
+  nodes[4].Order = 1;
+  RELIEVO_CHECK((Run(nodes, { "picture" }) == Names{ "delegate", "gbuffer", "fog", "bloom" }));
+  // Asked for without a picture, the colour is drawn all the same; a layer is not.
+  RELIEVO_CHECK((Run(nodes, { "color" }) == Names{ "delegate", "gbuffer", "fog", "bloom" }));
+  RELIEVO_CHECK((Run(nodes, { "normal" }, nullptr, &color) == Names{ "gbuffer" }));
+  RELIEVO_CHECK(!color);
+  // What shows a layer hides what works on the colour.
+  nodes.push_back(Make("display", D::DISPLAY, { "cell" }, { "picture" }));
+  nodes[2].Declaration.Offers = true;
+  RELIEVO_CHECK(
+    (Run(nodes, { "picture" }, nullptr, &color) == Names{ "delegate", "gbuffer", "display" }));
+  RELIEVO_CHECK(!color);
+  // What makes the picture of the colour does not.
+  nodes.back() = Make("tone", D::DISPLAY, { "color" }, { "picture" });
+  RELIEVO_CHECK((Run(nodes, { "picture" }, nullptr, &color) ==
+    Names{ "shadows", "delegate", "gbuffer", "fog", "bloom", "tone" }));
+  RELIEVO_CHECK(color);
+}
+
+// A stage that reads the colour and changes nothing sees it as it is at its place.
+void TestReaderInTheMiddle()
+{
+  std::vector<Plan::Node> nodes = MakeOwn(false);
+  nodes.push_back(Make("a", D::SHADE, { "color" }, { "color" }));
+  nodes.push_back(Make("meter", D::COMPOSITE, { "color" }, { "mean" }));
+  nodes.push_back(Make("z", D::COMPOSITE, { "color", "mean" }, { "color" }));
+  RELIEVO_CHECK((Run(nodes, { "picture" }) == Names{ "delegate", "a", "meter", "z" }));
+  nodes[4].Order = 1;
+  nodes[5].Declaration.Reads = { "color" };
+  RELIEVO_CHECK((Run(nodes, { "picture", "mean" }) == Names{ "delegate", "a", "z", "meter" }));
+}
+
+bool Says(const Names& wrong, const Names& words)
+{
+  return std::any_of(wrong.begin(), wrong.end(), [&words](const std::string& line) {
+    return std::all_of(words.begin(), words.end(),
+      [&line](const std::string& word) { return line.find(word) != std::string::npos; });
+  });
+}
+
+void TestRefused()
+{
+  Names wrong;
+  std::vector<Plan::Node> nodes = MakeOwn(false);
+  nodes[1].Declaration.WritesLayers = false;
+  nodes.push_back(Make("haze", D::COMPOSITE, { "smoke", "color" }, { "color" }));
+  RELIEVO_CHECK((Run(nodes, { "picture" }, &wrong) == Names{ "delegate" }));
+  RELIEVO_CHECK(Says(wrong, { "haze", "'smoke'", "no stage writes" }));
+
+  // What would write it is off.
+  nodes.push_back(Make("fire", D::SHADE, {}, { "smoke" }));
+  nodes.back().Declaration.Runs = false;
+  nodes.back().Declaration.Words = "switched off";
+  RELIEVO_CHECK((Run(nodes, { "picture" }, &wrong) == Names{ "delegate" }));
+  RELIEVO_CHECK(Says(wrong, { "haze", "'smoke'", "fire", "switched off" }));
+
+  // A circle; what has nothing to do with it runs.
+  nodes = MakeOwn(false);
+  nodes.push_back(Make("chicken", D::COMPOSITE, { "egg", "color" }, { "color", "bird" }));
+  nodes.push_back(Make("hen", D::COMPOSITE, { "bird" }, { "egg" }));
+  nodes.push_back(Make("fog", D::COMPOSITE, { "color" }, { "color" }));
+  RELIEVO_CHECK((Run(nodes, { "picture" }, &wrong) == Names{ "delegate", "fog" }));
+  RELIEVO_CHECK(Says(wrong, { "chicken", "'egg'", "hen", "'bird'" }));
+
+  // What is written in a later slot.
+  nodes = MakeOwn(false);
+  nodes.push_back(Make("early", D::LIGHT_MAPS, { "depth" }, { "shadow maps" }));
+  nodes[2].Declaration.Runs = false;
+  RELIEVO_CHECK((Run(nodes, { "picture" }, &wrong) == Names{ "delegate" }));
+  RELIEVO_CHECK(Says(wrong, { "early", "'depth'", "gbuffer", "light maps", "surfaces" }));
+}
+}
+
+int main()
+{
+  relievoTest::Session session;
+  TestReached();
+  TestColor();
+  TestReaderInTheMiddle();
+  TestRefused();
+  return session.Result();
+}

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Every registered stage's description: whole, and true of what the stage takes.
+#include "Check.h"
+#include "Session.h"
+
+#include <vtkNew.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoStage.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+namespace
+{
+void TestDescription(vtkRelievoStage* stage)
+{
+  const vtkRelievoStageDescription& description = stage->GetDescription();
+  const std::string name = description.Name;
+  RELIEVO_CHECK_THAT(!name.empty() && !description.Label.empty(), "a stage without a name");
+  RELIEVO_CHECK_THAT(!description.Help.empty() && description.Help.back() == '.', name + ": help");
+  std::set<std::string> names;
+  for (const vtkRelievoParameter& parameter : description.Parameters)
+  {
+    const std::string which = name + ":" + parameter.Name;
+    RELIEVO_CHECK_THAT(names.insert(parameter.Name).second, which + " is there twice");
+    RELIEVO_CHECK_THAT(!parameter.Help.empty() && parameter.Help.back() == '.', which + ": help");
+    // What it says of itself is what it takes.
+    const std::string before = stage->GetParameter(parameter.Name);
+    RELIEVO_CHECK_THAT(
+      stage->TrySetParameter(parameter.Name, before).empty(), which + " = " + before);
+    RELIEVO_CHECK_THAT(stage->GetParameter(parameter.Name) == before, which + " comes back");
+    if (parameter.Type == vtkRelievoParameter::TEXT)
+    {
+      continue;
+    }
+    RELIEVO_CHECK_THAT(!stage->TrySetParameter(parameter.Name, "rubbish").empty(), which);
+    for (const double value : { parameter.Least, parameter.Most })
+    {
+      if (std::isfinite(value))
+      {
+        const std::vector<double> values(parameter.GetNumberOfComponents(), value);
+        RELIEVO_CHECK_THAT(parameter.Set(values).empty(), which + " takes its end");
+        RELIEVO_CHECK_THAT(parameter.GetValues() == values, which + " keeps its end");
+        std::vector<double> beyond = values;
+        beyond[0] += value == parameter.Least ? -1.0 : 1.0;
+        RELIEVO_CHECK_THAT(!parameter.Set(beyond).empty(), which + " refuses what is beyond");
+        RELIEVO_CHECK_THAT(parameter.GetValues() == values, which + " keeps its value");
+      }
+    }
+    stage->TrySetParameter(parameter.Name, before);
+  }
+}
+
+void TestDescriptions()
+{
+  vtkNew<vtkRelievoPass> frame;
+  RELIEVO_CHECK(frame->GetNumberOfStages() >= 3);
+  for (int i = 0; i < frame->GetNumberOfStages(); ++i)
+  {
+    TestDescription(frame->GetStage(i));
+  }
+}
+
+void TestWords()
+{
+  vtkNew<vtkRelievoPass> frame;
+  vtkRelievoStage* stage = frame->GetStage("shadows");
+  RELIEVO_CHECK(stage == frame->GetShadowPass());
+  RELIEVO_CHECK(stage->SetParameter("method", "warped"));
+  RELIEVO_CHECK(frame->GetShadowPass()->GetMethod() == vtkRelievoShadowPass::METHOD_WARPED);
+  RELIEVO_CHECK(stage->SetParameter("bias", "2.25") && frame->GetShadowPass()->GetBias() == 2.25);
+  RELIEVO_CHECK(stage->SetParameter("visible", "on") && frame->GetShadows());
+  frame->GetShadowPass()->SetMapSize(512);
+  RELIEVO_CHECK(stage->GetParameter("map_size") == "512");
+  const std::string unknown = stage->TrySetParameter("size", "3");
+  RELIEVO_CHECK(
+    unknown.find("'size'") != std::string::npos && unknown.find("map_size") != std::string::npos);
+  const std::string wrong = stage->TrySetParameter("bias", "1e3");
+  RELIEVO_CHECK(
+    wrong.find("'1e3'") != std::string::npos && wrong.find("0 to 100") != std::string::npos);
+  RELIEVO_CHECK(
+    stage->GetParameterHelp("map_size").find("16 to 16384 (texels)") != std::string::npos);
+}
+}
+
+int main()
+{
+  relievoTest::Session session;
+  TestDescriptions();
+  TestWords();
+  return session.Result();
+}
