@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// describeStages TEMPLATE OUTPUT: writes the XML of the view's properties, in which the stages' own
+// are made from the stages' descriptions, and lists of layers from the catalogue. Run by the build.
+//
+// A comment `stages: properties` in the template becomes the properties of every stage that is not
+// always there, `stages: exposed` their groups in the render view, `layers` the names of layers.
+#include "vtkNew.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoStage.h"
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+namespace
+{
+std::string Escape(const std::string& text)
+{
+  std::string out;
+  for (char c : text)
+  {
+    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;"
+                                                                                 : std::string(1, c);
+  }
+  return out;
+}
+
+std::string Numbers(const std::vector<double>& values)
+{
+  std::ostringstream out;
+  out.precision(17);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    out << (i ? " " : "") << values[i];
+  }
+  return out.str();
+}
+
+// Every name is a file format: state files and scripts hold it.
+std::string GetPropertyName(const vtkRelievoStageDescription& stage, const std::string& parameter)
+{
+  return "Stage" + vtkRelievoCapitalize(stage.Name, false) + vtkRelievoCapitalize(parameter, false);
+}
+
+std::string Documentation(const std::string& help)
+{
+  return "        <Documentation>" + Escape(help) + "</Documentation>\n";
+}
+
+std::string Range(const vtkRelievoParameter& parameter, const char* domain)
+{
+  std::ostringstream out;
+  out.precision(17);
+  out << "        <" << domain << " name=\"range\"";
+  const auto count = static_cast<std::size_t>(parameter.GetNumberOfComponents());
+  if (std::isfinite(parameter.Least))
+  {
+    out << " min=\"" << Numbers(std::vector<double>(count, parameter.Least)) << "\"";
+  }
+  if (std::isfinite(parameter.Most))
+  {
+    out << " max=\"" << Numbers(std::vector<double>(count, parameter.Most)) << "\"";
+  }
+  out << "/>\n";
+  return out.str();
+}
+
+std::string MakeProperty(
+  const vtkRelievoStageDescription& stage, const vtkRelievoParameter& parameter)
+{
+  using P = vtkRelievoParameter;
+  const bool text = parameter.Type == P::TEXT;
+  const bool whole =
+    parameter.Type == P::FLAG || parameter.Type == P::WHOLE || parameter.Type == P::CHOICE;
+  const std::string kind = text ? "String" : whole ? "Int" : "Double";
+  const std::string name = GetPropertyName(stage, parameter.Name);
+  std::ostringstream out;
+  out << "      <" << kind << "VectorProperty name=\"" << name << "\" label=\""
+      << parameter.GetLabel() << "\" command=\"SetStage" << (text ? "Text" : "Value")
+      << "\" initial_string=\"" << stage.Name << ":" << parameter.Name
+      << "\" number_of_elements=\"" << std::max(1, parameter.GetNumberOfComponents())
+      << "\" default_values=\""
+      << (text ? Escape(parameter.Format()) : Numbers(parameter.GetValues())) << "\""
+      << (parameter.Type == P::COLOR ? " panel_widget=\"color_selector\"" : "") << ">\n";
+  if (parameter.Type == P::FLAG)
+  {
+    out << "        <BooleanDomain name=\"bool\"/>\n";
+  }
+  else if (parameter.Type == P::CHOICE)
+  {
+    out << "        <EnumerationDomain name=\"enum\">\n";
+    for (std::size_t i = 0; i < parameter.Choices.size(); ++i)
+    {
+      out << "          <Entry value=\"" << i << "\" text=\""
+          << vtkRelievoCapitalize(parameter.Choices[i], true) << "\"/>\n";
+    }
+    out << "        </EnumerationDomain>\n";
+  }
+  else if (!text)
+  {
+    out << Range(parameter, whole ? "IntRangeDomain" : "DoubleRangeDomain");
+  }
+  out << Documentation(parameter.Help + (text ? "" : " Takes " + parameter.GetExpected() + "."))
+      << "        <Hints>\n"
+      << "          <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\" "
+      << "property=\"Relievo" << GetPropertyName(stage, "") << "\" value=\"1\"/>\n"
+      << "        </Hints>\n      </" << kind << "VectorProperty>\n";
+  return out.str();
+}
+
+std::string MakeProperties(const vtkRelievoStageDescription& stage)
+{
+  std::ostringstream out;
+  out << "      <IntVectorProperty name=\"" << GetPropertyName(stage, "") << "\" label=\""
+      << Escape(stage.Label) << "\" command=\"SetStageOn\" initial_string=\"" << stage.Name
+      << "\" number_of_elements=\"1\" default_values=\"0\">\n"
+      << "        <BooleanDomain name=\"bool\"/>\n"
+      << Documentation(stage.Help) << "      </IntVectorProperty>\n";
+  for (const vtkRelievoParameter& parameter : stage.Parameters)
+  {
+    out << MakeProperty(stage, parameter);
+  }
+  return out.str();
+}
+
+std::string MakeExposed(const vtkRelievoStageDescription& stage)
+{
+  std::ostringstream out;
+  auto expose = [&out, &stage](const std::string& parameter) {
+    const std::string name = GetPropertyName(stage, parameter);
+    out << "            <Property name=\"" << name << "\" exposed_name=\"Relievo" << name
+        << "\"/>\n";
+  };
+  out << "          <PropertyGroup label=\"" << Escape(stage.Label) << " (Relievo)\">\n";
+  expose("");
+  for (const vtkRelievoParameter& parameter : stage.Parameters)
+  {
+    expose(parameter.Name);
+  }
+  out << "          </PropertyGroup>\n";
+  return out.str();
+}
+
+std::string MakeLayers()
+{
+  std::string out;
+  for (const vtkRelievoLayer& layer : vtkRelievoLayerCatalogue::GetAll())
+  {
+    out += layer.OfLight ? "" : "          <String value=\"" + layer.Name + "\"/>\n";
+  }
+  return out;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc != 3)
+  {
+    std::cerr << "describeStages: expected TEMPLATE OUTPUT\n";
+    return 2;
+  }
+  std::string properties;
+  std::string exposed;
+  vtkNew<vtkRelievoPass> frame;
+  for (int i = 0; i < frame->GetNumberOfStages(); ++i)
+  {
+    const vtkRelievoStageDescription& stage = frame->GetStage(i)->GetDescription();
+    if (!stage.OnByDefault)
+    {
+      properties += MakeProperties(stage);
+      exposed += MakeExposed(stage);
+    }
+  }
+  std::ifstream in(argv[1]);
+  std::ostringstream out;
+  for (std::string line; std::getline(in, line);)
+  {
+    out << (line.find("<!-- stages: properties -->") != std::string::npos ? properties
+        : line.find("<!-- stages: exposed -->") != std::string::npos      ? exposed
+        : line.find("<!-- layers -->") != std::string::npos               ? MakeLayers()
+                                                                          : line + "\n");
+  }
+  std::ofstream file(argv[2]);
+  file << out.str();
+  file.close();
+  if (in.bad() || out.str().empty() || !file)
+  {
+    std::cerr << "describeStages: " << argv[1] << " cannot be read, or " << argv[2]
+              << " cannot be written\n";
+    return 1;
+  }
+  return 0;
+}
