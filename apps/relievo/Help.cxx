@@ -7,7 +7,7 @@ namespace cli
 const char* const HelpPage = R"(relievo - pictures and measurable buffers of meshes and grids
 
   relievo render FILE... [options] --png F | --exr F | --report F
-  relievo bench NAME [--out DIR]
+  relievo bench NAME [--out DIR] [--redraw DIR]
   relievo --help | --version
 
 render draws the FILEs off screen and writes what is asked for.
@@ -58,8 +58,12 @@ render draws the FILEs off screen and writes what is asked for.
   --exr F                 OpenEXR: the colour as R G B A, then the layers as depth.Z normal.X ...
   --report F              frame report, JSON: what ran and why, GPU ms, bytes held
 
-bench measures, prints what it found, and writes CSV, PNG and SVG to DIR (the current folder).
-  Without a known NAME it lists them.
+bench measures, prints what it found, and writes CSV, PNG and SVG to a folder. Without a known
+  NAME it lists them.
+
+  --out DIR               where to write (the current folder)
+  --redraw DIR            draws the charts from the CSV files in DIR, without measuring; without
+                          NAME, all of them
 
 Options are written --name value or --name=value, --skybox alone; -- ends them.
 Either all the files asked for are written, or none. Needs an X display; xvfb-run makes one.
