@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace relievoBench
 {
@@ -205,6 +206,7 @@ void Layout::DrawCurves(const ChartPanel& panel, const ChartBox& plot)
   auto& marks = this->Drawing.Marks;
   std::vector<LabelledCurve> curves;
   std::vector<ChartMark> over; // markers and rings lie over all lines
+  const std::size_t begin = marks.size();
   for (const ChartSeries& series : panel.Series)
   {
     const ChartMethod& method = *FindChartMethod(series.Method);
@@ -232,6 +234,10 @@ void Layout::DrawCurves(const ChartPanel& panel, const ChartBox& plot)
     }
     curves.push_back(curve);
   }
+  // Where two curves lie on each other, the dashes of one show both.
+  const auto first = marks.begin() + static_cast<std::ptrdiff_t>(begin);
+  std::stable_partition(
+    first, marks.end(), [](const ChartMark& mark) { return mark.Dash == ChartDash::Solid; });
   marks.insert(marks.end(), over.begin(), over.end());
   const ChartBox room = { plot.Left + 2., plot.Top - 4., plot.Right + this->Margin,
     plot.Bottom - 2. };

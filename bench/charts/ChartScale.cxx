@@ -66,7 +66,7 @@ ChartScale Fit(const ChartAxis& axis, const std::vector<double>& values)
     scale.Low = std::floor(scale.Low);
     scale.High = std::ceil(scale.High);
   }
-  const double margin = scale.High > scale.Low ? 0.03 * (scale.High - scale.Low) : 0.5;
+  const double margin = scale.High > scale.Low ? 0.05 * (scale.High - scale.Low) : 0.5;
   scale.Low -= margin;
   scale.High += margin;
   for (int power = static_cast<int>(std::ceil(scale.Low)); powers && power <= scale.High; ++power)
