@@ -4,8 +4,8 @@
 // alone defines the orientation of environments.
 //
 // A direction d points outwards from the middle and has any length but zero; axes are right-handed
-// with +y up. Positions in an image are OpenGL's texture coordinates: (0, 0) is the outer corner of the first
-// texel of the first row, (1, 1) that of the last.
+// with +y up. Positions in an image are OpenGL's texture coordinates: (0, 0) is the outer corner of the
+// first texel of the first row, (1, 1) that of the last.
 //
 // Equirectangular: the middle of the image is in direction +x, u grows from there towards +z (a
 // quarter of the width further), and -x lies on the seam u = 0 = 1; v is 0 at -y and 1 at +y, so
@@ -14,10 +14,10 @@
 // vtkSkybox with FloorRight (0, 0, 1); vtkSkybox's default is rotated by 90 degrees, with -z in the
 // middle.
 //
-// Cube: the six faces +x -x +y -y +z -z (0 to 5) as OpenGL's samplerCube reads them, neither rotated
-// nor flipped: texture(cube, d) is the light from d. Row 0 of the four side faces is the highest.
-// Pictures taken from inside, one per face, are mirrored with respect to that; for them vtkSkybox
-// (since VTK 9.2) looks up (x, y, -z).
+// Cube: the six faces +x -x +y -y +z -z (0 to 5) as OpenGL's samplerCube reads them, neither
+// rotated nor flipped: texture(cube, d) is the light from d. Row 0 of the four side faces is the
+// highest. Pictures taken from inside, one per face, are mirrored with respect to that; for them
+// vtkSkybox (since VTK 9.2) looks up (x, y, -z).
 //
 // Sphere map (GL_SPHERE_MAP): the picture of a mirror ball seen from far away on +z. The middle is
 // +z, the inscribed circle is -z, and the corners outside it are unused. Equal areas are equal

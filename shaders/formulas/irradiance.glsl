@@ -38,8 +38,8 @@ float relievoShCosineLobe(int index)
 
 // Irradiance on a surface with unit normal n: the integral of radiance times max(cos, 0), from the
 // nine coefficients of the radiance. A Lambert surface of albedo a reflects a / pi of it. Harmonics
-// above l = 2, which the coefficients lack, contribute little; with a small strong light the sum may
-// fall below zero on the far side: clamp it.
+// above l = 2, which the coefficients lack, contribute little; with a small strong light the sum
+// may fall below zero on the far side: clamp it.
 vec3 relievoShIrradiance(vec3 n, vec3 coefficients[9])
 {
   vec3 sum = vec3(float(0.0), float(0.0), float(0.0));

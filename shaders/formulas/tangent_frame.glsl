@@ -10,8 +10,8 @@ float relievoTextureArea(vec2 uvx, vec2 uvy)
   return uvx.x * uvy.y - uvx.y * uvy.x;
 }
 
-// Whether the coordinates span an area: neither constant nor on a line, by more than the rounding of
-// coordinates of about 1 in float. Compared as squares, because roots cost more.
+// Whether the coordinates span an area: neither constant nor on a line, by more than the rounding
+// of coordinates of about 1 in float. Compared as squares, because roots cost more.
 bool relievoHasTextureFrame(vec2 uvx, vec2 uvy)
 {
   float area = relievoTextureArea(uvx, uvy);
@@ -43,8 +43,8 @@ vec2 relievoTextureStep(vec3 direction, vec3 perU, vec3 perV)
 }
 
 // A tangent-space normal in the space of the frame: x along `tangent` made perpendicular to the
-// (unit) normal, z along the normal, y perpendicular to both: a quarter turn from x to y is counter-clockwise
-// around the normal for handedness 1, clockwise for -1.
+// (unit) normal, z along the normal, y perpendicular to both: a quarter turn from x to y is
+// counter-clockwise around the normal for handedness 1, clockwise for -1.
 vec3 relievoFromTangentSpace(vec3 mapped, vec3 normal, vec3 tangent, float handedness)
 {
   vec3 t = normalize(tangent - normal * dot(normal, tangent));
