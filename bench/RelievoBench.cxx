@@ -2,7 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RelievoBench.h"
 
+#include "BenchCharts.h"
+
+#include <algorithm>
 #include <iostream>
+
+namespace
+{
+int RefuseName(const std::string& name)
+{
+  std::cerr << "bench: no bench '" << name << "'; there are:";
+  for (const RelievoBenchEntry& entry : RelievoBenchEntries())
+  {
+    std::cerr << ' ' << entry.Name;
+  }
+  std::cerr << '\n';
+  return 2;
+}
+}
 
 //------------------------------------------------------------------------------
 const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
@@ -38,11 +55,27 @@ int RelievoBench(const std::string& name, const std::string& outDir)
       return entry.Run(outDir);
     }
   }
-  std::cerr << "bench: no bench '" << name << "'; there are:";
-  for (const RelievoBenchEntry& entry : RelievoBenchEntries())
+  return RefuseName(name);
+}
+
+//------------------------------------------------------------------------------
+int RelievoBenchRedraw(
+  const std::string& name, const std::string& csvDir, const std::string& outDir)
+{
+  const std::vector<RelievoBenchEntry>& entries = RelievoBenchEntries();
+  if (!name.empty() &&
+    std::none_of(entries.begin(), entries.end(),
+      [&name](const RelievoBenchEntry& entry) { return name == entry.Name; }))
   {
-    std::cerr << ' ' << entry.Name;
+    return RefuseName(name);
   }
-  std::cerr << '\n';
-  return 2;
+  bool drawn = relievoBench::MakeFolder(outDir);
+  for (const std::string& bench : relievoBench::BenchesWithCharts())
+  {
+    if (name.empty() || name == bench)
+    {
+      drawn = drawn && relievoBench::DrawBenchCharts(bench, csvDir, outDir);
+    }
+  }
+  return drawn ? 0 : 1;
 }

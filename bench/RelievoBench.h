@@ -28,6 +28,13 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries();
  */
 int RelievoBench(const std::string& name, const std::string& outDir);
 
+/**
+ * Draws the charts of a bench from the CSV files in csvDir that it wrote once; those of all benches
+ * that have charts when the name is empty. Returns as RelievoBench.
+ */
+int RelievoBenchRedraw(
+  const std::string& name, const std::string& csvDir, const std::string& outDir);
+
 /** Chart 1: error of the normal formats against bits and time. About half a minute. */
 int RelievoBenchNormals(const std::string& outDir);
 

@@ -6,8 +6,10 @@
 
 #include <cassert>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <limits>
 
 namespace relievoBench
 {
@@ -25,6 +27,33 @@ std::string Field(const std::string& text)
     quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   }
   return quoted + '"';
+}
+
+// The fields of a line; two quotes within quotes are one.
+std::vector<std::string> FieldsOf(const std::string& line)
+{
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i)
+  {
+    if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+    {
+      fields.back() += line[++i];
+    }
+    else if (line[i] == '"')
+    {
+      quoted = !quoted;
+    }
+    else if (line[i] == ',' && !quoted)
+    {
+      fields.emplace_back();
+    }
+    else
+    {
+      fields.back() += line[i];
+    }
+  }
+  return fields;
 }
 }
 
@@ -67,6 +96,43 @@ bool Table::WriteCsv(const std::string& path) const
     std::cerr << "bench: cannot write " << path << "\n";
   }
   return static_cast<bool>(file);
+}
+
+//------------------------------------------------------------------------------
+double NumberIn(const CsvRow& row, const std::string& column)
+{
+  const auto at = row.find(column);
+  return at == row.end() || at->second.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                               : std::strtod(at->second.c_str(), nullptr);
+}
+
+//------------------------------------------------------------------------------
+bool ReadCsv(const std::string& path, std::vector<CsvRow>& rows)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  if (!std::getline(file, line))
+  {
+    std::cerr << "bench: cannot read " << path << "\n";
+    return false;
+  }
+  const std::vector<std::string> columns = FieldsOf(line);
+  while (std::getline(file, line))
+  {
+    const std::vector<std::string> fields = FieldsOf(line);
+    if (fields.size() != columns.size())
+    {
+      std::cerr << "bench: " << path << ", line " << rows.size() + 2 << ": " << fields.size()
+                << " fields, expected " << columns.size() << "\n";
+      return false;
+    }
+    CsvRow& row = rows.emplace_back();
+    for (std::size_t i = 0; i < columns.size(); ++i)
+    {
+      row[columns[i]] = fields[i];
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

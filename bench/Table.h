@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Table.h
- * @brief Rows of measured values, written as CSV.
+ * @brief Rows of measured values, written as CSV and read again.
  */
 #ifndef relievoBenchTable_h
 #define relievoBenchTable_h
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,18 @@ public:
 private:
   std::vector<std::vector<std::string>> Rows;
 };
+
+/** A row of a file: fields by their columns. */
+using CsvRow = std::map<std::string, std::string>;
+
+/** The number in a field; NaN, if it is empty or there is no such column. */
+double NumberIn(const CsvRow& row, const std::string& column);
+
+/**
+ * Reads what Table wrote. False, with a message on the standard error, when there is no such file
+ * or a line has not as many fields as there are columns.
+ */
+bool ReadCsv(const std::string& path, std::vector<CsvRow>& rows);
 
 /** Makes the folder and its parents; false, with a message on the standard error, on failure. */
 bool MakeFolder(const std::string& folder);

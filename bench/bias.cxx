@@ -9,7 +9,7 @@
 // the receiver's plane; and vtkShadowMapPass, which has no bias to set, as a point.
 #include "RelievoBench.h"
 
-#include "Chart.h"
+#include "BenchCharts.h"
 #include "ShadowSimulation.h"
 #include "ShadowVerdicts.h"
 #include "Table.h"
@@ -100,79 +100,6 @@ void Measure(
   }
 }
 
-// Percent on a logarithmic axis; none, and hardly any, at its end.
-constexpr double Least = 1e-3;
-
-ChartAxis PercentAxis(const std::string& title)
-{
-  ChartAxis axis;
-  axis.Title = title;
-  axis.Log = true;
-  axis.Ticks = { { Least, "0" }, { 1e-2, "0.01" }, { 0.1, "0.1" }, { 1., "1" }, { 10., "10" },
-    { 100., "100" } };
-  return axis;
-}
-
-Chart TradeChart(const ShadowLight& sun, const std::vector<Result>& results)
-{
-  Chart chart;
-  chart.Title = "Sun at " + std::string(sun.Name) + "°, map of 2048: bias from 0 to 16 texels";
-  chart.X = PercentAxis("leak, % of what is dark");
-  chart.Y = PercentAxis("false shadow, % of what is lit");
-  for (const char* scene : Scenes)
-  {
-    for (const char* method : { Drawn, SimulatedConstant, Peer })
-    {
-      ChartSeries series;
-      series.Name = std::string(scene) + ", " + method;
-      for (const Result& r : results)
-      {
-        if (r.Scene == scene && r.Sun == sun.Name && r.Method == method)
-        {
-          series.X.push_back(std::max(Least, r.Leak()));
-          series.Y.push_back(std::max(Least, r.FalseShadow()));
-        }
-      }
-      chart.Series.push_back(series);
-    }
-  }
-  return chart;
-}
-
-Chart WrongChart(const std::vector<Result>& results)
-{
-  Chart chart;
-  chart.Title = "Wrong shadows of maps of 2048 against the bias";
-  chart.X.Title = "bias, texels (none: off the chart, 10 to 70 %)";
-  chart.X.Log = true;
-  for (double bias : Biases)
-  {
-    if (bias > 0.)
-    {
-      chart.X.Ticks.emplace_back(bias, Number(bias));
-    }
-  }
-  chart.Y.Title = "wrong verdicts, % of pixels";
-  chart.Y.Log = true;
-  for (const char* scene : Scenes)
-  {
-    for (const ShadowLight& sun : Suns)
-    {
-      ChartSeries series;
-      series.Name = std::string(scene) + ", sun at " + sun.Name + "°";
-      for (const Result& r : results)
-      {
-        if (r.Scene == scene && r.Sun == sun.Name && r.Method == Drawn && r.Bias > 0.)
-        {
-          series.X.push_back(r.Bias);
-          series.Y.push_back(r.Wrong());
-        }
-      }
-      chart.Series.push_back(series);
-    }
-  }
-  return chart;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -204,11 +131,7 @@ int RelievoBenchBias(const std::string& outDir)
       Number(r.Wrong()), Number(r.FalseShadow()), Number(r.Leak()),
       std::to_string(r.Errors.Flipping) });
   }
-  bool written =
-    table.WriteCsv(outDir + "/bias.csv") && WriteChart(WrongChart(results), outDir + "/bias-wrong");
-  for (const ShadowLight& sun : Suns)
-  {
-    written = written && WriteChart(TradeChart(sun, results), outDir + "/bias-" + sun.Name);
-  }
+  const bool written =
+    table.WriteCsv(outDir + "/bias.csv") && DrawBenchCharts("bias", outDir, outDir);
   return written ? 0 : 1;
 }

@@ -7,7 +7,7 @@
 // float, as shaders do; the truth is the depth in double before it was rounded to float.
 #include "RelievoBench.h"
 
-#include "Chart.h"
+#include "BenchCharts.h"
 #include "Statistics.h"
 #include "Table.h"
 #include "vtkRelievoFormulas.h"
@@ -131,52 +131,6 @@ std::string PowerOfTen(double value)
   return "1e" + std::to_string(static_cast<int>(std::lround(std::log10(value))));
 }
 
-// Methods of equal bytes stand side by side; each rises with far / near.
-Chart BytesChart(const std::vector<std::vector<Statistics>>& results)
-{
-  Chart chart;
-  chart.Title = "Depth formats: largest relative error, far / near = 1e2 (lowest mark) to 1e6";
-  chart.X.Title = "bytes per pixel";
-  chart.X.Ticks = { { 1., "1" }, { 2., "2" }, { 3., "3" }, { 4., "4" } };
-  chart.Y.Title = "largest relative error";
-  chart.Y.Log = true;
-  int beside[5] = {};
-  for (std::size_t m = 0; m < std::size(Methods); ++m)
-  {
-    ChartSeries series;
-    series.Name = Methods[m].Name;
-    const int same = beside[Methods[m].Bytes]++;
-    for (const Statistics& one : results[m])
-    {
-      series.X.push_back(Methods[m].Bytes + 0.12 * (same - (Methods[m].Bytes == 4 ? 1. : 0.)));
-      series.Y.push_back(one.Max);
-    }
-    chart.Series.push_back(series);
-  }
-  return chart;
-}
-
-Chart RatioChart(const std::vector<std::vector<Statistics>>& results)
-{
-  Chart chart;
-  chart.Title = "Depth formats: largest relative error, depths log-uniform";
-  chart.X.Title = "far / near";
-  chart.X.Log = true;
-  chart.Y.Title = "largest relative error";
-  chart.Y.Log = true;
-  for (std::size_t m = 0; m < std::size(Methods); ++m)
-  {
-    ChartSeries series;
-    series.Name = std::string(Methods[m].Name) + " (" + std::to_string(Methods[m].Bytes) + " B)";
-    for (std::size_t r = 0; r < std::size(Ratios); ++r)
-    {
-      series.X.push_back(Ratios[r]);
-      series.Y.push_back(results[m][r].Max);
-    }
-    chart.Series.push_back(series);
-  }
-  return chart;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -188,15 +142,12 @@ int RelievoBenchDepth(const std::string& outDir)
   }
   Table table({ "format", "bytes", "far/near", "relative error median", "p99", "max",
     "neighbours equal", "neighbours swapped" });
-  std::vector<std::vector<Statistics>> results;
   for (const Method& method : Methods)
   {
-    results.emplace_back();
     for (double ratio : Ratios)
     {
       const Statistics errors = RelativeErrors(method, ratio);
       const Order order = OrderOfNeighbours(method, ratio);
-      results.back().push_back(errors);
       table.AddRow(
         { method.Name, std::to_string(method.Bytes), PowerOfTen(ratio), Number(errors.Median),
           Number(errors.P99), Number(errors.Max), Number(order.Equal), Number(order.Swapped) });
@@ -206,8 +157,7 @@ int RelievoBenchDepth(const std::string& outDir)
                 << Number(100. * order.Swapped) << " %" << std::endl;
     }
   }
-  const bool written = table.WriteCsv(outDir + "/depth.csv") &&
-    WriteChart(BytesChart(results), outDir + "/depth-bytes") &&
-    WriteChart(RatioChart(results), outDir + "/depth-ratio");
+  const bool written =
+    table.WriteCsv(outDir + "/depth.csv") && DrawBenchCharts("depth", outDir, outDir);
   return written ? 0 : 1;
 }

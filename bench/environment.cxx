@@ -8,8 +8,8 @@
 // environment itself, in double, at directions spread evenly over the sphere.
 #include "RelievoBench.h"
 
+#include "BenchCharts.h"
 #include "BenchSizes.h"
-#include "Chart.h"
 #include "EnvironmentMaps.h"
 #include "Table.h"
 #include "vtkRelievoFormulas.h"
@@ -154,7 +154,6 @@ bool ReadEnvironment(const std::string& name, std::vector<Environment>& all)
 
 struct Result
 {
-  const Way* How;
   int Texels = 0;
   double Rms = 0.; // of the mean light
   std::vector<double> ByAngle;
@@ -167,7 +166,6 @@ Result Measure(
   const int samples =
     std::clamp(static_cast<int>(std::lround(sizes.Detail / std::sqrt(texels))), 3, 40);
   Result result;
-  result.How = &way;
   std::vector<double> sums(Belts, 0.);
   std::vector<double> counts(Belts, 0.);
   for (int turn = 0; turn < sizes.Turns; ++turn)
@@ -196,49 +194,6 @@ Result Measure(
   return result;
 }
 
-bool Draw(
-  const std::string& stem, const std::string& name, const std::vector<Result>& results, int chosen)
-{
-  Chart texels;
-  texels.Title = "Environments: error against texels, " + name;
-  texels.X.Title = "texels";
-  texels.X.Log = true;
-  texels.Y.Title = "RMS error / mean light";
-  texels.Y.Log = true;
-  Chart angle;
-  angle.Title = "Environments: error by angle, " + std::to_string(chosen) + " texels, " + name;
-  angle.X.Title = "degrees from the map's axis (of lat-long: from its pole)";
-  for (int ticks = 0; ticks <= 180; ticks += 30)
-  {
-    angle.X.Ticks.emplace_back(ticks, std::to_string(ticks));
-  }
-  angle.Y = texels.Y;
-  for (const Way& way : Ways)
-  {
-    ChartSeries byTexels{ way.Name, {}, {} };
-    ChartSeries byAngle{ way.Name, {}, {} };
-    for (const Result& result : results)
-    {
-      if (result.How != &way)
-      {
-        continue;
-      }
-      byTexels.X.push_back(result.Texels);
-      byTexels.Y.push_back(result.Rms);
-      if (std::abs(result.Texels - chosen) < chosen / 20)
-      {
-        for (int i = 0; i < Belts; ++i)
-        {
-          byAngle.X.push_back((i + 0.5) * 180. / Belts);
-          byAngle.Y.push_back(result.ByAngle[i]);
-        }
-      }
-    }
-    texels.Series.push_back(byTexels);
-    angle.Series.push_back(byAngle);
-  }
-  return WriteChart(texels, stem) && WriteChart(angle, stem + "-angle");
-}
 }
 
 //------------------------------------------------------------------------------
@@ -251,7 +206,8 @@ int relievoBench::BenchEnvironment(const std::string& outDir, const EnvironmentS
   }
   Table table({ "environment", "map", "texels", "RMS error / mean light", "0 to 30 degrees",
     "60 to 120 degrees", "150 to 180 degrees" });
-  bool written = true;
+  Table byAngle({ "environment", "map", "texels", "degrees", "RMS error / mean light" });
+  const int chosen = sizes.Sides[sizes.Sides.size() - 2];
   for (const Environment& environment : environments)
   {
     double mean = 0.;
@@ -260,13 +216,11 @@ int relievoBench::BenchEnvironment(const std::string& outDir, const EnvironmentS
       const glm::dvec3 light = environment.Light(Look(i, sizes.Looks));
       mean += (light.x + light.y + light.z) / (3. * sizes.Looks);
     }
-    std::vector<Result> results;
     for (const Way& way : Ways)
     {
       for (const int side : sizes.Sides)
       {
-        results.push_back(Measure(way, 6 * side * side, environment.Light, mean, sizes));
-        const Result& result = results.back();
+        const Result result = Measure(way, 6 * side * side, environment.Light, mean, sizes);
         const auto within = [&result](int first, int last) {
           double sum = 0.;
           double weights = 0.;
@@ -280,17 +234,20 @@ int relievoBench::BenchEnvironment(const std::string& outDir, const EnvironmentS
         };
         table.AddRow({ environment.Name, way.Name, std::to_string(result.Texels),
           Number(result.Rms), within(0, 3), within(6, 12), within(15, 18) });
+        for (int i = 0; i < Belts && side == chosen; ++i)
+        {
+          byAngle.AddRow({ environment.Name, way.Name, std::to_string(result.Texels),
+            Number((i + 0.5) * 180. / Belts), Number(result.ByAngle[i]) });
+        }
         std::cout << environment.Name << ", " << way.Name << ", " << result.Texels
                   << " texels: " << Number(result.Rms) << " of the mean light" << std::endl;
       }
     }
-    const int chosen = sizes.Sides[sizes.Sides.size() - 2];
-    const bool coded = &environment == &environments[0];
-    written = written &&
-      Draw(outDir + "/environment-" + std::string(coded ? "coded" : "forest"), environment.Name,
-        results, 6 * chosen * chosen);
   }
-  return table.WriteCsv(outDir + "/environment.csv") && written ? 0 : 1;
+  const bool written = table.WriteCsv(outDir + "/environment.csv") &&
+    byAngle.WriteCsv(outDir + "/environment-angle.csv") &&
+    DrawBenchCharts("environment", outDir, outDir);
+  return written ? 0 : 1;
 }
 
 //------------------------------------------------------------------------------

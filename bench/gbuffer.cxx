@@ -6,7 +6,7 @@
 // one sample per pixel.
 #include "RelievoBench.h"
 
-#include "Chart.h"
+#include "BenchCharts.h"
 #include "FrameBench.h"
 #include "Table.h"
 
@@ -71,8 +71,7 @@ const Way Ways[] = {
 };
 
 // One scene at one size: a ratio per way.
-bool Measure(const std::string& name, vtkPolyData* mesh, const Size& size, Table& table,
-  std::vector<double>& ratios)
+bool Measure(const std::string& name, vtkPolyData* mesh, const Size& size, Table& table)
 {
   std::vector<std::unique_ptr<SceneWindow>> windows;
   std::vector<Timed> frames;
@@ -106,7 +105,6 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const Size& size, Table
       return false;
     }
     const auto pair = PairOf(times[i], times[0]);
-    ratios.push_back(pair.Ratio());
     std::cout << "  " << Ways[i].Name << ": " << Number(pair.Ratio(), 3) << " +- "
               << Number(pair.RatioSpread(), 1) << std::endl;
     table.AddRow({ name, pixels, Ways[i].Name, Number(pair.Ratio(), 4),
@@ -128,15 +126,6 @@ int RelievoBenchGBuffer(const std::string& outDir)
   }
   Table table({ "scene", "pixels", "frame", "times a plain frame", "+-", "milliseconds",
     "bytes per pixel", "load" });
-  Chart chart;
-  chart.Title = "Frames of 1920 x 1080 pixels with layers, software OpenGL";
-  chart.Y.Title = "times a plain frame";
-  for (const Way& way : Ways)
-  {
-    chart.Series.emplace_back();
-    chart.Series.back().Name = way.Name;
-    chart.Series.back().Bars = true;
-  }
   for (const std::string& name : relievoTest::ReferenceMeshes())
   {
     const vtkSmartPointer<vtkPolyData> mesh = SceneMesh(name);
@@ -144,24 +133,15 @@ int RelievoBenchGBuffer(const std::string& outDir)
     {
       return 1;
     }
-    std::vector<double> ratios;
     for (const Size& size : Sizes)
     {
-      ratios.clear();
-      if (!Measure(name, mesh, size, table, ratios))
+      if (!Measure(name, mesh, size, table))
       {
         return 1;
       }
     }
-    const double group = static_cast<double>(chart.X.Ticks.size()) + 1.;
-    chart.X.Ticks.emplace_back(group, name);
-    for (std::size_t i = 0; i < ratios.size(); ++i)
-    {
-      chart.Series[i].X.push_back(group);
-      chart.Series[i].Y.push_back(ratios[i]);
-    }
   }
   const bool written =
-    table.WriteCsv(outDir + "/gbuffer.csv") && WriteChart(chart, outDir + "/gbuffer");
+    table.WriteCsv(outDir + "/gbuffer.csv") && DrawBenchCharts("gbuffer", outDir, outDir);
   return written ? 0 : 1;
 }

@@ -7,7 +7,7 @@
 // as shaders do, and compared with the direction in double.
 #include "RelievoBench.h"
 
-#include "Chart.h"
+#include "BenchCharts.h"
 #include "NormalPeers.h"
 #include "Statistics.h"
 #include "Table.h"
@@ -202,75 +202,6 @@ void MeasureOct(const char* family, std::vector<Result>& results)
   results.push_back(Measure<Format<16>>(family, name + " 2x16", 32));
 }
 
-// One series per family, in the order of the results.
-std::vector<ChartSeries> SeriesOf(
-  const std::vector<Result>& results, double (*x)(const Result&), double (*y)(const Result&))
-{
-  std::vector<ChartSeries> all;
-  for (const Result& result : results)
-  {
-    if (all.empty() || all.back().Name != result.Family)
-    {
-      all.emplace_back();
-      all.back().Name = result.Family;
-    }
-    all.back().X.push_back(x(result));
-    all.back().Y.push_back(y(result));
-  }
-  return all;
-}
-
-double BitsOf(const Result& result)
-{
-  return result.Bits;
-}
-
-double NsOf(const Result& result)
-{
-  return result.EncodeNs + result.DecodeNs;
-}
-
-double MaxOf(const Result& result)
-{
-  return result.Max;
-}
-
-double MeanOf(const Result& result)
-{
-  return result.Uniform.Mean;
-}
-
-Chart BitsChart(const std::vector<Result>& results, bool mean)
-{
-  Chart chart;
-  chart.Title = std::string("Normal formats: ") + (mean ? "mean" : "largest") + " error";
-  chart.X.Title = "bits per normal";
-  chart.X.Log = true;
-  for (int bits : { 16, 20, 24, 32, 48, 96 })
-  {
-    chart.X.Ticks.emplace_back(bits, std::to_string(bits));
-  }
-  chart.Y.Title = "degrees";
-  chart.Y.Log = true;
-  chart.Series = SeriesOf(results, BitsOf, mean ? MeanOf : MaxOf);
-  return chart;
-}
-
-Chart TimeChart(const std::vector<Result>& results)
-{
-  Chart chart;
-  chart.Title = "Normal formats: largest error against time on the CPU";
-  chart.X.Title = "nanoseconds to encode and decode, one core";
-  chart.X.Log = true;
-  for (int ns : { 2, 5, 10, 20, 50, 100, 200 })
-  {
-    chart.X.Ticks.emplace_back(ns, std::to_string(ns));
-  }
-  chart.Y.Title = "degrees";
-  chart.Y.Log = true;
-  chart.Series = SeriesOf(results, NsOf, MaxOf);
-  return chart;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -298,9 +229,7 @@ int RelievoBenchNormals(const std::string& outDir)
       Number(result.Uniform.P99), Number(result.Uniform.Max), Number(result.Special.Max),
       Number(result.EncodeNs, 3), Number(result.DecodeNs, 3) });
   }
-  const bool written = table.WriteCsv(outDir + "/normals.csv") &&
-    WriteChart(BitsChart(results, false), outDir + "/normals-bits") &&
-    WriteChart(BitsChart(results, true), outDir + "/normals-bits-mean") &&
-    WriteChart(TimeChart(results), outDir + "/normals-time");
+  const bool written =
+    table.WriteCsv(outDir + "/normals.csv") && DrawBenchCharts("normals", outDir, outDir);
   return written ? 0 : 1;
 }

@@ -10,7 +10,7 @@
 // truth rounded so.
 #include "RelievoBench.h"
 
-#include "Chart.h"
+#include "BenchCharts.h"
 #include "EmbreeScene.h"
 #include "FrameBench.h"
 #include "PositionFormats.h"
@@ -28,7 +28,6 @@
 #include <vtkRelievoPass.h>
 #include <vtkRenderer.h>
 
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -260,49 +259,6 @@ std::vector<relievoTest::TimingPair> TimeFrames(vtkPolyData* mesh)
   return pairs;
 }
 
-// In perspective; the lower mark of a method is the scene at the origin, the upper one far from it.
-Chart MakeChart(
-  const std::vector<std::vector<Result>>& results, const std::function<double(std::size_t)>& x)
-{
-  Chart chart;
-  chart.Title = "Largest position error, scene at the origin and (upper mark) at (5e5, 5e6, 0)";
-  chart.Y.Title = "pixels";
-  chart.Y.Log = true;
-  for (std::size_t m = 0; m < std::size(Methods); ++m)
-  {
-    ChartSeries series;
-    series.Name = Methods[m].Name;
-    for (std::size_t c = 0; c < 2; ++c)
-    {
-      series.X.push_back(x(m));
-      series.Y.push_back(results[c][m].Drawn.Max);
-    }
-    chart.Series.push_back(series);
-  }
-  return chart;
-}
-
-Chart BytesChart(const std::vector<std::vector<Result>>& results)
-{
-  // Methods of equal bytes stand side by side.
-  Chart chart = MakeChart(results, [](std::size_t m) {
-    double beside = 0.;
-    double same = 0.;
-    for (std::size_t i = 0; i < std::size(Methods); ++i)
-    {
-      beside += i < m && Methods[i].Bytes == Methods[m].Bytes ? 1. : 0.;
-      same += Methods[i].Bytes == Methods[m].Bytes ? 1. : 0.;
-    }
-    return Methods[m].Bytes * (1. + 0.06 * (beside - 0.5 * (same - 1.)));
-  });
-  chart.X.Title = "bytes per pixel        * computed, not offered";
-  chart.X.Log = true;
-  for (int bytes : { 2, 3, 4, 8, 16 })
-  {
-    chart.X.Ticks.emplace_back(bytes, std::to_string(bytes));
-  }
-  return chart;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -351,10 +307,7 @@ int RelievoBenchPosition(const std::string& outDir)
         method.IsOffered() ? "itself" : method.StandIn, Number(LoadAverage(), 2) });
     }
   }
-  Chart time = MakeChart(results, [&frames](std::size_t m) { return frames[m].Ratio(); });
-  time.X.Title = "times a plain frame, software OpenGL        * computed, not offered";
-  const bool written = table.WriteCsv(outDir + "/position.csv") &&
-    WriteChart(BytesChart(results), outDir + "/position-bytes") &&
-    WriteChart(time, outDir + "/position-time");
+  const bool written =
+    table.WriteCsv(outDir + "/position.csv") && DrawBenchCharts("position", outDir, outDir);
   return written ? 0 : 1;
 }

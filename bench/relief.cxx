@@ -9,8 +9,8 @@
 // full geometry. Looks are counted by the same steps on the CPU.
 #include "RelievoBench.h"
 
+#include "BenchCharts.h"
 #include "BenchSizes.h"
-#include "Chart.h"
 #include "EmbreeScene.h"
 #include "FrameBench.h"
 #include "ReliefTruth.h"
@@ -304,28 +304,6 @@ int relievoBench::BenchRelief(const std::string& outDir, const ReliefSizes& size
 
   Table table({ "field", "method", "degrees", "looks", "missed %", "depth error % of height",
     "normal error degrees", "times a plain frame (waves, 60)", "+-" });
-  Chart errors;
-  errors.Title = "Depth error of relief methods, waves at 60 degrees";
-  errors.X.Title = "looks at the heights per pixel";
-  errors.X.Log = true;
-  errors.Y.Title = "mean depth error, share of the relief's height";
-  errors.Y.Log = true;
-  Chart cost = errors;
-  cost.X.Title = "times a plain frame, software OpenGL";
-  cost.X.Log = false;
-  Chart missed;
-  missed.Title =
-    "Thin posts (4 texels of " + std::to_string(Sizes.Texels) + ") that relief methods miss";
-  missed.X.Title = "degrees off the normal";
-  missed.Y.Title = "% of pixels";
-  const char* const families[] = { "parallax", "steep", "occlusion", "relief" };
-  for (const char* family : families)
-  {
-    errors.Series.push_back({ family, {}, {} });
-    cost.Series.push_back({ family, {}, {}, false });
-  }
-  errors.Series.push_back({ "relief, by texels (default)", {}, {} });
-  cost.Series.push_back({ "relief, by texels (default)", {}, {}, false });
   for (const Field& field : fields)
   {
     const bool waves = &field == fields;
@@ -335,7 +313,6 @@ int relievoBench::BenchRelief(const std::string& outDir, const ReliefSizes& size
       ReliefWindow& window = *windows[w];
       window.Wear(field.Truth, Sizes.Texels, way);
       const TimingPair time = PairOf(times[w + 1], times[0]);
-      ChartSeries line{ way.Name, {}, {} };
       for (const double angle : Sizes.Angles)
       {
         LookAtRelief(window.Renderer, angle);
@@ -353,31 +330,12 @@ int relievoBench::BenchRelief(const std::string& outDir, const ReliefSizes& size
         table.AddRow({ field.Name, way.Name, Number(angle, 3), Number(looks, 3),
           Number(100. * e.Missed, 3), Number(100. * e.Depth, 3), Number(e.Normal, 3),
           Number(time.Ratio(), 3), Number(time.RatioSpread(), 1) });
-        line.X.push_back(angle);
-        line.Y.push_back(100. * e.Missed);
-        if (waves && angle == 60.)
-        {
-          const double mean = e.Depth * (1. - e.Missed) + 0.05 * e.Missed;
-          const std::size_t series = way.Steps == 0 ? 4 : static_cast<std::size_t>(way.Method - 1);
-          if (way.Steps > 0 || way.Method == Material::METHOD_RELIEF)
-          {
-            errors.Series[series].X.push_back(looks);
-            errors.Series[series].Y.push_back(mean);
-            cost.Series[series].X.push_back(time.Ratio());
-            cost.Series[series].Y.push_back(mean);
-          }
-        }
-      }
-      if (!waves && (way.Steps == 0 || way.Method == Material::METHOD_RELIEF))
-      {
-        missed.Series.push_back(line);
       }
     }
   }
   windows.clear();
   const bool written = BenchGeometry(outDir) && table.WriteCsv(outDir + "/relief.csv") &&
-    WriteChart(errors, outDir + "/relief-error") && WriteChart(cost, outDir + "/relief-cost") &&
-    WriteChart(missed, outDir + "/relief-missed");
+    DrawBenchCharts("relief", outDir, outDir);
   return written ? 0 : 1;
 }
 

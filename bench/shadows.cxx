@@ -9,7 +9,7 @@
 // of whole frames, still and with a light that moves, drawn in turn with the plain frame.
 #include "RelievoBench.h"
 
-#include "Chart.h"
+#include "BenchCharts.h"
 #include "FrameBench.h"
 #include "ShadowVerdicts.h"
 #include "Table.h"
@@ -289,80 +289,6 @@ Table MakeTable(const std::vector<Result>& results)
   return table;
 }
 
-struct Line
-{
-  std::string Scene;
-  std::string Light;
-  std::string Label;
-};
-
-// A line per way and scene; x by the map's size or by the time of a moving light's frame.
-Chart MakeChart(const std::string& title, const std::vector<Line>& lines,
-  const std::vector<Result>& results, bool overTime)
-{
-  Chart chart;
-  chart.Title = title;
-  chart.Y.Title = "wrong verdicts, % of pixels";
-  chart.Y.Log = true;
-  chart.X.Log = true;
-  chart.X.Title =
-    overTime ? "milliseconds of a frame, the light moves, software OpenGL" : "map, texels";
-  if (!overTime)
-  {
-    for (int mapSize : MapSizes)
-    {
-      chart.X.Ticks.emplace_back(mapSize, std::to_string(mapSize));
-    }
-  }
-  else
-  {
-    for (int ms : { 5, 10, 20, 50, 100, 200, 500, 1000 })
-    {
-      chart.X.Ticks.emplace_back(ms, std::to_string(ms));
-    }
-  }
-  for (const Line& line : lines)
-  {
-    for (const ShadowWay& way : ShadowWays())
-    {
-      ChartSeries series;
-      series.Name = line.Label + ", " + way.Name;
-      for (const Result& r : results)
-      {
-        if (r.Scene == line.Scene && r.Light == line.Light && r.Way == way.Name &&
-          r.Window == Square.Name() && r.Shading == "flat")
-        {
-          series.X.push_back(overTime ? r.Moving.Milliseconds : r.MapSize);
-          series.Y.push_back(r.Wrong());
-        }
-      }
-      chart.Series.push_back(series);
-    }
-  }
-  return chart;
-}
-
-bool WriteCharts(const std::vector<Result>& results, const std::string& outDir)
-{
-  const std::vector<Line> meshes = { { "bunny", "sun", "bunny" },
-    { "motorBike", "sun", "motorBike" }, { "buildings", "sun", "buildings" } };
-  const std::vector<Line> lights = { { "motorBike", "sun at 10 degrees", "sun at 10°" },
-    { "motorBike", "spot", "spot" }, { "motorBike", "point", "point" } };
-  const std::vector<Line> coded = { { SpheresScene, "sun", SpheresScene },
-    { HorizonScene, "sun", HorizonScene }, { HorizonScene, "sun at 10 degrees", "horizon, 10°" } };
-  const std::vector<Line> timed = { { "motorBike", "sun", "motorBike" },
-    { HorizonScene, "sun at 10 degrees", "horizon, 10°" } };
-  return WriteChart(MakeChart("Wrong shadows under the sun, real meshes", meshes, results, false),
-           outDir + "/shadows-meshes") &&
-    WriteChart(MakeChart("Wrong shadows of other lights, motorBike", lights, results, false),
-      outDir + "/shadows-lights") &&
-    WriteChart(MakeChart("Wrong shadows under the sun, spheres, and poles to the horizon", coded,
-                 results, false),
-      outDir + "/shadows-coded") &&
-    WriteChart(MakeChart("Wrong shadows under the sun against frame time; maps of 512 to 4096",
-                 timed, results, true),
-      outDir + "/shadows-time");
-}
 }
 
 //------------------------------------------------------------------------------
@@ -392,7 +318,7 @@ int RelievoBenchShadows(const std::string& outDir)
       }
     }
   }
-  const bool written =
-    MakeTable(results).WriteCsv(outDir + "/shadows.csv") && WriteCharts(results, outDir);
+  const bool written = MakeTable(results).WriteCsv(outDir + "/shadows.csv") &&
+    DrawBenchCharts("shadows", outDir, outDir);
   return written ? 0 : 1;
 }

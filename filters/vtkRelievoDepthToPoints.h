@@ -8,12 +8,12 @@
  * as vtkRelievoLayerSource and vtkRelievoEXRReader give it:
  * - a point array of linear depth (eye space -z, world units), one component; see DepthArrayName;
  * - field arrays worldToCamera and worldToNDC: 16 numbers each, row by row as vtkMatrix4x4 stores
- *   them. Both act on world coordinates as they are, however far from the origin.
+ *   them. Both act on unshifted world coordinates, however far from the origin.
  *
- * An image without pixels gives no points: on several processes one has the image.
+ * An image without pixels gives no points; with several processes only one has the image.
  *
- * Output: one vertex per pixel with a finite depth, where the ray through the pixel's centre has
- * that depth; coordinates are double. Any projection will do: perspective, parallel, off-centre,
+ * Output: one vertex per pixel with a finite depth, at that depth on the ray through the pixel's
+ * centre; coordinates are double. Every projection is supported: perspective, parallel, off-centre,
  * oblique. The formulas are those of shaders/formulas/unproject.glsl, in double. The field data is
  * passed on.
  *
@@ -41,7 +41,7 @@ public:
 
   ///@{
   /**
-   * Whether each point carries its pixel's values of all point arrays, depth included.
+   * Whether each point carries the values of all point arrays at its pixel, including depth.
    * Default is on.
    */
   vtkSetMacro(KeepArrays, bool);
@@ -51,8 +51,8 @@ public:
 
   ///@{
   /**
-   * Takes every Stride-th column and row, from the lower left pixel. Default is 1: every pixel;
-   * at least 1.
+   * Uses every Stride-th column and row, from the lower left pixel. Default is 1, every pixel; at
+   * least 1.
    */
   vtkSetClampMacro(Stride, int, 1, VTK_INT_MAX);
   vtkGetMacro(Stride, int);

@@ -2,24 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoEnvironmentIrradiance
- * @brief Nine numbers a colour that tell how a whole environment lights a matt surface.
+ * @brief Nine coefficients per colour by which an environment lights diffuse surfaces.
  *
- * Input: an environment image as vtkRelievoEnvironmentConvert takes it, of any projection.
+ * Input: an environment image as for vtkRelievoEnvironmentConvert, of any projection.
  *
  * Output: a vtkTable of nine rows with one column "radiance" of three components (red, green, blue,
  * double): the coefficients of the light in the real orthonormal spherical harmonics up to order 2,
- * row l * l + l + m. GetCoefficient gives one, GetIrradiance evaluates them; shaders do so by
- * shaders/formulas/irradiance.glsl, with the same lines.
+ * row l * l + l + m. GetCoefficient returns one, GetIrradiance evaluates them; shaders do the same
+ * with shaders/formulas/irradiance.glsl.
  *
- * Each texel counts as even light over its exact solid angle: harmonics are integrated over it with
- * Gauss's 2 x 2 points, on texels divided until a cube's face has 32 across, and the whole is 4 pi.
+ * Each texel is treated as uniform light over its exact solid angle: harmonics are integrated over
+ * it with 2 x 2 Gauss points, on texels divided until a cube's face has 32 across, and the solid
+ * angles add up to 4 pi.
  *
- * Irradiance is exact for light of orders up to 3; of other light it lacks the even orders from 4
- * on, mostly 1 % of it (R. Ramamoorthi, P. Hanrahan: An Efficient Representation for Irradiance
+ * Irradiance is exact for light of orders up to 3. For other light it lacks the even orders from 4
+ * on, usually 1 % of it (R. Ramamoorthi, P. Hanrahan: An Efficient Representation for Irradiance
  * Environment Maps, SIGGRAPH 2001), and for a single point of light up to 9 %.
  *
- * Errors, once, with an empty output and vtkErrorCode::UserError: no such array; an image that is
- * not of the input projection's shape. An image without points gives a table without rows.
+ * Errors, once, with an empty output and vtkErrorCode::UserError: no such array; an image that does
+ * not have the shape of the input projection. An image without points gives a table without rows.
  */
 #ifndef vtkRelievoEnvironmentIrradiance_h
 #define vtkRelievoEnvironmentIrradiance_h
@@ -36,8 +37,8 @@ public:
 
   ///@{
   /**
-   * As of vtkRelievoEnvironmentConvert: the projection (0, AUTOMATIC, by size, is the default);
-   * whether numbers are sRGB (default off); whether the image is mirrored (default off).
+   * As in vtkRelievoEnvironmentConvert: the projection, 0 to 3 (default 0, AUTOMATIC, by size);
+   * whether values are sRGB (default off); whether the image is mirrored (default off).
    */
   vtkSetClampMacro(InputProjection, int, 0, 3);
   vtkGetMacro(InputProjection, int);
@@ -49,12 +50,12 @@ public:
   vtkBooleanMacro(InputMirrored, bool);
   ///@}
 
-  /** Coefficient `index` (0 to 8) of the last run, red, green, blue; zeros for another index. */
+  /** Coefficient `index` (0 to 8) of the last run: red, green, blue; 0 for any other index. */
   void GetCoefficient(int index, double color[3]);
 
   /**
-   * Irradiance on a surface with this normal (any length but 0) in the last run's environment: the
-   * integral of light times max(cosine, 0), red, green, blue. Constant light L gives pi L.
+   * Irradiance on a surface with this normal (of any length but 0) in the environment of the last
+   * run: the integral of light times max(cosine, 0), red, green, blue. Constant light L gives pi L.
    */
   void GetIrradiance(const double normal[3], double color[3]);
 

@@ -2,27 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoEnvironmentPrefilter
- * @brief Blurs an environment for mirrors of every roughness: the levels of a cube map.
+ * @brief Blurs an environment for mirrors of any roughness: the levels of a cube map.
  *
- * Input: an environment image as vtkRelievoEnvironmentConvert takes it, of any projection.
+ * Input: an environment image as for vtkRelievoEnvironmentConvert, of any projection.
  *
- * Output: a vtkMultiBlockDataSet of Levels blocks "level 0", "level 1" ...: cubes as that filter
- * makes them (n x n x 6, float scalars "radiance"), each half as wide as the one before, so that
+ * Output: a vtkMultiBlockDataSet of Levels blocks "level 0", "level 1" ..., which are cubes as from
+ * that filter (n x n x 6, float scalars "radiance"), each half as wide as the one before, so that
  * they are the levels of one OpenGL cube map. Level k is for roughness k / (Levels - 1), which its
- * field array "roughness" holds; level 0 is the environment itself, at Size texels a face. A shader
- * looks up relievoPrefilterLevel(roughness, Levels) of shaders/formulas/prefilter.glsl.
+ * field array "roughness" holds; level 0 is the environment itself, with Size texels across a face.
+ * A shader reads level relievoPrefilterLevel(roughness, Levels) of shaders/formulas/prefilter.glsl.
  *
- * A texel of direction r is the mean of the light about r, weighted as a mirror of that roughness
- * would if it were seen straight from above (GGX, alpha = roughness^2; normal = view = r: the first
+ * A texel in direction r is the mean of the light around r, weighted as by a mirror of that
+ * roughness at normal incidence (GGX, alpha = roughness^2; normal = view = r: the first
  * half of B. Karis's split sum, SIGGRAPH 2013; its stretch at grazing angles is lost).
  *
- * The mean is not sampled at random, as it mostly is: it is a sum over squares of the cube, each by
- * the mean of its light. A square is parted in four while its part in the sum may err by more than
- * Tolerance of the result: where the weight bends, and where unequal light meets unequal weight. So
- * a sun of 1e5 is met as itself where it counts, nothing is left to chance, and there are no
- * fireflies and no NaN; constant light stays as it is. With the defaults 100 to 500 squares make a
- * mean, off the sum over all texels by 0.1 to 0.3 % on average and 1 % at worst, beside a sun as
- * well. It runs on all threads of vtkSMPTools.
+ * The mean uses no random samples. It is a sum over squares of the cube, each with the mean of its
+ * light. A square is divided into four while its contribution may err by more than Tolerance of the
+ * result: where the weight is curved, and where uneven light meets uneven weight. A sun of 1e5 is
+ * thus resolved where it matters, without fireflies or NaN, and constant light stays constant. With
+ * the defaults a mean takes 100 to 500 squares and differs from the sum over all texels by 0.1 to
+ * 0.3 % on average and 1 % at worst, also beside a sun. It runs on all threads of vtkSMPTools.
  *
  * Errors, once, with an empty output and vtkErrorCode::UserError: those of
  * vtkRelievoEnvironmentConvert. An image without points gives no blocks.
@@ -42,8 +41,8 @@ public:
 
   ///@{
   /**
-   * Texels across a face of level 0; rounded up to a power of two. 0 takes as much as the input's
-   * detail, at most 256. Default is 0; at most 2048.
+   * Texels across a face of level 0, 0 to 2048, rounded up to a power of two. 0 uses the input's
+   * detail, up to 256. Default is 0.
    */
   vtkSetClampMacro(Size, int, 0, 2048);
   vtkGetMacro(Size, int);
@@ -51,8 +50,8 @@ public:
 
   ///@{
   /**
-   * Number of levels. Fewer are made where a level would have less than one texel across. Default
-   * is 6: roughness 0, 0.2, 0.4 ... 1; 2 to 12.
+   * Number of levels, 2 to 12. There are fewer if a level would have less than one texel across.
+   * Default is 6, for roughness 0, 0.2, 0.4 ... 1.
    */
   vtkSetClampMacro(Levels, int, 2, 12);
   vtkGetMacro(Levels, int);
@@ -60,8 +59,8 @@ public:
 
   ///@{
   /**
-   * How much of a texel's light one square of the sum may err by; a smaller one takes more squares.
-   * Default is 5e-4; from 1e-7 to 1.
+   * The error that one square of the sum may have, as a share of the texel's light, 1e-7 to 1; a
+   * smaller one takes more squares. Default is 5e-4.
    */
   vtkSetClampMacro(Tolerance, double, 1e-7, 1.);
   vtkGetMacro(Tolerance, double);
@@ -69,8 +68,8 @@ public:
 
   ///@{
   /**
-   * As of vtkRelievoEnvironmentConvert: the projection (0, AUTOMATIC, by size, is the default);
-   * whether numbers are sRGB (default off); whether the image is mirrored (default off).
+   * As in vtkRelievoEnvironmentConvert: the projection, 0 to 3 (default 0, AUTOMATIC, by size);
+   * whether values are sRGB (default off); whether the image is mirrored (default off).
    */
   vtkSetClampMacro(InputProjection, int, 0, 3);
   vtkGetMacro(InputProjection, int);

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoHeightsToNormals
- * @brief Turns an image of heights into a tangent-space normal map with true slopes.
+ * @brief Computes a tangent-space normal map with true slopes from an image of heights.
  *
  * Input: a vtkImageData with a point array of heights of any number type (the active scalars, or
- * SetInputArrayToProcess), of which Component is taken. Heights times HeightScale have the unit of
+ * SetInputArrayToProcess), of which Component is used. Heights times HeightScale have the unit of
  * the image's spacing: a terrain in metres with spacing in metres gives its true slopes with
- * HeightScale 1. Each slice is a map of its own.
+ * HeightScale 1. Each slice is a separate map.
  *
  * Output: an image of the same structure with the point array "normal" as its scalars, three
  * components: x along growing columns (texture u), y along growing rows (texture v; row 0 is the
  * lowest), z out of the surface; unit vectors of float, or codes of 8 or 16 bits (Encoding). These
- * are numbers, not colours: never read them through an sRGB texture.
+ * are values, not colours: never read them through an sRGB texture.
  *
  * Slopes, by Kernel, with steps h of the spacing:
  * - central: (next - previous) / 2h, off by h^2 / 6 of the third derivative;
@@ -20,13 +20,14 @@
  *   where one of them is missing;
  * - Sobel: central, averaged over three rows (columns) by 1 2 1: noise from texel to texel keeps
  *   3/8 of its variance, and fine relief is blurred.
- * With n texels a wave the slope of a sine is too small by (2 pi / n)^2 / 6 of itself with central,
- * by (2 pi / n)^4 / 30 with fourth order; Sobel adds (2 pi / m)^2 / 4 for m texels a wave across.
+ * With n texels per wave the slope of a sine is too small by (2 pi / n)^2 / 6 of itself with
+ * central, and by (2 pi / n)^4 / 30 with fourth order; Sobel adds (2 pi / m)^2 / 4 for m texels per
+ * wave across.
  *
- * At a border that is not wrapped the slope is one-sided, through three texels where there are as
- * many (off by h^2 / 3 of the third derivative), not the halved slope that a clamped texture would
- * give. Heights that are NaN or infinite are holes: neighbours take the slope from the known side;
- * where that too is missing, and in a hole between unknown neighbours, the axis is flat. A map of
+ * At a border that is not wrapped the slope is one-sided, through three texels if there are that
+ * many (off by h^2 / 3 of the third derivative), and not the halved slope of a clamped texture.
+ * Heights that are NaN or infinite are holes: their neighbours take the slope from the known side.
+ * If that is missing as well, and in a hole between unknown neighbours, the axis is flat. A map of
  * one texel is flat.
  *
  * Errors, once, with an empty output and vtkErrorCode::UserError: no such array or component; a
@@ -53,7 +54,7 @@ public:
   };
 
   ///@{
-  /** How slopes are taken: CENTRAL, SOBEL or FOURTH_ORDER. Default is CENTRAL. */
+  /** How slopes are computed: CENTRAL, SOBEL or FOURTH_ORDER. Default is CENTRAL. */
   vtkSetClampMacro(Kernel, int, CENTRAL, FOURTH_ORDER);
   vtkGetMacro(Kernel, int);
   void SetKernelToCentral() { this->SetKernel(CENTRAL); }
@@ -71,9 +72,9 @@ public:
   ///@{
   /**
    * FLOAT: unit vectors. UNSIGNED_CHAR and UNSIGNED_SHORT: each component n as the nearest code of
-   * (n + 1) / 2 in 0 to 255 or 65535, as OpenGL's normalised textures give it back: n = 2 c - 1.
-   * No code is 0 then: a flat place reads 0.0039 (8 bits) or 0.000015 (16 bits) in x and y, 0.32 or
-   * 0.0012 degrees off. Default is FLOAT.
+   * (n + 1) / 2 in 0 to 255 or 65535, which OpenGL's normalised textures decode as n = 2 c - 1. No
+   * code stands for 0, so a flat area reads 0.0039 (8 bits) or 0.000015 (16 bits) in x and y, which
+   * is 0.32 or 0.0012 degrees off. Default is FLOAT.
    */
   vtkSetClampMacro(Encoding, int, FLOAT, UNSIGNED_SHORT);
   vtkGetMacro(Encoding, int);
@@ -84,22 +85,23 @@ public:
 
   ///@{
   /**
-   * Unit of the spacing per unit of height; negative turns hills into pits. Default is 1; finite.
+   * Units of the spacing per unit of height, any finite value; a negative one turns hills into pits.
+   * Default is 1.
    */
   vtkSetMacro(HeightScale, double);
   vtkGetMacro(HeightScale, double);
   ///@}
 
   ///@{
-  /** Which component of the height array is the height, from 0. Default is 0. */
+  /** The component of the height array that is the height, from 0. Default is 0. */
   vtkSetClampMacro(Component, int, 0, VTK_INT_MAX);
   vtkGetMacro(Component, int);
   ///@}
 
   ///@{
   /**
-   * Whether the map goes on at the other side, as a repeated texture does: the texel after the last
-   * column (row) is the first one. Default is off for both.
+   * Whether the map continues at the other side, as a repeated texture does: the texel after the
+   * last column (row) is the first one. Default is off for both.
    */
   vtkSetMacro(WrapColumns, bool);
   vtkGetMacro(WrapColumns, bool);
@@ -111,8 +113,8 @@ public:
 
   ///@{
   /**
-   * Whether y points to lower rows, as DirectX's normal maps have it. Default is off: OpenGL's and
-   * glTF's, y to higher rows.
+   * Whether y points to lower rows, as in DirectX's normal maps. Default is off: y points to higher
+   * rows, as in OpenGL and glTF.
    */
   vtkSetMacro(FlipGreen, bool);
   vtkGetMacro(FlipGreen, bool);

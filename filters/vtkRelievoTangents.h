@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoTangents
- * @brief Gives a triangle mesh the tangents that normal maps are baked with (MikkTSpace).
+ * @brief Computes the tangents of a triangle mesh that normal maps are baked with (MikkTSpace).
  *
  * Input: a vtkPolyData of triangles (its vertices and lines pass through) with texture coordinates
  * of two or three components in its point data: the active ones, or SetInputArrayToProcess(1, ...).
- * Normals are those of the points (the active ones, or SetInputArrayToProcess(0, ...)), else those
- * of the cells, else the triangles' own by their winding: a mesh without point normals is drawn
- * flat.
+ * Normals are those of the points (the active ones, or SetInputArrayToProcess(0, ...)), otherwise
+ * those of the cells, otherwise those of the triangles by their winding: a mesh without point
+ * normals is drawn flat.
  *
  * Output: the mesh with a float point array (TangentsName) of four components: the unit tangent,
  * across the point's normal, along growing u; and the handedness w, 1 or -1, by which
@@ -16,26 +16,26 @@
  *     bitangent = w * cross(normal, tangent)
  *
  * points along growing v, as in glTF, also where triangles wind against their normals. The first
- * three are the point data's active tangents as well ("Tangents"): vtkRelievoMaterial, which finds
- * the side of v by itself, and VTK's PBR shading use them as they are; the latter takes w for 1, so
- * mirrored halves come out wrong there. Where a
- * point has several tangents, at the seam of a mirrored half, it is split: the first triangle that
- * uses it keeps the point's number, and the others get points at the end, with all arrays copied.
- * Flat meshes are split at every edge that is not even, and get point normals. Points without
- * triangles have tangent 0 0 0 0. Cells and cell data stay as they are. The id array
- * "vtkOriginalPointIds" tells which point of the input a point was.
+ * three components are also the point data's active tangents ("Tangents"), which
+ * vtkRelievoMaterial and VTK's PBR shading use directly. The former determines the side of v itself;
+ * the latter assumes that w is 1 and shades mirrored halves wrongly. A point with several tangents,
+ * at the seam of a mirrored half, is split: the first triangle that uses it keeps the point's
+ * number, and the others get points at the end, with all arrays copied. Flat meshes are split at
+ * every edge whose faces differ in normal, and get point normals. Points without triangles have the
+ * tangent 0 0 0 0. Cells and cell data are unchanged. The id array "vtkOriginalPointIds" says which
+ * point of the input each point was.
  *
  * Method: M. Mikkelsen, Simulation of Wrinkled Surfaces Revisited, master's thesis, University of
- * Copenhagen, 2008 (MikkTSpace). Corners count as one where position, normal and texture coordinate
- * are the same numbers, whichever points they are; each triangle's tangents come from its texture
- * coordinates; around a vertex, triangles that meet in edges and have the same handedness are
- * averaged, put into the plane of the vertex's normal and weighted by the angle of the corner.
- * Shaders must use the interpolated normal and tangent without normalising them first to get back
- * exactly what a baker put in.
+ * Copenhagen, 2008 (MikkTSpace). Corners with equal position, normal and texture coordinate are one
+ * vertex, whichever points they belong to. Each triangle's tangents come from its texture
+ * coordinates. Around a vertex, triangles that share edges and have the same handedness are
+ * averaged, projected into the plane of the vertex's normal and weighted by the angle of the
+ * corner. To recover exactly what was baked, shaders must use the interpolated normal and tangent
+ * without normalising them first.
  *
  * Triangles without texture area (constant or collinear coordinates, NaN, or less area than the
- * rounding of floats) take the tangent of the triangles beside them, then of any triangle at the
- * vertex, then at the position; with none of them any unit vector across the normal, w 1.
+ * rounding of floats) take the tangent of adjacent triangles, then of any triangle at the vertex,
+ * then of any at the position; if there is none, any unit vector across the normal, with w 1.
  * GetNumberOfDegenerateTriangles() counts them.
  *
  * Errors, once, with an empty output and vtkErrorCode::UserError: no texture coordinates; polygons
@@ -61,7 +61,7 @@ public:
   vtkGetStringMacro(TangentsName);
   ///@}
 
-  /** Triangles without texture area, and points that were added by splitting; of the last run. */
+  /** Triangles without texture area, and points added by splitting, in the last run. */
   vtkGetMacro(NumberOfDegenerateTriangles, vtkIdType);
   vtkGetMacro(NumberOfAddedPoints, vtkIdType);
 

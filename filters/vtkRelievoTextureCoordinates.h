@@ -2,29 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoTextureCoordinates
- * @brief Gives any mesh texture coordinates, so that it can wear a material.
+ * @brief Gives any mesh texture coordinates, so that it can carry a material.
  *
  * Input: a vtkPolyData of polygons of any size (its vertices and lines pass through).
  *
  * Output: the mesh with the float point array "TCoords" (u, v) as its active texture coordinates,
- * in tiles: a repeating texture covers the mesh with copies of TileSize. No triangle that winds
- * counter-clockwise seen from outside wears it mirrored; v grows towards Up where it can. By
- * Mapping:
- * - PLANE: laid on from PlaneNormal, or from the side of the plane that fits the points best. Exact
- *   in scale on that plane, stretched by 1 / cosine on surfaces that lean.
- * - BOX: each polygon from the one of the six sides that its own normal is nearest to: stretched at
- *   most by sqrt(3). Where two sides meet the texture has a seam.
- * - SPHERE: longitude and latitude about the middle of the mesh's bounds, the seam opposite of the
- *   first axis, for bodies that are seen whole from their middle. As many whole tiles around as
- *   come nearest to TileSize at the mean distance of the points.
+ * in tiles: a repeating texture covers the mesh with copies of TileSize. It is mirrored on no
+ * triangle that winds counter-clockwise seen from outside, and v grows towards Up where possible.
+ * The Mapping is one of:
+ * - PLANE: projected along PlaneNormal, or onto the plane that fits the points best, from its front.
+ *   Exact in scale on that plane, stretched by 1 / cosine on inclined surfaces.
+ * - BOX: each polygon is projected from the one of six sides that is nearest to its normal, and is
+ *   stretched by at most sqrt(3). The texture has a seam where two sides meet.
+ * - SPHERE: longitude and latitude about the middle of the mesh's bounds, with the seam opposite the
+ *   first axis, for bodies whose whole surface is visible from their middle. The number of tiles
+ *   around is the whole number that comes nearest to TileSize at the mean distance of the points.
  *
  * Points at seams are split, one for each (u, v), with all arrays copied; the first polygon keeps
- * the point's number, others get points at the end; "vtkOriginalPointIds" tells which point of the
- * input a point was. Behind a sphere's seam u goes on above 1; at a pole each polygon has a point
- * with the mean u of its other corners. Points of no polygon have (0, 0), but for PLANE. Cells stay
- * as they are; other texture coordinates of the mesh stay, but are not the active ones. Places are
- * counted from the lower corner of the mesh's bounds, in double, so they are exact far from the
- * origin.
+ * the point's number, others get points at the end. "vtkOriginalPointIds" says which point of the
+ * input each point was. Behind a sphere's seam u continues above 1; at a pole each polygon has a
+ * point with the mean u of its other corners. Points without polygons have (0, 0), except for PLANE.
+ * Cells are unchanged; other texture coordinates of the mesh are kept, but not as the active ones.
+ * Positions are relative to the lower corner of the mesh's bounds, in double, so they are exact far
+ * from the origin.
  *
  * Errors, once, with an empty output and vtkErrorCode::UserError: triangle strips (run
  * vtkTriangleFilter first). A mesh without points gives one without points.
@@ -50,7 +50,7 @@ public:
   };
 
   ///@{
-  /** How the texture is laid on: PLANE, BOX or SPHERE. Default is BOX. */
+  /** How the texture is projected: PLANE, BOX or SPHERE. Default is BOX. */
   vtkSetClampMacro(Mapping, int, PLANE, SPHERE);
   vtkGetMacro(Mapping, int);
   void SetMappingToPlane() { this->SetMapping(PLANE); }
@@ -60,9 +60,9 @@ public:
 
   ///@{
   /**
-   * World units that one copy of the texture covers, both ways. 0 makes one copy cover the whole:
-   * the longer way across a plane, the longest side of the bounds for a box, once around a sphere.
-   * Default is 0; 0 or more.
+   * Size of one copy of the texture in world units, in both directions, 0 or more. 0 makes one copy
+   * cover the whole mesh: the longer side of a plane, the longest side of the bounds for a box, once
+   * around a sphere. Default is 0.
    */
   vtkSetClampMacro(TileSize, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(TileSize, double);
@@ -76,15 +76,15 @@ public:
 
   ///@{
   /**
-   * For PLANE: the way from which the texture is laid on, any length; (0, 0, 0) takes the plane
-   * that fits the points best in the sense of least squares, from the side that the polygons show.
-   * Default is (0, 0, 0).
+   * For PLANE: the direction from which the texture is projected, of any length. (0, 0, 0) uses the
+   * plane that fits the points best by least squares, from the side that the polygons face. Default
+   * is (0, 0, 0).
    */
   vtkSetVector3Macro(PlaneNormal, double);
   vtkGetVector3Macro(PlaneNormal, double);
   ///@}
 
-  /** Points that were added by splitting, in the last run. */
+  /** Points added by splitting, in the last run. */
   vtkGetMacro(NumberOfAddedPoints, vtkIdType);
 
 protected:

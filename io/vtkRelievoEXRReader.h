@@ -4,28 +4,28 @@
  * @class   vtkRelievoEXRReader
  * @brief   reads an OpenEXR file into an image with one point array per layer
  *
- * Reads scan-line and tiled files (of mip and rip maps the full-size level) with one or several
- * parts, any compression. Deep data and subsampled channels are refused.
+ * It reads scan-line and tiled files (the full-size level of mip and rip maps) with one or several
+ * parts and any compression. Deep data and subsampled channels are refused.
  *
- * The output has one point per pixel of the file's data window, row 0 at the bottom, its extent
- * beginning at 0, spacing 1. Its origin is where the lower left pixel of the data window lies in
- * the display window, counted from that window's lower left pixel: (0, 0) unless the two differ.
+ * The output has one point per pixel of the file's data window, row 0 at the bottom, an extent that
+ * begins at 0, and spacing 1. Its origin is the position of the data window's lower left pixel in
+ * the display window, from that window's lower left pixel: (0, 0) unless the two differ.
  * Both windows are in the field data (`dataWindow`, `displayWindow`: min x, min y, max x, max y, y
  * down).
  *
- * Files of vtkRelievoEXRWriter give back the arrays they were made from: names, types, order, and
- * values bit for bit (what the pixel type had to round stays rounded). `position` is in world
- * coordinates again, in double: `relievo:origin` plus the float of the file. Ids are -1 where
- * nothing is. In other files `R G B [A]` become the float array `color`, `LAYER.R ...` and `LAYER.X
+ * Files of vtkRelievoEXRWriter give back the arrays that they were made from: names, types, order,
+ * and values bit for bit (except for rounding by the pixel type). `position` is again in world
+ * coordinates, in double: `relievo:origin` plus the float in the file. Ids are -1 in the
+ * background. In other files `R G B [A]` become the float array `color`, `LAYER.R ...` and `LAYER.X
  * ...` become `LAYER`, and every other channel becomes an array of the channel's name; HALF and
  * FLOAT become float, UINT becomes unsigned int. `color`, or else the first array, is made the
- * active scalars. Attributes become field data; which ones is told in docs/exr.md.
+ * active scalars. Attributes become field data; docs/exr.md lists them.
  *
- * The image is whole: of several pieces that a pipeline asks for (one for each process), the first
- * is the image and the others are empty.
+ * The image is not divided: if a pipeline requests several pieces (one for each process), the first
+ * one is the image and the others are empty.
  *
- * When a file cannot be read there is one error message, which names the file, says what is wrong
- * and what to do; GetErrorCode() is set, and the output is empty until the reader is changed.
+ * If a file cannot be read, one error message names the file and says what is wrong and what to do;
+ * GetErrorCode() is set, and the output is empty until the reader is changed.
  * Setting AbortExecute from a progress observer stops reading without a message; the output is
  * empty and the code is vtkErrorCode::UserError.
  *
@@ -56,31 +56,31 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
-  /** 1 when the file's first bytes and headers are those of an OpenEXR file, else 0; no message. */
+  /** 1 if the file begins like an OpenEXR file and has its headers, otherwise 0; no message. */
   virtual int CanReadFile(VTK_FILEPATH const char* fileName);
 
-  /** Endings of the names of such files, and what such files are called. */
+  /** File name extension and name of the format. */
   virtual const char* GetFileExtensions() { return ".exr"; }
   virtual const char* GetDescriptiveName() { return "OpenEXR"; }
 
   ///@{
   /**
-   * The part to read, from 0, or -1 for all parts; these must then have the same data window.
-   * A channel whose name an earlier part has as well is called PART.CHANNEL. Default: -1.
+   * The part to read, from 0, or -1 for all parts, which must then have the same data window. A
+   * channel whose name an earlier part also has is named PART.CHANNEL. Default: -1.
    */
   vtkSetMacro(Part, int);
   vtkGetMacro(Part, int);
   ///@}
 
   ///@{
-  /** What the file holds; after UpdateInformation(). Names are nullptr for indices out of range. */
+  /** Parts of the file, after UpdateInformation(). Names are nullptr for invalid indices. */
   int GetNumberOfParts();
   const char* GetPartName(int part);
   const char* GetPartType(int part);
   ///@}
 
   ///@{
-  /** Channels of the chosen part or parts; after UpdateInformation(). */
+  /** Channels of the selected part or parts, after UpdateInformation(). */
   int GetNumberOfChannels();
   const char* GetChannelName(int channel);
   ///@}
@@ -91,21 +91,21 @@ public:
   int GetChannelPixelType(int channel);
 
   ///@{
-  /** Arrays that the selected channels make up; after UpdateInformation(). */
+  /** Arrays made from the selected channels, after UpdateInformation(). */
   int GetNumberOfLayers();
   const char* GetLayerName(int layer);
   ///@}
 
-  /** Which channels to read, by name; filled by UpdateInformation(). Default: all. */
+  /** The channels to read, by name; filled by UpdateInformation(). Default: all. */
   vtkDataArraySelection* GetChannelSelection();
 
   ///@{
-  /** Threads that unpack the pixels, as vtkRelievoEXRWriter::NumberOfThreads. Default: 0. */
+  /** Threads that unpack pixels, 0 to 64; see vtkRelievoEXRWriter. Default: 0. */
   vtkSetClampMacro(NumberOfThreads, int, 0, 64);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
-  /** Changes of the selection count as changes of the reader. */
+  /** Includes changes of the channel selection. */
   vtkMTimeType GetMTime() override;
 
 protected:

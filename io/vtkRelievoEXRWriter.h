@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRelievoEXRWriter
- * @brief   writes an image's point arrays into an OpenEXR file, one layer per array
+ * @brief   writes an image's point arrays to an OpenEXR file, one layer per array
  *
  * The input is a vtkImageData of W x H x 1 points, row 0 at the bottom; the file has one part of
  * scan lines, the top line first. Every point array is written:
  *
  * | array                            | channels                              |
  * |----------------------------------|---------------------------------------|
- * | color, 3 or 4 components         | R G B [A] (scene-linear)              |
+ * | color, 3 or 4 components         | R G B [A] (linear light)              |
  * | albedo, 3 or 4 components        | albedo.R albedo.G albedo.B [albedo.A] |
  * | depth, range                     | depth.Z, range.Z                      |
  * | actor, block, cell (integers)    | actor.id, block.id, cell.id           |
@@ -17,20 +17,20 @@
  * | 2 or 3 components                | NAME.X NAME.Y [NAME.Z]                |
  * | 4 or more components             | NAME.0 NAME.1 NAME.2 NAME.3 ...       |
  *
- * Pixel types, unless SetPixelType says otherwise: float and double become FLOAT, integers UINT (-1
- * becomes 0xFFFFFFFF), the bytes of `albedo` and `color` HALF as v / 255 (each byte comes back from
- * its half). Values of float, integers of up to 32 bits and those bytes are read back bit for bit,
- * infinities and NaNs included; double is rounded to float. `position` of type double is written
- * relative to the field data's `relievo:origin`; without one, the middle of the positions is chosen
- * if floats cannot hold them. `origin + float` is read back bit for bit.
+ * Unless SetPixelType says otherwise, float and double become FLOAT, integers become UINT (-1
+ * becomes 0xFFFFFFFF), and the bytes of `albedo` and `color` become HALF as v / 255 (from which each
+ * byte can be recovered). float, integers of up to 32 bits and those bytes are read back bit for
+ * bit, including infinities and NaNs; double is rounded to float. `position` of type double is
+ * written relative to the field data's `relievo:origin`; without one, the middle of the positions
+ * is used if floats cannot hold them. `origin + float` is read back bit for bit.
  *
  * Field data becomes attributes: worldToCamera, worldToNDC, near, far, relievo:origin, lights, and
  * strings and small vectors of any name; see docs/exr.md for names, types and conventions.
  *
- * The file is written under a temporary name in its folder and renamed when it is whole. When
- * anything fails there is one error message that names the file, GetErrorCode() is set, nothing is
- * left behind, and a file that was there before is untouched. Setting AbortExecute from a progress
- * observer stops writing the same way, without a message; the code is then vtkErrorCode::UserError.
+ * The file is written under a temporary name in its folder and renamed when it is complete. If
+ * anything fails, one error message names the file, GetErrorCode() is set, no partial file is left,
+ * and a file that was there before is untouched. Setting AbortExecute from a progress observer
+ * stops writing in the same way, without a message; the code is then vtkErrorCode::UserError.
  *
  * @sa vtkRelievoEXRReader
  */
@@ -60,9 +60,9 @@ public:
 
   /**
    * How pixels are packed. NO_COMPRESSION, RLE, ZIPS (line by line), ZIP (16 lines) and PIZ (32
-   * lines) lose nothing. PXR24 rounds FLOAT to 24 bits. B44 and B44A lose accuracy in HALF. DWAA
-   * and DWAB lose accuracy in channels named R, G, B or Y, of whatever layer: in normal.Y and
-   * position.Y too. The writer warns of that.
+   * lines) are lossless. PXR24 rounds FLOAT to 24 bits. B44 and B44A lose accuracy in HALF. DWAA
+   * and DWAB lose accuracy in channels named R, G, B or Y of any layer, including normal.Y and
+   * position.Y, and the writer warns about it.
    */
   enum CompressionType
   {
@@ -85,20 +85,20 @@ public:
   ///@}
 
   ///@{
-  /** One of CompressionType; others are refused with an error. Default: ZIP. */
+  /** One of CompressionType; other values are refused with an error. Default: ZIP. */
   virtual void SetCompression(int compression);
   vtkGetMacro(Compression, int);
   ///@}
 
   /**
-   * The same by name, in small letters: none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab.
+   * The same by name, in lower case: none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab.
    * Returns false, with an error, for other names.
    */
   virtual bool SetCompressionByName(const char* name);
   const char* GetCompressionName();
 
   ///@{
-  /** How much DWAA and DWAB may lose: 0 almost nothing, larger more. Default: 45. */
+  /** How much DWAA and DWAB may lose, 0 (almost nothing) to 100000. Default: 45. */
   vtkSetClampMacro(DWALevel, double, 0.0, 100000.0);
   vtkGetMacro(DWALevel, double);
   ///@}
@@ -106,19 +106,19 @@ public:
   ///@{
   /**
    * Pixel type of the channels of an array (`normal`), or of one channel (`normal.X`). Integers may
-   * be HALF or FLOAT only as far as these hold them exactly, and float or double may not be UINT:
-   * Write() refuses both. Values beyond the range of HALF become infinite, with a warning.
+   * be HALF or FLOAT only if these hold them exactly, and float or double may not be UINT; Write()
+   * refuses both. Values beyond the range of HALF become infinite, with a warning.
    */
   virtual void SetPixelType(const char* name, int type);
   virtual void RemoveAllPixelTypes();
   ///@}
 
-  /** The pixel type chosen for this name, or -1. */
+  /** The pixel type that was set for this name, or -1. */
   virtual int GetPixelType(const char* name);
 
   ///@{
   /**
-   * Attributes of your own, besides those from the field data. Names that the format or Relievo
+   * Attributes in addition to those from the field data. Names that the format or Relievo
    * uses are refused with an error; docs/exr.md lists them.
    */
   virtual void SetStringAttribute(const char* name, const char* value);
@@ -128,10 +128,10 @@ public:
 
   ///@{
   /**
-   * Threads that pack the pixels, 0 to 64. They belong to OpenEXR, and so to the whole process:
-   * there will be at least as many from now on, for every reader and writer. 0 starts none. A
-   * process that is forked (Python's multiprocessing on Linux) after they were started cannot use
-   * them and would wait for ever, so they are only started when asked for. Default: 0.
+   * Threads that pack pixels, 0 to 64. They belong to OpenEXR and so to the whole process: from then
+   * on every reader and writer has at least as many. 0 starts none. A process that is forked
+   * (Python's multiprocessing on Linux) after they were started cannot use them and would wait
+   * forever, so they are started only on request. Default: 0.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, 64);
   vtkGetMacro(NumberOfThreads, int);

@@ -2,20 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoEnvironment
- * @brief The light that comes from all around, for materials to mirror and skyboxes to show.
+ * @brief The light that arrives from all directions, for materials to mirror and skyboxes to show.
  *
- * It holds images of linear light and turns them; vtkRelievoMaterial::SetEnvironment and
- * vtkRelievoSkybox::SetEnvironment take it, any number of them the same one, in any windows.
+ * It holds images of linear light and orients them. Any number of materials and skyboxes, in any
+ * number of windows, can share one (vtkRelievoMaterial::SetEnvironment,
+ * vtkRelievoSkybox::SetEnvironment).
  *
- * Which direction is where in an image is told in shaders/formulas/environment.glsl, for all of
- * Relievo: axes right-handed, +y up; the middle of an equirectangular image looks along +x, +z is a
- * quarter to its right; cubes are looked up by OpenGL's samplerCube as they are; the middle of a
- * sphere map holds +z. vtkRelievoEnvironmentConvert turns other images into these.
+ * shaders/formulas/environment.glsl defines the directions for all of Relievo: axes are
+ * right-handed with +y up; the middle of an equirectangular image is in direction +x, and +z is a
+ * quarter of the width to its right; cubes are laid out as OpenGL's samplerCube reads them; the
+ * middle of a sphere map is in direction +z. vtkRelievoEnvironmentConvert converts other images.
  *
- * Cubes are read over their edges without a seam. One component is grey; of four the fourth is left
- * out. NaN counts as 0, infinity as 65504. Textures are halves if no value is above 65504, else
- * floats. An image that is larger than OpenGL allows is reduced, with a warning; one that is of
- * another shape than expected gives an error, once, and what uses it is drawn as without it.
+ * Cubes are filtered across their edges without a seam. One component is grey; a fourth component
+ * is ignored. NaN is replaced by 0 and infinity by 65504. Textures are halves if no value is above
+ * 65504, otherwise floats. An image larger than OpenGL allows is reduced, with a warning; an image
+ * of an unexpected shape gives one error and is not used.
  */
 #ifndef vtkRelievoEnvironment_h
 #define vtkRelievoEnvironment_h
@@ -48,15 +49,15 @@ public:
   };
 
   ///@{
-  /** The light by direction, the scalars of the image. nullptr (default): level 0 of the levels. */
+  /** The light by direction: the scalars of the image. nullptr (default) uses level 0 of Levels. */
   void SetImage(vtkImageData* image);
   vtkImageData* GetImage();
   ///@}
 
   ///@{
   /**
-   * What the image is. AUTOMATIC (default) goes by its size: n x n x 6 is a cube, 2n x n x 1
-   * equirectangular, n x n x 1 a sphere map, anything else an error.
+   * The image's projection. AUTOMATIC (default) goes by its size: n x n x 6 is a cube, 2n x n x 1
+   * equirectangular, n x n x 1 a sphere map, and anything else an error.
    */
   void SetProjection(int projection);
   int GetProjection();
@@ -64,8 +65,8 @@ public:
 
   ///@{
   /**
-   * Whether the image's numbers are sRGB, as those of 8-bit pictures mostly are, and are to be made
-   * linear. The levels' never are. Default off; nothing is guessed.
+   * Whether the image's values are sRGB, as in most 8-bit pictures, and need decoding to linear
+   * light. Those of the levels never do. Default off; nothing is guessed.
    */
   void SetSRGB(bool on);
   bool GetSRGB();
@@ -75,7 +76,7 @@ public:
   ///@{
   /**
    * Cubes for rough mirrors, as vtkRelievoEnvironmentPrefilter makes them: block k for roughness
-   * k / (blocks - 1), each half as wide as the one before. nullptr (default): mirrors are sharp.
+   * k / (blocks - 1), each half as wide as the one before. nullptr (default) makes sharp mirrors.
    */
   void SetLevels(vtkMultiBlockDataSet* levels);
   vtkMultiBlockDataSet* GetLevels();
@@ -83,43 +84,43 @@ public:
 
   ///@{
   /**
-   * The nine coefficients that tell how the environment lights a matt surface: nine tuples of
-   * three, as column "radiance" of vtkRelievoEnvironmentIrradiance's table has them. nullptr
-   * (default): the environment lights nothing.
+   * The nine coefficients by which the environment lights diffuse surfaces: nine tuples of three,
+   * as in the column "radiance" of vtkRelievoEnvironmentIrradiance's table. With nullptr (default)
+   * the environment lights nothing.
    */
   void SetIrradiance(vtkDataArray* coefficients);
   vtkDataArray* GetIrradiance();
   ///@}
 
   ///@{
-  /** Degrees by which the environment is turned about its up axis, counter-clockwise seen from
-   * above: with y up and 90, what was seen along +z is seen along +x. Default 0. */
+  /** Rotation of the environment about its up axis in degrees, counter-clockwise seen from above:
+   * with y up and 90, what was in direction +z is in direction +x. Default 0. */
   vtkSetMacro(Rotation, double);
   vtkGetMacro(Rotation, double);
   ///@}
 
   ///@{
   /**
-   * The axis of the world that is up: 0, 1 or 2 for x, y, z; the environment's y is there. With z
-   * up its x stays and its z is the world's -y; with x up its z stays and its x is the world's -y.
-   * The renderer's environment axes (vtkRenderer::SetEnvironmentUp, SetEnvironmentRight) turn it as
-   * they turn VTK's. Default 1: y.
+   * The axis of the world that is up, and to which the environment's y is mapped: 0, 1 or 2 for x,
+   * y, z. With z up its x stays and its z is the world's -y; with x up its z stays and its x is the
+   * world's -y. The renderer's environment axes (vtkRenderer::SetEnvironmentUp,
+   * SetEnvironmentRight) orient it as they orient VTK's environments. Default 1, y.
    */
   vtkSetClampMacro(UpAxis, int, 0, 2);
   vtkGetMacro(UpAxis, int);
   ///@}
 
   ///@{
-  /** Factor of all light, not negative. Default 1. */
+  /** Factor of all its light, 0 or more. Default 1. */
   vtkSetClampMacro(Intensity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Intensity, double);
   ///@}
 
   ///@{
   /**
-   * Whether colours in the picture stand for light by a power of 1 / 2.2, as those of VTK's PBR
-   * shading always do: what skyboxes show and what is mirrored is so encoded, and added to other
-   * colours as light. Off, light is shown as it is on all but PBR surfaces. Default off.
+   * Whether colours in the picture encode light by a power of 1 / 2.2, as those of VTK's PBR
+   * shading always do. If on, skyboxes and mirrored light are encoded so, and added to other
+   * colours as light. If off, light is shown unchanged on all but PBR surfaces. Default off.
    */
   vtkSetMacro(GammaCorrect, bool);
   vtkGetMacro(GammaCorrect, bool);
@@ -129,10 +130,10 @@ public:
   /** The rotation from the world's axes to the environment's. */
   void GetWorldToEnvironment(vtkMatrix3x3* rotation);
 
-  /** Bytes of the textures on the GPU, of all windows. */
+  /** Bytes of the textures on the GPU, in all windows. */
   vtkIdType GetBytesHeld();
 
-  /** Frees the textures of a window; nullptr: of all. They come back when they are drawn with. */
+  /** Frees the textures of a window, or of all with nullptr. They are made again when needed. */
   void ReleaseGraphicsResources(vtkWindow* window);
 
 protected:

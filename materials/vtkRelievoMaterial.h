@@ -2,26 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoMaterial
- * @brief Fine structure on an actor's surface, from images: normals and relief; and what it
- * mirrors.
+ * @brief Fine structure of an actor's surface from images (normals and relief), and its mirroring.
  *
- * Attached to any number of actors; each keeps its colours, textures, shading (Phong, flat or PBR),
- * shadows and layers. For maps their meshes need texture coordinates, which place the maps; row 0
- * of an image is at v = 0. The tangent frame comes from the mesh's tangents if its point data have
- * them (vtkPointData::GetTangents; the bitangent's side is that of v), else from screen-space
- * derivatives (C. Schueler, Followup: normal mapping without precomputed tangents, 2013), right on
- * mirrored coordinates too. Faces whose texture coordinates do not spread stay as they are.
+ * A material can be attached to any number of actors. Each keeps its colours, textures, shading
+ * (Phong, flat or PBR), shadows and layers. Maps are placed by the mesh's texture coordinates; row
+ * 0 of an image is at v = 0. The tangent frame comes from the mesh's tangents if its point data
+ * have them (vtkPointData::GetTangents; the bitangent points along growing v), otherwise from
+ * screen-space derivatives (C. Schueler, Followup: normal mapping without precomputed tangents,
+ * 2013), which are also right on mirrored coordinates. Faces with degenerate texture coordinates
+ * stay as they are.
  *
- * Maps hold values, not colours: no sRGB decoding is done. Unsigned char and short count from 0
- * to 1, all other types are taken as float values. NaN and infinities count as the least value.
- * A map that is larger than OpenGL allows is reduced, with a warning.
+ * Maps hold values, not colours, and are not decoded as sRGB. Unsigned char and short are scaled to
+ * 0 to 1, all other types are used as float values. NaN and infinities are replaced by the least
+ * value. A map larger than OpenGL allows is reduced, with a warning.
  *
- * Relief is seen below the mesh, which lies at the greatest height: parallax (T. Kaneko et al.,
+ * Relief appears below the mesh, which lies at the greatest height: parallax (T. Kaneko et al.,
  * Detailed shape representation with parallax mapping, 2001), steep parallax (M. McGuire, M.
  * McGuire, 2005), parallax occlusion (N. Tatarchuk, 2006), relief (F. Policarpo, M. Oliveira, J.
  * Comba, Real-time relief mapping on arbitrary polygonal surfaces, 2005).
  *
- * An actor without what a material needs is drawn as without it, with an error said once.
+ * An actor that lacks what a material needs is drawn without the material, with one error.
  */
 #ifndef vtkRelievoMaterial_h
 #define vtkRelievoMaterial_h
@@ -45,8 +45,8 @@ public:
 
   ///@{
   /**
-   * Puts the material on an actor, and takes it off again: the actor is drawn as before. An actor
-   * has one material at most: another one attached takes its place.
+   * Attaches the material to an actor; Detach() restores the actor. An actor has at most one
+   * material: attaching another one replaces it.
    */
   void Attach(vtkActor* actor);
   void Detach(vtkActor* actor);
@@ -56,7 +56,7 @@ public:
   static vtkRelievoMaterial* Get(vtkProp* prop);
 
   ///@{
-  /** Whether the material is seen on its actors. Default on. */
+  /** Whether the material shows on its actors. Default on. */
   void SetEnabled(bool enabled);
   vtkGetMacro(Enabled, bool);
   vtkBooleanMacro(Enabled, bool);
@@ -64,21 +64,22 @@ public:
 
   ///@{
   /**
-   * Tangent-space normals, 3 or 4 components: x along u, y along v, z out of the surface; integers
-   * count 0 to 1 for -1 to 1, floats as they are. nullptr (default): none, or those of the heights.
+   * Tangent-space normals, 3 or 4 components: x along u, y along v, z out of the surface. Integers,
+   * as 0 to 1, stand for -1 to 1; floats are used directly. nullptr (default): no normals, or those
+   * of the heights.
    */
   void SetNormalMap(vtkImageData* image);
   vtkImageData* GetNormalMap();
   ///@}
 
   ///@{
-  /** Factor of the mapped normal's x and y: 0 is flat. Default 1. */
+  /** Factor of the mapped normal's x and y; 0 is flat. Any value. Default 1. */
   vtkSetMacro(NormalStrength, double);
   vtkGetMacro(NormalStrength, double);
   ///@}
 
   ///@{
-  /** For maps whose green counts downwards, as DirectX has it. Default off: OpenGL's. */
+  /** For maps whose green points down, as in DirectX. Default off, as in OpenGL. */
   vtkSetMacro(FlipGreen, bool);
   vtkGetMacro(FlipGreen, bool);
   vtkBooleanMacro(FlipGreen, bool);
@@ -92,15 +93,15 @@ public:
 
   ///@{
   /**
-   * Values of the ground and of the mesh's level. Default (0, 0): 0 and 1 for integers, the least
-   * and the greatest value for floats.
+   * Values at the ground and at the level of the mesh. Default (0, 0), which means 0 and 1 for
+   * integers, and the least and the greatest value for floats.
    */
   vtkSetVector2Macro(HeightRange, double);
   vtkGetVector2Macro(HeightRange, double);
   ///@}
 
   ///@{
-  /** Depth of the ground below the mesh, in its units; scales with the actor. Default 0.1. */
+  /** Depth of the ground below the mesh, in its units, 0 or more; scales with it. Default 0.1. */
   vtkSetClampMacro(HeightScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(HeightScale, double);
   ///@}
@@ -116,10 +117,10 @@ public:
 
   ///@{
   /**
-   * How the relief is found: METHOD_PARALLAX by one look at the height, offset limited;
-   * METHOD_STEEP by equal steps along the ray; METHOD_OCCLUSION with a straight line between the
-   * last two of them; METHOD_RELIEF (default) with bisections and that line. METHOD_OFF moves
-   * nothing: the heights give the normals, if no normal map does.
+   * How the relief is found. METHOD_PARALLAX reads the height once, with a limited offset;
+   * METHOD_STEEP takes equal steps along the ray; METHOD_OCCLUSION adds a straight line between the
+   * last two of them; METHOD_RELIEF (default) adds bisections before that line. METHOD_OFF
+   * displaces nothing: the heights only give the normals, if there is no normal map.
    */
   void SetMethod(int method);
   vtkGetMacro(Method, int);
@@ -127,9 +128,9 @@ public:
 
   ///@{
   /**
-   * Steps along a ray: as many per texel of the heights that it passes over, so that grazing rays
-   * take more; at least and at most so many. Thinner features than a step may be missed. Defaults
-   * 0.5 per texel, 8, 256.
+   * Steps along a ray: their number per texel of the heights that the ray passes over (0.01 to 16),
+   * so that grazing rays take more, and the least and greatest number (1 to 4096). Features thinner
+   * than a step may be missed. Defaults 0.5, 8 and 256.
    */
   vtkSetClampMacro(StepsPerTexel, double, 0.01, 16.0);
   vtkGetMacro(StepsPerTexel, double);
@@ -146,7 +147,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether the relief blocks light from itself. Default off: one more ray for every light. */
+  /** Whether the relief casts shadows on itself, by a ray for every light. Default off. */
   void SetSelfShadow(bool on);
   vtkGetMacro(SelfShadow, bool);
   vtkBooleanMacro(SelfShadow, bool);
@@ -154,7 +155,7 @@ public:
 
   ///@{
   /**
-   * Whether depth follows the relief: intersections with other geometry and the layers depth,
+   * Whether depth follows the relief, in intersections with other geometry and in the layers depth,
    * range and position. Default off.
    */
   void SetDepthCorrection(bool on);
@@ -164,8 +165,8 @@ public:
 
   ///@{
   /**
-   * Whether nothing is drawn where a ray leaves the texture, [0, 1] in u and v: the silhouette of
-   * a single tile. Default off.
+   * Whether nothing is drawn where a ray leaves the texture, [0, 1] in u and v, which gives a
+   * single tile its silhouette. Default off.
    */
   void SetClipAtBorders(bool on);
   vtkGetMacro(ClipAtBorders, bool);
@@ -173,7 +174,7 @@ public:
   ///@}
 
   ///@{
-  /** Tiles for each unit of the texture coordinates, and where they begin. Defaults 1, 0. */
+  /** Tiles per unit of the texture coordinates, and their offset. Defaults (1, 1) and (0, 0). */
   vtkSetVector2Macro(TextureScale, double);
   vtkGetVector2Macro(TextureScale, double);
   vtkSetVector2Macro(TextureOffset, double);
@@ -181,7 +182,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether maps repeat beyond [0, 1], or stay as at their rim. Default on. */
+  /** Whether maps repeat beyond [0, 1]; if not, their edges extend. Default on. */
   vtkSetMacro(Repeat, bool);
   vtkGetMacro(Repeat, bool);
   vtkBooleanMacro(Repeat, bool);
@@ -189,9 +190,9 @@ public:
 
   ///@{
   /**
-   * What is all around: mirrored about the (mapped) normal, and the light of its irradiance. Needs
-   * no texture coordinates; only what VTK lights has normals to mirror about, so an actor with
-   * lighting off, or in a renderer without lights, shows none. nullptr (default): none.
+   * The environment, which is mirrored about the (mapped) normal and lights by its irradiance. It
+   * needs no texture coordinates, but normals, which VTK's shaders have only with lighting: an
+   * actor with lighting off, or in a renderer without lights, shows none. nullptr (default): none.
    */
   void SetEnvironment(vtkRelievoEnvironment* environment);
   vtkRelievoEnvironment* GetEnvironment();
@@ -199,12 +200,12 @@ public:
 
   ///@{
   /**
-   * Share of the light that is mirrored where it is looked at straight from above, 0 to 1; all of
-   * it at grazing angles (C. Schlick, An inexpensive BRDF model for physically-based rendering,
-   * 1994), but for rough surfaces, 1 - Roughness (S. Lagarde, Adopting a physically based shading
-   * model, 2011). The rest is what the surface shows otherwise; of a translucent one, also what is
-   * behind. Default 0.04: of glass, plastic, paint. As far as a PBR surface is a metal (Metallic of
-   * its vtkProperty) its own colour takes this share's place, and tints what is mirrored.
+   * Share of the light that is mirrored at normal incidence, 0 to 1. At grazing angles it rises to
+   * 1 (C. Schlick, An inexpensive BRDF model for physically-based rendering, 1994), or for rough
+   * surfaces to 1 - Roughness (S. Lagarde, Adopting a physically based shading model, 2011). The
+   * rest is what the surface shows otherwise, and for a translucent surface also what is behind it.
+   * Default 0.04, as of glass, plastic and paint. To the extent that a PBR surface is a metal
+   * (Metallic of its vtkProperty), its own colour replaces this share and tints what is mirrored.
    */
   vtkSetClampMacro(Reflectivity, double, 0.0, 1.0);
   vtkGetMacro(Reflectivity, double);
@@ -212,15 +213,15 @@ public:
 
   ///@{
   /**
-   * Roughness of the mirror, 0 to 1, by the environment's levels; without these it is sharp. Not
-   * the roughness of VTK's PBR shading, which is for its lights. Default 0.
+   * Roughness of the mirror, 0 to 1, by the environment's levels; without levels it is sharp. It is
+   * separate from the roughness of VTK's PBR shading, which applies to lights. Default 0.
    */
   vtkSetClampMacro(Roughness, double, 0.0, 1.0);
   vtkGetMacro(Roughness, double);
   ///@}
 
   ///@{
-  /** Factors of the mirrored share, 0 to 1, and of the irradiance, not negative. Default 1. */
+  /** Factors of the mirrored share, 0 to 1, and of the irradiance, 0 or more. Default 1. */
   vtkSetClampMacro(ReflectionWeight, double, 0.0, 1.0);
   vtkGetMacro(ReflectionWeight, double);
   vtkSetClampMacro(IrradianceWeight, double, 0.0, VTK_DOUBLE_MAX);
@@ -228,15 +229,15 @@ public:
   ///@}
 
   /**
-   * Gives back the texture units of the material that was drawn last, as the next one that is drawn
-   * does. For applications whose windows share their OpenGL state: after each picture.
+   * Releases the texture units of the material that was drawn last, as drawing the next one does.
+   * Applications whose windows share their OpenGL state call it after each picture.
    */
   static void ReleaseTextureUnits();
 
-  /** Bytes of the maps' textures on the GPU; the environment counts its own. */
+  /** Bytes of the maps' textures on the GPU, without those of the environment. */
   vtkIdType GetBytesHeld();
 
-  /** Draws nothing: VTK's mappers call the rest. */
+  /** Draws nothing; VTK's mappers call the functions below. */
   void Render(const vtkRenderState* s) override;
 
   ///@{

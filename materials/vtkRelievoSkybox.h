@@ -4,17 +4,16 @@
  * @class vtkRelievoSkybox
  * @brief Shows an environment behind everything else in the picture.
  *
- * Added to a renderer like any prop (vtkRenderer::AddViewProp). The environment is infinitely far:
- * it turns with the view, and moving shifts nothing. Each pixel shows the direction of its own ray,
- * out of the camera's matrices in double precision: right at any view angle, far from the origin,
- * off axis, sheared, in stereo and in tiles.
+ * It is added to a renderer like any prop (vtkRenderer::AddViewProp). The environment is infinitely
+ * far away: it rotates with the view, and translation does not move it. Each pixel shows the
+ * direction of its own ray, computed from the camera's matrices in double precision, so it is right
+ * at any view angle, far from the origin, off axis, sheared, in stereo and in tiles.
  *
- * In a parallel projection all rays have one direction: by default the picture's background is the
- * one colour that is there. With ParallelViewAngle it is what a perspective view with that angle
- * would have behind it.
+ * In a parallel projection all rays are parallel, so by default the background is a single colour.
+ * With ParallelViewAngle it is what a perspective view with that angle would show.
  *
- * It leaves depth as it is, so layers have nothing there; it throws no shadow, has no bounds, and
- * is not picked.
+ * It writes no depth, so layers have their background values there; it casts no shadow, has no
+ * bounds, and is not picked.
  */
 #ifndef vtkRelievoSkybox_h
 #define vtkRelievoSkybox_h
@@ -36,29 +35,29 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** What is shown. nullptr (default): nothing. */
+  /** The environment that is shown. nullptr (default): none. */
   void SetEnvironment(vtkRelievoEnvironment* environment);
   vtkRelievoEnvironment* GetEnvironment();
   ///@}
 
   ///@{
-  /** How much it is blurred, 0 to 1, by the environment's levels. Default 0. */
+  /** How much it is blurred by the environment's levels, 0 to 1. Default 0. */
   vtkSetClampMacro(Roughness, double, 0.0, 1.0);
   vtkGetMacro(Roughness, double);
   ///@}
 
   ///@{
   /**
-   * In parallel projections: the full vertical angle that the picture's height shows, degrees, 0 to
-   * 170. Default 0: one direction, as the rays have.
+   * In parallel projections, the full vertical angle of the sky that the picture's height shows, in
+   * degrees, 0 to 170. Default 0, which shows the one direction of the rays.
    */
   vtkSetClampMacro(ParallelViewAngle, double, 0.0, 170.0);
   vtkGetMacro(ParallelViewAngle, double);
   ///@}
 
   /**
-   * What takes (x, y, 1) to the direction in the environment that is seen there, of any length; x
-   * and y are from -1 to 1 in the renderer's viewport.
+   * The matrix that maps (x, y, 1) to the direction in the environment that is visible there, of
+   * any length; x and y are from -1 to 1 in the renderer's viewport.
    */
   void GetScreenToEnvironment(vtkRenderer* renderer, vtkMatrix3x3* matrix);
 

@@ -4,22 +4,30 @@
  * @class vtkRelievoLayerSource
  * @brief A renderer's layers as image data: depth, normals, positions, ids, arrays.
  *
- * Every Update() draws the layers anew and leaves the window's picture alone, unless the layer
- * `color` is asked for, which renders the window.
+ * Every Update() draws the layers again. The window's picture is left alone unless the layer
+ * `color` is requested, which renders the window.
  *
- * Output: vtkImageData of the viewport's size in pixels, row 0 at the bottom, one point array per
- * layer: depth, range float, world units, +infinity where nothing is; normal, geometric_normal 3
- * float, unit, zero where nothing is; position 3 double, world; albedo 4 unsigned char; color 4
- * float, scene-linear, premultiplied; actor, block, cell int, -1 where nothing is; arrays float or
- * double, NaN where nothing is. actor is the place in vtkRenderer::GetActors(), block the flat
- * index in a composite dataset (0 in others), cell the cell of the drawn vtkPolyData, or the input
- * point of a glyph.
+ * Output: vtkImageData with the viewport's size in pixels, row 0 at the bottom, and one point array
+ * per layer:
+ * - depth, range: float, world units, background +infinity.
+ * - normal, geometric_normal: 3 float, unit vectors, background 0.
+ * - position: 3 double, world coordinates, background 0.
+ * - albedo: 4 unsigned char, 0 to 255, background 0.
+ * - color: 4 float, the picture decoded from sRGB to linear light, 0 to 1; the background is the
+ *   renderer's background colour with its own alpha (vtkViewport::GetBackgroundAlpha, 0 by
+ *   default).
+ * - shadow_N: float, visibility of light N of vtkRenderer::GetLights(), 1 lit, 0 dark, background
+ *   1.
+ * - actor, block, cell: int, background -1. actor is the index in vtkRenderer::GetActors(), block
+ *   the flat index in a composite dataset (0 for other data), cell the cell of the vtkPolyData that
+ *   is drawn, or the input point of a glyph.
+ * - arrays: float or double, background NaN.
  *
- * Field data: worldToCamera and worldToNDC (16 double, rows first, as vtkMatrix4x4), near, far,
+ * Field data: worldToCamera and worldToNDC (16 double, row by row, as vtkMatrix4x4), near, far,
  * relievo:origin (3 double: the camera's focal point, rounded to float), lights (one JSON string
  * each).
  *
- * Errors: no renderer or window, a layer that does not exist, a size above the OpenGL limit.
+ * Errors: no renderer or window, an unknown layer, a size above OpenGL's limit.
  */
 #ifndef vtkRelievoLayerSource_h
 #define vtkRelievoLayerSource_h
@@ -43,7 +51,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The renderer whose layers are made; it must be in a render window. */
+  /** The renderer whose layers are drawn; it must be in a render window. */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
   ///@}
@@ -67,14 +75,14 @@ public:
   vtkBooleanMacro(HDR, bool);
   ///@}
 
-  /** The scene changes without telling: always renders anew. */
+  /** Always newer than before, because the scene may change without notice. */
   vtkMTimeType GetMTime() override;
 
   ///@{
   /**
-   * What the layers have besides the G-buffer, of a picture that has been drawn already: the layer
-   * `color`, from the window's pixels, and the field data. For layers that are read elsewhere
-   * (vtkRelievoPass::ReadLayers).
+   * Add to an image what does not come from the G-buffer, for a picture that has already been
+   * drawn: the layer `color`, from the window's pixels, and the field data. For layers that were
+   * read by vtkRelievoPass::ReadLayers.
    */
   static void AddColor(vtkRenderer* renderer, vtkImageData* image);
   static void AddCamera(vtkRenderer* renderer, vtkImageData* image);

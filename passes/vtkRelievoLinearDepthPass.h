@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoLinearDepthPass
- * @brief Shows the depth as the picture: normalised (-z - near) / (far - near), or in world units.
+ * @brief Shows depth in grey, normalised as (-z - near) / (far - near) or in world units.
  *
- * Grey values. In world units the value itself is written: it is whole in a float framebuffer (such
- * as vtkFramebufferPass has) and saturates at 1 in the window's 8 bits; SetRange() maps a range of
- * depths to 0..1 instead. Where nothing is, the picture is white (1).
+ * In world units the value itself is written. A float framebuffer (such as that of
+ * vtkFramebufferPass) keeps it in full, and the window's 8 bits clamp it to 1; SetRange() maps a
+ * range of depths to 0 to 1 instead. The background is white (1).
  */
 #ifndef vtkRelievoLinearDepthPass_h
 #define vtkRelievoLinearDepthPass_h
@@ -25,15 +25,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The pass that draws the scene. Default nullptr: the renderer's own steps. */
+  /** The pass that draws the scene. Default nullptr, which means the renderer's own steps. */
   void SetDelegatePass(vtkRenderPass* pass);
   vtkRenderPass* GetDelegatePass();
   ///@}
 
   ///@{
   /**
-   * Whether depths from the near to the far plane are shown as 0 to 1. Default on; off shows world
-   * units.
+   * Whether depths from the near to the far plane map to 0 to 1. Default on; off shows world units.
    */
   vtkSetMacro(Normalized, bool);
   vtkGetMacro(Normalized, bool);
@@ -42,8 +41,8 @@ public:
 
   ///@{
   /**
-   * Depths, in world units, shown as 0 and 1 when Normalized is off. Default (0, 1): the depth
-   * itself.
+   * The depths, in world units, that map to 0 and 1 when Normalized is off. Default (0, 1), which
+   * shows the depth itself.
    */
   vtkSetVector2Macro(Range, double);
   vtkGetVector2Macro(Range, double);

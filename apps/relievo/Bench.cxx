@@ -27,17 +27,18 @@ int Bench(const BenchOptions& options)
   {
     names.emplace_back(entry.Name);
   }
-  if (options.Name.empty())
+  if (options.Name.empty() && options.Redraw.empty())
   {
     throw WordsError("bench: no NAME given, expected one of " + Join(names, ", "));
   }
-  if (std::find(names.begin(), names.end(), options.Name) == names.end())
+  if (!options.Name.empty() && std::find(names.begin(), names.end(), options.Name) == names.end())
   {
     RefuseValue("bench", options.Name, "one of " + Join(names, ", "));
   }
   vtkNew<vtkRenderWindow> probe; // the charts are drawn in windows that the bench makes itself
   OpenDisplay(probe);
-  return RelievoBench(options.Name, options.Folder);
+  return options.Redraw.empty() ? RelievoBench(options.Name, options.Folder)
+                                : RelievoBenchRedraw(options.Name, options.Redraw, options.Folder);
 #else
   (void)options;
   throw WordsError("bench: this relievo was built without its benches (RELIEVO_BUILD_BENCH=OFF)");

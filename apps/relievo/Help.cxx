@@ -4,23 +4,23 @@
 
 namespace cli
 {
-const char* const HelpPage = R"(relievo - pictures and measurable buffers of meshes and grids
+const char* const HelpPage = R"(relievo - pictures and measurable layers of meshes and grids
 
   relievo render FILE... [options] --png F | --exr F | --report F
   relievo stages
-  relievo bench NAME [--out DIR]
+  relievo bench NAME [--out DIR] [--redraw DIR]
   relievo --help | --version
 
-render draws the FILEs off screen and writes what is asked for.
+render draws the FILEs off screen and writes the outputs that you request.
   FILE  .vtp .vtu .vti .vtr .vts .vtm .vtmb .pvtp .pvtu .pvti .pvtr .pvts .vtk
         .stl .ply .obj .off .gltf .glb
         Grids and images are drawn by their outer surface. Active scalars give the colour.
 
-  --size WxH              picture in pixels (1024x768)
+  --size WxH              size of the picture in pixels, 1 to OpenGL's limit (1024x768)
   --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ
                           position, focal point, up (fitted to the scene, looking along -z, y up,
                           or as --up says)
-  --view-angle DEG        full vertical angle of the perspective, 0 to 180 (30)
+  --view-angle DEG        full vertical angle of the perspective, above 0 and below 180 (30)
   --parallel-scale S      parallel projection; S is half the picture's height in world units
   --clip NEAR,FAR         clipping distances, 0 < NEAR < FAR (around the scene)
   --shading KIND          flat, gouraud, phong or pbr (phong; glTF keeps its own materials)
@@ -29,48 +29,52 @@ render draws the FILEs off screen and writes what is asked for.
                             sun:DX,DY,DZ                    direction towards the sun
                             spot:PX,PY,PZ,FX,FY,FZ,CONE     CONE: half the opening, degrees
                             point:PX,PY,PZ
-  --shadows METHOD        whether and how the lights cast, in the picture: off, map, forward
-                          or warped (off)
+  --shadows METHOD        shadows of the lights in the picture: off, map, forward or warped
+                          (off)
   --shadow-size N         side of each shadow map in texels, 16 to OpenGL's limit (2048)
   --normal-map F          normals from an image (.png .jpg .tif .bmp .hdr .exr; OpenGL's green),
-                          placed by the meshes' texture coordinates; values, not sRGB colours
+                          placed by the meshes' texture coordinates; linear values, not sRGB
   --height-map F[,SCALE]  heights from an image; the ground lies SCALE below the mesh, in world
                           units (0.02 of the scene's longest side)
-  --relief METHOD         how heights are seen: off (as normals only), parallax, steep, occlusion
-                          or relief (relief)
+  --relief METHOD         how heights are drawn: off (as normals only), parallax, steep,
+                          occlusion or relief (relief)
   --texture-coordinates METHOD
-                          of meshes that bring none, for maps: box, plane or sphere (box, with a
-                          note)
-  --environment F[,DEG]   light from all around, mirrored and lighting, from an image (.exr .hdr
-                          .png .jpg) of all directions, twice as wide as high, or of a mirror
-                          ball, square; turned by DEG about the up axis (0). 8 and 16 bits are
-                          sRGB, floats linear light
+                          for meshes without them, to place maps: box, plane or sphere (box,
+                          with a note)
+  --environment F[,DEG]   light from all directions, which surfaces mirror and are lit by, from
+                          an image (.exr .hdr .png .jpg) that is twice as wide as high, or from
+                          a square one of a mirror ball; rotated by DEG about the up axis (0).
+                          8 and 16 bits are sRGB, floats linear light
   --reflectivity R[,ROUGHNESS]
-                          share of the environment that is mirrored straight from above, and how
-                          blurred, 0 to 1 both (0.04,0.2)
+                          share of the environment that is mirrored at normal incidence, and
+                          roughness of the mirror, each 0 to 1 (0.04,0.2)
   --skybox                shows the environment behind everything
-  --up AXIS               which of x, y, z is up for --environment, the camera that fits the
-                          scene, and --texture-coordinates (y)
+  --up AXIS               the up axis, x, y or z, of --environment, the fitted camera and
+                          --texture-coordinates (y)
   --stage NAME[:PARAMETER=VALUE,...]
                           runs a stage of the frame with these parameters; may be repeated;
                           `relievo stages` lists them
-  --layers A,B,...        what the EXR holds beside its colour (depth): depth range normal
-                          geometric_normal position albedo actor block cell, shadow_N (light
-                          of the Nth --light from 0: 1 lit, 0 dark), or the name of a point or
+  --layers A,B,...        layers in the EXR besides its colour (depth): depth range normal
+                          geometric_normal position albedo actor block cell, shadow_N (visibility
+                          of the Nth --light, from 0: 1 lit, 0 dark), or the name of a point or
                           cell array
   --png F                 the picture
   --exr F                 OpenEXR: the colour as R G B A, then the layers as depth.Z normal.X ...
   --hdr                   the colour of the EXR as the lights give it, unclamped, half floats
   --report F              frame report, JSON: what ran and why, GPU ms, bytes held
 
-stages lists the stages of the frame, and what their parameters take.
+stages lists the stages of the frame, and the values that their parameters take.
 
-bench measures, prints what it found, and writes CSV, PNG and SVG to DIR (the current folder).
-  Without a known NAME it lists them.
+bench measures, prints what it found, and writes CSV, PNG and SVG to a folder. Without a known
+  NAME it lists them.
+
+  --out DIR               where to write (the current folder)
+  --redraw DIR            draws the charts from the CSV files in DIR, without measuring; without
+                          NAME, all of them
 
 Options are written --name value or --name=value, --skybox alone; -- ends them.
-Either all the files asked for are written, or none. Needs an X display; xvfb-run makes one.
-Exit status: 0 done, 1 the work failed, 2 the words were wrong.
+Either all requested files are written, or none. Needs an X display; xvfb-run provides one.
+Exit status: 0 done, 1 the work failed, 2 the arguments were wrong.
 
 Examples
   relievo render bunny.off --png bunny.png

@@ -308,8 +308,14 @@ BenchOptions ParseBench(const std::vector<std::string>& words)
 {
   BenchOptions options;
   WalkWords(
-    words, "bench", { { "--out", false } },
-    [&](const std::string&, const std::string& value) { options.Folder = value; },
+    words, "bench", { { "--out", false }, { "--redraw", false } },
+    [&](const std::string& name, const std::string& value) {
+      if (value.empty())
+      {
+        throw WordsError(name + ": its value is empty; give a folder");
+      }
+      (name == "--out" ? options.Folder : options.Redraw) = value;
+    },
     [&](const std::string& word) {
       if (!options.Name.empty())
       {
@@ -317,10 +323,6 @@ BenchOptions ParseBench(const std::vector<std::string>& words)
       }
       options.Name = word;
     });
-  if (options.Folder.empty())
-  {
-    throw WordsError("--out: its value is empty; give a folder");
-  }
   return options;
 }
 }

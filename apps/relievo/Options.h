@@ -105,8 +105,9 @@ struct RenderOptions
 
 struct BenchOptions
 {
-  std::string Name;
+  std::string Name; ///< may be empty with Redraw: all that have charts
   std::string Folder = ".";
+  std::string Redraw; ///< folder of CSV files; empty: measure
 };
 
 /// The words after "render", as said.

@@ -2,25 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoShadowPass
- * @brief Shadows of every light that VTK has, in VTK's own light code.
+ * @brief Shadows of all of VTK's lights, in VTK's own lighting code.
  *
- * A stage of the frame: before the delegate draws, the depth seen from each casting light is drawn
- * into a map; while it draws, each light's colour is taken down by its visibility wherever VTK's
- * shaders read it. Phong, flat and PBR, textures, colour maps, glyphs, blocks and impostors keep
- * their look and lose only the light that is blocked. Maps are kept until the light, what casts, or
- * what is seen changes.
+ * A stage of the frame. Before the delegate draws, the depth seen from each casting light is drawn
+ * into a map; while it draws, each light's colour is multiplied by its visibility wherever VTK's
+ * shaders read it. Phong, flat and PBR, textures, colour maps, glyphs, blocks and impostors look as
+ * before, without the light that is blocked. Maps are kept until the light, the casters or the view
+ * change.
  *
- * Lights: directional, spot of any cone angle, point (positional with a cone angle of 90 degrees
- * and more). A light at the eye hides its own shadows and is left out; one without a direction
- * warns once. vtkLight::ShadowAttenuation (0 to 1) is each light's own strength.
+ * Lights may be directional, spots of any cone angle, or points (positional with a cone angle of 90
+ * degrees or more). A light at the eye hides its own shadows and is omitted; one without a
+ * direction warns once. vtkLight::ShadowAttenuation (0 to 1) is the strength of a single light.
  *
  * Maps are fitted to the part of the scene that the camera sees (L. Williams, Casting curved
  * shadows on curved surfaces, 1978, for the map; receiver-plane depth bias after J. Isidoro, Shadow
  * mapping: GPU-based tips and techniques, 2006; percentage-closer filtering after W. Reeves, D.
  * Salesin, R. Cook, Rendering antialiased shadows with depth maps, 1987).
  *
- * Translucent geometry receives shadows and casts none, unless asked to. Volumes, and props that
- * draw without a vtkActor's mapper, neither cast nor receive.
+ * Translucent geometry receives shadows and does not cast, unless SetPropCasts() says so. Volumes,
+ * and props that draw without a vtkActor's mapper, neither cast nor receive.
  */
 #ifndef vtkRelievoShadowPass_h
 #define vtkRelievoShadowPass_h
@@ -43,7 +43,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Whether shadows are seen in the picture. Default off; layers shadow_N are made either way. */
+  /** Whether the picture shows shadows. Default off; layers shadow_N are available either way. */
   vtkSetMacro(Visible, bool);
   vtkGetMacro(Visible, bool);
   vtkBooleanMacro(Visible, bool);
@@ -58,15 +58,15 @@ public:
 
   ///@{
   /**
-   * How a place's light is found. METHOD_MAP (default) looks it up in the light's map.
-   * METHOD_FORWARD carries the map's samples into the camera's view, as a mesh that is cut where
-   * depth jumps, and compares them there, in eye space, with what is seen (H. Zhang, Forward shadow
-   * mapping, 1998); its masks have the pictures' pixels, so its edges are not filtered. Translucent
-   * geometry, and pictures drawn at another size than the viewport's, are looked up in the map.
-   * METHOD_WARPED spends more of a sun's map where the camera is near: the map lies in the ground,
-   * with rays sheared upright so that its depth is the height, and along the gaze its density has
-   * the shape of the logistic function's, in up to four straight pieces, each drawn by itself, so
-   * that edges stay straight. Lamps' maps are as for METHOD_MAP.
+   * How visibility is found. METHOD_MAP (default) looks it up in the light's map. METHOD_FORWARD
+   * transforms the map's samples into the camera's view, as a mesh that is cut where depth jumps,
+   * and compares them there, in eye space, with what is visible (H. Zhang, Forward shadow mapping,
+   * 1998); its masks have the picture's pixels, so its edges are not filtered. Translucent
+   * geometry, and pictures of another size than the viewport, use the map. METHOD_WARPED gives more
+   * of a sun's map to what is near the camera: the map lies in the ground plane, with rays sheared
+   * upright so that its depth is the height. Along the view direction its density follows the
+   * logistic function, in up to four straight pieces that are drawn separately, so that edges stay
+   * straight. Lamps use maps as with METHOD_MAP.
    */
   vtkSetClampMacro(Method, int, METHOD_MAP, METHOD_WARPED);
   vtkGetMacro(Method, int);
@@ -77,7 +77,7 @@ public:
 
   ///@{
   /**
-   * Width and height of each map in texels, 16 to the OpenGL's limit; a larger one is drawn at the
+   * Width and height of each map in texels, 16 to OpenGL's limit; a larger one is drawn at the
    * limit, with a warning. Default 2048.
    */
   vtkSetClampMacro(MapSize, int, 16, VTK_INT_MAX);
@@ -86,9 +86,9 @@ public:
 
   ///@{
   /**
-   * Radius of the filter over the map in texels, 0 to 16, a quarter of the map at most: the
-   * shadow's edge is that soft. 1 interpolates between the verdicts of four texels; 0 takes the
-   * nearest one. Default 1.
+   * Radius of the filter over the map in texels, 0 to 16, and at most a quarter of the map. It
+   * sets the softness of a shadow's edge: 1 interpolates between the verdicts of four texels, 0
+   * takes that of the nearest one. Default 1.
    */
   vtkSetClampMacro(FilterRadius, int, 0, 16);
   vtkGetMacro(FilterRadius, int);
@@ -96,16 +96,16 @@ public:
 
   ///@{
   /**
-   * How far behind what the light sees a surface may lie and still be lit, in texels' widths, 0 to
-   * 100. On top of the receiver's own plane, so that flat surfaces need none but for rounding.
-   * Default 1.5.
+   * Distance behind the surface that the light sees within which a surface is still lit, in texel
+   * widths, 0 to 100. It is added to the receiver plane, so that flat surfaces need it for rounding
+   * only. Default 1.5.
    */
   vtkSetClampMacro(Bias, double, 0.0, 100.0);
   vtkGetMacro(Bias, double);
   ///@}
 
   ///@{
-  /** Part of a blocked light that is taken away, 0 to 1. Default 1. */
+  /** Share of a blocked light that is removed, 0 to 1. Default 1. */
   vtkSetClampMacro(Strength, double, 0.0, 1.0);
   vtkGetMacro(Strength, double);
   ///@}
@@ -117,8 +117,8 @@ public:
   ///@}
 
   /**
-   * What reports and warnings call a light. Default, and with an empty name: "light N", N its place
-   * in vtkRenderer::GetLights().
+   * The name of a light in reports and warnings. By default, and with an empty name, it is "light
+   * N", where N is its index in vtkRenderer::GetLights().
    */
   void SetLightName(vtkLight* light, const std::string& name);
 
@@ -131,8 +131,8 @@ public:
 
   ///@{
   /**
-   * Whether a prop of the renderer casts: its opaque geometry only (default), never, or also its
-   * translucent geometry.
+   * Whether a prop of the renderer casts shadows: CASTS_IF_OPAQUE (default) with its opaque
+   * geometry only, CASTS_NEVER, or CASTS_ALWAYS with its translucent geometry as well.
    */
   void SetPropCasts(vtkProp* prop, int casts);
   int GetPropCasts(vtkProp* prop);
@@ -146,27 +146,27 @@ public:
 
   ///@{
   /**
-   * The processes that draw one picture together, each its own part of the scene: every light's map
-   * then holds what casts on any of them (the least depth over all, texel by texel), so that
-   * casters and receivers may be anywhere. Every process must draw every frame, with the same
-   * lights. Default nullptr: this process alone.
+   * The processes that draw one picture together, each its own part of the scene. Every light's
+   * map then holds the casters of all processes (the least depth of all, texel by texel), so that
+   * casters and receivers may be on different ones. Every process must draw every frame, with the
+   * same lights. Default nullptr, which means this process alone.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
 
   /**
-   * Names a class of actors that draw their mapper as VTK's own actor does, whatever else they do:
-   * plain meshes of such actors are drawn into maps without their shaders, which is faster. In
-   * effect for all passes of the process.
+   * Registers a class of actors that draw their mapper as VTK's own actor does, whatever else they
+   * do. Plain meshes of such actors are drawn into maps without their shaders, which is faster.
+   * Applies to all passes of the process.
    */
   static void AddPlainActorClass(const std::string& name);
 
-  /** Seconds that bringing the maps together took in the last frame in which any was drawn. */
+  /** Seconds taken to merge the maps of all processes, in the last frame that drew any. */
   double GetMergeSeconds();
 
   ///@{
-  /** Of the last frame: lights that cast, maps they have, and maps that were drawn anew. */
+  /** In the last frame: lights that cast, their maps, and the maps that were redrawn. */
   int GetNumberOfCastingLights();
   int GetNumberOfMaps();
   vtkGetMacro(NumberOfMapsDrawn, int);

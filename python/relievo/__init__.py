@@ -7,35 +7,38 @@
     depth = relievo.layer(image, "depth")      # numpy, (rows, columns), no copy
     relievo.write_exr("frame.exr", image)
 
-Layers, single sample at the pixel's centre:
+Layers, one sample per pixel, at its centre:
 
 =================  ==========  ====================================================  ==========
-name               components  what                                                  background
+name               components  what it is                                            background
 =================  ==========  ====================================================  ==========
 depth              1 float     distance along the view direction, world units        +infinity
 range              1 float     distance from the eye, world units                    +infinity
 normal             3 float     unit shading normal, world space                      0
 geometric_normal   3 float     unit normal of the triangle, world space              0
 position           3 double    world position                                        0
-albedo             4           surface colour before light, RGBA                     0
-color              4 float     the picture, scene-linear and premultiplied           the window's
+albedo             4 uint8     surface colour before lighting, RGBA, 0 to 255        0
+color              4 float     the picture in linear light, premultiplied            renderer's
 actor block cell   1 int       ids, from 0                                           -1
-shadow_N           1 float     what is not blocked of light N: 1 lit, 0 dark         1
-any array's name   as it is    point data interpolated, cell data as it is
+shadow_N           1 float     visibility of light N: 1 lit, 0 dark                  1
+any array's name   the array's  point data interpolated, cell data per cell          NaN
 =================  ==========  ====================================================  ==========
 
-N counts renderer.GetLights() from 0. Layers shadow_N need no shadows in the picture; those are
+The background of color is the renderer's background in linear light, with its own alpha
+(GetBackgroundAlpha(), 0 by default). N is an index in renderer.GetLights(), from 0. The layers
+shadow_N do not need shadows in the picture, which are switched on by
 
     frame = relievo.attach(renderer)
-    frame.ShadowsOn()                                 # every light casts; ShadowsOff() ends it
+    frame.ShadowsOn()                                 # every light casts; see also ShadowsOff()
     shadows = frame.GetShadowPass()
-    shadows.SetMapSize(4096)                          # texels; 2048 if not set
-    shadows.SetLightCasts(light, False)               # a light that casts none
+    shadows.SetMapSize(4096)                          # texels; default 2048
+    shadows.SetLightCasts(light, False)               # a light without shadows
     shadows.SetPropCasts(actor, shadows.CASTS_NEVER)  # or CASTS_ALWAYS, CASTS_IF_OPAQUE (default)
     shadows.SetPropReceives(actor, False)
 
-Wrong arguments raise ValueError, files OSError, drawing RuntimeError; each names what was given.
-The wrapped classes (vtkRelievoPass, vtkRelievoEXRWriter, ...) are in this package as well.
+Wrong arguments raise ValueError, file errors OSError and drawing errors RuntimeError; each message
+says what was given. The package also contains the wrapped classes (vtkRelievoPass,
+vtkRelievoEXRWriter, ...).
 """
 
 try:

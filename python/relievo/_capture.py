@@ -16,10 +16,11 @@ from .vtkRelievoPasses import vtkRelievoLayerSource, vtkRelievoPass
 def capture(renderer, layers=("depth",), size=None):
     """Draws the renderer once and returns the layers of what is visible.
 
-    renderer: a vtkRenderer. Its camera, lights, passes and window are left as they were. Without a
-        window it is drawn in an off-screen one of its own, and `size` is needed.
-    layers: names of layers, or one name; see help(relievo). Each is captured once.
-    size: (columns, rows) of the image in pixels; None: those of the renderer's viewport.
+    renderer: a vtkRenderer. Its camera, lights, passes and window stay unchanged. A renderer without
+        a window is drawn in an off-screen one, and `size` is needed.
+    layers: names of layers, or one name; see help(relievo). Repeated names count once.
+    size: (columns, rows) of the image in pixels, from 1 to OpenGL's limit (16384 in Mesa); None for
+        the size of the renderer's viewport.
 
     Returns vtkImageData of (columns, rows, 1) points with one point array per layer; VTK's row 0 is
     the BOTTOM of the picture (layer() gives numpy arrays with row 0 at the top). The field data

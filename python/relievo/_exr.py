@@ -20,12 +20,12 @@ _PIXEL_TYPES = {
 def write_exr(path, image, compression="zip", pixel_types=None):
     """Writes every layer of an image to one OpenEXR file, top row first.
 
-    path: name of the file, str or path-like. A file that is there is replaced when the new one is
-        whole; after an error it is as it was.
-    image: vtkImageData of (columns, rows, 1) points, as capture() gives it.
-    compression: none, rle, zips, zip, piz (which lose nothing), pxr24, b44, b44a, dwaa or dwab.
+    path: name of the file, str or path-like. An existing file is replaced when the new one is
+        complete; after an error it is unchanged.
+    image: vtkImageData of (columns, rows, 1) points, as returned by capture().
+    compression: none, rle, zips, zip, piz (lossless), pxr24, b44, b44a, dwaa or dwab (not).
     pixel_types: {name: "half" | "float" | "uint"} for layers ("normal") or channels ("normal.X");
-        unnamed ones keep what they hold: floats FLOAT, integers UINT.
+        the others keep their own type: floats FLOAT, integers UINT.
 
     Channels: color as R G B A, then depth.Z, normal.X normal.Y normal.Z, actor.id (UINT, background
     0xFFFFFFFF) and so on, arrays as NAME.V; the camera and the lights are attributes. position is
@@ -55,19 +55,19 @@ def write_exr(path, image, compression="zip", pixel_types=None):
 
 
 def read_exr(path):
-    """The layers of an OpenEXR file as an image.
+    """Reads the layers of an OpenEXR file as an image.
 
     path: name of the file, str or path-like. Scan lines or tiles, one part or several, any
         compression; deep data is refused.
 
     Returns vtkImageData of (columns, rows, 1) points, VTK's row 0 at the bottom (layer() gives
     row 0 at the top), one point array per layer, attributes as field data. A file of write_exr()
-    gives back its layers bit for bit, position in world space again. In other files R G B [A]
+    gives back its layers bit for bit, with position in world space. In other files R G B [A]
     become `color` and every other channel or group of channels its own array, float or unsigned
     int.
 
-    Raises FileNotFoundError or another OSError if the file cannot be opened, ValueError if it is no
-    whole OpenEXR file.
+    Raises FileNotFoundError or another OSError if the file cannot be opened, ValueError if it is not
+    a complete OpenEXR file.
     """
     name = os.fspath(path)
     with open(name, "rb"):  # Python's own errors for what is missing or forbidden

@@ -11,11 +11,11 @@ from .vtkRelievoPasses import vtkRelievoPass
 def attach(renderer):
     """Puts the Relievo frame around whatever pass the renderer has and returns it.
 
-    renderer: a vtkRenderer. Its picture does not change: with nothing asked of it the frame only
-    hands over to the renderer's own pass. A renderer that has the frame keeps it.
+    renderer: a vtkRenderer. Its picture does not change: with nothing requested the frame only calls
+    the renderer's own pass. A renderer that already has the frame keeps it.
 
     Returns the vtkRelievoPass: its ShadowsOn() makes every light cast, SetDisplayLayer() shows a
-    layer as the picture, RequestLayer() makes one in every frame. Raises ValueError for anything
+    layer as the picture, RequestLayer() draws one in every frame. Raises ValueError for anything
     but a renderer, RuntimeError if the frame refuses.
     """
     require(renderer, "vtkRenderer", "renderer")
@@ -28,9 +28,9 @@ def attach(renderer):
 
 
 def detach(renderer):
-    """Takes the frame off and gives the renderer the pass that it had before.
+    """Removes the frame and restores the pass that the renderer had before.
 
-    Returns True, or False where no frame was attached. Raises ValueError for anything but a
+    Returns True, or False if no frame was attached. Raises ValueError for anything but a
     vtkRenderer.
     """
     require(renderer, "vtkRenderer", "renderer")
@@ -38,11 +38,12 @@ def detach(renderer):
 
 
 def report(frame):
-    """What the last frames did and why, a dict.
+    """Returns what the last frames did and why, as a dict.
 
-    frame: the vtkRelievoPass, or a renderer that has it. For every stage: whether it ran, the
-    reason in words, GPU milliseconds (read some frames later, so missing at first), bytes held,
-    draw calls.
+    frame: the vtkRelievoPass, or a renderer that has one.
+
+    For each stage the report has whether it ran, the reason in words, GPU milliseconds (read some
+    frames later, so None at first), bytes held and draw calls.
 
     Raises ValueError for anything else.
     """

@@ -8,24 +8,24 @@ from ._errors import require
 
 
 def layer_names(image):
-    """The names of the image's layers, a list in the order of capture."""
+    """Returns the names of the image's layers, a list in the order of capture."""
     require(image, "vtkImageData", "image")
     data = image.GetPointData()
     return [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
 
 
 def layer(image, name):
-    """One layer of a captured image as a numpy array.
+    """Returns one layer of a captured image as a numpy array.
 
-    image: vtkImageData of capture() or read_exr().
+    image: vtkImageData from capture() or read_exr().
     name: the layer's name; layer_names(image) lists them.
 
-    Returns an array of shape (rows, columns), or (rows, columns, components) where there is more
-    than one component, with the layer's own type. ROW 0 IS THE TOP of the picture, as numpy,
-    matplotlib and OpenEXR have it; VTK's row 0 is the bottom. It is a view and no copy: writing to
-    it changes the image, and it keeps the memory alive after the image is gone.
+    Returns an array of shape (rows, columns), or (rows, columns, components) if there is more
+    than one component, with the layer's own type. ROW 0 IS THE TOP of the picture, as in numpy,
+    matplotlib and OpenEXR; VTK's row 0 is the bottom. The array is a view, not a copy: writing to
+    it changes the image, and it keeps the memory alive after the image is deleted.
 
-    Raises ValueError for a name that the image does not hold.
+    Raises ValueError for a name that the image does not have.
     """
     require(image, "vtkImageData", "image")
     array = image.GetPointData().GetArray(name)
@@ -39,7 +39,7 @@ def layer(image, name):
 
 
 def attributes(image):
-    """What the image knows of its camera and lights, a dict.
+    """Returns the image's field data, with its camera and lights, as a dict.
 
     worldToCamera, worldToNDC: arrays of shape (4, 4), for column vectors: clip = worldToNDC @ p.
     near, far: floats, world units. relievo:origin: array of 3. lights: list of JSON texts.

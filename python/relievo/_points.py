@@ -7,12 +7,12 @@ from .vtkRelievoFilters import vtkRelievoDepthToPoints
 
 
 def depth_to_points(image):
-    """The surface points that a captured depth layer shows, as a point cloud.
+    """Returns the surface points of a captured depth layer, as a point cloud.
 
     image: vtkImageData with the layer `depth` and the camera's matrices in its field data, as
-    capture() and read_exr() give it. Pixels of the background give no point.
+    returned by capture() and read_exr(). Background pixels give no points.
 
-    Returns vtkPolyData: points in double, world space, one vertex cell each; the image's other
+    Returns vtkPolyData with points in double, in world space, one vertex cell each; the image's
     layers are its point data.
 
     Raises ValueError if the layer or a matrix is missing.

@@ -5,11 +5,11 @@
 // zNear and zFar are the distances of the clipping planes, zNear < zFar; in perspective zNear > 0
 // and zFar may be infinite.
 // The window z of OpenGL is 0 on the near plane, 1 on the far plane; reversed z (clip range zero to
-// one) is 1 on the near plane, 0 on the far plane. Depth +infinity means "nothing here": it has
+// one) is 1 on the near plane, 0 on the far plane. Depth +infinity means background: it has
 // window z +infinity and reversed z -infinity and comes back from them.
 //RELIEVO::Include(formulas/numbers.glsl)
 
-// The words of depth +infinity: what a buffer of each format is cleared to.
+// The words of depth +infinity, to which a buffer of each format is cleared.
 const uint relievoDepth32FNone = 0x7f800000u;
 const uint relievoDepth16FNone = 0x00007c00u;
 const uint relievoDepth24None = 0xffffffffu;

@@ -1,26 +1,27 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where an environment image holds the light of a direction: equirectangular, cube, sphere map.
-// The orientation of every environment is told here and nowhere else.
+// The position of a direction in an environment image: equirectangular, cube, sphere map. This file
+// alone defines the orientation of environments.
 //
-// A direction d looks from the middle outwards, any length but zero; axes are right-handed, +y up.
-// Places in an image are OpenGL's texture coordinates: (0, 0) is the outer corner of the first
-// texel of the first row, (1, 1) that of the last.
+// A direction d points outwards from the middle and has any length but zero; axes are right-handed
+// with +y up. Positions in an image are OpenGL's texture coordinates: (0, 0) is the outer corner of the
+// first texel of the first row, (1, 1) that of the last.
 //
-// Equirectangular: the middle of the image looks along +x, u grows from there to +z (a quarter
-// further), -x lies on the seam u = 0 = 1; v is 0 at -y and 1 at +y, so the first row is the
-// lowest, as VTK's readers give it. Seen from inside nothing is mirrored. It is what VTK lights
-// with (vtkPBRIrradianceTexture, vtkEquirectangularToCubeMapTexture) and what vtkSkybox shows with
-// FloorRight (0, 0, 1); vtkSkybox's own default is turned by 90 degrees: -z in the middle.
+// Equirectangular: the middle of the image is in direction +x, u grows from there towards +z (a
+// quarter of the width further), and -x lies on the seam u = 0 = 1; v is 0 at -y and 1 at +y, so
+// the first row is the lowest, as from VTK's readers. Seen from inside it is not mirrored. VTK's
+// lighting agrees (vtkPBRIrradianceTexture, vtkEquirectangularToCubeMapTexture), and so does
+// vtkSkybox with FloorRight (0, 0, 1); vtkSkybox's default is rotated by 90 degrees, with -z in the
+// middle.
 //
-// Cube: the six faces +x -x +y -y +z -z (0 to 5) as OpenGL's samplerCube finds them, without any
-// turn or flip: texture(cube, d) is the light of d. Row 0 of the four side faces is the highest.
-// Pictures taken from inside, one a face, are mirrored against that: for them vtkSkybox (since VTK
-// 9.2) looks up (x, y, -z).
+// Cube: the six faces +x -x +y -y +z -z (0 to 5) as OpenGL's samplerCube reads them, neither
+// rotated nor flipped: texture(cube, d) is the light from d. Row 0 of the four side faces is the
+// highest. Pictures taken from inside, one per face, are mirrored with respect to that; for them
+// vtkSkybox (since VTK 9.2) looks up (x, y, -z).
 //
-// Sphere map (GL_SPHERE_MAP): the picture of a mirror ball seen from far away on +z: the middle
-// holds +z, the inscribed circle holds -z, the corners outside of it hold nothing. Equal areas
-// hold equal solid angles.
+// Sphere map (GL_SPHERE_MAP): the picture of a mirror ball seen from far away on +z. The middle is
+// +z, the inscribed circle is -z, and the corners outside it are unused. Equal areas are equal
+// solid angles.
 
 const float relievoPi = float(3.14159265358979324);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A colour for an id, so that neighbouring ids tell apart; for debug views.
+// A colour for an id, so that neighbouring ids can be told apart; for debug views.
 
 // Mixes all bits of a word into all others; words differ if and only if their hashes do. The
 // multipliers are C. Wellons' "lowbias32" (nullprogram.com, 2018).
@@ -12,7 +12,7 @@ uint relievoHash(uint word)
 }
 
 // RGB in [0, 1] (display values): any hue, saturation 0.45 to 0.85, value 0.7 to 1. The id -1
-// (0xffffffff, nothing there) is black.
+// (0xffffffff, background) is black.
 vec3 relievoHashColor(uint id)
 {
   if (id == 0xffffffffu)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Light on a surface from a whole environment, by nine spherical harmonics.
+// The light of a whole environment on a surface, by nine spherical harmonics.
 // R. Ramamoorthi, P. Hanrahan: An Efficient Representation for Irradiance Environment Maps,
 // SIGGRAPH 2001.
 
@@ -37,9 +37,9 @@ float relievoShCosineLobe(int index)
 }
 
 // Irradiance on a surface with unit normal n: the integral of radiance times max(cos, 0), from the
-// nine coefficients of the radiance. What a Lambert surface of albedo a sends out is a / pi of it.
-// Harmonics above l = 2, which the coefficients lack, hold little of it; with a small strong light
-// the sum may dip below zero on the far side: clamp it.
+// nine coefficients of the radiance. A Lambert surface of albedo a reflects a / pi of it. Harmonics
+// above l = 2, which the coefficients lack, contribute little; with a small strong light the sum
+// may fall below zero on the far side: clamp it.
 vec3 relievoShIrradiance(vec3 n, vec3 coefficients[9])
 {
   vec3 sum = vec3(float(0.0), float(0.0), float(0.0));

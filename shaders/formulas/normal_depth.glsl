@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Normal and depth together: RGBA8 (one word), RGBA16F (two words), RGBA32F (four words).
 //
-// Depth is linear (eye space -z). A place where nothing is has the zero normal and depth +infinity;
-// a normal that is missing on something drawn is the zero vector with its depth.
+// Depth is linear (eye space -z). The background has the zero normal and depth +infinity; where a
+// surface has no normal, the normal is the zero vector and the depth is that of the surface.
 //RELIEVO::Include(formulas/depth.glsl)
 //RELIEVO::Include(formulas/normal_formats.glsl)
 
-// The words where nothing is: what a buffer of each format is cleared to.
+// The words of the background, to which a buffer of each format is cleared.
 const uint relievoNormalDepth8None = 0xff000000u;
 const uvec2 relievoNormalDepth16FNone = uvec2(0x00000000u, 0x7c000000u);
 const uvec4 relievoNormalDepth32FNone = uvec4(0x00000000u, 0x00000000u, 0x00000000u, 0x7f800000u);
@@ -22,7 +22,7 @@ uint relievoPackNormalDepth8(vec3 n, float depth, float zNear, float zFar)
   }
   uint rgb = relievoPackNormalUnorm8(n);
   uint alpha = relievoQuantizeUnorm(relievoNormalizedDepth(depth, zNear, zFar), float(255.0));
-  // Without a normal the far plane's alpha would read as "nothing here".
+  // Without a normal the far plane's alpha would mean background.
   if (rgb == uint(0))
   {
     alpha = min(alpha, uint(254));

@@ -35,7 +35,7 @@ vec3 relievoUnpackNormalBiased(uint word, int bits)
   {
     return vec3(float(0.0), float(0.0), float(0.0));
   }
-  // 2 x / maxCode - 1, times maxCode: normalising takes the factor away, and integers are exact.
+  // 2 x / maxCode - 1, times maxCode: normalising removes the factor, and integers are exact.
   float maxCode = float(mask);
   return normalize(vec3(float(2.0) * float(x) - maxCode, float(2.0) * float(y) - maxCode,
     float(2.0) * float(z) - maxCode));

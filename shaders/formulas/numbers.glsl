@@ -30,7 +30,7 @@ float relievoDequantizeUnorm(uint code, float maxCode)
 }
 
 // Code of x in [-1, 1] in steps of 1 / maxCode (the steps of GL's snorm), offset so that it is in
-// [1, 2 * maxCode + 1]; x outside is clamped, NaN gives 1. Code 0 is free to say "nothing here".
+// [1, 2 * maxCode + 1]; x outside is clamped, NaN gives 1. Code 0 is free to mean background.
 // The offset is added after rounding: added before, it would cost x its low bits.
 uint relievoQuantizeSnorm(float x, float maxCode)
 {
@@ -47,7 +47,7 @@ float relievoDequantizeSnorm(uint code, float maxCode)
 }
 
 // x, or the largest half with its sign where x is finite and beyond it: a half that overflows would
-// turn into infinity, which means "nothing here" in a depth.
+// turn into infinity, which means background in a depth.
 float relievoSaturateHalf(float x)
 {
   return isinf(x) ? x : clamp(x, float(-65504.0), float(65504.0));

@@ -77,9 +77,10 @@ uint relievoOctPack(vec3 n, int bits)
     relievoQuantizeSnorm(e.x, maxCode), relievoQuantizeSnorm(e.y, maxCode), bits);
 }
 
-// The word of direction n whose decoded vector is the nearest of the four around its place. Costs
-// four decodings here and nothing when decoding. Nearness is the squared distance of unit vectors:
-// their scalar product is 1 - 1e-9 for all four at 16 bits, which a float cannot tell from 1.
+// The word of direction n whose decoded vector is the nearest of the four around its position. It
+// costs four decodings here and nothing when decoding. Nearness is the squared distance of unit
+// vectors: their scalar product is 1 - 1e-9 for all four at 16 bits, which a float cannot tell from
+// 1.
 uint relievoOctPackPrecise(vec3 n, int bits)
 {
   if (!relievoIsDirection(n))

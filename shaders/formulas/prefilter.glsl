@@ -5,7 +5,7 @@
 // B. Walter, S. Marschner, H. Li, K. Torrance: Microfacet Models for Refraction through Rough
 // Surfaces, EGSR 2007 (GGX).
 
-// Weight of light that comes in at cosine x from the axis (normal = view = axis of reflection), for
+// Weight of light that arrives at cosine x from the axis (normal = view = axis of reflection), for
 // roughness in [0, 1]; the width of GGX's lobe is alpha = roughness^2. It is the distribution of
 // half vectors times x without its constant factor: weights are to be divided by their sum.
 // cos^2 of the half vector's angle is (1 + x) / 2.
@@ -18,8 +18,8 @@ float relievoPrefilterWeight(float x, float roughness)
   return x > float(0.0) ? x / (width * width) : float(0.0);
 }
 
-// Roughness in [0, 1] to the level that holds it, of `levels` levels: 0 is sharp, levels - 1 is
-// roughness 1; between two levels their mix.
+// Roughness in [0, 1] to its level, of `levels` levels: 0 is sharp, levels - 1 is roughness 1;
+// fractions interpolate between two levels.
 float relievoPrefilterLevel(float roughness, int levels)
 {
   return clamp(roughness, float(0.0), float(1.0)) * float(levels - 1);

@@ -3,10 +3,10 @@
 // Shadow maps: the receiver plane in the map, the bias in texels, the weights of the filter.
 //
 // Map space: u, v in texels from the centre of the lowest left one, depth in [0, 1] from the map's
-// near to its far plane; viewToMap takes eye space there (homogeneous; w is 1 for a parallel light,
-// the distance along the light's axis for a perspective one).
+// near to its far plane; viewToMap transforms eye space to it (homogeneous; w is 1 for a parallel
+// light, the distance along the light's axis for a perspective one).
 
-// A tangent of the plane with this normal: square to it, about as long.
+// A tangent of the plane with this normal: perpendicular to it and about as long.
 vec3 relievoTangent(vec3 normal)
 {
   if (abs(normal.x) > abs(normal.y))

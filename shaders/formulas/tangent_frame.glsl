@@ -10,8 +10,8 @@ float relievoTextureArea(vec2 uvx, vec2 uvy)
   return uvx.x * uvy.y - uvx.y * uvy.x;
 }
 
-// Whether the coordinates spread at all: not constant, and not along a line only, both by more than
-// coordinates of about 1 are rounded in float. In squares: roots cost more.
+// Whether the coordinates span an area: neither constant nor on a line, by more than the rounding
+// of coordinates of about 1 in float. Compared as squares, because roots cost more.
 bool relievoHasTextureFrame(vec2 uvx, vec2 uvy)
 {
   float area = relievoTextureArea(uvx, uvy);
@@ -20,7 +20,7 @@ bool relievoHasTextureFrame(vec2 uvx, vec2 uvy)
   return area * area > max(float(1e-8) * xx * yy, float(1.6e-13) * (xx + yy));
 }
 
-// How the position changes with u and with v. The frame must be there.
+// How the position changes with u and with v. The frame must exist.
 vec3 relievoPositionPerU(vec3 px, vec3 py, vec2 uvx, vec2 uvy)
 {
   return (px * uvy.y - py * uvx.y) / relievoTextureArea(uvx, uvy);
@@ -31,7 +31,7 @@ vec3 relievoPositionPerV(vec3 px, vec3 py, vec2 uvx, vec2 uvy)
 }
 
 // How u and v change along a direction: the part of it in the plane of perU and perV, which need be
-// neither of unit length nor square to each other.
+// neither of unit length nor perpendicular.
 vec2 relievoTextureStep(vec3 direction, vec3 perU, vec3 perV)
 {
   float uu = dot(perU, perU);
@@ -42,9 +42,9 @@ vec2 relievoTextureStep(vec3 direction, vec3 perU, vec3 perV)
   return vec2(du * vv - dv * uv, dv * uu - du * uv) / (uu * vv - uv * uv);
 }
 
-// A tangent-space normal in the space of the frame: x along `tangent` made square to the normal
-// (unit), z along the normal, y square to both: a quarter turn from x to y is counter-clockwise
-// around the normal for handedness 1, clockwise for -1.
+// A tangent-space normal in the space of the frame: x along `tangent` made perpendicular to the
+// (unit) normal, z along the normal, y perpendicular to both: a quarter turn from x to y is
+// counter-clockwise around the normal for handedness 1, clockwise for -1.
 vec3 relievoFromTangentSpace(vec3 mapped, vec3 normal, vec3 tangent, float handedness)
 {
   vec3 t = normalize(tangent - normal * dot(normal, tangent));

@@ -149,6 +149,12 @@ class Words(CliTest):
         self.refused("bench", status=2, says=["NAME", "normals"])
         self.refused("bench", "normals", "depth", status=2, says=["normals", "depth", "one NAME"])
 
+    def test_redraw(self):
+        if not BENCHES:
+            self.skipTest("built without benches")
+        self.refused("bench", "--redraw=", status=2, says=["--redraw", "empty"])
+        self.refused("bench", "depth", "--redraw", "nowhere", status=1, says=["nowhere/depth.csv"])
+
 
 class Help(CliTest):
     def test_help_knows_every_option(self):

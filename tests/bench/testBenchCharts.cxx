@@ -3,11 +3,13 @@
 //
 // Tables and charts of the benches hold what was put in, and say when they cannot be written.
 #include "Chart.h"
+#include "ChartLayout.h"
 #include "ChartScale.h"
 #include "ChartSvg.h"
 #include "Check.h"
 #include "RelievoBench.h"
 #include "Session.h"
+#include "SmallChart.h"
 #include "Table.h"
 #include "TextTools.h"
 
@@ -16,46 +18,18 @@
 #include <vtkPNGReader.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
 using namespace relievoBench;
-
-std::string Read(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-int Count(const std::string& text, const std::string& part)
-{
-  int count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-  {
-    ++count;
-  }
-  return count;
-}
-
-Chart SmallChart()
-{
-  Chart chart;
-  chart.Title = "a < b & c";
-  chart.X.Title = "bytes";
-  chart.X.Ticks = { { 1., "one" }, { 4., "four" } };
-  chart.Y.Title = "error";
-  chart.Y.Log = true;
-  // Zero has no place on a logarithmic axis.
-  chart.Series.push_back({ "first", { 1., 2., 4. }, { 1e-3, 0., 1e-6 }, true });
-  chart.Series.push_back({ "second", { 3. }, { 1e-4 }, true });
-  return chart;
-}
+using relievoTest::Count;
+using relievoTest::Read;
+using relievoTest::SmallChart;
 
 void TestTable()
 {
@@ -65,6 +39,13 @@ void TestTable()
   const std::string path = relievoTest::OutputFolder() + "/table.csv";
   RELIEVO_CHECK(table.WriteCsv(path));
   RELIEVO_CHECK(Read(path) == "format,max\n\"a, b\",0.3333\n\"with \"\"quotes\"\"\",1e-07\n");
+  std::vector<CsvRow> rows;
+  RELIEVO_CHECK(ReadCsv(path, rows) && rows.size() == 2);
+  RELIEVO_CHECK(rows[0].at("format") == "a, b" && NumberIn(rows[0], "max") == 0.3333);
+  RELIEVO_CHECK(rows[1].at("format") == "with \"quotes\"" && NumberIn(rows[1], "max") == 1e-7);
+  RELIEVO_CHECK(std::isnan(NumberIn(rows[0], "format of old")));
+  std::ofstream(path, std::ios::app) << "too,many,fields\n";
+  RELIEVO_CHECK(!ReadCsv(path, rows) && !ReadCsv(path + ".not", rows));
   RELIEVO_CHECK(!table.WriteCsv(relievoTest::OutputFolder() + "/no-such-folder/table.csv"));
 }
 
@@ -77,117 +58,117 @@ void TestScales()
   RELIEVO_CHECK(y.Low < -6. && y.High > -3. && y.Ticks.size() == 4);
   RELIEVO_CHECK(y.Ticks.front().second == "1e-6" && y.Ticks.back().first == -3.);
   RELIEVO_CHECK(!y.Has(0.) && x.Has(0.) && !x.Has(std::strtod("nan", nullptr)));
-  RELIEVO_CHECK(Places(chart.Series[0], x, y).size() == 2);
+  RELIEVO_CHECK_NEAR(x.Share(x.Low), 0., 1e-12, "the low end");
+  // The same scales in all panels: fitted to all of them.
   Chart even;
-  even.Series.push_back({ "series", { 0., 12. }, { -1., 1. }, true });
+  even.Panels.resize(2);
+  even.Panels[0].Series.push_back({ "map", "", { 0., 4. }, { -1., 1. } });
+  even.Panels[1].Series.push_back({ "map", "", { 2., 12. }, { -1., 1. } });
   const ChartScale evenX = FitX(even);
   RELIEVO_CHECK(evenX.Ticks.size() == 7 && evenX.Ticks[1].second == "2");
+  RELIEVO_CHECK(evenX.Low < 0. && evenX.High > 12.);
 }
 
 void TestSvg()
 {
-  const std::string svg = SvgOf(SmallChart());
-  RELIEVO_CHECK(svg == SvgOf(SmallChart()));
-  // Two markers of the first series and its legend, one of the second and its legend.
-  RELIEVO_CHECK(Count(svg, "<circle") == 3);
-  RELIEVO_CHECK(Count(svg, "<rect fill=\"#d55e00\"") == 2);
+  const ChartDrawing drawing = DrawChart(SmallChart());
+  const std::string svg = SvgOf(drawing);
+  RELIEVO_CHECK(svg == SvgOf(DrawChart(SmallChart())));
+  // Two discs of the first series and its ring; the square of the second.
+  RELIEVO_CHECK(Count(svg, "<circle fill=\"#0072b2\"") == 2);
+  RELIEVO_CHECK(Count(svg, "<circle fill=\"none\"") == 1);
+  RELIEVO_CHECK(Count(svg, "<path fill=\"#d55e00\"") == 1);
   RELIEVO_CHECK(Count(svg, "a &lt; b &amp; c") == 2);
   RELIEVO_CHECK(Count(svg, ">four<") == 1 && Count(svg, ">1e-5<") == 1);
+  RELIEVO_CHECK(Count(svg, ">map<") == 1 && Count(svg, ">one point<") == 1);
 }
 
 void TestFiles()
 {
   const std::string stem = relievoTest::OutputFolder() + "/small";
+  const ChartDrawing drawing = DrawChart(SmallChart());
   RELIEVO_CHECK(WriteChart(SmallChart(), stem));
-  RELIEVO_CHECK(Read(stem + ".svg") == SvgOf(SmallChart()));
+  RELIEVO_CHECK(Read(stem + ".svg") == SvgOf(drawing));
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName((stem + ".png").c_str());
   reader->Update();
   vtkImageData* image = reader->GetOutput();
-  RELIEVO_CHECK(image->GetDimensions()[0] == ChartWidth);
-  RELIEVO_CHECK(image->GetDimensions()[1] == ChartHeight);
-  int white = 0;
-  int inColor[2] = { 0, 0 };
-  for (int y = 0; y < image->GetDimensions()[1]; ++y)
+  const int* size = image->GetDimensions();
+  RELIEVO_CHECK(size[0] == std::lround(drawing.Width) && size[1] == std::lround(drawing.Height));
+  // In the middle of each marker is its colour, of each ring its marker's; white is in most places.
+  const auto isColor = [&](double x, double y, const std::string& color) {
+    const unsigned char* pixel = static_cast<unsigned char*>(
+      image->GetScalarPointer(static_cast<int>(x), static_cast<int>(drawing.Height - y), 0));
+    const long wanted = std::strtol(color.c_str() + 1, nullptr, 16);
+    return std::abs(pixel[0] - (wanted >> 16)) + std::abs(pixel[1] - (wanted >> 8 & 255)) +
+      std::abs(pixel[2] - (wanted & 255)) <
+      12;
+  };
+  int markers = 0;
+  for (const ChartMark& mark : drawing.Marks)
   {
-    for (int x = 0; x < image->GetDimensions()[0]; ++x)
+    if (mark.Kind == ChartMark::Disc || mark.Kind == ChartMark::Area)
     {
-      const unsigned char* pixel = static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0));
-      white += pixel[0] == 255 && pixel[1] == 255 && pixel[2] == 255 ? 1 : 0;
-      for (int i = 0; i < 2; ++i)
+      ChartPoint middle;
+      for (const ChartPoint& point : mark.Points)
       {
-        const ChartStyle style = StyleOf(i);
-        int apart = 0;
-        for (int c = 0; c < 3; ++c)
-        {
-          apart += std::abs(pixel[c] - style.Color[c]);
-        }
-        inColor[i] += apart < 12 ? 1 : 0;
+        middle.X += point.X / static_cast<double>(mark.Points.size());
+        middle.Y += point.Y / static_cast<double>(mark.Points.size());
       }
+      RELIEVO_CHECK_THAT(isColor(middle.X, middle.Y, mark.Color), mark.Method);
+      ++markers;
+    }
+    else if (mark.Kind == ChartMark::Ring)
+    {
+      // Thinner than two pixels: none need be all black.
+      RELIEVO_CHECK(!isColor(mark.Points[0].X + mark.Radius, mark.Points[0].Y, "#ffffff"));
+      RELIEVO_CHECK(isColor(mark.Points[0].X + mark.Radius + 3., mark.Points[0].Y - 6., "#ffffff"));
     }
   }
-  RELIEVO_CHECK(white > ChartWidth * ChartHeight / 2);
-  RELIEVO_CHECK(inColor[0] > 200 && inColor[1] > 50);
-  RELIEVO_CHECK(!WriteChart(SmallChart(), relievoTest::OutputFolder() + "/no-such-folder/small"));
-}
-
-// The value of an attribute of the n-th element that begins so.
-double Attribute(const std::string& svg, const std::string& element, int n, const std::string& name)
-{
-  std::size_t at = svg.find(element);
-  for (; n > 0 && at != std::string::npos; --n)
+  RELIEVO_CHECK(markers == 3);
+  int white = 0;
+  for (int i = 0; i < size[0] * size[1]; ++i)
   {
-    at = svg.find(element, at + 1);
+    white += isColor(i % size[0], drawing.Height - i / size[0], "#ffffff") ? 1 : 0;
   }
-  const std::size_t value = at == std::string::npos ? at : svg.find(" " + name + "=\"", at);
-  return value == std::string::npos ? 0. : std::atof(svg.c_str() + value + name.size() + 3);
+  RELIEVO_CHECK(white > size[0] * size[1] / 2);
+  RELIEVO_CHECK(!WriteChart(SmallChart(), relievoTest::OutputFolder() + "/no-such-folder/small"));
 }
 
 void TestBars()
 {
   Chart chart;
-  chart.X.Ticks = { { 1., "here" }, { 2., "there" } };
-  for (double value : { 1., 2. })
+  chart.Kind = Chart::Bars;
+  chart.Panels.resize(2);
+  chart.Columns = 2;
+  for (const double value : { 1., 2. })
   {
-    ChartSeries series;
-    series.Name = "bars";
-    series.X = { 1., 2. };
-    series.Y = { value, 2. * value };
-    series.Bars = true;
-    chart.Series.push_back(series);
+    const std::string method = value == 1. ? "plain" : "depth";
+    chart.Panels[0].Series.push_back({ method, "", { value }, {} });
+    chart.Panels[1].Series.push_back({ method, "", { 2. * value }, {} });
   }
-  RELIEVO_CHECK(HasBars(chart) && !HasBars(SmallChart()));
-  RELIEVO_CHECK(FitY(chart).Low == 0. && FitX(chart).Low < 0.5 && FitX(chart).High > 2.5);
-  const std::string svg = SvgOf(chart);
-  const std::string first = "<rect fill=\"#0072b2\"";
-  const std::string second = "<rect fill=\"#d55e00\"";
-  RELIEVO_CHECK(Count(svg, first) == 2 && Count(svg, second) == 3); // and a square in the legend
-  const double one = Attribute(svg, first, 0, "height");
-  RELIEVO_CHECK_NEAR(Attribute(svg, first, 1, "height"), 2. * one, 0.02, "bar of 2");
-  RELIEVO_CHECK_NEAR(Attribute(svg, second, 1, "height"), 4. * one, 0.04, "bar of 4");
-  const double right = Attribute(svg, first, 0, "x") + Attribute(svg, first, 0, "width");
-  RELIEVO_CHECK_NEAR(Attribute(svg, second, 0, "x"), right, 0.02, "bars side by side");
-
-  // The picture: the second colour's bars are twice as high.
-  const std::string stem = relievoTest::OutputFolder() + "/bars";
-  RELIEVO_CHECK(WriteChart(chart, stem));
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName((stem + ".png").c_str());
-  reader->Update();
-  const int* size = reader->GetOutput()->GetDimensions();
-  double inColor[2] = { 0., 0. };
-  for (int i = 0; i < size[0] * size[1]; ++i)
+  RELIEVO_CHECK(FitX(chart).Low == 0. && FitX(chart).High > 4.);
+  const ChartDrawing drawing = DrawChart(chart);
+  std::vector<double> widths;
+  int names = 0;
+  for (const ChartMark& mark : drawing.Marks)
   {
-    const unsigned char* pixel =
-      static_cast<unsigned char*>(reader->GetOutput()->GetScalarPointer()) + 3 * i;
-    for (int k = 0; k < 2; ++k)
+    if (mark.Kind == ChartMark::Area)
     {
-      const ChartStyle style = StyleOf(k);
-      inColor[k] += std::equal(style.Color, style.Color + 3, pixel) ? 1. : 0.;
+      widths.push_back(mark.Points[1].X - mark.Points[0].X);
     }
+    names += mark.Kind == ChartMark::Words && !mark.Method.empty() ? 1 : 0;
   }
-  RELIEVO_CHECK(inColor[0] > 10000.);
-  RELIEVO_CHECK_NEAR(inColor[1] / inColor[0], 2., 0.1, "pixels of the bars");
+  RELIEVO_CHECK(names == 2); // once for both panels
+  if (RELIEVO_CHECK(widths.size() == 4))
+  {
+    RELIEVO_CHECK_NEAR(widths[1], 2. * widths[0], 1e-6, "bar of 2");
+    RELIEVO_CHECK_NEAR(widths[2], 2. * widths[0], 1e-6, "bar of 2 in the other panel");
+    RELIEVO_CHECK_NEAR(widths[3], 4. * widths[0], 1e-6, "bar of 4");
+  }
+  chart.Kind = Chart::Dots;
+  chart.Panels[1].Series[1].X = { HUGE_VAL };
+  RELIEVO_CHECK(Count(SvgOf(DrawChart(chart)), ">infinite<") == 1);
 }
 
 void TestNames()

@@ -117,8 +117,8 @@ int main(int argc, char* argv[])
   {
     CheckDepth(rows);
   }
-  for (const std::string chart : { "normals-bits", "normals-bits-mean", "normals-time",
-         "depth-bytes", "depth-ratio", "position-bytes", "position-time" })
+  for (const std::string chart : { "normals-bits", "normals-time", "depth-bytes", "depth-ratio",
+         "position-bytes", "position-time" })
   {
     const bool own = chart.compare(0, name.size(), name) == 0;
     for (const char* kind : { ".png", ".svg" })

@@ -170,7 +170,7 @@ int main(int argc, char* argv[])
   (relief ? CheckRelief : CheckEnvironment)(folder);
   const std::vector<std::string> charts = relief
     ? std::vector<std::string>{ "relief-error", "relief-cost", "relief-missed" }
-    : std::vector<std::string>{ "environment-coded", "environment-coded-angle" };
+    : std::vector<std::string>{ "environment-texels", "environment-angle" };
   for (const std::string& chart : charts)
   {
     for (const char* kind : { ".png", ".svg" })

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace relievoBench
@@ -26,6 +25,12 @@ void AddEvenTicks(ChartScale& scale)
     const double place = i * step + 0.; // not -0
     scale.Ticks.emplace_back(place, Number(place));
   }
+}
+
+// As people write it where that is short.
+std::string PowerOfTen(int power)
+{
+  return power < -3 || power > 4 ? "1e" + std::to_string(power) : Number(std::pow(10., power), 6);
 }
 
 ChartScale Fit(const ChartAxis& axis, const std::vector<double>& values)
@@ -54,23 +59,42 @@ ChartScale Fit(const ChartAxis& axis, const std::vector<double>& values)
     scale.Low = std::min(scale.Low, place);
     scale.High = std::max(scale.High, place);
   }
-  if (axis.Log && axis.Ticks.empty())
+  const bool powers = axis.Log && axis.Ticks.empty();
+  if (powers && std::floor(scale.High) - std::ceil(scale.Low) < 1.)
   {
+    // Less than two powers of ten are within the data.
     scale.Low = std::floor(scale.Low);
     scale.High = std::ceil(scale.High);
-    for (int power = static_cast<int>(scale.Low); power <= static_cast<int>(scale.High); ++power)
-    {
-      scale.Ticks.emplace_back(power, "1e" + std::to_string(power));
-    }
   }
-  const double margin = scale.High > scale.Low ? 0.03 * (scale.High - scale.Low) : 0.5;
+  const double margin = scale.High > scale.Low ? 0.05 * (scale.High - scale.Low) : 0.5;
   scale.Low -= margin;
   scale.High += margin;
+  for (int power = static_cast<int>(std::ceil(scale.Low)); powers && power <= scale.High; ++power)
+  {
+    scale.Ticks.emplace_back(power, PowerOfTen(power));
+  }
   if (scale.Ticks.empty())
   {
     AddEvenTicks(scale);
   }
   return scale;
+}
+
+std::vector<double> ValuesOf(const Chart& chart, std::vector<double> ChartSeries::*which)
+{
+  std::vector<double> values;
+  for (const ChartPanel& panel : chart.Panels)
+  {
+    for (const ChartSeries& series : panel.Series)
+    {
+      values.insert(values.end(), (series.*which).begin(), (series.*which).end());
+    }
+  }
+  if (chart.Kind == Chart::Bars)
+  {
+    values.push_back(0.);
+  }
+  return values;
 }
 }
 
@@ -87,73 +111,25 @@ double ChartScale::Place(double value) const
 }
 
 //------------------------------------------------------------------------------
+double ChartScale::Share(double value) const
+{
+  return (this->Place(value) - this->Low) / (this->High - this->Low);
+}
+
+//------------------------------------------------------------------------------
 ChartScale FitX(const Chart& chart)
 {
-  std::vector<double> values;
-  for (const ChartSeries& series : chart.Series)
+  ChartScale scale = Fit(chart.X, ValuesOf(chart, &ChartSeries::X));
+  if (chart.Kind == Chart::Bars)
   {
-    for (double x : series.X)
-    {
-      // A group of bars has half a step of room on either side.
-      values.insert(values.end(), { x - (series.Bars ? 0.5 : 0.), x + (series.Bars ? 0.5 : 0.) });
-    }
+    scale.Low = 0.;
   }
-  return Fit(chart.X, values);
+  return scale;
 }
 
 //------------------------------------------------------------------------------
 ChartScale FitY(const Chart& chart)
 {
-  std::vector<double> values;
-  for (const ChartSeries& series : chart.Series)
-  {
-    values.insert(values.end(), series.Y.begin(), series.Y.end());
-  }
-  if (!HasBars(chart))
-  {
-    return Fit(chart.Y, values);
-  }
-  values.push_back(0.);
-  ChartScale scale = Fit(chart.Y, values);
-  scale.Low = 0.;
-  return scale;
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::pair<double, double>> Places(
-  const ChartSeries& series, const ChartScale& x, const ChartScale& y)
-{
-  std::vector<std::pair<double, double>> places;
-  for (std::size_t i = 0; i < std::min(series.X.size(), series.Y.size()); ++i)
-  {
-    if (x.Has(series.X[i]) && y.Has(series.Y[i]))
-    {
-      places.emplace_back(x.Place(series.X[i]), y.Place(series.Y[i]));
-    }
-  }
-  return places;
-}
-
-//------------------------------------------------------------------------------
-bool HasBars(const Chart& chart)
-{
-  return std::any_of(chart.Series.begin(), chart.Series.end(),
-    [](const ChartSeries& series) { return series.Bars; });
-}
-
-//------------------------------------------------------------------------------
-ChartStyle StyleOf(int index)
-{
-  // Okabe and Ito's colours, told apart by all kinds of colour vision; without their yellow, which
-  // is too light for lines on white.
-  static const unsigned char colors[][3] = { { 0, 114, 178 }, { 213, 94, 0 }, { 0, 158, 115 },
-    { 204, 121, 167 }, { 0, 0, 0 }, { 230, 159, 0 }, { 86, 180, 233 } };
-  static const ChartStyle::Shape shapes[] = { ChartStyle::Circle, ChartStyle::Square,
-    ChartStyle::Diamond, ChartStyle::Plus, ChartStyle::Cross };
-  ChartStyle style;
-  std::copy_n(colors[index % std::size(colors)], 3, style.Color);
-  style.Marker = shapes[index % std::size(shapes)];
-  style.Dashed = index >= 4;
-  return style;
+  return Fit(chart.Y, ValuesOf(chart, &ChartSeries::Y));
 }
 }

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BenchCharts.h"
+
+namespace relievoBench
+{
+namespace
+{
+struct Entry
+{
+  const char* Bench;
+  std::vector<std::string> Files;
+  std::vector<NamedChart> (*Make)(const std::vector<CsvRows>& files);
+};
+
+const std::vector<Entry>& Entries()
+{
+  static const std::vector<Entry> entries = {
+    { "normals", { "normals.csv" }, NormalsCharts },
+    { "depth", { "depth.csv" }, DepthCharts },
+    { "position", { "position.csv" }, PositionCharts },
+    { "gbuffer", { "gbuffer.csv" }, GBufferCharts },
+    { "shadows", { "shadows.csv" }, ShadowsCharts },
+    { "bias", { "bias.csv" }, BiasCharts },
+    { "relief", { "relief.csv" }, ReliefCharts },
+    { "environment", { "environment.csv", "environment-angle.csv" }, EnvironmentCharts },
+  };
+  return entries;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> BenchesWithCharts()
+{
+  std::vector<std::string> names;
+  for (const Entry& entry : Entries())
+  {
+    names.emplace_back(entry.Bench);
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+bool ChartsOfBench(
+  const std::string& bench, const std::string& csvFolder, std::vector<NamedChart>& charts)
+{
+  for (const Entry& entry : Entries())
+  {
+    if (bench != entry.Bench)
+    {
+      continue;
+    }
+    std::vector<CsvRows> files;
+    for (const std::string& file : entry.Files)
+    {
+      if (!ReadCsv(csvFolder + "/" + file, files.emplace_back()))
+      {
+        return false;
+      }
+    }
+    charts = entry.Make(files);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool DrawBenchCharts(
+  const std::string& bench, const std::string& csvFolder, const std::string& outFolder)
+{
+  std::vector<NamedChart> charts;
+  bool written = ChartsOfBench(bench, csvFolder, charts);
+  for (const NamedChart& chart : charts)
+  {
+    written = written && WriteChart(chart.What, outFolder + "/" + chart.Stem);
+  }
+  return written;
+}
+}
