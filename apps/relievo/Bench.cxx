@@ -36,7 +36,7 @@ int Bench(const BenchOptions& options)
     RefuseValue("bench", options.Name, "one of " + Join(names, ", "));
   }
   vtkNew<vtkRenderWindow> probe; // the charts are drawn in windows that the bench makes itself
-  OpenDisplay(probe);
+  CheckDisplay(probe);
   return RelievoBench(options.Name, options.Folder);
 #else
   (void)options;
