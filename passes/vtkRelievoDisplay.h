@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoDisplay
- * @brief Whether a render window can open: VTK ends the process by abort() where there is no display.
+ * @brief Whether a render window can open: without a display VTK ends the process by abort().
  */
 #ifndef vtkRelievoDisplay_h
 #define vtkRelievoDisplay_h

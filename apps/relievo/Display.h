@@ -13,7 +13,7 @@ class vtkRenderWindow;
 
 namespace cli
 {
-/// Throws WorkError if the window's display cannot be reached. VTK would end the process by abort().
+/// Throws WorkError if the display of the window cannot be reached: VTK would end the process then.
 void CheckDisplay(vtkRenderWindow* window);
 
 /// Makes the window's context and throws WorkError if the size is above its limits.

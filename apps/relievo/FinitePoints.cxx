@@ -131,8 +131,7 @@ vtkSmartPointer<vtkDataObject> LeaveOutInfinite(vtkDataObject* surface, const st
   ForEachDataSet(surface, [&count](vtkDataSet* block) {
     vtkPolyData* mesh = vtkPolyData::SafeDownCast(block);
     count.AllPoints += mesh ? mesh->GetNumberOfPoints() : 0;
-    count.Points +=
-      mesh ? static_cast<vtkIdType>(FindInfinite(mesh->GetPoints()).size()) : 0;
+    count.Points += mesh ? static_cast<vtkIdType>(FindInfinite(mesh->GetPoints()).size()) : 0;
   });
   if (count.Points == 0)
   {
@@ -178,8 +177,9 @@ void CheckReach(vtkProp3D* prop, const std::string& path)
   {
     if (!(std::abs(bounds[i]) <= Furthest)) // or NaN
     {
-      text << path << ": its points reach to " << bounds[i] << " along " << "xyz"[i / 2]
-           << ", and OpenGL draws up to " << Furthest << ": scale it, or remove stray points";
+      text << path << ": its points reach to " << bounds[i] << " along "
+           << "xyz"[i / 2] << ", and OpenGL draws up to " << Furthest
+           << ": scale it, or remove stray points";
       throw WorkError(text.str());
     }
     longest = std::max(longest, bounds[2 * (i / 2) + 1] - bounds[2 * (i / 2)]);

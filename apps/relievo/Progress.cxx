@@ -60,8 +60,9 @@ void Progress::Update(double share)
     return;
   }
   const int percent = static_cast<int>(std::lround(100.0 * std::clamp(share, 0.0, 1.0)));
-  std::fprintf(StandardError(), this->OnTerminal ? "\r\033[Krelievo: %s %d %%" : "relievo: %s %d %%\n",
-    this->What.c_str(), percent);
+  std::fprintf(StandardError(),
+    this->OnTerminal ? "\r\033[Krelievo: %s %d %%" : "relievo: %s %d %%\n", this->What.c_str(),
+    percent);
   this->LastShown = now;
   this->Shown = true;
 }
@@ -72,7 +73,7 @@ void Progress::End()
   if (this->Shown && this->OnTerminal)
   {
     std::fputs("\r\033[K", StandardError());
-    }
+  }
   this->Shown = false;
   this->What.clear();
 }

@@ -63,7 +63,9 @@ def _pixels(size):
     except (TypeError, ValueError, OverflowError):
         whole = False
     if not whole or not (1 <= columns <= _LARGEST and 1 <= rows <= _LARGEST):
-        raise ValueError(f"size: got {size!r}, expected (columns, rows), whole and from 1 to {_LARGEST}")
+        raise ValueError(
+            f"size: got {size!r}, expected (columns, rows), whole and from 1 to {_LARGEST}"
+        )
     return int(columns), int(rows)
 
 
