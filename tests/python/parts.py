@@ -40,7 +40,7 @@ def cube(at=(0, 0, 0)):
     return source
 
 
-def plane(half=2.0, y=-0.6, resolution=4):
+def plane(half=1.5, y=-0.6, resolution=4):
     source = vtkPlaneSource()
     source.SetOrigin(-half, y, -half)
     source.SetPoint1(-half, y, half)

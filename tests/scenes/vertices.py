@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Surfaces with their vertices and edges shown."""
+"""A wire frame with its vertices shown, and a surface with its edges."""
 
 from parts import actor, cube, plane, show, sphere
 
 shown = actor(sphere(resolution=10), (0.9, 0.6, 0.3))
+shown.GetProperty().SetRepresentationToWireframe()
 shown.GetProperty().VertexVisibilityOn()
 shown.GetProperty().SetVertexColor(0.9, 0.1, 0.1)
 shown.GetProperty().SetPointSize(5)

@@ -65,8 +65,8 @@ void TestClock()
   const auto sleep = [](int milliseconds) {
     return [milliseconds] { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); };
   };
-  // What prepares is not timed, and neither is what warms up. On a busy machine too a sleep is never
-  // shorter than it says, and so neither is what the clock leaves out.
+  // What prepares is not timed, and neither is what warms up. A sleep is never shorter than it
+  // says, on a busy machine too, and so neither is what the clock leaves out.
   const auto begin = std::chrono::steady_clock::now();
   const TimingPair pair =
     Interleave(Timed{ sleep(20), sleep(5) }, Timed{ sleep(5), sleep(20) }, 9, 3);
