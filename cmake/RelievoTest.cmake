@@ -9,7 +9,7 @@
 #     [PRIVATE_INCLUDES dir...] searched by the program's compiler
 #     [ARGS word...]            words of the test's command line
 #     [LABELS unit|gl|image|slow|...]   default: unit, or with DISPLAY, which adds it, gl
-#     [TIMEOUT seconds]         default: 120
+#     [TIMEOUT seconds]         default: 600; against hanging alone: speed is measured in bench/
 #     [DISPLAY]                 needs an X display: the one in DISPLAY, else an Xvfb of its own
 #     [SERIAL]                  runs alone (timings)
 #     [ENVIRONMENT VAR=value...])
@@ -61,7 +61,7 @@ function (relievo_add_test)
     list(REMOVE_DUPLICATES test_LABELS)
   endif ()
   if (NOT test_TIMEOUT)
-    set(test_TIMEOUT 120)
+    set(test_TIMEOUT 600)
   endif ()
 
   set(folder "${RELIEVO_TEST_OUTPUT}/${test_NAME}")

@@ -17,14 +17,19 @@ namespace relievo::exr
 class Failure : public std::runtime_error
 {
 public:
-  /** `code` is one of vtkErrorCode::ErrorIds; `what` says what is wrong and what to do. */
-  Failure(unsigned long code, const std::string& what)
+  /**
+   * `code` is one of vtkErrorCode::ErrorIds; `what` says what is wrong and what to do. `system` is
+   * the errno of what the system refused, if it was that.
+   */
+  Failure(unsigned long code, const std::string& what, int system = 0)
     : std::runtime_error(what)
     , Code(code)
+    , System(system)
   {
   }
 
   unsigned long Code;
+  int System;
 };
 
 /** The user asked to stop (AbortExecute); nobody is told, nothing is left behind. */

@@ -103,7 +103,7 @@ OutputStream::OutputStream(const std::string& fileName)
   if (std::filesystem::is_directory(status))
   {
     throw Failure(
-      vtkErrorCode::CannotOpenFileError, "it is a folder; give the name of a file in it");
+      vtkErrorCode::CannotOpenFileError, "it is a folder; give the name of a file in it", EISDIR);
   }
   // Renaming onto a device would replace the device.
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
@@ -219,6 +219,7 @@ void OutputStream::Throw(int error, const char* doing) const
   throw Failure(full ? vtkErrorCode::OutOfDiskSpaceError : vtkErrorCode::CannotOpenFileError,
     std::string(doing) + ": " + std::generic_category().message(error) +
       (full ? "; free some space or choose another folder"
-            : "; check that the folder exists and may be written to"));
+            : "; check that the folder exists and may be written to"),
+    error);
 }
 }

@@ -58,6 +58,7 @@ void vtkRelievoEXRWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Compression: " << this->GetCompressionName() << "\n";
   os << indent << "DWALevel: " << this->DWALevel << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "SystemError: " << this->SystemError << "\n";
   for (const auto& choice : this->Self->Settings.PixelTypes)
   {
     os << indent << "PixelType of " << choice.first << ": " << PixelTypeNames[choice.second]
@@ -186,6 +187,7 @@ void vtkRelievoEXRWriter::RemoveAllAttributes()
 //------------------------------------------------------------------------------
 int vtkRelievoEXRWriter::Write()
 {
+  this->SystemError = 0;
   if (this->GetNumberOfInputConnections(0) < 1)
   {
     this->SetErrorCode(vtkErrorCode::UserError);
@@ -248,6 +250,7 @@ int vtkRelievoEXRWriter::RequestData(
     warning = output.GetWarning();
   });
   this->SetErrorCode(failure.Code);
+  this->SystemError = failure.System;
   const std::string message = failure.what();
   if (!message.empty())
   {

@@ -140,6 +140,9 @@ public:
   /** Writes the file. Returns 1, or 0 after an error or an abort. */
   virtual int Write();
 
+  /** The errno of what the system refused in the last Write(), such as ENOSPC; else 0. */
+  vtkGetMacro(SystemError, int);
+
 protected:
   vtkRelievoEXRWriter();
   ~vtkRelievoEXRWriter() override;
@@ -161,6 +164,7 @@ private:
   int Compression = ZIP;
   double DWALevel = 45;
   int NumberOfThreads = 0;
+  int SystemError = 0;
 };
 
 #endif

@@ -15,6 +15,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
+#include "vtkRelievoDisplay.h"
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoView.h"
@@ -168,6 +169,17 @@ int vtkRelievoLayerSource::RequestData(
                                                             : "no renderer; use SetRenderer."));
     return 0;
   }
+  const std::string noDisplay = vtkRelievoDisplay::Check(window);
+  if (!noDisplay.empty())
+  {
+    vtkErrorMacro(<< noDisplay << ".");
+    return 0;
+  }
+  if (!this->Renderer->GetDraw())
+  {
+    vtkErrorMacro("The renderer is told to draw nothing; switch it on with DrawOn().");
+    return 0;
+  }
   if (this->Layers.empty())
   {
     vtkErrorMacro("No layers are asked for; use AddLayer(\"depth\"), for example.");
@@ -256,6 +268,11 @@ bool vtkRelievoLayerSource::Draw(vtkRelievoPass* pass, bool color)
   pass->SetLayersOnly(true);
   // The renderer alone, into the G-buffer's own framebuffer: nothing of the window is drawn.
   window->Start();
+  if (!this->Renderer->IsActiveCameraCreated())
+  {
+    this->Renderer->GetActiveCamera(); // made here: resetting makes none where nothing is seen
+    this->Renderer->ResetCamera();     // as windows do in their first frame
+  }
   this->Renderer->Render();
   pass->SetLayersOnly(layersOnly);
   return true;

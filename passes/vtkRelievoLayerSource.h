@@ -27,7 +27,8 @@
  * relievo:origin (3 double: the camera's focal point, rounded to float), lights (one JSON string
  * each).
  *
- * Errors: no renderer or window, an unknown layer, a size above OpenGL's limit.
+ * Errors: no renderer or window, a renderer that draws nothing (DrawOff), no display, a layer that
+ * does not exist, a size above the OpenGL limit.
  */
 #ifndef vtkRelievoLayerSource_h
 #define vtkRelievoLayerSource_h

@@ -4,6 +4,7 @@
 
 #include "DataSets.h"
 #include "Failure.h"
+#include "FinitePoints.h"
 #include "Messages.h"
 #include "Progress.h"
 
@@ -131,7 +132,7 @@ vtkSmartPointer<vtkActor> MakeActor(
     throw WorkError(
       path + ": holds a " + data->GetClassName() + ", expected a mesh, a grid or an image");
   }
-  vtkSmartPointer<vtkDataObject> surface = Surface(data, progress);
+  vtkSmartPointer<vtkDataObject> surface = LeaveOutInfinite(Surface(data, progress), path);
   if (smooth)
   {
     surface = WithNormals(surface, progress);

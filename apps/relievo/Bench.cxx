@@ -36,7 +36,7 @@ int Bench(const BenchOptions& options)
     RefuseValue("bench", options.Name, "one of " + Join(names, ", "));
   }
   vtkNew<vtkRenderWindow> probe; // the charts are drawn in windows that the bench makes itself
-  OpenDisplay(probe);
+  CheckDisplay(probe);
   return options.Redraw.empty() ? RelievoBench(options.Name, options.Folder)
                                 : RelievoBenchRedraw(options.Name, options.Redraw, options.Folder);
 #else

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 
 #include <unistd.h>
@@ -15,6 +16,8 @@ namespace cli
 namespace
 {
 constexpr int Signals[] = { SIGSEGV, SIGBUS, SIGABRT, SIGFPE };
+volatile std::sig_atomic_t Guarding = 0;
+int Terminal = STDERR_FILENO;
 char Text[4096];
 std::size_t TextSize = 0;
 void (*Before[4])(int);
@@ -23,11 +26,20 @@ extern "C" void SayAndEnd(int)
 {
   // Only what a signal handler may call.
   Outputs::RemoveTemporaries();
-  if (write(STDERR_FILENO, Text, TextSize) < 0)
+  if (write(Terminal, Text, TextSize) < 0)
   {
     // There is nobody left to tell.
   }
   _exit(1);
+}
+
+// Some readers end the process by exit().
+void SayIfGuarding()
+{
+  if (Guarding)
+  {
+    SayAndEnd(0);
+  }
 }
 }
 
@@ -38,6 +50,9 @@ CrashGuard::CrashGuard(const std::string& path)
     "relievo: " + path + ": VTK's reader crashed on this file; is it whole?\n";
   TextSize = std::min(text.size(), sizeof(Text));
   std::memcpy(Text, text.data(), TextSize);
+  Terminal = fileno(StandardError());
+  static const int registered = std::atexit(SayIfGuarding);
+  Guarding = registered == 0;
   for (std::size_t i = 0; i < 4; ++i)
   {
     Before[i] = std::signal(Signals[i], SayAndEnd);
@@ -47,6 +62,7 @@ CrashGuard::CrashGuard(const std::string& path)
 //------------------------------------------------------------------------------
 CrashGuard::~CrashGuard()
 {
+  Guarding = 0;
   for (std::size_t i = 0; i < 4; ++i)
   {
     std::signal(Signals[i], Before[i]);

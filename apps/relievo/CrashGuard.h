@@ -3,13 +3,16 @@
 #ifndef CrashGuard_h
 #define CrashGuard_h
 
+#include "StandardError.h"
+
 #include <string>
 
 namespace cli
 {
-/// While it lives, a crash of the process is said in one line that names the file being read, and
-/// ends it with exit status 1. Some of VTK's readers (PLY's is one) crash on files that are cut
-/// short, and a user must not be left to guess which of the files it was.
+/// While it lives, a crash of the process, or its end by exit(), is said in one line that names the
+/// file being read, and ends it with exit status 1. Some of VTK's readers (PLY's is one) crash on
+/// files that are cut short, and a user must not be left to guess which of the files it was. What
+/// libraries print meanwhile is dropped.
 class CrashGuard
 {
 public:
@@ -17,6 +20,9 @@ public:
   ~CrashGuard();
   CrashGuard(const CrashGuard&) = delete;
   void operator=(const CrashGuard&) = delete;
+
+private:
+  SilentLibraries Silence;
 };
 }
 

@@ -6,47 +6,22 @@
 #include "Messages.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkRelievoDisplay.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdlib>
 #include <string>
-#include <thread>
-
-#ifdef RELIEVO_HAVE_X11
-#include <X11/Xlib.h>
-#endif
 
 namespace cli
 {
 //------------------------------------------------------------------------------
-void OpenDisplay(vtkRenderWindow* window)
+void CheckDisplay(vtkRenderWindow* window)
 {
-#ifdef RELIEVO_HAVE_X11
-  if (!window->IsA("vtkXOpenGLRenderWindow"))
+  const std::string wrong = vtkRelievoDisplay::Check(window);
+  if (!wrong.empty())
   {
-    return;
+    throw WorkError(wrong);
   }
-  // Kept open until the process ends: an X server without -noreset starts anew when its last client
-  // leaves, and answers nobody meanwhile. That is also why a run just after another tries again.
-  static Display* display = nullptr;
-  for (int attempt = 0; !display && attempt < 10; ++attempt)
-  {
-    std::this_thread::sleep_for(std::chrono::milliseconds(attempt ? 100 : 0));
-    display = XOpenDisplay(nullptr);
-  }
-  if (display)
-  {
-    window->SetDisplayId(display);
-    return;
-  }
-  const char* name = std::getenv("DISPLAY");
-  throw WorkError("DISPLAY: got '" + std::string(name ? name : "") +
-    "', expected an X display that answers; without a screen, run: xvfb-run relievo ...");
-#else
-  (void)window;
-#endif
 }
 
 //------------------------------------------------------------------------------

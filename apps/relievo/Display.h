@@ -13,9 +13,8 @@ class vtkRenderWindow;
 
 namespace cli
 {
-/// Gives a window of X its display; throws WorkError if there is none to reach. VTK would end the
-/// process by abort().
-void OpenDisplay(vtkRenderWindow* window);
+/// Throws WorkError if the display of the window cannot be reached: VTK would end the process then.
+void CheckDisplay(vtkRenderWindow* window);
 
 /// Makes the window's context and throws WorkError if the size is above its limits.
 void CheckSize(vtkRenderWindow* window, const std::array<int, 2>& size);

@@ -3,6 +3,7 @@
 #include "Options.h"
 
 #include "Failure.h"
+#include "Readers.h"
 #include "Shadows.h"
 #include "SurfaceOptions.h"
 #include "Values.h"
@@ -51,7 +52,7 @@ void TakeSize(RenderOptions& options, const std::string& word)
   }
   for (std::size_t i = 0; i < 2; ++i)
   {
-    options.Size[i] = ParseWhole("--size " + word, parts[i], 1, 65536);
+    options.Size[i] = ParseWhole("--size " + word, parts[i], 1, LargestSize);
   }
 }
 
@@ -157,8 +158,7 @@ void TakeShadows(RenderOptions& options, const std::string& word)
 //------------------------------------------------------------------------------
 void TakeShadowSize(RenderOptions& options, const std::string& word)
 {
-  // OpenGL's own limit is asked when there is an OpenGL.
-  options.ShadowSize = ParseWhole("--shadow-size", word, SmallestShadowSize, 65536);
+  options.ShadowSize = ParseWhole("--shadow-size", word, SmallestShadowSize, LargestSize);
 }
 
 //------------------------------------------------------------------------------
@@ -182,6 +182,18 @@ template <std::string RenderOptions::*Member>
 void TakePath(RenderOptions& options, const std::string& word)
 {
   options.*Member = word;
+}
+
+//------------------------------------------------------------------------------
+// A picture in another format than its name says would be a surprise.
+std::string NamedAs(
+  const std::string& extension, const std::string& option, const std::string& word)
+{
+  if (ExtensionOf(word) != extension)
+  {
+    RefuseValue(option, word, "a name that ends in " + extension);
+  }
+  return word;
 }
 
 //------------------------------------------------------------------------------
@@ -227,8 +239,16 @@ const OptionRow RenderRows[] = {
     true },
   { "--layers", TakeLayers, true },
   { "--hdr", [](RenderOptions& options, const std::string&) { options.HDR = true; }, false, true },
-  { "--png", TakePath<&RenderOptions::PNG>, false },
-  { "--exr", TakePath<&RenderOptions::EXR>, false },
+  { "--png",
+    [](RenderOptions& options, const std::string& word) {
+      options.PNG = NamedAs(".png", "--png", word);
+    },
+    false },
+  { "--exr",
+    [](RenderOptions& options, const std::string& word) {
+      options.EXR = NamedAs(".exr", "--exr", word);
+    },
+    false },
   { "--report", TakePath<&RenderOptions::Report>, false },
 };
 

@@ -54,6 +54,9 @@ enum class Mapping
 /// Width and height in texels of the smallest shadow map.
 constexpr int SmallestShadowSize = 16;
 
+/// Pixels or texels each way. OpenGL's own limit, which may be lower, is asked when there is one.
+constexpr int LargestSize = 16384;
+
 struct CameraPlace
 {
   std::array<double, 3> Position;

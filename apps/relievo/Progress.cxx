@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Progress.h"
 
+#include "StandardError.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
@@ -23,7 +25,7 @@ constexpr std::chrono::seconds LogPause(5);
 
 //------------------------------------------------------------------------------
 Progress::Progress()
-  : OnTerminal(isatty(STDERR_FILENO) != 0)
+  : OnTerminal(isatty(fileno(StandardError())) != 0)
 {
 }
 
@@ -58,9 +60,9 @@ void Progress::Update(double share)
     return;
   }
   const int percent = static_cast<int>(std::lround(100.0 * std::clamp(share, 0.0, 1.0)));
-  std::fprintf(stderr, this->OnTerminal ? "\r\033[Krelievo: %s %d %%" : "relievo: %s %d %%\n",
-    this->What.c_str(), percent);
-  std::fflush(stderr);
+  std::fprintf(StandardError(),
+    this->OnTerminal ? "\r\033[Krelievo: %s %d %%" : "relievo: %s %d %%\n", this->What.c_str(),
+    percent);
   this->LastShown = now;
   this->Shown = true;
 }
@@ -70,8 +72,7 @@ void Progress::End()
 {
   if (this->Shown && this->OnTerminal)
   {
-    std::fputs("\r\033[K", stderr);
-    std::fflush(stderr);
+    std::fputs("\r\033[K", StandardError());
   }
   this->Shown = false;
   this->What.clear();

@@ -11,6 +11,7 @@
 #include "Readers.h"
 #include "Scene.h"
 #include "Shadows.h"
+#include "StandardError.h"
 #include "Surface.h"
 #include "Values.h"
 
@@ -88,7 +89,10 @@ void WritePNG(
   writer->SetInputConnection(grab->GetOutputPort());
   writer->SetFileName(outputs.Temporary(options.PNG).c_str());
   progress.Observe(writer);
-  writer->Write();
+  {
+    const SilentLibraries silence; // libpng prints what the writer says
+    writer->Write();
+  }
   progress.End();
   Messages::Check(options.PNG, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
 }
@@ -151,7 +155,7 @@ void Render(const RenderOptions& options)
   const std::vector<std::string> layers = LayersToCapture(options, scene);
   const int lights = CountLights(scene.Renderer);
   CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
-  OpenDisplay(scene.Window);
+  CheckDisplay(scene.Window);
 
   const std::string size = std::to_string(options.Size[0]) + "x" + std::to_string(options.Size[1]);
   progress.Begin("rendering " + size);
@@ -221,11 +225,11 @@ void Render(const RenderOptions& options)
   outputs.Commit();
   for (const std::string& note : Messages::TakeNotes())
   {
-    std::fprintf(stderr, "relievo: %s\n", note.c_str());
+    std::fprintf(StandardError(), "relievo: %s\n", note.c_str());
   }
   for (const std::string& warning : Messages::TakeWarnings())
   {
-    std::fprintf(stderr, "relievo: warning: %s\n", warning.c_str());
+    std::fprintf(StandardError(), "relievo: warning: %s\n", warning.c_str());
   }
 }
 }

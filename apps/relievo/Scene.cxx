@@ -5,6 +5,7 @@
 #include "Actors.h"
 #include "CrashGuard.h"
 #include "Failure.h"
+#include "FinitePoints.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Progress.h"
@@ -191,6 +192,7 @@ Scene BuildScene(const RenderOptions& options, Progress& progress)
         TurnTextureCoordinates(actor);
         AddTextureCoordinates(actor, options, path);
       }
+      CheckReach(actor, path);
       shows = shows || vtkMath::AreBoundsInitialized(actor->GetBounds());
     }
     Messages::Check(path, !shows, "holds nothing that can be drawn: no points, or no cells");

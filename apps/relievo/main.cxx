@@ -7,8 +7,8 @@
 #include "Outputs.h"
 #include "Render.h"
 #include "Stages.h"
-
-#include "vtkVersion.h"
+#include "StandardError.h"
+#include "Version.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -24,17 +24,18 @@ int Run(std::vector<std::string> words)
     std::fputs(cli::HelpPage, stdout);
     return 0;
   }
+  if (std::find(words.begin(), end, "--version") != end)
+  {
+    std::fputs(cli::DescribeVersions().c_str(), stdout);
+    return 0;
+  }
   if (words.empty())
   {
     throw cli::WordsError("no command given, expected render, stages or bench; see relievo --help");
   }
   const std::string command = words.front();
   words.erase(words.begin());
-  if (command == "--version")
-  {
-    std::printf("relievo %s (VTK %s)\n", RELIEVO_VERSION, vtkVersion::GetVTKVersion());
-  }
-  else if (command == "render")
+  if (command == "render")
   {
     cli::Render(cli::ParseRender(words));
   }
@@ -56,7 +57,7 @@ int Run(std::vector<std::string> words)
 
 int Fail(const char* text, int status)
 {
-  std::fprintf(stderr, "relievo: %s\n", text);
+  std::fprintf(cli::StandardError(), "relievo: %s\n", text);
   return status;
 }
 }

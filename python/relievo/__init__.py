@@ -53,7 +53,7 @@ from ._wrapped import *  # noqa: F401,F403
 
 from ._capture import capture
 from ._exr import read_exr, write_exr
-from ._frame import attach, detach, report
+from ._frame import attach, detach, report, vtkRelievoPass
 from ._image import attributes, layer, layer_names
 from ._points import depth_to_points
 
@@ -67,5 +67,6 @@ __all__ = [
     "layer_names",
     "read_exr",
     "report",
+    "vtkRelievoPass",
     "write_exr",
 ]

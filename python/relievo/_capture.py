@@ -10,7 +10,9 @@ from vtkmodules.vtkRenderingCore import vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
 
 from ._errors import Watch, require
-from .vtkRelievoPasses import vtkRelievoLayerSource, vtkRelievoPass
+from .vtkRelievoPasses import vtkRelievoDisplay, vtkRelievoLayerSource, vtkRelievoPass
+
+_LARGEST = 16384  # pixels each way; OpenGL's own limit, asked when there is a window, may be lower
 
 
 def capture(renderer, layers=("depth",), size=None):
@@ -28,7 +30,7 @@ def capture(renderer, layers=("depth",), size=None):
     and lights. depth and range are float in world units, position is double in world space.
 
     Raises ValueError for wrong arguments, such as a layer that nothing drawn has or a size above
-    OpenGL's limit, and RuntimeError if the layers cannot be drawn.
+    OpenGL's limit, and RuntimeError if the layers cannot be drawn, or there is no display.
     """
     require(renderer, "vtkRenderer", "renderer")
     layers = _names(layers)
@@ -61,8 +63,10 @@ def _pixels(size):
         whole = int(columns) == columns and int(rows) == rows
     except (TypeError, ValueError, OverflowError):
         whole = False
-    if not whole or not (1 <= columns <= 65536 and 1 <= rows <= 65536):
-        raise ValueError(f"size: got {size!r}, expected (columns, rows), whole and from 1 to 65536")
+    if not whole or not (1 <= columns <= _LARGEST and 1 <= rows <= _LARGEST):
+        raise ValueError(
+            f"size: got {size!r}, expected (columns, rows), whole and from 1 to {_LARGEST}"
+        )
     return int(columns), int(rows)
 
 
@@ -119,6 +123,9 @@ def _window_of(renderer, size):
 
 
 def _fit(window, renderer, size):
+    no_display = vtkRelievoDisplay.Check(window)
+    if no_display:
+        raise RuntimeError(f"capture: {no_display}")
     window.Initialize()  # at its own size: X ends the process for sizes that it cannot make
     limit = vtkTextureObject.GetMaximumTextureSize(window)
     if max(size) > limit:

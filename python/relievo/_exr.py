@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """OpenEXR files, out and in."""
 
-import errno
 import os
+import stat
 
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 from ._errors import Watch, require
 from .vtkRelievoIO import vtkRelievoEXRReader, vtkRelievoEXRWriter
@@ -15,6 +16,12 @@ _PIXEL_TYPES = {
     "half": vtkRelievoEXRWriter.HALF,
     "float": vtkRelievoEXRWriter.FLOAT,
 }
+
+_FILE_ERRORS = (
+    vtkErrorCode.FileNotFoundError,
+    vtkErrorCode.CannotOpenFileError,
+    vtkErrorCode.OutOfDiskSpaceError,
+)
 
 
 def write_exr(path, image, compression="zip", pixel_types=None):
@@ -32,7 +39,7 @@ def write_exr(path, image, compression="zip", pixel_types=None):
     written relative to the attribute relievo:origin. docs/exr.md has all names.
 
     Raises ValueError for a wrong argument or for values that a pixel type cannot hold, OSError if
-    the file cannot be written.
+    the file cannot be written (its errno says why: ENOSPC on a full disk, for example).
     """
     require(image, "vtkImageData", "image")
     writer = vtkRelievoEXRWriter()
@@ -48,10 +55,15 @@ def write_exr(path, image, compression="zip", pixel_types=None):
                     f"pixel_types[{name!r}]: got {kind!r}, expected half, float or uint"
                 )
             writer.SetPixelType(name, _PIXEL_TYPES[kind])
+        watch.raise_as(ValueError, "pixel_types")
         writer.SetFileName(os.fspath(path))
         writer.SetInputData(image)
         written = writer.Write()
-    _raise(watch, written, path, _place_error(path))
+    if not written:
+        system = writer.GetSystemError()
+        if system:
+            raise OSError(system, os.strerror(system), os.fspath(path))
+        raise _refusal(watch, writer, os.fspath(path))
 
 
 def read_exr(path):
@@ -70,37 +82,22 @@ def read_exr(path):
     a complete OpenEXR file.
     """
     name = os.fspath(path)
-    with open(name, "rb"):  # Python's own errors for what is missing or forbidden
-        pass
+    if not stat.S_ISFIFO(os.stat(name).st_mode):  # which would wait for somebody to write
+        with open(name, "rb"):  # Python's own errors for what is missing or forbidden
+            pass
     reader = vtkRelievoEXRReader()
     reader.SetFileName(name)
     with Watch(reader) as watch:
         reader.Update()
-    _raise(watch, reader.GetErrorCode() == 0, name, None)
+    if watch.errors or reader.GetErrorCode() != 0:
+        raise _refusal(watch, reader, name)
     image = vtkImageData()
     image.ShallowCopy(reader.GetOutput())
     return image
 
 
-def _raise(watch, good, path, place_error):
-    if place_error and not good:
-        raise place_error
-    watch.raise_as(ValueError, os.fspath(path))
-    if not good:
-        raise OSError(f"{os.fspath(path)}: failed without a message")
-
-
-def _place_error(path):
-    """What keeps a file from being written at this place, as an OSError; None if nothing does."""
-    name = os.path.abspath(os.fspath(path))
-    folder = os.path.dirname(name)
-    code = None
-    if os.path.isdir(name):
-        code = errno.EISDIR
-    elif not os.path.exists(folder):
-        code = errno.ENOENT
-    elif not os.path.isdir(folder):
-        code = errno.ENOTDIR
-    elif not os.access(folder, os.W_OK | os.X_OK):
-        code = errno.EACCES
-    return OSError(code, os.strerror(code), os.fspath(path)) if code else None
+def _refusal(watch, algorithm, name):
+    """The exception for what an EXR reader or writer failed at."""
+    said = watch.errors[0] if watch.errors else f"{name}: failed without a message"
+    of_the_file = algorithm.GetErrorCode() in _FILE_ERRORS or not watch.errors
+    return (OSError if of_the_file else ValueError)(said)

@@ -4,8 +4,60 @@
 
 import json
 
+from vtkmodules.vtkCommonCore import vtkWeakReference
+
+from . import vtkRelievoPasses
+from ._arrays import why_not
 from ._errors import Watch, require
-from .vtkRelievoPasses import vtkRelievoPass
+
+
+class vtkRelievoPass(vtkRelievoPasses.vtkRelievoPass):
+    """The frame, with exceptions instead of words on the error output.
+
+    Raises ValueError where a wrong name of a layer is given, if that can be told: it is no layer,
+    and no array of anything that the renderer draws so far. Before the renderer draws anything all
+    names are taken; a wrong one raises when it is read.
+    """
+
+    def __init__(self):
+        self._renderer = vtkWeakReference()
+
+    @staticmethod
+    def Attach(renderer):
+        """As attach()."""
+        return attach(renderer)
+
+    def _check(self, name, method):
+        wrong = why_not(name, self._renderer.Get())
+        if wrong:
+            raise ValueError(f"{method}: {wrong}")
+
+    def RequestLayer(self, name):
+        """Makes the layer in every frame, until it is released."""
+        self._check(name, "RequestLayer")
+        super().RequestLayer(name)
+
+    def SetDisplayLayer(self, name):
+        """Shows the layer as the picture; None: the picture itself."""
+        if name is not None:
+            self._check(name, "SetDisplayLayer")
+        super().SetDisplayLayer(name)
+
+    def ReadLayer(self, name, image):
+        """Adds a layer of the last frame to the image; see ReadLayers."""
+        return self.ReadLayers([name], image)
+
+    def ReadLayers(self, names, image):
+        """Adds layers of the last frame to the image, as point arrays of their names.
+
+        Returns True. Raises ValueError for a layer that the last frame did not make or that
+        nothing drawn has, and for anything but a vtkImageData of the frame's size.
+        """
+        require(image, "vtkImageData", "image")
+        with Watch(self) as watch:
+            good = super().ReadLayers(list(names), image)
+        watch.raise_as(ValueError, "ReadLayers")
+        return good
 
 
 def attach(renderer):
@@ -15,15 +67,18 @@ def attach(renderer):
     the renderer's own pass. A renderer that already has the frame keeps it.
 
     Returns the vtkRelievoPass: its ShadowsOn() makes every light cast, SetDisplayLayer() shows a
-    layer as the picture, RequestLayer() draws one in every frame. Raises ValueError for anything
-    but a renderer, RuntimeError if the frame refuses.
+    layer as the picture, RequestLayer() makes one in every frame; both raise ValueError for a name
+    that is no layer and no array of what the renderer draws. Raises ValueError for anything but a
+    renderer.
     """
     require(renderer, "vtkRenderer", "renderer")
-    with Watch(renderer) as watch:
-        frame = vtkRelievoPass.Attach(renderer)
-    watch.raise_as(RuntimeError, "attach")
-    if frame is None:
-        raise RuntimeError("attach: the renderer's passes cannot be wrapped")
+    there = renderer.GetPass()
+    if there is not None and there.IsA("vtkRelievoPass"):
+        return there
+    frame = vtkRelievoPass()
+    frame.SetDelegatePass(there)
+    frame._renderer.Set(renderer)
+    renderer.SetPass(frame)
     return frame
 
 

@@ -15,9 +15,15 @@ def depth_to_points(image):
     Returns vtkPolyData with points in double, in world space, one vertex cell each; the image's
     layers are its point data.
 
-    Raises ValueError if the layer or a matrix is missing.
+    Raises ValueError if the layer or a matrix is missing, or the image is empty.
     """
     require(image, "vtkImageData", "image")
+    if image.GetNumberOfPoints() == 0:
+        # The filter itself lets it pass: of several processes some have no part of an image.
+        raise ValueError(
+            "depth_to_points: the image is empty; expected the layer 'depth' and the camera's "
+            "matrices, as capture() and read_exr() give them"
+        )
     reader = vtkRelievoDepthToPoints()
     reader.SetInputData(image)
     with Watch(reader) as watch:

@@ -42,7 +42,7 @@ class CliTest(unittest.TestCase):
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
-            timeout=100,
+            timeout=600,
         )
         self.assertEqual(done.returncode, status, f"{words}: {done.stderr}")
         return done

@@ -10,7 +10,12 @@ import subprocess
 import time
 import unittest
 
-from cli import LOOK, RELIEVO, CliTest, main
+import numpy
+from cli import LOOK, RELIEVO, CliTest, main, write_image
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 
 OUTPUTS = ["--png", "a.png", "--exr", "a.exr", "--report", "a.json"]
 
@@ -26,6 +31,12 @@ BROKEN = {
     "words.vtk": "this is not a VTK file\n",
     "empty.ply": "",
     "words.ply": "this is not a mesh\n",
+    # VTK's reader crashes on these, some by an assertion, which prints to the error output.
+    "type.ply": "ply\nproperty float x\n",
+    "count.ply": "ply\nformat ascii 1.0\nelement vertex\nend_header\n1 2 3\n",
+    "header.ply": "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n",
+    "data.ply": "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nend_header\n",
     "empty.obj": "",
     "words.obj": "v 1 two 3\n",
     "empty.stl": "",
@@ -35,6 +46,26 @@ BROKEN = {
     "nothing.gltf": "{}",
     "words.glb": "this is not a scene\n",
 }
+
+
+def polydata(points, polygons):
+    mesh, corners, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    corners.SetDataTypeToDouble()
+    for point in points:
+        corners.InsertNextPoint(point)
+    for polygon in polygons:
+        cells.InsertNextCell(len(polygon), polygon)
+    mesh.SetPoints(corners)
+    mesh.SetPolys(cells)
+    return mesh
+
+
+def write(mesh, path):
+    writer = vtkPolyDataWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(mesh)
+    writer.SetFileTypeToBinary()  # the others cannot hold infinity
+    writer.Write()
 
 
 class Inputs(CliTest):
@@ -62,6 +93,62 @@ class Inputs(CliTest):
         self.before = self.names()
         self.refused("render", "points.off", *OUTPUTS, status=1, says="points.off")
 
+    def test_broken_images(self):
+        write_image(
+            vtkPNGWriter(), self.folder / "good.png", numpy.full((64, 64, 3), 128, numpy.uint8)
+        )
+        whole = (self.folder / "good.png").read_bytes()
+        hurt = bytearray(whole)
+        hurt[60:64] = b"XXXX"
+        for name, content in (("cut.png", whole[:80]), ("hurt.png", bytes(hurt))):
+            (self.folder / name).write_bytes(content)
+        self.before = self.names()
+        for name in ("cut.png", "hurt.png"):  # libpng prints to the error output
+            with self.subTest(file=name):
+                self.refused("render", "triangle.off", "--normal-map", name, *OUTPUTS, status=1,
+                             says=name)  # fmt: skip
+
+    def test_points_out_of_reach(self):
+        for name, size in (("huge.off", 1e308), ("large.off", 1e19), ("tiny.off", 1e-30)):
+            (self.folder / name).write_text(
+                f"OFF\n3 1 0\n{-size} 0 0\n{size} 0 0\n0 {size} 0\n3 0 1 2\n"
+            )
+        mesh = polydata([(0, 0, 0), (1, 0, 0), (1e308, 1, 0)], [(0, 1, 2)])
+        write(mesh, self.folder / "stray.vtk")
+        self.before = self.names()
+        for name, says in (("huge.off", "reach to"), ("large.off", "reach to"),
+                           ("tiny.off", "long"), ("stray.vtk", "1e+308 along x")):  # fmt: skip
+            with self.subTest(file=name):
+                self.refused("render", name, *OUTPUTS, status=1, says=[name, says])
+
+    def test_points_that_are_not_finite(self):
+        corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]
+        cells = [(0, 1, 2), (1, 4, 2), (1, 3, 2)]
+        whole = polydata(corners, [cells[0], cells[2]])
+        write(whole, self.folder / "whole.vtk")
+        self.relievo("render", "whole.vtk", "--exr", "whole.exr")
+        _, whole = self.exr("whole.exr")
+        for bad in ((numpy.inf, 0, 0), (0, numpy.nan, 0), (0, 0, -numpy.inf)):
+            write(polydata([*corners, bad], cells), self.folder / "mesh.vtk")
+            done = self.relievo("render", "mesh.vtk", "--exr", "a.exr", "--layers",
+                                "depth,cell,vtkOriginalCellIds")  # fmt: skip
+            self.assertEqual(
+                done.stderr,
+                "relievo: mesh.vtk: left out 1 cell with points that are not finite "
+                "(1 of 5 points)\n",
+            )
+            _, found = self.exr("a.exr")
+            for name in ("R", "depth.Z"):
+                numpy.testing.assert_array_equal(found[name], whole[name])
+            seen = found["cell.id"] != 0xFFFFFFFF
+            numpy.testing.assert_array_equal(
+                found["vtkOriginalCellIds.V"][seen], 2 * found["cell.id"][seen]
+            )
+        write(polydata([(numpy.nan, 0, 0)] * 3, [(0, 1, 2)]), self.folder / "none.vtk")
+        self.before = self.names()
+        self.refused("render", "none.vtk", "--png", "a.png", status=1,
+                     says=["none.vtk", "none of its 3 points is finite"])  # fmt: skip
+
     def test_a_broken_file_among_good_ones(self):
         (self.folder / "cut.off").write_text(BROKEN["cut.off"])
         self.before = self.names()
@@ -70,20 +157,20 @@ class Inputs(CliTest):
 
 class Outputs(CliTest):
     def test_no_folder(self):
-        for option in ("--png", "--exr", "--report"):
+        for option, name in (("--png", "a.png"), ("--exr", "a.EXR"), ("--report", "a.txt")):
             with self.subTest(option=option):
-                self.refused("render", "triangle.off", option, "no/where/a.out", status=1,
-                             says=[option, "no/where/a.out", "folder"])  # fmt: skip
+                self.refused("render", "triangle.off", option, f"no/where/{name}", status=1,
+                             says=[option, f"no/where/{name}", "folder"])  # fmt: skip
 
     def test_a_folder_instead_of_a_file(self):
-        (self.folder / "out").mkdir()
+        (self.folder / "out.png").mkdir()
         self.before = self.names()
-        for place in ("out", "out/"):
-            self.refused("render", "triangle.off", "--png", place, status=1,
-                         says=["--png " + place, "folder"])  # fmt: skip
+        for option, place in (("--png", "out.png"), ("--report", "out.png/")):
+            self.refused("render", "triangle.off", option, place, status=1,
+                         says=[f"{option} {place}", "folder"])  # fmt: skip
 
     def test_a_device(self):
-        self.refused("render", "triangle.off", "--png", "/dev/null", status=1,
+        self.refused("render", "triangle.off", "--report", "/dev/null", status=1,
                      says=["/dev/null", "regular"])  # fmt: skip
         self.assertTrue(pathlib.Path("/dev/null").is_char_device())
 
@@ -98,10 +185,12 @@ class Outputs(CliTest):
         # A limit on the size of files does to a writer what a full disk does. Each kind of file is
         # tried alone and after another one that was complete.
         full = ["/bin/bash", "-c", 'ulimit -f "$0" && exec "$@"']
-        look = [*LOOK, "--size", "300x300", "--layers", "depth,normal,position"]
+        look = [*LOOK, "--size", "300x300"]
+        layers = ["--layers", "depth,normal,position"]
         for limit, outputs, fails in (
-            (4, ["--exr", "a.exr"], "a.exr"),
-            (8, ["--png", "a.png", "--exr", "a.exr", "--report", "a.json"], "a.exr"),
+            (4, [*layers, "--exr", "a.exr"], "a.exr"),
+            (0, ["--png", "a.png"], "a.png"),
+            (8, [*layers, "--png", "a.png", "--exr", "a.exr", "--report", "a.json"], "a.exr"),
         ):
             with self.subTest(outputs=outputs):
                 self.refused("render", "triangle.off", *look, *outputs, status=1, says=fails,
@@ -119,12 +208,12 @@ class Outputs(CliTest):
         words = ["render", "triangle.off", *LOOK, "--size", "4000x4000", *OUTPUTS]
         for wanted in (signal.SIGINT, signal.SIGTERM):
             run = subprocess.Popen([RELIEVO, *words], cwd=self.folder, stderr=subprocess.DEVNULL)
-            until = time.monotonic() + 60
+            until = time.monotonic() + 600
             while run.poll() is None and time.monotonic() < until and self.names() == self.before:
                 time.sleep(0.002)
             self.assertNotEqual(self.names(), self.before, "nothing was being written yet")
             run.send_signal(wanted)
-            status = run.wait(timeout=60)
+            status = run.wait(timeout=600)
             self.assertEqual(status, -wanted)
             self.assertEqual(self.names(), self.before)
 
@@ -136,10 +225,6 @@ class Display(CliTest):
                 self.refused("render", "triangle.off", *OUTPUTS, status=1,
                              says=["DISPLAY", f"'{name}'", "xvfb-run"],
                              environment={"DISPLAY": name})  # fmt: skip
-
-    def test_above_the_limit_of_the_context(self):
-        self.refused("render", "triangle.off", "--png", "a.png", "--size", "65536x8", status=1,
-                     says=["--size 65536x8", "OpenGL", "at most"])  # fmt: skip
 
     def test_several_runs_on_one_server(self):
         # An X server without -noreset starts anew when its last client leaves, and answers nobody
@@ -175,7 +260,7 @@ class Progress(CliTest):
         except OSError:  # how Linux says that the other end of a terminal is closed
             pass
         os.close(ours)
-        self.assertEqual(run.wait(timeout=60), 0)
+        self.assertEqual(run.wait(timeout=600), 0)
         for step in (b"reading triangle.off", b"rendering 64x64", b"writing a.exr"):
             self.assertIn(b"relievo: " + step + b" 0 %", said)
         self.assertTrue(said.endswith(b"\r\x1b[K"), "the line is not cleared at the end")

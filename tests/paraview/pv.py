@@ -164,7 +164,7 @@ class Test(unittest.TestCase):
             write(OUTPUT / f"{stem}-{name}.png", colours)
 
 
-def run(script, *words, tool="pvpython", status=0, timeout=100, launcher=()):
+def run(script, *words, tool="pvpython", status=0, timeout=600, launcher=()):
     """Runs a script in a process of its own; returns all it wrote. `status` None: any."""
     done = subprocess.run(
         [*launcher, str(TOOLS / tool), str(script), *map(str, words)],
@@ -183,7 +183,7 @@ def run(script, *words, tool="pvpython", status=0, timeout=100, launcher=()):
 class Server:
     """A pvserver on a port that was free, ended with the `with` block or by its own time limit."""
 
-    def __init__(self, *words, launcher=(), limit=100):
+    def __init__(self, *words, launcher=(), limit=600):
         self.words = [*launcher, str(TOOLS / "pvserver"), *words]
         self.limit = limit
         self.log = OUTPUT / "pvserver.log"
@@ -210,7 +210,7 @@ class Server:
         return self
 
     def _wait_for_port(self):
-        end = time.monotonic() + 60
+        end = time.monotonic() + self.limit
         while time.monotonic() < end:
             said = re.search(r"Accepting connection\(s\): .*:(\d+)", self.text())
             if said:

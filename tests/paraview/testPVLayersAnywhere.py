@@ -63,8 +63,8 @@ class Anywhere(pv.Test):
         self.assertGreater(contour.sum(), 3000)
 
     def server(self, *where, **more):
-        with pv.Server(limit=200, **more) as server:
-            said = pv.run(SCENE, pv.OUTPUT, "remote", server.port, *where, timeout=200)
+        with pv.Server(**more) as server:
+            said = pv.run(SCENE, pv.OUTPUT, "remote", server.port, *where)
         self.assertEqual(pv.messages(said + server.text()), [])
 
     def test_a_server(self):
@@ -77,9 +77,7 @@ class Anywhere(pv.Test):
         self.check("remote-server", parts=2, edges=10)
 
     def test_three_ranks(self):
-        said = pv.run(
-            SCENE, pv.OUTPUT, "ranks", launcher=mpirun(3), tool="pvbatch", timeout=200
-        )
+        said = pv.run(SCENE, pv.OUTPUT, "ranks", launcher=mpirun(3), tool="pvbatch")
         self.assertEqual(pv.messages(said), [])
         self.check("ranks", parts=3, edges=10)
 

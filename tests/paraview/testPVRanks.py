@@ -23,7 +23,7 @@ def draw(ranks):
         stderr=subprocess.STDOUT,
         text=True,
         errors="replace",
-        timeout=100,
+        timeout=600,
         # pvpython is a rank of its own already; variables that its children inherit say so.
         env={n: v for n, v in os.environ.items() if not n.startswith(("OMPI_", "PMIX_", "ORTE_"))},
     )

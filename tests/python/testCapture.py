@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """capture(): layers against truth in double, sizes, windows, what it leaves behind, errors."""
 
+import os
+import subprocess
+import sys
 import unittest
 
 import numpy
@@ -213,6 +216,105 @@ class Windows(unittest.TestCase):
         del window
 
 
+class NothingToSee(unittest.TestCase):
+    """A renderer that nothing has drawn yet, or with nothing in it, gives the background."""
+
+    def empty(self, renderer, **more):
+        image = relievo.capture(renderer, ["depth", "normal", "actor"], **more)
+        self.assertTrue((relievo.layer(image, "depth") == numpy.inf).all())
+        self.assertTrue((relievo.layer(image, "normal") == 0).all())
+        self.assertTrue((relievo.layer(image, "actor") == -1).all())
+        return image.GetDimensions()[:2]
+
+    def test_no_actor(self):
+        self.assertEqual(self.empty(vtkRenderer(), size=(9, 9)), (9, 9))
+
+    def test_an_invisible_actor(self):
+        renderer = vtkRenderer()
+        scenes.add(renderer, vtkSphereSource()).VisibilityOff()
+        self.assertEqual(self.empty(renderer, size=(9, 9)), (9, 9))
+
+    def test_a_window_that_was_never_rendered(self):
+        renderer = vtkRenderer()
+        window = scenes.window_of(renderer, 12, 8)
+        self.assertEqual(self.empty(renderer), (12, 8))
+        scenes.add(renderer, vtkSphereSource())
+        del window
+
+    def test_the_camera_is_fitted_as_windows_do(self):
+        renderer = vtkRenderer()
+        scenes.add(renderer, vtkSphereSource())
+        first = relievo.layer(relievo.capture(renderer, "depth", size=(30, 20)), "depth")
+        self.assertGreater(numpy.isfinite(first).sum(), 50)
+        other = vtkRenderer()
+        scenes.add(other, vtkSphereSource())
+        window = scenes.window_of(other, 30, 20)
+        window.Render()
+        numpy.testing.assert_array_equal(
+            relievo.layer(relievo.capture(other, "depth"), "depth"), first
+        )
+
+    def test_a_renderer_that_is_switched_off(self):
+        renderer = scenes.plane_and_sphere()
+        renderer.DrawOff()
+        with self.assertRaises(RuntimeError) as caught:
+            relievo.capture(renderer, "depth", size=(9, 9))
+        self.assertIn("DrawOn", str(caught.exception))
+
+
+class NoDisplay(unittest.TestCase):
+    """Without a display VTK ends the process; here each way in says what to do."""
+
+    SCRIPT = """
+import relievo
+from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkRenderer
+
+def fails(kind, call):
+    try:
+        call()
+    except kind as error:
+        assert "DISPLAY" in str(error) and "xvfb-run" in str(error), error
+    else:
+        raise AssertionError(call)
+
+fails(RuntimeError, lambda: relievo.capture(vtkRenderer(), "depth", size=(9, 9)))
+renderer = vtkRenderer()
+window = vtkRenderWindow()
+window.AddRenderer(renderer)
+fails(RuntimeError, lambda: relievo.capture(renderer, "depth"))
+fails(RuntimeError, lambda: relievo.capture(renderer, ["color", "depth"]))
+fails(RuntimeError, lambda: relievo.capture(renderer, "depth", size=(9, 9)))
+source = relievo.vtkRelievoLayerSource()
+source.SetRenderer(renderer)
+source.AddLayer("depth")
+said = []
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkConstants import VTK_STRING
+
+@calldata_type(VTK_STRING)
+def keep(_source, _event, text):
+    said.append(text)
+
+source.AddObserver("ErrorEvent", keep)
+source.GetExecutive().AddObserver("ErrorEvent", keep)
+source.Update()
+assert "xvfb-run" in said[0], said
+print("went on")
+"""
+
+    def test_every_way_in(self):
+        if not os.path.exists(sys.executable):
+            self.skipTest("pvpython does not say where it is")
+        for display in ("", ":54321", "nowhere.invalid:0"):
+            with self.subTest(display=display):
+                done = subprocess.run(
+                    [sys.executable, "-c", self.SCRIPT], env={**os.environ, "DISPLAY": display},
+                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=600,
+                    check=False,
+                )  # fmt: skip
+                self.assertEqual((done.returncode, done.stdout), (0, "went on\n"))
+
+
 class Errors(unittest.TestCase):
     def setUp(self):
         self.renderer = scenes.plane_and_sphere()
@@ -229,7 +331,7 @@ class Errors(unittest.TestCase):
             ((self.renderer, "depth", (10,)), "size: got (10,)"),
             ((self.renderer, "depth", 10), "size: got 10"),
             ((self.renderer, "depth", (1.5, 2)), "size: got (1.5, 2)"),
-            ((self.renderer, "depth", (70000, 2)), "size: got (70000, 2)"),
+            ((self.renderer, "depth", (70000, 2)), "from 1 to 16384"),
         ):
             with self.subTest(says=says), self.assertRaises(ValueError) as caught:
                 relievo.capture(*arguments)

@@ -36,7 +36,7 @@ class Demo(unittest.TestCase):
         done = subprocess.run(
             [sys.executable, DEMO, *words],
             cwd=self.folder, env={**os.environ, **environment},
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=250,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600,
         )  # fmt: skip
         self.assertEqual(done.returncode, status, done.stderr)
         return done

@@ -63,7 +63,7 @@ class Examples(unittest.TestCase):
     def run_example(self, name):
         done = subprocess.run(
             [sys.executable, EXAMPLES / name, self.folder / "out", *WORDS.get(name, [])],
-            cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=100,
+            cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600,
         )  # fmt: skip
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return done.stdout

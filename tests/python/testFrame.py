@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """attach(), detach() and report(): the first picture bit for bit, the user's pass, the words."""
 
+import gc
 import importlib
 import inspect
 import unittest
 
 import scenes
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkWindowToImageFilter
 from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLFXAAPass, vtkRenderStepsPass
 
 import relievo
@@ -70,6 +73,44 @@ class Attach(unittest.TestCase):
         self.assertNotEqual(picture(self.window), self.first)
         frame.SetDisplayLayer(None)
         self.assertEqual(picture(self.window), self.first)
+
+    def test_a_name_that_is_no_layer(self):
+        frame = relievo.attach(self.renderer)
+        for give in (frame.RequestLayer, frame.SetDisplayLayer):
+            for wrong in ("bogus", "point:bogus", "shadow_", "", 3):
+                with self.assertRaises(ValueError) as caught:
+                    give(wrong)
+                self.assertIn(f"got {wrong!r}", str(caught.exception))
+        for array in ("Normals", "point:Normals"):  # of the sphere
+            frame.RequestLayer(array)
+            frame.SetDisplayLayer(array)
+        frame.SetDisplayLayer(None)
+        self.assertEqual(picture(self.window), self.first)
+
+    def test_a_name_that_comes_later(self):
+        renderer = vtkRenderer()
+        window = scenes.window_of(renderer, 30, 20)
+        frame = relievo.attach(renderer)
+        frame.RequestLayer("Normals")  # nothing is drawn: nobody can know
+        frame.RequestLayer("bogus")
+        scenes.add(renderer, vtkSphereSource())
+        window.Render()
+        image = vtkImageData()
+        self.assertTrue(frame.ReadLayer("Normals", image))
+        self.assertEqual(relievo.layer_names(image), ["Normals"])
+        for names in (["bogus"], ["depth", "bogus"], ["albedo"]):
+            with self.assertRaises(ValueError) as caught:
+                frame.ReadLayers(names, vtkImageData())
+            self.assertIn(f"'{names[-1]}'", str(caught.exception))
+        with self.assertRaises(ValueError):
+            frame.ReadLayer("depth", None)
+
+    def test_the_frame_is_the_same_when_it_is_asked_for_again(self):
+        relievo.attach(self.renderer)
+        gc.collect()
+        for frame in (self.renderer.GetPass(), relievo.vtkRelievoPass.Attach(self.renderer)):
+            with self.assertRaises(ValueError):
+                frame.RequestLayer("bogus")
 
     def test_errors(self):
         for wrong in (None, "renderer", self.window):

@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Images as numpy arrays, OpenEXR round trips, points from depth; errors as exceptions."""
 
+import errno
 import json
 import os
 import pathlib
+import resource
+import signal
 import tempfile
 import unittest
 
@@ -157,6 +160,33 @@ class WriteErrors(FolderTest):
         with self.assertRaises(NotADirectoryError):
             relievo.write_exr(self.folder / "file" / "a.exr", self.image)
 
+    def test_what_the_system_refuses(self):
+        said = self.refused(OSError, "/dev/full", self.image)
+        self.assertIn("/dev/full", said)
+        with self.assertRaises(OSError) as caught:
+            relievo.write_exr("/proc/a.exr", self.image)
+        self.assertIn(caught.exception.errno, (errno.EACCES, errno.ENOENT, errno.EPERM))
+        self.assertEqual(caught.exception.filename, "/proc/a.exr")
+
+    def test_a_full_disk(self):
+        # A limit of this process stands for it.
+        image = image_of(v=numpy.random.default_rng(1).random((200, 200)))
+        before = resource.getrlimit(resource.RLIMIT_FSIZE)
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        path = self.folder / "a.exr"
+        resource.setrlimit(resource.RLIMIT_FSIZE, (8192, before[1]))
+        try:
+            with self.assertRaises(OSError) as caught:
+                relievo.write_exr(path, image)
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, before)
+        self.assertEqual(caught.exception.errno, errno.EFBIG)
+        self.assertEqual(caught.exception.filename, str(path))
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_a_wrong_name_of_a_pixel_type_writes_nothing(self):
+        self.refused(ValueError, self.folder / "a.exr", self.image, pixel_types={"": "half"})
+
     def test_an_old_file_stays_after_an_error(self):
         path = self.folder / "a.exr"
         relievo.write_exr(path, self.image)
@@ -173,6 +203,12 @@ class ReadErrors(FolderTest):
         self.assertIn("gone.exr", str(caught.exception))
         with self.assertRaises(IsADirectoryError):
             relievo.read_exr(self.folder)
+        pipe = self.folder / "pipe.exr"
+        os.mkfifo(pipe)
+        for place in ("/dev/null", pipe):
+            with self.assertRaises(OSError) as caught:
+                relievo.read_exr(place)
+            self.assertIn(str(place), str(caught.exception))
 
     def test_broken_files(self):
         path = self.folder / "a.exr"
@@ -228,6 +264,9 @@ class Points(unittest.TestCase):
         self.assertIn("depth", str(caught.exception))
         with self.assertRaises(ValueError):
             relievo.depth_to_points("image")
+        with self.assertRaises(ValueError) as caught:
+            relievo.depth_to_points(vtkImageData())
+        self.assertIn("'depth'", str(caught.exception))
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <numeric>
 #include <thread>
 
 namespace
@@ -64,12 +65,17 @@ void TestClock()
   const auto sleep = [](int milliseconds) {
     return [milliseconds] { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); };
   };
-  // What prepares is not timed, and a sleep is never shorter than it says.
-  const TimingPair pair = Interleave(Timed{ sleep(20), sleep(5) }, Timed{ sleep(5), sleep(20) }, 9);
+  // What prepares is not timed, and neither is what warms up. A sleep is never shorter than it
+  // says, on a busy machine too, and so neither is what the clock leaves out.
+  const auto begin = std::chrono::steady_clock::now();
+  const TimingPair pair =
+    Interleave(Timed{ sleep(20), sleep(5) }, Timed{ sleep(5), sleep(20) }, 9, 3);
+  const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin;
   std::cout << pair.ToString("20 ms", "5 ms") << "\n";
   RELIEVO_CHECK(pair.A.Quantile(0.) >= 0.02 && pair.B.Quantile(0.) >= 0.005);
-  RELIEVO_CHECK(pair.B.Quantile(0.) < 0.02);
-  RELIEVO_CHECK(pair.Ratio() > 1.5);
+  const double timed = std::accumulate(pair.A.Seconds.begin(), pair.A.Seconds.end(), 0.) +
+    std::accumulate(pair.B.Seconds.begin(), pair.B.Seconds.end(), 0.);
+  RELIEVO_CHECK(all.count() - timed >= 9 * 0.025 + 3 * 0.05);
 }
 
 void TestFrames()

@@ -22,7 +22,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 QT_MESSAGE = re.compile(r"^(critical|warning|fatal): .*(\n(?!debug:).+)*", re.MULTILINE)
 
 
-def play(script, *words, seconds=100, **environment):
+def play(script, *words, seconds=600, **environment):
     """Plays a script in a new ParaView window: what it wrote, and what windowShell.py noted."""
     home = pv.OUTPUT / "home"
     shutil.rmtree(home, ignore_errors=True)

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The user's error output. Libraries print to it as well (libpng, assertions of VTK's readers):
+ * without a file's name, and before the one line that matters.
+ */
+#ifndef StandardError_h
+#define StandardError_h
+
+#include <cstdio>
+
+namespace cli
+{
+/// Where the command itself writes, also while libraries are silent.
+std::FILE* StandardError();
+
+/// While it lives, what anybody else writes to the error output is dropped.
+class SilentLibraries
+{
+public:
+  SilentLibraries();
+  ~SilentLibraries();
+  SilentLibraries(const SilentLibraries&) = delete;
+  void operator=(const SilentLibraries&) = delete;
+};
+}
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoDisplay.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkRenderWindow.h"
+
+#include <cstdlib>
+
+#ifdef RELIEVO_HAVE_X11
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include <X11/Xlib.h>
+#endif
+
+vtkStandardNewMacro(vtkRelievoDisplay);
+
+#ifdef RELIEVO_HAVE_X11
+namespace
+{
+bool Answers(const std::string& name)
+{
+  static std::mutex lock;
+  static std::map<std::string, Display*> connected;
+  const std::lock_guard<std::mutex> guard(lock);
+  Display*& display = connected[name];
+  // A server whose last client has just left may be starting anew.
+  for (int attempt = 0; !display && !name.empty() && attempt < 10; ++attempt)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(attempt ? 100 : 0));
+    display = XOpenDisplay(nullptr);
+  }
+  return display != nullptr;
+}
+}
+#endif
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoDisplay::Check(vtkRenderWindow* window)
+{
+#ifdef RELIEVO_HAVE_X11
+  if (!window || !window->IsA("vtkXOpenGLRenderWindow") || window->GetGenericDisplayId())
+  {
+    return {};
+  }
+  const char* variable = std::getenv("DISPLAY");
+  const std::string name = variable ? variable : "";
+  if (!Answers(name))
+  {
+    return "DISPLAY: got '" + name +
+      "', expected an X display that answers; without a screen, run the program under xvfb-run";
+  }
+#else
+  (void)window;
+#endif
+  return {};
+}

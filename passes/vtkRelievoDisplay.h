@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoDisplay
+ * @brief Whether a render window can open: without a display VTK ends the process by abort().
+ */
+#ifndef vtkRelievoDisplay_h
+#define vtkRelievoDisplay_h
+
+#include "vtkObject.h"
+#include "vtkRelievoPassesModule.h" // for the export macro
+
+#include <string> // for the words
+
+class vtkRenderWindow;
+
+class VTKRELIEVOPASSES_EXPORT vtkRelievoDisplay : public vtkObject
+{
+public:
+  static vtkRelievoDisplay* New();
+  vtkTypeMacro(vtkRelievoDisplay, vtkObject);
+
+  /**
+   * Asks for the display that the window is going to be opened on, before VTK does. Returns what is
+   * wrong, in words; empty if nothing is, and for windows that need no display. A display that
+   * answered stays connected until the process ends: an X server without -noreset starts anew when
+   * its last client leaves, and answers nobody meanwhile.
+   */
+  static std::string Check(vtkRenderWindow* window);
+
+protected:
+  vtkRelievoDisplay() = default;
+  ~vtkRelievoDisplay() override = default;
+
+private:
+  vtkRelievoDisplay(const vtkRelievoDisplay&) = delete;
+  void operator=(const vtkRelievoDisplay&) = delete;
+};
+
+#endif

@@ -1,0 +1,180 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What Relievo must leave as it is, for any window: its picture, bit for bit, whatever was drawn.
+
+check(window) draws the window plain, attached with nothing asked, with layers, with shadows, with
+them off again, captured, and detached, and says what differs.
+"""
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkLight
+
+import relievo
+
+LAYERS = ["depth", "range", "normal", "geometric_normal", "position", "albedo", "actor", "block",
+          "cell"]  # fmt: skip
+
+SURFACES = ["depth", "normal", "geometric_normal", "albedo", "cell"]
+
+
+def picture(window):
+    """The window drawn anew: RGBA bytes, (rows, columns, 4)."""
+    window.Render()
+    columns, rows = window.GetActualSize()
+    bytes_of = vtkUnsignedCharArray()
+    window.GetRGBACharPixelData(
+        0, 0, columns - 1, rows - 1, 0 if window.GetDoubleBuffer() else 1, bytes_of
+    )
+    return vtk_to_numpy(bytes_of).reshape(rows, columns, 4).copy()
+
+
+def renderers_of(window):
+    """The renderers that draw something of their own."""
+    found = [r for r in window.GetRenderers() if r.GetViewProps().GetNumberOfItems() > 0]
+    return [r for r in found if r.GetDraw() and min(r.GetSize()) > 0]
+
+
+def capture_surfaces(renderer):
+    """What a capture says of surfaces, whosever they are."""
+    image = relievo.capture(renderer, SURFACES)
+    return {name: relievo.layer(image, name).copy() for name in SURFACES}
+
+
+def plain_pictures(window):
+    """What VTK itself draws: at first, again, and after its mappers are told to have changed, their
+    properties, and the number of lights, for which it builds its shaders anew.
+
+    They differ where VTK depends on what was drawn before: actors that share a mapper, levels of
+    detail, widgets. Then each of them is right.
+    """
+    found = [picture(window), picture(window)]
+    renderers = renderers_of(window)
+    actors = [actor for renderer in renderers for actor in renderer.GetActors()]
+    for changed in [actor.GetMapper() for actor in actors], [a.GetProperty() for a in actors]:
+        for thing in changed:
+            if thing is not None:
+                thing.Modified()
+        found += [picture(window), picture(window)]
+    dark = vtkLight()
+    dark.SetIntensity(0)
+    for renderer in renderers:
+        renderer.AddLight(dark)
+    found.append(picture(window))
+    for renderer in renderers:
+        renderer.RemoveLight(dark)
+    return [*found, picture(window), picture(window)]
+
+
+def unlike(one, other):
+    """How many pixels differ."""
+    if one.shape != other.shape:
+        return max(one.size, other.size)
+    same = (one == other) | ((one != one) & (other != other))
+    return int((~same).reshape(*one.shape[:2], -1).any(axis=2).sum())
+
+
+class Frames:
+    """The findings of one window; `step` is called with the name of each before it begins."""
+
+    def __init__(self, window, step=lambda name: None):
+        self.window = window
+        self.step = step
+        self.found = {}
+
+    def note(self, name, pixels):
+        if pixels:
+            self.found[name] = pixels
+
+    def compare(self, name):
+        self.step(name)
+        self.note(name, min(unlike(picture(self.window), plain) for plain in self.plain))
+
+    def read(self, frame):
+        image = vtkImageData()
+        frame.ReadLayers(LAYERS, image)
+        return {name: relievo.layer(image, name).copy() for name in LAYERS}
+
+    def compare_layers(self, name, ones, others, names=LAYERS):
+        for layer in names:
+            self.note(f"{name}: {layer}", unlike(ones[layer], others[layer]))
+
+    def separate(self, renderers):
+        """The layers do not tell whether actors share a mapper."""
+        for renderer in renderers:
+            actors = [actor for actor in renderer.GetActors() if actor.GetMapper() is not None]
+            mappers = [actor.GetMapper() for actor in actors]
+            if len({mapper.GetAddressAsString("") for mapper in mappers}) == len(mappers):
+                continue
+            shared = capture_surfaces(renderer)
+            for actor, mapper in zip(actors, mappers):
+                own = mapper.NewInstance()
+                own.ShallowCopy(mapper)
+                actor.SetMapper(own)
+            separate = capture_surfaces(renderer)
+            for actor, mapper in zip(actors, mappers):
+                actor.SetMapper(mapper)
+            self.compare_layers("layers of shared mappers", shared, separate, SURFACES)
+
+    def compare_twin(self, twin):
+        """The layers and the picture of another window that shows the same."""
+        self.step("twin")
+        self.note("picture of the twin", unlike(picture(self.window), picture(twin)))
+        pairs = zip(renderers_of(self.window), renderers_of(twin))
+        for ours, theirs in pairs:
+            self.compare_layers(
+                "layers of the twin", capture_surfaces(ours), capture_surfaces(theirs), SURFACES
+            )
+
+    def run(self):
+        self.step("plain")
+        self.plain = plain_pictures(self.window)
+        first = self.plain[0]
+        self.history = max(unlike(first, other) for other in self.plain[1:])
+        renderers = renderers_of(self.window)
+        frames = [relievo.attach(renderer) for renderer in renderers]
+        self.compare("attached")
+        for frame in frames:
+            for layer in LAYERS:
+                frame.RequestLayer(layer)
+        self.compare("layers")
+        self.step("reading layers")
+        once = [self.read(frame) for frame in frames]
+        self.compare("layers again")
+        self.step("reading layers again")
+        for frame, layers in zip(frames, once):
+            self.compare_layers("layers of two frames", layers, self.read(frame))
+        self.step("capture")
+        for renderer, layers in zip(renderers, once):
+            if renderer.GetOrigin() != (0, 0):
+                continue  # drawn at another place of a framebuffer, values round another way
+            image = relievo.capture(renderer, LAYERS)
+            captured = {name: relievo.layer(image, name) for name in LAYERS}
+            self.compare_layers("layers of a frame and a capture", layers, captured)
+        self.compare("layers after a capture")
+        if self.history == 0:
+            self.step("mappers of their own")
+            self.separate(renderers)
+        for frame in frames:
+            frame.ReleaseLayers()
+        self.compare("layers released")
+        self.step("shadows")
+        for frame in frames:
+            frame.ShadowsOn()
+        shadows = picture(self.window)
+        self.step("shadows again")
+        self.note("shadows of two frames", unlike(shadows, picture(self.window)))
+        for frame in frames:
+            frame.ShadowsOff()
+        self.compare("shadows off")
+        for renderer in renderers:
+            relievo.detach(renderer)
+        self.compare("detached")
+        self.step("end")
+        return self
+
+
+def check(window, step=lambda name: None):
+    """Draws the window in all these ways; returns the Frames with its findings."""
+    return Frames(window, step).run()
