@@ -56,6 +56,7 @@ from ._exr import read_exr, write_exr
 from ._frame import attach, detach, report, vtkRelievoPass
 from ._image import attributes, layer, layer_names
 from ._points import depth_to_points
+from ._stages import stage, stages
 
 __all__ = [
     "attach",
@@ -67,6 +68,8 @@ __all__ = [
     "layer_names",
     "read_exr",
     "report",
+    "stage",
+    "stages",
     "vtkRelievoPass",
     "write_exr",
 ]

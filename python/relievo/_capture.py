@@ -15,7 +15,7 @@ from .vtkRelievoPasses import vtkRelievoDisplay, vtkRelievoLayerSource, vtkRelie
 _LARGEST = 16384  # pixels each way; OpenGL's own limit, asked when there is a window, may be lower
 
 
-def capture(renderer, layers=("depth",), size=None):
+def capture(renderer, layers=("depth",), size=None, hdr=False):
     """Draws the renderer once and returns the layers of what is visible.
 
     renderer: a vtkRenderer. Its camera, lights, passes and window stay unchanged. A renderer without
@@ -23,6 +23,8 @@ def capture(renderer, layers=("depth",), size=None):
     layers: names of layers, or one name; see help(relievo). Repeated names count once.
     size: (columns, rows) of the image in pixels, from 1 to OpenGL's limit (16384 in Mesa); None for
         the size of the renderer's viewport.
+    hdr: whether the layer `color` is the linear colour of the frame, unclamped, without texts and
+        bars; if not, it is the window's picture of 8 bits, made linear.
 
     Returns vtkImageData of (columns, rows, 1) points with one point array per layer; VTK's row 0 is
     the BOTTOM of the picture (layer() gives numpy arrays with row 0 at the top). The field data
@@ -37,6 +39,7 @@ def capture(renderer, layers=("depth",), size=None):
     if size is not None:
         size = _pixels(size)
     source = vtkRelievoLayerSource()
+    source.SetHDR(bool(hdr))
     for name in layers:
         source.AddLayer(name)
     with _window_of(renderer, size), _frame_of(renderer) as frame:
