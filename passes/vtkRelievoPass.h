@@ -133,7 +133,8 @@ public:
   /**
    * What the last frames did, as JSON: for every stage its name, whether it ran, the reason in
    * words, GPU milliseconds (of the newest frame whose timers have arrived; null before), bytes
-   * held, draw calls; and the totals.
+   * held, draw calls; and the totals. OpenGL in software has no timers between commands: there
+   * times are taken in the eight frames after a report was read, each command waited for.
    */
   std::string GetFrameReport();
 

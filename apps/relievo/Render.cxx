@@ -173,6 +173,10 @@ void Render(const RenderOptions& options)
   {
     SetShadows(pass, scene.Window, options);
   }
+  if (!options.Report.empty())
+  {
+    pass->GetFrameReport(); // from now on frames are timed, whatever the OpenGL
+  }
   for (int frame = 1; !options.Report.empty() && frame < FramesUntilTimed; ++frame)
   {
     scene.Window->Render();
