@@ -8,6 +8,7 @@
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoLayerColors.h"
 #include "vtkRelievoPass.h"
@@ -82,8 +83,9 @@ bool vtkRelievoDisplayStage::UploadColors(vtkRelievoPass* frame, vtkOpenGLRender
   }
   int size[3];
   image->GetDimensions(size);
+  const bool visibility = frame->GetGBuffer()->GetLayout().GetLight(this->Layer) >= 0;
   std::vector<unsigned char> colors =
-    vtkRelievoLayerColors::Make(image, this->Layer, this->Range, this->Grey);
+    vtkRelievoLayerColors::Make(image, this->Layer, visibility, this->Range, this->Grey);
   if (!this->Colors)
   {
     this->Colors = vtkSmartPointer<vtkTextureObject>::New();

@@ -45,7 +45,14 @@ std::vector<std::uint32_t> GetNormalDepthBackground(int format)
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoGBufferLayout::GetLight(const std::string& layer)
+int vtkRelievoGBufferLayout::GetLight(const std::string& layer) const
+{
+  const auto found = this->Lights.find(layer);
+  return found == this->Lights.end() ? GetLightNumber(layer) : found->second;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoGBufferLayout::GetLightNumber(const std::string& layer)
 {
   const std::string prefix = "shadow_";
   const std::string number =

@@ -66,11 +66,12 @@ vtkRelievoGBufferPass::vtkRelievoGBufferPass()
 vtkRelievoGBufferPass::~vtkRelievoGBufferPass() = default;
 
 //------------------------------------------------------------------------------
-void vtkRelievoGBufferPass::SetLayers(
-  const std::vector<std::string>& layers, const std::vector<std::string>& read)
+void vtkRelievoGBufferPass::SetLayers(const std::vector<std::string>& layers,
+  const std::vector<std::string>& read, const std::map<std::string, int>& lights)
 {
   this->Internal->Layers = layers;
   vtkRelievoGBufferLayout layout;
+  layout.Lights = lights;
   layout.NormalFormat = this->NormalFormat;
   layout.DepthFormat = this->DepthFormat;
   layout.NormalDepth = this->NormalDepthFormat;
@@ -88,9 +89,10 @@ void vtkRelievoGBufferPass::SetLayers(
       layout.Ids || (refines && (layer == "depth" || layer == "range" || layer == "position"));
   }
   layout.Arrange();
-  if (layout != this->Internal->Layout)
+  const bool changed = layout != this->Internal->Layout;
+  this->Internal->Layout = layout;
+  if (changed)
   {
-    this->Internal->Layout = layout;
     this->Internal->StructureTime.Modified();
     this->Internal->Valid = false;
   }

@@ -21,6 +21,7 @@
 #include "vtkRelievoPassesModule.h" // for the export macro
 #include "vtkRelievoStage.h"
 
+#include <map>    // for lights
 #include <memory> // for the internals
 
 class vtkActor;
@@ -131,8 +132,12 @@ public:
   std::string GetStageName() override { return "gbuffer"; }
   vtkIdType GetBytesHeld() override;
 
-  /** The layers to make, and those of them that will be read back; set by the frame. */
-  void SetLayers(const std::vector<std::string>& layers, const std::vector<std::string>& read);
+  /**
+   * The layers to make, those of them that will be read back, and those that are a light's
+   * visibility, with its place in vtkRenderer::GetLights(); set by the frame.
+   */
+  void SetLayers(const std::vector<std::string>& layers, const std::vector<std::string>& read,
+    const std::map<std::string, int>& lights);
 
   /** Width and height of the layers of the last frame, in pixels. */
   void GetSize(int size[2]);

@@ -6,7 +6,6 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkRelievoFormulas.h"
-#include "vtkRelievoGBufferLayout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,20 +47,19 @@ glm::vec3 GetScalarColor(double value, const Extremes& extremes, bool grey)
 }
 
 //------------------------------------------------------------------------------
-std::vector<unsigned char> vtkRelievoLayerColors::Make(
-  vtkImageData* image, const std::string& layer, const double range[2], bool grey)
+std::vector<unsigned char> vtkRelievoLayerColors::Make(vtkImageData* image,
+  const std::string& layer, bool visibility, const double range[2], bool grey)
 {
   vtkDataArray* array = image->GetPointData()->GetArray(layer.c_str());
   const vtkIdType count = array ? array->GetNumberOfTuples() : 0;
   std::vector<unsigned char> colors(static_cast<std::size_t>(image->GetNumberOfPoints()) * 4, 0);
   const bool ids = layer == "actor" || layer == "block" || layer == "cell";
-  const bool shadow = vtkRelievoGBufferLayout::GetLight(layer) >= 0;
   const int components = array ? array->GetNumberOfComponents() : 1;
   Extremes extremes[3];
   for (int c = 0; c < std::min(3, components) && !ids && array; ++c)
   {
     extremes[c] = GetFiniteExtremes(array, c);
-    if (shadow)
+    if (visibility)
     {
       extremes[c] = Extremes{ 0.0, 1.0 };
     }
@@ -83,7 +81,7 @@ std::vector<unsigned char> vtkRelievoLayerColors::Make(
     else if (components < 3)
     {
       there = std::isfinite(first);
-      color = GetScalarColor(first, extremes[0], grey || shadow);
+      color = GetScalarColor(first, extremes[0], grey || visibility);
     }
     else
     {

@@ -69,7 +69,7 @@ void vtkRelievoLayerReader::AddChannels(const std::string& layer, vtkRelievoGBuf
   layout.Normal = layout.Normal || layer == "normal";
   layout.GeometricNormal = layout.GeometricNormal || layer == "geometric_normal";
   layout.Albedo = layout.Albedo || layer == "albedo";
-  const int light = vtkRelievoGBufferLayout::GetLight(layer);
+  const int light = layout.GetLight(layer);
   if (light >= 0 &&
     std::find(layout.Shadows.begin(), layout.Shadows.end(), light) == layout.Shadows.end())
   {
@@ -118,6 +118,7 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
       std::to_string(this->GetNumberOfPixels()) + " pixels";
   }
   vtkRelievoGBufferLayout needed;
+  needed.Lights = this->Layout.Lights;
   AddChannels(layer, needed);
   if ((needed.Depth && !this->Layout.Depth) || (needed.Normal && !this->Layout.Normal) ||
     (needed.GeometricNormal && !this->Layout.GeometricNormal) ||
@@ -164,6 +165,9 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
   else
   {
     array = this->ReadNamedArray(layer, wrong);
+    wrong += !wrong.empty() && layer.compare(0, 7, "shadow_") == 0
+      ? ", and no light has this name (vtkRelievoShadowPass::GetShadowLayers)"
+      : "";
   }
   if (array)
   {

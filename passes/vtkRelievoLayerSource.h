@@ -66,7 +66,8 @@ public:
    * (vtkRelievoPass::ReadLayers).
    */
   static void AddColor(vtkRenderer* renderer, vtkImageData* image);
-  static void AddCamera(vtkRenderer* renderer, vtkImageData* image);
+  static void AddCamera(
+    vtkRenderer* renderer, vtkImageData* image, vtkRelievoPass* frame = nullptr);
   ///@}
 
 protected:

@@ -8,7 +8,6 @@
 #include "vtkRelievoDelegate.h"
 #include "vtkRelievoDisplayStage.h"
 #include "vtkRelievoFrameReport.h"
-#include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoGpuTimer.h"
 #include "vtkRelievoShadowPass.h"
@@ -231,13 +230,13 @@ void vtkRelievoPass::Render(const vtkRenderState* s)
     {
       std::sort(layers.begin(), layers.end());
       layers.erase(std::unique(layers.begin(), layers.end()), layers.end());
-      in.GBuffer->SetLayers(
-        layers, std::vector<std::string>(in.Requested.begin(), in.Requested.end()));
+      in.GBuffer->SetLayers(layers,
+        std::vector<std::string>(in.Requested.begin(), in.Requested.end()),
+        in.Shadows->FindLights(layers, renderer));
     }
     if (*stage == in.Shadows.GetPointer())
     {
-      in.Shadows->SetLayersAsked(std::any_of(layers.begin(), layers.end(),
-        [](const std::string& layer) { return vtkRelievoGBufferLayout::GetLight(layer) >= 0; }));
+      in.Shadows->SetLayersAsked(!in.Shadows->FindLights(layers, renderer).empty());
     }
     const bool runs = !selecting && (*stage)->GetEnabled() && (*stage)->IsNeeded(s, reason);
     if (runs)
@@ -343,6 +342,7 @@ void vtkRelievoPass::Report(const vtkRenderState* s, const std::vector<vtkReliev
 //------------------------------------------------------------------------------
 std::string vtkRelievoPass::GetFrameReport()
 {
+  this->Internal->Timer.Want();
   return this->Internal->Report.GetJSON(this->Internal->Timer);
 }
 

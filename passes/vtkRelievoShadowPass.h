@@ -28,12 +28,15 @@
 #include "vtkRelievoPassesModule.h" // for the export macro
 #include "vtkRelievoStage.h"
 
+#include <map>    // for layers of lights
 #include <memory> // for the internals
 #include <string> // for reasons
+#include <vector> // for layers
 
 class vtkLight;
 class vtkMultiProcessController;
 class vtkProp;
+class vtkRenderer;
 
 class VTKRELIEVOPASSES_EXPORT vtkRelievoShadowPass : public vtkRelievoStage
 {
@@ -43,7 +46,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Whether shadows are seen in the picture. Default off; layers shadow_N are made either way. */
+  /** Whether shadows are seen in the picture. Default off; layers of lights are made either way. */
   vtkSetMacro(Visible, bool);
   vtkGetMacro(Visible, bool);
   vtkBooleanMacro(Visible, bool);
@@ -116,11 +119,25 @@ public:
   bool GetLightCasts(vtkLight* light);
   ///@}
 
+  ///@{
   /**
-   * What reports and warnings call a light. Default, and with an empty name: "light N", N its place
-   * in vtkRenderer::GetLights().
+   * What reports, warnings and layers call a light. Default, and with an empty name: "light N", N
+   * its place in vtkRenderer::GetLights().
    */
   void SetLightName(vtkLight* light, const std::string& name);
+  std::string GetLightName(vtkRenderer* renderer, vtkLight* light);
+  ///@}
+
+  /**
+   * The layer that has a light's visibility: "shadow_" and its name in lower case, with an
+   * underscore for all but letters and digits ("Key light": shadow_key_light); of several lights of
+   * one name the second has "_2" behind it, and so on. Empty for a light that is not the renderer's.
+   * The layer shadow_N is the same of the light in place N.
+   */
+  std::string GetLightLayer(vtkRenderer* renderer, vtkLight* light);
+
+  /** The layers of all lights of the renderer that can cast a shadow that is seen. */
+  std::vector<std::string> GetShadowLayers(vtkRenderer* renderer);
 
   enum Casting
   {
@@ -198,7 +215,11 @@ protected:
   void RenderBefore(vtkRelievoPass* frame, const vtkRenderState* s) override;
   void RenderAfter(vtkRelievoPass* frame, const vtkRenderState* s) override;
 
-  /** Whether a layer shadow_N is asked for in this frame. */
+  /** Those of the layers that are a light's visibility, with its place among the lights. */
+  std::map<std::string, int> FindLights(
+    const std::vector<std::string>& layers, vtkRenderer* renderer);
+
+  /** Whether a light's visibility is asked for as a layer in this frame. */
   void SetLayersAsked(bool asked) { this->LayersAsked = asked; }
 
   bool Visible = false;
