@@ -48,12 +48,19 @@ const std::vector<vtkRelievoLayer>& vtkRelievoLayerCatalogue::GetAll()
 }
 
 //------------------------------------------------------------------------------
+const vtkRelievoLayer& vtkRelievoLayerCatalogue::GetOfLight()
+{
+  const std::vector<L>& all = GetAll();
+  return *std::find_if(all.begin(), all.end(), [](const L& layer) { return layer.OfLight; });
+}
+
+//------------------------------------------------------------------------------
 const vtkRelievoLayer& vtkRelievoLayerCatalogue::Find(const std::string& name)
 {
   static const L array;
   for (const L& layer : GetAll())
   {
-    if (layer.OfLight ? !GetLightWord(name).empty() : layer.Name == name)
+    if (layer.OfLight ? GetLight(name) >= 0 : layer.Name == name)
     {
       return layer;
     }
@@ -62,16 +69,11 @@ const vtkRelievoLayer& vtkRelievoLayerCatalogue::Find(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoLayerCatalogue::GetLightWord(const std::string& name)
-{
-  const std::string prefix = "shadow_";
-  return name.compare(0, prefix.size(), prefix) == 0 ? name.substr(prefix.size()) : std::string();
-}
-
-//------------------------------------------------------------------------------
 int vtkRelievoLayerCatalogue::GetLight(const std::string& name)
 {
-  const std::string word = GetLightWord(name);
+  const std::string& prefix = GetOfLight().Name;
+  const std::string word =
+    name.compare(0, prefix.size(), prefix) == 0 ? name.substr(prefix.size()) : std::string();
   const bool isNumber = !word.empty() && word.size() < 4 &&
     std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
   return isNumber ? std::stoi(word) : -1;

@@ -53,11 +53,12 @@ public:
   // All of them, in the order in which they are listed to people.
   static const std::vector<vtkRelievoLayer>& GetAll();
 
-  // What the name means; of kind ARRAY if it is none of the table's.
+  // What the name means; of kind ARRAY if it is none of the table's. A layer of a light is known by
+  // the light's number only: for its name ask the frame.
   static const vtkRelievoLayer& Find(const std::string& name);
 
-  // What follows "shadow_" in the name of a layer of a light; "" for other names.
-  static std::string GetLightWord(const std::string& name);
+  // What the layers of lights are.
+  static const vtkRelievoLayer& GetOfLight();
 
   // The light of a layer shadow_N by its number, or -1.
   static int GetLight(const std::string& name);

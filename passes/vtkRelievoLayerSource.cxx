@@ -18,6 +18,7 @@
 #include "vtkRelievoDisplay.h"
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoPass.h"
+#include "vtkRelievoShadowPass.h"
 #include "vtkRelievoView.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -48,7 +49,19 @@ void WriteVector(std::ostream& out, const char* name, const double v[3])
   out << ", \"" << name << "\": [" << v[0] << ", " << v[1] << ", " << v[2] << "]";
 }
 
-std::string DescribeLight(vtkLight* light)
+std::string Escape(const std::string& text)
+{
+  std::string out;
+  for (const char c : text)
+  {
+    out += c == '"' || c == '\\' ? "\\" : "";
+    out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return out;
+}
+
+// With its name and the layer that has its visibility, where a frame knows them.
+std::string DescribeLight(vtkRenderer* renderer, vtkLight* light, vtkRelievoPass* pass)
 {
   std::ostringstream out;
   out.precision(17);
@@ -58,7 +71,14 @@ std::string DescribeLight(vtkLight* light)
   const char* frame = light->LightTypeIsHeadlight() ? "headlight"
     : light->LightTypeIsCameraLight()               ? "camera"
                                                     : "scene";
-  out << "{\"type\": \"" << type << "\", \"frame\": \"" << frame << "\"";
+  out << "{";
+  if (pass)
+  {
+    vtkRelievoShadowPass* shadows = pass->GetShadowPass();
+    out << "\"name\": \"" << Escape(shadows->GetLightName(renderer, light)) << "\", \"layer\": \""
+        << shadows->GetLightLayer(renderer, light) << "\", ";
+  }
+  out << "\"type\": \"" << type << "\", \"frame\": \"" << frame << "\"";
   WriteVector(out, "position", light->GetTransformedPosition());
   WriteVector(out, "focal_point", light->GetTransformedFocalPoint());
   WriteVector(out, "color", light->GetDiffuseColor());
@@ -221,7 +241,7 @@ int vtkRelievoLayerSource::RequestData(
   }
   if (good)
   {
-    vtkRelievoLayerSource::AddCamera(this->Renderer, image);
+    vtkRelievoLayerSource::AddCamera(this->Renderer, image, pass);
   }
   else
   {
@@ -312,7 +332,8 @@ void vtkRelievoLayerSource::AddColor(vtkRenderer* renderer, vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoLayerSource::AddCamera(vtkRenderer* renderer, vtkImageData* image)
+void vtkRelievoLayerSource::AddCamera(
+  vtkRenderer* renderer, vtkImageData* image, vtkRelievoPass* frame)
 {
   vtkRelievoView view;
   view.Take(renderer, nullptr);
@@ -346,7 +367,7 @@ void vtkRelievoLayerSource::AddCamera(vtkRenderer* renderer, vtkImageData* image
   {
     if (light->GetSwitch())
     {
-      lights->InsertNextValue(DescribeLight(light));
+      lights->InsertNextValue(DescribeLight(renderer, light, frame));
     }
   }
   image->GetFieldData()->AddArray(lights);

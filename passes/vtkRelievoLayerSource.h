@@ -86,7 +86,8 @@ public:
    * read by vtkRelievoPass::ReadLayers.
    */
   static void AddColor(vtkRenderer* renderer, vtkImageData* image);
-  static void AddCamera(vtkRenderer* renderer, vtkImageData* image);
+  static void AddCamera(
+    vtkRenderer* renderer, vtkImageData* image, vtkRelievoPass* frame = nullptr);
   ///@}
 
 protected:

@@ -48,21 +48,19 @@ glm::vec3 GetScalarColor(double value, const Extremes& extremes, bool grey)
 }
 
 //------------------------------------------------------------------------------
-std::vector<unsigned char> vtkRelievoLayerColors::Make(
-  vtkImageData* image, const std::string& layer, const double range[2], bool grey)
+std::vector<unsigned char> vtkRelievoLayerColors::Make(vtkImageData* image,
+  const std::string& layer, bool visibility, const double range[2], bool grey)
 {
   vtkDataArray* array = image->GetPointData()->GetArray(layer.c_str());
   const vtkIdType count = array ? array->GetNumberOfTuples() : 0;
   std::vector<unsigned char> colors(static_cast<std::size_t>(image->GetNumberOfPoints()) * 4, 0);
-  const vtkRelievoLayer::Kinds kind = vtkRelievoLayerCatalogue::Find(layer).Kind;
-  const bool ids = kind == vtkRelievoLayer::ID;
-  const bool share = kind == vtkRelievoLayer::SHARE;
+  const bool ids = vtkRelievoLayerCatalogue::Find(layer).Kind == vtkRelievoLayer::ID;
   const int components = array ? array->GetNumberOfComponents() : 1;
   Extremes extremes[3];
   for (int c = 0; c < std::min(3, components) && !ids && array; ++c)
   {
     extremes[c] = GetFiniteExtremes(array, c);
-    if (share)
+    if (visibility)
     {
       extremes[c] = Extremes{ 0.0, 1.0 };
     }
@@ -84,7 +82,7 @@ std::vector<unsigned char> vtkRelievoLayerColors::Make(
     else if (components < 3)
     {
       there = std::isfinite(first);
-      color = GetScalarColor(first, extremes[0], grey || share);
+      color = GetScalarColor(first, extremes[0], grey || visibility);
     }
     else
     {

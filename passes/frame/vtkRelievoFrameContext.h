@@ -37,6 +37,9 @@ public:
   // Layers that will be read back to the CPU.
   std::vector<std::string> ReadBack;
 
+  // Layers that are a light's visibility, and its place in vtkRenderer::GetLights().
+  std::map<std::string, int> Lights;
+
   // What is asked of a stage, of what it writes; sorted. Empty if the stage is not reached.
   const std::vector<std::string>& GetAsked(const vtkRelievoStage* stage) const;
   bool IsAsked(const vtkRelievoStage* stage, const std::string& resource) const;

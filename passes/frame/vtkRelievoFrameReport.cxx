@@ -92,6 +92,13 @@ std::string vtkRelievoFrameReport::GetJSON(const vtkRelievoGpuTimer& timer) cons
     separator = ",\n";
   }
   out << "\n  ],\n  \"gpu_ms\": " << Number(timer.GetMilliseconds("frame"))
-      << ",\n  \"bytes\": " << bytes << "\n}\n";
+      << ",\n  \"bytes\": " << bytes;
+  if (timer.IsUntimed())
+  {
+    out << ",\n  \"untimed\": " << Quote(
+      "this OpenGL draws when a frame's commands are all there; stages are timed in the frames "
+      "after a report was read");
+  }
+  out << "\n}\n";
   return out.str();
 }

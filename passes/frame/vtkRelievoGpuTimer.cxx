@@ -5,6 +5,26 @@
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
 
+namespace
+{
+bool DefersDrawing()
+{
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string renderer = name ? name : "";
+  return renderer.find("llvmpipe") != std::string::npos ||
+    renderer.find("softpipe") != std::string::npos;
+}
+
+// Milliseconds when all commands so far have been carried out.
+double Finish()
+{
+  glFinish();
+  GLint64 now = 0;
+  glGetInteger64v(GL_TIMESTAMP, &now);
+  return 1e-6 * static_cast<double>(now);
+}
+}
+
 //------------------------------------------------------------------------------
 vtkRelievoGpuTimer::~vtkRelievoGpuTimer()
 {
@@ -18,8 +38,16 @@ void vtkRelievoGpuTimer::BeginFrame(vtkOpenGLRenderWindow* window)
   {
     this->Release();
     this->Window = window;
+    this->Defers = DefersDrawing();
   }
   this->Current = nullptr;
+  this->Finishes = this->Defers && this->Wanted > 0;
+  this->Wanted -= this->Wanted > 0 ? 1 : 0;
+  if (this->Defers)
+  {
+    this->Finished.clear();
+    return;
+  }
   for (Frame& frame : this->Ring)
   {
     if (frame.Pending)
@@ -36,6 +64,11 @@ void vtkRelievoGpuTimer::BeginFrame(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 void vtkRelievoGpuTimer::EndFrame()
 {
+  if (this->Finishes)
+  {
+    this->Milliseconds = this->Finished;
+    this->Finishes = false;
+  }
   if (this->Current)
   {
     this->Current->Pending = !this->Current->Spans.empty();
@@ -60,6 +93,10 @@ unsigned int vtkRelievoGpuTimer::TakeQuery()
 //------------------------------------------------------------------------------
 void vtkRelievoGpuTimer::Begin(const std::string& name)
 {
+  if (this->Finishes)
+  {
+    this->Finished[name] -= Finish();
+  }
   if (this->Current)
   {
     Span span{ name, { this->TakeQuery(), this->TakeQuery() }, false };
@@ -71,6 +108,10 @@ void vtkRelievoGpuTimer::Begin(const std::string& name)
 //------------------------------------------------------------------------------
 void vtkRelievoGpuTimer::End(const std::string& name)
 {
+  if (this->Finishes)
+  {
+    this->Finished[name] += Finish();
+  }
   if (!this->Current)
   {
     return;
@@ -149,6 +190,8 @@ void vtkRelievoGpuTimer::Release()
   }
   this->FreeQueries.clear();
   this->Milliseconds.clear();
+  this->Finished.clear();
+  this->Finishes = false;
   this->Current = nullptr;
   this->Window = nullptr;
 }

@@ -3,6 +3,11 @@
 //
 // GPU time of named spans of a frame, from pairs of timestamps that are read a frame or more later
 // and never waited for: where the ring is full, a frame goes untimed.
+//
+// OpenGL in software (Mesa's llvmpipe) sorts a frame's commands into tiles and takes the timestamps
+// when it draws these, not between the commands: such times tell nothing of a span. There a span is
+// timed by finishing the commands at both its ends, which costs the frame some of its overlap, and
+// so only in frames that somebody wants times of.
 #ifndef vtkRelievoGpuTimer_h
 #define vtkRelievoGpuTimer_h
 
@@ -29,6 +34,12 @@ public:
   void Begin(const std::string& name);
   void End(const std::string& name);
 
+  // Somebody reads the times: the next frames' are worth waiting for where timestamps tell nothing.
+  void Want() { this->Wanted = FramesWanted; }
+
+  // There are no times because nobody has wanted any.
+  bool IsUntimed() const { return this->Defers && this->Milliseconds.empty(); }
+
   // Of the newest frame that has arrived; negative if none has, or if it has no such span.
   double GetMilliseconds(const std::string& name) const;
 
@@ -47,6 +58,7 @@ private:
     bool Pending = false;
   };
   static constexpr int RingSize = 4;
+  static constexpr int FramesWanted = 8;
 
   bool Collect(Frame& frame);
   unsigned int TakeQuery();
@@ -56,6 +68,11 @@ private:
   std::vector<unsigned int> FreeQueries;
   Frame* Current = nullptr;
   std::map<std::string, double> Milliseconds;
+
+  int Wanted = 0;        // frames that are
+  bool Defers = false;   // timestamps tell nothing of a span
+  bool Finishes = false; // this frame's commands, at the ends of spans
+  std::map<std::string, double> Finished; // milliseconds of this frame's spans, or less their start
 };
 
 #endif

@@ -91,7 +91,15 @@ bool vtkRelievoStage::SetParameter(const std::string& name, const std::string& w
 void vtkRelievoStage::Declare(const vtkRelievoFrameContext&, vtkRelievoDeclaration&) const {}
 
 //------------------------------------------------------------------------------
-std::vector<std::string> vtkRelievoStage::GetReadsFor(const std::vector<std::string>&) const
+std::vector<std::string> vtkRelievoStage::GetReadsFor(
+  const vtkRelievoFrameContext&, const std::vector<std::string>&) const
+{
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, int> vtkRelievoStage::FindLights(
+  const std::vector<std::string>&, vtkRenderer*)
 {
   return {};
 }

@@ -18,12 +18,14 @@
 #include "vtkRelievoFrameModule.h"      // for the export macro
 #include "vtkRelievoStageDescription.h" // for the description
 
+#include <map>    // for lights
 #include <memory> // for the description
 #include <string> // for names and words
 #include <vector> // for names
 
 class vtkImageData;
 class vtkRelievoFrameContext;
+class vtkRenderer;
 struct vtkRelievoDeclaration;
 
 class VTKRELIEVOFRAME_EXPORT vtkRelievoStage : public vtkOpenGLRenderPass
@@ -101,7 +103,12 @@ protected:
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const;
 
   /** More that the stage reads in order to write what is asked of it. Changes nothing. */
-  virtual std::vector<std::string> GetReadsFor(const std::vector<std::string>& asked) const;
+  virtual std::vector<std::string> GetReadsFor(
+    const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const;
+
+  /** Those of the layers that are the visibility of one of the renderer's lights, and of which. */
+  virtual std::map<std::string, int> FindLights(
+    const std::vector<std::string>& layers, vtkRenderer* renderer);
 
   ///@{
   /**

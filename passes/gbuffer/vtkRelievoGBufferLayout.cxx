@@ -4,6 +4,7 @@
 
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoGBufferPass.h"
+#include "vtkRelievoLayerCatalogue.h"
 
 #include <algorithm>
 #include <sstream>
@@ -42,6 +43,13 @@ std::vector<std::uint32_t> GetNormalDepthBackground(int format)
       return { relievoNormalDepth8None };
   }
 }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoGBufferLayout::GetLight(const std::string& layer) const
+{
+  const auto found = this->Lights.find(layer);
+  return found == this->Lights.end() ? vtkRelievoLayerCatalogue::GetLight(layer) : found->second;
 }
 
 //------------------------------------------------------------------------------

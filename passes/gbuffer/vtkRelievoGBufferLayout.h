@@ -11,6 +11,7 @@
 #include "vtkRelievoGBufferModule.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   bool GeometricNormal = false;
   bool Albedo = false;
   bool Ids = false;
+  std::map<std::string, int> Lights; // of layers that are a light's visibility
   std::vector<int> Shadows; // lights, by their number in the renderer, ascending
   int NormalFormat = 0;     // vtkRelievoGBufferPass::NormalFormats
   int DepthFormat = 0;      // vtkRelievoGBufferPass::DepthFormats
@@ -50,6 +52,9 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
 
   // 1, 2 or 4: a texture of three words is not renderable everywhere.
   int GetNumberOfChannels(int attachment) const;
+
+  // The light whose visibility a layer is, or -1: as in Lights, else N of shadow_N.
+  int GetLight(const std::string& layer) const;
 
   // Words of a normal, and of a normal with depth, by format.
   static int GetNormalWords(int format);

@@ -21,6 +21,7 @@
 #include "vtkRelievoGBufferModule.h" // for the export macro
 #include "vtkRelievoStage.h"
 
+#include <map>    // for lights
 #include <memory> // for the internals
 
 class vtkImageData;

@@ -66,7 +66,9 @@ vtkRelievoLayerReader::vtkRelievoLayerReader(const vtkRelievoGBufferLayout& layo
 //------------------------------------------------------------------------------
 void vtkRelievoLayerReader::AddChannels(const std::string& layer, vtkRelievoGBufferLayout& layout)
 {
-  const int source = vtkRelievoLayerCatalogue::Find(layer).Source;
+  const int light = layout.GetLight(layer);
+  const int source = light >= 0 ? vtkRelievoLayerCatalogue::GetOfLight().Source
+                                : vtkRelievoLayerCatalogue::Find(layer).Source;
   layout.Normal = layout.Normal || (source & vtkRelievoLayer::FROM_NORMAL) != 0;
   layout.GeometricNormal =
     layout.GeometricNormal || (source & vtkRelievoLayer::FROM_GEOMETRIC_NORMAL) != 0;
@@ -74,7 +76,6 @@ void vtkRelievoLayerReader::AddChannels(const std::string& layer, vtkRelievoGBuf
   // A named array is looked up in the mesh, at the pixel's place in the pixel's cell.
   layout.Depth = layout.Depth || (source & vtkRelievoLayer::FROM_DEPTH) != 0;
   layout.Ids = layout.Ids || (source & vtkRelievoLayer::FROM_ID) != 0;
-  const int light = vtkRelievoLayerCatalogue::GetLight(layer);
   if (light >= 0 &&
     std::find(layout.Shadows.begin(), layout.Shadows.end(), light) == layout.Shadows.end())
   {
@@ -117,6 +118,7 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
       std::to_string(this->GetNumberOfPixels()) + " pixels";
   }
   vtkRelievoGBufferLayout needed;
+  needed.Lights = this->Layout.Lights;
   AddChannels(layer, needed);
   if ((needed.Depth && !this->Layout.Depth) || (needed.Normal && !this->Layout.Normal) ||
     (needed.GeometricNormal && !this->Layout.GeometricNormal) ||
@@ -163,6 +165,9 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
   else
   {
     array = this->ReadNamedArray(layer, wrong);
+    wrong += !wrong.empty() && layer.compare(0, 7, "shadow_") == 0
+      ? ", and no light has this name (vtkRelievoShadowPass::GetShadowLayers)"
+      : "";
   }
   if (array)
   {

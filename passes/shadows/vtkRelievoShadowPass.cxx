@@ -49,19 +49,6 @@ bool vtkRelievoShadowPass::GetLightCasts(vtkLight* light)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowPass::SetLightName(vtkLight* light, const std::string& name)
-{
-  auto& names = this->Internal->Names;
-  names.erase(std::remove_if(names.begin(), names.end(),
-                [light](const auto& named) { return !named.first || named.first == light; }),
-    names.end());
-  if (light && !name.empty())
-  {
-    names.emplace_back(light, name);
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkRelievoShadowPass::SetPropCasts(vtkProp* prop, int casts)
 {
   if (!prop || casts < CASTS_IF_OPAQUE || casts > CASTS_ALWAYS)

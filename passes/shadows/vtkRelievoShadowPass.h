@@ -28,12 +28,15 @@
 #include "vtkRelievoShadowsModule.h" // for the export macro
 #include "vtkRelievoStage.h"
 
+#include <map>    // for layers of lights
 #include <memory> // for the internals
 #include <string> // for reasons
+#include <vector> // for layers
 
 class vtkLight;
 class vtkMultiProcessController;
 class vtkProp;
+class vtkRenderer;
 
 class VTKRELIEVOSHADOWS_EXPORT vtkRelievoShadowPass : public vtkRelievoStage
 {
@@ -116,11 +119,25 @@ public:
   bool GetLightCasts(vtkLight* light);
   ///@}
 
+  ///@{
   /**
-   * The name of a light in reports and warnings. By default, and with an empty name, it is "light
-   * N", where N is its index in vtkRenderer::GetLights().
+   * What reports, warnings and layers call a light. Default, and with an empty name: "light N", N
+   * its place in vtkRenderer::GetLights().
    */
   void SetLightName(vtkLight* light, const std::string& name);
+  std::string GetLightName(vtkRenderer* renderer, vtkLight* light);
+  ///@}
+
+  /**
+   * The layer that has a light's visibility: "shadow_" and its name in lower case, with an
+   * underscore for all but letters and digits ("Key light": shadow_key_light); of several lights of
+   * one name the second has "_2" behind it, and so on. Empty for a light that is not the renderer's.
+   * The layer shadow_N is the same of the light in place N.
+   */
+  std::string GetLightLayer(vtkRenderer* renderer, vtkLight* light);
+
+  /** The layers of all lights of the renderer that can cast a shadow that is seen. */
+  std::vector<std::string> GetShadowLayers(vtkRenderer* renderer);
 
   enum Casting
   {

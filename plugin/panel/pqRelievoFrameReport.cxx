@@ -6,8 +6,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMap>
-#include <QRegularExpression>
-#include <QStringList>
 
 //------------------------------------------------------------------------------
 bool pqRelievoFrameReport::Read(const QByteArray& json)
@@ -37,33 +35,16 @@ bool pqRelievoFrameReport::Read(const QByteArray& json)
 //------------------------------------------------------------------------------
 QString pqRelievoFrameReport::Stage::GetShortReason() const
 {
-  static const QRegularExpression ofLight("^(light \\d+|the sun|the kit's .+) (casts none: .*)$");
-  QStringList parts;
-  QMap<QString, QStringList> lights; // what is said of them -> which
-  for (const QString& part : this->Reason.split("; "))
+  const QString first = this->Reason.section("; ", 0, 0);
+  if (this->Name == "shadows")
   {
-    const QRegularExpressionMatch match = ofLight.match(part);
-    if (!match.hasMatch())
-    {
-      parts.append(part);
-      continue;
-    }
-    QStringList& names = lights[match.captured(2)];
-    if (names.isEmpty())
-    {
-      parts.append(match.captured(2)); // its place; filled in below
-    }
-    names.append(match.captured(1));
+    return this->Ran || first.startsWith("no light") ? first : QString();
   }
-  for (QString& part : parts)
+  if (this->Name == "gbuffer")
   {
-    const QStringList names = lights.value(part);
-    if (!names.isEmpty())
-    {
-      part = names.join(", ").replace(", the kit's ", ", ") + " " + part;
-    }
+    return this->Ran ? QString(first).remove("asked for: ") : QString();
   }
-  return parts.join("; ");
+  return this->Ran && this->Name != "delegate" && this->Name != "display" ? first : QString();
 }
 
 //------------------------------------------------------------------------------

@@ -21,7 +21,7 @@ struct pqRelievoFrameReport
     double Bytes = 0.0;         // of GPU memory
     int DrawCalls = -1;         // -1: not counted
 
-    /** The reason, with what holds for several lights said once. */
+    /** What people want to know of the reason; empty for a stage that has no part in it. */
     QString GetShortReason() const;
   };
   QVector<Stage> Stages;

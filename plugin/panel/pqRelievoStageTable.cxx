@@ -3,24 +3,14 @@
 #include "pqRelievoStageTable.h"
 
 #include <QBoxLayout>
-#include <QCheckBox>
-#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPalette>
-#include <QSignalBlocker>
-
-#include <algorithm>
 
 namespace
 {
-QLabel* MakeNumber(QWidget* parent, const QString& name)
-{
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  return label;
-}
+// The widest texts of the columns of numbers.
+const char* const Widest[] = { "", "00000.0", "0000.0 MiB", "000000" };
 }
 
 //------------------------------------------------------------------------------
@@ -31,70 +21,39 @@ pqRelievoStageTable::pqRelievoStageTable(QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   this->Grid = new QGridLayout;
   this->Grid->setColumnStretch(0, 1);
+  this->Grid->setHorizontalSpacing(4);
   layout->addLayout(this->Grid);
 
-  const char* titles[] = { "Stage", "ms", "Memory", "Draws" };
-  const char* tips[] = { "A part of the picture that can be switched on and off by itself",
-    "Time on the graphics processor, of the last pictures", "Graphics memory that the stage holds",
-    "Draw calls that the stage made for the last picture" };
-  for (int column = 0; column < 4; ++column)
+  const char* titles[] = { "", "ms", "Memory", "Draws" };
+  const char* tips[] = { "", "Time on the graphics processor, of the last pictures",
+    "Graphics memory that is held for it", "Draw calls for the last picture" };
+  for (int column = 1; column < 4; ++column)
   {
-    auto* title = new QLabel(QString("<b>%1</b>").arg(titles[column]), this);
+    QLabel* title = this->MakeNumber(QString(), column);
+    title->setText(titles[column]);
     title->setToolTip(tips[column]);
-    title->setAlignment(column ? Qt::AlignRight : Qt::AlignLeft);
     this->Grid->addWidget(title, 0, column);
   }
-
-  this->Shadows = new QCheckBox(pqRelievoFrameReport::GetLabel("shadows"), this);
-  this->Shadows->setObjectName("shadows");
-  this->Layer = new QComboBox(this);
-  this->Layer->setObjectName("layer");
-  this->Layer->setToolTip("A layer to show as the picture");
-  this->Layer->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  this->Layer->setMinimumContentsLength(9);
-  this->Rows["shadows"] = this->MakeRow("shadows", this->Shadows);
-  this->Rows["display"] = this->MakeRow("display", this->Layer);
-
-  this->Total = new QWidget(this);
-  auto* total = new QHBoxLayout(this->Total);
-  total->setContentsMargins(0, 0, 0, 0);
-  this->TotalMilliseconds = MakeNumber(this->Total, "total_ms");
-  this->TotalBytes = MakeNumber(this->Total, "total_bytes");
-  total->addWidget(new QLabel("<b>Whole picture</b>", this->Total), 1);
-  total->addWidget(this->TotalMilliseconds);
-  total->addWidget(this->TotalBytes);
-  layout->addWidget(this->Total);
-
-  QObject::connect(this->Shadows, &QCheckBox::toggled, this, &pqRelievoStageTable::shadowsToggled);
-  QObject::connect(this->Layer, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-    [this](int i) { Q_EMIT this->layerChosen(this->Layer->itemData(i).toString()); });
+  auto* total = new QGridLayout;
+  total->setColumnStretch(0, 1);
+  total->setHorizontalSpacing(4);
+  total->addWidget(new QLabel("Whole picture", this), 0, 0);
+  this->TotalMilliseconds = this->MakeNumber("total_ms", 1);
+  this->TotalBytes = this->MakeNumber("total_bytes", 2);
+  total->addWidget(this->TotalMilliseconds, 0, 1);
+  total->addWidget(this->TotalBytes, 0, 2);
+  total->addWidget(this->MakeNumber(QString(), 3), 0, 3);
+  layout->addLayout(total);
 }
 
 //------------------------------------------------------------------------------
-pqRelievoStageTable::Row pqRelievoStageTable::MakeRow(const QString& stage, QWidget* title)
+QLabel* pqRelievoStageTable::MakeNumber(const QString& name, int column)
 {
-  Row row;
-  row.Milliseconds = MakeNumber(this, stage + "_ms");
-  row.Bytes = MakeNumber(this, stage + "_bytes");
-  row.DrawCalls = MakeNumber(this, stage + "_draws");
-  row.Reason = new QLabel(this);
-  row.Reason->setObjectName(stage + "_reason");
-  row.Reason->setWordWrap(true);
-  row.Reason->setTextFormat(Qt::PlainText);
-  row.Reason->setIndent(12);
-  row.Reason->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  QPalette palette = row.Reason->palette();
-  QColor fainter = palette.color(QPalette::WindowText);
-  fainter.setAlphaF(0.6);
-  palette.setColor(QPalette::WindowText, fainter);
-  row.Reason->setPalette(palette);
-  const int line = this->Grid->rowCount();
-  this->Grid->addWidget(title, line, 0);
-  this->Grid->addWidget(row.Milliseconds, line, 1);
-  this->Grid->addWidget(row.Bytes, line, 2);
-  this->Grid->addWidget(row.DrawCalls, line, 3);
-  this->Grid->addWidget(row.Reason, line + 1, 0, 1, 4);
-  return row;
+  auto* label = new QLabel(this);
+  label->setObjectName(name);
+  label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  label->setFixedWidth(this->fontMetrics().horizontalAdvance(Widest[column]) + 4);
+  return label;
 }
 
 //------------------------------------------------------------------------------
@@ -102,8 +61,26 @@ pqRelievoStageTable::Row& pqRelievoStageTable::GetRow(const QString& stage)
 {
   if (!this->Rows.contains(stage))
   {
-    auto* title = new QLabel(pqRelievoFrameReport::GetLabel(stage), this);
-    this->Rows[stage] = this->MakeRow(stage, title);
+    Row row;
+    row.Title = new QLabel(pqRelievoFrameReport::GetLabel(stage), this);
+    row.Title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    row.Milliseconds = this->MakeNumber(stage + "_ms", 1);
+    row.Bytes = this->MakeNumber(stage + "_bytes", 2);
+    row.DrawCalls = this->MakeNumber(stage + "_draws", 3);
+    row.Reason = new QLabel(this);
+    row.Reason->setObjectName(stage + "_reason");
+    row.Reason->setWordWrap(true);
+    row.Reason->setTextFormat(Qt::PlainText);
+    row.Reason->setIndent(12);
+    row.Reason->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    row.Reason->setForegroundRole(QPalette::PlaceholderText);
+    const int line = this->Grid->rowCount();
+    this->Grid->addWidget(row.Title, line, 0);
+    this->Grid->addWidget(row.Milliseconds, line, 1);
+    this->Grid->addWidget(row.Bytes, line, 2);
+    this->Grid->addWidget(row.DrawCalls, line, 3);
+    this->Grid->addWidget(row.Reason, line + 1, 0, 1, 4);
+    this->Rows[stage] = row;
   }
   return this->Rows[stage];
 }
@@ -113,57 +90,34 @@ void pqRelievoStageTable::SetReport(const pqRelievoFrameReport& report)
 {
   for (const Row& row : this->Rows)
   {
-    for (QLabel* label : { row.Milliseconds, row.Bytes, row.DrawCalls, row.Reason })
+    for (QLabel* label : { row.Title, row.Milliseconds, row.Bytes, row.DrawCalls, row.Reason })
     {
-      label->clear();
-      label->setToolTip(QString());
+      label->hide();
     }
-    row.Reason->hide();
   }
   for (const pqRelievoFrameReport::Stage& stage : report.Stages)
   {
+    const QString reason = stage.GetShortReason();
+    if (!stage.Ran && reason.isEmpty())
+    {
+      continue; // it has no part in the picture
+    }
     const Row& row = this->GetRow(stage.Name);
-    if (stage.Ran && stage.Milliseconds < 0.0)
-    {
-      row.Milliseconds->setText(QString(QChar(0x2026)));
-      row.Milliseconds->setToolTip("Known when the next picture is drawn");
-    }
-    else
-    {
-      row.Milliseconds->setText(pqRelievoFrameReport::FormatMilliseconds(stage.Milliseconds));
-    }
+    const bool waits = stage.Ran && stage.Milliseconds < 0.0;
+    row.Milliseconds->setText(waits
+        ? QString(QChar(0x2026))
+        : pqRelievoFrameReport::FormatMilliseconds(stage.Milliseconds));
+    row.Milliseconds->setToolTip(waits ? "Known when the next picture is drawn" : QString());
     row.Bytes->setText(pqRelievoFrameReport::FormatBytes(stage.Bytes));
-    row.DrawCalls->setText(stage.DrawCalls < 0 ? QString() : QString::number(stage.DrawCalls));
-    row.Reason->setText((stage.Ran ? "" : "not run: ") + stage.GetShortReason());
-    row.Reason->setToolTip(QString(stage.Reason).replace("; ", "\n"));
-    row.Reason->setVisible(!stage.Reason.isEmpty());
+    row.DrawCalls->setText(
+      stage.DrawCalls < 0 ? QString(QChar(0x2013)) : QString::number(stage.DrawCalls));
+    row.Reason->setText(reason);
+    for (QLabel* label : { row.Title, row.Milliseconds, row.Bytes, row.DrawCalls })
+    {
+      label->show();
+    }
+    row.Reason->setVisible(!reason.isEmpty());
   }
-  this->TotalMilliseconds->setText(
-    pqRelievoFrameReport::FormatMilliseconds(report.Milliseconds) + " ms");
+  this->TotalMilliseconds->setText(pqRelievoFrameReport::FormatMilliseconds(report.Milliseconds));
   this->TotalBytes->setText(pqRelievoFrameReport::FormatBytes(report.Bytes));
-  this->Total->setVisible(!report.Stages.isEmpty());
-}
-
-//------------------------------------------------------------------------------
-void pqRelievoStageTable::SetShadows(bool on)
-{
-  const QSignalBlocker quiet(this->Shadows);
-  this->Shadows->setChecked(on);
-}
-
-//------------------------------------------------------------------------------
-void pqRelievoStageTable::SetLayer(const QString& layer, const QVector<QString>& names)
-{
-  const QSignalBlocker quiet(this->Layer);
-  this->Layer->clear();
-  this->Layer->addItem("No layer shown", QString());
-  for (int i = 1; i < names.size(); ++i)
-  {
-    this->Layer->addItem("Layer " + names[i], names[i]);
-  }
-  if (!layer.isEmpty() && !names.contains(layer))
-  {
-    this->Layer->addItem("Layer " + layer, layer); // by script: an array
-  }
-  this->Layer->setCurrentIndex(std::max(0, this->Layer->findData(layer)));
 }

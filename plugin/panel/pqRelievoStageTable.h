@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoStageTable
- * @brief A row for each stage of a frame report, with its toggle where it has one, and the frame.
+ * @brief A row for each stage of a frame report that took part in the picture, and the whole.
+ *
+ * Its columns of numbers have one width, whatever is in them.
  */
 #ifndef pqRelievoStageTable_h
 #define pqRelievoStageTable_h
@@ -12,8 +14,6 @@
 #include <QMap>
 #include <QWidget>
 
-class QCheckBox;
-class QComboBox;
 class QGridLayout;
 class QLabel;
 
@@ -25,39 +25,24 @@ class pqRelievoStageTable : public QWidget
 public:
   explicit pqRelievoStageTable(QWidget* parent = nullptr);
 
-  /** An empty report leaves the toggles and clears the rest. */
+  /** Shows a report; an empty one clears all. */
   void SetReport(const pqRelievoFrameReport& report);
-
-  ///@{
-  /** What the toggles show; no signal is sent. An empty layer and the first name are none. */
-  void SetShadows(bool on);
-  void SetLayer(const QString& layer, const QVector<QString>& names);
-  ///@}
-
-Q_SIGNALS:
-  /** The user wants shadows on or off. */
-  void shadowsToggled(bool on);
-
-  /** The user wants this layer shown; empty for none. */
-  void layerChosen(const QString& layer);
 
 private:
   struct Row
   {
+    QLabel* Title = nullptr;
     QLabel* Milliseconds = nullptr;
     QLabel* Bytes = nullptr;
     QLabel* DrawCalls = nullptr;
     QLabel* Reason = nullptr;
   };
 
-  Row MakeRow(const QString& stage, QWidget* title);
   Row& GetRow(const QString& stage);
+  QLabel* MakeNumber(const QString& name, int column);
 
   QGridLayout* Grid;
-  QCheckBox* Shadows;
-  QComboBox* Layer;
   QMap<QString, Row> Rows;
-  QWidget* Total;
   QLabel* TotalMilliseconds;
   QLabel* TotalBytes;
 };

@@ -4,16 +4,15 @@
 
 #include "pqUndoStack.h"
 #include "pqView.h"
+#include "vtkPVRelievoView.h"
+#include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRelievoViews.h"
 #include "vtkSMStringListDomain.h"
+#include "vtkSMStringVectorProperty.h"
 #include "vtkSMTrace.h"
 #include "vtkSMViewProxy.h"
-
-#include <QVariant>
-
-#include <utility>
 
 namespace
 {
@@ -22,40 +21,86 @@ constexpr const char* NoLayer = "None";
 // On a view whose shadows came with its sun.
 constexpr const char* SunsShadows = "RelievoShadowsOfSun";
 
-using Change = std::pair<const char*, QVariant>;
-
-void Apply(pqView* view, const QString& label, const QVector<Change>& changes)
+void Push(vtkSMProxy* proxy, const QVector<pqRelievoViewSettings::Change>& changes)
 {
-  if (!pqRelievoViewSettings::Find(view))
+  for (const pqRelievoViewSettings::Change& change : changes)
   {
-    return;
-  }
-  vtkSMProxy* proxy = view->getProxy();
-  {
-    SCOPED_UNDO_SET(label);
-    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
-    for (const Change& change : changes)
+    vtkSMPropertyHelper property(proxy, change.first);
+    const bool isDouble =
+      vtkSMDoubleVectorProperty::SafeDownCast(proxy->GetProperty(change.first)) != nullptr;
+    const QVariantList values = change.second.type() == QVariant::List
+      ? change.second.toList()
+      : QVariantList{ change.second };
+    for (int i = 0; i < values.size(); ++i)
     {
-      vtkSMPropertyHelper property(proxy, change.first);
-      if (change.second.type() == QVariant::String)
+      if (values[i].type() == QVariant::String)
       {
-        property.Set(qUtf8Printable(change.second.toString()));
+        property.Set(i, qUtf8Printable(values[i].toString()));
+      }
+      else if (isDouble)
+      {
+        property.Set(i, values[i].toDouble());
       }
       else
       {
-        property.Set(change.second.toInt());
+        property.Set(i, values[i].toInt());
       }
     }
-    proxy->UpdateVTKObjects();
   }
-  view->render();
+  proxy->UpdateVTKObjects();
 }
 
 int GetNumber(pqView* view, const char* name)
 {
-  vtkSMProxy* settings = pqRelievoViewSettings::Find(view);
-  return settings ? vtkSMPropertyHelper(settings, name).GetAsInt() : 0;
+  return pqRelievoViewSettings::Get(view, name).toInt();
 }
+}
+
+//------------------------------------------------------------------------------
+QVariant pqRelievoViewSettings::Get(pqView* view, const char* name)
+{
+  vtkSMProperty* property = Find(view) ? view->getProxy()->GetProperty(name) : nullptr;
+  if (!property)
+  {
+    return QVariant();
+  }
+  vtkSMPropertyHelper helper(property);
+  QVariantList values;
+  for (unsigned int i = 0; i < helper.GetNumberOfElements(); ++i)
+  {
+    values.append(vtkSMStringVectorProperty::SafeDownCast(property)
+        ? QVariant(QString::fromUtf8(helper.GetAsString(i)))
+        : QVariant(helper.GetAsDouble(i)));
+  }
+  return values.size() == 1 ? values.front() : QVariant(values);
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoViewSettings::Apply(
+  pqView* view, const QString& label, const QVector<Change>& changes)
+{
+  if (!Find(view))
+  {
+    return;
+  }
+  {
+    SCOPED_UNDO_SET(label);
+    SM_SCOPED_TRACE(PropertiesModified).arg("proxy", view->getProxy());
+    Push(view->getProxy(), changes);
+  }
+  view->render();
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoViewSettings::Try(pqView* view, const QVector<Change>& changes)
+{
+  if (!Find(view))
+  {
+    return;
+  }
+  SCOPED_UNDO_EXCLUDE();
+  Push(view->getProxy(), changes);
+  view->render();
 }
 
 //------------------------------------------------------------------------------
@@ -65,23 +110,28 @@ vtkSMProxy* pqRelievoViewSettings::Find(pqView* view)
 }
 
 //------------------------------------------------------------------------------
+vtkPVRelievoView* pqRelievoViewSettings::FindHere(pqView* view)
+{
+  vtkSMProxy* settings = Find(view);
+  return settings ? vtkPVRelievoView::SafeDownCast(settings->GetClientSideObject()) : nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool pqRelievoViewSettings::AreShadowsOn(pqView* view)
 {
-  return GetNumber(view, "Shadows") != 0;
+  return GetNumber(view, "RelievoShadows") != 0;
 }
 
 //------------------------------------------------------------------------------
 bool pqRelievoViewSettings::IsSunOn(pqView* view)
 {
-  return GetNumber(view, "Sun") != 0;
+  return GetNumber(view, "RelievoSun") != 0;
 }
 
 //------------------------------------------------------------------------------
 QString pqRelievoViewSettings::GetShownLayer(pqView* view)
 {
-  vtkSMProxy* settings = pqRelievoViewSettings::Find(view);
-  const QString name =
-    settings ? vtkSMPropertyHelper(settings, "DisplayLayer").GetAsString() : NoLayer;
+  const QString name = Get(view, "RelievoDisplayLayer").toString();
   return name == NoLayer ? QString() : name;
 }
 

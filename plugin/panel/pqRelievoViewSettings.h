@@ -7,15 +7,37 @@
 #define pqRelievoViewSettings_h
 
 #include <QString>
+#include <QVariant>
 #include <QVector>
 
+#include <utility>
+
 class pqView;
+class vtkPVRelievoView;
 class vtkSMProxy;
 
 namespace pqRelievoViewSettings
 {
 /** The sub-proxy that holds them; nullptr for no view and for views without Relievo. */
 vtkSMProxy* Find(pqView* view);
+
+/** Its object on this process, or nullptr. */
+vtkPVRelievoView* FindHere(pqView* view);
+
+/** A property of the view ("RelievoSun") and its value: a number, a text, or a list of numbers. */
+using Change = std::pair<const char*, QVariant>;
+
+/** The value of one of the view's properties; invalid if it has none. */
+QVariant Get(pqView* view, const char* name);
+
+/** Changes the view and renders it; the label is that of the step of undo. */
+void Apply(pqView* view, const QString& label, const QVector<Change>& changes);
+
+/**
+ * The same while a slider is dragged: no step of undo, no line of a trace. When it is let go, the
+ * first values come back with Try(), and Apply() makes one step of all.
+ */
+void Try(pqView* view, const QVector<Change>& changes);
 
 bool AreShadowsOn(pqView* view);
 bool IsSunOn(pqView* view);

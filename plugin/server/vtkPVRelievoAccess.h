@@ -64,10 +64,10 @@ public:
   // With what reports call them.
   static std::array<std::pair<vtkLight*, const char*>, 4> Others(vtkLightKit* kit)
   {
-    return { { { kit->*(&LightKit::FillLight), "the kit's fill light" },
-      { kit->*(&LightKit::BackLight0), "the kit's first back light" },
-      { kit->*(&LightKit::BackLight1), "the kit's second back light" },
-      { kit->*(&LightKit::HeadLight), "the kit's headlight" } } };
+    return { { { kit->*(&LightKit::FillLight), "fill light" },
+      { kit->*(&LightKit::BackLight0), "first back light" },
+      { kit->*(&LightKit::BackLight1), "second back light" },
+      { kit->*(&LightKit::HeadLight), "headlight" } } };
   }
 };
 }

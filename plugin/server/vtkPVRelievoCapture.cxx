@@ -230,7 +230,7 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
   }
   if (!names.empty())
   {
-    vtkRelievoLayerSource::AddCamera(renderer, in.Image);
+    vtkRelievoLayerSource::AddCamera(renderer, in.Image, view->GetFrame());
   }
   this->Arrange();
 }
@@ -259,7 +259,9 @@ void vtkPVRelievoCapture::ReadColor()
   vtkRelievoLayerSource::AddColor(renderer, in.Image);
   if (points == 0)
   {
-    vtkRelievoLayerSource::AddCamera(renderer, in.Image);
+    vtkPVRelievoView* settings = vtkPVRelievoView::Find(in.View);
+    vtkRelievoLayerSource::AddCamera(
+      renderer, in.Image, settings ? settings->GetFrame() : nullptr);
   }
   this->Arrange();
 }

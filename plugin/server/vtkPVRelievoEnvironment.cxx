@@ -257,5 +257,5 @@ void vtkPVRelievoEnvironment::Leave(vtkPVRenderView* view)
 {
   view->GetRenderer()->RemoveViewProp(this->Skybox);
   this->PlaceDarkness(view->GetRenderer(), false);
-  vtkPVRelievoMaterial::Prepare(view, nullptr);
+  vtkPVRelievoMaterial::Forget(this->Environment);
 }

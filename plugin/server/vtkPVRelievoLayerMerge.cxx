@@ -8,7 +8,6 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkRelievoGBufferLayout.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -27,6 +26,12 @@ struct Kind
   int Components = 0;
 };
 
+// Of a light: the frame's names of lights all begin so.
+bool IsVisibility(const std::string& name)
+{
+  return name.compare(0, 7, "shadow_") == 0;
+}
+
 // The value of a layer where nothing is.
 double GetNothing(const std::string& name, const Kind& kind)
 {
@@ -38,7 +43,7 @@ double GetNothing(const std::string& name, const Kind& kind)
   {
     return -1.0;
   }
-  if (vtkRelievoGBufferLayout::GetLight(name) >= 0)
+  if (IsVisibility(name) && kind.Type == VTK_FLOAT && kind.Components == 1)
   {
     return 1.0;
   }
@@ -49,7 +54,7 @@ double GetNothing(const std::string& name, const Kind& kind)
 
 Kind GetKnownKind(const std::string& name)
 {
-  if (name == "depth" || name == "range" || vtkRelievoGBufferLayout::GetLight(name) >= 0)
+  if (name == "depth" || name == "range" || IsVisibility(name))
   {
     return { VTK_FLOAT, 1 };
   }

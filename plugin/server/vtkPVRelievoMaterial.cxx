@@ -27,8 +27,9 @@ constexpr double Huge = 1e30;
 
 std::vector<vtkPVRelievoMaterial*>& GetAll()
 {
-  static std::vector<vtkPVRelievoMaterial*> all;
-  return all;
+  // Never destroyed: ParaView may delete its proxies' objects after this library's statics.
+  static auto* all = new std::vector<vtkPVRelievoMaterial*>;
+  return *all;
 }
 
 // A file that a property names, and what is in it.
@@ -74,8 +75,14 @@ vtkPVRelievoMaterial::vtkPVRelievoMaterial()
 vtkPVRelievoMaterial::~vtkPVRelievoMaterial()
 {
   GetAll().erase(std::remove(GetAll().begin(), GetAll().end(), this), GetAll().end());
-  this->Enabled = false;
-  this->Apply();
+  Internals& in = *this->Internal;
+  if (in.Representation)
+  {
+    for (vtkActor* actor : vtkPVRelievoAccess::Surface::Actors(in.Representation))
+    {
+      in.Material->Detach(actor);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -194,6 +201,18 @@ void vtkPVRelievoMaterial::Prepare(vtkPVView* view, vtkRelievoEnvironment* envir
     {
       in.Material->SetEnvironment(environment);
       each->Apply();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoMaterial::Forget(vtkRelievoEnvironment* environment)
+{
+  for (vtkPVRelievoMaterial* each : GetAll())
+  {
+    if (each->Internal->Material->GetEnvironment() == environment)
+    {
+      each->Internal->Material->SetEnvironment(nullptr);
     }
   }
 }

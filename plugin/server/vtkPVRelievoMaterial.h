@@ -93,6 +93,9 @@ public:
   /** Before each picture: gives materials in the view that mirror its environment, or nullptr. */
   static void Prepare(vtkPVView* view, vtkRelievoEnvironment* environment);
 
+  /** An environment that goes: no material keeps it. Touches no representation. */
+  static void Forget(vtkRelievoEnvironment* environment);
+
   /** What the actors wear while the material is on. */
   vtkRelievoMaterial* GetMaterial();
 

@@ -3,6 +3,7 @@
 #include "vtkPVRelievoView.h"
 
 #include "vtkCommand.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -13,6 +14,7 @@
 #include "vtkPVDefaultPass.h"
 #include "vtkPVRelievoAccess.h"
 #include "vtkPVRelievoEnvironment.h"
+#include "vtkPVRelievoSun.h"
 #include "vtkPropCollection.h"
 #include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoPass.h"
@@ -34,8 +36,9 @@ namespace
 {
 std::vector<vtkPVRelievoView*>& GetAll()
 {
-  static std::vector<vtkPVRelievoView*> all;
-  return all;
+  // Never destroyed: ParaView may delete its proxies' objects after this library's statics.
+  static auto* all = new std::vector<vtkPVRelievoView*>;
+  return *all;
 }
 
 // When cells are selected VTK's state takes note of the buffers that are bound (SaveGLState), and
@@ -58,15 +61,14 @@ public:
   vtkWeakPointer<vtkPVRenderView> View;
   vtkNew<vtkRelievoPass> Frame;
   vtkNew<vtkPVDefaultPass> Delegate;
-  vtkNew<vtkLight> SunLight;
+  vtkPVRelievoSun Sun;
   vtkPVRelievoEnvironment Surroundings;
   unsigned long EarlyTag = 0;
   unsigned long StartTag = 0;
   unsigned long EndTag = 0;
   std::map<std::string, int> Asked; // layers, and by how many
-  double KitIntensity = -1.0;       // the user's, of the kit's key light
-  double DimmedIntensity = -1;      // what it was set to because of the sun
   std::string Report;
+  std::string ShadowLayers;
 };
 
 //------------------------------------------------------------------------------
@@ -76,8 +78,6 @@ vtkPVRelievoView::vtkPVRelievoView()
   this->Internal->Frame->SetDelegatePass(this->Internal->Delegate);
   // The actor of all of ParaView's surfaces; what it has more is a coarse mapper for interaction.
   vtkRelievoShadowPass::AddPlainActorClass("vtkPVLODActor");
-  this->Internal->SunLight->SetLightTypeToSceneLight();
-  this->Internal->SunLight->PositionalOff();
   this->Internal->Surroundings.Environment->GammaCorrectOn();
   this->Internal->Surroundings.Environment->SetUpAxis(2);
   GetAll().push_back(this);
@@ -94,8 +94,8 @@ vtkPVRelievoView::~vtkPVRelievoView()
     renderer->RemoveObserver(this->Internal->StartTag);
     renderer->RemoveObserver(this->Internal->EndTag);
     this->Internal->Surroundings.Leave(this->Internal->View);
-    this->Sun = false;
-    this->PlaceSun();
+    this->Internal->Sun.On = false;
+    this->Internal->Sun.Place(renderer, vtkPVRelievoAccess::View::Kit(this->Internal->View));
     auto* passes = vtkPVRelievoAccess::View::Passes(this->Internal->View);
     if (passes->GetRenderPass() == this->Internal->Frame)
     {
@@ -118,8 +118,13 @@ void vtkPVRelievoView::SetView(vtkPVView* view)
   in.View = renderView;
   vtkLightKit* kit = vtkPVRelievoAccess::View::Kit(renderView);
   vtkRelievoShadowPass* shadows = in.Frame->GetShadowPass();
-  shadows->SetLightName(in.SunLight, "the sun");
-  shadows->SetLightName(vtkPVRelievoAccess::LightKit::Key(kit), "the kit's key light");
+  shadows->SetLightName(in.Sun.Light, "sun");
+  for (vtkLight* fill : { in.Sun.Fills[0].Get(), in.Sun.Fills[1].Get() })
+  {
+    shadows->SetLightName(fill, "sun's fill");
+    shadows->SetLightCasts(fill, false);
+  }
+  shadows->SetLightName(vtkPVRelievoAccess::LightKit::Key(kit), "key light");
   for (const auto& other : vtkPVRelievoAccess::LightKit::Others(kit))
   {
     shadows->SetLightName(other.first, other.second);
@@ -191,7 +196,8 @@ void vtkPVRelievoView::ReleaseLayer(const std::string& name)
 //------------------------------------------------------------------------------
 void vtkPVRelievoView::Prepare()
 {
-  this->PlaceSun();
+  Internals& in = *this->Internal;
+  in.Sun.Place(in.View->GetRenderer(), vtkPVRelievoAccess::View::Kit(in.View));
   this->PlacePass();
   if (this->IsAnythingOn())
   {
@@ -243,41 +249,6 @@ void vtkPVRelievoView::PlacePass()
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoView::PlaceSun()
-{
-  Internals& in = *this->Internal;
-  vtkRenderer* renderer = in.View->GetRenderer();
-  vtkLightKit* kit = vtkPVRelievoAccess::View::Kit(in.View);
-  const bool there = renderer->GetLights()->IsItemPresent(in.SunLight) != 0;
-  if (kit->GetKeyLightIntensity() != in.DimmedIntensity)
-  {
-    in.KitIntensity = kit->GetKeyLightIntensity(); // set by the user since
-  }
-  if (!this->Sun)
-  {
-    if (there)
-    {
-      renderer->RemoveLight(in.SunLight);
-      kit->SetKeyLightIntensity(in.KitIntensity);
-      in.DimmedIntensity = -1.0;
-    }
-    return;
-  }
-  double direction[3];
-  this->GetSunDirection(direction);
-  in.SunLight->SetFocalPoint(0.0, 0.0, 0.0);
-  in.SunLight->SetPosition(direction);
-  in.SunLight->SetIntensity(this->SunIntensity);
-  in.SunLight->SetColor(this->SunColor);
-  if (!there)
-  {
-    renderer->AddLight(in.SunLight);
-  }
-  in.DimmedIntensity = in.KitIntensity * this->SunKitShare;
-  kit->SetKeyLightIntensity(in.DimmedIntensity);
-}
-
-//------------------------------------------------------------------------------
 void vtkPVRelievoView::ChooseCasters()
 {
   Internals& in = *this->Internal;
@@ -292,7 +263,7 @@ void vtkPVRelievoView::ChooseCasters()
   const bool all = this->LightKitCasts == KIT_CASTS_ALL;
   choose(vtkPVRelievoAccess::LightKit::Key(kit),
     all || this->LightKitCasts == KIT_CASTS_KEY_LIGHT ||
-      (this->LightKitCasts == KIT_CASTS_WITHOUT_SUN && !this->Sun));
+      (this->LightKitCasts == KIT_CASTS_WITHOUT_SUN && !in.Sun.On));
   for (const auto& other : vtkPVRelievoAccess::LightKit::Others(kit))
   {
     choose(other.first, all);
@@ -331,15 +302,38 @@ void vtkPVRelievoView::ChooseProcesses()
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoView::GetSunDirection(double direction[3])
+void vtkPVRelievoView::SetLightName(vtkLight* light, const char* name)
 {
-  constexpr double Degree = 3.14159265358979323846 / 180.0;
-  const double level = std::cos(this->SunElevation * Degree);
-  const double east = level * std::sin(this->SunAzimuth * Degree);
-  const double north = level * std::cos(this->SunAzimuth * Degree);
-  const double up = std::sin(this->SunElevation * Degree);
-  const double byUpAxis[3][3] = { { up, east, north }, { east, up, -north }, { east, north, up } };
-  std::copy_n(byUpAxis[this->SunUpAxis], 3, direction);
+  this->GetFrame()->GetShadowPass()->SetLightName(light, name ? name : "");
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPVRelievoView::GetShadowLayers()
+{
+  Internals& in = *this->Internal;
+  in.ShadowLayers.clear();
+  if (in.View)
+  {
+    for (const std::string& layer :
+      in.Frame->GetShadowPass()->GetShadowLayers(in.View->GetRenderer()))
+    {
+      in.ShadowLayers += (in.ShadowLayers.empty() ? "" : ",") + layer;
+    }
+  }
+  return in.ShadowLayers.c_str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVRelievoView::ReadShownLayer(const char* name, vtkImageData* image)
+{
+  image->Initialize();
+  const bool good = this->IsInPlace() && this->Internal->Frame->GetGBuffer()->GetTexture(0) &&
+    this->Internal->Frame->GetGBuffer()->ReadLayers({ name }, image).empty();
+  if (!good)
+  {
+    image->Initialize();
+  }
+  return good;
 }
 
 //------------------------------------------------------------------------------
@@ -356,6 +350,12 @@ vtkRelievoPass* vtkPVRelievoView::GetFrame()
 }
 
 //------------------------------------------------------------------------------
+vtkPVRelievoSun& vtkPVRelievoView::GetSunlight()
+{
+  return this->Internal->Sun;
+}
+
+//------------------------------------------------------------------------------
 vtkPVRelievoEnvironment& vtkPVRelievoView::GetSurroundings()
 {
   return this->Internal->Surroundings;
@@ -367,14 +367,19 @@ void vtkPVRelievoView::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "View: " << this->Internal->View.GetPointer() << "\n";
   os << indent << "LightKitCasts: " << this->LightKitCasts << "\n";
-  os << indent << "Sun: " << this->Sun << "\n";
-  os << indent << "SunAzimuth: " << this->SunAzimuth << "\n";
-  os << indent << "SunElevation: " << this->SunElevation << "\n";
-  os << indent << "SunIntensity: " << this->SunIntensity << "\n";
-  os << indent << "SunColor: " << this->SunColor[0] << " " << this->SunColor[1] << " "
-     << this->SunColor[2] << "\n";
-  os << indent << "SunUpAxis: " << this->SunUpAxis << "\n";
-  os << indent << "SunKitShare: " << this->SunKitShare << "\n";
+  const vtkPVRelievoSun& sun = this->Internal->Sun;
+  os << indent << "Sun: " << sun.On << "\n";
+  os << indent << "SunBy: " << (sun.ByDateAndPlace ? "date and place" : "angles") << "\n";
+  os << indent << "SunAzimuth: " << sun.Azimuth << "\n";
+  os << indent << "SunElevation: " << sun.Elevation << "\n";
+  os << indent << "SunNorth: " << sun.North << "\n";
+  os << indent << "SunUpAxis: " << sun.UpAxis << "\n";
+  os << indent << "SunIntensity: " << sun.Intensity << "\n";
+  os << indent << "SunColor: " << sun.Color[0] << " " << sun.Color[1] << " " << sun.Color[2]
+     << "\n";
+  os << indent << "SunKitShare: " << sun.KitShare << "\n";
+  os << indent << "SunFill: " << sun.Fill << "\n";
+  sun.Position->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Skybox: " << this->Internal->Surroundings.Sky << "\n";
   os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
   os << indent << "Environment:\n";

@@ -21,6 +21,9 @@
 #include <string> // for names
 
 class vtkPVRelievoEnvironment;
+class vtkPVRelievoSun;
+class vtkImageData;
+class vtkLight;
 class vtkPVView;
 class vtkRelievoPass;
 
@@ -64,55 +67,36 @@ public:
   ///@}
 
   ///@{
-  /** A light from a fixed direction in the world. Default off. */
-  vtkSetMacro(Sun, bool);
-  vtkGetMacro(Sun, bool);
-  ///@}
-
-  ///@{
-  /** Degrees from north (see SunUpAxis), clockwise seen from above. Default 150. */
+  /**
+   * A light from a fixed direction in the world, placed by azimuth and elevation or by date, time
+   * and place on Earth (vtkPVRelievoSun says what each is). Placed by date, it gives no light while
+   * it is below the horizon. Default off.
+   */
+  void SetSun(bool on);
+  void SetSunBy(int placing);
   void SetSunAzimuth(double degrees);
-  vtkGetMacro(SunAzimuth, double);
-  ///@}
-
-  ///@{
-  /** Degrees above the horizon, -90 to 90. Default 45. */
   void SetSunElevation(double degrees);
-  vtkGetMacro(SunElevation, double);
-  ///@}
-
-  ///@{
-  /** 0 to 1000; 1 lights a white surface that faces it fully. Default 0.7. */
-  void SetSunIntensity(double intensity);
-  vtkGetMacro(SunIntensity, double);
-  ///@}
-
-  ///@{
-  /** RGB, 0 to 1. Default white. */
-  void SetSunColor(double red, double green, double blue);
-  vtkGetVector3Macro(SunColor, double);
-  ///@}
-
-  ///@{
-  /**
-   * The axis that points up: 0 for x, 1 for y, 2 for z (default). North is y with z up, -z with y
-   * up (a map laid on the ground), z with x up.
-   */
+  void SetSunDate(int year, int month, int day);
+  void SetSunTime(double hour);
+  void SetSunTimeZone(double hours);
+  void SetSunLatitude(double degrees);
+  void SetSunLongitude(double degrees);
+  void SetSunNorth(double degrees);
   void SetSunUpAxis(int axis);
-  vtkGetMacro(SunUpAxis, int);
-  ///@}
-
-  ///@{
-  /**
-   * What is left of the light kit while the sun is on, 0 to 1: the kit alone lights a scene fully.
-   * Default 0.3.
-   */
+  void SetSunIntensity(double intensity);
+  void SetSunColor(double red, double green, double blue);
   void SetSunKitShare(double share);
-  vtkGetMacro(SunKitShare, double);
+  void SetSunFill(double intensity);
   ///@}
 
-  /** Direction towards the sun, of unit length, in the world. */
-  void GetSunDirection(double direction[3]);
+  /** Azimuth and elevation of the sun in degrees, however it is placed. */
+  double* GetSunAngles() VTK_SIZEHINT(2);
+
+  /** What a light is called in reports and layers; the light's own name in ParaView. */
+  void SetLightName(vtkLight* light, const char* name);
+
+  /** The layers of the view's lights that can cast, as of the last picture; with commas. */
+  const char* GetShadowLayers();
 
   ///@{
   /**
@@ -150,6 +134,12 @@ public:
   void ReleaseLayer(const std::string& name);
   ///@}
 
+  /**
+   * Reads the layer that is shown into an image, of the last picture that this process drew; false
+   * and an empty image if it drew none. The window's OpenGL context must be current.
+   */
+  bool ReadShownLayer(const char* name, vtkImageData* image);
+
   /** Whether the view's pictures are drawn through the frame: it is in use, nothing else is. */
   bool IsInPlace();
 
@@ -162,6 +152,9 @@ public:
   /** The frame, also while it is not in use. */
   vtkRelievoPass* GetFrame();
 
+  /** The view's sun. */
+  vtkPVRelievoSun& GetSunlight();
+
   /** The view's environment. */
   vtkPVRelievoEnvironment& GetSurroundings();
 
@@ -173,13 +166,7 @@ protected:
   ~vtkPVRelievoView() override;
 
   int LightKitCasts = KIT_CASTS_WITHOUT_SUN;
-  bool Sun = false;
-  double SunAzimuth = 150.0;
-  double SunElevation = 45.0;
-  double SunIntensity = 0.7;
-  double SunColor[3] = { 1.0, 1.0, 1.0 };
-  int SunUpAxis = 2;
-  double SunKitShare = 0.3;
+  double SunAngles[2] = { 0.0, 0.0 };
   int NumberOfFrames = 0;
 
 private:
@@ -190,7 +177,6 @@ private:
   void Prepare();
   void KeepLayersSharp();
   void PlacePass();
-  void PlaceSun();
   void ChooseCasters();
   void ChooseProcesses();
   void Finish();

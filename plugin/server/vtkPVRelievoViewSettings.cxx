@@ -5,6 +5,7 @@
 #include "vtkPVRelievoView.h"
 
 #include "vtkPVRelievoEnvironment.h"
+#include "vtkPVRelievoSun.h"
 #include "vtkPVRelievoWithin.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
@@ -71,10 +72,24 @@ void vtkPVRelievoView::SetLightKitCasts(int casts)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSun(bool on)
+{
+  this->GetSunlight().On = on;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunBy(int placing)
+{
+  this->GetSunlight().ByDateAndPlace = vtkPVRelievoWithin(this, "SunBy", placing, 0, 1) != 0;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkPVRelievoView::SetSunAzimuth(double degrees)
 {
   // 370 is as good as 10; what has no direction is not.
-  this->SunAzimuth =
+  this->GetSunlight().Azimuth =
     std::isfinite(degrees) ? degrees : vtkPVRelievoWithin(this, "SunAzimuth", degrees, 0.0, 360.0);
   this->Modified();
 }
@@ -82,38 +97,102 @@ void vtkPVRelievoView::SetSunAzimuth(double degrees)
 //------------------------------------------------------------------------------
 void vtkPVRelievoView::SetSunElevation(double degrees)
 {
-  this->SunElevation = vtkPVRelievoWithin(this, "SunElevation", degrees, -90.0, 90.0);
+  this->GetSunlight().Elevation = vtkPVRelievoWithin(this, "SunElevation", degrees, -90.0, 90.0);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunIntensity(double intensity)
+void vtkPVRelievoView::SetSunDate(int year, int month, int day)
 {
-  this->SunIntensity = vtkPVRelievoWithin(this, "SunIntensity", intensity, 0.0, 1000.0);
+  this->GetSunlight().Position->SetDate(vtkPVRelievoWithin(this, "SunDate", year, 1900, 2100),
+    vtkPVRelievoWithin(this, "SunDate", month, 1, 12),
+    vtkPVRelievoWithin(this, "SunDate", day, 1, 31));
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunColor(double red, double green, double blue)
+void vtkPVRelievoView::SetSunTime(double hour)
 {
-  this->SunColor[0] = vtkPVRelievoWithin(this, "SunColor", red, 0.0, 1.0);
-  this->SunColor[1] = vtkPVRelievoWithin(this, "SunColor", green, 0.0, 1.0);
-  this->SunColor[2] = vtkPVRelievoWithin(this, "SunColor", blue, 0.0, 1.0);
+  this->GetSunlight().Position->SetHour(
+    vtkPVRelievoWithin(this, "SunTime", hour, 0.0, 24.0));
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunTimeZone(double hours)
+{
+  this->GetSunlight().Position->SetTimeZone(
+    vtkPVRelievoWithin(this, "SunTimeZone", hours, -12.0, 14.0));
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunLatitude(double degrees)
+{
+  this->GetSunlight().Position->SetLatitude(
+    vtkPVRelievoWithin(this, "SunLatitude", degrees, -90.0, 90.0));
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunLongitude(double degrees)
+{
+  this->GetSunlight().Position->SetLongitude(
+    vtkPVRelievoWithin(this, "SunLongitude", degrees, -180.0, 180.0));
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunNorth(double degrees)
+{
+  // 370 is as good as 10; what has no direction is not.
+  this->GetSunlight().North =
+    std::isfinite(degrees) ? degrees : vtkPVRelievoWithin(this, "SunNorth", degrees, 0.0, 360.0);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoView::SetSunUpAxis(int axis)
 {
-  this->SunUpAxis = vtkPVRelievoWithin(this, "SunUpAxis", axis, 0, 2);
+  this->GetSunlight().UpAxis = vtkPVRelievoWithin(this, "SunUpAxis", axis, 0, 2);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunIntensity(double intensity)
+{
+  this->GetSunlight().Intensity = vtkPVRelievoWithin(this, "SunIntensity", intensity, 0.0, 1000.0);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunColor(double red, double green, double blue)
+{
+  this->GetSunlight().Color[0] = vtkPVRelievoWithin(this, "SunColor", red, 0.0, 1.0);
+  this->GetSunlight().Color[1] = vtkPVRelievoWithin(this, "SunColor", green, 0.0, 1.0);
+  this->GetSunlight().Color[2] = vtkPVRelievoWithin(this, "SunColor", blue, 0.0, 1.0);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoView::SetSunKitShare(double share)
 {
-  this->SunKitShare = vtkPVRelievoWithin(this, "SunKitShare", share, 0.0, 1.0);
+  this->GetSunlight().KitShare = vtkPVRelievoWithin(this, "SunKitShare", share, 0.0, 1.0);
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunFill(double intensity)
+{
+  this->GetSunlight().Fill = vtkPVRelievoWithin(this, "SunFill", intensity, 0.0, 1.0);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+double* vtkPVRelievoView::GetSunAngles()
+{
+  this->GetSunlight().GetAngles(this->SunAngles);
+  return this->SunAngles;
 }
 
 //------------------------------------------------------------------------------

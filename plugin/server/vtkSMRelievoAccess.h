@@ -8,6 +8,10 @@
 
 #include "vtkSMMessageMinimal.h"
 #include "vtkSMProxy.h"
+#include "vtkSMStringListDomain.h"
+
+#include <string>
+#include <vector>
 
 class vtkPVXMLElement;
 class vtkSMSessionProxyManager;
@@ -27,6 +31,15 @@ public:
     return (proxy->*(&Proxy::CreateSubProxiesAndProperties))(manager, element);
   }
   static vtkSMMessage* GetState(vtkSMProxy* proxy) { return proxy->*(&Proxy::State); }
+};
+
+class StringListDomain : public vtkSMStringListDomain
+{
+public:
+  static void Set(vtkSMStringListDomain* domain, const std::vector<std::string>& strings)
+  {
+    (domain->*(&StringListDomain::SetStrings))(strings);
+  }
 };
 }
 

@@ -3,11 +3,19 @@
 #include "vtkSMRelievoViewProxy.h"
 
 #include "vtkClientServerStream.h"
+#include "vtkCommand.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVRelievoView.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVSession.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMRelievoAccess.h"
 #include "vtkSMSession.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMStringVectorProperty.h"
+
+#include <sstream>
+#include <vector>
 
 vtkStandardNewMacro(vtkSMRelievoViewProxy);
 
@@ -23,7 +31,66 @@ void vtkSMRelievoViewProxy::UpdateVTKObjects()
     stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "SetView" << VTKOBJECT(view)
            << vtkClientServerStream::End;
     this->ExecuteStream(stream);
+    view->AddObserver(vtkCommand::EndEvent, this, &vtkSMRelievoViewProxy::OfferLights);
   }
+  if (this->KnowsView)
+  {
+    this->NameLights(view);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSMRelievoViewProxy::NameLights(vtkSMProxy* view)
+{
+  vtkSMPropertyHelper lights(view, "AdditionalLights", /*quiet=*/true);
+  std::map<vtkTypeUInt32, std::string> names;
+  for (unsigned int i = 0; i < lights.GetNumberOfElements(); ++i)
+  {
+    vtkSMProxy* light = lights.GetAsProxy(i);
+    const char* name = light && light->GetObjectsCreated()
+      ? this->GetSessionProxyManager()->GetProxyName("additional_lights", light)
+      : nullptr;
+    if (!name)
+    {
+      continue;
+    }
+    names[light->GetGlobalID()] = name;
+    const auto told = this->LightNames.find(light->GetGlobalID());
+    if (told == this->LightNames.end() || told->second != name)
+    {
+      vtkClientServerStream stream;
+      stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "SetLightName"
+             << VTKOBJECT(light) << name << vtkClientServerStream::End;
+      this->ExecuteStream(stream, false, this->GetLocation() & light->GetLocation());
+    }
+  }
+  this->LightNames = names;
+}
+
+//------------------------------------------------------------------------------
+void vtkSMRelievoViewProxy::OfferLights()
+{
+  auto* here = vtkPVRelievoView::SafeDownCast(this->GetClientSideObject());
+  auto* offered = this->GetProperty("DisplayLayer")->FindDomain<vtkSMStringListDomain>();
+  if (!here || !offered)
+  {
+    return;
+  }
+  std::vector<std::string> names;
+  for (unsigned int i = 0; i < offered->GetNumberOfStrings(); ++i)
+  {
+    const std::string name = offered->GetString(i);
+    if (name.compare(0, 7, "shadow_") != 0)
+    {
+      names.push_back(name);
+    }
+  }
+  std::istringstream layers(here->GetShadowLayers());
+  for (std::string layer; std::getline(layers, layer, ',');)
+  {
+    names.push_back(layer);
+  }
+  vtkSMRelievoAccess::StringListDomain::Set(offered, names); // tells of changes only
 }
 
 //------------------------------------------------------------------------------

@@ -4,14 +4,18 @@
  * @class vtkSMRelievoViewProxy
  * @brief Proxy of vtkPVRelievoView, a sub-proxy of a render view's.
  *
- * Tells its object, on every process, which view it belongs to. Takes the frame report from the
- * server when that draws the view's pictures, else from this process.
+ * Tells its object, on every process, which view it belongs to, and what the view's added lights
+ * are called. Takes the frame report from the server when that draws the view's pictures, else from
+ * this process. After each picture the property DisplayLayer offers the lights that cast.
  */
 #ifndef vtkSMRelievoViewProxy_h
 #define vtkSMRelievoViewProxy_h
 
 #include "vtkRelievoPluginServerModule.h" // for the export macro
 #include "vtkSMProxy.h"
+
+#include <map>    // for lights
+#include <string> // for names
 
 class VTKRELIEVOPLUGINSERVER_EXPORT vtkSMRelievoViewProxy : public vtkSMProxy
 {
@@ -31,6 +35,10 @@ protected:
   bool KnowsView = false;
 
 private:
+  void NameLights(vtkSMProxy* view);
+  void OfferLights();
+
+  std::map<vtkTypeUInt32, std::string> LightNames; // by global id, as told
   vtkSMRelievoViewProxy(const vtkSMRelievoViewProxy&) = delete;
   void operator=(const vtkSMRelievoViewProxy&) = delete;
 };

@@ -3,7 +3,8 @@
 """Ways to have the plugin loaded: by the environment, from the build and installed; a frame drawn
 with it and the process ended without a word.
 
-With the word `draw` the script is the process that is started.
+With the word `draw` the script is the process that is started; with `leave` it is one that ends by
+sys.exit() while its views are there.
 """
 
 import os
@@ -12,6 +13,7 @@ import subprocess
 import sys
 from unittest import mock
 
+import materialScene
 import pv
 import stage
 
@@ -22,6 +24,24 @@ def draw():
         own = pv.picture(scene.view)
         scene.sun()
         print("loaded", pv.unlike(pv.picture(scene.view), own).any())
+
+
+def leave_with_all_on():
+    """Everything of the plugin in a view, drawn; ParaView ends by itself."""
+    pv.load()
+    materialScene.write_axes("axes.png")
+    scene = stage.Stage((120, 80))
+    scene.sun()
+    scene.view.RelievoEnvironment = str(pv.OUTPUT / "axes.png")
+    scene.view.RelievoSkybox = 1
+    scene.view.RelievoDisplayLayer = "shadow_sun"
+    for shown in (scene.ball_shown, scene.ground_shown):
+        shown.RelievoMaterial = 1
+        shown.RelievoMirror = 1
+    scene.ground_shown.RelievoNormalMap = str(pv.OUTPUT / "axes.png")
+    scene.render()
+    print("drawn", flush=True)
+    sys.exit()
 
 
 class Loading(pv.Test):
@@ -48,8 +68,31 @@ class Loading(pv.Test):
         (plugin,) = prefix.glob("lib/**/plugins/Relievo/Relievo.so")
         self.assertIn("loaded True", self.check("pvbatch", PV_PLUGIN_PATH=str(plugin.parent)))
 
+    def test_leaving_by_exit_while_there_are_views(self):
+        # ParaView 5.11 itself crashes then, plugin or not; its trace must not lead through ours.
+        for tool in ("pvbatch", "pvpython"):
+            said = pv.run(__file__, "leave", tool=tool, status=None)
+            self.assertIn("drawn", said)
+            self.assertNotIn("Relievo", said)
 
-if sys.argv[1:2] == ["draw"]:
+    def test_by_the_environment_and_by_the_script(self):
+        # The page says so: no harm, and in pvbatch ParaView's word that it was there already.
+        folder = pathlib.Path(pv.PLUGIN).parent
+        with mock.patch.dict(os.environ, {"PV_PLUGIN_PATH": str(folder)}):
+            for tool, words in (("pvpython", 0), ("pvbatch", 1)):
+                said = pv.run(__file__, "twice", tool=tool)
+                self.assertIn("loaded True", said)
+                self.assertEqual(len(pv.messages(said)), words, said)
+                self.assertEqual(said.count("Plugin load failed: No plugin loaded yet."), words)
+
+
+if sys.argv[1:2] == ["leave"]:
+    leave_with_all_on()
+elif sys.argv[1:2] == ["twice"]:
+    pv.load()
+    draw()
+    pv.leave()
+elif sys.argv[1:2] == ["draw"]:
     draw()
     pv.leave()
 elif __name__ == "__main__":

@@ -7,6 +7,7 @@ With the words `restore plugin|none FILE PICTURE` the script loads a state and d
 """
 
 import json
+import re
 import sys
 
 import materialScene
@@ -25,8 +26,16 @@ PROPERTIES = {
     "RelievoShadowStrength": (1.0, 0.75),
     "RelievoLightKitCasts": ("Key light, without a sun", "Nothing"),
     "RelievoSun": (0, 1),
+    "RelievoSunBy": ("Angles", "Date and place"),
     "RelievoSunAzimuth": (150.0, 240.0),
     "RelievoSunElevation": (45.0, 35.0),
+    "RelievoSunDate": ([2026, 6, 21], [2027, 2, 3]),
+    "RelievoSunTime": (15.0, 10.5),
+    "RelievoSunTimeZone": (0.0, 1.0),
+    "RelievoSunLatitude": (48.0, -33.5),
+    "RelievoSunLongitude": (0.0, 18.5),
+    "RelievoSunNorth": (0.0, 25.0),
+    "RelievoSunFill": (0.3, 0.1),
     "RelievoSunUpAxis": ("Z", "Y"),
     "RelievoSunIntensity": (0.7, 0.9),
     "RelievoSunColor": ([1.0, 1.0, 1.0], [1.0, 0.9, 0.7]),
@@ -44,6 +53,7 @@ PROPERTIES = {
 
 # Wrong values, and what the warning or the error says; a word that Python refuses has an exception.
 WRONG = (
+    ("RelievoShadows", 5, "expected 0 to 1: 1 is taken"),
     ("RelievoShadowMapSize", 3, "expected 16 to 16384: 16 is taken"),
     ("RelievoShadowMapSize", 2**31 - 1, "expected 16 to 16384: 16384 is taken"),
     ("RelievoShadowStrength", 7, "was given 7, expected 0 to 1: 1 is taken"),
@@ -54,6 +64,13 @@ WRONG = (
     ("RelievoLightKitCasts", -3, "expected 0 to 3: 0 is taken"),
     ("RelievoSunElevation", 200, "expected -90 to 90: 90 is taken"),
     ("RelievoSunAzimuth", float("inf"), "expected 0 to 360: 360 is taken"),
+    ("RelievoSunBy", 2, "expected 0 to 1: 1 is taken"),
+    ("RelievoSunDate", [2026, 13, 1], "was given 13, expected 1 to 12: 12 is taken"),
+    ("RelievoSunTime", 25, "expected 0 to 24: 24 is taken"),
+    ("RelievoSunLatitude", 91, "expected -90 to 90: 90 is taken"),
+    ("RelievoSunLongitude", -181, "expected -180 to 180: -180 is taken"),
+    ("RelievoSunTimeZone", 15, "expected -12 to 14: 14 is taken"),
+    ("RelievoSunFill", -0.5, "expected 0 to 1: 0 is taken"),
     ("RelievoSunUpAxis", 7, "expected 0 to 2: 2 is taken"),
     ("RelievoSunIntensity", -1, "expected 0 to 1000: 0 is taken"),
     ("RelievoSunColor", [0.5, 2.0, 0.5], "was given 2, expected 0 to 1: 1 is taken"),
@@ -69,6 +86,12 @@ def value(view, name):
     if isinstance(default, str):
         return str(found).strip("'")
     return list(found) if isinstance(default, list) else found
+
+
+def read(view, name):
+    """The numbers that a property holds, as a state file would have them."""
+    held = view.SMProxy.GetProperty(name)
+    return [held.GetElement(i) for i in range(held.GetNumberOfElements())]
 
 
 def set_wrong_values():
@@ -89,8 +112,13 @@ def set_wrong_values():
             shown = pv.picture(scene.view)
             if name == "RelievoDisplayLayer":
                 print("kept", (shown == first).all(), file=sys.stderr, flush=True)
+        print("reads", read(scene.view, name), file=sys.stderr, flush=True)
         setattr(scene.view, name, before)
         print("same", (pv.picture(scene.view) == first).all(), file=sys.stderr, flush=True)
+    print("strength of a light", file=sys.stderr, flush=True)
+    light = simple.AddLight(scene.view)
+    light.RelievoShadowStrength = 5
+    print("reads", read(light, "RelievoShadowStrength"), file=sys.stderr, flush=True)
     print("no plugin", file=sys.stderr, flush=True)
     try:
         simple.LoadPlugin("/nowhere/Relievo.so")
@@ -116,7 +144,8 @@ class Scripting(pv.Test):
 
     def test_defaults_are_those_said_and_everything_has_a_text(self):
         known = [name for name in self.view.ListProperties() if name.startswith("Relievo")]
-        self.assertEqual(sorted(known), sorted([*PROPERTIES, "RelievoFrameReport"]))
+        told = ["RelievoFrameReport", "RelievoShadowLayers", "RelievoSunAngles"]
+        self.assertEqual(sorted(known), sorted([*PROPERTIES, *told]))
         for name, (default, _) in PROPERTIES.items():
             self.assertEqual(value(self.view, name), default, name)
             self.assertGreater(len(getattr(type(self.view), name).__doc__.strip()), 15, name)
@@ -191,7 +220,11 @@ class Scripting(pv.Test):
 
     def test_wrong_values_and_a_plugin_that_is_not_there(self):
         said = pv.run(__file__, "wrong", tool="pvbatch")
-        cases, _, missing = said.partition("no plugin")
+        cases, _, rest = said.partition("strength of a light")
+        light, _, missing = rest.partition("no plugin")
+        self.assertEqual(
+            light.count("RelievoShadowStrength was given 5, expected 0 to 1: 1 is taken"), 1)
+        self.assertIn("reads [1.0]", light)
         self.assertIn("RuntimeError Problem loading plugin /nowhere/Relievo.so", missing)
         cases = cases.split("case ")[1:]
         self.assertEqual(len(cases), len(WRONG), said)
@@ -199,6 +232,10 @@ class Scripting(pv.Test):
             self.assertIn(words, text, f"{name} = {wrong}")
             self.assertEqual(text.count(words), 1, f"{name} = {wrong} is told once: {text}")
             self.assertIn("same True", text, f"{name} = {wrong}: the picture afterwards")
+            taken = re.search(r"(\S+) is taken", words)
+            if taken:  # the property has what is used
+                held = json.loads(re.search(r"reads (\[.*\])", text).group(1))
+                self.assertIn(float(taken.group(1)), held, f"{name} = {wrong}")
             self.assertNotIn("kept False", text, f"{name} = {wrong}: the picture meanwhile")
 
     def test_the_frame_report(self):
@@ -214,8 +251,8 @@ class Scripting(pv.Test):
         self.assertTrue(stages["shadows"]["ran"])
         self.assertEqual(stages["shadows"]["bytes"], 4 * 2048**2)
         reason = stages["shadows"]["reason"].split("; ")
-        self.assertRegex(reason[0], r"^1 light casts \(the sun\), 1 map of 2048 x 2048 texels")
-        self.assertIn("the kit's key light casts none: it is chosen so", reason)
+        self.assertRegex(reason[0], r"^1 light casts \(sun\), 1 map of 2048 x 2048 texels")
+        self.assertIn("key light casts none: it is chosen so", reason)
 
 
 if sys.argv[1:2] == ["restore"]:

@@ -184,7 +184,8 @@ class Sun(unittest.TestCase):
             self.assertGreater(sun.direction(latitude, date, 9)[0], 0, "the morning sun is east")
             half = sun.day_length(latitude, date) / 2
             if 0 < half < 12:
-                self.assertAlmostEqual(sun.direction(latitude, date, 12 - half)[2], 0)
+                # The sun moves on among the stars from its rise until noon, by seconds of time.
+                self.assertAlmostEqual(sun.direction(latitude, date, 12 - half)[2], 0, delta=4e-4)
         self.assertEqual(sun.day_length(80, date), 24)
         self.assertEqual(sun.day_length(-80, date), 0)
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Layers shadow_N against rays in double, shadows in the picture, who casts and receives."""
 
+import json
 import pathlib
 import tempfile
 import unittest
@@ -182,6 +183,39 @@ class Shadows(unittest.TestCase):
             back = relievo.read_exr(path)
         for name, values in zip(self.layers, shadows):
             numpy.testing.assert_array_equal(relievo.layer(back, name), values)
+
+    def test_layers_by_name(self):
+        shadows = relievo.attach(self.renderer).GetShadowPass()
+        lights = self.renderer.GetLights()
+        names = [("Key Light", "shadow_key_light"), ("Späti-2", "shadow_sp__ti_2"), ("7", "shadow_light_7")]
+        for light, (name, layer) in zip(self.lights, names):
+            self.assertEqual(shadows.GetLightName(self.renderer, light), f"light {lights.IsItemPresent(light) - 1}")
+            shadows.SetLightName(light, name)
+            self.assertEqual(shadows.GetLightLayer(self.renderer, light), layer)
+        layers = [layer for _, layer in names]
+        image = relievo.capture(self.renderer, [*layers, *self.layers])
+        for named, numbered in zip(layers, self.layers):
+            values = relievo.layer(image, numbered)
+            numpy.testing.assert_array_equal(relievo.layer(image, named), values)
+            self.assertTrue(0.005 < (values < 0.5).mean() < 0.9, numbered)
+        self.assertFalse((relievo.layer(image, layers[0]) == relievo.layer(image, layers[1])).all())
+        told = [json.loads(text) for text in relievo.attributes(image)["lights"]]
+        self.assertEqual([(each["name"], each["layer"]) for each in told], names)
+        # One alone, shown as the picture: grey from 0 to 1, whatever range its values have.
+        alone = relievo.capture(self.renderer, ["shadow_key_light"])
+        numpy.testing.assert_array_equal(
+            relievo.layer(alone, "shadow_key_light"), relievo.layer(image, self.layers[0]))
+        # Two of one name; one that is off, one that does not cast, and one at the eye.
+        shadows.SetLightName(self.lights[1], "Key Light")
+        self.assertEqual(list(shadows.GetShadowLayers(self.renderer)),
+                         ["shadow_key_light", "shadow_key_light_2", "shadow_light_7"])
+        shadows.SetLightCasts(self.lights[0], False)
+        self.lights[1].SwitchOff()
+        self.lights[2].SetLightTypeToHeadlight()
+        self.assertEqual(list(shadows.GetShadowLayers(self.renderer)), [])
+        self.assertEqual(shadows.GetLightLayer(self.renderer, vtkLight()), "")
+        with self.assertRaisesRegex(ValueError, "shadow_lamp.*no light has this name"):
+            relievo.capture(self.renderer, ["shadow_lamp"])
 
     def test_errors(self):
         for name, says in (("shadow_3", "3 lights"), ("shadow_x", "neither a layer nor")):

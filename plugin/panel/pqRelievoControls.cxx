@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqRelievoControls.h"
+
+#include "pqRelievoNumber.h"
+#include "pqView.h"
+#include "vtkCommand.h"
+#include "vtkSMProxy.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QSignalBlocker>
+
+//------------------------------------------------------------------------------
+pqRelievoControls::pqRelievoControls(QWidget* parent)
+  : Superclass(parent)
+{
+}
+
+//------------------------------------------------------------------------------
+QFormLayout* pqRelievoControls::MakeRows(QWidget* parent)
+{
+  auto* rows = new QFormLayout(parent);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoControls::SetView(pqView* view)
+{
+  this->Connector->Disconnect();
+  this->Before.clear();
+  vtkSMProxy* settings = pqRelievoViewSettings::Find(view);
+  this->View = settings ? view : nullptr;
+  this->setEnabled(settings != nullptr);
+  if (settings)
+  {
+    this->Connector->Connect(settings, vtkCommand::PropertyModifiedEvent, this, SLOT(ShowState()));
+  }
+  this->ShowState();
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoControls::ShowState()
+{
+  for (auto number = this->Numbers.begin(); number != this->Numbers.end(); ++number)
+  {
+    number.key()->SetValue(this->Get(number.value()).toDouble());
+  }
+  for (auto choice = this->Choices.begin(); choice != this->Choices.end(); ++choice)
+  {
+    const QSignalBlocker quiet(choice.key());
+    const int value = this->Get(choice.value()).toInt();
+    if (this->View && choice.key()->findData(value) < 0)
+    {
+      choice.key()->addItem(QString::number(value), value); // by script
+    }
+    choice.key()->setCurrentIndex(choice.key()->findData(value));
+  }
+}
+
+//------------------------------------------------------------------------------
+QVariant pqRelievoControls::Get(const char* name) const
+{
+  return pqRelievoViewSettings::Get(this->View, name);
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoControls::Apply(
+  const QString& label, const QVector<pqRelievoViewSettings::Change>& changes)
+{
+  pqRelievoViewSettings::Apply(this->View, label, changes);
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoControls::Bind(pqRelievoNumber* number, const char* property, const QString& label)
+{
+  this->Numbers[number] = property;
+  QObject::connect(number, &pqRelievoNumber::tried, this,
+    [this, property](double value) { this->Try(property, value); });
+  QObject::connect(number, &pqRelievoNumber::settled, this,
+    [this, property, label](double value) { this->Settle(property, value, label); });
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoControls::Bind(QComboBox* choice, const char* property, const QString& label)
+{
+  this->Choices[choice] = property;
+  QObject::connect(choice, QOverload<int>::of(&QComboBox::activated), this,
+    [this, choice, property, label](int i) {
+      this->Apply(label, { { property, choice->itemData(i).toInt() } });
+    });
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoControls::Try(const char* property, double value)
+{
+  if (!this->Before.contains(property))
+  {
+    this->Before[property] = this->Get(property);
+  }
+  pqRelievoViewSettings::Try(this->View, { { property, value } });
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoControls::Settle(const char* property, double value, const QString& label)
+{
+  if (this->Before.contains(property))
+  {
+    // One step of undo from where the drag began.
+    pqRelievoViewSettings::Try(this->View, { { property, this->Before.take(property) } });
+  }
+  if (this->Get(property).toDouble() != value)
+  {
+    this->Apply(label, { { property, value } });
+  }
+}

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqRelievoControls
+ * @brief A section of the dock: what one part of Relievo does in a view, and its switches.
+ *
+ * Shows the values of the view's properties whenever they change, by whomever, and changes them.
+ */
+#ifndef pqRelievoControls_h
+#define pqRelievoControls_h
+
+#include "pqRelievoViewSettings.h"
+#include "pqView.h"
+
+#include <QMap>
+#include <QPointer>
+#include <QWidget>
+
+#include "vtkEventQtSlotConnect.h"
+#include "vtkNew.h"
+
+class QComboBox;
+class QFormLayout;
+class QSpinBox;
+class pqRelievoNumber;
+
+class pqRelievoControls : public QWidget
+{
+  Q_OBJECT
+  using Superclass = QWidget;
+
+public:
+  explicit pqRelievoControls(QWidget* parent = nullptr);
+
+  /** The view that is controlled; nullptr for none, or one without Relievo. */
+  virtual void SetView(pqView* view);
+
+public Q_SLOTS:
+  /** Shows the view's values. */
+  virtual void ShowState();
+
+protected:
+  QVariant Get(const char* name) const;
+  bool IsOn(const char* name) const { return this->Get(name).toInt() != 0; }
+  void Apply(const QString& label, const QVector<pqRelievoViewSettings::Change>& changes);
+
+  /** Has a number set one of the view's properties, and show it. */
+  void Bind(pqRelievoNumber* number, const char* property, const QString& label);
+
+  /** The same of a choice: the data of its items are the property's values. */
+  void Bind(QComboBox* choice, const char* property, const QString& label);
+
+  /** A layout of rows with labels that suits a narrow dock. */
+  static QFormLayout* MakeRows(QWidget* parent);
+
+  QPointer<pqView> View;
+  vtkNew<vtkEventQtSlotConnect> Connector;
+
+private:
+  void Try(const char* property, double value);
+  void Settle(const char* property, double value, const QString& label);
+
+  QMap<pqRelievoNumber*, const char*> Numbers;
+  QMap<QComboBox*, const char*> Choices;
+  QMap<QString, QVariant> Before; // of properties whose sliders are dragged
+};
+
+#endif

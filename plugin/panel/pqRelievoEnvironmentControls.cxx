@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqRelievoEnvironmentControls.h"
+
+#include "pqCoreUtilities.h"
+#include "pqFileDialog.h"
+#include "pqRelievoNumber.h"
+#include "pqView.h"
+
+#include <QCheckBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+//------------------------------------------------------------------------------
+pqRelievoEnvironmentControls::pqRelievoEnvironmentControls(QWidget* parent)
+  : Superclass(parent)
+  , File(new QToolButton(this))
+  , None(new QToolButton(this))
+  , Rest(new QWidget(this))
+  , Sky(new QCheckBox("Show as sky", Rest))
+{
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* row = new QWidget(this);
+  auto* files = new QHBoxLayout(row);
+  files->setContentsMargins(0, 0, 0, 0);
+  this->File->setObjectName("file");
+  this->File->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  this->None->setObjectName("none");
+  this->None->setText(QString(QChar(0x00d7)));
+  this->None->setToolTip("No environment");
+  files->addWidget(this->File, 1);
+  files->addWidget(this->None);
+  layout->addWidget(row);
+  layout->addWidget(this->Rest);
+  this->Rest->setObjectName("rest");
+  this->Sky->setObjectName("sky");
+  QFormLayout* rows = MakeRows(this->Rest);
+  auto* rotation = new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 360, 1, this->Rest);
+  rotation->setObjectName("rotation");
+  rotation->SetSuffix(QString(QChar(0x00b0)));
+  auto* intensity = new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 4, 0.01, this->Rest);
+  intensity->setObjectName("intensity");
+  intensity->SetTypedRange(0, 1000);
+  rows->addRow(this->Sky);
+  rows->addRow("Rotation", rotation);
+  rows->addRow("Intensity", intensity);
+  this->Bind(rotation, "RelievoEnvironmentRotation", "Rotation of the environment");
+  this->Bind(intensity, "RelievoEnvironmentIntensity", "Intensity of the environment");
+  QObject::connect(this->Sky, &QCheckBox::toggled, this, [this](bool on) {
+    this->Apply(on ? "Sky on" : "Sky off", { { "RelievoSkybox", on ? 1 : 0 } });
+  });
+  QObject::connect(this->File, &QToolButton::clicked, this, [this] { this->Choose(); });
+  QObject::connect(this->None, &QToolButton::clicked, this,
+    [this] { this->Apply("No environment", { { "RelievoEnvironment", QString() } }); });
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoEnvironmentControls::Choose()
+{
+  if (!this->View)
+  {
+    return;
+  }
+  pqFileDialog dialog(this->View->getServer(), pqCoreUtilities::mainWidget(), "Environment",
+    QString(), "Images (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff *.bmp)");
+  dialog.setObjectName("RelievoEnvironmentDialog");
+  dialog.setFileMode(pqFileDialog::ExistingFile);
+  if (dialog.exec() == QDialog::Accepted && !dialog.getSelectedFiles().isEmpty())
+  {
+    this->Apply("Environment", { { "RelievoEnvironment", dialog.getSelectedFiles().front() } });
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoEnvironmentControls::ShowState()
+{
+  this->Superclass::ShowState();
+  const QString path = this->Get("RelievoEnvironment").toString();
+  this->File->setText(
+    path.isEmpty() ? QString("Choose a picture") + QChar(0x2026) : QFileInfo(path).fileName());
+  this->File->setToolTip(path.isEmpty()
+      ? "A picture of the light from all directions, which materials mirror and which lights them"
+      : path);
+  this->None->setVisible(!path.isEmpty());
+  this->Rest->setVisible(!path.isEmpty());
+  const QSignalBlocker quiet(this->Sky);
+  this->Sky->setChecked(this->IsOn("RelievoSkybox"));
+}

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqRelievoReportView.h"
+
+#include "pqRelievoStageTable.h"
+#include "pqRelievoTimesChart.h"
+#include "pqRelievoViewSettings.h"
+#include "pqServer.h"
+#include "pqView.h"
+#include "vtkPVRelievoView.h"
+#include "vtkPVRenderView.h"
+#include "vtkPVSession.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSession.h"
+
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace
+{
+constexpr int RefreshMilliseconds = 250;
+}
+
+//------------------------------------------------------------------------------
+pqRelievoReportView::pqRelievoReportView(QWidget* parent)
+  : Superclass(parent)
+  , Fold(new QToolButton(this))
+  , Rest(new QWidget(this))
+  , Message(new QLabel(Rest))
+  , Table(new pqRelievoStageTable(Rest))
+  , Chart(new pqRelievoTimesChart(Rest))
+{
+  this->Fold->setObjectName("fold");
+  this->Fold->setText("What the picture took");
+  this->Fold->setToolTip("Time and memory on the graphics processor, part by part");
+  this->Fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  this->Fold->setAutoRaise(true);
+  this->Fold->setCheckable(true);
+  this->Fold->setArrowType(Qt::RightArrow);
+  this->Rest->setObjectName("rest");
+  this->Rest->hide();
+  this->Message->setObjectName("message");
+  this->Message->setWordWrap(true);
+  this->Table->setObjectName("stages");
+  this->Chart->setObjectName("times");
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(this->Fold, 0, Qt::AlignLeft);
+  layout->addWidget(this->Rest);
+  auto* parts = new QVBoxLayout(this->Rest);
+  parts->setContentsMargins(0, 0, 0, 0);
+  parts->addWidget(this->Message);
+  parts->addWidget(this->Table);
+  parts->addWidget(this->Chart);
+  this->Timer.setSingleShot(true);
+  QObject::connect(&this->Timer, &QTimer::timeout, this, [this] { this->Refresh(); });
+  QObject::connect(this->Fold, &QToolButton::toggled, this, [this](bool open) {
+    this->Fold->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    this->Rest->setVisible(open);
+    this->Watch();
+  });
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoReportView::SetView(pqView* view)
+{
+  this->View = pqRelievoViewSettings::Find(view) ? view : nullptr;
+  this->Watch();
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoReportView::Watch()
+{
+  if (this->Watched)
+  {
+    QObject::disconnect(this->Watched, nullptr, this, nullptr);
+  }
+  this->Timer.stop();
+  this->Watched = this->Fold->isChecked() ? this->View : nullptr;
+  this->Show(pqRelievoFrameReport(), QString());
+  if (this->Watched)
+  {
+    QObject::connect(this->Watched, &pqView::endRender, this, &pqRelievoReportView::Schedule);
+    this->Refresh();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoReportView::Schedule()
+{
+  if (!this->Timer.isActive())
+  {
+    const qint64 wait = RefreshMilliseconds - this->SinceRefresh.elapsed();
+    this->Timer.start(static_cast<int>(std::max<qint64>(0, wait)));
+  }
+}
+
+//------------------------------------------------------------------------------
+QByteArray pqRelievoReportView::PullReport()
+{
+  vtkSMProxy* settings = pqRelievoViewSettings::Find(this->Watched);
+  auto* view = vtkPVRenderView::SafeDownCast(this->Watched->getProxy()->GetClientSideObject());
+  const bool inOneProcess =
+    (settings->GetSession()->GetProcessRoles() & vtkPVSession::RENDER_SERVER) != 0;
+  if (inOneProcess || (view && !view->GetUseDistributedRenderingForRender()))
+  {
+    vtkPVRelievoView* here = pqRelievoViewSettings::FindHere(this->Watched);
+    return here && here->IsInPlace() ? here->GetFrameReport() : "";
+  }
+  if (!pqRelievoViewSettings::AreShadowsOn(this->Watched) &&
+    pqRelievoViewSettings::GetShownLayer(this->Watched).isEmpty())
+  {
+    return QByteArray(); // the server would tell of the last picture with Relievo
+  }
+  settings->UpdatePropertyInformation(settings->GetProperty("FrameReport"));
+  return vtkSMPropertyHelper(settings, "FrameReport").GetAsString();
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoReportView::Refresh()
+{
+  this->SinceRefresh.start();
+  if (!this->Watched)
+  {
+    return;
+  }
+  if (this->Watched->getServer()->isProgressPending())
+  {
+    this->Timer.start(RefreshMilliseconds); // the server is at work for somebody else
+    return;
+  }
+  pqRelievoFrameReport report;
+  const bool drawn = report.Read(this->PullReport());
+  this->Show(report, drawn ? QString() : "Neither shadows nor layers are on.");
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoReportView::Show(const pqRelievoFrameReport& report, const QString& message)
+{
+  this->Report = report;
+  this->Table->SetReport(report);
+  this->Table->setVisible(!report.Stages.isEmpty());
+  this->Chart->SetStages(report.Stages);
+  this->Message->setText(message);
+  this->Message->setVisible(!message.isEmpty());
+}

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class pqRelievoReportView
+ * @brief What the last picture of a view took, stage by stage, folded away until it is opened.
+ *
+ * Read after pictures, at most four times a second. While it is folded, or its dock is not seen, it
+ * observes and reads nothing, and pictures cost nothing for it.
+ */
+#ifndef pqRelievoReportView_h
+#define pqRelievoReportView_h
+
+#include "pqRelievoFrameReport.h"
+#include "pqView.h"
+
+#include <QElapsedTimer>
+#include <QPointer>
+#include <QTimer>
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+class pqRelievoStageTable;
+class pqRelievoTimesChart;
+
+class pqRelievoReportView : public QWidget
+{
+  Q_OBJECT
+  using Superclass = QWidget;
+
+public:
+  explicit pqRelievoReportView(QWidget* parent = nullptr);
+
+  /** The view to tell of; nullptr for none. */
+  void SetView(pqView* view);
+
+  /** Whether it observes a view. */
+  bool IsWatching() const { return !this->Watched.isNull(); }
+
+  /** The report that is shown. */
+  const pqRelievoFrameReport& GetReport() const { return this->Report; }
+
+private:
+  void Watch();
+  void Schedule();
+  void Refresh();
+  QByteArray PullReport();
+  void Show(const pqRelievoFrameReport& report, const QString& message);
+
+  QPointer<pqView> View;
+  QPointer<pqView> Watched; // while it is open
+  QTimer Timer;
+  QElapsedTimer SinceRefresh;
+  pqRelievoFrameReport Report;
+
+  QToolButton* Fold;
+  QWidget* Rest;
+  QLabel* Message;
+  pqRelievoStageTable* Table;
+  pqRelievoTimesChart* Chart;
+};
+
+#endif

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVRelievoSun.h"
+
+#include "vtkLightCollection.h"
+#include "vtkLightKit.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Where the fill comes from, and its parts: two lights from the sun's far side that differ, so that
+// neighbouring walls do; low, so that the ground's shadows stay dark.
+struct FillPlace
+{
+  double Azimuth; // from the sun's
+  double Elevation;
+  double Part;
+};
+constexpr FillPlace FillPlaces[2] = { { 140.0, 25.0, 2.0 / 3.0 }, { -120.0, 10.0, 1.0 / 3.0 } };
+
+void ToWorld(double azimuth, double elevation, int upAxis, double direction[3])
+{
+  constexpr double Degree = 3.14159265358979323846 / 180.0;
+  const double level = std::cos(Degree * elevation);
+  const double east = level * std::sin(Degree * azimuth);
+  const double north = level * std::cos(Degree * azimuth);
+  const double up = std::sin(Degree * elevation);
+  const double byUpAxis[3][3] = { { up, east, north }, { east, up, -north }, { east, north, up } };
+  std::copy_n(byUpAxis[upAxis], 3, direction);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkPVRelievoSun::vtkPVRelievoSun()
+{
+  for (vtkLight* light : { this->Light.Get(), this->Fills[0].Get(), this->Fills[1].Get() })
+  {
+    light->SetLightTypeToSceneLight();
+    light->PositionalOff();
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoSun::GetAngles(double angles[2])
+{
+  angles[0] = this->ByDateAndPlace ? this->Position->GetAzimuth() : this->Azimuth;
+  angles[1] = this->ByDateAndPlace ? this->Position->GetElevation() : this->Elevation;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoSun::GetDirection(double direction[3])
+{
+  double angles[2];
+  this->GetAngles(angles);
+  ToWorld(angles[0] + this->North, angles[1], this->UpAxis, direction);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoSun::Point(vtkLight* light, double azimuth, double elevation)
+{
+  double direction[3];
+  ToWorld(azimuth, elevation, this->UpAxis, direction);
+  light->SetPosition(direction);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoSun::Place(vtkRenderer* renderer, vtkLightKit* kit)
+{
+  if (kit->GetKeyLightIntensity() != this->DimmedIntensity)
+  {
+    this->KitIntensity = kit->GetKeyLightIntensity(); // set by the user since
+  }
+  vtkLightCollection* lights = renderer->GetLights();
+  auto place = [renderer, lights](vtkLight* light, bool wanted) {
+    const bool there = lights->IsItemPresent(light) != 0;
+    if (wanted && !there)
+    {
+      renderer->AddLight(light);
+    }
+    else if (!wanted && there)
+    {
+      renderer->RemoveLight(light);
+    }
+  };
+  place(this->Light, this->On);
+  place(this->Fills[0], this->On && this->Fill > 0.0);
+  place(this->Fills[1], this->On && this->Fill > 0.0);
+  if (!this->On)
+  {
+    if (this->DimmedIntensity >= 0.0)
+    {
+      kit->SetKeyLightIntensity(this->KitIntensity);
+      this->DimmedIntensity = -1.0;
+    }
+    return;
+  }
+  double angles[2];
+  this->GetAngles(angles);
+  const double azimuth = angles[0] + this->North;
+  this->Point(this->Light, azimuth, angles[1]);
+  this->Light->SetSwitch(!this->ByDateAndPlace || angles[1] > 0.0);
+  this->Light->SetIntensity(this->Intensity);
+  this->Light->SetColor(this->Color);
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Point(this->Fills[i], azimuth + FillPlaces[i].Azimuth, FillPlaces[i].Elevation);
+    this->Fills[i]->SetIntensity(this->Fill * FillPlaces[i].Part);
+  }
+  this->DimmedIntensity = this->KitIntensity * this->KitShare;
+  kit->SetKeyLightIntensity(this->DimmedIntensity);
+}
