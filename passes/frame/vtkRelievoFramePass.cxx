@@ -339,6 +339,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
 //------------------------------------------------------------------------------
 std::string vtkRelievoFramePass::GetFrameReport()
 {
+  this->Internal->Timer.Want();
   return this->Internal->Report.GetJSON(this->Internal->Timer);
 }
 

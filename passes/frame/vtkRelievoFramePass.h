@@ -90,7 +90,9 @@ public:
   /**
    * What the last frame did, as JSON: for the delegate and every stage its name, whether it ran, the
    * reason in words and as a code (vtkRelievoStage::GetReasonCode), GPU milliseconds (of the newest
-   * frame whose timers have arrived; null before), bytes held, draw calls; and the totals.
+   * frame whose timers have arrived; null before), bytes held, draw calls; and the totals. OpenGL in
+   * software has no timers between commands: there times are taken in the eight frames after a
+   * report was read, each command waited for.
    */
   std::string GetFrameReport();
 

@@ -45,8 +45,9 @@ std::vector<std::string> vtkRelievoFrameRun::Plan(const std::vector<std::string>
     node.Declaration.Reads = description.Reads;
     node.Declaration.Writes = description.Writes;
     node.Declaration.Words = description.Help;
-    node.ReadsFor = [stage](
-                      const std::vector<std::string>& asked) { return stage->GetReadsFor(asked); };
+    node.ReadsFor = [this, stage](const std::vector<std::string>& asked) {
+      return stage->GetReadsFor(this->Context, asked);
+    };
     if (stage->GetEnabled())
     {
       stage->Declare(this->Context, node.Declaration);
@@ -63,6 +64,15 @@ std::vector<std::string> vtkRelievoFrameRun::Plan(const std::vector<std::string>
       std::vector<std::string>& uses = delegate.Declaration.Uses;
       uses.insert(uses.end(), description.Writes.begin(), description.Writes.end());
     }
+  }
+  std::vector<std::string> layers = this->Context.ReadBack;
+  for (const vtkRelievoFramePlan::Node& node : this->Nodes)
+  {
+    layers.insert(layers.end(), node.Declaration.Reads.begin(), node.Declaration.Reads.end());
+  }
+  for (vtkRelievoStage* stage : this->Stages)
+  {
+    this->Context.Lights.merge(stage->FindLights(layers, this->Context.Renderer));
   }
   std::vector<std::string> wrong = this->Order.Make(this->Nodes, outputs);
   for (std::size_t i = 0; i < this->Stages.size(); ++i)

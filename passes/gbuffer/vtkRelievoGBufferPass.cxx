@@ -49,15 +49,15 @@ public:
   bool Writing = false;
   bool Valid = false; // the textures hold the last frame's layers
 
-  // The layout for the layers; `read` are those that will be read back.
-  void Arrange(vtkRelievoGBufferPass& self, const std::vector<std::string>& layers,
-    const std::vector<std::string>& read)
+  // The layout for what is asked of the stage.
+  void Arrange(vtkRelievoGBufferPass& self, const vtkRelievoFrameContext& context)
   {
     vtkRelievoGBufferLayout layout;
+    layout.Lights = context.Lights;
     layout.NormalFormat = self.NormalFormat;
     layout.DepthFormat = self.DepthFormat;
     layout.NormalDepth = self.NormalDepthFormat;
-    for (const std::string& layer : layers)
+    for (const std::string& layer : context.GetAsked(&self))
     {
       vtkRelievoLayerReader::AddChannels(layer, layout);
     }
@@ -65,15 +65,16 @@ public:
     const bool together =
       self.NormalDepthFormat != NORMAL_DEPTH_SEPARATE && layout.Normal && layout.Depth;
     const bool refines = self.RefineDepth && self.DepthFormat == DEPTH_32F && !together;
-    for (const std::string& layer : read)
+    for (const std::string& layer : context.ReadBack)
     {
       layout.Ids = layout.Ids ||
         (refines && vtkRelievoLayerCatalogue::Find(layer).Source == vtkRelievoLayer::FROM_DEPTH);
     }
     layout.Arrange();
-    if (layout != this->Layout)
+    const bool changed = layout != this->Layout;
+    this->Layout = layout;
+    if (changed)
     {
-      this->Layout = layout;
       this->StructureTime.Modified();
     }
   }
@@ -116,19 +117,18 @@ void vtkRelievoGBufferPass::Declare(
 
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkRelievoGBufferPass::GetReadsFor(
-  const std::vector<std::string>& asked) const
+  const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const
 {
-  const bool shadow = std::any_of(asked.begin(), asked.end(), [](const std::string& layer) {
-    return vtkRelievoLayerCatalogue::Find(layer).Kind == vtkRelievoLayer::SHARE;
-  });
-  return shadow ? std::vector<std::string>{ "visibility" } : std::vector<std::string>();
+  const bool visibility = std::any_of(asked.begin(), asked.end(),
+    [&context](const std::string& layer) { return context.Lights.count(layer) > 0; });
+  return visibility ? std::vector<std::string>{ "visibility" } : std::vector<std::string>();
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoGBufferPass::Prepare(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  in.Arrange(*this, context.GetAsked(this), context.ReadBack);
+  in.Arrange(*this, context);
   in.Renderer = context.Renderer;
   in.View = context.View;
   in.Draws.Clear();

@@ -214,6 +214,8 @@ protected:
   bool Prepare(vtkRelievoFrameContext& context) override;
   void Execute(vtkRelievoFrameContext& context) override;
   void Finish(vtkRelievoFrameContext& context) override;
+  std::map<std::string, int> FindLights(
+    const std::vector<std::string>& layers, vtkRenderer* renderer) override;
 
   bool Visible = false;
   int Method = METHOD_MAP;

@@ -5,7 +5,7 @@
 #include "vtkRelievoShadowInternals.h"
 
 #include "vtkLightCollection.h"
-#include "vtkRelievoGBufferLayout.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoShadowLight.h"
 #include "vtkRenderer.h"
 
@@ -98,7 +98,7 @@ std::map<std::string, int> vtkRelievoShadowPass::FindLights(
   std::map<std::string, int> lights;
   for (const std::string& layer : layers)
   {
-    const int number = vtkRelievoGBufferLayout::GetLightNumber(layer);
+    const int number = vtkRelievoLayerCatalogue::GetLight(layer);
     if (number >= 0)
     {
       lights[layer] = number;
