@@ -116,9 +116,8 @@ bool vtkRelievoDisplayStage::UploadColors(vtkRelievoFrameContext& context)
   }
   int size[3];
   image->GetDimensions(size);
-  std::vector<unsigned char> colors =
-    vtkRelievoLayerColors::Make(
-      image, this->Layer, context.Lights.count(this->Layer) > 0, this->Range, this->Grey);
+  std::vector<unsigned char> colors = vtkRelievoLayerColors::Make(
+    image, this->Layer, context.Lights.count(this->Layer) > 0, this->Range, this->Grey);
   if (!in.Colors)
   {
     in.Colors = vtkSmartPointer<vtkTextureObject>::New();

@@ -155,8 +155,8 @@ protected:
   void Describe(vtkRelievoStageDescription& description) override;
   void Declare(
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
-  std::vector<std::string> GetReadsFor(const vtkRelievoFrameContext& context,
-    const std::vector<std::string>& asked) const override;
+  std::vector<std::string> GetReadsFor(
+    const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const override;
   bool Prepare(vtkRelievoFrameContext& context) override;
   void BeginOpaque(vtkRelievoFrameContext& context) override;
   void EndOpaque(vtkRelievoFrameContext& context) override;

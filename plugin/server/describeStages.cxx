@@ -5,7 +5,8 @@
 // are made from the stages' descriptions, and lists of layers from the catalogue. Run by the build.
 //
 // A comment `stages: properties` in the template becomes the properties of every stage that is not
-// always there, `stages: exposed` their groups in the render view, `layers` the names of layers.
+// always there, `stages: exposed` their groups in the render view, `layers` the names of layers, `layers: shown`
+// those that can be shown as the picture.
 #include "vtkNew.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
@@ -24,8 +25,11 @@ std::string Escape(const std::string& text)
   std::string out;
   for (char c : text)
   {
-    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;"
-                                                                                 : std::string(1, c);
+    out += c == '&' ? "&amp;"
+      : c == '<'    ? "&lt;"
+      : c == '>'    ? "&gt;"
+      : c == '"'    ? "&quot;"
+                    : std::string(1, c);
   }
   return out;
 }
@@ -80,12 +84,13 @@ std::string MakeProperty(
   const std::string kind = text ? "String" : whole ? "Int" : "Double";
   const std::string name = GetPropertyName(stage, parameter.Name);
   std::ostringstream out;
-  out << "      <" << kind << "VectorProperty name=\"" << name << "\" label=\""
-      << parameter.GetLabel() << "\" command=\"SetStage" << (text ? "Text" : "Value")
-      << "\" initial_string=\"" << stage.Name << ":" << parameter.Name
-      << "\" number_of_elements=\"" << std::max(1, parameter.GetNumberOfComponents())
-      << "\" default_values=\""
+  const std::string element = (text ? "" : "Relievo") + kind + "VectorProperty";
+  out << "      <" << element << " name=\"" << name << "\" label=\"" << parameter.GetLabel()
+      << "\" command=\"SetStage" << (text ? "Text" : "Value") << "\" initial_string=\""
+      << stage.Name << ":" << parameter.Name << "\" number_of_elements=\""
+      << std::max(1, parameter.GetNumberOfComponents()) << "\" default_values=\""
       << (text ? Escape(parameter.Format()) : Numbers(parameter.GetValues())) << "\""
+      << (text ? "" : " si_class=\"vtkSI" + kind + "VectorProperty\"")
       << (parameter.Type == P::COLOR ? " panel_widget=\"color_selector\"" : "") << ">\n";
   if (parameter.Type == P::FLAG)
   {
@@ -109,7 +114,7 @@ std::string MakeProperty(
       << "        <Hints>\n"
       << "          <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\" "
       << "property=\"Relievo" << GetPropertyName(stage, "") << "\" value=\"1\"/>\n"
-      << "        </Hints>\n      </" << kind << "VectorProperty>\n";
+      << "        </Hints>\n      </" << element << ">\n";
   return out.str();
 }
 
@@ -155,6 +160,18 @@ std::string MakeLayers()
   }
   return out;
 }
+
+// Of those that the view shows: not the picture itself.
+std::string MakeShownLayers()
+{
+  std::string out;
+  for (const vtkRelievoLayer& layer : vtkRelievoLayerCatalogue::GetAll())
+  {
+    const bool shown = !layer.OfLight && layer.Source != vtkRelievoLayer::FROM_PICTURE;
+    out += shown ? "          <String value=\"" + layer.Name + "\"/>\n" : "";
+  }
+  return out;
+}
 }
 
 int main(int argc, char* argv[])
@@ -183,6 +200,7 @@ int main(int argc, char* argv[])
     out << (line.find("<!-- stages: properties -->") != std::string::npos ? properties
         : line.find("<!-- stages: exposed -->") != std::string::npos      ? exposed
         : line.find("<!-- layers -->") != std::string::npos               ? MakeLayers()
+        : line.find("<!-- layers: shown -->") != std::string::npos        ? MakeShownLayers()
                                                                           : line + "\n");
   }
   std::ofstream file(argv[2]);

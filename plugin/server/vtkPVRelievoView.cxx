@@ -156,7 +156,7 @@ vtkPVRelievoView* vtkPVRelievoView::Find(vtkPVView* view)
 bool vtkPVRelievoView::IsAnythingOn()
 {
   return this->GetShadows() || this->Internal->Frame->GetDisplayLayer() ||
-    !this->Internal->Asked.empty();
+    !this->Internal->Asked.empty() || this->IsAnyStageOn();
 }
 
 //------------------------------------------------------------------------------

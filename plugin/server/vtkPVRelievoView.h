@@ -127,6 +127,18 @@ public:
 
   ///@{
   /**
+   * A stage of the frame by its name, and its parameters as "stage:parameter", in the numbers of
+   * vtkRelievoParameter (a choice by its place, a flag as 0 or 1). What a stage does not take is
+   * left as it was, with a warning. The XML of these properties is made from the stages.
+   */
+  void SetStageOn(const char* stage, bool on);
+  void SetStageValue(const char* parameter, double value);
+  void SetStageValue(const char* parameter, double first, double second, double third);
+  void SetStageText(const char* parameter, const char* text);
+  ///@}
+
+  ///@{
+  /**
    * Layers that the view's pictures make until all who asked for them have released them: what
    * GetFrame()->ReadLayers() reads after a picture. The G-buffer is freed with the last.
    */
@@ -174,6 +186,7 @@ private:
   void operator=(const vtkPVRelievoView&) = delete;
 
   bool IsAnythingOn();
+  bool IsAnyStageOn();
   void Prepare();
   void KeepLayersSharp();
   void PlacePass();
