@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Captures a sphere's depth, writes it to FILE.exr (the only word of the command line), and reads
-// it back: an installed Relievo, seen from outside.
+// Captures a sphere's depth, writes it to FILE.exr (the only word of the command line), reads it
+// back, and doubles its colour with a stage of its own: an installed Relievo, seen from outside.
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkDataArray.h>
@@ -12,6 +12,8 @@
 #include <vtkRelievoEXRReader.h>
 #include <vtkRelievoEXRWriter.h>
 #include <vtkRelievoLayerSource.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoStage.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
@@ -26,6 +28,18 @@ double MiddleDepth(vtkImageData* image)
 {
   vtkDataArray* depth = image->GetPointData()->GetArray("depth");
   return depth ? depth->GetComponent(image->GetNumberOfPoints() / 2, 0) : -1.;
+}
+
+// Red of the linear colour at the middle of the picture.
+double MiddleRed(vtkRelievoLayerSource* layers)
+{
+  layers->RemoveAllLayers();
+  layers->AddLayer("color");
+  layers->HDROn();
+  layers->Update();
+  vtkImageData* image = layers->GetOutput();
+  vtkDataArray* color = image->GetPointData()->GetArray("color");
+  return color ? color->GetComponent(image->GetNumberOfPoints() / 2, 0) : -1.;
 }
 }
 
@@ -60,7 +74,20 @@ int main(int, char* argv[])
   reader->Update();
   const double read = MiddleDepth(reader->GetOutput());
 
+  vtkRelievoPass* frame = vtkRelievoPass::Attach(renderer);
+  const double red = MiddleRed(layers);
+  vtkRelievoStage* times = frame->GetStage("times");
+  if (!times || !times->SetParameter("factor", "2"))
+  {
+    std::cerr << "the frame does not know this project's stage\n";
+    return EXIT_FAILURE;
+  }
+  times->EnabledOn();
+  const double doubled = MiddleRed(layers);
+  std::cout << "red " << red << ", times two " << doubled << " (" << times->GetReason() << ")\n";
+
   std::cout << "depth " << captured << ", read back " << read << "\n";
-  const bool right = std::abs(captured - 2.5) < 1e-5 && read == captured;
+  const bool right = std::abs(captured - 2.5) < 1e-5 && read == captured && red > 0.1 &&
+    std::abs(doubled - 2. * red) < 2e-3;
   return right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

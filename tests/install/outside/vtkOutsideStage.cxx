@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOutsideStage.h"
+
+#include <vtkObjectFactory.h>
+#include <vtkRelievoFrameContext.h>
+#include <vtkRelievoShaderLibrary.h>
+#include <vtkRelievoStageRegistry.h>
+#include <vtkShaderProgram.h>
+
+vtkStandardNewMacro(vtkOutsideStage);
+
+namespace
+{
+const bool Registered =
+  vtkRelievoStageRegistry::Add([]() -> vtkRelievoStage* { return vtkOutsideStage::New(); });
+
+const bool Added = vtkRelievoShaderLibrary::Add("outside/timesFS.glsl", R"(//VTK::System::Dec
+//RELIEVO::Include(extensions.glsl)
+//RELIEVO::Defines
+//VTK::Output::Dec
+//RELIEVO::Include(gbuffer/read.glsl)
+//RELIEVO::Include(frame/color.glsl)
+in vec2 texCoord;
+uniform vec2 relievoSize;
+uniform float factor;
+
+void main()
+{
+  ivec2 pixel = ivec2(floor(texCoord * relievoSize));
+  vec4 color = relievoFetchColor(pixel);
+  gl_FragData[0] = isinf(relievoFetchDepth(pixel)) ? color : vec4(factor * color.rgb, color.a);
+}
+)");
+}
+
+//------------------------------------------------------------------------------
+void vtkOutsideStage::Describe(vtkRelievoStageDescription& description)
+{
+  description.Name = "times";
+  description.Help = "Multiplies the colour of what is seen.";
+  description.Reads = { "depth", "color" };
+  description.Writes = { "color" };
+  description.AddNumber(
+    "factor", this->Factor, [this](double f) { this->SetFactor(f); }, 0.0, 10.0, "", "Times this.");
+}
+
+//------------------------------------------------------------------------------
+void vtkOutsideStage::Execute(vtkRelievoFrameContext& context)
+{
+  vtkShaderProgram* program = Registered && Added
+    ? this->Quad.Ready(context, "outside/timesFS.glsl", { "depth", "color" })
+    : nullptr;
+  if (!program)
+  {
+    this->Explain("failed", this->Quad.GetWrong());
+    return;
+  }
+  program->SetUniformf("factor", static_cast<float>(this->Factor));
+  context.DrawColor(this->Quad);
+}
+
+//------------------------------------------------------------------------------
+void vtkOutsideStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Quad.Release(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
