@@ -327,7 +327,7 @@ const char* vtkPVRelievoView::GetShadowLayers()
 bool vtkPVRelievoView::ReadShownLayer(const char* name, vtkImageData* image)
 {
   image->Initialize();
-  const bool good = this->IsInPlace() && this->Internal->Frame->GetGBuffer()->GetTexture(0) &&
+  const bool good = this->IsInPlace() && this->Internal->Frame->GetGBuffer()->GetHoldsLayers() &&
     this->Internal->Frame->GetGBuffer()->ReadLayers({ name }, image).empty();
   if (!good)
   {
