@@ -13,6 +13,7 @@
 #include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoGBufferSplice.h"
 #include "vtkRelievoGBufferTarget.h"
+#include "vtkRelievoGlyphDraws.h"
 #include "vtkRelievoLayerReader.h"
 #include "vtkRelievoMeshLinks.h"
 #include "vtkRelievoOpaqueProps.h"
@@ -39,12 +40,14 @@ public:
   int Offset[2] = { 0, 0 }; // of the viewport within the textures
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkRelievoDrawTable Draws;
+  vtkRelievoGlyphReach Glyphs;
   vtkRelievoMeshLinks Links; // built when a read needs them
   vtkRelievoOpaqueProps Props;
   std::set<std::string> Said; // refusals that have been reported, by reason and mapper's class
   std::string NotShared;      // why the delegate's geometry pass cannot be shared
   bool Writing = false;
-  bool Valid = false; // the textures hold the last frame's layers
+  bool RefinesDepth = true; // of the last frame
+  bool Valid = false;       // the textures hold the last frame's layers
 
   void SetMode(const vtkRelievoGBufferSplice::Mode& mode)
   {
@@ -70,6 +73,7 @@ void vtkRelievoGBufferPass::SetLayers(
   const std::vector<std::string>& layers, const std::vector<std::string>& read)
 {
   this->Internal->Layers = layers;
+  this->Internal->RefinesDepth = this->RefineDepth;
   vtkRelievoGBufferLayout layout;
   layout.NormalFormat = this->NormalFormat;
   layout.DepthFormat = this->DepthFormat;
@@ -297,6 +301,7 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
     const std::uint32_t first = in.Draws.Add(actor, mapper, source);
     program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
   }
+  in.Glyphs.SetUniforms(program, mapper);
   program->SetUniformf("relievoWinding", actor->GetMatrix()->Determinant() < 0.0 ? -1.0f : 1.0f);
   program->SetUniformf("relievoNear", static_cast<float>(in.View.Near));
   program->SetUniformf("relievoFar", static_cast<float>(in.View.Far));
@@ -317,6 +322,7 @@ std::string vtkRelievoGBufferPass::ReadLayers(
   const int region[4] = { in.Offset[0], in.Offset[1], in.View.Viewport[2], in.View.Viewport[3] };
   vtkRelievoLayerReader reader(in.Layout, in.Target, region, in.View);
   reader.SetNormalSpaceIsWorld(this->NormalSpace == WORLD);
+  reader.SetRefineDepth(in.RefinesDepth);
   reader.SetDraws(&in.Draws, &in.Links, in.Renderer);
   for (const std::string& name : names)
   {
