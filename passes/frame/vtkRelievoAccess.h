@@ -63,6 +63,12 @@ public:
     return mapper->*(&Mapper::CellCellMap);
   }
 
+  // Of the kind of primitives drawn now: the number of its first one.
+  static vtkIdType PrimitiveOffset(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return mapper->*(&Mapper::PrimitiveIDOffset);
+  }
+
   static vtkOpenGLVertexBufferObjectGroup* Buffers(vtkOpenGLPolyDataMapper* mapper)
   {
     return mapper->*(&Mapper::VBOs);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoCellGeometry.h"
 
-#include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkPolyData.h"
@@ -29,7 +28,7 @@ int GetCorners(
   const vtkRelievoDrawTable::Hit& hit, const vtkRelievoCell& cell, vtkIdType corners[3])
 {
   // Most cells are triangles, the one primitive of theirs.
-  const int representation = hit.Prop->GetProperty()->GetRepresentation();
+  const int representation = hit.Representation;
   const bool polygon = cell.Kind == vtkRelievoCell::Polys;
   const bool whole = polygon && cell.Count == 3 && representation == VTK_SURFACE;
   const vtkIdType k = whole ? 0 : hit.GetPrimitiveInCell();
@@ -103,7 +102,7 @@ vtkRelievoCell::vtkRelievoCell(vtkPolyData* mesh, vtkIdType cell, vtkIdList* scr
 vtkRelievoCellGeometry::vtkRelievoCellGeometry(
   const vtkRelievoDrawTable::Hit& hit, vtkIdList* scratch)
 {
-  if (!hit.Mesh || hit.Cell < 0)
+  if (!hit.Mesh || hit.Cell < 0 || hit.Changed)
   {
     return;
   }

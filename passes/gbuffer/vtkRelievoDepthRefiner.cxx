@@ -19,11 +19,11 @@ namespace
 {
 constexpr std::uint32_t Nothing = vtkRelievoDrawTable::Nothing;
 
-// Not another surface altogether.
-bool IsSameSurface(double a, double b)
-{
-  return std::abs(a - b) < 0.01 * b;
-}
+// What counts as one surface: how far its depth may differ from that of the triangle shown, in
+// widths of a pixel, and by how much more for every pixel between them in the image. Beyond that is
+// another sheet, which the triangle's silhouette is seen before or behind.
+constexpr double Gap = 0.1;
+constexpr double Slope = 10.0;
 }
 
 // The triangles that a thread saw last, by their words: the row above showed most of them.
@@ -71,6 +71,15 @@ vtkRelievoDepthRefiner::vtkRelievoDepthRefiner(const vtkRelievoDrawTable& draws,
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoDepthRefiner::RunsOn(const Point& nearest, double depth) const
+{
+  const glm::dmat4& m = this->View.ViewToNDC;
+  const double w = m[3][3] - m[2][3] * nearest.Depth;
+  const double pixel = 2.0 * w / (std::abs(m[1][1]) * this->View.Viewport[3]);
+  return std::abs(depth - nearest.Depth) <= (Gap + Slope * nearest.Distance) * pixel;
+}
+
+//------------------------------------------------------------------------------
 std::uint32_t vtkRelievoDepthRefiner::GetWord(int x, int y) const
 {
   return this->Words[(static_cast<std::ptrdiff_t>(y) * this->View.Viewport[2] + x) * this->Stride];
@@ -92,7 +101,7 @@ vtkRelievoDepthRefiner::Triangle vtkRelievoDepthRefiner::GetTriangle(
 {
   Triangle triangle;
   const vtkRelievoDrawTable::Hit hit = this->Draws.Find(word);
-  if (hit.Mesh && !hit.Deformed)
+  if (hit.Mesh && !hit.Deformed && !hit.Changed)
   {
     const vtkRelievoCellGeometry cell(hit, scratch);
     triangle.Known = cell.Count == 3;
@@ -140,24 +149,63 @@ double vtkRelievoDepthRefiner::GetDepth(
   {
     w[i] = weights.At[i] + steps * weights.Step[i];
   }
-  double sum = w[0] + w[1] + w[2];
+  const double sum = w[0] + w[1] + w[2];
   const double sign = sum < 0.0 ? -1.0 : 1.0;
   inside = w[0] * sign >= 0.0 && w[1] * sign >= 0.0 && w[2] * sign >= 0.0;
-  if (!inside)
-  {
-    for (double& weight : w)
-    {
-      weight = std::max(0.0, weight * sign);
-    }
-    sum = w[0] + w[1] + w[2];
-  }
   const double* d = triangle.Depth;
   return d[0] + (w[1] * (d[1] - d[0]) + w[2] * (d[2] - d[0])) / sum;
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoDepthRefiner::GetNeighbourDepth(int x, int y, double depth, Recent& recent) const
+vtkRelievoDepthRefiner::Point vtkRelievoDepthRefiner::GetNearest(
+  const Triangle& triangle, int x, int y) const
 {
+  const glm::dvec2 size(this->View.Viewport[2], this->View.Viewport[3]);
+  const glm::dvec2 ndc = relievo::f64::relievoNdcFromPixel(glm::dvec2(x, y), size);
+  Point nearest;
+  const glm::dmat4& m = this->View.ViewToNDC;
+  const double least = m[3][3] - m[2][3] * this->View.Near;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int j = (i + 1) % 3;
+    glm::dvec3 clip[2] = { triangle.Clip[i], triangle.Clip[j] };
+    double depth[2] = { triangle.Depth[i], triangle.Depth[j] };
+    if (clip[0].z < least && clip[1].z < least)
+    {
+      continue;
+    }
+    const int behind = clip[0].z < clip[1].z ? 0 : 1;
+    if (clip[behind].z < least)
+    {
+      // The part before the near plane.
+      const int ahead = 1 - behind;
+      const double cut = (least - clip[behind].z) / (clip[ahead].z - clip[behind].z);
+      clip[behind] += cut * (clip[ahead] - clip[behind]);
+      depth[behind] += cut * (depth[ahead] - depth[behind]);
+    }
+    // From the pixel's centre, in pixels.
+    const glm::dvec2 from = (glm::dvec2(clip[0]) / clip[0].z - ndc) * 0.5 * size;
+    const glm::dvec2 to = (glm::dvec2(clip[1]) / clip[1].z - ndc) * 0.5 * size;
+    const glm::dvec2 along = to - from;
+    const double length = glm::dot(along, along);
+    const double t = length > 0.0 ? glm::clamp(-glm::dot(from, along) / length, 0.0, 1.0) : 0.0;
+    const double distance = glm::length(from + t * along);
+    if (distance < nearest.Distance)
+    {
+      nearest.Distance = distance;
+      // From the place in the image to the place on the edge.
+      const double share = t * clip[0].z / (t * clip[0].z + (1.0 - t) * clip[1].z);
+      nearest.Depth = depth[0] + share * (depth[1] - depth[0]);
+    }
+  }
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoDepthRefiner::GetNeighbourDepth(const Pixel& pixel, Recent& recent) const
+{
+  const int x = pixel.X;
+  const int y = pixel.Y;
   std::uint32_t last = this->GetWord(x, y);
   // Of all that hold the centre the nearest is seen.
   double best = std::numeric_limits<double>::infinity();
@@ -178,7 +226,7 @@ double vtkRelievoDepthRefiner::GetNeighbourDepth(int x, int y, double depth, Rec
       }
       bool inside = false;
       const double candidate = GetDepth(triangle, this->GetWeights(triangle, x, y), 0.0, inside);
-      if (inside && IsSameSurface(candidate, depth))
+      if (inside && this->RunsOn(pixel.Nearest, candidate))
       {
         best = std::min(best, candidate);
       }
@@ -189,9 +237,9 @@ double vtkRelievoDepthRefiner::GetNeighbourDepth(int x, int y, double depth, Rec
 
 //------------------------------------------------------------------------------
 double vtkRelievoDepthRefiner::GetAdjacentDepth(
-  int x, int y, double depth, vtkRelievoMeshLinks& links) const
+  const Pixel& pixel, vtkRelievoMeshLinks& links) const
 {
-  const vtkRelievoDrawTable::Hit hit = this->Draws.Find(this->GetWord(x, y));
+  const vtkRelievoDrawTable::Hit hit = this->Draws.Find(this->GetWord(pixel.X, pixel.Y));
   const vtkRelievoMeshLinks::Links& cells = links.Get(hit.Mesh);
   vtkNew<vtkIdList> ownScratch;
   vtkNew<vtkIdList> scratch;
@@ -217,8 +265,9 @@ double vtkRelievoDepthRefiner::GetAdjacentDepth(
           this->SetCorner(triangle, j, *hit.ModelToView, model);
         }
         bool inside = false;
-        const double candidate = GetDepth(triangle, this->GetWeights(triangle, x, y), 0.0, inside);
-        if (inside && IsSameSurface(candidate, depth))
+        const double candidate =
+          GetDepth(triangle, this->GetWeights(triangle, pixel.X, pixel.Y), 0.0, inside);
+        if (inside && this->RunsOn(pixel.Nearest, candidate))
         {
           best = std::min(best, candidate);
         }
@@ -248,7 +297,7 @@ void vtkRelievoDepthRefiner::Refine(float* depths, vtkRelievoMeshLinks& links)
   for (const Pixel& pixel : open)
   {
     float& depth = depths[static_cast<std::ptrdiff_t>(pixel.Y) * width + pixel.X];
-    const double found = this->GetAdjacentDepth(pixel.X, pixel.Y, depth, links);
+    const double found = this->GetAdjacentDepth(pixel, links);
     depth = std::isfinite(found) ? static_cast<float>(found) : depth;
   }
 }
@@ -286,16 +335,18 @@ void vtkRelievoDepthRefiner::RefineRow(
     }
     bool inside = false;
     double depth = GetDepth(triangle, weights, x - first, inside);
-    if (!inside && std::isfinite(depth))
+    if (!inside || !std::isfinite(depth))
     {
-      const double found = this->GetNeighbourDepth(x, y, depth, recent);
+      const Pixel pixel{ x, y, this->GetNearest(triangle, x, y) };
+      depth = pixel.Nearest.Depth;
+      const double found = std::isfinite(depth) ? this->GetNeighbourDepth(pixel, recent) : depth;
       if (std::isfinite(found))
       {
         depth = found;
       }
-      else
+      else if (std::isfinite(depth))
       {
-        open.push_back(Pixel{ x, y });
+        open.push_back(pixel);
       }
     }
     if (std::isfinite(depth))

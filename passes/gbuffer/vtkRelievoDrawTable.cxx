@@ -21,6 +21,7 @@
 #include "vtkShaderProperty.h"
 
 #include <algorithm>
+#include <map>
 
 namespace
 {
@@ -63,25 +64,44 @@ vtkIdType CountPrimitives(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int 
                                   mapper->CurrentInput->GetNumberOfPoints())
                               : 1;
 }
+
+// What the mapper draws now. It draws pieces one after the other from one mesh, filled anew for
+// each: of a piece its arrays are kept.
+vtkSmartPointer<vtkPolyData> GetMesh(vtkOpenGLPolyDataMapper* mapper)
+{
+  vtkSmartPointer<vtkPolyData> mesh = mapper->CurrentInput;
+  if (mesh && mapper->GetNumberOfSubPieces() > 1)
+  {
+    mesh = vtkSmartPointer<vtkPolyData>::New();
+    mesh->ShallowCopy(mapper->CurrentInput);
+  }
+  return mesh;
+}
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoDrawTable::Clear()
 {
   this->Draws.clear();
+  this->Maps.Prune();
 }
 
 //------------------------------------------------------------------------------
 std::uint32_t vtkRelievoDrawTable::Add(
   vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int primitiveSource)
 {
+  const int type = vtkRelievoAccess::Mapper::BoundPrimitiveType(mapper);
   std::uint32_t first = 0;
   if (!this->Draws.empty())
   {
-    const Draw& last = this->Draws.back();
-    // A mapper's verts, lines, polys and strips count through.
-    if (last.Actor == actor && last.Mapper == mapper && last.PrimitiveSource == primitiveSource)
+    Draw& last = this->Draws.back();
+    // A mapper's verts, lines, polys and strips count through. It draws them in this order: where
+    // it begins anew, another piece is drawn, or the actor once more, elsewhere.
+    if (last.Actor == actor && last.Mapper == mapper && last.PrimitiveSource == primitiveSource &&
+      type > last.LastPrimitiveType)
     {
+      last.LastPrimitiveType = type;
+      SetOffset(last, mapper, type);
       return last.First;
     }
     first = last.First + last.Count;
@@ -94,6 +114,8 @@ std::uint32_t vtkRelievoDrawTable::Add(
   draw.Keys = actor->GetPropertyKeys();
   draw.Mapper = mapper;
   draw.PrimitiveSource = primitiveSource;
+  draw.LastPrimitiveType = type;
+  draw.Representation = actor->GetProperty()->GetRepresentation();
   draw.First = first;
   draw.Count = count;
   vtkMatrix4x4* matrix = actor->GetMatrix();
@@ -103,11 +125,12 @@ std::uint32_t vtkRelievoDrawTable::Add(
   }
   if (primitiveSource == vtkRelievoGBufferSplice::PrimitiveOfMesh)
   {
-    AddRanges(draw, mapper);
+    this->AddRanges(draw, mapper);
+    SetOffset(draw, mapper, type);
   }
   else if (primitiveSource == vtkRelievoGBufferSplice::PointOfMesh)
   {
-    draw.Points = mapper->CurrentInput;
+    draw.Points = GetMesh(mapper);
   }
   this->Draws.push_back(draw);
   return first;
@@ -116,14 +139,15 @@ std::uint32_t vtkRelievoDrawTable::Add(
 //------------------------------------------------------------------------------
 void vtkRelievoDrawTable::AddRanges(Draw& draw, vtkOpenGLPolyDataMapper* mapper)
 {
-  const int representation = draw.Actor->GetProperty()->GetRepresentation();
   auto add = [&](int block, vtkPolyData* mesh, vtkOpenGLCellToVTKCellMap* map) {
-    vtkCellArray* cells[4] = { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(),
-      mesh->GetStrips() };
-    // Before VTK takes its offsets from it: until it is asked, the map also counts triangles
-    // without area, which are not drawn.
-    map->Update(cells, representation, mesh->GetPoints());
-    draw.Ranges.push_back(Range{ map->GetPrimitiveOffsets()[0], block, mesh, map });
+    Range range;
+    const vtkIdType* offsets = map->GetPrimitiveOffsets();
+    std::copy(offsets, offsets + vtkRelievoCellMap::Kinds, range.Offsets.begin());
+    range.Block = block;
+    range.Mesh = mesh;
+    range.Map = this->Maps.Get(mesh, draw.Representation);
+    range.Time = vtkRelievoCellMaps::GetTime(mesh);
+    draw.Ranges.push_back(range);
   };
 #ifdef RELIEVO_COMPOSITE_HELPER
   if (auto* helper = vtkCompositeMapperHelper2::SafeDownCast(mapper))
@@ -133,13 +157,29 @@ void vtkRelievoDrawTable::AddRanges(Draw& draw, vtkOpenGLPolyDataMapper* mapper)
       add(static_cast<int>(block.second->FlatIndex), block.first, block.second->CellCellMap);
     }
     std::sort(draw.Ranges.begin(), draw.Ranges.end(),
-      [](const Range& x, const Range& y) { return x.First < y.First; });
+      [](const Range& x, const Range& y) { return x.Offsets[0] < y.Offsets[0]; });
     return;
   }
 #endif
   if (mapper->CurrentInput)
   {
-    add(0, mapper->CurrentInput, vtkRelievoAccess::Mapper::CellMap(mapper));
+    add(0, GetMesh(mapper), vtkRelievoAccess::Mapper::CellMap(mapper));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDrawTable::SetOffset(Draw& draw, vtkOpenGLPolyDataMapper* mapper, int type)
+{
+#ifdef RELIEVO_COMPOSITE_HELPER
+  if (vtkCompositeMapperHelper2::SafeDownCast(mapper))
+  {
+    return;
+  }
+#endif
+  // The map's offset, but for a kind that comes after one of which nothing is drawn.
+  if (!draw.Ranges.empty() && type < vtkRelievoCellMap::Kinds)
+  {
+    draw.Ranges[0].Offsets[type] = vtkRelievoAccess::Mapper::PrimitiveOffset(mapper);
   }
 }
 
@@ -163,12 +203,15 @@ void vtkRelievoDrawTable::ResolveGlyphs()
     {
       glyphs = vtkRelievoGetGlyphDraws(mapper);
     }
-    // A mapper that draws in another way than VTK's keeps its points to itself.
-    for (std::size_t i = 0; i < draws.size() && glyphs.size() == draws.size(); ++i)
+    // A mapper that draws in another way than VTK's keeps its points to itself. An actor may be
+    // drawn more than once.
+    const bool known = !glyphs.empty() && draws.size() % glyphs.size() == 0;
+    for (std::size_t i = 0; i < draws.size() && known; ++i)
     {
-      draws[i]->Block = glyphs[i].Block;
-      draws[i]->Points = glyphs[i].Points;
-      draws[i]->Ids = std::move(glyphs[i].Ids);
+      const vtkRelievoGlyphDraw& glyph = glyphs[i % glyphs.size()];
+      draws[i]->Block = glyph.Block;
+      draws[i]->Points = glyph.Points;
+      draws[i]->Ids = glyph.Ids;
     }
   }
 }
@@ -206,6 +249,10 @@ void vtkRelievoDrawTable::Resolve(vtkRenderer* renderer, const vtkRelievoView& v
       (shaders &&
         (shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
           shaders->GetNumberOfShaderReplacements() > 0));
+    for (Range& range : draw.Ranges)
+    {
+      range.Changed = vtkRelievoCellMaps::GetTime(range.Mesh) != range.Time;
+    }
   }
   this->ResolveGlyphs();
 }
@@ -213,22 +260,7 @@ void vtkRelievoDrawTable::Resolve(vtkRenderer* renderer, const vtkRelievoView& v
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoDrawTable::Hit::GetPrimitiveInCell() const
 {
-  // A mesh's primitives are in the order of its cells; a cell may have millions (a long line).
-  vtkIdType from = this->First;
-  vtkIdType to = this->Word;
-  while (from < to)
-  {
-    const vtkIdType middle = from + (to - from) / 2;
-    if (this->Map->ConvertOpenGLCellIdToVTKCellId(false, middle) < this->Cell)
-    {
-      from = middle + 1;
-    }
-    else
-    {
-      to = middle;
-    }
-  }
-  return this->Word - from;
+  return this->Map ? this->Map->GetPrimitiveInCell(*this->Offsets, this->Primitive) : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -279,6 +311,7 @@ vtkRelievoDrawTable::Hit vtkRelievoDrawTable::Find(std::uint32_t word) const
   hit.Prop = draw.Prop;
   hit.ViewToModel = &draw.ViewToModel;
   hit.ModelToView = &draw.ModelToView;
+  hit.Representation = draw.Representation;
   hit.Deformed = draw.Deformed;
   hit.Block = draw.Block;
   if (draw.Points)
@@ -290,7 +323,7 @@ vtkRelievoDrawTable::Hit vtkRelievoDrawTable::Find(std::uint32_t word) const
   }
   auto behind =
     std::upper_bound(draw.Ranges.begin(), draw.Ranges.end(), static_cast<vtkIdType>(primitive),
-      [](vtkIdType value, const Range& range) { return value < range.First; });
+      [](vtkIdType value, const Range& range) { return value < range.Offsets[0]; });
   if (behind == draw.Ranges.begin())
   {
     return hit;
@@ -298,9 +331,10 @@ vtkRelievoDrawTable::Hit vtkRelievoDrawTable::Find(std::uint32_t word) const
   const Range& range = *(behind - 1);
   hit.Block = range.Block;
   hit.Mesh = range.Mesh;
-  hit.Cell = range.Map->ConvertOpenGLCellIdToVTKCellId(false, primitive);
-  hit.Word = primitive;
-  hit.First = range.First;
-  hit.Map = range.Map;
+  hit.Changed = range.Changed;
+  hit.Map = range.Map.get();
+  hit.Offsets = &range.Offsets;
+  hit.Primitive = primitive;
+  hit.Cell = range.Map->GetCell(range.Offsets, primitive);
   return hit;
 }

@@ -7,19 +7,19 @@
 #ifndef vtkRelievoDrawTable_h
 #define vtkRelievoDrawTable_h
 
+#include "vtkRelievoCellMap.h"
 #include "vtkRelievoFormulas.h" // for GLM
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
 #include <cstdint>
-#include <map>
+#include <memory>
 #include <vector>
 
 class vtkActor;
 class vtkDataSet;
 class vtkInformation;
-class vtkOpenGLCellToVTKCellMap;
 class vtkOpenGLPolyDataMapper;
 class vtkPolyData;
 class vtkRenderer;
@@ -41,14 +41,16 @@ public:
     vtkActor* Prop = nullptr;
     const glm::dmat4* ViewToModel = nullptr;
     const glm::dmat4* ModelToView = nullptr;
-    bool Deformed = false; // by shader code of the actor's own
+    int Representation = 0; // as it was drawn
+    bool Deformed = false;  // by shader code of the actor's own
+    bool Changed = false;   // Mesh has other cells or points by now
 
     // Which of the OpenGL primitives that Mesh's cell was cut into: 0 is the first.
     vtkIdType GetPrimitiveInCell() const;
 
-    vtkIdType Word = 0;  // the primitive, as OpenGL counts it
-    vtkIdType First = 0; // of the block
-    vtkOpenGLCellToVTKCellMap* Map = nullptr;
+    vtkIdType Primitive = 0; // as OpenGL counts them
+    const vtkRelievoCellMap* Map = nullptr;
+    const vtkRelievoCellMap::Offsets* Offsets = nullptr;
   };
 
   void Clear();
@@ -68,11 +70,13 @@ public:
 private:
   struct Range
   {
-    vtkIdType First; // first primitive of the block
+    vtkRelievoCellMap::Offsets Offsets;
     int Block;
     // Kept alive: the layers may be read after the scene has let go of them.
     vtkSmartPointer<vtkPolyData> Mesh;
-    vtkSmartPointer<vtkOpenGLCellToVTKCellMap> Map;
+    std::shared_ptr<const vtkRelievoCellMap> Map;
+    vtkMTimeType Time; // of Mesh, when it was drawn
+    bool Changed = false;
   };
   struct Draw
   {
@@ -80,6 +84,8 @@ private:
     vtkInformation* Keys; // an LOD actor's device shares them with the actor in the renderer
     vtkWeakPointer<vtkOpenGLPolyDataMapper> Mapper;
     int PrimitiveSource;
+    int LastPrimitiveType; // of those drawn for it
+    int Representation;
     std::uint32_t First;
     std::uint32_t Count;
     glm::dmat4 ModelToWorld; // as it was drawn: an assembly gives its parts other matrices
@@ -88,16 +94,19 @@ private:
     glm::dmat4 ViewToModel;
     glm::dmat4 ModelToView;
     bool Deformed;
-    std::vector<Range> Ranges; // by First
+    std::vector<Range> Ranges; // by their first primitive
     int Block;                 // of Points
     vtkSmartPointer<vtkDataSet> Points;
     std::vector<vtkIdType> Ids; // of Points, by instance of a glyph
   };
 
-  static void AddRanges(Draw& draw, vtkOpenGLPolyDataMapper* mapper);
+  void AddRanges(Draw& draw, vtkOpenGLPolyDataMapper* mapper);
+  // Where the count of a kind begins that the mapper draws now.
+  static void SetOffset(Draw& draw, vtkOpenGLPolyDataMapper* mapper, int type);
   void ResolveGlyphs();
 
   std::vector<Draw> Draws;
+  vtkRelievoCellMaps Maps;
 };
 
 #endif

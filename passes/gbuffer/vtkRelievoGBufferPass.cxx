@@ -16,6 +16,7 @@
 #include "vtkRelievoGBufferSplice.h"
 #include "vtkRelievoGBufferTarget.h"
 #include "vtkRelievoGBufferTextures.h"
+#include "vtkRelievoGlyphDraws.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerReader.h"
 #include "vtkRelievoMeshLinks.h"
@@ -42,16 +43,19 @@ public:
   int Offset[2] = { 0, 0 }; // of the viewport within the textures
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkRelievoDrawTable Draws;
+  vtkRelievoGlyphReach Glyphs;
   vtkRelievoMeshLinks Links; // built when a read needs them
   vtkRelievoOpaqueProps Props;
   std::set<std::string> Said; // refusals that have been reported, by reason and mapper's class
   std::string NotShared;      // why the delegate's geometry pass cannot be shared
   bool Writing = false;
-  bool Valid = false; // the textures hold the last frame's layers
+  bool RefinesDepth = true; // of the last frame
+  bool Valid = false;       // the textures hold the last frame's layers
 
   // The layout for what is asked of the stage.
   void Arrange(vtkRelievoGBufferPass& self, const vtkRelievoFrameContext& context)
   {
+    this->RefinesDepth = self.RefineDepth;
     vtkRelievoGBufferLayout layout;
     layout.Lights = context.Lights;
     layout.NormalFormat = self.NormalFormat;
@@ -320,6 +324,7 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
     const std::uint32_t first = in.Draws.Add(actor, mapper, source);
     program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
   }
+  in.Glyphs.SetUniforms(program, mapper);
   program->SetUniformf("relievoWinding", actor->GetMatrix()->Determinant() < 0.0 ? -1.0f : 1.0f);
   program->SetUniformf("relievoNear", static_cast<float>(in.View.Near));
   program->SetUniformf("relievoFar", static_cast<float>(in.View.Far));
@@ -340,6 +345,7 @@ std::string vtkRelievoGBufferPass::ReadLayers(
   const int region[4] = { in.Offset[0], in.Offset[1], in.View.Viewport[2], in.View.Viewport[3] };
   vtkRelievoLayerReader reader(in.Layout, in.Target, region, in.View);
   reader.SetNormalSpaceIsWorld(this->NormalSpace == WORLD);
+  reader.SetRefineDepth(in.RefinesDepth);
   reader.SetDraws(&in.Draws, &in.Links, in.Renderer);
   for (const std::string& name : names)
   {

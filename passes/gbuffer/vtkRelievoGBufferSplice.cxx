@@ -96,8 +96,11 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   const bool needsInstance = layout.IdWord >= 0 && source == InstanceOfGlyphs;
   const bool normalByWinding =
     needsNormal || Has(fragment, "gl_FrontFacing == false) { normalVCVSOutput");
-  const bool needsWinding = normalByWinding && Has(vertex, "mat4 GCMCMatrix;");
-  if (((needsNormal || needsInstance || needsWinding) &&
+  const bool glyphs = Has(vertex, "mat4 GCMCMatrix;");
+  const bool needsWinding = normalByWinding && glyphs;
+  const bool needsGlyphDepth =
+    glyphs && triangles && (layout.DepthWord >= 0 || layout.NormalDepthWord >= 0);
+  if (((needsNormal || needsInstance || needsWinding || needsGlyphDepth) &&
         !CanCarryVarying(vertex, geometry, fragment)) ||
     !EnsurePosition(vertex, geometry, fragment))
   {
@@ -123,6 +126,10 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   {
     FillVarying(vertex, geometry, fragment, "gbuffer/winding.glsl", false);
   }
+  if (needsGlyphDepth)
+  {
+    FillVarying(vertex, geometry, fragment, "gbuffer/glyph_depth.glsl", false);
+  }
 
   std::ostringstream defines;
   defines << layout.GetDefines() << "#define RELIEVO_PRIMITIVE_SOURCE " << source << "\n";
@@ -138,6 +145,7 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   define(hasNormal, "RELIEVO_HAS_NORMAL");
   define(normalByWinding, "RELIEVO_NORMAL_BY_WINDING");
   define(needsWinding, "RELIEVO_GLYPH_WINDING");
+  define(needsGlyphDepth, "RELIEVO_GLYPH_DEPTH");
   define(spherePoints, "RELIEVO_SPHERE_POINTS");
   define(tubeLines && !spherePoints, "RELIEVO_TUBE_LINES");
   define(Has(fragment, "vec3 albedo ="), "RELIEVO_PBR_ALBEDO");

@@ -8,12 +8,19 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
+#include "vtkIdList.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkOpenGLGlyph3DHelper.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoAccess.h"
+#include "vtkRelievoCellGeometry.h"
+#include "vtkRelievoCellMap.h"
+#include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace
 {
@@ -123,4 +130,66 @@ std::vector<vtkRelievoGlyphDraw> vtkRelievoGetGlyphDraws(vtkGlyph3DMapper* mappe
     }
   }
   return draws;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGlyphReach::Reach::Measure()
+{
+  double box[6];
+  this->Source->GetBounds(box);
+  const glm::dvec3 centre(
+    0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), 0.5 * (box[4] + box[5]));
+  auto point = [this](vtkIdType id) {
+    glm::dvec3 p;
+    this->Source->GetPoint(id, &p[0]);
+    return p;
+  };
+  double radius = 0.0;
+  for (vtkIdType i = 0; i < this->Source->GetNumberOfPoints(); ++i)
+  {
+    radius = std::max(radius, glm::distance(point(i), centre));
+  }
+  double edge = 0.0;
+  vtkNew<vtkIdList> scratch;
+  for (vtkIdType id = 0; id < this->Source->GetNumberOfCells(); ++id)
+  {
+    const vtkRelievoCell cell(this->Source, id, scratch);
+    for (vtkIdType i = 1; i < cell.Count; ++i)
+    {
+      const vtkIdType last = cell.Points[i];
+      edge = std::max(edge, glm::distance(point(last), point(cell.Points[i - 1])));
+      // The other edges of the fan's or the strip's triangle.
+      const vtkIdType other =
+        cell.Points[cell.Kind == vtkRelievoCell::Polys ? 0 : std::max<vtkIdType>(0, i - 2)];
+      edge = std::max(edge, glm::distance(point(last), point(other)));
+    }
+  }
+  const glm::vec4 ball(centre, radius);
+  std::copy(&ball[0], &ball[0] + 4, this->Ball);
+  this->Edge = static_cast<float>(edge);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGlyphReach::SetUniforms(vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper)
+{
+  vtkPolyData* source = mapper->CurrentInput;
+  if (!source || !vtkOpenGLGlyph3DHelper::SafeDownCast(mapper))
+  {
+    return;
+  }
+  Reach& reach = this->Reaches[source];
+  const vtkMTimeType time = vtkRelievoCellMaps::GetTime(source);
+  if (reach.Source != source || reach.Time != time)
+  {
+    // Of sources that are gone.
+    for (auto it = this->Reaches.begin(); it != this->Reaches.end();)
+    {
+      it = it->second.Source || it->first == source ? std::next(it) : this->Reaches.erase(it);
+    }
+    reach.Source = source;
+    reach.Time = time;
+    reach.Measure();
+  }
+  program->SetUniform4f("relievoGlyphBall", reach.Ball);
+  program->SetUniformf("relievoGlyphEdge", reach.Edge);
 }

@@ -2,16 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Which input points the instances of a vtkGlyph3DMapper's draw calls stand for: masks leave points
-// out, and every source has draw calls of its own.
+// out, and every source has draw calls of its own. And how far a glyph's triangles reach.
 #ifndef vtkRelievoGlyphDraws_h
 #define vtkRelievoGlyphDraws_h
 
 #include "vtkType.h"
+#include "vtkWeakPointer.h"
 
+#include <map>
 #include <vector>
 
 class vtkDataSet;
 class vtkGlyph3DMapper;
+class vtkOpenGLPolyDataMapper;
+class vtkPolyData;
+class vtkShaderProgram;
 
 struct vtkRelievoGlyphDraw
 {
@@ -22,5 +27,25 @@ struct vtkRelievoGlyphDraw
 
 // In the order in which the mapper draws. Culling, which reorders instances, is not modelled.
 std::vector<vtkRelievoGlyphDraw> vtkRelievoGetGlyphDraws(vtkGlyph3DMapper* mapper);
+
+// The reach of the sources in use, for shaders/gbuffer/glyph_depth.glsl.
+class vtkRelievoGlyphReach
+{
+public:
+  // Sets the uniforms of a mapper that draws glyphs; leaves others' alone.
+  void SetUniforms(vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper);
+
+private:
+  struct Reach
+  {
+    vtkWeakPointer<vtkPolyData> Source;
+    vtkMTimeType Time = 0;
+    float Ball[4] = { 0.0f, 0.0f, 0.0f, 0.0f }; // centre and radius
+    float Edge = 0.0f;                          // the longest
+
+    void Measure();
+  };
+  std::map<vtkPolyData*, Reach> Reaches;
+};
 
 #endif

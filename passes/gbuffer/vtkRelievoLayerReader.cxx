@@ -201,7 +201,7 @@ vtkSmartPointer<vtkFloatArray> vtkRelievoLayerReader::ReadDepth()
                      : static_cast<float>(vtkRelievoWordDecoder::DecodeDepth(
                          word, this->Layout.DepthFormat, this->View));
   });
-  if (isFloat && this->Layout.IdWord >= 0)
+  if (this->Refines && isFloat && this->Layout.IdWord >= 0)
   {
     this->RefineDepth(out);
   }

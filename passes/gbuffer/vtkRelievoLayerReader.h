@@ -33,6 +33,7 @@ public:
   static void AddChannels(const std::string& layer, vtkRelievoGBufferLayout& layout);
 
   void SetNormalSpaceIsWorld(bool world) { this->WorldNormals = world; }
+  void SetRefineDepth(bool refine) { this->Refines = refine; }
   void SetDraws(vtkRelievoDrawTable* draws, vtkRelievoMeshLinks* links, vtkRenderer* renderer)
   {
     this->Draws = draws;
@@ -67,6 +68,7 @@ private:
   int Region[4];
   const vtkRelievoView& View;
   bool WorldNormals = true;
+  bool Refines = true;
   vtkRelievoDrawTable* Draws = nullptr;
   vtkRelievoMeshLinks* Links = nullptr;
   vtkRenderer* Renderer = nullptr;

@@ -5,7 +5,8 @@
 // Defines, by vtkRelievoGBufferLayout: RELIEVO_ATTACHMENTS, RELIEVO_*_WORD, RELIEVO_*_FORMAT; by
 // vtkRelievoGBufferSplice, from what the mapper's shader has: RELIEVO_FACE_NORMAL (the
 // face's normal is asked and VTK computes none), RELIEVO_HAS_NORMAL (normalVCVSOutput),
-// RELIEVO_NORMAL_BY_WINDING, RELIEVO_GLYPH_WINDING (winding.glsl is spliced),
+// RELIEVO_NORMAL_BY_WINDING, RELIEVO_GLYPH_WINDING (winding.glsl is spliced), RELIEVO_GLYPH_DEPTH
+// (glyph_depth.glsl is),
 // RELIEVO_SPHERE_POINTS, RELIEVO_TUBE_LINES, RELIEVO_PBR_ALBEDO, RELIEVO_BACKFACE_PROPERTY,
 // RELIEVO_PRIMITIVE_SOURCE (0 or 3 the primitive, 1 the glyph's instance, 2 none),
 // RELIEVO_LAYERS_ONLY, RELIEVO_LINEAR_VISIBILITY, RELIEVO_COINCIDENT_OFFSET.
@@ -105,6 +106,9 @@ uvec3 relievoPackNormal(vec3 n)
   float relievoDepth = -RELIEVO_SURFACE_VC.z;
 #else
   float relievoDepth = -vertexVC.z;
+#ifdef RELIEVO_GLYPH_DEPTH
+  relievoDepth = clamp(relievoDepth, relievoGlyphDepthsVSOutput.x, relievoGlyphDepthsVSOutput.y);
+#endif
 #endif
   // Points as spheres and lines as tubes stand before their primitive by a share of the radius,
   // which VTK gives in eye space at unit depth.

@@ -219,6 +219,40 @@ void TestTogether()
   }
 }
 
+// RefineDepthOff leaves what was drawn, whatever else is asked for; the frame's setting counts, not
+// that of the read.
+void TestRefineDepth()
+{
+  for (const Way way : relievoTest::BothWays)
+  {
+    Fixture fixture(false);
+    auto off = [](G* g) { g->RefineDepthOff(); };
+    const std::vector<std::string> names = { "depth", "range", "position", "cell", "actor" };
+    const Layers plain(fixture.Renderer, { "depth", "range", "position" }, way, off);
+    const Layers withIds(fixture.Renderer, names, way, off);
+    const Layers refined(fixture.Renderer, names, way);
+    for (const char* name : { "depth", "range", "position" })
+    {
+      RELIEVO_CHECK_AT_MOST(relievoTest::CountDifferent(plain, withIds, name), 0, name);
+      RELIEVO_CHECK_THAT(relievoTest::CountDifferent(refined, withIds, name) > 100, name);
+    }
+    RELIEVO_CHECK(relievoTest::CountDifferent(refined, withIds, "cell") == 0);
+  }
+  Fixture fixture(false);
+  vtkRelievoPass* frame = vtkRelievoPass::Attach(fixture.Renderer);
+  frame->GetGBuffer()->RefineDepthOff();
+  frame->RequestLayer("depth");
+  frame->RequestLayer("cell");
+  fixture.Window->Render();
+  vtkNew<vtkImageData> before;
+  vtkNew<vtkImageData> after;
+  frame->ReadLayer("depth", before);
+  frame->GetGBuffer()->RefineDepthOn();
+  frame->ReadLayer("depth", after);
+  RELIEVO_CHECK(relievoTest::CountDifferent(Layers(before), Layers(after), "depth") == 0);
+  vtkRelievoPass::Detach(fixture.Renderer);
+}
+
 // Bytes held for what is asked, 4 for each word of a pixel.
 void TestBytes()
 {
@@ -299,6 +333,7 @@ int main()
     TestDepths();
     TestTogether();
     TestBytes();
+    TestRefineDepth();
     TestVariants();
   }
   return session.Result();

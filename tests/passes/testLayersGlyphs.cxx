@@ -13,16 +13,20 @@
 
 #include <vtkActor.h>
 #include <vtkBitArray.h>
+#include <vtkCamera.h>
 #include <vtkCompositeDataDisplayAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkIntArray.h>
 #include <vtkMatrix4x4.h>
+#include <vtkMinimalStandardRandomSequence.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
+#include <vtkRelievoGBufferPass.h>
+#include <vtkSphereSource.h>
 #include <vtkTransform.h>
 
 namespace
@@ -244,6 +248,65 @@ void TestComposite()
   CheckGlyphs("glyphs of blocks", stage, scene, true);
 }
 
+// A hundred thousand balls of about a pixel: no pixel's depth leaves the ball that it names, though
+// the triangles are narrower than the rasteriser's grid.
+void TestSmall()
+{
+  const Stage stage(1600, 1200);
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(5);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int i = 0; i < 100000; ++i)
+  {
+    double p[3];
+    for (double& x : p)
+    {
+      x = random->GetNextRangeValue(-500., 500.);
+    }
+    points->InsertNextPoint(p);
+  }
+  vtkNew<vtkPolyData> input;
+  input->SetPoints(points);
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(0.3);
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputData(input);
+  mapper->SetSourceConnection(ball->GetOutputPort());
+  mapper->ScalingOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  stage.Renderer->AddActor(actor);
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0., 0., 0.);
+  for (const double distance : { 1200., 1700. })
+  {
+    camera->SetPosition(0.5 * distance, 0.2 * distance, distance);
+    stage.Renderer->ResetCameraClippingRange();
+    const View view(stage.Renderer);
+    const Layers layers(stage.Renderer, { "depth", "cell" });
+    double worst = 0.;
+    for (int y = 0; y < layers.Height; ++y)
+    {
+      for (int x = 0; x < layers.Width; ++x)
+      {
+        const int id = layers.Id("cell", x, y);
+        if (id >= 0)
+        {
+          glm::dvec3 centre;
+          points->GetPoint(id, &centre[0]);
+          worst = std::max(worst, std::abs(layers.Value("depth", x, y) - view.Depth(centre)));
+        }
+      }
+    }
+    RELIEVO_CHECK_THAT(layers.Covered() > 20000, "the balls are not in the picture");
+    // At a depth of 2000, half a float's step is 6e-5.
+    RELIEVO_CHECK_AT_MOST(worst, 0.303, "depth, from the centre of the ball of radius 0.3");
+    const Layers alone(stage.Renderer, { "depth" }, Way::Own, [](auto* g) { g->RefineDepthOff(); });
+    RELIEVO_CHECK(relievoTest::CountDifferent(alone, layers, "depth") == 0);
+  }
+}
+
 // Culling hands instances out in an order of its own: the point is not known, and said not to be.
 void TestCulling()
 {
@@ -272,6 +335,7 @@ int main()
   TestScales(true, false);
   TestMaskAndSources();
   TestComposite();
+  TestSmall();
   TestCulling();
   return session.Result();
 }

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The refined depth of every pixel lies on the triangle whose id the pixel has: all real meshes, 24
+// views of each, silhouettes, slivers and all; the truth is the mesh itself, in double.
+#include "Check.h"
+#include "Layers.h"
+#include "Props.h"
+#include "Scenes.h"
+#include "Session.h"
+#include "Stage.h"
+#include "View.h"
+
+#include <vtkCamera.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+using relievoTest::Layers;
+using relievoTest::Ray;
+using relievoTest::Stage;
+using relievoTest::View;
+
+const int Views = 24;
+
+double DistanceToSegment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b)
+{
+  const glm::dvec3 ab = b - a;
+  const double length = glm::dot(ab, ab);
+  const double t = length > 0. ? glm::clamp(glm::dot(p - a, ab) / length, 0., 1.) : 0.;
+  return glm::length(p - (a + t * ab));
+}
+
+// The distance to the plane over the triangle, else to the nearest edge.
+double DistanceToTriangle(
+  const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+  const glm::dvec3 n = glm::cross(b - a, c - a);
+  const bool over = glm::dot(glm::cross(b - a, p - a), n) >= 0. &&
+    glm::dot(glm::cross(c - b, p - b), n) >= 0. && glm::dot(glm::cross(a - c, p - c), n) >= 0.;
+  if (over && glm::dot(n, n) > 0.)
+  {
+    return std::abs(glm::dot(p - a, n)) / glm::length(n);
+  }
+  return std::min(
+    { DistanceToSegment(p, a, b), DistanceToSegment(p, b, c), DistanceToSegment(p, c, a) });
+}
+
+double DistanceToCell(vtkPolyData* mesh, vtkIdType cell, const glm::dvec3& p)
+{
+  vtkNew<vtkIdList> ids;
+  mesh->GetCellPoints(cell, ids);
+  auto corner = [&](vtkIdType i) {
+    glm::dvec3 point;
+    mesh->GetPoint(ids->GetId(i), &point[0]);
+    return point;
+  };
+  double distance = 1e300;
+  for (vtkIdType i = 2; i < ids->GetNumberOfIds(); ++i)
+  {
+    distance = std::min(distance, DistanceToTriangle(p, corner(0), corner(i - 1), corner(i)));
+  }
+  return distance;
+}
+
+void LookFrom(vtkRenderer* renderer, int view, bool parallel)
+{
+  // Spread evenly (a Fibonacci sphere).
+  const double height = 1. - (2. * view + 1.) / Views;
+  const double angle = view * glm::pi<double>() * (3. - std::sqrt(5.));
+  const double radius = std::sqrt(1. - height * height);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(0., 0., 0.);
+  camera->SetPosition(radius * std::cos(angle), height, radius * std::sin(angle));
+  camera->SetViewUp(0., 1., 0.);
+  camera->SetParallelProjection(parallel);
+  renderer->ResetCamera();
+}
+
+struct Worst
+{
+  double Off = 0.; // in widths of a pixel, there
+  long long Pixels = 0;
+};
+
+void Measure(vtkRenderer* renderer, vtkPolyData* mesh, Worst& worst)
+{
+  const Layers layers(renderer, { "depth", "cell" });
+  vtkDataArray* depths = layers.Image->GetPointData()->GetArray("depth");
+  vtkDataArray* cells = layers.Image->GetPointData()->GetArray("cell");
+  const View view(renderer);
+  for (int y = 0; y < layers.Height; ++y)
+  {
+    for (int x = 0; x < layers.Width; ++x)
+    {
+      const vtkIdType pixel = static_cast<vtkIdType>(y) * layers.Width + x;
+      const double depth = depths->GetComponent(pixel, 0);
+      const auto cell = static_cast<vtkIdType>(cells->GetComponent(pixel, 0));
+      if (cell < 0 || !std::isfinite(depth))
+      {
+        continue;
+      }
+      const Ray ray = view.PixelRay(x + 0.5, y + 0.5);
+      const double width = glm::length(view.PixelRay(x + 1.5, y + 0.5).At(depth) - ray.At(depth));
+      const double off = DistanceToCell(mesh, cell, ray.At(depth)) / width;
+      worst.Off = std::max(worst.Off, off);
+      ++worst.Pixels;
+    }
+  }
+}
+
+void CheckMesh(const std::string& name)
+{
+  auto mesh = relievoTest::LoadMesh(name);
+  if (!mesh)
+  {
+    return;
+  }
+  mesh->BuildCells();
+  Stage stage(500, 500);
+  auto actor = relievoTest::AddActor(stage.Renderer, mesh);
+  actor->GetProperty()->SetInterpolationToFlat();
+  Worst worst;
+  for (int view = 0; view < Views; ++view)
+  {
+    LookFrom(stage.Renderer, view, view % 4 == 3);
+    Measure(stage.Renderer, mesh, worst);
+  }
+  std::cout << name << ": " << worst.Pixels << " pixels, the worst " << worst.Off
+            << " pixels off its triangle\n";
+  RELIEVO_CHECK_THAT(worst.Pixels > 100000, name + " is not in the picture");
+  // A tenth where the surface runs on, and what the rasteriser's grid of 1/256 moves.
+  RELIEVO_CHECK_AT_MOST(worst.Off, 0.15, name + ": pixels off the triangle that is named");
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  relievoTest::Session session;
+  for (const auto& names : { relievoTest::ReferenceMeshes(), relievoTest::OtherMeshes() })
+  {
+    for (const std::string& name : names)
+    {
+      CheckMesh(name);
+    }
+  }
+  return session.Result();
+}
