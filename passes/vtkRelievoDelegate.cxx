@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoDelegate.h"
 
+#include "vtkHiddenLineRemovalPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkRelievoAccess.h"
@@ -9,6 +10,7 @@
 #include "vtkRenderStepsPass.h"
 
 vtkStandardNewMacro(vtkRelievoOpaqueMarker);
+vtkStandardNewMacro(vtkRelievoWireFrameMarker);
 
 //------------------------------------------------------------------------------
 int vtkRelievoDelegate::Render(vtkRenderPass* pass, const vtkRenderState* s,
@@ -19,10 +21,18 @@ int vtkRelievoDelegate::Render(vtkRenderPass* pass, const vtkRenderState* s,
   if (count > 0 && (begin || end))
   {
     this->Begin->Reached = begin;
-    this->End->Reached = end;
     this->Props.assign(1, this->Begin);
     this->Props.insert(this->Props.end(), props, props + count);
-    this->Props.push_back(this->End);
+    if (vtkHiddenLineRemovalPass::WireframePropsExist(props, count))
+    {
+      this->EndOfWireFrames->Reached = end;
+      this->Props.push_back(this->EndOfWireFrames);
+    }
+    else
+    {
+      this->End->Reached = end;
+      this->Props.push_back(this->End);
+    }
     props = this->Props.data();
     count = static_cast<int>(this->Props.size());
   }
@@ -38,6 +48,7 @@ int vtkRelievoDelegate::Render(vtkRenderPass* pass, const vtkRenderState* s,
   this->Props.clear();
   this->Begin->Reached = nullptr;
   this->End->Reached = nullptr;
+  this->EndOfWireFrames->Reached = nullptr;
   return drawn;
 }
 

@@ -36,6 +36,7 @@ private:
   vtkSmartPointer<vtkRenderPass> Steps;
   vtkNew<vtkRelievoOpaqueMarker> Begin;
   vtkNew<vtkRelievoOpaqueMarker> End;
+  vtkNew<vtkRelievoWireFrameMarker> EndOfWireFrames;
   std::vector<vtkProp*> Props; // of the frame, between the markers
 };
 

@@ -7,8 +7,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkRelievoGBufferPass.h"
+#include "vtkRelievoKeptState.h"
 #include "vtkRelievoLayerColors.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoView.h"
@@ -147,11 +147,11 @@ void vtkRelievoDisplayStage::RenderAfter(vtkRelievoPass* frame, const vtkRenderS
     this->Colors->Activate();
     program->SetUniformi("relievoColors", this->Colors->GetTextureUnit());
   }
-  vtkOpenGLState* state = window->GetState();
-  state->Push();
-  state->vtkglDisable(GL_BLEND);
-  this->Quad.Draw(window, gbuffer, view);
-  state->Pop();
+  {
+    const vtkRelievoKeptState kept(window->GetState());
+    window->GetState()->vtkglDisable(GL_BLEND);
+    this->Quad.Draw(window, gbuffer, view);
+  }
   this->DrawCalls = 1;
   if (shown == 0)
   {

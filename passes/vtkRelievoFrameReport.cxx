@@ -61,6 +61,7 @@ std::string vtkRelievoFrameReport::GetJSON(const vtkRelievoGpuTimer& timer) cons
     separator = ",\n";
   }
   out << "\n  ],\n  \"gpu_ms\": " << Number(timer.GetMilliseconds("frame"))
-      << ",\n  \"bytes\": " << bytes << "\n}\n";
+      << ",\n  \"bytes\": " << bytes << ",\n  \"primitive_ids\": "
+      << (this->PrimitiveIds.empty() ? "null" : Quote(this->PrimitiveIds)) << "\n}\n";
   return out.str();
 }

@@ -22,6 +22,7 @@ struct vtkRelievoFrameReport
   };
   std::vector<Line> Lines;
   int Size[2] = { 0, 0 };
+  std::string PrimitiveIds; // how the numbers of primitives come about; empty: not needed
 
   std::string GetJSON(const vtkRelievoGpuTimer& timer) const;
 };

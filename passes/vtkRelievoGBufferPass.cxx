@@ -6,6 +6,7 @@
 #include "vtkActor.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -13,10 +14,13 @@
 #include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoGBufferSplice.h"
 #include "vtkRelievoGBufferTarget.h"
+#include "vtkRelievoKeptState.h"
 #include "vtkRelievoLayerReader.h"
 #include "vtkRelievoMeshLinks.h"
 #include "vtkRelievoOpaqueProps.h"
 #include "vtkRelievoPass.h"
+#include "vtkRelievoPrimitiveIds.h"
+#include "vtkRelievoShaderTrial.h"
 #include "vtkRelievoView.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -43,7 +47,9 @@ public:
   vtkRelievoOpaqueProps Props;
   std::set<std::string> Said; // refusals that have been reported, by reason and mapper's class
   std::string NotShared;      // why the delegate's geometry pass cannot be shared
+  vtkRelievoPrimitiveIds::Route PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
   bool Writing = false;
+  bool Strayed = false; // shaders without layers were built with this pass in their keys
   bool Valid = false; // the textures hold the last frame's layers
 
   void SetMode(const vtkRelievoGBufferSplice::Mode& mode)
@@ -136,6 +142,19 @@ void vtkRelievoGBufferPass::RenderBefore(vtkRelievoPass* frame, const vtkRenderS
   this->DrawCalls = 0;
 
   in.Props.Collect(s);
+  in.PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
+  if (in.Layout.IdWord >= 0)
+  {
+    in.PrimitiveIds = vtkRelievoPrimitiveIds::Get(
+      static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+    if (in.PrimitiveIds == vtkRelievoPrimitiveIds::Unreliable &&
+      in.Said.insert("primitives").second)
+    {
+      vtkErrorMacro("This OpenGL gives fragment shaders wrong numbers of primitives: cell ids are "
+                    "-1, arrays are not read, and depth is as the rasteriser rounds it. Update its "
+                    "driver, or choose another.");
+    }
+  }
   in.NotShared.clear();
   if (frame->GetLayersOnly())
   {
@@ -174,7 +193,7 @@ void vtkRelievoGBufferPass::BeginOpaque(vtkRelievoPass*, const vtkRenderState* s
   {
     return;
   }
-  in.SetMode(vtkRelievoGBufferSplice::Mode{});
+  in.SetMode(vtkRelievoGBufferSplice::Mode{ false, false, in.PrimitiveIds });
   in.Offset[0] = v[0];
   in.Offset[1] = v[1];
   in.Draws.Clear();
@@ -198,9 +217,15 @@ void vtkRelievoGBufferPass::EndOpaque(vtkRelievoPass*, const vtkRenderState*)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoGBufferPass::RenderAfter(vtkRelievoPass*, const vtkRenderState* s)
+void vtkRelievoGBufferPass::RenderAfter(vtkRelievoPass* frame, const vtkRenderState* s)
 {
   Internals& in = *this->Internal;
+  if (in.Writing)
+  {
+    this->EndOpaque(frame, s);
+    in.NotShared = "the delegate does not draw all of its opaque geometry in one go";
+    in.Valid = this->Shared = false;
+  }
   if (in.Valid || in.View.Viewport[2] <= 0 || in.View.Viewport[3] <= 0)
   {
     return;
@@ -211,8 +236,7 @@ void vtkRelievoGBufferPass::RenderAfter(vtkRelievoPass*, const vtkRenderState* s
   }
   vtkRenderer* renderer = s->GetRenderer();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  vtkOpenGLState* state = window->GetState();
-  state->Push();
+  const vtkRelievoKeptState kept(window->GetState());
   std::string wrong =
     in.Target.Allocate(window, in.Layout, in.View.Viewport[2], in.View.Viewport[3]);
   if (wrong.empty())
@@ -221,13 +245,15 @@ void vtkRelievoGBufferPass::RenderAfter(vtkRelievoPass*, const vtkRenderState* s
   }
   if (wrong.empty())
   {
-    in.SetMode(
-      vtkRelievoGBufferSplice::Mode{ true, in.View.Far > 1e4 * in.View.Near && !in.View.Parallel });
+    in.SetMode(vtkRelievoGBufferSplice::Mode{
+      true, in.View.Far > 1e4 * in.View.Near && !in.View.Parallel, in.PrimitiveIds });
     in.Offset[0] = in.Offset[1] = 0;
     in.Draws.Clear();
     in.Writing = true;
     in.Props.AddPass(this);
-    in.Props.RenderOpaque(renderer);
+    // As the picture has it: of VTK's ways to draw one, only the renderer's own removes them.
+    in.Props.RenderOpaque(renderer,
+      renderer->GetUseHiddenLineRemoval() && !frame->GetDelegatePass() && !s->GetFrameBuffer());
     in.Props.RemovePass(this);
     in.Writing = false;
     in.Target.EndOwn();
@@ -237,14 +263,13 @@ void vtkRelievoGBufferPass::RenderAfter(vtkRelievoPass*, const vtkRenderState* s
   {
     vtkErrorMacro("No layers: " << wrong << ".");
   }
-  state->Pop();
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoGBufferPass::PreReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
 {
-  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  if (this->Internal->Writing && vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
   {
     vtkRelievoGBufferSplice::Mark(vertexShader, geometryShader, fragmentShader);
   }
@@ -259,15 +284,53 @@ bool vtkRelievoGBufferPass::PostReplaceShaderValues(std::string& vertexShader,
   Internals& in = *this->Internal;
   auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
   auto* actor = vtkActor::SafeDownCast(prop);
-  if (!mapper || !actor)
+  if (!in.Writing || !mapper || !actor)
   {
     return true;
   }
-  const std::string missing = vtkRelievoGBufferSplice::Fill(
-    vertexShader, geometryShader, fragmentShader, mapper, actor, in.Layout, in.Mode);
-  if (!missing.empty() && in.Said.insert(mapper->GetClassName() + missing).second)
+  const std::string own[3] = { vertexShader, geometryShader, fragmentShader };
+  // Returns what is wrong, in words, and leaves the shaders as they were then.
+  auto fill = [&](const vtkRelievoGBufferSplice::Mode& mode, bool& compiles) {
+    std::string wrong = vtkRelievoGBufferSplice::Fill(
+      vertexShader, geometryShader, fragmentShader, mapper, actor, in.Layout, mode);
+    compiles = true;
+    if (wrong.empty())
+    {
+      wrong = vtkRelievoShaderTrial::Compile(
+        static_cast<vtkOpenGLRenderWindow*>(in.Renderer->GetRenderWindow()),
+        actor->GetShaderProperty(), vertexShader, geometryShader, fragmentShader);
+      compiles = wrong.empty();
+    }
+    if (!wrong.empty())
+    {
+      vertexShader = own[0];
+      geometryShader = own[1];
+      fragmentShader = own[2];
+    }
+    return wrong;
+  };
+  bool compiles = true;
+  std::string wrong = fill(in.Mode, compiles);
+  if (!compiles && in.Mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader)
   {
-    vtkErrorMacro("No layers of what " << mapper->GetClassName() << " draws: " << missing << ".");
+    vtkRelievoGBufferSplice::Mode without = in.Mode;
+    without.PrimitiveIds = vtkRelievoPrimitiveIds::Unreliable;
+    wrong = fill(without, compiles);
+  }
+  const std::string name = mapper->GetClassName();
+  if (!wrong.empty() && in.Said.insert(name + (compiles ? wrong : "compiles not")).second)
+  {
+    vtkErrorMacro("No layers of what " << name << " draws: " << wrong << ".");
+  }
+  const bool numbered = vtkRelievoGBufferSplice::GetPrimitiveSource(mapper, actor) !=
+    vtkRelievoGBufferSplice::GetPrimitiveSource(fragmentShader);
+  if (wrong.empty() && numbered && in.Layout.IdWord >= 0 &&
+    in.Mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader &&
+    in.Said.insert(name + "ids").second)
+  {
+    vtkErrorMacro("No cell ids of what "
+      << name << " draws: with this OpenGL they need a geometry shader, which cannot hand on all "
+      << "that its vertex shader puts out. Declare one output of a simple type on a line.");
   }
   return true;
 }
@@ -283,7 +346,12 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
   {
     return true;
   }
-  const bool writes =
+  // Nor into the depth buffer alone (hidden line removal).
+  unsigned char mask[4] = { 1, 1, 1, 1 };
+  static_cast<vtkOpenGLRenderWindow*>(in.Renderer->GetRenderWindow())
+    ->GetState()
+    ->vtkglGetBooleanv(GL_COLOR_WRITEMASK, mask);
+  const bool writes = (mask[0] || mask[1] || mask[2] || mask[3]) &&
     program->GetFragmentShader()->GetSource().find("relievoOutput1") != std::string::npos;
   in.Target.WriteLayers(writes);
   if (!writes)
@@ -293,7 +361,8 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
   ++this->DrawCalls;
   if (in.Layout.IdWord >= 0)
   {
-    const int source = vtkRelievoGBufferSplice::GetPrimitiveSource(mapper, actor);
+    const int source =
+      vtkRelievoGBufferSplice::GetPrimitiveSource(program->GetFragmentShader()->GetSource());
     const std::uint32_t first = in.Draws.Add(actor, mapper, source);
     program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
   }
@@ -306,7 +375,14 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
 //------------------------------------------------------------------------------
 vtkMTimeType vtkRelievoGBufferPass::GetShaderStageMTime()
 {
-  return this->Internal->StructureTime.GetMTime();
+  // Asked outside of its own drawing by keys that were copied meanwhile: there it splices nothing.
+  Internals& in = *this->Internal;
+  if (!in.Writing || in.Strayed)
+  {
+    in.StructureTime.Modified();
+    in.Strayed = !in.Writing;
+  }
+  return in.StructureTime.GetMTime();
 }
 
 //------------------------------------------------------------------------------
@@ -329,6 +405,21 @@ std::string vtkRelievoGBufferPass::ReadLayers(
     }
   }
   return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoGBufferPass::GetPrimitiveIds()
+{
+  return this->Internal->Layout.IdWord >= 0
+    ? vtkRelievoPrimitiveIds::ToString(this->Internal->PrimitiveIds)
+    : "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoGBufferPass::ProbePrimitiveIds(vtkOpenGLRenderWindow* window)
+{
+  window->MakeCurrent();
+  return vtkRelievoPrimitiveIds::ToString(vtkRelievoPrimitiveIds::Get(window));
 }
 
 //------------------------------------------------------------------------------

@@ -25,6 +25,7 @@
 
 class vtkActor;
 class vtkImageData;
+class vtkOpenGLRenderWindow;
 class vtkTextureObject;
 struct vtkRelievoGBufferLayout;
 
@@ -145,6 +146,19 @@ public:
    * words: empty when all were read.
    */
   std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image);
+
+  /**
+   * How the last frame came by the number of a pixel's primitive, which cell ids and refined depths
+   * need: "as written" (by the fragment shader alone), "through a geometry shader", or
+   * "unreliable: ..." where this OpenGL gives wrong ones; empty if no layer needed it.
+   */
+  std::string GetPrimitiveIds();
+
+  /**
+   * The same for a window's OpenGL, found out by drawing a few triangles when it is first asked.
+   * Makes the window current, which must be initialized.
+   */
+  static std::string ProbePrimitiveIds(vtkOpenGLRenderWindow* window);
 
   ///@{
   /** For stages that sample the layers on the GPU: the words' layout, the textures, and the

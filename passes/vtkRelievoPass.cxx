@@ -337,6 +337,7 @@ void vtkRelievoPass::Report(const vtkRenderState* s, const std::vector<vtkReliev
     line.DrawCalls = line.Ran ? stage->GetDrawCalls() : 0;
     in.Report.Lines.push_back(line);
   }
+  in.Report.PrimitiveIds = in.GBuffer->GetPrimitiveIds();
   s->GetRenderer()->GetTiledSize(&in.Report.Size[0], &in.Report.Size[1]);
 }
 

@@ -133,7 +133,8 @@ public:
   /**
    * What the last frames did, as JSON: for every stage its name, whether it ran, the reason in
    * words, GPU milliseconds (of the newest frame whose timers have arrived; null before), bytes
-   * held, draw calls; and the totals.
+   * held, draw calls; and the totals; and how the numbers of primitives came about that cell ids
+   * need (vtkRelievoGBufferPass::GetPrimitiveIds; null where they were not needed).
    */
   std::string GetFrameReport();
 

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a prop draws with a mapper's shaders: itself, the leaves of an assembly, levels of detail;
-// and how a pass gets into those shaders.
+// What a prop draws with a mapper's shaders: itself, the leaves of an assembly, levels of detail.
 #ifndef vtkRelievoPropParts_h
 #define vtkRelievoPropParts_h
 
@@ -10,7 +9,6 @@
 
 class vtkActor;
 class vtkMatrix4x4;
-class vtkOpenGLRenderPass;
 class vtkProp;
 
 namespace vtkRelievoPropParts
@@ -29,11 +27,6 @@ vtkActor* GetMeshActor(const Part& part);
 
 // Whether the part draws nothing in three dimensions' opaque phase: texts, bars, volumes.
 bool DrawsNoOpaque(const Part& part);
-
-// Splices the pass into the prop's shaders, until it is removed. An assembly hands its keys to its
-// parts whenever it draws them.
-void AddPass(vtkProp* prop, vtkOpenGLRenderPass* pass);
-void RemovePass(vtkProp* prop, vtkOpenGLRenderPass* pass);
 }
 
 #endif

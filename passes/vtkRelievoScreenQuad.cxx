@@ -9,6 +9,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoGBufferPass.h"
+#include "vtkRelievoKeptState.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoView.h"
 #include "vtkShaderProgram.h"
@@ -32,19 +33,22 @@ vtkShaderProgram* vtkRelievoScreenQuad::Ready(vtkOpenGLRenderWindow* window,
   }
   const std::string all = gbuffer->GetLayout().GetDefines() + defines;
   const std::string key = source + "\n" + all;
-  if (this->Quad && this->Key == key)
+  if (this->Key == key)
   {
-    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+    return this->Quad ? window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program) : nullptr;
   }
-  else
+  this->Key = key;
+  this->Quad.reset();
+  const std::string quad = vtkRelievoShaderLibrary::Get("screen/quadVS.glsl");
+  std::string text = vtkRelievoShaderLibrary::Get(source);
+  vtkShaderProgram::Substitute(text, "//RELIEVO::Defines", all, false);
+  // VTK's helper takes it for granted that its shaders compile.
+  if (!window->GetShaderCache()->ReadyShaderProgram(quad.c_str(), text.c_str(), ""))
   {
-    std::string text = vtkRelievoShaderLibrary::Get(source);
-    vtkShaderProgram::Substitute(text, "//RELIEVO::Defines", all, false);
-    this->Quad.reset(new vtkOpenGLQuadHelper(window, nullptr, text.c_str(), ""));
-    this->Key = key;
+    return nullptr;
   }
-  vtkShaderProgram* program = this->Quad->Program;
-  return program && program->GetCompiled() ? program : nullptr;
+  this->Quad.reset(new vtkOpenGLQuadHelper(window, quad.c_str(), text.c_str(), ""));
+  return this->Quad->Program;
 }
 
 //------------------------------------------------------------------------------
@@ -74,13 +78,12 @@ void vtkRelievoScreenQuad::Draw(
   program->SetUniformi("relievoParallel", view.Parallel);
 
   vtkOpenGLState* state = window->GetState();
-  state->Push();
+  const vtkRelievoKeptState kept(state);
   state->vtkglViewport(view.Viewport[0], view.Viewport[1], view.Viewport[2], view.Viewport[3]);
   state->vtkglScissor(view.Viewport[0], view.Viewport[1], view.Viewport[2], view.Viewport[3]);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDepthMask(GL_FALSE);
   this->Quad->Render();
-  state->Pop();
   for (vtkTextureObject* texture : textures)
   {
     texture->Deactivate();

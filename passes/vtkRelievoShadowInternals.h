@@ -41,6 +41,7 @@ public:
   vtkRelievoShadowSplice::Structure Structure;
   vtkTimeStamp StructureTime;
   vtkRelievoView View;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the frame
   int Radius = 1; // of the filter, as the maps' size allows
   bool DrawingMaps = false;
   bool DrawingDepth = false;        // that the camera sees, for the masks
@@ -49,6 +50,7 @@ public:
     LitForMaps; // programs that VTK gave its lights in a light's eye space
   std::set<std::string> Said;
   bool Spliced = false;
+  bool Strayed = false; // shaders without shadows were built with this pass in their keys
 
   struct MaskState // what the masks were drawn for
   {

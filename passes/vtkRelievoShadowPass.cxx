@@ -212,7 +212,8 @@ void vtkRelievoShadowPass::RenderBefore(vtkRelievoPass*, const vtkRenderState* s
   {
     return;
   }
-  in.PlainDraw.SetWindow(static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow()));
+  in.Window = static_cast<vtkOpenGLRenderWindow*>(s->GetRenderer()->GetRenderWindow());
+  in.PlainDraw.SetWindow(in.Window);
   this->FitMaps(s);
   if (!in.Maps.Bind(false))
   {
@@ -222,8 +223,8 @@ void vtkRelievoShadowPass::RenderBefore(vtkRelievoPass*, const vtkRenderState* s
     }
     return;
   }
-  in.Props.AddPass(this);
   in.Spliced = true;
+  in.Props.AddPass(this);
   this->DrawMaps(s);
   in.Maps.Bind(true);
   if (this->Method == METHOD_FORWARD)
