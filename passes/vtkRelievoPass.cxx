@@ -327,11 +327,10 @@ void vtkRelievoPass::Report(const vtkRenderState* s, const std::vector<vtkReliev
     vtkRelievoFrameReport::Line line;
     line.Name = stage->GetStageName();
     line.Ran = std::find(needed.begin(), needed.end(), stage) != needed.end();
-    // Asked again: how a stage ran is known only now.
     line.Reason = "switched off (EnabledOff)";
     if (stage->GetEnabled())
     {
-      stage->IsNeeded(s, line.Reason);
+      stage->IsNeeded(s, line.Reason); // again: how a stage ran is known only now
     }
     line.Bytes = stage->GetBytesHeld();
     line.DrawCalls = line.Ran ? stage->GetDrawCalls() : 0;

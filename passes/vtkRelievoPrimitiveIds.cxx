@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <memory>
 #include <sstream>
 
 using namespace vtkRelievoSpliceText;
@@ -66,8 +67,8 @@ bool FindVaryings(const std::string& vertex, std::vector<Varying>& varyings)
     }
     std::string rest;
     std::getline(words, rest, '\0');
-    rest.erase(std::remove_if(rest.begin(), rest.end(),
-                 [](unsigned char c) { return std::isspace(c); }),
+    rest.erase(
+      std::remove_if(rest.begin(), rest.end(), [](unsigned char c) { return std::isspace(c); }),
       rest.end());
     const std::size_t end = rest.find(';');
     if (end == std::string::npos || rest.find_first_of(",{(=") < end)
@@ -155,7 +156,7 @@ vtkRelievoPrimitiveIds::Route Probe(vtkOpenGLRenderWindow* window)
 {
   using namespace vtkRelievoPrimitiveIds;
   vtkOpenGLState* state = window->GetState();
-  const vtkRelievoKeptState kept(state);
+  auto kept = std::make_unique<vtkRelievoKeptState>(state);
   GLuint texture = 0;
   GLuint framebuffer = 0;
   GLuint array = 0;
@@ -163,16 +164,19 @@ vtkRelievoPrimitiveIds::Route Probe(vtkOpenGLRenderWindow* window)
   glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, Columns, Rows, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
-    nullptr);
+  glTexImage2D(
+    GL_TEXTURE_2D, 0, GL_RGBA32UI, Columns, Rows, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
   glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
   glGenFramebuffers(1, &framebuffer);
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-  const GLenum buffer = GL_COLOR_ATTACHMENT0;
+  // VTK remembers the buffers of the framebuffer bound before and may think that nothing changes.
+  unsigned int buffer = GL_COLOR_ATTACHMENT0;
+  state->vtkglDrawBuffers(1, &buffer);
   glDrawBuffers(1, &buffer);
+  state->vtkglReadBuffer(buffer);
   glReadBuffer(buffer);
   glGenVertexArrays(1, &array);
   glBindVertexArray(array);
@@ -190,6 +194,7 @@ vtkRelievoPrimitiveIds::Route Probe(vtkOpenGLRenderWindow* window)
   const Route route = tryAll(false) ? AsWritten : tryAll(true) ? ThroughGeometryShader : Unreliable;
   window->GetShaderCache()->ReleaseCurrentShader();
   glBindVertexArray(0);
+  kept.reset();
   glDeleteVertexArrays(1, &array);
   glDeleteFramebuffers(1, &framebuffer);
   glDeleteTextures(1, &texture);
@@ -229,7 +234,7 @@ vtkRelievoPrimitiveIds::Route vtkRelievoPrimitiveIds::Get(vtkOpenGLRenderWindow*
 //------------------------------------------------------------------------------
 const char* vtkRelievoPrimitiveIds::ToString(Route route)
 {
-  return route == AsWritten     ? "as written"
+  return route == AsWritten          ? "as written"
     : route == ThroughGeometryShader ? "through a geometry shader"
                                      : "unreliable: this OpenGL gives fragment shaders wrong "
                                        "numbers of primitives; cell ids are not read";
@@ -291,9 +296,14 @@ std::string vtkRelievoPrimitiveIds::MakeGeometryShader(std::string& vertex, int 
     copies += "    gl_PointSize = gl_in[i].gl_PointSize;\n";
   }
   std::string geometry = vtkRelievoShaderLibrary::Get("gbuffer/passthroughGS.glsl");
-  FillWord(geometry, "RELIEVO_PRIMITIVE_IN", corners == 1 ? "points" : corners == 2 ? "lines" : "triangles");
+  FillWord(geometry, "RELIEVO_PRIMITIVE_IN",
+    corners == 1     ? "points"
+      : corners == 2 ? "lines"
+                     : "triangles");
   FillWord(geometry, "RELIEVO_PRIMITIVE_OUT",
-    corners == 1 ? "points" : corners == 2 ? "line_strip" : "triangle_strip");
+    corners == 1     ? "points"
+      : corners == 2 ? "line_strip"
+                     : "triangle_strip");
   FillWord(geometry, "RELIEVO_CORNERS", std::to_string(corners));
   FillMark(geometry, "//RELIEVO::Varyings::Dec\n", declarations);
   FillMark(geometry, "    //RELIEVO::Varyings::Impl\n", copies);

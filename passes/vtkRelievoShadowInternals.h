@@ -42,7 +42,7 @@ public:
   vtkTimeStamp StructureTime;
   vtkRelievoView View;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the frame
-  int Radius = 1; // of the filter, as the maps' size allows
+  int Radius = 1;                               // of the filter, as the maps' size allows
   bool DrawingMaps = false;
   bool DrawingDepth = false;        // that the camera sees, for the masks
   std::set<vtkShaderProgram*> Told; // programs that have this frame's parameters

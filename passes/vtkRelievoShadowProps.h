@@ -80,7 +80,7 @@ private:
   std::vector<Caster> Casters;
   std::vector<vtkRelievoBox> CasterBoxes; // of Casters, one each
   std::vector<vtkRelievoBox> ReceiverBoxes;
-  std::set<vtkProp*> Parts; // that draw themselves
+  std::set<vtkProp*> Parts;        // that draw themselves
   std::set<vtkProp*> NotReceiving; // of Parts
   vtkRelievoSplicedKeys Keys;
   std::vector<std::uint64_t> State;

@@ -19,9 +19,9 @@
 
 namespace vtkRelievoShaderTrial
 {
-// What is wrong with the shaders, in words; empty if OpenGL takes them. The user's replacements that VTK
-// makes last are made in the trial as well. The program stays in the window's cache, where VTK
-// finds it if nothing else changes the shaders.
+// What is wrong with the shaders, in words; empty if OpenGL takes them. The user's replacements
+// that VTK makes last are made in the trial as well. The program stays in the window's cache, where
+// VTK finds it if nothing else changes the shaders.
 inline std::string Compile(vtkOpenGLRenderWindow* window, vtkShaderProperty* property,
   std::string vertex, std::string geometry, std::string fragment)
 {

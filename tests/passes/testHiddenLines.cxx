@@ -59,8 +59,8 @@ void Check(const Layers& layers, vtkImageData* picture, bool removed, const std:
   }
   RELIEVO_CHECK(shown > 800);
   RELIEVO_CHECK_AT_MOST(unlike, 0, what + ": pixels shown without a depth, or not shown with one");
-  RELIEVO_CHECK_THAT(removed == (far == 0),
-    what + ": " + std::to_string(far) + " pixels of lines on the far side");
+  RELIEVO_CHECK_THAT(
+    removed == (far == 0), what + ": " + std::to_string(far) + " pixels of lines on the far side");
 }
 
 void Test(bool removal, bool wireFrameFirst, bool share)

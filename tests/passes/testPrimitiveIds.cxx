@@ -105,12 +105,10 @@ void TestRoutes()
     for (const std::string& name : Ids)
     {
       // Mesa's software OpenGL cuts what comes from a geometry shader up to 0.2 pixels elsewhere.
-      const long long unlike = relievoTest::CountDifferent(written, through, name);
-      RELIEVO_CHECK_AT_MOST(unlike, representation == VTK_SURFACE ? 60 : 400,
+      const bool crossing = representation == VTK_WIREFRAME && name == "cell";
+      RELIEVO_CHECK_AT_MOST(relievoTest::CountDifferent(written, through, name), crossing ? 16 : 0,
         what + ": pixels of " + name + " through a geometry shader");
     }
-    RELIEVO_CHECK_AT_MOST(through.CountId("cell", -1), written.CountId("cell", -1) + 60,
-      what + ": pixels without a cell");
     Force(Unreliable);
     {
       ExpectMessage expect("wrong numbers of primitives");
@@ -183,7 +181,7 @@ void TestUnknownOutputs()
   const Layers through(stage.Renderer, Ids);
   RELIEVO_CHECK(expect.Count() == 1);
   Force(-1);
-  RELIEVO_CHECK(written.CountId("actor", 0) > 3000);
+  RELIEVO_CHECK(written.CountId("actor", 0) > 1000);
   long long cells = 0;
   for (int y = 0; y < through.Height; ++y)
   {
@@ -193,7 +191,7 @@ void TestUnknownOutputs()
     }
   }
   RELIEVO_CHECK_AT_MOST(cells, 0, "cells of what has none");
-  RELIEVO_CHECK(through.CountId("actor", 0) > 3000);
+  RELIEVO_CHECK(through.CountId("actor", 0) > 1000);
 }
 
 // The picture beside a probe is the one without.

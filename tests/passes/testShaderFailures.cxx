@@ -37,16 +37,18 @@ struct Case
 };
 
 const Case Cases[] = {
-  { "layers", "uint relievoPackDepth(float depth, bool parallel, float zNear, float zFar)"
-              " { return uint(0); }\n",
+  { "layers",
+    "uint relievoPackDepth(float depth, bool parallel, float zNear, float zFar)"
+    " { return uint(0); }\n",
     false, "No layers of what " },
-  { "shadows", "bool relievoShadowSees(vec3 place) { return false; }\n", true, "No shadows on what " },
+  { "shadows", "bool relievoShadowSees(vec3 place) { return false; }\n", true,
+    "No shadows on what " },
 };
 
 void Test(const Case& c, bool early, bool last)
 {
-  const std::string what = std::string(c.Name) +
-    (early ? ", replaced before VTK's own" : ", replaced after VTK's own");
+  const std::string what =
+    std::string(c.Name) + (early ? ", replaced before VTK's own" : ", replaced after VTK's own");
   const Stage stage(200, 140);
   const auto good = relievoTest::AddActor(stage.Renderer, relievoTest::MakeBall(0.5));
   good->SetPosition(-0.6, 0.6, 0.);
@@ -58,8 +60,8 @@ void Test(const Case& c, bool early, bool last)
   sun->PositionalOff();
   stage.Renderer->AddLight(sun);
   // Before or after VTK's own replacements; a tag that VTK leaves where it is.
-  bad->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Output::Dec", early,
-    std::string("//VTK::Output::Dec\n") + c.Taken, false);
+  bad->GetShaderProperty()->AddFragmentShaderReplacement(
+    "//VTK::Output::Dec", early, std::string("//VTK::Output::Dec\n") + c.Taken, false);
   const auto picture = Picture(stage.Window);
   {
     ExpectMessage expect(c.Message);

@@ -103,8 +103,7 @@ struct Case
   std::vector<vtkSmartPointer<vtkProp>> (*Add)(vtkRenderer*, vtkRenderWindow*, bool shared);
 };
 
-std::vector<vtkSmartPointer<vtkProp>> AddGiven(
-  vtkRenderer* renderer, vtkRenderWindow*, bool shared)
+std::vector<vtkSmartPointer<vtkProp>> AddGiven(vtkRenderer* renderer, vtkRenderWindow*, bool shared)
 {
   auto a = AddBall(renderer, -0.6);
   auto b = AddBall(renderer, 0.6);
@@ -148,8 +147,7 @@ std::vector<vtkSmartPointer<vtkProp>> AddCopied(
 
 // The parts are drawn by the assembly, and one of them on its own as well.
 template <typename Assembly>
-std::vector<vtkSmartPointer<vtkProp>> AddParts(
-  vtkRenderer* renderer, vtkRenderWindow*, bool shared)
+std::vector<vtkSmartPointer<vtkProp>> AddParts(vtkRenderer* renderer, vtkRenderWindow*, bool shared)
 {
   auto a = AddBall(renderer, -0.6);
   auto b = AddBall(renderer, 0.6);
