@@ -35,6 +35,7 @@ class vtkActor;
 class vtkImageData;
 class vtkProp;
 class vtkRelievoEnvironment;
+class vtkRenderer;
 
 class VTKRELIEVOMATERIALS_EXPORT vtkRelievoMaterial : public vtkOpenGLRenderPass
 {
@@ -283,6 +284,7 @@ private:
   void operator=(const vtkRelievoMaterial&) = delete;
 
   void Restructure();
+  vtkRenderer* FindRenderer(vtkProp* prop);
   void SetMapParameters(vtkShaderProgram* program, vtkActor* actor);
   void SetHeightParameters(vtkShaderProgram* program, vtkActor* actor);
 

@@ -11,6 +11,7 @@
 #include "vtkRelievoMaterialEye.h"
 #include "vtkRelievoMaterialInternals.h"
 #include "vtkRelievoReflection.h"
+#include "vtkRelievoShaderTrial.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
@@ -45,13 +46,15 @@ bool vtkRelievoMaterial::PostReplaceShaderValues(std::string& vertexShader,
   {
     return true;
   }
-  auto say = [&](const char* what, const std::string& missing) {
-    if (!missing.empty() && in.Said.insert(mapper->GetClassName() + missing).second)
+  auto say = [&](const char* what, const std::string& missing, bool compiles = true) {
+    const std::string key = mapper->GetClassName() + (compiles ? missing : "compiles not");
+    if (!missing.empty() && in.Said.insert(key).second)
     {
       vtkErrorMacro(
         "No " << what << " on what " << mapper->GetClassName() << " draws: " << missing << ".");
     }
   };
+  const std::string own[3] = { vertexShader, geometryShader, fragmentShader };
   std::string missing;
   if (vtkOpenGLGlyph3DHelper::SafeDownCast(mapper))
   {
@@ -82,7 +85,34 @@ bool vtkRelievoMaterial::PostReplaceShaderValues(std::string& vertexShader,
       vtkRelievoReflection::Fill(
         vertexShader, geometryShader, fragmentShader, in.EnvironmentStructure));
   }
+  vtkRenderer* renderer = this->FindRenderer(prop);
+  if (renderer && fragmentShader != own[2])
+  {
+    missing = vtkRelievoShaderTrial::Compile(
+      static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), actor->GetShaderProperty(),
+      vertexShader, geometryShader, fragmentShader);
+    if (!missing.empty())
+    {
+      vertexShader = own[0];
+      geometryShader = own[1];
+      fragmentShader = own[2];
+      say(maps ? "maps" : "environment", missing, false);
+    }
+  }
   return true;
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkRelievoMaterial::FindRenderer(vtkProp* prop)
+{
+  Internals& in = *this->Internal;
+  vtkRenderer* renderer = vtkRelievoMaterialEye::FindRenderer(prop);
+  // Levels of detail (vtkLODActor, ParaView) are drawn by an actor that belongs to nothing.
+  for (std::size_t i = 0; !renderer && i < in.Actors.size(); ++i)
+  {
+    renderer = vtkRelievoMaterialEye::FindRenderer(in.Actors[i]);
+  }
+  return renderer;
 }
 
 //------------------------------------------------------------------------------
@@ -98,12 +128,7 @@ bool vtkRelievoMaterial::SetShaderParameters(vtkShaderProgram* program,
   {
     return true;
   }
-  vtkRenderer* renderer = vtkRelievoMaterialEye::FindRenderer(prop);
-  // Levels of detail (vtkLODActor, ParaView) are drawn by an actor that belongs to nothing.
-  for (std::size_t i = 0; !renderer && i < in.Actors.size(); ++i)
-  {
-    renderer = vtkRelievoMaterialEye::FindRenderer(in.Actors[i]);
-  }
+  vtkRenderer* renderer = this->FindRenderer(prop);
   if (renderer)
   {
     in.Window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());

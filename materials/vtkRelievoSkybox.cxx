@@ -34,6 +34,7 @@ public:
   {
     vtkWeakPointer<vtkOpenGLRenderWindow> Window;
     std::string Defines;
+    bool Made = false; // and without a quad: it does not compile
     std::unique_ptr<vtkOpenGLQuadHelper> Quad;
   };
 
@@ -53,16 +54,25 @@ public:
       drawing = this->Drawings.insert(this->Drawings.end(), Drawing());
       drawing->Window = window;
     }
-    if (drawing->Quad && drawing->Defines == defines)
+    if (drawing->Made && drawing->Defines == defines)
     {
-      window->GetShaderCache()->ReadyShaderProgram(drawing->Quad->Program);
+      if (drawing->Quad)
+      {
+        window->GetShaderCache()->ReadyShaderProgram(drawing->Quad->Program);
+      }
       return drawing->Quad.get();
     }
     std::string fragment = vtkRelievoShaderLibrary::Get("environment/skyFS.glsl");
     vtkRelievoSpliceText::FillMark(fragment, "//RELIEVO::Defines", defines);
     const std::string vertex = vtkRelievoShaderLibrary::Get("environment/skyVS.glsl");
-    drawing->Quad.reset(new vtkOpenGLQuadHelper(window, vertex.c_str(), fragment.c_str(), ""));
+    drawing->Made = true;
     drawing->Defines = defines;
+    drawing->Quad.reset();
+    // VTK's helper takes it for granted that its shaders compile.
+    if (window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), ""))
+    {
+      drawing->Quad.reset(new vtkOpenGLQuadHelper(window, vertex.c_str(), fragment.c_str(), ""));
+    }
     return drawing->Quad.get();
   }
 };
@@ -176,7 +186,7 @@ int vtkRelievoSkybox::RenderOpaqueGeometry(vtkViewport* viewport)
   structure.Irradiance = false;
   structure.Rough = structure.Rough && this->Roughness > 0.0;
   vtkOpenGLQuadHelper* quad = in.Ready(window, structure.GetDefines());
-  vtkShaderProgram* program = quad->Program;
+  vtkShaderProgram* program = quad ? quad->Program : nullptr;
   if (!program || !program->GetCompiled() || !textures.Activate(window, program, this->Roughness))
   {
     return 0;

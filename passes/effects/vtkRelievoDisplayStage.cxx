@@ -7,9 +7,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
+#include "vtkRelievoKeptState.h"
 #include "vtkRelievoLayerColors.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRenderer.h"
@@ -167,11 +167,11 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
     in.Colors->Activate();
     program->SetUniformi("relievoColors", in.Colors->GetTextureUnit());
   }
-  vtkOpenGLState* state = context.Window->GetState();
-  state->Push();
-  state->vtkglDisable(GL_BLEND);
-  in.Quad.Draw(context);
-  state->Pop();
+  {
+    const vtkRelievoKeptState kept(context.Window->GetState());
+    context.Window->GetState()->vtkglDisable(GL_BLEND);
+    in.Quad.Draw(context);
+  }
   this->DrawCalls = 1;
   if (shown == 0)
   {

@@ -11,6 +11,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
 #include "vtkRelievoFrameContext.h"
+#include "vtkRelievoKeptState.h"
 #include "vtkRenderState.h"
 #include "vtkRenderbuffer.h"
 #include "vtkRenderer.h"
@@ -251,10 +252,9 @@ void vtkRelievoColorTarget::CopyWhatIsThere(vtkRelievoFrameContext& context)
   {
     there->Activate();
     program->SetUniformi("relievoSource", there->GetTextureUnit());
-    state->Push();
+    const vtkRelievoKeptState kept(state);
     state->vtkglDisable(GL_BLEND);
     this->Copy.Draw(context);
-    state->Pop();
     there->Deactivate();
   }
   there->ReleaseGraphicsResources(context.Window);
@@ -308,18 +308,17 @@ bool vtkRelievoColorTarget::Draw(
   }
   const int area[4] = { 0, 0, this->Size[2], this->Size[3] };
   vtkOpenGLState* state = context.Window->GetState();
-  state->PushFramebufferBindings();
-  this->Pen->Bind();
-  this->Pen->AddColorAttachment(0, this->Linear[replaces ? 1 : 0]);
-  this->Pen->ActivateDrawBuffer(0);
-  state->Push();
-  if (replaces)
   {
-    state->vtkglDisable(GL_BLEND);
+    const vtkRelievoKeptState kept(state);
+    this->Pen->Bind();
+    this->Pen->AddColorAttachment(0, this->Linear[replaces ? 1 : 0]);
+    this->Pen->ActivateDrawBuffer(0);
+    if (replaces)
+    {
+      state->vtkglDisable(GL_BLEND);
+    }
+    quad.Draw(context, area);
   }
-  quad.Draw(context, area);
-  state->Pop();
-  state->PopFramebufferBindings();
   if (replaces)
   {
     std::swap(this->Linear[0], this->Linear[1]);
@@ -335,11 +334,9 @@ void vtkRelievoColorTarget::Present(vtkRelievoFrameContext& context)
   {
     return;
   }
-  vtkOpenGLState* state = context.Window->GetState();
-  state->Push();
-  state->vtkglDisable(GL_BLEND);
+  const vtkRelievoKeptState kept(context.Window->GetState());
+  context.Window->GetState()->vtkglDisable(GL_BLEND);
   this->ToDisplay.Draw(context, nullptr, true);
-  state->Pop();
 }
 
 //------------------------------------------------------------------------------

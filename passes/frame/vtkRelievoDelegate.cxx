@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoDelegate.h"
 
+#include "vtkHiddenLineRemovalPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkRelievoAccess.h"
@@ -9,6 +10,7 @@
 #include "vtkRenderStepsPass.h"
 
 vtkStandardNewMacro(vtkRelievoMarkerProp);
+vtkStandardNewMacro(vtkRelievoWireFrameMarker);
 
 //------------------------------------------------------------------------------
 int vtkRelievoDelegate::Render(vtkRenderPass* pass, const vtkRenderState* s, const Moments& moments)
@@ -19,10 +21,18 @@ int vtkRelievoDelegate::Render(vtkRenderPass* pass, const vtkRenderState* s, con
   {
     this->Begin->Opaque = moments.OpaqueBegins;
     this->Begin->Overlay = moments.OverlayBegins;
-    this->End->Opaque = moments.OpaqueEnds;
     this->Props.assign(1, this->Begin);
     this->Props.insert(this->Props.end(), props, props + count);
-    this->Props.push_back(this->End);
+    if (vtkHiddenLineRemovalPass::WireframePropsExist(props, count))
+    {
+      this->EndOfWireFrames->Reached = moments.OpaqueEnds;
+      this->Props.push_back(this->EndOfWireFrames);
+    }
+    else
+    {
+      this->End->Opaque = moments.OpaqueEnds;
+      this->Props.push_back(this->End);
+    }
     props = this->Props.data();
     count = static_cast<int>(this->Props.size());
   }
@@ -38,6 +48,7 @@ int vtkRelievoDelegate::Render(vtkRenderPass* pass, const vtkRenderState* s, con
   this->Props.clear();
   this->Begin->Opaque = this->Begin->Overlay = nullptr;
   this->End->Opaque = nullptr;
+  this->EndOfWireFrames->Reached = nullptr;
   return drawn;
 }
 

@@ -42,6 +42,7 @@ private:
   vtkSmartPointer<vtkRenderPass> Steps;
   vtkNew<vtkRelievoMarkerProp> Begin;
   vtkNew<vtkRelievoMarkerProp> End;
+  vtkNew<vtkRelievoWireFrameMarker> EndOfWireFrames;
   std::vector<vtkProp*> Props; // of the frame, between the markers
 };
 

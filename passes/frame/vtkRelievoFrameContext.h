@@ -34,6 +34,9 @@ public:
   // Whether the window's picture is drawn; if not, layers only, and the window stays as it is.
   bool Picture = true;
 
+  // Whether the renderer's own steps draw the picture, no pass.
+  bool OwnSteps = true;
+
   // Layers that will be read back to the CPU.
   std::vector<std::string> ReadBack;
 

@@ -50,6 +50,7 @@ std::string Number(double value)
 void vtkRelievoFrameReport::Begin(vtkRenderer* renderer, long long bytes)
 {
   this->Lines.clear();
+  this->Facts.clear();
   this->Bytes = bytes;
   renderer->GetTiledSize(&this->Size[0], &this->Size[1]);
 }
@@ -72,6 +73,7 @@ void vtkRelievoFrameReport::Add(vtkRelievoStage* stage, bool ran)
   this->Add(stage->GetStageName(), ran, stage->GetReasonCode(), stage->GetReason());
   this->Lines.back().Bytes = stage->GetBytesHeld();
   this->Lines.back().DrawCalls = ran ? stage->GetDrawCalls() : 0;
+  this->Facts.merge(stage->GetFacts());
 }
 
 //------------------------------------------------------------------------------
@@ -97,8 +99,12 @@ std::string vtkRelievoFrameReport::GetJSON(const vtkRelievoGpuTimer& timer) cons
   {
     out << ",\n  \"untimed\": "
         << Quote("this OpenGL draws when a frame's commands are all there; stages are timed in the "
-                 "frames "
-                 "after a report was read");
+                 "frames after a report was read");
+  }
+  for (const auto& fact : this->Facts)
+  {
+    out << ",\n  " << Quote(fact.first) << ": "
+        << (fact.second.empty() ? "null" : Quote(fact.second));
   }
   out << "\n}\n";
   return out.str();

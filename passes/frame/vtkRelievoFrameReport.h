@@ -5,6 +5,7 @@
 #ifndef vtkRelievoFrameReport_h
 #define vtkRelievoFrameReport_h
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ private:
     int DrawCalls = -1; // -1: not counted
   };
   std::vector<Line> Lines;
+  std::map<std::string, std::string> Facts; // of stages, by name
   long long Bytes = 0;
   int Size[2] = { 0, 0 };
 };

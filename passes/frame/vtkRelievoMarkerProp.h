@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A prop that draws nothing: put before and behind the props of a frame, it tells when the opaque
+// Props that draw nothing: put before and behind the props of a frame, they tell when the opaque
 // geometry of whatever delegate begins and ends, and when what lies over the picture begins.
 #ifndef vtkRelievoMarkerProp_h
 #define vtkRelievoMarkerProp_h
 
+#include "vtkActor.h"
 #include "vtkProp.h"
+#include "vtkProperty.h"
 
 #include <functional>
 
@@ -38,6 +40,41 @@ private:
     }
     return 0;
   }
+};
+
+// Where wire frames are drawn last, and before that as surfaces into the depth buffer alone (hidden
+// line removal), only a wire frame comes behind them.
+class vtkRelievoWireFrameMarker : public vtkActor
+{
+public:
+  static vtkRelievoWireFrameMarker* New();
+  vtkTypeMacro(vtkRelievoWireFrameMarker, vtkActor);
+
+  std::function<void()> Reached;
+
+  int RenderOpaqueGeometry(vtkViewport*) override
+  {
+    if (this->Reached && this->GetProperty()->GetRepresentation() == VTK_WIREFRAME)
+    {
+      this->Reached();
+    }
+    return 0;
+  }
+  int RenderTranslucentPolygonalGeometry(vtkViewport*) override { return 0; }
+  vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
+  vtkTypeBool HasOpaqueGeometry() override { return 1; }
+
+protected:
+  vtkRelievoWireFrameMarker()
+  {
+    this->PickableOff();
+    this->GetProperty()->SetRepresentationToWireframe();
+  }
+  ~vtkRelievoWireFrameMarker() override = default;
+
+private:
+  vtkRelievoWireFrameMarker(const vtkRelievoWireFrameMarker&) = delete;
+  void operator=(const vtkRelievoWireFrameMarker&) = delete;
 };
 
 #endif

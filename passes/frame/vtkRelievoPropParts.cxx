@@ -7,12 +7,9 @@
 #include "vtkAssembly.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
-#include "vtkInformation.h"
-#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkLODProp3D.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
 #include "vtkSkybox.h"
@@ -65,33 +62,7 @@ vtkActor* vtkRelievoPropParts::GetMeshActor(const Part& part)
 //------------------------------------------------------------------------------
 bool vtkRelievoPropParts::DrawsNoOpaque(const Part& part)
 {
-  return vtkActor2D::SafeDownCast(part.Prop) || vtkVolume::SafeDownCast(part.Prop);
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoPropParts::AddPass(vtkProp* prop, vtkOpenGLRenderPass* pass)
-{
-  vtkInformation* keys = prop->GetPropertyKeys();
-  if (!keys)
-  {
-    vtkNew<vtkInformation> made;
-    prop->SetPropertyKeys(made);
-    keys = made;
-  }
-  keys->Append(vtkOpenGLRenderPass::RenderPasses(), pass);
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoPropParts::RemovePass(vtkProp* prop, vtkOpenGLRenderPass* pass)
-{
-  vtkInformation* keys = prop->GetPropertyKeys();
-  if (!keys)
-  {
-    return;
-  }
-  keys->Remove(vtkOpenGLRenderPass::RenderPasses(), pass);
-  if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
-  {
-    keys->Remove(vtkOpenGLRenderPass::RenderPasses());
-  }
+  // Of VTK's 2D actors, captions draw a leader among what is opaque.
+  return (vtkActor2D::SafeDownCast(part.Prop) && !part.Prop->IsA("vtkCaptionActor2D")) ||
+    vtkVolume::SafeDownCast(part.Prop);
 }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a prop draws with a mapper's shaders: itself, the leaves of an assembly, levels of detail;
-// and how a pass gets into those shaders.
+// What a prop draws with a mapper's shaders: itself, the leaves of an assembly, levels of detail.
 #ifndef vtkRelievoPropParts_h
 #define vtkRelievoPropParts_h
 
@@ -12,7 +11,6 @@
 
 class vtkActor;
 class vtkMatrix4x4;
-class vtkOpenGLRenderPass;
 class vtkProp;
 
 namespace vtkRelievoPropParts
@@ -31,11 +29,6 @@ VTKRELIEVOFRAME_EXPORT vtkActor* GetMeshActor(const Part& part);
 
 // Whether the part draws nothing in three dimensions' opaque phase: texts, bars, volumes.
 VTKRELIEVOFRAME_EXPORT bool DrawsNoOpaque(const Part& part);
-
-// Splices the pass into the prop's shaders, until it is removed. An assembly hands its keys to its
-// parts whenever it draws them.
-VTKRELIEVOFRAME_EXPORT void AddPass(vtkProp* prop, vtkOpenGLRenderPass* pass);
-VTKRELIEVOFRAME_EXPORT void RemovePass(vtkProp* prop, vtkOpenGLRenderPass* pass);
 }
 
 #endif

@@ -8,6 +8,7 @@
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkRelievoFrameContext.h"
+#include "vtkRelievoKeptState.h"
 #include "vtkRelievoResource.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkShaderProgram.h"
@@ -44,24 +45,26 @@ vtkShaderProgram* vtkRelievoScreenQuad::Ready(vtkRelievoFrameContext& context,
   }
   all += defines;
   const std::string key = source + "\n" + all;
-  if (this->Quad && this->Key == key)
+  if (this->Key != key)
   {
-    context.Window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
-  }
-  else
-  {
+    this->Key = key;
+    this->Quad.reset();
+    const std::string quad = vtkRelievoShaderLibrary::Get("screen/quadVS.glsl");
     std::string text = vtkRelievoShaderLibrary::Get(source);
     vtkShaderProgram::Substitute(text, "//RELIEVO::Defines", all, false);
-    this->Quad.reset(new vtkOpenGLQuadHelper(context.Window, nullptr, text.c_str(), ""));
-    this->Key = key;
+    // VTK's helper takes it for granted that its shaders compile.
+    if (context.Window->GetShaderCache()->ReadyShaderProgram(quad.c_str(), text.c_str(), ""))
+    {
+      this->Quad.reset(new vtkOpenGLQuadHelper(context.Window, quad.c_str(), text.c_str(), ""));
+    }
   }
-  vtkShaderProgram* program = this->Quad->Program;
-  if (program && program->GetCompiled())
+  if (!this->Quad)
   {
-    return program;
+    this->Wrong = "its shader " + source + " does not compile; see the errors before";
+    return nullptr;
   }
-  this->Wrong = "its shader " + source + " does not compile; see the errors before";
-  return nullptr;
+  context.Window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+  return this->Quad->Program;
 }
 
 //------------------------------------------------------------------------------
@@ -85,7 +88,7 @@ void vtkRelievoScreenQuad::Draw(vtkRelievoFrameContext& context, const int* view
     resource->Activate(program);
   }
   vtkOpenGLState* state = context.Window->GetState();
-  state->Push();
+  const vtkRelievoKeptState kept(state);
   state->vtkglViewport(area[0], area[1], area[2], area[3]);
   state->vtkglScissor(area[0], area[1], area[2], area[3]);
   // OpenGL writes depths only where it tests them.
@@ -93,7 +96,6 @@ void vtkRelievoScreenQuad::Draw(vtkRelievoFrameContext& context, const int* view
   state->vtkglDepthFunc(depth ? GL_ALWAYS : GL_LEQUAL);
   state->vtkglDepthMask(depth ? GL_TRUE : GL_FALSE);
   this->Quad->Render();
-  state->Pop();
   for (vtkRelievoResource* resource : this->Resources)
   {
     resource->Deactivate();

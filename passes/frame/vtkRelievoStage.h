@@ -77,6 +77,14 @@ public:
   std::string GetReasonCode() { return this->ReasonCode; }
   ///@}
 
+#ifndef __VTK_WRAP__
+  /** What the frame report has of the stage beside its line, by name; "" is null there. */
+  virtual std::map<std::string, std::string> GetFacts()
+  {
+    return {};
+  }
+#endif
+
   /** Draws nothing: frames call stages. */
   void Render(const vtkRenderState* s) override;
 

@@ -1,97 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkRelievoGBufferPass.h"
+#include "vtkRelievoGBufferInternals.h"
 
-#include "vtkAbstractMapper.h"
-#include "vtkActor.h"
-#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
-#include "vtkRelievoDrawTable.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
-#include "vtkRelievoGBufferLayout.h"
-#include "vtkRelievoGBufferSplice.h"
-#include "vtkRelievoGBufferTarget.h"
-#include "vtkRelievoGBufferTextures.h"
-#include "vtkRelievoGlyphDraws.h"
+#include "vtkRelievoKeptState.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerReader.h"
-#include "vtkRelievoMeshLinks.h"
-#include "vtkRelievoOpaqueProps.h"
-#include "vtkRelievoView.h"
-#include "vtkRenderState.h"
-#include "vtkRenderer.h"
-#include "vtkShaderProgram.h"
 
 #include <algorithm>
-#include <set>
 
 vtkStandardNewMacro(vtkRelievoGBufferPass);
-
-class vtkRelievoGBufferPass::Internals
-{
-public:
-  vtkRelievoGBufferLayout Layout;
-  vtkRelievoGBufferSplice::Mode Mode;
-  vtkTimeStamp StructureTime; // of the layout and the mode: shaders older than it are built anew
-  vtkRelievoGBufferTarget Target;
-  vtkRelievoGBufferTextures Textures;
-  vtkRelievoView View;
-  int Offset[2] = { 0, 0 }; // of the viewport within the textures
-  vtkWeakPointer<vtkRenderer> Renderer;
-  vtkRelievoDrawTable Draws;
-  vtkRelievoGlyphReach Glyphs;
-  vtkRelievoMeshLinks Links; // built when a read needs them
-  vtkRelievoOpaqueProps Props;
-  std::set<std::string> Said; // refusals that have been reported, by reason and mapper's class
-  std::string NotShared;      // why the delegate's geometry pass cannot be shared
-  bool Writing = false;
-  bool RefinesDepth = true; // of the last frame
-  bool Valid = false;       // the textures hold the last frame's layers
-
-  // The layout for what is asked of the stage.
-  void Arrange(vtkRelievoGBufferPass& self, const vtkRelievoFrameContext& context)
-  {
-    this->RefinesDepth = self.RefineDepth;
-    vtkRelievoGBufferLayout layout;
-    layout.Lights = context.Lights;
-    layout.NormalFormat = self.NormalFormat;
-    layout.DepthFormat = self.DepthFormat;
-    layout.NormalDepth = self.NormalDepthFormat;
-    for (const std::string& layer : context.GetAsked(&self))
-    {
-      vtkRelievoLayerReader::AddChannels(layer, layout);
-    }
-    // A depth that shares its texel with the normal is as it was written.
-    const bool together =
-      self.NormalDepthFormat != NORMAL_DEPTH_SEPARATE && layout.Normal && layout.Depth;
-    const bool refines = self.RefineDepth && self.DepthFormat == DEPTH_32F && !together;
-    for (const std::string& layer : context.ReadBack)
-    {
-      layout.Ids = layout.Ids ||
-        (refines && vtkRelievoLayerCatalogue::Find(layer).Source == vtkRelievoLayer::FROM_DEPTH);
-    }
-    layout.Arrange();
-    const bool changed = layout != this->Layout;
-    this->Layout = layout;
-    if (changed)
-    {
-      this->StructureTime.Modified();
-    }
-  }
-
-  void SetMode(const vtkRelievoGBufferSplice::Mode& mode)
-  {
-    if (this->Mode != mode)
-    {
-      this->Mode = mode;
-      this->StructureTime.Modified();
-    }
-  }
-};
 
 //------------------------------------------------------------------------------
 vtkRelievoGBufferPass::vtkRelievoGBufferPass()
@@ -129,6 +50,38 @@ std::vector<std::string> vtkRelievoGBufferPass::GetReadsFor(
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoGBufferPass::Internals::Arrange(
+  vtkRelievoGBufferPass& self, const vtkRelievoFrameContext& context)
+{
+  this->RefinesDepth = self.RefineDepth;
+  vtkRelievoGBufferLayout layout;
+  layout.Lights = context.Lights;
+  layout.NormalFormat = self.NormalFormat;
+  layout.DepthFormat = self.DepthFormat;
+  layout.NormalDepth = self.NormalDepthFormat;
+  for (const std::string& layer : context.GetAsked(&self))
+  {
+    vtkRelievoLayerReader::AddChannels(layer, layout);
+  }
+  // A depth that shares its texel with the normal is as it was written.
+  const bool together =
+    self.NormalDepthFormat != NORMAL_DEPTH_SEPARATE && layout.Normal && layout.Depth;
+  const bool refines = self.RefineDepth && self.DepthFormat == DEPTH_32F && !together;
+  for (const std::string& layer : context.ReadBack)
+  {
+    layout.Ids = layout.Ids ||
+      (refines && vtkRelievoLayerCatalogue::Find(layer).Source == vtkRelievoLayer::FROM_DEPTH);
+  }
+  layout.Arrange();
+  const bool changed = layout != this->Layout;
+  this->Layout = layout;
+  if (changed)
+  {
+    this->StructureTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoGBufferPass::Prepare(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
@@ -143,6 +96,18 @@ bool vtkRelievoGBufferPass::Prepare(vtkRelievoFrameContext& context)
   this->DrawCalls = 0;
 
   in.Props.Collect(context.State);
+  in.PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
+  if (in.Layout.IdWord >= 0)
+  {
+    in.PrimitiveIds = vtkRelievoPrimitiveIds::Get(context.Window);
+    if (in.PrimitiveIds == vtkRelievoPrimitiveIds::Unreliable &&
+      in.Said.insert("primitives").second)
+    {
+      vtkErrorMacro("This OpenGL gives fragment shaders wrong numbers of primitives: cell ids are "
+                    "-1, arrays are not read, and depth is as the rasteriser rounds it. Update its "
+                    "driver, or choose another.");
+    }
+  }
   in.NotShared.clear();
   if (!this->ShareGeometryPass)
   {
@@ -177,7 +142,7 @@ void vtkRelievoGBufferPass::BeginOpaque(vtkRelievoFrameContext& context)
   {
     return;
   }
-  in.SetMode(vtkRelievoGBufferSplice::Mode{});
+  in.SetMode(vtkRelievoGBufferSplice::Mode{ false, false, in.PrimitiveIds });
   in.Offset[0] = v[0];
   in.Offset[1] = v[1];
   in.Draws.Clear();
@@ -204,6 +169,12 @@ void vtkRelievoGBufferPass::EndOpaque(vtkRelievoFrameContext&)
 void vtkRelievoGBufferPass::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
+  if (in.Writing)
+  {
+    this->EndOpaque(context);
+    in.NotShared = "the delegate does not draw all of its opaque geometry in one go";
+    in.Valid = this->Shared = false;
+  }
   if (!in.Valid && in.View.Viewport[2] > 0 && in.View.Viewport[3] > 0)
   {
     if (in.NotShared.empty())
@@ -234,8 +205,7 @@ void vtkRelievoGBufferPass::Execute(vtkRelievoFrameContext& context)
 void vtkRelievoGBufferPass::DrawOwnPass(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  vtkOpenGLState* state = context.Window->GetState();
-  state->Push();
+  const vtkRelievoKeptState kept(context.Window->GetState());
   std::string wrong =
     in.Target.Allocate(context.Window, in.Layout, in.View.Viewport[2], in.View.Viewport[3]);
   if (wrong.empty())
@@ -244,13 +214,15 @@ void vtkRelievoGBufferPass::DrawOwnPass(vtkRelievoFrameContext& context)
   }
   if (wrong.empty())
   {
-    in.SetMode(
-      vtkRelievoGBufferSplice::Mode{ true, in.View.Far > 1e4 * in.View.Near && !in.View.Parallel });
+    in.SetMode(vtkRelievoGBufferSplice::Mode{
+      true, in.View.Far > 1e4 * in.View.Near && !in.View.Parallel, in.PrimitiveIds });
     in.Offset[0] = in.Offset[1] = 0;
     in.Draws.Clear();
     in.Writing = true;
     in.Props.AddPass(this);
-    in.Props.RenderOpaque(context.Renderer);
+    // As the picture has it: of VTK's ways to draw one, only the renderer's own removes them.
+    in.Props.RenderOpaque(
+      context.Renderer, context.Renderer->GetUseHiddenLineRemoval() && context.OwnSteps);
     in.Props.RemovePass(this);
     in.Writing = false;
     in.Target.EndOwn();
@@ -264,77 +236,6 @@ void vtkRelievoGBufferPass::DrawOwnPass(vtkRelievoFrameContext& context)
       vtkErrorMacro("No layers: " << wrong << ".");
     }
   }
-  state->Pop();
-}
-
-//------------------------------------------------------------------------------
-bool vtkRelievoGBufferPass::PreReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
-{
-  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
-  {
-    vtkRelievoGBufferSplice::Mark(vertexShader, geometryShader, fragmentShader);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkRelievoGBufferPass::PostReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* abstractMapper,
-  vtkProp* prop)
-{
-  Internals& in = *this->Internal;
-  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
-  auto* actor = vtkActor::SafeDownCast(prop);
-  if (!mapper || !actor)
-  {
-    return true;
-  }
-  const std::string missing = vtkRelievoGBufferSplice::Fill(
-    vertexShader, geometryShader, fragmentShader, mapper, actor, in.Layout, in.Mode);
-  if (!missing.empty() && in.Said.insert(mapper->GetClassName() + missing).second)
-  {
-    vtkErrorMacro("No layers of what " << mapper->GetClassName() << " draws: " << missing << ".");
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
-  vtkAbstractMapper* abstractMapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
-{
-  Internals& in = *this->Internal;
-  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
-  auto* actor = vtkActor::SafeDownCast(prop);
-  if (!in.Writing || !mapper || !actor)
-  {
-    return true;
-  }
-  const bool writes =
-    program->GetFragmentShader()->GetSource().find("relievoOutput1") != std::string::npos;
-  in.Target.WriteLayers(writes);
-  if (!writes)
-  {
-    return true;
-  }
-  ++this->DrawCalls;
-  if (in.Layout.IdWord >= 0)
-  {
-    const int source = vtkRelievoGBufferSplice::GetPrimitiveSource(mapper, actor);
-    const std::uint32_t first = in.Draws.Add(actor, mapper, source);
-    program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
-  }
-  in.Glyphs.SetUniforms(program, mapper);
-  program->SetUniformf("relievoWinding", actor->GetMatrix()->Determinant() < 0.0 ? -1.0f : 1.0f);
-  program->SetUniformf("relievoNear", static_cast<float>(in.View.Near));
-  program->SetUniformf("relievoFar", static_cast<float>(in.View.Far));
-  return true;
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkRelievoGBufferPass::GetShaderStageMTime()
-{
-  return this->Internal->StructureTime.GetMTime();
 }
 
 //------------------------------------------------------------------------------
@@ -358,6 +259,27 @@ std::string vtkRelievoGBufferPass::ReadLayers(
     }
   }
   return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoGBufferPass::GetPrimitiveIds()
+{
+  return this->Internal->Layout.IdWord >= 0
+    ? vtkRelievoPrimitiveIds::ToString(this->Internal->PrimitiveIds)
+    : "";
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, std::string> vtkRelievoGBufferPass::GetFacts()
+{
+  return { { "primitive_ids", this->GetPrimitiveIds() } };
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoGBufferPass::ProbePrimitiveIds(vtkOpenGLRenderWindow* window)
+{
+  window->MakeCurrent();
+  return vtkRelievoPrimitiveIds::ToString(vtkRelievoPrimitiveIds::Get(window));
 }
 
 //------------------------------------------------------------------------------

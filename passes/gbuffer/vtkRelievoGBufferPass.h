@@ -24,6 +24,7 @@
 #include <memory> // for the internals
 
 class vtkImageData;
+class vtkOpenGLRenderWindow;
 
 class VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferPass : public vtkRelievoStage
 {
@@ -138,6 +139,20 @@ public:
 
   /** Reads layers of the last frame: see vtkRelievoStage::ReadLayers. */
   std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
+  /**
+   * How the last frame came by the number of a pixel's primitive, which cell ids and refined depths
+   * need: "as written" (by the fragment shader alone), "through a geometry shader", or
+   * "unreliable: ..." where this OpenGL gives wrong ones; empty if no layer needed it.
+   */
+  std::string GetPrimitiveIds();
+
+  /**
+   * The same for a window's OpenGL, found out by drawing a few triangles when it is first asked.
+   * Makes the window current, which must be initialized.
+   */
+  static std::string ProbePrimitiveIds(vtkOpenGLRenderWindow* window);
+
+  std::map<std::string, std::string> GetFacts() override;
 
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;

@@ -12,6 +12,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoGBufferLayout.h"
+#include "vtkRelievoPrimitiveIds.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
 #include "vtkShaderProgram.h"
@@ -23,6 +24,7 @@ using namespace vtkRelievoSpliceText;
 
 namespace
 {
+constexpr const char* SourceDefine = "#define RELIEVO_PRIMITIVE_SOURCE ";
 constexpr const char* Advice = "; use VTK's shader templates, with their tags";
 
 std::string Section(const char* file, const char* section)
@@ -59,6 +61,14 @@ int vtkRelievoGBufferSplice::GetPrimitiveSource(vtkOpenGLPolyDataMapper* mapper,
 }
 
 //------------------------------------------------------------------------------
+int vtkRelievoGBufferSplice::GetPrimitiveSource(const std::string& fragment)
+{
+  const std::size_t at = fragment.find(SourceDefine);
+  return at == std::string::npos ? NoPrimitive
+                                 : fragment[at + std::string(SourceDefine).size()] - '0';
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoGBufferSplice::Mark(
   std::string& vertex, std::string& geometry, std::string& fragment)
 {
@@ -89,7 +99,12 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   {
     return "it draws to several buffers at once; give it one colour output";
   }
-  const int source = GetPrimitiveSource(mapper, actor);
+  int source = GetPrimitiveSource(mapper, actor);
+  const bool numbered = source == PrimitiveOfMesh || source == PointOfMesh;
+  if (numbered && mode.PrimitiveIds == vtkRelievoPrimitiveIds::Unreliable)
+  {
+    source = NoPrimitive;
+  }
   const bool triangles = vtkRelievoAccess::Mapper::DrawsTriangles(mapper);
   const bool needsNormal =
     triangles && !Has(fragment, "normalVCVSOutput") && HasPointNormals(mapper, actor);
@@ -131,8 +146,17 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
     FillVarying(vertex, geometry, fragment, "gbuffer/glyph_depth.glsl", false);
   }
 
+  // VTK's own, of edges and wide lines, hand the number on as well.
+  if (numbered && layout.IdWord >= 0 && geometry.empty() &&
+    mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader)
+  {
+    geometry = vtkRelievoPrimitiveIds::MakeGeometryShader(
+      vertex, vtkRelievoPrimitiveIds::GetCorners(mapper, actor));
+    source = geometry.empty() ? NoPrimitive : source;
+  }
+
   std::ostringstream defines;
-  defines << layout.GetDefines() << "#define RELIEVO_PRIMITIVE_SOURCE " << source << "\n";
+  defines << layout.GetDefines() << SourceDefine << source << "\n";
   auto define = [&defines](bool on, const char* name) {
     if (on)
     {

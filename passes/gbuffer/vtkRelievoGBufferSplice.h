@@ -22,8 +22,9 @@ enum PrimitiveSource
   PointOfMesh = 3 // a sphere or a stick at every point
 };
 
-// The source of a mapper that draws for an actor now.
+// The source of a mapper that draws for an actor now, and the one that its shader was made with.
 int GetPrimitiveSource(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
+int GetPrimitiveSource(const std::string& fragment);
 
 // Marks the places, before VTK fills its own tags.
 void Mark(std::string& vertex, std::string& geometry, std::string& fragment);
@@ -33,10 +34,12 @@ struct Mode
 {
   bool LayersOnly = false;       // nobody sees the colour
   bool LinearVisibility = false; // the depth buffer holds depth / far
+  int PrimitiveIds = 0;          // a vtkRelievoPrimitiveIds::Route
 
   bool operator!=(const Mode& other) const
   {
-    return this->LayersOnly != other.LayersOnly || this->LinearVisibility != other.LinearVisibility;
+    return this->LayersOnly != other.LayersOnly ||
+      this->LinearVisibility != other.LinearVisibility || this->PrimitiveIds != other.PrimitiveIds;
   }
 };
 

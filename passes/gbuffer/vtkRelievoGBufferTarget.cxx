@@ -152,6 +152,7 @@ std::string vtkRelievoGBufferTarget::AttachShared(
   }
   GLint attachments = 0;
   glGetIntegerv(GL_MAX_COLOR_ATTACHMENTS, &attachments);
+  this->SharedFramebuffer = static_cast<unsigned int>(framebuffer);
   this->SharedColorBuffer = static_cast<unsigned int>(first);
   this->DrawBuffers.assign(1, this->SharedColorBuffer);
   unsigned int from = GL_COLOR_ATTACHMENT0 + static_cast<unsigned int>(attachments) - 1;
@@ -193,11 +194,15 @@ void vtkRelievoGBufferTarget::DetachShared()
   {
     return;
   }
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->SharedFramebuffer);
   this->WriteLayers(false);
   for (std::size_t i = 1; i < this->DrawBuffers.size(); ++i)
   {
     glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, this->DrawBuffers[i], GL_TEXTURE_2D, 0, 0);
   }
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
   this->DrawBuffers.clear();
 }
 

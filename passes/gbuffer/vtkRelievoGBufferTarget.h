@@ -59,6 +59,7 @@ private:
   int Width = 0;
   int Height = 0;
   std::vector<unsigned int> DrawBuffers; // with the layers; location 0 first
+  unsigned int SharedFramebuffer = 0;
   unsigned int SharedColorBuffer = 0;
   bool Writing = false;
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoOpaqueProps.h"
 
+#include "vtkHiddenLineRemovalPass.h"
+#include "vtkNew.h"
 #include "vtkProp.h"
 #include "vtkRelievoPropParts.h"
 #include "vtkRenderState.h"
@@ -43,22 +45,29 @@ void vtkRelievoOpaqueProps::AddPass(vtkOpenGLRenderPass* pass)
 {
   for (vtkProp* prop : this->Props)
   {
-    vtkRelievoPropParts::AddPass(prop, pass);
+    this->Spliced.Add(prop, pass);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoOpaqueProps::RemovePass(vtkOpenGLRenderPass* pass)
 {
-  for (vtkProp* prop : this->Props)
-  {
-    vtkRelievoPropParts::RemovePass(prop, pass);
-  }
+  this->Spliced.Remove(pass);
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoOpaqueProps::RenderOpaque(vtkRenderer* renderer)
+void vtkRelievoOpaqueProps::RenderOpaque(vtkRenderer* renderer, bool removesHiddenLines)
 {
+  const int count = static_cast<int>(this->Props.size());
+  if (removesHiddenLines &&
+    vtkHiddenLineRemovalPass::WireframePropsExist(this->Props.data(), count))
+  {
+    vtkRenderState state(renderer);
+    state.SetPropArrayAndCount(this->Props.data(), count);
+    vtkNew<vtkHiddenLineRemovalPass> pass;
+    pass->Render(&state);
+    return;
+  }
   for (vtkProp* prop : this->Props)
   {
     prop->RenderOpaqueGeometry(renderer);

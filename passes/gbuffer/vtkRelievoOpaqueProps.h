@@ -6,6 +6,8 @@
 #ifndef vtkRelievoOpaqueProps_h
 #define vtkRelievoOpaqueProps_h
 
+#include "vtkRelievoSplicedKeys.h"
+
 #include <string>
 #include <vector>
 
@@ -26,12 +28,14 @@ public:
   void AddPass(vtkOpenGLRenderPass* pass);
   void RemovePass(vtkOpenGLRenderPass* pass);
 
-  // Draws the opaque geometry of those props that write layers.
-  void RenderOpaque(vtkRenderer* renderer);
+  // Draws the opaque geometry of those props that write layers, of wire frames what is in sight
+  // only if it is asked.
+  void RenderOpaque(vtkRenderer* renderer, bool removesHiddenLines);
 
 private:
   std::vector<vtkProp*> Props; // in the renderer's order
   std::string Foreign;
+  vtkRelievoSplicedKeys Spliced;
 };
 
 #endif

@@ -73,8 +73,7 @@ bool vtkRelievoForwardMasks::Allocate(
 void vtkRelievoForwardMasks::Begin()
 {
   vtkOpenGLState* state = this->Window->GetState();
-  state->Push();
-  state->PushFramebufferBindings();
+  this->Kept.reset(new vtkRelievoKeptState(state));
   this->Framebuffer->Bind();
   state->vtkglViewport(0, 0, this->Width, this->Height);
   state->vtkglScissor(0, 0, this->Width, this->Height);
@@ -96,9 +95,7 @@ void vtkRelievoForwardMasks::DrawTo(unsigned int buffer)
 //------------------------------------------------------------------------------
 void vtkRelievoForwardMasks::End()
 {
-  vtkOpenGLState* state = this->Window->GetState();
-  state->PopFramebufferBindings();
-  state->Pop();
+  this->Kept.reset();
 }
 
 //------------------------------------------------------------------------------

@@ -7,12 +7,14 @@
 #ifndef vtkRelievoForwardMasks_h
 #define vtkRelievoForwardMasks_h
 
+#include "vtkRelievoKeptState.h"
 #include "vtkRelievoShadowFit.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
 #include <functional>
+#include <memory>
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
@@ -59,6 +61,7 @@ private:
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  std::unique_ptr<vtkRelievoKeptState> Kept; // between Begin and End
   vtkSmartPointer<vtkTextureObject> Depth;
   vtkShaderProgram* Program = nullptr; // the window's shader cache owns it
   glm::dmat4 WorldToView{ 1.0 };

@@ -41,9 +41,10 @@ public:
   vtkRelievoShadowSplice::Structure Structure;
   vtkTimeStamp StructureTime;
   vtkRelievoView View;
-  int Radius = 1;            // of the filter, as the maps' size allows
-  std::string WithoutShadow; // lights that cast none, and why
-  bool LayersAsked = false;  // visibility is asked for as a layer
+  int Radius = 1;                               // of the filter, as the maps' size allows
+  std::string WithoutShadow;                    // lights that cast none, and why
+  bool LayersAsked = false;                     // visibility is asked for as a layer
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the frame
   bool DrawingMaps = false;
   bool DrawingDepth = false;        // that the camera sees, for the masks
   std::set<vtkShaderProgram*> Told; // programs that have this frame's parameters
@@ -51,6 +52,7 @@ public:
     LitForMaps; // programs that VTK gave its lights in a light's eye space
   std::set<std::string> Said;
   bool Spliced = false;
+  bool Strayed = false; // shaders without shadows were built with this pass in their keys
 
   struct MaskState // what the masks were drawn for
   {

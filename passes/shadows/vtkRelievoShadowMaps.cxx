@@ -96,8 +96,7 @@ glm::dmat4 vtkRelievoShadowMaps::GetNDCToMap(int size)
 void vtkRelievoShadowMaps::Begin()
 {
   vtkOpenGLState* state = this->Window->GetState();
-  state->Push();
-  state->PushFramebufferBindings();
+  this->Kept.reset(new vtkRelievoKeptState(state));
   this->Framebuffer->Bind();
   // VTK remembers the buffers of the framebuffer bound before and may think that nothing changes.
   unsigned int none = GL_NONE;
@@ -202,9 +201,7 @@ void vtkRelievoShadowMaps::End()
 {
   glDisable(GL_DEPTH_CLAMP);
   glFramebufferTextureLayer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, 0, 0, 0);
-  vtkOpenGLState* state = this->Window->GetState();
-  state->PopFramebufferBindings();
-  state->Pop();
+  this->Kept.reset();
 }
 
 //------------------------------------------------------------------------------

@@ -7,12 +7,14 @@
 #define vtkRelievoShadowMaps_h
 
 #include "vtkNew.h"
+#include "vtkRelievoKeptState.h"
 #include "vtkRelievoShadowFit.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 #include "vtkWeakPointer.h"
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 class vtkCamera;
@@ -74,6 +76,7 @@ private:
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  std::unique_ptr<vtkRelievoKeptState> Kept; // between Begin and End
   vtkSmartPointer<vtkCamera> Camera;
   unsigned int Texture = 0;
   unsigned int Empty = 0;

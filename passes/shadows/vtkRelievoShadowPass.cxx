@@ -239,7 +239,8 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
     return;
   }
   const vtkRenderState* s = context.State;
-  in.PlainDraw.SetWindow(context.Window);
+  in.Window = context.Window;
+  in.PlainDraw.SetWindow(in.Window);
   this->FitMaps(s);
   if (!in.Maps.Bind(false))
   {
@@ -250,8 +251,8 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
     }
     return;
   }
-  in.Props.AddPass(this);
   in.Spliced = true;
+  in.Props.AddPass(this);
   this->DrawMaps(s);
   in.Maps.Bind(true);
   if (this->Method == METHOD_FORWARD)

@@ -7,6 +7,7 @@
 #include "vtkActor.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRelievoShaderTrial.h"
 #include "vtkShaderProgram.h"
 
 #include <glm/matrix.hpp>
@@ -15,7 +16,7 @@
 bool vtkRelievoShadowPass::PreReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
 {
-  if (vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  if (this->Internal->Spliced && vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
   {
     vtkRelievoShadowSplice::Mark(vertexShader, geometryShader, fragmentShader);
   }
@@ -30,15 +31,29 @@ bool vtkRelievoShadowPass::PostReplaceShaderValues(std::string& vertexShader,
   Internals& in = *this->Internal;
   auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
   auto* actor = vtkActor::SafeDownCast(prop);
-  if (!mapper || !actor)
+  if (!in.Spliced || !mapper || !actor)
   {
     return true;
   }
-  const std::string missing = vtkRelievoShadowSplice::Fill(
+  const std::string own[3] = { vertexShader, geometryShader, fragmentShader };
+  std::string missing = vtkRelievoShadowSplice::Fill(
     vertexShader, geometryShader, fragmentShader, mapper, actor, in.Structure);
+  std::string key = mapper->GetClassName() + missing;
+  if (missing.empty())
+  {
+    key += "compiles not";
+    missing = vtkRelievoShaderTrial::Compile(
+      in.Window, actor->GetShaderProperty(), vertexShader, geometryShader, fragmentShader);
+    if (!missing.empty())
+    {
+      vertexShader = own[0];
+      geometryShader = own[1];
+      fragmentShader = own[2];
+    }
+  }
   // Gaussian splats are known to cast and not to receive: nothing that a user could mend.
   const bool known = mapper->IsA("vtkOpenGLPointGaussianMapperHelper") != 0;
-  if (!missing.empty() && !known && in.Said.insert(mapper->GetClassName() + missing).second)
+  if (!missing.empty() && !known && in.Said.insert(key).second)
   {
     vtkErrorMacro("No shadows on what " << mapper->GetClassName() << " draws: " << missing << ".");
   }
@@ -220,5 +235,12 @@ bool vtkRelievoShadowPass::SetShaderParameters(vtkShaderProgram* program,
 //------------------------------------------------------------------------------
 vtkMTimeType vtkRelievoShadowPass::GetShaderStageMTime()
 {
-  return this->Internal->StructureTime.GetMTime();
+  // Asked outside of its own drawing by keys that were copied meanwhile: there it splices nothing.
+  Internals& in = *this->Internal;
+  if (!in.Spliced || in.Strayed)
+  {
+    in.StructureTime.Modified();
+    in.Strayed = !in.Spliced;
+  }
+  return in.StructureTime.GetMTime();
 }

@@ -120,6 +120,7 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
   this->Casters.clear();
   this->CasterBoxes.clear();
   this->ReceiverBoxes.clear();
+  this->Parts.clear();
   this->NotReceiving.clear();
   this->State.clear();
   this->Unsteady = false;
@@ -173,6 +174,7 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
     for (const vtkRelievoPropParts::Part& part : parts)
     {
       vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
+      this->Parts.insert(actor);
       if (!choice.Receives)
       {
         this->NotReceiving.insert(actor);
@@ -191,11 +193,14 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
 //------------------------------------------------------------------------------
 bool vtkRelievoShadowProps::Receives(vtkProp* part) const
 {
+  if (this->Parts.count(part))
+  {
+    return this->NotReceiving.count(part) == 0;
+  }
   // A level of detail draws an actor of its own, with the keys of the one that was chosen for.
   return std::none_of(
     this->NotReceiving.begin(), this->NotReceiving.end(), [part](vtkProp* chosen) {
-      return chosen == part ||
-        (chosen->GetPropertyKeys() && chosen->GetPropertyKeys() == part->GetPropertyKeys());
+      return chosen->GetPropertyKeys() && chosen->GetPropertyKeys() == part->GetPropertyKeys();
     });
 }
 
@@ -252,17 +257,14 @@ void vtkRelievoShadowProps::AddPass(vtkOpenGLRenderPass* pass)
 {
   for (vtkProp* prop : this->Spliced)
   {
-    vtkRelievoPropParts::AddPass(prop, pass);
+    this->Keys.Add(prop, pass);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowProps::RemovePass(vtkOpenGLRenderPass* pass)
 {
-  for (vtkProp* prop : this->Spliced)
-  {
-    vtkRelievoPropParts::RemovePass(prop, pass);
-  }
+  this->Keys.Remove(pass);
 }
 
 //------------------------------------------------------------------------------

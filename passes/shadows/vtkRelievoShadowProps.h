@@ -7,6 +7,7 @@
 #define vtkRelievoShadowProps_h
 
 #include "vtkRelievoShadowRegion.h"
+#include "vtkRelievoSplicedKeys.h"
 #include "vtkWeakPointer.h"
 
 #include <cstdint>
@@ -79,7 +80,9 @@ private:
   std::vector<Caster> Casters;
   std::vector<vtkRelievoBox> CasterBoxes; // of Casters, one each
   std::vector<vtkRelievoBox> ReceiverBoxes;
-  std::set<vtkProp*> NotReceiving;
+  std::set<vtkProp*> Parts;        // that draw themselves
+  std::set<vtkProp*> NotReceiving; // of Parts
+  vtkRelievoSplicedKeys Keys;
   std::vector<std::uint64_t> State;
   bool Unsteady = false;
 };

@@ -11,13 +11,25 @@
 #include <vtkRelievoGBufferPass.h>
 #include <vtkRelievoLayerSource.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoPrimitiveIds.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <sstream>
+
+namespace
+{
+// Tests of ids run once more with another route for all of them.
+[[maybe_unused]] const bool Forced = [] {
+  const char* route = std::getenv("RELIEVO_TEST_PRIMITIVE_IDS");
+  vtkRelievoPrimitiveIds::Force(route ? std::atoi(route) : -1);
+  return route != nullptr;
+}();
+}
 
 namespace relievoTest
 {

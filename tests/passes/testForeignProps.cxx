@@ -13,21 +13,29 @@
 #include "Window.h"
 
 #include <vtkActor.h>
+#include <vtkAnnotatedCubeActor.h>
 #include <vtkAxesActor.h>
+#include <vtkAxisActor.h>
 #include <vtkBillboardTextActor3D.h>
 #include <vtkCamera.h>
+#include <vtkCaptionActor2D.h>
 #include <vtkColorTransferFunction.h>
+#include <vtkCornerAnnotation.h>
 #include <vtkCubeAxesActor.h>
 #include <vtkFollower.h>
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkImageActor.h>
 #include <vtkImageData.h>
+#include <vtkLeaderActor2D.h>
+#include <vtkLegendBoxActor.h>
+#include <vtkLegendScaleActor.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProp3DFollower.h>
 #include <vtkProperty.h>
+#include <vtkProperty2D.h>
 #include <vtkRelievoGBufferPass.h>
 #include <vtkRelievoPass.h>
 #include <vtkScalarBarActor.h>
@@ -145,6 +153,55 @@ void AddScalarBar(vtkRenderer* renderer)
   renderer->AddActor2D(bar);
 }
 
+// Its leader is a line among the opaque geometry.
+void AddCaption(vtkRenderer* renderer)
+{
+  vtkNew<vtkCaptionActor2D> caption;
+  caption->SetCaption("caption");
+  caption->SetAttachmentPoint(0., 0.7, 0.75);
+  caption->LeaderOn();
+  caption->ThreeDimensionalLeaderOn();
+  caption->GetProperty()->SetColor(1., 0., 0.);
+  renderer->AddActor(caption);
+}
+
+// Drawn before what it stands before.
+void AddCaptionFirst(vtkRenderer* renderer)
+{
+  vtkSmartPointer<vtkProp> box = renderer->GetViewProps()->GetLastProp();
+  renderer->RemoveViewProp(box);
+  vtkSmartPointer<vtkProp> ball = renderer->GetViewProps()->GetLastProp();
+  renderer->RemoveViewProp(ball);
+  AddCaption(renderer);
+  renderer->AddViewProp(ball);
+  renderer->AddViewProp(box);
+}
+
+void AddAxis(vtkRenderer* renderer)
+{
+  vtkNew<vtkAxisActor> axis;
+  axis->SetPoint1(-1., 0.5, 0.9);
+  axis->SetPoint2(1., 0.9, 0.9);
+  axis->SetBounds(-1., 1., -0.1, 1.4, -1., 1.);
+  axis->SetCamera(renderer->GetActiveCamera());
+  axis->SetTickLocationToBoth();
+  renderer->AddActor(axis);
+}
+
+void AddBox2D(vtkRenderer* renderer)
+{
+  vtkNew<vtkLegendBoxActor> legend;
+  legend->SetNumberOfEntries(1);
+  legend->SetEntryString(0, "box");
+  renderer->AddActor2D(legend);
+  vtkNew<vtkCornerAnnotation> corner;
+  corner->SetText(0, "corner");
+  renderer->AddActor2D(corner);
+  vtkNew<vtkLeaderActor2D> leader;
+  leader->SetLabel("leader");
+  renderer->AddActor2D(leader);
+}
+
 void AddTexts(vtkRenderer* renderer)
 {
   vtkNew<vtkTextActor> text;
@@ -224,6 +281,12 @@ const Case Cases[] = {
   { "axes", AddAxes, false },
   { "cube axes", AddCubeAxes, false },
   { "scalar bar", AddScalarBar, true },
+  { "caption with a leader", AddCaption, false },
+  { "caption with a leader, first", AddCaptionFirst, false },
+  { "annotated cube", [](vtkRenderer* r) { r->AddActor(vtkNew<vtkAnnotatedCubeActor>()); }, false },
+  { "axis", AddAxis, false },
+  { "legend scale", [](vtkRenderer* r) { r->AddActor(vtkNew<vtkLegendScaleActor>()); }, false },
+  { "legend box, corners, leader", AddBox2D, true },
   { "texts", AddTexts, false },
   { "billboard text", AddBillboard, false },
   { "image", AddImage, false },

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the pass tells VTK's mappers and their shaders.
+#include "vtkRelievoGBufferInternals.h"
+
+#include "vtkActor.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRelievoShaderTrial.h"
+#include "vtkShaderProgram.h"
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGBufferPass::PreReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  if (this->Internal->Writing && vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    vtkRelievoGBufferSplice::Mark(vertexShader, geometryShader, fragmentShader);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGBufferPass::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* abstractMapper,
+  vtkProp* prop)
+{
+  Internals& in = *this->Internal;
+  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!in.Writing || !mapper || !actor)
+  {
+    return true;
+  }
+  const std::string own[3] = { vertexShader, geometryShader, fragmentShader };
+  // Returns what is wrong, in words, and leaves the shaders as they were then.
+  auto fill = [&](const vtkRelievoGBufferSplice::Mode& mode, bool& compiles) {
+    std::string wrong = vtkRelievoGBufferSplice::Fill(
+      vertexShader, geometryShader, fragmentShader, mapper, actor, in.Layout, mode);
+    compiles = true;
+    if (wrong.empty())
+    {
+      wrong = vtkRelievoShaderTrial::Compile(
+        static_cast<vtkOpenGLRenderWindow*>(in.Renderer->GetRenderWindow()),
+        actor->GetShaderProperty(), vertexShader, geometryShader, fragmentShader);
+      compiles = wrong.empty();
+    }
+    if (!wrong.empty())
+    {
+      vertexShader = own[0];
+      geometryShader = own[1];
+      fragmentShader = own[2];
+    }
+    return wrong;
+  };
+  bool compiles = true;
+  std::string wrong = fill(in.Mode, compiles);
+  if (!compiles && in.Mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader)
+  {
+    vtkRelievoGBufferSplice::Mode without = in.Mode;
+    without.PrimitiveIds = vtkRelievoPrimitiveIds::Unreliable;
+    wrong = fill(without, compiles);
+  }
+  const std::string name = mapper->GetClassName();
+  if (!wrong.empty() && in.Said.insert(name + (compiles ? wrong : "compiles not")).second)
+  {
+    vtkErrorMacro("No layers of what " << name << " draws: " << wrong << ".");
+  }
+  const bool numbered = vtkRelievoGBufferSplice::GetPrimitiveSource(mapper, actor) !=
+    vtkRelievoGBufferSplice::GetPrimitiveSource(fragmentShader);
+  if (wrong.empty() && numbered && in.Layout.IdWord >= 0 &&
+    in.Mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader &&
+    in.Said.insert(name + "ids").second)
+  {
+    vtkErrorMacro("No cell ids of what "
+      << name << " draws: with this OpenGL they need a geometry shader, which cannot hand on all "
+      << "that its vertex shader puts out. Declare one output of a simple type on a line.");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
+  vtkAbstractMapper* abstractMapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  Internals& in = *this->Internal;
+  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!in.Writing || !mapper || !actor)
+  {
+    return true;
+  }
+  // Nor into the depth buffer alone (hidden line removal).
+  unsigned char mask[4] = { 1, 1, 1, 1 };
+  static_cast<vtkOpenGLRenderWindow*>(in.Renderer->GetRenderWindow())
+    ->GetState()
+    ->vtkglGetBooleanv(GL_COLOR_WRITEMASK, mask);
+  const bool writes = (mask[0] || mask[1] || mask[2] || mask[3]) &&
+    program->GetFragmentShader()->GetSource().find("relievoOutput1") != std::string::npos;
+  in.Target.WriteLayers(writes);
+  if (!writes)
+  {
+    return true;
+  }
+  ++this->DrawCalls;
+  if (in.Layout.IdWord >= 0)
+  {
+    const int source =
+      vtkRelievoGBufferSplice::GetPrimitiveSource(program->GetFragmentShader()->GetSource());
+    const std::uint32_t first = in.Draws.Add(actor, mapper, source);
+    program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
+  }
+  in.Glyphs.SetUniforms(program, mapper);
+  program->SetUniformf("relievoWinding", actor->GetMatrix()->Determinant() < 0.0 ? -1.0f : 1.0f);
+  program->SetUniformf("relievoNear", static_cast<float>(in.View.Near));
+  program->SetUniformf("relievoFar", static_cast<float>(in.View.Far));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoGBufferPass::GetShaderStageMTime()
+{
+  // Asked outside of its own drawing by keys that were copied meanwhile: there it splices nothing.
+  Internals& in = *this->Internal;
+  if (!in.Writing || in.Strayed)
+  {
+    in.StructureTime.Modified();
+    in.Strayed = !in.Writing;
+  }
+  return in.StructureTime.GetMTime();
+}
