@@ -14,7 +14,8 @@ LICENCE = (
 )
 CLEAN = {
     "passes/vtkA.cxx": LICENCE + "int A()\n{\n  return 1;\n}\n",
-    "passes/vtk.module": "NAME\n  Relievo::Passes\nPRIVATE_DEPENDS\n  Relievo::Shaders\n",
+    "passes/vtk.module": "NAME\n  Relievo::Passes\nPRIVATE_DEPENDS\n  Relievo::Frame\n",
+    "passes/gbuffer/vtk.module": "NAME\n  Relievo::GBuffer\nDEPENDS\n  Relievo::Frame\n",
     "shaders/a.glsl": LICENCE + "void main() { gl_FragDepth = 0.5; }\n",
     "plugin/vtkP.cxx": LICENCE + '#include "vtkPVView.h"\n',
     "tools/run": "#!/usr/bin/env bash\n# SPDX-License-Identifier: BSD-3-Clause\necho ok\n",
@@ -37,11 +38,14 @@ MISTAKES = {
     "GLSL": ("passes/vtkD.cxx", LICENCE + 'const char* D = "gl_FragDepth = 1.;";\n', "shaders/"),
     "GLSL uniform": ("passes/vtkE.cxx", LICENCE + 'const char* E = "uniform vec3 e;";\n',
                      "shaders/"),
-    "OpenGL": ("filters/vtkF.h", LICENCE + '#include "vtkOpenGLActor.h"\n', "no OpenGL"),
+    "OpenGL": ("filters/vtkF.h", LICENCE + '#include "vtkOpenGLActor.h"\n', "know no OpenGL"),
     "sideways": ("filters/vtk.module", "NAME\n  Relievo::Filters\nDEPENDS\n  Relievo::Passes\n",
-                 "depends on Relievo::Shaders only"),
+                 "may not stand on this one"),
+    "across": ("passes/shadows/vtk.module",
+               "NAME\n  Relievo::Shadows\nDEPENDS\n  Relievo::GBuffer\n",
+               "may not stand on this one"),
     "upwards": ("shaders/vtk.module", "NAME\n  Relievo::Shaders\nDEPENDS\n  Relievo::IO\n",
-                "shaders on none"),
+                "may not stand on this one"),
     "neighbours": ("apps/tool/a.cxx", LICENCE + '#include "../../plugin/vtkP.h"\n',
                    "do not know each other"),
 }
