@@ -66,8 +66,8 @@ def read_exr(path):
     become `color` and every other channel or group of channels its own array, float or unsigned
     int.
 
-    Raises FileNotFoundError or another OSError if the file cannot be opened, ValueError if it is not
-    a complete OpenEXR file.
+    Raises FileNotFoundError or another OSError if the file cannot be opened, ValueError if it is
+    not a complete OpenEXR file.
     """
     name = os.fspath(path)
     with open(name, "rb"):  # Python's own errors for what is missing or forbidden
