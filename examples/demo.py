@@ -1,17 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo: a real scene, its picture, every layer of it, and what they cost.
+"""The demo: a real scene with shadows, its picture, every layer of it, and what they cost.
 
     demo.py [FOLDER] [--size WxH]      default: out, 1600x900
 
 Writes to FOLDER
-    demo.png           the picture, each pixel the mean of four
+    demo.png           the picture with shadows, each pixel the mean of four
     demo_layers.png    every layer as a picture, with captions
     demo.exr           every layer as numbers, in one OpenEXR file
     demo_report.json   what the frame did and why, GPU time and bytes of each stage
 
 Needs motorBike.obj and bunny.off in the folder RELIEVO_DATA (default: build/data beside this
-folder); tools/unpack-data puts them there. Exit status: 0 done, 1 failed, 2 wrong words.
+folder); tools/unpack-data puts them there. Exit status: 0 done, 1 failed, 2 wrong arguments.
 """
 
 import json
@@ -28,13 +28,13 @@ import demo_sheet
 
 LAYERS = [
     "color", "depth", "range", "normal", "geometric_normal", "position", "albedo", "actor", "block",
-    "cell", "height", "part",
+    "cell", "height", "part", "shadow_0", "shadow_1",
 ]  # fmt: skip
 STEPS = 6
 
 
 class Steps:
-    """Says what is being done, and how long it took."""
+    """Prints what is being done, and how long it took."""
 
     def __init__(self):
         self.number = 0
@@ -115,6 +115,10 @@ def main():
     window.SetMultiSamples(0)
     window.SetSize(*size)
     window.AddRenderer(renderer)
+    frame = relievo.attach(renderer)
+    frame.ShadowsOn()
+    frame.GetShadowPass().SetMapSize(4096)
+    frame.GetShadowPass().SetFilterRadius(3)
 
     steps.next(f"drawing the picture at {2 * size[0]}x{2 * size[1]}")
     demo_sheet.write_png(folder / "demo.png", smooth_picture(window, size))
@@ -136,7 +140,6 @@ def main():
     )
 
     steps.next("writing the frame report")
-    frame = relievo.attach(renderer)
     for name in LAYERS[1:]:
         frame.RequestLayer(name)
     for _ in range(4):  # GPU times arrive some frames later and are never waited for

@@ -190,17 +190,17 @@ def softboxes(rows=256):
     longitude = (numpy.arange(columns) + 0.5) / columns * 2 * math.pi - math.pi
     up = numpy.sin(latitude)[:, None]
     light = numpy.empty((rows, columns, 3), numpy.float32)
-    wall = 0.16 + 0.12 * up
+    wall = 0.05 + 0.04 * up
     light[:] = (wall * numpy.ones((1, columns)))[..., None] * (0.95, 0.97, 1.0)
     for where, wide, low, high, colour in (
-        (-2.1, 0.75, 0.25, 0.95, (3.6, 3.4, 3.1)),
-        (0.9, 0.55, 0.1, 0.8, (1.3, 1.45, 1.7)),
+        (-2.1, 0.75, 0.25, 0.95, (2.0, 1.9, 1.75)),
+        (0.9, 0.55, 0.1, 0.8, (0.8, 0.9, 1.05)),
         (2.6, 0.2, -0.1, 0.9, (1.8, 1.8, 1.8)),
     ):
         across = numpy.abs((longitude - where + math.pi) % (2 * math.pi) - math.pi)
         inside = (across[None, :] < wide) & (latitude[:, None] > low) & (latitude[:, None] < high)
         light[inside] = colour
-    light[latitude > 1.2] = (0.9, 0.9, 0.9)
+    light[latitude > 1.2] = (0.6, 0.6, 0.6)
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)
     image.GetPointData().SetScalars(numpy_to_vtk(light.reshape(-1, 3), deep=True))
@@ -282,8 +282,8 @@ def make_renderer(bike, bunny):
     renderer.SetEnvironmentTexture(softboxes(), False)
     renderer.UseImageBasedLightingOn()
     renderer.AutomaticLightCreationOff()
-    renderer.AddLight(lamp((-3, 5, 4), (0, 0.3, 0), 1.0, (1.0, 0.95, 0.88)))
-    renderer.AddLight(lamp((5, 3, 1), (0, 0.3, 0), 0.35, (0.80, 0.90, 1.0)))
+    renderer.AddLight(lamp((-5, 4.2, 0.9), (0, 0.3, 0), 4.0, (1.0, 0.95, 0.88)))
+    renderer.AddLight(lamp((5, 3, 1), (0, 0.3, 0), 0.25, (0.80, 0.90, 1.0)))
 
     renderer.UseSSAOOn()
     renderer.SetSSAORadius(0.35)

@@ -32,12 +32,12 @@ def picture_of(name, values):
     as 0.5 v + 0.5, positions within their bounds, ids each in a colour of its own.
     """
     if name == "color":
-        return bytes_of(srgb(values[..., :3])), "as the eye sees it"
+        return bytes_of(srgb(values[..., :3])), "the picture, shown as sRGB"
     if name == "albedo":
-        return values[..., :3].copy(), "the surface's own colour"
+        return values[..., :3].copy(), "before lighting"
     if name in IDS or numpy.issubdtype(values.dtype, numpy.integer):
         count = len(numpy.unique(values[values >= 0]))
-        return hashed(values), f"{count} {'value' if count == 1 else 'values'} in sight"
+        return hashed(values), f"{count} {'value' if count == 1 else 'values'} visible"
     if name == "position":
         low, high = values.min(axis=(0, 1)), values.max(axis=(0, 1))
         text = "  ".join(f"{a} {l:.1f} to {h:.1f}" for a, l, h in zip("xyz", low, high))

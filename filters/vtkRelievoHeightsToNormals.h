@@ -85,8 +85,8 @@ public:
 
   ///@{
   /**
-   * Units of the spacing per unit of height, any finite value; a negative one turns hills into pits.
-   * Default is 1.
+   * Units of the spacing per unit of height, any finite value; a negative one turns hills into
+   * pits. Default is 1.
    */
   vtkSetMacro(HeightScale, double);
   vtkGetMacro(HeightScale, double);

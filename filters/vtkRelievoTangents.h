@@ -17,13 +17,13 @@
  *
  * points along growing v, as in glTF, also where triangles wind against their normals. The first
  * three components are also the point data's active tangents ("Tangents"), which
- * vtkRelievoMaterial and VTK's PBR shading use directly. The former determines the side of v itself;
- * the latter assumes that w is 1 and shades mirrored halves wrongly. A point with several tangents,
- * at the seam of a mirrored half, is split: the first triangle that uses it keeps the point's
- * number, and the others get points at the end, with all arrays copied. Flat meshes are split at
- * every edge whose faces differ in normal, and get point normals. Points without triangles have the
- * tangent 0 0 0 0. Cells and cell data are unchanged. The id array "vtkOriginalPointIds" says which
- * point of the input each point was.
+ * vtkRelievoMaterial and VTK's PBR shading use directly. The former determines the side of v
+ * itself; the latter assumes that w is 1 and shades mirrored halves wrongly. A point with several
+ * tangents, at the seam of a mirrored half, is split: the first triangle that uses it keeps the
+ * point's number, and the others get points at the end, with all arrays copied. Flat meshes are
+ * split at every edge whose faces differ in normal, and get point normals. Points without triangles
+ * have the tangent 0 0 0 0. Cells and cell data are unchanged. The id array "vtkOriginalPointIds"
+ * says which point of the input each point was.
  *
  * Method: M. Mikkelsen, Simulation of Wrinkled Surfaces Revisited, master's thesis, University of
  * Copenhagen, 2008 (MikkTSpace). Corners with equal position, normal and texture coordinate are one

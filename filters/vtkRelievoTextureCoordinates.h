@@ -10,21 +10,21 @@
  * in tiles: a repeating texture covers the mesh with copies of TileSize. It is mirrored on no
  * triangle that winds counter-clockwise seen from outside, and v grows towards Up where possible.
  * The Mapping is one of:
- * - PLANE: projected along PlaneNormal, or onto the plane that fits the points best, from its front.
- *   Exact in scale on that plane, stretched by 1 / cosine on inclined surfaces.
+ * - PLANE: projected along PlaneNormal, or onto the plane that fits the points best, from its
+ *   front. Exact in scale on that plane, stretched by 1 / cosine on inclined surfaces.
  * - BOX: each polygon is projected from the one of six sides that is nearest to its normal, and is
  *   stretched by at most sqrt(3). The texture has a seam where two sides meet.
- * - SPHERE: longitude and latitude about the middle of the mesh's bounds, with the seam opposite the
- *   first axis, for bodies whose whole surface is visible from their middle. The number of tiles
- *   around is the whole number that comes nearest to TileSize at the mean distance of the points.
+ * - SPHERE: longitude and latitude about the middle of the mesh's bounds, with the seam opposite
+ *   the first axis, for bodies whose whole surface is visible from their middle. The number of
+ *   tiles around is the one that comes nearest to TileSize at the mean distance of the points.
  *
  * Points at seams are split, one for each (u, v), with all arrays copied; the first polygon keeps
  * the point's number, others get points at the end. "vtkOriginalPointIds" says which point of the
  * input each point was. Behind a sphere's seam u continues above 1; at a pole each polygon has a
- * point with the mean u of its other corners. Points without polygons have (0, 0), except for PLANE.
- * Cells are unchanged; other texture coordinates of the mesh are kept, but not as the active ones.
- * Positions are relative to the lower corner of the mesh's bounds, in double, so they are exact far
- * from the origin.
+ * point with the mean u of its other corners. Points without polygons have (0, 0), except for
+ * PLANE. Cells are unchanged; other texture coordinates of the mesh are kept, but not as the active
+ * ones. Positions are relative to the lower corner of the mesh's bounds, in double, so they are
+ * exact far from the origin.
  *
  * Errors, once, with an empty output and vtkErrorCode::UserError: triangle strips (run
  * vtkTriangleFilter first). A mesh without points gives one without points.
@@ -61,8 +61,8 @@ public:
   ///@{
   /**
    * Size of one copy of the texture in world units, in both directions, 0 or more. 0 makes one copy
-   * cover the whole mesh: the longer side of a plane, the longest side of the bounds for a box, once
-   * around a sphere. Default is 0.
+   * cover the whole mesh: the longer side of a plane, the longest side of the bounds for a box,
+   * once around a sphere. Default is 0.
    */
   vtkSetClampMacro(TileSize, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(TileSize, double);

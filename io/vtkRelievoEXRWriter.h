@@ -18,9 +18,9 @@
  * | 4 or more components             | NAME.0 NAME.1 NAME.2 NAME.3 ...       |
  *
  * Unless SetPixelType says otherwise, float and double become FLOAT, integers become UINT (-1
- * becomes 0xFFFFFFFF), and the bytes of `albedo` and `color` become HALF as v / 255 (from which each
- * byte can be recovered). float, integers of up to 32 bits and those bytes are read back bit for
- * bit, including infinities and NaNs; double is rounded to float. `position` of type double is
+ * becomes 0xFFFFFFFF), and the bytes of `albedo` and `color` become HALF as v / 255 (from which
+ * each byte can be recovered). float, integers of up to 32 bits and those bytes are read back bit
+ * for bit, including infinities and NaNs; double is rounded to float. `position` of type double is
  * written relative to the field data's `relievo:origin`; without one, the middle of the positions
  * is used if floats cannot hold them. `origin + float` is read back bit for bit.
  *
@@ -128,8 +128,8 @@ public:
 
   ///@{
   /**
-   * Threads that pack pixels, 0 to 64. They belong to OpenEXR and so to the whole process: from then
-   * on every reader and writer has at least as many. 0 starts none. A process that is forked
+   * Threads that pack pixels, 0 to 64. They belong to OpenEXR and so to the whole process: from
+   * then on every reader and writer has at least as many. 0 starts none. A process that is forked
    * (Python's multiprocessing on Linux) after they were started cannot use them and would wait
    * forever, so they are started only on request. Default: 0.
    */

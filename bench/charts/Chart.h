@@ -63,7 +63,7 @@ struct Chart
   std::string Note;
   ChartAxis X;
   ChartAxis Y;
-  /** In rows from left to right, `Columns` in each. With bars and dots, the first names the rows. */
+  /** In rows from left to right, `Columns` in each. In bars and dots the first names the rows. */
   std::vector<ChartPanel> Panels;
   int Columns = 1;
 };

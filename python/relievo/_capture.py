@@ -18,8 +18,8 @@ _LARGEST = 16384  # pixels each way; OpenGL's own limit, asked when there is a w
 def capture(renderer, layers=("depth",), size=None, hdr=False):
     """Draws the renderer once and returns the layers of what is visible.
 
-    renderer: a vtkRenderer. Its camera, lights, passes and window stay unchanged. A renderer without
-        a window is drawn in an off-screen one, and `size` is needed.
+    renderer: a vtkRenderer. Its camera, lights, passes and window stay unchanged. A renderer
+        without a window is drawn in an off-screen one, and `size` is needed.
     layers: names of layers, or one name; see help(relievo). Repeated names count once.
     size: (columns, rows) of the image in pixels, from 1 to OpenGL's limit (16384 in Mesa); None for
         the size of the renderer's viewport.

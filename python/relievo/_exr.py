@@ -78,8 +78,8 @@ def read_exr(path):
     become `color` and every other channel or group of channels its own array, float or unsigned
     int.
 
-    Raises FileNotFoundError or another OSError if the file cannot be opened, ValueError if it is not
-    a complete OpenEXR file.
+    Raises FileNotFoundError or another OSError if the file cannot be opened, ValueError if it is
+    not a complete OpenEXR file.
     """
     name = os.fspath(path)
     if not stat.S_ISFIFO(os.stat(name).st_mode):  # which would wait for somebody to write

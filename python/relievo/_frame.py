@@ -63,8 +63,8 @@ class vtkRelievoPass(vtkRelievoPasses.vtkRelievoPass):
 def attach(renderer):
     """Puts the Relievo frame around whatever pass the renderer has and returns it.
 
-    renderer: a vtkRenderer. Its picture does not change: with nothing requested the frame only calls
-    the renderer's own pass. A renderer that already has the frame keeps it.
+    renderer: a vtkRenderer. Its picture does not change: with nothing requested the frame only
+    calls the renderer's own pass. A renderer that already has the frame keeps it.
 
     Returns the vtkRelievoPass: its ShadowsOn() makes every light cast, SetDisplayLayer() shows a
     layer as the picture, RequestLayer() makes one in every frame; both raise ValueError for a name

@@ -4,8 +4,8 @@
 // alone defines the orientation of environments.
 //
 // A direction d points outwards from the middle and has any length but zero; axes are right-handed
-// with +y up. Positions in an image are OpenGL's texture coordinates: (0, 0) is the outer corner of the
-// first texel of the first row, (1, 1) that of the last.
+// with +y up. Positions in an image are OpenGL's texture coordinates: (0, 0) is the outer corner of
+// the first texel of the first row, (1, 1) that of the last.
 //
 // Equirectangular: the middle of the image is in direction +x, u grows from there towards +z (a
 // quarter of the width further), and -x lies on the seam u = 0 = 1; v is 0 at -y and 1 at +y, so

@@ -56,7 +56,7 @@ class Demo(unittest.TestCase):
 
         image = relievo.read_exr(folder / "demo.exr")
         names = relievo.layer_names(image)
-        self.assertEqual(len(names), 12)
+        self.assertEqual(len(names), 14)
         for name in names:
             self.assertEqual(relievo.layer(image, name).shape[:2], (180, 320), name)
         # The bunny's height is known where the bunny is, and nowhere else; the bike has many parts.
@@ -66,6 +66,13 @@ class Demo(unittest.TestCase):
         part = relievo.layer(image, "part")
         self.assertGreater(len(numpy.unique(part[numpy.isfinite(part)])), 20)
         self.assertEqual(set(relievo.layer(image, "block").ravel()), {0, 1, 2, 3})
+        # Part of what is seen is lit by the key light, part in its shadow; the picture shows that:
+        # the floor is darker there.
+        lit, floor = relievo.layer(image, "shadow_0"), actor == 0
+        self.assertGreater((lit == 1).mean(), 0.3)
+        self.assertGreater((lit == 0).mean(), 0.03)
+        dark = picture[floor & (lit == 0)].mean()
+        self.assertLess(dark, 0.85 * picture[floor & (lit == 1)].mean())
         # Nothing lies below the studio's floor.
         self.assertGreater(relievo.layer(image, "position")[..., 1].min(), -1e-4)
 
@@ -75,7 +82,7 @@ class Demo(unittest.TestCase):
 
         report = json.loads((folder / "demo_report.json").read_text())
         ran = {stage["name"]: stage["ran"] for stage in report["stages"]}
-        self.assertTrue(ran["gbuffer"])
+        self.assertTrue(ran["gbuffer"] and ran["shadows"])
         self.assertEqual(report["size"], [320, 180])
 
     def test_errors(self):
