@@ -64,9 +64,10 @@ std::string vtkRelievoFrameReport::GetJSON(const vtkRelievoGpuTimer& timer) cons
       << ",\n  \"bytes\": " << bytes;
   if (timer.IsUntimed())
   {
-    out << ",\n  \"untimed\": " << Quote(
-      "this OpenGL draws when a frame's commands are all there; stages are timed in the frames "
-      "after a report was read");
+    out << ",\n  \"untimed\": "
+        << Quote("this OpenGL draws when a frame's commands are all there; stages are timed in the "
+                 "frames "
+                 "after a report was read");
   }
   out << "\n}\n";
   return out.str();

@@ -69,9 +69,9 @@ private:
   Frame* Current = nullptr;
   std::map<std::string, double> Milliseconds;
 
-  int Wanted = 0;        // frames that are
-  bool Defers = false;   // timestamps tell nothing of a span
-  bool Finishes = false; // this frame's commands, at the ends of spans
+  int Wanted = 0;                         // frames that are
+  bool Defers = false;                    // timestamps tell nothing of a span
+  bool Finishes = false;                  // this frame's commands, at the ends of spans
   std::map<std::string, double> Finished; // milliseconds of this frame's spans, or less their start
 };
 

@@ -47,8 +47,8 @@ glm::vec3 GetScalarColor(double value, const Extremes& extremes, bool grey)
 }
 
 //------------------------------------------------------------------------------
-std::vector<unsigned char> vtkRelievoLayerColors::Make(vtkImageData* image,
-  const std::string& layer, bool visibility, const double range[2], bool grey)
+std::vector<unsigned char> vtkRelievoLayerColors::Make(
+  vtkImageData* image, const std::string& layer, bool visibility, const double range[2], bool grey)
 {
   vtkDataArray* array = image->GetPointData()->GetArray(layer.c_str());
   const vtkIdType count = array ? array->GetNumberOfTuples() : 0;

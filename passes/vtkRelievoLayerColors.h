@@ -15,8 +15,8 @@ namespace vtkRelievoLayerColors
 {
 // RGBA, alpha 0 where nothing is. The range is taken from the values if it is empty; a light's
 // visibility is grey, from 0 to 1.
-std::vector<unsigned char> Make(vtkImageData* image, const std::string& layer, bool visibility,
-  const double range[2], bool grey);
+std::vector<unsigned char> Make(
+  vtkImageData* image, const std::string& layer, bool visibility, const double range[2], bool grey);
 }
 
 #endif

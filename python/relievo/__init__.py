@@ -24,7 +24,8 @@ shadow_N           1 float     what is not blocked of light N: 1 lit, 0 dark    
 any array's name   as it is    point data interpolated, cell data as it is
 =================  ==========  ====================================================  ==========
 
-N counts renderer.GetLights() from 0. Layers shadow_N need no shadows in the picture; those are
+N counts renderer.GetLights() from 0; shadow_key_light is that of the light named "Key light"
+(shadows.SetLightName). Layers shadow_N need no shadows in the picture; those are
 
     frame = relievo.attach(renderer)
     frame.ShadowsOn()                                 # every light casts; ShadowsOff() ends it
