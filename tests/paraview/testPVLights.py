@@ -25,8 +25,9 @@ def almanac(days, latitude, longitude):
     angle = numpy.radians(sidereal + longitude) - right
     place = numpy.radians(latitude)
     east = -numpy.cos(high) * numpy.sin(angle)
-    north = numpy.sin(high) * numpy.cos(place) - numpy.cos(high) * numpy.sin(place) * numpy.cos(angle)
-    up = numpy.sin(high) * numpy.sin(place) + numpy.cos(high) * numpy.cos(place) * numpy.cos(angle)
+    level = numpy.cos(high) * numpy.cos(angle)
+    north = numpy.sin(high) * numpy.cos(place) - level * numpy.sin(place)
+    up = numpy.sin(high) * numpy.sin(place) + level * numpy.cos(place)
     return numpy.degrees(numpy.arctan2(east, north)) % 360, numpy.degrees(numpy.arcsin(up))
 
 
@@ -87,9 +88,9 @@ class Lights(pv.Test):
         view.RelievoSunLatitude, view.RelievoSunLongitude = -33.87, 151.21
         view.RelievoSunTimeZone, view.RelievoSunTime = 10.0, 15.25
         view.RelievoSunNorth = 65.0
-        days = (datetime.datetime(2025, 10, 4, 5, 15) - datetime.datetime(2000, 1, 1, 12)).total_seconds() / 86400
-        azimuth, elevation = almanac(days, -33.87, 151.21)
-        self.assertTrue(20 < elevation < 60 and 270 < azimuth < 340, "a spring afternoon in the south")
+        passed = datetime.datetime(2025, 10, 4, 5, 15) - datetime.datetime(2000, 1, 1, 12)
+        azimuth, elevation = almanac(passed.total_seconds() / 86400, -33.87, 151.21)
+        self.assertTrue(20 < elevation < 60 and 270 < azimuth < 340, "a southern afternoon")
         pictures = []
         for shadows, intensity in ((0, 1.0), (0, 0.0), (1, 1.0)):
             view.RelievoShadows = shadows
@@ -125,8 +126,8 @@ class Lights(pv.Test):
         filled = pv.picture(self.view).max(axis=2)[shade]
         self.view.RelievoSun = self.view.RelievoShadows = 0
         kit = pv.picture(self.view).max(axis=2)[shade]
-        # Nearly black without: under a third of what the light kit gives. With it more than half, and
-        # as much contrast, for how bright it is, as the light kit gives.
+        # Nearly black without: under a third of what the light kit gives. With it more than half,
+        # and as much contrast, for how bright it is, as the light kit gives.
         self.assertLess(without.mean(), kit.mean() / 3)
         self.assertGreater(filled.mean(), kit.mean() / 2)
         self.assertGreater(filled.std(), 1.5 * without.std())
@@ -142,9 +143,11 @@ class Lights(pv.Test):
         self.assertEqual(len(layers), 2, layers)
         self.assertIn("shadow_sun", layers)
         (added,) = set(layers) - {"shadow_sun"}
-        name = lamp.SMProxy.GetSessionProxyManager().GetProxyName("additional_lights", lamp.SMProxy)
+        manager = lamp.SMProxy.GetSessionProxyManager()
+        name = manager.GetProxyName("additional_lights", lamp.SMProxy)
         self.assertEqual(added, "shadow_" + name.lower())
-        offered = view.SMProxy.GetProperty("RelievoDisplayLayer").FindDomain("vtkSMStringListDomain")
+        shown = view.SMProxy.GetProperty("RelievoDisplayLayer")
+        offered = shown.FindDomain("vtkSMStringListDomain")
         names = [offered.GetString(i) for i in range(offered.GetNumberOfStrings())]
         self.assertEqual(names[-2:], layers, "and no light that casts nothing")
         for layer, truth in (("shadow_sun", self.scene.verdicts()),
