@@ -6,7 +6,7 @@
 
 Run it with ParaView's own pvbatch or pvpython. Writes to FOLDER (default: the current one)
     paraview_town.png    a town as ParaView draws it, and with shadows of the sun at 9:30
-    paraview_day.png     the same at 8, 12 and 16 o'clock (solar time, 48 degrees north, 20 March)
+    paraview_day.png     the same at 8, 12 and 16 o'clock (UTC, 48 degrees north on the meridian, 20 March)
     paraview_bike.png    a motorbike coloured by height, in a sun and a spot, and the layer `normal`
 
 The plugin is the one in the folder RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo
@@ -14,8 +14,6 @@ beside this folder); the meshes are those that tools/unpack-data puts into the f
 (default: build/data).
 """
 
-import datetime
-import math
 import os
 import pathlib
 import sys
@@ -24,8 +22,6 @@ from paraview import simple
 
 HERE = pathlib.Path(__file__).resolve().parent
 BUILD = HERE.parent / "build"
-sys.path.insert(0, str(HERE))
-import sun  # noqa: E402
 
 WIDE = 1440
 
@@ -72,16 +68,18 @@ def write(view, words):
 
 
 def let_the_sun_shine(view, hour):
-    """Shadows, and the sun of that hour: the first four lines are all there is to it."""
-    east, north, up = sun.direction(48.0, datetime.date(2026, 3, 20), hour)
+    """Shadows, and the sun of that hour: the first five lines are all there is to it."""
     view.RelievoShadows = 1
     view.RelievoSun = 1
-    view.RelievoSunAzimuth = math.degrees(math.atan2(east, north)) % 360
-    view.RelievoSunElevation = math.degrees(math.asin(up))
+    view.RelievoSunBy = "Date and place"
+    view.RelievoSunDate, view.RelievoSunTime = [2026, 3, 20], hour
+    view.RelievoSunLatitude, view.RelievoSunLongitude = 48.0, 0.0
     view.RelievoShadowMapSize = 4096  # a low sun draws a map's texels out along the walls
     view.RelievoSunIntensity, view.RelievoSunKitShare = 1.1, 0.45
     view.RelievoSunColor = [1.0, 0.95, 0.85]
-    return f"azimuth {view.RelievoSunAzimuth:.0f}, elevation {view.RelievoSunElevation:.0f}"
+    view.UpdatePropertyInformation()
+    angles = view.GetProperty("RelievoSunAngles")
+    return f"azimuth {angles.GetElement(0):.0f}, elevation {angles.GetElement(1):.0f}"
 
 
 def show_town(view, town, ground, said):

@@ -46,14 +46,13 @@ Sun LocateSun(double days)
   const double center = (1.914602 - t * (0.004817 + t * 0.000014)) * std::sin(anomaly) +
     (0.019993 - t * 0.000101) * std::sin(2.0 * anomaly) + 0.000289 * std::sin(3.0 * anomaly);
   const double node = Degree * (125.04 - 1934.136 * t);
-  sun.Longitude =
-    Wrap(sun.MeanLongitude + center - 0.00569 - 0.00478 * std::sin(node));
+  sun.Longitude = Wrap(sun.MeanLongitude + center - 0.00569 - 0.00478 * std::sin(node));
   sun.Obliquity = 23.0 + 26.0 / 60.0 +
     (21.448 - t * (46.8150 + t * (0.00059 - t * 0.001813))) / 3600.0 + 0.00256 * std::cos(node);
   const double longitude = Degree * sun.Longitude;
   const double obliquity = Degree * sun.Obliquity;
-  sun.RightAscension = Wrap(
-    std::atan2(std::cos(obliquity) * std::sin(longitude), std::cos(longitude)) / Degree);
+  sun.RightAscension =
+    Wrap(std::atan2(std::cos(obliquity) * std::sin(longitude), std::cos(longitude)) / Degree);
   sun.Declination = std::asin(std::sin(obliquity) * std::sin(longitude)) / Degree;
   sun.Nutation = -0.00478 * std::sin(node) * std::cos(obliquity);
   return sun;
@@ -84,13 +83,14 @@ void vtkRelievoSolarPosition::GetDirection(double direction[3])
 {
   const double days = this->GetDays(this->Hour);
   const Sun sun = LocateSun(days);
-  const double angle =
-    Degree * (GetSiderealTime(days, sun) + this->Longitude - sun.RightAscension);
+  const double angle = Degree * (GetSiderealTime(days, sun) + this->Longitude - sun.RightAscension);
   const double high = Degree * sun.Declination;
   const double place = Degree * this->Latitude;
   direction[0] = -std::cos(high) * std::sin(angle);
-  direction[1] = std::sin(high) * std::cos(place) - std::cos(high) * std::sin(place) * std::cos(angle);
-  direction[2] = std::sin(high) * std::sin(place) + std::cos(high) * std::cos(place) * std::cos(angle);
+  direction[1] =
+    std::sin(high) * std::cos(place) - std::cos(high) * std::sin(place) * std::cos(angle);
+  direction[2] =
+    std::sin(high) * std::sin(place) + std::cos(high) * std::cos(place) * std::cos(angle);
 }
 
 //------------------------------------------------------------------------------
@@ -126,8 +126,7 @@ double vtkRelievoSolarPosition::GetEquationOfTime()
 {
   // Meeus, chapter 28; four minutes a degree.
   const Sun sun = LocateSun(this->GetDays(this->Hour));
-  return 4.0 *
-    WrapSigned(sun.MeanLongitude - 0.0057183 - sun.RightAscension + sun.Nutation);
+  return 4.0 * WrapSigned(sun.MeanLongitude - 0.0057183 - sun.RightAscension + sun.Nutation);
 }
 
 //------------------------------------------------------------------------------

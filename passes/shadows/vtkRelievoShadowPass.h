@@ -46,7 +46,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Whether the picture shows shadows. Default off; layers shadow_N are available either way. */
+  /** Whether the picture shows shadows. Default off; layers of lights are available either way. */
   vtkSetMacro(Visible, bool);
   vtkGetMacro(Visible, bool);
   vtkBooleanMacro(Visible, bool);
@@ -131,7 +131,8 @@ public:
   /**
    * The layer that has a light's visibility: "shadow_" and its name in lower case, with an
    * underscore for all but letters and digits ("Key light": shadow_key_light); of several lights of
-   * one name the second has "_2" behind it, and so on. Empty for a light that is not the renderer's.
+   * one name the second has "_2" behind it, and so on. Empty for a light that is not the
+   * renderer's.
    * The layer shadow_N is the same of the light in place N.
    */
   std::string GetLightLayer(vtkRenderer* renderer, vtkLight* light);

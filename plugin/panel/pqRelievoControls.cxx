@@ -9,6 +9,7 @@
 
 #include <QComboBox>
 #include <QFormLayout>
+#include <QLabel>
 #include <QSignalBlocker>
 
 //------------------------------------------------------------------------------
@@ -24,6 +25,23 @@ QFormLayout* pqRelievoControls::MakeRows(QWidget* parent)
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   return rows;
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoControls::AddRow(QFormLayout* rows, const QString& title, QWidget* field)
+{
+  auto* label = new QLabel(title, rows->parentWidget());
+  label->setFixedWidth(label->fontMetrics().horizontalAdvance("Show layers"));
+  label->setBuddy(field);
+  rows->addRow(label, field);
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoControls::MakeHead(QWidget* head)
+{
+  QFont font = head->font();
+  font.setBold(true);
+  head->setFont(font);
 }
 
 //------------------------------------------------------------------------------
@@ -87,7 +105,7 @@ void pqRelievoControls::Bind(pqRelievoNumber* number, const char* property, cons
 void pqRelievoControls::Bind(QComboBox* choice, const char* property, const QString& label)
 {
   this->Choices[choice] = property;
-  QObject::connect(choice, QOverload<int>::of(&QComboBox::activated), this,
+  QObject::connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
     [this, choice, property, label](int i) {
       this->Apply(label, { { property, choice->itemData(i).toInt() } });
     });

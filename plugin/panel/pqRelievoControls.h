@@ -53,6 +53,12 @@ protected:
   /** A layout of rows with labels that suits a narrow dock. */
   static QFormLayout* MakeRows(QWidget* parent);
 
+  /** A row whose label is as wide as those of all sections. */
+  static void AddRow(QFormLayout* rows, const QString& title, QWidget* field);
+
+  /** The look of a section's head. */
+  static void MakeHead(QWidget* head);
+
   QPointer<pqView> View;
   vtkNew<vtkEventQtSlotConnect> Connector;
 

@@ -11,6 +11,7 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -25,6 +26,9 @@ pqRelievoEnvironmentControls::pqRelievoEnvironmentControls(QWidget* parent)
 {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  auto* head = new QLabel("Environment", this);
+  MakeHead(head);
+  layout->addWidget(head);
   auto* row = new QWidget(this);
   auto* files = new QHBoxLayout(row);
   files->setContentsMargins(0, 0, 0, 0);
@@ -47,16 +51,17 @@ pqRelievoEnvironmentControls::pqRelievoEnvironmentControls(QWidget* parent)
   intensity->setObjectName("intensity");
   intensity->SetTypedRange(0, 1000);
   rows->addRow(this->Sky);
-  rows->addRow("Rotation", rotation);
-  rows->addRow("Intensity", intensity);
+  AddRow(rows, "Rotation", rotation);
+  AddRow(rows, "Intensity", intensity);
   this->Bind(rotation, "RelievoEnvironmentRotation", "Rotation of the environment");
   this->Bind(intensity, "RelievoEnvironmentIntensity", "Intensity of the environment");
   QObject::connect(this->Sky, &QCheckBox::toggled, this, [this](bool on) {
     this->Apply(on ? "Sky on" : "Sky off", { { "RelievoSkybox", on ? 1 : 0 } });
   });
   QObject::connect(this->File, &QToolButton::clicked, this, [this] { this->Choose(); });
-  QObject::connect(this->None, &QToolButton::clicked, this,
-    [this] { this->Apply("No environment", { { "RelievoEnvironment", QString() } }); });
+  QObject::connect(this->None, &QToolButton::clicked, this, [this] {
+    this->Apply("No environment", { { "RelievoEnvironment", QString() } });
+  });
 }
 
 //------------------------------------------------------------------------------

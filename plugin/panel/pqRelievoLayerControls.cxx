@@ -56,6 +56,9 @@ pqRelievoLayerControls::pqRelievoLayerControls(QWidget* parent)
   , Values(new QLabel(this))
 {
   QFormLayout* rows = MakeRows(this);
+  auto* head = new QLabel("Layers", this);
+  MakeHead(head);
+  rows->addRow(head);
   this->Layer->setObjectName("layer");
   this->Layer->setToolTip("A layer to show as the picture");
   this->Layer->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -63,10 +66,10 @@ pqRelievoLayerControls::pqRelievoLayerControls(QWidget* parent)
   this->Values->setObjectName("values");
   this->Values->setWordWrap(true);
   this->Values->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  rows->addRow("Show layer", this->Layer);
+  AddRow(rows, "Shown", this->Layer);
   rows->addRow(this->Values);
-  QObject::connect(this->Layer, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-    [this](int i) {
+  QObject::connect(
+    this->Layer, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int i) {
       pqRelievoViewSettings::SetShownLayer(this->View, this->Layer->itemData(i).toString());
     });
 }
@@ -90,8 +93,7 @@ void pqRelievoLayerControls::SetView(pqView* view)
   this->Screen = this->View ? this->View->widget() : nullptr;
   if (this->View)
   {
-    this->Connector->Connect(
-      pqRelievoViewSettings::Find(view)->GetProperty("DisplayLayer"),
+    this->Connector->Connect(pqRelievoViewSettings::Find(view)->GetProperty("DisplayLayer"),
       vtkCommand::DomainModifiedEvent, this, SLOT(ShowState()));
     QObject::connect(this->View, &pqView::endRender, this, [this] { this->Fresh = false; });
   }
@@ -123,12 +125,6 @@ void pqRelievoLayerControls::ShowState()
   this->Fresh = false;
   this->Values->setText(layer.isEmpty() ? "" : "Move the mouse over the picture to read values.");
   this->Values->setVisible(!layer.isEmpty());
-}
-
-//------------------------------------------------------------------------------
-QString pqRelievoLayerControls::GetProbed() const
-{
-  return this->Values->text();
 }
 
 //------------------------------------------------------------------------------
@@ -187,9 +183,6 @@ void pqRelievoLayerControls::Probe(const QPoint& place)
   {
     values.append(QString::number(array->GetComponent(pixel, c), 'g', 7));
   }
-  this->Values->setText(QString("%1 at %2, %3: %4")
-                          .arg(layer)
-                          .arg(x)
-                          .arg(y)
-                          .arg(IsNothing(layer, array, pixel) ? "nothing" : values.join(", ")));
+  this->Probed = IsNothing(layer, array, pixel) ? "nothing" : values.join(", ");
+  this->Values->setText(QString("%1 at %2, %3: %4").arg(layer).arg(x).arg(y).arg(this->Probed));
 }

@@ -20,7 +20,7 @@ class pqRelievoLayerControls : public pqRelievoControls
 {
   Q_OBJECT
   using Superclass = pqRelievoControls;
-  /** What the probe says. */
+  /** The values that the probe found last, or "nothing". */
   Q_PROPERTY(QString probed READ GetProbed)
 
 public:
@@ -30,7 +30,7 @@ public:
   void SetView(pqView* view) override;
   void ShowState() override;
 
-  QString GetProbed() const;
+  QString GetProbed() const { return this->Probed; }
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -44,6 +44,7 @@ private:
   QPointer<QWidget> Screen; // of the view, watched for the mouse
   vtkNew<vtkImageData> Image;
   bool Fresh = false; // it is of the last picture
+  QString Probed;
 };
 
 #endif

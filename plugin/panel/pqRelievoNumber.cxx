@@ -17,8 +17,7 @@ constexpr int DialPixels = 56;
 }
 
 //------------------------------------------------------------------------------
-pqRelievoNumber::pqRelievoNumber(
-  Kind kind, double least, double most, double step, QWidget* parent)
+pqRelievoNumber::pqRelievoNumber(Kind kind, double least, double most, double step, QWidget* parent)
   : Superclass(parent)
   , Least(least)
   , Step(step)
@@ -50,6 +49,8 @@ pqRelievoNumber::pqRelievoNumber(
   this->Digits->setAlignment(Qt::AlignRight);
   this->Digits->setFixedWidth(this->fontMetrics().horizontalAdvance("-000.00\u00b0") + 34);
 
+  this->Slider->setValue(this->GetPosition(this->Digits->value()));
+
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(this->Slider, kind == DIAL ? 0 : 1);
@@ -59,12 +60,11 @@ pqRelievoNumber::pqRelievoNumber(
   }
   layout->addWidget(this->Digits);
 
-  QObject::connect(
-    this->Slider, &QAbstractSlider::valueChanged, this, &pqRelievoNumber::OnSlider);
+  QObject::connect(this->Slider, &QAbstractSlider::valueChanged, this, &pqRelievoNumber::OnSlider);
   QObject::connect(this->Slider, &QAbstractSlider::sliderReleased, this,
     [this] { Q_EMIT this->settled(this->Digits->value()); });
-  QObject::connect(this->Digits, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-    [this](double value) {
+  QObject::connect(
+    this->Digits, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double value) {
       const QSignalBlocker quiet(this->Slider);
       this->Slider->setValue(this->GetPosition(value));
       Q_EMIT this->settled(value);

@@ -19,6 +19,7 @@
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QStringList>
+#include <QStyle>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -60,10 +61,6 @@ pqRelievoPanel::pqRelievoPanel(QWidget* parent)
   for (int i = 0; i < this->Sections.size(); ++i)
   {
     this->Sections[i]->setObjectName(names[i]);
-    if (i == 3)
-    {
-      sections->addWidget(new QLabel("Environment", this->All));
-    }
     sections->addWidget(this->Sections[i]);
     sections->addWidget(MakeLine(this->All));
   }
@@ -76,6 +73,10 @@ pqRelievoPanel::pqRelievoPanel(QWidget* parent)
   layout->addWidget(this->All);
   layout->addStretch(1);
   scroll->setWidget(content);
+  // One width, whatever is shown: all fits, and the views beside it keep theirs.
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(
+    content->minimumSizeHint().width() + this->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
   this->setWidget(scroll);
 
   // Also sent when another tab covers the dock.
@@ -141,7 +142,7 @@ void pqRelievoPanel::Rewatch()
   }
   this->Report->SetView(view);
   this->All->setVisible(known);
-  this->Heading->setText(view ? "<b>" + view->getSMName().toHtmlEscaped() + "</b>" : QString());
+  this->Heading->setText(view ? view->getSMName() : QString());
   QString message;
   if (!view)
   {

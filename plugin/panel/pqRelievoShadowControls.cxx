@@ -17,6 +17,7 @@ pqRelievoShadowControls::pqRelievoShadowControls(QWidget* parent)
   , Rest(new QWidget(this))
 {
   this->On->setObjectName("on");
+  MakeHead(this->On);
   this->On->setToolTip("Lights that are blocked leave shadows");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -38,8 +39,8 @@ pqRelievoShadowControls::pqRelievoShadowControls(QWidget* parent)
   for (int texels = 256; texels <= 16384; texels *= 2)
   {
     const int mebibytes = texels * texels / 262144; // four bytes a texel
-    size->addItem(mebibytes ? QString("%1 (%2 MiB)").arg(texels).arg(mebibytes)
-                            : QString::number(texels),
+    size->addItem(
+      mebibytes ? QString("%1 (%2 MiB)").arg(texels).arg(mebibytes) : QString::number(texels),
       texels);
   }
   size->setToolTip("Finer maps have sharper edges: twice the size, half the error, four times the "
@@ -55,10 +56,10 @@ pqRelievoShadowControls::pqRelievoShadowControls(QWidget* parent)
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     choice->setMinimumContentsLength(8);
   }
-  rows->addRow("Method", method);
-  rows->addRow("Map size", size);
-  rows->addRow("Softness", softness);
-  rows->addRow("Strength", strength);
+  AddRow(rows, "Method", method);
+  AddRow(rows, "Map size", size);
+  AddRow(rows, "Softness", softness);
+  AddRow(rows, "Strength", strength);
   this->Bind(method, "RelievoShadowMethod", "Shadow method");
   this->Bind(size, "RelievoShadowMapSize", "Shadow map size");
   this->Bind(softness, "RelievoShadowFilterRadius", "Softness of shadows");

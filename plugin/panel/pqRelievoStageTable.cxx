@@ -10,7 +10,7 @@
 namespace
 {
 // The widest texts of the columns of numbers.
-const char* const Widest[] = { "", "00000.0", "0000.0 MiB", "000000" };
+const char* const Widest[] = { "", "00000.0", "1023.9 MiB" };
 }
 
 //------------------------------------------------------------------------------
@@ -24,10 +24,10 @@ pqRelievoStageTable::pqRelievoStageTable(QWidget* parent)
   this->Grid->setHorizontalSpacing(4);
   layout->addLayout(this->Grid);
 
-  const char* titles[] = { "", "ms", "Memory", "Draws" };
+  const char* titles[] = { "", "ms", "Memory" };
   const char* tips[] = { "", "Time on the graphics processor, of the last pictures",
-    "Graphics memory that is held for it", "Draw calls for the last picture" };
-  for (int column = 1; column < 4; ++column)
+    "Graphics memory that is held for it" };
+  for (int column = 1; column < 3; ++column)
   {
     QLabel* title = this->MakeNumber(QString(), column);
     title->setText(titles[column]);
@@ -37,12 +37,13 @@ pqRelievoStageTable::pqRelievoStageTable(QWidget* parent)
   auto* total = new QGridLayout;
   total->setColumnStretch(0, 1);
   total->setHorizontalSpacing(4);
-  total->addWidget(new QLabel("Whole picture", this), 0, 0);
+  auto* whole = new QLabel("Whole picture", this);
+  whole->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  total->addWidget(whole, 0, 0);
   this->TotalMilliseconds = this->MakeNumber("total_ms", 1);
   this->TotalBytes = this->MakeNumber("total_bytes", 2);
   total->addWidget(this->TotalMilliseconds, 0, 1);
   total->addWidget(this->TotalBytes, 0, 2);
-  total->addWidget(this->MakeNumber(QString(), 3), 0, 3);
   layout->addLayout(total);
 }
 
@@ -63,10 +64,10 @@ pqRelievoStageTable::Row& pqRelievoStageTable::GetRow(const QString& stage)
   {
     Row row;
     row.Title = new QLabel(pqRelievoFrameReport::GetLabel(stage), this);
+    row.Title->setWordWrap(true);
     row.Title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     row.Milliseconds = this->MakeNumber(stage + "_ms", 1);
     row.Bytes = this->MakeNumber(stage + "_bytes", 2);
-    row.DrawCalls = this->MakeNumber(stage + "_draws", 3);
     row.Reason = new QLabel(this);
     row.Reason->setObjectName(stage + "_reason");
     row.Reason->setWordWrap(true);
@@ -78,8 +79,7 @@ pqRelievoStageTable::Row& pqRelievoStageTable::GetRow(const QString& stage)
     this->Grid->addWidget(row.Title, line, 0);
     this->Grid->addWidget(row.Milliseconds, line, 1);
     this->Grid->addWidget(row.Bytes, line, 2);
-    this->Grid->addWidget(row.DrawCalls, line, 3);
-    this->Grid->addWidget(row.Reason, line + 1, 0, 1, 4);
+    this->Grid->addWidget(row.Reason, line + 1, 0, 1, 3);
     this->Rows[stage] = row;
   }
   return this->Rows[stage];
@@ -90,7 +90,7 @@ void pqRelievoStageTable::SetReport(const pqRelievoFrameReport& report)
 {
   for (const Row& row : this->Rows)
   {
-    for (QLabel* label : { row.Title, row.Milliseconds, row.Bytes, row.DrawCalls, row.Reason })
+    for (QLabel* label : { row.Title, row.Milliseconds, row.Bytes, row.Reason })
     {
       label->hide();
     }
@@ -104,15 +104,14 @@ void pqRelievoStageTable::SetReport(const pqRelievoFrameReport& report)
     }
     const Row& row = this->GetRow(stage.Name);
     const bool waits = stage.Ran && stage.Milliseconds < 0.0;
-    row.Milliseconds->setText(waits
-        ? QString(QChar(0x2026))
-        : pqRelievoFrameReport::FormatMilliseconds(stage.Milliseconds));
+    row.Milliseconds->setText(waits ? QString(QChar(0x2026))
+                                    : pqRelievoFrameReport::FormatMilliseconds(stage.Milliseconds));
     row.Milliseconds->setToolTip(waits ? "Known when the next picture is drawn" : QString());
     row.Bytes->setText(pqRelievoFrameReport::FormatBytes(stage.Bytes));
-    row.DrawCalls->setText(
-      stage.DrawCalls < 0 ? QString(QChar(0x2013)) : QString::number(stage.DrawCalls));
+    row.Title->setToolTip(
+      stage.DrawCalls < 0 ? QString() : QString("%1 draw calls").arg(stage.DrawCalls));
     row.Reason->setText(reason);
-    for (QLabel* label : { row.Title, row.Milliseconds, row.Bytes, row.DrawCalls })
+    for (QLabel* label : { row.Title, row.Milliseconds, row.Bytes })
     {
       label->show();
     }

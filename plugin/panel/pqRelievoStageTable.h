@@ -34,7 +34,6 @@ private:
     QLabel* Title = nullptr;
     QLabel* Milliseconds = nullptr;
     QLabel* Bytes = nullptr;
-    QLabel* DrawCalls = nullptr;
     QLabel* Reason = nullptr;
   };
 

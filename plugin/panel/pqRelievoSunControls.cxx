@@ -34,6 +34,7 @@ pqRelievoSunControls::pqRelievoSunControls(QWidget* parent)
   , Rest(new QWidget(this))
 {
   this->On->setObjectName("on");
+  MakeHead(this->On);
   this->On->setToolTip("A light that stays where it is when the camera moves");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -50,7 +51,7 @@ pqRelievoSunControls::pqRelievoSunControls(QWidget* parent)
   by->setObjectName("by");
   by->addItem("Angles", 0);
   by->addItem("Date and place", 1);
-  rows->addRow("Placed by", by);
+  AddRow(rows, "Placed by", by);
   this->Bind(by, "RelievoSunBy", "Sun placed by");
   this->Angles = this->MakeAngles();
   this->DateAndPlace = this->MakeDateAndPlace();
@@ -61,8 +62,9 @@ pqRelievoSunControls::pqRelievoSunControls(QWidget* parent)
   auto* foot = new QWidget(this->Rest);
   foot->setObjectName("foot");
   rows = MakeRows(foot);
-  this->AddNumber(rows, "Brightness", new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 2, 0.01, foot),
-    "RelievoSunIntensity", "1 lights a white surface that faces the sun fully");
+  this->AddNumber(rows, "Brightness",
+    new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 2, 0.01, foot), "RelievoSunIntensity",
+    "1 lights a white surface that faces the sun fully");
   this->AddNumber(rows, "Fill", new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 1, 0.01, foot),
     "RelievoSunFill", "Light from the other sides, without shadows: it shows form in the shade");
   auto* up = new QComboBox(foot);
@@ -71,9 +73,10 @@ pqRelievoSunControls::pqRelievoSunControls(QWidget* parent)
   up->addItem("y", 1);
   up->addItem("z", 2);
   up->setToolTip("The axis of the data that points up. North is then z, -z or y");
-  rows->addRow("Up", up);
+  AddRow(rows, "Up", up);
   this->Bind(up, "RelievoSunUpAxis", "Up axis of the sun");
-  for (QWidget* part : { head, this->Angles, this->DateAndPlace, static_cast<QWidget*>(this->Place), foot })
+  for (QWidget* part :
+    { head, this->Angles, this->DateAndPlace, static_cast<QWidget*>(this->Place), foot })
   {
     parts->addWidget(part);
   }
@@ -87,7 +90,7 @@ pqRelievoNumber* pqRelievoSunControls::AddNumber(QFormLayout* rows, const QStrin
 {
   number->setObjectName(QString(property).remove("RelievoSun").toLower());
   number->setToolTip(tip);
-  rows->addRow(title, number);
+  AddRow(rows, title, number);
   this->Bind(number, property, "Sun: " + title.toLower());
   return number;
 }
@@ -98,8 +101,9 @@ QWidget* pqRelievoSunControls::MakeAngles()
   auto* angles = new QWidget(this->Rest);
   angles->setObjectName("angles");
   QFormLayout* rows = MakeRows(angles);
-  this->AddNumber(rows, "Azimuth", new pqRelievoNumber(pqRelievoNumber::DIAL, 0, 360, 1, angles),
-        "RelievoSunAzimuth", "From north, clockwise seen from above: 90 is east, 180 south")
+  this
+    ->AddNumber(rows, "Azimuth", new pqRelievoNumber(pqRelievoNumber::DIAL, 0, 360, 1, angles),
+      "RelievoSunAzimuth", "From north, clockwise seen from above: 90 is east, 180 south")
     ->SetSuffix(Degrees);
   auto* elevation = this->AddNumber(rows, "Elevation",
     new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 90, 1, angles), "RelievoSunElevation",
@@ -120,12 +124,12 @@ QWidget* pqRelievoSunControls::MakeDateAndPlace()
   this->Date->setDisplayFormat("yyyy-MM-dd");
   this->Date->setCalendarPopup(true);
   this->Date->setDateRange(QDate(1900, 1, 1), QDate(2100, 12, 31));
-  rows->addRow("Date", this->Date);
+  AddRow(rows, "Date", this->Date);
   this->Clock = new QLabel("Time", all);
   auto* time = new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 24, 0.05, all);
   this->AddNumber(rows, "Time", time, "RelievoSunTime", "What the clock says, in hours");
   this->Clock->setObjectName("clock");
-  rows->addRow("Clock", this->Clock);
+  AddRow(rows, "Clock", this->Clock);
   struct
   {
     const char* Title;
@@ -136,16 +140,15 @@ QWidget* pqRelievoSunControls::MakeDateAndPlace()
     { "Longitude", "RelievoSunLongitude", 180.0, "East is positive" } };
   for (const auto& place : places)
   {
-    auto* number =
-      new pqRelievoNumber(pqRelievoNumber::SLIDER, -place.Most, place.Most, 0.01, all);
+    auto* number = new pqRelievoNumber(pqRelievoNumber::SLIDER, -place.Most, place.Most, 0.01, all);
     this->AddNumber(rows, place.Title, number, place.Property, place.Tip)->SetSuffix(Degrees);
   }
   auto* zone = new pqRelievoNumber(pqRelievoNumber::SLIDER, -12, 14, 0.25, all);
   this->AddNumber(rows, "Time zone", zone, "RelievoSunTimeZone",
     "Hours that the clock is ahead of universal time (UTC), summer time included");
   QObject::connect(this->Date, &QDateEdit::dateChanged, this, [this](const QDate& date) {
-    this->Apply("Sun: date",
-      { { "RelievoSunDate", QVariantList{ date.year(), date.month(), date.day() } } });
+    this->Apply(
+      "Sun: date", { { "RelievoSunDate", QVariantList{ date.year(), date.month(), date.day() } } });
   });
   return all;
 }

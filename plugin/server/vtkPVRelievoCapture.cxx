@@ -260,8 +260,7 @@ void vtkPVRelievoCapture::ReadColor()
   if (points == 0)
   {
     vtkPVRelievoView* settings = vtkPVRelievoView::Find(in.View);
-    vtkRelievoLayerSource::AddCamera(
-      renderer, in.Image, settings ? settings->GetFrame() : nullptr);
+    vtkRelievoLayerSource::AddCamera(renderer, in.Image, settings ? settings->GetFrame() : nullptr);
   }
   this->Arrange();
 }

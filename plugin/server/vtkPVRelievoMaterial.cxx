@@ -75,13 +75,11 @@ vtkPVRelievoMaterial::vtkPVRelievoMaterial()
 vtkPVRelievoMaterial::~vtkPVRelievoMaterial()
 {
   GetAll().erase(std::remove(GetAll().begin(), GetAll().end(), this), GetAll().end());
-  Internals& in = *this->Internal;
-  if (in.Representation)
+  vtkGeometryRepresentation* surface = this->Internal->Representation;
+  using Actors = std::vector<vtkActor*>;
+  for (vtkActor* actor : surface ? vtkPVRelievoAccess::Surface::Actors(surface) : Actors())
   {
-    for (vtkActor* actor : vtkPVRelievoAccess::Surface::Actors(in.Representation))
-    {
-      in.Material->Detach(actor);
-    }
+    this->Internal->Material->Detach(actor);
   }
 }
 
@@ -210,10 +208,9 @@ void vtkPVRelievoMaterial::Forget(vtkRelievoEnvironment* environment)
 {
   for (vtkPVRelievoMaterial* each : GetAll())
   {
-    if (each->Internal->Material->GetEnvironment() == environment)
-    {
-      each->Internal->Material->SetEnvironment(nullptr);
-    }
+    vtkRelievoMaterial* material = each->Internal->Material;
+    vtkRelievoEnvironment* own = material->GetEnvironment();
+    material->SetEnvironment(own == environment ? nullptr : own);
   }
 }
 
@@ -289,10 +286,8 @@ void vtkPVRelievoMaterial::SetHeightRange(double ground, double top)
 //------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::SetReliefMethod(int method)
 {
-  const int least = vtkRelievoMaterial::METHOD_OFF;
-  const int most = vtkRelievoMaterial::METHOD_RELIEF;
-  this->Internal->Material->SetMethod(
-    vtkPVRelievoWithin(this, "ReliefMethod", method, least, most));
+  this->Internal->Material->SetMethod(vtkPVRelievoWithin<int>(this, "ReliefMethod", method,
+    vtkRelievoMaterial::METHOD_OFF, vtkRelievoMaterial::METHOD_RELIEF));
 }
 
 //------------------------------------------------------------------------------

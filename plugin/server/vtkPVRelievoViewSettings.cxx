@@ -113,8 +113,7 @@ void vtkPVRelievoView::SetSunDate(int year, int month, int day)
 //------------------------------------------------------------------------------
 void vtkPVRelievoView::SetSunTime(double hour)
 {
-  this->GetSunlight().Position->SetHour(
-    vtkPVRelievoWithin(this, "SunTime", hour, 0.0, 24.0));
+  this->GetSunlight().Position->SetHour(vtkPVRelievoWithin(this, "SunTime", hour, 0.0, 24.0));
   this->Modified();
 }
 

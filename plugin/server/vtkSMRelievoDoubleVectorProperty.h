@@ -13,7 +13,8 @@
 #include "vtkRelievoPluginServerModule.h" // for the export macro
 #include "vtkSMDoubleVectorProperty.h"
 
-class VTKRELIEVOPLUGINSERVER_EXPORT vtkSMRelievoDoubleVectorProperty : public vtkSMDoubleVectorProperty
+class VTKRELIEVOPLUGINSERVER_EXPORT vtkSMRelievoDoubleVectorProperty
+  : public vtkSMDoubleVectorProperty
 {
 public:
   static vtkSMRelievoDoubleVectorProperty* New();

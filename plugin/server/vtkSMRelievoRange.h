@@ -85,9 +85,9 @@ void Enforce(Property* property)
       given >= range.Least ? (given <= range.Most ? given : range.Most) : range.Least;
     if (taken != given)
     {
-      vtkWarningWithObjectMacro(property,
-        << GetName(property) << " was given " << property->GetElement(i) << ", expected "
-        << range.Least << " to " << range.Most << ": " << taken << " is taken.");
+      vtkWarningWithObjectMacro(property, << GetName(property) << " was given "
+                                          << property->GetElement(i) << ", expected " << range.Least
+                                          << " to " << range.Most << ": " << taken << " is taken.");
       property->SetElement(i, static_cast<decltype(property->GetElement(i))>(taken));
     }
   }

@@ -25,8 +25,9 @@ any array's name   the array's  point data interpolated, cell data per cell     
 =================  ==========  ====================================================  ==========
 
 The background of color is the renderer's background in linear light, with its own alpha
-(GetBackgroundAlpha(), 0 by default). N is an index in renderer.GetLights(), from 0. The layers
-shadow_N do not need shadows in the picture, which are switched on by
+(GetBackgroundAlpha(), 0 by default). N is an index in renderer.GetLights(), from 0;
+shadow_key_light is that of the light named "Key light" (shadows.SetLightName). These layers do not
+need shadows in the picture, which are switched on by
 
     frame = relievo.attach(renderer)
     frame.ShadowsOn()                                 # every light casts; see also ShadowsOff()

@@ -85,8 +85,8 @@ void TestSeasons()
     CheckNear(sun->GetEclipticLongitude(), season.Longitude, Promised,
       std::to_string(season.Year) + "-" + std::to_string(season.Month));
     // The obliquity of the ecliptic is 23.44 degrees in these years.
-    CheckNear(sun->GetDeclination(), 23.44 * std::sin(Degree * season.Longitude), Promised,
-      "declination");
+    CheckNear(
+      sun->GetDeclination(), 23.44 * std::sin(Degree * season.Longitude), Promised, "declination");
   }
 }
 
@@ -97,8 +97,8 @@ void TestEquationOfTime()
   {
     int Month, Day;
     double Minutes;
-  } table[] = { { 2, 11, -14.23 }, { 4, 15, 0.0 }, { 5, 14, 3.66 }, { 6, 13, 0.0 }, { 7, 26, -6.53 },
-    { 9, 1, 0.0 }, { 11, 3, 16.43 }, { 12, 25, 0.0 } };
+  } table[] = { { 2, 11, -14.23 }, { 4, 15, 0.0 }, { 5, 14, 3.66 }, { 6, 13, 0.0 },
+    { 7, 26, -6.53 }, { 9, 1, 0.0 }, { 11, 3, 16.43 }, { 12, 25, 0.0 } };
   vtkNew<vtkRelievoSolarPosition> sun;
   for (const auto& row : table)
   {
@@ -119,8 +119,8 @@ void TestGeometry()
     sun->SetLongitude(33.0);
     sun->SetTimeZone(3.0);
     sun->SetHour(sun->GetNoon());
-    RELIEVO_CHECK(std::abs(std::remainder(sun->GetAzimuth() - (latitude > 0 ? 180. : 0.), 360.)) <
-      1e-6);
+    RELIEVO_CHECK(
+      std::abs(std::remainder(sun->GetAzimuth() - (latitude > 0 ? 180. : 0.), 360.)) < 1e-6);
     CheckNear(
       sun->GetElevation(), 90.0 - std::abs(latitude - sun->GetDeclination()), 1e-9, "culmination");
     // The sun comes and goes where the length of the day says, but for what it moves in between.

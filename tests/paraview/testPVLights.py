@@ -2,11 +2,33 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Which of a view's lights cast, and where: the sun, lights that users add, the light kit."""
 
+import datetime
+
 import judge
 import numpy
 import pv
 import stage
 from paraview import simple
+
+
+def almanac(days, latitude, longitude):
+    """Azimuth and elevation of the sun, of the low-precision formulas of the Astronomical Almanac,
+    section C: right to 0.01 degrees. days: from 2000-01-01 12:00 UT."""
+    mean = 280.460 + 0.9856474 * days
+    anomaly = numpy.radians(357.528 + 0.9856003 * days)
+    ecliptic = numpy.radians(mean + 1.915 * numpy.sin(anomaly) + 0.020 * numpy.sin(2 * anomaly))
+    tilt = numpy.radians(23.439 - 0.0000004 * days)
+    right = numpy.arctan2(numpy.cos(tilt) * numpy.sin(ecliptic), numpy.cos(ecliptic))
+    high = numpy.arcsin(numpy.sin(tilt) * numpy.sin(ecliptic))
+    # Greenwich mean sidereal time, in degrees.
+    sidereal = 280.46062 + 360.98564737 * days
+    angle = numpy.radians(sidereal + longitude) - right
+    place = numpy.radians(latitude)
+    east = -numpy.cos(high) * numpy.sin(angle)
+    level = numpy.cos(high) * numpy.cos(angle)
+    north = numpy.sin(high) * numpy.cos(place) - level * numpy.sin(place)
+    up = numpy.sin(high) * numpy.sin(place) + level * numpy.cos(place)
+    return numpy.degrees(numpy.arctan2(east, north)) % 360, numpy.degrees(numpy.arcsin(up))
 
 
 class Lights(pv.Test):
@@ -57,6 +79,92 @@ class Lights(pv.Test):
                 pictures.append(pv.picture(self.view))
             truth = self.scene.verdicts(light=numpy.array(towards))
             judge.shadows(self, pictures, truth, axis + " up")
+
+    def test_the_sun_by_date_and_place(self):
+        self.scene.sun()
+        view = self.view
+        view.RelievoSunBy = "Date and place"
+        view.RelievoSunDate = [2025, 10, 4]
+        view.RelievoSunLatitude, view.RelievoSunLongitude = -33.87, 151.21
+        view.RelievoSunTimeZone, view.RelievoSunTime = 10.0, 15.25
+        view.RelievoSunNorth = 65.0
+        passed = datetime.datetime(2025, 10, 4, 5, 15) - datetime.datetime(2000, 1, 1, 12)
+        azimuth, elevation = almanac(passed.total_seconds() / 86400, -33.87, 151.21)
+        self.assertTrue(20 < elevation < 60 and 270 < azimuth < 340, "a southern afternoon")
+        pictures = []
+        for shadows, intensity in ((0, 1.0), (0, 0.0), (1, 1.0)):
+            view.RelievoShadows = shadows
+            view.RelievoSunIntensity = intensity
+            pictures.append(pv.picture(view))
+        view.UpdatePropertyInformation()
+        angles = view.GetProperty("RelievoSunAngles")
+        self.assertAlmostEqual(angles.GetElement(0), azimuth, delta=0.03)
+        self.assertAlmostEqual(angles.GetElement(1), elevation, delta=0.03)
+        truth = self.scene.verdicts(light=stage.sun(azimuth + 65.0, elevation))
+        judge.shadows(self, pictures, truth, "by date and place")
+        view.RelievoSunTime = 21.0
+        night = pv.picture(view)
+        view.RelievoSunIntensity = 0.0
+        self.same(pv.picture(view), night, "night: no light of the sun")
+        view.RelievoSunBy = "Angles"
+        view.RelievoSunIntensity = 1.0
+        self.differ(pv.picture(view), night, "by angles again")
+
+    def test_the_fill_shows_form_where_the_sun_does_not_reach(self):
+        # The sun behind the ball: what the camera sees of it is in the shade.
+        self.view.RelievoSunFill = 0.0
+        self.scene.sun(intensity=0.7)
+        self.view.RelievoSunAzimuth, self.view.RelievoSunElevation = 325.0, 30.0
+        origin, direction = self.scene.rays(stage.SIZE)
+        ball = self.scene.sphere_hit(origin, direction)
+        place = origin + numpy.where(numpy.isfinite(ball), ball, 0)[..., None] * direction
+        facing = ((place - stage.CENTER) * stage.sun(325.0, 30.0)).sum(axis=2) / stage.RADIUS
+        shade = numpy.isfinite(ball) & (facing < -0.2)
+        self.assertGreater(shade.sum(), 1000)
+        without = pv.picture(self.view).max(axis=2)[shade]
+        self.view.RelievoSunFill = 0.3
+        filled = pv.picture(self.view).max(axis=2)[shade]
+        self.view.RelievoSun = self.view.RelievoShadows = 0
+        kit = pv.picture(self.view).max(axis=2)[shade]
+        # Nearly black without: under a third of what the light kit gives. With it more than half,
+        # and as much contrast, for how bright it is, as the light kit gives.
+        self.assertLess(without.mean(), kit.mean() / 3)
+        self.assertGreater(filled.mean(), kit.mean() / 2)
+        self.assertGreater(filled.std(), 1.5 * without.std())
+        self.assertGreater(filled.std() / filled.mean(), 0.8 * kit.std() / kit.mean())
+
+    def test_layers_have_the_lights_names(self):
+        view = self.view
+        lamp = self.add(Type="Positional", Position=[-1.5, -1.5, 4.5], FocalPoint=[0.0, 0.0, 0.4])
+        self.scene.sun()
+        pv.picture(view)
+        view.UpdatePropertyInformation()
+        layers = view.GetProperty("RelievoShadowLayers").GetElement(0).split(",")
+        self.assertEqual(len(layers), 2, layers)
+        self.assertIn("shadow_sun", layers)
+        (added,) = set(layers) - {"shadow_sun"}
+        manager = lamp.SMProxy.GetSessionProxyManager()
+        name = manager.GetProxyName("additional_lights", lamp.SMProxy)
+        self.assertEqual(added, "shadow_" + name.lower())
+        shown = view.SMProxy.GetProperty("RelievoDisplayLayer")
+        offered = shown.FindDomain("vtkSMStringListDomain")
+        names = [offered.GetString(i) for i in range(offered.GetNumberOfStrings())]
+        self.assertEqual(names[-2:], layers, "and no light that casts nothing")
+        for layer, truth in (("shadow_sun", self.scene.verdicts()),
+                             (added, self.scene.verdicts(lamp=[-1.5, -1.5, 4.5], cone=30.0))):
+            view.RelievoDisplayLayer = layer
+            shown = pv.picture(view)[..., 0]
+            self.assertGreater((shown[truth == stage.LIT] > 250).mean(), 0.999, layer)
+            self.assertTrue((truth == stage.DARK).mean() > 0.01)
+            blocked = shown < 5
+            self.assertGreater(blocked.mean(), 0.01, layer)
+            self.assertLess(blocked[truth == stage.LIT].mean(), 1e-3, layer)
+        view.RelievoDisplayLayer = "None"
+        view.RelievoSun = 0
+        pv.picture(view)
+        names = [offered.GetString(i) for i in range(offered.GetNumberOfStrings())]
+        self.assertEqual(names[-1:], [added])
+        self.assertNotIn("shadow_sun", names)
 
     def test_the_sun_stays_and_the_kit_is_given_back(self):
         before = self.view.KeyLightIntensity

@@ -13,6 +13,7 @@
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowPass.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <string>
@@ -55,8 +56,9 @@ void TestMapsThatAreDrawn()
   RELIEVO_CHECK(!isSoftware || GetTime(early, "shadows") < 0.0); // nothing is better than wrong
 
   // A light that moves has its map drawn anew in every frame; one that stands has not.
-  double moving = 0.0;
-  double still = 0.0;
+  // The least of several: a machine that does other work takes longer, never less.
+  double moving = 1e30;
+  double still = 1e30;
   for (int i = 0; i < 6; ++i)
   {
     const bool moves = i < 3;
@@ -79,7 +81,7 @@ void TestMapsThatAreDrawn()
     RELIEVO_CHECK(shadows > 0.0 && shadows <= frame);
     RELIEVO_CHECK(GetTime(report, "delegate") <= frame);
     RELIEVO_CHECK(!isSoftware || frame <= time);
-    (moves ? moving : still) += shadows / 3.0;
+    (moves ? moving : still) = std::min(moves ? moving : still, shadows);
   }
   // Sixteen million texels take their time; timestamps in software say a thousandth of it.
   RELIEVO_CHECK(moving > 2.0 * still);

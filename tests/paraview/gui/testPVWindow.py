@@ -79,6 +79,26 @@ class Window(pv.Test):
         notes = self.played("panelTimes.xml", PV_PLUGIN_PATH=str(pathlib.Path(pv.PLUGIN).parent))
         self.assertEqual(notes["shadows"][0]["RelievoShadows"], 1)
 
+    def testDockControls(self):
+        """The dock's controls change what they say, and nothing else."""
+        notes = self.played("dockControls.xml", PV_PLUGIN_PATH=str(pathlib.Path(pv.PLUGIN).parent))
+        for name in ("sun", "layer", "last"):
+            self.assertEqual(notes["size " + name], notes["size first"], f"the view beside: {name}")
+        # A dial with north at its top: the mouse at its right, then at its bottom.
+        self.assertEqual(notes["sun pressed"][:2], [90, 45])
+        self.assertEqual(notes["sun dragged"][:2], [180, 45])
+        self.assertEqual(notes["sun let go"][:2], [180, 45])
+        trace = notes["trace"]
+        self.assertIn("RelievoShadowMapSize = 4096", trace)
+        self.assertEqual(trace.count("RelievoSunAzimuth"), 1, trace)
+        self.assertIn("RelievoSunAzimuth = 180.0", trace)
+        # 21 June on the Greenwich meridian: at twelve nearly in the south, 90 - 48 + 23.4 high.
+        azimuth, elevation, lights = notes["sun noon"]
+        self.assertAlmostEqual(azimuth, 180, delta=3)
+        self.assertAlmostEqual(elevation, 65.44, delta=0.05)
+        self.assertLess(notes["sun night"][1], -10)
+        self.assertEqual(notes["sun night"][2], lights - 1, "at night it gives no light")
+
     def testSunUndo(self):
         """A click on the sun: a step of undo, lines of a trace; closed views come back with it."""
         notes = self.played("sunUndo.xml")

@@ -83,6 +83,24 @@ def settings(name):
 
 
 @noted
+def size(name):
+    """Keeps the active view's size."""
+    note(f"size {name}", list(simple.GetActiveView().ViewSize))
+
+
+@noted
+def sun(name):
+    """Keeps where the sun stands: azimuth and elevation, and whether its light is on."""
+    view = simple.GetActiveView()
+    simple.Render(view)
+    view.UpdatePropertyInformation()
+    angles = view.GetProperty("RelievoSunAngles")
+    lights = view.SMProxy.GetRenderer().GetLights()
+    on = sum(lights.GetItemAsObject(i).GetSwitch() for i in range(lights.GetNumberOfItems()))
+    note(f"sun {name}", [angles.GetElement(0), angles.GetElement(1), on])
+
+
+@noted
 def material(name):
     """Keeps what the active surface wears."""
     shown = simple.GetDisplayProperties()
