@@ -8,6 +8,7 @@
 #include "pqRelievoLayerControls.h"
 #include "pqRelievoReportView.h"
 #include "pqRelievoShadowControls.h"
+#include "pqRelievoStageControls.h"
 #include "pqRelievoSunControls.h"
 #include "pqRelievoViewSettings.h"
 #include "pqSettings.h"
@@ -56,14 +57,19 @@ pqRelievoPanel::pqRelievoPanel(QWidget* parent)
   auto* sections = new QVBoxLayout(this->All);
   sections->setContentsMargins(0, 0, 0, 0);
   this->Sections = { new pqRelievoShadowControls(this->All), new pqRelievoSunControls(this->All),
-    new pqRelievoLayerControls(this->All), new pqRelievoEnvironmentControls(this->All) };
-  const char* names[] = { "shadows", "sun", "layers", "environment" };
+    new pqRelievoLayerControls(this->All), new pqRelievoEnvironmentControls(this->All),
+    new pqRelievoStageControls(this->All) };
+  const char* names[] = { "shadows", "sun", "layers", "environment", "stages" };
   for (int i = 0; i < this->Sections.size(); ++i)
   {
     this->Sections[i]->setObjectName(names[i]);
+    if (i > 0)
+    {
+      sections->addWidget(MakeLine(this->All));
+    }
     sections->addWidget(this->Sections[i]);
-    sections->addWidget(MakeLine(this->All));
   }
+  sections->addWidget(MakeLine(this->All));
   this->Report = new pqRelievoReportView(this->All);
   this->Report->setObjectName("report");
   sections->addWidget(this->Report);

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """testNewPass.py SOURCE CMAKE CTEST [CMAKE OPTIONS...]: "add a pass in N steps", done.
 
-In a copy of the tree, tools/new-pass adds a pass; the copy is built and the new pass's own test
-runs. The copy keeps its build, so that a second run compiles only what changed.
+In a copy of the tree, tools/new-pass adds a pass; the copy is built, the new pass's own test runs, and
+the pass is used from the command line, Python and ParaView, whose sources nobody has touched. The copy keeps its build, so that a second run compiles only what changed.
 """
 
 import filecmp
@@ -65,12 +65,117 @@ def main(source, cmake, ctest, *options):
 
     build = tree / "build" / "dev"
     run([cmake, "-G", "Ninja", "-S", tree, "-B", build, *options])
-    run([cmake, "--build", build, "--target", f"test{NAME}Stage"])
+    paraview = "-DRELIEVO_USE_PARAVIEW=ON" in options and shutil.which("pvpython")
+    targets = [f"test{NAME}Stage", "relievo", *python_targets(tree), *(["Relievo"] if paraview else [])]
+    run([cmake, "--build", build, "--target", *targets])
     output = run([ctest, "--test-dir", build, "-R", f"^test{NAME}Stage$", "--no-tests=error",
                   "--output-on-failure"])
     assert "100% tests passed" in output, output
     print(output)
+    on_the_command_line(build)
+    python = next(word.split("=", 1)[1] for word in options if word.startswith("-DPython3_EXECUTABLE"))
+    in_python(build, python)
+    if paraview:
+        in_paraview(build)
     return 0
+
+
+def python_targets(tree):
+    """The wrapped modules, which the package imports all at once."""
+    names = []
+    for module in tree.glob("**/vtk.module"):
+        text = module.read_text(encoding="utf-8")
+        if "EXCLUDE_WRAP" not in text and "plugin" not in module.parts and "build" not in module.parts:
+            words = text.split()
+            names.append(words[words.index("LIBRARY_NAME") + 1] + "Python")
+    return names
+
+
+def on_the_command_line(build):
+    """`relievo` knows the stage and its parameters without a line of its own."""
+    relievo = build / "bin" / "relievo"
+    folder = pathlib.Path(os.environ["RELIEVO_TEST_OUTPUT"])
+    mesh = folder / "floor.off"
+    mesh.write_text("OFF\n4 1 0\n-1 0 -9\n1 0 -9\n1 0 1\n-1 0 1\n4 0 1 2 3\n", encoding="utf-8")
+    listed = run([relievo, "stages"])
+    assert "mist" in listed and "strength=0.5" in listed, listed
+    words = [relievo, "render", mesh, "--size", "200x150", "--camera", "0,1,3,0,0,0,0,1,0",
+             "--clip", "1,14"]
+    run([*words, "--png", folder / "plain.png"])
+    for value in ("0", "0.9"):
+        run([*words, "--stage", f"mist:strength={value},color=1,0,0", "--png",
+             folder / f"mist{value}.png"])
+    plain = (folder / "plain.png").read_bytes()
+    assert (folder / "mist0.png").read_bytes() == plain
+    assert (folder / "mist0.9.png").read_bytes() != plain
+    wrong = run([*words, "--stage", "mist:strength=2", "--png", folder / "no.png"], status=2)
+    assert "mist:strength" in wrong and "0 to 1" in wrong, wrong
+    wrong = run([*words, "--stage", "mits", "--png", folder / "no.png"], status=2)
+    assert "mist" in wrong, wrong
+
+
+PYTHON = """
+import relievo
+from vtkmodules.vtkRenderingCore import vtkRenderer
+
+assert relievo.stages()["mist"]["strength"][0] == "0.5", relievo.stages()
+renderer = vtkRenderer()
+stage = relievo.stage(renderer, "mist", strength=0.25, color=(1, 0, 0))
+assert stage.GetEnabled() and stage.GetStrength() == 0.25 and stage.GetColor() == (1, 0, 0)
+try:
+    relievo.stage(renderer, "mist", strength=7)
+    raise SystemExit("a strength of 7 was taken")
+except ValueError as error:
+    assert "0 to 1" in str(error), error
+assert stage.GetStrength() == 0.25
+"""
+
+
+def in_python(build, python):
+    """The package has the stage by name."""
+    run([python, "-c", PYTHON], env={**os.environ, "PYTHONPATH": str(build / "python")})
+
+
+PARAVIEW = """
+import sys
+from paraview import simple, smtrace
+from paraview.servermanager import vtkSMProxyManager
+
+plugin, folder = sys.argv[1:]
+simple.LoadPlugin(plugin, remote=False, ns=simple.__dict__)
+view = simple.CreateView("RenderView")
+view.ViewSize = [200, 150]
+simple.Show(simple.Plane(), view)
+simple.Render(view)
+simple.SaveScreenshot(folder + "/plain.png", view)
+smtrace.start_trace()
+item = smtrace._create_trace_item_internal("PropertiesModified", kwargs={"proxy": view.SMProxy})
+view.RelievoStageMist = 1
+view.RelievoStageMistStrength = 0.9
+view.RelievoStageMistColor = [1, 0, 0]
+del item
+trace = smtrace.stop_trace()
+assert "RelievoStageMistStrength = 0.9" in trace, trace
+simple.Render(view)
+simple.SaveScreenshot(folder + "/mist.png", view)
+simple.SaveState(folder + "/mist.pvsm")
+assert "StageMistStrength" in open(folder + "/mist.pvsm").read()
+view.RelievoStageMist = 0
+simple.Render(view)
+simple.SaveScreenshot(folder + "/again.png", view)
+"""
+
+
+def in_paraview(build):
+    """A view has the stage as properties: picture, trace and state."""
+    folder = pathlib.Path(os.environ["RELIEVO_TEST_OUTPUT"])
+    script = folder / "paraview.py"
+    script.write_text(PARAVIEW, encoding="utf-8")
+    output = run(["pvpython", script, build / "plugin" / "Relievo" / "Relievo.so", folder])
+    assert "ERR|" not in output, output
+    plain = (folder / "plain.png").read_bytes()
+    assert (folder / "mist.png").read_bytes() != plain
+    assert (folder / "again.png").read_bytes() == plain
 
 
 if __name__ == "__main__":
