@@ -128,7 +128,7 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
   vtkPropCollection* props = s->GetRenderer()->GetViewProps();
   vtkCollectionSimpleIterator it;
   props->InitTraversal(it);
-  while (vtkProp* prop = props->GetNextProp(it))
+  for (int number = 0; vtkProp* prop = props->GetNextProp(it); ++number)
   {
     if (!prop->GetVisibility())
     {
@@ -146,6 +146,7 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
                   }),
       parts.end());
     vtkRelievoBox box;
+    box.Number = number;
     // The bounds bring the mapper's input up to date as well.
     if (parts.empty() || !GetBox(prop, box))
     {
@@ -161,14 +162,14 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
       this->State.push_back(reinterpret_cast<std::uintptr_t>(prop));
       this->State.push_back(translucent ? 1 : 0);
     }
+    if (choice.Receives)
+    {
+      this->ReceiverBoxes.push_back(box);
+    }
     if (drawn.count(prop))
     {
       this->Seen.push_back(prop);
       this->MereReceivers = this->MereReceivers || !casts;
-      if (choice.Receives)
-      {
-        this->ReceiverBoxes.push_back(box);
-      }
     }
     for (const vtkRelievoPropParts::Part& part : parts)
     {

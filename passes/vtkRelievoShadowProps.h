@@ -33,7 +33,7 @@ public:
   };
   Choice& GetChoice(vtkProp* prop);
 
-  // Casters are all visible props of the renderer, also outside the view; receivers those drawn.
+  // Casters and receivers are all visible props of the renderer, also outside the view.
   void Collect(const vtkRenderState* s);
 
   // The state of what casts, for comparison.
