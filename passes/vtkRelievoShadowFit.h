@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The views that a light's maps are drawn from: fitted to where shadows can be seen, in steps, and
-// in depth to what can cast there. One view for a sun and for a lamp that sees everything within a cone, up
-// to six sides of a cube for others.
+// The views that a light's maps are drawn from: fitted in steps to where shadows can be seen, and
+// in depth to what can cast there. One view for a sun and for a lamp that sees everything within a
+// cone, up to six sides of a cube for others.
 #ifndef vtkRelievoShadowFit_h
 #define vtkRelievoShadowFit_h
 
