@@ -161,6 +161,7 @@ void vtkRelievoShadowPass::DrawMasks(const vtkRenderState* s)
     static_cast<int>(in.Cache.GetEntries().size()));
   if (!in.Masks.Bind())
   {
+    in.MaskState = Internals::MaskState();
     return;
   }
   in.Maps.Bind(true); // making the masks may have taken their place
@@ -171,13 +172,15 @@ void vtkRelievoShadowPass::DrawMasks(const vtkRenderState* s)
   }
   // What only receives is not in the casters' state: redrawn whenever there is any.
   if (!lost && this->NumberOfMapsDrawn == 0 && in.MaskState.WorldToNDC == worldToNDC &&
-    in.MaskState.Surfaces == in.Props.GetState() && in.MaskState.Lights == lights &&
-    in.MaskState.Bias == this->Bias && !in.Props.HasMereReceivers())
+    in.MaskState.Surfaces == in.Props.GetState() && in.MaskState.Culling == in.Props.GetCulling() &&
+    in.MaskState.Lights == lights && in.MaskState.Bias == this->Bias &&
+    !in.Props.HasMereReceivers())
   {
     return;
   }
   in.MaskState.WorldToNDC = worldToNDC;
   in.MaskState.Surfaces = in.Props.GetState();
+  in.MaskState.Culling = in.Props.GetCulling();
   in.MaskState.Lights = lights;
   in.MaskState.Bias = this->Bias;
   in.DrawingDepth = true;

@@ -122,6 +122,7 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
   this->ReceiverBoxes.clear();
   this->NotReceiving.clear();
   this->State.clear();
+  this->Culling.clear();
   this->Unsteady = false;
   const std::set<vtkProp*> drawn(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
   std::vector<vtkRelievoPropParts::Part> parts;
@@ -169,6 +170,12 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
     if (drawn.count(prop))
     {
       this->Seen.push_back(prop);
+      for (const vtkRelievoPropParts::Part& part : parts)
+      {
+        vtkProperty* property = vtkRelievoPropParts::GetMeshActor(part)->GetProperty();
+        this->Culling.push_back(property->GetBackfaceCulling() != 0);
+        this->Culling.push_back(property->GetFrontfaceCulling() != 0);
+      }
       this->MereReceivers = this->MereReceivers || !casts;
     }
     for (const vtkRelievoPropParts::Part& part : parts)
@@ -222,7 +229,20 @@ void vtkRelievoShadowProps::AddState(vtkActor* actor)
   vtkProperty* property = actor->GetProperty();
   this->State.push_back(property->GetRepresentation());
   this->State.push_back((property->GetVertexVisibility() ? 1 : 0) +
-    (property->GetRenderPointsAsSpheres() ? 2 : 0) + (property->GetRenderLinesAsTubes() ? 4 : 0));
+    (property->GetRenderPointsAsSpheres() ? 2 : 0) + (property->GetRenderLinesAsTubes() ? 4 : 0) +
+    (property->GetEdgeVisibility() ? 8 : 0));
+  // VTK's offsets in depth, of the process and of the mapper.
+  double factor = 0.0;
+  double units = 0.0;
+  mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+  this->State.push_back(vtkMapper::GetResolveCoincidentTopology());
+  this->AddDouble(factor);
+  this->AddDouble(units);
+  mapper->GetCoincidentTopologyLineOffsetParameters(factor, units);
+  this->AddDouble(factor);
+  this->AddDouble(units);
+  mapper->GetCoincidentTopologyPointOffsetParameter(units);
+  this->AddDouble(units);
   this->AddDouble(property->GetPointSize());
   this->AddDouble(property->GetLineWidth());
   // Cut-outs: what is not there casts nothing.

@@ -58,6 +58,9 @@ public:
   int RenderSurfaces(
     vtkRenderer* renderer, const glm::dmat4& worldToNDC, vtkRelievoCasterDraw& plainDraw);
 
+  // Which sides are seen of what is seen: casting does not depend on it.
+  const std::vector<bool>& GetCulling() const { return this->Culling; }
+
   // Whether something is seen that casts no shadow.
   bool HasMereReceivers() const { return this->MereReceivers; }
 
@@ -81,6 +84,7 @@ private:
   std::vector<vtkRelievoBox> ReceiverBoxes;
   std::set<vtkProp*> NotReceiving;
   std::vector<std::uint64_t> State;
+  std::vector<bool> Culling;
   bool Unsteady = false;
 };
 

@@ -51,7 +51,7 @@ const int Sizes[][2] = { { 160, 120 }, { 121, 140 }, { 200, 60 } };
 vtkSmartPointer<vtkActor> MakeActor(vtkRenderer* renderer, int kind)
 {
   auto actor = AddActor(renderer,
-    kind == 0   ? MakeBox(6., 0.02, 6.)
+    kind == 0     ? MakeBox(6., 0.02, 6.)
       : kind == 2 ? MakeBall(0.6)
       : kind == 5 ? MakeSquare()
                   : MakeBox(0.6 + 0.2 * kind, 1.4, 0.5));
@@ -415,12 +415,5 @@ long long HistoryScene::GetBytesHeld()
 {
   auto* frame = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass());
   return frame ? frame->GetBytesHeld() : 0;
-}
-
-//------------------------------------------------------------------------------
-std::string HistoryScene::GetReport()
-{
-  auto* frame = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass());
-  return frame ? frame->GetFrameReport() + "\n" : "";
 }
 }

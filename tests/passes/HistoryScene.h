@@ -36,7 +36,7 @@ struct HistoryState
     double Opacity = 1.;
     int Representation = 2;
     int Interpolation = 1;
-    int Culling = 0; // 1: back, 2: front
+    int Culling = 0;  // 1: back, 2: front
     double Size = 1.; // of points and lines
     bool Edges = false;
     bool Clipped = false;
@@ -100,7 +100,6 @@ public:
   std::string Disturb(std::mt19937& random);
 
   long long GetBytesHeld();
-  std::string GetReport();
 
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderer> Back; // draws what no other renderer covers: VTK leaves it as it finds it
