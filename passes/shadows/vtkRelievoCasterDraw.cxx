@@ -35,6 +35,19 @@ bool HasOwnShaders(vtkActor* actor)
     shaders->HasFragmentShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
 }
 
+// Whether VTK moves polygons in depth: in its own shaders.
+bool IsOffset(vtkMapper* mapper)
+{
+  double factor = 0.0;
+  double units = 0.0;
+  if (vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_POLYGON_OFFSET)
+  {
+    mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+  }
+  return factor != 0.0 || units != 0.0 ||
+    vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_SHIFT_ZBUFFER;
+}
+
 std::set<std::string>& GetActorClasses()
 {
   static std::set<std::string> classes{ "vtkOpenGLActor" };
@@ -106,7 +119,8 @@ std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor*
   vtkProperty* property = actor->GetProperty();
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   if (property->GetRepresentation() != VTK_SURFACE || property->GetVertexVisibility() ||
-    actor->GetTexture() || property->GetNumberOfTextures() > 0 || HasOwnShaders(actor) ||
+    property->GetEdgeVisibility() || IsOffset(mapper) || actor->GetTexture() ||
+    property->GetNumberOfTextures() > 0 || HasOwnShaders(actor) ||
     (planes && planes->GetNumberOfItems() > 0))
   {
     return {};

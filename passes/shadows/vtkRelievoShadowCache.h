@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The maps that a frame's lights have, and which of them must be drawn anew: only those whose
-// light, casters or size changed, or that the camera's view has left.
+// The maps that a frame's lights have, and which of them must be drawn anew: only those that no
+// frame before drew from the same view, with the same casters. What maps there are is a function of
+// the frame alone.
 #ifndef vtkRelievoShadowCache_h
 #define vtkRelievoShadowCache_h
 
@@ -37,8 +38,7 @@ public:
   {
     vtkRelievoShadowLight Light;
     std::vector<Map> Maps;
-    bool Cube = false;  // it has had several maps: shaders keep room for six
-    bool Exact = false; // the maps fit the view, with nothing to spare
+    bool Cube = false; // another camera may need several maps: shaders keep room for six
   };
 
   // Fits maps to the casting lights, keeping what is still right.
@@ -46,16 +46,13 @@ public:
     const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene);
 
   std::vector<Entry>& GetEntries() { return this->Entries; }
-
-  // Maps that another process fitted, in their layers.
-  void SetEntries(std::vector<Entry> entries, int layers);
   int GetNumberOfMaps() const;
 
-  // The middle of what the maps are fitted to, in world coordinates.
-  glm::dvec3 GetCenter() const;
+  // The middle of what is visible of the receivers, in world coordinates.
+  const glm::dvec3& GetCenter() const { return this->Center; }
 
-  // Layers that the maps take: as many as there are maps, or as were needed since lights changed.
-  int GetNumberOfLayers() const { return this->Layers; }
+  // Maps that another process fitted, in their layers.
+  void SetEntries(std::vector<Entry> entries, const glm::dvec3& center);
 
   // What casts as the maps are drawn, or what it looks like now without having changed.
   void SetCasters(const vtkRelievoShadowProps& props);
@@ -66,14 +63,13 @@ public:
   void Clear();
 
 private:
-  static void Refit(Entry& entry, const vtkRelievoShadowScene& scene,
-    const std::vector<vtkRelievoShadowRegion::Polygon>& region, bool keep);
-  void AssignLayers(bool otherLights);
+  void Fit(const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene);
+  void AssignLayers(const std::vector<Entry>& before);
 
   std::vector<Entry> Entries;
   std::vector<std::uint64_t> Casters;
   vtkRelievoShadowScene Scene; // that the maps were fitted to
-  int Layers = 0;
+  glm::dvec3 Center{ 0.0 };
 };
 
 #endif

@@ -18,18 +18,34 @@ void Put(std::vector<double>& numbers, const std::vector<vtkRelievoBox>& boxes)
   numbers.push_back(static_cast<double>(boxes.size()));
   for (const vtkRelievoBox& box : boxes)
   {
-    numbers.insert(
-      numbers.end(), { box.Min.x, box.Min.y, box.Min.z, box.Max.x, box.Max.y, box.Max.z });
+    numbers.insert(numbers.end(),
+      { static_cast<double>(box.Number), box.Min.x, box.Min.y, box.Min.z, box.Max.x, box.Max.y,
+        box.Max.z });
   }
 }
 
+// The processes' parts of one prop make the box that the whole prop has: maps do not depend on how
+// many share the work.
 const double* Take(const double* from, std::vector<vtkRelievoBox>& boxes)
 {
   const auto count = static_cast<std::size_t>(*from++);
-  for (std::size_t i = 0; i < count; ++i, from += 6)
+  for (std::size_t i = 0; i < count; ++i, from += 7)
   {
-    boxes.push_back(
-      { glm::dvec3(from[0], from[1], from[2]), glm::dvec3(from[3], from[4], from[5]) });
+    vtkRelievoBox box;
+    box.Number = static_cast<int>(from[0]);
+    box.Min = glm::dvec3(from[1], from[2], from[3]);
+    box.Max = glm::dvec3(from[4], from[5], from[6]);
+    const auto known = std::lower_bound(boxes.begin(), boxes.end(), box,
+      [](const vtkRelievoBox& a, const vtkRelievoBox& b) { return a.Number < b.Number; });
+    if (known != boxes.end() && known->Number == box.Number)
+    {
+      known->Min = glm::min(known->Min, box.Min);
+      known->Max = glm::max(known->Max, box.Max);
+    }
+    else
+    {
+      boxes.insert(known, box);
+    }
   }
   return from;
 }
@@ -127,7 +143,8 @@ void vtkRelievoShadowExchange::Share(
   std::vector<double> numbers;
   if (this->IsRoot())
   {
-    numbers = { static_cast<double>(size), static_cast<double>(cache.GetNumberOfLayers()),
+    const glm::dvec3& center = cache.GetCenter();
+    numbers = { static_cast<double>(size), center.x, center.y, center.z,
       static_cast<double>(cache.GetEntries().size()) };
     for (auto& entry : cache.GetEntries())
     {
@@ -136,11 +153,6 @@ void vtkRelievoShadowExchange::Share(
       for (auto& map : entry.Maps)
       {
         ForEachNumber(map, [&numbers](auto number) { numbers.push_back(number); });
-        numbers.push_back(static_cast<double>(map.View.Points.size()));
-        for (const glm::dvec3& point : map.View.Points)
-        {
-          numbers.insert(numbers.end(), { point.x, point.y, point.z });
-        }
       }
     }
   }
@@ -151,7 +163,8 @@ void vtkRelievoShadowExchange::Share(
   }
   const double* from = numbers.data();
   size = static_cast<int>(*from++);
-  const int layers = static_cast<int>(*from++);
+  const glm::dvec3 center(from[0], from[1], from[2]);
+  from += 3;
   std::vector<vtkRelievoShadowCache::Entry> entries(static_cast<std::size_t>(*from++));
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
@@ -166,15 +179,9 @@ void vtkRelievoShadowExchange::Share(
       ForEachNumber(map, [&from](auto& number) {
         number = static_cast<std::remove_reference_t<decltype(number)>>(*from++);
       });
-      map.View.Points.resize(static_cast<std::size_t>(*from++));
-      for (glm::dvec3& point : map.View.Points)
-      {
-        point = glm::dvec3(from[0], from[1], from[2]);
-        from += 3;
-      }
     }
   }
-  cache.SetEntries(std::move(entries), layers);
+  cache.SetEntries(std::move(entries), center);
 }
 
 //------------------------------------------------------------------------------

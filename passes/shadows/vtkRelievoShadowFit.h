@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The views that a light's maps are drawn from: fitted to where shadows can be seen, and in depth
-// to what can cast there. One view for a sun and for a lamp that sees everything within a cone, up
-// to six sides of a cube for others.
+// The views that a light's maps are drawn from: fitted in steps to where shadows can be seen, and
+// in depth to what can cast there. One view for a sun and for a lamp that sees everything within a
+// cone, up to six sides of a cube for others.
 #ifndef vtkRelievoShadowFit_h
 #define vtkRelievoShadowFit_h
 
@@ -17,9 +17,8 @@ namespace vtkRelievoShadowFit
 {
 struct Request
 {
-  int Size = 2048;     // of the map, in texels
-  int Border = 2;      // texels around the region that the filter reaches
-  double Margin = 0.0; // more around the region, as a share of its size
+  int Size = 2048; // of the map, in texels
+  int Border = 2;  // texels around the region that the filter reaches
 
   // Spend texels where the camera sees more of them: variable-resolution maps.
   bool Warp = false;
@@ -29,10 +28,16 @@ struct Request
   bool ParallelEye = false;
 };
 
-// Empty if no shadow can be seen.
+// What is visible is a part of the scene, both as polygons. A function of what it is given and of
+// nothing else. Empty if no shadow can be seen.
 std::vector<vtkRelievoShadowView> Fit(const vtkRelievoShadowLight& light,
-  const std::vector<vtkRelievoShadowRegion::Polygon>& region,
+  const std::vector<vtkRelievoShadowRegion::Polygon>& visible,
+  const std::vector<vtkRelievoShadowRegion::Polygon>& scene,
   const std::vector<vtkRelievoBox>& casters, const Request& request);
+
+// Whether some camera in this scene needs several maps of the light.
+bool IsCube(
+  const vtkRelievoShadowLight& light, const std::vector<vtkRelievoShadowRegion::Polygon>& scene);
 }
 
 #endif

@@ -58,6 +58,7 @@ public:
   {
     glm::dmat4 WorldToNDC{ 0.0 };
     std::vector<std::uint64_t> Surfaces;
+    std::vector<bool> Culling;
     std::vector<vtkLight*> Lights; // for comparison only
     double Bias = -1.0;
   } MaskState;

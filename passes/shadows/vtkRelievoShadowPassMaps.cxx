@@ -11,6 +11,31 @@
 
 #include <algorithm>
 
+namespace
+{
+// From the NDC of the tile that is drawn to those of the whole picture, so that maps are the same
+// in all tiles. Identity without tiles.
+glm::dmat4 GetTileToPicture(vtkRenderer* renderer)
+{
+  glm::dmat4 m(1.0);
+  const double* all = renderer->GetViewport();
+  double tile[4];
+  renderer->GetRenderWindow()->GetTileViewport(tile);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double low = std::max(all[axis], tile[axis]);
+    const double high = std::min(all[axis + 2], tile[axis + 2]);
+    const double whole = all[axis + 2] - all[axis];
+    if (high > low && whole > 0.0)
+    {
+      m[axis][axis] = (high - low) / whole;
+      m[3][axis] = (high + low - all[axis] - all[axis + 2]) / whole;
+    }
+  }
+  return m;
+}
+}
+
 //------------------------------------------------------------------------------
 void vtkRelievoShadowPass::FitMaps(const vtkRenderState* s)
 {
@@ -38,7 +63,7 @@ void vtkRelievoShadowPass::FitMaps(const vtkRenderState* s)
   request.Gaze = glm::normalize(-glm::dvec3(viewToWorld[2]));
   request.ViewUp = glm::dvec3(viewToWorld[1]);
   request.ParallelEye = in.View.Parallel;
-  scene.WorldToNDC = in.View.ViewToNDC * in.View.WorldToView;
+  scene.WorldToNDC = GetTileToPicture(s->GetRenderer()) * in.View.ViewToNDC * in.View.WorldToView;
   scene.Casters = in.Props.GetCasterBoxes();
   scene.Receivers = in.Props.GetReceiverBoxes();
   scene.SameCasters = in.Cache.HasCasters(in.Props);
@@ -56,7 +81,7 @@ void vtkRelievoShadowPass::FitMaps(const vtkRenderState* s)
   {
     in.Exchange.Share(in.Cache, in.Casting, request.Size);
   }
-  if (in.Maps.Allocate(window, request.Size, in.Cache.GetNumberOfLayers()))
+  if (in.Maps.Allocate(window, request.Size, in.Cache.GetNumberOfMaps()))
   {
     in.Cache.Invalidate();
   }
@@ -136,6 +161,7 @@ void vtkRelievoShadowPass::DrawMasks(const vtkRenderState* s)
     static_cast<int>(in.Cache.GetEntries().size()));
   if (!in.Masks.Bind())
   {
+    in.MaskState = Internals::MaskState();
     return;
   }
   in.Maps.Bind(true); // making the masks may have taken their place
@@ -146,13 +172,15 @@ void vtkRelievoShadowPass::DrawMasks(const vtkRenderState* s)
   }
   // What only receives is not in the casters' state: redrawn whenever there is any.
   if (!lost && this->NumberOfMapsDrawn == 0 && in.MaskState.WorldToNDC == worldToNDC &&
-    in.MaskState.Surfaces == in.Props.GetState() && in.MaskState.Lights == lights &&
-    in.MaskState.Bias == this->Bias && !in.Props.HasMereReceivers())
+    in.MaskState.Surfaces == in.Props.GetState() && in.MaskState.Culling == in.Props.GetCulling() &&
+    in.MaskState.Lights == lights && in.MaskState.Bias == this->Bias &&
+    !in.Props.HasMereReceivers())
   {
     return;
   }
   in.MaskState.WorldToNDC = worldToNDC;
   in.MaskState.Surfaces = in.Props.GetState();
+  in.MaskState.Culling = in.Props.GetCulling();
   in.MaskState.Lights = lights;
   in.MaskState.Bias = this->Bias;
   in.DrawingDepth = true;

@@ -123,13 +123,14 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
   this->Parts.clear();
   this->NotReceiving.clear();
   this->State.clear();
+  this->Culling.clear();
   this->Unsteady = false;
   const std::set<vtkProp*> drawn(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
   std::vector<vtkRelievoPropParts::Part> parts;
   vtkPropCollection* props = s->GetRenderer()->GetViewProps();
   vtkCollectionSimpleIterator it;
   props->InitTraversal(it);
-  while (vtkProp* prop = props->GetNextProp(it))
+  for (int number = 0; vtkProp* prop = props->GetNextProp(it); ++number)
   {
     if (!prop->GetVisibility())
     {
@@ -147,6 +148,7 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
                   }),
       parts.end());
     vtkRelievoBox box;
+    box.Number = number;
     // The bounds bring the mapper's input up to date as well.
     if (parts.empty() || !GetBox(prop, box))
     {
@@ -162,14 +164,20 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
       this->State.push_back(reinterpret_cast<std::uintptr_t>(prop));
       this->State.push_back(translucent ? 1 : 0);
     }
+    if (choice.Receives)
+    {
+      this->ReceiverBoxes.push_back(box);
+    }
     if (drawn.count(prop))
     {
       this->Seen.push_back(prop);
-      this->MereReceivers = this->MereReceivers || !casts;
-      if (choice.Receives)
+      for (const vtkRelievoPropParts::Part& part : parts)
       {
-        this->ReceiverBoxes.push_back(box);
+        vtkProperty* property = vtkRelievoPropParts::GetMeshActor(part)->GetProperty();
+        this->Culling.push_back(property->GetBackfaceCulling() != 0);
+        this->Culling.push_back(property->GetFrontfaceCulling() != 0);
       }
+      this->MereReceivers = this->MereReceivers || !casts;
     }
     for (const vtkRelievoPropParts::Part& part : parts)
     {
@@ -226,7 +234,20 @@ void vtkRelievoShadowProps::AddState(vtkActor* actor)
   vtkProperty* property = actor->GetProperty();
   this->State.push_back(property->GetRepresentation());
   this->State.push_back((property->GetVertexVisibility() ? 1 : 0) +
-    (property->GetRenderPointsAsSpheres() ? 2 : 0) + (property->GetRenderLinesAsTubes() ? 4 : 0));
+    (property->GetRenderPointsAsSpheres() ? 2 : 0) + (property->GetRenderLinesAsTubes() ? 4 : 0) +
+    (property->GetEdgeVisibility() ? 8 : 0));
+  // VTK's offsets in depth, of the process and of the mapper.
+  double factor = 0.0;
+  double units = 0.0;
+  mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+  this->State.push_back(vtkMapper::GetResolveCoincidentTopology());
+  this->AddDouble(factor);
+  this->AddDouble(units);
+  mapper->GetCoincidentTopologyLineOffsetParameters(factor, units);
+  this->AddDouble(factor);
+  this->AddDouble(units);
+  mapper->GetCoincidentTopologyPointOffsetParameter(units);
+  this->AddDouble(units);
   this->AddDouble(property->GetPointSize());
   this->AddDouble(property->GetLineWidth());
   // Cut-outs: what is not there casts nothing.

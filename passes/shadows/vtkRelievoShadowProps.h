@@ -34,7 +34,7 @@ public:
   };
   Choice& GetChoice(vtkProp* prop);
 
-  // Casters are all visible props of the renderer, also outside the view; receivers those drawn.
+  // Casters and receivers are all visible props of the renderer, also outside the view.
   void Collect(const vtkRenderState* s);
 
   // The state of what casts, for comparison.
@@ -58,6 +58,9 @@ public:
   // Draws the depth of the opaque geometry that is seen, likewise.
   int RenderSurfaces(
     vtkRenderer* renderer, const glm::dmat4& worldToNDC, vtkRelievoCasterDraw& plainDraw);
+
+  // Which sides are seen of what is seen: casting does not depend on it.
+  const std::vector<bool>& GetCulling() const { return this->Culling; }
 
   // Whether something is seen that casts no shadow.
   bool HasMereReceivers() const { return this->MereReceivers; }
@@ -84,6 +87,7 @@ private:
   std::set<vtkProp*> NotReceiving; // of Parts
   vtkRelievoSplicedKeys Keys;
   std::vector<std::uint64_t> State;
+  std::vector<bool> Culling;
   bool Unsteady = false;
 };
 

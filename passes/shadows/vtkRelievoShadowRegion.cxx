@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowRegion.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,14 +14,14 @@ using vtkRelievoShadowRegion::Polygon;
 constexpr int Faces[6][4] = { { 0, 2, 6, 4 }, { 1, 5, 7, 3 }, { 0, 4, 5, 1 }, { 2, 3, 7, 6 },
   { 0, 1, 3, 2 }, { 4, 6, 7, 5 } };
 
-std::array<glm::dvec4, 6> GetFrustumPlanes(const glm::dmat4& worldToNDC)
+std::vector<glm::dvec4> GetFrustumPlanes(const glm::dmat4& worldToNDC)
 {
   const glm::dmat4 rows = glm::transpose(worldToNDC);
   return { rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1],
     rows[3] + rows[2], rows[3] - rows[2] };
 }
 
-std::array<glm::dvec4, 6> GetBoxPlanes(const vtkRelievoBox& box)
+std::vector<glm::dvec4> GetBoxPlanes(const vtkRelievoBox& box)
 {
   return { glm::dvec4(1, 0, 0, -box.Min.x), glm::dvec4(-1, 0, 0, box.Max.x),
     glm::dvec4(0, 1, 0, -box.Min.y), glm::dvec4(0, -1, 0, box.Max.y),
@@ -27,7 +29,7 @@ std::array<glm::dvec4, 6> GetBoxPlanes(const vtkRelievoBox& box)
 }
 
 // The faces of a hexahedron with corners in the order of vtkRelievoBox::GetCorners, cut by planes.
-void AddFaces(const std::array<glm::dvec3, 8>& corners, const std::array<glm::dvec4, 6>& planes,
+void AddFaces(const std::array<glm::dvec3, 8>& corners, const std::vector<glm::dvec4>& planes,
   std::vector<Polygon>& polygons)
 {
   for (const auto& face : Faces)
@@ -51,36 +53,6 @@ void AddFaces(const std::array<glm::dvec3, 8>& corners, const std::array<glm::dv
 double Cross(const glm::dvec2& a, const glm::dvec2& b)
 {
   return a.x * b.y - a.y * b.x;
-}
-
-// Andrew's monotone chain (1979).
-std::vector<glm::dvec2> GetHull(std::vector<glm::dvec2> points)
-{
-  std::sort(points.begin(), points.end(), [](const glm::dvec2& a, const glm::dvec2& b) {
-    return a.x < b.x || (a.x == b.x && a.y < b.y);
-  });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3)
-  {
-    return points;
-  }
-  std::vector<glm::dvec2> hull;
-  for (int side = 0; side < 2; ++side)
-  {
-    const std::size_t first = hull.size();
-    for (const glm::dvec2& point : points)
-    {
-      while (hull.size() >= first + 2 &&
-        Cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0.0)
-      {
-        hull.pop_back();
-      }
-      hull.push_back(point);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
 }
 }
 
@@ -121,18 +93,29 @@ Polygon vtkRelievoShadowRegion::Clip(const Polygon& polygon, const glm::dvec4& p
 }
 
 //------------------------------------------------------------------------------
+std::vector<Polygon> vtkRelievoShadowRegion::GetFaces(const std::vector<vtkRelievoBox>& boxes)
+{
+  std::vector<Polygon> polygons;
+  for (const vtkRelievoBox& box : boxes)
+  {
+    AddFaces(box.GetCorners(), {}, polygons);
+  }
+  return polygons;
+}
+
+//------------------------------------------------------------------------------
 std::vector<Polygon> vtkRelievoShadowRegion::Cut(
   const std::vector<vtkRelievoBox>& boxes, const glm::dmat4& worldToNDC)
 {
   std::array<glm::dvec3, 8> frustum;
   const glm::dmat4 ndcToWorld = glm::inverse(worldToNDC);
   const std::array<glm::dvec3, 8> cube =
-    vtkRelievoBox{ glm::dvec3(-1.0), glm::dvec3(1.0) }.GetCorners();
+    vtkRelievoBox{ glm::dvec3(-1.0), glm::dvec3(1.0), 0 }.GetCorners();
   std::transform(cube.begin(), cube.end(), frustum.begin(), [&ndcToWorld](const glm::dvec3& p) {
     const glm::dvec4 world = ndcToWorld * glm::dvec4(p, 1.0);
     return glm::dvec3(world) / world.w;
   });
-  const std::array<glm::dvec4, 6> planes = GetFrustumPlanes(worldToNDC);
+  const std::vector<glm::dvec4> planes = GetFrustumPlanes(worldToNDC);
   std::vector<Polygon> polygons;
   for (const vtkRelievoBox& box : boxes)
   {
@@ -140,6 +123,22 @@ std::vector<Polygon> vtkRelievoShadowRegion::Cut(
     AddFaces(frustum, GetBoxPlanes(box), polygons);
   }
   return polygons;
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkRelievoShadowRegion::GetMiddle(const std::vector<Polygon>& polygons)
+{
+  glm::dvec3 low(1e300);
+  glm::dvec3 high(-1e300);
+  for (const Polygon& polygon : polygons)
+  {
+    for (const glm::dvec3& point : polygon)
+    {
+      low = glm::min(low, point);
+      high = glm::max(high, point);
+    }
+  }
+  return low.x <= high.x ? 0.5 * (low + high) : glm::dvec3(0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -162,16 +161,56 @@ vtkRelievoShadowRegion::Rectangle vtkRelievoShadowRegion::EncloseAt(
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoShadowRegion::Rectangle vtkRelievoShadowRegion::Enclose(std::vector<glm::dvec2> points)
+// Andrew's monotone chain (1979).
+std::vector<glm::dvec2> vtkRelievoShadowRegion::GetHull(std::vector<glm::dvec2> points)
 {
-  const std::vector<glm::dvec2> hull = GetHull(std::move(points));
+  std::sort(points.begin(), points.end(), [](const glm::dvec2& a, const glm::dvec2& b) {
+    return a.x < b.x || (a.x == b.x && a.y < b.y);
+  });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3)
+  {
+    return points;
+  }
+  std::vector<glm::dvec2> hull;
+  for (int side = 0; side < 2; ++side)
+  {
+    const std::size_t first = hull.size();
+    for (const glm::dvec2& point : points)
+    {
+      while (hull.size() >= first + 2 &&
+        Cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0.0)
+      {
+        hull.pop_back();
+      }
+      hull.push_back(point);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowRegion::Rectangle vtkRelievoShadowRegion::Enclose(
+  const std::vector<glm::dvec2>& points)
+{
+  const std::vector<glm::dvec2> hull = GetHull(points);
+  // The least rectangle has a side along a side of the hull (Freeman and Shapira, 1975). Angles
+  // that differ by a quarter turn give the same one.
+  const double quarter = 0.5 * vtkMath::Pi();
+  constexpr double Rounding = 1e-6;
   Rectangle best;
   for (std::size_t i = 0; i < hull.size(); ++i)
   {
-    // The least rectangle has a side along a side of the hull (Freeman and Shapira, 1975).
     const glm::dvec2 edge = hull[(i + 1) % hull.size()] - hull[i];
-    const Rectangle rectangle = EncloseAt(hull, std::atan2(edge.y, edge.x));
-    if (i == 0 || rectangle.GetArea() < best.GetArea())
+    double angle = std::atan2(edge.y, edge.x);
+    angle -= quarter * std::floor(angle / quarter + Rounding);
+    const Rectangle rectangle = EncloseAt(hull, angle);
+    const double area = rectangle.GetArea();
+    const double least = best.GetArea();
+    if (i == 0 || area < (1.0 - Rounding) * least ||
+      (area <= (1.0 + Rounding) * least && angle < best.Angle - Rounding))
     {
       best = rectangle;
     }

@@ -15,6 +15,7 @@ struct vtkRelievoBox
 {
   glm::dvec3 Min;
   glm::dvec3 Max;
+  int Number = 0; // of the prop in its renderer
 
   std::array<glm::dvec3, 8> GetCorners() const;
 };
@@ -26,11 +27,17 @@ using Polygon = std::vector<glm::dvec3>;
 // A plane keeps the points with dot(plane.xyz, p) + plane.w >= 0.
 Polygon Clip(const Polygon& polygon, const glm::dvec4& plane);
 
+// The surface of each box.
+std::vector<Polygon> GetFaces(const std::vector<vtkRelievoBox>& boxes);
+
 // The surface of each box cut by the frustum of worldToNDC (no far plane beyond it, as the camera
 // has it).
 std::vector<Polygon> Cut(const std::vector<vtkRelievoBox>& boxes, const glm::dmat4& worldToNDC);
 
-// A rectangle around points of the plane, of about the least area: axis turned by Angle.
+// The middle of the polygons' extent.
+glm::dvec3 GetMiddle(const std::vector<Polygon>& polygons);
+
+// A rectangle of the plane, its axes turned by Angle.
 struct Rectangle
 {
   double Angle = 0.0;
@@ -39,8 +46,12 @@ struct Rectangle
 
   double GetArea() const { return (this->Max.x - this->Min.x) * (this->Max.y - this->Min.y); }
 };
-Rectangle Enclose(std::vector<glm::dvec2> points);
+// Around points; where two angles take the same area but for rounding, always at the same one.
+Rectangle Enclose(const std::vector<glm::dvec2>& points);
 Rectangle EncloseAt(const std::vector<glm::dvec2>& points, double angle);
+
+// The convex hull, counter-clockwise.
+std::vector<glm::dvec2> GetHull(std::vector<glm::dvec2> points);
 }
 
 #endif

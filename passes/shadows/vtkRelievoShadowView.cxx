@@ -57,16 +57,17 @@ vtkRelievoShadowView vtkRelievoShadowView::GetPiece(int u, int v, int size, int 
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoShadowView::Contains(
-  const std::vector<glm::dvec3>& points, int size, int border) const
+bool vtkRelievoShadowView::IsSame(const vtkRelievoShadowView& other) const
 {
-  const double inner = 1.0 - 2.0 * border / size + 1e-9;
-  const glm::dmat4 worldToNDC = this->ViewToNDC * this->WorldToView;
-  return std::all_of(points.begin(), points.end(), [&](const glm::dvec3& point) {
-    const glm::dvec4 p = worldToNDC * glm::dvec4(point, 1.0);
-    return p.w > 0.0 && std::abs(p.x) <= inner * p.w && std::abs(p.y) <= inner * p.w &&
-      p.z <= p.w * (1.0 + 1e-9) && (!this->NearCut || p.z >= -p.w * (1.0 + 1e-9));
-  });
+  auto same = [](const vtkRelievoMapAxis& a, const vtkRelievoMapAxis& b) {
+    return a.Pieces == b.Pieces && a.Focus == b.Focus && a.Ratio == b.Ratio;
+  };
+  // What the matrices are made of: drawing writes WorldToView anew, rounded otherwise.
+  return this->Position == other.Position && this->Forward == other.Forward &&
+    this->Up == other.Up && this->Parallel == other.Parallel && this->Near == other.Near &&
+    this->Far == other.Far && this->NearCut == other.NearCut && this->Side == other.Side &&
+    this->ViewToNDC == other.ViewToNDC && this->Texel == other.Texel && same(this->U, other.U) &&
+    same(this->V, other.V);
 }
 
 //------------------------------------------------------------------------------

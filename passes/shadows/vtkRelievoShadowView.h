@@ -7,8 +7,6 @@
 
 #include "vtkRelievoShadowRegion.h"
 
-#include <vector>
-
 // How one axis of a map spends its texels: straight pieces from a place of the fitted rectangle to
 // a place of the map, both in [0, 1]. One piece from 0 to 1: evenly.
 struct vtkRelievoMapAxis
@@ -43,10 +41,9 @@ struct vtkRelievoShadowView
   double Height = 0.0;
   vtkRelievoMapAxis U;
   vtkRelievoMapAxis V;
-  std::vector<glm::dvec3> Points; // corners of what it was fitted to
 
-  // Whether all points are in the map, `border` texels off its rim, and before its far plane.
-  bool Contains(const std::vector<glm::dvec3>& points, int size, int border) const;
+  // Whether a map of one is a map of the other.
+  bool IsSame(const vtkRelievoShadowView& other) const;
 
   // The same view of one piece of the map only; its place in the map, x y width height in texels.
   vtkRelievoShadowView GetPiece(int u, int v, int size, int region[4]) const;

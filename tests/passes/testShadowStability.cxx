@@ -9,6 +9,7 @@
 #include "Props.h"
 #include "Scenes.h"
 #include "Session.h"
+#include "ShadowPictures.h"
 #include "ShadowScenes.h"
 #include "Window.h"
 
@@ -225,6 +226,24 @@ void TestWorlds()
   });
 }
 
+// A scene is the same picture wherever it lies, but for what rounding does to edges.
+void TestPlaces()
+{
+  vtkSmartPointer<vtkImageData> pictures[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    ShadowStage stage(800, 600, 1., i ? glm::dvec3(5e5, 5e6, 0.) : glm::dvec3(0.));
+    stage.AddThings();
+    stage.AddSun(-3., 4., -2.);
+    stage.AddLamp({ -1., 4., -1.5 }, { 0.3, 0., 0.3 }, 40.);
+    stage.AddLamp({ -1., 3., -1.5 }, { 0.3, 0., 0.3 }, 90.);
+    stage.GetFrame()->ShadowsOn();
+    pictures[i] = relievoTest::Picture(stage.Window);
+  }
+  RELIEVO_CHECK_AT_MOST(relievoTest::CountUnlike(pictures[0], pictures[1], 4), 24,
+    "pixels of 480000 that differ far from the origin");
+}
+
 // A tall thin pole in a low sun: its shadow is as dark at its end as at its foot.
 void TestUmbra()
 {
@@ -343,6 +362,7 @@ int main()
   TestContacts();
   TestPlacesOfLights();
   TestWorlds();
+  TestPlaces();
   TestUmbra();
   TestGlyphs();
   TestConvergence();
