@@ -6,7 +6,7 @@
 
 Run it with ParaView's own pvbatch or pvpython. Writes to FOLDER (default: the current one)
     paraview_town.png    a town as ParaView draws it, and with shadows of the sun at 9:30
-    paraview_day.png     the same at 8, 12 and 16 o'clock (UTC, 48 degrees north on the meridian, 20 March)
+    paraview_day.png     the same at 8, 12 and 16 o'clock (UTC; 48 degrees north, 0 east, 20 March)
     paraview_bike.png    a motorbike coloured by height, in a sun and a spot, and the layer `normal`
 
 The plugin is the one in the folder RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo

@@ -41,8 +41,8 @@ public:
   static std::string GetSection(const std::string& name, const std::string& section);
 
   /**
-   * Adds a source of another library, which may include those that are here; a name that is taken is
-   * an error, and false is returned.
+   * Adds a source of another library, which may include those that are here; a name that is taken
+   * is an error, and false is returned.
    */
   static bool Add(const std::string& name, const std::string& text);
 

@@ -49,8 +49,8 @@ int Run(std::vector<std::string> words)
   }
   else
   {
-    throw cli::WordsError(
-      "got '" + command + "', expected render, stages, bench, --help or --version; see relievo --help");
+    throw cli::WordsError("got '" + command +
+      "', expected render, stages, bench, --help or --version; see relievo --help");
   }
   return 0;
 }

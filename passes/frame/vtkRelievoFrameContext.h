@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One frame while it is made: whose it is, what is asked of it, its camera, and what its stages have
-// written so far.
+// One frame while it is made: whose it is, what is asked of it, its camera, and what its stages
+// have written so far.
 #ifndef vtkRelievoFrameContext_h
 #define vtkRelievoFrameContext_h
 
@@ -48,8 +48,8 @@ public:
   bool IsAsked(const vtkRelievoStage* stage, const std::string& resource) const;
 
   ///@{
-  // What a stage wrote, by the resource's name; nullptr if it is not there (yet). It must live until
-  // the frame is done.
+  // What a stage wrote, by the resource's name; nullptr if it is not there (yet). It must live
+  // until the frame is done.
   void Provide(const std::string& name, vtkRelievoResource* resource);
   vtkRelievoResource* Find(const std::string& name) const;
   ///@}

@@ -6,8 +6,8 @@
  *
  * A decorator: the delegate draws the picture as it would without the frame; stages add layers and
  * effects. The outputs are the picture, unless only layers are asked for, and the layers. The frame
- * works backwards from them: it runs the stages that write what is read, in the order of their slots
- * and of what they read and write, and no others; those release what they hold.
+ * works backwards from them: it runs the stages that write what is read, in the order of their
+ * slots and of what they read and write, and no others; those release what they hold.
  *
  * The linear colour `color` exists while some stage reads it or it is asked for: the delegate then
  * draws into a float framebuffer (half floats) whose values go through the inverse of the sRGB
@@ -88,11 +88,11 @@ public:
   ///@}
 
   /**
-   * What the last frame did, as JSON: for the delegate and every stage its name, whether it ran, the
-   * reason in words and as a code (vtkRelievoStage::GetReasonCode), GPU milliseconds (of the newest
-   * frame whose timers have arrived; null before), bytes held, draw calls; and the totals. OpenGL in
-   * software has no timers between commands: there times are taken in the eight frames after a
-   * report was read, each command waited for.
+   * What the last frame did, as JSON: for the delegate and every stage its name, whether it ran,
+   * the reason in words and as a code (vtkRelievoStage::GetReasonCode), GPU milliseconds (of the
+   * newest frame whose timers have arrived; null before), bytes held, draw calls; and the totals.
+   * OpenGL in software has no timers between commands: there times are taken in the eight frames
+   * after a report was read, each command waited for.
    */
   std::string GetFrameReport();
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What one stage wrote for others on the GPU: how a shader gets at it. The shader includes a file of
-// shaders/ that says what may be read; the resource says with which defines, and binds it.
+// What one stage wrote for others on the GPU: how a shader gets at it. The shader includes a file
+// of shaders/ that says what may be read; the resource says with which defines, and binds it.
 #ifndef vtkRelievoResource_h
 #define vtkRelievoResource_h
 

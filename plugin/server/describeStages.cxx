@@ -5,8 +5,8 @@
 // are made from the stages' descriptions, and lists of layers from the catalogue. Run by the build.
 //
 // A comment `stages: properties` in the template becomes the properties of every stage that is not
-// always there, `stages: exposed` their groups in the render view, `layers` the names of layers, `layers: shown`
-// those that can be shown as the picture.
+// always there, `stages: exposed` their groups in the render view, `layers` the names of layers,
+// `layers: shown` those that can be shown as the picture.
 #include "vtkNew.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"

@@ -24,8 +24,8 @@ def stage(renderer, name, on=True, **parameters):
 
     renderer: a vtkRenderer; the frame is attached if it is not there. name: one of stages(). The
     values are numbers, True or False, words, or a sequence of three for a colour; stages() gives
-    their ranges and defaults. Returns the vtkRelievoStage. Raises ValueError for an unknown stage or
-    parameter, and for a value that the parameter does not take; nothing is changed then.
+    their ranges and defaults. Returns the vtkRelievoStage. Raises ValueError for an unknown stage
+    or parameter, and for a value that the parameter does not take; nothing is changed then.
     """
     frame = attach(renderer)
     found = frame.GetStage(name)

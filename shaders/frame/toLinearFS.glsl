@@ -11,6 +11,7 @@ uniform vec2 relievoSize;
 
 void main()
 {
-  vec4 drawn = texelFetch(relievoDrawn, ivec2(floor(texCoord * relievoSize)) + relievoDrawnOffset, 0);
+  ivec2 pixel = ivec2(floor(texCoord * relievoSize));
+  vec4 drawn = texelFetch(relievoDrawn, pixel + relievoDrawnOffset, 0);
   gl_FragData[0] = vec4(relievoLinearColorFromSrgb(drawn.rgb), drawn.a);
 }

@@ -121,7 +121,8 @@ int GetDifference(vtkImageData* a, vtkImageData* b, double butFor = 0.0)
 
 // A stage that changes nothing: the picture is VTK's but for the rounding of half floats, and when
 // it goes, VTK's to the last bit.
-// FXAA smooths where contrast passes a limit: half floats are on the other side of it in some places.
+// FXAA smooths where contrast passes a limit: half floats are on the other side of it in some
+// places.
 void TestSame(const std::string& what, int samples, const std::function<void(Scene&)>& change)
 {
   const double butFor = what.find("FXAA") == std::string::npos ? 0.0 : 0.005;

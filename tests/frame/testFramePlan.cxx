@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The frame's plan by itself, without OpenGL: which stages are reached, in which order, whatever the
-// order in which they are given; and what is refused, by name.
+// The frame's plan by itself, without OpenGL: which stages are reached, in which order, whatever
+// the order in which they are given; and what is refused, by name.
 #include "Check.h"
 #include "Session.h"
 

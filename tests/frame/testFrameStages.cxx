@@ -132,7 +132,8 @@ void TestMissing()
   RELIEVO_CHECK(stage->Executed == 1);
 }
 
-// Layers alone: no map for shadows that nobody sees, no stage on the colour, no pixel of the window.
+// Layers alone: no map for shadows that nobody sees, no stage on the colour, no pixel of the
+// window.
 void TestLayersOnly()
 {
   Scene scene;

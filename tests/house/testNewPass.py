@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """testNewPass.py SOURCE CMAKE CTEST [CMAKE OPTIONS...]: "add a pass in N steps", done.
 
-In a copy of the tree, tools/new-pass adds a pass; the copy is built, the new pass's own test runs, and
-the pass is used from the command line, Python and ParaView, whose sources nobody has touched. The copy keeps its build, so that a second run compiles only what changed.
+In a copy of the tree, tools/new-pass adds a pass; the copy is built, the new pass's own test runs,
+and the pass is used from the command line, Python and ParaView, whose sources nobody has touched.
+The copy keeps its build, so that a second run compiles only what changed.
 """
 
 import filecmp
@@ -66,15 +67,16 @@ def main(source, cmake, ctest, *options):
     build = tree / "build" / "dev"
     run([cmake, "-G", "Ninja", "-S", tree, "-B", build, *options])
     paraview = "-DRELIEVO_USE_PARAVIEW=ON" in options and shutil.which("pvpython")
-    targets = [f"test{NAME}Stage", "relievo", *python_targets(tree), *(["Relievo"] if paraview else [])]
+    plugin = ["Relievo"] if paraview else []
+    targets = [f"test{NAME}Stage", "relievo", *python_targets(tree), *plugin]
     run([cmake, "--build", build, "--target", *targets])
     output = run([ctest, "--test-dir", build, "-R", f"^test{NAME}Stage$", "--no-tests=error",
                   "--output-on-failure"])
     assert "100% tests passed" in output, output
     print(output)
     on_the_command_line(build)
-    python = next(word.split("=", 1)[1] for word in options if word.startswith("-DPython3_EXECUTABLE"))
-    in_python(build, python)
+    python = next(each for each in options if each.startswith("-DPython3_EXECUTABLE"))
+    in_python(build, python.split("=", 1)[1])
     if paraview:
         in_paraview(build)
     return 0
@@ -84,9 +86,9 @@ def python_targets(tree):
     """The wrapped modules, which the package imports all at once."""
     names = []
     for module in tree.glob("**/vtk.module"):
-        text = module.read_text(encoding="utf-8")
-        if "EXCLUDE_WRAP" not in text and "plugin" not in module.parts and "build" not in module.parts:
-            words = text.split()
+        words = module.read_text(encoding="utf-8").split()
+        folders = module.relative_to(tree).parts
+        if "EXCLUDE_WRAP" not in words and folders[0] not in ("plugin", "build"):
             names.append(words[words.index("LIBRARY_NAME") + 1] + "Python")
     return names
 

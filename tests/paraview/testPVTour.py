@@ -15,8 +15,8 @@ class Tour(pv.Test):
     def test_pictures(self):
         said = pv.run(EXAMPLES / "08_paraview_tour.py", pv.OUTPUT, tool="pvbatch")
         self.assertEqual(pv.messages(said), [])
-        # The sun at the equinox: as high at noon as 90 degrees less the latitude, and seven minutes,
-        # the equation of time, before it is in the south.
+        # The sun at the equinox: at noon as high as 90 degrees less the latitude, and seven
+        # minutes, the equation of time, before it is in the south.
         self.assertIn("12:00, azimuth 177, elevation 42", said)
         town, day, bike = (pv.read(pv.OUTPUT / f"paraview_{name}.png") for name in
                            ("town", "day", "bike"))  # fmt: skip
