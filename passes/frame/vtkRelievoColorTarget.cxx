@@ -3,7 +3,6 @@
 #include "vtkRelievoColorTarget.h"
 
 #include "vtkFloatArray.h"
-#include "vtkFrameBufferObjectBase.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLFramebufferObject.h"
@@ -12,91 +11,12 @@
 #include "vtkPointData.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoKeptState.h"
-#include "vtkRenderState.h"
-#include "vtkRenderbuffer.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <utility>
-
-namespace
-{
-vtkSmartPointer<vtkTextureObject> MakeTexture(
-  vtkOpenGLRenderWindow* window, unsigned int format, int width, int height)
-{
-  auto texture = vtkSmartPointer<vtkTextureObject>::New();
-  texture->SetContext(window);
-  texture->SetInternalFormat(format);
-  texture->SetFormat(GL_RGBA);
-  texture->SetDataType(format == GL_RGBA8 ? GL_UNSIGNED_BYTE : GL_FLOAT);
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  texture->Allocate2D(width, height, 4, format == GL_RGBA8 ? VTK_UNSIGNED_CHAR : VTK_FLOAT);
-  return texture;
-}
-
-vtkSmartPointer<vtkOpenGLFramebufferObject> MakeFramebuffer(vtkOpenGLRenderWindow* window)
-{
-  auto framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
-  framebuffer->SetContext(window);
-  return framebuffer;
-}
-
-template <typename T>
-void ReleaseAndForget(vtkSmartPointer<T>& object, vtkWindow* window)
-{
-  if (object && window)
-  {
-    object->ReleaseGraphicsResources(window);
-  }
-  object = nullptr;
-}
-
-int GetBoundFramebuffer()
-{
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  return bound;
-}
-
-// The depth of what is bound for drawing: VTK's passes copy depths between framebuffers, which must
-// be of one format.
-vtkRelievoColorTarget::DepthFormat GetBoundDepth()
-{
-  vtkRelievoColorTarget::DepthFormat format;
-  GLint type = GL_UNSIGNED_NORMALIZED;
-  const GLenum place = GetBoundFramebuffer() == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
-  glGetFramebufferAttachmentParameteriv(
-    GL_DRAW_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
-  if (type == GL_NONE)
-  {
-    return format;
-  }
-  glGetFramebufferAttachmentParameteriv(
-    GL_DRAW_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, &format.Bits);
-  glGetFramebufferAttachmentParameteriv(
-    GL_DRAW_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
-  format.Float = type == GL_FLOAT;
-  const GLenum stencil = GetBoundFramebuffer() == 0 ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
-  glGetFramebufferAttachmentParameteriv(
-    GL_DRAW_FRAMEBUFFER, stencil, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
-  format.Stencil = type != GL_NONE;
-  return format;
-}
-
-unsigned int GetInternalFormat(const vtkRelievoColorTarget::DepthFormat& depth)
-{
-  return depth.Stencil ? GL_DEPTH24_STENCIL8
-    : depth.Float      ? GL_DEPTH_COMPONENT32F
-    : depth.Bits == 32 ? GL_DEPTH_COMPONENT32
-    : depth.Bits == 16 ? GL_DEPTH_COMPONENT16
-                       : GL_DEPTH_COMPONENT24;
-}
-}
 
 //------------------------------------------------------------------------------
 class vtkRelievoColorTarget::Input : public vtkRelievoResource
@@ -107,16 +27,16 @@ public:
 
   void Activate(vtkShaderProgram* program) override
   {
-    this->Target->Color->Activate();
-    this->Target->Depth->Activate();
-    program->SetUniformi("relievoDrawn", this->Target->Color->GetTextureUnit());
-    program->SetUniformi("relievoDrawnZ", this->Target->Depth->GetTextureUnit());
+    this->Target->Buffers.Color->Activate();
+    this->Target->Buffers.Depth->Activate();
+    program->SetUniformi("relievoDrawn", this->Target->Buffers.Color->GetTextureUnit());
+    program->SetUniformi("relievoDrawnZ", this->Target->Buffers.Depth->GetTextureUnit());
     program->SetUniform2i("relievoDrawnOffset", this->Offset);
   }
   void Deactivate() override
   {
-    this->Target->Color->Deactivate();
-    this->Target->Depth->Deactivate();
+    this->Target->Buffers.Color->Deactivate();
+    this->Target->Buffers.Depth->Deactivate();
   }
 };
 
@@ -130,76 +50,7 @@ vtkRelievoColorTarget::vtkRelievoColorTarget()
 //------------------------------------------------------------------------------
 vtkRelievoColorTarget::~vtkRelievoColorTarget()
 {
-  this->Release(this->Window);
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoColorTarget::Allocate(
-  vtkRelievoFrameContext& context, int samples, const DepthFormat& depth)
-{
-  const int* viewport = context.View.Viewport;
-  const int size[4] = { viewport[0] + viewport[2], viewport[1] + viewport[3], viewport[2],
-    viewport[3] };
-  if (this->Window == context.Window && this->Framebuffer && samples == this->NumberOfSamples &&
-    depth.Bits == this->DepthOf.Bits && depth.Float == this->DepthOf.Float &&
-    depth.Stencil == this->DepthOf.Stencil && std::equal(size, size + 4, this->Size))
-  {
-    return;
-  }
-  this->Release(this->Window);
-  this->Window = context.Window;
-  this->NumberOfSamples = samples;
-  this->DepthOf = depth;
-  std::copy_n(size, 4, this->Size);
-  this->Color = MakeTexture(this->Window, GL_RGBA16F, size[0], size[1]);
-  this->Linear[0] = MakeTexture(this->Window, GL_RGBA16F, size[2], size[3]);
-  this->Linear[1] = MakeTexture(this->Window, GL_RGBA16F, size[2], size[3]);
-  this->Depth = vtkSmartPointer<vtkTextureObject>::New();
-  this->Depth->SetContext(this->Window);
-  if (depth.Stencil)
-  {
-    this->Depth->AllocateDepthStencil(size[0], size[1]);
-  }
-  else
-  {
-    this->Depth->AllocateDepth(size[0], size[1],
-      depth.Float          ? vtkTextureObject::Float32
-        : depth.Bits == 32 ? vtkTextureObject::Fixed32
-        : depth.Bits == 16 ? vtkTextureObject::Fixed16
-                           : vtkTextureObject::Fixed24);
-  }
-  this->Pen = MakeFramebuffer(this->Window);
-  this->Framebuffer = MakeFramebuffer(this->Window);
-  vtkOpenGLState* state = this->Window->GetState();
-  state->PushFramebufferBindings();
-  if (samples > 0)
-  {
-    const unsigned int formats[2] = { GL_RGBA16F, GetInternalFormat(depth) };
-    for (int i = 0; i < 2; ++i)
-    {
-      this->Samples[i] = vtkSmartPointer<vtkRenderbuffer>::New();
-      this->Samples[i]->SetContext(this->Window);
-      this->Samples[i]->Create(formats[i], static_cast<unsigned int>(size[0]),
-        static_cast<unsigned int>(size[1]), static_cast<unsigned int>(samples));
-    }
-    this->Resolved = MakeFramebuffer(this->Window);
-    this->Resolved->Bind();
-    this->Resolved->AddColorAttachment(0, this->Color);
-    this->Resolved->AddDepthAttachment(this->Depth);
-    this->Resolved->ActivateDrawBuffer(0);
-    this->Framebuffer->Bind();
-    this->Framebuffer->AddColorAttachment(0, this->Samples[0]);
-    this->Framebuffer->AddDepthAttachment(this->Samples[1]);
-  }
-  else
-  {
-    this->Framebuffer->Bind();
-    this->Framebuffer->AddColorAttachment(0, this->Color);
-    this->Framebuffer->AddDepthAttachment(this->Depth);
-  }
-  this->Framebuffer->ActivateDrawBuffer(0);
-  this->Framebuffer->ActivateReadBuffer(0);
-  state->PopFramebufferBindings();
+  this->Release(this->Buffers.Window);
 }
 
 //------------------------------------------------------------------------------
@@ -210,17 +61,16 @@ std::string vtkRelievoColorTarget::Begin(vtkRelievoFrameContext& context)
   {
     return "the renderer keeps another renderer's depth (PreserveDepthBuffer)";
   }
-  GLint samples = 0;
-  glGetIntegerv(GL_SAMPLES, &samples);
-  this->Allocate(context, samples, GetBoundDepth());
+  this->Buffers.Allocate(context.Window, context.View.Viewport);
   vtkOpenGLState* state = context.Window->GetState();
   state->PushFramebufferBindings();
-  this->Framebuffer->Bind();
+  this->Buffers.Framebuffer->Bind();
   if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
   {
     state->PopFramebufferBindings();
     this->Release(context.Window);
-    return "this OpenGL cannot draw to half floats with " + std::to_string(samples) + " samples";
+    return "this OpenGL cannot draw to half floats with " +
+      std::to_string(this->Buffers.NumberOfSamples) + " samples";
   }
   const bool keeps = context.Renderer->GetLayer() > 0 || !context.Renderer->GetErase() ||
     context.Renderer->GetPreserveColorBuffer();
@@ -237,17 +87,17 @@ void vtkRelievoColorTarget::CopyWhatIsThere(vtkRelievoFrameContext& context)
   const int* v = context.View.Viewport;
   vtkOpenGLState* state = context.Window->GetState();
   // Samples are resolved into what they have been made of, on every OpenGL.
-  vtkSmartPointer<vtkTextureObject> there =
-    MakeTexture(context.Window, this->NumberOfSamples > 0 ? GL_RGBA8 : GL_RGBA16F, v[2], v[3]);
+  vtkSmartPointer<vtkTextureObject> there = vtkRelievoColorBuffers::MakeTexture(
+    context.Window, this->Buffers.NumberOfSamples > 0 ? GL_RGBA8 : GL_RGBA16F, v[2], v[3]);
   state->PopFramebufferBindings(); // what is there is bound again
   state->PushFramebufferBindings();
-  this->Pen->Bind(GL_DRAW_FRAMEBUFFER);
-  this->Pen->AddColorAttachment(0, there);
-  this->Pen->ActivateDrawBuffer(0);
+  this->Buffers.Pen->Bind(GL_DRAW_FRAMEBUFFER);
+  this->Buffers.Pen->AddColorAttachment(0, there);
+  this->Buffers.Pen->ActivateDrawBuffer(0);
   state->vtkglScissor(0, 0, v[2], v[3]);
   state->vtkglBlitFramebuffer(
     v[0], v[1], v[0] + v[2], v[1] + v[3], 0, 0, v[2], v[3], GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  this->Framebuffer->Bind();
+  this->Buffers.Framebuffer->Bind();
   if (vtkShaderProgram* program = this->Copy.Ready(context, "frame/copyFS.glsl", {}))
   {
     there->Activate();
@@ -263,8 +113,9 @@ void vtkRelievoColorTarget::CopyWhatIsThere(vtkRelievoFrameContext& context)
 //------------------------------------------------------------------------------
 bool vtkRelievoColorTarget::IsBound() const
 {
-  return this->Framebuffer &&
-    GetBoundFramebuffer() == static_cast<int>(this->Framebuffer->GetFBOIndex());
+  return this->Buffers.Framebuffer &&
+    vtkRelievoColorBuffers::GetBoundFramebuffer() ==
+    static_cast<int>(this->Buffers.Framebuffer->GetFBOIndex());
 }
 
 //------------------------------------------------------------------------------
@@ -272,13 +123,13 @@ void vtkRelievoColorTarget::End(vtkRelievoFrameContext& context)
 {
   const int* v = context.View.Viewport;
   vtkOpenGLState* state = context.Window->GetState();
-  if (this->Resolved)
+  if (this->Buffers.Resolved)
   {
     state->PushFramebufferBindings();
-    this->Framebuffer->Bind(GL_READ_FRAMEBUFFER);
-    this->Framebuffer->ActivateReadBuffer(0);
-    this->Resolved->Bind(GL_DRAW_FRAMEBUFFER);
-    state->vtkglScissor(0, 0, this->Size[0], this->Size[1]);
+    this->Buffers.Framebuffer->Bind(GL_READ_FRAMEBUFFER);
+    this->Buffers.Framebuffer->ActivateReadBuffer(0);
+    this->Buffers.Resolved->Bind(GL_DRAW_FRAMEBUFFER);
+    state->vtkglScissor(0, 0, this->Buffers.Size[0], this->Buffers.Size[1]);
     for (const unsigned int buffer : { GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT })
     {
       state->vtkglBlitFramebuffer(v[0], v[1], v[0] + v[2], v[1] + v[3], v[0], v[1], v[0] + v[2],
@@ -302,17 +153,17 @@ void vtkRelievoColorTarget::End(vtkRelievoFrameContext& context)
 bool vtkRelievoColorTarget::Draw(
   vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, bool replaces)
 {
-  if (!this->Pen || (!this->Valid && &quad != &this->ToLinear))
+  if (!this->Buffers.Pen || (!this->Valid && &quad != &this->ToLinear))
   {
     return false;
   }
-  const int area[4] = { 0, 0, this->Size[2], this->Size[3] };
+  const int area[4] = { 0, 0, this->Buffers.Size[2], this->Buffers.Size[3] };
   vtkOpenGLState* state = context.Window->GetState();
   {
     const vtkRelievoKeptState kept(state);
-    this->Pen->Bind();
-    this->Pen->AddColorAttachment(0, this->Linear[replaces ? 1 : 0]);
-    this->Pen->ActivateDrawBuffer(0);
+    this->Buffers.Pen->Bind();
+    this->Buffers.Pen->AddColorAttachment(0, this->Buffers.Linear[replaces ? 1 : 0]);
+    this->Buffers.Pen->ActivateDrawBuffer(0);
     if (replaces)
     {
       state->vtkglDisable(GL_BLEND);
@@ -321,7 +172,7 @@ bool vtkRelievoColorTarget::Draw(
   }
   if (replaces)
   {
-    std::swap(this->Linear[0], this->Linear[1]);
+    std::swap(this->Buffers.Linear[0], this->Buffers.Linear[1]);
   }
   return true;
 }
@@ -342,12 +193,12 @@ void vtkRelievoColorTarget::Present(vtkRelievoFrameContext& context)
 //------------------------------------------------------------------------------
 std::string vtkRelievoColorTarget::Read(vtkImageData* image)
 {
-  if (!this->Valid || !this->Window)
+  if (!this->Valid || !this->Buffers.Window)
   {
     return "the last frame made no linear colour; ask for it (RequestLayer) and render before";
   }
-  const int width = this->Size[2];
-  const int height = this->Size[3];
+  const int width = this->Buffers.Size[2];
+  const int height = this->Buffers.Size[3];
   if (image->GetNumberOfPoints() == 0)
   {
     image->SetDimensions(width, height, 1);
@@ -361,12 +212,12 @@ std::string vtkRelievoColorTarget::Read(vtkImageData* image)
   color->SetName("color");
   color->SetNumberOfComponents(4);
   color->SetNumberOfTuples(image->GetNumberOfPoints());
-  this->Window->MakeCurrent();
-  vtkOpenGLState* state = this->Window->GetState();
+  this->Buffers.Window->MakeCurrent();
+  vtkOpenGLState* state = this->Buffers.Window->GetState();
   state->PushFramebufferBindings();
-  this->Pen->Bind();
-  this->Pen->AddColorAttachment(0, this->Linear[0]);
-  this->Pen->ActivateReadBuffer(0);
+  this->Buffers.Pen->Bind();
+  this->Buffers.Pen->AddColorAttachment(0, this->Buffers.Linear[0]);
+  this->Buffers.Pen->ActivateReadBuffer(0);
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
   glFinish();
   glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, color->GetPointer(0));
@@ -378,46 +229,23 @@ std::string vtkRelievoColorTarget::Read(vtkImageData* image)
 //------------------------------------------------------------------------------
 void vtkRelievoColorTarget::Activate(vtkShaderProgram* program)
 {
-  this->Linear[0]->Activate();
-  program->SetUniformi("relievoColor", this->Linear[0]->GetTextureUnit());
+  this->Buffers.Linear[0]->Activate();
+  program->SetUniformi("relievoColor", this->Buffers.Linear[0]->GetTextureUnit());
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoColorTarget::Deactivate()
 {
-  this->Linear[0]->Deactivate();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkRelievoColorTarget::GetBytes() const
-{
-  if (!this->Framebuffer)
-  {
-    return 0;
-  }
-  const vtkIdType all = static_cast<vtkIdType>(this->Size[0]) * this->Size[1];
-  const vtkIdType seen = static_cast<vtkIdType>(this->Size[2]) * this->Size[3];
-  // Half floats of four components, and a depth in a word.
-  return (8 + 4) * all * (1 + this->NumberOfSamples) + 2 * 8 * seen;
+  this->Buffers.Linear[0]->Deactivate();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoColorTarget::Release(vtkWindow* window)
 {
-  ReleaseAndForget(this->Framebuffer, window);
-  ReleaseAndForget(this->Resolved, window);
-  ReleaseAndForget(this->Pen, window);
-  ReleaseAndForget(this->Color, window);
-  ReleaseAndForget(this->Depth, window);
-  for (int i = 0; i < 2; ++i)
-  {
-    ReleaseAndForget(this->Linear[i], window);
-    ReleaseAndForget(this->Samples[i], window);
-  }
+  this->Buffers.Release(window);
   for (vtkRelievoScreenQuad* quad : { &this->ToLinear, &this->ToDisplay, &this->Copy })
   {
     quad->Release(window);
   }
   this->Valid = false;
-  this->Window = nullptr;
 }

@@ -11,18 +11,15 @@
 #ifndef vtkRelievoColorTarget_h
 #define vtkRelievoColorTarget_h
 
-#include "vtkNew.h"
+#include "vtkRelievoColorBuffers.h"
 #include "vtkRelievoResource.h"
 #include "vtkRelievoScreenQuad.h"
-#include "vtkSmartPointer.h"
-#include "vtkWeakPointer.h"
+
+#include <memory>
+#include <string>
 
 class vtkImageData;
-class vtkOpenGLFramebufferObject;
-class vtkOpenGLRenderWindow;
 class vtkRelievoFrameContext;
-class vtkRenderbuffer;
-class vtkTextureObject;
 class vtkWindow;
 
 class vtkRelievoColorTarget : public vtkRelievoResource
@@ -30,13 +27,6 @@ class vtkRelievoColorTarget : public vtkRelievoResource
 public:
   vtkRelievoColorTarget();
   ~vtkRelievoColorTarget() override;
-
-  struct DepthFormat
-  {
-    int Bits = 24;
-    bool Float = false;
-    bool Stencil = false;
-  };
 
   // Binds the float framebuffer for what the delegate draws. Returns why it cannot, in words;
   // nothing has changed then.
@@ -57,32 +47,21 @@ public:
   // Adds the colour as the point array `color`, 4 float.
   std::string Read(vtkImageData* image);
 
-  vtkIdType GetBytes() const;
+  vtkIdType GetBytes() const { return this->Buffers.GetBytes(); }
   void Release(vtkWindow* window);
 
   void Activate(vtkShaderProgram* program) override;
   void Deactivate() override;
 
 private:
-  void Allocate(vtkRelievoFrameContext& context, int samples, const DepthFormat& depth);
   void CopyWhatIsThere(vtkRelievoFrameContext& context);
 
   class Input;
   std::unique_ptr<Input> Drawn; // what the delegate drew, as a resource
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer; // that the delegate draws to
-  vtkSmartPointer<vtkOpenGLFramebufferObject> Resolved;    // of one sample; nullptr if it is that
-  vtkSmartPointer<vtkRenderbuffer> Samples[2];             // colour and depth, multisampled
-  vtkSmartPointer<vtkTextureObject> Color;                 // of one sample, as it was drawn
-  vtkSmartPointer<vtkTextureObject> Depth;
-  vtkSmartPointer<vtkTextureObject> Linear[2]; // the first is the colour now
-  vtkSmartPointer<vtkOpenGLFramebufferObject> Pen;
+  vtkRelievoColorBuffers Buffers;
   vtkRelievoScreenQuad ToLinear;
   vtkRelievoScreenQuad ToDisplay;
   vtkRelievoScreenQuad Copy;
-  int Size[4] = { 0, 0, 0, 0 }; // of the framebuffer, and of the viewport
-  int NumberOfSamples = 0;
-  DepthFormat DepthOf;
   bool Valid = false;
 };
 

@@ -326,15 +326,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   in.Timer.End("frame");
   in.Timer.EndFrame();
 
-  in.Report.Begin(renderer, in.Color.GetBytes());
-  in.Report.Add("delegate", run.DrawsDelegate(), run.DrawsDelegate() ? "ran" : "not_asked",
-    !run.DrawsDelegate() ? "only the layers are asked for"
-      : in.Delegate      ? std::string("draws the picture: ") + in.Delegate->GetClassName()
-                         : "draws the picture: the renderer's own steps");
-  for (vtkRelievoStage* stage : stages)
-  {
-    in.Report.Add(stage, run.IsNeeded(stage));
-  }
+  run.Report(in.Report, in.Delegate);
 }
 
 //------------------------------------------------------------------------------

@@ -7,8 +7,10 @@
 #include "vtkRelievoColorTarget.h"
 #include "vtkRelievoDelegate.h"
 #include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFrameReport.h"
 #include "vtkRelievoGpuTimer.h"
 #include "vtkRelievoStage.h"
+#include "vtkRenderPass.h"
 
 #include <algorithm>
 
@@ -249,7 +251,7 @@ int vtkRelievoFrameRun::Execute(vtkRelievoDelegate& delegate, vtkRenderPass* pas
   {
     this->ExecuteStage(order[this->Next]);
   }
-  if (this->DrawsDelegate())
+  if (this->Nodes[0].Needed)
   {
     if (this->Next < order.size() && order[this->Next] == 0)
     {
@@ -271,4 +273,19 @@ int vtkRelievoFrameRun::Execute(vtkRelievoDelegate& delegate, vtkRenderPass* pas
     }
   }
   return drawn;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameRun::Report(vtkRelievoFrameReport& report, vtkRenderPass* pass) const
+{
+  const bool draws = this->Nodes[0].Needed;
+  report.Begin(this->Context.Renderer, this->Color.GetBytes());
+  report.Add("delegate", draws, draws ? "ran" : "not_asked",
+    !draws   ? "only the layers are asked for"
+      : pass ? std::string("draws the picture: ") + pass->GetClassName()
+             : "draws the picture: the renderer's own steps");
+  for (vtkRelievoStage* stage : this->Stages)
+  {
+    report.Add(stage, this->IsNeeded(stage));
+  }
 }

@@ -14,6 +14,7 @@
 class vtkRelievoColorTarget;
 class vtkRelievoDelegate;
 class vtkRelievoFrameContext;
+class vtkRelievoFrameReport;
 class vtkRelievoGpuTimer;
 class vtkRelievoStage;
 class vtkRenderPass;
@@ -30,8 +31,10 @@ public:
   // Runs it; the number of props that the delegate drew.
   int Execute(vtkRelievoDelegate& delegate, vtkRenderPass* pass);
 
-  bool DrawsDelegate() const { return this->Nodes[0].Needed; }
   bool NeedsColor() const { return this->Order.NeedsColor(); }
+  // What was done and why; the pass is the delegate.
+  void Report(vtkRelievoFrameReport& report, vtkRenderPass* pass) const;
+
   bool IsNeeded(const vtkRelievoStage* stage) const;
 
   // Who writes what was asked for in this frame; "" is who writes any other layer.

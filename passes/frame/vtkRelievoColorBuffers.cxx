@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoColorBuffers.h"
+
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderbuffer.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+namespace
+{
+vtkSmartPointer<vtkOpenGLFramebufferObject> MakeFramebuffer(vtkOpenGLRenderWindow* window)
+{
+  auto framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+  framebuffer->SetContext(window);
+  return framebuffer;
+}
+
+template <typename T>
+void ReleaseAndForget(vtkSmartPointer<T>& object, vtkWindow* window)
+{
+  if (object && window)
+  {
+    object->ReleaseGraphicsResources(window);
+  }
+  object = nullptr;
+}
+
+// The depth of what is bound for drawing: VTK's passes copy depths between framebuffers, which must
+// be of one format.
+vtkRelievoColorBuffers::DepthFormat GetBoundDepth()
+{
+  vtkRelievoColorBuffers::DepthFormat format;
+  GLint type = GL_UNSIGNED_NORMALIZED;
+  const GLenum place =
+    vtkRelievoColorBuffers::GetBoundFramebuffer() == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
+  glGetFramebufferAttachmentParameteriv(
+    GL_DRAW_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+  if (type == GL_NONE)
+  {
+    return format;
+  }
+  glGetFramebufferAttachmentParameteriv(
+    GL_DRAW_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, &format.Bits);
+  glGetFramebufferAttachmentParameteriv(
+    GL_DRAW_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+  format.Float = type == GL_FLOAT;
+  const GLenum stencil =
+    vtkRelievoColorBuffers::GetBoundFramebuffer() == 0 ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
+  glGetFramebufferAttachmentParameteriv(
+    GL_DRAW_FRAMEBUFFER, stencil, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+  format.Stencil = type != GL_NONE;
+  return format;
+}
+
+unsigned int GetInternalFormat(const vtkRelievoColorBuffers::DepthFormat& depth)
+{
+  return depth.Stencil ? GL_DEPTH24_STENCIL8
+    : depth.Float      ? GL_DEPTH_COMPONENT32F
+    : depth.Bits == 32 ? GL_DEPTH_COMPONENT32
+    : depth.Bits == 16 ? GL_DEPTH_COMPONENT16
+                       : GL_DEPTH_COMPONENT24;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoColorBuffers::~vtkRelievoColorBuffers()
+{
+  this->Release(this->Window);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkTextureObject> vtkRelievoColorBuffers::MakeTexture(
+  vtkOpenGLRenderWindow* window, unsigned int format, int width, int height)
+{
+  auto texture = vtkSmartPointer<vtkTextureObject>::New();
+  texture->SetContext(window);
+  texture->SetInternalFormat(format);
+  texture->SetFormat(GL_RGBA);
+  texture->SetDataType(format == GL_RGBA8 ? GL_UNSIGNED_BYTE : GL_FLOAT);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->Allocate2D(width, height, 4, format == GL_RGBA8 ? VTK_UNSIGNED_CHAR : VTK_FLOAT);
+  return texture;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoColorBuffers::GetBoundFramebuffer()
+{
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  return bound;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoColorBuffers::Allocate(vtkOpenGLRenderWindow* window, const int viewport[4])
+{
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  const DepthFormat depth = GetBoundDepth();
+  const int size[4] = { viewport[0] + viewport[2], viewport[1] + viewport[3], viewport[2],
+    viewport[3] };
+  if (this->Window == window && this->Framebuffer && samples == this->NumberOfSamples &&
+    depth.Bits == this->DepthOf.Bits && depth.Float == this->DepthOf.Float &&
+    depth.Stencil == this->DepthOf.Stencil && std::equal(size, size + 4, this->Size))
+  {
+    return;
+  }
+  this->Release(this->Window);
+  this->Window = window;
+  this->NumberOfSamples = samples;
+  this->DepthOf = depth;
+  std::copy_n(size, 4, this->Size);
+  this->Color = MakeTexture(this->Window, GL_RGBA16F, size[0], size[1]);
+  this->Linear[0] = MakeTexture(this->Window, GL_RGBA16F, size[2], size[3]);
+  this->Linear[1] = MakeTexture(this->Window, GL_RGBA16F, size[2], size[3]);
+  this->Depth = vtkSmartPointer<vtkTextureObject>::New();
+  this->Depth->SetContext(this->Window);
+  if (depth.Stencil)
+  {
+    this->Depth->AllocateDepthStencil(size[0], size[1]);
+  }
+  else
+  {
+    this->Depth->AllocateDepth(size[0], size[1],
+      depth.Float          ? vtkTextureObject::Float32
+        : depth.Bits == 32 ? vtkTextureObject::Fixed32
+        : depth.Bits == 16 ? vtkTextureObject::Fixed16
+                           : vtkTextureObject::Fixed24);
+  }
+  this->Pen = MakeFramebuffer(this->Window);
+  this->Framebuffer = MakeFramebuffer(this->Window);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PushFramebufferBindings();
+  if (samples > 0)
+  {
+    const unsigned int formats[2] = { GL_RGBA16F, GetInternalFormat(depth) };
+    for (int i = 0; i < 2; ++i)
+    {
+      this->Samples[i] = vtkSmartPointer<vtkRenderbuffer>::New();
+      this->Samples[i]->SetContext(this->Window);
+      this->Samples[i]->Create(formats[i], static_cast<unsigned int>(size[0]),
+        static_cast<unsigned int>(size[1]), static_cast<unsigned int>(samples));
+    }
+    this->Resolved = MakeFramebuffer(this->Window);
+    this->Resolved->Bind();
+    this->Resolved->AddColorAttachment(0, this->Color);
+    this->Resolved->AddDepthAttachment(this->Depth);
+    this->Resolved->ActivateDrawBuffer(0);
+    this->Framebuffer->Bind();
+    this->Framebuffer->AddColorAttachment(0, this->Samples[0]);
+    this->Framebuffer->AddDepthAttachment(this->Samples[1]);
+  }
+  else
+  {
+    this->Framebuffer->Bind();
+    this->Framebuffer->AddColorAttachment(0, this->Color);
+    this->Framebuffer->AddDepthAttachment(this->Depth);
+  }
+  this->Framebuffer->ActivateDrawBuffer(0);
+  this->Framebuffer->ActivateReadBuffer(0);
+  state->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoColorBuffers::GetBytes() const
+{
+  if (!this->Framebuffer)
+  {
+    return 0;
+  }
+  const vtkIdType all = static_cast<vtkIdType>(this->Size[0]) * this->Size[1];
+  const vtkIdType seen = static_cast<vtkIdType>(this->Size[2]) * this->Size[3];
+  // Half floats of four components, and a depth in a word.
+  return (8 + 4) * all * (1 + this->NumberOfSamples) + 2 * 8 * seen;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoColorBuffers::Release(vtkWindow* window)
+{
+  ReleaseAndForget(this->Framebuffer, window);
+  ReleaseAndForget(this->Resolved, window);
+  ReleaseAndForget(this->Pen, window);
+  ReleaseAndForget(this->Color, window);
+  ReleaseAndForget(this->Depth, window);
+  for (int i = 0; i < 2; ++i)
+  {
+    ReleaseAndForget(this->Linear[i], window);
+    ReleaseAndForget(this->Samples[i], window);
+  }
+  this->Window = nullptr;
+}
