@@ -26,7 +26,7 @@ vtkSmartPointer<vtkPolyData> SceneMesh(const std::string& name)
   std::string folder;
   if (!vtksys::SystemTools::GetEnv("RELIEVO_DATA", folder) || folder.empty())
   {
-    std::cerr << "bench: the environment variable RELIEVO_DATA does not say where the meshes are; "
+    std::cerr << "relievo: bench: the environment variable RELIEVO_DATA does not say where the meshes are; "
                  "run tools/unpack-data FOLDER and set it to FOLDER\n";
     return nullptr;
   }

@@ -11,7 +11,7 @@ namespace
 {
 int RefuseName(const std::string& name)
 {
-  std::cerr << "bench: no bench '" << name << "'; there are:";
+  std::cerr << "relievo: bench: no bench '" << name << "'; there are:";
   for (const RelievoBenchEntry& entry : RelievoBenchEntries())
   {
     std::cerr << ' ' << entry.Name;

@@ -93,7 +93,7 @@ bool Table::WriteCsv(const std::string& path) const
   file.close();
   if (!file)
   {
-    std::cerr << "bench: cannot write " << path << "\n";
+    std::cerr << "relievo: bench: cannot write " << path << "\n";
   }
   return static_cast<bool>(file);
 }
@@ -113,7 +113,7 @@ bool ReadCsv(const std::string& path, std::vector<CsvRow>& rows)
   std::string line;
   if (!std::getline(file, line))
   {
-    std::cerr << "bench: cannot read " << path << "\n";
+    std::cerr << "relievo: bench: cannot read " << path << "\n";
     return false;
   }
   const std::vector<std::string> columns = FieldsOf(line);
@@ -122,7 +122,7 @@ bool ReadCsv(const std::string& path, std::vector<CsvRow>& rows)
     const std::vector<std::string> fields = FieldsOf(line);
     if (fields.size() != columns.size())
     {
-      std::cerr << "bench: " << path << ", line " << rows.size() + 2 << ": " << fields.size()
+      std::cerr << "relievo: bench: " << path << ", line " << rows.size() + 2 << ": " << fields.size()
                 << " fields, expected " << columns.size() << "\n";
       return false;
     }
@@ -141,7 +141,7 @@ bool MakeFolder(const std::string& folder)
   const bool made = static_cast<bool>(vtksys::SystemTools::MakeDirectory(folder));
   if (!made)
   {
-    std::cerr << "bench: cannot make the folder " << folder << "\n";
+    std::cerr << "relievo: bench: cannot make the folder " << folder << "\n";
   }
   return made;
 }

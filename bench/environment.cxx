@@ -116,7 +116,7 @@ bool ReadEnvironment(const std::string& name, std::vector<Environment>& all)
   const int* size = image->GetDimensions();
   if (!values || values->GetNumberOfComponents() < 3 || size[0] != 2 * size[1])
   {
-    std::cerr << "bench: " << path << " holds no equirectangular picture\n";
+    std::cerr << "relievo: bench: " << path << " holds no equirectangular picture\n";
     return false;
   }
   const int width = size[0];

@@ -99,7 +99,7 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const Size& size, Table
     auto* pass = vtkRelievoPass::SafeDownCast(windows[i]->Scene.Renderer->GetPass());
     if (pass && !Ways[i].Layers.empty() && !pass->GetGBuffer()->GetShared())
     {
-      std::cerr << "bench: " << Ways[i].Name
+      std::cerr << "relievo: bench: " << Ways[i].Name
                 << " was not written in the shared geometry pass: " << pass->GetFrameReport()
                 << "\n";
       return false;

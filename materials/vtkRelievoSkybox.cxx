@@ -230,10 +230,14 @@ void vtkRelievoSkybox::ReleaseGraphicsResources(vtkWindow* window)
   Internals& in = *this->Internal;
   for (Internals::Drawing& drawing : in.Drawings)
   {
-    if (drawing.Quad && drawing.Window && (!window || drawing.Window == window))
+    if (drawing.Window && (!window || drawing.Window == window))
     {
-      drawing.Quad->ReleaseGraphicsResources(drawing.Window);
-      drawing.Quad.reset();
+      if (drawing.Quad)
+      {
+        drawing.Quad->ReleaseGraphicsResources(drawing.Window);
+        drawing.Quad.reset();
+      }
+      drawing.Made = false;
     }
   }
   if (in.Environment)

@@ -31,7 +31,7 @@ bool WriteChart(const Chart& chart, const std::string& stem)
     {
       if (!FindChartMethod(series.Method))
       {
-        std::cerr << "bench: " << stem << ": no method '" << series.Method
+        std::cerr << "relievo: bench: " << stem << ": no method '" << series.Method
                   << "' in bench/charts/ChartMethods.cxx: add it there\n";
         return false;
       }
@@ -41,7 +41,7 @@ bool WriteChart(const Chart& chart, const std::string& stem)
   const bool written = WriteSvg(drawing, stem + ".svg") && WritePng(drawing, stem + ".png");
   if (!written)
   {
-    std::cerr << "bench: cannot write " << stem << ".svg and .png: is the folder writable?\n";
+    std::cerr << "relievo: bench: cannot write " << stem << ".svg and .png: is the folder writable?\n";
   }
   return written;
 }

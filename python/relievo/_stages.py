@@ -47,6 +47,7 @@ def stages():
     """The stages that frames have: a dict of their names, each with a dict of its parameters.
 
     A parameter's value is its default and help in words: ("0.5", "Fraction of ... from 0 to 1.").
+    Raises nothing.
     """
     frame = vtkRelievoPass()
     found = {}

@@ -289,6 +289,7 @@ void TestTimes()
     {
       stage.Window->SetSize(60, 45);
     }
+    frame->GetFrameReport(); // OpenGL in software is timed when somebody reads the times
     double longest = 0.;
     double shortest = std::numeric_limits<double>::infinity();
     for (int j = 0; j < 12; ++j)
