@@ -10,6 +10,7 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkProperty.h"
 #include "vtkRelievoShaderTrial.h"
 #include "vtkShaderProgram.h"
 
@@ -115,6 +116,8 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
     program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
   }
   in.Glyphs.SetUniforms(program, mapper);
+  program->SetUniformi(
+    "relievoFaces", actor->GetProperty()->GetRepresentation() == VTK_SURFACE ? 1 : 0);
   program->SetUniformf("relievoWinding", actor->GetMatrix()->Determinant() < 0.0 ? -1.0f : 1.0f);
   program->SetUniformf("relievoNear", static_cast<float>(in.View.Near));
   program->SetUniformf("relievoFar", static_cast<float>(in.View.Far));

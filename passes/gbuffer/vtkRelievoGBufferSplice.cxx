@@ -126,8 +126,8 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   const bool hasNormal = needsNormal || Has(fragment, "normalVCVSOutput");
   const bool spherePoints = Has(fragment, "ZCalcR") && Has(fragment, "gl_PointCoord");
   const bool tubeLines = Has(fragment, "ZCalcR") && Has(fragment, "float lenZ");
-  const bool surface =
-    triangles && !impostor && actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  // Actors of other representations may share the mapper, and so these shaders: a uniform tells.
+  const bool faces = triangles && !impostor;
 
   if (needsNormal)
   {
@@ -165,7 +165,7 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   };
   const bool isFaceNormal = hasNormal && Has(fragment, "cross(fdx,fdy)");
   const bool asksFace = layout.GeometricNormalWord >= 0 || !hasNormal;
-  define(surface && asksFace && !isFaceNormal, "RELIEVO_FACE_NORMAL");
+  define(faces && asksFace && !isFaceNormal, "RELIEVO_FACE_NORMAL");
   define(hasNormal, "RELIEVO_HAS_NORMAL");
   define(normalByWinding, "RELIEVO_NORMAL_BY_WINDING");
   define(needsWinding, "RELIEVO_GLYPH_WINDING");

@@ -39,6 +39,7 @@ layout(location = 5) out uvec4 relievoOutput5;
 #endif
 uniform int relievoFirstPrimitive;
 uniform float relievoWinding;
+uniform int relievoFaces; // whether faces are drawn, not their edges or corners
 uniform float relievoNear;
 uniform float relievoFar;
 
@@ -132,6 +133,10 @@ uvec3 relievoPackNormal(vec3 n)
   {
     relievoFaceVC = -relievoFaceVC;
   }
+  if (relievoFaces == 0)
+  {
+    relievoFaceVC = vec3(0.0);
+  }
 #endif
   vec3 relievoNormalVC = relievoFaceVC;
 #ifdef RELIEVO_HAS_NORMAL
@@ -143,9 +148,12 @@ uvec3 relievoPackNormal(vec3 n)
   relievoNormalVC *= relievoGlyphWindingVSOutput;
 #endif
 #endif
-#ifndef RELIEVO_FACE_NORMAL
-  relievoFaceVC = relievoNormalVC;
+#ifdef RELIEVO_FACE_NORMAL
+  if (relievoFaces == 0)
 #endif
+  {
+    relievoFaceVC = relievoNormalVC;
+  }
 #endif
 #endif
 
