@@ -8,6 +8,7 @@
 
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkRelievoGBufferPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkVersion.h"
 
@@ -57,6 +58,7 @@ std::string DescribeOpenGL()
   lines << "OpenGL " << Find(report, "version") << "\n";
   lines << "  vendor " << Find(report, "vendor") << "\n";
   lines << "  renderer " << Find(report, "renderer") << "\n";
+  lines << "  numbers of primitives " << vtkRelievoGBufferPass::ProbePrimitiveIds(window) << "\n";
   return lines.str();
 }
 }

@@ -10,6 +10,7 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoKeptState.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerColors.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRenderer.h"
@@ -43,7 +44,8 @@ public:
   vtkRelievoScreenQuad Quad;
   vtkSmartPointer<vtkTextureObject> Colors;
   vtkIdType ColorBytes = 0;
-  std::string Said; // what was wrong with the layer in the last frame: said once
+  std::string Said;   // what was wrong with the layer in the last frame: said once
+  std::string Failed; // what was wrong with the shader
 };
 
 //------------------------------------------------------------------------------
@@ -95,6 +97,8 @@ void vtkRelievoDisplayStage::Declare(
     return;
   }
   declaration.Reads = { this->Layer };
+  // Nobody knows yet whether anything drawn has an array; if not, the picture itself is shown.
+  declaration.Covers = vtkRelievoLayerCatalogue::Find(this->Layer).Kind != vtkRelievoLayer::ARRAY;
   declaration.Words = "shows the layer " + this->Layer + " as the picture";
 }
 
@@ -145,7 +149,13 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
     "#define RELIEVO_SHOW " + std::to_string(shown) + "\n");
   if (!program)
   {
-    vtkErrorMacro("The layer '" << this->Layer << "' is not shown: " << in.Quad.GetWrong() << ".");
+    const std::string wrong = in.Quad.GetWrong();
+    this->Explain("failed", wrong);
+    if (in.Failed != wrong)
+    {
+      vtkErrorMacro("The layer '" << this->Layer << "' is not shown: " << wrong << ".");
+    }
+    in.Failed = wrong;
     return;
   }
   const vtkRelievoView& view = context.View;

@@ -208,18 +208,20 @@ void vtkRelievoFramePlan::Mark(std::vector<Node>& nodes, const std::vector<std::
     {
       this->Need(nodes, maker, Picture);
     }
-    else if (std::any_of(nodes.begin(), nodes.end(),
-               [](const Node& node) { return node.Declaration.Runs && ChangesColor(node); }))
+    const bool covered = maker >= 0 && nodes[maker].Declaration.Covers;
+    if (!covered)
     {
-      this->AskForColor(nodes, -1);
-    }
-    else
-    {
+      const bool changed = std::any_of(nodes.begin(), nodes.end(),
+        [](const Node& node) { return node.Declaration.Runs && ChangesColor(node); });
       this->ColorSeen = true;
+      if (changed)
+      {
+        this->AskForColor(nodes, -1);
+      }
     }
     for (Node& node : nodes)
     {
-      if (maker >= 0 && node.Declaration.Runs && ChangesColor(node))
+      if (covered && node.Declaration.Runs && ChangesColor(node))
       {
         node.Code = "hidden";
         node.Words = nodes[maker].Name + " shows something else as the picture";

@@ -27,6 +27,7 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
   std::vector<std::string> Writes; // what reads `color` and writes it changes it
   bool WritesLayers = false;       // any name that no other stage writes
   bool Offers = true;              // what it writes, to those that merely use it
+  bool Covers = true; // of one that writes `picture`: the colour is surely not seen beneath
 };
 
 class VTKRELIEVOFRAME_EXPORT vtkRelievoFramePlan

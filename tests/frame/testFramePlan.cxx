@@ -118,7 +118,12 @@ void TestColor()
   RELIEVO_CHECK(
     (Run(nodes, { "picture" }, nullptr, &color) == Names{ "delegate", "gbuffer", "display" }));
   RELIEVO_CHECK(!color);
-  // What makes the picture of the colour does not.
+  // Unless it may turn out to have nothing to show.
+  nodes.back().Declaration.Covers = false;
+  RELIEVO_CHECK((Run(nodes, { "picture" }, nullptr, &color) ==
+    Names{ "shadows", "delegate", "gbuffer", "fog", "bloom", "display" }));
+  RELIEVO_CHECK(color);
+  // What makes the picture of the colour does not hide it.
   nodes.back() = Make("tone", D::DISPLAY, { "color" }, { "picture" });
   RELIEVO_CHECK((Run(nodes, { "picture" }, nullptr, &color) ==
     Names{ "shadows", "delegate", "gbuffer", "fog", "bloom", "tone" }));
