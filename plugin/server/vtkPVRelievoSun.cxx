@@ -20,7 +20,7 @@ struct FillPlace
   double Elevation;
   double Part;
 };
-constexpr FillPlace FillPlaces[2] = { { 150.0, 20.0, 0.6 }, { -45.0, 25.0, 0.4 } };
+constexpr FillPlace FillPlaces[2] = { { 150.0, 20.0, 0.7 }, { -60.0, 25.0, 0.3 } };
 
 void ToWorld(double azimuth, double elevation, int upAxis, double direction[3])
 {
