@@ -75,7 +75,7 @@ def let_the_sun_shine(view, hour):
     view.RelievoSunDate, view.RelievoSunTime = [2026, 3, 20], hour
     view.RelievoSunLatitude, view.RelievoSunLongitude = 48.0, 0.0
     view.RelievoShadowMapSize = 4096  # a low sun draws a map's texels out along the walls
-    view.RelievoSunIntensity, view.RelievoSunKitShare = 1.1, 0.45
+    view.RelievoSunIntensity = 0.9
     view.RelievoSunColor = [1.0, 0.95, 0.85]
     view.UpdatePropertyInformation()
     angles = view.GetProperty("RelievoSunAngles")

@@ -20,6 +20,7 @@
 #include <QSignalBlocker>
 #include <QStringList>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -178,10 +179,16 @@ void pqRelievoLayerControls::Probe(const QPoint& place)
     return;
   }
   const vtkIdType pixel = x + static_cast<vtkIdType>(size[1] - 1 - y) * size[0];
+  double largest = 0.0;
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+  {
+    largest = std::max(largest, std::abs(array->GetComponent(pixel, c)));
+  }
   QStringList values;
   for (int c = 0; c < array->GetNumberOfComponents(); ++c)
   {
-    values.append(QString::number(array->GetComponent(pixel, c), 'g', 7));
+    const double value = array->GetComponent(pixel, c);
+    values.append(QString::number(std::abs(value) < 1e-7 * largest ? 0.0 : value, 'g', 7));
   }
   this->Probed = IsNothing(layer, array, pixel) ? "nothing" : values.join(", ");
   this->Values->setText(QString("%1 at %2, %3: %4").arg(layer).arg(x).arg(y).arg(this->Probed));

@@ -4,6 +4,7 @@
 
 #include <QDial>
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -61,8 +62,7 @@ pqRelievoNumber::pqRelievoNumber(Kind kind, double least, double most, double st
   layout->addWidget(this->Digits);
 
   QObject::connect(this->Slider, &QAbstractSlider::valueChanged, this, &pqRelievoNumber::OnSlider);
-  QObject::connect(this->Slider, &QAbstractSlider::sliderReleased, this,
-    [this] { Q_EMIT this->settled(this->Digits->value()); });
+  this->Slider->installEventFilter(this); // a dial moves before it says that it is held
   QObject::connect(
     this->Digits, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double value) {
       const QSignalBlocker quiet(this->Slider);
@@ -94,7 +94,7 @@ int pqRelievoNumber::GetPosition(double value) const
 //------------------------------------------------------------------------------
 void pqRelievoNumber::SetValue(double value)
 {
-  if (this->Slider->isSliderDown() || value == this->Digits->value())
+  if (this->Held || value == this->Digits->value())
   {
     return;
   }
@@ -110,6 +110,25 @@ double pqRelievoNumber::GetValue() const
 }
 
 //------------------------------------------------------------------------------
+bool pqRelievoNumber::eventFilter(QObject* watched, QEvent* event)
+{
+  if (watched == this->Slider && event->type() == QEvent::MouseButtonPress)
+  {
+    this->Held = true;
+  }
+  else if (watched == this->Slider && event->type() == QEvent::MouseButtonRelease)
+  {
+    this->Held = false;
+    if (this->Trying)
+    {
+      this->Trying = false;
+      Q_EMIT this->settled(this->Digits->value());
+    }
+  }
+  return this->Superclass::eventFilter(watched, event);
+}
+
+//------------------------------------------------------------------------------
 void pqRelievoNumber::OnSlider(int position)
 {
   // A dial begins at the bottom, a compass at the top.
@@ -120,8 +139,9 @@ void pqRelievoNumber::OnSlider(int position)
     const QSignalBlocker quiet(this->Digits);
     this->Digits->setValue(value);
   }
-  if (this->Slider->isSliderDown())
+  if (this->Held)
   {
+    this->Trying = true;
     Q_EMIT this->tried(value);
   }
   else

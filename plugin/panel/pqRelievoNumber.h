@@ -44,6 +44,9 @@ Q_SIGNALS:
   void tried(double value);
   void settled(double value);
 
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   void OnSlider(int position);
   int GetPosition(double value) const;
@@ -51,6 +54,8 @@ private:
   double Least;
   double Step;
   bool Round;
+  bool Held = false;   // the mouse holds the slider
+  bool Trying = false; // and has moved it
   QAbstractSlider* Slider;
   QDoubleSpinBox* Digits;
 };

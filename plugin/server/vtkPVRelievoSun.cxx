@@ -11,15 +11,16 @@
 
 namespace
 {
-// Where the fill comes from, and its parts: two lights from the sun's far side that differ, so that
-// neighbouring walls do; low, so that the ground's shadows stay dark.
+// Where the fill comes from, and its parts: most from the sun's far side, for what faces away from
+// it, the rest from beside it, for what faces it in the shadow of others; low, so that the ground's
+// shadows stay dark.
 struct FillPlace
 {
   double Azimuth; // from the sun's
   double Elevation;
   double Part;
 };
-constexpr FillPlace FillPlaces[2] = { { 140.0, 25.0, 2.0 / 3.0 }, { -120.0, 10.0, 1.0 / 3.0 } };
+constexpr FillPlace FillPlaces[2] = { { 150.0, 20.0, 0.7 }, { -60.0, 25.0, 0.3 } };
 
 void ToWorld(double azimuth, double elevation, int upAxis, double direction[3])
 {
