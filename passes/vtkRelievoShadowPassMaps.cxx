@@ -161,7 +161,7 @@ void vtkRelievoShadowPass::DrawMasks(const vtkRenderState* s)
     static_cast<int>(in.Cache.GetEntries().size()));
   if (!in.Masks.Bind())
   {
-    in.MaskState = Internals::MaskState();
+    in.MaskState = {};
     return;
   }
   in.Maps.Bind(true); // making the masks may have taken their place
