@@ -171,7 +171,7 @@ simple.SaveScreenshot(folder + "/again.png", view)
 def in_paraview(build):
     """A view has the stage as properties: picture, trace and state."""
     folder = pathlib.Path(os.environ["RELIEVO_TEST_OUTPUT"])
-    script = folder / "paraview.py"
+    script = folder / "useInParaView.py"
     script.write_text(PARAVIEW, encoding="utf-8")
     output = run(["pvpython", script, build / "plugin" / "Relievo" / "Relievo.so", folder])
     assert "ERR|" not in output, output
