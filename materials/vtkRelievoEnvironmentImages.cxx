@@ -5,6 +5,7 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
+#include "vtkRelievoEnvironment.h"
 #include "vtkRelievoFormulas.h"
 
 #include <algorithm>
@@ -13,6 +14,14 @@
 
 namespace
 {
+#define RELIEVO_SAME_CODE(name)                                                                    \
+  static_assert(                                                                                   \
+    vtkRelievoEnvironment::name == RELIEVO_ENVIRONMENT_##name, "as in shaders/codes.glsl")
+RELIEVO_SAME_CODE(EQUIRECTANGULAR);
+RELIEVO_SAME_CODE(CUBE);
+RELIEVO_SAME_CODE(SPHERE_MAP);
+#undef RELIEVO_SAME_CODE
+
 constexpr float Infinite = 65504.f; // the largest half
 
 std::string SizeOf(const int size[3])

@@ -5,6 +5,8 @@
 #ifndef vtkRelievoEnvironmentImages_h
 #define vtkRelievoEnvironmentImages_h
 
+#include "codes.glsl"
+
 #include <string>
 #include <vector>
 
@@ -16,9 +18,9 @@ namespace vtkRelievoEnvironmentImages
 enum Projection
 {
   Automatic = 0,
-  Equirectangular = 1,
-  Cube = 2,
-  SphereMap = 3
+  Equirectangular = RELIEVO_ENVIRONMENT_EQUIRECTANGULAR,
+  Cube = RELIEVO_ENVIRONMENT_CUBE,
+  SphereMap = RELIEVO_ENVIRONMENT_SPHERE_MAP
 };
 
 // The projection of the image, `projection` or by its size; 0, with words in `failure`, if it has

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoMaterialSplice.h"
 
+#include "vtkRelievoMaterial.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
+
+#include "codes.glsl"
 
 #include <cctype>
 #include <sstream>
@@ -12,6 +15,15 @@ using namespace vtkRelievoSpliceText;
 
 namespace
 {
+#define RELIEVO_SAME_CODE(name)                                                                    \
+  static_assert(vtkRelievoMaterial::name == RELIEVO_##name, "as in shaders/codes.glsl")
+RELIEVO_SAME_CODE(METHOD_OFF);
+RELIEVO_SAME_CODE(METHOD_PARALLAX);
+RELIEVO_SAME_CODE(METHOD_STEEP);
+RELIEVO_SAME_CODE(METHOD_OCCLUSION);
+RELIEVO_SAME_CODE(METHOD_RELIEF);
+#undef RELIEVO_SAME_CODE
+
 const char* const Defines = "//RELIEVO::Material::Defines";
 const char* const Dec = "//RELIEVO::Material::Dec";
 const char* const UniformFlow = "//RELIEVO::Material::UniformFlow";
@@ -52,17 +64,6 @@ void Rename(std::string& source, const std::string& name, const std::string& oth
   }
 }
 
-// The direction towards light i in eye space, as VTK's shader can say it.
-std::string GetTowards(const std::string& fragment, const std::string& i)
-{
-  if (Has(fragment, "vec3 lightPositionVC" + i + ";"))
-  {
-    return "lightPositional" + i + " != 0 ? normalize(lightPositionVC" + i +
-      " - relievoSurfaceVC) : -lightDirectionVC" + i;
-  }
-  return Has(fragment, "vec3 lightDirectionVC" + i + ";") ? "-lightDirectionVC" + i : std::string();
-}
-
 void AddSelfShadow(std::string& fragment)
 {
   std::string lit;
@@ -73,11 +74,15 @@ void AddSelfShadow(std::string& fragment)
     {
       break;
     }
-    const std::string towards = GetTowards(fragment, i);
-    if (!towards.empty()) // else a light at the eye, which sees what is seen
+    const char* const kind = Has(fragment, "vec3 lightPositionVC" + i + ";") ? "LampLit"
+      : Has(fragment, "vec3 lightDirectionVC" + i + ";")                     ? "SunLit"
+                                                                             : nullptr;
+    if (kind) // else a light at the eye, which sees what is seen
     {
-      lit += "  float relievoReliefLit" + i + " = relievoReliefLit(" + towards + ");\n";
-      Rename(fragment, "lightColor" + i, "(relievoReliefLit" + i + " * lightColor" + i + ")");
+      std::string one = Section(kind);
+      FillWord(one, "RELIEVO_NUMBER", i);
+      lit += one;
+      Rename(fragment, "lightColor" + i, "relievoReliefColor" + i);
     }
   }
   FillMark(fragment, Light, lit);
@@ -123,7 +128,7 @@ std::string vtkRelievoMaterialSplice::Fill(std::string& vertex, std::string& geo
       defines << "#define " << text << "\n";
     }
   };
-  const bool relief = structure.Method > 0;
+  const bool relief = structure.Method != RELIEVO_METHOD_OFF;
   const bool corrects = relief && structure.DepthCorrection;
   define(structure.NormalMap, "RELIEVO_NORMAL_MAP");
   define(structure.HeightMap, "RELIEVO_HEIGHT_MAP");
@@ -133,12 +138,12 @@ std::string vtkRelievoMaterialSplice::Fill(std::string& vertex, std::string& geo
   define(structure.NormalMap && tangents, "RELIEVO_TANGENTS");
   for (std::string* source : { &vertex, &geometry, &fragment })
   {
-    FillMark(*source, Defines, defines.str());
+    FillMark(*source, Defines, GetContract() + defines.str());
   }
 
   if (!Has(vertex, "in vec2 tcoord;"))
   {
-    MarkBehind(vertex, "//RELIEVO::Position::Dec", "in vec2 tcoord;");
+    MarkBehind(vertex, "//RELIEVO::Position::Dec", Section("TCoordDec"));
   }
   FillVarying(vertex, geometry, fragment, File, false);
   std::string extra;

@@ -40,6 +40,12 @@ void vtkRelievoSpliceText::FillWord(
 }
 
 //------------------------------------------------------------------------------
+std::string vtkRelievoSpliceText::GetContract()
+{
+  return vtkRelievoShaderLibrary::GetSection("splice/contract.glsl", "Defaults");
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoSpliceText::MarkVaryings(
   std::string& vertex, std::string& geometry, std::string& fragment)
 {
@@ -89,7 +95,7 @@ bool vtkRelievoSpliceText::EnsurePosition(
   {
     return false;
   }
-  FillVarying(vertex, geometry, fragment, "gbuffer/position.glsl", true);
+  FillVarying(vertex, geometry, fragment, "splice/position.glsl", true);
   FillMark(vertex, "RELIEVO_VERTEX_MC", Has(vertex, "vec4 vertex =") ? "vertex" : "vertexMC");
   return true;
 }

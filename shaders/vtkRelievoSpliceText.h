@@ -25,6 +25,10 @@ VTKRELIEVOSHADERS_EXPORT void FillMark(
 VTKRELIEVOSHADERS_EXPORT void FillWord(
   std::string& source, const std::string& word, const std::string& text);
 
+// The defaults of what one splice defines and another reads, shaders/splice/contract.glsl; for
+// behind //VTK::System::Dec, after any #extension.
+VTKRELIEVOSHADERS_EXPORT std::string GetContract();
+
 // Marks where varyings go, in all three stages.
 VTKRELIEVOSHADERS_EXPORT void MarkVaryings(
   std::string& vertex, std::string& geometry, std::string& fragment);

@@ -9,13 +9,11 @@
 #include "Readers.h"
 #include "Values.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkImageData.h"
-#include "vtkImageReader2.h"
-#include "vtkImageReader2Factory.h"
-#include "vtkRelievoEXRReader.h"
+#include "vtkRelievoImageFile.h"
 
 #include <algorithm>
-#include <exception>
 
 namespace cli
 {
@@ -34,35 +32,15 @@ void CheckImage(
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, Progress& progress)
 {
   progress.Begin("reading " + path);
-  vtkSmartPointer<vtkImageAlgorithm> reader;
-  if (ExtensionOf(path) == ".exr")
+  std::string failure;
+  vtkSmartPointer<vtkImageData> image;
   {
-    auto exr = vtkSmartPointer<vtkRelievoEXRReader>::New();
-    exr->SetFileName(path.c_str());
-    reader = exr;
-  }
-  else if (auto* image = vtkImageReader2Factory::CreateImageReader2(path.c_str()))
-  {
-    reader.TakeReference(image);
-    image->SetFileName(path.c_str());
-  }
-  if (reader)
-  {
-    progress.Observe(reader);
-    try
-    {
-      const CrashGuard guard(path);
-      reader->Update();
-    }
-    catch (const std::exception& error) // for a header's sizes that there is no memory for
-    {
-      throw WorkError(path + ": " + NotAsNamed(path) + " (" + error.what() + ")");
-    }
+    const CrashGuard guard(path);
+    image = vtkRelievoImageFile::Read(
+      path, failure, [&progress](vtkAlgorithm* reader) { progress.Observe(reader); });
   }
   progress.End();
-  vtkSmartPointer<vtkImageData> image = reader ? reader->GetOutput() : nullptr;
-  Messages::Check(path, !image || image->GetNumberOfPoints() == 0 || reader->GetErrorCode() != 0,
-    NotAsNamed(path));
+  Messages::Check(path, !image, "expected " + failure);
   return image;
 }
 }

@@ -22,6 +22,7 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkProperty.h"
+#include "vtkRelievoNullLight.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -84,11 +85,7 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
   {
     if (!options.Environment.empty() && renderer->GetLights()->GetNumberOfItems() == 0)
     {
-      // The environment lights: but without any light VTK's shaders have no normals to light by.
-      vtkNew<vtkLight> dark;
-      dark->SetLightTypeToHeadlight();
-      dark->SetIntensity(0.0);
-      renderer->AddLight(dark);
+      vtkRelievoNullLight().Place(renderer, true); // the environment lights
     }
     return; // the file's lights, or the headlight that VTK makes
   }

@@ -18,23 +18,22 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
+#include "codes.glsl"
+
+#include <map>
+
 vtkStandardNewMacro(vtkRelievoDisplayStage);
 
 namespace
 {
-// The layers that the shader decodes, by its RELIEVO_SHOW; 0 for all others.
+// The shader's RELIEVO_SHOW.
 int GetShown(const std::string& layer)
 {
-  static const char* const names[] = { "", "depth", "range", "normal", "geometric_normal",
-    "albedo" };
-  for (int i = 1; i < 6; ++i)
-  {
-    if (layer == names[i])
-    {
-      return i;
-    }
-  }
-  return 0;
+  static const std::map<std::string, int> decoded = { { "depth", RELIEVO_SHOW_DEPTH },
+    { "range", RELIEVO_SHOW_RANGE }, { "normal", RELIEVO_SHOW_NORMAL },
+    { "geometric_normal", RELIEVO_SHOW_GEOMETRIC_NORMAL }, { "albedo", RELIEVO_SHOW_ALBEDO } };
+  const auto found = decoded.find(layer);
+  return found == decoded.end() ? RELIEVO_SHOW_COLORS : found->second;
 }
 }
 
@@ -141,7 +140,7 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
   Internals& in = *this->Internal;
   const int shown = GetShown(this->Layer);
   this->DrawCalls = 0;
-  if (!context.Find(this->Layer) || (shown == 0 && !this->UploadColors(context)))
+  if (!context.Find(this->Layer) || (shown == RELIEVO_SHOW_COLORS && !this->UploadColors(context)))
   {
     return;
   }
@@ -172,7 +171,7 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
   program->SetUniform2f("relievoShown", range);
   program->SetUniform4f("relievoBackground", background);
   program->SetUniformi("relievoGrey", this->Grey);
-  if (shown == 0)
+  if (shown == RELIEVO_SHOW_COLORS)
   {
     in.Colors->Activate();
     program->SetUniformi("relievoColors", in.Colors->GetTextureUnit());
@@ -183,7 +182,7 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
     in.Quad.Draw(context);
   }
   this->DrawCalls = 1;
-  if (shown == 0)
+  if (shown == RELIEVO_SHOW_COLORS)
   {
     in.Colors->Deactivate();
   }

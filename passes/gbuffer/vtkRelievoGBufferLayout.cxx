@@ -6,11 +6,33 @@
 #include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoLayerCatalogue.h"
 
+#include "codes.glsl"
+
 #include <algorithm>
 #include <sstream>
 
 namespace
 {
+#define RELIEVO_SAME_CODE(name)                                                                    \
+  static_assert(vtkRelievoGBufferPass::name == RELIEVO_##name, "as in shaders/codes.glsl")
+RELIEVO_SAME_CODE(NORMAL_FLOAT32);
+RELIEVO_SAME_CODE(NORMAL_FLOAT16);
+RELIEVO_SAME_CODE(NORMAL_OCT16);
+RELIEVO_SAME_CODE(NORMAL_OCT16_PRECISE);
+RELIEVO_SAME_CODE(NORMAL_OCT8);
+RELIEVO_SAME_CODE(NORMAL_OCT8_PRECISE);
+RELIEVO_SAME_CODE(NORMAL_RGB10A2);
+RELIEVO_SAME_CODE(NORMAL_RGB8);
+RELIEVO_SAME_CODE(DEPTH_32F);
+RELIEVO_SAME_CODE(DEPTH_16F);
+RELIEVO_SAME_CODE(DEPTH_WINDOW_Z24);
+RELIEVO_SAME_CODE(DEPTH_REVERSED_32F);
+RELIEVO_SAME_CODE(NORMAL_DEPTH_SEPARATE);
+RELIEVO_SAME_CODE(NORMAL_DEPTH_RGBA8);
+RELIEVO_SAME_CODE(NORMAL_DEPTH_RGBA16F);
+RELIEVO_SAME_CODE(NORMAL_DEPTH_RGBA32F);
+#undef RELIEVO_SAME_CODE
+
 constexpr std::uint32_t NothingId = 0xffffffffu;
 
 // The words that decode to a depth of +infinity: the formula file names them.
@@ -140,10 +162,6 @@ std::string vtkRelievoGBufferLayout::GetDefines() const
   define("GEOMETRIC_NORMAL", this->GeometricNormalWord);
   define("ALBEDO", this->AlbedoWord);
   define("SHADOW", this->ShadowWord);
-  for (std::size_t i = 0; i < this->Shadows.size(); ++i)
-  {
-    out << "#define RELIEVO_SHADOW_LAYER_" << i << " " << this->Shadows[i] << "\n";
-  }
   out << "#define RELIEVO_NORMAL_FORMAT " << this->ChosenNormalFormat << "\n";
   out << "#define RELIEVO_DEPTH_FORMAT " << this->DepthFormat << "\n";
   out << "#define RELIEVO_NORMAL_DEPTH_FORMAT " << this->NormalDepth << "\n";

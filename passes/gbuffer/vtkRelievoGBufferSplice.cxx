@@ -200,7 +200,8 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
     shadows += word;
   }
   FillMark(write, "//RELIEVO::Shadow::Words", shadows);
-  FillMark(fragment, "//RELIEVO::Extensions", Section("write.glsl", "Extensions") + defines.str());
+  FillMark(fragment, "//RELIEVO::Extensions",
+    Section("write.glsl", "Extensions") + GetContract() + defines.str());
   FillMark(fragment, "//RELIEVO::Write::Dec", Section("write.glsl", "FragmentDec"));
   FillMark(fragment, "//RELIEVO::UniformFlow::Impl", Section("write.glsl", "UniformFlow"));
   FillMark(fragment, "//RELIEVO::Write::Impl", write);

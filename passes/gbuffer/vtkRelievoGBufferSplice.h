@@ -5,6 +5,8 @@
 #ifndef vtkRelievoGBufferSplice_h
 #define vtkRelievoGBufferSplice_h
 
+#include "codes.glsl"
+
 #include <string>
 
 class vtkActor;
@@ -16,10 +18,10 @@ namespace vtkRelievoGBufferSplice
 // Where a fragment's primitive word comes from.
 enum PrimitiveSource
 {
-  PrimitiveOfMesh = 0,
-  InstanceOfGlyphs = 1,
-  NoPrimitive = 2,
-  PointOfMesh = 3 // a sphere or a stick at every point
+  PrimitiveOfMesh = RELIEVO_PRIMITIVE_OF_MESH,
+  InstanceOfGlyphs = RELIEVO_PRIMITIVE_OF_GLYPHS,
+  NoPrimitive = RELIEVO_PRIMITIVE_NONE,
+  PointOfMesh = RELIEVO_PRIMITIVE_OF_POINTS // a sphere or a stick at every point
 };
 
 // The source of a mapper that draws for an actor now, and the one that its shader was made with.

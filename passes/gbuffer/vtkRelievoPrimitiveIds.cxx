@@ -287,13 +287,21 @@ std::string vtkRelievoPrimitiveIds::MakeGeometryShader(std::string& vertex, int 
       in += "VSOutput";
       Rename(vertex, varying.Name, in);
     }
-    declarations += varying.Qualifiers + "in " + varying.Type + " " + in + "[]" + varying.Array +
-      ";\n" + varying.Qualifiers + "out " + varying.Type + " " + out + varying.Array + ";\n";
-    copies += "    " + out + " = " + in + "[i];\n";
+    for (auto& [section, text] :
+      { std::make_pair("Dec", &declarations), std::make_pair("Impl", &copies) })
+    {
+      std::string one = vtkRelievoShaderLibrary::GetSection("gbuffer/varying.glsl", section);
+      FillWord(one, "RELIEVO_QUALIFIERS ", varying.Qualifiers);
+      FillWord(one, "RELIEVO_TYPE", varying.Type);
+      FillWord(one, "RELIEVO_INPUT", in);
+      FillWord(one, "RELIEVO_OUTPUT", out);
+      FillWord(one, "RELIEVO_ARRAY", varying.Array);
+      *text += one;
+    }
   }
   if (Has(vertex, "gl_PointSize"))
   {
-    copies += "    gl_PointSize = gl_in[i].gl_PointSize;\n";
+    copies += vtkRelievoShaderLibrary::GetSection("gbuffer/varying.glsl", "PointSize");
   }
   std::string geometry = vtkRelievoShaderLibrary::Get("gbuffer/passthroughGS.glsl");
   FillWord(geometry, "RELIEVO_PRIMITIVE_IN",

@@ -111,8 +111,11 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   dec << (surface ? "#define RELIEVO_SHADOW_FACE_NORMAL\n" : "");
   dec << (impostor || surface ? "#define RELIEVO_SHADOW_HAS_PLANE\n" : "");
   std::string normal = Section("FragmentImpl");
-  FillWord(normal, "RELIEVO_IMPOSTOR_NORMAL", impostor ? "normalVCVSOutput" : "vec3(0.0)");
-  FillMark(fragment, Extensions, Section("Extensions"));
+  if (impostor) // elsewhere the name alone would tell other splices that VTK has a normal
+  {
+    FillWord(normal, "RELIEVO_IMPOSTOR_NORMAL", "normalVCVSOutput");
+  }
+  FillMark(fragment, Extensions, Section("Extensions") + GetContract());
   FillMark(fragment, Dec, dec.str() + Section("FragmentDec") + lights);
   FillMark(fragment, UniformFlow, flow);
   FillMark(fragment, Impl, normal + visibility + colors);

@@ -2,24 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVRelievoEnvironment.h"
 
-#include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkLightCollection.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPVRelievoAccess.h"
-#include "vtkPVRelievoImageFile.h"
 #include "vtkPVRelievoMaterial.h"
 #include "vtkPVRelievoWithin.h"
 #include "vtkPropCollection.h"
-#include "vtkRelievoEnvironmentIrradiance.h"
-#include "vtkRelievoEnvironmentPrefilter.h"
+#include "vtkRelievoImageFile.h"
 #include "vtkRelievoMaterial.h"
 #include "vtkRenderer.h"
-#include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -28,9 +22,6 @@
 
 namespace
 {
-// Texels across a face of the levels: a second's work.
-constexpr int LevelSize = 128;
-
 // Whether the view's picture is made elsewhere, and this process only shows it.
 bool IsDrawnElsewhere(vtkPVRenderView* view)
 {
@@ -49,50 +40,16 @@ vtkSynchronizedRenderers* FindCompositor(vtkPVRenderView* view)
 }
 }
 
-// What is made of a file.
-struct vtkPVRelievoEnvironment::Light
-{
-  vtkSmartPointer<vtkImageData> Image;
-  bool SRGB = false;
-  vtkSmartPointer<vtkMultiBlockDataSet> Levels;
-  vtkSmartPointer<vtkDataArray> Irradiance;
-
-  void MakeLevels()
-  {
-    if (this->Levels)
-    {
-      return;
-    }
-    vtkNew<vtkRelievoEnvironmentPrefilter> levels;
-    levels->SetInputData(this->Image);
-    levels->SetInputSRGB(this->SRGB);
-    levels->SetSize(LevelSize);
-    levels->Update();
-    this->Levels = levels->GetOutput();
-    vtkNew<vtkRelievoEnvironmentIrradiance> irradiance;
-    irradiance->SetInputData(this->Image);
-    irradiance->SetInputSRGB(this->SRGB);
-    irradiance->Update();
-    this->Irradiance =
-      vtkDataArray::SafeDownCast(irradiance->GetOutput()->GetColumnByName("radiance"));
-  }
-};
-
 //------------------------------------------------------------------------------
-std::shared_ptr<vtkPVRelievoEnvironment::Light> vtkPVRelievoEnvironment::Read(
+std::shared_ptr<vtkRelievoEnvironmentLight> vtkPVRelievoEnvironment::Read(
   vtkObject* self, const std::string& path)
 {
   std::string failure;
-  const vtkSmartPointer<vtkImageData> image = vtkPVRelievoImageFile::Read(path, failure);
+  const vtkSmartPointer<vtkImageData> image = vtkRelievoImageFile::Read(path, failure);
+  vtkRelievoEnvironmentLight made;
   if (image)
   {
-    const int* size = image->GetDimensions();
-    if (size[0] != 2 * size[1] && size[0] != size[1])
-    {
-      failure = "an image twice as wide as high (equirectangular) or as wide as high (sphere map), "
-                "but it has " +
-        std::to_string(size[0]) + " x " + std::to_string(size[1]) + " pixels";
-    }
+    made.SetImage(image, failure);
   }
   if (!failure.empty())
   {
@@ -104,14 +61,11 @@ std::shared_ptr<vtkPVRelievoEnvironment::Light> vtkPVRelievoEnvironment::Read(
     }
     return nullptr;
   }
-  static std::map<vtkImageData*, std::weak_ptr<Light>> all;
-  std::shared_ptr<Light> light = all[image].lock();
+  static std::map<vtkImageData*, std::weak_ptr<vtkRelievoEnvironmentLight>> all;
+  std::shared_ptr<vtkRelievoEnvironmentLight> light = all[image].lock();
   if (!light)
   {
-    light = std::make_shared<Light>();
-    light->Image = image;
-    const int type = image->GetScalarType();
-    light->SRGB = type != VTK_FLOAT && type != VTK_DOUBLE;
+    light = std::make_shared<vtkRelievoEnvironmentLight>(made);
     all[image] = light;
   }
   return light;
@@ -151,6 +105,7 @@ bool vtkPVRelievoEnvironment::Ready(vtkObject* self, bool mirrored)
   if (mirrored)
   {
     this->Content->MakeLevels();
+    this->Content->MakeIrradiance();
   }
   this->Environment->SetSRGB(this->Content->SRGB);
   this->Environment->SetImage(this->Content->Image);
@@ -168,7 +123,7 @@ void vtkPVRelievoEnvironment::Prepare(vtkObject* self, vtkPVRenderView* view)
   vtkPVRelievoMaterial::Prepare(view, ready ? this->Environment.Get() : nullptr);
   this->Skybox->SetEnvironment(ready && this->Sky ? this->Environment.Get() : nullptr);
   vtkRenderer* renderer = view->GetRenderer();
-  this->PlaceDarkness(renderer, ready && mirrored);
+  this->Darkness.Place(renderer, ready && mirrored);
   const bool wanted = this->Skybox->GetEnvironment() && !FindCompositor(view);
   if (wanted && !renderer->HasViewProp(this->Skybox))
   {
@@ -177,32 +132,6 @@ void vtkPVRelievoEnvironment::Prepare(vtkObject* self, vtkPVRenderView* view)
   else if (!wanted)
   {
     renderer->RemoveViewProp(this->Skybox);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoEnvironment::PlaceDarkness(vtkRenderer* renderer, bool mirrored)
-{
-  // Without any light VTK shades nothing, and there are no normals to mirror about.
-  vtkLightCollection* lights = renderer->GetLights();
-  vtkCollectionSimpleIterator it;
-  lights->InitTraversal(it);
-  bool isLit = false;
-  while (vtkLight* light = lights->GetNextLight(it))
-  {
-    isLit = isLit || (light != this->Darkness && light->GetSwitch());
-  }
-  const bool wanted = mirrored && !isLit;
-  const bool there = lights->IsItemPresent(this->Darkness) != 0;
-  if (wanted && !there)
-  {
-    this->Darkness->SetLightTypeToHeadlight();
-    this->Darkness->SetIntensity(0.0);
-    renderer->AddLight(this->Darkness);
-  }
-  else if (!wanted && there)
-  {
-    renderer->RemoveLight(this->Darkness);
   }
 }
 
@@ -256,6 +185,6 @@ void vtkPVRelievoEnvironment::Finish(vtkPVRenderView* view)
 void vtkPVRelievoEnvironment::Leave(vtkPVRenderView* view)
 {
   view->GetRenderer()->RemoveViewProp(this->Skybox);
-  this->PlaceDarkness(view->GetRenderer(), false);
+  this->Darkness.Place(view->GetRenderer(), false);
   vtkPVRelievoMaterial::Forget(this->Environment);
 }

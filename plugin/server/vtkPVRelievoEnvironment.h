@@ -11,9 +11,10 @@
 #ifndef vtkPVRelievoEnvironment_h
 #define vtkPVRelievoEnvironment_h
 
-#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkRelievoEnvironment.h"
+#include "vtkRelievoEnvironmentLight.h"
+#include "vtkRelievoNullLight.h"
 #include "vtkRelievoSkybox.h"
 
 #include <memory>
@@ -21,7 +22,6 @@
 
 class vtkObject;
 class vtkPVRenderView;
-class vtkRenderer;
 
 class vtkPVRelievoEnvironment
 {
@@ -43,16 +43,14 @@ public:
   void Leave(vtkPVRenderView* view);
 
 private:
-  struct Light;
-  static std::shared_ptr<Light> Read(vtkObject* self, const std::string& path);
+  static std::shared_ptr<vtkRelievoEnvironmentLight> Read(vtkObject* self, const std::string& path);
   bool Ready(vtkObject* self, bool mirrored);
-  void PlaceDarkness(vtkRenderer* renderer, bool mirrored);
 
   vtkNew<vtkRelievoSkybox> Skybox;
-  vtkNew<vtkLight> Darkness; // of no intensity
+  vtkRelievoNullLight Darkness;
   std::string Path;
   bool HasRead = false;
-  std::shared_ptr<Light> Content;
+  std::shared_ptr<vtkRelievoEnvironmentLight> Content;
 };
 
 #endif

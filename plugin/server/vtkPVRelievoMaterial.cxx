@@ -7,12 +7,12 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRelievoAccess.h"
-#include "vtkPVRelievoImageFile.h"
-#include "vtkPVRelievoText.h"
 #include "vtkPVRelievoWithin.h"
 #include "vtkPVView.h"
 #include "vtkRelievoEnvironment.h"
+#include "vtkRelievoImageFile.h"
 #include "vtkRelievoMaterial.h"
+#include "vtkRelievoMessageText.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
@@ -114,7 +114,7 @@ void vtkPVRelievoMaterial::Apply()
     }
     map->Read = true;
     std::string failure;
-    map->Image = vtkPVRelievoImageFile::Read(map->Path, failure);
+    map->Image = vtkRelievoImageFile::Read(map->Path, failure);
     if (!map->Image && vtkPVRelievoSpeaks())
     {
       vtkErrorMacro("Relievo" << map->Property << " was given '" << map->Path << "', expected "
@@ -158,7 +158,7 @@ void vtkPVRelievoMaterial::KeepCoordinates()
 //------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::Say(vtkObject*, unsigned long, void* text)
 {
-  std::string words = vtkPVRelievoText::OfMessage(static_cast<const char*>(text));
+  std::string words = vtkRelievoMessageText::OfMessage(static_cast<const char*>(text));
   const std::string name = "vtkRelievoTextureCoordinates makes";
   const std::string::size_type found = words.find(name);
   if (found != std::string::npos)

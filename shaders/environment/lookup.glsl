@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The light of an environment by direction, in the environment's own axes.
 //
-// Defines: RELIEVO_ENVIRONMENT (1 equirectangular, 2 cube, 3 sphere map: the image) and
+// Defines: RELIEVO_ENVIRONMENT (the image: a code of codes.glsl) and
 // RELIEVO_ENVIRONMENT_ROUGH (there are levels for rough mirrors, a cube).
+//RELIEVO::Include(codes.glsl)
 //RELIEVO::Include(formulas/environment.glsl)
 
-#if RELIEVO_ENVIRONMENT == 2
+#if RELIEVO_ENVIRONMENT == RELIEVO_ENVIRONMENT_CUBE
 uniform samplerCube relievoEnvironmentImage;
 #else
 uniform sampler2D relievoEnvironmentImage;
@@ -21,10 +22,10 @@ uniform vec2 relievoEnvironmentLevel; // share of the levels against the image, 
 vec3 relievoSharpLight(vec3 direction, float footprint)
 {
   float level = max(0.0, log2(max(footprint, 1e-9) * relievoEnvironmentDetail));
-#if RELIEVO_ENVIRONMENT == 1
+#if RELIEVO_ENVIRONMENT == RELIEVO_ENVIRONMENT_EQUIRECTANGULAR
   vec2 place = relievoEquirectangularFromDirection(direction);
   return textureLod(relievoEnvironmentImage, place, level).rgb;
-#elif RELIEVO_ENVIRONMENT == 2
+#elif RELIEVO_ENVIRONMENT == RELIEVO_ENVIRONMENT_CUBE
   return textureLod(relievoEnvironmentImage, direction, level).rgb;
 #else
   return textureLod(relievoEnvironmentImage, relievoSphereMapFromDirection(direction), level).rgb;

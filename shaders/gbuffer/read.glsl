@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads the layers back from the words of the G-buffer; pixel (0, 0) is the viewport's lower left
-// one. Defines by vtkRelievoGBufferLayout.
+// one. Defines by vtkRelievoGBufferLayout, with codes of codes.glsl.
+//RELIEVO::Include(codes.glsl)
 //RELIEVO::Include(formulas/normal_depth.glsl)
 //RELIEVO::Include(formulas/octahedral.glsl)
 uniform usampler2D relievoWords1;
@@ -60,17 +61,19 @@ uint relievoFetchWord(ivec2 pixel, int word)
 
 vec3 relievoFetchNormalAt(ivec2 pixel, int word)
 {
-#if RELIEVO_NORMAL_FORMAT == 1
+#if RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_FLOAT32
   return relievoUnpackNormalFloat(uvec3(relievoFetchWord(pixel, word),
     relievoFetchWord(pixel, word + 1), relievoFetchWord(pixel, word + 2)));
-#elif RELIEVO_NORMAL_FORMAT == 2
+#elif RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_FLOAT16
   return relievoUnpackNormalHalf(
     uvec2(relievoFetchWord(pixel, word), relievoFetchWord(pixel, word + 1)));
-#elif RELIEVO_NORMAL_FORMAT == 3 || RELIEVO_NORMAL_FORMAT == 4
+#elif RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_OCT16 || \
+  RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_OCT16_PRECISE
   return relievoUnpackNormalOct16(relievoFetchWord(pixel, word));
-#elif RELIEVO_NORMAL_FORMAT == 5 || RELIEVO_NORMAL_FORMAT == 6
+#elif RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_OCT8 || \
+  RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_OCT8_PRECISE
   return relievoUnpackNormalOct8(relievoFetchWord(pixel, word));
-#elif RELIEVO_NORMAL_FORMAT == 7
+#elif RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_RGB10A2
   return relievoUnpackNormalUnorm10(relievoFetchWord(pixel, word));
 #else
   return relievoUnpackNormalUnorm8(relievoFetchWord(pixel, word));
@@ -81,9 +84,9 @@ vec3 relievoFetchNormalAt(ivec2 pixel, int word)
 vec4 relievoFetchNormalDepth(ivec2 pixel)
 {
   int word = RELIEVO_NORMAL_DEPTH_WORD;
-#if RELIEVO_NORMAL_DEPTH_FORMAT == 1
+#if RELIEVO_NORMAL_DEPTH_FORMAT == RELIEVO_NORMAL_DEPTH_RGBA8
   return relievoUnpackNormalDepth8(relievoFetchWord(pixel, word), relievoNear, relievoFar);
-#elif RELIEVO_NORMAL_DEPTH_FORMAT == 2
+#elif RELIEVO_NORMAL_DEPTH_FORMAT == RELIEVO_NORMAL_DEPTH_RGBA16F
   return relievoUnpackNormalDepth16F(
     uvec2(relievoFetchWord(pixel, word), relievoFetchWord(pixel, word + 1)),
     relievoDepth16FScale(relievoFar));
@@ -103,13 +106,13 @@ float relievoFetchDepth(ivec2 pixel)
   return relievoFetchNormalDepth(pixel).w;
 #else
   uint word = relievoFetchWord(pixel, RELIEVO_DEPTH_WORD);
-#if RELIEVO_DEPTH_FORMAT == 1
+#if RELIEVO_DEPTH_FORMAT == RELIEVO_DEPTH_16F
   return relievoUnpackDepth16F(word, relievoDepth16FScale(relievoFar));
-#elif RELIEVO_DEPTH_FORMAT == 2
+#elif RELIEVO_DEPTH_FORMAT == RELIEVO_DEPTH_WINDOW_Z24
   float z = relievoUnpackWindowZ24(word);
   return relievoParallel != 0 ? relievoParallelDepth(z, relievoNear, relievoFar)
                               : relievoPerspectiveDepth(z, relievoNear, relievoFar);
-#elif RELIEVO_DEPTH_FORMAT == 3
+#elif RELIEVO_DEPTH_FORMAT == RELIEVO_DEPTH_REVERSED_32F
   float z = relievoUnpackDepth32F(word);
   return isinf(z) ? -z
     : relievoParallel != 0 ? relievoParallelDepthFromReversed(z, relievoNear, relievoFar)

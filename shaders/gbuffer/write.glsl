@@ -8,14 +8,15 @@
 // RELIEVO_NORMAL_BY_WINDING, RELIEVO_GLYPH_WINDING (winding.glsl is spliced), RELIEVO_GLYPH_DEPTH
 // (glyph_depth.glsl is),
 // RELIEVO_SPHERE_POINTS, RELIEVO_TUBE_LINES, RELIEVO_PBR_ALBEDO, RELIEVO_BACKFACE_PROPERTY,
-// RELIEVO_PRIMITIVE_SOURCE (0 or 3 the primitive, 1 the glyph's instance, 2 none),
-// RELIEVO_LAYERS_ONLY, RELIEVO_LINEAR_VISIBILITY, RELIEVO_COINCIDENT_OFFSET.
+// RELIEVO_PRIMITIVE_SOURCE, RELIEVO_LAYERS_ONLY, RELIEVO_LINEAR_VISIBILITY,
+// RELIEVO_COINCIDENT_OFFSET. Codes: codes.glsl. What other splices define: splice/contract.glsl.
 
 //RELIEVO::Section(Extensions)
 //RELIEVO::Include(extensions.glsl)
 #extension GL_ARB_explicit_attrib_location : require
 
 //RELIEVO::Section(FragmentDec)
+//RELIEVO::Include(codes.glsl)
 //RELIEVO::Include(formulas/normal_depth.glsl)
 //RELIEVO::Include(formulas/octahedral.glsl)
 layout(location = 1) out uvec4 relievoOutput1;
@@ -31,12 +32,6 @@ layout(location = 4) out uvec4 relievoOutput4;
 #if RELIEVO_ATTACHMENTS > 4
 layout(location = 5) out uvec4 relievoOutput5;
 #endif
-// Without casting lights, or in what no shadow was spliced into, every light passes.
-#ifdef RELIEVO_SHADOW_LIGHTS
-#define RELIEVO_VISIBILITY(light) relievoVisibilityOf(light)
-#else
-#define RELIEVO_VISIBILITY(light) 1.0
-#endif
 uniform int relievoFirstPrimitive;
 uniform float relievoWinding;
 uniform int relievoFaces; // whether faces are drawn, not their edges or corners
@@ -45,12 +40,12 @@ uniform float relievoFar;
 
 uint relievoPackDepth(float depth, bool parallel, float zNear, float zFar)
 {
-#if RELIEVO_DEPTH_FORMAT == 1
+#if RELIEVO_DEPTH_FORMAT == RELIEVO_DEPTH_16F
   return relievoPackDepth16F(depth, relievoDepth16FScale(zFar));
-#elif RELIEVO_DEPTH_FORMAT == 2
+#elif RELIEVO_DEPTH_FORMAT == RELIEVO_DEPTH_WINDOW_Z24
   return relievoPackWindowZ24(parallel ? relievoParallelWindowZ(depth, zNear, zFar)
                                        : relievoPerspectiveWindowZ(depth, zNear, zFar));
-#elif RELIEVO_DEPTH_FORMAT == 3
+#elif RELIEVO_DEPTH_FORMAT == RELIEVO_DEPTH_REVERSED_32F
   return relievoPackDepth32F(parallel ? relievoParallelReversedZ(depth, zNear, zFar)
                                       : relievoPerspectiveReversedZ(depth, zNear, zFar));
 #else
@@ -61,29 +56,29 @@ uint relievoPackDepth(float depth, bool parallel, float zNear, float zFar)
 // Up to three words; the layout says how many are kept.
 uvec3 relievoPackNormal(vec3 n)
 {
-#if RELIEVO_NORMAL_FORMAT == 1
+#if RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_FLOAT32
   return relievoPackNormalFloat(n);
-#elif RELIEVO_NORMAL_FORMAT == 2
+#elif RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_FLOAT16
   return uvec3(relievoPackNormalHalf(n), uint(0));
-#elif RELIEVO_NORMAL_FORMAT == 3
+#elif RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_OCT16
   return uvec3(relievoPackNormalOct16(n), uint(0), uint(0));
-#elif RELIEVO_NORMAL_FORMAT == 4
+#elif RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_OCT16_PRECISE
   return uvec3(relievoPackNormalOct16Precise(n), uint(0), uint(0));
-#elif RELIEVO_NORMAL_FORMAT == 5
+#elif RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_OCT8
   return uvec3(relievoPackNormalOct8(n), uint(0), uint(0));
-#elif RELIEVO_NORMAL_FORMAT == 6
+#elif RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_OCT8_PRECISE
   return uvec3(relievoPackNormalOct8Precise(n), uint(0), uint(0));
-#elif RELIEVO_NORMAL_FORMAT == 7
+#elif RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_RGB10A2
   return uvec3(relievoPackNormalUnorm10(n), uint(0), uint(0));
 #else
   return uvec3(relievoPackNormalUnorm8(n), uint(0), uint(0));
 #endif
 }
-#if RELIEVO_NORMAL_FORMAT == 1
+#if RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_FLOAT32
 #define RELIEVO_STORE_NORMAL(word, packed) \
   relievoWords[word] = packed.x; relievoWords[word + 1] = packed.y; \
   relievoWords[word + 2] = packed.z;
-#elif RELIEVO_NORMAL_FORMAT == 2
+#elif RELIEVO_NORMAL_FORMAT == RELIEVO_NORMAL_FLOAT16
 #define RELIEVO_STORE_NORMAL(word, packed) \
   relievoWords[word] = packed.x; relievoWords[word + 1] = packed.y;
 #else
@@ -103,13 +98,9 @@ uvec3 relievoPackNormal(vec3 n)
     relievoWords[i] = uint(0);
   }
 
-#ifdef RELIEVO_DEPTH_CORRECTION
   float relievoDepth = -RELIEVO_SURFACE_VC.z;
-#else
-  float relievoDepth = -vertexVC.z;
 #ifdef RELIEVO_GLYPH_DEPTH
   relievoDepth = clamp(relievoDepth, relievoGlyphDepthsVSOutput.x, relievoGlyphDepthsVSOutput.y);
-#endif
 #endif
   // Points as spheres and lines as tubes stand before their primitive by a share of the radius,
   // which VTK gives in eye space at unit depth.
@@ -158,10 +149,10 @@ uvec3 relievoPackNormal(vec3 n)
 #endif
 
 #ifdef RELIEVO_NORMAL_DEPTH_WORD
-#if RELIEVO_NORMAL_DEPTH_FORMAT == 1
+#if RELIEVO_NORMAL_DEPTH_FORMAT == RELIEVO_NORMAL_DEPTH_RGBA8
   relievoWords[RELIEVO_NORMAL_DEPTH_WORD] =
     relievoPackNormalDepth8(relievoNormalVC, relievoDepth, relievoNear, relievoFar);
-#elif RELIEVO_NORMAL_DEPTH_FORMAT == 2
+#elif RELIEVO_NORMAL_DEPTH_FORMAT == RELIEVO_NORMAL_DEPTH_RGBA16F
   uvec2 relievoHalves = relievoPackNormalDepth16F(
     relievoNormalVC, relievoDepth, relievoDepth16FScale(relievoFar));
   relievoWords[RELIEVO_NORMAL_DEPTH_WORD] = relievoHalves.x;
@@ -182,9 +173,10 @@ uvec3 relievoPackNormal(vec3 n)
 
 #ifdef RELIEVO_ID_WORD
   relievoWords[RELIEVO_ID_WORD] = uint(relievoFirstPrimitive);
-#if RELIEVO_PRIMITIVE_SOURCE == 0 || RELIEVO_PRIMITIVE_SOURCE == 3
+#if RELIEVO_PRIMITIVE_SOURCE == RELIEVO_PRIMITIVE_OF_MESH || \
+  RELIEVO_PRIMITIVE_SOURCE == RELIEVO_PRIMITIVE_OF_POINTS
   relievoWords[RELIEVO_ID_WORD] += uint(gl_PrimitiveID + PrimitiveIDOffset);
-#elif RELIEVO_PRIMITIVE_SOURCE == 1
+#elif RELIEVO_PRIMITIVE_SOURCE == RELIEVO_PRIMITIVE_OF_GLYPHS
   relievoWords[RELIEVO_ID_WORD] += uint(relievoInstanceVSOutput);
 #endif
 #endif

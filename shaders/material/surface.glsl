@@ -3,10 +3,13 @@
 // Spliced into VTK's shaders by vtkRelievoMaterial: normals from a map, relief from heights.
 //
 // Defines: RELIEVO_NORMAL_MAP, RELIEVO_HEIGHT_MAP, RELIEVO_TANGENTS (the mesh brings tangents), and
-// with heights RELIEVO_METHOD (0 none, 1 parallax, 2 steep, 3 occlusion, 4 relief),
-// RELIEVO_SELF_SHADOW, RELIEVO_DEPTH_CORRECTION, RELIEVO_CLIP.
+// with heights RELIEVO_METHOD (a code of codes.glsl), RELIEVO_DEPTH_CORRECTION, RELIEVO_CLIP.
+// What it shares with other splices: splice/contract.glsl.
 //
 // Heights are from 0 to 1, the mesh itself being at 1; below, depth is 1 - height.
+
+//RELIEVO::Section(TCoordDec)
+in vec2 tcoord;
 
 //RELIEVO::Section(VertexDec)
 out vec2 relievoTCoordVSOutput;
@@ -36,6 +39,7 @@ out vec3 relievoTangentGSOutput;
 #endif
 
 //RELIEVO::Section(FragmentDec)
+//RELIEVO::Include(codes.glsl)
 //RELIEVO::Include(formulas/tangent_frame.glsl)
 //RELIEVO::Include(material/eye.glsl)
 in vec2 relievoTCoordVSOutput;
@@ -61,8 +65,13 @@ uniform vec2 relievoNormalWeight; // of the map's x and y: strength; negative y 
 #endif
 
 #ifdef RELIEVO_HEIGHT_MAP
+#ifdef RELIEVO_DEPTH_CORRECTION
+#undef RELIEVO_SURFACE_VC
 #define RELIEVO_SURFACE_VC relievoSurfaceVC
-#define RELIEVO_RECEIVER_SHIFT_VC relievoShiftVC
+#endif
+// A relief shows another place of its mesh than the one that the pixel sees.
+#undef RELIEVO_RECEIVER
+#define RELIEVO_RECEIVER(matrix, place) ((place) + (matrix) * vec4(relievoShiftVC, 0.0))
 uniform sampler2D relievoHeightMap;
 uniform vec2 relievoHeightDecode; // from the texture's values to 0 .. 1: scale, offset
 uniform vec2 relievoHeightSize; // texels
@@ -90,7 +99,7 @@ float relievoStepsOf(vec2 through)
 // Depth at which a ray that enters at uv and moves by `through` until the ground meets the heights.
 float relievoMeet(vec2 uv, vec2 through)
 {
-#if RELIEVO_METHOD == 1
+#if RELIEVO_METHOD == RELIEVO_METHOD_PARALLAX
   return 1.0 - relievoHeight(uv);
 #else
   float steps = relievoStepsOf(through);
@@ -115,10 +124,10 @@ float relievoMeet(vec2 uv, vec2 through)
     outside = depth;
     outsideAbove = above;
   }
-#if RELIEVO_METHOD == 2
+#if RELIEVO_METHOD == RELIEVO_METHOD_STEEP
   return inside;
 #else
-#if RELIEVO_METHOD == 4
+#if RELIEVO_METHOD == RELIEVO_METHOD_RELIEF
   for (float i = 0.0; i < relievoSteps.w; i += 1.0)
   {
     float depth = 0.5 * (inside + outside);
@@ -147,10 +156,10 @@ void relievoSeeRelief(vec3 gazeVC, vec3 vertexVC)
   float across =
     min(length(relievoUVdX * relievoHeightSize), length(relievoUVdY * relievoHeightSize));
   relievoLevel = max(0.0, log2(across));
-#if RELIEVO_METHOD > 0
+#if RELIEVO_METHOD != RELIEVO_METHOD_OFF
   float down = max(-dot(gazeVC, relievoFaceVC), 1e-3);
   vec2 through = relievoTextureStep(gazeVC, relievoPerU, relievoPerV) * (relievoHeightScale / down);
-#if RELIEVO_METHOD == 1
+#if RELIEVO_METHOD == RELIEVO_METHOD_PARALLAX
   // Offset limited: the ray's full shift would tear at grazing angles.
   through *= down;
 #endif
@@ -287,3 +296,13 @@ uniform mat4 MCDCMatrix;
         relievoSide * normalVCVSOutput, relievoPerU, relievoPerV, relievoSlopes(relievoUV));
 #endif
   }
+
+//RELIEVO::Section(LampLit)
+  float relievoReliefLitRELIEVO_NUMBER = relievoReliefLit(lightPositionalRELIEVO_NUMBER != 0
+      ? normalize(lightPositionVCRELIEVO_NUMBER - relievoSurfaceVC)
+      : -lightDirectionVCRELIEVO_NUMBER);
+#define relievoReliefColorRELIEVO_NUMBER (relievoReliefLitRELIEVO_NUMBER * lightColorRELIEVO_NUMBER)
+
+//RELIEVO::Section(SunLit)
+  float relievoReliefLitRELIEVO_NUMBER = relievoReliefLit(-lightDirectionVCRELIEVO_NUMBER);
+#define relievoReliefColorRELIEVO_NUMBER (relievoReliefLitRELIEVO_NUMBER * lightColorRELIEVO_NUMBER)

@@ -7,7 +7,8 @@
 // (room for their maps), RELIEVO_SHADOW_NUMBERS (lights of the renderer), RELIEVO_SHADOW_WIDE (the
 // filter's radius is above 1), and of the mapper's shader: RELIEVO_SHADOW_HAS_PLANE,
 // RELIEVO_SHADOW_FACE_NORMAL (a surface: its plane comes from derivatives), RELIEVO_SHADOW_IMPOSTOR
-// (VTK moved vertexVC to the impostor, normalVCVSOutput is exact).
+// (VTK moved vertexVC to the impostor, normalVCVSOutput is exact). What it shares with other
+// splices: splice/contract.glsl.
 
 //RELIEVO::Section(Extensions)
 #extension GL_ARB_texture_gather : enable
@@ -19,13 +20,6 @@ uniform sampler2DArray relievoShadowMaps;
 // position would cancel each other, and their digits with them.
 uniform vec3 relievoShadowCenter; // eye space
 #define RELIEVO_SHADOW_POSITION (vertexVC.xyz - relievoShadowCenter)
-#ifdef RELIEVO_RECEIVER_SHIFT_VC
-// A relief shows another place of its mesh than the one that the pixel sees.
-#define RELIEVO_SHADOW_SHIFTED(face, map) \
-  ((map) + relievoShadowMatrix[face] * vec4(RELIEVO_RECEIVER_SHIFT_VC, 0.0))
-#else
-#define RELIEVO_SHADOW_SHIFTED(face, map) (map)
-#endif
 // From there to map space, less the bias.
 uniform mat4 relievoShadowMatrix[RELIEVO_SHADOW_FACES];
 uniform float relievoShadowTexel[RELIEVO_SHADOW_FACES]; // depth of a texel's width, at w = 1
@@ -57,6 +51,8 @@ uniform ivec2 relievoShadowOrigin; // of the viewport in what is drawn to
 uniform int relievoShadowMasked;   // whether the masks hold for what is drawn
 #endif
 float relievoVisibility[RELIEVO_SHADOW_LIGHTS];
+#undef RELIEVO_VISIBILITY
+#define RELIEVO_VISIBILITY(number) relievoVisibilityOf(number)
 
 float relievoVisibilityOf(int number)
 {
@@ -191,7 +187,7 @@ float relievoShadowCube(int first, vec3 position, vec3 normalVC)
   for (int face = first; face < first + 6; ++face)
   {
     vec4 map =
-      RELIEVO_SHADOW_SHIFTED(face, relievoShadowMatrix[face] * vec4(position, 1.0));
+      RELIEVO_RECEIVER(relievoShadowMatrix[face], relievoShadowMatrix[face] * vec4(position, 1.0));
     if (map.w > 0.0 && relievoShadowSees(map.xyz / map.w))
     {
       vec3 plane = relievoMapPlane(relievoShadowMatrix[face], map, normalVC);
@@ -225,7 +221,8 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
 
 //RELIEVO::Section(SunVisibility)
   relievoVisibility[RELIEVO_SLOT] = relievoShadowSun(RELIEVO_FACE,
-    RELIEVO_SHADOW_SHIFTED(RELIEVO_FACE, vec4(relievoShadowPlaceRELIEVO_SLOT, 1.0)).xyz,
+    RELIEVO_RECEIVER(
+      relievoShadowMatrix[RELIEVO_FACE], vec4(relievoShadowPlaceRELIEVO_SLOT, 1.0)).xyz,
     relievoShadowPlaneRELIEVO_SLOT);
 
 //RELIEVO::Section(LampFlow)
@@ -238,7 +235,7 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
 
 //RELIEVO::Section(LampVisibility)
   relievoVisibility[RELIEVO_SLOT] = relievoShadowLamp(RELIEVO_FACE,
-    RELIEVO_SHADOW_SHIFTED(RELIEVO_FACE, relievoShadowMapRELIEVO_SLOT),
+    RELIEVO_RECEIVER(relievoShadowMatrix[RELIEVO_FACE], relievoShadowMapRELIEVO_SLOT),
     relievoShadowPlaneRELIEVO_SLOT, relievoShadowHand * relievoShadowPlaneRELIEVO_SLOT.z);
 
 //RELIEVO::Section(NormalVisibility)

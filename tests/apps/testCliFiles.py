@@ -103,10 +103,11 @@ class Inputs(CliTest):
         for name, content in (("cut.png", whole[:80]), ("hurt.png", bytes(hurt))):
             (self.folder / name).write_bytes(content)
         self.before = self.names()
-        for name in ("cut.png", "hurt.png"):  # libpng prints to the error output
+        # libpng prints to the error output.
+        for name, what in (("cut.png", "ends too early"), ("hurt.png", "is damaged")):
             with self.subTest(file=name):
                 self.refused("render", "triangle.off", "--normal-map", name, *OUTPUTS, status=1,
-                             says=name)  # fmt: skip
+                             says=[name, what])  # fmt: skip
 
     def test_points_out_of_reach(self):
         for name, size in (("huge.off", 1e308), ("large.off", 1e19), ("tiny.off", 1e-30)):

@@ -13,10 +13,13 @@ LICENCE = (
     "// SPDX-License-Identifier: BSD-3-Clause\n"
 )
 CLEAN = {
-    "passes/vtkA.cxx": LICENCE + "int A()\n{\n  return 1;\n}\n",
+    "passes/vtkA.cxx": LICENCE + 'bool A()\n{\n  return Has(fragment, "vec3 albedo =");\n}\n',
     "passes/vtk.module": "NAME\n  Relievo::Passes\nPRIVATE_DEPENDS\n  Relievo::Frame\n",
     "passes/gbuffer/vtk.module": "NAME\n  Relievo::GBuffer\nDEPENDS\n  Relievo::Frame\n",
     "shaders/a.glsl": LICENCE + "void main() { gl_FragDepth = 0.5; }\n",
+    "shaders/splice/contract.glsl": LICENCE + "#define RELIEVO_LIT 1.0\n",
+    "shaders/gbuffer/a.glsl": LICENCE + "// RELIEVO_LIT, RELIEVO_WORDS\n",
+    "shaders/shadow/a.glsl": LICENCE + "// RELIEVO_LIT, RELIEVO_LIGHTS\n",
     "plugin/vtkP.cxx": LICENCE + '#include "vtkPVView.h"\n',
     "tools/run": "#!/usr/bin/env bash\n# SPDX-License-Identifier: BSD-3-Clause\necho ok\n",
     "python/relievo/a.py": "# SPDX-License-Identifier: BSD-3-Clause\nvalue = 1\n",
@@ -38,6 +41,15 @@ MISTAKES = {
     "GLSL": ("passes/vtkD.cxx", LICENCE + 'const char* D = "gl_FragDepth = 1.;";\n', "shaders/"),
     "GLSL uniform": ("passes/vtkE.cxx", LICENCE + 'const char* E = "uniform vec3 e;";\n',
                      "shaders/"),
+    "GLSL input": ("materials/vtkE.cxx", LICENCE + 'const char* E = "in vec2 tcoord;";\n',
+                   "shaders/"),
+    "GLSL expression": ("materials/vtkF.cxx",
+                        LICENCE + 'std::string F(std::string i)\n{\n  return "normalize(light" + i + '
+                        '" - placeVC)";\n}\n', "shaders/"),
+    "GLSL variable": ("passes/vtkF.cxx", LICENCE + 'const char* F = "  float relievoLit = 1.0;";\n',
+                      "shaders/"),
+    "undeclared macro": ("shaders/gbuffer/b.glsl", LICENCE + "#ifdef RELIEVO_LIGHTS\n#endif\n",
+                         "contract.glsl"),
     "OpenGL": ("filters/vtkF.h", LICENCE + '#include "vtkOpenGLActor.h"\n', "know no OpenGL"),
     "sideways": ("filters/vtk.module", "NAME\n  Relievo::Filters\nDEPENDS\n  Relievo::Passes\n",
                  "may not stand on this one"),

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What VTK's objects say, without where they say it.
-#ifndef vtkPVRelievoText_h
-#define vtkPVRelievoText_h
+#ifndef vtkRelievoMessageText_h
+#define vtkRelievoMessageText_h
 
 #include <string>
 
-namespace vtkPVRelievoText
+namespace vtkRelievoMessageText
 {
 // "ERROR: In a.cxx, line 1\nvtkThing (0x1): text\n\n" becomes "text".
 inline std::string OfMessage(std::string text)

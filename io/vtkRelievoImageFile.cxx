@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkPVRelievoImageFile.h"
+#include "vtkRelievoImageFile.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -8,19 +8,21 @@
 #include "vtkImageReader2.h"
 #include "vtkImageReader2Factory.h"
 #include "vtkNew.h"
-#include "vtkPVRelievoText.h"
 #include "vtkPointData.h"
 #include "vtkRelievoEXRReader.h"
+#include "vtkRelievoMessageText.h"
 #include "vtkWeakPointer.h"
 
 #include <array>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <system_error>
 #include <utility>
 #include <vector>
+#include <vtksys/SystemTools.hxx>
 
 namespace
 {
@@ -39,7 +41,7 @@ void Keep(vtkObject*, unsigned long, void* words, void* text)
   auto* kept = static_cast<std::string*>(words);
   if (kept->empty() && text)
   {
-    *kept = vtkPVRelievoText::OfMessage(static_cast<const char*>(text));
+    *kept = vtkRelievoMessageText::OfMessage(static_cast<const char*>(text));
   }
 }
 
@@ -111,7 +113,8 @@ vtkSmartPointer<vtkImageAlgorithm> MakeReader(const std::string& path)
     return exr;
   }
   // By its name first: asked about any file, some readers have something to print.
-  const std::string ending = std::filesystem::path(path).extension().string();
+  const std::string ending =
+    vtksys::SystemTools::LowerCase(std::filesystem::path(path).extension().string());
   auto reader =
     vtk::TakeSmartPointer(vtkImageReader2Factory::CreateImageReader2FromExtension(ending.c_str()));
   if (ending.empty() || !reader || !reader->CanReadFile(path.c_str()))
@@ -124,8 +127,8 @@ vtkSmartPointer<vtkImageAlgorithm> MakeReader(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> vtkPVRelievoImageFile::Read(
-  const std::string& path, std::string& failure)
+vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(
+  const std::string& path, std::string& failure, const std::function<void(vtkAlgorithm*)>& watch)
 {
   std::error_code error;
   const Time written = std::filesystem::last_write_time(path, error);
@@ -156,13 +159,24 @@ vtkSmartPointer<vtkImageData> vtkPVRelievoImageFile::Read(
     speaker->AddObserver(vtkCommand::ErrorEvent, keep);
     speaker->AddObserver(vtkCommand::WarningEvent, keep);
   }
+  if (watch)
+  {
+    watch(reader);
+  }
   if (said.empty())
   {
-    reader->Update();
+    try
+    {
+      reader->Update();
+    }
+    catch (const std::exception& thrown) // for a header's sizes that there is no memory for
+    {
+      said = thrown.what();
+    }
   }
   vtkSmartPointer<vtkImageData> image = reader->GetOutput();
   if (!said.empty() || !image || !image->GetPointData()->GetScalars() ||
-    image->GetNumberOfPoints() == 0)
+    image->GetNumberOfPoints() == 0 || reader->GetErrorCode() != 0)
   {
     failure = "an image, but it cannot be read" + (said.empty() ? said : ": " + said);
     return nullptr;
