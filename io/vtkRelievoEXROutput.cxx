@@ -81,13 +81,26 @@ Imath::V3d ChooseOrigin(vtkDataArray* positions)
   return origin;
 }
 
-Imath::V3d PositionOrigin(vtkImageData* image)
+// The array of places, or nullptr.
+vtkDataArray* FindPositions(vtkPointData* points)
 {
-  vtkDataArray* positions = image->GetPointData()->GetArray("position");
+  for (int i = 0; i < points->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = points->GetArray(i);
+    const char* name = array ? array->GetName() : nullptr;
+    if (name && IsPosition(name, array->GetDataType(), array->GetNumberOfComponents()))
+    {
+      return array;
+    }
+  }
+  return nullptr;
+}
+
+Imath::V3d PositionOrigin(vtkImageData* image, vtkDataArray* positions)
+{
   const std::vector<double> given = FieldNumbers(image->GetFieldData(), "relievo:origin", 3);
   // Floats are stored as they are: subtracting an origin could not keep all their bits.
-  if (!positions || positions->GetNumberOfComponents() != 3 ||
-    positions->GetDataType() != VTK_DOUBLE)
+  if (!positions || positions->GetDataType() != VTK_DOUBLE)
   {
     return Imath::V3d(0);
   }
@@ -184,13 +197,11 @@ void Output::PlanArrays(vtkImageData* image, const Settings& settings)
   {
     throw Unfit("the image has no point arrays; give it at least one");
   }
-  const Imath::V3d origin = PositionOrigin(image);
-  if (vtkDataArray* positions = points->GetArray("position"))
+  vtkDataArray* positions = FindPositions(points);
+  const Imath::V3d origin = PositionOrigin(image, positions);
+  if (positions)
   {
-    if (IsPosition("position", positions->GetDataType(), positions->GetNumberOfComponents()))
-    {
-      this->Header.insert("relievo:origin", Imf::V3dAttribute(origin));
-    }
+    this->Header.insert("relievo:origin", Imf::V3dAttribute(origin));
   }
 
   Imf::StringVector record;

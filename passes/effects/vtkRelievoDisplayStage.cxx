@@ -10,6 +10,7 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoKeptState.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerColors.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRenderer.h"
@@ -18,24 +19,6 @@
 #include "vtkTextureObject.h"
 
 vtkStandardNewMacro(vtkRelievoDisplayStage);
-
-namespace
-{
-// The layers that the shader decodes, by its RELIEVO_SHOW; 0 for all others.
-int GetShown(const std::string& layer)
-{
-  static const char* const names[] = { "", "depth", "range", "normal", "geometric_normal",
-    "albedo" };
-  for (int i = 1; i < 6; ++i)
-  {
-    if (layer == names[i])
-    {
-      return i;
-    }
-  }
-  return 0;
-}
-}
 
 class vtkRelievoDisplayStage::Internals
 {
@@ -135,14 +118,15 @@ bool vtkRelievoDisplayStage::UploadColors(vtkRelievoFrameContext& context)
 void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  const int shown = GetShown(this->Layer);
+  const std::string& shader = vtkRelievoLayerCatalogue::Find(this->Layer).Shader;
+  const bool colors = shader.empty();
   this->DrawCalls = 0;
-  if (!context.Find(this->Layer) || (shown == 0 && !this->UploadColors(context)))
+  if (!context.Find(this->Layer) || (colors && !this->UploadColors(context)))
   {
     return;
   }
   vtkShaderProgram* program = in.Quad.Ready(context, "display/layerFS.glsl", { this->Layer },
-    "#define RELIEVO_SHOW " + std::to_string(shown) + "\n");
+    "#define RELIEVO_SHOW_" + (colors ? "COLORS" : shader) + "\n");
   if (!program)
   {
     vtkErrorMacro("The layer '" << this->Layer << "' is not shown: " << in.Quad.GetWrong() << ".");
@@ -162,7 +146,7 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
   program->SetUniform2f("relievoShown", range);
   program->SetUniform4f("relievoBackground", background);
   program->SetUniformi("relievoGrey", this->Grey);
-  if (shown == 0)
+  if (colors)
   {
     in.Colors->Activate();
     program->SetUniformi("relievoColors", in.Colors->GetTextureUnit());
@@ -173,7 +157,7 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
     in.Quad.Draw(context);
   }
   this->DrawCalls = 1;
-  if (shown == 0)
+  if (colors)
   {
     in.Colors->Deactivate();
   }
