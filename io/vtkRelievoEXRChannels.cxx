@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoEXRChannels.h"
 
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkType.h"
 
@@ -223,6 +225,21 @@ bool IsPosition(const std::string& array, int vtkType, int components)
 {
   return components == 3 && (vtkType == VTK_FLOAT || vtkType == VTK_DOUBLE) &&
     vtkRelievoLayerCatalogue::Find(array).Kind == vtkRelievoLayer::POSITION;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* FindPositions(vtkPointData* points)
+{
+  for (int i = 0; i < points->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = points->GetArray(i);
+    const char* name = array ? array->GetName() : nullptr;
+    if (name && IsPosition(name, array->GetDataType(), array->GetNumberOfComponents()))
+    {
+      return array;
+    }
+  }
+  return nullptr;
 }
 
 //------------------------------------------------------------------------------

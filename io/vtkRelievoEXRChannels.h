@@ -27,6 +27,9 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
+class vtkPointData;
+
 namespace relievo::exr
 {
 /** Name of the attribute (a string vector) that records the arrays of a file. */
@@ -52,6 +55,9 @@ bool IsNormalized(const std::string& array, int vtkType, int components);
 
 /** True for arrays of places, which are stored relative to `relievo:origin`: `position`. */
 bool IsPosition(const std::string& array, int vtkType, int components);
+
+/** The first of these arrays, or nullptr. */
+vtkDataArray* FindPositions(vtkPointData* points);
 
 /** A channel of a file, as far as its name matters here. */
 struct NamedChannel

@@ -81,21 +81,6 @@ Imath::V3d ChooseOrigin(vtkDataArray* positions)
   return origin;
 }
 
-// The array of places, or nullptr.
-vtkDataArray* FindPositions(vtkPointData* points)
-{
-  for (int i = 0; i < points->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = points->GetArray(i);
-    const char* name = array ? array->GetName() : nullptr;
-    if (name && IsPosition(name, array->GetDataType(), array->GetNumberOfComponents()))
-    {
-      return array;
-    }
-  }
-  return nullptr;
-}
-
 Imath::V3d PositionOrigin(vtkImageData* image, vtkDataArray* positions)
 {
   const std::vector<double> given = FieldNumbers(image->GetFieldData(), "relievo:origin", 3);

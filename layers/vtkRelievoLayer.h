@@ -50,7 +50,7 @@ struct vtkRelievoLayer
 
   // How shaders/display/layerFS.glsl decodes it: by RELIEVO_SHOW_ and this. Empty: the values are
   // read and coloured on the CPU, which any layer can be.
-  std::string Shader;
+  std::string Shader{};
 
   // Of layers FROM_DEPTH alone: the values of a point seen, given in this space. Null: the depth.
   Spaces Space = VIEW;
