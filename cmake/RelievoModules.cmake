@@ -5,7 +5,7 @@ set(relievo_rooms shaders layers passes/frame passes/gbuffer passes/shadows pass
   io filters)
 set(relievo_module_files ${relievo_rooms})
 list(TRANSFORM relievo_module_files REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/\\1/vtk.module")
-set(relievo_requested Relievo::Shaders Relievo::Passes Relievo::Materials
+set(relievo_requested Relievo::Shaders Relievo::Layers Relievo::Passes Relievo::Materials
   Relievo::IO Relievo::Filters)
 # Of ParaView's plugin: not for Python, which reaches it through ParaView's server manager.
 set(relievo_plugin_modules)

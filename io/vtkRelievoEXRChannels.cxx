@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoEXRChannels.h"
 
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkType.h"
 
 #include <algorithm>
@@ -39,17 +42,32 @@ const std::array<TypeName, 14> TypeNames = { {
   { VTK_ID_TYPE, "idtype", true },
 } };
 
-const char* const Rgba[] = { "R", "G", "B", "A" };
-const char* const Xyz[] = { "X", "Y", "Z" };
-
-bool IsDistance(const std::string& array)
+std::vector<std::string> Split(const std::string& suffixes)
 {
-  return array == "depth" || array == "range";
+  std::vector<std::string> out;
+  std::istringstream words(suffixes);
+  for (std::string word; std::getline(words, word, ',');)
+  {
+    out.push_back(word);
+  }
+  return out;
 }
 
-bool IsId(const std::string& array)
+// Of the layer that an array of this name, number of components and kind of numbers is; empty if it
+// is none.
+std::vector<std::string> LayerSuffixes(const std::string& array, int components, bool integer)
 {
-  return array == "actor" || array == "block" || array == "cell";
+  const vtkRelievoLayer& layer = vtkRelievoLayerCatalogue::Find(array);
+  const bool fits = layer.Kind == vtkRelievoLayer::COLOR ? components == 3 || components == 4
+                                                         : layer.Kind != vtkRelievoLayer::ARRAY &&
+      components == layer.Components && (layer.Kind != vtkRelievoLayer::ID || integer);
+  return fits ? Split(layer.Suffixes) : std::vector<std::string>();
+}
+
+// The picture's channels are those that every program looks for.
+std::string Prefix(const std::string& array)
+{
+  return array == vtkRelievoLayerCatalogue::GetPicture().Name ? std::string() : array + ".";
 }
 
 // Sorts channels that no record explains; see the table in the header.
@@ -73,7 +91,8 @@ public:
 
   std::vector<ArrayLayout> Run()
   {
-    this->TryGroup("color", "", { "R", "G", "B", "A" }, 3);
+    const vtkRelievoLayer& picture = vtkRelievoLayerCatalogue::GetPicture();
+    this->TryGroup(picture.Name, "", Split(picture.Suffixes), 3);
     for (const NamedChannel& channel : this->Channels)
     {
       const std::size_t dot = channel.Name.rfind('.');
@@ -83,13 +102,12 @@ public:
       }
       const std::string layer = channel.Name.substr(0, dot);
       const std::string prefix = layer + ".";
-      if (IsDistance(layer))
+      const std::vector<std::string> suffixes = LayerSuffixes(layer, 1, channel.Integer);
+      if (!suffixes.empty() && suffixes.front() != "V") // which any array may have, below
       {
-        this->TryGroup(layer, prefix, { "Z" }, 1);
-      }
-      else if (IsId(layer) && channel.Integer)
-      {
-        this->TryGroup(layer, prefix, { "id" }, 1, VTK_INT);
+        const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(layer);
+        const bool id = known.Kind == vtkRelievoLayer::ID;
+        this->TryGroup(layer, prefix, suffixes, 1, id ? known.Type : VTK_VOID);
       }
       this->TryGroup(layer, prefix, { "R", "G", "B", "A" }, 3);
       this->TryGroup(layer, prefix, { "X", "Y", "Z" }, 2);
@@ -183,28 +201,45 @@ private:
 //------------------------------------------------------------------------------
 std::string ChannelName(const std::string& array, int components, bool integer, int component)
 {
-  if ((array == "color" || array == "albedo") && (components == 3 || components == 4))
+  const std::vector<std::string> suffixes = LayerSuffixes(array, components, integer);
+  if (!suffixes.empty())
   {
-    return array == "color" ? Rgba[component] : array + "." + Rgba[component];
+    return Prefix(array) + suffixes[component];
   }
-  if (components == 1)
-  {
-    return array + (IsDistance(array) ? ".Z" : IsId(array) && integer ? ".id" : ".V");
-  }
-  return array + "." + (components <= 3 ? Xyz[component] : std::to_string(component));
+  static const char* const xyz[] = { "X", "Y", "Z" };
+  return array + "." +
+    (components == 1      ? "V"
+        : components <= 3 ? xyz[component]
+                          : std::to_string(component));
 }
 
 //------------------------------------------------------------------------------
 bool IsNormalized(const std::string& array, int vtkType, int components)
 {
-  return vtkType == VTK_UNSIGNED_CHAR && (array == "color" || array == "albedo") &&
-    (components == 3 || components == 4);
+  return vtkType == VTK_UNSIGNED_CHAR && (components == 3 || components == 4) &&
+    vtkRelievoLayerCatalogue::Find(array).Kind == vtkRelievoLayer::COLOR;
 }
 
 //------------------------------------------------------------------------------
 bool IsPosition(const std::string& array, int vtkType, int components)
 {
-  return array == "position" && components == 3 && (vtkType == VTK_FLOAT || vtkType == VTK_DOUBLE);
+  return components == 3 && (vtkType == VTK_FLOAT || vtkType == VTK_DOUBLE) &&
+    vtkRelievoLayerCatalogue::Find(array).Kind == vtkRelievoLayer::POSITION;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* FindPositions(vtkPointData* points)
+{
+  for (int i = 0; i < points->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = points->GetArray(i);
+    const char* name = array ? array->GetName() : nullptr;
+    if (name && IsPosition(name, array->GetDataType(), array->GetNumberOfComponents()))
+    {
+      return array;
+    }
+  }
+  return nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoEXRChannels.h
- * @brief Which EXR channels hold which VTK array: the one table that reader and writer share.
+ * @brief Which EXR channels hold which VTK array: the one table that reader and writer share. The
+ * layers' suffixes are those of vtkRelievoLayerCatalogue.
  *
  * | array                              | channels                              |
  * |------------------------------------|---------------------------------------|
@@ -26,6 +27,9 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
+class vtkPointData;
+
 namespace relievo::exr
 {
 /** Name of the attribute (a string vector) that records the arrays of a file. */
@@ -46,11 +50,14 @@ constexpr int MostChannels = 4096;
  */
 std::string ChannelName(const std::string& array, int components, bool integer, int component);
 
-/** True for the arrays whose bytes stand for 0 to 1: 8-bit `color` and `albedo`. */
+/** True for the arrays whose bytes stand for 0 to 1: colours of 8 bits, `color` and `albedo`. */
 bool IsNormalized(const std::string& array, int vtkType, int components);
 
-/** True for the array that is stored relative to `relievo:origin`. */
+/** True for arrays of places, which are stored relative to `relievo:origin`: `position`. */
 bool IsPosition(const std::string& array, int vtkType, int components);
+
+/** The first of these arrays, or nullptr. */
+vtkDataArray* FindPositions(vtkPointData* points);
 
 /** A channel of a file, as far as its name matters here. */
 struct NamedChannel

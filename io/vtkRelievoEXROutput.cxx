@@ -81,13 +81,11 @@ Imath::V3d ChooseOrigin(vtkDataArray* positions)
   return origin;
 }
 
-Imath::V3d PositionOrigin(vtkImageData* image)
+Imath::V3d PositionOrigin(vtkImageData* image, vtkDataArray* positions)
 {
-  vtkDataArray* positions = image->GetPointData()->GetArray("position");
   const std::vector<double> given = FieldNumbers(image->GetFieldData(), "relievo:origin", 3);
   // Floats are stored as they are: subtracting an origin could not keep all their bits.
-  if (!positions || positions->GetNumberOfComponents() != 3 ||
-    positions->GetDataType() != VTK_DOUBLE)
+  if (!positions || positions->GetDataType() != VTK_DOUBLE)
   {
     return Imath::V3d(0);
   }
@@ -184,13 +182,11 @@ void Output::PlanArrays(vtkImageData* image, const Settings& settings)
   {
     throw Unfit("the image has no point arrays; give it at least one");
   }
-  const Imath::V3d origin = PositionOrigin(image);
-  if (vtkDataArray* positions = points->GetArray("position"))
+  vtkDataArray* positions = FindPositions(points);
+  const Imath::V3d origin = PositionOrigin(image, positions);
+  if (positions)
   {
-    if (IsPosition("position", positions->GetDataType(), positions->GetNumberOfComponents()))
-    {
-      this->Header.insert("relievo:origin", Imf::V3dAttribute(origin));
-    }
+    this->Header.insert("relievo:origin", Imf::V3dAttribute(origin));
   }
 
   Imf::StringVector record;

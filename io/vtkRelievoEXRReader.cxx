@@ -16,6 +16,7 @@
 #include "vtkRelievoEXRInput.h"
 #include "vtkRelievoEXRThreads.h"
 #include "vtkRelievoEXRTranslate.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -28,6 +29,11 @@ using relievo::exr::Input;
 namespace
 {
 const char* const Advice = "the file is broken or cut off: write or fetch it again";
+
+const std::string& Picture()
+{
+  return vtkRelievoLayerCatalogue::GetPicture().Name;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -197,7 +203,7 @@ int vtkRelievoEXRReader::RequestInformation(
       const relievo::exr::ArrayLayout* scalars = &input->GetArrays().front();
       for (const relievo::exr::ArrayLayout& array : input->GetArrays())
       {
-        scalars = array.Name == "color" ? &array : scalars;
+        scalars = array.Name == Picture() ? &array : scalars;
       }
       vtkDataObject::SetPointDataActiveScalarInfo(
         info, scalars->VtkType, static_cast<int>(scalars->Channels.size()));
@@ -241,7 +247,8 @@ int vtkRelievoEXRReader::RequestData(
     vtkPointData* points = output->GetPointData();
     if (points->GetNumberOfArrays() > 0)
     {
-      points->SetActiveScalars(points->HasArray("color") ? "color" : points->GetArrayName(0));
+      const char* picture = Picture().c_str();
+      points->SetActiveScalars(points->HasArray(picture) ? picture : points->GetArrayName(0));
     }
   });
   if (failure.Code != vtkErrorCode::NoError)

@@ -2,41 +2,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoLayerCatalogue.h"
 
+#include "vtkObjectFactory.h"
+#include "vtkRelievoFormulas.h"
 #include "vtkType.h"
 
 #include <algorithm>
 #include <limits>
+
+vtkStandardNewMacro(vtkRelievoLayerCatalogue);
 
 namespace
 {
 using L = vtkRelievoLayer;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double OfRenderer = std::numeric_limits<double>::quiet_NaN();
+
+void GetRange(const double point[3], double* range)
+{
+  *range = relievo::f64::relievoRange(glm::dvec3(point[0], point[1], point[2]));
+}
+
+void GetPlace(const double point[3], double* place)
+{
+  std::copy(point, point + 3, place);
+}
 
 std::vector<L> MakeTable()
 {
-  return {
-    { "depth", L::DISTANCE, L::FROM_DEPTH, VTK_FLOAT, 1, Infinity, "Z", false,
-      "distance along the view direction, world units" },
-    { "range", L::DISTANCE, L::FROM_DEPTH, VTK_FLOAT, 1, Infinity, "Z", false,
-      "distance from the eye, world units" },
-    { "normal", L::VECTOR, L::FROM_NORMAL, VTK_FLOAT, 3, 0.0, "X,Y,Z", false,
-      "unit normal as it is lit, world space" },
-    { "geometric_normal", L::VECTOR, L::FROM_GEOMETRIC_NORMAL, VTK_FLOAT, 3, 0.0, "X,Y,Z", false,
-      "unit normal of the triangle, world space" },
-    { "position", L::POSITION, L::FROM_DEPTH, VTK_DOUBLE, 3, 0.0, "X,Y,Z", false,
-      "place in the world" },
-    { "albedo", L::COLOR, L::FROM_ALBEDO, VTK_UNSIGNED_CHAR, 4, 0.0, "R,G,B,A", false,
-      "surface colour before light" },
-    { "actor", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id", false, "actor, from 0" },
-    { "block", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id", false,
+  std::vector<L> table = {
+    { "depth", L::DISTANCE, L::FROM_DEPTH, VTK_FLOAT, 1, Infinity, "Z",
+      "distance along the view direction, world units", "DEPTH" },
+    { "range", L::DISTANCE, L::FROM_DEPTH, VTK_FLOAT, 1, Infinity, "Z",
+      "distance from the eye, world units", "RANGE", L::VIEW, GetRange },
+    { "normal", L::VECTOR, L::FROM_NORMAL, VTK_FLOAT, 3, 0.0, "X,Y,Z",
+      "unit normal as it is lit, world space", "NORMAL" },
+    { "geometric_normal", L::VECTOR, L::FROM_GEOMETRIC_NORMAL, VTK_FLOAT, 3, 0.0, "X,Y,Z",
+      "unit normal of the triangle, world space", "GEOMETRIC_NORMAL" },
+    { "position", L::POSITION, L::FROM_DEPTH, VTK_DOUBLE, 3, 0.0, "X,Y,Z", "place in the world", "",
+      L::WORLD, GetPlace },
+    { "albedo", L::COLOR, L::FROM_ALBEDO, VTK_UNSIGNED_CHAR, 4, 0.0, "R,G,B,A",
+      "surface colour before light", "ALBEDO" },
+    { "actor", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id", "actor, from 0" },
+    { "block", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id",
       "flat index of the block; 0 in data that is not composite" },
-    { "cell", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id", false, "cell of the mesh, from 0" },
-    { "color", L::COLOR, L::FROM_PICTURE, VTK_FLOAT, 4, 0.0, "R,G,B,A", false,
+    { "cell", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id", "cell of the mesh, from 0" },
+    { "color", L::COLOR, L::FROM_PICTURE, VTK_FLOAT, 4, OfRenderer, "R,G,B,A",
       "the picture, scene-linear and premultiplied" },
-    { "shadow_", L::SHARE, L::FROM_SHADOW, VTK_FLOAT, 1, 1.0, "V", true,
-      "what is not blocked of a light: 1 lit, 0 dark" },
   };
+  L shadow = { "shadow_", L::SHARE, L::FROM_SHADOW, VTK_FLOAT, 1, 1.0, "V",
+    "what is not blocked of a light: 1 lit, 0 dark" };
+  shadow.OfLight = true;
+  table.push_back(shadow);
+  return table;
+}
+
+const L& At(int layer)
+{
+  static const L none;
+  const std::vector<L>& all = vtkRelievoLayerCatalogue::GetAll();
+  return layer >= 0 && layer < static_cast<int>(all.size()) ? all[layer] : none;
 }
 }
 
@@ -55,6 +80,14 @@ const vtkRelievoLayer& vtkRelievoLayerCatalogue::GetOfLight()
 }
 
 //------------------------------------------------------------------------------
+const vtkRelievoLayer& vtkRelievoLayerCatalogue::GetPicture()
+{
+  const std::vector<L>& all = GetAll();
+  return *std::find_if(
+    all.begin(), all.end(), [](const L& layer) { return layer.Source == L::FROM_PICTURE; });
+}
+
+//------------------------------------------------------------------------------
 const vtkRelievoLayer& vtkRelievoLayerCatalogue::Find(const std::string& name)
 {
   static const L array;
@@ -69,12 +102,79 @@ const vtkRelievoLayer& vtkRelievoLayerCatalogue::Find(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoLayerCatalogue::GetLight(const std::string& name)
+bool vtkRelievoLayerCatalogue::GetIsLayer(const std::string& name)
+{
+  return Find(name).Kind != L::ARRAY;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoLayerCatalogue::GetIsOfLight(const std::string& name)
 {
   const std::string& prefix = GetOfLight().Name;
+  return name.compare(0, prefix.size(), prefix) == 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoLayerCatalogue::GetLight(const std::string& name)
+{
   const std::string word =
-    name.compare(0, prefix.size(), prefix) == 0 ? name.substr(prefix.size()) : std::string();
+    GetIsOfLight(name) ? name.substr(GetOfLight().Name.size()) : std::string();
   const bool isNumber = !word.empty() && word.size() < 4 &&
     std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
   return isNumber ? std::stoi(word) : -1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoLayerCatalogue::GetNumberOfLayers()
+{
+  return static_cast<int>(GetAll().size());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLayerCatalogue::GetLayerName(int layer)
+{
+  return At(layer).GetLabel();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLayerCatalogue::GetLayerHelp(int layer)
+{
+  return At(layer).Help;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLayerCatalogue::GetLayerType(int layer)
+{
+  const int type = At(layer).Type;
+  return type == VTK_VOID ? std::string() : vtkImageScalarTypeNameMacro(type);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoLayerCatalogue::GetLayerComponents(int layer)
+{
+  return At(layer).Name.empty() ? 0 : At(layer).Components;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoLayerCatalogue::GetLayerBackground(int layer)
+{
+  return At(layer).Background;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLayerCatalogue::GetLayerNames()
+{
+  std::string names;
+  for (const L& layer : GetAll())
+  {
+    names += (names.empty() ? "" : ", ") + layer.GetLabel();
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayerCatalogue::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Layers: " << GetLayerNames() << "\n";
 }

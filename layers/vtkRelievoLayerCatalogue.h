@@ -1,56 +1,60 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-//
-// The layers that there are: their names, types, backgrounds, how they are shown, what files call
-// their components. The one place that says so; a new layer is one entry of the table.
+/**
+ * @class vtkRelievoLayerCatalogue
+ * @brief The layers that there are: names, types, backgrounds, help.
+ *
+ * The one place that says so: readers, files, displays, lists of names and ParaView's properties
+ * ask it or are made from it, and a new layer is one entry of its table (vtkRelievoLayer).
+ */
 #ifndef vtkRelievoLayerCatalogue_h
 #define vtkRelievoLayerCatalogue_h
 
+#include "vtkObject.h"
 #include "vtkRelievoLayersModule.h" // for the export macro
 
-#include <string>
-#include <vector>
+#include <string> // for names
 
-struct VTKRELIEVOLAYERS_EXPORT vtkRelievoLayer
-{
-  enum Kinds
-  {
-    DISTANCE, // world units from the eye; infinite where nothing is
-    VECTOR,   // unit vectors, shown as 0.5 v + 0.5
-    POSITION, // places, shown over their extent
-    COLOR,
-    ID,    // shown as distinct colours
-    SHARE, // 0 to 1, shown in grey
-    ARRAY  // of the data, by its own name
-  };
+#ifndef __VTK_WRAP__
+#include "vtkRelievoLayer.h" // for the entries
+#include <vector>            // for the table
+#endif
 
-  // What of a surface's point must be written for the layer to be read.
-  enum Sources
-  {
-    FROM_DEPTH = 1,
-    FROM_NORMAL = 2,
-    FROM_GEOMETRIC_NORMAL = 4,
-    FROM_ALBEDO = 8,
-    FROM_ID = 16,
-    FROM_SHADOW = 32,
-    FROM_PICTURE = 64 // it is no surface's, but the picture's
-  };
-
-  std::string Name; // "shadow_" for the layers shadow_N
-  Kinds Kind = ARRAY;
-  int Source = FROM_DEPTH | FROM_ID;
-  int Type = 0; // VTK_FLOAT ...
-  int Components = 1;
-  double Background = 0.0;
-  std::string Suffixes; // of the components in files, comma between: "Z", "X,Y,Z"
-  bool OfLight = false; // the name goes on with a light: its number, or its name
-  std::string Help;     // one line
-};
-
-class VTKRELIEVOLAYERS_EXPORT vtkRelievoLayerCatalogue
+class VTKRELIEVOLAYERS_EXPORT vtkRelievoLayerCatalogue : public vtkObject
 {
 public:
-  // All of them, in the order in which they are listed to people.
+  static vtkRelievoLayerCatalogue* New();
+  vtkTypeMacro(vtkRelievoLayerCatalogue, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The layers in the order in which they are listed to people, from 0: the name ("shadow_N" for
+   * the layers of lights), one line of help, the type of a component ("float", "unsigned char"),
+   * the number of components, and the value where nothing is: NaN for `color`, whose background is
+   * the renderer's. Of others: empty, 0, NaN.
+   */
+  static int GetNumberOfLayers();
+  static std::string GetLayerName(int layer);
+  static std::string GetLayerHelp(int layer);
+  static std::string GetLayerType(int layer);
+  static int GetLayerComponents(int layer);
+  static double GetLayerBackground(int layer);
+  ///@}
+
+  /** All names, with commas. */
+  static std::string GetLayerNames();
+
+  /** Whether the name is a layer's: of the table, or shadow_N with a number. */
+  static bool GetIsLayer(const std::string& name);
+
+  /** The light of a layer shadow_N by its number, or -1. */
+  static int GetLight(const std::string& name);
+
+  /** Whether the name begins as those of the layers of lights do: shadow_0, shadow_key_light. */
+  static bool GetIsOfLight(const std::string& name);
+
+#ifndef __VTK_WRAP__
   static const std::vector<vtkRelievoLayer>& GetAll();
 
   // What the name means; of kind ARRAY if it is none of the table's. A layer of a light is known by
@@ -60,8 +64,17 @@ public:
   // What the layers of lights are.
   static const vtkRelievoLayer& GetOfLight();
 
-  // The light of a layer shadow_N by its number, or -1.
-  static int GetLight(const std::string& name);
+  // The layer that is the picture itself.
+  static const vtkRelievoLayer& GetPicture();
+#endif
+
+protected:
+  vtkRelievoLayerCatalogue() = default;
+  ~vtkRelievoLayerCatalogue() override = default;
+
+private:
+  vtkRelievoLayerCatalogue(const vtkRelievoLayerCatalogue&) = delete;
+  void operator=(const vtkRelievoLayerCatalogue&) = delete;
 };
 
 #endif

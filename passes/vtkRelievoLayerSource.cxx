@@ -17,6 +17,7 @@
 #include "vtkPointData.h"
 #include "vtkRelievoDisplay.h"
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
 #include "vtkRelievoView.h"
@@ -211,7 +212,7 @@ int vtkRelievoLayerSource::RequestData(
   bool color = false;
   for (const std::string& layer : this->Layers)
   {
-    const bool picture = layer == "color" && !this->HDR;
+    const bool picture = layer == vtkRelievoLayerCatalogue::GetPicture().Name && !this->HDR;
     color = color || picture;
     if (!picture && !pass->IsLayerRequested(layer))
     {
@@ -224,7 +225,8 @@ int vtkRelievoLayerSource::RequestData(
   std::vector<std::string> read = this->Layers;
   if (color)
   {
-    read.erase(std::remove(read.begin(), read.end(), "color"), read.end());
+    read.erase(std::remove(read.begin(), read.end(), vtkRelievoLayerCatalogue::GetPicture().Name),
+      read.end());
   }
   good = good && pass->ReadLayers(read, image);
   if (good && color)
@@ -314,7 +316,7 @@ void vtkRelievoLayerSource::AddColor(vtkRenderer* renderer, vtkImageData* image)
     image->SetDimensions(size[0], size[1], 1);
   }
   vtkNew<vtkFloatArray> color;
-  color->SetName("color");
+  color->SetName(vtkRelievoLayerCatalogue::GetPicture().Name.c_str());
   color->SetNumberOfComponents(4);
   color->SetNumberOfTuples(image->GetNumberOfPoints());
   float* out = color->GetPointer(0);

@@ -8,19 +8,12 @@
  * `color` is requested, which renders the window.
  *
  * Output: vtkImageData with the viewport's size in pixels, row 0 at the bottom, and one point array
- * per layer:
- * - depth, range: float, world units, background +infinity.
- * - normal, geometric_normal: 3 float, unit vectors, background 0.
- * - position: 3 double, world coordinates, background 0.
- * - albedo: 4 unsigned char, 0 to 255, background 0.
- * - color: 4 float, the picture decoded from sRGB to linear light, 0 to 1; the background is the
- *   renderer's background colour with its own alpha (vtkViewport::GetBackgroundAlpha, 0 by
- *   default).
- * - shadow_N: float, visibility of light N of vtkRenderer::GetLights(), 1 lit, 0 dark, background
- *   1.
- * - actor, block, cell: int, background -1. actor is the index in vtkRenderer::GetActors(), block
- *   the flat index in a composite dataset (0 for other data), cell the cell of the vtkPolyData that
- *   is drawn, or the input point of a glyph.
+ * per layer, of the type and with the background that vtkRelievoLayerCatalogue says:
+ * - color: the picture decoded from sRGB to linear light, 0 to 1; the background is the renderer's
+ *   background colour with its own alpha (vtkViewport::GetBackgroundAlpha, 0 by default).
+ * - shadow_N: visibility of light N of vtkRenderer::GetLights().
+ * - actor is the index in vtkRenderer::GetActors(), block the flat index in a composite dataset (0
+ *   for other data), cell the cell of the vtkPolyData that is drawn, or the input point of a glyph.
  * - arrays: float or double, background NaN.
  *
  * Field data: worldToCamera and worldToNDC (16 double, row by row, as vtkMatrix4x4), near, far,

@@ -8,9 +8,9 @@
  * the stages add layers (depth, normals, ids ...) and effects. Only what is asked for is rendered,
  * stored or looked up; the frame report says what ran, why, and what it cost.
  *
- * Layers: depth, range, normal, geometric_normal, position, albedo, actor, block, cell, shadow_N
- * (of the renderer's light N), any point or cell array by name (`point:NAME` or `cell:NAME` to name
- * one that shares a layer's name), and color, the linear colour in half floats.
+ * Layers: those of vtkRelievoLayerCatalogue (depth, normal, position, cell ...; shadow_N of the
+ * renderer's light N; color, the linear colour in half floats), and any point or cell array by name
+ * (`point:NAME` or `cell:NAME` to name one that shares a layer's name).
  */
 #ifndef vtkRelievoPass_h
 #define vtkRelievoPass_h

@@ -34,14 +34,6 @@
 #define RELIEVO_PRIMITIVE_NONE 2
 #define RELIEVO_PRIMITIVE_OF_POINTS 3 // a sphere or a stick at every point
 
-// RELIEVO_SHOW: the layer that display/layerFS.glsl decodes
-#define RELIEVO_SHOW_COLORS 0 // any other, made into colours before
-#define RELIEVO_SHOW_DEPTH 1
-#define RELIEVO_SHOW_RANGE 2
-#define RELIEVO_SHOW_NORMAL 3
-#define RELIEVO_SHOW_GEOMETRIC_NORMAL 4
-#define RELIEVO_SHOW_ALBEDO 5
-
 // RELIEVO_METHOD: vtkRelievoMaterial::Methods
 #define RELIEVO_METHOD_OFF 0
 #define RELIEVO_METHOD_PARALLAX 1

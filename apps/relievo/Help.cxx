@@ -2,9 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Help.h"
 
+#include "vtkRelievoLayerCatalogue.h"
+
+#include <sstream>
+
 namespace cli
 {
-const char* const HelpPage = R"(relievo - pictures and measurable layers of meshes and grids
+namespace
+{
+constexpr std::size_t Indent = 26; // of what options mean
+constexpr std::size_t Columns = 98;
+
+const char* const Page = R"(relievo - pictures and measurable layers of meshes and grids
 
   relievo render FILE... [options] --png F | --exr F | --report F
   relievo stages
@@ -54,10 +63,10 @@ render draws the FILEs off screen and writes the outputs that you request.
   --stage NAME[:PARAMETER=VALUE,...]
                           runs a stage of the frame with these parameters; may be repeated;
                           `relievo stages` lists them
-  --layers A,B,...        layers in the EXR besides its colour (depth): depth range normal
-                          geometric_normal position albedo actor block cell, shadow_N (visibility
-                          of the Nth --light, from 0: 1 lit, 0 dark), or the name of a point or
-                          cell array
+  --layers A,B,...        layers in the EXR besides its colour (depth), of
+@layers@
+                          (shadow_N: visibility of the Nth --light, from 0: 1 lit, 0 dark), or the
+                          name of a point or cell array
   --png F                 the picture
   --exr F                 OpenEXR: the colour as R G B A, then the layers as depth.Z normal.X ...
   --hdr                   the colour of the EXR as the lights give it, unclamped, half floats
@@ -86,4 +95,26 @@ Examples
   relievo render bunny.off --environment forest.exr,90 --skybox --png bunny.png
   relievo bench normals --out charts
 )";
+}
+
+//------------------------------------------------------------------------------
+std::string GetHelpPage()
+{
+  std::istringstream names(vtkRelievoLayerCatalogue::GetLayerNames());
+  std::string layers;
+  std::string line(Indent - 1, ' ');
+  for (std::string name; names >> name;)
+  {
+    if (line.size() + 1 + name.size() > Columns)
+    {
+      layers += line + "\n";
+      line.assign(Indent - 1, ' ');
+    }
+    line += " " + name;
+  }
+  layers += line;
+  const std::string mark = "@layers@";
+  std::string page = Page;
+  return page.replace(page.find(mark), mark.size(), layers);
+}
 }

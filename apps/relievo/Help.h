@@ -3,10 +3,12 @@
 #ifndef Help_h
 #define Help_h
 
+#include <string>
+
 namespace cli
 {
 /// The page that --help prints.
-extern const char* const HelpPage;
+std::string GetHelpPage();
 }
 
 #endif

@@ -9,6 +9,8 @@
 #include "Values.h"
 #include "Words.h"
 
+#include "vtkRelievoLayerCatalogue.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -285,7 +287,7 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
   CheckSurfaceOptions(options, given);
   if (options.ShadowSize && given.count("--shadows") == 0 &&
     std::all_of(options.Layers.begin(), options.Layers.end(),
-      [](const std::string& name) { return GetLightOfLayer(name) < 0; }))
+      [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) < 0; }))
   {
     throw WordsError("--shadow-size: there are no shadows to size: give --shadows map, or a layer "
                      "shadow_N, as well");

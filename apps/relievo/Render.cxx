@@ -19,6 +19,7 @@
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkRelievoEXRWriter.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoPass.h"
 #include "vtkRenderWindow.h"
@@ -32,10 +33,6 @@ namespace cli
 {
 namespace
 {
-// What every scene has; any other layer is an array of the files.
-const std::vector<std::string> BuiltInLayers = { "color", "depth", "range", "normal",
-  "geometric_normal", "position", "albedo", "actor", "block", "cell" };
-
 // An EXR file without a word about layers holds the colour and the depth.
 const std::vector<std::string> DefaultLayers = { "depth" };
 
@@ -55,17 +52,16 @@ std::vector<std::string> LayersToCapture(const RenderOptions& options, const Sce
   std::vector<std::string> layers;
   if (!options.EXR.empty())
   {
-    layers.push_back("color");
+    layers.push_back(vtkRelievoLayerCatalogue::GetPicture().Name);
   }
   const bool unnamed = options.Layers.empty() && !options.EXR.empty();
   for (const std::string& name : unnamed ? DefaultLayers : options.Layers)
   {
-    if (std::find(BuiltInLayers.begin(), BuiltInLayers.end(), name) == BuiltInLayers.end() &&
-      GetLightOfLayer(name) < 0 && scene.Arrays.count(ArrayOf(name)) == 0)
+    if (!vtkRelievoLayerCatalogue::GetIsLayer(name) && scene.Arrays.count(ArrayOf(name)) == 0)
     {
       const std::vector<std::string> arrays(scene.Arrays.begin(), scene.Arrays.end());
       RefuseValue("--layers", name,
-        "one of " + Join(BuiltInLayers, ", ") + ", shadow_N" +
+        "one of " + vtkRelievoLayerCatalogue::GetLayerNames() +
           (arrays.empty() ? "; the files hold no arrays" : ", or an array: " + Join(arrays, ", ")));
     }
     if (std::find(layers.begin(), layers.end(), name) == layers.end())
@@ -168,7 +164,9 @@ void Render(const RenderOptions& options)
   }
   for (const std::string& name : layers)
   {
-    if (name != "color") // the source's own: the picture as it is drawn anyway
+    if (name !=
+      vtkRelievoLayerCatalogue::GetPicture()
+        .Name) // the source's own: the picture as it is drawn anyway
     {
       pass->RequestLayer(name);
     }

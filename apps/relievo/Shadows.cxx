@@ -7,40 +7,25 @@
 
 #include "vtkLightCollection.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
-#include <algorithm>
-#include <cctype>
-
 namespace cli
 {
-//------------------------------------------------------------------------------
-int GetLightOfLayer(const std::string& layer)
-{
-  const std::string prefix = "shadow_";
-  if (layer.rfind(prefix, 0) != 0)
-  {
-    return -1;
-  }
-  const std::string number = layer.substr(prefix.size());
-  const bool whole = !number.empty() && number.size() < 4 &&
-    std::all_of(number.begin(), number.end(), [](unsigned char c) { return std::isdigit(c); });
-  return whole ? std::stoi(number) : -1;
-}
-
 //------------------------------------------------------------------------------
 void CheckShadowLayers(const RenderOptions& options, int lights, const std::string& whose)
 {
   for (const std::string& name : options.Layers)
   {
-    if (GetLightOfLayer(name) >= lights)
+    if (vtkRelievoLayerCatalogue::GetLight(name) >= lights)
     {
-      const std::string last = "shadow_" + std::to_string(lights - 1);
+      const std::string last =
+        vtkRelievoLayerCatalogue::GetOfLight().Name + std::to_string(lights - 1);
       RefuseValue("--layers", name,
-        (lights == 1 ? "no shadow layer but shadow_0" : "none beyond " + last) + ": there " +
+        (lights == 1 ? "no shadow layer but " + last : "none beyond " + last) + ": there " +
           (lights == 1 ? "is 1 " : "are " + std::to_string(lights) + " ") + whose +
           ", counted from 0");
     }

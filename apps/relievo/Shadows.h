@@ -17,9 +17,6 @@ namespace cli
 struct RenderOptions;
 enum class Shadows;
 
-/// The light of a layer shadow_N, from 0; -1 for any other name.
-int GetLightOfLayer(const std::string& layer);
-
 /// Throws WordsError if a layer is of a light beyond the `lights` that there are. `whose` says in
 /// the message what they are, such as "--light options".
 void CheckShadowLayers(const RenderOptions& options, int lights, const std::string& whose);

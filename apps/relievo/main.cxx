@@ -21,7 +21,7 @@ int Run(std::vector<std::string> words)
   const auto end = std::find(words.begin(), words.end(), "--");
   if (std::find(words.begin(), end, "--help") != end || std::find(words.begin(), end, "-h") != end)
   {
-    std::fputs(cli::HelpPage, stdout);
+    std::fputs(cli::GetHelpPage().c_str(), stdout);
     return 0;
   }
   if (std::find(words.begin(), end, "--version") != end)

@@ -18,24 +18,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 
-#include "codes.glsl"
-
-#include <map>
-
 vtkStandardNewMacro(vtkRelievoDisplayStage);
-
-namespace
-{
-// The shader's RELIEVO_SHOW.
-int GetShown(const std::string& layer)
-{
-  static const std::map<std::string, int> decoded = { { "depth", RELIEVO_SHOW_DEPTH },
-    { "range", RELIEVO_SHOW_RANGE }, { "normal", RELIEVO_SHOW_NORMAL },
-    { "geometric_normal", RELIEVO_SHOW_GEOMETRIC_NORMAL }, { "albedo", RELIEVO_SHOW_ALBEDO } };
-  const auto found = decoded.find(layer);
-  return found == decoded.end() ? RELIEVO_SHOW_COLORS : found->second;
-}
-}
 
 class vtkRelievoDisplayStage::Internals
 {
@@ -138,14 +121,15 @@ bool vtkRelievoDisplayStage::UploadColors(vtkRelievoFrameContext& context)
 void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  const int shown = GetShown(this->Layer);
+  const std::string& shader = vtkRelievoLayerCatalogue::Find(this->Layer).Shader;
+  const bool colors = shader.empty();
   this->DrawCalls = 0;
-  if (!context.Find(this->Layer) || (shown == RELIEVO_SHOW_COLORS && !this->UploadColors(context)))
+  if (!context.Find(this->Layer) || (colors && !this->UploadColors(context)))
   {
     return;
   }
   vtkShaderProgram* program = in.Quad.Ready(context, "display/layerFS.glsl", { this->Layer },
-    "#define RELIEVO_SHOW " + std::to_string(shown) + "\n");
+    "#define RELIEVO_SHOW_" + (colors ? "COLORS" : shader) + "\n");
   if (!program)
   {
     const std::string wrong = in.Quad.GetWrong();
@@ -171,7 +155,7 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
   program->SetUniform2f("relievoShown", range);
   program->SetUniform4f("relievoBackground", background);
   program->SetUniformi("relievoGrey", this->Grey);
-  if (shown == RELIEVO_SHOW_COLORS)
+  if (colors)
   {
     in.Colors->Activate();
     program->SetUniformi("relievoColors", in.Colors->GetTextureUnit());
@@ -182,7 +166,7 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
     in.Quad.Draw(context);
   }
   this->DrawCalls = 1;
-  if (shown == RELIEVO_SHOW_COLORS)
+  if (colors)
   {
     in.Colors->Deactivate();
   }

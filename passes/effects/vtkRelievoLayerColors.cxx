@@ -54,15 +54,24 @@ std::vector<unsigned char> vtkRelievoLayerColors::Make(
   vtkDataArray* array = image->GetPointData()->GetArray(layer.c_str());
   const vtkIdType count = array ? array->GetNumberOfTuples() : 0;
   std::vector<unsigned char> colors(static_cast<std::size_t>(image->GetNumberOfPoints()) * 4, 0);
-  const bool ids = vtkRelievoLayerCatalogue::Find(layer).Kind == vtkRelievoLayer::ID;
+  const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(layer);
+  const bool ids = known.Kind == vtkRelievoLayer::ID;
   const int components = array ? array->GetNumberOfComponents() : 1;
   Extremes extremes[3];
   for (int c = 0; c < std::min(3, components) && !ids && array; ++c)
   {
     extremes[c] = GetFiniteExtremes(array, c);
-    if (visibility)
+    if (visibility || known.Kind == vtkRelievoLayer::SHARE)
     {
       extremes[c] = Extremes{ 0.0, 1.0 };
+    }
+    else if (known.Kind == vtkRelievoLayer::VECTOR)
+    {
+      extremes[c] = Extremes{ -1.0, 1.0 };
+    }
+    else if (known.Kind == vtkRelievoLayer::COLOR)
+    {
+      extremes[c] = Extremes{ 0.0, known.Type == VTK_UNSIGNED_CHAR ? 255.0 : 1.0 };
     }
     if (range[0] < range[1])
     {
@@ -82,7 +91,8 @@ std::vector<unsigned char> vtkRelievoLayerColors::Make(
     else if (components < 3)
     {
       there = std::isfinite(first);
-      color = GetScalarColor(first, extremes[0], grey || visibility);
+      color = GetScalarColor(
+        first, extremes[0], grey || visibility || known.Kind == vtkRelievoLayer::SHARE);
     }
     else
     {

@@ -9,6 +9,7 @@
 #include "vtkMapper.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRelievoLayerCatalogue.h"
 
 #include <algorithm>
 #include <limits>
@@ -93,8 +94,8 @@ int vtkRelievoArraySampler::Prepare(int& components, std::string& wrong)
   }
   if (this->Sources.empty() && !meshes.empty())
   {
-    wrong = "it is neither a layer nor a point or cell array of anything drawn. Layers are depth, "
-            "range, normal, geometric_normal, position, albedo, actor, block, cell, shadow_N";
+    wrong = "it is neither a layer nor a point or cell array of anything drawn. Layers are " +
+      vtkRelievoLayerCatalogue::GetLayerNames();
   }
   else if (this->Components > MaximumComponents)
   {

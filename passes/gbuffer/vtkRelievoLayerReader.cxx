@@ -35,6 +35,13 @@ vtkSmartPointer<Array> NewArray(int components, vtkIdType tuples)
   return array;
 }
 
+// Also of a light by its name, which the catalogue alone does not know.
+const vtkRelievoLayer& Know(const std::string& layer, const vtkRelievoGBufferLayout& layout)
+{
+  return layout.GetLight(layer) >= 0 ? vtkRelievoLayerCatalogue::GetOfLight()
+                                     : vtkRelievoLayerCatalogue::Find(layer);
+}
+
 // Calls f(pixel, x, y) for every pixel, in several threads.
 template <typename Function>
 void ForPixels(const int region[4], Function f)
@@ -67,8 +74,7 @@ vtkRelievoLayerReader::vtkRelievoLayerReader(const vtkRelievoGBufferLayout& layo
 void vtkRelievoLayerReader::AddChannels(const std::string& layer, vtkRelievoGBufferLayout& layout)
 {
   const int light = layout.GetLight(layer);
-  const int source = light >= 0 ? vtkRelievoLayerCatalogue::GetOfLight().Source
-                                : vtkRelievoLayerCatalogue::Find(layer).Source;
+  const int source = Know(layer, layout).Source;
   layout.Normal = layout.Normal || (source & vtkRelievoLayer::FROM_NORMAL) != 0;
   layout.GeometricNormal =
     layout.GeometricNormal || (source & vtkRelievoLayer::FROM_GEOMETRIC_NORMAL) != 0;
@@ -130,44 +136,35 @@ std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* 
   }
   std::string wrong;
   vtkSmartPointer<vtkDataArray> array;
-  if (layer == "depth")
+  const vtkRelievoLayer& known = Know(layer, this->Layout);
+  switch (known.Source)
   {
-    array = this->GetDepth();
-  }
-  else if (layer == "range")
-  {
-    array = this->ReadRange();
-  }
-  else if (layer == "position")
-  {
-    array = this->ReadPosition();
-  }
-  else if (needed.Normal)
-  {
-    array = this->ReadNormal(this->Layout.NormalWord);
-  }
-  else if (needed.GeometricNormal)
-  {
-    array = this->ReadNormal(this->Layout.GeometricNormalWord);
-  }
-  else if (needed.Albedo)
-  {
-    array = this->ReadAlbedo();
-  }
-  else if (!needed.Shadows.empty())
-  {
-    array = this->ReadShadow(needed.Shadows.front(), wrong);
-  }
-  else if (vtkRelievoLayerCatalogue::Find(layer).Kind == vtkRelievoLayer::ID)
-  {
-    array = this->ReadId(layer);
-  }
-  else
-  {
-    array = this->ReadNamedArray(layer, wrong);
-    wrong += !wrong.empty() && layer.compare(0, 7, "shadow_") == 0
-      ? ", and no light has this name (vtkRelievoShadowPass::GetShadowLayers)"
-      : "";
+    case vtkRelievoLayer::FROM_DEPTH:
+      array = known.OfPoint ? this->ReadPoints(known) : this->GetDepth();
+      break;
+    case vtkRelievoLayer::FROM_NORMAL:
+      array = this->ReadNormal(this->Layout.NormalWord);
+      break;
+    case vtkRelievoLayer::FROM_GEOMETRIC_NORMAL:
+      array = this->ReadNormal(this->Layout.GeometricNormalWord);
+      break;
+    case vtkRelievoLayer::FROM_ALBEDO:
+      array = this->ReadAlbedo();
+      break;
+    case vtkRelievoLayer::FROM_ID:
+      array = this->ReadId(layer);
+      break;
+    case vtkRelievoLayer::FROM_SHADOW:
+      array = this->ReadShadow(needed.Shadows.front(), wrong);
+      break;
+    case vtkRelievoLayer::FROM_PICTURE:
+      wrong = "it is the picture's; read it with vtkRelievoPass::ReadLayers";
+      break;
+    default:
+      array = this->ReadNamedArray(layer, wrong);
+      wrong += !wrong.empty() && vtkRelievoLayerCatalogue::GetIsOfLight(layer)
+        ? ", and no light has this name (vtkRelievoShadowPass::GetShadowLayers)"
+        : "";
   }
   if (array)
   {
@@ -238,45 +235,40 @@ void vtkRelievoLayerReader::RefineDepth(float* depths)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadRange()
+template <typename Array>
+vtkSmartPointer<Array> vtkRelievoLayerReader::MakeOfPoints(const vtkRelievoLayer& layer)
 {
   const float* depths = this->GetDepth()->GetPointer(0);
-  auto array = NewArray<vtkFloatArray>(1, this->GetNumberOfPixels());
-  float* out = array->GetPointer(0);
+  const int components = layer.Components;
+  auto array = NewArray<Array>(components, this->GetNumberOfPixels());
+  auto* out = array->GetPointer(0);
+  using Value = typename Array::ValueType;
   const glm::dvec2 size(this->Region[2], this->Region[3]);
+  const glm::dmat4 viewToWorld = glm::inverse(this->View.WorldToView);
   ForPixels(this->Region, [&](vtkIdType i, int x, int y) {
-    out[i] = depths[i];
+    double values[vtkRelievoArraySampler::MaximumComponents];
+    std::fill_n(values, components, layer.Background);
     if (std::isfinite(depths[i]))
     {
-      out[i] = static_cast<float>(relievo::f64::relievoRange(relievoEyePosition(
-        relievoNdcFromPixel(glm::dvec2(x, y), size), depths[i], this->View.ViewToNDC)));
+      const glm::dvec3 eye = relievoEyePosition(
+        relievoNdcFromPixel(glm::dvec2(x, y), size), depths[i], this->View.ViewToNDC);
+      const glm::dvec3 point = layer.Space == vtkRelievoLayer::WORLD
+        ? relievo::f64::relievoWorldPosition(eye, viewToWorld)
+        : eye;
+      layer.OfPoint(&point[0], values);
     }
+    std::transform(values, values + components, out + i * components,
+      [](double value) { return static_cast<Value>(value); });
   });
   return array;
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadPosition()
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadPoints(const vtkRelievoLayer& layer)
 {
-  const float* depths = this->GetDepth()->GetPointer(0);
-  auto array = NewArray<vtkDoubleArray>(3, this->GetNumberOfPixels());
-  double* out = array->GetPointer(0);
-  const glm::dvec2 size(this->Region[2], this->Region[3]);
-  const glm::dmat4 viewToWorld = glm::inverse(this->View.WorldToView);
-  ForPixels(this->Region, [&](vtkIdType i, int x, int y) {
-    glm::dvec3 world(0.0);
-    if (std::isfinite(depths[i]))
-    {
-      world = relievo::f64::relievoWorldPosition(
-        relievoEyePosition(
-          relievoNdcFromPixel(glm::dvec2(x, y), size), depths[i], this->View.ViewToNDC),
-        viewToWorld);
-    }
-    out[3 * i] = world.x;
-    out[3 * i + 1] = world.y;
-    out[3 * i + 2] = world.z;
-  });
-  return array;
+  return layer.Type == VTK_DOUBLE
+    ? vtkSmartPointer<vtkDataArray>(this->MakeOfPoints<vtkDoubleArray>(layer))
+    : vtkSmartPointer<vtkDataArray>(this->MakeOfPoints<vtkFloatArray>(layer));
 }
 
 //------------------------------------------------------------------------------

@@ -20,6 +20,7 @@ class vtkRelievoGBufferTarget;
 class vtkRelievoMeshLinks;
 class vtkRenderer;
 struct vtkRelievoGBufferLayout;
+struct vtkRelievoLayer;
 struct vtkRelievoView;
 
 class vtkRelievoLayerReader
@@ -51,12 +52,13 @@ private:
   // Looks up what the words mean, once.
   void ResolveDraws();
 
-  // The layer depth, made once: range and position are made of it.
+  // The layer depth, made once: the layers of points are made of it.
   vtkFloatArray* GetDepth();
   vtkSmartPointer<vtkFloatArray> ReadDepth();
   void RefineDepth(float* depths);
-  vtkSmartPointer<vtkDataArray> ReadRange();
-  vtkSmartPointer<vtkDataArray> ReadPosition();
+  template <typename Array>
+  vtkSmartPointer<Array> MakeOfPoints(const vtkRelievoLayer& layer);
+  vtkSmartPointer<vtkDataArray> ReadPoints(const vtkRelievoLayer& layer);
   vtkSmartPointer<vtkDataArray> ReadNormal(int firstWord);
   vtkSmartPointer<vtkDataArray> ReadAlbedo();
   vtkSmartPointer<vtkDataArray> ReadShadow(int light, std::string& wrong);

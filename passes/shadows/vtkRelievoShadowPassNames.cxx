@@ -13,8 +13,6 @@
 
 namespace
 {
-constexpr const char* Prefix = "shadow_";
-
 std::string Identify(const std::string& name)
 {
   std::string out;
@@ -61,7 +59,8 @@ std::string vtkRelievoShadowPass::GetLightLayer(vtkRenderer* renderer, vtkLight*
   renderer->GetLights()->InitTraversal(it);
   while (vtkLight* each = renderer->GetLights()->GetNextLight(it))
   {
-    const std::string first = Prefix + Identify(this->GetLightName(renderer, each));
+    const std::string first =
+      vtkRelievoLayerCatalogue::GetOfLight().Name + Identify(this->GetLightName(renderer, each));
     std::string layer = first;
     for (int n = 2; std::find(before.begin(), before.end(), layer) != before.end(); ++n)
     {
@@ -103,7 +102,7 @@ std::map<std::string, int> vtkRelievoShadowPass::FindLights(
     {
       lights[layer] = number;
     }
-    else if (layer.compare(0, std::char_traits<char>::length(Prefix), Prefix) == 0)
+    else if (vtkRelievoLayerCatalogue::GetIsOfLight(layer))
     {
       vtkCollectionSimpleIterator it;
       renderer->GetLights()->InitTraversal(it);

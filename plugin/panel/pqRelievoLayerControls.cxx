@@ -9,6 +9,7 @@
 #include "vtkPVRelievoView.h"
 #include "vtkPVRenderView.h"
 #include "vtkPointData.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkRenderWindow.h"
 #include "vtkSMProperty.h"
 #include "vtkSMProxy.h"
@@ -25,8 +26,6 @@
 
 namespace
 {
-const char* const Ids[] = { "actor", "block", "cell" };
-
 bool IsNothing(const QString& layer, vtkDataArray* array, vtkIdType pixel)
 {
   bool isZero = array->GetNumberOfComponents() > 1;
@@ -39,14 +38,9 @@ bool IsNothing(const QString& layer, vtkDataArray* array, vtkIdType pixel)
     }
     isZero = isZero && value == 0.0;
   }
-  for (const char* id : Ids)
-  {
-    if (layer == id)
-    {
-      return array->GetComponent(pixel, 0) < 0.0;
-    }
-  }
-  return isZero;
+  const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(layer.toStdString());
+  return known.Kind == vtkRelievoLayer::ID ? array->GetComponent(pixel, 0) == known.Background
+                                           : isZero;
 }
 }
 

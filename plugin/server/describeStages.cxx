@@ -6,17 +6,21 @@
 //
 // A comment `stages: properties` in the template becomes the properties of every stage that is not
 // always there, `stages: exposed` their groups in the render view, `layers` the names of layers,
-// `layers: shown` those that can be shown as the picture.
+// `layers: shown` those that can be shown as the picture. In other lines @layers: help@ is what
+// they are, @layers: count@ how many values a selection of layers has, and @layers: A B@ the values
+// of one in which A and B are chosen, A first.
 #include "vtkNew.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -151,26 +155,74 @@ std::string MakeExposed(const vtkRelievoStageDescription& stage)
   return out.str();
 }
 
-std::string MakeLayers()
+// Those that have a name of their own: not those of lights.
+std::vector<vtkRelievoLayer> GetNamedLayers()
+{
+  std::vector<vtkRelievoLayer> layers = vtkRelievoLayerCatalogue::GetAll();
+  layers.erase(std::remove_if(layers.begin(), layers.end(),
+                 [](const vtkRelievoLayer& layer) { return layer.OfLight; }),
+    layers.end());
+  return layers;
+}
+
+std::string MakeLayers(bool withPicture)
 {
   std::string out;
-  for (const vtkRelievoLayer& layer : vtkRelievoLayerCatalogue::GetAll())
+  for (const vtkRelievoLayer& layer : GetNamedLayers())
   {
-    out += layer.OfLight ? "" : "          <String value=\"" + layer.Name + "\"/>\n";
+    const bool listed = withPicture || layer.Source != vtkRelievoLayer::FROM_PICTURE;
+    out += listed ? "          <String value=\"" + layer.Name + "\"/>\n" : "";
   }
   return out;
 }
 
-// Of those that the view shows: not the picture itself.
-std::string MakeShownLayers()
+std::string MakeLayersHelp()
 {
   std::string out;
-  for (const vtkRelievoLayer& layer : vtkRelievoLayerCatalogue::GetAll())
+  for (const vtkRelievoLayer& layer : GetNamedLayers())
   {
-    const bool shown = !layer.OfLight && layer.Source != vtkRelievoLayer::FROM_PICTURE;
-    out += shown ? "          <String value=\"" + layer.Name + "\"/>\n" : "";
+    const bool told = layer.Source != vtkRelievoLayer::FROM_PICTURE;
+    out += told ? (out.empty() ? "" : "; ") + layer.Name + ": " + Escape(layer.Help) : "";
   }
   return out;
+}
+
+std::string MakeSelection(const std::string& words)
+{
+  std::istringstream in(words);
+  std::vector<std::string> chosen;
+  for (std::string word; in >> word;)
+  {
+    chosen.push_back(word);
+  }
+  std::vector<vtkRelievoLayer> layers = GetNamedLayers();
+  std::stable_partition(layers.begin(), layers.end(), [&chosen](const vtkRelievoLayer& layer) {
+    return !chosen.empty() && layer.Name == chosen.front();
+  });
+  std::string out;
+  for (const vtkRelievoLayer& layer : layers)
+  {
+    const bool on = std::find(chosen.begin(), chosen.end(), layer.Name) != chosen.end();
+    out += (out.empty() ? "" : " ") + layer.Name + (on ? " 1" : " 0");
+  }
+  return out;
+}
+
+// The line with what stands for its @layers: ...@.
+std::string FillIn(const std::string& line)
+{
+  const std::string mark = "@layers: ";
+  const std::size_t from = line.find(mark);
+  const std::size_t to = from == std::string::npos ? from : line.find('@', from + 1);
+  if (to == std::string::npos)
+  {
+    return line;
+  }
+  const std::string what = line.substr(from + mark.size(), to - from - mark.size());
+  const std::string filled = what == "help" ? MakeLayersHelp()
+    : what == "count"                       ? std::to_string(2 * GetNamedLayers().size())
+                                            : MakeSelection(what);
+  return line.substr(0, from) + filled + FillIn(line.substr(to + 1));
 }
 }
 
@@ -199,9 +251,9 @@ int main(int argc, char* argv[])
   {
     out << (line.find("<!-- stages: properties -->") != std::string::npos ? properties
         : line.find("<!-- stages: exposed -->") != std::string::npos      ? exposed
-        : line.find("<!-- layers -->") != std::string::npos               ? MakeLayers()
-        : line.find("<!-- layers: shown -->") != std::string::npos        ? MakeShownLayers()
-                                                                          : line + "\n");
+        : line.find("<!-- layers -->") != std::string::npos               ? MakeLayers(true)
+        : line.find("<!-- layers: shown -->") != std::string::npos        ? MakeLayers(false)
+                                                                          : FillIn(line) + "\n");
   }
   std::ofstream file(argv[2]);
   file << out.str();

@@ -14,6 +14,7 @@
 #include "vtkPointData.h"
 #include "vtkProcessModule.h"
 #include "vtkRelievoGBufferPass.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoPass.h"
 #include "vtkRenderWindow.h"
@@ -30,7 +31,13 @@ vtkStandardNewMacro(vtkPVRelievoCapture);
 namespace
 {
 constexpr int MoveTag = 46121;
-constexpr const char* ProcessLayer = "process";
+
+// The layer that the window has and not the frame.
+const std::string& Picture()
+{
+  return vtkRelievoLayerCatalogue::GetPicture().Name;
+}
+using vtkPVRelievoLayerMerge::ProcessLayer;
 
 // Reads what can be read: on several processes each lacks arrays of what others draw. Returns what
 // is wrong with the first that cannot.
@@ -121,7 +128,7 @@ void vtkPVRelievoCapture::Start()
   }
   in.Requested = in.Layers;
   in.Requested.erase(
-    std::remove(in.Requested.begin(), in.Requested.end(), "color"), in.Requested.end());
+    std::remove(in.Requested.begin(), in.Requested.end(), Picture()), in.Requested.end());
   // Parts of the scene are put together by it; others do not pay for a layer nobody reads.
   const bool parts = vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_CLIENT &&
     vtkProcessModule::GetProcessModule()->GetNumberOfLocalPartitions() > 1;
@@ -196,7 +203,7 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
   {
     if (in.IsAsked("cell") && !in.IsAsked(ProcessLayer))
     {
-      vtkPVRelievoLayerMerge::AddProcess(process, ProcessLayer, in.Image);
+      vtkPVRelievoLayerMerge::AddProcess(process, in.Image);
       names.emplace_back(ProcessLayer);
     }
     const std::string parted = vtkPVRelievoLayerMerge::Merge(controller, names, in.Image);
@@ -240,7 +247,7 @@ void vtkPVRelievoCapture::ReadColor()
 {
   Internals& in = *this->Internal;
   auto* view = vtkPVRenderView::SafeDownCast(in.View);
-  if (!view || in.Failed || !in.IsAsked("color") ||
+  if (!view || in.Failed || !in.IsAsked(Picture()) ||
     vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() != 0)
   {
     return;
@@ -251,8 +258,8 @@ void vtkPVRelievoCapture::ReadColor()
   renderer->GetTiledSize(&size[0], &size[1]);
   if (points > 0 && points != static_cast<vtkIdType>(size[0]) * size[1])
   {
-    vtkErrorMacro("No layer 'color': the window has "
-      << size[0] << " x " << size[1] << " pixels, the layers " << points << "; grab again.");
+    vtkErrorMacro("No layer '" << Picture() << "': the window has " << size[0] << " x " << size[1]
+                               << " pixels, the layers " << points << "; grab again.");
     in.Image->Initialize();
     return;
   }

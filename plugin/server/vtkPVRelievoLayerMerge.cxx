@@ -8,6 +8,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -26,49 +27,41 @@ struct Kind
   int Components = 0;
 };
 
-// Of a light: the frame's names of lights all begin so.
-bool IsVisibility(const std::string& name)
+// What is known of a layer without its image; of kind ARRAY if nothing is.
+const vtkRelievoLayer& Know(const std::string& name)
 {
-  return name.compare(0, 7, "shadow_") == 0;
+  // A light's name is the frame's to know; its layers all begin so.
+  return vtkRelievoLayerCatalogue::GetIsOfLight(name) ? vtkRelievoLayerCatalogue::GetOfLight()
+                                                      : vtkRelievoLayerCatalogue::Find(name);
 }
 
 // The value of a layer where nothing is.
 double GetNothing(const std::string& name, const Kind& kind)
 {
-  if (name == "depth" || name == "range")
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  if (name == "actor" || name == "block" || name == "cell" || name == "process")
+  if (name == vtkPVRelievoLayerMerge::ProcessLayer)
   {
     return -1.0;
   }
-  if (IsVisibility(name) && kind.Type == VTK_FLOAT && kind.Components == 1)
-  {
-    return 1.0;
-  }
-  const bool zero = name == "normal" || name == "geometric_normal" || name == "position" ||
-    name == "albedo" || (kind.Type != VTK_FLOAT && kind.Type != VTK_DOUBLE);
-  return zero ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+  const vtkRelievoLayer& layer = Know(name);
+  // An array of the data may have a name like a light's.
+  const bool fits =
+    !layer.OfLight || (kind.Type == layer.Type && kind.Components == layer.Components);
+  const bool whole = kind.Type != VTK_FLOAT && kind.Type != VTK_DOUBLE;
+  return layer.Kind != vtkRelievoLayer::ARRAY && fits ? layer.Background
+    : whole                                           ? 0.0
+                                                      : std::numeric_limits<double>::quiet_NaN();
 }
 
 Kind GetKnownKind(const std::string& name)
 {
-  if (name == "depth" || name == "range" || IsVisibility(name))
-  {
-    return { VTK_FLOAT, 1 };
-  }
-  if (name == "normal" || name == "geometric_normal")
-  {
-    return { VTK_FLOAT, 3 };
-  }
-  if (name == "actor" || name == "block" || name == "cell" || name == "process")
+  if (name == vtkPVRelievoLayerMerge::ProcessLayer)
   {
     return { VTK_INT, 1 };
   }
-  return name == "position" ? Kind{ VTK_DOUBLE, 3 }
-    : name == "albedo"      ? Kind{ VTK_UNSIGNED_CHAR, 4 }
-                            : Kind{};
+  const vtkRelievoLayer& layer = Know(name);
+  return layer.Kind != vtkRelievoLayer::ARRAY && layer.Source != vtkRelievoLayer::FROM_PICTURE
+    ? Kind{ layer.Type, layer.Components }
+    : Kind{};
 }
 
 // The image's array, of the given kind: as it is, converted, or made where it lacks.
@@ -287,7 +280,7 @@ std::string vtkPVRelievoLayerMerge::Merge(
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoLayerMerge::AddProcess(int process, const char* name, vtkImageData* image)
+void vtkPVRelievoLayerMerge::AddProcess(int process, vtkImageData* image)
 {
   vtkDataArray* depth = image->GetPointData()->GetArray("depth");
   if (!depth)
@@ -295,7 +288,7 @@ void vtkPVRelievoLayerMerge::AddProcess(int process, const char* name, vtkImageD
     return;
   }
   vtkNew<vtkIntArray> array;
-  array->SetName(name);
+  array->SetName(ProcessLayer);
   array->SetNumberOfTuples(image->GetNumberOfPoints());
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {

@@ -15,6 +15,9 @@ class vtkMultiProcessController;
 
 namespace vtkPVRelievoLayerMerge
 {
+// No layer of a frame's, but of processes: which of them a pixel's values come from.
+constexpr const char* ProcessLayer = "process";
+
 // Called by all processes, with the same names, `depth` among them. `image` has what the process
 // made: no points if it drew nothing, arrays only for layers it has. Afterwards that of process 0
 // has all layers that any process had; a layer is empty (as vtkRelievoLayerSource says) where the
@@ -22,8 +25,8 @@ namespace vtkPVRelievoLayerMerge
 std::string Merge(vtkMultiProcessController* controller, const std::vector<std::string>& names,
   vtkImageData* image);
 
-// Adds the array `name`: the process in every pixel that it has, -1 in the others.
-void AddProcess(int process, const char* name, vtkImageData* image);
+// Adds the array ProcessLayer: the process in every pixel that it has, -1 in the others.
+void AddProcess(int process, vtkImageData* image);
 
 // Layers where nothing is, for pictures without any geometry: those that the image lacks and whose
 // type is known without it.

@@ -9,6 +9,7 @@
 #include "vtkPVRelievoCapture.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVSession.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSession.h"
 #include "vtkSMViewProxy.h"
@@ -68,7 +69,8 @@ void vtkSMRelievoCaptureProxy::Start(vtkSMViewProxy* view, const std::vector<std
 {
   this->CreateVTKObjects();
   this->View = view;
-  this->Color = std::find(layers.begin(), layers.end(), "color") != layers.end();
+  this->Color = std::find(layers.begin(), layers.end(),
+                  vtkRelievoLayerCatalogue::GetPicture().Name) != layers.end();
   this->Others = layers.size() > (this->Color ? 1U : 0U);
   vtkClientServerStream stream;
   stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "SetView" << VTKOBJECT(view)

@@ -8,6 +8,7 @@
 #include "vtkPVRelievoView.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVSession.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRelievoAccess.h"
 #include "vtkSMSession.h"
@@ -80,7 +81,7 @@ void vtkSMRelievoViewProxy::OfferLights()
   for (unsigned int i = 0; i < offered->GetNumberOfStrings(); ++i)
   {
     const std::string name = offered->GetString(i);
-    if (name.compare(0, 7, "shadow_") != 0)
+    if (!vtkRelievoLayerCatalogue::GetIsOfLight(name))
     {
       names.push_back(name);
     }

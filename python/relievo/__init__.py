@@ -7,7 +7,7 @@
     depth = relievo.layer(image, "depth")      # numpy, (rows, columns), no copy
     relievo.write_exr("frame.exr", image)
 
-Layers, one sample per pixel, at its centre:
+Layers, one sample per pixel, at its centre; layers() lists them for scripts:
 
 =================  ==========  ====================================================  ==========
 name               components  what it is                                            background
@@ -56,6 +56,7 @@ from ._capture import capture
 from ._exr import read_exr, write_exr
 from ._frame import attach, detach, report, vtkRelievoPass
 from ._image import attributes, layer, layer_names
+from ._layers import layers
 from ._points import depth_to_points
 from ._stages import stage, stages
 
@@ -67,6 +68,7 @@ __all__ = [
     "detach",
     "layer",
     "layer_names",
+    "layers",
     "read_exr",
     "report",
     "stage",

@@ -2,29 +2,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whether a name can be a layer of what a renderer draws."""
 
-import re
-
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet
 
-_LAYERS = ("depth", "range", "normal", "geometric_normal", "position", "albedo", "actor", "block",
-           "cell")  # fmt: skip
+from .vtkRelievoLayers import vtkRelievoLayerCatalogue
+
 _WITHOUT_LAYERS = ("vtkVolume", "vtkImageSlice", "vtkImageActor")
-_SHADOW = re.compile(r"shadow_\d{1,3}")
 
 
 def why_not(name, renderer):
     """What is wrong with a layer's name, in words; None if nothing is, or nobody can know yet."""
     if not isinstance(name, str) or not name:
         return f"got {name!r}, expected a layer's name such as 'depth', or an array's"
-    if name in _LAYERS or _SHADOW.fullmatch(name) or renderer is None:
+    if vtkRelievoLayerCatalogue.GetIsLayer(name) or renderer is None:
         return None
     arrays = _arrays_of(renderer)
     if arrays is None or name.split(":", 1)[-1] in arrays or name in arrays:
         return None
     known = ", ".join(sorted(arrays)) or "none"
     return (
-        f"got {name!r}, expected one of {', '.join(_LAYERS)}, shadow_N, or an array of what the "
-        f"renderer draws ({known}); add the data that has it first"
+        f"got {name!r}, expected one of {vtkRelievoLayerCatalogue.GetLayerNames()}, or an array "
+        f"of what the renderer draws ({known}); add the data that has it first"
     )
 
 

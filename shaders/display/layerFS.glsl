@@ -4,7 +4,8 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows a layer as the picture. RELIEVO_SHOW: a code of codes.glsl.
+// Shows a layer as the picture. RELIEVO_SHOW_COLORS: colours made before; else by the word that the
+// catalogue of layers has for it: RELIEVO_SHOW_DEPTH ...
 //RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(formulas/unproject.glsl)
 //RELIEVO::Include(formulas/colormap.glsl)
@@ -16,11 +17,11 @@ uniform int relievoGrey;
 uniform int relievoWorldNormals;
 uniform mat4 relievoProjection;
 uniform mat4 relievoViewToWorld;
-#if RELIEVO_SHOW == RELIEVO_SHOW_COLORS
+#ifdef RELIEVO_SHOW_COLORS
 uniform sampler2D relievoColors;
 #endif
 
-#if RELIEVO_SHOW == RELIEVO_SHOW_NORMAL || RELIEVO_SHOW == RELIEVO_SHOW_GEOMETRIC_NORMAL
+#if defined(RELIEVO_SHOW_NORMAL) || defined(RELIEVO_SHOW_GEOMETRIC_NORMAL)
 vec4 relievoVectorColor(vec3 normalVC)
 {
   vec3 n = relievoWorldNormals != 0 ? mat3(relievoViewToWorld) * normalVC : normalVC;
@@ -28,7 +29,7 @@ vec4 relievoVectorColor(vec3 normalVC)
 }
 #endif
 
-#if RELIEVO_SHOW == RELIEVO_SHOW_DEPTH || RELIEVO_SHOW == RELIEVO_SHOW_RANGE
+#if defined(RELIEVO_SHOW_DEPTH) || defined(RELIEVO_SHOW_RANGE)
 vec4 relievoScalarColor(float value)
 {
   if (isinf(value))
@@ -44,21 +45,21 @@ vec4 relievoScalarColor(float value)
 void main()
 {
   ivec2 pixel = ivec2(floor(texCoord * relievoSize));
-#if RELIEVO_SHOW == RELIEVO_SHOW_COLORS
+#if defined(RELIEVO_SHOW_COLORS)
   vec4 color = texelFetch(relievoColors, pixel, 0);
   gl_FragData[0] = color.a > 0.0 ? vec4(color.rgb, 1.0) : relievoBackground;
-#elif RELIEVO_SHOW == RELIEVO_SHOW_DEPTH
+#elif defined(RELIEVO_SHOW_DEPTH)
   gl_FragData[0] = relievoScalarColor(relievoFetchDepth(pixel));
-#elif RELIEVO_SHOW == RELIEVO_SHOW_RANGE
+#elif defined(RELIEVO_SHOW_RANGE)
   float depth = relievoFetchDepth(pixel);
   vec3 positionVC = relievoEyePosition(
     relievoNdcFromPixel(vec2(pixel), relievoSize), isinf(depth) ? 1.0 : depth, relievoProjection);
   gl_FragData[0] = relievoScalarColor(isinf(depth) ? depth : length(positionVC));
-#elif RELIEVO_SHOW == RELIEVO_SHOW_NORMAL
+#elif defined(RELIEVO_SHOW_NORMAL)
   gl_FragData[0] = relievoVectorColor(relievoFetchNormal(pixel));
-#elif RELIEVO_SHOW == RELIEVO_SHOW_GEOMETRIC_NORMAL
+#elif defined(RELIEVO_SHOW_GEOMETRIC_NORMAL)
   gl_FragData[0] = relievoVectorColor(relievoFetchNormalAt(pixel, RELIEVO_GEOMETRIC_NORMAL_WORD));
-#else
+#elif defined(RELIEVO_SHOW_ALBEDO)
   vec4 albedo = unpackUnorm4x8(relievoFetchWord(pixel, RELIEVO_ALBEDO_WORD));
   gl_FragData[0] = albedo.a > 0.0 ? vec4(albedo.rgb, 1.0) : relievoBackground;
 #endif

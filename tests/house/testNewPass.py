@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""testNewPass.py SOURCE CMAKE CTEST [CMAKE OPTIONS...]: "add a pass in N steps", done.
+"""testNewPass.py SOURCE CMAKE CTEST [CMAKE OPTIONS...]: "add a pass in N steps" and a layer, done.
 
 In a copy of the tree, tools/new-pass adds a pass; the copy is built, the new pass's own test runs,
 and the pass is used from the command line, Python and ParaView, whose sources nobody has touched.
+So is a layer that one entry adds to the catalogue (newLayer.py).
 The copy keeps its build, so that a second run compiles only what changed.
 """
 
@@ -13,6 +14,8 @@ import pathlib
 import shutil
 import subprocess
 import sys
+
+import newLayer
 
 NAME = "Mist"
 
@@ -64,6 +67,7 @@ def main(source, cmake, ctest, *options):
     complaints = [line for line in check.stdout.splitlines() if NAME.lower() in line.lower()]
     assert not complaints, complaints
 
+    newLayer.add(tree)
     build = tree / "build" / "dev"
     run([cmake, "-G", "Ninja", "-S", tree, "-B", build, *options])
     paraview = "-DRELIEVO_USE_PARAVIEW=ON" in options and shutil.which("pvpython")
@@ -74,11 +78,16 @@ def main(source, cmake, ctest, *options):
                   "--output-on-failure"])
     assert "100% tests passed" in output, output
     print(output)
+    folder = tree.parent
     on_the_command_line(build)
+    newLayer.on_the_command_line(run, build, folder)
     python = next(each for each in options if each.startswith("-DPython3_EXECUTABLE"))
-    in_python(build, python.split("=", 1)[1])
+    python = python.split("=", 1)[1]
+    in_python(build, python)
+    newLayer.in_python(run, build, python, folder)
     if paraview:
         in_paraview(build)
+        newLayer.in_paraview(run, build, folder)
     return 0
 
 

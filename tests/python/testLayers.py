@@ -1,0 +1,112 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""layers(): the catalogue says of each layer what a capture gives, and what the documents say."""
+
+import os
+import pathlib
+import re
+import unittest
+
+import numpy
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkRenderer
+
+import relievo
+import scenes
+
+LAYERS = relievo.layers()
+DOCS = pathlib.Path(os.environ["RELIEVO_EXAMPLES"]).parent / "docs"
+TYPES = {"float": numpy.float32, "double": numpy.float64, "int": numpy.int32,
+         "unsigned char": numpy.uint8}  # fmt: skip
+
+
+def is_kind(words, layer):
+    """Whether words such as "3 float" are the layer's components and type."""
+    count, word = re.fullmatch(r"(?:(\d+) )?(\w+)", words).groups()
+    word = {"uchar": "unsigned char", "uint8": "unsigned char"}.get(word, word)
+    return (int(count or 1), word) == (layer["components"], layer["type"])
+
+
+def is_background(words, layer):
+    """Whether words such as "+∞" are the layer's background."""
+    if layer["background"] is None:
+        return "renderer's" in words
+    numbers = {"+∞": numpy.inf, "+infinity": numpy.inf, "−1": -1}
+    return numbers.get(words, words) == layer["background"] or words == f"{layer['background']:g}"
+
+
+class Catalogue(unittest.TestCase):
+    def test_names(self):
+        self.assertEqual(
+            set(LAYERS),
+            {"depth", "range", "normal", "geometric_normal", "position", "albedo", "actor", "block",
+             "cell", "color", "shadow_N"},
+        )  # fmt: skip
+        for name, layer in LAYERS.items():
+            self.assertTrue(layer["help"], name)
+        for layer in (-1, len(LAYERS)):
+            self.assertEqual(relievo.vtkRelievoLayerCatalogue.GetLayerName(layer), "")
+            self.assertEqual(relievo.vtkRelievoLayerCatalogue.GetLayerType(layer), "")
+
+    def test_lights(self):
+        catalogue = relievo.vtkRelievoLayerCatalogue
+        for name, light in (("shadow_0", 0), ("shadow_12", 12), ("shadow_", -1), ("shadow_x", -1),
+                            ("shadow_1x", -1), ("shadow_-1", -1), ("shadow_1000", -1),
+                            ("Shadow_1", -1), ("depth", -1), ("", -1)):  # fmt: skip
+            self.assertEqual(catalogue.GetLight(name), light, name)
+            self.assertEqual(catalogue.GetIsLayer(name), light >= 0 or name == "depth", name)
+
+    def test_captured(self):
+        """A sphere that leaves the corners to the background."""
+        renderer = vtkRenderer()
+        scenes.add(renderer, vtkSphereSource())
+        renderer.SetBackground(0.0, 0.5, 1.0)
+        names = [name.replace("shadow_N", "shadow_0") for name in LAYERS]
+        image = relievo.capture(renderer, names, size=(61, 47))
+        for name, layer in zip(names, LAYERS.values()):
+            with self.subTest(name):
+                values = relievo.layer(image, name)
+                self.assertEqual(values.dtype, TYPES[layer["type"]])
+                self.assertEqual(values[0, 0].size, layer["components"])
+                if layer["background"] is None:
+                    self.assertAlmostEqual(values[0, 0, 1], 0.2140, delta=0.003)  # 0.5 of sRGB
+                else:
+                    self.assertTrue((values[0, 0] == layer["background"]).all(), values[0, 0])
+                if name != "shadow_0":  # where the headlight shines
+                    background = layer["background"] or 0
+                    self.assertFalse((values[23, 30] == background).all() and name not in
+                                     ("actor", "block", "cell"), values[23, 30])  # fmt: skip
+
+
+class Documents(unittest.TestCase):
+    def compare(self, rows):
+        found = {}
+        for names, kind, background in rows:
+            for name in names:
+                self.assertIn(name, LAYERS)
+                self.assertTrue(is_kind(kind, LAYERS[name]), (name, kind))
+                self.assertTrue(is_background(background, LAYERS[name]), (name, background))
+                found[name] = True
+        self.assertEqual(set(found), set(LAYERS))
+
+    def test_page(self):
+        page = (DOCS / "layers.md").read_text(encoding="utf-8")
+        rows = [re.split(r" *\| *", line)[1:-1] for line in page.splitlines()
+                if line.startswith("| `")]  # fmt: skip
+        table = [([re.search("`(.+?)`", row[0])[1]], row[1], row[3]) for row in rows if len(row) == 4]
+        self.compare(table)
+
+    def test_package(self):
+        bars = [i for i, line in enumerate(lines := relievo.__doc__.splitlines())
+                if line.startswith("====")]  # fmt: skip
+        columns = [(m.start(), m.end()) for m in re.finditer("=+", lines[bars[0]])]
+        rows = []
+        for line in lines[bars[1] + 1 : bars[2]]:
+            name, kind, _, background = (line[a:b].strip() for a, b in columns)
+            if not name.startswith("any array"):
+                rows.append((name.split(), kind, background))
+        self.compare(rows)
+
+
+if __name__ == "__main__":
+    unittest.main()
