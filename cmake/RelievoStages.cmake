@@ -18,3 +18,11 @@ function (relievo_add_stages module)
     SOURCES ${room_SOURCES})
   vtk_module_link("${module}" PRIVATE "$<BUILD_INTERFACE:relievoFormulas>")
 endfunction ()
+
+# The folders that a module's files lie in: on the include path of the module and, in this build, of
+# what links it. Installed headers lie in one folder.
+function (relievo_module_folders module)
+  foreach (folder IN LISTS ARGN)
+    vtk_module_include("${module}" PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>")
+  endforeach ()
+endfunction ()
