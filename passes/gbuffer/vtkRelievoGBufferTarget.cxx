@@ -123,6 +123,14 @@ std::string vtkRelievoGBufferTarget::Allocate(
 std::string vtkRelievoGBufferTarget::AttachShared(
   const vtkRelievoGBufferLayout& layout, const int region[4])
 {
+  // A capture's own depth is not held on to.
+  if (this->Depth)
+  {
+    this->Depth->ReleaseGraphicsResources(this->Window);
+    this->Framebuffer->ReleaseGraphicsResources(this->Window);
+    this->Depth = nullptr;
+    this->Framebuffer = nullptr;
+  }
   GLint framebuffer = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
   if (framebuffer == 0)

@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QTimer>
 
 #include <algorithm>
 #include <cmath>
@@ -118,12 +119,15 @@ bool pqRelievoNumber::eventFilter(QObject* watched, QEvent* event)
   }
   else if (watched == this->Slider && event->type() == QEvent::MouseButtonRelease)
   {
-    this->Held = false;
-    if (this->Trying)
-    {
-      this->Trying = false;
-      Q_EMIT this->settled(this->Digits->value());
-    }
+    // A dial moves once more when it is let go.
+    QTimer::singleShot(0, this, [this] {
+      this->Held = false;
+      if (this->Trying)
+      {
+        this->Trying = false;
+        Q_EMIT this->settled(this->Digits->value());
+      }
+    });
   }
   return this->Superclass::eventFilter(watched, event);
 }

@@ -151,8 +151,20 @@ void HistoryScene::Take(const HistoryState& state)
   this->Window->SetStereoRender(state.Stereo);
   this->Renderer->SetViewport(state.Part ? 0.25 : 0., 0., 1., state.Part ? 0.8 : 1.);
   this->Renderer->SetUseDepthPeeling(state.Peeling);
-  vtkMapper::SetResolveCoincidentTopology(
-    state.Offset ? VTK_RESOLVE_POLYGON_OFFSET : VTK_RESOLVE_OFF);
+  const int offset = state.Offset ? VTK_RESOLVE_POLYGON_OFFSET : VTK_RESOLVE_OFF;
+  if (vtkMapper::GetResolveCoincidentTopology() != offset)
+  {
+    vtkMapper::SetResolveCoincidentTopology(offset);
+  }
+  if (this->Offset != state.Offset)
+  {
+    // VTK reads it when it builds shaders, and does not build them anew for it.
+    for (vtkActor* actor : this->Actors)
+    {
+      actor->GetMapper()->Modified();
+    }
+    this->Offset = state.Offset;
+  }
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   camera->SetPosition(state.Eye.x, state.Eye.y, state.Eye.z);
   camera->SetFocalPoint(state.Focus.x, state.Focus.y, state.Focus.z);

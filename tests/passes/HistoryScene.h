@@ -106,6 +106,7 @@ public:
   vtkSmartPointer<vtkRenderWindow> Window;
 
 private:
+  bool Offset = false;
   std::vector<vtkSmartPointer<vtkActor>> Actors;
   std::vector<vtkSmartPointer<vtkLight>> Lights;
 };
