@@ -26,8 +26,9 @@ vtkSmartPointer<vtkPolyData> SceneMesh(const std::string& name)
   std::string folder;
   if (!vtksys::SystemTools::GetEnv("RELIEVO_DATA", folder) || folder.empty())
   {
-    std::cerr << "relievo: bench: the environment variable RELIEVO_DATA does not say where the meshes are; "
-                 "run tools/unpack-data FOLDER and set it to FOLDER\n";
+    std::cerr
+      << "relievo: bench: the environment variable RELIEVO_DATA does not say where the meshes are; "
+         "run tools/unpack-data FOLDER and set it to FOLDER\n";
     return nullptr;
   }
   return relievoTest::MakeReferenceScene(name).Mesh;

@@ -122,8 +122,8 @@ bool ReadCsv(const std::string& path, std::vector<CsvRow>& rows)
     const std::vector<std::string> fields = FieldsOf(line);
     if (fields.size() != columns.size())
     {
-      std::cerr << "relievo: bench: " << path << ", line " << rows.size() + 2 << ": " << fields.size()
-                << " fields, expected " << columns.size() << "\n";
+      std::cerr << "relievo: bench: " << path << ", line " << rows.size() + 2 << ": "
+                << fields.size() << " fields, expected " << columns.size() << "\n";
       return false;
     }
     CsvRow& row = rows.emplace_back();

@@ -41,7 +41,8 @@ bool WriteChart(const Chart& chart, const std::string& stem)
   const bool written = WriteSvg(drawing, stem + ".svg") && WritePng(drawing, stem + ".png");
   if (!written)
   {
-    std::cerr << "relievo: bench: cannot write " << stem << ".svg and .png: is the folder writable?\n";
+    std::cerr << "relievo: bench: cannot write " << stem
+              << ".svg and .png: is the folder writable?\n";
   }
   return written;
 }

@@ -8,6 +8,7 @@
 #define vtkRelievoAccess_h
 
 #include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
@@ -52,6 +53,22 @@ public:
     (ren->*(&Renderer::UpdateLightGeometry))();
     ren->UpdateLights();
     (ren->*(&Renderer::UpdateGeometry))(nullptr);
+  }
+};
+
+class Camera : public vtkCamera
+{
+public:
+  // As vtkOpenGLCamera::Render does, which comes after the first stage has asked for matrices; VTK
+  // keeps those until the camera is modified, which it does not do itself.
+  static void SetStereo(vtkCamera* camera, int stereo)
+  {
+    int& own = camera->*(&Camera::Stereo);
+    if (own != stereo)
+    {
+      own = stereo;
+      camera->Modified();
+    }
   }
 };
 

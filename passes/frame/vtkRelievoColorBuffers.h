@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the linear colour holds on the GPU: the framebuffer that the delegate draws to, of the same
-// multisampling and depth format as the one in whose place it is, and the colour that stages change.
+// multisampling and depth format as the one in whose place it is, and the colour that stages
+// change.
 #ifndef vtkRelievoColorBuffers_h
 #define vtkRelievoColorBuffers_h
 
@@ -27,7 +28,8 @@ struct vtkRelievoColorBuffers
 
   ~vtkRelievoColorBuffers();
 
-  // Buffers for a viewport x, y, width, height, as the framebuffer that is bound for drawing has them.
+  // Buffers for a viewport x, y, width, height, as the framebuffer that is bound for drawing has
+  // them.
   void Allocate(vtkOpenGLRenderWindow* window, const int viewport[4]);
 
   // A texture of one of OpenGL's formats with four components.

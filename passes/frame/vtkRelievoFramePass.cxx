@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoFramePass.h"
+#include "vtkRelievoAccess.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -275,6 +276,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   }
   in.Window = window;
   window->MakeCurrent();
+  vtkRelievoAccess::Camera::SetStereo(renderer->GetActiveCamera(), window->GetStereoRender());
   if (renderer->GetSelector())
   {
     // A selection draws its own picture of ids, to its own rules.

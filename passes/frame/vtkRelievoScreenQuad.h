@@ -39,8 +39,8 @@ public:
   const std::string& GetWrong() const { return this->Wrong; }
 
   // Draws with the program that Ready gave into x, y, width, height (default: the frame's viewport)
-  // of the framebuffer that is bound, without depth test; the depth that the shader gives is written if
-  // `depth`. Blending is as the caller set it.
+  // of the framebuffer that is bound, without depth test; the depth that the shader gives is
+  // written if `depth`. Blending is as the caller set it.
   void Draw(vtkRelievoFrameContext& context, const int* viewport = nullptr, bool depth = false);
 
   void Release(vtkWindow* window);

@@ -215,9 +215,9 @@ void vtkRelievoForwardMasks::Unbind()
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkRelievoForwardMasks::GetBytes() const
+vtkIdType vtkRelievoForwardMasks::GetBytes(int width, int height, int lights)
 {
-  return static_cast<vtkIdType>(this->Width) * this->Height * (4 + this->Lights);
+  return static_cast<vtkIdType>(width) * height * (4 + lights);
 }
 
 //------------------------------------------------------------------------------

@@ -51,7 +51,8 @@ public:
   void Unbind();
   int GetTextureUnit() const { return this->Unit; }
 
-  vtkIdType GetBytes() const;
+  vtkIdType GetBytes() const { return GetBytes(this->Width, this->Height, this->Lights); }
+  static vtkIdType GetBytes(int width, int height, int lights);
   void Release(vtkWindow* window);
 
 private:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowCache.h"
 
+#include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoShadowProps.h"
 
 #include <algorithm>
@@ -28,8 +29,8 @@ bool IsSame(const std::vector<vtkRelievoBox>& a, const std::vector<vtkRelievoBox
 
 bool IsSame(const vtkRelievoShadowFit::Request& a, const vtkRelievoShadowFit::Request& b)
 {
-  return a.Size == b.Size && a.Border == b.Border && a.Warp == b.Warp && a.Eye == b.Eye &&
-    a.Gaze == b.Gaze && a.ViewUp == b.ViewUp && a.ParallelEye == b.ParallelEye;
+  return a.Size == b.Size && a.Border == b.Border && a.Eye == b.Eye && a.Gaze == b.Gaze &&
+    a.ViewUp == b.ViewUp && a.ParallelEye == b.ParallelEye;
 }
 
 int Count(const std::vector<Entry>& entries)
@@ -60,14 +61,14 @@ const Map* Find(const std::vector<Entry>& entries, const vtkRelievoShadowView& v
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowCache::Update(
-  const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene)
+void vtkRelievoShadowCache::Update(const std::vector<vtkRelievoShadowLight>& casting,
+  const vtkRelievoShadowScene& scene, const vtkRelievoShadowMethod& method)
 {
   if (!scene.SameCasters)
   {
     this->Invalidate();
   }
-  const bool sameFit = scene.WorldToNDC == this->Scene.WorldToNDC &&
+  const bool sameFit = this->Fitted && scene.WorldToNDC == this->Scene.WorldToNDC &&
     IsSame(scene.Request, this->Scene.Request) && IsSame(scene.Casters, this->Scene.Casters) &&
     IsSame(scene.Receivers, this->Scene.Receivers) &&
     std::equal(casting.begin(), casting.end(), this->Entries.begin(), this->Entries.end(),
@@ -82,13 +83,14 @@ void vtkRelievoShadowCache::Update(
     }
     return;
   }
-  this->Fit(casting, scene);
+  this->Fit(casting, scene, method);
   this->Scene = scene;
+  this->Fitted = true;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowCache::Fit(
-  const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene)
+void vtkRelievoShadowCache::Fit(const std::vector<vtkRelievoShadowLight>& casting,
+  const vtkRelievoShadowScene& scene, const vtkRelievoShadowMethod& method)
 {
   const auto visible = vtkRelievoShadowRegion::Cut(scene.Receivers, scene.WorldToNDC);
   const auto all = vtkRelievoShadowRegion::GetFaces(scene.Receivers);
@@ -101,7 +103,7 @@ void vtkRelievoShadowCache::Fit(
     entry.Light = light;
     entry.Cube = vtkRelievoShadowFit::IsCube(light, all);
     for (const vtkRelievoShadowView& view :
-      vtkRelievoShadowFit::Fit(light, visible, all, scene.Casters, scene.Request))
+      method.Fit(light, visible, all, scene.Casters, scene.Request))
     {
       Map map;
       map.View = view;

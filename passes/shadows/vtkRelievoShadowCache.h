@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <vector>
 
+class vtkRelievoShadowMethod;
 class vtkRelievoShadowProps;
 
 // What maps are fitted to.
@@ -41,11 +42,15 @@ public:
     bool Cube = false; // another camera may need several maps: shaders keep room for six
   };
 
-  // Fits maps to the casting lights, keeping what is still right.
-  void Update(
-    const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene);
+  // Fits the method's maps to the casting lights, keeping what is still right.
+  void Update(const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene,
+    const vtkRelievoShadowMethod& method);
+
+  // Another method may fit otherwise: maps that it has as well are kept.
+  void Refit() { this->Fitted = false; }
 
   std::vector<Entry>& GetEntries() { return this->Entries; }
+  const std::vector<Entry>& GetEntries() const { return this->Entries; }
   int GetNumberOfMaps() const;
 
   // The middle of what is visible of the receivers, in world coordinates.
@@ -63,12 +68,14 @@ public:
   void Clear();
 
 private:
-  void Fit(const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene);
+  void Fit(const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowScene& scene,
+    const vtkRelievoShadowMethod& method);
   void AssignLayers(const std::vector<Entry>& before);
 
   std::vector<Entry> Entries;
   std::vector<std::uint64_t> Casters;
   vtkRelievoShadowScene Scene; // that the maps were fitted to
+  bool Fitted = false;
   glm::dvec3 Center{ 0.0 };
 };
 

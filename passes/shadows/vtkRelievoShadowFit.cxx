@@ -14,6 +14,7 @@ namespace
 {
 using Frame = vtkRelievoShadowFrame;
 using vtkRelievoShadowFit::Request;
+using vtkRelievoShadowRegion::GetPoints;
 using vtkRelievoShadowRegion::Polygon;
 
 // Half the opening, in tangents, up to which one perspective map serves a lamp; beyond it texels at
@@ -21,16 +22,6 @@ using vtkRelievoShadowRegion::Polygon;
 constexpr double WidestTangent = 1.43; // 55 degrees
 // Sides of a cube reach a little over their edges, for the filter.
 constexpr double CubeTangent = 1.01;
-
-std::vector<glm::dvec3> GetPoints(const std::vector<Polygon>& region)
-{
-  std::vector<glm::dvec3> points;
-  for (const Polygon& polygon : region)
-  {
-    points.insert(points.end(), polygon.begin(), polygon.end());
-  }
-  return points;
-}
 
 // What of the region is within the pyramid of the frame.
 std::vector<glm::dvec3> GetPointsWithin(
@@ -154,9 +145,7 @@ std::vector<vtkRelievoShadowView> vtkRelievoShadowFit::Fit(const vtkRelievoShado
   }
   if (!light.Positional)
   {
-    const glm::dvec3 origin = vtkRelievoShadowRegion::GetMiddle(scene);
-    const Frame frame = request.Warp ? Frame::OfGround(origin, light.Direction, request.ViewUp)
-                                     : Frame(origin, light.Direction);
+    const Frame frame(vtkRelievoShadowRegion::GetMiddle(scene), light.Direction);
     if (frame.Fit(true, points, all, casters, request, view))
     {
       views.push_back(view);

@@ -20,16 +20,15 @@ struct Request
   int Size = 2048; // of the map, in texels
   int Border = 2;  // texels around the region that the filter reaches
 
-  // Spend texels where the camera sees more of them: variable-resolution maps.
-  bool Warp = false;
+  // The camera, for maps that spend their texels by what it sees.
   glm::dvec3 Eye{ 0.0 };
   glm::dvec3 Gaze{ 0.0, 0.0, -1.0 }; // unit
   glm::dvec3 ViewUp{ 0.0, 1.0, 0.0 };
   bool ParallelEye = false;
 };
 
-// What is visible is a part of the scene, both as polygons. A function of what it is given and of
-// nothing else. Empty if no shadow can be seen.
+// Views of evenly spaced maps. What is visible is a part of the scene, both as polygons. A function
+// of what it is given and of nothing else. Empty if no shadow can be seen.
 std::vector<vtkRelievoShadowView> Fit(const vtkRelievoShadowLight& light,
   const std::vector<vtkRelievoShadowRegion::Polygon>& visible,
   const std::vector<vtkRelievoShadowRegion::Polygon>& scene,

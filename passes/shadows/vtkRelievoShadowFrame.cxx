@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowFrame.h"
 
-#include "vtkMath.h"
 #include "vtkRelievoShadowSteps.h"
 
 #include <algorithm>
@@ -15,11 +14,8 @@ using vtkRelievoShadowFit::Request;
 using vtkRelievoShadowRegion::Rectangle;
 using vtkRelievoShadowSteps::Rounding;
 
-// Angles that a map is tried at, in a quarter turn, and those of a warped map in half a turn.
+// Angles that a map is tried at, in a quarter turn.
 constexpr int Turns = 8;
-constexpr double GazeTurns = 16.0;
-// Places along a warped map where it may be finest.
-constexpr double FocusPlaces = 8.0;
 
 glm::dmat4 LookAlong(const glm::dvec3& position, const glm::dvec3& forward, const glm::dvec3& right,
   const glm::dvec3& up)
@@ -69,37 +65,6 @@ void Widen(Rectangle& r, const Request& request)
   const glm::dvec2 half = 0.5 * texels * glm::max(size, glm::dvec2(least));
   r.Min = middle - half;
   r.Max = middle + half;
-}
-
-// What the camera needs along one axis of the map: where most texels, and how many times fewer at
-// the farther end. Pixels on a surface grow with their distance from the eye.
-void SetWarp(vtkRelievoShadowView& view, const std::vector<glm::dvec3>& world,
-  const std::vector<glm::dvec2>& places, const Request& request)
-{
-  if (request.ParallelEye)
-  {
-    return;
-  }
-  double nearest = 1e300;
-  double farthest = 0.0;
-  glm::dvec2 focus(0.5);
-  for (std::size_t i = 0; i < world.size(); ++i)
-  {
-    const double depth = glm::dot(world[i] - request.Eye, request.Gaze);
-    farthest = std::max(farthest, depth);
-    if (depth < nearest)
-    {
-      nearest = depth;
-      focus = places[i];
-    }
-  }
-  if (!(nearest > 0.0))
-  {
-    return;
-  }
-  // The u axis runs along the gaze. Across it, distance changes little.
-  view.U.Warp(std::round(FocusPlaces * focus.x) / FocusPlaces,
-    vtkRelievoShadowSteps::Up(farthest / nearest, 36.0, 2), request.Size);
 }
 
 // Points as the light sees them: their places in the map's plane, and how far they are.
@@ -179,30 +144,6 @@ vtkRelievoShadowFrame::vtkRelievoShadowFrame(const glm::dvec3& origin, const glm
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoShadowFrame vtkRelievoShadowFrame::OfGround(
-  const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& viewUp)
-{
-  constexpr double Lowest = 0.03;
-  auto nearestAxis = [](const glm::dvec3& v) {
-    const glm::dvec3 size = glm::abs(v);
-    const double most = std::max({ size.x, size.y, size.z }) - Rounding;
-    return size.x >= most ? 0 : size.y >= most ? 1 : 2;
-  };
-  int axis = nearestAxis(viewUp);
-  if (std::abs(direction[axis]) < Lowest)
-  {
-    axis = nearestAxis(direction);
-  }
-  glm::dvec3 forward(0.0);
-  forward[axis] = direction[axis] < 0.0 ? -1.0 : 1.0;
-  Frame frame(origin, forward);
-  const double depth = glm::dot(direction, forward);
-  frame.Shear =
-    glm::dvec2(glm::dot(direction, frame.Right) / depth, glm::dot(direction, frame.Up) / depth);
-  return frame;
-}
-
-//------------------------------------------------------------------------------
 glm::dvec3 vtkRelievoShadowFrame::AnySquareTo(const glm::dvec3& v)
 {
   const glm::dvec3 size = glm::abs(v);
@@ -239,7 +180,7 @@ glm::dvec4 vtkRelievoShadowFrame::GetPlane(double x, double y, double z) const
 //------------------------------------------------------------------------------
 bool vtkRelievoShadowFrame::Fit(bool parallel, const std::vector<glm::dvec3>& visible,
   const std::vector<glm::dvec3>& scene, const std::vector<vtkRelievoBox>& casters,
-  const Request& request, vtkRelievoShadowView& view) const
+  const Request& request, vtkRelievoShadowView& view, const vtkRelievoMapPlacement& placement) const
 {
   if (visible.empty() || scene.empty())
   {
@@ -248,13 +189,10 @@ bool vtkRelievoShadowFrame::Fit(bool parallel, const std::vector<glm::dvec3>& vi
   Frame frame = *this;
   const Seen region(frame, parallel, visible);
   const Seen whole(frame, parallel, scene);
-  const glm::dvec2 along(glm::dot(request.Gaze, frame.Right), glm::dot(request.Gaze, frame.Up));
-  const bool warp = request.Warp && parallel && glm::length(along) > 0.2;
-  const double turn = vtkMath::Pi() / GazeTurns;
-  const double angle = warp ? turn * std::round(std::atan2(along.y, along.x) / turn)
-                            : vtkRelievoShadowRegion::Enclose(whole.Hull).Angle;
+  const double angle =
+    placement.Turned ? placement.Angle : vtkRelievoShadowRegion::Enclose(whole.Hull).Angle;
   Rectangle rectangle =
-    vtkRelievoShadowSteps::Enclose(region.Hull, whole.Hull, angle, warp ? 1 : Turns);
+    vtkRelievoShadowSteps::Enclose(region.Hull, whole.Hull, angle, placement.Turned ? 1 : Turns);
   Widen(rectangle, request);
   const glm::dvec2 size = rectangle.Max - rectangle.Min;
   const double side = std::max(size.x, size.y);
@@ -291,8 +229,8 @@ bool vtkRelievoShadowFrame::Fit(bool parallel, const std::vector<glm::dvec3>& vi
     return false;
   }
   const double texel = side / request.Size;
-  // Room for a few texels' bias on both sides, and for the wider texels of a warped map.
-  const double room = 8.0 * texel * (warp ? 8.0 : 1.0) * (parallel ? 1.0 : view.Far);
+  // Room for a few texels' bias on both sides.
+  const double room = 8.0 * texel * placement.Widest * (parallel ? 1.0 : view.Far);
   view.Far += parallel ? room : 0.0;
   const double before =
     std::max(1e-3 * (view.Far - (parallel ? std::max(first, nearest) : first)), room);
@@ -308,15 +246,5 @@ bool vtkRelievoShadowFrame::Fit(bool parallel, const std::vector<glm::dvec3>& vi
   const double oblique = 1.0 / std::sqrt(1.0 + glm::dot(frame.Shear, frame.Shear));
   view.Texel = parallel ? oblique * texel / (view.Far - view.Near)
                         : texel * view.Far * view.Near / (view.Far - view.Near);
-  if (warp)
-  {
-    const glm::dmat4 worldToNDC = view.ViewToNDC * view.WorldToView;
-    std::vector<glm::dvec2> places;
-    for (const glm::dvec3& point : visible)
-    {
-      places.push_back(0.5 + 0.5 * glm::dvec2(worldToNDC * glm::dvec4(point, 1.0)));
-    }
-    SetWarp(view, visible, places, request);
-  }
   return true;
 }

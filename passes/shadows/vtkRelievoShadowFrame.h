@@ -9,6 +9,14 @@
 
 #include <vector>
 
+// How a map lies in its frame.
+struct vtkRelievoMapPlacement
+{
+  bool Turned = false; // by the angle; otherwise as it takes the least area
+  double Angle = 0.0;
+  double Widest = 1.0; // texel, where they are spent unevenly, over an even one
+};
+
 struct vtkRelievoShadowFrame
 {
   glm::dvec3 Origin;
@@ -23,12 +31,6 @@ struct vtkRelievoShadowFrame
 
   vtkRelievoShadowFrame(const glm::dvec3& origin, const glm::dvec3& forward, const glm::dvec3& up);
   vtkRelievoShadowFrame(const glm::dvec3& origin, const glm::dvec3& forward);
-
-  // The frame whose depth is the height over the ground, which is what stands on the view-up's
-  // nearest axis: rays are sheared upright, and the map lies in the ground. Upright rays if the sun
-  // is too low.
-  static vtkRelievoShadowFrame OfGround(
-    const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& viewUp);
 
   static glm::dvec3 AnySquareTo(const glm::dvec3& v);
 
@@ -45,7 +47,8 @@ struct vtkRelievoShadowFrame
   // choice between few views only. False if nothing casts into it.
   bool Fit(bool parallel, const std::vector<glm::dvec3>& visible,
     const std::vector<glm::dvec3>& scene, const std::vector<vtkRelievoBox>& casters,
-    const vtkRelievoShadowFit::Request& request, vtkRelievoShadowView& view) const;
+    const vtkRelievoShadowFit::Request& request, vtkRelievoShadowView& view,
+    const vtkRelievoMapPlacement& placement = {}) const;
 };
 
 #endif

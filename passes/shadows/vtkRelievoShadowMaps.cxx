@@ -73,7 +73,8 @@ bool vtkRelievoShadowMaps::Allocate(vtkOpenGLRenderWindow* window, int size, int
 //------------------------------------------------------------------------------
 int vtkRelievoShadowMaps::GetMostFaces()
 {
-  // Numbers per face in shaders/shadow/receive.glsl; numbers left to VTK's own shader.
+  // Numbers per face in shaders/shadow/receive.glsl and the methods' files; numbers left to VTK's
+  // own shader.
   constexpr int PerFace = 48;
   constexpr int ForOthers = 512;
   constexpr int Enough = 96;
@@ -246,9 +247,9 @@ void vtkRelievoShadowMaps::Unbind()
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkRelievoShadowMaps::GetBytes() const
+vtkIdType vtkRelievoShadowMaps::GetBytes(int size, int maps)
 {
-  return 4 * static_cast<vtkIdType>(this->Size) * this->Size * this->Layers;
+  return 4 * static_cast<vtkIdType>(size) * size * maps;
 }
 
 //------------------------------------------------------------------------------

@@ -66,7 +66,8 @@ public:
   int GetTextureUnit() const { return this->Unit; }
 
   int GetSize() const { return this->Size; }
-  vtkIdType GetBytes() const;
+  vtkIdType GetBytes() const { return GetBytes(this->Size, this->Layers); }
+  static vtkIdType GetBytes(int size, int maps);
   void Release(vtkWindow* window);
 
 private:

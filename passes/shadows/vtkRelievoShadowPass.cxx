@@ -3,7 +3,6 @@
 #include "vtkRelievoShadowInternals.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkProp.h"
 #include "vtkRelievoAccess.h"
@@ -13,6 +12,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
+#include <iomanip>
 #include <sstream>
 
 vtkStandardNewMacro(vtkRelievoShadowPass);
@@ -29,23 +29,45 @@ vtkRelievoShadowPass::~vtkRelievoShadowPass() = default;
 //------------------------------------------------------------------------------
 void vtkRelievoShadowPass::SetLightCasts(vtkLight* light, bool casts)
 {
-  auto& list = this->Internal->NotCasting;
-  list.erase(std::remove_if(list.begin(), list.end(),
-               [light](const vtkWeakPointer<vtkLight>& known) {
-                 return !known || known.GetPointer() == light;
-               }),
-    list.end());
-  if (!casts && light)
-  {
-    list.emplace_back(light);
-  }
+  this->Internal->Lights.SetCasts(light, casts);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoShadowPass::GetLightCasts(vtkLight* light)
 {
-  return this->Internal->IsChosen(light);
+  return this->Internal->Lights.Casts(light);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::SetLightName(vtkLight* light, const std::string& name)
+{
+  this->Internal->Lights.SetName(light, name);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowPass::GetLightName(vtkRenderer* renderer, vtkLight* light)
+{
+  return this->Internal->Lights.GetName(renderer, light);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowPass::GetLightLayer(vtkRenderer* renderer, vtkLight* light)
+{
+  return this->Internal->Lights.GetLayer(renderer, light);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkRelievoShadowPass::GetShadowLayers(vtkRenderer* renderer)
+{
+  return this->Internal->Lights.GetLayers(renderer);
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, int> vtkRelievoShadowPass::FindLights(
+  const std::vector<std::string>& layers, vtkRenderer* renderer)
+{
+  return this->Internal->Lights.Find(layers, renderer);
 }
 
 //------------------------------------------------------------------------------
@@ -58,14 +80,14 @@ void vtkRelievoShadowPass::SetPropCasts(vtkProp* prop, int casts)
                                             << "-1 (if opaque), 0 (never) or 1 (always).");
     return;
   }
-  this->Internal->Props.GetChoice(prop).Casts = casts;
+  this->Internal->Work.Props.GetChoice(prop).Casts = casts;
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoShadowPass::GetPropCasts(vtkProp* prop)
 {
-  return this->Internal->Props.GetChoice(prop).Casts;
+  return this->Internal->Work.Props.GetChoice(prop).Casts;
 }
 
 //------------------------------------------------------------------------------
@@ -82,14 +104,14 @@ void vtkRelievoShadowPass::SetPropReceives(vtkProp* prop, bool receives)
     vtkErrorMacro("SetPropReceives was given no prop; give it a vtkProp of the renderer.");
     return;
   }
-  this->Internal->Props.GetChoice(prop).Receives = receives;
+  this->Internal->Work.Props.GetChoice(prop).Receives = receives;
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoShadowPass::GetPropReceives(vtkProp* prop)
 {
-  return this->Internal->Props.GetChoice(prop).Receives;
+  return this->Internal->Work.Props.GetChoice(prop).Receives;
 }
 
 //------------------------------------------------------------------------------
@@ -97,8 +119,8 @@ void vtkRelievoShadowPass::SetController(vtkMultiProcessController* controller)
 {
   if (this->GetController() != controller)
   {
-    this->Internal->Exchange.SetController(controller);
-    this->Internal->Cache.Clear(); // maps of this process alone, or of others that are gone
+    this->Internal->Schedule.Exchange.SetController(controller);
+    this->Internal->Work.Cache.Clear(); // maps of this process alone, or of others that are gone
     this->Modified();
   }
 }
@@ -106,25 +128,25 @@ void vtkRelievoShadowPass::SetController(vtkMultiProcessController* controller)
 //------------------------------------------------------------------------------
 vtkMultiProcessController* vtkRelievoShadowPass::GetController()
 {
-  return this->Internal->Exchange.GetController();
+  return this->Internal->Schedule.Exchange.GetController();
 }
 
 //------------------------------------------------------------------------------
 double vtkRelievoShadowPass::GetMergeSeconds()
 {
-  return this->Internal->Exchange.GetSeconds();
+  return this->Internal->Schedule.Exchange.GetSeconds();
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoShadowPass::GetNumberOfCastingLights()
 {
-  return static_cast<int>(this->Internal->Casting.size());
+  return static_cast<int>(this->Internal->Lights.GetCasting().size());
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoShadowPass::GetNumberOfMaps()
 {
-  return this->Internal->Cache.GetNumberOfMaps();
+  return this->Internal->Work.Cache.GetNumberOfMaps();
 }
 
 //------------------------------------------------------------------------------
@@ -172,44 +194,24 @@ bool vtkRelievoShadowPass::Prepare(vtkRelievoFrameContext& context)
   vtkRelievoAccess::Renderer::FollowCamera(context.Renderer);
   // The shaders that draw the maps are built for the lights that VTK counts here.
   static_cast<vtkOpenGLRenderer*>(context.Renderer)->UpdateLights();
-  in.Lights = vtkRelievoShadowLight::Collect(context.Renderer);
-  in.Casting.clear();
-  in.WithoutShadow.clear();
-  int faces = 0;
-  const int mostFaces = vtkRelievoShadowMaps::GetMostFaces();
-  for (vtkRelievoShadowLight& light : in.Lights)
+  in.Lights.Collect(context.Renderer, vtkRelievoShadowMaps::GetMostFaces());
+  for (const vtkRelievoShadowLight& light : in.Lights.GetAll())
   {
-    if (light.NoShadow.empty() && !in.IsChosen(light.Light))
-    {
-      light.NoShadow = "it is chosen so";
-    }
-    if (light.NoShadow.empty() && faces + (light.Positional ? 6 : 1) > mostFaces)
-    {
-      light.NoShadow = "the lights before it take all maps that a shader has room for";
-      light.Broken = true;
-    }
-    if (light.NoShadow.empty())
-    {
-      faces += light.Positional ? 6 : 1;
-      in.Casting.push_back(light);
-      continue;
-    }
-    in.WithoutShadow += "; " + in.GetName(light) + " casts none: " + light.NoShadow;
     if (light.Broken && in.Said.insert(std::to_string(light.Number) + light.NoShadow).second)
     {
-      vtkWarningMacro(<< in.GetName(light) << " casts no shadow: " << light.NoShadow << ".");
+      vtkWarningMacro(<< in.Lights.GetName(light) << " casts no shadow: " << light.NoShadow << ".");
     }
   }
-  if (in.Casting.empty())
+  if (in.Lights.GetCasting().empty())
   {
-    this->Explain("no_lights", "no light casts" + in.WithoutShadow);
+    this->Explain("no_lights", "no light casts" + in.Lights.GetReport());
     return false;
   }
   this->DrawCalls = 0;
   this->NumberOfMapsDrawn = 0;
   in.LayersAsked = context.IsAsked(this, "visibility");
-  in.View = context.View;
-  in.Props.Collect(context.State);
+  in.Work.View = context.View;
+  in.Work.Props.Collect(context.State);
   return true;
 }
 
@@ -217,32 +219,53 @@ bool vtkRelievoShadowPass::Prepare(vtkRelievoFrameContext& context)
 void vtkRelievoShadowPass::ExplainMaps()
 {
   Internals& in = *this->Internal;
+  const auto& casting = in.Lights.GetCasting();
   std::ostringstream out;
-  out << in.Casting.size() << (in.Casting.size() == 1 ? " light casts" : " lights cast");
-  for (const vtkRelievoShadowLight& light : in.Casting)
+  out << casting.size() << (casting.size() == 1 ? " light casts" : " lights cast");
+  for (const vtkRelievoShadowLight& light : casting)
   {
-    out << (&light == in.Casting.data() ? " (" : ", ") << in.GetName(light);
+    out << (&light == casting.data() ? " (" : ", ") << in.Lights.GetName(light);
   }
-  out << "), " << in.Cache.GetNumberOfMaps()
-      << (in.Cache.GetNumberOfMaps() == 1 ? " map of " : " maps of ") << in.Maps.GetSize() << " x "
-      << in.Maps.GetSize() << " texels, " << this->NumberOfMapsDrawn << " drawn anew"
-      << in.Exchange.GetReport() << in.WithoutShadow;
+  out << "), " << in.Work.Cache.GetNumberOfMaps()
+      << (in.Work.Cache.GetNumberOfMaps() == 1 ? " map of " : " maps of ") << in.Work.Maps.GetSize()
+      << " x " << in.Work.Maps.GetSize() << " texels, " << this->NumberOfMapsDrawn
+      << " drawn anew, expected share of wrong pixels " << std::setprecision(2)
+      << 100.0 * this->GetExpectedWrongShare() << " %" << std::setprecision(6)
+      << in.Schedule.Exchange.GetReport() << in.Lights.GetReport();
   this->Explain("ran", out.str());
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowPass::GetMapSizeHere()
+{
+  const int largest = vtkRelievoShadowMaps::GetLargestSize();
+  if (this->MapSize > largest &&
+    this->Internal->Said.insert("size" + std::to_string(this->MapSize)).second)
+  {
+    vtkWarningMacro("Shadow maps of " << this->MapSize << " x " << this->MapSize
+                                      << " texels were asked for, this OpenGL makes at most "
+                                      << largest << " x " << largest << ": these are used.");
+  }
+  return std::min(this->MapSize, largest);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  if (in.View.Viewport[2] <= 0 || in.View.Viewport[3] <= 0)
+  vtkRelievoShadowWork& work = in.Work;
+  if (work.View.Viewport[2] <= 0 || work.View.Viewport[3] <= 0)
   {
     return;
   }
-  const vtkRenderState* s = context.State;
   in.Window = context.Window;
-  in.PlainDraw.SetWindow(in.Window);
-  this->FitMaps(s);
-  if (!in.Maps.Bind(false))
+  work.PlainDraw.SetWindow(in.Window);
+  work.Bias = this->Bias;
+  in.UseMethod(this->Method, context.Window);
+  in.Schedule.Fit(work, in.Lights.GetCasting(), *in.Method, this->GetMapSizeHere(),
+    this->FilterRadius, context.Renderer);
+  in.UpdateStructure();
+  if (!work.Maps.Bind(false))
   {
     this->Explain("failed", "all texture units of this OpenGL are taken");
     if (in.Said.insert("unit").second)
@@ -252,19 +275,15 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
     return;
   }
   in.Spliced = true;
-  in.Props.AddPass(this);
-  this->DrawMaps(s);
-  in.Maps.Bind(true);
-  if (this->Method == METHOD_FORWARD)
-  {
-    in.Told.clear();
-    this->DrawMasks(s);
-  }
-  else
-  {
-    in.Masks.Release(context.Window);
-  }
+  work.Props.AddPass(this);
   in.Told.clear();
+  const int mapDraws = in.Schedule.Draw(work, context.Renderer);
+  this->NumberOfMapsDrawn = work.MapsDrawn;
+  work.Maps.Bind(true);
+  in.Told.clear();
+  const int methodDraws = in.Method->Draw(work, context.Renderer);
+  in.Told.clear();
+  this->DrawCalls += mapDraws + methodDraws; // mappers that draw by themselves counted theirs
   this->ExplainMaps();
 }
 
@@ -274,15 +293,15 @@ void vtkRelievoShadowPass::Finish(vtkRelievoFrameContext& context)
   Internals& in = *this->Internal;
   if (in.Spliced)
   {
-    in.Props.RemovePass(this);
-    in.Maps.Unbind();
-    in.Masks.Unbind();
+    in.Work.Props.RemovePass(this);
+    in.Work.Maps.Unbind();
+    in.Method->Unbind();
     in.Spliced = false;
-    if (in.Props.ChangesByDrawing())
+    if (in.Work.Props.ChangesByDrawing())
     {
       // Some mappers count themselves as modified when they draw.
-      in.Props.Collect(context.State);
-      in.Cache.SetCasters(in.Props);
+      in.Work.Props.Collect(context.State);
+      in.Work.Cache.SetCasters(in.Work.Props);
     }
   }
 }
@@ -290,17 +309,17 @@ void vtkRelievoShadowPass::Finish(vtkRelievoFrameContext& context)
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoShadowPass::GetBytesHeld()
 {
-  return this->Internal->Maps.GetBytes() + this->Internal->Masks.GetBytes();
+  return this->Internal->Work.Maps.GetBytes() + this->Internal->Method->GetBytes();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Internal->Maps.Release(window);
-  this->Internal->Masks.Release(window);
-  this->Internal->PlainDraw.Release(window);
-  this->Internal->Cache.Clear();
-  this->Internal->Casting.clear();
+  this->Internal->Work.Maps.Release(window);
+  this->Internal->Method->Release(window);
+  this->Internal->Work.PlainDraw.Release(window);
+  this->Internal->Work.Cache.Clear();
+  this->Internal->Lights.Clear();
   this->NumberOfMapsDrawn = 0;
   this->Superclass::ReleaseGraphicsResources(window);
 }

@@ -180,6 +180,25 @@ public:
    */
   static void AddPlainActorClass(const std::string& name);
 
+  ///@{
+  /**
+   * What a method is expected to cost and to err, before anything is drawn; -1, with an error, for
+   * an unknown method or a negative number.
+   *
+   * Bytes: GPU memory for maps of size x size texels (one for a sun or a narrow lamp, up to six for
+   * other lamps), so many casting lights and a picture of width x height pixels.
+   *
+   * Draw calls: at most, in a frame that draws all maps anew, with props of one draw call each.
+   *
+   * Share of wrong pixels: of those that face the light, 0 to 1. Measured on real meshes in
+   * pictures of 600 x 600 pixels (docs/charts/README.md), where each scene is within a factor of
+   * 2.5; scenes that run to the horizon and larger pictures have more.
+   */
+  vtkIdType EstimateBytes(int method, int size, int maps, int lights, int width, int height);
+  int EstimateDrawCalls(int method, int maps, int props);
+  double EstimateWrongShare(int method, int size);
+  ///@}
+
   /** Seconds taken to merge the maps of all processes, in the last frame that drew any. */
   double GetMergeSeconds();
 
@@ -191,6 +210,11 @@ public:
   ///@}
 
   vtkIdType GetBytesHeld() override;
+
+#ifndef __VTK_WRAP__
+  /** "expected_wrong_share": see EstimateWrongShare; null if no shadows were made. */
+  std::map<std::string, std::string> GetFacts() override;
+#endif
 
   ///@{
   /** Called by VTK's mappers. */
@@ -230,12 +254,9 @@ private:
   vtkRelievoShadowPass(const vtkRelievoShadowPass&) = delete;
   void operator=(const vtkRelievoShadowPass&) = delete;
 
-  void SetFrameParameters(vtkShaderProgram* program);
-  void SetWarpParameters(vtkShaderProgram* program);
   void ExplainMaps();
-  void FitMaps(const vtkRenderState* s);
-  void DrawMaps(const vtkRenderState* s);
-  void DrawMasks(const vtkRenderState* s);
+  double GetExpectedWrongShare() const; // of the frame's maps
+  int GetMapSizeHere();                 // or OpenGL's limit, with a warning
 
   class Internals;
   std::unique_ptr<Internals> Internal;

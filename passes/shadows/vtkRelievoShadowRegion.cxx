@@ -126,6 +126,17 @@ std::vector<Polygon> vtkRelievoShadowRegion::Cut(
 }
 
 //------------------------------------------------------------------------------
+std::vector<glm::dvec3> vtkRelievoShadowRegion::GetPoints(const std::vector<Polygon>& polygons)
+{
+  std::vector<glm::dvec3> points;
+  for (const Polygon& polygon : polygons)
+  {
+    points.insert(points.end(), polygon.begin(), polygon.end());
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
 glm::dvec3 vtkRelievoShadowRegion::GetMiddle(const std::vector<Polygon>& polygons)
 {
   glm::dvec3 low(1e300);

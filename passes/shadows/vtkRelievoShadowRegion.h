@@ -34,6 +34,9 @@ std::vector<Polygon> GetFaces(const std::vector<vtkRelievoBox>& boxes);
 // has it).
 std::vector<Polygon> Cut(const std::vector<vtkRelievoBox>& boxes, const glm::dmat4& worldToNDC);
 
+// The corners of all of them.
+std::vector<glm::dvec3> GetPoints(const std::vector<Polygon>& polygons);
+
 // The middle of the polygons' extent.
 glm::dvec3 GetMiddle(const std::vector<Polygon>& polygons);
 

@@ -105,8 +105,6 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   dec << "#define RELIEVO_SHADOW_FACES " << structure.GetFaces() << "\n";
   dec << "#define RELIEVO_SHADOW_NUMBERS " << structure.Numbers << "\n";
   dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
-  dec << (structure.Warped ? "#define RELIEVO_SHADOW_WARPED\n" : "");
-  dec << (structure.Forward ? "#define RELIEVO_SHADOW_FORWARD\n" : "");
   dec << (impostor ? "#define RELIEVO_SHADOW_IMPOSTOR\n" : "");
   dec << (surface ? "#define RELIEVO_SHADOW_FACE_NORMAL\n" : "");
   dec << (impostor || surface ? "#define RELIEVO_SHADOW_HAS_PLANE\n" : "");
@@ -116,7 +114,10 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
     FillWord(normal, "RELIEVO_IMPOSTOR_NORMAL", "normalVCVSOutput");
   }
   FillMark(fragment, Extensions, Section("Extensions") + GetContract());
-  FillMark(fragment, Dec, dec.str() + Section("FragmentDec") + lights);
+  FillMark(fragment, Dec,
+    dec.str() + Section("FragmentDec") +
+      vtkRelievoShaderLibrary::GetSection(structure.Method, "MethodDec") + Section("MapsDec") +
+      lights);
   FillMark(fragment, UniformFlow, flow);
   FillMark(fragment, Impl, normal + visibility + colors);
   return std::string();

@@ -30,9 +30,8 @@ struct Structure
     }
   };
   std::vector<Light> Lights; // that cast
+  std::string Method;        // the file of the method's own section
   bool WideFilter = false;   // of a radius above 1
-  bool Warped = false;       // maps spend texels unevenly
-  bool Forward = false;      // masks say what is lit, where they hold
   int Numbers = 0;           // lights of the renderer
   bool Unlit = false;        // visibility is asked for also where no light is computed
 
@@ -47,9 +46,9 @@ struct Structure
   }
   bool operator==(const Structure& other) const
   {
-    return this->Lights == other.Lights && this->WideFilter == other.WideFilter &&
-      this->Warped == other.Warped && this->Forward == other.Forward &&
-      this->Numbers == other.Numbers && this->Unlit == other.Unlit;
+    return this->Lights == other.Lights && this->Method == other.Method &&
+      this->WideFilter == other.WideFilter && this->Numbers == other.Numbers &&
+      this->Unlit == other.Unlit;
   }
 };
 

@@ -9,6 +9,11 @@
 // RELIEVO_SHADOW_FACE_NORMAL (a surface: its plane comes from derivatives), RELIEVO_SHADOW_IMPOSTOR
 // (VTK moved vertexVC to the impostor, normalVCVSOutput is exact). What it shares with other
 // splices: splice/contract.glsl.
+//
+// Between the sections FragmentDec and MapsDec stands the section MethodDec of the method's own
+// file, which declares its uniforms and defines
+//   float relievoShadowVerdict(int face, vec3 place, vec2 slope, float texel)
+// with the arguments of relievoShadowFilter, in an evenly spaced map: 1 lit, 0 dark.
 
 //RELIEVO::Section(Extensions)
 #extension GL_ARB_texture_gather : enable
@@ -35,21 +40,6 @@ uniform float relievoShadowSize;  // of a map, in texels
 uniform float relievoShadowInner; // half of it, less the filter; -1 for what receives no shadows
 uniform int relievoShadowRadius;  // of the filter, in texels; 0: the nearest texel alone
 uniform float relievoShadowLift;  // in texels: of points and lines, which have no plane
-#ifdef RELIEVO_SHADOW_WARPED
-// Along u, texels are spent in up to four straight pieces: from each break on, scale and offset
-// grow by the next number.
-uniform vec4 relievoShadowBreaks[RELIEVO_SHADOW_FACES];
-uniform vec4 relievoShadowScales[RELIEVO_SHADOW_FACES];
-uniform vec4 relievoShadowOffsets[RELIEVO_SHADOW_FACES];
-uniform float relievoShadowAcross[RELIEVO_SHADOW_FACES]; // height of the map over its width
-uniform float relievoShadowBias;                         // in texels
-#endif
-#ifdef RELIEVO_SHADOW_FORWARD
-uniform sampler2DArray relievoShadowMasks;
-uniform int relievoShadowMask[RELIEVO_SHADOW_FACES]; // the mask of the face's light
-uniform ivec2 relievoShadowOrigin; // of the viewport in what is drawn to
-uniform int relievoShadowMasked;   // whether the masks hold for what is drawn
-#endif
 float relievoVisibility[RELIEVO_SHADOW_LIGHTS];
 #undef RELIEVO_VISIBILITY
 #define RELIEVO_VISIBILITY(number) relievoVisibilityOf(number)
@@ -88,10 +78,14 @@ vec4 relievoShadowLit(int face, vec2 corner, float depth, vec2 slope)
     relievoShadowGather(relievoShadowLayer[face], corner));
 }
 
-// place: in map space; slope: of the receiver's depth per texel. Branches cost more than they save:
-// but for wide filters this is one straight line of code.
-float relievoShadowFilter(int face, vec3 place, vec2 slope)
+// What of the light of a map reaches a receiver. place: in the map's texels, and its depth; slope:
+// of the receiver's depth per texel; texel: depth of a texel's width there. Branches cost more than
+// they save: but for wide filters this is one straight line of code.
+float relievoShadowFilter(int face, vec3 place, vec2 slope, float texel)
 {
+#ifndef RELIEVO_SHADOW_HAS_PLANE
+  place.z -= relievoShadowLift * texel;
+#endif
   vec2 corner = floor(place.xy);
   vec2 part = place.xy - corner;
   float depth = place.z - dot(slope, part);
@@ -127,44 +121,19 @@ bool relievoShadowSees(vec3 place)
   return max(off.x, off.y) <= relievoShadowInner;
 }
 
-// What of the light of a map reaches a place of it. plane: normal of the receiver's plane in map
-// space, of any length. Dark unless `facing` is negative: the side that is seen is turned away from
-// the light, the surface is in between.
+//RELIEVO::Section(MapsDec)
+// What of the light of a map reaches a place of it, as the method finds it. plane: normal of the
+// receiver's plane in map space, of any length. Dark unless `facing` is negative: the side that is
+// seen is turned away from the light, the surface is in between.
 float relievoShadowAt(int face, vec3 place, vec3 plane, float facing, float inverseW)
 {
   float texel = relievoShadowTexel[face] * inverseW;
-#ifdef RELIEVO_SHADOW_FORWARD
-  if (relievoShadowMasked != 0)
-  {
-    ivec2 pixel = ivec2(gl_FragCoord.xy) - relievoShadowOrigin;
-    float mask = texelFetch(relievoShadowMasks, ivec3(pixel, relievoShadowMask[face]), 0).r;
 #ifdef RELIEVO_SHADOW_HAS_PLANE
-    return facing < 0.0 ? mask : 0.0;
-#else
-    return mask;
-#endif
-  }
-#endif
-  vec2 slope = vec2(0.0);
-#ifdef RELIEVO_SHADOW_HAS_PLANE
-  slope = relievoReceiverSlope(plane, 64.0 * texel);
-#endif
-#ifdef RELIEVO_SHADOW_WARPED
-  vec4 pieces = vec4(1.0, step(relievoShadowBreaks[face].xyz, place.xxx));
-  float scale = dot(pieces, relievoShadowScales[face]);
-  place.x = scale * place.x + dot(pieces, relievoShadowOffsets[face]);
-  slope.x /= scale;
-  // The longer side of a texel, as a share of the longer side of an even one.
-  float across = relievoShadowAcross[face];
-  texel *= max(1.0 / scale, across) / max(1.0, across);
-  place.z -= relievoShadowBias * texel;
-#endif
-#ifdef RELIEVO_SHADOW_HAS_PLANE
-  float lit = relievoShadowFilter(face, place, slope);
+  vec2 slope = relievoReceiverSlope(plane, 64.0 * texel);
+  float lit = relievoShadowVerdict(face, place, slope, texel);
   return facing < 0.0 ? lit : 0.0;
 #else
-  place.z -= relievoShadowLift * texel;
-  return relievoShadowFilter(face, place, slope);
+  return relievoShadowVerdict(face, place, vec2(0.0), texel);
 #endif
 }
 

@@ -44,7 +44,8 @@ MISTAKES = {
     "GLSL input": ("materials/vtkE.cxx", LICENCE + 'const char* E = "in vec2 tcoord;";\n',
                    "shaders/"),
     "GLSL expression": ("materials/vtkF.cxx",
-                        LICENCE + 'std::string F(std::string i)\n{\n  return "normalize(light" + i + '
+                        LICENCE + 'std::string F(std::string i)\n{\n'
+                                  '  return "normalize(light" + i + '
                         '" - placeVC)";\n}\n', "shaders/"),
     "GLSL variable": ("passes/vtkF.cxx", LICENCE + 'const char* F = "  float relievoLit = 1.0;";\n',
                       "shaders/"),

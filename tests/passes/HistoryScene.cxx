@@ -37,6 +37,8 @@ int Pick(std::mt19937& random, int count)
 }
 
 // Ground, box, ball, blocks, glyphs, a card with holes, a wall.
+constexpr int Glyphs = 4;
+
 vtkSmartPointer<vtkActor> MakeActor(vtkRenderer* renderer, int kind)
 {
   auto actor = AddActor(renderer,
@@ -54,7 +56,7 @@ vtkSmartPointer<vtkActor> MakeActor(vtkRenderer* renderer, int kind)
     mapper->SetCompositeDataDisplayAttributes(vtkNew<vtkCompositeDataDisplayAttributes>());
     actor->SetMapper(mapper);
   }
-  else if (kind == 4)
+  else if (kind == Glyphs)
   {
     vtkNew<vtkGlyph3DMapper> mapper;
     mapper->SetInputData(MakePolygons({ { 0., 0., 0. }, { 0.7, 0.2, 0. }, { -0.6, 0., 0.5 } }));
@@ -119,8 +121,14 @@ void HistoryScene::Take(const HistoryState& state)
     actor->SetVisibility(prop.Visible);
     actor->SetPosition(prop.Position.x, prop.Position.y, prop.Position.z);
     actor->SetOrientation(0., prop.Turn, 0.);
+    if (i == Glyphs && property->GetOpacity() != prop.Opacity)
+    {
+      actor->GetMapper()->Modified(); // VTK keeps its colours, with the opacity in them
+    }
     property->SetOpacity(prop.Opacity);
-    property->SetRepresentation(prop.Representation);
+    // VTK's mapper of glyphs never sets a width of lines: it draws with the last one.
+    const bool widthOfLast = i == Glyphs && prop.Representation == VTK_WIREFRAME;
+    property->SetRepresentation(widthOfLast ? VTK_SURFACE : prop.Representation);
     property->SetInterpolation(prop.Interpolation);
     property->SetBackfaceCulling(prop.Culling == 1);
     property->SetFrontfaceCulling(prop.Culling == 2);
@@ -148,7 +156,12 @@ void HistoryScene::Take(const HistoryState& state)
     this->Lights[i]->SetShadowAttenuation(static_cast<float>(light.Attenuation));
   }
   this->Window->SetSize(state.Size[0], state.Size[1]);
-  this->Window->SetStereoRender(state.Stereo);
+  if (this->Window->GetStereoRender() != static_cast<vtkTypeBool>(state.Stereo))
+  {
+    // VTK draws with the last eye's matrices until the camera is modified.
+    this->Window->SetStereoRender(state.Stereo);
+    this->Renderer->GetActiveCamera()->Modified();
+  }
   this->Renderer->SetViewport(state.Part ? 0.25 : 0., 0., 1., state.Part ? 0.8 : 1.);
   this->Renderer->SetUseDepthPeeling(state.Peeling);
   const int offset = state.Offset ? VTK_RESOLVE_POLYGON_OFFSET : VTK_RESOLVE_OFF;
@@ -158,9 +171,11 @@ void HistoryScene::Take(const HistoryState& state)
   }
   if (this->Offset != state.Offset)
   {
-    // VTK reads it when it builds shaders, and does not build them anew for it.
+    // VTK reads it when it builds shaders, and does not build them anew for it; the mappers that a
+    // mapper of glyphs or blocks holds do not hear that it was modified.
     for (vtkActor* actor : this->Actors)
     {
+      actor->GetMapper()->ReleaseGraphicsResources(this->Window);
       actor->GetMapper()->Modified();
     }
     this->Offset = state.Offset;

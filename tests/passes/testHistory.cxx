@@ -63,6 +63,8 @@ void Compare(HistoryScene& warm, const HistoryState& state, const std::string& w
               << CountUnlike(warm.Draw(plain)->GetPointData()->GetScalars(),
                    cold.Draw(plain)->GetPointData()->GetScalars())
               << " pixels differ\n";
+    warm.Take(state);
+    cold.Take(state);
   }
   for (const std::string& name : state.Layers)
   {

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowInternals.h"
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::Internals::UseMethod(int method, vtkOpenGLRenderWindow* window)
+{
+  if (method == this->MethodMade)
+  {
+    return;
+  }
+  this->Method = vtkRelievoShadowMethod::Make(method);
+  this->MethodMade = method;
+  this->Work.Cache.Refit();
+  window->MakeCurrent(); // what the one before held may have been another window's
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::Internals::UpdateStructure()
+{
+  vtkRelievoShadowSplice::Structure structure;
+  structure.Method = this->Method->GetShader();
+  structure.Numbers = static_cast<int>(this->Lights.GetAll().size());
+  structure.Unlit = this->LayersAsked;
+  structure.WideFilter = this->Work.Radius > 1;
+  for (const auto& entry : this->Work.Cache.GetEntries())
+  {
+    structure.Lights.push_back({ entry.Light.ShaderIndex, !entry.Light.Positional, entry.Cube });
+  }
+  if (!(structure == this->Work.Structure))
+  {
+    this->Work.Structure = structure;
+    this->StructureTime.Modified();
+  }
+}

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowLights.h"
+
+#include "vtkLightCollection.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace
+{
+std::string Identify(const std::string& name)
+{
+  std::string out;
+  bool isNumber = true;
+  for (const char c : name)
+  {
+    const bool digit = c >= '0' && c <= '9';
+    const bool upper = c >= 'A' && c <= 'Z';
+    const bool lower = c >= 'a' && c <= 'z';
+    out += digit || lower ? c : upper ? static_cast<char>(c - 'A' + 'a') : '_';
+    isNumber = isNumber && digit;
+  }
+  return isNumber ? "light_" + out : out; // shadow_3 is the light in place 3
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowLights::SetCasts(vtkLight* light, bool casts)
+{
+  auto& list = this->NotCasting;
+  list.erase(std::remove_if(list.begin(), list.end(),
+               [light](const vtkWeakPointer<vtkLight>& known) {
+                 return !known || known.GetPointer() == light;
+               }),
+    list.end());
+  if (!casts && light)
+  {
+    list.emplace_back(light);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowLights::Casts(vtkLight* light) const
+{
+  return std::find(this->NotCasting.begin(), this->NotCasting.end(), light) ==
+    this->NotCasting.end();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowLights::SetName(vtkLight* light, const std::string& name)
+{
+  auto& names = this->Names;
+  names.erase(std::remove_if(names.begin(), names.end(),
+                [light](const auto& named) { return !named.first || named.first == light; }),
+    names.end());
+  if (light && !name.empty())
+  {
+    names.emplace_back(light, name);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowLights::GetName(const vtkRelievoShadowLight& light) const
+{
+  for (const auto& named : this->Names)
+  {
+    if (named.first == light.Light)
+    {
+      return named.second;
+    }
+  }
+  return "light " + std::to_string(light.Number);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowLights::GetName(vtkRenderer* renderer, vtkLight* light) const
+{
+  vtkRelievoShadowLight named;
+  named.Light = light;
+  named.Number = light ? renderer->GetLights()->IsItemPresent(light) - 1 : -1;
+  return named.Number < 0 ? std::string() : this->GetName(named);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowLights::GetLayer(vtkRenderer* renderer, vtkLight* light) const
+{
+  std::vector<std::string> before;
+  vtkCollectionSimpleIterator it;
+  renderer->GetLights()->InitTraversal(it);
+  while (vtkLight* each = renderer->GetLights()->GetNextLight(it))
+  {
+    const std::string first =
+      vtkRelievoLayerCatalogue::GetOfLight().Name + Identify(this->GetName(renderer, each));
+    std::string layer = first;
+    for (int n = 2; std::find(before.begin(), before.end(), layer) != before.end(); ++n)
+    {
+      layer = first + "_" + std::to_string(n);
+    }
+    if (each == light)
+    {
+      return layer;
+    }
+    before.push_back(layer);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkRelievoShadowLights::GetLayers(vtkRenderer* renderer) const
+{
+  std::vector<std::string> layers;
+  for (const vtkRelievoShadowLight& light : vtkRelievoShadowLight::Collect(renderer))
+  {
+    if (light.NoShadow.empty() && this->Casts(light.Light) &&
+      light.Light->GetShadowAttenuation() > 0.0f)
+    {
+      layers.push_back(this->GetLayer(renderer, light.Light));
+    }
+  }
+  return layers;
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, int> vtkRelievoShadowLights::Find(
+  const std::vector<std::string>& layers, vtkRenderer* renderer) const
+{
+  std::map<std::string, int> lights;
+  for (const std::string& layer : layers)
+  {
+    const int number = vtkRelievoLayerCatalogue::GetLight(layer);
+    if (number >= 0)
+    {
+      lights[layer] = number;
+    }
+    else if (vtkRelievoLayerCatalogue::GetIsOfLight(layer))
+    {
+      vtkCollectionSimpleIterator it;
+      renderer->GetLights()->InitTraversal(it);
+      int place = 0;
+      while (vtkLight* each = renderer->GetLights()->GetNextLight(it))
+      {
+        if (this->GetLayer(renderer, each) == layer)
+        {
+          lights[layer] = place;
+        }
+        ++place;
+      }
+    }
+  }
+  return lights;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowLights::Collect(vtkRenderer* renderer, int mostMaps)
+{
+  this->All = vtkRelievoShadowLight::Collect(renderer);
+  this->Casting.clear();
+  int maps = 0;
+  for (vtkRelievoShadowLight& light : this->All)
+  {
+    const int room = light.Positional ? 6 : 1;
+    if (light.NoShadow.empty() && !this->Casts(light.Light))
+    {
+      light.NoShadow = "it is chosen so";
+    }
+    if (light.NoShadow.empty() && maps + room > mostMaps)
+    {
+      light.NoShadow = "the lights before it take all maps that a shader has room for";
+      light.Broken = true;
+    }
+    if (light.NoShadow.empty())
+    {
+      maps += room;
+      this->Casting.push_back(light);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowLights::GetReport() const
+{
+  std::string report;
+  for (const vtkRelievoShadowLight& light : this->All)
+  {
+    if (!light.NoShadow.empty())
+    {
+      report += "; " + this->GetName(light) + " casts none: " + light.NoShadow;
+    }
+  }
+  return report;
+}

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowMethod.h"
+
+#include "vtkRelievoShadowMethodForward.h"
+#include "vtkRelievoShadowMethodMap.h"
+#include "vtkRelievoShadowMethodWarped.h"
+#include "vtkRelievoShadowPass.h"
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vtkRelievoShadowMethod> vtkRelievoShadowMethod::Make(int method)
+{
+  switch (method)
+  {
+    case vtkRelievoShadowPass::METHOD_FORWARD:
+      return std::make_unique<vtkRelievoShadowMethodForward>();
+    case vtkRelievoShadowPass::METHOD_WARPED:
+      return std::make_unique<vtkRelievoShadowMethodWarped>();
+    default:
+      return std::make_unique<vtkRelievoShadowMethodMap>();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoShadowView> vtkRelievoShadowMethod::Fit(const vtkRelievoShadowLight& light,
+  const std::vector<vtkRelievoShadowRegion::Polygon>& visible,
+  const std::vector<vtkRelievoShadowRegion::Polygon>& scene,
+  const std::vector<vtkRelievoBox>& casters, const vtkRelievoShadowFit::Request& request) const
+{
+  return vtkRelievoShadowFit::Fit(light, visible, scene, casters, request);
+}

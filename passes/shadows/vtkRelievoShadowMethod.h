@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How it is found out what a light reaches: the views that its maps are drawn from, what is made of
+// the maps, the shaders' part of it, and what it costs and errs. The stage knows no method by name;
+// a method is made once, and lives until another takes its place.
+#ifndef vtkRelievoShadowMethod_h
+#define vtkRelievoShadowMethod_h
+
+#include "vtkRelievoShadowEstimate.h"
+#include "vtkRelievoShadowFit.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkWindow;
+struct vtkRelievoShadowLight;
+struct vtkRelievoShadowWork;
+
+class vtkRelievoShadowMethod
+{
+public:
+  // One of vtkRelievoShadowPass::Methods.
+  static std::unique_ptr<vtkRelievoShadowMethod> Make(int method);
+
+  vtkRelievoShadowMethod() = default;
+  virtual ~vtkRelievoShadowMethod() = default;
+  vtkRelievoShadowMethod(const vtkRelievoShadowMethod&) = delete;
+  void operator=(const vtkRelievoShadowMethod&) = delete;
+
+  // The views of a light's maps, as vtkRelievoShadowFit::Fit, which is what is done by default.
+  virtual std::vector<vtkRelievoShadowView> Fit(const vtkRelievoShadowLight& light,
+    const std::vector<vtkRelievoShadowRegion::Polygon>& visible,
+    const std::vector<vtkRelievoShadowRegion::Polygon>& scene,
+    const std::vector<vtkRelievoBox>& casters, const vtkRelievoShadowFit::Request& request) const;
+
+  // After the maps were drawn: what else is drawn before the picture. Returns the draw calls; what
+  // mappers draw through the stage's callbacks is counted there.
+  virtual int Draw(vtkRelievoShadowWork&, vtkRenderer*) { return 0; }
+
+  // After the picture: texture units are given back.
+  virtual void Unbind() {}
+
+  // The source with the section MethodDec that shaders/shadow/receive.glsl asks for.
+  virtual std::string GetShader() const = 0;
+
+  // Depth of a map that is taken off receivers for a bias in texels, before the shader's section.
+  virtual double GetBias(const vtkRelievoShadowView& view, double texels) const
+  {
+    return texels * view.Texel;
+  }
+
+  // The uniforms of the section, once in a frame and for each actor.
+  virtual void SetFrameUniforms(vtkShaderProgram*, const vtkRelievoShadowWork&) const {}
+  virtual void SetActorUniforms(vtkShaderProgram*, const vtkRelievoShadowWork&, vtkActor*) const {}
+
+  virtual vtkRelievoShadowEstimate Estimate(const vtkRelievoShadowDemand& demand) const = 0;
+
+  // What is held beside the maps.
+  virtual vtkIdType GetBytes() const { return 0; }
+  virtual void Release(vtkWindow*) {}
+};
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the pass says that shadows will cost and err.
+#include "vtkRelievoShadowInternals.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace
+{
+bool IsPossible(int method, const vtkRelievoShadowDemand& demand)
+{
+  return method >= vtkRelievoShadowPass::METHOD_MAP &&
+    method <= vtkRelievoShadowPass::METHOD_WARPED &&
+    std::min({ demand.MapSize - 1, demand.Maps, demand.Lights, demand.Props, demand.Width,
+      demand.Height }) >= 0;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoShadowPass::EstimateBytes(
+  int method, int size, int maps, int lights, int width, int height)
+{
+  vtkRelievoShadowDemand demand;
+  demand.MapSize = size;
+  demand.Maps = maps;
+  demand.Lights = lights;
+  demand.Width = width;
+  demand.Height = height;
+  if (!IsPossible(method, demand))
+  {
+    vtkErrorMacro("EstimateBytes was given method "
+      << method << ", size " << size << ", " << maps << " maps, " << lights << " lights, " << width
+      << " x " << height
+      << " pixels; give it a method from 0 (map) to 2 (warped), a size from 1 on, "
+      << "and no negative numbers.");
+    return -1;
+  }
+  return vtkRelievoShadowMethod::Make(method)->Estimate(demand).Bytes;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowPass::EstimateDrawCalls(int method, int maps, int props)
+{
+  vtkRelievoShadowDemand demand;
+  demand.Maps = maps;
+  demand.Props = props;
+  if (!IsPossible(method, demand))
+  {
+    vtkErrorMacro("EstimateDrawCalls was given method "
+      << method << ", " << maps << " maps and " << props << " props; give it a method from 0 (map) "
+      << "to 2 (warped), and no negative numbers.");
+    return -1;
+  }
+  return vtkRelievoShadowMethod::Make(method)->Estimate(demand).DrawCalls;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowPass::EstimateWrongShare(int method, int size)
+{
+  vtkRelievoShadowDemand demand;
+  demand.MapSize = size;
+  if (!IsPossible(method, demand))
+  {
+    vtkErrorMacro("EstimateWrongShare was given method "
+      << method << " and size " << size << "; give it a method from 0 (map) to 2 (warped), and a "
+      << "size from 1 on.");
+    return -1.0;
+  }
+  return vtkRelievoShadowMethod::Make(method)->Estimate(demand).WrongShare;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowPass::GetExpectedWrongShare() const
+{
+  vtkRelievoShadowDemand demand;
+  demand.MapSize = this->Internal->Work.Maps.GetSize();
+  return this->Internal->Method->Estimate(demand).WrongShare;
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, std::string> vtkRelievoShadowPass::GetFacts()
+{
+  std::ostringstream share;
+  if (this->GetReasonCode() == "ran")
+  {
+    share << this->GetExpectedWrongShare();
+  }
+  return { { "expected_wrong_share", share.str() } };
+}

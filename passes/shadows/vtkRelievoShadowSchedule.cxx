@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowSchedule.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRelievoShadowMethod.h"
+#include "vtkRelievoShadowWork.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace
+{
+// From the NDC of the tile that is drawn to those of the whole picture, so that maps are the same
+// in all tiles. Identity without tiles.
+glm::dmat4 GetTileToPicture(vtkRenderer* renderer)
+{
+  glm::dmat4 m(1.0);
+  const double* all = renderer->GetViewport();
+  double tile[4];
+  renderer->GetRenderWindow()->GetTileViewport(tile);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double low = std::max(all[axis], tile[axis]);
+    const double high = std::min(all[axis + 2], tile[axis + 2]);
+    const double whole = all[axis + 2] - all[axis];
+    if (high > low && whole > 0.0)
+    {
+      m[axis][axis] = (high - low) / whole;
+      m[3][axis] = (high + low - all[axis] - all[axis + 2]) / whole;
+    }
+  }
+  return m;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowSchedule::Fit(vtkRelievoShadowWork& work,
+  const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowMethod& method, int size,
+  int radius, vtkRenderer* renderer)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkRelievoShadowScene scene;
+  vtkRelievoShadowFit::Request& request = scene.Request;
+  request.Size = size;
+  work.Radius = std::min(radius, size / 4);
+  request.Border = work.Radius + 1;
+  const glm::dmat4 viewToWorld = glm::inverse(work.View.WorldToView);
+  request.Eye = glm::dvec3(viewToWorld[3]);
+  request.Gaze = glm::normalize(-glm::dvec3(viewToWorld[2]));
+  request.ViewUp = glm::dvec3(viewToWorld[1]);
+  request.ParallelEye = work.View.Parallel;
+  scene.WorldToNDC = GetTileToPicture(renderer) * work.View.ViewToNDC * work.View.WorldToView;
+  scene.Casters = work.Props.GetCasterBoxes();
+  scene.Receivers = work.Props.GetReceiverBoxes();
+  scene.SameCasters = work.Cache.HasCasters(work.Props);
+  work.Cache.SetCasters(work.Props);
+  const bool together = this->Exchange.IsOn();
+  if (together)
+  {
+    this->Exchange.Gather(scene);
+  }
+  if (!together || this->Exchange.IsRoot())
+  {
+    work.Cache.Update(casting, scene, method);
+  }
+  if (together)
+  {
+    this->Exchange.Share(work.Cache, casting, request.Size);
+  }
+  if (work.Maps.Allocate(window, request.Size, work.Cache.GetNumberOfMaps()))
+  {
+    work.Cache.Invalidate();
+  }
+  if (together)
+  {
+    this->Exchange.Agree(work.Cache);
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowSchedule::Draw(vtkRelievoShadowWork& work, vtkRenderer* renderer)
+{
+  int draws = 0;
+  work.MapsDrawn = 0;
+  for (auto& entry : work.Cache.GetEntries())
+  {
+    for (auto& map : entry.Maps)
+    {
+      if (map.Drawn)
+      {
+        continue;
+      }
+      if (!work.DrawingMaps)
+      {
+        work.DrawingMaps = true;
+        work.Maps.Bind(false);
+        work.Maps.Begin();
+      }
+      work.Maps.Draw(map.Layer, map.View, renderer, [&](const vtkRelievoShadowView& view) {
+        draws += work.Props.RenderCasters(renderer, view, work.PlainDraw);
+      });
+      if (this->Exchange.IsOn())
+      {
+        this->Exchange.Merge(work.Maps, map.Layer);
+      }
+      map.Drawn = true;
+      ++work.MapsDrawn;
+    }
+  }
+  if (work.DrawingMaps)
+  {
+    work.Maps.End();
+    work.DrawingMaps = false;
+    // What VTK takes for these programs' lights are in a light's eye space.
+    for (vtkShaderProgram* program : this->LitForMaps)
+    {
+      program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
+    }
+    this->LitForMaps.clear();
+  }
+  return draws;
+}

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The uniforms of shaders/shadow/receive.glsl, which all methods have in common.
+#ifndef vtkRelievoShadowUniforms_h
+#define vtkRelievoShadowUniforms_h
+
+class vtkActor;
+class vtkRelievoShadowMethod;
+class vtkShaderProgram;
+struct vtkRelievoShadowWork;
+
+namespace vtkRelievoShadowUniforms
+{
+// The same for all that a program draws in a frame. strength: share of a blocked light that is
+// removed from the picture.
+void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowWork& work,
+  const vtkRelievoShadowMethod& method, double strength);
+
+void SetActor(vtkShaderProgram* program, const vtkRelievoShadowWork& work, vtkActor* actor);
+}
+
+#endif
