@@ -45,7 +45,8 @@ void vtkRelievoEnvironmentLight::MakeIrradiance()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoEnvironmentLight::MakeLevels(const std::function<void(vtkAlgorithm*)>& watch)
+void vtkRelievoEnvironmentLight::MakeLevels(
+  double tolerance, const std::function<void(vtkAlgorithm*)>& watch)
 {
   if (this->Levels)
   {
@@ -55,6 +56,7 @@ void vtkRelievoEnvironmentLight::MakeLevels(const std::function<void(vtkAlgorith
   levels->SetInputData(this->Image);
   levels->SetInputSRGB(this->SRGB);
   levels->SetSize(LevelSize);
+  levels->SetTolerance(tolerance);
   if (watch)
   {
     watch(levels);

@@ -27,9 +27,11 @@ struct VTKRELIEVOFILTERS_EXPORT vtkRelievoEnvironmentLight
   // of all directions (twice as wide as high) or of a mirror ball (square).
   bool SetImage(vtkImageData* image, std::string& failure);
 
-  // Each is made once. `watch` sees the filter, which takes a second, before it runs.
+  // Each is made once. tolerance: as of vtkRelievoEnvironmentPrefilter. `watch` sees the filter,
+  // which takes a second, before it runs.
   void MakeIrradiance();
-  void MakeLevels(const std::function<void(vtkAlgorithm*)>& watch = nullptr);
+  void MakeLevels(
+    double tolerance = 5e-4, const std::function<void(vtkAlgorithm*)>& watch = nullptr);
 };
 
 #endif

@@ -65,7 +65,7 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
 
   bool operator==(const vtkRelievoGBufferLayout& other) const
   {
-    return this->GetDefines() == other.GetDefines();
+    return this->GetDefines() == other.GetDefines() && this->Shadows == other.Shadows;
   }
   bool operator!=(const vtkRelievoGBufferLayout& other) const { return !(*this == other); }
 };

@@ -44,11 +44,10 @@ MISTAKES = {
     "GLSL input": ("materials/vtkE.cxx", LICENCE + 'const char* E = "in vec2 tcoord;";\n',
                    "shaders/"),
     "GLSL expression": ("materials/vtkF.cxx",
-                        LICENCE + 'std::string F(std::string i)\n{\n'
-                                  '  return "normalize(light" + i + '
-                        '" - placeVC)";\n}\n', "shaders/"),
-    "GLSL variable": ("passes/vtkF.cxx", LICENCE + 'const char* F = "  float relievoLit = 1.0;";\n',
-                      "shaders/"),
+                        LICENCE + 'std::string F(std::string i)\n{\n  return "normalize(light" + '
+                        'i + " - placeVC)";\n}\n', "shaders/"),
+    "GLSL variable": ("passes/vtkF.cxx",
+                      LICENCE + 'const char* F = "  float relievoLit = 1.0;";\n', "shaders/"),
     "undeclared macro": ("shaders/gbuffer/b.glsl", LICENCE + "#ifdef RELIEVO_LIGHTS\n#endif\n",
                          "contract.glsl"),
     "OpenGL": ("filters/vtkF.h", LICENCE + '#include "vtkOpenGLActor.h"\n', "know no OpenGL"),

@@ -18,6 +18,12 @@
 
 namespace cli
 {
+namespace
+{
+// What the levels' sums may err by: a command waits for them.
+constexpr double LevelTolerance = 2e-3;
+}
+
 //------------------------------------------------------------------------------
 void CheckEnvironment(const RenderOptions& options)
 {
@@ -46,7 +52,8 @@ vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
   light.MakeIrradiance();
   if (options.Roughness > 0.0)
   {
-    light.MakeLevels([&progress](vtkAlgorithm* levels) { progress.Observe(levels); });
+    light.MakeLevels(
+      LevelTolerance, [&progress](vtkAlgorithm* levels) { progress.Observe(levels); });
   }
   auto environment = vtkSmartPointer<vtkRelievoEnvironment>::New();
   environment->SetImage(light.Image);
