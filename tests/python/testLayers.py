@@ -97,8 +97,8 @@ class Documents(unittest.TestCase):
         self.compare(table)
 
     def test_package(self):
-        bars = [i for i, line in enumerate(lines := relievo.__doc__.splitlines())
-                if line.startswith("====")]  # fmt: skip
+        lines = relievo.__doc__.splitlines()
+        bars = [i for i, line in enumerate(lines) if line.startswith("====")]
         columns = [(m.start(), m.end()) for m in re.finditer("=+", lines[bars[0]])]
         rows = []
         for line in lines[bars[1] + 1 : bars[2]]:
