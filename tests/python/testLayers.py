@@ -93,7 +93,8 @@ class Documents(unittest.TestCase):
         page = (DOCS / "layers.md").read_text(encoding="utf-8")
         rows = [re.split(r" *\| *", line)[1:-1] for line in page.splitlines()
                 if line.startswith("| `")]  # fmt: skip
-        table = [([re.search("`(.+?)`", row[0])[1]], row[1], row[3]) for row in rows if len(row) == 4]
+        table = [([re.search("`(.+?)`", row[0])[1]], row[1], row[3])
+                 for row in rows if len(row) == 4]  # fmt: skip
         self.compare(table)
 
     def test_package(self):
