@@ -43,10 +43,10 @@ std::vector<L> MakeTable()
       L::WORLD, GetPlace },
     { "albedo", L::COLOR, L::FROM_ALBEDO, VTK_UNSIGNED_CHAR, 4, 0.0, "R,G,B,A",
       "surface colour before light", "ALBEDO" },
-    { "actor", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id", "actor, from 0" },
+    { "actor", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id", "index of the actor, from 0" },
     { "block", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id",
-      "flat index of the block; 0 in data that is not composite" },
-    { "cell", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id", "cell of the mesh, from 0" },
+      "flat index of the block, 0 in data that is not composite" },
+    { "cell", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id", "index of the cell in its mesh, from 0" },
     { "color", L::COLOR, L::FROM_PICTURE, VTK_FLOAT, 4, OfRenderer, "R,G,B,A",
       "the picture, scene-linear and premultiplied" },
   };

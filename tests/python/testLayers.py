@@ -99,8 +99,7 @@ class Documents(unittest.TestCase):
 
     def test_package(self):
         lines = relievo.__doc__.splitlines()
-        bars = [i for i, line in enumerate(lines)
-                if line.startswith("====")]  # fmt: skip
+        bars = [i for i, line in enumerate(lines) if line.startswith("====")]
         columns = [(m.start(), m.end()) for m in re.finditer("=+", lines[bars[0]])]
         rows = []
         for line in lines[bars[1] + 1 : bars[2]]:
