@@ -160,10 +160,11 @@ simple.Show(simple.Plane(), view)
 simple.Render(view)
 simple.SaveScreenshot(folder + "/plain.png", view)
 smtrace.start_trace()
-item = smtrace._create_trace_item_internal("PropertiesModified", kwargs={"proxy": view.SMProxy})
+item = smtrace._create_trace_item_internal("PropertiesModified", kwargs={"proxy": view})
 view.RelievoStageMist = 1
 view.RelievoStageMistStrength = 0.9
 view.RelievoStageMistColor = [1, 0, 0]
+item.finalize()
 del item
 trace = smtrace.stop_trace()
 assert "RelievoStageMistStrength = 0.9" in trace, trace
