@@ -74,9 +74,19 @@ std::string vtkRelievoColorTarget::Begin(vtkRelievoFrameContext& context)
   }
   const bool keeps = context.Renderer->GetLayer() > 0 || !context.Renderer->GetErase() ||
     context.Renderer->GetPreserveColorBuffer();
-  if (keeps && context.Picture)
+  if ((keeps || context.Nested) && context.Picture)
   {
     this->CopyWhatIsThere(context);
+  }
+  if (context.Nested)
+  {
+    // The pass around has cleared its own depth, and set its own viewport.
+    const int* v = context.View.Viewport;
+    state->vtkglViewport(v[0], v[1], v[2], v[3]);
+    state->vtkglScissor(v[0], v[1], v[2], v[3]);
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglClearDepth(1.0);
+    state->vtkglClear(GL_DEPTH_BUFFER_BIT);
   }
   return std::string();
 }

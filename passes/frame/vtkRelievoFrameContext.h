@@ -37,6 +37,9 @@ public:
   // Whether the renderer's own steps draw the picture, no pass.
   bool OwnSteps = true;
 
+  // Another pass is around the frame's (ParaView's camera pass), and has cleared where it draws.
+  bool Nested = false;
+
   // Layers that will be read back to the CPU.
   std::vector<std::string> ReadBack;
 

@@ -291,6 +291,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   context.View.Take(renderer, s);
   context.Picture = !this->LayersOnly;
   context.OwnSteps = !in.Delegate && !s->GetFrameBuffer();
+  context.Nested = renderer->GetPass() != this;
   context.ReadBack.assign(in.Requested.begin(), in.Requested.end());
   context.ReadLayers = [&in](const std::vector<std::string>& names, vtkImageData* image) {
     return in.Read(names, image);

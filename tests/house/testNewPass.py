@@ -150,7 +150,7 @@ def in_python(build, python):
 PARAVIEW = """
 import sys
 from paraview import simple, smtrace
-from paraview.servermanager import vtkSMProxyManager
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 plugin, folder = sys.argv[1:]
 simple.LoadPlugin(plugin, remote=False, ns=simple.__dict__)
@@ -170,6 +170,13 @@ trace = smtrace.stop_trace()
 assert "RelievoStageMistStrength = 0.9" in trace, trace
 simple.Render(view)
 simple.SaveScreenshot(folder + "/mist.png", view)
+reader = vtkPNGReader()
+reader.SetFileName(folder + "/mist.png")
+reader.Update()
+middle = [reader.GetOutput().GetScalarComponentAsFloat(100, 75, 0, i) for i in range(3)]
+corner = [reader.GetOutput().GetScalarComponentAsFloat(190, 140, 0, i) for i in range(3)]
+assert middle[0] > 60 and middle[0] > 1.2 * middle[1], middle
+assert min(corner) > 40, corner
 simple.SaveState(folder + "/mist.pvsm")
 assert "StageMistStrength" in open(folder + "/mist.pvsm").read()
 view.RelievoStageMist = 0
