@@ -7,7 +7,7 @@ them off again, captured, and detached, and says what differs.
 """
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkObject, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkLight
 
@@ -110,7 +110,10 @@ class Frames:
             shared = capture_surfaces(renderer)
             for actor, mapper in zip(actors, mappers):
                 own = mapper.NewInstance()
+                # VTK 9.1 copies a mapper by accessors that it itself calls deprecated.
+                vtkObject.GlobalWarningDisplayOff()
                 own.ShallowCopy(mapper)
+                vtkObject.GlobalWarningDisplayOn()
                 actor.SetMapper(own)
             separate = capture_surfaces(renderer)
             for actor, mapper in zip(actors, mappers):
