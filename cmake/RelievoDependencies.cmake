@@ -7,7 +7,7 @@ set(relievo_vtk_components
   IOExport IOGeometry IOImage IOImport IOLegacy IOPLY IOXML ImagingCore InteractionStyle
   ParallelCore
   RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
-  RenderingOpenGL2 RenderingVolumeOpenGL2 ViewsContext2D WrappingPythonCore Python WrappingTools)
+  RenderingOpenGL2 RenderingVolumeOpenGL2 ViewsContext2D WrappingTools)
 
 if (RELIEVO_USE_PARAVIEW)
   # Named components: without them ParaView also asks for the developer files of Qt, GDAL, FFmpeg
@@ -18,10 +18,20 @@ if (RELIEVO_USE_PARAVIEW)
   set(CMAKE_WARN_DEPRECATED "${relievo_warn_deprecated}")
 endif ()
 # After ParaView, VTK_DIR is ParaView's own VTK.
-find_package(VTK 9.1 REQUIRED COMPONENTS ${relievo_vtk_components})
+find_package(VTK 9.1 REQUIRED COMPONENTS ${relievo_vtk_components}
+  OPTIONAL_COMPONENTS WrappingPythonCore Python)
 
-# VTK's Python modules are built for one interpreter, which need not be the first on PATH.
-find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
+option(RELIEVO_WRAP_PYTHON "Build the Python package; needs a VTK that is wrapped" "${VTK_WRAP_PYTHON}")
+if (RELIEVO_WRAP_PYTHON AND NOT VTK_WRAP_PYTHON)
+  message(FATAL_ERROR "RELIEVO_WRAP_PYTHON is ON, but the VTK ${VTK_VERSION} in ${VTK_DIR} has no Python "
+    "modules. Name a wrapped VTK by VTK_DIR, or set RELIEVO_WRAP_PYTHON to OFF.")
+endif ()
+if (RELIEVO_WRAP_PYTHON)
+  # VTK's Python modules are built for one interpreter, which need not be the first on PATH.
+  find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
+elseif (RELIEVO_BUILD_TESTS)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter) # runs the tests of the command line
+endif ()
 find_package(glm REQUIRED)
 # Debian's Imath reports, at length, the library of its Python module: nothing that is used here.
 set(relievo_log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
