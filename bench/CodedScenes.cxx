@@ -14,7 +14,7 @@
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
 #include <vtkTransform.h>
-#include <vtkTransformPolyDataFilter.h>
+#include <vtkTransformFilter.h>
 
 #include <cmath>
 
@@ -59,7 +59,7 @@ public:
     slab->SetCenter(0., bottom + 0.5 * thickness, 0.);
     vtkNew<vtkTransform> turn;
     turn->RotateY(degrees);
-    vtkNew<vtkTransformPolyDataFilter> turned;
+    vtkNew<vtkTransformFilter> turned;
     turned->SetTransform(turn);
     turned->SetInputConnection(slab->GetOutputPort());
     this->Append->AddInputConnection(turned->GetOutputPort());

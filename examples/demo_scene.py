@@ -16,7 +16,7 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkElevationFilter, vtkPolyDataNormals
-from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
 from vtkmodules.vtkIOGeometry import vtkOBJReader
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -145,7 +145,7 @@ def stand(mesh, length, z_up):
 
 
 def transformed(mesh, transform):
-    move = vtkTransformPolyDataFilter()
+    move = vtkTransformFilter()
     move.SetTransform(transform)
     move.SetInputData(mesh)
     move.Update()

@@ -9,6 +9,7 @@
 #include "vtkMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkProperty.h"
+#include "vtkRelievoCompositeMapper.h"
 #include "vtkRelievoMaterialInternals.h"
 #include "vtkTexture.h"
 
@@ -24,7 +25,7 @@ constexpr const char* Carrier = "relievoCarrier";
 
 void AddCarrier(vtkActor* actor)
 {
-  if (actor->GetMapper() && actor->GetMapper()->IsA("vtkCompositePolyDataMapper2") &&
+  if (vtkRelievoCompositeMapper::SafeDownCast(actor->GetMapper()) &&
     !actor->GetProperty()->GetTexture(Carrier))
   {
     vtkNew<vtkImageData> texel;
@@ -44,7 +45,7 @@ void AddCarrier(vtkActor* actor)
 
 void RemoveCarrier(vtkActor* actor)
 {
-  if (actor->GetMapper() && actor->GetMapper()->IsA("vtkCompositePolyDataMapper2"))
+  if (vtkRelievoCompositeMapper::SafeDownCast(actor->GetMapper()))
   {
     actor->GetProperty()->RemoveTexture(Carrier);
   }

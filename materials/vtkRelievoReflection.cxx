@@ -57,7 +57,8 @@ std::string vtkRelievoReflection::Fill(std::string& vertex, std::string& geometr
     return std::string(); // not lit: there are no normals to mirror about
   }
   auto defined = structure;
-  const bool encodes = Has(fragment, "color = pow(color, vec3(1.0/2.2))");
+  // Of PBR, in the words of all versions.
+  const bool encodes = Has(fragment, ", vec3(1.0/2.2))");
   defined.Encoded = defined.Encoded || encodes;
   std::string declarations = defined.GetDefines();
   declarations += encodes ? "#define RELIEVO_PBR\n" : "";

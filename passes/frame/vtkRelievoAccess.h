@@ -17,18 +17,21 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRelievoVTKVersions.h"
 #include "vtkStateStorage.h"
 #include "vtkTexture.h"
-#include "vtkVersionMacros.h"
 
-#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
-#define RELIEVO_COMPOSITE_HELPER 1
+#include <vector>
+
+#ifdef RELIEVO_VTK_COMPOSITE_HELPERS
 // VTK 9.1's header of the helper does not include what it names.
 #include "vtkColor.h"
 #include "vtkOpenGLError.h" // for GLenum
 
 #include "vtkCompositeMapperHelper2.h"
 #include "vtkCompositePolyDataMapper2.h"
+#else
+#include "vtkOpenGLBatchedPolyDataMapper.h"
 #endif
 
 namespace vtkRelievoAccess
@@ -36,23 +39,35 @@ namespace vtkRelievoAccess
 class Renderer : public vtkOpenGLRenderer
 {
 public:
-  // The renderer's props of this frame: visible, culled, ordered.
-  static vtkProp**& Props(vtkRenderer* ren) { return ren->*(&Renderer::PropArray); }
-  static int& NumberOfProps(vtkRenderer* ren) { return ren->*(&Renderer::PropArrayCount); }
-
   // Past SetActiveCamera, which tells observers of a change that the user never sees.
   static vtkCamera*& CameraInUse(vtkRenderer* ren) { return ren->*(&Renderer::ActiveCamera); }
 
   // Camera and head lights, brought to where the camera is now.
   static void FollowCamera(vtkRenderer* ren) { (ren->*(&Renderer::UpdateLightGeometry))(); }
 
-  // What vtkOpenGLRenderer::DeviceRender does when no pass is set.
-  static void RenderOwnSteps(vtkOpenGLRenderer* ren)
+  // What vtkOpenGLRenderer::DeviceRender does when no pass is set, with these props in place of the
+  // renderer's own of this frame: visible, culled, ordered.
+  static void RenderOwnSteps(vtkOpenGLRenderer* ren, vtkProp** props, int count)
   {
+#ifdef RELIEVO_VTK_PROP_VECTOR
+    std::vector<vtkProp*> kept(props, props + count);
+    (ren->*(&Renderer::PropArray)).swap(kept);
+#else
+    vtkProp** const kept = ren->*(&Renderer::PropArray);
+    const int keptCount = ren->*(&Renderer::PropArrayCount);
+    ren->*(&Renderer::PropArray) = props;
+    ren->*(&Renderer::PropArrayCount) = count;
+#endif
     (ren->*(&Renderer::UpdateCamera))();
     (ren->*(&Renderer::UpdateLightGeometry))();
     ren->UpdateLights();
     (ren->*(&Renderer::UpdateGeometry))(nullptr);
+#ifdef RELIEVO_VTK_PROP_VECTOR
+    (ren->*(&Renderer::PropArray)).swap(kept);
+#else
+    ren->*(&Renderer::PropArray) = kept;
+    ren->*(&Renderer::PropArrayCount) = keptCount;
+#endif
   }
 };
 
@@ -132,6 +147,14 @@ public:
   }
 };
 
+// One block of composite data, and how its primitives are numbered.
+struct Block
+{
+  vtkPolyData* Mesh;
+  vtkOpenGLCellToVTKCellMap* Map;
+  int FlatIndex;
+};
+
 class GlyphMapper : public vtkGlyph3DMapper
 {
 public:
@@ -145,10 +168,27 @@ public:
   }
 };
 
-#ifdef RELIEVO_COMPOSITE_HELPER
+#ifdef RELIEVO_VTK_COMPOSITE_HELPERS
 class CompositeHelper : public vtkCompositeMapperHelper2
 {
 public:
+  static bool Draws(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return vtkCompositeMapperHelper2::SafeDownCast(mapper) != nullptr;
+  }
+  static std::vector<Block> GetBlocks(vtkOpenGLPolyDataMapper* mapper)
+  {
+    std::vector<Block> blocks;
+    for (const auto& block : Blocks(vtkCompositeMapperHelper2::SafeDownCast(mapper)))
+    {
+      blocks.push_back(
+        { block.first, block.second->CellCellMap, static_cast<int>(block.second->FlatIndex) });
+    }
+    return blocks;
+  }
+  // Whether VTK's own shaders look anything up by a primitive's number: never kept from them.
+  static bool NumbersPrimitives(vtkOpenGLPolyDataMapper*) { return true; }
+
   static const std::map<vtkPolyData*, vtkCompositeMapperHelperData*>& Blocks(
     vtkCompositeMapperHelper2* helper)
   {
@@ -189,6 +229,33 @@ public:
     return input && sorted.GetMTime() >= input->GetMTime() &&
       sorted.GetMTime() >= mapper->GetMTime() &&
       !(mapper->*(&CompositeMapper::RenderValuesState) != state);
+  }
+};
+#else
+class CompositeHelper : public vtkOpenGLBatchedPolyDataMapper
+{
+public:
+  static bool Draws(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return vtkOpenGLBatchedPolyDataMapper::SafeDownCast(mapper) != nullptr;
+  }
+  static std::vector<Block> GetBlocks(vtkOpenGLPolyDataMapper* mapper)
+  {
+    std::vector<Block> blocks;
+    auto* batch = vtkOpenGLBatchedPolyDataMapper::SafeDownCast(mapper);
+    for (const auto& block : batch->*(&CompositeHelper::VTKPolyDataToGLBatchElement))
+    {
+      blocks.push_back({ block.second->Parent.PolyData, block.second->CellCellMap,
+        static_cast<int>(block.second->Parent.FlatIndex) });
+    }
+    return blocks;
+  }
+  // Whether VTK's own shaders look up colours, normals or edges by a primitive's number.
+  static bool NumbersPrimitives(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return mapper->*(&CompositeHelper::HaveCellScalars) ||
+      mapper->*(&CompositeHelper::HaveCellNormals) ||
+      !(mapper->*(&CompositeHelper::EdgeValues)).empty();
   }
 };
 #endif

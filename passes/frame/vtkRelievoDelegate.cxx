@@ -78,14 +78,6 @@ int vtkRelievoDelegate::RenderPass(
 int vtkRelievoDelegate::RenderOwnSteps(const vtkRenderState* s, vtkProp** props, int numberOfProps)
 {
   auto* renderer = static_cast<vtkOpenGLRenderer*>(s->GetRenderer());
-  vtkProp**& ownProps = vtkRelievoAccess::Renderer::Props(renderer);
-  int& ownCount = vtkRelievoAccess::Renderer::NumberOfProps(renderer);
-  vtkProp** const keptProps = ownProps;
-  const int keptCount = ownCount;
-  ownProps = props;
-  ownCount = numberOfProps;
-  vtkRelievoAccess::Renderer::RenderOwnSteps(renderer);
-  ownProps = keptProps;
-  ownCount = keptCount;
+  vtkRelievoAccess::Renderer::RenderOwnSteps(renderer, props, numberOfProps);
   return renderer->GetNumberOfPropsRendered();
 }

@@ -6,6 +6,7 @@
 #include "vtkIdList.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoView.h"
 
 #include <algorithm>
@@ -13,19 +14,9 @@
 
 namespace
 {
-bool IsDegenerate(vtkPolyData* mesh, vtkIdType a, vtkIdType b, vtkIdType c)
-{
-  glm::dvec3 p[3];
-  mesh->GetPoint(a, &p[0][0]);
-  mesh->GetPoint(b, &p[1][0]);
-  mesh->GetPoint(c, &p[2][0]);
-  return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
-}
-
-// Places of the corners of primitive k of a cell, as VTK's mappers cut cells: polygons into fans,
-// of which triangles with two equal corners are not drawn. Returns their number.
-int GetCorners(
-  const vtkRelievoDrawTable::Hit& hit, const vtkRelievoCell& cell, vtkIdType corners[3])
+// Places of the corners of primitive k of a cell, as VTK's mappers cut cells. Returns their number.
+int GetCorners(const vtkRelievoDrawTable::Hit& hit, const vtkRelievoCell& cell,
+  vtkRelievoPolygonCut& cut, vtkIdType corners[3])
 {
   // Most cells are triangles, the one primitive of theirs.
   const int representation = hit.Representation;
@@ -54,16 +45,10 @@ int GetCorners(
   corners[2] = k + 2;
   if (polygon && cell.Count > 3)
   {
-    vtkIdType drawn = -1;
-    for (vtkIdType i = 2; i < cell.Count; ++i)
+    const auto& triangles = cut.Cut(hit.Mesh, cell.Points, cell.Count);
+    if (k < static_cast<vtkIdType>(triangles.size()))
     {
-      drawn += IsDegenerate(hit.Mesh, cell.Points[0], cell.Points[i - 1], cell.Points[i]) ? 0 : 1;
-      if (drawn == k)
-      {
-        corners[1] = i - 1;
-        corners[2] = i;
-        break;
-      }
+      std::copy_n(triangles[static_cast<std::size_t>(k)].begin(), 3, corners);
     }
   }
   return 3;
@@ -108,7 +93,8 @@ vtkRelievoCellGeometry::vtkRelievoCellGeometry(
   }
   const vtkRelievoCell cell(hit.Mesh, hit.Cell, scratch);
   vtkIdType corners[3] = { 0, 0, 0 };
-  const int count = GetCorners(hit, cell, corners);
+  vtkRelievoPolygonCut cut;
+  const int count = GetCorners(hit, cell, cut, corners);
   for (int i = 0; i < count; ++i)
   {
     if (corners[i] >= cell.Count)

@@ -8,6 +8,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkRelievoVTKVersions.h"
 
 #include <algorithm>
 #include <iterator>
@@ -48,13 +49,20 @@ vtkIdType CountPrimitives(int kind, int representation, vtkIdType points)
   return std::max<vtkIdType>(0, count);
 }
 
+#ifdef RELIEVO_VTK_EAR_CLIPPING
+// All triangles of polygons are drawn, with area or without.
+constexpr bool DropsTriangles = false;
+#else
+constexpr bool DropsTriangles = true;
+#endif
+
 template <typename Point>
 bool AreEqual(const Point& a, const Point& b)
 {
   return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-// VTK draws no triangle of a polygon's fan that has two corners at one place. Calls
+// VTK before 9.7 draws no triangle of a polygon's fan that has two corners at one place. Calls
 // f(cell, triangles drawn) for every cell.
 template <typename GetPoint, typename Function>
 void ForDrawnTriangles(vtkCellArray* cells, GetPoint getPoint, Function f)
@@ -123,7 +131,7 @@ void vtkRelievoCellMap::Fill(Part& part, vtkPolyData* mesh, int kind, int repres
   const vtkIdType size = cells->IsHomogeneous();
   part.PerCell = size > 0 ? CountPrimitives(kind, representation, size) : 0;
   bool equal = part.PerCell > 0;
-  const bool fans = kind == Polys && representation == VTK_SURFACE;
+  const bool fans = DropsTriangles && kind == Polys && representation == VTK_SURFACE;
   if (fans && equal)
   {
     ForDrawnTriangles(
@@ -167,6 +175,17 @@ const vtkRelievoCellMap::Part* vtkRelievoCellMap::Find(
     }
   }
   return nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoCellMap::GetEnd(const Offsets& offsets) const
+{
+  vtkIdType end = offsets[0];
+  for (int kind = 0; kind < Kinds; ++kind)
+  {
+    end = this->Parts[kind].Size > 0 ? offsets[kind] + this->Parts[kind].Size : end;
+  }
+  return end;
 }
 
 //------------------------------------------------------------------------------

@@ -33,6 +33,9 @@ public:
   vtkIdType GetCell(const Offsets& offsets, vtkIdType primitive) const;
   vtkIdType GetPrimitiveInCell(const Offsets& offsets, vtkIdType primitive) const;
 
+  // The number behind that of the last primitive.
+  vtkIdType GetEnd(const Offsets& offsets) const;
+
 private:
   struct Part
   {

@@ -7,6 +7,7 @@
 #include "vtkPolyData.h"
 #include "vtkRelievoCellGeometry.h"
 #include "vtkRelievoMeshLinks.h"
+#include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoRows.h"
 #include "vtkRelievoView.h"
 
@@ -243,6 +244,7 @@ double vtkRelievoDepthRefiner::GetAdjacentDepth(
   const vtkRelievoMeshLinks::Links& cells = links.Get(hit.Mesh);
   vtkNew<vtkIdList> ownScratch;
   vtkNew<vtkIdList> scratch;
+  vtkRelievoPolygonCut cut;
   const vtkRelievoCell own(hit.Mesh, hit.Cell, ownScratch);
   double best = std::numeric_limits<double>::infinity();
   for (vtkIdType c = 0; c < own.Count; ++c)
@@ -251,17 +253,18 @@ double vtkRelievoDepthRefiner::GetAdjacentDepth(
     for (vtkIdType k = cells.Offsets[point]; k < cells.Offsets[point + 1]; ++k)
     {
       const vtkRelievoCell cell(hit.Mesh, cells.Cells[k], scratch);
-      // As VTK's mappers cut polygons: into fans.
-      const bool fans = cell.Kind == vtkRelievoCell::Polys;
-      for (vtkIdType i = 2; i < cell.Count; ++i)
+      const bool polygon = cell.Kind == vtkRelievoCell::Polys && cell.Count > 3;
+      const auto* triangles = polygon ? &cut.Cut(hit.Mesh, cell.Points, cell.Count) : nullptr;
+      const vtkIdType number =
+        triangles ? static_cast<vtkIdType>(triangles->size()) : cell.Count - 2;
+      for (vtkIdType i = 0; i < number; ++i)
       {
         Triangle triangle;
-        const vtkIdType corners[3] = { cell.Points[fans ? 0 : i - 2], cell.Points[i - 1],
-          cell.Points[i] };
         for (int j = 0; j < 3; ++j)
         {
+          const vtkIdType corner = triangles ? (*triangles)[static_cast<std::size_t>(i)][j] : i + j;
           glm::dvec3 model;
-          hit.Mesh->GetPoint(corners[j], &model[0]);
+          hit.Mesh->GetPoint(cell.Points[corner], &model[0]);
           this->SetCorner(triangle, j, *hit.ModelToView, model);
         }
         bool inside = false;

@@ -25,6 +25,8 @@
 
 namespace
 {
+using Composites = vtkRelievoAccess::CompositeHelper;
+
 vtkIdType CountPrimitivesAtMost(vtkPolyData* mesh)
 {
   // Every primitive ends at another point of its cell; strips drawn as lines have two for a point.
@@ -49,20 +51,33 @@ vtkIdType CountPrimitives(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int 
   {
     return actor->GetMapper() ? CountGlyphs(actor->GetMapper()->GetInputDataObject(0, 0)) : 1;
   }
-#ifdef RELIEVO_COMPOSITE_HELPER
-  if (auto* helper = vtkCompositeMapperHelper2::SafeDownCast(mapper))
+  if (Composites::Draws(mapper))
   {
     vtkIdType count = 0;
-    for (const auto& block : vtkRelievoAccess::CompositeHelper::Blocks(helper))
+    for (const vtkRelievoAccess::Block& block : Composites::GetBlocks(mapper))
     {
-      count += CountPrimitivesAtMost(block.first);
+      count += CountPrimitivesAtMost(block.Mesh);
     }
     return count;
   }
-#endif
   return mapper->CurrentInput ? std::max(CountPrimitivesAtMost(mapper->CurrentInput),
                                   mapper->CurrentInput->GetNumberOfPoints())
                               : 1;
+}
+
+// VTK 9.3 and later let blocks' numbers overlap where its own shaders look nothing up by them.
+void NumberBlocks(vtkOpenGLPolyDataMapper* mapper)
+{
+  if (Composites::NumbersPrimitives(mapper))
+  {
+    return;
+  }
+  vtkIdType first = 0;
+  for (const vtkRelievoAccess::Block& block : Composites::GetBlocks(mapper))
+  {
+    block.Map->SetStartOffset(first);
+    first += CountPrimitivesAtMost(block.Mesh);
+  }
 }
 
 // What the mapper draws now. It draws pieces one after the other from one mesh, filled anew for
@@ -149,18 +164,29 @@ void vtkRelievoDrawTable::AddRanges(Draw& draw, vtkOpenGLPolyDataMapper* mapper)
     range.Time = vtkRelievoCellMaps::GetTime(mesh);
     draw.Ranges.push_back(range);
   };
-#ifdef RELIEVO_COMPOSITE_HELPER
-  if (auto* helper = vtkCompositeMapperHelper2::SafeDownCast(mapper))
+  if (Composites::Draws(mapper))
   {
-    for (const auto& block : vtkRelievoAccess::CompositeHelper::Blocks(helper))
+    NumberBlocks(mapper);
+    for (const vtkRelievoAccess::Block& block : Composites::GetBlocks(mapper))
     {
-      add(static_cast<int>(block.second->FlatIndex), block.first, block.second->CellCellMap);
+      add(block.FlatIndex, block.Mesh, block.Map);
     }
     std::sort(draw.Ranges.begin(), draw.Ranges.end(),
       [](const Range& x, const Range& y) { return x.Offsets[0] < y.Offsets[0]; });
+    for (std::size_t i = 1; i < draw.Ranges.size(); ++i)
+    {
+      const Range& before = draw.Ranges[i - 1];
+      if (draw.Ranges[i].Offsets[0] < before.Map->GetEnd(before.Offsets))
+      {
+        draw.Ambiguous = true;
+      }
+    }
+    if (draw.Ambiguous)
+    {
+      draw.Ranges.clear();
+    }
     return;
   }
-#endif
   if (mapper->CurrentInput)
   {
     add(0, GetMesh(mapper), vtkRelievoAccess::Mapper::CellMap(mapper));
@@ -170,12 +196,10 @@ void vtkRelievoDrawTable::AddRanges(Draw& draw, vtkOpenGLPolyDataMapper* mapper)
 //------------------------------------------------------------------------------
 void vtkRelievoDrawTable::SetOffset(Draw& draw, vtkOpenGLPolyDataMapper* mapper, int type)
 {
-#ifdef RELIEVO_COMPOSITE_HELPER
-  if (vtkCompositeMapperHelper2::SafeDownCast(mapper))
+  if (Composites::Draws(mapper))
   {
     return;
   }
-#endif
   // The map's offset, but for a kind that comes after one of which nothing is drawn.
   if (!draw.Ranges.empty() && type < vtkRelievoCellMap::Kinds)
   {

@@ -58,6 +58,9 @@ public:
   // A draw call begins; returns the id word of its first primitive.
   std::uint32_t Add(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int primitiveSource);
 
+  // Whether the words of the draw that was added last cannot tell its blocks apart.
+  bool IsLastAmbiguous() const { return !this->Draws.empty() && this->Draws.back().Ambiguous; }
+
   // Makes ready for Find(), from what the mappers hold now.
   void Resolve(vtkRenderer* renderer, const vtkRelievoView& view);
 
@@ -94,6 +97,7 @@ private:
     glm::dmat4 ViewToModel;
     glm::dmat4 ModelToView;
     bool Deformed;
+    bool Ambiguous;            // primitives of several blocks have the same numbers
     std::vector<Range> Ranges; // by their first primitive
     int Block;                 // of Points
     vtkSmartPointer<vtkDataSet> Points;

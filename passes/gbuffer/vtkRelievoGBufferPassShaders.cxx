@@ -113,6 +113,12 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
     const int source =
       vtkRelievoGBufferSplice::GetPrimitiveSource(program->GetFragmentShader()->GetSource());
     const std::uint32_t first = in.Draws.Add(actor, mapper, source);
+    if (in.Draws.IsLastAmbiguous() && in.Said.insert("blocks").second)
+    {
+      vtkErrorMacro("No cell and block ids of some composite data: this VTK gives primitives of "
+                    "several of its blocks the same numbers where cells have normals but no "
+                    "colours. Colour the cells, or compute the normals at the points.");
+    }
     program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
   }
   in.Glyphs.SetUniforms(program, mapper);

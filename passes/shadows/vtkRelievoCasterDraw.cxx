@@ -54,7 +54,7 @@ std::set<std::string>& GetActorClasses()
   return classes;
 }
 
-#ifdef RELIEVO_COMPOSITE_HELPER
+#ifdef RELIEVO_VTK_COMPOSITE_HELPERS
 // A composite mapper's helpers, if all is current, seen and opaque; else none.
 std::vector<vtkOpenGLPolyDataMapper*> GetHelpers(
   vtkCompositePolyDataMapper2* mapper, vtkActor* actor)
@@ -135,7 +135,7 @@ std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor*
       Access::AreBuffersOf(own, actor);
     mappers.assign(current ? 1 : 0, own);
   }
-#ifdef RELIEVO_COMPOSITE_HELPER
+#ifdef RELIEVO_VTK_COMPOSITE_HELPERS
   else if (std::strcmp(mapper->GetClassName(), "vtkCompositePolyDataMapper2") == 0)
   {
     mappers = GetHelpers(static_cast<vtkCompositePolyDataMapper2*>(mapper), actor);

@@ -16,6 +16,13 @@ RELIEVO = os.environ["RELIEVO"]
 EXR_DUMP = os.environ["EXR_DUMP"]
 BENCHES = os.environ["BENCHES"] == "1"  # whether the command was built with them
 
+# VTK's version, as 9.7; from 9.4 on it opens windows without a display.
+VERSION = subprocess.run(
+    [RELIEVO, "--version"], stdout=subprocess.PIPE, text=True, check=True
+).stdout
+VTK_VERSION = tuple(int(part) for part in re.search(r"VTK (\d+)\.(\d+)", VERSION).groups())
+NEEDS_DISPLAY = VTK_VERSION < (9, 4)
+
 # A triangle in the plane z = 0, seen by the camera of LOOK as a triangle of known pixels.
 TRIANGLE = "OFF\n3 1 0\n-1 -1 0\n1 -1 0\n-1 1 0\n3 0 1 2\n"
 LOOK = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10"]

@@ -95,7 +95,7 @@ struct Scene
     vtkNew<vtkActor2D> actor;
     actor->SetMapper(mapper);
     actor->GetProperty()->SetColor(0.25, 1.0, 0.5);
-    this->Renderer->AddActor2D(actor);
+    this->Renderer->AddViewProp(actor);
   }
 };
 

@@ -150,7 +150,7 @@ void AddScalarBar(vtkRenderer* renderer)
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(table);
   bar->SetTitle("bar");
-  renderer->AddActor2D(bar);
+  renderer->AddViewProp(bar);
 }
 
 // Its leader is a line among the opaque geometry.
@@ -193,13 +193,13 @@ void AddBox2D(vtkRenderer* renderer)
   vtkNew<vtkLegendBoxActor> legend;
   legend->SetNumberOfEntries(1);
   legend->SetEntryString(0, "box");
-  renderer->AddActor2D(legend);
+  renderer->AddViewProp(legend);
   vtkNew<vtkCornerAnnotation> corner;
   corner->SetText(0, "corner");
-  renderer->AddActor2D(corner);
+  renderer->AddViewProp(corner);
   vtkNew<vtkLeaderActor2D> leader;
   leader->SetLabel("leader");
-  renderer->AddActor2D(leader);
+  renderer->AddViewProp(leader);
 }
 
 void AddTexts(vtkRenderer* renderer)
@@ -207,7 +207,7 @@ void AddTexts(vtkRenderer* renderer)
   vtkNew<vtkTextActor> text;
   text->SetInput("text");
   text->SetPosition(20, 20);
-  renderer->AddActor2D(text);
+  renderer->AddViewProp(text);
   vtkNew<vtkTextActor3D> text3D;
   text3D->SetInput("3D");
   text3D->SetScale(0.02);

@@ -42,11 +42,13 @@ if (NOT lines)
   message(FATAL_ERROR "the outside program links no library of Relievo:\n${output}")
 endif ()
 
-file(READ "${here}/build/pythonpath" pythonpath)
-run("an outside script" "${CMAKE_COMMAND}" -E env
-  "PYTHONPATH=${pythonpath}:${VTK_PYTHONPATH}" ${PYTHON_ENVIRONMENT}
-  "${PYTHON}" "${OUTSIDE}/outside.py" "${here}/script.exr" "${here}/prefix")
-message(STATUS "${output}")
+if (PYTHON)
+  file(READ "${here}/build/pythonpath" pythonpath)
+  run("an outside script" "${CMAKE_COMMAND}" -E env
+    "PYTHONPATH=${pythonpath}:${VTK_PYTHONPATH}" ${PYTHON_ENVIRONMENT}
+    "${PYTHON}" "${OUTSIDE}/outside.py" "${here}/script.exr" "${here}/prefix")
+  message(STATUS "${output}")
+endif ()
 
 # A component that does not exist is refused by its name.
 file(WRITE "${here}/wrong/CMakeLists.txt"

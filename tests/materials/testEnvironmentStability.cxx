@@ -14,7 +14,6 @@
 #include "View.h"
 
 #include <vtkCamera.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkDataArray.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
@@ -22,6 +21,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
+#include <vtkRelievoCompositeMapper.h>
 #include <vtkRelievoEnvironment.h>
 #include <vtkRelievoEnvironmentPrefilter.h>
 #include <vtkRelievoMaterial.h>
@@ -252,7 +252,7 @@ void TestMeshes()
   // Blocks, glyphs, layers and shadows.
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, FineBall(true));
-  vtkNew<vtkCompositePolyDataMapper2> composite;
+  vtkNew<vtkRelievoCompositeMapper> composite;
   composite->SetInputDataObject(blocks);
   smooth.Actor->SetMapper(composite);
   const auto differing = [&other](const std::vector<unsigned char>& picture) {

@@ -25,7 +25,11 @@
 #include <vtkPointData.h>
 #include <vtkRelievoMaterial.h>
 #include <vtkRelievoTangents.h>
+#include <vtkRelievoVTKVersions.h>
 #include <vtkRenderer.h>
+#ifdef RELIEVO_VTK_GLTF_TEXTURE_OBJECTS
+#include <vtkGLTFTexture.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -228,7 +232,11 @@ void TestModel()
     if (index)
     {
       const auto texture = static_cast<vtkIdType>(index->GetComponent(0, 0));
-      worn.emplace(reader->GetGLTFTexture(texture).Image, mesh);
+#ifdef RELIEVO_VTK_GLTF_TEXTURE_OBJECTS
+      worn.emplace(reader->GetTexture(texture)->Image.GetPointer(), mesh);
+#else
+      worn.emplace(reader->GetGLTFTexture(texture).Image.GetPointer(), mesh);
+#endif
     }
   }
   RELIEVO_CHECK_THAT(worn.size() == 2, "images: " + std::to_string(worn.size()));

@@ -12,13 +12,13 @@
 #include "Stage.h"
 
 #include <vtkCamera.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkFloatArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRelievoCompositeMapper.h>
 #include <vtkRelievoMaterial.h>
 #include <vtkRelievoPass.h>
 #include <vtkShortArray.h>
@@ -264,7 +264,7 @@ void TestBlocks()
   scene.Stage.Renderer->RemoveActor(scene.Actor);
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, scene.Mesh);
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<vtkRelievoCompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);

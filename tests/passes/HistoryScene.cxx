@@ -11,7 +11,6 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCompositeDataDisplayAttributes.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkFieldData.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkHardwareSelector.h>
@@ -21,6 +20,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRelievoCompositeMapper.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowPass.h>
 #include <vtkSelection.h>
@@ -51,7 +51,7 @@ vtkSmartPointer<vtkActor> MakeActor(vtkRenderer* renderer, int kind)
     vtkNew<vtkMultiBlockDataSet> blocks;
     blocks->SetBlock(0, Moved(MakeBall(0.4), 0., 0., 0.));
     blocks->SetBlock(1, Moved(MakeBall(0.3), 0.5, 0.4, 0.));
-    vtkNew<vtkCompositePolyDataMapper2> mapper;
+    vtkNew<vtkRelievoCompositeMapper> mapper;
     mapper->SetInputDataObject(blocks);
     mapper->SetCompositeDataDisplayAttributes(vtkNew<vtkCompositeDataDisplayAttributes>());
     actor->SetMapper(mapper);

@@ -16,7 +16,6 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkFloatArray.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkLight.h>
@@ -30,6 +29,7 @@
 #include <vtkPolyDataNormals.h>
 #include <vtkPolyDataTangents.h>
 #include <vtkProperty.h>
+#include <vtkRelievoCompositeMapper.h>
 #include <vtkRelievoGBufferPass.h>
 #include <vtkTexture.h>
 #include <vtkTriangleFilter.h>
@@ -198,7 +198,7 @@ vtkSmartPointer<vtkActor> Blocks(const Look& look = nullptr)
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, BareBall());
   blocks->SetBlock(1, relievoTest::Moved(WithColors(true), 0.1, 0.1, 0.2));
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<vtkRelievoCompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);
   mapper->SetBlockColor(1, 0.2, 0.4, 0.8);
   auto actor = vtkSmartPointer<vtkActor>::New();

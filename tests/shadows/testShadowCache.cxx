@@ -14,7 +14,6 @@
 #include <vtkAssembly.h>
 #include <vtkCamera.h>
 #include <vtkCompositeDataDisplayAttributes.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
@@ -22,6 +21,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRelievoCompositeMapper.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowPass.h>
 #include <vtkShaderProperty.h>
@@ -124,7 +124,7 @@ void UseBlocks(Scene& s)
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, relievoTest::Moved(relievoTest::MakeBall(0.4), 0., 1., 0.));
   blocks->SetBlock(1, relievoTest::Moved(relievoTest::MakeBall(0.3), 1., 0.5, 0.));
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<vtkRelievoCompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);
   mapper->SetCompositeDataDisplayAttributes(vtkNew<vtkCompositeDataDisplayAttributes>());
   s.Thing->SetMapper(mapper);
@@ -216,10 +216,10 @@ const Case Cases[] = {
   { "a part of an assembly is hidden", 3, true, [](Scene& s) { s.Thing->VisibilityOff(); },
     UseAssembly },
   { "a block is hidden", 3, true,
-    [](Scene& s) { s.GetMapper<vtkCompositePolyDataMapper2>()->SetBlockVisibility(2, false); },
+    [](Scene& s) { s.GetMapper<vtkRelievoCompositeMapper>()->SetBlockVisibility(2, false); },
     UseBlocks },
   { "a block is translucent", 3, true,
-    [](Scene& s) { s.GetMapper<vtkCompositePolyDataMapper2>()->SetBlockOpacity(2, 0.4); },
+    [](Scene& s) { s.GetMapper<vtkRelievoCompositeMapper>()->SetBlockOpacity(2, 0.4); },
     UseBlocks },
   { "a block's points move", 3, true, MoveBlock, UseBlocks },
   { "nothing, of blocks", 0, false, [](Scene&) {}, UseBlocks },

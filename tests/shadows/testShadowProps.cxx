@@ -15,13 +15,13 @@
 #include <vtkAppendPolyData.h>
 #include <vtkAssembly.h>
 #include <vtkCellArray.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRelievoCompositeMapper.h>
 #include <vtkSphereSource.h>
 #include <vtkStripper.h>
 
@@ -116,7 +116,7 @@ const Kind Kinds[] = {
         (i < 2 ? inner : blocks)->SetBlock(i, Moved(box, Places[i].x, Places[i].y, Places[i].z));
       }
       blocks->SetBlock(0, inner);
-      vtkNew<vtkCompositePolyDataMapper2> mapper;
+      vtkNew<vtkRelievoCompositeMapper> mapper;
       mapper->SetInputDataObject(blocks);
       AddActor(s.Renderer, box)->SetMapper(mapper);
       return Copies(box);

@@ -158,7 +158,7 @@ void TestOthers()
         vtkNew<vtkTextActor> text;
         text->SetInput("Shadows");
         text->SetPosition(10, 140);
-        s.Renderer->AddActor2D(text);
+        s.Renderer->AddViewProp(text);
       } },
   };
   for (const auto& test : cases)

@@ -21,17 +21,8 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
+#include "vtkRelievoCompositeMapper.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVersionMacros.h"
-
-// VTK 9.3 moved what this mapper could do into vtkCompositePolyDataMapper and retired its name.
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-#include "vtkCompositePolyDataMapper.h"
-using CompositeMapper = vtkCompositePolyDataMapper;
-#else
-#include "vtkCompositePolyDataMapper2.h"
-using CompositeMapper = vtkCompositePolyDataMapper2;
-#endif
 
 #include <algorithm>
 
@@ -148,7 +139,7 @@ vtkSmartPointer<vtkActor> MakeActor(
   }
   else
   {
-    vtkNew<CompositeMapper> composite;
+    vtkNew<vtkRelievoCompositeMapper> composite;
     composite->SetInputDataObject(surface);
     mapper = composite;
   }

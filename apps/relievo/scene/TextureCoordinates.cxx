@@ -17,6 +17,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoTextureCoordinates.h"
+#include "vtkRelievoVTKVersions.h"
 #include "vtkTriangleFilter.h"
 
 namespace cli
@@ -62,7 +63,7 @@ void TurnTextureCoordinates(vtkActor* actor)
 {
   vtkInformation* keys = actor->GetPropertyKeys();
   vtkMapper* mapper = actor->GetMapper();
-  if (!mapper || !keys || keys->Length(vtkProp::GeneralTextureTransform()) != 16)
+  if (!mapper || !keys || keys->Length(vtkProp::RELIEVO_VTK_TEXTURE_TRANSFORM()) != 16)
   {
     return;
   }
@@ -73,7 +74,7 @@ void TurnTextureCoordinates(vtkActor* actor)
   {
     return;
   }
-  const double* turn = keys->Get(vtkProp::GeneralTextureTransform()); // by rows
+  const double* turn = keys->Get(vtkProp::RELIEVO_VTK_TEXTURE_TRANSFORM()); // by rows
   vtkNew<vtkFloatArray> after;
   after->SetName(before->GetName());
   after->SetNumberOfComponents(2);
@@ -89,7 +90,7 @@ void TurnTextureCoordinates(vtkActor* actor)
   turned->ShallowCopy(mesh);
   turned->GetPointData()->SetTCoords(after);
   mapper->SetInputDataObject(turned);
-  keys->Remove(vtkProp::GeneralTextureTransform());
+  keys->Remove(vtkProp::RELIEVO_VTK_TEXTURE_TRANSFORM());
 }
 
 //------------------------------------------------------------------------------

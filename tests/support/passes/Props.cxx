@@ -9,7 +9,7 @@
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
 #include <vtkTransform.h>
-#include <vtkTransformPolyDataFilter.h>
+#include <vtkTransformFilter.h>
 
 #include <cmath>
 
@@ -42,12 +42,12 @@ vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* mesh, double x, double y, double
 {
   vtkNew<vtkTransform> transform;
   transform->Translate(x, y, z);
-  vtkNew<vtkTransformPolyDataFilter> filter;
+  vtkNew<vtkTransformFilter> filter;
   filter->SetTransform(transform);
   filter->SetInputData(mesh);
   filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
   filter->Update();
-  return filter->GetOutput();
+  return filter->GetPolyDataOutput();
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "EmbreeScene.h"
 
 #include "Check.h"
+#include "PolygonEars.h"
 #include "ScreenTriangle.h"
 
 #include <vtkActor.h>
@@ -10,6 +11,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkMatrix4x4.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
@@ -203,6 +205,13 @@ int EmbreeScene::AddActor(vtkPolyData* mesh, vtkMatrix4x4* matrix)
     }
   };
   forEachCell(mesh->GetPolys(), [&](vtkIdType count, const vtkIdType* ids) {
+#ifdef RELIEVO_VTK_EAR_CLIPPING
+    if (count >= 5)
+    {
+      ClipEars(mesh, ids, static_cast<int>(count), add);
+      return;
+    }
+#endif
     for (vtkIdType i = 1; i + 1 < count; ++i)
     {
       add(ids[0], ids[i], ids[i + 1]);

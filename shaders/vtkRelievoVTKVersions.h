@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What differs between the versions of VTK that Relievo builds on (9.1 to 9.7), and since when. Code
+// asks these names; version numbers are compared here alone.
+#ifndef vtkRelievoVTKVersions_h
+#define vtkRelievoVTKVersions_h
+
+#include "vtkVersionMacros.h"
+
+// Blocks of composite data are drawn by vtkCompositeMapperHelper2, one for each kind of block; since
+// 9.3 by vtkOpenGLBatchedPolyDataMapper.
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+#define RELIEVO_VTK_COMPOSITE_HELPERS 1
+#endif
+
+// The renderer holds the props of a frame in a std::vector instead of an array and a count.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+#define RELIEVO_VTK_PROP_VECTOR 1
+#endif
+
+// OpenGL's functions are loaded by glad; before by GLEW, which leaves those of OpenGL 1.1 to the linker.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+#define RELIEVO_VTK_GLAD 1
+#endif
+
+// vtkGLTFReader::GetTexture gives a texture as an object; before, GetGLTFTexture gave a struct.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+#define RELIEVO_VTK_GLTF_TEXTURE_OBJECTS 1
+#endif
+
+// Polygons of five corners and more are cut by clipping ears; before, all were cut into fans. And
+// triangles with two corners at one place are drawn; before, they were left out.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+#define RELIEVO_VTK_EAR_CLIPPING 1
+#endif
+
+// vtkProp::GeneralTextureTransform() is called GENERAL_TEXTURE_TRANSFORM().
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+#define RELIEVO_VTK_TEXTURE_TRANSFORM GENERAL_TEXTURE_TRANSFORM
+#else
+#define RELIEVO_VTK_TEXTURE_TRANSFORM GeneralTextureTransform
+#endif
+
+#endif
