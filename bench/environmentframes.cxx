@@ -87,8 +87,7 @@ struct Way
 };
 
 const Way Ways[] = {
-  { "plain", false, false, 0. },
-  { "material off", true, false, 0. },
+  { "plain", false, false, 0. }, { "material off", true, false, 0. },
   { "mirror and irradiance, sharp", true, true, 0. },
   { "mirror and irradiance, roughness 0.3", true, true, 0.3 }, // between two levels
 };
