@@ -19,6 +19,10 @@ struct EnvironmentSizes
   std::vector<int> Sides = { 8, 16, 32, 64, 128 }; // of a cube's face; the last but one by angle
   double Detail = 1000.; // a texel is looked at Detail / sqrt(texels) times each way, 3 to 40
   bool RealWorlds = true;
+  int Sky = 256; // texels: height of the equirectangular image of the timed frames
+  int Width = 1280;
+  int Height = 720;
+  int Rounds = 31;
 };
 
 struct ReliefSizes
@@ -34,6 +38,9 @@ struct ReliefSizes
 /** The benches of the same names, smaller or larger; as RelievoBenchEnvironment and so on. */
 int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
 int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
+
+/** The part of BenchEnvironment that times frames; returns whether its file is written. */
+bool BenchEnvironmentFrames(const std::string& outDir, const EnvironmentSizes& sizes);
 }
 
 #endif

@@ -39,7 +39,7 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
       RelievoBenchRelief },
     { "normal-maps", "what a normal map costs a frame, against VTK's own textures",
       RelievoBenchNormalMaps },
-    { "environment", "error of environments against texels and angle, by the map",
+    { "environment", "error of environments against texels and angle; what a mirror costs",
       RelievoBenchEnvironment },
   };
   return entries;

@@ -59,7 +59,7 @@ int RelievoBenchShadows(const std::string& outDir);
 /** Chart 5: false shadow against leak as the bias grows, three heights of the sun. Minutes. */
 int RelievoBenchBias(const std::string& outDir);
 
-/** Chart 8: error of environments against texels and angle, by the map. Three minutes. */
+/** Chart 8: error of environments against texels and angle, by the map; frames. Three minutes. */
 int RelievoBenchEnvironment(const std::string& outDir);
 
 /** Chart 7: errors of relief methods against looks and time, and full geometry. Minutes. */

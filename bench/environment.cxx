@@ -246,7 +246,7 @@ int relievoBench::BenchEnvironment(const std::string& outDir, const EnvironmentS
   }
   const bool written = table.WriteCsv(outDir + "/environment.csv") &&
     byAngle.WriteCsv(outDir + "/environment-angle.csv") &&
-    DrawBenchCharts("environment", outDir, outDir);
+    DrawBenchCharts("environment", outDir, outDir) && BenchEnvironmentFrames(outDir, sizes);
   return written ? 0 : 1;
 }
 

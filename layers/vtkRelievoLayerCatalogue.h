@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoLayerCatalogue
- * @brief The layers that there are: names, types, backgrounds, help.
+ * @brief All layers: names, types, backgrounds, help.
  *
- * The one place that says so: readers, files, displays, lists of names and ParaView's properties
- * ask it or are made from it, and a new layer is one entry of its table (vtkRelievoLayer).
+ * It is the only such list: readers, files, displays, lists of names and ParaView's properties ask
+ * it or are generated from it, and a new layer is one entry of its table (vtkRelievoLayer).
  */
 #ifndef vtkRelievoLayerCatalogue_h
 #define vtkRelievoLayerCatalogue_h
@@ -29,10 +29,10 @@ public:
 
   ///@{
   /**
-   * The layers in the order in which they are listed to people, from 0: the name ("shadow_N" for
-   * the layers of lights), one line of help, the type of a component ("float", "unsigned char"),
-   * the number of components, and the value where nothing is: NaN for `color`, whose background is
-   * the renderer's. Of others: empty, 0, NaN.
+   * The layers in the order in which users see them, from 0: the name ("shadow_N" for the layers of
+   * lights), one line of help, the type of a component ("float", "unsigned char"), the number of
+   * components, and the background value: NaN for `color`, whose background is the renderer's. For
+   * any other index: empty, 0, NaN.
    */
   static int GetNumberOfLayers();
   static std::string GetLayerName(int layer);
@@ -42,16 +42,16 @@ public:
   static double GetLayerBackground(int layer);
   ///@}
 
-  /** All names, with commas. */
+  /** All names, separated by commas. */
   static std::string GetLayerNames();
 
-  /** Whether the name is a layer's: of the table, or shadow_N with a number. */
+  /** Whether the name is that of a layer: one of the table, or shadow_N with a number. */
   static bool GetIsLayer(const std::string& name);
 
   /** The light of a layer shadow_N by its number, or -1. */
   static int GetLight(const std::string& name);
 
-  /** Whether the name begins as those of the layers of lights do: shadow_0, shadow_key_light. */
+  /** Whether the name begins like those of the layers of lights: shadow_0, shadow_key_light. */
   static bool GetIsOfLight(const std::string& name);
 
 #ifndef __VTK_WRAP__

@@ -21,10 +21,10 @@ public:
   vtkTypeMacro(vtkRelievoDisplay, vtkObject);
 
   /**
-   * Asks for the display that the window is going to be opened on, before VTK does. Returns what is
-   * wrong, in words; empty if nothing is, and for windows that need no display. A display that
-   * answered stays connected until the process ends: an X server without -noreset starts anew when
-   * its last client leaves, and answers nobody meanwhile.
+   * Connects to the display on which the window will open, before VTK does. Returns what is wrong,
+   * in words; empty if nothing is, and for windows that need no display. The connection stays open
+   * until the process ends: an X server without -noreset restarts when its last client leaves, and
+   * does not answer meanwhile.
    */
   static std::string Check(vtkRenderWindow* window);
 

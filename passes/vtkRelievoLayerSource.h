@@ -4,7 +4,7 @@
  * @class vtkRelievoLayerSource
  * @brief A renderer's layers as image data: depth, normals, positions, ids, arrays.
  *
- * Every Update() draws the layers again. The window's picture is left alone unless the layer
+ * Every Update() draws the layers again. The window's picture does not change unless the layer
  * `color` is requested, which renders the window.
  *
  * Output: vtkImageData with the viewport's size in pixels, row 0 at the bottom, and one point array
@@ -61,8 +61,8 @@ public:
   ///@{
   /**
    * Whether the layer `color` is the frame's linear colour, unclamped, in half floats, without
-   * texts and bars, and drawn without touching the window; off (default), it is the window's
-   * picture of 8 bits, all that is drawn over the scene included.
+   * texts and bars, and drawn without changing the window. Off (default), it is the window's
+   * picture of 8 bits, including all that is drawn over the scene.
    */
   vtkSetMacro(HDR, bool);
   vtkGetMacro(HDR, bool);
@@ -74,7 +74,7 @@ public:
 
   ///@{
   /**
-   * Add to an image what does not come from the G-buffer, for a picture that has already been
+   * Adds to an image what does not come from the G-buffer, for a picture that has already been
    * drawn: the layer `color`, from the window's pixels, and the field data. For layers that were
    * read by vtkRelievoPass::ReadLayers.
    */

@@ -4,8 +4,8 @@
  * @class vtkRelievoPass
  * @brief The frame with Relievo's own stages: layers, shadows, the layer that is shown, effects.
  *
- * A decorator (vtkRelievoFramePass): the delegate draws the picture exactly as without Relievo;
- * the stages add layers (depth, normals, ids ...) and effects. Only what is asked for is rendered,
+ * A decorator (vtkRelievoFramePass): the delegate draws the picture exactly as without Relievo; the
+ * stages add layers (depth, normals, ids ...) and effects. Only what is requested is rendered,
  * stored or looked up; the frame report says what ran, why, and what it cost.
  *
  * Layers: those of vtkRelievoLayerCatalogue (depth, normal, position, cell ...; shadow_N of the
@@ -32,9 +32,9 @@ public:
 
   ///@{
   /**
-   * Puts a vtkRelievoPass around whatever pass the renderer has, and takes it away again, giving
-   * the renderer's own pass back. Attach on an attached renderer returns the pass that is there.
-   * Detach returns false, without an error, if none is attached.
+   * Attach puts a vtkRelievoPass around whatever pass the renderer has; on an attached renderer it
+   * returns the existing one. Detach removes it and restores the renderer's own pass; it returns
+   * false, without an error, if none is attached.
    */
   static vtkRelievoPass* Attach(vtkRenderer* renderer);
   static bool Detach(vtkRenderer* renderer);
@@ -44,7 +44,7 @@ public:
   vtkRelievoGBufferPass* GetGBuffer();
 
   ///@{
-  /** Whether shadows are seen in the picture. Default off. */
+  /** Whether the picture shows shadows. Default off. */
   void SetShadows(bool on);
   bool GetShadows();
   vtkBooleanMacro(Shadows, bool);
@@ -74,8 +74,8 @@ public:
 
   ///@{
   /**
-   * Shows scalar layers as grey (or raw values in a float framebuffer), not in colours. Default
-   * off.
+   * Shows scalar layers in grey (or as raw values in a float framebuffer) instead of colours.
+   * Default off.
    */
   void SetDisplayGrey(bool on);
   bool GetDisplayGrey();

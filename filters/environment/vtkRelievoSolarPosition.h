@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoSolarPosition
- * @brief Where the sun stands, by date, time and place.
+ * @brief The position of the sun by date, time and place.
  *
- * The formulas of lower accuracy of J. Meeus, Astronomical Algorithms, 2nd edition 1998, chapters
- * 12 (sidereal time), 13 (horizontal coordinates) and 25 (the sun): right to 0.01 degrees from 1900
- * to 2100. The sun's middle is meant. Refraction, which lifts it by 0.6 degrees at the horizon and
+ * The low-accuracy formulas of J. Meeus, Astronomical Algorithms, 2nd edition 1998, chapters 12
+ * (sidereal time), 13 (horizontal coordinates) and 25 (the sun): to within 0.01 degrees from 1900
+ * to 2100, for the centre of the sun. Refraction, which lifts it by 0.6 degrees at the horizon and
  * 0.02 at an elevation of 45, and the difference between dynamical and universal time (0.0008
  * degrees) are left out.
  */
@@ -25,8 +25,8 @@ public:
 
   ///@{
   /**
-   * Year, month (1 to 12) and day (from 1) of the Gregorian calendar. A day that the month lacks
-   * counts on into the next: 30 February is 1 or 2 March. Default 2026, 6, 21.
+   * Year, month (1 to 12) and day (from 1) of the Gregorian calendar. A day beyond the end of the
+   * month counts on into the next: 30 February is 1 or 2 March. Default 2026, 6, 21.
    */
   vtkSetVector3Macro(Date, int);
   vtkGetVector3Macro(Date, int);
@@ -34,8 +34,8 @@ public:
 
   ///@{
   /**
-   * What the clock says, in hours: 15.5 is half past three in the afternoon. Less than 0 and more
-   * than 24 are the days before and after. Default 12.
+   * Clock time in hours: 15.5 is half past three in the afternoon. Values below 0 and above 24 are
+   * on the days before and after. Default 12.
    */
   vtkSetMacro(Hour, double);
   vtkGetMacro(Hour, double);
@@ -78,12 +78,12 @@ public:
   double GetEquationOfTime();
 
   /**
-   * The hour of the clock at which the sun is highest. SetHour(GetNoon() + h - 12) sets true solar
-   * time h.
+   * The clock time, in hours, at which the sun is highest. SetHour(GetNoon() + h - 12) sets true
+   * solar time h.
    */
   double GetNoon();
 
-  /** Hours of the date that the sun's middle is above a flat horizon, 0 to 24. */
+  /** Hours during which the sun's centre is above a flat horizon on the date, 0 to 24. */
   double GetDayLength();
 
 protected:

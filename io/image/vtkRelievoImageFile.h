@@ -17,9 +17,9 @@ class vtkAlgorithm;
 
 namespace vtkRelievoImageFile
 {
-// The image, row 0 at the bottom, its numbers as they are in the file: of OpenEXR files `color`, or
-// else the first layer. nullptr if it cannot be read; then `failure` tells what was expected, and
-// what is in the way. `watch` sees the reader before it reads.
+// The image, row 0 at the bottom, with the numbers of the file: of OpenEXR files `color`, or else
+// the first layer. nullptr if it cannot be read; then `failure` says what was expected and what is
+// wrong. `watch` is called with the reader before it reads.
 VTKRELIEVOIO_EXPORT vtkSmartPointer<vtkImageData> Read(const std::string& path,
   std::string& failure, const std::function<void(vtkAlgorithm*)>& watch = nullptr);
 }

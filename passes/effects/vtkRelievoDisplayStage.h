@@ -4,8 +4,8 @@
  * @class vtkRelievoDisplayStage
  * @brief The stage that shows a layer as the picture.
  *
- * Depth, range, normals and albedo are shown straight from the G-buffer's words; ids, positions and
- * arrays, whose meaning is known on the CPU only, by way of it. Scalars go through a colour map
+ * Depth, range, normals and albedo are shown directly from the G-buffer's words. Ids, positions and
+ * arrays, whose meaning only the CPU knows, are read back first. Scalars go through a colour map
  * over Range, vectors are shown as 0.5 v + 0.5, ids as distinct colours.
  */
 #ifndef vtkRelievoDisplayStage_h
@@ -24,7 +24,7 @@ public:
   vtkTypeMacro(vtkRelievoDisplayStage, vtkRelievoStage);
 
   ///@{
-  /** Name of the layer to show; "" (default): none, the picture itself. */
+  /** Name of the layer to show; "" (default) shows the picture itself. */
   void SetLayer(const std::string& name);
   std::string GetLayer() { return this->Layer; }
   const char* GetLayerOrNull() { return this->Layer.empty() ? nullptr : this->Layer.c_str(); }
@@ -41,8 +41,8 @@ public:
 
   ///@{
   /**
-   * Shows scalar layers as grey (or raw values in a float framebuffer), not in colours. Default
-   * off.
+   * Shows scalar layers in grey (or as raw values in a float framebuffer) instead of colours.
+   * Default off.
    */
   vtkSetMacro(Grey, bool);
   vtkGetMacro(Grey, bool);

@@ -31,10 +31,10 @@ public:
   const vtkRenderState* State = nullptr;
   vtkRelievoView View;
 
-  // Whether the window's picture is drawn; if not, layers only, and the window stays as it is.
+  // Whether the window's picture is drawn; if not, only layers are, and the window does not change.
   bool Picture = true;
 
-  // Whether the renderer's own steps draw the picture, no pass.
+  // Whether the renderer's own steps draw the picture, without a pass.
   bool OwnSteps = true;
 
   // Another pass is around the frame's (ParaView's camera pass), and has cleared where it draws.
@@ -43,22 +43,22 @@ public:
   // Layers that will be read back to the CPU.
   std::vector<std::string> ReadBack;
 
-  // Layers that are a light's visibility, and its place in vtkRenderer::GetLights().
+  // Layers that are a light's visibility, and the light's index in vtkRenderer::GetLights().
   std::map<std::string, int> Lights;
 
-  // What is asked of a stage, of what it writes; sorted. Empty if the stage is not reached.
+  // What is requested of the things that a stage writes; sorted. Empty if the stage is not needed.
   const std::vector<std::string>& GetAsked(const vtkRelievoStage* stage) const;
   bool IsAsked(const vtkRelievoStage* stage, const std::string& resource) const;
 
   ///@{
-  // What a stage wrote, by the resource's name; nullptr if it is not there (yet). It must live
+  // What a stage wrote, by the resource's name; nullptr if it does not exist (yet). It must live
   // until the frame is done.
   void Provide(const std::string& name, vtkRelievoResource* resource);
   vtkRelievoResource* Find(const std::string& name) const;
   ///@}
 
-  // Draws the quad, which Ready has made so, over the linear colour: as the new colour of every
-  // pixel if `replaces`, else blended as OpenGL's state says. False if there is no linear colour.
+  // Draws the quad, after its Ready, over the linear colour: as the new colour of every pixel if
+  // `replaces`, otherwise blended as OpenGL's state says. False if there is no linear colour.
   bool DrawColor(vtkRelievoScreenQuad& quad, bool replaces = true);
 
   // Reads layers that earlier stages wrote: see vtkRelievoStage::ReadLayers.

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoFramePass
- * @brief The frame: wraps any render pass and runs the stages that the outputs asked for reach.
+ * @brief The frame: wraps any render pass and runs the stages that the requested outputs need.
  *
  * A decorator: the delegate draws the picture as it would without the frame; stages add layers and
- * effects. The outputs are the picture, unless only layers are asked for, and the layers. The frame
+ * effects. The outputs are the picture, unless only layers are requested, and the layers. The frame
  * works backwards from them: it runs the stages that write what is read, in the order of their
- * slots and of what they read and write, and no others; those release what they hold.
+ * slots and of what they read and write. All other stages release what they hold.
  *
- * The linear colour `color` exists while some stage reads it or it is asked for: the delegate then
- * draws into a float framebuffer (half floats) whose values go through the inverse of the sRGB
- * curve, and the picture is made of it through the curve. Otherwise the delegate draws where it
- * drew without the frame.
+ * The linear colour `color` exists while a stage reads it or it is requested: the delegate then
+ * draws into a framebuffer of half floats, whose values are decoded by the inverse of the sRGB
+ * curve, and the picture is encoded from it by that curve. Otherwise the delegate draws where it
+ * would without the frame.
  *
  * vtkRelievoPass is a frame with Relievo's own stages.
  */
@@ -37,15 +37,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The pass that draws the picture. Default nullptr: the renderer's own steps, without a pass. */
+  /** The pass that draws the picture. Default nullptr, which means the renderer's own steps. */
   virtual void SetDelegatePass(vtkRenderPass* pass);
   vtkRenderPass* GetDelegatePass();
   ///@}
 
   ///@{
   /**
-   * More stages. One that has the name of a registered stage takes its place. Their order does not
-   * matter: the frame works out its own.
+   * Adds or removes stages. One with the name of a registered stage replaces it. The order in which
+   * they are added does not matter: the frame works out its own.
    */
   void AddStage(vtkRelievoStage* stage);
   void RemoveStage(vtkRelievoStage* stage);
@@ -53,7 +53,7 @@ public:
   ///@}
 
   ///@{
-  /** A stage by its place, or by its name; nullptr if there is none. */
+  /** A stage by its index, or by its name; nullptr if there is none. */
   vtkRelievoStage* GetStage(int i);
   vtkRelievoStage* GetStage(const std::string& name);
   ///@}
@@ -70,7 +70,7 @@ public:
   ///@}
 
   ///@{
-  /** Makes the layers only and leaves the picture alone: for captures. Default off. */
+  /** Makes only the layers and leaves the picture unchanged, for captures. Default off. */
   vtkSetMacro(LayersOnly, bool);
   vtkGetMacro(LayersOnly, bool);
   vtkBooleanMacro(LayersOnly, bool);
@@ -80,8 +80,8 @@ public:
   /**
    * Reads layers of the last frame into the image as point arrays of the layers' names; row 0 is
    * the bottom row. The image's dimensions are set if it has no points. Returns false, with an
-   * error, at the first layer that the last frame did not make. Several at once are read faster
-   * than one by one: they share what comes from the GPU.
+   * error, at the first layer that the last frame did not make. Reading several at once is faster:
+   * they share what comes from the GPU.
    */
   bool ReadLayer(const std::string& name, vtkImageData* image);
   bool ReadLayers(const std::vector<std::string>& names, vtkImageData* image);
@@ -91,8 +91,8 @@ public:
    * What the last frame did, as JSON: for the delegate and every stage its name, whether it ran,
    * the reason in words and as a code (vtkRelievoStage::GetReasonCode), GPU milliseconds (of the
    * newest frame whose timers have arrived; null before), bytes held, draw calls; and the totals.
-   * OpenGL in software has no timers between commands: there times are taken in the eight frames
-   * after a report was read, each command waited for.
+   * Software OpenGL has no timers between commands, so there only the eight frames after each
+   * reading of a report are timed, waiting for each command.
    */
   std::string GetFrameReport();
 
@@ -106,10 +106,10 @@ protected:
   vtkRelievoFramePass();
   ~vtkRelievoFramePass() override;
 
-  /** Adds one of each registered stage, switched on where its description says so. */
+  /** Adds one of each registered stage, switched on if its description says so. */
   void AddRegisteredStages();
 
-  /** Gives back what the stages hold in the window. */
+  /** Releases what the stages hold in the window. */
   void ReleaseStages(vtkWindow* window);
 
   bool LayersOnly = false;

@@ -36,10 +36,10 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoParameter
   std::function<std::string()> GetText;
   std::function<void(const std::string&)> SetText;
 
-  // Numbers that a value consists of; 0 for a text.
+  // How many numbers a value consists of; 0 for a text.
   int GetNumberOfComponents() const;
 
-  // As people read it: "map_size" is "Map Size".
+  // The label for people: "Map Size" for "map_size".
   std::string GetLabel() const;
 
   // The value in words, which Parse takes: "0.5", "on", "warped", "1,0.5,0".
@@ -52,7 +52,7 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoParameter
   // Sets the value; what is wrong, in words, as Parse.
   std::string Set(const std::vector<double>& values) const;
 
-  // What values it takes, in words: "a number from 0 to 1".
+  // The values that it takes, in words: "a number from 0 to 1".
   std::string GetExpected() const;
 };
 

@@ -31,16 +31,16 @@ public:
   vtkRelievoScreenQuad(const vtkRelievoScreenQuad&) = delete;
   void operator=(const vtkRelievoScreenQuad&) = delete;
 
-  // The program of this source (a name of vtkRelievoShaderLibrary), ready to be given uniforms of
-  // its own; compiled only when the structure of what it reads, or `defines`, changed. nullptr if
-  // it does not compile, or if the frame has not what it reads; GetWrong says which.
+  // The program of this source (a name of vtkRelievoShaderLibrary), ready for uniforms of its own;
+  // compiled again only when the structure of what it reads, or `defines`, has changed. nullptr if
+  // it does not compile, or if the frame lacks what it reads; GetWrong says which.
   vtkShaderProgram* Ready(vtkRelievoFrameContext& context, const std::string& source,
     const std::vector<std::string>& reads, const std::string& defines = "");
   const std::string& GetWrong() const { return this->Wrong; }
 
-  // Draws with the program that Ready gave into x, y, width, height (default: the frame's viewport)
-  // of the framebuffer that is bound, without depth test; the depth that the shader gives is
-  // written if `depth`. Blending is as the caller set it.
+  // Draws with the program that Ready returned into x, y, width, height (default: the frame's
+  // viewport) of the bound framebuffer, without depth test; the depth from the shader is written if
+  // `depth`. Blending is as the caller set it.
   void Draw(vtkRelievoFrameContext& context, const int* viewport = nullptr, bool depth = false);
 
   void Release(vtkWindow* window);

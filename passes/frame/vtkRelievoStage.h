@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoStage
- * @brief One step of a frame (vtkRelievoFramePass): what it reads, writes, takes and does.
+ * @brief One step of a frame (vtkRelievoFramePass): what it reads and writes, its parameters, its
+ * work.
  *
- * A stage describes itself once (Describe). In each frame it is asked what it would do (Declare,
- * which changes nothing); the frame works backwards from what is asked of it, and those stages that
- * are reached prepare and execute, in the order of their slots and of what they read and write. A
- * stage never calls another stage: it finds what others wrote in the frame's context.
+ * A stage describes itself once (Describe). In each frame it says what it would do (Declare, which
+ * changes nothing); the frame works backwards from what is requested, and the stages that are
+ * needed prepare and execute, in the order of their slots and of what they read and write. A stage
+ * never calls another stage: it finds what others wrote in the frame's context.
  *
  * Parameters are set by their own methods or by name and words (SetParameter).
  */
@@ -41,14 +42,14 @@ public:
   vtkBooleanMacro(Enabled, bool);
   ///@}
 
-  /** The stage's name, as frames, reports and the command line say it. */
+  /** The stage's name, as in frames, reports and on the command line. */
   std::string GetStageName();
 
   ///@{
   /**
    * Parameters by name, as the description lists them. Values are words: "0.5", "on", "warped",
    * "1,0.5,0". Set returns false, with an error, and changes nothing if there is no such parameter
-   * or if it does not take the value; Get returns "" then.
+   * or the value is not allowed. Get returns "" if there is no such parameter.
    */
   int GetNumberOfParameters();
   std::string GetParameterName(int i);
@@ -69,16 +70,16 @@ public:
   ///@{
   /**
    * Why the stage ran, or did not, in the last frame: in words, and as a code for programs. Codes:
-   * "ran", "off" (switched off), "idle" (its parameters leave it nothing to do), "not_asked",
-   * "hidden" (what it writes is not seen), "refused" (the frame could not place it), "failed", and
-   * others that a stage's own documentation lists.
+   * "ran", "off" (switched off), "idle" (its parameters leave it nothing to do), "not_asked"
+   * (nothing that it writes is requested), "hidden" (what it writes is not visible), "refused" (the
+   * frame could not place it), "failed", and others that a stage's own documentation lists.
    */
   std::string GetReason() { return this->Reason; }
   std::string GetReasonCode() { return this->ReasonCode; }
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** What the frame report has of the stage beside its line, by name; "" is null there. */
+  /** Entries of the stage in the frame report beside its own line, by name; "" is null there. */
   virtual std::map<std::string, std::string> GetFacts()
   {
     return {};
@@ -89,7 +90,7 @@ public:
   void Render(const vtkRenderState* s) override;
 
 #ifndef __VTK_WRAP__
-  /** What the stage says of itself; made once. */
+  /** The stage's description; made once. */
   const vtkRelievoStageDescription& GetDescription();
 #endif
 
@@ -104,26 +105,28 @@ protected:
   virtual void Describe(vtkRelievoStageDescription& description) = 0;
 
   /**
-   * What the stage would do in this frame, if it is reached. By default: what the description says.
+   * What the stage would do in this frame if it is needed. By default, what the description says.
    * Changes nothing.
    */
   virtual void Declare(
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const;
 
-  /** More that the stage reads in order to write what is asked of it. Changes nothing. */
+  /**
+   * What the stage reads in addition, in order to write what is requested of it. Changes nothing.
+   */
   virtual std::vector<std::string> GetReadsFor(
     const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const;
 
-  /** Those of the layers that are the visibility of one of the renderer's lights, and of which. */
+  /** The layers that are the visibility of one of the renderer's lights, and which light. */
   virtual std::map<std::string, int> FindLights(
     const std::vector<std::string>& layers, vtkRenderer* renderer);
 
   ///@{
   /**
-   * Called for a stage that is reached, in this order: Prepare (false, after Explain, if it cannot
-   * run after all) for all stages before any executes; Execute; Finish, for all that executed, in
-   * the opposite order, when the frame is done. BeginOpaque and EndOpaque are called when the
-   * delegate's opaque geometry begins and ends, as often as it draws some.
+   * Called for a stage that is needed, in this order: Prepare, for all stages before any executes
+   * (it returns false, after Explain, if the stage cannot run after all); Execute; Finish, for all
+   * that executed, in the opposite order, when the frame is done. BeginOpaque and EndOpaque are
+   * called each time that the delegate's opaque geometry begins and ends.
    */
   virtual bool Prepare(vtkRelievoFrameContext&)
   {

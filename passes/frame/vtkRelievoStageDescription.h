@@ -32,7 +32,7 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoStageDescription
   std::vector<std::string> Reads;
   std::vector<std::string> Writes;
 
-  // Whether a frame runs the stage without being told to (its resources being asked for).
+  // Whether a frame runs the stage, when its resources are requested, without being told to.
   bool OnByDefault = false;
 
   std::vector<vtkRelievoParameter> Parameters;
@@ -41,7 +41,7 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoStageDescription
   static const char* GetSlotName(int slot);
 
   ///@{
-  // Adds a parameter: the member that holds its value, and what gives the stage another value.
+  // Adds a parameter: the member that holds its value, and the function that sets it.
   void AddFlag(const std::string& name, const bool& value, std::function<void(bool)> set,
     const std::string& help);
   void AddWhole(const std::string& name, const int& value, std::function<void(int)> set, int least,

@@ -4,10 +4,10 @@
  * @class vtkRelievoGBufferPass
  * @brief The stage that makes the layers: depth, normals, albedo, ids, per pixel, single sample.
  *
- * The layers are written while the delegate draws its opaque geometry, into more attachments of the
- * framebuffer that it draws to; where that cannot be (a multisampled framebuffer, a delegate that
- * uses the attachments itself, far/near beyond 1e4, props that write no layers) in a geometry pass
- * of its own, without light. The frame report says which.
+ * The layers are written while the delegate draws its opaque geometry, into additional attachments
+ * of the framebuffer that it draws to; where that is impossible (a multisampled framebuffer, a
+ * delegate that uses the attachments itself, far/near beyond 1e4, props that write no layers), in a
+ * separate geometry pass without lighting. The frame report says which.
  *
  * Every value belongs to the pixel's centre. Surfaces, lines and points of vtkPolyDataMapper,
  * composite mappers and vtkGlyph3DMapper, sphere and stick impostors are written; translucent
@@ -63,8 +63,8 @@ public:
   };
 
   /**
-   * Normal and depth together in one texel, when both are asked: RGBA8 (0.5 n + 0.5, and
-   * (-z - near) / (far - near) in alpha), RGBA16F or RGBA32F (n, -z). Default SEPARATE.
+   * Normal and depth together in one texel, if both are requested: RGBA8 (0.5 n + 0.5, and (-z -
+   * near) / (far - near) in alpha), RGBA16F or RGBA32F (n, -z). Default SEPARATE.
    */
   enum NormalDepthFormats
   {
@@ -117,8 +117,8 @@ public:
   ///@{
   /**
    * Whether depth, range and position are refined when they are read: where a triangle of a mesh is
-   * seen, the depth is taken from its corners in double, free of the rasteriser's rounding. Costs
-   * the id word. Default on; DEPTH_32F on its own only, and not for actors with shader code
+   * visible, the depth is computed from its corners in double, without the rasteriser's rounding.
+   * Costs the id word. Default on; only for separate DEPTH_32F, and not for actors with shader code
    * of their own.
    */
   vtkSetMacro(RefineDepth, bool);
@@ -140,15 +140,15 @@ public:
   /** Reads layers of the last frame: see vtkRelievoStage::ReadLayers. */
   std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
   /**
-   * How the last frame came by the number of a pixel's primitive, which cell ids and refined depths
-   * need: "as written" (by the fragment shader alone), "through a geometry shader", or
-   * "unreliable: ..." where this OpenGL gives wrong ones; empty if no layer needed it.
+   * How the last frame got the number of a pixel's primitive, which cell ids and refined depths
+   * need: "as written" (by the fragment shader alone), "through a geometry shader", or "unreliable:
+   * ..." where this OpenGL gives wrong ones; empty if no layer needed it.
    */
   std::string GetPrimitiveIds();
 
   /**
-   * The same for a window's OpenGL, found out by drawing a few triangles when it is first asked.
-   * Makes the window current, which must be initialized.
+   * The same for a window's OpenGL, found by drawing a few triangles on the first call. The window
+   * must be initialized, and is made current.
    */
   static std::string ProbePrimitiveIds(vtkOpenGLRenderWindow* window);
 

@@ -61,15 +61,15 @@ public:
 
   ///@{
   /**
-   * How visibility is found. METHOD_MAP (default) looks it up in the light's map. METHOD_FORWARD
-   * transforms the map's samples into the camera's view, as a mesh that is cut where depth jumps,
-   * and compares them there, in eye space, with what is visible (H. Zhang, Forward shadow mapping,
-   * 1998); its masks have the picture's pixels, so its edges are not filtered. Translucent
-   * geometry, and pictures of another size than the viewport, use the map. METHOD_WARPED gives more
-   * of a sun's map to what is near the camera: the map lies in the ground plane, with rays sheared
-   * upright so that its depth is the height. Along the view direction its density follows the
-   * logistic function, in up to four straight pieces that are drawn separately, so that edges stay
-   * straight. Lamps use maps as with METHOD_MAP.
+   * How visibility from a light is computed. METHOD_MAP (default) compares with the light's depth
+   * map. METHOD_FORWARD transforms the map's samples into the camera's view, as a mesh that is cut
+   * where depth jumps, and compares them there, in eye space, with what is visible (H. Zhang,
+   * Forward shadow mapping, 1998); its masks have the picture's pixels, so its edges are not
+   * filtered. Translucent geometry, and pictures of another size than the viewport, use the map.
+   * METHOD_WARPED gives more of a sun's map to what is near the camera: the map lies in the ground
+   * plane, with rays sheared upright so that its depth is the height. Along the view direction its
+   * density follows the logistic function, in up to four straight pieces that are drawn separately,
+   * so that edges stay straight. Lamps use maps as with METHOD_MAP.
    */
   vtkSetClampMacro(Method, int, METHOD_MAP, METHOD_WARPED);
   vtkGetMacro(Method, int);
@@ -121,23 +121,22 @@ public:
 
   ///@{
   /**
-   * What reports, warnings and layers call a light. Default, and with an empty name: "light N", N
-   * its place in vtkRenderer::GetLights().
+   * The name of a light in reports, warnings and layers. By default, and with an empty name, "light
+   * N", where N is its index in vtkRenderer::GetLights().
    */
   void SetLightName(vtkLight* light, const std::string& name);
   std::string GetLightName(vtkRenderer* renderer, vtkLight* light);
   ///@}
 
   /**
-   * The layer that has a light's visibility: "shadow_" and its name in lower case, with an
-   * underscore for all but letters and digits ("Key light": shadow_key_light); of several lights of
-   * one name the second has "_2" behind it, and so on. Empty for a light that is not the
-   * renderer's.
-   * The layer shadow_N is the same of the light in place N.
+   * The layer that has a light's visibility: "shadow_" and its name in lower case, with underscores
+   * in place of everything but letters and digits ("Key light": shadow_key_light); if several
+   * lights have the same name, the second gets "_2", and so on. Empty for a light that is not the
+   * renderer's. shadow_N names the same layer by the light's index N.
    */
   std::string GetLightLayer(vtkRenderer* renderer, vtkLight* light);
 
-  /** The layers of all lights of the renderer that can cast a shadow that is seen. */
+  /** The layers of all lights of the renderer that can cast a visible shadow. */
   std::vector<std::string> GetShadowLayers(vtkRenderer* renderer);
 
   enum Casting
@@ -164,8 +163,8 @@ public:
 
   ///@{
   /**
-   * The processes that draw one picture together, each its own part of the scene. Every light's
-   * map then holds the casters of all processes (the least depth of all, texel by texel), so that
+   * The processes that draw one picture together, each its own part of the scene. Every light's map
+   * then contains the casters of all processes (the smallest depth, texel by texel), so that
    * casters and receivers may be on different ones. Every process must draw every frame, with the
    * same lights. Default nullptr, which means this process alone.
    */
@@ -182,17 +181,17 @@ public:
 
   ///@{
   /**
-   * What a method is expected to cost and to err, before anything is drawn; -1, with an error, for
-   * an unknown method or a negative number.
+   * The expected cost and error of a method, before anything is drawn; -1, with an error, for an
+   * unknown method or a negative number.
    *
    * Bytes: GPU memory for maps of size x size texels (one for a sun or a narrow lamp, up to six for
    * other lamps), so many casting lights and a picture of width x height pixels.
    *
-   * Draw calls: at most, in a frame that draws all maps anew, with props of one draw call each.
+   * Draw calls: at most, in a frame that redraws all maps, with props of one draw call each.
    *
    * Share of wrong pixels: of those that face the light, 0 to 1. Measured on real meshes in
    * pictures of 600 x 600 pixels (docs/charts/README.md), where each scene is within a factor of
-   * 2.5; scenes that run to the horizon and larger pictures have more.
+   * 2.5; scenes that extend to the horizon, and larger pictures, have more.
    */
   vtkIdType EstimateBytes(int method, int size, int maps, int lights, int width, int height);
   int EstimateDrawCalls(int method, int maps, int props);

@@ -24,14 +24,14 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
     size: (columns, rows) of the image in pixels, from 1 to OpenGL's limit (16384 in Mesa); None for
         the size of the renderer's viewport.
     hdr: whether the layer `color` is the linear colour of the frame, unclamped, without texts and
-        bars; if not, it is the window's picture of 8 bits, made linear.
+        colour bars; if not, it is the window's picture, converted from 8 bits to linear light.
 
     Returns vtkImageData of (columns, rows, 1) points with one point array per layer; VTK's row 0 is
     the BOTTOM of the picture (layer() gives numpy arrays with row 0 at the top). The field data
     holds the camera: worldToCamera, worldToNDC (16 doubles, by rows), near, far, relievo:origin,
     and lights. depth and range are float in world units, position is double in world space.
 
-    Raises ValueError for wrong arguments, such as a layer that nothing drawn has or a size above
+    Raises ValueError for wrong arguments, such as a layer that no visible data has or a size above
     OpenGL's limit, and RuntimeError if the layers cannot be drawn, or there is no display.
     """
     require(renderer, "vtkRenderer", "renderer")

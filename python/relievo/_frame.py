@@ -12,11 +12,10 @@ from ._errors import Watch, require
 
 
 class vtkRelievoPass(vtkRelievoPasses.vtkRelievoPass):
-    """The frame, with exceptions instead of words on the error output.
+    """The frame, with exceptions instead of messages on the error output.
 
-    Raises ValueError where a wrong name of a layer is given, if that can be told: it is no layer,
-    and no array of anything that the renderer draws so far. Before the renderer draws anything all
-    names are taken; a wrong one raises when it is read.
+    Raises ValueError for a name that is neither a layer nor an array of the data in the renderer.
+    In an empty renderer every name is accepted, and a wrong one raises when it is read.
     """
 
     def __init__(self):
@@ -33,12 +32,12 @@ class vtkRelievoPass(vtkRelievoPasses.vtkRelievoPass):
             raise ValueError(f"{method}: {wrong}")
 
     def RequestLayer(self, name):
-        """Makes the layer in every frame, until it is released."""
+        """Renders the layer in every frame, until it is released."""
         self._check(name, "RequestLayer")
         super().RequestLayer(name)
 
     def SetDisplayLayer(self, name):
-        """Shows the layer as the picture; None: the picture itself."""
+        """Shows the layer as the picture; None shows the picture itself."""
         if name is not None:
             self._check(name, "SetDisplayLayer")
         super().SetDisplayLayer(name)
@@ -67,9 +66,9 @@ def attach(renderer):
     calls the renderer's own pass. A renderer that already has the frame keeps it.
 
     Returns the vtkRelievoPass: its ShadowsOn() makes every light cast, SetDisplayLayer() shows a
-    layer as the picture, RequestLayer() makes one in every frame; both raise ValueError for a name
-    that is no layer and no array of what the renderer draws. Raises ValueError for anything but a
-    renderer.
+    layer as the picture, RequestLayer() renders one in every frame; both raise ValueError for a
+    name that is neither a layer nor an array of the data in the renderer. Raises ValueError for
+    anything but a renderer.
     """
     require(renderer, "vtkRenderer", "renderer")
     there = renderer.GetPass()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The layers that there are."""
+"""The catalogue of layers."""
 
 import math
 
@@ -8,12 +8,12 @@ from .vtkRelievoLayers import vtkRelievoLayerCatalogue
 
 
 def layers():
-    """The layers that there are: a dict of their names, each with a dict of what it is.
+    """Returns all layers: a dict by name, each value a dict that describes the layer.
 
     help: one line. type: "float", "double", "int" or "unsigned char". components: values per
-    pixel. background: the value where nothing is; None for color, whose background is the
-    renderer's. "shadow_N" stands for the layers of all lights. Point and cell arrays of what is
-    drawn are layers too, by their own names.
+    pixel. background: the value in the background; None for color, whose background is the
+    renderer's. "shadow_N" stands for the layers of all lights. Point and cell arrays of the
+    visible data are layers too, by their own names.
 
         relievo.layers()["depth"]["help"]
     """

@@ -7,7 +7,7 @@ from .vtkRelievoPasses import vtkRelievoPass
 
 
 def _words(value):
-    """A parameter's value as the stages take it: "on", "0.5", "1,0.5,0", "warped"."""
+    """A parameter's value in the stages' words: "on", "0.5", "1,0.5,0", "warped"."""
     if isinstance(value, bool):
         return "on" if value else "off"
     if isinstance(value, str):
@@ -18,14 +18,16 @@ def _words(value):
 
 
 def stage(renderer, name, on=True, **parameters):
-    """Switches a stage of the renderer's frame on, or off, and sets its parameters.
+    """Switches a stage of the renderer's frame on or off and sets its parameters.
 
         relievo.stage(renderer, "shadows", method="warped", bias=2)
 
-    renderer: a vtkRenderer; the frame is attached if it is not there. name: one of stages(). The
-    values are numbers, True or False, words, or a sequence of three for a colour; stages() gives
-    their ranges and defaults. Returns the vtkRelievoStage. Raises ValueError for an unknown stage
-    or parameter, and for a value that the parameter does not take; nothing is changed then.
+    renderer: a vtkRenderer; the frame is attached if there is none. name: one of stages().
+    on: whether the frame may run the stage. parameters: numbers, True or False, strings, or a
+    sequence of three numbers for a colour; stages() gives ranges and defaults.
+
+    Returns the vtkRelievoStage. Raises ValueError for an unknown stage or parameter, and for a
+    value that the parameter does not take; then no parameter is changed.
     """
     frame = attach(renderer)
     found = frame.GetStage(name)
@@ -44,10 +46,9 @@ def stage(renderer, name, on=True, **parameters):
 
 
 def stages():
-    """The stages that frames have: a dict of their names, each with a dict of its parameters.
+    """Returns all stages of a frame: a dict by name, each value a dict of the stage's parameters.
 
-    A parameter's value is its default and help in words: ("0.5", "Fraction of ... from 0 to 1.").
-    Raises nothing.
+    Each parameter has a pair of strings, default and help: ("0.5", "Fraction of ... from 0 to 1.").
     """
     frame = vtkRelievoPass()
     found = {}

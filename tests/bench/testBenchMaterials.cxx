@@ -34,6 +34,10 @@ void CheckEnvironment(const std::string& folder)
   sizes.Sides = { 8, 16, 32 };
   sizes.Detail = 300.;
   sizes.RealWorlds = false;
+  sizes.Sky = 32;
+  sizes.Width = 160;
+  sizes.Height = 90;
+  sizes.Rounds = 3;
   RELIEVO_CHECK(relievoBench::BenchEnvironment(folder, sizes) == 0);
   const std::vector<Row> rows = relievoTest::ReadCsv(folder + "/environment.csv");
   RELIEVO_CHECK_THAT(rows.size() == 15, "rows: " + std::to_string(rows.size()));
@@ -79,6 +83,14 @@ void CheckEnvironment(const std::string& folder)
   }
   const auto finest = [&curves](const char* map) { return curves[map].rbegin()->second; };
   RELIEVO_CHECK(finest("cube") < finest("lat-long") && finest("cube") < finest("sphere map"));
+  const std::vector<Row> frames = relievoTest::ReadCsv(folder + "/environment-frames.csv");
+  RELIEVO_CHECK(frames.size() == 4 && Value(frames.front(), "times a plain frame") == 1.);
+  for (const Row& row : frames)
+  {
+    RELIEVO_CHECK_THAT(Value(row, "ms") > 0. && std::isfinite(Value(row, "ms")) &&
+        Value(row, "times a plain frame") > 0.,
+      row.at("frame"));
+  }
 }
 
 void CheckGeometry(const std::string& folder)

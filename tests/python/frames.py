@@ -6,6 +6,9 @@ check(window) draws the window plain, attached with nothing asked, with layers, 
 them off again, captured, and detached, and says what differs.
 """
 
+from contextlib import contextmanager
+
+import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObject, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -67,6 +70,39 @@ def plain_pictures(window):
     return [*found, picture(window), picture(window)]
 
 
+@contextmanager
+def sunlight(window):
+    """A sun besides the window's own lights; the index that it has in every renderer."""
+    renderers = renderers_of(window)
+    sun = vtkLight()
+    sun.SetPosition(1, 2, 1)
+    for renderer in renderers:
+        renderer.AddLight(sun)
+    yield renderers[0].GetLights().GetNumberOfItems() - 1
+    for renderer in renderers:
+        renderer.RemoveLight(sun)
+
+
+def with_shadows(window):
+    """The window's picture with shadows."""
+    renderers = renderers_of(window)
+    for renderer in renderers:
+        relievo.attach(renderer).ShadowsOn()
+    drawn = picture(window)
+    for renderer in renderers:
+        relievo.detach(renderer)
+    return drawn
+
+
+def one_sided(values):
+    """Where the pixels around, 3 by 3, have one value; never at the rim."""
+    rows, columns = values.shape
+    around = [values[y : rows - 2 + y, x : columns - 2 + x] for y in range(3) for x in range(3)]
+    found = numpy.zeros(values.shape, bool)
+    found[1:-1, 1:-1] = numpy.min(around, axis=0) == numpy.max(around, axis=0)
+    return found
+
+
 def unlike(one, other):
     """How many pixels differ."""
     if one.shape != other.shape:
@@ -120,8 +156,8 @@ class Frames:
                 actor.SetMapper(mapper)
             self.compare_layers("layers of shared mappers", shared, separate, SURFACES)
 
-    def compare_twin(self, twin):
-        """The layers and the picture of another window that shows the same."""
+    def compare_twin(self, twin, shadows=True):
+        """The layers and the picture of another window that shows the same, and its shadows."""
         self.step("twin")
         self.note("picture of the twin", unlike(picture(self.window), picture(twin)))
         pairs = zip(renderers_of(self.window), renderers_of(twin))
@@ -129,6 +165,22 @@ class Frames:
             self.compare_layers(
                 "layers of the twin", capture_surfaces(ours), capture_surfaces(theirs), SURFACES
             )
+        if shadows:
+            self.step("shadows of the twin")
+            self.compare_shadows(twin)
+
+    def compare_shadows(self, twin):
+        """The same but at edges of shadows: maps are fitted to the boxes of props, and an assembly
+        has one box."""
+        with sunlight(self.window), sunlight(twin) as light:
+            ours, theirs = with_shadows(self.window), with_shadows(twin)
+            if not unlike(ours, picture(self.window)):
+                self.note("no shadows beside the twin", 1)
+            renderer = renderers_of(twin)[0]
+            name = f"shadow_{light}"
+            reached = relievo.layer(relievo.capture(renderer, [name]), name)[::-1]
+        differ = (ours != theirs).any(axis=2)
+        self.note("shadows of the twin", int((differ & one_sided(reached)).sum()))
 
     def run(self):
         self.step("plain")

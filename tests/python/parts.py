@@ -4,6 +4,7 @@
 
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersSources import (
     vtkConeSource,
     vtkCubeSource,
@@ -62,6 +63,25 @@ def actor(drawn, color=(0.8, 0.7, 0.5), at=(0, 0, 0)):
     shown.GetProperty().SetColor(*color)
     shown.SetPosition(*at)
     return shown
+
+
+def separate(*props):
+    """Actors of their own that show what the props' paths show, each with its own mapper."""
+    found = []
+    for prop in props:
+        prop.InitPathTraversal()
+        path = prop.GetNextPath()
+        while path is not None:
+            node = path.GetLastNode()
+            part = node.GetViewProp()
+            shown = actor(part.GetMapper().GetInputAlgorithm(), part.GetProperty().GetColor())
+            if node.GetMatrix() is not None:
+                matrix = vtkMatrix4x4()
+                matrix.DeepCopy(node.GetMatrix())
+                shown.SetUserMatrix(matrix)
+            found.append(shown)
+            path = prop.GetNextPath()
+    return found
 
 
 def renderer_of(*props, background=(0.1, 0.2, 0.3)):

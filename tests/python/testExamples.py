@@ -125,7 +125,6 @@ class Examples(unittest.TestCase):
         self.assertGreater((numpy.minimum(green, blue) > 1.5 * red + 30).mean(), 0.03)
         self.assertGreater((picture.min(axis=2) > 150).mean(), 0.3, "hardly anything is white")
 
-
     def test_relief_terrain(self):
         said = self.run_example("10_relief_terrain.py")
         median = float(said.split("depths are ")[1].split()[0])
@@ -184,8 +183,22 @@ class Sun(unittest.TestCase):
             self.assertGreater(sun.direction(latitude, date, 9)[0], 0, "the morning sun is east")
             half = sun.day_length(latitude, date) / 2
             if 0 < half < 12:
-                # The sun moves on among the stars from its rise until noon, by seconds of time.
-                self.assertAlmostEqual(sun.direction(latitude, date, 12 - half)[2], 0, delta=4e-4)
+                # From its rise until noon the sun moves on among the stars: its declination
+                # changes, and its day is not quite 24 hours long, as its noons tell.
+                rising = sun.position(latitude, date, 12 - half)
+                then = math.radians(rising.GetDeclination())
+                before, after = (
+                    sun.position(latitude, date + datetime.timedelta(days), 12).GetNoon()
+                    for days in (-1, 1)
+                )
+                angle = 2 * math.pi * half / (24 + (after - before) / 2)
+                at = math.radians(latitude)
+                height = math.sin(at) * math.sin(then)
+                height += math.cos(at) * math.cos(then) * math.cos(angle)
+                rise = sun.direction(latitude, date, 12 - half)[2]
+                self.assertAlmostEqual(rise, height, delta=1e-6)
+                moved = abs(then - tilt) + abs(angle - 2 * math.pi * half / 24)
+                self.assertLess(abs(height), moved + 1e-12)
         self.assertEqual(sun.day_length(80, date), 24)
         self.assertEqual(sun.day_length(-80, date), 0)
 

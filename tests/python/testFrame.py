@@ -5,6 +5,8 @@
 import gc
 import importlib
 import inspect
+import os
+import pathlib
 import unittest
 
 import scenes
@@ -14,6 +16,8 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkWindowToImageFilter
 from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLFXAAPass, vtkRenderStepsPass
 
 import relievo
+
+DOCS = pathlib.Path(os.environ["RELIEVO_EXAMPLES"]).parent / "docs"
 
 
 def picture(window):
@@ -154,6 +158,17 @@ class Package(unittest.TestCase):
                 self.assertIn(parameter, text, f"{name}: {parameter}")
             if parameters and name not in ("layer_names", "attributes"):
                 self.assertIn("Raises", text, name)
+
+    def test_the_page_has_every_function_with_its_arguments(self):
+        page = (DOCS / "python.md").read_text(encoding="utf-8")
+        headings = "\n".join(line for line in page.splitlines() if line.startswith("###"))
+        for name in relievo.__all__:
+            function = getattr(relievo, name)
+            if inspect.isfunction(function):
+                arguments = str(inspect.signature(function)).replace("'", '"')
+                self.assertIn(f"{name}{arguments}", headings)
+            else:
+                self.assertIn(f"relievo.{name}`", page)
 
     def test_the_wrapped_classes_are_there(self):
         for name in ("vtkRelievoPass", "vtkRelievoGBufferPass", "vtkRelievoLayerSource",

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """An assembly lends its property keys to its parts, and one part is drawn on its own as well."""
 
-from parts import actor, cone, cube, show, sphere
+from parts import actor, cone, cube, separate, show, sphere
 from vtkmodules.vtkRenderingCore import vtkAssembly
 
 inner, outer = vtkAssembly(), vtkAssembly()
@@ -15,3 +15,4 @@ outer.AddPart(inner)
 outer.AddPart(actor(sphere(), (0.4, 0.8, 0.4), at=(-1, 0, 0)))
 outer.RotateX(15)
 window = show(outer, twice)
+twin = show(*separate(outer, twice))

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One actor in two prop assemblies, and prop assemblies in each other."""
 
-from parts import actor, cone, cube, plane, show
+from parts import actor, cone, cube, plane, separate, show
 from vtkmodules.vtkRenderingCore import vtkPropAssembly
 
 shared = actor(cube(), (0.3, 0.5, 0.9))
@@ -14,3 +14,4 @@ two.AddPart(actor(plane()))
 both.AddPart(one)
 both.AddPart(two)
 window = show(both)
+twin = show(*separate(both))

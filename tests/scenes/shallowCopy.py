@@ -17,3 +17,12 @@ copied.SetPosition(1.2, 0, 0)
 renderer.AddActor(copied)
 window.Render()
 relievo.detach(renderer)
+
+twin = show(
+    actor(sphere(), (0.8, 0.3, 0.3)),
+    actor(plane()),
+    actor(cone(at=(-1.2, 0, 0))),
+    actor(sphere(), (0.8, 0.3, 0.3), at=(1.2, 0, 0)),
+)
+camera = twin.GetRenderers().GetFirstRenderer().GetActiveCamera()
+camera.DeepCopy(renderer.GetActiveCamera())

@@ -5,7 +5,6 @@
 from parts import actor, mapper_of, plane, show, sphere
 
 
-
 def scene(mappers):
     surface = actor(mappers[0], (0.9, 0.6, 0.3))
     wires = actor(mappers[1], (0.3, 0.6, 0.9), at=(1.2, 0, 0))
@@ -18,3 +17,4 @@ def scene(mappers):
 
 window = scene([mapper_of(sphere(resolution=12))] * 3)
 twin = scene([mapper_of(sphere(resolution=12)) for _ in range(3)])
+twin_shadows = False  # VTK draws all three with the shaders of one: docs/layers.md
