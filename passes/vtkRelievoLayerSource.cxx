@@ -73,9 +73,8 @@ std::string DescribeLight(vtkRenderer* renderer, vtkLight* light, vtkRelievoPass
     : light->LightTypeIsCameraLight()               ? "camera"
                                                     : "scene";
   out << "{";
-  if (pass)
+  if (vtkRelievoShadowPass* shadows = pass ? pass->GetShadowPass() : nullptr)
   {
-    vtkRelievoShadowPass* shadows = pass->GetShadowPass();
     out << "\"name\": \"" << Escape(shadows->GetLightName(renderer, light)) << "\", \"layer\": \""
         << shadows->GetLightLayer(renderer, light) << "\", ";
   }

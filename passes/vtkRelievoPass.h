@@ -40,7 +40,10 @@ public:
   static bool Detach(vtkRenderer* renderer);
   ///@}
 
-  /** The stage that makes the layers: its formats and spaces are set there. */
+  /**
+   * The stage that makes the layers: its formats and spaces are set there. As the other stages here
+   * nullptr if a stage of another class has taken its place (AddStage).
+   */
   vtkRelievoGBufferPass* GetGBuffer();
 
   ///@{

@@ -14,6 +14,19 @@ Stage* Find(vtkRelievoFramePass* frame, const char* name)
 {
   return Stage::SafeDownCast(frame->GetStage(name));
 }
+
+// A frame may have another class's stage of that name (AddStage), or none.
+template <typename Stage>
+Stage* FindToSet(vtkRelievoPass* frame, Stage* stage, const char* name)
+{
+  if (!stage)
+  {
+    vtkErrorWithObjectMacro(frame,
+      "The stage '" << name << "' of this frame is not Relievo's own, and keeps what it is set to; "
+                    << "use its own methods, or SetParameter.");
+  }
+  return stage;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -37,47 +50,64 @@ vtkRelievoDisplayStage* vtkRelievoPass::GetDisplay()
 //------------------------------------------------------------------------------
 void vtkRelievoPass::SetShadows(bool on)
 {
-  this->GetShadowPass()->SetVisible(on);
+  if (auto* shadows = FindToSet(this, this->GetShadowPass(), "shadows"))
+  {
+    shadows->SetVisible(on);
+  }
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoPass::GetShadows()
 {
-  return this->GetShadowPass()->GetVisible();
+  vtkRelievoShadowPass* shadows = this->GetShadowPass();
+  return shadows && shadows->GetVisible();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoPass::SetDisplayLayer(const char* name)
 {
-  this->GetDisplay()->SetLayer(name ? name : "");
+  if (auto* display = FindToSet(this, this->GetDisplay(), "display"))
+  {
+    display->SetLayer(name ? name : "");
+  }
 }
 
 //------------------------------------------------------------------------------
 const char* vtkRelievoPass::GetDisplayLayer()
 {
-  return this->GetDisplay()->GetLayerOrNull();
+  vtkRelievoDisplayStage* display = this->GetDisplay();
+  return display ? display->GetLayerOrNull() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoPass::SetDisplayRange(double first, double last)
 {
-  this->GetDisplay()->SetRange(first, last);
+  if (auto* display = FindToSet(this, this->GetDisplay(), "display"))
+  {
+    display->SetRange(first, last);
+  }
 }
 
 //------------------------------------------------------------------------------
 double* vtkRelievoPass::GetDisplayRange()
 {
-  return this->GetDisplay()->GetRange();
+  static double none[2] = { 0.0, 0.0 };
+  vtkRelievoDisplayStage* display = this->GetDisplay();
+  return display ? display->GetRange() : none;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoPass::SetDisplayGrey(bool on)
 {
-  this->GetDisplay()->SetGrey(on);
+  if (auto* display = FindToSet(this, this->GetDisplay(), "display"))
+  {
+    display->SetGrey(on);
+  }
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoPass::GetDisplayGrey()
 {
-  return this->GetDisplay()->GetGrey();
+  vtkRelievoDisplayStage* display = this->GetDisplay();
+  return display && display->GetGrey();
 }

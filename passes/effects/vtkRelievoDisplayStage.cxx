@@ -78,7 +78,7 @@ void vtkRelievoDisplayStage::Declare(
     declaration.Words = "no layer is shown as the picture";
     return;
   }
-  declaration.Reads = { this->Layer };
+  declaration.ReadsLayers = { this->Layer };
   // Nobody knows yet whether anything drawn has an array; if not, the picture itself is shown.
   declaration.Covers = vtkRelievoLayerCatalogue::Find(this->Layer).Kind != vtkRelievoLayer::ARRAY;
   declaration.Words = "shows the layer " + this->Layer + " as the picture";
@@ -124,11 +124,21 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
   const std::string& shader = vtkRelievoLayerCatalogue::Find(this->Layer).Shader;
   const bool colors = shader.empty();
   this->DrawCalls = 0;
-  if (!context.Find(this->Layer) || (colors && !this->UploadColors(context)))
+  if (!context.FindLayer(this->Layer))
+  {
+    this->Explain("failed", "the frame has made no '" + this->Layer + "'");
+    return;
+  }
+  if (colors && !this->UploadColors(context))
   {
     return;
   }
-  vtkShaderProgram* program = in.Quad.Ready(context, "display/layerFS.glsl", { this->Layer },
+  std::vector<std::string> reads;
+  if (!colors)
+  {
+    reads.push_back(this->Layer);
+  }
+  vtkShaderProgram* program = in.Quad.Ready(context, "display/layerFS.glsl", reads,
     "#define RELIEVO_SHOW_" + (colors ? "COLORS" : shader) + "\n");
   if (!program)
   {

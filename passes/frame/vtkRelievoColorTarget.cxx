@@ -54,65 +54,106 @@ vtkRelievoColorTarget::~vtkRelievoColorTarget()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoColorTarget::Begin(vtkRelievoFrameContext& context)
+std::string vtkRelievoColorTarget::Prepare(vtkRelievoFrameContext& context)
 {
   this->Valid = false;
-  if (context.Renderer->GetPreserveDepthBuffer())
+  vtkRenderer* renderer = context.Renderer;
+  if (context.Picture && (renderer->GetPreserveDepthBuffer() || !renderer->GetErase()))
   {
-    return "the renderer keeps another renderer's depth (PreserveDepthBuffer)";
+    return renderer->GetErase()
+      ? "the renderer keeps another renderer's depth (PreserveDepthBuffer)"
+      : "the renderer keeps what was drawn before (EraseOff)";
   }
   this->Buffers.Allocate(context.Window, context.View.Viewport);
   vtkOpenGLState* state = context.Window->GetState();
   state->PushFramebufferBindings();
   this->Buffers.Framebuffer->Bind();
-  if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+  const bool complete = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  state->PopFramebufferBindings();
+  if (!complete)
   {
-    state->PopFramebufferBindings();
+    const int samples = this->Buffers.NumberOfSamples;
     this->Release(context.Window);
-    return "this OpenGL cannot draw to half floats with " +
-      std::to_string(this->Buffers.NumberOfSamples) + " samples";
-  }
-  const bool keeps = context.Renderer->GetLayer() > 0 || !context.Renderer->GetErase() ||
-    context.Renderer->GetPreserveColorBuffer();
-  if ((keeps || context.Nested) && context.Picture)
-  {
-    this->CopyWhatIsThere(context);
-  }
-  if (context.Nested)
-  {
-    // The pass around has cleared its own depth, and set its own viewport.
-    const int* v = context.View.Viewport;
-    state->vtkglViewport(v[0], v[1], v[2], v[3]);
-    state->vtkglScissor(v[0], v[1], v[2], v[3]);
-    state->vtkglDepthMask(GL_TRUE);
-    state->vtkglClearDepth(1.0);
-    state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+    return "this OpenGL cannot draw to half floats with " + std::to_string(samples) + " samples";
   }
   return std::string();
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoColorTarget::CopyWhatIsThere(vtkRelievoFrameContext& context)
+void vtkRelievoColorTarget::Begin(vtkRelievoFrameContext& context)
+{
+  vtkRenderer* renderer = context.Renderer;
+  vtkOpenGLState* state = context.Window->GetState();
+  const int before = vtkRelievoColorBuffers::GetBoundFramebuffer();
+  state->PushFramebufferBindings();
+  this->Buffers.Framebuffer->Bind();
+  const bool keeps =
+    renderer->GetLayer() > 0 || !renderer->GetErase() || renderer->GetPreserveColorBuffer();
+  if (context.Picture && (keeps || context.Nested))
+  {
+    this->CopyWhatIsThere(context, before);
+  }
+  else if (keeps || renderer->GetPreserveDepthBuffer())
+  {
+    // VTK clears not all of it, and what is there is another frame's.
+    const vtkRelievoKeptState kept(state);
+    const float nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+    const float far = 1.0f;
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglDepthMask(GL_TRUE);
+    glClearBufferfv(GL_COLOR, 0, nothing);
+    glClearBufferfv(GL_DEPTH, 0, &far);
+  }
+  if (context.Nested)
+  {
+    // The pass around has cleared its own framebuffer, and set its own viewport.
+    const int* v = context.View.Viewport;
+    state->vtkglViewport(v[0], v[1], v[2], v[3]);
+    state->vtkglScissor(v[0], v[1], v[2], v[3]);
+    if (!context.Picture && !keeps)
+    {
+      renderer->Clear();
+    }
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglClearDepth(1.0);
+    state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoColorTarget::CopyWhatIsThere(vtkRelievoFrameContext& context, int framebuffer)
 {
   const int* v = context.View.Viewport;
   vtkOpenGLState* state = context.Window->GetState();
+  const vtkRelievoKeptState kept(state);
   // Samples are resolved into what they have been made of, on every OpenGL.
   vtkSmartPointer<vtkTextureObject> there = vtkRelievoColorBuffers::MakeTexture(
     context.Window, this->Buffers.NumberOfSamples > 0 ? GL_RGBA8 : GL_RGBA16F, v[2], v[3]);
-  state->PopFramebufferBindings(); // what is there is bound again
-  state->PushFramebufferBindings();
   this->Buffers.Pen->Bind(GL_DRAW_FRAMEBUFFER);
   this->Buffers.Pen->AddColorAttachment(0, there);
   this->Buffers.Pen->ActivateDrawBuffer(0);
-  state->vtkglScissor(0, 0, v[2], v[3]);
-  state->vtkglBlitFramebuffer(
-    v[0], v[1], v[0] + v[2], v[1] + v[3], 0, 0, v[2], v[3], GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  {
+    // Read from where it is drawn, which need not be where that framebuffer was read from.
+    const auto name = static_cast<unsigned int>(framebuffer);
+    GLint drawn = GL_NONE;
+    GLint read = GL_NONE;
+    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, name);
+    glGetIntegerv(GL_DRAW_BUFFER, &drawn);
+    this->Buffers.Pen->Bind(GL_DRAW_FRAMEBUFFER);
+    state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, name);
+    glGetIntegerv(GL_READ_BUFFER, &read);
+    state->vtkglReadBuffer(static_cast<unsigned int>(drawn));
+    state->vtkglScissor(0, 0, v[2], v[3]);
+    state->vtkglBlitFramebuffer(
+      v[0], v[1], v[0] + v[2], v[1] + v[3], 0, 0, v[2], v[3], GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    state->vtkglReadBuffer(static_cast<unsigned int>(read));
+  }
   this->Buffers.Framebuffer->Bind();
   if (vtkShaderProgram* program = this->Copy.Ready(context, "frame/copyFS.glsl", {}))
   {
     there->Activate();
     program->SetUniformi("relievoSource", there->GetTextureUnit());
-    const vtkRelievoKeptState kept(state);
     state->vtkglDisable(GL_BLEND);
     this->Copy.Draw(context);
     there->Deactivate();
@@ -135,7 +176,7 @@ void vtkRelievoColorTarget::End(vtkRelievoFrameContext& context)
   vtkOpenGLState* state = context.Window->GetState();
   if (this->Buffers.Resolved)
   {
-    state->PushFramebufferBindings();
+    const vtkRelievoKeptState kept(state);
     this->Buffers.Framebuffer->Bind(GL_READ_FRAMEBUFFER);
     this->Buffers.Framebuffer->ActivateReadBuffer(0);
     this->Buffers.Resolved->Bind(GL_DRAW_FRAMEBUFFER);
@@ -145,7 +186,6 @@ void vtkRelievoColorTarget::End(vtkRelievoFrameContext& context)
       state->vtkglBlitFramebuffer(v[0], v[1], v[0] + v[2], v[1] + v[3], v[0], v[1], v[0] + v[2],
         v[1] + v[3], buffer, GL_NEAREST);
     }
-    state->PopFramebufferBindings();
   }
   state->PopFramebufferBindings();
   this->Drawn->Offset[0] = v[0];
@@ -157,6 +197,19 @@ void vtkRelievoColorTarget::End(vtkRelievoFrameContext& context)
   {
     context.Provide("color", this);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoColorTarget::BeginAside(vtkRelievoFrameContext& context)
+{
+  context.Window->GetState()->PushFramebufferBindings();
+  this->Buffers.Framebuffer->Bind();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoColorTarget::EndAside(vtkRelievoFrameContext& context)
+{
+  context.Window->GetState()->PopFramebufferBindings();
 }
 
 //------------------------------------------------------------------------------

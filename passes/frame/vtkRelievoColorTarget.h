@@ -28,15 +28,23 @@ public:
   vtkRelievoColorTarget();
   ~vtkRelievoColorTarget() override;
 
-  // Binds the float framebuffer for what the delegate draws. Returns why it cannot, in words;
-  // nothing has changed then.
-  std::string Begin(vtkRelievoFrameContext& context);
+  // Makes the float framebuffer for what the delegate draws. Returns why it cannot, in words.
+  std::string Prepare(vtkRelievoFrameContext& context);
+
+  // Binds it.
+  void Begin(vtkRelievoFrameContext& context);
 
   // Whether what is bound for drawing now is what Begin bound.
   bool IsBound() const;
 
   // Binds what was bound before Begin; the linear colour is there from now on.
   void End(vtkRelievoFrameContext& context);
+
+  ///@{
+  // After End: what is drawn between these is seen nowhere.
+  void BeginAside(vtkRelievoFrameContext& context);
+  void EndAside(vtkRelievoFrameContext& context);
+  ///@}
 
   // Draws the quad over the linear colour: as the new colour, or blended.
   bool Draw(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, bool replaces);
@@ -54,7 +62,7 @@ public:
   void Deactivate() override;
 
 private:
-  void CopyWhatIsThere(vtkRelievoFrameContext& context);
+  void CopyWhatIsThere(vtkRelievoFrameContext& context, int framebuffer);
 
   class Input;
   std::unique_ptr<Input> Drawn; // what the delegate drew, as a resource

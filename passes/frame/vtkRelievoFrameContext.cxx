@@ -7,6 +7,22 @@
 
 #include <algorithm>
 
+namespace
+{
+using Table = std::map<std::string, vtkRelievoResource*>;
+
+vtkRelievoResource* FindFirst(const std::string& name, const Table& first, const Table& second)
+{
+  const auto found = first.find(name);
+  if (found != first.end())
+  {
+    return found->second;
+  }
+  const auto other = second.find(name);
+  return other == second.end() ? nullptr : other->second;
+}
+}
+
 //------------------------------------------------------------------------------
 vtkRelievoResource::~vtkRelievoResource() = default;
 
@@ -39,10 +55,21 @@ void vtkRelievoFrameContext::Provide(const std::string& name, vtkRelievoResource
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoFrameContext::ProvideLayer(const std::string& name, vtkRelievoResource* resource)
+{
+  this->Layers[name] = resource;
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoResource* vtkRelievoFrameContext::Find(const std::string& name) const
 {
-  const auto found = this->Resources.find(name);
-  return found == this->Resources.end() ? nullptr : found->second;
+  return FindFirst(name, this->Resources, this->Layers);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoResource* vtkRelievoFrameContext::FindLayer(const std::string& name) const
+{
+  return FindFirst(name, this->Layers, this->Resources);
 }
 
 //------------------------------------------------------------------------------

@@ -55,6 +55,10 @@ public:
   // until the frame is done.
   void Provide(const std::string& name, vtkRelievoResource* resource);
   vtkRelievoResource* Find(const std::string& name) const;
+
+  // The same of a layer, by the name that users give it: an array may be called as a resource is.
+  void ProvideLayer(const std::string& name, vtkRelievoResource* resource);
+  vtkRelievoResource* FindLayer(const std::string& name) const;
   ///@}
 
   // Draws the quad, after its Ready, over the linear colour: as the new colour of every pixel if
@@ -69,6 +73,7 @@ private:
 
   std::map<const vtkRelievoStage*, std::vector<std::string>> Asked;
   std::map<std::string, vtkRelievoResource*> Resources;
+  std::map<std::string, vtkRelievoResource*> Layers;
   vtkRelievoColorTarget* Color = nullptr;
 };
 

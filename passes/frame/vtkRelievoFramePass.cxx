@@ -9,6 +9,7 @@
 #include "vtkRelievoColorTarget.h"
 #include "vtkRelievoDelegate.h"
 #include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFrameReader.h"
 #include "vtkRelievoFrameReport.h"
 #include "vtkRelievoFrameRun.h"
 #include "vtkRelievoGpuTimer.h"
@@ -19,7 +20,6 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <vector>
 
@@ -32,12 +32,12 @@ public:
   std::vector<vtkSmartPointer<vtkRelievoStage>> Registered;
   std::vector<vtkSmartPointer<vtkRelievoStage>> Added;
   std::set<std::string> Requested;
-  std::map<std::string, vtkRelievoStage*> Writers; // in the last frame
-  std::set<std::string> Said;                      // what could not be had, told once
+  std::set<std::string> Said; // what could not be had, told once
   vtkRelievoGpuTimer Timer;
   vtkRelievoFrameReport Report;
   vtkRelievoDelegate Picture;
   vtkRelievoColorTarget Color;
+  vtkRelievoFrameReader Reader{ Color };
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
 
   std::vector<vtkRelievoStage*> GetStages()
@@ -60,45 +60,14 @@ public:
     return stages;
   }
 
-  // Layers of one stage after the other, in the order of the names.
-  std::string Read(const std::vector<std::string>& names, vtkImageData* image)
+  // A stage that leaves the frame: what it holds is released, and what it wrote is read no more.
+  void Forget(vtkRelievoStage* stage)
   {
-    std::string wrong;
-    for (std::size_t from = 0; from < names.size() && wrong.empty();)
+    if (this->Window)
     {
-      vtkRelievoStage* writer = this->FindWriter(names[from]);
-      std::size_t to = from + 1;
-      while (names[from] != "color" && to < names.size() && names[to] != "color" &&
-        this->FindWriter(names[to]) == writer)
-      {
-        ++to;
-      }
-      if (names[from] == "color")
-      {
-        wrong = this->Color.Read(image);
-        wrong = wrong.empty() ? wrong : "The layer 'color' cannot be read: " + wrong + ".";
-      }
-      else
-      {
-        const auto first = names.begin() + static_cast<std::ptrdiff_t>(from);
-        const auto last = names.begin() + static_cast<std::ptrdiff_t>(to);
-        wrong = writer ? writer->ReadLayers({ first, last }, image)
-                       : "The layer '" + names[from] +
-            "' cannot be read: the last frame made no layers; ask for it (RequestLayer) and "
-            "render before.";
-      }
-      from = to;
+      stage->ReleaseGraphicsResources(this->Window);
     }
-    return wrong;
-  }
-
-private:
-  vtkRelievoStage* FindWriter(const std::string& name)
-  {
-    auto found = this->Writers.find(name);
-    // The layers' stage may have made more than it was asked for: range comes with depth.
-    found = found == this->Writers.end() ? this->Writers.find(std::string()) : found;
-    return found == this->Writers.end() ? nullptr : found->second;
+    this->Reader.Forget(stage);
   }
 };
 
@@ -148,6 +117,20 @@ void vtkRelievoFramePass::AddStage(vtkRelievoStage* stage)
       "AddStage was given " << (stage ? "a stage that is there already." : "no stage."));
     return;
   }
+  const std::string name = stage->GetStageName();
+  for (const auto& other : added)
+  {
+    if (other->GetStageName() == name)
+    {
+      vtkErrorMacro("AddStage was given a second stage '" << name << "'; give it another name, or "
+                                                          << "take the first away (RemoveStage).");
+      return;
+    }
+  }
+  if (vtkRelievoStage* replaced = this->GetStage(name))
+  {
+    this->Internal->Forget(replaced);
+  }
   added.push_back(stage);
   this->Modified();
 }
@@ -161,15 +144,7 @@ void vtkRelievoFramePass::RemoveStage(vtkRelievoStage* stage)
   {
     return;
   }
-  if (this->Internal->Window)
-  {
-    (*found)->ReleaseGraphicsResources(this->Internal->Window);
-  }
-  auto& writers = this->Internal->Writers;
-  for (auto writer = writers.begin(); writer != writers.end();)
-  {
-    writer = writer->second == stage ? writers.erase(writer) : std::next(writer);
-  }
+  this->Internal->Forget(stage);
   added.erase(found);
   this->Modified();
 }
@@ -246,7 +221,7 @@ bool vtkRelievoFramePass::ReadLayer(const std::string& name, vtkImageData* image
 bool vtkRelievoFramePass::ReadLayers(const std::vector<std::string>& names, vtkImageData* image)
 {
   const std::string wrong = image
-    ? this->Internal->Read(names, image)
+    ? this->Internal->Reader.Read(names, image)
     : "Reading layers needs an image to fill, and was given none; give it a vtkImageData.";
   if (!wrong.empty())
   {
@@ -294,16 +269,11 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   context.Nested = renderer->GetPass() != this;
   context.ReadBack.assign(in.Requested.begin(), in.Requested.end());
   context.ReadLayers = [&in](const std::vector<std::string>& names, vtkImageData* image) {
-    return in.Read(names, image);
+    return in.Reader.Read(names, image);
   };
   const std::vector<vtkRelievoStage*> stages = in.GetStages();
   vtkRelievoFrameRun run(context, stages, in.Color, in.Timer);
-  std::vector<std::string> outputs = context.ReadBack;
-  if (context.Picture)
-  {
-    outputs.emplace_back("picture");
-  }
-  for (const std::string& wrong : run.Plan(outputs))
+  for (const std::string& wrong : run.Plan())
   {
     if (in.Said.insert(wrong).second)
     {
@@ -321,7 +291,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   {
     in.Color.Release(window);
   }
-  in.Writers = run.GetWriters();
+  in.Reader.SetFrame(run.GetWriters(), run.GetMissing());
 
   in.Timer.BeginFrame(window);
   in.Timer.Begin("frame");

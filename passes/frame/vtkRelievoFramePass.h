@@ -44,8 +44,9 @@ public:
 
   ///@{
   /**
-   * Adds or removes stages. One with the name of a registered stage replaces it. The order in which
-   * they are added does not matter: the frame works out its own.
+   * Adds or removes stages. One with the name of a registered stage replaces it; the name of an
+   * added stage is an error. The order in which they are added does not matter: the frame works out
+   * its own.
    */
   void AddStage(vtkRelievoStage* stage);
   void RemoveStage(vtkRelievoStage* stage);
@@ -60,8 +61,8 @@ public:
 
   ///@{
   /**
-   * Layers to make in every frame, until released. An array that no visible dataset has is an
-   * error when it is read.
+   * Layers to make in every frame, until released. An array that no visible dataset has, or a layer
+   * whose stage does not run, is an error when it is read.
    */
   void RequestLayer(const std::string& name);
   void ReleaseLayer(const std::string& name);
@@ -90,7 +91,8 @@ public:
   /**
    * What the last frame did, as JSON: for the delegate and every stage its name, whether it ran,
    * the reason in words and as a code (vtkRelievoStage::GetReasonCode), GPU milliseconds (of the
-   * newest frame whose timers have arrived; null before), bytes held, draw calls; and the totals.
+   * newest frame whose timers have arrived; null before), bytes held, draw calls, and the label:
+   * the name as people read it; and the totals.
    * Software OpenGL has no timers between commands, so there only the eight frames after each
    * reading of a report are timed, waiting for each command.
    */

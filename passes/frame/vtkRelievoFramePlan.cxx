@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoFramePlan.h"
 
-#include "vtkRelievoStageDescription.h"
+#include "vtkRelievoFrameOrder.h"
 
 #include <algorithm>
 #include <tuple>
@@ -19,32 +19,10 @@ bool Has(const std::vector<std::string>& names, const std::string& name)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::tuple<int, int, const std::string&> GetKey(const Node& node)
+bool Writes(const Node& node, const std::string& resource, bool layer)
 {
-  return std::tuple<int, int, const std::string&>(node.Slot, node.Order, node.Name);
-}
-
-bool MakesColor(const Node& node)
-{
-  return Has(node.Declaration.Writes, Color) && !Has(node.Declaration.Reads, Color);
-}
-
-bool ChangesColor(const Node& node)
-{
-  return Has(node.Declaration.Writes, Color) && Has(node.Declaration.Reads, Color);
-}
-
-// All that a needed node reads: what it lists, what it needs for what is asked of it, and what is
-// offered to it.
-std::vector<std::string> GetReads(const Node& node)
-{
-  std::vector<std::string> reads = node.Declaration.Reads;
-  if (node.ReadsFor)
-  {
-    const std::vector<std::string> more = node.ReadsFor(node.Asked);
-    reads.insert(reads.end(), more.begin(), more.end());
-  }
-  return reads;
+  return Has(node.Declaration.Layers, resource) ||
+    (!layer && Has(node.Declaration.Writes, resource));
 }
 
 // The node that makes the picture of something else than what the delegate drew, or -1.
@@ -54,7 +32,7 @@ int FindPictureMaker(const std::vector<Node>& nodes)
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     if (nodes[i].Declaration.Runs && Has(nodes[i].Declaration.Writes, Picture) &&
-      !MakesColor(nodes[i]) && (maker < 0 || GetKey(nodes[maker]) < GetKey(nodes[i])))
+      !nodes[i].Delegate && (maker < 0 || nodes[maker].IsBefore(nodes[i])))
     {
       maker = static_cast<int>(i);
     }
@@ -64,57 +42,111 @@ int FindPictureMaker(const std::vector<Node>& nodes)
 
 int FindDelegate(const std::vector<Node>& nodes)
 {
-  const auto found = std::find_if(nodes.begin(), nodes.end(), MakesColor);
+  const auto found =
+    std::find_if(nodes.begin(), nodes.end(), [](const Node& node) { return node.Delegate; });
   return found == nodes.end() ? -1 : static_cast<int>(found - nodes.begin());
 }
-
-// Those that make and change the colour, in their order.
-std::vector<int> GetColorChain(const std::vector<Node>& nodes)
-{
-  std::vector<int> chain;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
-    if (nodes[i].Needed && (MakesColor(nodes[i]) || ChangesColor(nodes[i])))
-    {
-      chain.push_back(static_cast<int>(i));
-    }
-  }
-  std::sort(chain.begin(), chain.end(), [&nodes](int a, int b) {
-    return std::make_tuple(!MakesColor(nodes[a]), GetKey(nodes[a])) <
-      std::make_tuple(!MakesColor(nodes[b]), GetKey(nodes[b]));
-  });
-  return chain;
-}
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoFramePlan::FindWriter(
-  const std::vector<Node>& nodes, const std::string& resource) const
+bool vtkRelievoFramePlan::Node::ChangesColor() const
 {
-  int layers = -1;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
-    if (nodes[i].Declaration.Runs && Has(nodes[i].Declaration.Writes, resource))
-    {
-      return static_cast<int>(i);
-    }
-    // A resource of a stage that does not run is nobody's layer.
-    const bool listed = Has(nodes[i].Declaration.Writes, resource);
-    layers = listed ? -2
-      : layers == -1 && nodes[i].Declaration.Runs && nodes[i].Declaration.WritesLayers
-      ? static_cast<int>(i)
-      : layers;
-  }
-  return std::max(layers, -1);
+  return !this->Delegate && Has(this->Declaration.Writes, Color);
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoFramePlan::Refuse(Node& node, const std::string& words)
+bool vtkRelievoFramePlan::Node::IsBefore(const Node& other) const
+{
+  return std::tie(this->Slot, this->Order, this->Name) <
+    std::tie(other.Slot, other.Order, other.Name);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoFramePlan::Name> vtkRelievoFramePlan::GetReads(const Node& node)
+{
+  std::vector<Name> reads;
+  for (const std::string& name : node.Declaration.Reads)
+  {
+    reads.push_back({ name, false });
+  }
+  for (const std::string& name : node.Declaration.ReadsLayers)
+  {
+    reads.push_back({ name, true });
+  }
+  for (const std::string& name :
+    node.ReadsFor ? node.ReadsFor(node.Asked) : std::vector<std::string>())
+  {
+    reads.push_back({ name, false });
+  }
+  return reads;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoFramePlan::FindWriter(const std::vector<Node>& nodes, const Name& name)
+{
+  int writer = -1;
+  int arrays = -1;
+  bool idle = false; // what a stage would write that does not run is nobody's array
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    const vtkRelievoDeclaration& declaration = nodes[i].Declaration;
+    if (Writes(nodes[i], name.Resource, name.Layer))
+    {
+      idle = true;
+      if (declaration.Runs && (writer < 0 || nodes[i].IsBefore(nodes[writer])))
+      {
+        writer = static_cast<int>(i);
+      }
+    }
+    if (name.Layer && declaration.Runs && declaration.WritesArrays)
+    {
+      arrays = static_cast<int>(i);
+    }
+  }
+  return idle ? writer : arrays;
+}
+
+//------------------------------------------------------------------------------
+// Why nobody writes it; "" if somebody does.
+std::string vtkRelievoFramePlan::ExplainMissing(const std::vector<Node>& nodes, const Name& name)
+{
+  const int writer = FindWriter(nodes, name);
+  if (writer < 0)
+  {
+    const auto find = [&](auto would) { return std::find_if(nodes.begin(), nodes.end(), would); };
+    auto idle = find([&name](const Node& node) { return Writes(node, name.Resource, name.Layer); });
+    if (idle == nodes.end() && name.Layer)
+    {
+      idle = find([](const Node& node) { return node.Declaration.WritesArrays; });
+    }
+    return idle == nodes.end() ? "which no stage writes"
+                               : "which the stage " + idle->Name +
+        " would write, but does not run: " + idle->Declaration.Words;
+  }
+  const Node& node = nodes[writer];
+  for (const std::string& more :
+    node.ReadsFor ? node.ReadsFor({ name.Resource }) : std::vector<std::string>())
+  {
+    if (more != Color && FindWriter(nodes, { more, false }) < 0)
+    {
+      return "for which the stage " + node.Name + " needs '" + more + "', " +
+        ExplainMissing(nodes, { more, false });
+    }
+  }
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+// Told: the report says it, and that is enough.
+void vtkRelievoFramePlan::Refuse(Node& node, const std::string& words, bool told)
 {
   node.Declaration.Runs = false;
   node.Declaration.Code = "refused";
   node.Declaration.Words = words;
-  this->Wrong.push_back("The stage " + node.Name + " does not run: " + words);
+  if (!told)
+  {
+    this->Wrong.push_back("The stage " + node.Name + " does not run: " + words);
+  }
   this->Refused = true;
 }
 
@@ -132,21 +164,37 @@ void vtkRelievoFramePlan::Need(std::vector<Node>& nodes, int place, const std::s
   {
     node.Asked.insert(std::upper_bound(node.Asked.begin(), node.Asked.end(), resource), resource);
   }
-  for (const std::string& read : GetReads(node))
+  for (const Name& read : GetReads(node))
   {
-    this->AskFor(nodes, read, place);
+    if (node.Declaration.Runs)
+    {
+      this->AskFor(nodes, read, place);
+    }
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoFramePlan::AskForColor(std::vector<Node>& nodes, int reader)
 {
+  if (!this->NoColor.empty())
+  {
+    const std::string words = "there is no linear colour here: " + this->NoColor;
+    if (reader >= 0)
+    {
+      this->Refuse(nodes[reader], words, true);
+    }
+    else
+    {
+      this->Missing[Color] = words;
+    }
+    return;
+  }
   this->ColorNeeded = true;
   this->ColorSeen = true;
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
-    const bool before = reader < 0 || GetKey(nodes[i]) < GetKey(nodes[reader]);
-    if (nodes[i].Declaration.Runs && (MakesColor(nodes[i]) || (ChangesColor(nodes[i]) && before)))
+    const bool before = reader < 0 || nodes[i].IsBefore(nodes[reader]);
+    if (nodes[i].Declaration.Runs && (nodes[i].Delegate || (nodes[i].ChangesColor() && before)))
     {
       this->Need(nodes, static_cast<int>(i), Color);
     }
@@ -154,91 +202,91 @@ void vtkRelievoFramePlan::AskForColor(std::vector<Node>& nodes, int reader)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoFramePlan::AskFor(std::vector<Node>& nodes, const std::string& resource, int reader)
+void vtkRelievoFramePlan::AskFor(std::vector<Node>& nodes, const Name& name, int reader)
 {
-  if (resource == Color)
+  if (name.Resource == Color)
   {
     this->AskForColor(nodes, reader);
     return;
   }
-  const int writer = this->FindWriter(nodes, resource);
-  if (writer >= 0)
+  const std::string wrong = ExplainMissing(nodes, name);
+  if (wrong.empty())
   {
-    this->Need(nodes, writer, resource);
-    return;
+    this->Need(nodes, FindWriter(nodes, name), name.Resource);
   }
-  if (reader < 0)
+  else if (reader < 0)
   {
-    return; // reading the output says so
+    this->Missing[name.Resource] = wrong;
   }
-  const auto idle = std::find_if(nodes.begin(), nodes.end(),
-    [&resource](const Node& node) { return Has(node.Declaration.Writes, resource); });
-  this->Refuse(nodes[reader],
-    "it reads '" + resource + "', " +
-      (idle == nodes.end() ? "which no stage writes"
-                           : "which the stage " + idle->Name +
-            " would write, but does not run: " + idle->Declaration.Words));
+  else
+  {
+    this->Refuse(nodes[reader], "it reads '" + name.Resource + "', " + wrong);
+  }
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoFramePlan::Mark(std::vector<Node>& nodes, const std::vector<std::string>& outputs)
+void vtkRelievoFramePlan::MarkPicture(std::vector<Node>& nodes)
 {
-  this->ColorNeeded = this->ColorSeen = false;
+  const int maker = FindPictureMaker(nodes);
+  for (const int place : { FindDelegate(nodes), maker })
+  {
+    if (place >= 0)
+    {
+      this->Need(nodes, place, Picture);
+    }
+  }
+  const bool covered = maker >= 0 && nodes[maker].Declaration.Covers;
+  this->ColorSeen = this->ColorSeen || !covered;
   for (Node& node : nodes)
   {
+    if (!node.Declaration.Runs || !node.ChangesColor())
+    {
+      continue;
+    }
+    if (covered)
+    {
+      node.Code = "hidden";
+      node.Words = nodes[maker].Name + " shows something else as the picture";
+    }
+    else
+    {
+      this->AskForColor(nodes, -1);
+      break;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFramePlan::Mark(
+  std::vector<Node>& nodes, const std::vector<std::string>& layers, bool picture)
+{
+  this->ColorNeeded = this->ColorSeen = false;
+  this->Missing.clear();
+  for (Node& node : nodes)
+  {
+    if (!this->NoColor.empty() && node.Declaration.Runs && node.ChangesColor())
+    {
+      this->Refuse(node, "there is no linear colour here: " + this->NoColor, true);
+    }
     node.Needed = false;
     node.Asked.clear();
     node.Code = node.Declaration.Runs ? "not_asked" : node.Declaration.Code;
     node.Words = node.Declaration.Runs ? "no output asks for it" : node.Declaration.Words;
   }
-  for (const std::string& output : outputs)
+  for (const std::string& layer : layers)
   {
-    if (output != Picture)
-    {
-      this->AskFor(nodes, output, -1);
-      continue;
-    }
-    const int maker = FindPictureMaker(nodes);
-    const int delegate = FindDelegate(nodes);
-    if (delegate >= 0)
-    {
-      this->Need(nodes, delegate, Picture);
-    }
-    if (maker >= 0)
-    {
-      this->Need(nodes, maker, Picture);
-    }
-    const bool covered = maker >= 0 && nodes[maker].Declaration.Covers;
-    if (!covered)
-    {
-      const bool changed = std::any_of(nodes.begin(), nodes.end(),
-        [](const Node& node) { return node.Declaration.Runs && ChangesColor(node); });
-      this->ColorSeen = true;
-      if (changed)
-      {
-        this->AskForColor(nodes, -1);
-      }
-    }
-    for (Node& node : nodes)
-    {
-      if (covered && node.Declaration.Runs && ChangesColor(node))
-      {
-        node.Code = "hidden";
-        node.Words = nodes[maker].Name + " shows something else as the picture";
-      }
-    }
+    this->AskFor(nodes, { layer, true }, -1);
   }
-  if (!this->ColorSeen)
+  if (picture)
   {
-    return;
+    this->MarkPicture(nodes);
   }
-  for (std::size_t i = 0; i < nodes.size(); ++i)
+  for (std::size_t i = 0; i < nodes.size() && this->ColorSeen; ++i)
   {
     for (const std::string& use : nodes[i].Declaration.Uses)
     {
-      const int writer = this->FindWriter(nodes, use);
-      if (nodes[i].Needed && writer >= 0 && nodes[writer].Declaration.Offers &&
-        Has(nodes[writer].Declaration.Writes, use))
+      const int writer = FindWriter(nodes, { use, false });
+      if (nodes[i].Needed && writer >= 0 && Has(nodes[writer].Declaration.Offers, use))
       {
         this->Need(nodes, writer, use);
       }
@@ -247,135 +295,23 @@ void vtkRelievoFramePlan::Mark(std::vector<Node>& nodes, const std::vector<std::
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoFramePlan::Sort(std::vector<Node>& nodes)
-{
-  const std::size_t count = nodes.size();
-  // What each node waits for, and by which resource.
-  std::vector<std::vector<std::pair<int, std::string>>> waits(count);
-  const std::vector<int> chain = GetColorChain(nodes);
-  for (std::size_t i = 1; i < chain.size(); ++i)
-  {
-    waits[chain[i]].emplace_back(chain[i - 1], Color);
-  }
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    if (!nodes[i].Needed)
-    {
-      continue;
-    }
-    std::vector<std::string> reads = GetReads(nodes[i]);
-    reads.insert(reads.end(), nodes[i].Declaration.Uses.begin(), nodes[i].Declaration.Uses.end());
-    for (const std::string& read : reads)
-    {
-      if (read != Color)
-      {
-        const int writer = this->FindWriter(nodes, read);
-        if (writer >= 0 && nodes[writer].Needed && writer != static_cast<int>(i))
-        {
-          waits[i].emplace_back(writer, read);
-        }
-        continue;
-      }
-      // A mere reader sees the colour as it is at its place in the chain.
-      for (const int link : chain)
-      {
-        if (ChangesColor(nodes[i]) || link == static_cast<int>(i))
-        {
-          break;
-        }
-        if (MakesColor(nodes[link]) || GetKey(nodes[link]) < GetKey(nodes[i]))
-        {
-          waits[i].emplace_back(link, Color);
-        }
-        else
-        {
-          waits[link].emplace_back(static_cast<int>(i), Color);
-        }
-      }
-    }
-  }
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    for (const auto& wait : waits[i])
-    {
-      if (nodes[wait.first].Slot > nodes[i].Slot)
-      {
-        using Description = vtkRelievoStageDescription;
-        this->Refuse(nodes[i],
-          std::string("it runs in the slot '") + Description::GetSlotName(nodes[i].Slot) +
-            "' and reads '" + wait.second + "', which the stage " + nodes[wait.first].Name +
-            " writes later, in '" + Description::GetSlotName(nodes[wait.first].Slot) + "'");
-        return false;
-      }
-    }
-  }
-  std::vector<bool> done(count, false);
-  this->Order.clear();
-  auto isReady = [&](std::size_t i) {
-    return nodes[i].Needed && !done[i] &&
-      std::all_of(waits[i].begin(), waits[i].end(), [&](const auto& w) { return done[w.first]; });
-  };
-  for (;;)
-  {
-    int next = -1;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      if (isReady(i) && (next < 0 || GetKey(nodes[i]) < GetKey(nodes[next])))
-      {
-        next = static_cast<int>(i);
-      }
-    }
-    if (next < 0)
-    {
-      break;
-    }
-    done[next] = true;
-    this->Order.push_back(next);
-  }
-  // What is left waits for itself: walk back until a node comes again.
-  std::size_t left = 0;
-  while (left < count && (!nodes[left].Needed || done[left]))
-  {
-    ++left;
-  }
-  if (left == count)
-  {
-    return true;
-  }
-  std::vector<int> walk;
-  std::string words;
-  int at = static_cast<int>(left);
-  while (std::find(walk.begin(), walk.end(), at) == walk.end())
-  {
-    walk.push_back(at);
-    const auto wait = std::find_if(
-      waits[at].begin(), waits[at].end(), [&done](const auto& w) { return !done[w.first]; });
-    at = wait->first;
-  }
-  walk.erase(walk.begin(), std::find(walk.begin(), walk.end(), at));
-  for (const int place : walk)
-  {
-    const auto wait = std::find_if(
-      waits[place].begin(), waits[place].end(), [&done](const auto& w) { return !done[w.first]; });
-    words += (words.empty() ? "" : ", ") + nodes[place].Name + " reads '" + wait->second + "' of " +
-      nodes[wait->first].Name;
-  }
-  for (const int place : walk)
-  {
-    this->Refuse(nodes[place], "it waits for itself (" + words + ")");
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
 std::vector<std::string> vtkRelievoFramePlan::Make(
-  std::vector<Node>& nodes, const std::vector<std::string>& outputs)
+  std::vector<Node>& nodes, const std::vector<std::string>& layers, bool picture)
 {
   this->Wrong.clear();
   do
   {
     this->Refused = false;
-    this->Mark(nodes, outputs);
-  } while (this->Refused || !this->Sort(nodes));
+    this->Mark(nodes, layers, picture);
+    if (!this->Refused)
+    {
+      vtkRelievoFrameOrder order(nodes);
+      for (const auto& refused : order.GetRefused())
+      {
+        this->Refuse(nodes[refused.first], refused.second);
+      }
+      this->Order = order.Get();
+    }
+  } while (this->Refused);
   return this->Wrong;
 }

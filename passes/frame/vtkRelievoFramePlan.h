@@ -5,12 +5,15 @@
 //
 // Resources are names: `picture`, what the window shows; `color`, the linear colour that the
 // picture is made of; layers; and whatever else stages write and read, such as `shadow maps`.
+// Users name layers only, and arrays of their data among them, which may be called as they like:
+// what a stage writes is a layer if the stage publishes it.
 #ifndef vtkRelievoFramePlan_h
 #define vtkRelievoFramePlan_h
 
 #include "vtkRelievoFrameModule.h" // for the export macro
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,11 +25,13 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
   std::string Code;
   std::string Words;
 
-  std::vector<std::string> Reads;  // without which it cannot run
-  std::vector<std::string> Uses;   // reads if they are offered
-  std::vector<std::string> Writes; // what reads `color` and writes it changes it
-  bool WritesLayers = false;       // any name that no other stage writes
-  bool Offers = true;              // what it writes, to those that merely use it
+  std::vector<std::string> Reads;       // without which it cannot run
+  std::vector<std::string> ReadsLayers; // as users name them: arrays, and what is published
+  std::vector<std::string> Uses;        // reads what of it is offered
+  std::vector<std::string> Writes; // what writes `color` changes it, whether it reads it or not
+  std::vector<std::string> Layers; // writes as well, for users to request by these names
+  bool WritesArrays = false;       // any layer that is not among anybody's Layers
+  std::vector<std::string> Offers; // of Writes: to those that merely use it
   bool Covers = true; // of one that writes `picture`: the colour is surely not seen beneath
 };
 
@@ -38,6 +43,7 @@ public:
     std::string Name;
     int Slot = 0;
     int Order = 0;
+    bool Delegate = false; // VTK's own drawing: makes the picture, and the colour
     vtkRelievoDeclaration Declaration;
     std::function<std::vector<std::string>(const std::vector<std::string>&)> ReadsFor;
 
@@ -46,12 +52,29 @@ public:
     std::vector<std::string> Asked; // of what it writes; sorted
     std::string Code;               // why it is not needed, as vtkRelievoStage::GetReason
     std::string Words;
+
+    bool ChangesColor() const;
+    bool IsBefore(const Node& other) const; // by slot, order and name
   };
 
-  // Works out which of the nodes are needed for the outputs. Returns which cannot run for what they
-  // read, in words that name the stages: these do not run, nor what needs them. An output that
-  // nobody writes is left out.
-  std::vector<std::string> Make(std::vector<Node>& nodes, const std::vector<std::string>& outputs);
+  // What is read: a layer by the name that users give it, or any resource.
+  struct Name
+  {
+    std::string Resource;
+    bool Layer;
+  };
+
+  // Why there can be no linear colour, in words; "": there can. What reads or writes it is refused.
+  void SetNoColor(const std::string& words) { this->NoColor = words; }
+
+  // Works out which of the nodes are needed for the layers, and for the picture. Returns which
+  // cannot run for what they read, in words that name the stages: these do not run, nor what needs
+  // them. A layer that cannot be made is left out.
+  std::vector<std::string> Make(
+    std::vector<Node>& nodes, const std::vector<std::string>& layers, bool picture);
+
+  // Layers that are left out, and why, in words.
+  const std::map<std::string, std::string>& GetMissing() const { return this->Missing; }
 
   // Places of the needed nodes, in the order in which they run.
   const std::vector<int>& GetOrder() const { return this->Order; }
@@ -59,19 +82,25 @@ public:
   // Whether the linear colour is needed: somebody other than the delegate reads or writes it.
   bool NeedsColor() const { return this->ColorNeeded; }
 
-  // The node that writes the resource, or -1.
-  int FindWriter(const std::vector<Node>& nodes, const std::string& resource) const;
+  // All that a node reads, for what is asked of it.
+  static std::vector<Name> GetReads(const Node& node);
+
+  // The node that writes it, or -1.
+  static int FindWriter(const std::vector<Node>& nodes, const Name& name);
 
 private:
-  void Mark(std::vector<Node>& nodes, const std::vector<std::string>& outputs);
+  static std::string ExplainMissing(const std::vector<Node>& nodes, const Name& name);
+  void Mark(std::vector<Node>& nodes, const std::vector<std::string>& layers, bool picture);
+  void MarkPicture(std::vector<Node>& nodes);
   void Need(std::vector<Node>& nodes, int node, const std::string& resource);
-  void AskFor(std::vector<Node>& nodes, const std::string& resource, int reader);
+  void AskFor(std::vector<Node>& nodes, const Name& name, int reader);
   void AskForColor(std::vector<Node>& nodes, int reader);
-  void Refuse(Node& node, const std::string& words);
-  bool Sort(std::vector<Node>& nodes);
+  void Refuse(Node& node, const std::string& words, bool told = false);
 
   std::vector<int> Order;
   std::vector<std::string> Wrong;
+  std::map<std::string, std::string> Missing;
+  std::string NoColor;
   bool Refused = false; // in this round of marking
   bool ColorNeeded = false;
   bool ColorSeen = false;

@@ -61,6 +61,7 @@ void vtkRelievoFrameReport::Add(
 {
   Line line;
   line.Name = name;
+  line.Label = vtkRelievoCapitalize(name, true);
   line.Ran = ran;
   line.Code = code;
   line.Reason = reason;
@@ -71,6 +72,7 @@ void vtkRelievoFrameReport::Add(
 void vtkRelievoFrameReport::Add(vtkRelievoStage* stage, bool ran)
 {
   this->Add(stage->GetStageName(), ran, stage->GetReasonCode(), stage->GetReason());
+  this->Lines.back().Label = stage->GetDescription().Label;
   this->Lines.back().Bytes = stage->GetBytesHeld();
   this->Lines.back().DrawCalls = ran ? stage->GetDrawCalls() : 0;
   this->Facts.merge(stage->GetFacts());
@@ -90,7 +92,8 @@ std::string vtkRelievoFrameReport::GetJSON(const vtkRelievoGpuTimer& timer) cons
         << ", \"ran\": " << (line.Ran ? "true" : "false") << ", \"code\": " << Quote(line.Code)
         << ", \"reason\": " << Quote(line.Reason)
         << ", \"gpu_ms\": " << (line.Ran ? Number(timer.GetMilliseconds(line.Name)) : "null")
-        << ", \"bytes\": " << line.Bytes << ", \"draw_calls\": " << Number(line.DrawCalls) << "}";
+        << ", \"bytes\": " << line.Bytes << ", \"draw_calls\": " << Number(line.DrawCalls)
+        << ", \"label\": " << Quote(line.Label) << "}";
     separator = ",\n";
   }
   out << "\n  ],\n  \"gpu_ms\": " << Number(timer.GetMilliseconds("frame"))
@@ -104,7 +107,9 @@ std::string vtkRelievoFrameReport::GetJSON(const vtkRelievoGpuTimer& timer) cons
   for (const auto& fact : this->Facts)
   {
     out << ",\n  " << Quote(fact.first) << ": "
-        << (fact.second.empty() ? "null" : Quote(fact.second));
+        << (!fact.second.IsValid()       ? "null"
+               : fact.second.IsNumeric() ? Number(fact.second.ToDouble())
+                                         : Quote(fact.second.ToString()));
   }
   out << "\n}\n";
   return out.str();

@@ -5,6 +5,8 @@
 #ifndef vtkRelievoFrameReport_h
 #define vtkRelievoFrameReport_h
 
+#include "vtkVariant.h"
+
 #include <map>
 #include <string>
 #include <vector>
@@ -27,6 +29,7 @@ private:
   struct Line
   {
     std::string Name;
+    std::string Label; // the name as people read it
     bool Ran = false;
     std::string Code;
     std::string Reason;
@@ -34,7 +37,7 @@ private:
     int DrawCalls = -1; // -1: not counted
   };
   std::vector<Line> Lines;
-  std::map<std::string, std::string> Facts; // of stages, by name
+  std::map<std::string, vtkVariant> Facts; // of stages, by name
   long long Bytes = 0;
   int Size[2] = { 0, 0 };
 };

@@ -28,13 +28,15 @@ vtkRelievoFrameRun::vtkRelievoFrameRun(vtkRelievoFrameContext& context,
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> vtkRelievoFrameRun::Plan(const std::vector<std::string>& outputs)
+void vtkRelievoFrameRun::Declare()
 {
   using Description = vtkRelievoStageDescription;
+  this->Nodes.assign(this->Stages.size() + 1, {});
   vtkRelievoFramePlan::Node& delegate = this->Nodes[0];
   delegate.Name = "delegate";
   delegate.Slot = Description::SURFACES;
   delegate.Order = -1;
+  delegate.Delegate = true;
   delegate.Declaration.Writes = { "picture", "color" };
   for (std::size_t i = 0; i < this->Stages.size(); ++i)
   {
@@ -46,6 +48,9 @@ std::vector<std::string> vtkRelievoFrameRun::Plan(const std::vector<std::string>
     node.Order = description.Order;
     node.Declaration.Reads = description.Reads;
     node.Declaration.Writes = description.Writes;
+    node.Declaration.Offers = description.Writes;
+    node.Declaration.Layers = description.Layers;
+    node.Declaration.WritesArrays = description.WritesArrays;
     node.Declaration.Words = description.Help;
     node.ReadsFor = [this, stage](const std::vector<std::string>& asked) {
       return stage->GetReadsFor(this->Context, asked);
@@ -67,16 +72,54 @@ std::vector<std::string> vtkRelievoFrameRun::Plan(const std::vector<std::string>
       uses.insert(uses.end(), description.Writes.begin(), description.Writes.end());
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Which of the layers that are read are lights' visibility.
+void vtkRelievoFrameRun::FindLights()
+{
   std::vector<std::string> layers = this->Context.ReadBack;
   for (const vtkRelievoFramePlan::Node& node : this->Nodes)
   {
-    layers.insert(layers.end(), node.Declaration.Reads.begin(), node.Declaration.Reads.end());
+    for (const auto* reads : { &node.Declaration.Reads, &node.Declaration.ReadsLayers })
+    {
+      layers.insert(layers.end(), reads->begin(), reads->end());
+    }
   }
   for (vtkRelievoStage* stage : this->Stages)
   {
     this->Context.Lights.merge(stage->FindLights(layers, this->Context.Renderer));
   }
-  std::vector<std::string> wrong = this->Order.Make(this->Nodes, outputs);
+  for (vtkRelievoFramePlan::Node& node : this->Nodes)
+  {
+    for (const auto& light : this->Context.Lights)
+    {
+      if (node.Declaration.WritesArrays)
+      {
+        node.Declaration.Layers.push_back(light.first);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkRelievoFrameRun::Plan()
+{
+  this->Declare();
+  this->FindLights();
+  const std::vector<vtkRelievoFramePlan::Node> declared = this->Nodes;
+  std::vector<std::string> wrong =
+    this->Order.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
+  if (this->Order.NeedsColor())
+  {
+    const std::string noColor = this->Color.Prepare(this->Context);
+    if (!noColor.empty())
+    {
+      this->Order.SetNoColor(noColor);
+      this->Nodes = declared;
+      wrong = this->Order.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
+    }
+  }
   for (std::size_t i = 0; i < this->Stages.size(); ++i)
   {
     const vtkRelievoFramePlan::Node& node = this->Nodes[i + 1];
@@ -112,13 +155,15 @@ std::map<std::string, vtkRelievoStage*> vtkRelievoFrameRun::GetWriters() const
   std::map<std::string, vtkRelievoStage*> writers;
   for (std::size_t i = 0; i < this->Stages.size(); ++i)
   {
-    if (this->Nodes[i + 1].Needed && this->Nodes[i + 1].Declaration.WritesLayers)
+    const vtkRelievoFramePlan::Node& node = this->Nodes[i + 1];
+    const std::vector<std::string>& layers = node.Declaration.Layers;
+    if (node.Needed && node.Declaration.WritesArrays)
     {
       writers[std::string()] = this->Stages[i];
     }
-    for (const std::string& resource : this->Nodes[i + 1].Asked)
+    for (const std::string& resource : node.Asked)
     {
-      if (resource != "color" && resource != "picture")
+      if (std::find(layers.begin(), layers.end(), resource) != layers.end())
       {
         writers[resource] = this->Stages[i];
       }
@@ -183,52 +228,53 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
       along.push_back(this->Stages[place - 1]);
     }
   }
+  // The delegate's time is without theirs.
+  const auto interrupt = [this](const auto& work) {
+    this->Timer.End("delegate");
+    work();
+    this->Timer.Begin("delegate");
+  };
+  const auto forEach = [&](void (vtkRelievoStage::*work)(vtkRelievoFrameContext&)) {
+    for (vtkRelievoStage* stage : along)
+    {
+      this->Timer.Begin(stage->GetStageName());
+      (stage->*work)(this->Context);
+      this->Timer.End(stage->GetStageName());
+    }
+  };
   vtkRelievoDelegate::Moments moments;
   if (!along.empty())
   {
-    moments.OpaqueBegins = [&]() {
-      for (vtkRelievoStage* stage : along)
-      {
-        this->Timer.Begin(stage->GetStageName());
-        stage->BeginOpaque(this->Context);
-        this->Timer.End(stage->GetStageName());
-      }
-    };
-    moments.OpaqueEnds = [&]() {
-      for (vtkRelievoStage* stage : along)
-      {
-        stage->EndOpaque(this->Context);
-      }
-    };
+    moments.OpaqueBegins = [&]() { interrupt([&]() { forEach(&vtkRelievoStage::BeginOpaque); }); };
+    moments.OpaqueEnds = [&]() { interrupt([&]() { forEach(&vtkRelievoStage::EndOpaque); }); };
   }
+  bool aside = false;
   if (this->Order.NeedsColor())
   {
-    const std::string wrong = this->Color.Begin(this->Context);
-    this->ColorOpen = wrong.empty();
-    this->Context.Color = this->ColorOpen ? &this->Color : nullptr;
-    for (std::size_t i = 0; i < this->Stages.size() && !this->ColorOpen; ++i)
-    {
-      const std::vector<std::string>& reads = this->Nodes[i + 1].Declaration.Reads;
-      if (std::find(reads.begin(), reads.end(), "color") != reads.end())
+    this->Color.Begin(this->Context);
+    this->ColorOpen = true;
+    this->Context.Color = &this->Color;
+    // Texts and bars are drawn over the finished picture, not into the colour that stages change;
+    // without a picture, nowhere.
+    moments.OverlayBegins = [&]() {
+      if (this->ColorOpen && this->Color.IsBound())
       {
-        this->Dropped[i + 1] = true;
-        this->Stages[i]->Explain("refused", "there is no linear colour here: " + wrong);
-      }
-    }
-    if (this->Context.Picture)
-    {
-      // Texts and bars are drawn over the finished picture, not into the colour that stages change.
-      moments.OverlayBegins = [this]() {
-        if (this->ColorOpen && this->Color.IsBound())
+        interrupt([&]() { this->ExecuteRest(); });
+        aside = !this->Context.Picture;
+        if (aside)
         {
-          this->ExecuteRest();
+          this->Color.BeginAside(this->Context);
         }
-      };
-    }
+      }
+    };
   }
   this->Timer.Begin("delegate");
   const int drawn = delegate.Render(pass, this->Context.State, moments);
   this->Timer.End("delegate");
+  if (aside)
+  {
+    this->Color.EndAside(this->Context);
+  }
   return drawn;
 }
 

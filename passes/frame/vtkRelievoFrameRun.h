@@ -26,7 +26,7 @@ public:
     vtkRelievoColorTarget& color, vtkRelievoGpuTimer& timer);
 
   // Works out what runs, and tells the others why not. Returns what cannot run for what it reads.
-  std::vector<std::string> Plan(const std::vector<std::string>& outputs);
+  std::vector<std::string> Plan();
 
   // Runs it; the number of props that the delegate drew.
   int Execute(vtkRelievoDelegate& delegate, vtkRenderPass* pass);
@@ -37,10 +37,15 @@ public:
 
   bool IsNeeded(const vtkRelievoStage* stage) const;
 
-  // Who writes what was asked for in this frame; "" is who writes any other layer.
+  // Who writes the layers that were asked for in this frame; "" is who writes any other.
   std::map<std::string, vtkRelievoStage*> GetWriters() const;
 
+  // Layers that were asked for and cannot be made, and why, in words.
+  const std::map<std::string, std::string>& GetMissing() const { return this->Order.GetMissing(); }
+
 private:
+  void Declare();
+  void FindLights();
   void ExecuteStage(int place);
   void ExecuteRest();
   void Present();

@@ -59,6 +59,10 @@ void vtkRelievoGpuTimer::BeginFrame(vtkOpenGLRenderWindow* window)
       this->Current = &frame;
     }
   }
+  if (this->Current)
+  {
+    this->Current->Number = ++this->Number;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -155,7 +159,12 @@ bool vtkRelievoGpuTimer::Collect(Frame& frame)
     this->FreeQueries.push_back(span.Queries[0]);
     this->FreeQueries.push_back(span.Queries[1]);
   }
-  this->Milliseconds = sums;
+  // Frames arrive in no order of the ring's.
+  if (frame.Number > this->Arrived)
+  {
+    this->Arrived = frame.Number;
+    this->Milliseconds = sums;
+  }
   frame.Spans.clear();
   frame.Pending = false;
   return true;

@@ -55,6 +55,7 @@ private:
   struct Frame
   {
     std::vector<Span> Spans;
+    long long Number = 0;
     bool Pending = false;
   };
   static constexpr int RingSize = 4;
@@ -67,6 +68,8 @@ private:
   Frame Ring[RingSize];
   std::vector<unsigned int> FreeQueries;
   Frame* Current = nullptr;
+  long long Number = 0;  // of frames so far
+  long long Arrived = 0; // the frame that Milliseconds are of
   std::map<std::string, double> Milliseconds;
 
   int Wanted = 0;                         // frames that are

@@ -27,8 +27,9 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoParameter
   Types Type = NUMBER;
   double Least = 0.0;
   double Most = 0.0;
-  std::string Unit; // "" if it has none
-  std::string Help; // one line
+  std::string Unit;    // "" if it has none
+  std::string Help;    // one line
+  std::string Default; // of a new stage, in words as Format
   std::vector<std::string> Choices;
 
   std::function<std::vector<double>()> GetValues;

@@ -3,6 +3,7 @@
 #include "vtkRelievoStage.h"
 
 #include "vtkRelievoFramePlan.h"
+#include "vtkSmartPointer.h"
 
 //------------------------------------------------------------------------------
 vtkRelievoStage::vtkRelievoStage() = default;
@@ -20,6 +21,15 @@ const vtkRelievoStageDescription& vtkRelievoStage::GetDescription()
     if (this->Description->Label.empty())
     {
       this->Description->Label = vtkRelievoCapitalize(this->Description->Name, true);
+    }
+    // This stage's values may have been set already.
+    const auto fresh = vtkSmartPointer<vtkRelievoStage>::Take(this->NewInstance());
+    vtkRelievoStageDescription ofFresh;
+    fresh->Describe(ofFresh);
+    for (vtkRelievoParameter& parameter : this->Description->Parameters)
+    {
+      const vtkRelievoParameter* same = ofFresh.Find(parameter.Name);
+      parameter.Default = same ? same->Format() : std::string();
     }
   }
   return *this->Description;
@@ -49,6 +59,13 @@ std::string vtkRelievoStage::GetParameterHelp(const std::string& name)
 {
   const vtkRelievoParameter* parameter = this->GetDescription().Find(name);
   return parameter ? parameter->Help + " Takes " + parameter->GetExpected() + "." : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoStage::GetParameterDefault(const std::string& name)
+{
+  const vtkRelievoParameter* parameter = this->GetDescription().Find(name);
+  return parameter ? parameter->Default : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -99,7 +116,7 @@ std::vector<std::string> vtkRelievoStage::GetReadsFor(
 
 //------------------------------------------------------------------------------
 std::map<std::string, int> vtkRelievoStage::FindLights(
-  const std::vector<std::string>&, vtkRenderer*)
+  const std::vector<std::string>&, vtkRenderer*) const
 {
   return {};
 }

@@ -18,6 +18,7 @@
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRelievoFrameModule.h"      // for the export macro
 #include "vtkRelievoStageDescription.h" // for the description
+#include "vtkVariant.h"                 // for facts
 
 #include <map>    // for lights
 #include <memory> // for the description
@@ -49,11 +50,13 @@ public:
   /**
    * Parameters by name, as the description lists them. Values are words: "0.5", "on", "warped",
    * "1,0.5,0". Set returns false, with an error, and changes nothing if there is no such parameter
-   * or the value is not allowed. Get returns "" if there is no such parameter.
+   * or the value is not allowed. Get returns "" if there is no such parameter. The default is a new
+   * stage's value.
    */
   int GetNumberOfParameters();
   std::string GetParameterName(int i);
   std::string GetParameterHelp(const std::string& name);
+  std::string GetParameterDefault(const std::string& name);
   std::string GetParameter(const std::string& name);
   bool SetParameter(const std::string& name, const std::string& words);
   ///@}
@@ -99,6 +102,7 @@ protected:
   ~vtkRelievoStage() override;
 
   friend class vtkRelievoFramePass;
+  friend class vtkRelievoFrameReader;
   friend class vtkRelievoFrameRun;
 
   /** Fills in the description. */
@@ -119,7 +123,7 @@ protected:
 
   /** The layers that are the visibility of one of the renderer's lights, and which light. */
   virtual std::map<std::string, int> FindLights(
-    const std::vector<std::string>& layers, vtkRenderer* renderer);
+    const std::vector<std::string>& layers, vtkRenderer* renderer) const;
 
   ///@{
   /**

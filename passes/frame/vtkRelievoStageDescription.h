@@ -30,7 +30,10 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoStageDescription
   int Slot = COMPOSITE;
   int Order = 0; // among stages of a slot that change the same resource: the smallest runs first
   std::vector<std::string> Reads;
-  std::vector<std::string> Writes;
+  std::vector<std::string>
+    Writes; // `color` among them: it changes or blends onto the linear colour
+  std::vector<std::string> Layers; // what it writes that users can request by name, as well
+  bool WritesArrays = false;       // and any layer by a name that no stage has among its Layers
 
   // Whether a frame runs the stage, when its resources are requested, without being told to.
   bool OnByDefault = false;

@@ -31,13 +31,14 @@ void vtkRelievoGBufferPass::Describe(vtkRelievoStageDescription& description)
   description.Help = "Makes the layers: depth, normals, albedo, ids per pixel.";
   description.Slot = vtkRelievoStageDescription::SURFACES;
   description.OnByDefault = true;
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoGBufferPass::Declare(
-  const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
-{
-  declaration.WritesLayers = true;
+  for (const vtkRelievoLayer& layer : vtkRelievoLayerCatalogue::GetAll())
+  {
+    if (layer.Source != vtkRelievoLayer::FROM_PICTURE && !layer.OfLight)
+    {
+      description.Layers.push_back(layer.Name);
+    }
+  }
+  description.WritesArrays = true;
 }
 
 //------------------------------------------------------------------------------
@@ -192,7 +193,7 @@ void vtkRelievoGBufferPass::Execute(vtkRelievoFrameContext& context)
   in.Textures.Set(in.Layout, in.Target, in.Offset, this->NormalSpace == WORLD);
   for (const std::string& layer : context.GetAsked(this))
   {
-    context.Provide(layer, &in.Textures);
+    context.ProvideLayer(layer, &in.Textures);
     words += " " + layer;
   }
   this->Explain("ran",
@@ -270,9 +271,10 @@ std::string vtkRelievoGBufferPass::GetPrimitiveIds()
 }
 
 //------------------------------------------------------------------------------
-std::map<std::string, std::string> vtkRelievoGBufferPass::GetFacts()
+std::map<std::string, vtkVariant> vtkRelievoGBufferPass::GetFacts()
 {
-  return { { "primitive_ids", this->GetPrimitiveIds() } };
+  const std::string ids = this->GetPrimitiveIds();
+  return { { "primitive_ids", ids.empty() ? vtkVariant() : vtkVariant(ids) } };
 }
 
 //------------------------------------------------------------------------------

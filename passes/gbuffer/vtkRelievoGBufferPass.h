@@ -152,7 +152,7 @@ public:
    */
   static std::string ProbePrimitiveIds(vtkOpenGLRenderWindow* window);
 
-  std::map<std::string, std::string> GetFacts() override;
+  std::map<std::string, vtkVariant> GetFacts() override;
 
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
@@ -168,8 +168,6 @@ protected:
   ~vtkRelievoGBufferPass() override;
 
   void Describe(vtkRelievoStageDescription& description) override;
-  void Declare(
-    const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
   std::vector<std::string> GetReadsFor(
     const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const override;
   bool Prepare(vtkRelievoFrameContext& context) override;

@@ -65,7 +65,7 @@ std::vector<std::string> vtkRelievoShadowPass::GetShadowLayers(vtkRenderer* rend
 
 //------------------------------------------------------------------------------
 std::map<std::string, int> vtkRelievoShadowPass::FindLights(
-  const std::vector<std::string>& layers, vtkRenderer* renderer)
+  const std::vector<std::string>& layers, vtkRenderer* renderer) const
 {
   return this->Internal->Lights.Find(layers, renderer);
 }
@@ -155,7 +155,7 @@ void vtkRelievoShadowPass::Describe(vtkRelievoStageDescription& description)
   description.Name = "shadows";
   description.Help = "Makes blocked lights leave shadows.";
   description.Slot = vtkRelievoStageDescription::LIGHT_MAPS;
-  description.Writes = { "shadow maps" };
+  description.Writes = { "shadow maps", "visibility" };
   description.OnByDefault = true;
   description.AddFlag(
     "visible", this->Visible, [this](bool on) { this->SetVisible(on); },
@@ -181,9 +181,12 @@ void vtkRelievoShadowPass::Describe(vtkRelievoStageDescription& description)
 void vtkRelievoShadowPass::Declare(
   const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
 {
-  // For layers, whether shadows are seen or not.
-  declaration.Writes.emplace_back("visibility");
-  declaration.Offers = this->Visible;
+  // The visibility is for layers, whether shadows are seen or not.
+  declaration.Offers.clear();
+  if (this->Visible)
+  {
+    declaration.Offers.emplace_back("shadow maps");
+  }
   declaration.Words = this->Visible ? "" : "shadows are off";
 }
 

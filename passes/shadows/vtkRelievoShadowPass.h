@@ -212,7 +212,7 @@ public:
 
 #ifndef __VTK_WRAP__
   /** "expected_wrong_share": see EstimateWrongShare; null if no shadows were made. */
-  std::map<std::string, std::string> GetFacts() override;
+  std::map<std::string, vtkVariant> GetFacts() override;
 #endif
 
   ///@{
@@ -239,7 +239,7 @@ protected:
   void Execute(vtkRelievoFrameContext& context) override;
   void Finish(vtkRelievoFrameContext& context) override;
   std::map<std::string, int> FindLights(
-    const std::vector<std::string>& layers, vtkRenderer* renderer) override;
+    const std::vector<std::string>& layers, vtkRenderer* renderer) const override;
 
   bool Visible = false;
   int Method = METHOD_MAP;

@@ -5,7 +5,6 @@
 #include "vtkRelievoShadowInternals.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace
 {
@@ -80,12 +79,9 @@ double vtkRelievoShadowPass::GetExpectedWrongShare() const
 }
 
 //------------------------------------------------------------------------------
-std::map<std::string, std::string> vtkRelievoShadowPass::GetFacts()
+std::map<std::string, vtkVariant> vtkRelievoShadowPass::GetFacts()
 {
-  std::ostringstream share;
-  if (this->GetReasonCode() == "ran")
-  {
-    share << this->GetExpectedWrongShare();
-  }
-  return { { "expected_wrong_share", share.str() } };
+  const bool ran = this->GetReasonCode() == "ran";
+  return { { "expected_wrong_share",
+    ran ? vtkVariant(this->GetExpectedWrongShare()) : vtkVariant() } };
 }

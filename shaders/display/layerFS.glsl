@@ -6,9 +6,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shows a layer as the picture. RELIEVO_SHOW_COLORS: colours made before; else by the word that the
 // catalogue of layers has for it: RELIEVO_SHOW_DEPTH ...
-//RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(formulas/unproject.glsl)
 //RELIEVO::Include(formulas/colormap.glsl)
+#ifndef RELIEVO_SHOW_COLORS
+//RELIEVO::Include(gbuffer/read.glsl)
+#endif
 in vec2 texCoord;
 uniform vec2 relievoSize;    // of the viewport
 uniform vec2 relievoShown;     // values of the first and the last colour

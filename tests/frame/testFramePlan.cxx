@@ -35,15 +35,17 @@ std::vector<Plan::Node> MakeOwn(bool shadows)
 {
   Plan::Node delegate = Make("delegate", D::SURFACES, {}, { "picture", "color" });
   delegate.Order = -1;
+  delegate.Delegate = true;
   delegate.Declaration.Uses = { "shadow maps" };
   Plan::Node layers = Make("gbuffer", D::SURFACES, {}, {});
-  layers.Declaration.WritesLayers = true;
+  layers.Declaration.Layers = { "depth", "normal", "cell" };
+  layers.Declaration.WritesArrays = true;
   layers.ReadsFor = [](const Names& asked) {
     const bool shadow = std::find(asked.begin(), asked.end(), "shadow_0") != asked.end();
     return shadow ? Names{ "shadow maps" } : Names();
   };
   Plan::Node maps = Make("shadows", D::LIGHT_MAPS, {}, { "shadow maps" });
-  maps.Declaration.Offers = shadows;
+  maps.Declaration.Offers = shadows ? Names{ "shadow maps" } : Names();
   return { delegate, layers, maps };
 }
 
@@ -58,7 +60,14 @@ Names Run(std::vector<Plan::Node> nodes, const Names& outputs, Names* wrong = nu
     std::vector<Plan::Node> shuffled = nodes;
     std::shuffle(shuffled.begin(), shuffled.end(), random);
     Plan plan;
-    Names said = plan.Make(shuffled, outputs);
+    Names layers = outputs;
+    const auto picture = std::find(layers.begin(), layers.end(), "the picture");
+    const bool pictured = picture != layers.end();
+    if (pictured)
+    {
+      layers.erase(picture);
+    }
+    Names said = plan.Make(shuffled, layers, pictured);
     std::sort(said.begin(), said.end());
     Names names;
     for (const int place : plan.GetOrder())
@@ -84,9 +93,10 @@ Names Run(std::vector<Plan::Node> nodes, const Names& outputs, Names* wrong = nu
 
 void TestReached()
 {
-  RELIEVO_CHECK((Run(MakeOwn(false), { "picture" }) == Names{ "delegate" }));
-  RELIEVO_CHECK((Run(MakeOwn(true), { "picture" }) == Names{ "shadows", "delegate" }));
-  RELIEVO_CHECK((Run(MakeOwn(false), { "picture", "depth" }) == Names{ "delegate", "gbuffer" }));
+  RELIEVO_CHECK((Run(MakeOwn(false), { "the picture" }) == Names{ "delegate" }));
+  RELIEVO_CHECK((Run(MakeOwn(true), { "the picture" }) == Names{ "shadows", "delegate" }));
+  RELIEVO_CHECK(
+    (Run(MakeOwn(false), { "the picture", "depth" }) == Names{ "delegate", "gbuffer" }));
   // Layers alone draw no picture, and no maps for a picture that nobody sees.
   RELIEVO_CHECK((Run(MakeOwn(true), { "depth" }) == Names{ "gbuffer" }));
   RELIEVO_CHECK((Run(MakeOwn(false), { "shadow_0" }) == Names{ "shadows", "gbuffer" }));
@@ -101,31 +111,31 @@ void TestColor()
   nodes.push_back(Make("light", D::SHADE, { "depth", "normal" }, { "light" }));
   nodes.push_back(Make("lit", D::SHADE, { "light", "color" }, { "color" }));
   bool color = false;
-  RELIEVO_CHECK((Run(nodes, { "picture" }, nullptr, &color) ==
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, nullptr, &color) ==
     Names{ "delegate", "gbuffer", "light", "lit", "bloom", "fog" }));
   RELIEVO_CHECK(color);
   // Order before name.
   nodes.back().Declaration.Runs = false;
   nodes[4].Order = 1;
-  RELIEVO_CHECK((Run(nodes, { "picture" }) == Names{ "delegate", "gbuffer", "fog", "bloom" }));
+  RELIEVO_CHECK((Run(nodes, { "the picture" }) == Names{ "delegate", "gbuffer", "fog", "bloom" }));
   // Asked for without a picture, the colour is drawn all the same; a layer is not.
   RELIEVO_CHECK((Run(nodes, { "color" }) == Names{ "delegate", "gbuffer", "fog", "bloom" }));
   RELIEVO_CHECK((Run(nodes, { "normal" }, nullptr, &color) == Names{ "gbuffer" }));
   RELIEVO_CHECK(!color);
   // What shows a layer hides what works on the colour.
   nodes.push_back(Make("display", D::DISPLAY, { "cell" }, { "picture" }));
-  nodes[2].Declaration.Offers = true;
+  nodes[2].Declaration.Offers = { "shadow maps" };
   RELIEVO_CHECK(
-    (Run(nodes, { "picture" }, nullptr, &color) == Names{ "delegate", "gbuffer", "display" }));
+    (Run(nodes, { "the picture" }, nullptr, &color) == Names{ "delegate", "gbuffer", "display" }));
   RELIEVO_CHECK(!color);
   // Unless it may turn out to have nothing to show.
   nodes.back().Declaration.Covers = false;
-  RELIEVO_CHECK((Run(nodes, { "picture" }, nullptr, &color) ==
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, nullptr, &color) ==
     Names{ "shadows", "delegate", "gbuffer", "fog", "bloom", "display" }));
   RELIEVO_CHECK(color);
   // What makes the picture of the colour does not hide it.
   nodes.back() = Make("tone", D::DISPLAY, { "color" }, { "picture" });
-  RELIEVO_CHECK((Run(nodes, { "picture" }, nullptr, &color) ==
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, nullptr, &color) ==
     Names{ "shadows", "delegate", "gbuffer", "fog", "bloom", "tone" }));
   RELIEVO_CHECK(color);
 }
@@ -135,12 +145,13 @@ void TestReaderInTheMiddle()
 {
   std::vector<Plan::Node> nodes = MakeOwn(false);
   nodes.push_back(Make("a", D::SHADE, { "color" }, { "color" }));
-  nodes.push_back(Make("meter", D::COMPOSITE, { "color" }, { "mean" }));
+  nodes.push_back(Make("meter", D::COMPOSITE, { "color" }, {}));
+  nodes.back().Declaration.Layers = { "mean" };
   nodes.push_back(Make("z", D::COMPOSITE, { "color", "mean" }, { "color" }));
-  RELIEVO_CHECK((Run(nodes, { "picture" }) == Names{ "delegate", "a", "meter", "z" }));
+  RELIEVO_CHECK((Run(nodes, { "the picture" }) == Names{ "delegate", "a", "meter", "z" }));
   nodes[4].Order = 1;
   nodes[5].Declaration.Reads = { "color" };
-  RELIEVO_CHECK((Run(nodes, { "picture", "mean" }) == Names{ "delegate", "a", "z", "meter" }));
+  RELIEVO_CHECK((Run(nodes, { "the picture", "mean" }) == Names{ "delegate", "a", "z", "meter" }));
 }
 
 bool Says(const Names& wrong, const Names& words)
@@ -155,16 +166,15 @@ void TestRefused()
 {
   Names wrong;
   std::vector<Plan::Node> nodes = MakeOwn(false);
-  nodes[1].Declaration.WritesLayers = false;
   nodes.push_back(Make("haze", D::COMPOSITE, { "smoke", "color" }, { "color" }));
-  RELIEVO_CHECK((Run(nodes, { "picture" }, &wrong) == Names{ "delegate" }));
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate" }));
   RELIEVO_CHECK(Says(wrong, { "haze", "'smoke'", "no stage writes" }));
 
   // What would write it is off.
   nodes.push_back(Make("fire", D::SHADE, {}, { "smoke" }));
   nodes.back().Declaration.Runs = false;
   nodes.back().Declaration.Words = "switched off";
-  RELIEVO_CHECK((Run(nodes, { "picture" }, &wrong) == Names{ "delegate" }));
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate" }));
   RELIEVO_CHECK(Says(wrong, { "haze", "'smoke'", "fire", "switched off" }));
 
   // A circle; what has nothing to do with it runs.
@@ -172,15 +182,115 @@ void TestRefused()
   nodes.push_back(Make("chicken", D::COMPOSITE, { "egg", "color" }, { "color", "bird" }));
   nodes.push_back(Make("hen", D::COMPOSITE, { "bird" }, { "egg" }));
   nodes.push_back(Make("fog", D::COMPOSITE, { "color" }, { "color" }));
-  RELIEVO_CHECK((Run(nodes, { "picture" }, &wrong) == Names{ "delegate", "fog" }));
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate", "fog" }));
   RELIEVO_CHECK(Says(wrong, { "chicken", "'egg'", "hen", "'bird'" }));
 
   // What is written in a later slot.
   nodes = MakeOwn(false);
   nodes.push_back(Make("early", D::LIGHT_MAPS, { "depth" }, { "shadow maps" }));
   nodes[2].Declaration.Runs = false;
-  RELIEVO_CHECK((Run(nodes, { "picture" }, &wrong) == Names{ "delegate" }));
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate" }));
   RELIEVO_CHECK(Says(wrong, { "early", "'depth'", "gbuffer", "light maps", "surfaces" }));
+}
+
+// What only writes onto the colour changes it as well: alone, and beside those that read it.
+void TestAdders()
+{
+  std::vector<Plan::Node> nodes = MakeOwn(false);
+  nodes.push_back(Make("lamps", D::SHADE, { "depth" }, { "color" }));
+  bool color = false;
+  Names wrong;
+  RELIEVO_CHECK(
+    (Run(nodes, { "the picture" }, &wrong, &color) == Names{ "delegate", "gbuffer", "lamps" }));
+  RELIEVO_CHECK(color && wrong.empty());
+  RELIEVO_CHECK(
+    (Run(nodes, { "color" }, &wrong, &color) == Names{ "delegate", "gbuffer", "lamps" }));
+  nodes.push_back(Make("marks", D::COMPOSITE, {}, { "color" }));
+  nodes.push_back(Make("ao", D::SHADE, { "color" }, { "color" }));
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) ==
+    Names{ "delegate", "ao", "gbuffer", "lamps", "marks" }));
+  RELIEVO_CHECK(wrong.empty());
+  // A layer that is shown hides them.
+  nodes.push_back(Make("display", D::DISPLAY, { "cell" }, { "picture" }));
+  RELIEVO_CHECK((Run(nodes, { "the picture" }) == Names{ "delegate", "gbuffer", "display" }));
+}
+
+// Arrays are called as they like: what stages write for each other is none of theirs.
+void TestNames()
+{
+  for (const bool shadows : { false, true })
+  {
+    for (const char* name : { "picture", "shadow maps", "delegate" })
+    {
+      Names wrong;
+      RELIEVO_CHECK_THAT((Run(MakeOwn(shadows), { name }, &wrong) == Names{ "gbuffer" }), name);
+      RELIEVO_CHECK_THAT(wrong.empty(), name);
+    }
+  }
+  // Shown as the picture too.
+  std::vector<Plan::Node> nodes = MakeOwn(false);
+  nodes.push_back(Make("display", D::DISPLAY, {}, { "picture" }));
+  nodes.back().Declaration.ReadsLayers = { "shadow maps" };
+  RELIEVO_CHECK((Run(nodes, { "the picture" }) == Names{ "delegate", "gbuffer", "display" }));
+}
+
+// A layer that cannot be made is left out, and others are made.
+void TestMissing()
+{
+  std::vector<Plan::Node> nodes = MakeOwn(false);
+  nodes[2].Declaration.Runs = false;
+  nodes[2].Declaration.Words = "switched off";
+  RELIEVO_CHECK((Run(nodes, { "shadow_0", "depth" }) == Names{ "gbuffer" }));
+  Plan plan;
+  std::vector<Plan::Node> made = nodes;
+  RELIEVO_CHECK(plan.Make(made, { "depth", "shadow_0" }, false).empty());
+  RELIEVO_CHECK(made[1].Asked == Names{ "depth" });
+  RELIEVO_CHECK(plan.GetMissing().size() == 1);
+  RELIEVO_CHECK(Says({ plan.GetMissing().at("shadow_0") }, { "shadow maps", "shadows", "off" }));
+  // No stage for any layer: those that show one say whose it is.
+  nodes[1].Declaration.Runs = false;
+  nodes[1].Declaration.Words = "gone";
+  nodes.push_back(Make("display", D::DISPLAY, {}, { "picture" }));
+  Names wrong;
+  for (const char* layer : { "depth", "temperature" })
+  {
+    nodes.back().Declaration.ReadsLayers = { layer };
+    RELIEVO_CHECK((Run(nodes, { "the picture", layer }, &wrong) == Names{ "delegate" }));
+    RELIEVO_CHECK(Says(wrong, { "display", layer, "gbuffer", "gone" }));
+    made = nodes;
+    plan.Make(made, { layer }, false);
+    RELIEVO_CHECK(Says({ plan.GetMissing().at(layer) }, { "gbuffer", "gone" }));
+  }
+}
+
+// Where there can be no linear colour, what reads or writes it does not run, nor what reads that.
+void TestNoColor()
+{
+  std::vector<Plan::Node> nodes = MakeOwn(false);
+  nodes.push_back(Make("lamps", D::SHADE, { "depth" }, { "color" }));
+  nodes.push_back(Make("fog", D::COMPOSITE, { "color" }, { "color" }));
+  nodes.push_back(Make("meter", D::COMPOSITE, { "color" }, { "mean" }));
+  nodes.push_back(Make("tone", D::DISPLAY, { "mean" }, { "picture" }));
+  nodes.push_back(Make("off", D::COMPOSITE, { "color" }, { "color" }));
+  nodes.back().Declaration.Runs = false;
+  nodes.back().Declaration.Code = "off";
+  Plan plan;
+  plan.SetNoColor("it is dark");
+  plan.Make(nodes, { "depth", "color" }, true);
+  Names run;
+  for (const int place : plan.GetOrder())
+  {
+    run.push_back(nodes[place].Name);
+  }
+  RELIEVO_CHECK((run == Names{ "delegate", "gbuffer" }));
+  RELIEVO_CHECK(!plan.NeedsColor());
+  for (const int refused : { 3, 4, 5, 6 })
+  {
+    RELIEVO_CHECK_THAT(nodes[refused].Code == "refused", nodes[refused].Name);
+    RELIEVO_CHECK_THAT(Says({ nodes[refused].Words }, { "it is dark" }), nodes[refused].Name);
+  }
+  RELIEVO_CHECK(nodes[7].Code == "off");
+  RELIEVO_CHECK(Says({ plan.GetMissing().at("color") }, { "it is dark" }));
 }
 }
 
@@ -191,5 +301,9 @@ int main()
   TestColor();
   TestReaderInTheMiddle();
   TestRefused();
+  TestAdders();
+  TestNames();
+  TestMissing();
+  TestNoColor();
   return session.Result();
 }

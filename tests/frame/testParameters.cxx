@@ -65,6 +65,26 @@ void TestDescriptions()
   }
 }
 
+// The default is a new stage's value, whatever this one is set to when it is first asked.
+void TestDefaults()
+{
+  vtkNew<vtkRelievoShadowPass> stage;
+  stage->SetMapSize(512);
+  stage->SetBias(3.25);
+  vtkNew<vtkRelievoShadowPass> fresh;
+  RELIEVO_CHECK(stage->GetParameterDefault("map_size") == std::to_string(fresh->GetMapSize()));
+  RELIEVO_CHECK(stage->GetParameter("map_size") == "512");
+  for (int i = 0; i < stage->GetNumberOfParameters(); ++i)
+  {
+    const std::string name = stage->GetParameterName(i);
+    const std::string value = stage->GetParameterDefault(name);
+    RELIEVO_CHECK_THAT(!value.empty() && value == fresh->GetParameter(name), name);
+    RELIEVO_CHECK_THAT(stage->SetParameter(name, value), name + " takes its default");
+  }
+  RELIEVO_CHECK(stage->GetMapSize() == fresh->GetMapSize() && stage->GetBias() == fresh->GetBias());
+  RELIEVO_CHECK(stage->GetParameterDefault("no such").empty());
+}
+
 void TestWords()
 {
   vtkNew<vtkRelievoPass> frame;
@@ -91,6 +111,7 @@ int main()
 {
   relievoTest::Session session;
   TestDescriptions();
+  TestDefaults();
   TestWords();
   return session.Result();
 }

@@ -142,7 +142,7 @@ void TestReport()
   stage.GetFrame()->ShadowsOn();
   stage.Window->Render();
   const std::string report = stage.GetFrame()->GetFrameReport();
-  const std::string name = "\"expected_wrong_share\": \"";
+  const std::string name = "\"expected_wrong_share\": ";
   const std::size_t at = report.find(name);
   RELIEVO_CHECK(at != std::string::npos);
   if (at != std::string::npos)

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOutsideStage.h"
 
+#include <vtkActor.h>
 #include <vtkObjectFactory.h>
 #include <vtkRelievoFrameContext.h>
+#include <vtkRelievoPropParts.h>
 #include <vtkRelievoShaderLibrary.h>
 #include <vtkRelievoStageRegistry.h>
+#include <vtkRenderState.h>
 #include <vtkShaderProgram.h>
 
 vtkStandardNewMacro(vtkOutsideStage);
@@ -46,6 +49,32 @@ void vtkOutsideStage::Describe(vtkRelievoStageDescription& description)
 }
 
 //------------------------------------------------------------------------------
+bool vtkOutsideStage::Prepare(vtkRelievoFrameContext& context)
+{
+  std::vector<vtkRelievoPropParts::Part> parts;
+  for (int i = 0; i < context.State->GetPropArrayCount(); ++i)
+  {
+    vtkRelievoPropParts::Collect(context.State->GetPropArray()[i], parts);
+  }
+  this->NumberOfMeshes = 0;
+  for (const vtkRelievoPropParts::Part& part : parts)
+  {
+    if (vtkActor* mesh = vtkRelievoPropParts::GetMeshActor(part))
+    {
+      this->Spliced.Add(mesh, this);
+      ++this->NumberOfMeshes;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkOutsideStage::Finish(vtkRelievoFrameContext&)
+{
+  this->Spliced.Remove(this);
+}
+
+//------------------------------------------------------------------------------
 void vtkOutsideStage::Execute(vtkRelievoFrameContext& context)
 {
   vtkShaderProgram* program = Registered && Added
@@ -58,6 +87,7 @@ void vtkOutsideStage::Execute(vtkRelievoFrameContext& context)
   }
   program->SetUniformf("factor", static_cast<float>(this->Factor));
   context.DrawColor(this->Quad);
+  this->Explain("ran", "meshes: " + std::to_string(this->NumberOfMeshes));
 }
 
 //------------------------------------------------------------------------------

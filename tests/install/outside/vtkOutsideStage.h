@@ -8,6 +8,7 @@
 #define vtkOutsideStage_h
 
 #include <vtkRelievoScreenQuad.h>
+#include <vtkRelievoSplicedKeys.h>
 #include <vtkRelievoStage.h>
 
 class vtkOutsideStage : public vtkRelievoStage
@@ -26,7 +27,9 @@ protected:
   ~vtkOutsideStage() override = default;
 
   void Describe(vtkRelievoStageDescription& description) override;
+  bool Prepare(vtkRelievoFrameContext& context) override;
   void Execute(vtkRelievoFrameContext& context) override;
+  void Finish(vtkRelievoFrameContext& context) override;
 
   double Factor = 1.0;
 
@@ -35,6 +38,8 @@ private:
   void operator=(const vtkOutsideStage&) = delete;
 
   vtkRelievoScreenQuad Quad;
+  vtkRelievoSplicedKeys Spliced; // where VTK's shaders ask this pass what they are to be
+  int NumberOfMeshes = 0;
 };
 
 #endif

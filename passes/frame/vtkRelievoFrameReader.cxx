@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoFrameReader.h"
+
+#include "vtkRelievoColorTarget.h"
+#include "vtkRelievoStage.h"
+
+#include <utility>
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameReader::SetFrame(
+  std::map<std::string, vtkRelievoStage*> writers, std::map<std::string, std::string> missing)
+{
+  this->Writers = std::move(writers);
+  this->Missing = std::move(missing);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameReader::Forget(vtkRelievoStage* stage)
+{
+  for (auto writer = this->Writers.begin(); writer != this->Writers.end();)
+  {
+    writer = writer->second == stage ? this->Writers.erase(writer) : std::next(writer);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoStage* vtkRelievoFrameReader::FindWriter(const std::string& name) const
+{
+  auto found = this->Writers.find(name);
+  // The layers' stage may have made more than it was asked for: range comes with depth.
+  found = found == this->Writers.end() ? this->Writers.find(std::string()) : found;
+  return found == this->Writers.end() ? nullptr : found->second;
+}
+
+//------------------------------------------------------------------------------
+// Layers of one stage after the other, in the order of the names.
+std::string vtkRelievoFrameReader::Read(const std::vector<std::string>& names, vtkImageData* image)
+{
+  for (const std::string& name : names)
+  {
+    const auto missing = this->Missing.find(name);
+    if (missing != this->Missing.end())
+    {
+      return "The layer '" + name + "' was not made: " + missing->second + ".";
+    }
+  }
+  std::string wrong;
+  for (std::size_t from = 0; from < names.size() && wrong.empty();)
+  {
+    vtkRelievoStage* writer = this->FindWriter(names[from]);
+    std::size_t to = from + 1;
+    while (names[from] != "color" && to < names.size() && names[to] != "color" &&
+      this->FindWriter(names[to]) == writer)
+    {
+      ++to;
+    }
+    if (names[from] == "color")
+    {
+      wrong = this->Color.Read(image);
+      wrong = wrong.empty() ? wrong : "The layer 'color' cannot be read: " + wrong + ".";
+    }
+    else
+    {
+      const auto first = names.begin() + static_cast<std::ptrdiff_t>(from);
+      const auto last = names.begin() + static_cast<std::ptrdiff_t>(to);
+      wrong = writer ? writer->ReadLayers({ first, last }, image)
+                     : "The layer '" + names[from] +
+          "' cannot be read: the last frame made no layers; ask for it (RequestLayer) and render "
+          "before.";
+    }
+    from = to;
+  }
+  return wrong;
+}
