@@ -185,7 +185,7 @@ void vtkRelievoFramePlan::AskForColor(std::vector<Node>& nodes, int reader)
     }
     else
     {
-      this->Missing[Color] = words;
+      this->Missing[Color] = "since " + words;
     }
     return;
   }

@@ -73,7 +73,7 @@ public:
   std::vector<std::string> Make(
     std::vector<Node>& nodes, const std::vector<std::string>& layers, bool picture);
 
-  // Layers that are left out, and why, in words.
+  // Layers that are left out, and why, in words that go on after the layer's name.
   const std::map<std::string, std::string>& GetMissing() const { return this->Missing; }
 
   // Places of the needed nodes, in the order in which they run.

@@ -42,7 +42,7 @@ std::string vtkRelievoFrameReader::Read(const std::vector<std::string>& names, v
     const auto missing = this->Missing.find(name);
     if (missing != this->Missing.end())
     {
-      return "The layer '" + name + "' was not made: " + missing->second + ".";
+      return "The frame did not make the layer '" + name + "', " + missing->second + ".";
     }
   }
   std::string wrong;

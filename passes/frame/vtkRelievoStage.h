@@ -83,7 +83,7 @@ public:
 
 #ifndef __VTK_WRAP__
   /** Entries of the stage in the frame report beside its own line, by name; "" is null there. */
-  virtual std::map<std::string, std::string> GetFacts()
+  virtual std::map<std::string, vtkVariant> GetFacts()
   {
     return {};
   }

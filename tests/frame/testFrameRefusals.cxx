@@ -2,35 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What a frame cannot do it says, by name, and does the rest: layers whose stage is off, colours
-// where there can be none, stages that take others' places; and arrays that are called like what
-// stages write for each other.
+// where there can be none, stages that take others' places.
 #include "Check.h"
 #include "ColorStage.h"
 #include "GLCheck.h"
+#include "NamedSquare.h"
 #include "Session.h"
-#include "Window.h"
 
-#include <vtkActor.h>
-#include <vtkFloatArray.h>
-#include <vtkImageData.h>
-#include <vtkLight.h>
-#include <vtkNew.h>
 #include <vtkOpenGLError.h> // for OpenGL
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
-#include <vtkPlaneSource.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRelievoLayerSource.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowPass.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
 
-#include <cstring>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -38,132 +23,9 @@
 namespace
 {
 using relievoTest::ColorStage;
+using relievoTest::IsSame;
 using relievoTest::Picture;
-
-// What stages write for each other, or the frame itself has.
-const std::vector<std::string> Names = { "visibility", "picture", "drawn", "shadow maps" };
-
-// A square that fills the window, with arrays that have those names, of values 1, 2 ...
-struct Scene
-{
-  vtkNew<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkRenderWindow> Window;
-
-  Scene()
-  {
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(-2.0, -2.0, 0.0);
-    plane->SetPoint1(2.0, -2.0, 0.0);
-    plane->SetPoint2(-2.0, 2.0, 0.0);
-    plane->Update();
-    vtkPolyData* data = plane->GetOutput();
-    for (std::size_t i = 0; i < Names.size(); ++i)
-    {
-      vtkNew<vtkFloatArray> array;
-      array->SetName(Names[i].c_str());
-      array->SetNumberOfTuples(data->GetNumberOfPoints());
-      array->Fill(1.0 + static_cast<double>(i));
-      data->GetPointData()->AddArray(array);
-    }
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(data);
-    mapper->ScalarVisibilityOff();
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(0.8, 0.6, 0.4);
-    this->Renderer->AddActor(actor);
-    vtkNew<vtkLight> sun;
-    sun->SetPosition(1.0, 0.5, 2.0);
-    sun->SetFocalPoint(0.0, 0.0, 0.0);
-    this->Renderer->AddLight(sun);
-    this->Window = relievoTest::MakeWindow(60, 50, this->Renderer);
-    this->Renderer->ResetCamera(-1.0, 1.0, -1.0, 1.0, 0.0, 0.0);
-  }
-};
-
-bool IsSame(vtkImageData* a, vtkImageData* b)
-{
-  return std::memcmp(a->GetScalarPointer(), b->GetScalarPointer(), 3 * a->GetNumberOfPoints()) == 0;
-}
-
-std::string Pixels(vtkRenderWindow* window)
-{
-  vtkNew<vtkUnsignedCharArray> bytes;
-  window->GetRGBACharPixelData(0, 0, 59, 49, 0, bytes);
-  return std::string(reinterpret_cast<char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
-}
-
-double Middle(vtkImageData* image, const std::string& name)
-{
-  vtkDataArray* array = image->GetPointData()->GetArray(name.c_str());
-  return RELIEVO_CHECK_THAT(array, name) ? array->GetComponent(25 * 60 + 30, 0) : -1.0;
-}
-
-void TestArrays()
-{
-  Scene scene;
-  relievoTest::GLCheck gl(scene.Window);
-  scene.Window->SetSwapBuffers(false);
-  const auto plain = Picture(scene.Window);
-  const std::string pixels = Pixels(scene.Window);
-  scene.Renderer->SetBackground(0.3, 0.7, 0.1); // the next picture would be another
-  for (const bool shadows : { false, true })
-  {
-    for (const bool hdr : { false, true })
-    {
-      vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
-      frame->SetShadows(shadows);
-      vtkNew<vtkRelievoLayerSource> layers;
-      layers->SetRenderer(scene.Renderer);
-      for (const std::string& name : Names)
-      {
-        layers->AddLayer(name);
-      }
-      if (hdr)
-      {
-        layers->AddLayer("color");
-        layers->HDROn();
-      }
-      layers->Update();
-      for (std::size_t i = 0; i < Names.size(); ++i)
-      {
-        RELIEVO_CHECK_NEAR(
-          Middle(layers->GetOutput(), Names[i]), 1.0 + static_cast<double>(i), 1e-6, Names[i]);
-      }
-      if (hdr)
-      {
-        RELIEVO_CHECK(Middle(layers->GetOutput(), "color") > 0.1);
-      }
-      RELIEVO_CHECK_THAT(Pixels(scene.Window) == pixels, "the window has changed");
-      vtkRelievoPass::Detach(scene.Renderer);
-    }
-  }
-  // As the picture, and beneath it: an array of one value is of one colour, another's of another.
-  scene.Renderer->SetBackground(0.0, 0.0, 0.0);
-  vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
-  frame->SetDisplayRange(0.0, 5.0);
-  std::vector<vtkSmartPointer<vtkImageData>> shown;
-  for (const std::string& name : Names)
-  {
-    frame->SetDisplayLayer(name.c_str());
-    shown.push_back(Picture(scene.Window));
-    RELIEVO_CHECK_THAT(frame->GetStage("display")->GetReasonCode() == "ran",
-      name + ": " + frame->GetStage("display")->GetReason());
-    RELIEVO_CHECK_THAT(!IsSame(plain, shown.back()), name + " is not shown");
-    RELIEVO_CHECK_THAT(shown.size() < 2 || !IsSame(shown.front(), shown.back()), name);
-  }
-  frame->SetDisplayLayer(nullptr);
-  // Beside a stage on the colour.
-  vtkNew<ColorStage> stage;
-  frame->AddStage(stage);
-  frame->RequestLayer("drawn");
-  frame->RequestLayer("picture");
-  const auto through = Picture(scene.Window);
-  frame->ReleaseLayers();
-  RELIEVO_CHECK(IsSame(through, Picture(scene.Window)));
-  RELIEVO_CHECK(stage->Executed == 2);
-  gl.Poll("arrays");
-}
+using Scene = relievoTest::NamedSquare;
 
 // Layers whose stages are off: said when they are read or shown; others are made.
 void TestOff()
@@ -410,7 +272,6 @@ void TestReplaced()
 int main()
 {
   relievoTest::Session session;
-  TestArrays();
   TestOff();
   TestAdder();
   TestNoColor();
