@@ -188,6 +188,7 @@ void TestRefused()
   // What is written in a later slot.
   nodes = MakeOwn(false);
   nodes.push_back(Make("early", D::LIGHT_MAPS, { "depth" }, { "shadow maps" }));
+  nodes.back().Declaration.Offers = { "shadow maps" };
   nodes[2].Declaration.Runs = false;
   RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate" }));
   RELIEVO_CHECK(Says(wrong, { "early", "'depth'", "gbuffer", "light maps", "surfaces" }));
@@ -208,7 +209,7 @@ void TestAdders()
   nodes.push_back(Make("marks", D::COMPOSITE, {}, { "color" }));
   nodes.push_back(Make("ao", D::SHADE, { "color" }, { "color" }));
   RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) ==
-    Names{ "delegate", "ao", "gbuffer", "lamps", "marks" }));
+    Names{ "delegate", "gbuffer", "ao", "lamps", "marks" }));
   RELIEVO_CHECK(wrong.empty());
   // A layer that is shown hides them.
   nodes.push_back(Make("display", D::DISPLAY, { "cell" }, { "picture" }));

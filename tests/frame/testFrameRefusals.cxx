@@ -93,7 +93,7 @@ protected:
   {
     static const bool added = vtkRelievoShaderLibrary::Add("test/greyFS.glsl",
       "//VTK::System::Dec\n//RELIEVO::Defines\n//VTK::Output::Dec\nin vec2 texCoord;\n"
-      "void main() { gl_FragData[0] = vec4(vec3(0.25), 0.0); }\n");
+      "void main() { gl_FragData[0] = vec4(vec3(0.25 * step(-1.0, texCoord.x)), 0.0); }\n");
     if (added && this->AddQuad.Ready(context, "test/greyFS.glsl", {}))
     {
       vtkOpenGLState* state = context.Window->GetState();
