@@ -82,7 +82,10 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /** Entries of the stage in the frame report beside its own line, by name; "" is null there. */
+  /**
+   * Entries of the stage in the frame report beside its own line, by name: numbers, or words; an
+   * invalid variant is null there.
+   */
   virtual std::map<std::string, vtkVariant> GetFacts()
   {
     return {};
