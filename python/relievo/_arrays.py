@@ -7,18 +7,32 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet
 from .vtkRelievoLayers import vtkRelievoLayerCatalogue
 
 _WITHOUT_LAYERS = ("vtkVolume", "vtkImageSlice", "vtkImageActor")
+_KINDS = ("point:", "cell:")
 
 
-def why_not(name, renderer):
-    """What is wrong with a layer's name, in words; None if nothing is, or nobody can know yet."""
+def why_not(name, renderer, shadows):
+    """What is wrong with a layer's name, in words; None if nothing is, or nobody can know yet.
+
+    shadows: the vtkRelievoShadowPass that knows the names of the renderer's lights.
+    """
     if not isinstance(name, str) or not name:
         return f"got {name!r}, expected a layer's name such as 'depth', or an array's"
     if vtkRelievoLayerCatalogue.GetIsLayer(name) or renderer is None:
         return None
+    lights = None
+    if vtkRelievoLayerCatalogue.GetIsOfLight(name):
+        lights = [shadows.GetLightLayer(renderer, light) for light in renderer.GetLights()]
+        if name in lights or not lights:
+            return None
     arrays = _arrays_of(renderer)
-    if arrays is None or name.split(":", 1)[-1] in arrays or name in arrays:
+    if arrays is None or name in arrays:
         return None
-    known = ", ".join(sorted(arrays)) or "none"
+    if lights:
+        return (
+            f"got {name!r}, but no light has this name: the layers of the renderer's lights are "
+            f"{', '.join(lights)}; add the light, or name it, first"
+        )
+    known = ", ".join(sorted(each for each in arrays if not each.startswith(_KINDS))) or "none"
     return (
         f"got {name!r}, expected one of {vtkRelievoLayerCatalogue.GetLayerNames()}, or an array "
         f"of what the renderer draws ({known}); add the data that has it first"
@@ -26,7 +40,8 @@ def why_not(name, renderer):
 
 
 def _arrays_of(renderer):
-    """Names of the arrays that the renderer's mappers are given; None where that is unknown."""
+    """Names of the arrays that the renderer's mappers are given, with and without their kind; None
+    where that is unknown."""
     names = set()
     mappers = 0
     for prop in renderer.GetViewProps():
@@ -43,20 +58,26 @@ def _arrays_of(renderer):
                 for port in range(mapper.GetNumberOfInputPorts()):
                     for i in range(mapper.GetNumberOfInputConnections(port)):
                         mapper.GetInputAlgorithm(port, i).Update()
-                        _add_arrays(mapper.GetInputDataObject(port, i), names)
+                        if not _add_arrays(mapper.GetInputDataObject(port, i), names):
+                            return None
             path = prop.GetNextPath()
     return names if mappers else None
 
 
 def _add_arrays(data, names):
+    """Whether the kind of data is known: graphs, molecules and trees are made into others."""
     if isinstance(data, vtkCompositeDataSet):
         blocks = data.NewIterator()
         blocks.InitTraversal()
         while not blocks.IsDoneWithTraversal():
-            _add_arrays(blocks.GetCurrentDataObject(), names)
+            if not _add_arrays(blocks.GetCurrentDataObject(), names):
+                return False
             blocks.GoToNextItem()
-    elif isinstance(data, vtkDataSet):
-        for attributes in (data.GetPointData(), data.GetCellData()):
-            names.update(
-                attributes.GetArrayName(i) or "" for i in range(attributes.GetNumberOfArrays())
-            )
+        return True
+    if not isinstance(data, vtkDataSet):
+        return False
+    for kind, attributes in zip(_KINDS, (data.GetPointData(), data.GetCellData())):
+        for i in range(attributes.GetNumberOfArrays()):
+            name = attributes.GetArrayName(i) or ""
+            names.update((name, kind + name))
+    return True

@@ -10,9 +10,15 @@ import pathlib
 import unittest
 
 import scenes
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMutableUndirectedGraph
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkRenderer, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkGraphMapper,
+    vtkLight,
+    vtkRenderer,
+    vtkWindowToImageFilter,
+)
 from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLFXAAPass, vtkRenderStepsPass
 
 import relievo
@@ -81,7 +87,7 @@ class Attach(unittest.TestCase):
     def test_a_name_that_is_no_layer(self):
         frame = relievo.attach(self.renderer)
         for give in (frame.RequestLayer, frame.SetDisplayLayer):
-            for wrong in ("bogus", "point:bogus", "shadow_", "", 3):
+            for wrong in ("bogus", "point:bogus", "bogus:Normals", "cell:Normals", "shadow_", "", 3):
                 with self.assertRaises(ValueError) as caught:
                     give(wrong)
                 self.assertIn(f"got {wrong!r}", str(caught.exception))
@@ -90,6 +96,46 @@ class Attach(unittest.TestCase):
             frame.SetDisplayLayer(array)
         frame.SetDisplayLayer(None)
         self.assertEqual(picture(self.window), self.first)
+
+    def test_the_name_of_a_light(self):
+        frame = relievo.attach(self.renderer)
+        shadows = frame.GetShadowPass()
+        lamp = vtkLight()
+        lamp.SetPosition(3, 4, 5)
+        self.renderer.AddLight(lamp)
+        shadows.SetLightName(lamp, "key light")
+        frame.RequestLayer("shadow_key_light")
+        frame.SetDisplayLayer("shadow_key_light")
+        self.assertNotEqual(picture(self.window), self.first)
+        image = vtkImageData()
+        self.assertTrue(frame.ReadLayer("shadow_key_light", image))
+        self.assertLess(relievo.layer(image, "shadow_key_light").min(), 0.5)
+        for give in (frame.RequestLayer, frame.SetDisplayLayer):
+            with self.assertRaisesRegex(ValueError, "'shadow_sun'.*no light.*shadow_key_light"):
+                give("shadow_sun")
+        shadows.SetLightName(lamp, "sun")
+        frame.SetDisplayLayer("shadow_sun")
+
+    def test_the_name_of_a_light_that_comes_later(self):
+        renderer = vtkRenderer()
+        scenes.add(renderer, vtkSphereSource())
+        frame = relievo.attach(renderer)
+        frame.RequestLayer("shadow_sun")  # there are no lights yet
+        lamp = vtkLight()
+        renderer.AddLight(lamp)
+        with self.assertRaises(ValueError):
+            frame.RequestLayer("shadow_sun")
+        frame.GetShadowPass().SetLightName(lamp, "sun")
+        frame.RequestLayer("shadow_sun")
+
+    def test_arrays_of_data_that_others_make_drawable(self):
+        mapper = vtkGraphMapper()
+        mapper.SetInputData(vtkMutableUndirectedGraph())
+        renderer = vtkRenderer()
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        renderer.AddActor(actor)
+        relievo.attach(renderer).RequestLayer("weight")  # nobody can know
 
     def test_a_name_that_comes_later(self):
         renderer = vtkRenderer()
