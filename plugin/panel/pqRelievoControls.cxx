@@ -55,6 +55,8 @@ void pqRelievoControls::SetView(pqView* view)
   if (settings)
   {
     this->Connector->Connect(settings, vtkCommand::PropertyModifiedEvent, this, SLOT(ShowState()));
+    // What the view makes of its properties is known once it has them.
+    this->Connector->Connect(settings, vtkCommand::UpdateEvent, this, SLOT(ShowState()));
   }
   this->ShowState();
 }

@@ -46,7 +46,7 @@ pqRelievoEnvironmentControls::pqRelievoEnvironmentControls(QWidget* parent)
   QFormLayout* rows = MakeRows(this->Rest);
   auto* rotation = new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 360, 1, this->Rest);
   rotation->setObjectName("rotation");
-  rotation->SetSuffix(QString(QChar(0x00b0)));
+  rotation->SetUnit(pqRelievoNumber::TURNS);
   auto* intensity = new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 4, 0.01, this->Rest);
   intensity->setObjectName("intensity");
   intensity->SetTypedRange(0, 1000);

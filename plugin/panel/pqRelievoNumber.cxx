@@ -79,9 +79,14 @@ void pqRelievoNumber::SetTypedRange(double least, double most)
 }
 
 //------------------------------------------------------------------------------
-void pqRelievoNumber::SetSuffix(const QString& suffix)
+void pqRelievoNumber::SetUnit(Unit unit)
 {
-  this->Digits->setSuffix(suffix);
+  this->Turns = unit == TURNS;
+  this->Digits->setSuffix(QString(QChar(0x00b0)));
+  if (this->Turns)
+  {
+    this->SetTypedRange(-3600.0, 3600.0);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -95,6 +100,10 @@ int pqRelievoNumber::GetPosition(double value) const
 //------------------------------------------------------------------------------
 void pqRelievoNumber::SetValue(double value)
 {
+  if (this->Turns && (value < 0.0 || value > 360.0))
+  {
+    value -= 360.0 * std::floor(value / 360.0);
+  }
   if (this->Held || value == this->Digits->value())
   {
     return;

@@ -34,7 +34,13 @@ public:
 
   /** What may be typed, where that is more than the slider's range. */
   void SetTypedRange(double least, double most);
-  void SetSuffix(const QString& suffix);
+
+  enum Unit
+  {
+    DEGREES,
+    TURNS // degrees that go round: any may be typed, from 0 to 360 are shown
+  };
+  void SetUnit(Unit unit);
 
   /** Shows a number; no signal is sent. Does nothing while the slider is dragged. */
   void SetValue(double value);
@@ -54,6 +60,7 @@ private:
   double Least;
   double Step;
   bool Round;
+  bool Turns = false;
   bool Held = false;   // the mouse holds the slider
   bool Trying = false; // and has moved it
   QAbstractSlider* Slider;

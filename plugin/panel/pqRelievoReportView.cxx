@@ -109,12 +109,7 @@ QByteArray pqRelievoReportView::PullReport()
   if (inOneProcess || (view && !view->GetUseDistributedRenderingForRender()))
   {
     vtkPVRelievoView* here = pqRelievoViewSettings::FindHere(this->Watched);
-    return here && here->IsInPlace() ? here->GetFrameReport() : "";
-  }
-  if (!pqRelievoViewSettings::AreShadowsOn(this->Watched) &&
-    pqRelievoViewSettings::GetShownLayer(this->Watched).isEmpty())
-  {
-    return QByteArray(); // the server would tell of the last picture with Relievo
+    return here ? here->GetFrameReport() : "";
   }
   settings->UpdatePropertyInformation(settings->GetProperty("FrameReport"));
   return vtkSMPropertyHelper(settings, "FrameReport").GetAsString();
@@ -135,7 +130,7 @@ void pqRelievoReportView::Refresh()
   }
   pqRelievoFrameReport report;
   const bool drawn = report.Read(this->PullReport());
-  this->Show(report, drawn ? QString() : "Neither shadows nor layers are on.");
+  this->Show(report, drawn ? QString() : "Nothing of Relievo is on.");
 }
 
 //------------------------------------------------------------------------------

@@ -62,9 +62,11 @@ pqRelievoSunControls::pqRelievoSunControls(QWidget* parent)
   auto* foot = new QWidget(this->Rest);
   foot->setObjectName("foot");
   rows = MakeRows(foot);
-  this->AddNumber(rows, "Brightness",
-    new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 2, 0.01, foot), "RelievoSunIntensity",
-    "1 lights a white surface that faces the sun fully");
+  this
+    ->AddNumber(rows, "Brightness",
+      new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 2, 0.01, foot), "RelievoSunIntensity",
+      "1 lights a white surface that faces the sun fully")
+    ->SetTypedRange(0.0, 1000.0);
   this->AddNumber(rows, "Fill", new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 1, 0.01, foot),
     "RelievoSunFill", "Light from the other sides, without shadows: it shows form in the shade");
   auto* up = new QComboBox(foot);
@@ -104,12 +106,12 @@ QWidget* pqRelievoSunControls::MakeAngles()
   this
     ->AddNumber(rows, "Azimuth", new pqRelievoNumber(pqRelievoNumber::DIAL, 0, 360, 1, angles),
       "RelievoSunAzimuth", "From north, clockwise seen from above: 90 is east, 180 south")
-    ->SetSuffix(Degrees);
+    ->SetUnit(pqRelievoNumber::TURNS);
   auto* elevation = this->AddNumber(rows, "Elevation",
     new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 90, 1, angles), "RelievoSunElevation",
     "Above the horizon. Below 0, which can be typed, the sun lights from beneath");
   elevation->SetTypedRange(-90.0, 90.0);
-  elevation->SetSuffix(Degrees);
+  elevation->SetUnit(pqRelievoNumber::DEGREES);
   return angles;
 }
 
@@ -141,7 +143,8 @@ QWidget* pqRelievoSunControls::MakeDateAndPlace()
   for (const auto& place : places)
   {
     auto* number = new pqRelievoNumber(pqRelievoNumber::SLIDER, -place.Most, place.Most, 0.01, all);
-    this->AddNumber(rows, place.Title, number, place.Property, place.Tip)->SetSuffix(Degrees);
+    this->AddNumber(rows, place.Title, number, place.Property, place.Tip)
+      ->SetUnit(pqRelievoNumber::DEGREES);
   }
   auto* zone = new pqRelievoNumber(pqRelievoNumber::SLIDER, -12, 14, 0.25, all);
   this->AddNumber(rows, "Time zone", zone, "RelievoSunTimeZone",

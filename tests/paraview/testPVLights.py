@@ -166,6 +166,21 @@ class Lights(pv.Test):
         self.assertEqual(names[-1:], [added])
         self.assertNotIn("shadow_sun", names)
 
+    def test_the_lights_that_cast_are_those_of_the_settings(self):
+        def layers():
+            self.view.UpdatePropertyInformation()
+            return self.view.GetProperty("RelievoShadowLayers").GetElement(0)
+
+        # No frame of Relievo is drawn between.
+        self.view.RelievoLightKitCasts = "Nothing"
+        self.assertEqual(layers(), "")
+        self.view.RelievoSun = 1
+        self.assertEqual(layers(), "shadow_sun")
+        self.view.RelievoLightKitCasts = "Key light"
+        self.assertEqual(layers(), "shadow_key_light,shadow_sun")
+        self.view.RelievoSun = 0
+        self.assertEqual(layers(), "shadow_key_light")
+
     def test_the_sun_stays_and_the_kit_is_given_back(self):
         before = self.view.KeyLightIntensity
         own = pv.picture(self.view)

@@ -253,6 +253,9 @@ class Scripting(pv.Test):
         reason = stages["shadows"]["reason"].split("; ")
         self.assertRegex(reason[0], r"^1 light casts \(sun\), 1 map of 2048 x 2048 texels")
         self.assertIn("key light casts none: it is chosen so", reason)
+        self.scene.sun(on=False, shadows=False)
+        pv.picture(self.view)
+        self.assertEqual(report(), "", "all off: no frame of Relievo is drawn")
 
 
 if sys.argv[1:2] == ["restore"]:

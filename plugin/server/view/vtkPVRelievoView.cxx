@@ -314,6 +314,9 @@ const char* vtkPVRelievoView::GetShadowLayers()
   in.ShadowLayers.clear();
   if (in.View)
   {
+    // As the settings are now, whenever the last frame was.
+    in.Sun.Place(in.View->GetRenderer(), vtkPVRelievoAccess::View::Kit(in.View));
+    this->ChooseCasters();
     for (const std::string& layer :
       in.Frame->GetShadowPass()->GetShadowLayers(in.View->GetRenderer()))
     {
@@ -339,7 +342,7 @@ bool vtkPVRelievoView::ReadShownLayer(const char* name, vtkImageData* image)
 //------------------------------------------------------------------------------
 const char* vtkPVRelievoView::GetFrameReport()
 {
-  this->Internal->Report = this->NumberOfFrames ? this->Internal->Frame->GetFrameReport() : "";
+  this->Internal->Report = this->NumberOfFrames && this->IsInPlace() ? this->Internal->Frame->GetFrameReport() : "";
   return this->Internal->Report.c_str();
 }
 

@@ -96,6 +96,9 @@ class Window(pv.Test):
         self.assertAlmostEqual(azimuth, 180, delta=3)
         self.assertAlmostEqual(elevation, 65.44, delta=0.05)
         self.assertLess(notes["sun night"][1], -10)
+        # What is shown is what the view has, beyond the sliders' ranges too; and what is typed.
+        self.assertEqual(notes["by script"], [5, -30])
+        self.assertEqual(notes["typed"], [40, -90])
         self.assertEqual(notes["sun night"][2], lights - 1, "at night it gives no light")
 
     def testSunUndo(self):

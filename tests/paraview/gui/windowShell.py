@@ -23,9 +23,9 @@ def note(name, value):
 def noted(function):
     """An exception is kept as well: without this it would be lost in the shell."""
 
-    def run(*arguments):
+    def run(*arguments, **named):
         try:
-            return function(*arguments)
+            return function(*arguments, **named)
         except Exception:  # pylint: disable=broad-except
             note("exception", traceback.format_exc())
             raise
@@ -71,6 +71,30 @@ def drawOnServer():
     view.RemoteRenderThreshold = 0
     simple.Render(view)
     note("server draws", view.SMProxy.GetClientSideObject().GetUseDistributedRenderingForRender())
+
+
+@noted
+def follow():
+    """Layers of the active view that follow it, though it shows nothing of Relievo."""
+    view = simple.GetActiveView()
+    simple._add_functions(simple.__dict__)  # of the plugin, which was loaded since
+    simple.RelievoLayers(View=view, Layers=["depth"], FollowView=1).UpdatePipeline()
+
+
+@noted
+def change(**values):
+    """Sets properties of the active view, as a script does."""
+    view = simple.GetActiveView()
+    for name, value in values.items():
+        setattr(view, name, value)
+    simple.Render(view)
+
+
+@noted
+def values(name, *properties):
+    """Keeps properties of the active view."""
+    view = simple.GetActiveView()
+    note(name, [view.GetPropertyValue(each) for each in properties])
 
 
 @noted
