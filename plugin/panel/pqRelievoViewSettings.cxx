@@ -167,11 +167,13 @@ void pqRelievoViewSettings::SetSun(pqView* view, bool on)
     return;
   }
   QVector<Change> changes = { { "RelievoSun", on ? 1 : 0 } };
-  if (on != AreShadowsOn(view) && (on || view->property(SunsShadows).toBool()))
+  const bool brings = on && !AreShadowsOn(view);
+  const bool takes = !on && AreShadowsOn(view) && view->property(SunsShadows).toBool();
+  if (brings || takes)
   {
     changes.append({ "RelievoShadows", on ? 1 : 0 });
-    view->setProperty(SunsShadows, on);
   }
+  view->setProperty(SunsShadows, brings); // whatever was before, by script or undo
   Apply(view, on ? "Sun on" : "Sun off", changes);
 }
 

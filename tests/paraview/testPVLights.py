@@ -197,6 +197,19 @@ class Lights(pv.Test):
         self.same(pv.picture(self.view), own, "the sun taken away")
         self.assertEqual(self.view.KeyLightIntensity, before)
 
+    def test_a_night_is_lit_as_without_a_sun(self):
+        own = pv.picture(self.view)
+        self.scene.sun(shadows=False)
+        self.view.RelievoSunBy = "Date and place"
+        self.view.RelievoSunTime = 12
+        self.differ(pv.picture(self.view), own, "noon")
+        self.view.RelievoSunTime = 1
+        self.same(pv.picture(self.view), own, "night")
+        self.view.RelievoSunTime = 12
+        self.differ(pv.picture(self.view), own, "the next noon")
+        self.view.RelievoSun = 0
+        self.same(pv.picture(self.view), own, "the sun taken away")
+
     def test_a_directional_light(self):
         towards = stage.sun(100.0, 50.0)
         light = self.add(Type="Directional", Position=10 * towards, FocalPoint=[0.0, 0.0, 0.0])

@@ -69,27 +69,52 @@ void vtkPVRelievoSun::Point(vtkLight* light, double azimuth, double elevation)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVRelievoSun::PlaceLast(vtkRenderer* renderer, const std::vector<vtkLight*>& wanted)
+{
+  // Lights are summed in their order, and sums are rounded: it must not tell which was added first.
+  vtkLightCollection* lights = renderer->GetLights();
+  const int others = lights->GetNumberOfItems() - static_cast<int>(wanted.size());
+  int there = 0;
+  for (vtkLight* light : { this->Light.Get(), this->Fills[0].Get(), this->Fills[1].Get() })
+  {
+    there += lights->IsItemPresent(light) != 0 ? 1 : 0;
+  }
+  bool right = there == static_cast<int>(wanted.size());
+  for (std::size_t i = 0; right && i < wanted.size(); ++i)
+  {
+    right = lights->GetItemAsObject(others + static_cast<int>(i)) == wanted[i];
+  }
+  if (right)
+  {
+    return;
+  }
+  for (vtkLight* light : { this->Light.Get(), this->Fills[0].Get(), this->Fills[1].Get() })
+  {
+    renderer->RemoveLight(light);
+  }
+  for (vtkLight* light : wanted)
+  {
+    renderer->AddLight(light);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkPVRelievoSun::Place(vtkRenderer* renderer, vtkLightKit* kit)
 {
   if (kit->GetKeyLightIntensity() != this->DimmedIntensity)
   {
     this->KitIntensity = kit->GetKeyLightIntensity(); // set by the user since
   }
-  vtkLightCollection* lights = renderer->GetLights();
-  auto place = [renderer, lights](vtkLight* light, bool wanted) {
-    const bool there = lights->IsItemPresent(light) != 0;
-    if (wanted && !there)
-    {
-      renderer->AddLight(light);
-    }
-    else if (!wanted && there)
-    {
-      renderer->RemoveLight(light);
-    }
-  };
-  place(this->Light, this->On);
-  place(this->Fills[0], this->On && this->Fill > 0.0);
-  place(this->Fills[1], this->On && this->Fill > 0.0);
+  std::vector<vtkLight*> wanted;
+  if (this->On)
+  {
+    wanted.push_back(this->Light);
+  }
+  if (this->On && this->Fill > 0.0)
+  {
+    wanted.insert(wanted.end(), { this->Fills[0], this->Fills[1] });
+  }
+  this->PlaceLast(renderer, wanted);
   if (!this->On)
   {
     if (this->DimmedIntensity >= 0.0)
@@ -103,14 +128,17 @@ void vtkPVRelievoSun::Place(vtkRenderer* renderer, vtkLightKit* kit)
   this->GetAngles(angles);
   const double azimuth = angles[0] + this->North;
   this->Point(this->Light, azimuth, angles[1]);
-  this->Light->SetSwitch(!this->ByDateAndPlace || angles[1] > 0.0);
+  // At night the sun has no part in the picture, which is lit as without it.
+  const bool shines = !this->ByDateAndPlace || angles[1] > 0.0;
+  this->Light->SetSwitch(shines);
   this->Light->SetIntensity(this->Intensity);
   this->Light->SetColor(this->Color);
   for (int i = 0; i < 2; ++i)
   {
     this->Point(this->Fills[i], azimuth + FillPlaces[i].Azimuth, FillPlaces[i].Elevation);
     this->Fills[i]->SetIntensity(this->Fill * FillPlaces[i].Part);
+    this->Fills[i]->SetSwitch(shines);
   }
-  this->DimmedIntensity = this->KitIntensity * this->KitShare;
+  this->DimmedIntensity = this->KitIntensity * (shines ? this->KitShare : 1.0);
   kit->SetKeyLightIntensity(this->DimmedIntensity);
 }

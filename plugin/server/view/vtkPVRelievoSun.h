@@ -10,6 +10,8 @@
 #include "vtkNew.h"
 #include "vtkRelievoSolarPosition.h"
 
+#include <vector>
+
 class vtkLightKit;
 class vtkRenderer;
 
@@ -46,6 +48,9 @@ public:
 
 private:
   void Point(vtkLight* light, double azimuth, double elevation);
+
+  // Of the sun's lights the wanted ones are the renderer's last, in that order.
+  void PlaceLast(vtkRenderer* renderer, const std::vector<vtkLight*>& wanted);
 
   double KitIntensity = -1.0;    // the user's, of the kit's key light
   double DimmedIntensity = -1.0; // what it was set to because of the sun
