@@ -20,6 +20,7 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
+#include "vtkRelievoStage.h"
 #include "vtkRelievoView.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -85,6 +86,20 @@ std::string DescribeLight(vtkRenderer* renderer, vtkLight* light, vtkRelievoPass
   out << ", \"intensity\": " << light->GetIntensity()
       << ", \"cone_angle\": " << light->GetConeAngle() << "}";
   return out.str();
+}
+
+// Whether a stage could not do its work in the last frame.
+bool HasFailed(vtkRelievoPass* pass)
+{
+  for (int i = 0; i < pass->GetNumberOfStages(); ++i)
+  {
+    const std::string code = pass->GetStage(i)->GetReasonCode();
+    if (code == "failed" || code == "refused")
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 // Pixels that a window's framebuffers may have each way.
@@ -181,6 +196,7 @@ int vtkRelievoLayerSource::RequestData(
 {
   vtkImageData* image = vtkImageData::GetData(outputs);
   image->Initialize();
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkRenderWindow* window = this->Renderer ? this->Renderer->GetRenderWindow() : nullptr;
   if (!window)
   {
@@ -220,14 +236,18 @@ int vtkRelievoLayerSource::RequestData(
     }
   }
 
-  bool good = this->Draw(pass, color);
+  const bool drawn = this->Draw(pass, color);
   std::vector<std::string> read = this->Layers;
   if (color)
   {
     read.erase(std::remove(read.begin(), read.end(), vtkRelievoLayerCatalogue::GetPicture().Name),
       read.end());
   }
-  good = good && pass->ReadLayers(read, image);
+  bool good = drawn && pass->ReadLayers(read, image);
+  if (drawn && !good && !HasFailed(pass))
+  {
+    this->SetErrorCode(NO_SUCH_LAYER);
+  }
   if (good && color)
   {
     vtkRelievoLayerSource::AddColor(this->Renderer, image);

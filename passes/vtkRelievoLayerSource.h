@@ -26,6 +26,7 @@
 #ifndef vtkRelievoLayerSource_h
 #define vtkRelievoLayerSource_h
 
+#include "vtkErrorCode.h" // for the code of the error
 #include "vtkImageAlgorithm.h"
 #include "vtkRelievoPassesModule.h" // for the export macro
 #include "vtkSmartPointer.h"        // for the renderer
@@ -68,6 +69,15 @@ public:
   vtkGetMacro(HDR, bool);
   vtkBooleanMacro(HDR, bool);
   ///@}
+
+  /**
+   * What GetErrorCode() is where everything was drawn, but a layer cannot be read: nothing that is
+   * drawn has it.
+   */
+  enum
+  {
+    NO_SUCH_LAYER = vtkErrorCode::UserError
+  };
 
   /** Always newer than before, because the scene may change without notice. */
   vtkMTimeType GetMTime() override;

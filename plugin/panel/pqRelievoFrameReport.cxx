@@ -5,7 +5,12 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QMap>
+
+namespace
+{
+// No stage: what the frame is drawn around, here ParaView's own drawing.
+const char* const Delegate = "delegate";
+}
 
 //------------------------------------------------------------------------------
 bool pqRelievoFrameReport::Read(const QByteArray& json)
@@ -17,7 +22,9 @@ bool pqRelievoFrameReport::Read(const QByteArray& json)
     const QJsonObject object = value.toObject();
     Stage stage;
     stage.Name = object["name"].toString();
-    stage.Label = GetLabel(stage.Name);
+    stage.Label =
+      stage.Name == Delegate ? "ParaView's picture" : object["label"].toString(stage.Name);
+    stage.Code = object["code"].toString();
     stage.Reason = object["reason"].toString();
     stage.Ran = object["ran"].toBool();
     stage.Milliseconds = object["gpu_ms"].toDouble(-1.0);
@@ -35,24 +42,9 @@ bool pqRelievoFrameReport::Read(const QByteArray& json)
 //------------------------------------------------------------------------------
 QString pqRelievoFrameReport::Stage::GetShortReason() const
 {
-  const QString first = this->Reason.section("; ", 0, 0);
-  if (this->Name == "shadows")
-  {
-    return this->Ran || first.startsWith("no light") ? first : QString();
-  }
-  if (this->Name == "gbuffer")
-  {
-    return this->Ran ? QString(first).remove("asked for: ") : QString();
-  }
-  return this->Ran && this->Name != "delegate" && this->Name != "display" ? first : QString();
-}
-
-//------------------------------------------------------------------------------
-QString pqRelievoFrameReport::GetLabel(const QString& name)
-{
-  static const QMap<QString, QString> labels = { { "delegate", "ParaView's picture" },
-    { "gbuffer", "Layers" }, { "shadows", "Shadows" }, { "display", "Shown layer" } };
-  return labels.value(name, name);
+  const bool hasNoPart = this->Code == "off" || this->Code == "idle" ||
+    this->Code == "not_asked" || this->Code == "hidden";
+  return hasNoPart || this->Name == Delegate ? QString() : this->Reason.section("; ", 0, 0);
 }
 
 //------------------------------------------------------------------------------

@@ -15,13 +15,14 @@ struct pqRelievoFrameReport
   {
     QString Name;   // of the report
     QString Label;  // for people
-    QString Reason; // why it ran, or did not
+    QString Code;   // why it ran, or did not: see vtkRelievoStage::GetReasonCode
+    QString Reason; // the same in words: clauses with "; " between them, the first says most
     bool Ran = false;
     double Milliseconds = -1.0; // on the GPU; -1: not measured (yet)
     double Bytes = 0.0;         // of GPU memory
     int DrawCalls = -1;         // -1: not counted
 
-    /** What people want to know of the reason; empty for a stage that has no part in it. */
+    /** The reason's first clause; empty for a stage that has no part in the picture. */
     QString GetShortReason() const;
   };
   QVector<Stage> Stages;
@@ -32,9 +33,6 @@ struct pqRelievoFrameReport
 
   /** True if there was a report in the JSON; false leaves an empty one. */
   bool Read(const QByteArray& json);
-
-  /** What people call a stage of a report. */
-  static QString GetLabel(const QString& name);
 
   ///@{
   /** "<0.001", "0.041", "41.2"; "16.0 MiB"; an en dash where there is no number. */

@@ -58,12 +58,14 @@ QLabel* pqRelievoStageTable::MakeNumber(const QString& name, int column)
 }
 
 //------------------------------------------------------------------------------
-pqRelievoStageTable::Row& pqRelievoStageTable::GetRow(const QString& stage)
+pqRelievoStageTable::Row& pqRelievoStageTable::GetRow(
+  const QString& stage, const QString& label)
 {
   if (!this->Rows.contains(stage))
   {
     Row row;
-    row.Title = new QLabel(pqRelievoFrameReport::GetLabel(stage), this);
+    row.Title = new QLabel(label, this);
+    row.Title->setObjectName(stage + "_title");
     row.Title->setWordWrap(true);
     row.Title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     row.Milliseconds = this->MakeNumber(stage + "_ms", 1);
@@ -102,7 +104,7 @@ void pqRelievoStageTable::SetReport(const pqRelievoFrameReport& report)
     {
       continue; // it has no part in the picture
     }
-    const Row& row = this->GetRow(stage.Name);
+    const Row& row = this->GetRow(stage.Name, stage.Label);
     const bool waits = stage.Ran && stage.Milliseconds < 0.0;
     row.Milliseconds->setText(waits ? QString(QChar(0x2026))
                                     : pqRelievoFrameReport::FormatMilliseconds(stage.Milliseconds));

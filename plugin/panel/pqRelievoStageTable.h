@@ -37,7 +37,7 @@ private:
     QLabel* Reason = nullptr;
   };
 
-  Row& GetRow(const QString& stage);
+  Row& GetRow(const QString& stage, const QString& label);
   QLabel* MakeNumber(const QString& name, int column);
 
   QGridLayout* Grid;
