@@ -21,8 +21,8 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
     renderer: a vtkRenderer. Its camera, lights, passes and window stay unchanged. A renderer
         without a window is drawn in an off-screen one, and `size` is needed.
     layers: names of layers, or one name; see help(relievo). Repeated names count once.
-    size: (columns, rows) of the image in pixels, from 1 to OpenGL's limit (16384 in Mesa); None for
-        the size of the renderer's viewport.
+    size: (columns, rows) of the image in pixels, from 1 to 16384, or to OpenGL's limit where that
+        is lower; None for the size of the renderer's viewport.
     hdr: whether the layer `color` is the linear colour of the frame, unclamped, without texts and
         colour bars; if not, it is the window's picture, converted from 8 bits to linear light.
 
@@ -32,7 +32,7 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
     and lights. depth and range are float in world units, position is double in world space.
 
     Raises ValueError for wrong arguments, such as a layer that no visible data has or a size above
-    OpenGL's limit, and RuntimeError if the layers cannot be drawn, or there is no display.
+    the limit, and RuntimeError if the layers cannot be drawn, or there is no display.
     """
     require(renderer, "vtkRenderer", "renderer")
     layers = _names(layers)
@@ -46,7 +46,7 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
         source.SetRenderer(renderer)
         with Watch(frame.GetGBuffer(), frame, source) as watch:
             source.Update()
-    wrong_name = watch.errors and watch.errors[0].startswith("The layer '")
+    wrong_name = source.GetErrorCode() == vtkRelievoLayerSource.NO_SUCH_LAYER
     watch.raise_as(ValueError if wrong_name else RuntimeError, f"capture {', '.join(layers)}")
     image = vtkImageData()
     image.ShallowCopy(source.GetOutput())

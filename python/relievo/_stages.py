@@ -2,25 +2,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The frame's stages by name, with their parameters."""
 
+import numpy
+
+from ._errors import require
 from ._frame import attach
 from .vtkRelievoPasses import vtkRelievoPass
 
 
 def _words(value):
     """A parameter's value in the stages' words: "on", "0.5", "1,0.5,0", "warped"."""
-    if isinstance(value, bool):
-        return "on" if value else "off"
     if isinstance(value, str):
         return value
-    if isinstance(value, (list, tuple)):
+    if isinstance(value, (bool, numpy.bool_)):
+        return "on" if value else "off"
+    if isinstance(value, (list, tuple, numpy.ndarray)) and numpy.ndim(value) == 1:
         return ",".join(_words(each) for each in value)
-    return repr(float(value)) if not float(value).is_integer() else str(int(value))
+    number = float(value)
+    return str(int(number)) if number.is_integer() else repr(number)
 
 
 def stage(renderer, name, on=True, **parameters):
     """Switches a stage of the renderer's frame on or off and sets its parameters.
 
-        relievo.stage(renderer, "shadows", method="warped", bias=2)
+        relievo.stage(renderer, "shadows", visible=True, method="warped", bias=2)
 
     renderer: a vtkRenderer; the frame is attached if there is none. name: one of stages().
     on: whether the frame may run the stage. parameters: numbers, True or False, strings, or a
@@ -29,20 +33,43 @@ def stage(renderer, name, on=True, **parameters):
     Returns the vtkRelievoStage. Raises ValueError for an unknown stage or parameter, and for a
     value that the parameter does not take; then no parameter is changed.
     """
-    frame = attach(renderer)
-    found = frame.GetStage(name)
+    require(renderer, "vtkRenderer", "renderer")
+    there = renderer.GetPass()
+    frame = there if there is not None and there.IsA("vtkRelievoPass") else vtkRelievoPass()
+    found = frame.GetStage(name) if isinstance(name, str) else None
     if found is None:
-        raise ValueError(f"stage: got {name!r}, expected one of {', '.join(stages())}")
-    before = {key: found.GetParameter(key) for key in parameters}
+        raise ValueError(f"stage: got {name!r}, expected one of {', '.join(_names(frame))}")
+    wanted = {}
     for key, value in parameters.items():
-        wrong = found.TrySetParameter(key, _words(value))
+        try:
+            wanted[key] = _words(value)
+        except (TypeError, ValueError, OverflowError):
+            raise ValueError(
+                f"stage: {name}:{key}: got {value!r}, expected a number, True or False, a word, or "
+                f"a sequence of numbers"
+            ) from None
+    # On a frame that is not in use yet, to which nothing is attached if a value is wrong.
+    before = {key: found.GetParameter(key) for key in wanted if key in _parameters(found)}
+    for key, words in wanted.items():
+        wrong = found.TrySetParameter(key, words)
         if wrong:
-            for known, words in before.items():
-                if words:
-                    found.TrySetParameter(known, words)
+            for known, old in before.items():
+                found.TrySetParameter(known, old)
             raise ValueError(f"stage: {wrong}")
+    if frame is not there:
+        found = attach(renderer).GetStage(name)
+        for key, words in wanted.items():
+            found.TrySetParameter(key, words)
     found.SetEnabled(on)
     return found
+
+
+def _names(frame):
+    return [frame.GetStage(i).GetStageName() for i in range(frame.GetNumberOfStages())]
+
+
+def _parameters(found):
+    return [found.GetParameterName(i) for i in range(found.GetNumberOfParameters())]
 
 
 def stages():
@@ -54,7 +81,8 @@ def stages():
     found = {}
     for i in range(frame.GetNumberOfStages()):
         each = frame.GetStage(i)
-        names = [each.GetParameterName(j) for j in range(each.GetNumberOfParameters())]
         found[each.GetStageName()] = {
-            name: (each.GetParameter(name), each.GetParameterHelp(name)) for name in names}
+            name: (each.GetParameter(name), each.GetParameterHelp(name))
+            for name in _parameters(each)
+        }
     return found

@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 import unittest
+from unittest import mock
 
 import numpy
 import scenes
@@ -348,6 +349,12 @@ class Errors(unittest.TestCase):
         with self.assertRaises(ValueError) as caught:
             relievo.capture(self.renderer, "depth", size=(65536, 4))
         self.assertIn("65536", str(caught.exception))
+        # An OpenGL whose limit is lower than ours.
+        with mock.patch("relievo._capture.vtkTextureObject") as textures:
+            textures.GetMaximumTextureSize.return_value = 4096
+            with self.assertRaisesRegex(ValueError, r"got \(4, 4097\), expected at most 4096"):
+                relievo.capture(self.renderer, "depth", size=(4, 4097))
+            relievo.capture(self.renderer, "depth", size=(4, 4096))
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ import os
 import pathlib
 import unittest
 
+import numpy
 import scenes
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMutableUndirectedGraph
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -36,6 +37,47 @@ def picture(window):
     grab.ShouldRerenderOff()
     grab.Update()
     return relievo.layer(grab.GetOutput(), "ImageScalars").tobytes()
+
+
+class Stages(unittest.TestCase):
+    def setUp(self):
+        self.renderer = scenes.plane_and_sphere()
+        lamp = vtkLight()
+        lamp.SetPosition(3, 4, 5)
+        self.renderer.AddLight(lamp)
+        self.window = scenes.window_of(self.renderer)
+        self.first = picture(self.window)
+
+    def test_the_example_makes_shadows(self):
+        shadows = relievo.stage(self.renderer, "shadows", visible=True, method="warped", bias=2)
+        self.assertNotEqual(picture(self.window), self.first)
+        self.assertEqual(shadows.GetParameter("method"), "warped")
+        self.assertEqual(float(shadows.GetParameter("bias")), 2)
+        relievo.stage(self.renderer, "shadows", visible=numpy.False_, strength=numpy.float32(0.5))
+        self.assertEqual(picture(self.window), self.first)
+
+    def test_wrong_values_change_nothing(self):
+        for wrong in ({"bias": None}, {"bias": {}}, {"bias": object()}, {"method": 1j}, {"bias": [[1]]},
+                      {"bias": float("nan")}, {"bias": [1, 2, 3]}, {"method": "magic"}, {"nosuch": 1}):
+            with self.assertRaisesRegex(ValueError, f"stage: .*{next(iter(wrong))}"):
+                relievo.stage(self.renderer, "shadows", visible=True, **wrong)
+            self.assertIsNone(self.renderer.GetPass(), "nothing was attached")
+        for name in ("bogus", "", None, 3):
+            with self.assertRaisesRegex(ValueError, "expected one of .*shadows"):
+                relievo.stage(self.renderer, name)
+            self.assertIsNone(self.renderer.GetPass(), "nothing was attached")
+        shadows = relievo.stage(self.renderer, "shadows", bias=3, strength=0.5)
+        display = relievo.stage(self.renderer, "display")
+        for wrong in (None, "x", 200):
+            with self.assertRaises(ValueError):
+                relievo.stage(self.renderer, "shadows", on=False, strength=0.25, bias=wrong)
+            self.assertEqual([shadows.GetParameter(each) for each in ("strength", "bias")],
+                             ["0.5", "3"])
+            self.assertTrue(shadows.GetEnabled())
+        self.assertEqual(display.GetParameter("layer"), "")
+        with self.assertRaises(ValueError):
+            relievo.stage(self.renderer, "display", layer="depth", grey="perhaps")
+        self.assertEqual(display.GetParameter("layer"), "", "an empty text comes back")
 
 
 class Attach(unittest.TestCase):
