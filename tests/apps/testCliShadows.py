@@ -100,6 +100,14 @@ class Shadows(CliTest):
         _, channels = self.exr("a.exr")
         self.assertEqual(set(channels["shadow_0.V"].ravel()), {1.0})
 
+    def test_a_stage_that_has_nothing_to_do_says_so(self):
+        light = ["sun:-1,0,1"]
+        done = self.draw("--stage", "shadows:method=warped", "--png", "a.png", lights=light)
+        self.assertIn("--stage shadows changed nothing: ", done.stderr)
+        done = self.draw("--stage", "shadows:visible=on,method=warped", "--png", "b.png",
+                         lights=light)  # fmt: skip
+        self.assertNotIn("changed nothing", done.stderr)
+
     def test_the_size_of_the_map(self):
         light = ["sun:-1,0,1"]
         for size in (16, 512):
@@ -113,6 +121,11 @@ class Shadows(CliTest):
             shadow, sure = dark(LIGHTS[light[0]])
             wrong = (channels["shadow_0.V"] != numpy.where(shadow, 0, 1)) & sure
             self.assertEqual(wrong.any(), size == 16, f"map of {size}")
+        # Shadows by the stage's own parameter have a size too.
+        self.draw("--stage", "shadows:visible=on,bias=2", "--shadow-size", 512, "--report",
+                  "a.json", lights=light)  # fmt: skip
+        report = json.loads((self.folder / "a.json").read_text())
+        self.assertEqual(report["bytes"], 4 * 512**2)
         # Without shadows nothing is held, whatever the size.
         self.draw("--shadows", "off", "--shadow-size", 512, "--report", "a.json", lights=light)
         self.assertEqual(json.loads((self.folder / "a.json").read_text())["bytes"], 0)

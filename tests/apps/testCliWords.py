@@ -125,6 +125,16 @@ class Words(CliTest):
         self.refused("render", "triangle.off", "--png", "a.png", "--shadow-size", "512", status=2,
                      says=["--shadow-size", "--shadows map", "shadow_N"])  # fmt: skip
 
+    def test_shadows_said_in_two_ways(self):
+        for words, option, parameter in (
+            (["--shadows", "warped", "--stage", "shadows:method=map"], "--shadows", "method"),
+            (["--shadows", "off", "--stage", "shadows:visible=on"], "--shadows", "visible"),
+            (["--shadows", "map", "--shadow-size", 64, "--stage", "shadows:map_size=32"],
+             "--shadow-size", "map_size"),
+        ):  # fmt: skip
+            self.refused("render", "triangle.off", "--png", "a.png", *words, status=2,
+                         says=[option, f"shadows:{parameter}", "one of them"])
+
     def test_unknown_layer(self):
         self.refused("render", "triangle.off", "--exr", "a.exr", "--layers", "depth,detph",
                      status=2,

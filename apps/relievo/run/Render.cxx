@@ -22,6 +22,7 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoPass.h"
+#include "vtkRelievoStage.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkWindowToImageFilter.h"
@@ -118,6 +119,20 @@ void WriteReport(vtkRelievoPass* pass, const RenderOptions& options, const Outpu
     throw WorkError(options.Report + ": cannot be written; is the disk full?");
   }
 }
+
+//------------------------------------------------------------------------------
+// Somebody who asks for a stage should not have to guess why nothing of it is seen.
+void NoteIdleStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages)
+{
+  for (const StageChoice& choice : stages)
+  {
+    vtkRelievoStage* stage = pass->GetStage(choice.Name);
+    if (stage->GetReasonCode() != "ran")
+    {
+      Messages::Note("--stage " + choice.Name + " changed nothing: " + stage->GetReason());
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -203,6 +218,7 @@ void Render(const RenderOptions& options)
   }
   progress.End();
   Messages::Check("rendering " + size);
+  NoteIdleStages(pass, options.Stages);
 
   try
   {

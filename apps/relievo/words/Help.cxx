@@ -25,7 +25,7 @@ render draws the FILEs off screen and writes the outputs that you request.
         .stl .ply .obj .off .gltf .glb
         Grids and images are drawn by their outer surface. Active scalars give the colour.
 
-  --size WxH              size of the picture in pixels, 1 to OpenGL's limit (1024x768)
+  --size WxH              size of the picture in pixels, 1 to 16384 (1024x768)
   --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ
                           position, focal point, up (fitted to the scene, looking along -z, y up,
                           or as --up says)
@@ -40,7 +40,7 @@ render draws the FILEs off screen and writes the outputs that you request.
                             point:PX,PY,PZ
   --shadows METHOD        shadows of the lights in the picture: off, map, forward or warped
                           (off)
-  --shadow-size N         side of each shadow map in texels, 16 to OpenGL's limit (2048)
+  --shadow-size N         side of each shadow map in texels, 16 to 16384 (2048)
   --normal-map F          normals from an image (.png .jpg .tif .bmp .hdr .exr; OpenGL's green),
                           placed by the meshes' texture coordinates; linear values, not sRGB
   --height-map F[,SCALE]  heights from an image; the ground lies SCALE below the mesh, in world

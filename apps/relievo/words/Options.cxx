@@ -255,6 +255,34 @@ const OptionRow RenderRows[] = {
 };
 
 //------------------------------------------------------------------------------
+// Whether --stage sets a parameter of the shadows.
+bool SetsShadows(const RenderOptions& options, const std::string& parameter)
+{
+  return std::any_of(
+    options.Stages.begin(), options.Stages.end(), [&parameter](const StageChoice& stage) {
+      return stage.Name == "shadows" &&
+        std::any_of(stage.Parameters.begin(), stage.Parameters.end(),
+          [&parameter](const auto& given) { return given.first == parameter; });
+    });
+}
+
+//------------------------------------------------------------------------------
+// The same thing said in two ways may be said differently.
+void CheckShadowStage(const RenderOptions& options, const std::set<std::string>& given)
+{
+  constexpr std::pair<const char*, const char*> same[] = { { "--shadows", "visible" },
+    { "--shadows", "method" }, { "--shadow-size", "map_size" } };
+  for (const auto& [option, parameter] : same)
+  {
+    if (given.count(option) && SetsShadows(options, parameter))
+    {
+      throw WordsError(std::string(option) + " and --stage shadows:" + parameter +
+        ": both set the same; give one of them");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void CheckTogether(const RenderOptions& options, const std::set<std::string>& given)
 {
   if (options.Files.empty())
@@ -285,12 +313,13 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
     CheckShadowLayers(options, lights, lights == 1 ? "--light option" : "--light options");
   }
   CheckSurfaceOptions(options, given);
-  if (options.ShadowSize && given.count("--shadows") == 0 &&
+  CheckShadowStage(options, given);
+  if (options.ShadowSize && given.count("--shadows") == 0 && !SetsShadows(options, "visible") &&
     std::all_of(options.Layers.begin(), options.Layers.end(),
       [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) < 0; }))
   {
-    throw WordsError("--shadow-size: there are no shadows to size: give --shadows map, or a layer "
-                     "shadow_N, as well");
+    throw WordsError("--shadow-size: there are no shadows to size: give --shadows map, --stage "
+                     "shadows:visible=on, or a layer shadow_N, as well");
   }
 }
 }
