@@ -89,7 +89,7 @@ std::string MakeProperty(
   const std::string name = GetPropertyName(stage, parameter.Name);
   std::ostringstream out;
   const std::string element = (text ? "" : "Relievo") + kind + "VectorProperty";
-  out << "      <" << element << " name=\"" << name << "\" label=\"" << parameter.GetLabel()
+  out << "      <" << element << " name=\"" << name << "\" label=\"" << Escape(parameter.GetLabel())
       << "\" command=\"SetStage" << (text ? "Text" : "Value") << "\" initial_string=\""
       << stage.Name << ":" << parameter.Name << "\" number_of_elements=\""
       << std::max(1, parameter.GetNumberOfComponents()) << "\" default_values=\""
@@ -106,7 +106,7 @@ std::string MakeProperty(
     for (std::size_t i = 0; i < parameter.Choices.size(); ++i)
     {
       out << "          <Entry value=\"" << i << "\" text=\""
-          << vtkRelievoCapitalize(parameter.Choices[i], true) << "\"/>\n";
+          << Escape(vtkRelievoCapitalize(parameter.Choices[i], true)) << "\"/>\n";
     }
     out << "        </EnumerationDomain>\n";
   }
@@ -125,11 +125,12 @@ std::string MakeProperty(
 std::string MakeProperties(const vtkRelievoStageDescription& stage)
 {
   std::ostringstream out;
-  out << "      <IntVectorProperty name=\"" << GetPropertyName(stage, "") << "\" label=\""
+  out << "      <RelievoIntVectorProperty name=\"" << GetPropertyName(stage, "") << "\" label=\""
       << Escape(stage.Label) << "\" command=\"SetStageOn\" initial_string=\"" << stage.Name
-      << "\" number_of_elements=\"1\" default_values=\"0\">\n"
+      << "\" number_of_elements=\"1\" default_values=\"0\" "
+      << "si_class=\"vtkSIIntVectorProperty\">\n"
       << "        <BooleanDomain name=\"bool\"/>\n"
-      << Documentation(stage.Help) << "      </IntVectorProperty>\n";
+      << Documentation(stage.Help) << "      </RelievoIntVectorProperty>\n";
   for (const vtkRelievoParameter& parameter : stage.Parameters)
   {
     out << MakeProperty(stage, parameter);

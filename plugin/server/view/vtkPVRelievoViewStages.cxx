@@ -52,6 +52,10 @@ void vtkPVRelievoView::SetStageOn(const char* name, bool on)
   {
     stage->SetEnabled(on);
   }
+  else if (on && vtkPVRelievoSpeaks()) // all that are off are told of, too, when a view is made
+  {
+    vtkWarningMacro(<< name << ": there is no such stage here.");
+  }
 }
 
 //------------------------------------------------------------------------------
