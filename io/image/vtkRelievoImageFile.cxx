@@ -14,7 +14,9 @@
 #include "vtkWeakPointer.h"
 
 #include <array>
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -135,6 +137,12 @@ vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(
   if (error || std::filesystem::is_directory(path, error))
   {
     failure = error ? "an image, but there is no such file" : "an image, but it is a folder";
+    return nullptr;
+  }
+  errno = 0;
+  if (!std::ifstream(path, std::ios::binary))
+  {
+    failure = std::string("an image, but it cannot be opened: ") + std::strerror(errno);
     return nullptr;
   }
   auto& held = Held()[path];
