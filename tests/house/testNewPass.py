@@ -168,6 +168,8 @@ item.finalize()
 del item
 trace = smtrace.stop_trace()
 assert "RelievoStageMistStrength = 0.9" in trace, trace
+view.RelievoStageMist = 5  # with a warning
+assert view.SMProxy.GetProperty("RelievoStageMist").GetElement(0) == 1
 simple.Render(view)
 simple.SaveScreenshot(folder + "/mist.png", view)
 reader = vtkPNGReader()
@@ -178,10 +180,22 @@ corner = [reader.GetOutput().GetScalarComponentAsFloat(190, 140, 0, i) for i in 
 assert middle[0] > 60 and middle[0] > 1.2 * middle[1], middle
 assert min(corner) > 40, corner
 simple.SaveState(folder + "/mist.pvsm")
-assert "StageMistStrength" in open(folder + "/mist.pvsm").read()
 view.RelievoStageMist = 0
 simple.Render(view)
 simple.SaveScreenshot(folder + "/again.png", view)
+"""
+
+
+RESTORE = """
+import sys
+from paraview import simple
+
+plugin, folder = sys.argv[1:]
+simple.LoadPlugin(plugin, remote=False, ns=simple.__dict__)
+simple.LoadState(folder + "/mist.pvsm")
+view = simple.GetActiveView()
+assert view.RelievoStageMistStrength == 0.9 and list(view.RelievoStageMistColor) == [1, 0, 0]
+simple.SaveScreenshot(folder + "/restored.png", view)
 """
 
 
@@ -189,9 +203,13 @@ def in_paraview(build):
     """A view has the stage as properties: picture, trace and state."""
     folder = pathlib.Path(os.environ["RELIEVO_TEST_OUTPUT"])
     script = folder / "useInParaView.py"
-    script.write_text(PARAVIEW, encoding="utf-8")
-    output = run(["pvpython", script, build / "plugin" / "Relievo" / "Relievo.so", folder])
-    assert "ERR|" not in output, output
+    plugin = build / "plugin" / "Relievo" / "Relievo.so"
+    for text in (PARAVIEW, RESTORE):
+        script.write_text(text, encoding="utf-8")
+        output = run(["pvpython", script, plugin, folder])
+        assert "ERR|" not in output, output
+        assert output.count("expected 0 to 1: 1 is taken") == (text is PARAVIEW), output
+    assert (folder / "restored.png").read_bytes() == (folder / "mist.png").read_bytes()
     plain = (folder / "plain.png").read_bytes()
     assert (folder / "mist.png").read_bytes() != plain
     assert (folder / "again.png").read_bytes() == plain
