@@ -20,7 +20,6 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
-#include "vtkRelievoStage.h"
 #include "vtkRelievoView.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -86,20 +85,6 @@ std::string DescribeLight(vtkRenderer* renderer, vtkLight* light, vtkRelievoPass
   out << ", \"intensity\": " << light->GetIntensity()
       << ", \"cone_angle\": " << light->GetConeAngle() << "}";
   return out.str();
-}
-
-// Whether a stage could not do its work in the last frame.
-bool HasFailed(vtkRelievoPass* pass)
-{
-  for (int i = 0; i < pass->GetNumberOfStages(); ++i)
-  {
-    const std::string code = pass->GetStage(i)->GetReasonCode();
-    if (code == "failed" || code == "refused")
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 // Pixels that a window's framebuffers may have each way.
@@ -244,7 +229,7 @@ int vtkRelievoLayerSource::RequestData(
       read.end());
   }
   bool good = drawn && pass->ReadLayers(read, image);
-  if (drawn && !good && !HasFailed(pass))
+  if (drawn && !good)
   {
     this->SetErrorCode(NO_SUCH_LAYER);
   }

@@ -71,8 +71,8 @@ public:
   ///@}
 
   /**
-   * What GetErrorCode() is where everything was drawn, but a layer cannot be read: nothing that is
-   * drawn has it.
+   * What GetErrorCode() is where a frame was drawn, but a layer cannot be read: nothing that is
+   * drawn has it, if no stage failed (vtkRelievoStage::GetReasonCode).
    */
   enum
   {

@@ -42,8 +42,8 @@ bool pqRelievoFrameReport::Read(const QByteArray& json)
 //------------------------------------------------------------------------------
 QString pqRelievoFrameReport::Stage::GetShortReason() const
 {
-  const bool hasNoPart = this->Code == "off" || this->Code == "idle" ||
-    this->Code == "not_asked" || this->Code == "hidden";
+  const bool hasNoPart = this->Code == "off" || this->Code == "idle" || this->Code == "not_asked" ||
+    this->Code == "hidden";
   return hasNoPart || this->Name == Delegate ? QString() : this->Reason.section("; ", 0, 0);
 }
 

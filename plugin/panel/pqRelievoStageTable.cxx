@@ -58,8 +58,7 @@ QLabel* pqRelievoStageTable::MakeNumber(const QString& name, int column)
 }
 
 //------------------------------------------------------------------------------
-pqRelievoStageTable::Row& pqRelievoStageTable::GetRow(
-  const QString& stage, const QString& label)
+pqRelievoStageTable::Row& pqRelievoStageTable::GetRow(const QString& stage, const QString& label)
 {
   if (!this->Rows.contains(stage))
   {

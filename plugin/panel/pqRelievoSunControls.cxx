@@ -63,9 +63,8 @@ pqRelievoSunControls::pqRelievoSunControls(QWidget* parent)
   foot->setObjectName("foot");
   rows = MakeRows(foot);
   this
-    ->AddNumber(rows, "Brightness",
-      new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 2, 0.01, foot), "RelievoSunIntensity",
-      "1 lights a white surface that faces the sun fully")
+    ->AddNumber(rows, "Brightness", new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 2, 0.01, foot),
+      "RelievoSunIntensity", "1 lights a white surface that faces the sun fully")
     ->SetTypedRange(0.0, 1000.0);
   this->AddNumber(rows, "Fill", new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 1, 0.01, foot),
     "RelievoSunFill", "Light from the other sides, without shadows: it shows form in the shade");

@@ -46,7 +46,11 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
         source.SetRenderer(renderer)
         with Watch(frame.GetGBuffer(), frame, source) as watch:
             source.Update()
-    wrong_name = source.GetErrorCode() == vtkRelievoLayerSource.NO_SUCH_LAYER
+        failed = any(
+            frame.GetStage(i).GetReasonCode() in ("failed", "refused")
+            for i in range(frame.GetNumberOfStages())
+        )
+    wrong_name = not failed and source.GetErrorCode() == vtkRelievoLayerSource.NO_SUCH_LAYER
     watch.raise_as(ValueError if wrong_name else RuntimeError, f"capture {', '.join(layers)}")
     image = vtkImageData()
     image.ShallowCopy(source.GetOutput())

@@ -342,7 +342,8 @@ bool vtkPVRelievoView::ReadShownLayer(const char* name, vtkImageData* image)
 //------------------------------------------------------------------------------
 const char* vtkPVRelievoView::GetFrameReport()
 {
-  this->Internal->Report = this->NumberOfFrames && this->IsInPlace() ? this->Internal->Frame->GetFrameReport() : "";
+  this->Internal->Report =
+    this->NumberOfFrames && this->IsInPlace() ? this->Internal->Frame->GetFrameReport() : "";
   return this->Internal->Report.c_str();
 }
 
