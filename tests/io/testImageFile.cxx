@@ -6,9 +6,12 @@
 #include "Session.h"
 
 #include <vtkImageData.h>
+#include <vtkImageReader2.h>
+#include <vtkImageReader2Factory.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkRelievoImageFile.h>
+#include <vtkSmartPointer.h>
 
 #include <cerrno>
 #include <cstring>
@@ -41,6 +44,8 @@ void WriteImage(const std::string& path)
 //------------------------------------------------------------------------------
 int main()
 {
+  // The factory keeps its readers, unlike all that is watched from here.
+  vtk::TakeSmartPointer(vtkImageReader2Factory::CreateImageReader2FromExtension(".png"));
   relievoTest::Session session;
   namespace fs = std::filesystem;
   const fs::path folder = fs::temp_directory_path() / ("relievo" + std::to_string(getpid()));
