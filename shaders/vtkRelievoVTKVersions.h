@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What differs between the versions of VTK that Relievo builds on (9.1 to 9.7), and since when. Code
-// asks these names; version numbers are compared here alone.
+// What differs between the versions of VTK that Relievo builds on (9.1 to 9.7), and since when.
+// Code asks these names; version numbers are compared here alone.
 #ifndef vtkRelievoVTKVersions_h
 #define vtkRelievoVTKVersions_h
 
 #include "vtkVersionMacros.h"
 
-// Blocks of composite data are drawn by vtkCompositeMapperHelper2, one for each kind of block; since
-// 9.3 by vtkOpenGLBatchedPolyDataMapper.
+// Blocks of composite data are drawn by vtkCompositeMapperHelper2, one for each kind of block;
+// since 9.3 by vtkOpenGLBatchedPolyDataMapper.
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
 #define RELIEVO_VTK_COMPOSITE_HELPERS 1
 #endif
@@ -19,7 +19,8 @@
 #define RELIEVO_VTK_PROP_VECTOR 1
 #endif
 
-// OpenGL's functions are loaded by glad; before by GLEW, which leaves those of OpenGL 1.1 to the linker.
+// OpenGL's functions are loaded by glad; before by GLEW, which leaves those of OpenGL 1.1 to the
+// linker.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 #define RELIEVO_VTK_GLAD 1
 #endif
