@@ -126,14 +126,12 @@ void vtkRelievoMaterial::Detach(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoMaterial::Restructure()
+void vtkRelievoMaterial::UpdateStructure()
 {
   Internals& in = *this->Internal;
   vtkRelievoMaterialSplice::Structure structure;
-  vtkImageData* normals = in.Normals.GetImage();
-  vtkImageData* heights = in.Heights.GetImage();
-  structure.NormalMap = this->Enabled && normals && normals != in.Broken;
-  const bool hasHeights = this->Enabled && heights && heights != in.Broken;
+  structure.NormalMap = this->Enabled && in.Normals.IsUsable();
+  const bool hasHeights = this->Enabled && in.Heights.IsUsable();
   structure.Method = hasHeights ? this->Method : 0;
   structure.HeightMap = hasHeights && (this->Method != METHOD_OFF || !structure.NormalMap);
   structure.SelfShadow = structure.Method && this->SelfShadow;
@@ -144,6 +142,12 @@ void vtkRelievoMaterial::Restructure()
     in.Structure = structure;
     in.StructureTime.Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMaterial::Restructure()
+{
+  this->UpdateStructure();
   this->Modified();
 }
 

@@ -35,6 +35,7 @@ class vtkActor;
 class vtkImageData;
 class vtkProp;
 class vtkRelievoEnvironment;
+class vtkRelievoMaterialMap;
 class vtkRenderer;
 
 class VTKRELIEVOMATERIALS_EXPORT vtkRelievoMaterial : public vtkOpenGLRenderPass
@@ -283,10 +284,13 @@ private:
   vtkRelievoMaterial(const vtkRelievoMaterial&) = delete;
   void operator=(const vtkRelievoMaterial&) = delete;
 
+  void UpdateStructure();
   void Restructure();
+  void TellFaults();
   vtkRenderer* FindRenderer(vtkProp* prop);
   void SetMapParameters(vtkShaderProgram* program, vtkActor* actor);
-  void SetHeightParameters(vtkShaderProgram* program, vtkActor* actor);
+  bool ActivateMap(vtkShaderProgram* program, vtkRelievoMaterialMap& map, const char* sampler);
+  void SetHeightParameters(vtkShaderProgram* program, vtkActor* actor, bool there);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

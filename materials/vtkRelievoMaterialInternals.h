@@ -24,8 +24,8 @@
 class vtkRelievoMaterial::Internals
 {
 public:
-  vtkRelievoMaterialMap Normals;
-  vtkRelievoMaterialMap Heights;
+  vtkRelievoMaterialMap Normals{ "normal map", 3 };
+  vtkRelievoMaterialMap Heights{ "height map", 1 };
   vtkRelievoMaterialSplice::Structure Structure;
   vtkTimeStamp StructureTime;
   vtkSmartPointer<vtkRelievoEnvironment> Environment;
@@ -33,7 +33,6 @@ public:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // drawn in last
   std::vector<vtkWeakPointer<vtkActor>> Actors; // attached to
   std::set<std::string> Said;
-  vtkSmartPointer<vtkImageData> Broken; // a map that made no texture
 
   // Units are few: they are given back when the next material, on any actor, is drawn.
   static Internals*& GetInUse()

@@ -66,6 +66,50 @@ void vtkRelievoMaterialMap::SetImage(vtkImageData* image)
 {
   this->Image = image;
   this->LoadTime = 0;
+  this->FailTime = 0;
+  this->Told.clear();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoMaterialMap::GetTime() const
+{
+  return std::max(this->Image->GetMTime(), GetValues(this->Image)->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoMaterialMap::GetFault() const
+{
+  vtkDataArray* values = GetValues(this->Image);
+  if (!values || values->GetNumberOfTuples() == 0)
+  {
+    return "it has no scalars";
+  }
+  const int* size = this->Image->GetDimensions();
+  const int components = values->GetNumberOfComponents();
+  if (size[2] != 1 || components < this->LeastComponents || components > 4)
+  {
+    std::ostringstream out;
+    out << "it has " << size[0] << " x " << size[1] << " x " << size[2] << " points of "
+        << components << " components; one slice in z, of " << this->LeastComponents
+        << " to 4 components, was expected";
+    return out.str();
+  }
+  if (values->GetNumberOfTuples() != static_cast<vtkIdType>(size[0]) * size[1])
+  {
+    std::ostringstream out;
+    out << "it has " << values->GetNumberOfTuples() << " values for " << size[0] << " x " << size[1]
+        << " points; one for each was expected";
+    return out.str();
+  }
+  return this->FailTime == this->GetTime() ? "OpenGL makes no texture of it" : "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoMaterialMap::TakeFault()
+{
+  const std::string before = this->Told;
+  this->Told = this->Image ? this->GetFault() : std::string();
+  return this->Told != before ? this->Told : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -88,36 +132,20 @@ void vtkRelievoMaterialMap::GetRange(double range[2]) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoMaterialMap::Load(vtkOpenGLRenderWindow* window, int leastComponents, bool repeat,
-  std::string& failure, std::string& remark)
+bool vtkRelievoMaterialMap::Load(vtkOpenGLRenderWindow* window, bool repeat, std::string& remark)
 {
+  if (!window || !this->IsUsable())
+  {
+    return false;
+  }
   vtkDataArray* values = GetValues(this->Image);
-  if (!values || values->GetNumberOfTuples() == 0)
-  {
-    failure = "it has no scalars";
-    return false;
-  }
-  if (!window)
-  {
-    failure = "the actor is in no renderer that is being drawn";
-    return false;
-  }
-  const vtkMTimeType time = std::max(this->Image->GetMTime(), values->GetMTime());
+  const vtkMTimeType time = this->GetTime();
   if (this->Texture && this->Window == window && this->LoadTime == time && this->Repeat == repeat)
   {
     return true;
   }
   const int* size = this->Image->GetDimensions();
   const int components = values->GetNumberOfComponents();
-  if (size[2] != 1 || components < leastComponents || components > 4)
-  {
-    std::ostringstream out;
-    out << "it has " << size[0] << " x " << size[1] << " x " << size[2] << " points of "
-        << components << " components; one slice in z, of " << leastComponents
-        << " to 4 components, was expected";
-    failure = out.str();
-    return false;
-  }
   this->Release(this->Window);
   this->Window = window;
   int type = values->GetDataType();
@@ -186,7 +214,7 @@ bool vtkRelievoMaterialMap::Load(vtkOpenGLRenderWindow* window, int leastCompone
   if (!this->Texture->Create2DFromRaw(static_cast<unsigned int>(this->Size[0]),
         static_cast<unsigned int>(this->Size[1]), components, type, const_cast<void*>(data)))
   {
-    failure = "OpenGL makes no texture of it";
+    this->FailTime = time;
     this->Texture = nullptr;
     return false;
   }

@@ -20,6 +20,11 @@ class vtkWindow;
 class vtkRelievoMaterialMap
 {
 public:
+  vtkRelievoMaterialMap(const char* name, int leastComponents)
+    : Name(name)
+    , LeastComponents(leastComponents)
+  {
+  }
   ~vtkRelievoMaterialMap();
 
   void SetImage(vtkImageData* image);
@@ -29,10 +34,18 @@ public:
   // Least and greatest known value of the first component; 0, 1 for integers, as shaders have them.
   void GetRange(double range[2]) const;
 
-  // Makes the texture, if the image, the window or the choice is another than before. `failure` and
-  // `remark` say what went wrong or was done otherwise. False: there is no texture.
-  bool Load(vtkOpenGLRenderWindow* window, int leastComponents, bool repeat, std::string& failure,
-    std::string& remark);
+  // As messages call it.
+  const char* GetName() const { return this->Name; }
+
+  // Whether there is an image that can be a map, as it is now: it may be mended or spoilt in place.
+  bool IsUsable() const { return this->Image && this->GetFault().empty(); }
+
+  // Why the image cannot be a map, in words, once for as long as it stays so; else nothing.
+  std::string TakeFault();
+
+  // Makes the texture, if the image, the window or the choice is another than before. `remark` says
+  // what was done otherwise. False: there is no texture. Only of an image that is usable.
+  bool Load(vtkOpenGLRenderWindow* window, bool repeat, std::string& remark);
 
   // Gives the texture a unit until Deactivate().
   int Activate();
@@ -44,6 +57,13 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  vtkMTimeType GetTime() const;
+  std::string GetFault() const;
+
+  const char* Name;
+  int LeastComponents;
+  std::string Told;
+  vtkMTimeType FailTime = 0; // of the image that OpenGL made no texture of
   vtkSmartPointer<vtkImageData> Image;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkTextureObject> Texture;

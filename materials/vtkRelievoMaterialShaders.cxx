@@ -4,6 +4,7 @@
 // The part of vtkRelievoMaterial that VTK's mappers call: its text in their shaders, its uniforms.
 #include "vtkActor.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLGlyph3DHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -155,52 +156,83 @@ void vtkRelievoMaterial::SetMapParameters(vtkShaderProgram* program, vtkActor* a
     static_cast<float>(this->TextureScale[1]), static_cast<float>(this->TextureOffset[0]),
     static_cast<float>(this->TextureOffset[1]) };
   program->SetUniform4f("relievoTextureTransform", transform);
-  struct Use
-  {
-    vtkRelievoMaterialMap& Map;
-    const char* Sampler;
-    const char* Name;
-    int LeastComponents;
-  };
-  for (const Use& use : { Use{ in.Normals, "relievoNormalMap", "normal map", 3 },
-         Use{ in.Heights, "relievoHeightMap", "height map", 1 } })
-  {
-    if (!program->IsUniformUsed(use.Sampler))
-    {
-      continue;
-    }
-    std::string failure;
-    std::string remark;
-    if (!use.Map.Load(in.Window, use.LeastComponents, this->Repeat, failure, remark))
-    {
-      vtkErrorMacro("No " << use.Name << ": " << failure << ".");
-      // From the next picture on without it; this one shows the mesh as if the map were flat.
-      in.Broken = use.Map.GetImage();
-      this->Restructure();
-      continue;
-    }
-    if (!remark.empty())
-    {
-      vtkWarningMacro("The " << use.Name << ": " << remark << ".");
-    }
-    program->SetUniformi(use.Sampler, use.Map.Activate());
-  }
+  const bool normals = this->ActivateMap(program, in.Normals, "relievoNormalMap");
+  const bool heights = this->ActivateMap(program, in.Heights, "relievoHeightMap");
   const float flip = this->FlipGreen ? -1.f : 1.f;
-  const float strength = static_cast<float>(this->NormalStrength);
+  const float strength = normals ? static_cast<float>(this->NormalStrength) : 0.f;
   const float weight[2] = { strength, flip * strength };
   program->SetUniform2f("relievoNormalWeight", weight);
-  const float decode[2][2] = { { 2.f, -1.f }, { 1.f, 0.f } };
-  program->SetUniform2f("relievoNormalDecode", decode[in.Normals.IsFloat() ? 1 : 0]);
+  const float decode[3][2] = { { 2.f, -1.f }, { 1.f, 0.f }, { 0.f, 1.f } };
+  program->SetUniform2f(
+    "relievoNormalDecode", decode[normals ? (in.Normals.IsFloat() ? 1 : 0) : 2]);
   if (program->IsUniformUsed("relievoHeightMap"))
   {
-    this->SetHeightParameters(program, actor);
+    this->SetHeightParameters(program, actor, heights);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoMaterial::SetHeightParameters(vtkShaderProgram* program, vtkActor* actor)
+bool vtkRelievoMaterial::ActivateMap(
+  vtkShaderProgram* program, vtkRelievoMaterialMap& map, const char* sampler)
 {
   Internals& in = *this->Internal;
+  if (!program->IsUniformUsed(sampler))
+  {
+    return false;
+  }
+  std::string remark;
+  const bool there = map.Load(in.Window, this->Repeat, remark);
+  if (there)
+  {
+    program->SetUniformi(sampler, map.Activate());
+  }
+  else
+  {
+    // As if it were flat, from a unit that others leave alone: samplers of two kinds on one unit
+    // are an error.
+    GLint units = 0;
+    glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);
+    program->SetUniformi(sampler, units - 1);
+    if (!in.Window && in.Said.insert(map.GetName()).second)
+    {
+      vtkWarningMacro("A picture without the "
+        << map.GetName() << ": the actor is in no renderer that is being drawn.");
+    }
+  }
+  if (!remark.empty())
+  {
+    vtkWarningMacro("The " << map.GetName() << ": " << remark << ".");
+  }
+  this->TellFaults();
+  return there;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMaterial::TellFaults()
+{
+  Internals& in = *this->Internal;
+  for (vtkRelievoMaterialMap* map : { &in.Normals, &in.Heights })
+  {
+    const std::string fault = this->Enabled ? map->TakeFault() : std::string();
+    if (!fault.empty())
+    {
+      vtkErrorMacro("No " << map->GetName() << ": " << fault << ".");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMaterial::SetHeightParameters(vtkShaderProgram* program, vtkActor* actor, bool there)
+{
+  Internals& in = *this->Internal;
+  if (!there)
+  {
+    const float flat[2] = { 0.f, 1.f };
+    const float texel[2] = { 1.f, 1.f };
+    program->SetUniform2f("relievoHeightDecode", flat);
+    program->SetUniform2f("relievoHeightSize", texel);
+    return;
+  }
   double range[2] = { this->HeightRange[0], this->HeightRange[1] };
   if (range[0] == range[1])
   {
@@ -223,8 +255,10 @@ void vtkRelievoMaterial::SetHeightParameters(vtkShaderProgram* program, vtkActor
 //------------------------------------------------------------------------------
 vtkMTimeType vtkRelievoMaterial::GetShaderStageMTime()
 {
-  // VTK asks before each drawing: images of the environment may be others than before.
+  // VTK asks before each drawing: images may be others than before.
   Internals& in = *this->Internal;
+  this->UpdateStructure();
+  this->TellFaults();
   vtkRelievoEnvironmentTextures::Structure structure;
   if (this->Enabled && in.Environment)
   {

@@ -134,7 +134,6 @@ std::string vtkRelievoMaterialSplice::Fill(std::string& vertex, std::string& geo
   define(structure.HeightMap, "RELIEVO_HEIGHT_MAP");
   define(structure.HeightMap, ("RELIEVO_METHOD " + std::to_string(structure.Method)).c_str());
   define(corrects, "RELIEVO_DEPTH_CORRECTION");
-  define(relief && structure.Clip, "RELIEVO_CLIP");
   define(structure.NormalMap && tangents, "RELIEVO_TANGENTS");
   for (std::string* source : { &vertex, &geometry, &fragment })
   {
@@ -167,8 +166,9 @@ std::string vtkRelievoMaterialSplice::Fill(std::string& vertex, std::string& geo
     {
       FillWord(fragment, "FragCoord.z" + offset, "FragDepth" + offset);
     }
-    FillMark(fragment, Depth, Section("Depth"));
   }
+  FillMark(fragment, Depth,
+    (relief && structure.Clip ? Section("Clip") : "") + (corrects ? Section("Depth") : ""));
   const bool lit = Has(fragment, "vec3 normalVCVSOutput =");
   FillMark(fragment, Normal, lit ? Section("Normal") : std::string());
   if (relief && structure.SelfShadow && lit)

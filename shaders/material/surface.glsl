@@ -3,7 +3,7 @@
 // Spliced into VTK's shaders by vtkRelievoMaterial: normals from a map, relief from heights.
 //
 // Defines: RELIEVO_NORMAL_MAP, RELIEVO_HEIGHT_MAP, RELIEVO_TANGENTS (the mesh brings tangents), and
-// with heights RELIEVO_METHOD (a code of codes.glsl), RELIEVO_DEPTH_CORRECTION, RELIEVO_CLIP.
+// with heights RELIEVO_METHOD (a code of codes.glsl), RELIEVO_DEPTH_CORRECTION.
 // What it shares with other splices: splice/contract.glsl.
 //
 // Heights are from 0 to 1, the mesh itself being at 1; below, depth is 1 - height.
@@ -242,12 +242,13 @@ float relievoReliefLit(vec3 towardsVC)
     }
 #endif
   }
-#ifdef RELIEVO_CLIP
+
+//RELIEVO::Section(Clip)
+  // Behind all of //VTK::UniformFlow::Impl: beside what is discarded there are no derivatives.
   if (any(lessThan(relievoUV, vec2(0.0))) || any(greaterThan(relievoUV, vec2(1.0))))
   {
     discard;
   }
-#endif
 
 //RELIEVO::Section(EyeMatrix)
 uniform mat4 MCVCMatrix;

@@ -205,9 +205,8 @@ void TestMaps()
     ExpectMessage expect("No height map: it has no scalars");
     vtkNew<vtkImageData> empty;
     scene.Material->SetHeightMap(empty);
-    scene.Picture();
     RELIEVO_CHECK_THAT(scene.Picture() == plain, "no scalars: as without");
-    scene.Picture();
+    RELIEVO_CHECK_THAT(scene.Picture() == plain, "no scalars: and in the next picture");
     RELIEVO_CHECK_THAT(expect.Count() == 1, "said once");
   }
   {
@@ -216,7 +215,6 @@ void TestMaps()
     auto thick = Image(4, 4, block);
     thick->SetDimensions(4, 2, 2);
     scene.Material->SetHeightMap(thick);
-    scene.Picture();
     RELIEVO_CHECK_THAT(scene.Picture() == plain, "a block: as without");
   }
   {
@@ -224,8 +222,53 @@ void TestMaps()
     scene.Material->SetHeightMap(nullptr);
     vtkNew<vtkUnsignedCharArray> grey;
     scene.Material->SetNormalMap(Image(16, 16, grey));
-    scene.Picture();
     RELIEVO_CHECK_THAT(scene.Picture() == plain, "a normal map of one component: as without");
+  }
+}
+
+// Maps that cannot be used are left out, and said, each by itself, until they can.
+void TestRepairs()
+{
+  Scene scene;
+  scene.Material->SetNormalMap([] {
+    vtkNew<vtkUnsignedCharArray> values;
+    values->SetNumberOfComponents(3);
+    return Image(16, 16, values);
+  }());
+  const auto both = scene.Picture();
+  const auto plain = scene.PictureWithout();
+  vtkSmartPointer<vtkImageData> heights = scene.Material->GetHeightMap();
+  scene.Material->SetHeightMap(nullptr);
+  const auto normalsOnly = scene.Picture();
+  RELIEVO_CHECK(both != plain && normalsOnly != plain && normalsOnly != both);
+  scene.Material->SetHeightMap(heights);
+  vtkImageData* maps[2] = { heights, scene.Material->GetNormalMap() };
+  vtkSmartPointer<vtkDataArray> values[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    values[i] = maps[i]->GetPointData()->GetScalars();
+  }
+  auto fill = [&](int i, bool on) {
+    maps[i]->GetPointData()->SetScalars(on ? values[i].Get() : nullptr);
+    maps[i]->Modified();
+  };
+  for (int round = 0; round < 2; ++round)
+  {
+    const std::string what = "repairs, round " + std::to_string(round);
+    ExpectMessage noHeights("No height map");
+    ExpectMessage noNormals("No normal map");
+    fill(0, false);
+    RELIEVO_CHECK_THAT(scene.Picture() == normalsOnly, what + ": heights are gone");
+    fill(1, false);
+    for (int i = 0; i < 3; ++i)
+    {
+      RELIEVO_CHECK_THAT(scene.Picture() == plain, what + ": both are gone");
+    }
+    fill(1, true);
+    RELIEVO_CHECK_THAT(scene.Picture() == normalsOnly, what + ": normals are back");
+    fill(0, true);
+    RELIEVO_CHECK_THAT(scene.Picture() == both, what + ": both are back");
+    RELIEVO_CHECK_THAT(noHeights.Count() == 1 && noNormals.Count() == 1, what + ": said once");
   }
 }
 
@@ -348,6 +391,7 @@ int main()
   relievoTest::Session session;
   TestMeshes();
   TestMaps();
+  TestRepairs();
   TestViews();
   TestBlocks();
   TestTogether();
