@@ -9,10 +9,13 @@
 #include "Props.h"
 #include "Session.h"
 #include "Stage.h"
+#include "View.h"
 #include "Window.h"
 
 #include <vtkActor.h>
+#include <vtkIdList.h>
 #include <vtkImageData.h>
+#include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkProperty.h>
@@ -21,6 +24,7 @@
 #include <vtkRelievoPrimitiveIds.h>
 #include <vtkShaderProperty.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace
@@ -86,6 +90,60 @@ vtkSmartPointer<vtkActor> Fill(vtkRenderer* renderer)
   return ball;
 }
 
+// How far the pixel is from the nearest edge, as it is drawn, of an actor's cell.
+double GetDistance(
+  const relievoTest::View& view, vtkActor* actor, int cell, const glm::dvec2& pixel)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput());
+  double least = 1e9;
+  if (cell < 0 || cell >= mesh->GetNumberOfCells())
+  {
+    return least;
+  }
+  vtkNew<vtkIdList> ids;
+  mesh->GetCellPoints(cell, ids);
+  const glm::dvec3 origin(
+    actor->GetPosition()[0], actor->GetPosition()[1], actor->GetPosition()[2]);
+  const vtkIdType count = ids->GetNumberOfIds();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    glm::dvec3 ends[2];
+    glm::dvec2 seen[2];
+    for (int end = 0; end < 2; ++end)
+    {
+      mesh->GetPoint(ids->GetId((i + end) % count), &ends[end][0]);
+      RELIEVO_CHECK(view.Project(origin + ends[end], seen[end]));
+    }
+    const glm::dvec2 along = seen[1] - seen[0];
+    const double t = glm::clamp(
+      glm::dot(pixel - seen[0], along) / std::max(1e-12, glm::dot(along, along)), 0., 1.);
+    least = std::min(least, glm::distance(pixel, seen[0] + t * along));
+  }
+  return least;
+}
+
+// Mesa's software OpenGL cuts lines that come from a geometry shader up to 0.2 pixels elsewhere. So
+// where lines of two cells cross or coincide another one may be seen, but only one that is there.
+long long CountOthers(
+  const Layers& a, const Layers& b, vtkActor* wires, const relievoTest::View& view)
+{
+  long long others = 0;
+  for (int y = 0; y < a.Height; ++y)
+  {
+    for (int x = 0; x < a.Width; ++x)
+    {
+      if (a.Id("cell", x, y) != b.Id("cell", x, y))
+      {
+        const glm::dvec2 pixel(x + 0.5, y + 0.5);
+        const double farther = std::max(GetDistance(view, wires, a.Id("cell", x, y), pixel),
+          GetDistance(view, wires, b.Id("cell", x, y), pixel));
+        others += a.Id("actor", x, y) == 0 && b.Id("actor", x, y) == 0 && farther < 0.91 ? 0 : 1;
+      }
+    }
+  }
+  return others;
+}
+
 // Shares the layers' two ways with the picture as it is without.
 void TestRoutes()
 {
@@ -104,10 +162,11 @@ void TestRoutes()
     const Layers through(stage.Renderer, Ids);
     for (const std::string& name : Ids)
     {
-      // Mesa's software OpenGL cuts what comes from a geometry shader up to 0.2 pixels elsewhere.
       const bool crossing = representation == VTK_WIREFRAME && name == "cell";
-      RELIEVO_CHECK_AT_MOST(relievoTest::CountDifferent(written, through, name), crossing ? 16 : 0,
-        what + ": pixels of " + name + " through a geometry shader");
+      RELIEVO_CHECK_AT_MOST(crossing
+          ? CountOthers(written, through, ball, relievoTest::View(stage.Renderer))
+          : relievoTest::CountDifferent(written, through, name),
+        0, what + ": pixels of " + name + " through a geometry shader");
     }
     Force(Unreliable);
     {
