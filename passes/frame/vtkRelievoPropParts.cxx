@@ -12,8 +12,11 @@
 #include "vtkNew.h"
 #include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
+#include "vtkRenderer.h"
 #include "vtkSkybox.h"
 #include "vtkVolume.h"
+
+#include <string>
 
 //------------------------------------------------------------------------------
 void vtkRelievoPropParts::Collect(vtkProp* prop, std::vector<Part>& parts)
@@ -25,7 +28,10 @@ void vtkRelievoPropParts::Collect(vtkProp* prop, std::vector<Part>& parts)
     while (vtkAssemblyPath* path = prop->GetNextPath())
     {
       vtkAssemblyNode* leaf = path->GetLastNode();
-      parts.push_back({ leaf->GetViewProp(), leaf->GetMatrix() });
+      if (leaf->GetViewProp()->GetVisibility())
+      {
+        parts.push_back({ leaf->GetViewProp(), leaf->GetMatrix() });
+      }
     }
   }
   else if (vtkLODProp3D::SafeDownCast(prop))
@@ -62,7 +68,47 @@ vtkActor* vtkRelievoPropParts::GetMeshActor(const Part& part)
 //------------------------------------------------------------------------------
 bool vtkRelievoPropParts::DrawsNoOpaque(const Part& part)
 {
+  // Exactly these classes: derived ones draw without a mapper of their own.
+  const std::string name = part.Prop->GetClassName();
+  if ((name == "vtkOpenGLActor" || name == "vtkFollower") &&
+    !static_cast<vtkActor*>(part.Prop)->GetMapper())
+  {
+    return true;
+  }
   // Of VTK's 2D actors, captions draw a leader among what is opaque.
   return (vtkActor2D::SafeDownCast(part.Prop) && !part.Prop->IsA("vtkCaptionActor2D")) ||
     vtkVolume::SafeDownCast(part.Prop);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPropParts::IsMixed(vtkProp* prop, const std::vector<Part>& parts)
+{
+  bool meshes = false;
+  bool others = false;
+  for (const Part& part : parts)
+  {
+    const bool mesh = GetMeshActor(part) != nullptr;
+    meshes = meshes || mesh;
+    others = others || (!mesh && !DrawsNoOpaque(part));
+  }
+  return meshes && others && !vtkLODProp3D::SafeDownCast(prop);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPropParts::RenderMeshes(vtkProp* prop, bool translucent, vtkRenderer* renderer)
+{
+  // Not of an earlier Collect: an assembly that was drawn meanwhile has other matrices.
+  std::vector<Part> parts;
+  Collect(prop, parts);
+  for (const Part& part : parts)
+  {
+    if (vtkActor* actor = GetMeshActor(part))
+    {
+      actor->SetPropertyKeys(prop->GetPropertyKeys());
+      actor->PokeMatrix(part.Matrix);
+      translucent ? actor->RenderTranslucentPolygonalGeometry(renderer)
+                  : actor->RenderOpaqueGeometry(renderer);
+      actor->PokeMatrix(nullptr);
+    }
+  }
 }

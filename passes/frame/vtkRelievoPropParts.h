@@ -12,6 +12,7 @@
 class vtkActor;
 class vtkMatrix4x4;
 class vtkProp;
+class vtkRenderer;
 
 namespace vtkRelievoPropParts
 {
@@ -21,14 +22,22 @@ struct Part
   vtkMatrix4x4* Matrix = nullptr; // an assembly's for the part; nullptr: the part's own
 };
 
-// The leaves of an assembly, the levels of detail, or the prop itself.
+// The visible leaves of an assembly, the levels of detail, or the prop itself.
 VTKRELIEVOFRAME_EXPORT void Collect(vtkProp* prop, std::vector<Part>& parts);
 
 // The part as an actor whose mapper's shaders take splices, or nullptr.
 VTKRELIEVOFRAME_EXPORT vtkActor* GetMeshActor(const Part& part);
 
-// Whether the part draws nothing in three dimensions' opaque phase: texts, bars, volumes.
+// Whether the part draws nothing in three dimensions' opaque phase: texts, bars, volumes, actors
+// without a mapper.
 VTKRELIEVOFRAME_EXPORT bool DrawsNoOpaque(const Part& part);
+
+// Whether the prop draws only some of its parts by meshes' mappers, and can draw them alone.
+VTKRELIEVOFRAME_EXPORT bool IsMixed(vtkProp* prop, const std::vector<Part>& parts);
+
+// Draws the opaque or the translucent geometry of an assembly's meshes as it draws them, and
+// nothing else of it.
+VTKRELIEVOFRAME_EXPORT void RenderMeshes(vtkProp* prop, bool translucent, vtkRenderer* renderer);
 }
 
 #endif

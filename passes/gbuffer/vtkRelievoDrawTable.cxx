@@ -5,6 +5,8 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCellArray.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
@@ -36,9 +38,24 @@ vtkIdType CountPrimitivesAtMost(vtkPolyData* mesh)
     2 * mesh->GetStrips()->GetNumberOfConnectivityIds();
 }
 
-vtkIdType CountGlyphs(vtkDataObject* input)
+// A draw shows points of one block: no more than the largest has.
+vtkIdType CountGlyphsAtMost(vtkDataObject* input)
 {
-  return input ? std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT)) : 1;
+  vtkIdType most = 1;
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(blocks->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      most = std::max(most, it->GetCurrentDataObject()->GetNumberOfElements(vtkDataObject::POINT));
+    }
+  }
+  else if (input)
+  {
+    most = std::max(most, input->GetNumberOfElements(vtkDataObject::POINT));
+  }
+  return most;
 }
 
 vtkIdType CountPrimitives(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int source)
@@ -49,7 +66,7 @@ vtkIdType CountPrimitives(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int 
   }
   if (source == vtkRelievoGBufferSplice::InstanceOfGlyphs)
   {
-    return actor->GetMapper() ? CountGlyphs(actor->GetMapper()->GetInputDataObject(0, 0)) : 1;
+    return actor->GetMapper() ? CountGlyphsAtMost(actor->GetMapper()->GetInputDataObject(0, 0)) : 1;
   }
   if (Composites::Draws(mapper))
   {
@@ -107,6 +124,7 @@ std::uint32_t vtkRelievoDrawTable::Add(
 {
   const int type = vtkRelievoAccess::Mapper::BoundPrimitiveType(mapper);
   std::uint32_t first = 0;
+  vtkIdType most = -1;
   if (!this->Draws.empty())
   {
     Draw& last = this->Draws.back();
@@ -120,10 +138,16 @@ std::uint32_t vtkRelievoDrawTable::Add(
       return last.First;
     }
     first = last.First + last.Count;
+    // Glyphs take many draws, each of which would look through all blocks.
+    const bool goesOn = last.Actor == actor && last.PrimitiveSource == primitiveSource &&
+      primitiveSource == vtkRelievoGBufferSplice::InstanceOfGlyphs;
+    most = goesOn ? static_cast<vtkIdType>(last.Count) : -1;
   }
-  const vtkIdType most = CountPrimitives(actor, mapper, primitiveSource);
-  const std::uint32_t count =
-    static_cast<std::uint32_t>(std::min<vtkIdType>(most, Nothing - first));
+  most = most < 0 ? CountPrimitives(actor, mapper, primitiveSource) : most;
+  // From the first draw on that words do not reach, nothing has ids.
+  const bool reached = most < static_cast<vtkIdType>(Nothing - first);
+  const std::uint32_t count = reached ? static_cast<std::uint32_t>(most) : 0;
+  first = reached ? first : Nothing;
   Draw draw{};
   draw.Actor = actor;
   draw.Keys = actor->GetPropertyKeys();

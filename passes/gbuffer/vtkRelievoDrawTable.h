@@ -55,7 +55,8 @@ public:
 
   void Clear();
 
-  // A draw call begins; returns the id word of its first primitive.
+  // A draw call begins; returns the id word of its first primitive, or Nothing for all of them
+  // where no words are left.
   std::uint32_t Add(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int primitiveSource);
 
   // Whether the words of the draw that was added last cannot tell its blocks apart.

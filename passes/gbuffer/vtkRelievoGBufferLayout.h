@@ -46,6 +46,9 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
 
   void Arrange();
 
+  // Outputs of shaders/gbuffer/write.glsl.
+  static constexpr int MostAttachments = 5;
+
   bool IsEmpty() const { return this->Background.empty(); }
   int GetNumberOfWords() const { return static_cast<int>(this->Background.size()); }
   int GetNumberOfAttachments() const { return (this->GetNumberOfWords() + 3) / 4; }

@@ -14,6 +14,8 @@
 #include "vtkRelievoShaderTrial.h"
 #include "vtkShaderProgram.h"
 
+#include <glm/matrix.hpp>
+
 //------------------------------------------------------------------------------
 bool vtkRelievoGBufferPass::PreReplaceShaderValues(std::string& vertexShader,
   std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
@@ -120,11 +122,19 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
                     "colours. Colour the cells, or compute the normals at the points.");
     }
     program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
+    if (first == vtkRelievoDrawTable::Nothing && in.Said.insert("words").second)
+    {
+      vtkErrorMacro("More primitives are drawn than 32 bits count: what is drawn last has the ids "
+                    "-1, no arrays, and depth as the rasteriser rounds it. Draw less at once.");
+    }
   }
   in.Glyphs.SetUniforms(program, mapper);
   program->SetUniformi(
     "relievoFaces", actor->GetProperty()->GetRepresentation() == VTK_SURFACE ? 1 : 0);
-  program->SetUniformf("relievoWinding", actor->GetMatrix()->Determinant() < 0.0 ? -1.0f : 1.0f);
+  const double winding = actor->GetMatrix()->Determinant() *
+    glm::determinant(glm::dmat3(in.View.WorldToView)) *
+    glm::determinant(glm::dmat2(in.View.ViewToNDC));
+  program->SetUniformf("relievoWinding", winding < 0.0 ? -1.0f : 1.0f);
   program->SetUniformf("relievoNear", static_cast<float>(in.View.Near));
   program->SetUniformf("relievoFar", static_cast<float>(in.View.Far));
   return true;

@@ -90,6 +90,21 @@ std::string vtkRelievoGBufferTarget::Allocate(
         << ": make the window smaller, or capture it in tiles";
     return out.str();
   }
+  // Draw buffer 0 is the colour's.
+  GLint buffers = 0;
+  GLint attachments = 0;
+  glGetIntegerv(GL_MAX_DRAW_BUFFERS, &buffers);
+  glGetIntegerv(GL_MAX_COLOR_ATTACHMENTS, &attachments);
+  const int most = std::min({ vtkRelievoGBufferLayout::MostAttachments, buffers - 1, attachments });
+  if (layout.GetNumberOfAttachments() > most)
+  {
+    this->Release(window);
+    std::ostringstream out;
+    out << "the layers that are asked take " << layout.GetNumberOfWords()
+        << " words of 32 bits a pixel, at most " << 4 * most
+        << " are written at once: ask for fewer layers, or choose a smaller format for normals";
+    return out.str();
+  }
   std::vector<int> channels;
   for (int i = 0; i < layout.GetNumberOfAttachments(); ++i)
   {

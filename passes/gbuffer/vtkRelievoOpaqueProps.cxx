@@ -9,10 +9,13 @@
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
+
 //------------------------------------------------------------------------------
 void vtkRelievoOpaqueProps::Collect(const vtkRenderState* s)
 {
   this->Props.clear();
+  this->Mixed.clear();
   this->Foreign.clear();
   std::vector<vtkRelievoPropParts::Part> parts;
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
@@ -20,22 +23,27 @@ void vtkRelievoOpaqueProps::Collect(const vtkRenderState* s)
     vtkProp* prop = s->GetPropArray()[i];
     vtkRelievoPropParts::Collect(prop, parts);
     bool writes = false;
+    bool foreign = false;
     for (const vtkRelievoPropParts::Part& part : parts)
     {
-      if (vtkRelievoPropParts::DrawsNoOpaque(part))
+      if (vtkRelievoPropParts::GetMeshActor(part))
       {
-        continue;
+        writes = true;
       }
-      writes = vtkRelievoPropParts::GetMeshActor(part) != nullptr;
-      if (!writes)
+      else if (!vtkRelievoPropParts::DrawsNoOpaque(part))
       {
+        foreign = true;
         this->Foreign = part.Prop->GetClassName();
-        break;
       }
     }
-    if (writes)
+    if (writes && !foreign)
     {
       this->Props.push_back(prop);
+    }
+    else if (vtkRelievoPropParts::IsMixed(prop, parts))
+    {
+      this->Props.push_back(prop);
+      this->Mixed.insert(prop);
     }
   }
 }
@@ -58,18 +66,29 @@ void vtkRelievoOpaqueProps::RemovePass(vtkOpenGLRenderPass* pass)
 //------------------------------------------------------------------------------
 void vtkRelievoOpaqueProps::RenderOpaque(vtkRenderer* renderer, bool removesHiddenLines)
 {
-  const int count = static_cast<int>(this->Props.size());
-  if (removesHiddenLines &&
-    vtkHiddenLineRemovalPass::WireframePropsExist(this->Props.data(), count))
+  std::vector<vtkProp*> whole = this->Props;
+  whole.erase(std::remove_if(whole.begin(), whole.end(),
+                [this](vtkProp* prop) { return this->Mixed.count(prop) > 0; }),
+    whole.end());
+  const int count = static_cast<int>(whole.size());
+  const bool together =
+    removesHiddenLines && vtkHiddenLineRemovalPass::WireframePropsExist(whole.data(), count);
+  if (together)
   {
     vtkRenderState state(renderer);
-    state.SetPropArrayAndCount(this->Props.data(), count);
+    state.SetPropArrayAndCount(whole.data(), count);
     vtkNew<vtkHiddenLineRemovalPass> pass;
     pass->Render(&state);
-    return;
   }
   for (vtkProp* prop : this->Props)
   {
-    prop->RenderOpaqueGeometry(renderer);
+    if (this->Mixed.count(prop))
+    {
+      vtkRelievoPropParts::RenderMeshes(prop, false, renderer);
+    }
+    else if (!together)
+    {
+      prop->RenderOpaqueGeometry(renderer);
+    }
   }
 }

@@ -8,6 +8,7 @@
 
 #include "vtkRelievoSplicedKeys.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ public:
 
 private:
   std::vector<vtkProp*> Props; // in the renderer's order
+  std::set<vtkProp*> Mixed;    // of Props: assemblies of which only the meshes write layers
   std::string Foreign;
   vtkRelievoSplicedKeys Spliced;
 };

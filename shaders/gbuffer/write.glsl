@@ -32,8 +32,8 @@ layout(location = 4) out uvec4 relievoOutput4;
 #if RELIEVO_ATTACHMENTS > 4
 layout(location = 5) out uvec4 relievoOutput5;
 #endif
-uniform int relievoFirstPrimitive;
-uniform float relievoWinding;
+uniform int relievoFirstPrimitive; // -1: no words are left
+uniform float relievoWinding; // -1 where actor, view and projection together mirror
 uniform int relievoFaces; // whether faces are drawn, not their edges or corners
 uniform float relievoNear;
 uniform float relievoFar;
@@ -133,7 +133,7 @@ uvec3 relievoPackNormal(vec3 n)
 #ifdef RELIEVO_HAS_NORMAL
   relievoNormalVC = normalVCVSOutput;
 #ifdef RELIEVO_NORMAL_BY_WINDING
-  // VTK turns these by the winding, which a mirroring actor matrix inverts.
+  // VTK turns these by the winding, which a mirroring matrix inverts.
   relievoNormalVC *= relievoWinding;
 #ifdef RELIEVO_GLYPH_WINDING
   relievoNormalVC *= relievoGlyphWindingVSOutput;
@@ -175,9 +175,11 @@ uvec3 relievoPackNormal(vec3 n)
   relievoWords[RELIEVO_ID_WORD] = uint(relievoFirstPrimitive);
 #if RELIEVO_PRIMITIVE_SOURCE == RELIEVO_PRIMITIVE_OF_MESH || \
   RELIEVO_PRIMITIVE_SOURCE == RELIEVO_PRIMITIVE_OF_POINTS
-  relievoWords[RELIEVO_ID_WORD] += uint(gl_PrimitiveID + PrimitiveIDOffset);
+  relievoWords[RELIEVO_ID_WORD] +=
+    relievoFirstPrimitive == -1 ? uint(0) : uint(gl_PrimitiveID + PrimitiveIDOffset);
 #elif RELIEVO_PRIMITIVE_SOURCE == RELIEVO_PRIMITIVE_OF_GLYPHS
-  relievoWords[RELIEVO_ID_WORD] += uint(relievoInstanceVSOutput);
+  relievoWords[RELIEVO_ID_WORD] +=
+    relievoFirstPrimitive == -1 ? uint(0) : uint(relievoInstanceVSOutput);
 #endif
 #endif
 

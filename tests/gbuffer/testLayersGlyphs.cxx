@@ -324,6 +324,46 @@ void TestCulling()
   RELIEVO_CHECK(layers.Covered() > 500 && layers.CountId("actor", 0) == layers.Covered());
   RELIEVO_CHECK(layers.CountId("cell", -1) == 120 * 80);
 }
+
+// Every block is a draw of its own: as many words as the points of all blocks for each of them
+// would be more than there are.
+void TestManyBlocks()
+{
+  constexpr int Columns = 100;
+  constexpr int Rows = 60;
+  const Stage stage(400, 240);
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  camera->SetPosition(0.5 * Columns, 0.5 * Rows, 100.);
+  camera->SetFocalPoint(0.5 * Columns, 0.5 * Rows, 0.);
+  camera->SetViewUp(0., 1., 0.);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.5 * Rows);
+  camera->SetClippingRange(90., 110.);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (int i = 0; i < Rows * Columns; ++i)
+  {
+    const std::vector<glm::dvec3> places(
+      120, glm::dvec3(i % Columns + 0.5, static_cast<int>(i / Columns) + 0.5, 0.));
+    blocks->SetBlock(i, relievoTest::MakePolygons(places));
+  }
+  vtkNew<vtkGlyph3DMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  mapper->SetSourceData(relievoTest::MakeSquare());
+  mapper->SetScaleModeToNoDataScaling();
+  mapper->SetScaleFactor(0.45);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  stage.Renderer->AddActor(actor);
+  const Layers layers(stage.Renderer, { "actor", "block" });
+  int wrong = 0;
+  for (int i = 0; i < Rows * Columns; ++i)
+  {
+    const int x = 4 * (i % Columns) + 2;
+    const int y = 4 * (i / Columns) + 2;
+    wrong += layers.Id("actor", x, y) == 0 && layers.Id("block", x, y) == i + 1 ? 0 : 1;
+  }
+  RELIEVO_CHECK_AT_MOST(wrong, 0, "6000 blocks of glyphs: those that are taken for another");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -337,5 +377,6 @@ int main()
   TestComposite();
   TestSmall();
   TestCulling();
+  TestManyBlocks();
   return session.Result();
 }
