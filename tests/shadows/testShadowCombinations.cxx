@@ -11,6 +11,7 @@
 #include "ShadowPictures.h"
 #include "Window.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCameraPass.h>
 #include <vtkDepthOfFieldPass.h>
@@ -26,6 +27,7 @@
 #include <vtkOverlayPass.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoShadowPass.h>
 #include <vtkRenderPassCollection.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkSSAAPass.h>
@@ -36,8 +38,10 @@
 #include <vtkVolumetricPass.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <functional>
 #include <iostream>
+#include <vector>
 
 namespace
 {
@@ -221,6 +225,82 @@ void TestStereo()
     RELIEVO_CHECK_THAT(here > mono - mono / 5 && here <= most, what + ": shadows are missing");
   }
 }
+
+// All tiles of a picture look up the maps of the whole: no tile draws one, no edge steps between
+// two, and put together they are the picture of a window that large.
+void TestTilesShareMaps()
+{
+  for (const int scale : { 2, 3 })
+  {
+    const std::string what = std::to_string(scale * scale) + " tiles";
+    ShadowStage stage;
+    ShadowStage large(240 * scale, 180 * scale);
+    for (ShadowStage* each : { &stage, &large })
+    {
+      each->AddThings();
+      each->AddLamp({ -1., 4., -1.5 }, { 0.3, 0., 0.3 }, 90.);
+      relievoTest::AddTwoSuns(*each);
+      each->GetFrame()->ShadowsOn();
+      each->Window->Render();
+    }
+    RELIEVO_CHECK_THAT(stage.GetShadows()->GetNumberOfMapsDrawn() > 1, what + ": no maps drawn");
+    std::vector<int> drawn;
+    std::function<void()> count = [&]() {
+      drawn.push_back(stage.GetShadows()->GetNumberOfMapsDrawn());
+    };
+    vtkNew<vtkCallbackCommand> callback;
+    callback->SetClientData(&count);
+    callback->SetCallback([](vtkObject*, unsigned long, void* data, void*) {
+      (*static_cast<std::function<void()>*>(data))();
+    });
+    const unsigned long tag = stage.Renderer->AddObserver(vtkCommand::EndEvent, callback);
+    vtkNew<vtkWindowToImageFilter> tiles;
+    tiles->SetInput(stage.Window);
+    tiles->SetScale(scale);
+    tiles->ReadFrontBufferOff();
+    tiles->Update();
+    stage.Renderer->RemoveObserver(tag);
+    RELIEVO_CHECK_THAT(static_cast<int>(drawn.size()) >= scale * scale &&
+        std::all_of(drawn.begin(), drawn.end(), [](int maps) { return maps == 0; }),
+      what + ": a tile drew maps of its own");
+    // VTK's own tiles are off by a level at some edges.
+    RELIEVO_CHECK_AT_MOST(relievoTest::CountUnlike(tiles->GetOutput(), Picture(large.Window), 2), 0,
+      what + ": pixels unlike those of a large window");
+  }
+}
+
+// A picture for two eyes is what it is in the first frame, whatever was drawn before it.
+void TestStereoStays()
+{
+  for (const int type : { VTK_STEREO_LEFT, VTK_STEREO_RIGHT, VTK_STEREO_RED_BLUE,
+         VTK_STEREO_ANAGLYPH, VTK_STEREO_INTERLACED, VTK_STEREO_DRESDEN, VTK_STEREO_CHECKERBOARD,
+         VTK_STEREO_SPLITVIEWPORT_HORIZONTAL })
+  {
+    const std::string what = "stereo " + std::to_string(type);
+    vtkSmartPointer<vtkImageData> pictures[2];
+    for (const bool before : { false, true })
+    {
+      ShadowStage stage;
+      stage.AddThings();
+      relievoTest::AddTwoSuns(stage);
+      stage.AddLamp({ -1., 4., -1.5 }, { 0.3, 0., 0.3 }, 90.);
+      stage.GetFrame()->ShadowsOn();
+      if (before)
+      {
+        stage.Window->Render();
+      }
+      stage.Window->SetStereoRender(true);
+      stage.Window->SetStereoType(type);
+      pictures[before] = Picture(stage.Window);
+      for (int frame = 2; frame <= 4; ++frame)
+      {
+        relievoTest::SamePicture(
+          pictures[before], Picture(stage.Window), what + ", frame " + std::to_string(frame));
+      }
+    }
+    relievoTest::SamePicture(pictures[0], pictures[1], what + ", after a frame for one eye");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -232,6 +312,8 @@ int main()
     TestFeature(feature);
   }
   TestTiles();
+  TestTilesShareMaps();
   TestStereo();
+  TestStereoStays();
   return session.Result();
 }
