@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <set>
 
 namespace
@@ -150,7 +151,8 @@ std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor*
 bool vtkRelievoCasterDraw::IsBuilt(vtkOpenGLPolyDataMapper* mapper) const
 {
   const auto known = this->Built.find(mapper);
-  if (known == this->Built.end() || known->second != Access::BuildTime(mapper))
+  if (known == this->Built.end() || known->second.Mapper != mapper ||
+    known->second.BuildTime != Access::BuildTime(mapper))
   {
     return false;
   }
@@ -169,12 +171,22 @@ void vtkRelievoCasterDraw::SetWindow(vtkOpenGLRenderWindow* window)
     this->Release(this->Window);
     this->Window = window;
   }
+  // Of mappers that are gone.
+  for (auto it = this->Built.begin(); it != this->Built.end();)
+  {
+    it = it->second.Mapper ? std::next(it) : this->Built.erase(it);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoCasterDraw::Learn(vtkOpenGLPolyDataMapper* mapper)
 {
-  this->Built[mapper] = Access::BuildTime(mapper);
+  Known& known = this->Built[mapper];
+  if (known.Mapper != mapper)
+  {
+    known.Mapper = mapper;
+  }
+  known.BuildTime = Access::BuildTime(mapper);
 }
 
 //------------------------------------------------------------------------------

@@ -60,7 +60,12 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkShaderProgram* Program = nullptr; // the window's shader cache owns it
   glm::dmat4 WorldToNDC{ 1.0 };
-  std::map<vtkOpenGLPolyDataMapper*, vtkMTimeType> Built; // pointers for comparison only
+  struct Known
+  {
+    vtkWeakPointer<vtkOpenGLPolyDataMapper> Mapper;
+    vtkMTimeType BuildTime;
+  };
+  std::map<vtkOpenGLPolyDataMapper*, Known> Built;
   unsigned int Arrays = 0;
   int Attribute = -1;
 };

@@ -52,14 +52,11 @@ bool vtkRelievoForwardMasks::Allocate(
   this->Width = width;
   this->Height = height;
   this->Lights = lights;
-  glGenTextures(1, &this->Masks);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, this->Masks);
-  glTexImage3D(
-    GL_TEXTURE_2D_ARRAY, 0, GL_R8, width, height, lights, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+  this->Masks = vtkRelievoShadowMaps::MakeArray(GL_R8, width, height, lights);
+  if (!this->Masks)
+  {
+    return true; // not tried again before something else is asked
+  }
   glGenVertexArrays(1, &this->Arrays);
   this->Depth = vtkSmartPointer<vtkTextureObject>::New();
   this->Depth->SetContext(window);
@@ -186,6 +183,10 @@ void vtkRelievoForwardMasks::EndLight()
 bool vtkRelievoForwardMasks::Bind()
 {
   vtkOpenGLState* state = this->Window->GetState();
+  if (!this->Masks)
+  {
+    return false;
+  }
   if (this->Unit < 0)
   {
     this->Unit = state->GetTextureUnitManager()->Allocate();

@@ -46,12 +46,16 @@ public:
   void DrawMap(const vtkRelievoShadowView& view, int layer, double tolerance);
   void EndLight();
 
-  // False if no texture unit is free.
+  // False if OpenGL has no memory for them, or no texture unit is free.
   bool Bind();
   void Unbind();
   int GetTextureUnit() const { return this->Unit; }
 
-  vtkIdType GetBytes() const { return GetBytes(this->Width, this->Height, this->Lights); }
+  bool IsThere() const { return this->Masks != 0; }
+  vtkIdType GetBytes() const
+  {
+    return this->Masks ? GetBytes(this->Width, this->Height, this->Lights) : 0;
+  }
   static vtkIdType GetBytes(int width, int height, int lights);
   void Release(vtkWindow* window);
 

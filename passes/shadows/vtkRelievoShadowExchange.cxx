@@ -93,6 +93,40 @@ void ForEachNumber(vtkRelievoShadowCache::Map& map, Each each)
 }
 
 //------------------------------------------------------------------------------
+std::vector<int> vtkRelievoShadowExchange::FindCommon(const std::vector<int>& lights)
+{
+  constexpr int Most = 256; // as many numbers everywhere; more lights have no room in a shader
+  std::vector<unsigned char> own(Most, 0);
+  for (const int light : lights)
+  {
+    if (light < Most)
+    {
+      own[light] = 1;
+    }
+  }
+  std::vector<unsigned char> all(Most, 0);
+  this->Controller->AllReduce(own.data(), all.data(), Most, vtkCommunicator::MIN_OP);
+  std::vector<int> common;
+  for (int i = 0; i < Most; ++i)
+  {
+    if (all[i])
+    {
+      common.push_back(i);
+    }
+  }
+  return common;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowExchange::IsEverywhere(bool here)
+{
+  const int own = here ? 1 : 0;
+  int all = 0;
+  this->Controller->AllReduce(&own, &all, 1, vtkCommunicator::MIN_OP);
+  return all != 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoShadowExchange::Gather(vtkRelievoShadowScene& scene)
 {
   this->NewFrame = true;

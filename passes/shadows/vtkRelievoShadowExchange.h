@@ -26,6 +26,12 @@ public:
   bool IsOn() const { return this->Controller && this->Controller->GetNumberOfProcesses() > 1; }
   bool IsRoot() const { return this->Controller->GetLocalProcessId() == 0; }
 
+  // Of lights by their number in the renderer, those that every process names.
+  std::vector<int> FindCommon(const std::vector<int>& lights);
+
+  // Whether all processes say so.
+  bool IsEverywhere(bool here);
+
   // Brings what casts and receives anywhere to the first process. Its view counts for all, and the
   // least of all processes' largest maps.
   void Gather(vtkRelievoShadowScene& scene);

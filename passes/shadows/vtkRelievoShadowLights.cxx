@@ -179,6 +179,39 @@ void vtkRelievoShadowLights::Collect(vtkRenderer* renderer, int mostMaps)
 }
 
 //------------------------------------------------------------------------------
+std::vector<int> vtkRelievoShadowLights::GetNumbers() const
+{
+  std::vector<int> numbers;
+  for (const vtkRelievoShadowLight& light : this->Casting)
+  {
+    numbers.push_back(light.Number);
+  }
+  return numbers;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowLights::KeepOnly(const std::vector<int>& numbers)
+{
+  this->Casting.clear();
+  for (vtkRelievoShadowLight& light : this->All)
+  {
+    if (!light.NoShadow.empty())
+    {
+      continue;
+    }
+    if (std::find(numbers.begin(), numbers.end(), light.Number) != numbers.end())
+    {
+      this->Casting.push_back(light);
+    }
+    else
+    {
+      light.NoShadow = "it casts none on another process; choose lights alike on all";
+      light.Broken = true;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string vtkRelievoShadowLights::GetReport() const
 {
   std::string report;

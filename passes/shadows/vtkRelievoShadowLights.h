@@ -35,6 +35,8 @@ public:
 
   // Decides which lights cast in this frame, with so many maps at most.
   void Collect(vtkRenderer* renderer, int mostMaps);
+  std::vector<int> GetNumbers() const; // of those that cast
+  void KeepOnly(const std::vector<int>& numbers);
   const std::vector<vtkRelievoShadowLight>& GetAll() const { return this->All; }
   const std::vector<vtkRelievoShadowLight>& GetCasting() const { return this->Casting; }
   void Clear() { this->Casting.clear(); }

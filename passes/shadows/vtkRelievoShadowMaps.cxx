@@ -16,23 +16,6 @@
 #include <algorithm>
 #include <cmath>
 
-namespace
-{
-void AllocateDepth(unsigned int texture, int size, int layers)
-{
-  glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
-  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT32F, size, size, layers, 0,
-    GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_NONE);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
-}
-}
-
 //------------------------------------------------------------------------------
 vtkRelievoShadowMaps::vtkRelievoShadowMaps() = default;
 
@@ -51,6 +34,35 @@ int vtkRelievoShadowMaps::GetLargestSize()
 }
 
 //------------------------------------------------------------------------------
+unsigned int vtkRelievoShadowMaps::MakeArray(unsigned int format, int width, int height, int layers)
+{
+  const bool depth = format == GL_DEPTH_COMPONENT32F;
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+    // Others' errors: what follows is to be known.
+  }
+  unsigned int texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(format), width, height, layers, 0,
+    depth ? GL_DEPTH_COMPONENT : GL_RED, depth ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+  const bool there = glGetError() == GL_NO_ERROR;
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+  if (!there)
+  {
+    glDeleteTextures(1, &texture);
+    texture = 0;
+  }
+  return texture;
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoShadowMaps::Allocate(vtkOpenGLRenderWindow* window, int size, int layers)
 {
   if (this->Window == window && this->Size == size && this->Layers == layers)
@@ -59,14 +71,17 @@ bool vtkRelievoShadowMaps::Allocate(vtkOpenGLRenderWindow* window, int size, int
   }
   this->Release(this->Window);
   this->Window = window;
-  glGenTextures(1, &this->Texture);
-  AllocateDepth(this->Texture, layers > 0 ? size : 1, std::max(1, layers));
-  glGenTextures(1, &this->Empty);
-  AllocateDepth(this->Empty, 1, 1);
-  this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
-  this->Framebuffer->SetContext(window);
   this->Size = size;
   this->Layers = layers;
+  const int side = layers > 0 ? size : 1;
+  this->Texture = MakeArray(GL_DEPTH_COMPONENT32F, side, side, std::max(1, layers));
+  if (!this->Texture)
+  {
+    return true; // not tried again before something else is asked
+  }
+  this->Empty = MakeArray(GL_DEPTH_COMPONENT32F, 1, 1, 1);
+  this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+  this->Framebuffer->SetContext(window);
   return true;
 }
 

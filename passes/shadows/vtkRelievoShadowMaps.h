@@ -35,6 +35,12 @@ public:
   // context must be current.
   bool Allocate(vtkOpenGLRenderWindow* window, int size, int layers);
 
+  // Whether OpenGL has the room that was asked last.
+  bool IsThere() const { return this->Texture != 0; }
+
+  // A texture of so many layers, looked up texel by texel; 0 if OpenGL has no memory for it.
+  static unsigned int MakeArray(unsigned int format, int width, int height, int layers);
+
   // The largest map of this OpenGL.
   static int GetLargestSize();
 
@@ -66,7 +72,7 @@ public:
   int GetTextureUnit() const { return this->Unit; }
 
   int GetSize() const { return this->Size; }
-  vtkIdType GetBytes() const { return GetBytes(this->Size, this->Layers); }
+  vtkIdType GetBytes() const { return this->Texture ? GetBytes(this->Size, this->Layers) : 0; }
   static vtkIdType GetBytes(int size, int maps);
   void Release(vtkWindow* window);
 

@@ -42,6 +42,12 @@ public:
   // mappers draw through the stage's callbacks is counted there.
   virtual int Draw(vtkRelievoShadowWork&, vtkRenderer*) { return 0; }
 
+  // What Draw could not do, in words; the picture is as the maps alone make it then.
+  virtual std::string GetFault() const { return std::string(); }
+
+  // After the picture, if drawing has changed what the casters' state says: nothing moved.
+  virtual void Settle(const vtkRelievoShadowWork&) {}
+
   // After the picture: texture units are given back.
   virtual void Unbind() {}
 

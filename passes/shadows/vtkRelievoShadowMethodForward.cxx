@@ -31,9 +31,12 @@ int vtkRelievoShadowMethodForward::Draw(vtkRelievoShadowWork& work, vtkRenderer*
   const auto& entries = work.Cache.GetEntries();
   const bool lost = this->Masks.Allocate(
     window, work.View.Viewport[2], work.View.Viewport[3], static_cast<int>(entries.size()));
+  this->Fault.clear();
   if (!this->Masks.Bind())
   {
     this->Drawn = {};
+    this->Fault = this->Masks.IsThere() ? "all texture units of this OpenGL are taken"
+                                        : "this OpenGL has no memory for the masks in the view";
     return 0;
   }
   work.Maps.Bind(true); // making the masks may have taken their place
@@ -53,10 +56,10 @@ int vtkRelievoShadowMethodForward::Draw(vtkRelievoShadowWork& work, vtkRenderer*
   }
   this->Drawn = state;
   int draws = 0;
-  this->DrawingDepth = true;
+  work.DrawingDepth = true;
   this->Masks.DrawDepth(
     [&]() { draws += work.Props.RenderSurfaces(renderer, state.WorldToNDC, work.PlainDraw); });
-  this->DrawingDepth = false;
+  work.DrawingDepth = false;
   int light = 0;
   for (const auto& entry : entries)
   {
@@ -71,6 +74,15 @@ int vtkRelievoShadowMethodForward::Draw(vtkRelievoShadowWork& work, vtkRenderer*
     this->Masks.EndLight();
   }
   return draws;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMethodForward::Settle(const vtkRelievoShadowWork& work)
+{
+  if (!this->Drawn.Lights.empty())
+  {
+    this->Drawn.Surfaces = work.Props.GetState();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -99,7 +111,8 @@ void vtkRelievoShadowMethodForward::SetActorUniforms(
   int region[4];
   vtkRelievoForwardMasks::GetViewport(region);
   // A mask is of the opaque surfaces that are seen, at the size of the viewport.
-  const bool holds = !work.DrawingMaps && !this->DrawingDepth && actor->HasOpaqueGeometry() &&
+  const bool holds = !work.DrawingMaps && !work.DrawingDepth && this->Fault.empty() &&
+    this->Masks.GetTextureUnit() >= 0 && actor->HasOpaqueGeometry() &&
     region[2] == work.View.Viewport[2] && region[3] == work.View.Viewport[3];
   program->SetUniformi("relievoShadowMasked", holds ? 1 : 0);
   program->SetUniform2i("relievoShadowOrigin", region);

@@ -17,6 +17,8 @@ class vtkRelievoShadowMethodForward : public vtkRelievoShadowMethod
 {
 public:
   int Draw(vtkRelievoShadowWork& work, vtkRenderer* renderer) override;
+  std::string GetFault() const override { return this->Fault; }
+  void Settle(const vtkRelievoShadowWork& work) override;
   void Unbind() override { this->Masks.Unbind(); }
   std::string GetShader() const override { return "shadow/forward.glsl"; }
   void SetFrameUniforms(vtkShaderProgram* program, const vtkRelievoShadowWork& work) const override;
@@ -40,7 +42,7 @@ private:
 
   vtkRelievoForwardMasks Masks;
   State Drawn;
-  bool DrawingDepth = false; // that the camera sees
+  std::string Fault;
 };
 
 #endif

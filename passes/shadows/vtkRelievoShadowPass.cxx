@@ -198,6 +198,10 @@ bool vtkRelievoShadowPass::Prepare(vtkRelievoFrameContext& context)
   // The shaders that draw the maps are built for the lights that VTK counts here.
   static_cast<vtkOpenGLRenderer*>(context.Renderer)->UpdateLights();
   in.Lights.Collect(context.Renderer, vtkRelievoShadowMaps::GetMostFaces());
+  if (in.Schedule.Exchange.IsOn())
+  {
+    in.Lights.KeepOnly(in.Schedule.Exchange.FindCommon(in.Lights.GetNumbers()));
+  }
   for (const vtkRelievoShadowLight& light : in.Lights.GetAll())
   {
     if (light.Broken && in.Said.insert(std::to_string(light.Number) + light.NoShadow).second)
@@ -265,16 +269,13 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
   work.PlainDraw.SetWindow(in.Window);
   work.Bias = this->Bias;
   in.UseMethod(this->Method, context.Window);
-  in.Schedule.Fit(work, in.Lights.GetCasting(), *in.Method, this->GetMapSizeHere(),
-    this->FilterRadius, context.Renderer);
+  const std::string fault = in.Schedule.Fit(work, in.Lights.GetCasting(), *in.Method,
+    this->GetMapSizeHere(), this->FilterRadius, context.Renderer);
   in.UpdateStructure();
-  if (!work.Maps.Bind(false))
+  if (!fault.empty())
   {
-    this->Explain("failed", "all texture units of this OpenGL are taken");
-    if (in.Said.insert("unit").second)
-    {
-      vtkErrorMacro("No shadows: all texture units of this OpenGL are taken. Use fewer textures.");
-    }
+    this->Explain("failed", fault);
+    this->SayOnce("No shadows: " + fault);
     return;
   }
   in.Spliced = true;
@@ -288,6 +289,19 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
   in.Told.clear();
   this->DrawCalls += mapDraws + methodDraws; // mappers that draw by themselves counted theirs
   this->ExplainMaps();
+  if (!in.Method->GetFault().empty())
+  {
+    this->SayOnce("Shadows are looked up in the maps alone: " + in.Method->GetFault());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::SayOnce(const std::string& error)
+{
+  if (this->Internal->Said.insert(error).second)
+  {
+    vtkErrorMacro(<< error << ".");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -305,6 +319,7 @@ void vtkRelievoShadowPass::Finish(vtkRelievoFrameContext& context)
       // Some mappers count themselves as modified when they draw.
       in.Work.Props.Collect(context.State);
       in.Work.Cache.SetCasters(in.Work.Props);
+      in.Method->Settle(in.Work);
     }
   }
 }
@@ -324,6 +339,7 @@ void vtkRelievoShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Work.Cache.Clear();
   this->Internal->Lights.Clear();
   this->NumberOfMapsDrawn = 0;
+  this->DrawCalls = 0;
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -254,6 +254,7 @@ private:
   void operator=(const vtkRelievoShadowPass&) = delete;
 
   void ExplainMaps();
+  void SayOnce(const std::string& error);
   double GetExpectedWrongShare() const; // of the frame's maps
   int GetMapSizeHere();                 // or OpenGL's limit, with a warning
 

@@ -35,7 +35,7 @@ bool vtkRelievoShadowPass::PostReplaceShaderValues(std::string& vertexShader,
   }
   const std::string own[3] = { vertexShader, geometryShader, fragmentShader };
   std::string missing = vtkRelievoShadowSplice::Fill(
-    vertexShader, geometryShader, fragmentShader, mapper, actor, in.Work.Structure);
+    vertexShader, geometryShader, fragmentShader, mapper, in.Work.Structure);
   std::string key = mapper->GetClassName() + missing;
   if (missing.empty())
   {
@@ -72,9 +72,9 @@ bool vtkRelievoShadowPass::SetShaderParameters(vtkShaderProgram* program,
   {
     in.Work.PlainDraw.Learn(mapper);
   }
+  this->DrawCalls += in.Work.DrawingMaps || in.Work.DrawingDepth ? 1 : 0;
   if (in.Work.DrawingMaps)
   {
-    ++this->DrawCalls;
     in.Schedule.AddProgram(program);
     // A sheet blocks light from both sides.
     in.Work.Maps.DrawBothSides();

@@ -116,6 +116,7 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
 {
   this->Spliced.clear();
   this->Seen.clear();
+  this->Mixed.clear();
   this->MereReceivers = false;
   this->Casters.clear();
   this->CasterBoxes.clear();
@@ -142,6 +143,7 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
       choice = made.Prop == prop ? made : choice;
     }
     vtkRelievoPropParts::Collect(prop, parts);
+    const bool mixed = vtkRelievoPropParts::IsMixed(prop, parts);
     parts.erase(std::remove_if(parts.begin(), parts.end(),
                   [](const vtkRelievoPropParts::Part& part) {
                     return !vtkRelievoPropParts::GetMeshActor(part);
@@ -155,6 +157,10 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
       continue;
     }
     this->Spliced.push_back(prop);
+    if (mixed)
+    {
+      this->Mixed.insert(prop);
+    }
     const bool translucent = choice.Casts == 1;
     const bool casts = choice.Casts == 1 || (choice.Casts == -1 && prop->HasOpaqueGeometry() != 0);
     if (casts)
@@ -289,6 +295,23 @@ void vtkRelievoShadowProps::RemovePass(vtkOpenGLRenderPass* pass)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoShadowProps::Render(vtkProp* prop, bool translucent, vtkRenderer* renderer)
+{
+  if (this->Mixed.count(prop))
+  {
+    vtkRelievoPropParts::RenderMeshes(prop, translucent, renderer);
+  }
+  else if (translucent)
+  {
+    prop->RenderTranslucentPolygonalGeometry(renderer);
+  }
+  else
+  {
+    prop->RenderOpaqueGeometry(renderer);
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoShadowProps::RenderCasters(
   vtkRenderer* renderer, const vtkRelievoShadowView& view, vtkRelievoCasterDraw& plainDraw)
 {
@@ -305,10 +328,10 @@ int vtkRelievoShadowProps::RenderCasters(
       plain.push_back(actor);
       continue;
     }
-    caster.Prop->RenderOpaqueGeometry(renderer);
+    this->Render(caster.Prop, false, renderer);
     if (caster.Translucent)
     {
-      caster.Prop->RenderTranslucentPolygonalGeometry(renderer);
+      this->Render(caster.Prop, true, renderer);
     }
   }
   return RenderPlain(renderer, plain, view.ViewToNDC * view.WorldToView, plainDraw);
@@ -331,7 +354,7 @@ int vtkRelievoShadowProps::RenderSurfaces(
     }
     else
     {
-      prop->RenderOpaqueGeometry(renderer);
+      this->Render(prop, false, renderer);
     }
   }
   return RenderPlain(renderer, plain, worldToNDC, plainDraw);
@@ -343,12 +366,20 @@ int vtkRelievoShadowProps::RenderPlain(vtkRenderer* renderer, const std::vector<
 {
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   int calls = 0;
-  if (!actors.empty() && plainDraw.Begin(window, worldToNDC))
+  const bool begun = !actors.empty() && plainDraw.Begin(window, worldToNDC);
+  for (vtkActor* actor : actors)
   {
-    for (vtkActor* actor : actors)
+    if (begun)
     {
       calls += plainDraw.Draw(actor);
     }
+    else
+    {
+      actor->RenderOpaqueGeometry(renderer);
+    }
+  }
+  if (begun)
+  {
     plainDraw.End();
   }
   return calls;

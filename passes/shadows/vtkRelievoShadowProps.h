@@ -68,6 +68,7 @@ public:
 private:
   static int RenderPlain(vtkRenderer* renderer, const std::vector<vtkActor*>& actors,
     const glm::dmat4& worldToNDC, vtkRelievoCasterDraw& plainDraw);
+  void Render(vtkProp* prop, bool translucent, vtkRenderer* renderer);
   void AddState(vtkActor* actor);
   void AddDouble(double value);
 
@@ -79,6 +80,7 @@ private:
   std::vector<Choice> Choices;
   std::vector<vtkProp*> Spliced;
   std::vector<vtkProp*> Seen; // of Spliced
+  std::set<vtkProp*> Mixed;   // of Spliced: assemblies of which only the meshes cast
   bool MereReceivers = false;
   std::vector<Caster> Casters;
   std::vector<vtkRelievoBox> CasterBoxes; // of Casters, one each

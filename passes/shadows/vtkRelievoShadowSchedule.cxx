@@ -9,6 +9,7 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace
 {
@@ -36,7 +37,7 @@ glm::dmat4 GetTileToPicture(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowSchedule::Fit(vtkRelievoShadowWork& work,
+std::string vtkRelievoShadowSchedule::Fit(vtkRelievoShadowWork& work,
   const std::vector<vtkRelievoShadowLight>& casting, const vtkRelievoShadowMethod& method, int size,
   int radius, vtkRenderer* renderer)
 {
@@ -73,10 +74,28 @@ void vtkRelievoShadowSchedule::Fit(vtkRelievoShadowWork& work,
   {
     work.Cache.Invalidate();
   }
+  std::string fault;
+  if (!work.Maps.IsThere())
+  {
+    std::ostringstream out;
+    out << "this OpenGL has no memory for " << work.Cache.GetNumberOfMaps() << " maps of "
+        << request.Size << " x " << request.Size << " texels; choose a smaller MapSize";
+    fault = out.str();
+  }
+  else if (!work.Maps.Bind(false))
+  {
+    fault = "all texture units of this OpenGL are taken; use fewer textures";
+  }
   if (together)
   {
     this->Exchange.Agree(work.Cache);
+    if (!this->Exchange.IsEverywhere(fault.empty()) && fault.empty())
+    {
+      fault = "another process has no room for the maps";
+      work.Maps.Unbind();
+    }
   }
+  return fault;
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include "vtkRelievoShadowLight.h"
 
 #include <set>
+#include <string>
 #include <vector>
 
 class vtkRelievoShadowMethod;
@@ -23,8 +24,8 @@ public:
   vtkRelievoShadowExchange Exchange;
 
   // Maps of size x size texels, or less if another process makes no larger ones, with a filter of
-  // this radius at most.
-  void Fit(vtkRelievoShadowWork& work, const std::vector<vtkRelievoShadowLight>& casting,
+  // this radius at most. They get a texture unit. Returns why there are none, in words.
+  std::string Fit(vtkRelievoShadowWork& work, const std::vector<vtkRelievoShadowLight>& casting,
     const vtkRelievoShadowMethod& method, int size, int radius, vtkRenderer* renderer);
 
   // Returns the draw calls but for those of mappers that draw by themselves.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowSplice.h"
 
-#include "vtkActor.h"
-#include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
@@ -50,8 +48,7 @@ void vtkRelievoShadowSplice::Mark(std::string& vertex, std::string& geometry, st
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geometry,
-  std::string& fragment, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor,
-  const Structure& structure)
+  std::string& fragment, vtkOpenGLPolyDataMapper* mapper, const Structure& structure)
 {
   const bool impostor = Has(fragment, "vertexVC.xyz =") && Has(fragment, "normalVCVSOutput");
   std::string lights;
@@ -98,16 +95,15 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   {
     return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl; use VTK's templates";
   }
-  const bool surface = vtkRelievoAccess::Mapper::DrawsTriangles(mapper) && !impostor &&
-    actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  // Actors of other representations may share the mapper, and so these shaders: a uniform tells.
+  const bool triangles = vtkRelievoAccess::Mapper::DrawsTriangles(mapper) && !impostor;
   std::ostringstream dec;
   dec << "#define RELIEVO_SHADOW_LIGHTS " << structure.Lights.size() << "\n";
   dec << "#define RELIEVO_SHADOW_FACES " << structure.GetFaces() << "\n";
   dec << "#define RELIEVO_SHADOW_NUMBERS " << structure.Numbers << "\n";
   dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
   dec << (impostor ? "#define RELIEVO_SHADOW_IMPOSTOR\n" : "");
-  dec << (surface ? "#define RELIEVO_SHADOW_FACE_NORMAL\n" : "");
-  dec << (impostor || surface ? "#define RELIEVO_SHADOW_HAS_PLANE\n" : "");
+  dec << (triangles ? "#define RELIEVO_SHADOW_TRIANGLES\n" : "");
   std::string normal = Section("FragmentImpl");
   if (impostor) // elsewhere the name alone would tell other splices that VTK has a normal
   {

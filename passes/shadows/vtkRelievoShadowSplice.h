@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-class vtkActor;
 class vtkOpenGLPolyDataMapper;
 
 namespace vtkRelievoShadowSplice
@@ -57,7 +56,7 @@ void Mark(std::string& vertex, std::string& geometry, std::string& fragment);
 
 // After it. Returns what is missing, in words.
 std::string Fill(std::string& vertex, std::string& geometry, std::string& fragment,
-  vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, const Structure& structure);
+  vtkOpenGLPolyDataMapper* mapper, const Structure& structure);
 }
 
 #endif

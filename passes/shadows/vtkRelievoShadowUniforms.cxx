@@ -81,6 +81,7 @@ void vtkRelievoShadowUniforms::SetActor(
   vtkShaderProgram* program, const vtkRelievoShadowWork& work, vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
+  program->SetUniformi("relievoShadowFaces", property->GetRepresentation() == VTK_SURFACE ? 1 : 0);
   program->SetUniformf("relievoShadowInner",
     work.Props.Receives(actor) ? 0.5f * (work.Maps.GetSize() - 1) - work.Radius : -1.f);
   program->SetUniformf(

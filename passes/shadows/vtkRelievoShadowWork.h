@@ -24,6 +24,7 @@ struct vtkRelievoShadowWork
   double Bias = 0.0; // in texels
   int MapsDrawn = 0; // anew, in this frame
   bool DrawingMaps = false;
+  bool DrawingDepth = false; // that the camera sees, for a method
 };
 
 #endif

@@ -5,10 +5,9 @@
 //
 // Defines, by vtkRelievoShadowSplice: RELIEVO_SHADOW_LIGHTS (casting lights), RELIEVO_SHADOW_FACES
 // (room for their maps), RELIEVO_SHADOW_NUMBERS (lights of the renderer), RELIEVO_SHADOW_WIDE (the
-// filter's radius is above 1), and of the mapper's shader: RELIEVO_SHADOW_HAS_PLANE,
-// RELIEVO_SHADOW_FACE_NORMAL (a surface: its plane comes from derivatives), RELIEVO_SHADOW_IMPOSTOR
-// (VTK moved vertexVC to the impostor, normalVCVSOutput is exact). What it shares with other
-// splices: splice/contract.glsl.
+// filter's radius is above 1), and of the mapper's shader: RELIEVO_SHADOW_TRIANGLES (planes come
+// from derivatives), RELIEVO_SHADOW_IMPOSTOR (VTK moved vertexVC to the impostor, normalVCVSOutput
+// is exact). What it shares with other splices: splice/contract.glsl.
 //
 // Between the sections FragmentDec and MapsDec stands the section MethodDec of the method's own
 // file, which declares its uniforms and defines
@@ -40,13 +39,22 @@ uniform float relievoShadowSize;  // of a map, in texels
 uniform float relievoShadowInner; // half of it, less the filter; -1 for what receives no shadows
 uniform int relievoShadowRadius;  // of the filter, in texels; 0: the nearest texel alone
 uniform float relievoShadowLift;  // in texels: of points and lines, which have no plane
+#if defined(RELIEVO_SHADOW_IMPOSTOR)
+#define RELIEVO_SHADOW_HAS_PLANE true
+#elif defined(RELIEVO_SHADOW_TRIANGLES)
+uniform int relievoShadowFaces; // whether faces are drawn, not their edges or corners
+#define RELIEVO_SHADOW_HAS_PLANE (relievoShadowFaces != 0)
+#else
+#define RELIEVO_SHADOW_HAS_PLANE false
+#endif
 float relievoVisibility[RELIEVO_SHADOW_LIGHTS];
 #undef RELIEVO_VISIBILITY
 #define RELIEVO_VISIBILITY(number) relievoVisibilityOf(number)
 
 float relievoVisibilityOf(int number)
 {
-  int slot = relievoShadowSlot[number];
+  // A layer may be asked of a light that there is not.
+  int slot = number < RELIEVO_SHADOW_NUMBERS ? relievoShadowSlot[number] : -1;
   return slot < 0 ? 1.0 : relievoVisibility[slot];
 }
 
@@ -83,9 +91,7 @@ vec4 relievoShadowLit(int face, vec2 corner, float depth, vec2 slope)
 // they save: but for wide filters this is one straight line of code.
 float relievoShadowFilter(int face, vec3 place, vec2 slope, float texel)
 {
-#ifndef RELIEVO_SHADOW_HAS_PLANE
-  place.z -= relievoShadowLift * texel;
-#endif
+  place.z -= RELIEVO_SHADOW_HAS_PLANE ? 0.0 : relievoShadowLift * texel;
   vec2 corner = floor(place.xy);
   vec2 part = place.xy - corner;
   float depth = place.z - dot(slope, part);
@@ -128,13 +134,10 @@ bool relievoShadowSees(vec3 place)
 float relievoShadowAt(int face, vec3 place, vec3 plane, float facing, float inverseW)
 {
   float texel = relievoShadowTexel[face] * inverseW;
-#ifdef RELIEVO_SHADOW_HAS_PLANE
-  vec2 slope = relievoReceiverSlope(plane, 64.0 * texel);
+  vec2 slope =
+    RELIEVO_SHADOW_HAS_PLANE ? relievoReceiverSlope(plane, 64.0 * texel) : vec2(0.0);
   float lit = relievoShadowVerdict(face, place, slope, texel);
-  return facing < 0.0 ? lit : 0.0;
-#else
-  return relievoShadowVerdict(face, place, vec2(0.0), texel);
-#endif
+  return facing < 0.0 || !RELIEVO_SHADOW_HAS_PLANE ? lit : 0.0;
 }
 
 // A light with one map: of parallel rays, or a lamp's.
@@ -177,7 +180,7 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
 #define lightColorRELIEVO_NUMBER relievoShadowedColorRELIEVO_NUMBER
 
 //RELIEVO::Section(UniformFlow)
-#ifdef RELIEVO_SHADOW_FACE_NORMAL
+#ifdef RELIEVO_SHADOW_TRIANGLES
   vec3 relievoShadowDx = dFdx(vertexVC.xyz);
   vec3 relievoShadowDy = dFdy(vertexVC.xyz);
 #endif
@@ -222,7 +225,7 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
 //RELIEVO::Section(FragmentImpl)
 #if defined(RELIEVO_SHADOW_IMPOSTOR)
   vec3 relievoShadowNormalVC = RELIEVO_IMPOSTOR_NORMAL;
-#elif defined(RELIEVO_SHADOW_FACE_NORMAL)
+#elif defined(RELIEVO_SHADOW_TRIANGLES)
   vec3 relievoShadowNormalVC =
     normalize(cross(normalize(relievoShadowDx), normalize(relievoShadowDy)));
 #else

@@ -11,9 +11,13 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
+#include <vtkCompositePolyDataMapper2.h>
+#include <vtkDataSetMapper.h>
 #include <vtkFloatArray.h>
+#include <vtkGlyph3DMapper.h>
 #include <vtkImageData.h>
 #include <vtkLightsPass.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkOpaquePass.h>
 #include <vtkPointData.h>
@@ -156,6 +160,62 @@ void TestChanges()
     "methods that make the same picture are one method");
 }
 
+// What draws itself is counted wherever it is drawn, and a picture in which nothing moves draws
+// neither maps nor masks anew, also if its mappers count as modified when they draw.
+void TestDraws()
+{
+  int first[2] = { 0, 0 };
+  for (const int method : { Pass::METHOD_MAP, Pass::METHOD_FORWARD })
+  {
+    ShadowStage stage;
+    stage.AddGround();
+    stage.AddSun(-3., 4., -2.);
+    vtkNew<vtkGlyph3DMapper> glyphs;
+    glyphs->SetInputData(relievoTest::MakePolygons({ { -1., 0.6, 0. }, { 1., 0.6, 0. } }));
+    glyphs->SetSourceData(relievoTest::MakeBox(0.5, 0.5, 0.5));
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    blocks->SetBlock(0, relievoTest::MakeBox(0.2, 2., 0.2));
+    vtkNew<vtkCompositePolyDataMapper2> composite;
+    composite->SetInputDataObject(blocks);
+    vtkNew<vtkDataSetMapper> data;
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(3, 3, 3);
+    image->SetSpacing(0.2, 0.2, 0.2);
+    image->SetOrigin(0.3, 0.3, 0.6);
+    data->SetInputData(image);
+    for (vtkMapper* mapper : { static_cast<vtkMapper*>(glyphs), static_cast<vtkMapper*>(composite),
+           static_cast<vtkMapper*>(data) })
+    {
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(mapper);
+      stage.Renderer->AddActor(actor);
+    }
+    stage.GetShadows()->SetMethod(method);
+    stage.GetFrame()->ShadowsOn();
+    stage.Window->Render();
+    const std::string what = std::string("draws, ") + Names[method];
+    first[method] = stage.GetShadows()->GetDrawCalls();
+    for (int frame = 2; frame <= 4; ++frame)
+    {
+      stage.Window->Render();
+      RELIEVO_CHECK_THAT(
+        stage.GetShadows()->GetDrawCalls() == 0 && stage.GetShadows()->GetNumberOfMapsDrawn() == 0,
+        what + ", frame " + std::to_string(frame) + ": " +
+          std::to_string(stage.GetShadows()->GetDrawCalls()) + " draw calls");
+    }
+    stage.GetFrame()->ShadowsOff();
+    stage.Window->Render();
+    RELIEVO_CHECK_THAT(
+      stage.GetShadows()->GetDrawCalls() == 0 && stage.GetShadows()->GetNumberOfMaps() == 0,
+      what + ": counts of a frame without shadows");
+  }
+  // The map's draws once more, as the camera sees them, and the map's samples.
+  RELIEVO_CHECK_THAT(
+    first[Pass::METHOD_MAP] > 3 && first[Pass::METHOD_FORWARD] == 2 * first[Pass::METHOD_MAP] + 1,
+    "draws: " + std::to_string(first[Pass::METHOD_MAP]) + " and " +
+      std::to_string(first[Pass::METHOD_FORWARD]));
+}
+
 // VTK's own shadow pass as the delegate: light would be taken twice. Ours says so and leaves it.
 void TestPeer()
 {
@@ -204,6 +264,7 @@ int main()
   TestHorizon();
   TestFlatReceiver();
   TestChanges();
+  TestDraws();
   TestPeer();
   return session.Result();
 }

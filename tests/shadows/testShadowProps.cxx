@@ -16,12 +16,15 @@
 #include <vtkAssembly.h>
 #include <vtkCellArray.h>
 #include <vtkGlyph3DMapper.h>
+#include <vtkImageActor.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkOpenGLSphereMapper.h>
+#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRelievoCompositeMapper.h>
+#include <vtkRelievoPass.h>
 #include <vtkSphereSource.h>
 #include <vtkStripper.h>
 
@@ -138,6 +141,28 @@ const Kind Kinds[] = {
       s.Renderer->AddActor(assembly);
       return Copies(box);
     } },
+  // What it draws without a mesh's mapper casts nothing, as such a prop alone casts nothing.
+  { "an assembly with an image", 1e-3,
+    [](ShadowStage& s) {
+      const auto mesh = Copies(relievoTest::MakeBox(0.6, 0.5, 0.4));
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputData(mesh);
+      vtkNew<vtkActor> actor;
+      actor->SetMapper(mapper);
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(8, 8, 1);
+      image->SetSpacing(0.2, 0.2, 0.2);
+      image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+      image->GetPointData()->GetScalars()->Fill(200.);
+      vtkNew<vtkImageActor> slice;
+      slice->SetInputData(image);
+      slice->SetPosition(-0.7, 0.1, -1.);
+      vtkNew<vtkAssembly> assembly;
+      assembly->AddPart(slice);
+      assembly->AddPart(actor);
+      s.Renderer->AddActor(assembly);
+      return mesh;
+    } },
   { "sphere impostors", 4e-3,
     [](ShadowStage& s) {
       vtkNew<vtkOpenGLSphereMapper> mapper;
@@ -224,6 +249,50 @@ void TestPixelSized()
     RELIEVO_CHECK_THAT(dark > 3 && dark < 3000, std::string(test.Name) + ": no shadow of theirs");
   }
 }
+
+// Two actors with one mapper share its shaders, also if one draws faces, which have a plane that
+// receives, and the other their edges or corners, which have none: as with a mapper each.
+void TestSharedMapper()
+{
+  for (const int representation : { VTK_WIREFRAME, VTK_POINTS })
+  {
+    for (const bool facesFirst : { false, true })
+    {
+      vtkSmartPointer<vtkImageData> pictures[2][2];
+      for (const bool shared : { false, true })
+      {
+        ShadowStage stage;
+        stage.AddGround();
+        relievoTest::AddTwoSuns(stage);
+        const auto ball = MakeFineBall(0.7);
+        vtkSmartPointer<vtkActor> actors[2];
+        for (int i = 0; i < 2; ++i)
+        {
+          actors[i] = AddActor(stage.Renderer, ball);
+          actors[i]->SetPosition(1.6 * i - 0.8, 0.8, 0.);
+        }
+        actors[facesFirst ? 1 : 0]->GetProperty()->SetRepresentation(representation);
+        actors[facesFirst ? 1 : 0]->GetProperty()->SetLineWidth(3.f);
+        actors[facesFirst ? 1 : 0]->GetProperty()->SetPointSize(3.f);
+        if (shared)
+        {
+          actors[1]->SetMapper(actors[0]->GetMapper());
+        }
+        pictures[shared][0] = Picture(stage.Window);
+        stage.GetFrame()->ShadowsOn();
+        pictures[shared][1] = Picture(stage.Window);
+      }
+      const std::string what = std::string("a mapper shared by faces and ") +
+        (representation == VTK_POINTS ? "points" : "wires") +
+        (facesFirst ? ", faces first" : ", faces last");
+      relievoTest::SamePicture(pictures[0][0], pictures[1][0], what + ", without shadows");
+      RELIEVO_CHECK_THAT(relievoTest::CountUnlike(pictures[0][0], pictures[0][1], 20) > 1000,
+        what + ": there are no shadows");
+      RELIEVO_CHECK_AT_MOST(relievoTest::CountUnlike(pictures[0][1], pictures[1][1]), 0,
+        what + ": pixels unlike those with a mapper each");
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -235,5 +304,6 @@ int main()
     TestKind(kind);
   }
   TestPixelSized();
+  TestSharedMapper();
   return session.Result();
 }
