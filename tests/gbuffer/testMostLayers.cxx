@@ -61,8 +61,8 @@ void TestMost()
       RELIEVO_CHECK(frame->ReadLayer(name, image));
     }
     const Layers layers(image);
-    RELIEVO_CHECK_AT_MOST(relievoTest::CountDifferent(layers,
-                            Layers(fixture.Renderer, { "depth", "albedo" }), "albedo"),
+    RELIEVO_CHECK_AT_MOST(relievoTest::CountDifferent(
+                            layers, Layers(fixture.Renderer, { "depth", "albedo" }), "albedo"),
       0, "20 words: pixels of another albedo");
     double range[2];
     layers.Image->GetPointData()->GetArray("shadow_21")->GetRange(range);
