@@ -78,7 +78,8 @@ std::string vtkRelievoShadowSchedule::Fit(vtkRelievoShadowWork& work,
   if (!work.Maps.IsThere())
   {
     std::ostringstream out;
-    out << "this OpenGL has no memory for " << work.Cache.GetNumberOfMaps() << " maps of "
+    const int maps = work.Cache.GetNumberOfMaps();
+    out << "this OpenGL has no memory for " << maps << (maps == 1 ? " map of " : " maps of ")
         << request.Size << " x " << request.Size << " texels; choose a smaller MapSize";
     fault = out.str();
   }

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// An OpenGL that has no memory for maps or masks: what cannot be made is said once and counts no
+// bytes, the picture is the one without it, and what fits later is made.
+#include "Check.h"
+#include "Layers.h"
+#include "Session.h"
+#include "ShadowPictures.h"
+#include "Window.h"
+
+#include <vtkImageData.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoShadowPass.h>
+
+#include <string>
+
+#include <dlfcn.h>
+
+namespace
+{
+bool Full = false;
+}
+
+// Stands before OpenGL's own, by the dynamic linker's rule that the program's symbols come first.
+extern "C" __attribute__((visibility("default"))) unsigned int glGetError()
+{
+  using Function = unsigned int (*)();
+  static const auto next = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "glGetError"));
+  const unsigned int outOfMemory = 0x0505;
+  return Full ? outOfMemory : next();
+}
+
+namespace
+{
+using relievoTest::ExpectMessage;
+using relievoTest::Picture;
+using relievoTest::SamePicture;
+
+void TestMaps()
+{
+  relievoTest::ShadowStage stage;
+  stage.AddThings();
+  relievoTest::AddTwoSuns(stage);
+  const auto plain = Picture(stage.Window);
+  vtkRelievoPass* frame = stage.GetFrame();
+  frame->ShadowsOn();
+  Full = true;
+  {
+    ExpectMessage expect("no memory for 1 map of 2048 x 2048");
+    for (int i = 0; i < 3; ++i)
+    {
+      SamePicture(plain, Picture(stage.Window), "without memory for maps");
+    }
+    RELIEVO_CHECK_THAT(expect.Count() == 1, "maps: not said once");
+  }
+  RELIEVO_CHECK(stage.GetShadows()->GetBytesHeld() == 0);
+  RELIEVO_CHECK(frame->GetFrameReport().find("\"failed\"") != std::string::npos);
+  Full = false;
+  stage.GetShadows()->SetMapSize(512);
+  RELIEVO_CHECK_THAT(
+    relievoTest::CountUnlike(plain, Picture(stage.Window)) > 1000, "smaller maps: no shadows");
+  RELIEVO_CHECK(stage.GetShadows()->GetBytesHeld() == 4 * 512 * 512);
+}
+
+// Without masks, verdicts are those of the maps, not filtered otherwise.
+void TestMasks()
+{
+  relievoTest::ShadowStage stage;
+  stage.AddThings();
+  relievoTest::AddTwoSuns(stage);
+  stage.GetFrame()->ShadowsOn();
+  const auto maps = Picture(stage.Window);
+  stage.GetShadows()->SetMethod(vtkRelievoShadowPass::METHOD_FORWARD);
+  Full = true;
+  {
+    ExpectMessage expect("no memory for the masks");
+    for (int i = 0; i < 3; ++i)
+    {
+      SamePicture(maps, Picture(stage.Window), "without memory for masks");
+    }
+    RELIEVO_CHECK_THAT(expect.Count() == 1, "masks: not said once");
+  }
+  Full = false;
+  stage.Window->SetSize(241, 180);
+  const auto masks = Picture(stage.Window);
+  stage.GetShadows()->SetMethod(vtkRelievoShadowPass::METHOD_MAP);
+  RELIEVO_CHECK_THAT(
+    relievoTest::CountUnlike(masks, Picture(stage.Window)) > 0, "another size: no masks");
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  relievoTest::Session session;
+  TestMaps();
+  TestMasks();
+  return session.Result();
+}
