@@ -32,14 +32,15 @@ int vtkRelievoShadowMethodForward::Draw(vtkRelievoShadowWork& work, vtkRenderer*
   const bool lost = this->Masks.Allocate(
     window, work.View.Viewport[2], work.View.Viewport[3], static_cast<int>(entries.size()));
   this->Fault.clear();
-  if (!this->Masks.Bind())
+  const bool bound = this->Masks.Bind();
+  work.Maps.Bind(true); // making the masks may have taken their place
+  if (!bound)
   {
     this->Drawn = {};
     this->Fault = this->Masks.IsThere() ? "all texture units of this OpenGL are taken"
                                         : "this OpenGL has no memory for the masks in the view";
     return 0;
   }
-  work.Maps.Bind(true); // making the masks may have taken their place
   State state;
   state.WorldToNDC = work.View.ViewToNDC * work.View.WorldToView;
   state.Surfaces = work.Props.GetState();

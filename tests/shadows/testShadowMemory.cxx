@@ -23,12 +23,16 @@ bool Full = false;
 }
 
 // Stands before OpenGL's own, by the dynamic linker's rule that the program's symbols come first.
+// VTK asks as well, after work that has gone right.
 extern "C" __attribute__((visibility("default"))) unsigned int glGetError()
 {
   using Function = unsigned int (*)();
   static const auto next = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "glGetError"));
   const unsigned int outOfMemory = 0x0505;
-  return Full ? outOfMemory : next();
+  Dl_info from;
+  const bool fails = Full && dladdr(__builtin_return_address(0), &from) != 0 && from.dli_fname &&
+    std::string(from.dli_fname).find("RelievoShadows") != std::string::npos;
+  return fails ? outOfMemory : next();
 }
 
 namespace

@@ -11,7 +11,6 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkDataSetMapper.h>
 #include <vtkFloatArray.h>
 #include <vtkGlyph3DMapper.h>
@@ -22,6 +21,7 @@
 #include <vtkOpaquePass.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
+#include <vtkRelievoCompositeMapper.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowPass.h>
 #include <vtkRenderPassCollection.h>
@@ -175,7 +175,7 @@ void TestDraws()
     glyphs->SetSourceData(relievoTest::MakeBox(0.5, 0.5, 0.5));
     vtkNew<vtkMultiBlockDataSet> blocks;
     blocks->SetBlock(0, relievoTest::MakeBox(0.2, 2., 0.2));
-    vtkNew<vtkCompositePolyDataMapper2> composite;
+    vtkNew<vtkRelievoCompositeMapper> composite;
     composite->SetInputDataObject(blocks);
     vtkNew<vtkDataSetMapper> data;
     vtkNew<vtkImageData> image;
