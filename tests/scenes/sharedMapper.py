@@ -17,4 +17,3 @@ def scene(mappers):
 
 window = scene([mapper_of(sphere(resolution=12))] * 3)
 twin = scene([mapper_of(sphere(resolution=12)) for _ in range(3)])
-twin_shadows = False  # VTK draws all three with the shaders of one: docs/layers.md
