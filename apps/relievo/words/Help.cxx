@@ -82,7 +82,8 @@ bench measures, prints what it found, and writes CSV, PNG and SVG to a folder. W
                           NAME, all of them
 
 Options are written --name value or --name=value, --skybox alone; -- ends them.
-Either all requested files are written, or none. Needs an X display; xvfb-run provides one.
+Either all requested files are written, or none. VTK before 9.4 needs an X display, which
+xvfb-run provides.
 Exit status: 0 done, 1 the work failed, 2 the arguments were wrong.
 
 Examples
