@@ -78,7 +78,7 @@ struct Scene
     mapper->SetInputConnection(bar->GetOutputPort());
     this->Bar->SetMapper(mapper);
     this->Bar->GetProperty()->SetColor(0.25, 1.0, 0.5);
-    this->Renderer->AddActor2D(this->Bar);
+    this->Renderer->AddViewProp(this->Bar);
   }
 };
 

@@ -8,19 +8,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace
 {
-// Where the fill comes from, and its parts: most from the sun's far side, for what faces away from
-// it, the rest from beside it, for what faces it in the shadow of others; low, so that the ground's
-// shadows stay dark.
+// Where the fill comes from, and its parts: from the sun's far side, for what faces away from it, and
+// from both sides of it, for what faces it in the shadow of others: together they reach upright walls
+// of every direction. Low, so that the ground's shadows stay dark.
 struct FillPlace
 {
   double Azimuth; // from the sun's
   double Elevation;
   double Part;
 };
-constexpr FillPlace FillPlaces[2] = { { 150.0, 20.0, 0.7 }, { -60.0, 25.0, 0.3 } };
+constexpr FillPlace FillPlaces[vtkPVRelievoSun::NumberOfFills] = { { 180.0, 20.0, 0.4 },
+  { 60.0, 20.0, 0.3 }, { -60.0, 20.0, 0.3 } };
 
 void ToWorld(double azimuth, double elevation, int upAxis, double direction[3])
 {
@@ -37,12 +39,20 @@ void ToWorld(double azimuth, double elevation, int upAxis, double direction[3])
 //------------------------------------------------------------------------------
 vtkPVRelievoSun::vtkPVRelievoSun()
 {
-  for (vtkLight* light : { this->Light.Get(), this->Fills[0].Get(), this->Fills[1].Get() })
+  for (vtkLight* light : this->GetLights())
   {
     light->SetLightTypeToSceneLight();
     light->PositionalOff();
     light->SetFocalPoint(0.0, 0.0, 0.0);
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkLight*> vtkPVRelievoSun::GetLights()
+{
+  std::vector<vtkLight*> lights{ this->Light };
+  lights.insert(lights.end(), std::begin(this->Fills), std::end(this->Fills));
+  return lights;
 }
 
 //------------------------------------------------------------------------------
@@ -75,7 +85,7 @@ void vtkPVRelievoSun::PlaceLast(vtkRenderer* renderer, const std::vector<vtkLigh
   vtkLightCollection* lights = renderer->GetLights();
   const int others = lights->GetNumberOfItems() - static_cast<int>(wanted.size());
   int there = 0;
-  for (vtkLight* light : { this->Light.Get(), this->Fills[0].Get(), this->Fills[1].Get() })
+  for (vtkLight* light : this->GetLights())
   {
     there += lights->IsItemPresent(light) != 0 ? 1 : 0;
   }
@@ -88,7 +98,7 @@ void vtkPVRelievoSun::PlaceLast(vtkRenderer* renderer, const std::vector<vtkLigh
   {
     return;
   }
-  for (vtkLight* light : { this->Light.Get(), this->Fills[0].Get(), this->Fills[1].Get() })
+  for (vtkLight* light : this->GetLights())
   {
     renderer->RemoveLight(light);
   }
@@ -112,7 +122,7 @@ void vtkPVRelievoSun::Place(vtkRenderer* renderer, vtkLightKit* kit)
   }
   if (this->On && this->Fill > 0.0)
   {
-    wanted.insert(wanted.end(), { this->Fills[0], this->Fills[1] });
+    wanted = this->GetLights();
   }
   this->PlaceLast(renderer, wanted);
   if (!this->On)
@@ -133,7 +143,7 @@ void vtkPVRelievoSun::Place(vtkRenderer* renderer, vtkLightKit* kit)
   this->Light->SetSwitch(shines);
   this->Light->SetIntensity(this->Intensity);
   this->Light->SetColor(this->Color);
-  for (int i = 0; i < 2; ++i)
+  for (int i = 0; i < NumberOfFills; ++i)
   {
     this->Point(this->Fills[i], azimuth + FillPlaces[i].Azimuth, FillPlaces[i].Elevation);
     this->Fills[i]->SetIntensity(this->Fill * FillPlaces[i].Part);

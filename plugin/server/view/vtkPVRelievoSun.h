@@ -32,10 +32,11 @@ public:
   double Intensity = 0.7;
   double Color[3] = { 1.0, 1.0, 1.0 };
   double KitShare = 0.3;
-  double Fill = 0.3;
+  double Fill = 0.5;
 
+  static constexpr int NumberOfFills = 3;
   vtkNew<vtkLight> Light;
-  vtkNew<vtkLight> Fills[2];
+  vtkNew<vtkLight> Fills[NumberOfFills];
 
   // Azimuth and elevation, however it is placed.
   void GetAngles(double angles[2]);
@@ -47,6 +48,9 @@ public:
   void Place(vtkRenderer* renderer, vtkLightKit* kit);
 
 private:
+  // The sun's own and its fills.
+  std::vector<vtkLight*> GetLights();
+
   void Point(vtkLight* light, double azimuth, double elevation);
 
   // Of the sun's lights the wanted ones are the renderer's last, in that order.

@@ -119,7 +119,7 @@ void vtkPVRelievoView::SetView(vtkPVView* view)
   vtkLightKit* kit = vtkPVRelievoAccess::View::Kit(renderView);
   vtkRelievoShadowPass* shadows = in.Frame->GetShadowPass();
   shadows->SetLightName(in.Sun.Light, "sun");
-  for (vtkLight* fill : { in.Sun.Fills[0].Get(), in.Sun.Fills[1].Get() })
+  for (vtkLight* fill : in.Sun.Fills)
   {
     shadows->SetLightName(fill, "sun's fill");
     shadows->SetLightCasts(fill, false);
