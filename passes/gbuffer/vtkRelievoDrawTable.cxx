@@ -208,6 +208,7 @@ void vtkRelievoDrawTable::AddRanges(Draw& draw, vtkOpenGLPolyDataMapper* mapper)
     if (draw.Ambiguous)
     {
       draw.Ranges.clear();
+      draw.Block = -1;
     }
     return;
   }

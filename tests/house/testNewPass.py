@@ -156,6 +156,7 @@ plugin, folder = sys.argv[1:]
 simple.LoadPlugin(plugin, remote=False, ns=simple.__dict__)
 view = simple.CreateView("RenderView")
 view.ViewSize = [200, 150]
+view.UseFXAA = 0  # whose edges are a level off where its first frame was one without the stage
 simple.Show(simple.Plane(), view)
 simple.Render(view)
 simple.SaveScreenshot(folder + "/plain.png", view)

@@ -122,7 +122,7 @@ class Lights(pv.Test):
         shade = numpy.isfinite(ball) & (facing < -0.2)
         self.assertGreater(shade.sum(), 1000)
         without = pv.picture(self.view).max(axis=2)[shade]
-        self.view.RelievoSunFill = 0.5
+        self.view.RelievoSunFill = 0.3
         filled = pv.picture(self.view).max(axis=2)[shade]
         self.view.RelievoSun = self.view.RelievoShadows = 0
         kit = pv.picture(self.view).max(axis=2)[shade]

@@ -35,7 +35,7 @@ PROPERTIES = {
     "RelievoSunLatitude": (48.0, -33.5),
     "RelievoSunLongitude": (0.0, 18.5),
     "RelievoSunNorth": (0.0, 25.0),
-    "RelievoSunFill": (0.5, 0.1),
+    "RelievoSunFill": (0.3, 0.1),
     "RelievoSunUpAxis": ("Z", "Y"),
     "RelievoSunIntensity": (0.7, 0.9),
     "RelievoSunColor": ([1.0, 1.0, 1.0], [1.0, 0.9, 0.7]),

@@ -288,7 +288,8 @@ void TestSharedMapper()
       relievoTest::SamePicture(pictures[0][0], pictures[1][0], what + ", without shadows");
       RELIEVO_CHECK_THAT(relievoTest::CountUnlike(pictures[0][0], pictures[0][1], 20) > 1000,
         what + ": there are no shadows");
-      RELIEVO_CHECK_AT_MOST(relievoTest::CountUnlike(pictures[0][1], pictures[1][1]), 0,
+      // A pixel on the line between light and shadow may round otherwise in another program.
+      RELIEVO_CHECK_AT_MOST(relievoTest::CountUnlike(pictures[0][1], pictures[1][1]), 1,
         what + ": pixels unlike those with a mapper each");
     }
   }

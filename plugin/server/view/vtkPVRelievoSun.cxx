@@ -12,17 +12,17 @@
 
 namespace
 {
-// Where the fill comes from, and its parts: from the sun's far side, for what faces away from it, and
-// from both sides of it, for what faces it in the shadow of others: together they reach upright walls
-// of every direction. Low, so that the ground's shadows stay dark.
+// Where the fill comes from, and its parts: most from the sun's far side, for what faces away from
+// it, the rest from both sides of it, for what faces it in the shadow of others; together they reach
+// upright walls of every direction. Low, so that the ground's shadows stay dark.
 struct FillPlace
 {
   double Azimuth; // from the sun's
   double Elevation;
   double Part;
 };
-constexpr FillPlace FillPlaces[vtkPVRelievoSun::NumberOfFills] = { { 180.0, 20.0, 0.4 },
-  { 60.0, 20.0, 0.3 }, { -60.0, 20.0, 0.3 } };
+constexpr FillPlace FillPlaces[vtkPVRelievoSun::NumberOfFills] = { { 150.0, 20.0, 0.7 },
+  { 45.0, 20.0, 0.3 }, { -60.0, 25.0, 0.3 } };
 
 void ToWorld(double azimuth, double elevation, int upAxis, double direction[3])
 {

@@ -32,7 +32,7 @@ public:
   double Intensity = 0.7;
   double Color[3] = { 1.0, 1.0, 1.0 };
   double KitShare = 0.3;
-  double Fill = 0.5;
+  double Fill = 0.3;
 
   static constexpr int NumberOfFills = 3;
   vtkNew<vtkLight> Light;
