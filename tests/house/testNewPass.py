@@ -195,6 +195,7 @@ plugin, folder = sys.argv[1:]
 simple.LoadPlugin(plugin, remote=False, ns=simple.__dict__)
 simple.LoadState(folder + "/mist.pvsm")
 view = simple.GetActiveView()
+view.UseFXAA = 0  # which a state does not keep
 assert view.RelievoStageMistStrength == 0.9 and list(view.RelievoStageMistColor) == [1, 0, 0]
 simple.SaveScreenshot(folder + "/restored.png", view)
 """
