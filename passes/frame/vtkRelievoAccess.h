@@ -12,6 +12,7 @@
 #include "vtkGlyph3DMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
+#include "vtkOpenGLFXAAFilter.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderer.h"
@@ -44,6 +45,15 @@ public:
 
   // Camera and head lights, brought to where the camera is now.
   static void FollowCamera(vtkRenderer* ren) { (ren->*(&Renderer::UpdateLightGeometry))(); }
+
+  // VTK's FXAA keeps a texture in the format of the colours that it saw first.
+  static void ForgetColorFormat(vtkOpenGLRenderer* ren)
+  {
+    if (ren->GetUseFXAA() && ren->*(&Renderer::FXAAFilter))
+    {
+      (ren->*(&Renderer::FXAAFilter))->ReleaseGraphicsResources();
+    }
+  }
 
   // What vtkOpenGLRenderer::DeviceRender does when no pass is set, with these props in place of the
   // renderer's own of this frame: visible, culled, ordered.

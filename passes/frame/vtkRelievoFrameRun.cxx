@@ -4,6 +4,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkRelievoAccess.h"
 #include "vtkRelievoColorTarget.h"
 #include "vtkRelievoDelegate.h"
 #include "vtkRelievoFrameContext.h"
@@ -268,9 +269,20 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
       }
     };
   }
+  // Linear colours are half floats; the next picture may be drawn without them, or without a frame.
+  const bool linear = this->ColorOpen;
+  auto* renderer = static_cast<vtkOpenGLRenderer*>(this->Context.Renderer);
+  if (linear)
+  {
+    vtkRelievoAccess::Renderer::ForgetColorFormat(renderer);
+  }
   this->Timer.Begin("delegate");
   const int drawn = delegate.Render(pass, this->Context.State, moments);
   this->Timer.End("delegate");
+  if (linear)
+  {
+    vtkRelievoAccess::Renderer::ForgetColorFormat(renderer);
+  }
   if (aside)
   {
     this->Color.EndAside(this->Context);

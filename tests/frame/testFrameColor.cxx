@@ -141,6 +141,14 @@ void TestSame(const std::string& what, int samples, const std::function<void(Sce
   RELIEVO_CHECK_THAT(stage->Executed == 1, what + ": " + stage->GetReason());
   RELIEVO_CHECK_AT_MOST(GetDifference(plain, through, butFor), 1, what + ": levels of 255");
   RELIEVO_CHECK_THAT(GetDifference(through, Picture(scene.Window)) == 0, what + ": again");
+  {
+    Scene fresh(samples);
+    change(fresh);
+    vtkNew<ColorStage> first;
+    vtkRelievoPass::Attach(fresh.Renderer)->AddStage(first);
+    RELIEVO_CHECK_THAT(
+      GetDifference(through, Picture(fresh.Window)) == 0, what + ": from the first frame on");
+  }
   vtkNew<vtkFloatArray> after;
   scene.Window->GetZbufferData(0, 0, 159, 119, after);
   double most = 0.0;

@@ -156,7 +156,6 @@ plugin, folder = sys.argv[1:]
 simple.LoadPlugin(plugin, remote=False, ns=simple.__dict__)
 view = simple.CreateView("RenderView")
 view.ViewSize = [200, 150]
-view.UseFXAA = 0  # whose edges are a level off where its first frame was one without the stage
 simple.Show(simple.Plane(), view)
 simple.Render(view)
 simple.SaveScreenshot(folder + "/plain.png", view)
@@ -195,7 +194,6 @@ plugin, folder = sys.argv[1:]
 simple.LoadPlugin(plugin, remote=False, ns=simple.__dict__)
 simple.LoadState(folder + "/mist.pvsm")
 view = simple.GetActiveView()
-view.UseFXAA = 0  # which a state does not keep
 assert view.RelievoStageMistStrength == 0.9 and list(view.RelievoStageMistColor) == [1, 0, 0]
 simple.SaveScreenshot(folder + "/restored.png", view)
 """

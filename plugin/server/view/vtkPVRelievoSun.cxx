@@ -13,8 +13,8 @@
 namespace
 {
 // Where the fill comes from, and its parts: most from the sun's far side, for what faces away from
-// it, the rest from both sides of it, for what faces it in the shadow of others; together they reach
-// upright walls of every direction. Low, so that the ground's shadows stay dark.
+// it, the rest from both sides of it, for what faces it in the shadow of others; together they
+// reach upright walls of every direction. Low, so that the ground's shadows stay dark.
 struct FillPlace
 {
   double Azimuth; // from the sun's
