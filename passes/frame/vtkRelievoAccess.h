@@ -196,7 +196,7 @@ public:
     }
     return blocks;
   }
-  // Whether VTK's own shaders look anything up by a primitive's number: never kept from them.
+  // Whether the numbers are VTK's own, which its shaders may look things up by: always.
   static bool NumbersPrimitives(vtkOpenGLPolyDataMapper*) { return true; }
 
   static const std::map<vtkPolyData*, vtkCompositeMapperHelperData*>& Blocks(

@@ -288,8 +288,12 @@ void TestSharedMapper()
       relievoTest::SamePicture(pictures[0][0], pictures[1][0], what + ", without shadows");
       RELIEVO_CHECK_THAT(relievoTest::CountUnlike(pictures[0][0], pictures[0][1], 20) > 1000,
         what + ": there are no shadows");
-      // A pixel on the line between light and shadow may round otherwise in another program.
-      RELIEVO_CHECK_AT_MOST(relievoTest::CountUnlike(pictures[0][1], pictures[1][1]), 1,
+#ifdef RELIEVO_VTK_PROP_VECTOR
+      const double most = 1.; // VTK 9.7: one pixel of the wires, at the edge of a shadow
+#else
+      const double most = 0.;
+#endif
+      RELIEVO_CHECK_AT_MOST(relievoTest::CountUnlike(pictures[0][1], pictures[1][1]), most,
         what + ": pixels unlike those with a mapper each");
     }
   }
