@@ -30,7 +30,8 @@ struct vtkRelievoLayer
     FROM_ALBEDO = 8,
     FROM_ID = 16,
     FROM_SHADOW = 32,
-    FROM_PICTURE = 64 // it is no surface's, but the picture's
+    FROM_PICTURE = 64, // it is no surface's, but the picture's
+    FROM_STAGE = 128   // a stage of its own makes it, which reads it back as well
   };
 
   enum Spaces

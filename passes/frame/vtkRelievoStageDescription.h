@@ -38,6 +38,9 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoStageDescription
   // Whether a frame runs the stage, when its resources are requested, without being told to.
   bool OnByDefault = false;
 
+  // Whether it works on things that are given to it, beside its parameters: idle without any.
+  bool TakesData = false;
+
   std::vector<vtkRelievoParameter> Parameters;
 
   const vtkRelievoParameter* Find(const std::string& parameter) const;

@@ -33,7 +33,8 @@ void vtkRelievoGBufferPass::Describe(vtkRelievoStageDescription& description)
   description.OnByDefault = true;
   for (const vtkRelievoLayer& layer : vtkRelievoLayerCatalogue::GetAll())
   {
-    if (layer.Source != vtkRelievoLayer::FROM_PICTURE && !layer.OfLight)
+    constexpr int Elsewhere = vtkRelievoLayer::FROM_PICTURE | vtkRelievoLayer::FROM_STAGE;
+    if ((layer.Source & Elsewhere) == 0 && !layer.OfLight)
     {
       description.Layers.push_back(layer.Name);
     }

@@ -127,7 +127,7 @@ std::string MakeProperties(const vtkRelievoStageDescription& stage)
   std::ostringstream out;
   out << "      <RelievoIntVectorProperty name=\"" << GetPropertyName(stage, "") << "\" label=\""
       << Escape(stage.Label) << "\" command=\"SetStageOn\" initial_string=\"" << stage.Name
-      << "\" number_of_elements=\"1\" default_values=\"0\" "
+      << "\" number_of_elements=\"1\" default_values=\"" << (stage.OnByDefault ? 1 : 0) << "\" "
       << "si_class=\"vtkSIIntVectorProperty\">\n"
       << "        <BooleanDomain name=\"bool\"/>\n"
       << Documentation(stage.Help) << "      </RelievoIntVectorProperty>\n";
@@ -240,7 +240,7 @@ int main(int argc, char* argv[])
   for (int i = 0; i < frame->GetNumberOfStages(); ++i)
   {
     const vtkRelievoStageDescription& stage = frame->GetStage(i)->GetDescription();
-    if (!stage.OnByDefault)
+    if (!stage.OnByDefault || stage.TakesData)
     {
       properties += MakeProperties(stage);
       exposed += MakeExposed(stage);
