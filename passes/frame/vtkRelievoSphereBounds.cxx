@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoSphereBounds.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+glm::dvec4 GetRow(const glm::dmat4& matrix, int row)
+{
+  return { matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row] };
+}
+
+double Evaluate(const glm::dvec4& plane, const glm::dvec3& point)
+{
+  return plane.x * point.x + plane.y * point.y + plane.z * point.z + plane.w;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSphereBounds::vtkRelievoSphereBounds(const glm::dmat4& viewToNDC)
+  : Rows{ GetRow(viewToNDC, 0), GetRow(viewToNDC, 1), GetRow(viewToNDC, 3) }
+  , Usual(this->Rows[2].x == 0.0 && this->Rows[2].y == 0.0)
+{
+}
+
+//------------------------------------------------------------------------------
+glm::dvec4 vtkRelievoSphereBounds::GetPlane(int axis, double ndc) const
+{
+  const glm::dvec4 plane = this->Rows[axis] - ndc * this->Rows[2];
+  return plane / glm::length(glm::dvec3(plane));
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoSphereBounds::FindExtent(
+  const Sphere& sphere, int axis, double from, double to, double& least, double& most) const
+{
+  const glm::dvec3& center = sphere.Center;
+  const double radius = sphere.Radius;
+  const double depth = -center.z;
+  if (depth + radius < from || depth - radius > to)
+  {
+    return false;
+  }
+  if (!this->Usual)
+  {
+    least = -std::numeric_limits<double>::infinity();
+    most = std::numeric_limits<double>::infinity();
+    return true;
+  }
+  least = std::numeric_limits<double>::infinity();
+  most = -least;
+  const auto take = [&](double ndc) {
+    least = std::min(least, ndc);
+    most = std::max(most, ndc);
+  };
+  const glm::dvec4& row = this->Rows[axis];
+  const glm::dvec4& rowW = this->Rows[2];
+
+  // Where it is cut.
+  for (const double cut : { from, to })
+  {
+    const double across2 = radius * radius - (cut - depth) * (cut - depth);
+    const double w = rowW.w - rowW.z * cut;
+    if (across2 >= 0.0 && w > 0.0)
+    {
+      const double middle = Evaluate(row, glm::dvec3(center.x, center.y, -cut));
+      const double reach = std::sqrt(across2 * (row.x * row.x + row.y * row.y));
+      take((middle - reach) / w);
+      take((middle + reach) / w);
+    }
+  }
+
+  // Where planes of constant NDC touch it: (a - ndc b)^2 = radius^2 |A - ndc B|^2.
+  const glm::dvec3 normal(row);
+  const glm::dvec3 normalW(rowW);
+  const double a = Evaluate(row, center);
+  const double b = Evaluate(rowW, center);
+  const double r2 = radius * radius;
+  const double square = b * b - r2 * glm::dot(normalW, normalW);
+  const double half = a * b - r2 * glm::dot(normal, normalW);
+  const double constant = a * a - r2 * glm::dot(normal, normal);
+  const double discriminant = half * half - square * constant;
+  if (discriminant >= 0.0)
+  {
+    // The root without cancellation, and the other by the product of both.
+    const double sum = half + std::copysign(std::sqrt(discriminant), half);
+    const double roots[2] = { sum / square, constant / sum };
+    for (const double ndc : roots)
+    {
+      if (!std::isfinite(ndc))
+      {
+        continue;
+      }
+      const glm::dvec3 n = normal - ndc * normalW;
+      const glm::dvec3 touching = center - n * ((a - ndc * b) / glm::dot(n, n));
+      if (-touching.z >= from && -touching.z <= to && Evaluate(rowW, touching) > 0.0)
+      {
+        take(ndc);
+      }
+    }
+  }
+  return least <= most;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoSphereBounds::FindRectangle(
+  const Sphere& sphere, double from, double to, double rectangle[4]) const
+{
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    double least;
+    double most;
+    if (!this->FindExtent(sphere, axis, from, to, least, most) || least > 1.0 || most < -1.0)
+    {
+      return false;
+    }
+    rectangle[axis] = std::max(-1.0, least);
+    rectangle[axis + 2] = std::min(1.0, most);
+  }
+  return true;
+}
