@@ -1,8 +1,8 @@
 # Scans and builds Relievo's VTK modules; each links only what its vtk.module names.
 
 include(RelievoStages)
-set(relievo_rooms shaders layers passes/frame passes/gbuffer passes/shadows passes/effects passes materials
-  io filters)
+set(relievo_rooms shaders layers passes/frame passes/gbuffer passes/shadows passes/deferred
+  passes/effects passes materials io filters)
 set(relievo_module_files ${relievo_rooms})
 list(TRANSFORM relievo_module_files REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/\\1/vtk.module")
 set(relievo_requested Relievo::Shaders Relievo::Layers Relievo::Passes Relievo::Materials

@@ -12,7 +12,7 @@ struct vtkRelievoLayer
 {
   enum Kinds
   {
-    DISTANCE, // world units; shown through a colour map
+    NUMBER,   // shown through a colour map
     VECTOR,   // unit vectors, shown as 0.5 v + 0.5
     POSITION, // places, shown over their extent; stored in files relative to an origin
     COLOR,

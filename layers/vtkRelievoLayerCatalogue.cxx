@@ -31,9 +31,9 @@ void GetPlace(const double point[3], double* place)
 std::vector<L> MakeTable()
 {
   std::vector<L> table = {
-    { "depth", L::DISTANCE, L::FROM_DEPTH, VTK_FLOAT, 1, Infinity, "Z",
+    { "depth", L::NUMBER, L::FROM_DEPTH, VTK_FLOAT, 1, Infinity, "Z",
       "distance along the view direction, world units", "DEPTH" },
-    { "range", L::DISTANCE, L::FROM_DEPTH, VTK_FLOAT, 1, Infinity, "Z",
+    { "range", L::NUMBER, L::FROM_DEPTH, VTK_FLOAT, 1, Infinity, "Z",
       "distance from the eye, world units", "RANGE", L::VIEW, GetRange },
     { "normal", L::VECTOR, L::FROM_NORMAL, VTK_FLOAT, 3, 0.0, "X,Y,Z",
       "unit normal as it is lit, world space", "NORMAL" },
@@ -47,6 +47,12 @@ std::vector<L> MakeTable()
     { "block", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id",
       "flat index of the block, 0 in data that is not composite" },
     { "cell", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id", "index of the cell in its mesh, from 0" },
+    { "light", L::COLOR, L::FROM_STAGE, VTK_FLOAT, 3, 0.0, "R,G,B",
+      "what lamps add, before the surface's colour" },
+    { "lamp_evaluations", L::NUMBER, L::FROM_STAGE, VTK_FLOAT, 1, 0.0, "V",
+      "how many lamps were computed for the pixel" },
+    { "lamps_reaching", L::NUMBER, L::FROM_STAGE, VTK_FLOAT, 1, 0.0, "V",
+      "how many lamps reach the pixel's surface" },
     { "color", L::COLOR, L::FROM_PICTURE, VTK_FLOAT, 4, OfRenderer, "R,G,B,A",
       "the picture, scene-linear and premultiplied" },
   };

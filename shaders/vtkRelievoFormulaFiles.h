@@ -31,3 +31,7 @@
 #include "formulas/prefilter.glsl"
 
 #include "formulas/tangent_frame.glsl"
+
+#include "formulas/half.glsl"
+
+#include "formulas/lamp.glsl"

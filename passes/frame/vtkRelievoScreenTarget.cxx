@@ -136,7 +136,7 @@ void vtkRelievoScreenTarget::End()
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoScreenTarget::Read(
-  const std::string& name, int components, vtkImageData* image)
+  const std::string& name, int components, vtkImageData* image, int firstChannel)
 {
   if (!this->Texture || !this->Window)
   {
@@ -175,7 +175,7 @@ std::string vtkRelievoScreenTarget::Read(
   {
     for (int c = 0; c < components; ++c)
     {
-      out[i * components + c] = texels[i * channels + (channels == 1 ? 0 : c)];
+      out[i * components + c] = texels[i * channels + (channels == 1 ? 0 : firstChannel + c)];
     }
   }
   image->GetPointData()->AddArray(array);

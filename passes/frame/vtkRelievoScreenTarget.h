@@ -49,13 +49,19 @@ public:
   void End();
   ///@}
 
+  // What shaders that read it are told of it, as preprocessor defines.
+  void SetDefines(const std::string& defines) { this->Defines = defines; }
+  std::string GetDefines() const override { return this->Defines; }
+
   // The size in pixels: also the area for vtkRelievoScreenQuad::Draw.
   const int* GetArea() const { return this->Area; }
   const Format& GetFormat() const { return this->Shape; }
 
   // Adds the last frame's values to the image as the point array `name`, float. One channel fills
-  // all components. Returns what is wrong, in words.
-  std::string Read(const std::string& name, int components, vtkImageData* image);
+  // all components; otherwise they are the channels from the first one on. Returns what is wrong, in
+  // words.
+  std::string Read(
+    const std::string& name, int components, vtkImageData* image, int firstChannel = 0);
 
   vtkIdType GetBytes() const;
   void Release(vtkWindow* window);
@@ -65,6 +71,7 @@ public:
 
 private:
   std::string Sampler;
+  std::string Defines;
   Format Shape;
   int Area[4] = { 0, 0, 0, 0 };
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

@@ -62,7 +62,7 @@ void main()
 #elif defined(RELIEVO_SHOW_GEOMETRIC_NORMAL)
   gl_FragData[0] = relievoVectorColor(relievoFetchNormalAt(pixel, RELIEVO_GEOMETRIC_NORMAL_WORD));
 #elif defined(RELIEVO_SHOW_ALBEDO)
-  vec4 albedo = unpackUnorm4x8(relievoFetchWord(pixel, RELIEVO_ALBEDO_WORD));
+  vec4 albedo = relievoFetchAlbedo(pixel);
   gl_FragData[0] = albedo.a > 0.0 ? vec4(albedo.rgb, 1.0) : relievoBackground;
 #endif
 }

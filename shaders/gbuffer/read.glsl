@@ -135,3 +135,11 @@ vec3 relievoFetchNormal(ivec2 pixel)
 #endif
 }
 #endif
+
+#ifdef RELIEVO_ALBEDO_WORD
+// As VTK has it for display, with the opacity; 0 where nothing is.
+vec4 relievoFetchAlbedo(ivec2 pixel)
+{
+  return unpackUnorm4x8(relievoFetchWord(pixel, RELIEVO_ALBEDO_WORD));
+}
+#endif

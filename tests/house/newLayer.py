@@ -5,7 +5,7 @@ have it. For testNewPass.py, which builds the tree anyway."""
 
 import os
 
-ENTRY = """    { "altitude", L::DISTANCE, L::FROM_DEPTH, VTK_FLOAT, 1, Infinity, "Z",
+ENTRY = """    { "altitude", L::NUMBER, L::FROM_DEPTH, VTK_FLOAT, 1, Infinity, "Z",
       "height above z = 0, world units", "", L::WORLD,
       [](const double point[3], double* altitude) { *altitude = point[2]; } },
 """

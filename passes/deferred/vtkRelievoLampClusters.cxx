@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoLampClusters.h"
+
+#include "vtkSMPTools.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr int LampsInAPiece = 512;
+constexpr int MostSlices = 64;
+
+// Memory and time of the lists stay bounded: cells are made larger instead.
+constexpr double MostCells = 1 << 20;
+constexpr double MostEntries = 1 << 22;
+
+// Shaders find a pixel's slice with a float's logarithm.
+constexpr double SliceMargin = 1e-5;
+}
+
+//------------------------------------------------------------------------------
+// Cells about as large as the lamps are: smaller ones cost more to fill than they save.
+void vtkRelievoLampClusters::Divide(const vtkRelievoView& view, const vtkRelievoLampList& list)
+{
+  this->Width = view.Viewport[2];
+  this->Height = view.Viewport[3];
+  this->Parallel = view.Parallel;
+  this->Bounds = vtkRelievoSphereBounds(view.ViewToNDC);
+  double from = view.Far;
+  double to = view.Near;
+  double pixels = 0.0; // of all rectangles
+  double across = 0.0; // their sizes
+  double thickness = 0.0;
+  for (const vtkRelievoLampList::Lamp& lamp : list.GetLamps())
+  {
+    const double depth = -lamp.Sphere.Center.z;
+    from = std::min(from, std::max(view.Near, depth - lamp.Sphere.Radius));
+    to = std::max(to, std::min(view.Far, depth + lamp.Sphere.Radius));
+    const double width = 0.5 * (lamp.Rectangle[2] - lamp.Rectangle[0]) * this->Width;
+    const double height = 0.5 * (lamp.Rectangle[3] - lamp.Rectangle[1]) * this->Height;
+    pixels += width * height;
+    across += std::sqrt(width * height);
+    const double near = std::max(view.Near, depth - lamp.Sphere.Radius);
+    const double far = std::min(view.Far, depth + lamp.Sphere.Radius);
+    thickness += view.Parallel ? far - near : std::log2(std::max(1.0, far / near));
+  }
+  const double count = std::max<double>(1.0, static_cast<double>(list.GetLamps().size()));
+  this->From = from < to ? from : view.Near;
+  this->To = from < to ? to : view.Far;
+  const double range =
+    this->Parallel ? this->To - this->From : std::log2(this->To / this->From);
+  double tile = 8.0;
+  while (tile < 64.0 && tile < 0.25 * across / count)
+  {
+    tile *= 2.0;
+  }
+  double slices = std::min<double>(MostSlices, std::ceil(4.0 * range * count / thickness));
+  slices = std::isfinite(slices) ? std::max(1.0, slices) : 1.0;
+  const auto cells = [&]() {
+    return std::ceil(this->Width / tile) * std::ceil(this->Height / tile) * slices;
+  };
+  const auto entries = [&]() {
+    const double spread = 1.0 + slices * (thickness / count) / std::max(range, 1e-300);
+    const double side = across / count + tile;
+    return count * std::min(side * side, double(this->Width) * this->Height) / (tile * tile) *
+      std::min(spread, slices);
+  };
+  while (cells() > 1.0 && (cells() > MostCells || entries() > std::max(MostEntries, 2.0 * count)))
+  {
+    tile *= 2.0;
+    slices = std::max(1.0, std::floor(0.5 * slices));
+  }
+  this->Tile = static_cast<int>(tile);
+  this->Slices = static_cast<int>(slices);
+  this->Columns = (this->Width + this->Tile - 1) / this->Tile;
+  this->Rows = (this->Height + this->Tile - 1) / this->Tile;
+  const double scale = range > 0.0 ? this->Slices / range : 0.0;
+  const double start = this->Parallel ? this->From : std::log2(this->From);
+  this->SliceScale = static_cast<float>(scale);
+  this->SliceOffset = static_cast<float>(-start * scale);
+  this->RowPlanes.clear();
+  for (int row = 0; row <= this->Rows; ++row)
+  {
+    this->RowPlanes.push_back(
+      this->Bounds.GetPlane(1, 2.0 * row * this->Tile / this->Height - 1.0));
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoLampClusters::GetSliceStart(int slice) const
+{
+  const double share = static_cast<double>(slice) / this->Slices;
+  return this->Parallel ? this->From + share * (this->To - this->From)
+                        : this->From * std::pow(this->To / this->From, share);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLampClusters::AddSpans(
+  const vtkRelievoLampList& list, int lamp, std::vector<std::vector<Span>>& slices) const
+{
+  const vtkRelievoSphereBounds::Sphere& sphere = list.GetLamps()[lamp].Sphere;
+  const double depth = -sphere.Center.z;
+  const auto findSlice = [this](double d) {
+    const double f = this->Parallel ? d : std::log2(std::max(d, 0.5 * this->From));
+    return std::clamp(static_cast<int>(std::floor(f * this->SliceScale + this->SliceOffset)), 0,
+      this->Slices - 1);
+  };
+  const double margin = SliceMargin * std::max(std::abs(this->From), std::abs(this->To));
+  const auto widen = [&](double d, double sign) {
+    return d + sign * (this->Parallel ? margin : SliceMargin * std::abs(d));
+  };
+  const int firstSlice = findSlice(widen(depth - sphere.Radius, -1.0));
+  const int lastSlice = findSlice(widen(depth + sphere.Radius, 1.0));
+  for (int slice = firstSlice; slice <= lastSlice; ++slice)
+  {
+    const double from = widen(this->GetSliceStart(slice), -1.0);
+    const double to = widen(this->GetSliceStart(slice + 1), 1.0);
+    double least;
+    double most;
+    if (!this->Bounds.FindExtent(sphere, 1, from, to, least, most))
+    {
+      continue;
+    }
+    // Pixels whose centres lie in the extent, by a hair more.
+    const auto firstPixel = [](double ndc, int size) {
+      return std::max(0.0, std::ceil(0.5 * (ndc + 1.0) * size - 0.51));
+    };
+    const auto lastPixel = [](double ndc, int size) {
+      return std::min(size - 1.0, std::floor(0.5 * (ndc + 1.0) * size - 0.49));
+    };
+    const double bottom = firstPixel(least, this->Height);
+    const double top = lastPixel(most, this->Height);
+    if (bottom > top)
+    {
+      continue;
+    }
+    const int lastRow = static_cast<int>(top) / this->Tile;
+    for (int row = static_cast<int>(bottom) / this->Tile; row <= lastRow; ++row)
+    {
+      // What of the sphere lies beyond a plane is within a smaller one, around its middle there.
+      vtkRelievoSphereBounds::Sphere part = sphere;
+      bool reaches = true;
+      for (int side = 0; side < 2; ++side)
+      {
+        const glm::dvec4& plane = this->RowPlanes[row + side];
+        const double above = glm::dot(glm::dvec3(plane), sphere.Center) + plane.w;
+        if ((side == 0) == (above < 0.0))
+        {
+          part.Center = sphere.Center - above * glm::dvec3(plane);
+          const double left = sphere.Radius * sphere.Radius - above * above;
+          part.Radius = left > 0.0 ? std::sqrt(left) : 0.0;
+          reaches = reaches && left > 0.0;
+        }
+      }
+      if (!reaches || !this->Bounds.FindExtent(part, 0, from, to, least, most))
+      {
+        continue;
+      }
+      const double first = firstPixel(least, this->Width);
+      const double last = lastPixel(most, this->Width);
+      if (first <= last)
+      {
+        slices[slice].push_back({ lamp, static_cast<short>(row),
+          static_cast<short>(static_cast<int>(first) / this->Tile),
+          static_cast<short>(static_cast<int>(last) / this->Tile) });
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLampClusters::FillSlice(int slice)
+{
+  Sheet& sheet = this->Sheets[slice];
+  sheet.Starts.assign(static_cast<std::size_t>(this->Columns) * this->Rows + 1, 0);
+  const auto forEach = [&](const auto& work) {
+    for (const std::vector<Span>& piece : sheet.Pieces)
+    {
+      for (const Span& span : piece)
+      {
+        for (int column = span.First; column <= span.Last; ++column)
+        {
+          work(span.Lamp, static_cast<std::size_t>(span.Row) * this->Columns + column);
+        }
+      }
+    }
+  };
+  forEach([&](int, std::size_t cell) { ++sheet.Starts[cell + 1]; });
+  for (std::size_t cell = 1; cell < sheet.Starts.size(); ++cell)
+  {
+    sheet.Starts[cell] += sheet.Starts[cell - 1];
+  }
+  sheet.Lists.resize(static_cast<std::size_t>(sheet.Starts.back()));
+  std::vector<int> next(sheet.Starts.begin(), sheet.Starts.end() - 1);
+  forEach(
+    [&](int lamp, std::size_t cell) { sheet.Lists[next[cell]++] = static_cast<float>(lamp); });
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLampClusters::Build(const vtkRelievoView& view, const vtkRelievoLampList& list)
+{
+  this->Divide(view, list);
+  const int count = static_cast<int>(list.GetLamps().size());
+  const int pieces = (count + LampsInAPiece - 1) / LampsInAPiece;
+  std::vector<std::vector<std::vector<Span>>> found(static_cast<std::size_t>(pieces));
+  vtkSMPTools::For(0, pieces, 1, [&](vtkIdType from, vtkIdType to) {
+    for (vtkIdType piece = from; piece < to; ++piece)
+    {
+      found[piece].resize(static_cast<std::size_t>(this->Slices));
+      const int end = std::min(count, static_cast<int>(piece + 1) * LampsInAPiece);
+      for (int lamp = static_cast<int>(piece) * LampsInAPiece; lamp < end; ++lamp)
+      {
+        this->AddSpans(list, lamp, found[piece]);
+      }
+    }
+  });
+  this->Sheets.assign(static_cast<std::size_t>(this->Slices), {});
+  for (int slice = 0; slice < this->Slices; ++slice)
+  {
+    for (auto& piece : found)
+    {
+      this->Sheets[slice].Pieces.push_back(std::move(piece[slice]));
+    }
+  }
+  vtkSMPTools::For(0, this->Slices, 1, [&](vtkIdType from, vtkIdType to) {
+    for (vtkIdType slice = from; slice < to; ++slice)
+    {
+      this->FillSlice(static_cast<int>(slice));
+    }
+  });
+  this->Cells.clear();
+  this->Lists.clear();
+  const std::size_t cells = static_cast<std::size_t>(this->Columns) * this->Rows;
+  this->Cells.reserve(2 * cells * this->Sheets.size());
+  for (const Sheet& sheet : this->Sheets)
+  {
+    const auto start = static_cast<int>(this->Lists.size());
+    for (std::size_t cell = 0; cell < cells; ++cell)
+    {
+      this->Cells.push_back(static_cast<float>(start + sheet.Starts[cell]));
+      this->Cells.push_back(static_cast<float>(sheet.Starts[cell + 1] - sheet.Starts[cell]));
+    }
+    this->Lists.insert(this->Lists.end(), sheet.Lists.begin(), sheet.Lists.end());
+  }
+  this->Sheets.clear();
+}

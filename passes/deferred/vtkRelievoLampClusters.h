@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which lamps reach which part of the view: the view is cut into tiles of pixels and slices of
+// depth, and each cell lists, in the lamps' order, those that may reach a point in it (O. Olsson,
+// M. Billeter, U. Assarsson, Clustered Deferred and Forward Shading, 2012).
+//
+// Lists are counted, then filled: no lamp is dropped, however many there are. Slices grow with the
+// distance in perspective and are equal in parallel projection.
+#ifndef vtkRelievoLampClusters_h
+#define vtkRelievoLampClusters_h
+
+#include "vtkRelievoDeferredModule.h"
+#include "vtkRelievoLampList.h"
+
+#include <string>
+#include <vector>
+
+class VTKRELIEVODEFERRED_EXPORT vtkRelievoLampClusters
+{
+public:
+  void Build(const vtkRelievoView& view, const vtkRelievoLampList& list);
+
+  // Cells: columns, rows and slices of the view, and the width of a tile in pixels.
+  int GetColumns() const { return this->Columns; }
+  int GetRows() const { return this->Rows; }
+  int GetSlices() const { return this->Slices; }
+  int GetTile() const { return this->Tile; }
+
+  // The slice of a depth is floor(scale * f(depth) + offset), where f is log2 or, in parallel
+  // projection, the depth itself.
+  float GetSliceScale() const { return this->SliceScale; }
+  float GetSliceOffset() const { return this->SliceOffset; }
+
+  // For each cell, columns first, then rows: where its list begins, and how many it lists.
+  const std::vector<float>& GetCells() const { return this->Cells; }
+
+  // Lamps by their place in vtkRelievoLampList.
+  const std::vector<float>& GetLists() const { return this->Lists; }
+
+private:
+  struct Span
+  {
+    int Lamp;
+    short Row;
+    short First; // column
+    short Last;
+  };
+  struct Sheet // all cells of a slice
+  {
+    std::vector<std::vector<Span>> Pieces; // in the lamps' order
+    std::vector<int> Starts;
+    std::vector<float> Lists;
+  };
+
+  void Divide(const vtkRelievoView& view, const vtkRelievoLampList& list);
+  double GetSliceStart(int slice) const;
+  void AddSpans(const vtkRelievoLampList& list, int lamp, std::vector<std::vector<Span>>& slices) const;
+  void FillSlice(int slice);
+
+  int Columns = 0;
+  int Rows = 0;
+  int Slices = 0;
+  int Tile = 16;
+  int Width = 0;
+  int Height = 0;
+  bool Parallel = false;
+  double From = 0.0; // depths that the slices cover
+  double To = 1.0;
+  float SliceScale = 0.0f;
+  float SliceOffset = 0.0f;
+  vtkRelievoSphereBounds Bounds{ glm::dmat4(1.0) };
+  std::vector<glm::dvec4> RowPlanes; // between rows of tiles
+  std::vector<Sheet> Sheets;
+  std::vector<float> Cells;
+  std::vector<float> Lists;
+};
+
+#endif

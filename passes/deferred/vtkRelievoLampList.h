@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The lamps of a frame: those of all sets that the camera can see light of, in eye space.
+#ifndef vtkRelievoLampList_h
+#define vtkRelievoLampList_h
+
+#include "vtkRelievoDeferredModule.h"
+#include "vtkRelievoSphereBounds.h"
+#include "vtkRelievoView.h"
+
+#include <vector>
+
+class vtkRelievoLamps;
+
+class VTKRELIEVODEFERRED_EXPORT vtkRelievoLampList
+{
+public:
+  struct Lamp
+  {
+    vtkRelievoSphereBounds::Sphere Sphere; // eye space; enlarged by what a float's rounding moves
+    float Rectangle[4];                    // in NDC, cut to the view
+  };
+
+  // Takes the lamps in their order. What lies behind the eye, beyond the clipping planes, beside
+  // the view, or between the centres of all pixels, is left out.
+  void Take(const vtkRelievoView& view, const std::vector<vtkRelievoLamps*>& sets);
+
+  const std::vector<Lamp>& GetLamps() const { return this->Lamps; }
+  int GetNumberGiven() const { return this->NumberGiven; }
+  bool IsWhite() const { return this->White; }
+
+  // For shaders/deferred/lamps.glsl: two texels of four floats for each lamp.
+  const std::vector<float>& GetTexels() const { return this->Texels; }
+
+  // And one for each set: its attenuation values.
+  const std::vector<float>& GetAttenuations() const { return this->Attenuations; }
+
+private:
+  std::vector<Lamp> Lamps;
+  std::vector<float> Texels;
+  std::vector<float> Attenuations;
+  int NumberGiven = 0;
+  bool White = true;
+};
+
+#endif

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoLampQuads.h"
+
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoLampList.h"
+#include "vtkRelievoResource.h"
+#include "vtkRelievoScreenTarget.h"
+#include "vtkRelievoShaderLibrary.h"
+#include "vtkShaderProgram.h"
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLampQuads::Draw(vtkRelievoFrameContext& context,
+  const vtkRelievoLampList& list, vtkRelievoScreenTarget& target, const std::string& defines,
+  const std::function<void(vtkShaderProgram*)>& bind)
+{
+  std::vector<float> rectangles;
+  rectangles.reserve(4 * list.GetLamps().size());
+  for (const vtkRelievoLampList::Lamp& lamp : list.GetLamps())
+  {
+    rectangles.insert(rectangles.end(), lamp.Rectangle, lamp.Rectangle + 4);
+  }
+  const std::string tooMany = this->Rectangles.Upload(context.Window, rectangles, 4);
+  if (!tooMany.empty())
+  {
+    return tooMany;
+  }
+  vtkOpenGLState* state = context.Window->GetState();
+  if (!this->Surfaces.Ready(context, "deferred/lampDepthFS.glsl", { "depth" }))
+  {
+    return this->Surfaces.GetWrong();
+  }
+  // Depth only: the colour is the sum's.
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  this->Surfaces.Draw(context, target.GetArea(), true);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+
+  vtkRelievoResource* layers = context.Find("depth");
+  vtkRelievoResource* normals = context.Find("normal");
+  const std::string vertices = vtkRelievoShaderLibrary::Get("deferred/lampQuadVS.glsl");
+  std::string fragments = vtkRelievoShaderLibrary::Get("deferred/lampsFS.glsl");
+  vtkShaderProgram::Substitute(fragments, "//RELIEVO::Defines",
+    layers->GetDefines() + (normals == layers ? "" : normals->GetDefines()) + defines +
+      "#define RELIEVO_LAMP_IN_QUAD\n",
+    false);
+  vtkShaderProgram* program = context.Window->GetShaderCache()->ReadyShaderProgram(
+    vertices.c_str(), fragments.c_str(), "");
+  if (!program)
+  {
+    return "its shader deferred/lampsFS.glsl does not compile; see the errors before";
+  }
+  const vtkRelievoView& view = context.View;
+  const float size[2] = { static_cast<float>(view.Viewport[2]),
+    static_cast<float>(view.Viewport[3]) };
+  glm::mat4 projection(view.ViewToNDC);
+  program->SetUniform2f("relievoSize", size);
+  program->SetUniformMatrix4x4("relievoProjection", &projection[0][0]);
+  program->SetUniformf("relievoNear", static_cast<float>(view.Near));
+  program->SetUniformf("relievoFar", static_cast<float>(view.Far));
+  program->SetUniformi("relievoParallel", view.Parallel);
+  layers->Activate(program);
+  if (normals != layers)
+  {
+    normals->Activate(program);
+  }
+  bind(program);
+  this->Rectangles.Activate(program, "relievoRectangles");
+  if (!this->Nothing)
+  {
+    this->Nothing = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
+  }
+  this->Nothing->Bind();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(list.GetLamps().size()));
+  this->Nothing->Release();
+  this->Rectangles.Deactivate();
+  if (normals != layers)
+  {
+    normals->Deactivate();
+  }
+  layers->Deactivate();
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLampQuads::Release(vtkWindow* window)
+{
+  this->Surfaces.Release(window);
+  this->Rectangles.Release(window);
+  if (this->Nothing)
+  {
+    this->Nothing->ReleaseGraphicsResources();
+    this->Nothing = nullptr;
+  }
+}

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Draws a rectangle for each lamp, at the front of its sphere and tested against the surfaces'
+// depth, and adds what each lights: lamps behind walls cost nothing.
+#ifndef vtkRelievoLampQuads_h
+#define vtkRelievoLampQuads_h
+
+#include "vtkRelievoScreenQuad.h"
+#include "vtkRelievoTextureBuffer.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+
+class vtkOpenGLVertexArrayObject;
+class vtkRelievoLampList;
+class vtkRelievoScreenTarget;
+
+class vtkRelievoLampQuads
+{
+public:
+  // Adds the lamps' light to the target, which was begun and has a depth buffer. `bind` sets what
+  // the lamps' shader reads. Returns what is wrong, in words.
+  std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoLampList& list,
+    vtkRelievoScreenTarget& target, const std::string& defines,
+    const std::function<void(vtkShaderProgram*)>& bind);
+
+  vtkIdType GetBytes() const { return this->Rectangles.GetBytes(); }
+  void Release(vtkWindow* window);
+
+private:
+  vtkRelievoScreenQuad Surfaces; // their depth
+  vtkRelievoTextureBuffer Rectangles;
+  vtkSmartPointer<vtkOpenGLVertexArrayObject> Nothing; // OpenGL draws nothing without one
+};
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoLamps.h"
+
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkRelievoLamps);
+
+//------------------------------------------------------------------------------
+vtkRelievoLamps::vtkRelievoLamps()
+{
+  this->AddValue("radius", 1, "one length per point, in world units", 1.0);
+  this->AddValue("intensity", 1, "one number per point", 1.0);
+  this->AddValue("color", 3, "red, green and blue per point", 1.0);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoLamps::~vtkRelievoLamps() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoLamps::SetRadius(double radius)
+{
+  this->SetForAll(0, &radius);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLamps::SetIntensity(double intensity)
+{
+  this->SetForAll(1, &intensity);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLamps::SetColor(double red, double green, double blue)
+{
+  const double color[3] = { red, green, blue };
+  this->SetForAll(2, color);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLamps::GetColor(double color[3]) const
+{
+  std::copy_n(this->GetForAll(2), 3, color);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoLamps::HasEffect(const double* row) const
+{
+  return row[3] > 0.0 && row[4] != 0.0 && (row[5] != 0.0 || row[6] != 0.0 || row[7] != 0.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLamps::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Falloff: " << this->Falloff << "\n";
+  os << indent << "AttenuationValues: " << this->AttenuationValues[0] << " "
+     << this->AttenuationValues[1] << " " << this->AttenuationValues[2] << "\n";
+}

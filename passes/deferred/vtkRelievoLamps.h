@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoLamps
+ * @brief Lamps from data: each point is a lamp (vtkRelievoLampsStage::AddLamps).
+ *
+ * The input's point arrays `radius`, `intensity` and `color` (SetArray takes others) give each lamp
+ * its own values; the values set here are for lamps without. A lamp shines in all directions, up to
+ * its radius.
+ *
+ * Light at distance d of a lamp of radius r, before colour, intensity and the angle to the surface:
+ * - LINEAR: max(0, 1 - d / r), the default.
+ * - INVERSE_SQUARE: 1 / d^2, brought to 0 at r by the window (1 - (d / r)^4)^2 (B. Karis, Real
+ *   Shading in Unreal Engine 4, 2013); d is at least r / 100.
+ * - VTK: 1 / (a + b d + c d^2), with the attenuation values of vtkLight; nothing beyond r.
+ *
+ * A lamp of radius 0 or less, or of intensity 0, has no effect; a negative intensity takes light
+ * away.
+ */
+#ifndef vtkRelievoLamps_h
+#define vtkRelievoLamps_h
+
+#include "vtkRelievoDeferredModule.h" // for the export macro
+#include "vtkRelievoPointValues.h"
+
+class VTKRELIEVODEFERRED_EXPORT vtkRelievoLamps : public vtkRelievoPointValues
+{
+public:
+  static vtkRelievoLamps* New();
+  vtkTypeMacro(vtkRelievoLamps, vtkRelievoPointValues);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** How light falls off with distance; see the class. */
+  enum Falloffs
+  {
+    LINEAR = 0,
+    INVERSE_SQUARE = 1,
+    VTK = 2
+  };
+
+  ///@{
+  /** World units, default 1. */
+  void SetRadius(double radius);
+  double GetRadius() const { return this->GetForAll(0)[0]; }
+  ///@}
+
+  ///@{
+  /** Default 1. */
+  void SetIntensity(double intensity);
+  double GetIntensity() const { return this->GetForAll(1)[0]; }
+  ///@}
+
+  ///@{
+  /** Linear RGB, default white. Arrays of bytes are 0 to 255. */
+  void SetColor(double red, double green, double blue);
+  void SetColor(const double color[3]) { this->SetColor(color[0], color[1], color[2]); }
+  void GetColor(double color[3]) const;
+  ///@}
+
+  ///@{
+  /** LINEAR (default), INVERSE_SQUARE or VTK. */
+  vtkSetClampMacro(Falloff, int, LINEAR, VTK);
+  vtkGetMacro(Falloff, int);
+  void SetFalloffToLinear() { this->SetFalloff(LINEAR); }
+  void SetFalloffToInverseSquare() { this->SetFalloff(INVERSE_SQUARE); }
+  void SetFalloffToVTK() { this->SetFalloff(VTK); }
+  ///@}
+
+  ///@{
+  /** Constant, linear and quadratic part, as in vtkLight; default 1, 0, 0. For VTK. */
+  vtkSetVector3Macro(AttenuationValues, double);
+  vtkGetVector3Macro(AttenuationValues, double);
+  ///@}
+
+protected:
+  vtkRelievoLamps();
+  ~vtkRelievoLamps() override;
+
+  bool HasEffect(const double* row) const override;
+
+  int Falloff = LINEAR;
+  double AttenuationValues[3] = { 1.0, 0.0, 0.0 };
+
+private:
+  vtkRelievoLamps(const vtkRelievoLamps&) = delete;
+  void operator=(const vtkRelievoLamps&) = delete;
+};
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoLampsStage
+ * @brief The stage that lights surfaces with lamps, as many as there are.
+ *
+ * Adds up, for each pixel's point on an opaque surface, intensity x colour x fall-off x max(0, n.l)
+ * of every lamp (vtkRelievoLamps) that reaches it, and adds that, times the surface's colour, to
+ * the picture in linear light. The sum is the layer `light`. Lamps shine through walls: they cast
+ * no shadows.
+ *
+ * Ways to find the lamps of a pixel, with the same result:
+ * - QUADS: a rectangle is drawn for each lamp, as large as it can be seen, at the front of its
+ *   sphere; lamps behind surfaces cost nothing. Sums in floats, because halves lose small addends.
+ * - CLUSTERS: the view is cut into tiles of pixels and slices of depth, for each of which the CPU
+ *   lists its lamps (O. Olsson, M. Billeter, U. Assarsson, Clustered Deferred and Forward Shading,
+ *   2012).
+ * - ALL: every pixel computes every lamp; for comparisons.
+ * AUTOMATIC takes quads for few lamps and clusters for many.
+ */
+#ifndef vtkRelievoLampsStage_h
+#define vtkRelievoLampsStage_h
+
+#include "vtkRelievoDeferredModule.h" // for the export macro
+#include "vtkRelievoStage.h"
+
+#include <memory> // for the internals
+
+class vtkRelievoLamps;
+
+class VTKRELIEVODEFERRED_EXPORT vtkRelievoLampsStage : public vtkRelievoStage
+{
+public:
+  static vtkRelievoLampsStage* New();
+  vtkTypeMacro(vtkRelievoLampsStage, vtkRelievoStage);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The lamps; any number of sets, each once. */
+  void AddLamps(vtkRelievoLamps* lamps);
+  void RemoveLamps(vtkRelievoLamps* lamps);
+  void RemoveAllLamps();
+  int GetNumberOfLampSets();
+  vtkRelievoLamps* GetLamps(int i);
+  ///@}
+
+  /** Ways to find the lamps of a pixel; see the class. */
+  enum Ways
+  {
+    AUTOMATIC = 0,
+    QUADS = 1,
+    CLUSTERS = 2,
+    ALL = 3
+  };
+
+  ///@{
+  /** Default AUTOMATIC. */
+  vtkSetClampMacro(Way, int, AUTOMATIC, ALL);
+  vtkGetMacro(Way, int);
+  ///@}
+
+  /** The way of the last frame. */
+  vtkGetMacro(WayTaken, int);
+
+  ///@{
+  /** Sums in floats instead of half floats in the ways that could do with halves. Default off. */
+  vtkSetMacro(Floats, bool);
+  vtkGetMacro(Floats, bool);
+  vtkBooleanMacro(Floats, bool);
+  ///@}
+
+  ///@{
+  /** Lamps of the last frame, and those of them that the picture can have light of. */
+  vtkGetMacro(NumberOfLamps, int);
+  vtkGetMacro(NumberDrawn, int);
+  ///@}
+
+  vtkIdType GetBytesHeld() override;
+  std::map<std::string, vtkVariant> GetFacts() override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkRelievoLampsStage();
+  ~vtkRelievoLampsStage() override;
+
+  void Describe(vtkRelievoStageDescription& description) override;
+  void Declare(
+    const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
+  std::vector<std::string> GetReadsFor(
+    const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const override;
+  bool Prepare(vtkRelievoFrameContext& context) override;
+  void Execute(vtkRelievoFrameContext& context) override;
+  std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
+
+  int Way = AUTOMATIC;
+  int WayTaken = QUADS;
+  bool Floats = false;
+  int NumberOfLamps = 0;
+  int NumberDrawn = 0;
+
+private:
+  vtkRelievoLampsStage(const vtkRelievoLampsStage&) = delete;
+  void operator=(const vtkRelievoLampsStage&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

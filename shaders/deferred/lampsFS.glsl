@@ -1,0 +1,113 @@
+//VTK::System::Dec
+//RELIEVO::Include(extensions.glsl)
+//RELIEVO::Defines
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The light of lamps at each pixel's point. RELIEVO_LAMPS_IN_CLUSTERS: of those that its cluster
+// lists; RELIEVO_LAMP_IN_QUAD: of the one whose rectangle is drawn; else of all.
+// RELIEVO_COUNT_LAMPS: instead, how many were computed, and how many reach the point.
+// RELIEVO_HALVES: the sum is stored in half floats.
+//RELIEVO::Include(gbuffer/read.glsl)
+//RELIEVO::Include(formulas/half.glsl)
+//RELIEVO::Include(formulas/unproject.glsl)
+//RELIEVO::Include(deferred/lamp.glsl)
+uniform mat4 relievoProjection;
+#ifdef RELIEVO_LAMP_IN_QUAD
+flat in int relievoLamp;
+uniform vec2 relievoSize;
+#else
+in vec2 texCoord;
+uniform vec2 relievoSize; // of the viewport
+uniform int relievoLampCount;
+#endif
+#ifdef RELIEVO_LAMPS_IN_CLUSTERS
+uniform samplerBuffer relievoCells; // start and length of each cell's list
+uniform samplerBuffer relievoLists;
+uniform int relievoColumns;
+uniform int relievoRows;
+uniform int relievoSlices;
+uniform int relievoTile; // pixels
+uniform float relievoSliceScale;
+uniform float relievoSliceOffset;
+#endif
+
+struct relievoSum
+{
+  vec3 light;
+  float computed;
+  float reaching;
+};
+
+void relievoAddLamp(int i, int end, vec3 positionVC, vec3 normalVC, inout relievoSum sum)
+{
+  if (i < end)
+  {
+#ifdef RELIEVO_LAMPS_IN_CLUSTERS
+    int lamp = int(texelFetch(relievoLists, i).x);
+#else
+    int lamp = i;
+#endif
+    bool reaches;
+    sum.light += relievoLampLight(lamp, positionVC, normalVC, reaches);
+    sum.computed += 1.0;
+    sum.reaching += reaches ? 1.0 : 0.0;
+  }
+}
+
+void main()
+{
+#ifdef RELIEVO_LAMP_IN_QUAD
+  ivec2 pixel = ivec2(floor(gl_FragCoord.xy));
+#else
+  ivec2 pixel = ivec2(floor(texCoord * relievoSize));
+#endif
+  float depth = relievoFetchDepth(pixel);
+  vec3 normalVC = relievoFetchNormal(pixel);
+  relievoSum sum = relievoSum(vec3(0.0), 0.0, 0.0);
+  if (!isinf(depth))
+  {
+    vec3 positionVC =
+      relievoEyePosition(relievoNdcFromPixel(vec2(pixel), relievoSize), depth, relievoProjection);
+#if defined(RELIEVO_LAMP_IN_QUAD)
+    relievoAddLamp(relievoLamp, relievoLamp + 1, positionVC, normalVC, sum);
+#elif defined(RELIEVO_LAMPS_IN_CLUSTERS)
+#ifdef RELIEVO_LINEAR_SLICES
+    float place = depth;
+#else
+    float place = log2(depth);
+#endif
+    // Before the first slice and behind the last one there is no lamp.
+    int slice =
+      clamp(int(floor(place * relievoSliceScale + relievoSliceOffset)), 0, relievoSlices - 1);
+    ivec2 tile = pixel / relievoTile;
+    int cell = (slice * relievoRows + tile.y) * relievoColumns + tile.x;
+    vec2 list = texelFetch(relievoCells, cell).xy;
+    int from = int(list.x);
+    int to = from + int(list.y);
+#else
+    int from = 0;
+    int to = relievoLampCount;
+#endif
+#ifndef RELIEVO_LAMP_IN_QUAD
+    // Four a turn: in Mesa's software all turns of a shader end after 65535.
+    for (; from < to; from += 4)
+    {
+      relievoAddLamp(from, to, positionVC, normalVC, sum);
+      relievoAddLamp(from + 1, to, positionVC, normalVC, sum);
+      relievoAddLamp(from + 2, to, positionVC, normalVC, sum);
+      relievoAddLamp(from + 3, to, positionVC, normalVC, sum);
+    }
+#endif
+  }
+#ifdef RELIEVO_COUNT_LAMPS
+  gl_FragData[0] = vec4(sum.computed, sum.reaching, 0.0, 0.0);
+#else
+#ifdef RELIEVO_HALVES
+  // Mesa's software cuts the bits off that a half does not have.
+  sum.light = vec3(relievoRoundToHalf(sum.light.x), relievoRoundToHalf(sum.light.y),
+    relievoRoundToHalf(sum.light.z));
+#endif
+  gl_FragData[0] = vec4(sum.light, 0.0);
+#endif
+}

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Light of a lamp at a point: its fall-off with distance, and the angle to the surface.
+
+// Linear to zero at the radius.
+float relievoLampLinear(float range, float radius)
+{
+  return max(float(0.0), float(1.0) - range / radius);
+}
+
+// 1 / d^2 with the window (1 - (d / r)^4)^2, after B. Karis, Real Shading in Unreal Engine 4, 2013.
+// Nearer than a hundredth of the radius it grows no more.
+float relievoLampInverseSquare(float range, float radius)
+{
+  float share = range / radius;
+  float square = share * share;
+  float window = max(float(0.0), float(1.0) - square * square);
+  float nearest = max(range, float(0.01) * radius);
+  return window * window / (nearest * nearest);
+}
+
+// As vtkLight's attenuation values a, b, c: 1 / (a + b d + c d^2), nothing beyond the radius.
+float relievoLampAttenuated(float range, float radius, vec3 values)
+{
+  float sum = values.x + range * (values.y + range * values.z);
+  return range < radius && sum > float(0.0) ? float(1.0) / sum : float(0.0);
+}
+
+// Lambert's cosine of a unit normal and the vector from the surface to the lamp, whose length is
+// range; 0 where the lamp is on the surface, behind it, or the surface has no normal.
+float relievoLampCosine(vec3 normal, vec3 toLamp, float range)
+{
+  return range > float(0.0) ? max(float(0.0), dot(normal, toLamp) / range) : float(0.0);
+}
