@@ -12,10 +12,10 @@
 namespace
 {
 constexpr int LampsInAPiece = 512;
-constexpr int MostSlices = 64;
+constexpr int MostSlices = 256;
 
 // Memory and time of the lists stay bounded: cells are made larger instead.
-constexpr double MostCells = 1 << 20;
+constexpr double MostCells = 1 << 21;
 constexpr double MostEntries = 1 << 22;
 
 // Shaders find a pixel's slice with a float's logarithm.
@@ -53,8 +53,8 @@ void vtkRelievoLampClusters::Divide(const vtkRelievoView& view, const vtkRelievo
   this->To = from < to ? to : view.Far;
   const double range =
     this->Parallel ? this->To - this->From : std::log2(this->To / this->From);
-  double tile = 8.0;
-  while (tile < 64.0 && tile < 0.25 * across / count)
+  double tile = 4.0;
+  while (tile < 64.0 && 2.0 * tile <= 0.2 * across / count)
   {
     tile *= 2.0;
   }
@@ -218,9 +218,10 @@ void vtkRelievoLampClusters::Build(const vtkRelievoView& view, const vtkRelievoL
       }
     }
   });
-  this->Sheets.assign(static_cast<std::size_t>(this->Slices), {});
+  this->Sheets.resize(static_cast<std::size_t>(this->Slices));
   for (int slice = 0; slice < this->Slices; ++slice)
   {
+    this->Sheets[slice].Pieces.clear();
     for (auto& piece : found)
     {
       this->Sheets[slice].Pieces.push_back(std::move(piece[slice]));
@@ -232,19 +233,26 @@ void vtkRelievoLampClusters::Build(const vtkRelievoView& view, const vtkRelievoL
       this->FillSlice(static_cast<int>(slice));
     }
   });
-  this->Cells.clear();
-  this->Lists.clear();
   const std::size_t cells = static_cast<std::size_t>(this->Columns) * this->Rows;
-  this->Cells.reserve(2 * cells * this->Sheets.size());
+  this->Cells.resize(cells * this->Sheets.size() + 1);
+  std::vector<std::size_t> starts(1, 0);
   for (const Sheet& sheet : this->Sheets)
   {
-    const auto start = static_cast<int>(this->Lists.size());
-    for (std::size_t cell = 0; cell < cells; ++cell)
-    {
-      this->Cells.push_back(static_cast<float>(start + sheet.Starts[cell]));
-      this->Cells.push_back(static_cast<float>(sheet.Starts[cell + 1] - sheet.Starts[cell]));
-    }
-    this->Lists.insert(this->Lists.end(), sheet.Lists.begin(), sheet.Lists.end());
+    starts.push_back(starts.back() + sheet.Lists.size());
   }
-  this->Sheets.clear();
+  this->Lists.resize(starts.back());
+  vtkSMPTools::For(0, this->Slices, 1, [&](vtkIdType from, vtkIdType to) {
+    for (vtkIdType slice = from; slice < to; ++slice)
+    {
+      Sheet& sheet = this->Sheets[slice];
+      float* out = this->Cells.data() + cells * slice;
+      const auto start = static_cast<int>(starts[slice]);
+      for (std::size_t cell = 0; cell < cells; ++cell)
+      {
+        out[cell] = static_cast<float>(start + sheet.Starts[cell]);
+      }
+      std::copy(sheet.Lists.begin(), sheet.Lists.end(), this->Lists.begin() + start);
+    }
+  });
+  this->Cells.back() = static_cast<float>(starts.back());
 }

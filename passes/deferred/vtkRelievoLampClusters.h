@@ -32,7 +32,7 @@ public:
   float GetSliceScale() const { return this->SliceScale; }
   float GetSliceOffset() const { return this->SliceOffset; }
 
-  // For each cell, columns first, then rows: where its list begins, and how many it lists.
+  // Where the list of each cell begins, columns first, then rows; and where the last one ends.
   const std::vector<float>& GetCells() const { return this->Cells; }
 
   // Lamps by their place in vtkRelievoLampList.

@@ -71,7 +71,7 @@ public:
       : this->Attenuations.Upload(context.Window, this->List.GetAttenuations(), 4);
     if (wrong.empty() && way == CLUSTERS)
     {
-      wrong = this->Cells.Upload(context.Window, this->Clusters.GetCells(), 2);
+      wrong = this->Cells.Upload(context.Window, this->Clusters.GetCells(), 1);
       wrong =
         !wrong.empty() ? wrong : this->Lists.Upload(context.Window, this->Clusters.GetLists(), 1);
     }
@@ -273,11 +273,20 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
   this->WayTaken = this->Way != AUTOMATIC    ? this->Way
     : this->NumberDrawn <= MostQuads ? QUADS
                                              : CLUSTERS;
+  const bool quads = this->WayTaken == QUADS;
   if (this->WayTaken == CLUSTERS)
   {
     in.Clusters.Build(context.View, in.List);
   }
-  const bool quads = this->WayTaken == QUADS;
+  else
+  {
+    in.Cells.Release(context.Window);
+    in.Lists.Release(context.Window);
+  }
+  if (!quads)
+  {
+    in.Quads.Release(context.Window);
+  }
   std::string wrong = in.Sum.Prepare(
     context, { in.List.IsWhite() ? 1 : 4, !this->Floats && !quads, quads });
   const bool counts = context.IsAsked(this, Evaluations) || context.IsAsked(this, Reaching);

@@ -22,7 +22,7 @@ uniform vec2 relievoSize; // of the viewport
 uniform int relievoLampCount;
 #endif
 #ifdef RELIEVO_LAMPS_IN_CLUSTERS
-uniform samplerBuffer relievoCells; // start and length of each cell's list
+uniform samplerBuffer relievoCells; // where each cell's list starts
 uniform samplerBuffer relievoLists;
 uniform int relievoColumns;
 uniform int relievoRows;
@@ -82,9 +82,8 @@ void main()
       clamp(int(floor(place * relievoSliceScale + relievoSliceOffset)), 0, relievoSlices - 1);
     ivec2 tile = pixel / relievoTile;
     int cell = (slice * relievoRows + tile.y) * relievoColumns + tile.x;
-    vec2 list = texelFetch(relievoCells, cell).xy;
-    int from = int(list.x);
-    int to = from + int(list.y);
+    int from = int(texelFetch(relievoCells, cell).x);
+    int to = int(texelFetch(relievoCells, cell + 1).x);
 #else
     int from = 0;
     int to = relievoLampCount;

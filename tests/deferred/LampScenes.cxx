@@ -163,7 +163,7 @@ LampSum SumLight(const std::vector<Lamp>& lamps, int falloff, const glm::dvec3& 
     }
     const double cosine = d > 0.0 ? std::max(0.0, glm::dot(normal, to) / d) : 0.0;
     sum.Light += lamp.Intensity * share * cosine * lamp.Color;
-    sum.Slope += lamp.Intensity * std::max({ lamp.Color.x, lamp.Color.y, lamp.Color.z }) *
+    sum.Slope += std::abs(lamp.Intensity) * std::max({ lamp.Color.x, lamp.Color.y, lamp.Color.z }) *
       (slope * cosine + share / std::max(d, 1e-12));
   }
   return sum;
@@ -194,7 +194,7 @@ long long CheckLight(vtkImageData* image, const std::vector<Lamp>& lamps, int fa
         // Half a step of a half float, a step of 6e-8 next to 0; the float's sum of the lamps.
         const double allowed = std::abs(truth.Light[c]) / 2048.0 + 6e-8 +
           place * layers.Value("range", x, y) * truth.Slope +
-          1.2e-7 * truth.Light[c] * (4.0 + 0.5 * truth.Reaching);
+          1.2e-7 * std::abs(truth.Light[c]) * (4.0 + 0.5 * truth.Reaching);
         worst = std::max(worst, std::abs(light[c] - truth.Light[c]) / allowed);
       }
       lit += truth.Light.x + truth.Light.y + truth.Light.z > 1e-3 ? 1 : 0;

@@ -98,12 +98,14 @@ bool HasContext(vtkOpenGLRenderWindow* window)
 // Bytes of all levels of one texture.
 long long TextureBytes(GLuint texture)
 {
+  GLint shown = 0;
+  glGetTextureLevelParameteriv(texture, 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &shown);
+  if (shown != 0)
+  {
+    return 0; // counted as the buffer that it shows; other questions are errors
+  }
   GLint target = 0;
   glGetTextureParameteriv(texture, GL_TEXTURE_TARGET, &target);
-  if (target == GL_TEXTURE_BUFFER)
-  {
-    return 0; // counted as the buffer that it shows
-  }
   const long long faces = target == GL_TEXTURE_CUBE_MAP ? 6 : 1;
   long long bytes = 0;
   for (GLint level = 0; level < 16; ++level)

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The lists of clusters against distances: every lamp that reaches a point is in the list of the
+// point's cell, in the lamps' order; and how many more are.
+#include "Check.h"
+#include "LampScenes.h"
+#include "Session.h"
+
+#include <vtkRelievoLampClusters.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <random>
+#include <string>
+
+namespace
+{
+using namespace relievoTest;
+
+vtkRelievoView MakeView(int width, int height, bool parallel, double near, double far)
+{
+  vtkRelievoView view;
+  view.Viewport[2] = width;
+  view.Viewport[3] = height;
+  view.Near = near;
+  view.Far = far;
+  view.Parallel = parallel;
+  const double aspect = static_cast<double>(width) / height;
+  view.WorldToView = glm::lookAt(
+    glm::dvec3(2.5, 3.0, 6.0), glm::dvec3(0.0, 0.5, 0.0), glm::dvec3(0.0, 1.0, 0.0));
+  view.ViewToNDC = parallel ? glm::ortho(-3.0 * aspect, 3.0 * aspect, -3.0, 3.0, near, far)
+                            : glm::perspective(0.7, aspect, near, far);
+  return view;
+}
+
+void TestView(const vtkRelievoView& view, int count, double radius, const std::string& what)
+{
+  const std::vector<Lamp> given = RandomLamps(count, radius, true);
+  vtkNew<vtkRelievoLamps> lamps;
+  lamps->SetInputData(ToPolyData(given));
+  vtkRelievoLampList list;
+  list.Take(view, { lamps.Get() });
+  RELIEVO_CHECK(list.GetNumberGiven() == count);
+  vtkRelievoLampClusters clusters;
+  clusters.Build(view, list);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  long long lost = 0;
+  long long listed = 0;
+  long long needed = 0;
+  bool ordered = true;
+  const glm::dmat4 back = glm::inverse(view.ViewToNDC);
+  for (int i = 0; i < 4000; ++i)
+  {
+    const int x = static_cast<int>(share(random) * view.Viewport[2]);
+    const int y = static_cast<int>(share(random) * view.Viewport[3]);
+    // Where the lamps are: at the distance of the scene.
+    const auto depth = static_cast<float>(
+      std::clamp(4.0 + 6.0 * share(random), view.Near, view.Far));
+    const glm::dvec4 clip = view.ViewToNDC * glm::dvec4(0.0, 0.0, -depth, 1.0);
+    const glm::dvec4 point = back *
+      glm::dvec4((2.0 * (x + 0.5) / view.Viewport[2] - 1.0) * clip.w,
+        (2.0 * (y + 0.5) / view.Viewport[3] - 1.0) * clip.w, clip.z, clip.w);
+    const float place = view.Parallel ? depth : std::log2(depth);
+    const int slice = std::clamp(
+      static_cast<int>(std::floor(place * clusters.GetSliceScale() + clusters.GetSliceOffset())),
+      0, clusters.GetSlices() - 1);
+    const std::size_t cell =
+      (static_cast<std::size_t>(slice) * clusters.GetRows() + y / clusters.GetTile()) *
+        clusters.GetColumns() + x / clusters.GetTile();
+    const auto from = clusters.GetLists().begin() + static_cast<int>(clusters.GetCells()[cell]);
+    const auto to = clusters.GetLists().begin() + static_cast<int>(clusters.GetCells()[cell + 1]);
+    ordered = ordered && std::is_sorted(from, to);
+    listed += to - from;
+    for (std::size_t k = 0; k < list.GetLamps().size(); ++k)
+    {
+      const double r = list.GetTexels()[8 * k + 3];
+      if (glm::length(glm::dvec3(point) / point.w - list.GetLamps()[k].Sphere.Center) < r)
+      {
+        ++needed;
+        lost += std::binary_search(from, to, static_cast<float>(k)) ? 0 : 1;
+      }
+    }
+  }
+  std::cout << what << ": " << clusters.GetColumns() << " x " << clusters.GetRows() << " x "
+            << clusters.GetSlices() << " cells, " << clusters.GetLists().size() << " entries, "
+            << static_cast<double>(listed) / 4000 << " listed, "
+            << static_cast<double>(needed) / 4000 << " needed a point\n";
+  RELIEVO_CHECK(lost == 0);
+  RELIEVO_CHECK(ordered);
+  RELIEVO_CHECK(needed > 0);
+}
+}
+
+int main()
+{
+  relievoTest::Session session;
+  const vtkRelievoView usual = MakeView(600, 600, false, 2.0, 14.0);
+  TestView(usual, 1, 9.0, "one lamp");
+  TestView(usual, 1000, 0.3, "1000 lamps");
+  TestView(usual, 1000, 3.0, "1000 large lamps");
+  TestView(usual, 10000, 0.1, "10000 lamps");
+  TestView(usual, 100000, 0.05, "100000 lamps");
+  TestView(MakeView(600, 600, true, 2.0, 14.0), 1000, 0.3, "parallel");
+  TestView(MakeView(600, 600, true, -5.0, 14.0), 1000, 0.3, "parallel, from behind the eye");
+  TestView(MakeView(1, 3, false, 2.0, 14.0), 1000, 0.3, "1 x 3 pixels");
+  TestView(MakeView(333, 77, false, 1e-4, 1e3), 1000, 0.3, "far / near of 1e7");
+  return session.Result();
+}
