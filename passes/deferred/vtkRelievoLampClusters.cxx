@@ -51,8 +51,7 @@ void vtkRelievoLampClusters::Divide(const vtkRelievoView& view, const vtkRelievo
   const double count = std::max<double>(1.0, static_cast<double>(list.GetLamps().size()));
   this->From = from < to ? from : view.Near;
   this->To = from < to ? to : view.Far;
-  const double range =
-    this->Parallel ? this->To - this->From : std::log2(this->To / this->From);
+  const double range = this->Parallel ? this->To - this->From : std::log2(this->To / this->From);
   double tile = 4.0;
   while (tile < 64.0 && 2.0 * tile <= 0.2 * across / count)
   {
@@ -106,8 +105,8 @@ void vtkRelievoLampClusters::AddSpans(
   const double depth = -sphere.Center.z;
   const auto findSlice = [this](double d) {
     const double f = this->Parallel ? d : std::log2(std::max(d, 0.5 * this->From));
-    return std::clamp(static_cast<int>(std::floor(f * this->SliceScale + this->SliceOffset)), 0,
-      this->Slices - 1);
+    return std::clamp(
+      static_cast<int>(std::floor(f * this->SliceScale + this->SliceOffset)), 0, this->Slices - 1);
   };
   const double margin = SliceMargin * std::max(std::abs(this->From), std::abs(this->To));
   const auto widen = [&](double d, double sign) {
@@ -164,9 +163,9 @@ void vtkRelievoLampClusters::AddSpans(
       const double last = lastPixel(most, this->Width);
       if (first <= last)
       {
-        slices[slice].push_back({ lamp, static_cast<short>(row),
-          static_cast<short>(static_cast<int>(first) / this->Tile),
-          static_cast<short>(static_cast<int>(last) / this->Tile) });
+        slices[slice].push_back(
+          { lamp, static_cast<short>(row), static_cast<short>(static_cast<int>(first) / this->Tile),
+            static_cast<short>(static_cast<int>(last) / this->Tile) });
       }
     }
   }

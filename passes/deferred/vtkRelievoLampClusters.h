@@ -55,7 +55,8 @@ private:
 
   void Divide(const vtkRelievoView& view, const vtkRelievoLampList& list);
   double GetSliceStart(int slice) const;
-  void AddSpans(const vtkRelievoLampList& list, int lamp, std::vector<std::vector<Span>>& slices) const;
+  void AddSpans(
+    const vtkRelievoLampList& list, int lamp, std::vector<std::vector<Span>>& slices) const;
   void FillSlice(int slice);
 
   int Columns = 0;

@@ -33,8 +33,7 @@ public:
 
   void Take(const double* row, float falloff, Piece& piece) const
   {
-    const glm::dvec4 center =
-      this->View.WorldToView * glm::dvec4(row[0], row[1], row[2], 1.0);
+    const glm::dvec4 center = this->View.WorldToView * glm::dvec4(row[0], row[1], row[2], 1.0);
     vtkRelievoLampList::Lamp lamp;
     lamp.Sphere.Center = glm::dvec3(center);
     // What shaders find of a pixel's place and distance is rounded to float.
@@ -77,8 +76,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoLampList::Take(
-  const vtkRelievoView& view, const std::vector<vtkRelievoLamps*>& sets)
+void vtkRelievoLampList::Take(const vtkRelievoView& view, const std::vector<vtkRelievoLamps*>& sets)
 {
   this->Lamps.clear();
   this->Texels.clear();
@@ -96,16 +94,17 @@ void vtkRelievoLampList::Take(
       ? vtkRelievoLamps::VTK + static_cast<int>(set)
       : sets[set]->GetFalloff();
     std::vector<Piece> pieces(static_cast<std::size_t>((count + PieceSize - 1) / PieceSize));
-    vtkSMPTools::For(0, static_cast<vtkIdType>(pieces.size()), 1, [&](vtkIdType from, vtkIdType to) {
-      for (vtkIdType p = from; p < to; ++p)
-      {
-        const vtkIdType end = std::min(count, (p + 1) * PieceSize);
-        for (vtkIdType i = p * PieceSize; i < end; ++i)
+    vtkSMPTools::For(
+      0, static_cast<vtkIdType>(pieces.size()), 1, [&](vtkIdType from, vtkIdType to) {
+        for (vtkIdType p = from; p < to; ++p)
         {
-          taker.Take(rows + i * width, static_cast<float>(falloff), pieces[p]);
+          const vtkIdType end = std::min(count, (p + 1) * PieceSize);
+          for (vtkIdType i = p * PieceSize; i < end; ++i)
+          {
+            taker.Take(rows + i * width, static_cast<float>(falloff), pieces[p]);
+          }
         }
-      }
-    });
+      });
     for (const Piece& piece : pieces)
     {
       this->Lamps.insert(this->Lamps.end(), piece.Lamps.begin(), piece.Lamps.end());

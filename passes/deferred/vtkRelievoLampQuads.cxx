@@ -48,8 +48,8 @@ std::string vtkRelievoLampQuads::Draw(vtkRelievoFrameContext& context,
     layers->GetDefines() + (normals == layers ? "" : normals->GetDefines()) + defines +
       "#define RELIEVO_LAMP_IN_QUAD\n",
     false);
-  vtkShaderProgram* program = context.Window->GetShaderCache()->ReadyShaderProgram(
-    vertices.c_str(), fragments.c_str(), "");
+  vtkShaderProgram* program =
+    context.Window->GetShaderCache()->ReadyShaderProgram(vertices.c_str(), fragments.c_str(), "");
   if (!program)
   {
     return "its shader deferred/lampsFS.glsl does not compile; see the errors before";

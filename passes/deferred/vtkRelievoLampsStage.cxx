@@ -2,22 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoLampsStage.h"
 
-#include "vtkDataArray.h"
-#include "vtkImageData.h"
-#include "vtkNew.h"
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkPointData.h"
+#include "vtkProperty.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoKeptState.h"
-#include "vtkRelievoLampClusters.h"
-#include "vtkRelievoLampQuads.h"
+#include "vtkRelievoLampLight.h"
 #include "vtkRelievoLamps.h"
-#include "vtkRelievoScreenTarget.h"
-#include "vtkShaderProgram.h"
+#include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -31,136 +28,42 @@ namespace
 const char* const Light = "light";
 const char* const Evaluations = "lamp_evaluations";
 const char* const Reaching = "lamps_reaching";
+const char* const Material = "material";
 const std::vector<std::string> WayNames{ "auto", "quads", "clusters", "all" };
 
 // Up to so many lamps rectangles are drawn by themselves: clusters cost more to list.
 constexpr int MostQuads = 64;
+
+// Whether some surface gives back less than all of its light, so that lamps must know how much.
+bool HasMaterials(vtkRenderer* renderer)
+{
+  vtkActorCollection* actors = renderer->GetActors();
+  vtkCollectionSimpleIterator it;
+  actors->InitTraversal(it);
+  while (vtkActor* actor = actors->GetNextActor(it))
+  {
+    vtkProperty* property = actor->GetProperty();
+    if (actor->GetVisibility() &&
+      (!property->GetLighting() || property->GetDiffuse() != 1.0 ||
+        property->GetInterpolation() == VTK_PBR))
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }
 
 class vtkRelievoLampsStage::Internals
 {
 public:
   std::vector<vtkSmartPointer<vtkRelievoLamps>> Sets;
-  vtkRelievoLampList List;
-  vtkRelievoLampClusters Clusters;
-  vtkRelievoLampQuads Quads;
-  vtkRelievoScreenTarget Sum{ "relievoLight" };
-  vtkRelievoScreenTarget Counts{ "relievoLampCounts" };
-  vtkRelievoScreenQuad Lights;
-  vtkRelievoScreenQuad Counter;
+  vtkRelievoLampLight Light;
   vtkRelievoScreenQuad Colors;
-  vtkRelievoTextureBuffer Lamps;
-  vtkRelievoTextureBuffer Attenuations;
-  vtkRelievoTextureBuffer Cells;
-  vtkRelievoTextureBuffer Lists;
   std::set<std::string> Said;
-  double Computed = -1.0; // lamps a pixel in the last frame that counted; -1: it did not
-  double Reach = -1.0;
   int LeftOut = 0;
 
-  std::vector<vtkRelievoLamps*> GetSets() const
-  {
-    return { this->Sets.begin(), this->Sets.end() };
-  }
-
-  std::string Upload(vtkRelievoFrameContext& context, int way)
-  {
-    std::string wrong = this->Lamps.Upload(context.Window, this->List.GetTexels(), 4);
-    wrong = !wrong.empty()
-      ? wrong
-      : this->Attenuations.Upload(context.Window, this->List.GetAttenuations(), 4);
-    if (wrong.empty() && way == CLUSTERS)
-    {
-      wrong = this->Cells.Upload(context.Window, this->Clusters.GetCells(), 1);
-      wrong =
-        !wrong.empty() ? wrong : this->Lists.Upload(context.Window, this->Clusters.GetLists(), 1);
-    }
-    return wrong;
-  }
-
-  void Bind(vtkShaderProgram* program, int way)
-  {
-    this->Lamps.Activate(program, "relievoLamps");
-    this->Attenuations.Activate(program, "relievoLampAttenuations");
-    program->SetUniformi("relievoLampCount", static_cast<int>(this->List.GetLamps().size()));
-    if (way == CLUSTERS)
-    {
-      this->Cells.Activate(program, "relievoCells");
-      this->Lists.Activate(program, "relievoLists");
-      program->SetUniformi("relievoColumns", this->Clusters.GetColumns());
-      program->SetUniformi("relievoRows", this->Clusters.GetRows());
-      program->SetUniformi("relievoSlices", this->Clusters.GetSlices());
-      program->SetUniformi("relievoTile", this->Clusters.GetTile());
-      program->SetUniformf("relievoSliceScale", this->Clusters.GetSliceScale());
-      program->SetUniformf("relievoSliceOffset", this->Clusters.GetSliceOffset());
-    }
-  }
-
-  void Unbind(int way)
-  {
-    this->Lamps.Deactivate();
-    this->Attenuations.Deactivate();
-    if (way == CLUSTERS)
-    {
-      this->Cells.Deactivate();
-      this->Lists.Deactivate();
-    }
-  }
-
-  // Draws all lamps into the target. Returns what is wrong, in words.
-  std::string Draw(vtkRelievoFrameContext& context, int way, vtkRelievoScreenTarget& target,
-    vtkRelievoScreenQuad& quad, const std::string& defines)
-  {
-    target.Begin(context);
-    std::string wrong;
-    if (way == QUADS && !this->List.GetLamps().empty())
-    {
-      wrong = this->Quads.Draw(context, this->List, target, defines,
-        [this, way](vtkShaderProgram* program) { this->Bind(program, way); });
-      this->Unbind(way);
-    }
-    else if (way != QUADS)
-    {
-      std::string all = defines;
-      all += way == CLUSTERS ? "#define RELIEVO_LAMPS_IN_CLUSTERS\n" : "";
-      all += context.View.Parallel ? "#define RELIEVO_LINEAR_SLICES\n" : "";
-      vtkShaderProgram* program =
-        quad.Ready(context, "deferred/lampsFS.glsl", { "depth", "normal" }, all);
-      wrong = quad.GetWrong();
-      if (program)
-      {
-        this->Bind(program, way);
-        quad.Draw(context, target.GetArea());
-        this->Unbind(way);
-      }
-    }
-    target.End();
-    return wrong;
-  }
-
-  // What the counts come to, for the report.
-  void SumCounts()
-  {
-    vtkNew<vtkImageData> image;
-    this->Computed = this->Reach = -1.0;
-    if (!this->Counts.Read(Evaluations, 1, image).empty() ||
-      !this->Counts.Read(Reaching, 1, image, 1).empty())
-    {
-      return;
-    }
-    double* sums[2] = { &this->Computed, &this->Reach };
-    const char* const names[2] = { Evaluations, Reaching };
-    for (int i = 0; i < 2; ++i)
-    {
-      vtkDataArray* array = image->GetPointData()->GetArray(names[i]);
-      double sum = 0.0;
-      for (vtkIdType k = 0; k < array->GetNumberOfTuples(); ++k)
-      {
-        sum += array->GetComponent(k, 0);
-      }
-      *sums[i] = sum / static_cast<double>(array->GetNumberOfTuples());
-    }
-  }
+  std::vector<vtkRelievoLamps*> GetSets() const { return { this->Sets.begin(), this->Sets.end() }; }
 };
 
 //------------------------------------------------------------------------------
@@ -178,8 +81,7 @@ void vtkRelievoLampsStage::AddLamps(vtkRelievoLamps* lamps)
   auto& sets = this->Internal->Sets;
   if (!lamps || std::find(sets.begin(), sets.end(), lamps) != sets.end())
   {
-    vtkErrorMacro(
-      "AddLamps was given " << (lamps ? "lamps that are there already." : "no lamps."));
+    vtkErrorMacro("AddLamps was given " << (lamps ? "lamps that are there already." : "no lamps."));
     return;
   }
   sets.emplace_back(lamps);
@@ -251,10 +153,18 @@ void vtkRelievoLampsStage::Declare(
 
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkRelievoLampsStage::GetReadsFor(
-  const vtkRelievoFrameContext&, const std::vector<std::string>& asked) const
+  const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const
 {
-  const bool color = std::find(asked.begin(), asked.end(), "color") != asked.end();
-  return color ? std::vector<std::string>{ "albedo" } : std::vector<std::string>();
+  std::vector<std::string> reads;
+  if (std::find(asked.begin(), asked.end(), "color") != asked.end())
+  {
+    reads.emplace_back("albedo");
+    if (HasMaterials(context.Renderer))
+    {
+      reads.emplace_back(Material);
+    }
+  }
+  return reads;
 }
 
 //------------------------------------------------------------------------------
@@ -262,51 +172,19 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   const std::vector<vtkRelievoLamps*> sets = in.GetSets();
-  in.List.Take(context.View, sets);
-  this->NumberOfLamps = in.List.GetNumberGiven();
-  this->NumberDrawn = static_cast<int>(in.List.GetLamps().size());
+  in.Light.Take(context, sets);
+  this->NumberOfLamps = in.Light.GetList().GetNumberGiven();
+  this->NumberDrawn = static_cast<int>(in.Light.GetList().GetLamps().size());
   in.LeftOut = 0;
   for (vtkRelievoLamps* lamps : sets)
   {
     in.LeftOut += lamps->GetNumberLeftOut();
   }
-  this->WayTaken = this->Way != AUTOMATIC    ? this->Way
-    : this->NumberDrawn <= MostQuads ? QUADS
-                                             : CLUSTERS;
-  const bool quads = this->WayTaken == QUADS;
-  if (this->WayTaken == CLUSTERS)
-  {
-    in.Clusters.Build(context.View, in.List);
-  }
-  else
-  {
-    in.Cells.Release(context.Window);
-    in.Lists.Release(context.Window);
-  }
-  if (!quads)
-  {
-    in.Quads.Release(context.Window);
-  }
-  std::string wrong = in.Sum.Prepare(
-    context, { in.List.IsWhite() ? 1 : 4, !this->Floats && !quads, quads });
+  const int automatic = this->NumberDrawn <= MostQuads ? QUADS : CLUSTERS;
+  this->WayTaken = this->Way == AUTOMATIC ? automatic : this->Way;
   const bool counts = context.IsAsked(this, Evaluations) || context.IsAsked(this, Reaching);
-  if (counts && wrong.empty())
-  {
-    wrong = in.Counts.Prepare(context, { 2, false, quads });
-  }
-  else if (!counts)
-  {
-    in.Counts.Release(context.Window);
-    in.Computed = in.Reach = -1.0;
-  }
-  if (!wrong.empty())
-  {
-    this->Explain("failed", wrong);
-    if (in.Said.insert(wrong).second)
-    {
-      vtkErrorMacro("No light of lamps: " << wrong << ".");
-    }
-  }
+  const std::string wrong = in.Light.Prepare(context, this->WayTaken, this->Floats, counts);
+  this->Say(wrong);
   return wrong.empty();
 }
 
@@ -314,35 +192,27 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
 void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  this->DrawCalls = 0;
-  const int way = this->WayTaken;
-  in.Sum.SetDefines(in.List.IsWhite() ? "#define RELIEVO_WHITE_LIGHT\n" : "");
-  std::string wrong = in.Upload(context, way);
+  std::string wrong = in.Light.Draw(context);
+  this->DrawCalls = in.Light.GetDrawCalls();
   if (wrong.empty())
   {
-    wrong = in.Draw(context, way, in.Sum, in.Lights,
-      in.Sum.GetFormat().Halves ? "#define RELIEVO_HALVES\n" : "");
-    this->DrawCalls += way == QUADS ? 2 : 1;
-  }
-  const bool counts = context.IsAsked(this, Evaluations) || context.IsAsked(this, Reaching);
-  if (wrong.empty() && counts)
-  {
-    wrong = in.Draw(context, way, in.Counts, in.Counter, "#define RELIEVO_COUNT_LAMPS\n");
-    in.SumCounts();
-    this->DrawCalls += way == QUADS ? 2 : 1;
-  }
-  if (wrong.empty())
-  {
-    context.ProvideLayer(Light, &in.Sum);
-    if (counts)
+    context.ProvideLayer(Light, &in.Light.GetSum());
+    for (const char* name : { Evaluations, Reaching })
     {
-      context.ProvideLayer(Evaluations, &in.Counts);
-      context.ProvideLayer(Reaching, &in.Counts);
+      if (context.IsAsked(this, name))
+      {
+        context.ProvideLayer(name, &in.Light.GetCounts());
+      }
     }
   }
-  if (wrong.empty() && context.IsAsked(this, "color") && !in.List.GetLamps().empty())
+  if (wrong.empty() && context.IsAsked(this, "color") && this->NumberDrawn > 0)
   {
-    if (in.Colors.Ready(context, "deferred/lampsColorFS.glsl", { "albedo", Light }))
+    std::vector<std::string> reads{ "albedo", Light };
+    if (context.Find(Material))
+    {
+      reads.emplace_back(Material);
+    }
+    if (in.Colors.Ready(context, "deferred/lampsColorFS.glsl", reads))
     {
       vtkOpenGLState* state = context.Window->GetState();
       const vtkRelievoKeptState kept(state);
@@ -353,15 +223,25 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
     }
     wrong = in.Colors.GetWrong();
   }
+  this->Say(wrong);
   if (wrong.empty())
   {
     this->Explain("ran",
       std::to_string(this->NumberDrawn) + " of " + std::to_string(this->NumberOfLamps) +
-        " lamps may light what is seen; by " + WayNames[way]);
+        " lamps may light what is seen; by " + WayNames[this->WayTaken]);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What is wrong, if anything is: once as an error, and as the reason.
+void vtkRelievoLampsStage::Say(const std::string& wrong)
+{
+  if (wrong.empty())
+  {
     return;
   }
   this->Explain("failed", wrong);
-  if (in.Said.insert(wrong).second)
+  if (this->Internal->Said.insert(wrong).second)
   {
     vtkErrorMacro("No light of lamps: " << wrong << ".");
   }
@@ -374,8 +254,9 @@ std::string vtkRelievoLampsStage::ReadLayers(
   Internals& in = *this->Internal;
   for (const std::string& name : names)
   {
-    const std::string wrong = name == Light ? in.Sum.Read(name, 3, image)
-                                            : in.Counts.Read(name, 1, image, name == Reaching);
+    const std::string wrong = name == Light
+      ? in.Light.GetSum().Read(name, 3, image)
+      : in.Light.GetCounts().Read(name, 1, image, name == Reaching ? 1 : 0);
     if (!wrong.empty())
     {
       return "The layer '" + name + "' cannot be read: " + wrong + ".";
@@ -390,36 +271,24 @@ std::map<std::string, vtkVariant> vtkRelievoLampsStage::GetFacts()
   const Internals& in = *this->Internal;
   const auto share = [](double value) { return value < 0.0 ? vtkVariant() : vtkVariant(value); };
   return { { "lamps", vtkVariant(this->NumberOfLamps) },
-    { "lamps_drawn", vtkVariant(this->NumberDrawn) },
-    { "lamps_left_out", vtkVariant(in.LeftOut) },
+    { "lamps_drawn", vtkVariant(this->NumberDrawn) }, { "lamps_left_out", vtkVariant(in.LeftOut) },
     { "lamps_way", vtkVariant(WayNames[this->WayTaken]) },
-    { "lamps_evaluated_per_pixel", share(in.Computed) },
-    { "lamps_reaching_per_pixel", share(in.Reach) } };
+    { "lamps_evaluated_per_pixel", share(in.Light.GetComputed()) },
+    { "lamps_reaching_per_pixel", share(in.Light.GetReaching()) } };
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoLampsStage::GetBytesHeld()
 {
-  const Internals& in = *this->Internal;
-  return in.Sum.GetBytes() + in.Counts.GetBytes() + in.Lamps.GetBytes() +
-    in.Attenuations.GetBytes() + in.Cells.GetBytes() + in.Lists.GetBytes() + in.Quads.GetBytes();
+  return this->Internal->Light.GetBytes();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoLampsStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   Internals& in = *this->Internal;
-  in.Sum.Release(window);
-  in.Counts.Release(window);
-  for (vtkRelievoScreenQuad* quad : { &in.Lights, &in.Counter, &in.Colors })
-  {
-    quad->Release(window);
-  }
-  for (vtkRelievoTextureBuffer* buffer : { &in.Lamps, &in.Attenuations, &in.Cells, &in.Lists })
-  {
-    buffer->Release(window);
-  }
-  in.Quads.Release(window);
+  in.Light.Release(window);
+  in.Colors.Release(window);
   this->DrawCalls = 0;
   this->NumberOfLamps = this->NumberDrawn = 0;
   this->Superclass::ReleaseGraphicsResources(window);

@@ -102,6 +102,8 @@ private:
   vtkRelievoLampsStage(const vtkRelievoLampsStage&) = delete;
   void operator=(const vtkRelievoLampsStage&) = delete;
 
+  void Say(const std::string& wrong);
+
   class Internals;
   std::unique_ptr<Internals> Internal;
 };

@@ -178,7 +178,8 @@ void vtkRelievoPointValues::Take(vtkDataSet* data)
     {
       continue; // another piece has it
     }
-    const bool finite = std::all_of(row, row + this->Width, [](double v) { return std::isfinite(v); });
+    const bool finite =
+      std::all_of(row, row + this->Width, [](double v) { return std::isfinite(v); });
     if (!finite || !this->HasEffect(row))
     {
       ++this->NumberLeftOut;
@@ -210,8 +211,7 @@ void vtkRelievoPointValues::Fill(vtkDataSet* data, const Value& value, double* c
   else if (array)
   {
     const int components = array->GetNumberOfComponents();
-    const bool fits =
-      components == value.Components || (value.Components == 3 && components == 4);
+    const bool fits = components == value.Components || (value.Components == 3 && components == 4);
     if (!fits)
     {
       wrong = "has " + std::to_string(components) + " components";

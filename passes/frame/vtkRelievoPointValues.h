@@ -50,11 +50,20 @@ public:
 
 #ifndef __VTK_WRAP__
   // Row by row: x, y, z, and the values in their order. Up to date after GetNumberOfPoints.
-  const std::vector<double>& GetRows() const { return this->Rows; }
-  int GetRowWidth() const { return this->Width; }
+  const std::vector<double>& GetRows() const
+  {
+    return this->Rows;
+  }
+  int GetRowWidth() const
+  {
+    return this->Width;
+  }
 
   // When the rows changed last.
-  vtkMTimeType GetRowsTime() const { return this->RowsTime.GetMTime(); }
+  vtkMTimeType GetRowsTime() const
+  {
+    return this->RowsTime.GetMTime();
+  }
 #endif
 
 protected:
@@ -64,7 +73,7 @@ protected:
   struct Value
   {
     std::string Name;
-    int Components;     // 1, or 3 of a colour, whose arrays may have a fourth and may be bytes
+    int Components;      // 1, or 3 of a colour, whose arrays may have a fourth and may be bytes
     std::string Expects; // in words: "one length per point"
     double ForAll[3];
     std::string Array;
@@ -72,11 +81,13 @@ protected:
   };
 
   // Adds a value; for constructors.
-  void AddValue(
-    const std::string& name, int components, const std::string& expects, double forAll);
+  void AddValue(const std::string& name, int components, const std::string& expects, double forAll);
 
   void SetForAll(int value, const double* forAll);
-  const double* GetForAll(int value) const { return this->Values[value].ForAll; }
+  const double* GetForAll(int value) const
+  {
+    return this->Values[value].ForAll;
+  }
 
   // Whether the thing of this row does anything.
   virtual bool HasEffect(const double* row) const = 0;

@@ -163,8 +163,7 @@ std::string vtkRelievoScreenTarget::Read(
   this->Framebuffer->ActivateReadBuffer(0);
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 4);
   glFinish();
-  glReadPixels(
-    0, 0, width, height, GetTexelFormat(this->Shape).External, GL_FLOAT, texels.data());
+  glReadPixels(0, 0, width, height, GetTexelFormat(this->Shape).External, GL_FLOAT, texels.data());
   state->PopFramebufferBindings();
   vtkNew<vtkFloatArray> array;
   array->SetName(name.c_str());

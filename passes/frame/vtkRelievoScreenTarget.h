@@ -58,8 +58,7 @@ public:
   const Format& GetFormat() const { return this->Shape; }
 
   // Adds the last frame's values to the image as the point array `name`, float. One channel fills
-  // all components; otherwise they are the channels from the first one on. Returns what is wrong, in
-  // words.
+  // all components; otherwise they are the channels from the first one on. Returns what is wrong.
   std::string Read(
     const std::string& name, int components, vtkImageData* image, int firstChannel = 0);
 

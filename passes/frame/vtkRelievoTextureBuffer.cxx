@@ -26,8 +26,8 @@ std::string vtkRelievoTextureBuffer::Upload(
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
   if (texels > static_cast<std::size_t>(limit))
   {
-    return "a list of " + std::to_string(texels) + " entries is needed, this OpenGL reads at most " +
-      std::to_string(limit);
+    return "a list of " + std::to_string(texels) +
+      " entries is needed, this OpenGL reads at most " + std::to_string(limit);
   }
   if (this->Window != window)
   {

@@ -29,8 +29,7 @@ public:
   void operator=(const vtkRelievoTextureBuffer&) = delete;
 
   // Makes texels of 1, 2 or 4 floats. Returns why it cannot, in words.
-  std::string Upload(
-    vtkOpenGLRenderWindow* window, const std::vector<float>& values, int channels);
+  std::string Upload(vtkOpenGLRenderWindow* window, const std::vector<float>& values, int channels);
 
   ///@{
   // Takes a texture unit and sets the program's samplerBuffer of that name; gives it back.

@@ -22,6 +22,7 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   bool Normal = false;
   bool GeometricNormal = false;
   bool Albedo = false;
+  bool Material = false; // how much of the light a surface gives back
   bool Ids = false;
   std::map<std::string, int> Lights; // of layers that are a light's visibility
   std::vector<int> Shadows;          // lights, by their number in the renderer, ascending
@@ -35,6 +36,7 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   int GeometricNormalWord = -1;
   int NormalDepthWord = -1;
   int AlbedoWord = -1;
+  int MaterialWord = -1;
   int IdWord = -1;
   int ShadowWord = -1; // two lights a word, 16 bits each
 

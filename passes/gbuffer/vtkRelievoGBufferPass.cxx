@@ -40,6 +40,8 @@ void vtkRelievoGBufferPass::Describe(vtkRelievoStageDescription& description)
     }
   }
   description.WritesArrays = true;
+  // For stages that light: diffuse share, metallic, roughness.
+  description.Writes = { "material" };
 }
 
 //------------------------------------------------------------------------------
@@ -63,7 +65,14 @@ void vtkRelievoGBufferPass::Internals::Arrange(
   layout.NormalDepth = self.NormalDepthFormat;
   for (const std::string& layer : context.GetAsked(&self))
   {
-    vtkRelievoLayerReader::AddChannels(layer, layout);
+    if (layer == "material")
+    {
+      layout.Material = true;
+    }
+    else
+    {
+      vtkRelievoLayerReader::AddChannels(layer, layout);
+    }
   }
   // A depth that shares its texel with the normal is as it was written.
   const bool together =
@@ -194,7 +203,8 @@ void vtkRelievoGBufferPass::Execute(vtkRelievoFrameContext& context)
   in.Textures.Set(in.Layout, in.Target, in.Offset, this->NormalSpace == WORLD);
   for (const std::string& layer : context.GetAsked(this))
   {
-    context.ProvideLayer(layer, &in.Textures);
+    layer == "material" ? context.Provide(layer, &in.Textures)
+                        : context.ProvideLayer(layer, &in.Textures);
     words += " " + layer;
   }
   this->Explain("ran",

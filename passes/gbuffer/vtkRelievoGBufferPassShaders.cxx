@@ -131,6 +131,10 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
   in.Glyphs.SetUniforms(program, mapper);
   program->SetUniformi(
     "relievoFaces", actor->GetProperty()->GetRepresentation() == VTK_SURFACE ? 1 : 0);
+  // An actor without lighting is lit by nothing.
+  const bool lit = actor->GetProperty()->GetLighting();
+  program->SetUniformf(
+    "relievoDiffuseShare", lit ? static_cast<float>(actor->GetProperty()->GetDiffuse()) : 0.0f);
   const double winding = actor->GetMatrix()->Determinant() *
     glm::determinant(glm::dmat3(in.View.WorldToView)) *
     glm::determinant(glm::dmat2(in.View.ViewToNDC));

@@ -15,5 +15,11 @@ void main()
 {
   ivec2 pixel = ivec2(floor(texCoord * relievoSize));
   vec4 albedo = relievoFetchAlbedo(pixel);
-  gl_FragData[0] = vec4(relievoLinearColorFromSrgb(albedo.rgb) * relievoFetchLight(pixel), 0.0);
+  float diffuse = 1.0;
+#ifdef RELIEVO_MATERIAL_WORD
+  vec4 material = relievoFetchMaterial(pixel);
+  diffuse = material.x * (1.0 - material.y);
+#endif
+  gl_FragData[0] =
+    vec4(diffuse * relievoLinearColorFromSrgb(albedo.rgb) * relievoFetchLight(pixel), 0.0);
 }

@@ -143,3 +143,11 @@ vec4 relievoFetchAlbedo(ivec2 pixel)
   return unpackUnorm4x8(relievoFetchWord(pixel, RELIEVO_ALBEDO_WORD));
 }
 #endif
+
+#ifdef RELIEVO_MATERIAL_WORD
+// The share of light that is given back diffusely, metallic, roughness, and whether it is PBR.
+vec4 relievoFetchMaterial(ivec2 pixel)
+{
+  return unpackUnorm4x8(relievoFetchWord(pixel, RELIEVO_MATERIAL_WORD));
+}
+#endif

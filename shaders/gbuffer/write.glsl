@@ -37,6 +37,7 @@ uniform float relievoWinding; // -1 where actor, view and projection together mi
 uniform int relievoFaces; // whether faces are drawn, not their edges or corners
 uniform float relievoNear;
 uniform float relievoFar;
+uniform float relievoDiffuseShare; // the property's diffuse share; 0 without lighting
 
 uint relievoPackDepth(float depth, bool parallel, float zNear, float zFar)
 {
@@ -222,6 +223,15 @@ uvec3 relievoPackNormal(vec3 n)
 #undef fragOutput0
   }
   relievoWords[RELIEVO_ALBEDO_WORD] = packUnorm4x8(relievoAlbedo);
+#endif
+
+#ifdef RELIEVO_MATERIAL_WORD
+#ifdef RELIEVO_PBR_ALBEDO
+  relievoWords[RELIEVO_MATERIAL_WORD] =
+    packUnorm4x8(vec4(relievoDiffuseShare > 0.0 ? 1.0 : 0.0, metallic, roughness, 1.0));
+#else
+  relievoWords[RELIEVO_MATERIAL_WORD] = packUnorm4x8(vec4(relievoDiffuseShare, 0.0, 1.0, 0.0));
+#endif
 #endif
 
 #ifdef RELIEVO_SHADOW_WORD

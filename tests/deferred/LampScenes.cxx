@@ -96,9 +96,8 @@ std::vector<Lamp> RandomLamps(int count, double radius, bool white, const glm::d
       6.0 * share(random) - 3.0, 2.5 * share(random), 6.0 * share(random) - 3.0);
     const double size = radius * (0.5 + share(random));
     const double intensity = 0.2 + share(random);
-    const glm::dvec3 color = white
-      ? glm::dvec3(1.0)
-      : glm::dvec3(share(random), share(random), share(random));
+    const glm::dvec3 color =
+      white ? glm::dvec3(1.0) : glm::dvec3(share(random), share(random), share(random));
     lamps.push_back({ place + offset, size, intensity, color });
   }
   return lamps;
@@ -187,8 +186,8 @@ long long CheckLight(vtkImageData* image, const std::vector<Lamp>& lamps, int fa
         dark = std::max({ dark, std::abs(light.x), std::abs(light.y), std::abs(light.z) });
         continue;
       }
-      const LampSum truth = SumLight(lamps, falloff, attenuation,
-        layers.Vector("position", x, y), layers.Vector("normal", x, y));
+      const LampSum truth = SumLight(lamps, falloff, attenuation, layers.Vector("position", x, y),
+        layers.Vector("normal", x, y));
       for (int c = 0; c < 3; ++c)
       {
         // Half a step of a half float, a step of 6e-8 next to 0; the float's sum of the lamps.

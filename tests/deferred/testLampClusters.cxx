@@ -30,8 +30,8 @@ vtkRelievoView MakeView(int width, int height, bool parallel, double near, doubl
   view.Far = far;
   view.Parallel = parallel;
   const double aspect = static_cast<double>(width) / height;
-  view.WorldToView = glm::lookAt(
-    glm::dvec3(2.5, 3.0, 6.0), glm::dvec3(0.0, 0.5, 0.0), glm::dvec3(0.0, 1.0, 0.0));
+  view.WorldToView =
+    glm::lookAt(glm::dvec3(2.5, 3.0, 6.0), glm::dvec3(0.0, 0.5, 0.0), glm::dvec3(0.0, 1.0, 0.0));
   view.ViewToNDC = parallel ? glm::ortho(-3.0 * aspect, 3.0 * aspect, -3.0, 3.0, near, far)
                             : glm::perspective(0.7, aspect, near, far);
   return view;
@@ -59,19 +59,20 @@ void TestView(const vtkRelievoView& view, int count, double radius, const std::s
     const int x = static_cast<int>(share(random) * view.Viewport[2]);
     const int y = static_cast<int>(share(random) * view.Viewport[3]);
     // Where the lamps are: at the distance of the scene.
-    const auto depth = static_cast<float>(
-      std::clamp(4.0 + 6.0 * share(random), view.Near, view.Far));
+    const auto depth =
+      static_cast<float>(std::clamp(4.0 + 6.0 * share(random), view.Near, view.Far));
     const glm::dvec4 clip = view.ViewToNDC * glm::dvec4(0.0, 0.0, -depth, 1.0);
     const glm::dvec4 point = back *
       glm::dvec4((2.0 * (x + 0.5) / view.Viewport[2] - 1.0) * clip.w,
         (2.0 * (y + 0.5) / view.Viewport[3] - 1.0) * clip.w, clip.z, clip.w);
     const float place = view.Parallel ? depth : std::log2(depth);
     const int slice = std::clamp(
-      static_cast<int>(std::floor(place * clusters.GetSliceScale() + clusters.GetSliceOffset())),
-      0, clusters.GetSlices() - 1);
+      static_cast<int>(std::floor(place * clusters.GetSliceScale() + clusters.GetSliceOffset())), 0,
+      clusters.GetSlices() - 1);
     const std::size_t cell =
       (static_cast<std::size_t>(slice) * clusters.GetRows() + y / clusters.GetTile()) *
-        clusters.GetColumns() + x / clusters.GetTile();
+        clusters.GetColumns() +
+      x / clusters.GetTile();
     const auto from = clusters.GetLists().begin() + static_cast<int>(clusters.GetCells()[cell]);
     const auto to = clusters.GetLists().begin() + static_cast<int>(clusters.GetCells()[cell + 1]);
     ordered = ordered && std::is_sorted(from, to);

@@ -18,11 +18,9 @@ namespace
 {
 using namespace relievoTest;
 
-
 // Half a step of a half float.
 constexpr double HalfRounding = 1.1 / 2048.0;
-const std::vector<std::string> Needed{ "light", "depth", "range", "position",
-  "normal" };
+const std::vector<std::string> Needed{ "light", "depth", "range", "position", "normal" };
 const int Ways[] = { vtkRelievoLampsStage::QUADS, vtkRelievoLampsStage::CLUSTERS,
   vtkRelievoLampsStage::ALL };
 
@@ -43,8 +41,8 @@ void CheckWays(LampScene& scene, vtkRelievoLamps* lamps, const std::vector<Lamp>
     scene.Stage->SetWay(way);
     vtkSmartPointer<vtkImageData> image = scene.Read(Needed);
     const std::string name = what + ", " + GetName(way);
-    const long long lit = CheckLight(
-      image, truth, lamps->GetFalloff(), glm::dvec3(a[0], a[1], a[2]), name, place);
+    const long long lit =
+      CheckLight(image, truth, lamps->GetFalloff(), glm::dvec3(a[0], a[1], a[2]), name, place);
     RELIEVO_CHECK(lit > 0);
     RELIEVO_CHECK(scene.Stage->GetReasonCode() == "ran");
     RELIEVO_CHECK(scene.Stage->GetWayTaken() == way);
@@ -147,8 +145,7 @@ void TestViews()
     camera(scene)->SetPosition(0.1, 0.9, 1.5);
     camera(scene)->SetClippingRange(0.01, 16.0);
   });
-  check("far / near of 1e7",
-    [&](LampScene& scene) { camera(scene)->SetClippingRange(1e-3, 1e4); });
+  check("far / near of 1e7", [&](LampScene& scene) { camera(scene)->SetClippingRange(1e-3, 1e4); });
   check("a viewport of its own",
     [&](LampScene& scene) { scene.Renderer->SetViewport(0.3, 0.1, 0.95, 0.8); });
   check("8 samples", [&](LampScene& scene) { scene.Window->SetMultiSamples(8); });

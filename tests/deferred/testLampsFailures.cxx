@@ -167,8 +167,7 @@ void TestSizes()
   for (const auto& size : sizes)
   {
     LampScene scene(size[0], size[1]);
-    CheckWays(
-      scene, lamps, std::to_string(size[0]) + " x " + std::to_string(size[1]) + " pixels");
+    CheckWays(scene, lamps, std::to_string(size[0]) + " x " + std::to_string(size[1]) + " pixels");
   }
 }
 

@@ -84,8 +84,8 @@ void TestProjection(const glm::dmat4& projection, const std::string& what)
       {
         ++found;
         const double scale = 1.0 + std::abs(least) + std::abs(most);
-        outside = std::max({ outside, (least - sampled.Least[axis]) / scale,
-          (sampled.Most[axis] - most) / scale });
+        outside = std::max(
+          { outside, (least - sampled.Least[axis]) / scale, (sampled.Most[axis] - most) / scale });
         looseness = std::max({ looseness, (sampled.Least[axis] - least) / scale,
           (most - sampled.Most[axis]) / scale });
       }
@@ -116,8 +116,8 @@ int main()
   const vtkRelievoSphereBounds bounds(perspective);
   double rectangle[4];
   RELIEVO_CHECK(bounds.FindRectangle({ { 0.0, 0.0, 0.0 }, 2.0 }, 0.5, 9.0, rectangle));
-  RELIEVO_CHECK(rectangle[0] == -1.0 && rectangle[1] == -1.0 && rectangle[2] == 1.0 &&
-    rectangle[3] == 1.0);
+  RELIEVO_CHECK(
+    rectangle[0] == -1.0 && rectangle[1] == -1.0 && rectangle[2] == 1.0 && rectangle[3] == 1.0);
   RELIEVO_CHECK(!bounds.FindRectangle({ { 0.0, 0.0, 3.0 }, 2.0 }, 0.5, 9.0, rectangle));
   RELIEVO_CHECK(!bounds.FindRectangle({ { 0.0, 0.0, -20.0 }, 2.0 }, 0.5, 9.0, rectangle));
   RELIEVO_CHECK(!bounds.FindRectangle({ { 90.0, 0.0, -5.0 }, 2.0 }, 0.5, 9.0, rectangle));

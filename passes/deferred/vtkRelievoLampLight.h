@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The light buffer: what the lamps of a frame add at each pixel, summed on the GPU in one of the
+// ways of vtkRelievoLampsStage, and how many were computed for it.
+#ifndef vtkRelievoLampLight_h
+#define vtkRelievoLampLight_h
+
+#include "vtkRelievoLampClusters.h"
+#include "vtkRelievoLampList.h"
+#include "vtkRelievoLampQuads.h"
+#include "vtkRelievoScreenQuad.h"
+#include "vtkRelievoScreenTarget.h"
+#include "vtkRelievoTextureBuffer.h"
+
+#include <string>
+#include <vector>
+
+class vtkRelievoLampLight
+{
+public:
+  // Takes the lamps, and makes the buffers: for counts only if they are wanted. Returns what is
+  // wrong, in words.
+  void Take(vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets);
+  std::string Prepare(vtkRelievoFrameContext& context, int way, bool floats, bool counts);
+
+  // Sums the light, and counts. Returns what is wrong, in words.
+  std::string Draw(vtkRelievoFrameContext& context);
+
+  const vtkRelievoLampList& GetList() const { return this->List; }
+  vtkRelievoScreenTarget& GetSum() { return this->Sum; }
+  vtkRelievoScreenTarget& GetCounts() { return this->Counts; } // computed, reaching
+
+  // Lamps a pixel in the last frame, on average; -1: they were not counted.
+  double GetComputed() const { return this->Computed; }
+  double GetReaching() const { return this->Reaching; }
+
+  int GetDrawCalls() const { return this->DrawCalls; }
+  vtkIdType GetBytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  std::string Upload(vtkRelievoFrameContext& context);
+  void Bind(vtkShaderProgram* program);
+  void Unbind();
+  std::string DrawInto(vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target,
+    vtkRelievoScreenQuad& quad, const std::string& defines);
+  void SumCounts();
+
+  int Way = 0;
+  bool Counting = false;
+  int DrawCalls = 0;
+  double Computed = -1.0;
+  double Reaching = -1.0;
+  vtkRelievoLampList List;
+  vtkRelievoLampClusters Clusters;
+  vtkRelievoLampQuads Quads;
+  vtkRelievoScreenTarget Sum{ "relievoLight" };
+  vtkRelievoScreenTarget Counts{ "relievoLampCounts" };
+  vtkRelievoScreenQuad Lights;
+  vtkRelievoScreenQuad Counter;
+  vtkRelievoTextureBuffer Lamps;
+  vtkRelievoTextureBuffer Attenuations;
+  vtkRelievoTextureBuffer Cells;
+  vtkRelievoTextureBuffer Lists;
+};
+
+#endif
