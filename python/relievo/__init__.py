@@ -18,6 +18,9 @@ normal             3 float     unit shading normal, world space                 
 geometric_normal   3 float     unit normal of the triangle, world space              0
 position           3 double    world position                                        0
 albedo             4 uint8     surface colour before lighting, RGBA, 0 to 255        0
+light              3 float     what lamps add, before the surface's colour           0
+lamp_evaluations   1 float     how many lamps were computed for the pixel            0
+lamps_reaching     1 float     how many lamps reach the pixel's surface              0
 color              4 float     the picture in linear light, premultiplied            renderer's
 actor block cell   1 int       ids, from 0                                           -1
 shadow_N           1 float     visibility of light N: 1 lit, 0 dark                  1
@@ -56,6 +59,7 @@ from ._capture import capture
 from ._exr import read_exr, write_exr
 from ._frame import attach, detach, report, vtkRelievoPass
 from ._image import attributes, layer, layer_names
+from ._lamps import lamps
 from ._layers import layers
 from ._points import depth_to_points
 from ._stages import stage, stages
@@ -66,6 +70,7 @@ __all__ = [
     "capture",
     "depth_to_points",
     "detach",
+    "lamps",
     "layer",
     "layer_names",
     "layers",

@@ -8,7 +8,7 @@ import re
 import unittest
 
 import numpy
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 import relievo
@@ -40,7 +40,7 @@ class Catalogue(unittest.TestCase):
         self.assertEqual(
             set(LAYERS),
             {"depth", "range", "normal", "geometric_normal", "position", "albedo", "actor", "block",
-             "cell", "color", "shadow_N"},
+             "cell", "light", "lamp_evaluations", "lamps_reaching", "color", "shadow_N"},
         )  # fmt: skip
         for name, layer in LAYERS.items():
             self.assertTrue(layer["help"], name)
@@ -61,6 +61,10 @@ class Catalogue(unittest.TestCase):
         renderer = vtkRenderer()
         scenes.add(renderer, vtkSphereSource())
         renderer.SetBackground(0.0, 0.5, 1.0)
+        corners = vtkPlaneSource()  # lamps in front of the sphere
+        corners.SetResolution(1, 1)
+        corners.Push(1.0)
+        relievo.lamps(renderer, corners, radius=2)
         names = [name.replace("shadow_N", "shadow_0") for name in LAYERS]
         image = relievo.capture(renderer, names, size=(61, 47))
         for name, layer in zip(names, LAYERS.values()):

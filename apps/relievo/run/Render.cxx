@@ -4,6 +4,7 @@
 
 #include "Display.h"
 #include "Failure.h"
+#include "Lamps.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Outputs.h"
@@ -19,6 +20,8 @@
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkRelievoEXRWriter.h"
+#include "vtkRelievoLamps.h"
+#include "vtkRelievoLampsStage.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoPass.h"
@@ -146,6 +149,16 @@ void Render(const RenderOptions& options)
   }
   CheckSurface(options);
   std::vector<std::string> inputs = options.Files;
+  for (const LampChoice& choice : options.Lamps)
+  {
+    CheckExtension(choice.File);
+    if (IsGLTF(choice.File))
+    {
+      throw WordsError("--lamps: " + choice.File + " is a scene; expected a file of points");
+    }
+    CheckReadable(choice.File);
+    inputs.push_back(choice.File);
+  }
   inputs.insert(inputs.end(), { options.NormalMap, options.HeightMap, options.Environment });
   inputs.erase(std::remove(inputs.begin(), inputs.end(), std::string()), inputs.end());
   Outputs outputs;
@@ -163,6 +176,7 @@ void Render(const RenderOptions& options)
   Progress progress;
   const Scene scene = BuildScene(options, progress);
   SetSurface(scene.Renderer, options, progress);
+  const auto lamps = ReadLamps(options.Lamps, progress);
   const std::vector<std::string> layers = LayersToCapture(options, scene);
   const int lights = CountLights(scene.Renderer);
   CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
@@ -173,7 +187,7 @@ void Render(const RenderOptions& options)
   // A plain picture is VTK's own: nothing of Relievo is attached that nobody asked for.
   vtkRelievoPass* pass = nullptr;
   if (!layers.empty() || !options.Report.empty() || options.ShadowMethod != Shadows::Off ||
-    !options.Stages.empty())
+    !options.Stages.empty() || !options.Lamps.empty())
   {
     pass = vtkRelievoPass::Attach(scene.Renderer);
   }
@@ -190,6 +204,10 @@ void Render(const RenderOptions& options)
   if (pass)
   {
     SetShadows(pass, scene.Window, options);
+    for (vtkRelievoLamps* each : lamps)
+    {
+      vtkRelievoLampsStage::SafeDownCast(pass->GetStage("lamps"))->AddLamps(each);
+    }
     SetStages(pass, options.Stages);
   }
   if (!options.Report.empty())

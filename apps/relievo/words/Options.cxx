@@ -223,6 +223,11 @@ const OptionRow RenderRows[] = {
   { "--clip", TakeClip, false },
   { "--shading", TakeShading, false },
   { "--light", TakeLight, true },
+  { "--lamps",
+    [](RenderOptions& options, const std::string& word) {
+      options.Lamps.push_back(ParseLamps(word));
+    },
+    true },
   { "--shadows", TakeShadows, false },
   { "--shadow-size", TakeShadowSize, false },
   { "--normal-map", TakePath<&RenderOptions::NormalMap>, false },

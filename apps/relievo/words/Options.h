@@ -7,6 +7,7 @@
 #ifndef Options_h
 #define Options_h
 
+#include "LampOptions.h"
 #include "Stages.h"
 
 #include <array>
@@ -88,6 +89,7 @@ struct RenderOptions
   std::optional<std::array<double, 2>> Clip;
   Shading ShadingKind = Shading::FromFile;
   std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
+  std::vector<LampChoice> Lamps;
   Shadows ShadowMethod = Shadows::Off;
   std::optional<int> ShadowSize;     ///< of each map, texels
   std::string NormalMap, HeightMap;  ///< files; empty: none

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The option --lamps: a file of points, and what they are as lamps.
+ */
+#ifndef LampOptions_h
+#define LampOptions_h
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace cli
+{
+enum class Falloff
+{
+  Linear,
+  InverseSquare,
+  VTK
+};
+
+/// A number for all points, or the name of a point array.
+struct PointValue
+{
+  std::optional<double> Number;
+  std::string Array;
+};
+
+struct LampChoice
+{
+  std::string File;
+  PointValue Radius;
+  PointValue Intensity;
+  std::optional<std::array<double, 3>> Color; ///< for all points
+  std::string ColorArray;
+  Falloff Kind = Falloff::Linear;
+  std::optional<std::array<double, 3>> Attenuation; ///< of Falloff::VTK
+};
+
+/// FILE[,radius=R][,intensity=I][,color=R/G/B][,falloff=F][,attenuation=A/B/C]. Throws WordsError.
+LampChoice ParseLamps(const std::string& word);
+}
+
+#endif

@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""relievo.lamps: what it takes, what is lit, and what it refuses."""
+
+import unittest
+
+import numpy
+import relievo
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkPointSource
+
+from scenes import plane_and_sphere, window_of
+
+
+def points_at(places, **arrays):
+    data = vtkPolyData()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(numpy.array(places, float), deep=True))
+    data.SetPoints(points)
+    for name, values in arrays.items():
+        array = numpy_to_vtk(numpy.array(values, float), deep=True)
+        array.SetName(name)
+        data.GetPointData().AddArray(array)
+    return data
+
+
+class Lamps(unittest.TestCase):
+    def setUp(self):
+        self.renderer = plane_and_sphere()
+        self.window = window_of(self.renderer, 90, 60)
+
+    def light(self):
+        return relievo.layer(relievo.capture(self.renderer, ["light"]), "light")
+
+    def expected(self, lamps):
+        """Sums lamps (place, radius, intensity, colour) over the captured positions and normals."""
+        image = relievo.capture(self.renderer, ["position", "normal", "depth"])
+        position, normal = relievo.layer(image, "position"), relievo.layer(image, "normal")
+        total = numpy.zeros_like(position)
+        for place, radius, intensity, colour in lamps:
+            to = numpy.array(place) - position
+            d = numpy.linalg.norm(to, axis=-1)
+            cosine = numpy.maximum(0, (to * normal).sum(axis=-1) / d)
+            total += (intensity * numpy.maximum(0, 1 - d / radius) * cosine)[..., None] * colour
+        total[numpy.isinf(relievo.layer(image, "depth"))] = 0
+        return total
+
+    def test_values(self):
+        """Arrays by their own names and others, numbers for all, a port that is followed."""
+        places = [(0, 0, 4), (3, 1, 3)]
+        lamps = relievo.lamps(
+            self.renderer, points_at(places, radius=[6, 3], power=[1, 2]), intensity="power",
+            color=(1, 0.5, 0.25))
+        colour = numpy.array([1, 0.5, 0.25])
+        expected = self.expected([(places[0], 6, 1, colour), (places[1], 3, 2, colour)])
+        self.assertGreater(expected.max(), 0.5)
+        numpy.testing.assert_allclose(self.light(), expected, rtol=1e-4, atol=5e-5)
+        stage = relievo.attach(self.renderer).GetStage("lamps")
+        stage.RemoveLamps(lamps)
+        self.assertFalse(self.light().any())
+
+        source = vtkPointSource()
+        source.SetNumberOfPoints(1)
+        source.SetRadius(0)
+        source.SetCenter(*places[0])
+        relievo.lamps(self.renderer, source, radius=5)
+        white = numpy.ones(3)
+        numpy.testing.assert_allclose(
+            self.light(), self.expected([(places[0], 5, 1, white)]), rtol=1e-4, atol=5e-5)
+        source.SetCenter(*places[1])
+        numpy.testing.assert_allclose(
+            self.light(), self.expected([(places[1], 5, 1, white)]), rtol=1e-4, atol=5e-5)
+        self.window.Render()
+        report = relievo.report(relievo.attach(self.renderer))
+        self.assertEqual((report["lamps"], report["lamps_drawn"]), (1, 1))
+
+    def test_refusals(self):
+        """Wrong arguments are named, and change nothing."""
+        data = points_at([(0, 0, 4)])
+        for wrong, says in (
+            ({"points": 5}, "points"),
+            ({"radius": -1}, "radius.*0 or more"),
+            ({"radius": (1, 2)}, "radius"),
+            ({"intensity": None, "color": (1, 2)}, "color.*three numbers"),
+            ({"falloff": "cubic"}, "falloff.*inverse-square"),
+            ({"attenuation": (1, 0, 0)}, "attenuation.*falloff='vtk'"),
+        ):
+            with self.assertRaisesRegex(ValueError, f"lamps: {says}"):
+                relievo.lamps(self.renderer, **{"points": data, **wrong})
+        self.assertIsNone(self.renderer.GetPass())
+        with self.assertRaises(ValueError):
+            relievo.lamps(None, data)
+
+
+if __name__ == "__main__":
+    unittest.main()
