@@ -4,6 +4,7 @@
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
@@ -58,6 +59,7 @@ class vtkRelievoLampsStage::Internals
 {
 public:
   std::vector<vtkSmartPointer<vtkRelievoLamps>> Sets;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkRelievoLampLight Light;
   vtkRelievoScreenQuad Colors;
   std::set<std::string> Said;
@@ -116,6 +118,18 @@ vtkRelievoLamps* vtkRelievoLampsStage::GetLamps(int i)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoLampsStage::SetController(vtkMultiProcessController* controller)
+{
+  this->Internal->Controller = controller;
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkRelievoLampsStage::GetController()
+{
+  return this->Internal->Controller;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoLampsStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "lamps";
@@ -140,8 +154,10 @@ void vtkRelievoLampsStage::Declare(
   const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
 {
   const auto& sets = this->Internal->Sets;
-  const bool any = std::any_of(
-    sets.begin(), sets.end(), [](const auto& lamps) { return lamps->GetNumberOfPoints() > 0; });
+  // Another process may have lamps where this one has none, and must not wait for it.
+  const bool together = this->Internal->Controller != nullptr;
+  const bool any = std::any_of(sets.begin(), sets.end(),
+    [together](const auto& lamps) { return together || lamps->GetNumberOfPoints() > 0; });
   declaration.Words = "lights surfaces with lamps";
   if (!any)
   {
@@ -172,6 +188,10 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   const std::vector<vtkRelievoLamps*> sets = in.GetSets();
+  for (vtkRelievoLamps* lamps : sets)
+  {
+    lamps->Share(in.Controller);
+  }
   in.Light.Take(context, sets);
   this->NumberOfLamps = in.Light.GetList().GetNumberGiven();
   this->NumberDrawn = static_cast<int>(in.Light.GetList().GetLamps().size());

@@ -26,6 +26,7 @@
 
 #include <memory> // for the internals
 
+class vtkMultiProcessController;
 class vtkRelievoLamps;
 
 class VTKRELIEVODEFERRED_EXPORT vtkRelievoLampsStage : public vtkRelievoStage
@@ -57,6 +58,15 @@ public:
   /** Default AUTOMATIC. */
   vtkSetClampMacro(Way, int, AUTOMATIC, ALL);
   vtkGetMacro(Way, int);
+  ///@}
+
+  ///@{
+  /**
+   * Processes that each draw a part of the scene, all in step (ParaView's ranks): the lamps of each
+   * light what all draw. All have the same sets, which may be empty. Default nullptr.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
   ///@}
 
   /** The way of the last frame. */

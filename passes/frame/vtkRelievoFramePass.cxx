@@ -220,14 +220,21 @@ bool vtkRelievoFramePass::ReadLayer(const std::string& name, vtkImageData* image
 //------------------------------------------------------------------------------
 bool vtkRelievoFramePass::ReadLayers(const std::vector<std::string>& names, vtkImageData* image)
 {
-  const std::string wrong = image
-    ? this->Internal->Reader.Read(names, image)
-    : "Reading layers needs an image to fill, and was given none; give it a vtkImageData.";
+  const std::string wrong = this->TryReadLayers(names, image);
   if (!wrong.empty())
   {
     vtkErrorMacro(<< wrong);
   }
   return wrong.empty();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoFramePass::TryReadLayers(
+  const std::vector<std::string>& names, vtkImageData* image)
+{
+  return image
+    ? this->Internal->Reader.Read(names, image)
+    : "Reading layers needs an image to fill, and was given none; give it a vtkImageData.";
 }
 
 //------------------------------------------------------------------------------

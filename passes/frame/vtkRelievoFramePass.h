@@ -88,6 +88,9 @@ public:
   bool ReadLayers(const std::vector<std::string>& names, vtkImageData* image);
   ///@}
 
+  /** As ReadLayers, but says what is wrong instead of reporting it; "" if all were read. */
+  std::string TryReadLayers(const std::vector<std::string>& names, vtkImageData* image);
+
   /**
    * What the last frame did, as JSON: for the delegate and every stage its name, whether it ran,
    * the reason in words and as a code (vtkRelievoStage::GetReasonCode), GPU milliseconds (of the

@@ -10,6 +10,8 @@
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -63,10 +65,9 @@ void vtkRelievoPointValues::SetArray(const std::string& value, const std::string
   {
     if (known.Name == value)
     {
-      if (known.Array != array || !known.Named)
+      if (known.Array != array)
       {
         known.Array = array;
-        known.Named = true;
         this->Said.clear();
         this->Modified();
       }
@@ -103,6 +104,61 @@ int vtkRelievoPointValues::GetNumberOfPoints()
     this->RowsTime.Modified();
   }
   return static_cast<int>(this->Rows.size() / this->Width);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointValues::SetUserMatrix(vtkMatrix4x4* matrix)
+{
+  if (this->UserMatrix != matrix)
+  {
+    this->UserMatrix = matrix;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMatrix4x4* vtkRelievoPointValues::GetUserMatrix()
+{
+  return this->UserMatrix;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoPointValues::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->UserMatrix ? std::max(own, this->UserMatrix->GetMTime()) : own;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointValues::Share(vtkMultiProcessController* controller)
+{
+  this->GetNumberOfPoints();
+  const bool before = this->Shared;
+  this->Shared = controller && controller->GetNumberOfProcesses() > 1;
+  if (!this->Shared)
+  {
+    this->All.clear();
+    return;
+  }
+  const int processes = controller->GetNumberOfProcesses();
+  const int changed = !before || this->SharedTime != this->RowsTime.GetMTime() ? 1 : 0;
+  int anywhere = 0;
+  controller->AllReduce(&changed, &anywhere, 1, vtkCommunicator::MAX_OP);
+  if (anywhere == 0)
+  {
+    return;
+  }
+  this->SharedTime = this->RowsTime.GetMTime();
+  const auto own = static_cast<vtkIdType>(this->Rows.size());
+  std::vector<vtkIdType> counts(static_cast<std::size_t>(processes));
+  controller->AllGather(&own, counts.data(), 1);
+  std::vector<vtkIdType> starts(1, 0);
+  for (const vtkIdType count : counts)
+  {
+    starts.push_back(starts.back() + count);
+  }
+  this->All.resize(static_cast<std::size_t>(starts.back()));
+  controller->AllGatherV(this->Rows.data(), this->All.data(), own, counts.data(), starts.data());
 }
 
 //------------------------------------------------------------------------------
@@ -160,6 +216,13 @@ void vtkRelievoPointValues::Take(vtkDataSet* data)
   {
     double* row = rows + i * this->Width;
     points ? points->GetPoints()->GetPoint(i, row) : data->GetPoint(i, row);
+    if (this->UserMatrix)
+    {
+      const double point[4] = { row[0], row[1], row[2], 1.0 };
+      double moved[4];
+      this->UserMatrix->MultiplyPoint(point, moved);
+      std::copy_n(moved, 3, row);
+    }
   }
   double* column = rows + 3;
   for (const Value& value : this->Values)
@@ -202,7 +265,7 @@ void vtkRelievoPointValues::Fill(vtkDataSet* data, const Value& value, double* c
   vtkDataArray* array =
     value.Array.empty() ? nullptr : data->GetPointData()->GetArray(value.Array.c_str());
   std::string wrong;
-  if (!array && value.Named && !value.Array.empty())
+  if (!array && value.Array != value.Name && !value.Array.empty())
   {
     vtkAbstractArray* other = data->GetPointData()->GetAbstractArray(value.Array.c_str());
     wrong = other ? std::string("holds no numbers (it is a ") + other->GetClassName() + ")"

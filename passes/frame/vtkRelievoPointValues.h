@@ -16,6 +16,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkSmartPointer.h"       // for the matrix
 
 #include <set>    // for what was said
 #include <string> // for names
@@ -23,6 +24,8 @@
 
 class vtkDataObject;
 class vtkDataSet;
+class vtkMatrix4x4;
+class vtkMultiProcessController;
 
 class VTKRELIEVOFRAME_EXPORT vtkRelievoPointValues : public vtkAlgorithm
 {
@@ -42,18 +45,31 @@ public:
   std::string GetArray(const std::string& value);
   ///@}
 
+  ///@{
+  /**
+   * Where the data lies in the world, as of vtkProp3D: moves the points, but no other values.
+   * Default nullptr: the data is in world coordinates.
+   */
+  virtual void SetUserMatrix(vtkMatrix4x4* matrix);
+  vtkMatrix4x4* GetUserMatrix();
+  ///@}
+
   /** Brings the points up to date; returns how many there are. */
   int GetNumberOfPoints();
+
+  vtkMTimeType GetMTime() override;
 
   /** Points that were left out, because their place or values are not finite, or have no effect. */
   vtkGetMacro(NumberLeftOut, int);
 
 #ifndef __VTK_WRAP__
-  // Row by row: x, y, z, and the values in their order. Up to date after GetNumberOfPoints.
-  const std::vector<double>& GetRows() const
-  {
-    return this->Rows;
-  }
+  // Brings the points up to date, and joins those of all processes in their order. All processes
+  // call it. nullptr: of this one alone.
+  void Share(vtkMultiProcessController* controller);
+
+  // Row by row: x, y, z, and the values in their order. Up to date after GetNumberOfPoints; with
+  // those of all processes after Share.
+  const std::vector<double>& GetRows() const { return this->Shared ? this->All : this->Rows; }
   int GetRowWidth() const
   {
     return this->Width;
@@ -77,7 +93,6 @@ protected:
     std::string Expects; // in words: "one length per point"
     double ForAll[3];
     std::string Array;
-    bool Named = false; // by the user: it must be there
   };
 
   // Adds a value; for constructors.
@@ -105,7 +120,11 @@ private:
   void Say(const std::string& words);
 
   std::vector<Value> Values;
+  vtkSmartPointer<vtkMatrix4x4> UserMatrix;
   std::vector<double> Rows;
+  std::vector<double> All; // of all processes
+  bool Shared = false;
+  vtkMTimeType SharedTime = 0; // RowsTime of what All has
   std::set<std::string> Said;
   vtkTimeStamp RowsTime;
   int Width = 3;

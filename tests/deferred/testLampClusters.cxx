@@ -42,6 +42,7 @@ void TestView(const vtkRelievoView& view, int count, double radius, const std::s
   const std::vector<Lamp> given = RandomLamps(count, radius, true);
   vtkNew<vtkRelievoLamps> lamps;
   lamps->SetInputData(ToPolyData(given));
+  RELIEVO_CHECK(lamps->GetNumberOfPoints() == count);
   vtkRelievoLampList list;
   list.Take(view, { lamps.Get() });
   RELIEVO_CHECK(list.GetNumberGiven() == count);

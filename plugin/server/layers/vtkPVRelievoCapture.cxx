@@ -49,7 +49,7 @@ std::string ReadSome(
   while (next != names.end())
   {
     const std::vector<std::string> rest(next, names.end());
-    const std::string wrong = frame->GetGBuffer()->ReadLayers(rest, image);
+    const std::string wrong = frame->TryReadLayers(rest, image);
     if (wrong.empty())
     {
       break;

@@ -14,9 +14,11 @@
 #include "vtkPVDefaultPass.h"
 #include "vtkPVRelievoAccess.h"
 #include "vtkPVRelievoEnvironment.h"
+#include "vtkPVRelievoLamps.h"
 #include "vtkPVRelievoSun.h"
 #include "vtkPropCollection.h"
 #include "vtkRelievoGBufferPass.h"
+#include "vtkRelievoLampsStage.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
 #include "vtkRenderWindow.h"
@@ -156,7 +158,8 @@ vtkPVRelievoView* vtkPVRelievoView::Find(vtkPVView* view)
 bool vtkPVRelievoView::IsAnythingOn()
 {
   return this->GetShadows() || this->Internal->Frame->GetDisplayLayer() ||
-    !this->Internal->Asked.empty() || this->IsAnyStageOn();
+    !this->Internal->Asked.empty() || this->IsAnyStageOn() ||
+    vtkPVRelievoLamps::IsAny(this->Internal->View);
 }
 
 //------------------------------------------------------------------------------
@@ -299,6 +302,9 @@ void vtkPVRelievoView::ChooseProcesses()
     passes->SetRenderEmptyImages(true);
   }
   in.Frame->GetShadowPass()->SetController(together ? controller : nullptr);
+  vtkPVRelievoLamps::Prepare(in.View,
+    vtkRelievoLampsStage::SafeDownCast(in.Frame->GetStage("lamps")),
+    together ? controller : nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -331,7 +337,7 @@ bool vtkPVRelievoView::ReadShownLayer(const char* name, vtkImageData* image)
 {
   image->Initialize();
   const bool good = this->IsInPlace() && this->Internal->Frame->GetGBuffer()->GetHoldsLayers() &&
-    this->Internal->Frame->GetGBuffer()->ReadLayers({ name }, image).empty();
+    this->Internal->Frame->TryReadLayers({ name }, image).empty();
   if (!good)
   {
     image->Initialize();

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkSMRelievoMaterialProxy.h"
+#include "vtkSMRelievoSurfaceProxy.h"
 
 #include "vtkClientServerStream.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMRelievoAccess.h"
 
-vtkStandardNewMacro(vtkSMRelievoMaterialProxy);
+vtkStandardNewMacro(vtkSMRelievoSurfaceProxy);
 
 //------------------------------------------------------------------------------
-void vtkSMRelievoMaterialProxy::UpdateVTKObjects()
+void vtkSMRelievoSurfaceProxy::UpdateVTKObjects()
 {
   this->Superclass::UpdateVTKObjects();
   vtkSMProxy* parent = this->GetParentProxy();
@@ -26,7 +26,7 @@ void vtkSMRelievoMaterialProxy::UpdateVTKObjects()
 }
 
 //------------------------------------------------------------------------------
-void vtkSMRelievoMaterialProxy::PrintSelf(ostream& os, vtkIndent indent)
+void vtkSMRelievoSurfaceProxy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "KnowsRepresentation: " << this->KnowsRepresentation << "\n";

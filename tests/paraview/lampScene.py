@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A floor and a ball under lamps; as a script: lampScene.py FOLDER NAME [PORT THRESHOLD]: draws them."""
+
+import sys
+
+import numpy
+import pv
+from paraview import simple
+
+PLACES = ((-1.2, 0.3, 0.6), (0.9, -0.8, 0.5), (0.4, 1.1, 0.9), (-0.5, -1.0, 0.3))
+RADII = (1.4, 1.1, 1.6, 0.8)
+
+
+def lamps():
+    """Points with the array `radius`; each rank has every second one."""
+    source = simple.ProgrammableSource(OutputDataSetType="vtkPolyData")
+    source.Script = f"""
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+controller = vtkMultiProcessController.GetGlobalController()
+rank = controller.GetLocalProcessId() if controller else 0
+ranks = controller.GetNumberOfProcesses() if controller else 1
+points = vtkPoints()
+points.SetDataTypeToDouble()
+radius = vtkDoubleArray()
+radius.SetName("radius")
+for i, (place, size) in enumerate(zip({PLACES}, {RADII})):
+    if i % ranks == rank:
+        points.InsertNextPoint(place)
+        radius.InsertNextValue(size)
+output.SetPoints(points)
+output.GetPointData().AddArray(radius)
+"""
+    return source
+
+
+class Scene:
+    def __init__(self, size=(160, 120)):
+        self.view = simple.CreateView("RenderView")
+        self.view.ViewSize = list(size)
+        self.view.OrientationAxesVisibility = self.view.UseFXAA = self.view.MultiSamples = 0
+        self.view.UseColorPaletteForBackground = 0
+        self.view.Background = [0, 0, 0]
+        self.view.LightScale = 0.2
+        floor = simple.Plane(Origin=[-2, -2, 0], Point1=[2, -2, 0], Point2=[-2, 2, 0],
+                             XResolution=8, YResolution=8)  # fmt: skip
+        self.floor = simple.Show(floor, self.view)
+        ball = simple.Sphere(Center=[0, 0, 0.4], Radius=0.4, ThetaResolution=32, PhiResolution=32)
+        self.ball = simple.Show(ball, self.view)
+        self.points = lamps()
+        self.lamps = simple.Show(self.points, self.view)
+        simple.Render(self.view)
+        self.view.CameraPosition, self.view.CameraFocalPoint = [1, -4, 4], [0, 0, 0.2]
+        self.view.CameraViewUp = [0, 0, 1]
+
+
+def light(place, normal, places=PLACES, radii=RADII):
+    """What the lamps add at places with normals: (..., 3) each, in double."""
+    total = numpy.zeros(place.shape[:-1])
+    for lamp, radius in zip(places, radii):
+        to = numpy.array(lamp) - place
+        d = numpy.linalg.norm(to, axis=-1)
+        total += numpy.maximum(0, 1 - d / radius) * numpy.maximum(0, (to * normal).sum(-1) / d)
+    return total
+
+
+def draw_ranks(folder, name, port=None, threshold="0"):
+    """A picture by all ranks, or by a server; without and with lamps, and with them hidden."""
+    if port:
+        simple.Connect("localhost", int(port))
+        pv.load(remote=True)
+    pv.load()
+    scene = Scene()
+    scene.view.RemoteRenderThreshold = float(threshold)
+    for step, on, visible in (("off", 0, 1), ("on", 1, 1), ("hidden", 1, 0)):
+        scene.lamps.RelievoLamps, scene.lamps.Visibility = on, visible
+        simple.Render(scene.view)
+        simple.SaveScreenshot(f"{folder}/{name}-{step}.png", scene.view)
+
+
+if __name__ == "__main__":
+    if sys.argv[1] == "restore":
+        pv.load()
+        pv.restore(*sys.argv[2:])
+        pv.leave()
+    else:
+        draw_ranks(*sys.argv[1:])
+        pv.clear()  # no sys.exit() here: the other ranks would not hear of it
