@@ -35,9 +35,20 @@ struct ReliefSizes
   std::vector<double> Angles = { 0., 45., 60., 75., 80. }; // degrees; charts show 60
 };
 
+struct LightSizes
+{
+  std::vector<std::string> Scenes = { "bunny", "motorBike", "buildings" };
+  std::vector<int> Lamps = { 1, 10, 100, 1000, 10000, 100000 };
+  int MostAll = 1000; // lamps with which every pixel computes all of them
+  int MostPeer = 100; // lights of VTK's: its shaders are compiled for their number
+  int Pixels = 600;
+  int Rounds = 11;
+};
+
 /** The benches of the same names, smaller or larger; as RelievoBenchEnvironment and so on. */
 int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
 int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
+int BenchLights(const std::string& outDir, const LightSizes& sizes);
 
 /** The part of BenchEnvironment that times frames; returns whether its file is written. */
 bool BenchEnvironmentFrames(const std::string& outDir, const EnvironmentSizes& sizes);

@@ -35,6 +35,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
     { "shadows", "wrong shadows against map size and frame time, every method and light",
       RelievoBenchShadows },
     { "bias", "false shadow against leak as the shadows' bias grows", RelievoBenchBias },
+    { "lights", "what lamps cost a frame, 1 to 100 000, by the way they are found",
+      RelievoBenchLights },
     { "relief", "what relief methods miss, against looks, time and full geometry",
       RelievoBenchRelief },
     { "normal-maps", "what a normal map costs a frame, against VTK's own textures",

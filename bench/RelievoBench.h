@@ -62,6 +62,9 @@ int RelievoBenchBias(const std::string& outDir);
 /** Chart 8: error of environments against texels and angle, by the map; frames. Three minutes. */
 int RelievoBenchEnvironment(const std::string& outDir);
 
+/** Chart 6: frames with 1 to 100 000 lamps, by the way they are found. Ten minutes. */
+int RelievoBenchLights(const std::string& outDir);
+
 /** Chart 7: errors of relief methods against looks and time, and full geometry. Minutes. */
 int RelievoBenchRelief(const std::string& outDir);
 

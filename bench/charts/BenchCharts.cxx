@@ -22,6 +22,7 @@ const std::vector<Entry>& Entries()
     { "gbuffer", { "gbuffer.csv" }, GBufferCharts },
     { "shadows", { "shadows.csv" }, ShadowsCharts },
     { "bias", { "bias.csv" }, BiasCharts },
+    { "lights", { "lights.csv" }, LightsCharts },
     { "relief", { "relief.csv" }, ReliefCharts },
     { "environment", { "environment.csv", "environment-angle.csv" }, EnvironmentCharts },
   };

@@ -47,6 +47,11 @@ const std::vector<ChartMethod>& ChartMethods()
     { "warped", "warped", C::Green, M::Diamond, D::Dashed },
     { "constant, computed", "constant bias", C::Purple, M::Up, D::Dotted },
     { "vtkShadowMapPass", "VTK", C::Grey, M::Cross, D::Dashed },
+    // Lamps
+    { "quads", "quads", C::Blue, M::Circle, D::Solid },
+    { "clusters", "clusters", C::Vermillion, M::Square, D::DashDotted },
+    { "every lamp", "every lamp", C::Purple, M::Up, D::Solid },
+    { "VTK's lights", "VTK's lights", C::Grey, M::Cross, D::Dashed },
     // Relief
     { "relief", "relief", C::Blue, M::Circle, D::Solid },
     { "occlusion", "occlusion", C::Green, M::Diamond, D::Dashed },

@@ -41,8 +41,7 @@ std::string vtkRelievoLampLight::Prepare(
   }
   // Half floats lose what is small beside the sum so far: rectangles add to floats.
   const bool white = this->List.IsWhite();
-  const std::string wrong =
-    this->Sum.Prepare(context, { white ? 1 : 4, !floats && !quads, quads });
+  const std::string wrong = this->Sum.Prepare(context, { white ? 1 : 4, !floats && !quads, quads });
   this->Sum.SetDefines(white ? "#define RELIEVO_WHITE_LIGHT\n" : "");
   if (counts && wrong.empty())
   {
@@ -64,8 +63,7 @@ std::string vtkRelievoLampLight::Draw(vtkRelievoFrameContext& context)
   }
   if (wrong.empty() && this->Counting)
   {
-    wrong =
-      this->DrawInto(context, this->Counts, this->Counter, "#define RELIEVO_COUNT_LAMPS\n");
+    wrong = this->DrawInto(context, this->Counts, this->Counter, "#define RELIEVO_COUNT_LAMPS\n");
     this->SumCounts();
   }
   return wrong;

@@ -69,7 +69,10 @@ public:
 
   // Row by row: x, y, z, and the values in their order. Up to date after GetNumberOfPoints; with
   // those of all processes after Share.
-  const std::vector<double>& GetRows() const { return this->Shared ? this->All : this->Rows; }
+  const std::vector<double>& GetRows() const
+  {
+    return this->Shared ? this->All : this->Rows;
+  }
   int GetRowWidth() const
   {
     return this->Width;

@@ -59,13 +59,12 @@ void CheckColor(const std::function<void(vtkProperty*)>& set,
       const int actor = lit.Id("actor", x, y);
       for (int c = 0; c < 3; ++c)
       {
-        const double albedo =
-          LinearFromSrgb(lit.Value("albedo", x, y, c) / 255.0);
-        const double added = actor < 0
-          ? 0.0
-          : (actor == 2 ? share(c) : 1.0) * albedo * lit.Value("light", x, y, c);
+        const double albedo = LinearFromSrgb(lit.Value("albedo", x, y, c) / 255.0);
+        const double added =
+          actor < 0 ? 0.0 : (actor == 2 ? share(c) : 1.0) * albedo * lit.Value("light", x, y, c);
         const double expected = plain.Value("color", x, y, c) + added;
-        worst = std::max(worst, std::abs(lit.Value("color", x, y, c) - expected) / (expected + 0.01));
+        worst =
+          std::max(worst, std::abs(lit.Value("color", x, y, c) - expected) / (expected + 0.01));
         most = std::max(most, actor == 2 ? added : 0.0);
       }
       RELIEVO_CHECK(lit.Value("color", x, y, 3) == plain.Value("color", x, y, 3));
@@ -81,8 +80,8 @@ void TestMaterials()
   CheckColor([](vtkProperty*) {}, [](int) { return 1.0; }, "plain surfaces");
   CheckColor([](vtkProperty* property) { property->SetDiffuse(0.6); }, [](int) { return 0.6; },
     "diffuse 0.6");
-  CheckColor([](vtkProperty* property) { property->LightingOff(); }, [](int) { return 0.0; },
-    "no lighting");
+  CheckColor(
+    [](vtkProperty* property) { property->LightingOff(); }, [](int) { return 0.0; }, "no lighting");
   CheckColor(
     [](vtkProperty* property) {
       property->SetInterpolationToPBR();

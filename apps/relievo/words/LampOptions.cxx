@@ -86,8 +86,8 @@ LampChoice ParseLamps(const std::string& word)
     const std::string value = parts[i].substr(equals + 1);
     const std::string option = "--lamps " + name;
     constexpr Falloff kinds[] = { Falloff::Linear, Falloff::InverseSquare, Falloff::VTK };
-    switch (ParseChoice("--lamps " + parts[i], name,
-      { "radius", "intensity", "color", "falloff", "attenuation" }))
+    switch (ParseChoice(
+      "--lamps " + parts[i], name, { "radius", "intensity", "color", "falloff", "attenuation" }))
     {
       case 0:
         lamps.Radius = ParseValue(option, value, 0.0);

@@ -76,8 +76,8 @@ bool vtkPVRelievoLamps::IsIn(vtkPVView* view)
 //------------------------------------------------------------------------------
 bool vtkPVRelievoLamps::IsAny(vtkPVView* view)
 {
-  return std::any_of(GetAll().begin(), GetAll().end(),
-    [view](vtkPVRelievoLamps* each) { return each->IsIn(view); });
+  return std::any_of(
+    GetAll().begin(), GetAll().end(), [view](vtkPVRelievoLamps* each) { return each->IsIn(view); });
 }
 
 //------------------------------------------------------------------------------

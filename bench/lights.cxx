@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What lamps cost a frame, by their number and size and by the way they are found: ratios to the
+// plain frame and to as many lights of VTK's, drawn in turn in one process; how many lamps are
+// computed for a pixel against how many reach it; and how long the lists of clusters take.
+#include "RelievoBench.h"
+
+#include "BenchCharts.h"
+#include "BenchSizes.h"
+#include "FrameBench.h"
+#include "Table.h"
+
+#include <vtkFloatArray.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkRelievoLampClusters.h>
+#include <vtkRelievoLampList.h>
+#include <vtkRelievoLamps.h>
+#include <vtkRelievoLampsStage.h>
+#include <vtkRelievoPass.h>
+#include <vtkRenderer.h>
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace relievoBench;
+using relievoTest::Timed;
+using relievoTest::Timing;
+
+const char* const Peer = "VTK's lights";
+
+// Lamps are anywhere in a box around the scene, 6 x 2 x 6 units.
+constexpr double Box[3] = { 6., 2., 6. };
+
+// So many of these reach a point in the middle of the box, on average.
+constexpr double Few = 4.;
+constexpr double Many = 40.;
+
+double RadiusFor(int lamps, double reaching)
+{
+  constexpr double Pi = 3.14159265358979323846;
+  return std::cbrt(reaching * Box[0] * Box[1] * Box[2] / (lamps * 4. / 3. * Pi));
+}
+
+vtkSmartPointer<vtkPolyData> MakeLamps(int count)
+{
+  std::mt19937 random(static_cast<unsigned int>(count));
+  std::uniform_real_distribution<double> share(0., 1.);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkFloatArray> colors;
+  colors->SetName("color");
+  colors->SetNumberOfComponents(3);
+  for (int i = 0; i < count; ++i)
+  {
+    points->InsertNextPoint(
+      Box[0] * (share(random) - 0.5), Box[1] * share(random), Box[2] * (share(random) - 0.5));
+    colors->InsertNextTuple3(share(random), share(random), share(random));
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->GetPointData()->AddArray(colors);
+  return data;
+}
+
+// One way of drawing the scene with the lamps.
+struct LitWindow
+{
+  std::unique_ptr<SceneWindow> Window;
+  vtkNew<vtkRelievoLamps> Lamps;
+  vtkRelievoLampsStage* Stage = nullptr;
+
+  LitWindow(vtkPolyData* mesh, int pixels, vtkPolyData* lamps, double radius, int way)
+    : Window(new SceneWindow(mesh, pixels, pixels))
+  {
+    this->Lamps->SetInputData(lamps);
+    this->Lamps->SetRadius(radius);
+    vtkRelievoPass* frame = vtkRelievoPass::Attach(this->Window->Scene.Renderer);
+    this->Stage = vtkRelievoLampsStage::SafeDownCast(frame->GetStage("lamps"));
+    this->Stage->AddLamps(this->Lamps);
+    this->Stage->SetWay(way);
+  }
+
+  // A frame in which every lamp has moved.
+  Timed Frame()
+  {
+    Timed frame = this->Window->Frame();
+    frame.Prepare = [this]() { this->Lamps->Modified(); };
+    return frame;
+  }
+
+  // Lamps computed and reaching, on average over the pixels.
+  void Count(double& computed, double& reaching)
+  {
+    vtkRelievoPass* frame = vtkRelievoPass::Attach(this->Window->Scene.Renderer);
+    frame->RequestLayer("lamp_evaluations");
+    this->Window->Window->Render();
+    const auto facts = this->Stage->GetFacts();
+    computed = facts.at("lamps_evaluated_per_pixel").ToDouble();
+    reaching = facts.at("lamps_reaching_per_pixel").ToDouble();
+    frame->ReleaseLayers();
+  }
+};
+
+// As many lights of VTK's, at the same places.
+std::unique_ptr<SceneWindow> MakePeer(vtkPolyData* mesh, int pixels, vtkPolyData* lamps)
+{
+  std::unique_ptr<SceneWindow> window(new SceneWindow(mesh, pixels, pixels));
+  vtkDataArray* colors = lamps->GetPointData()->GetArray("color");
+  for (vtkIdType i = 0; i < lamps->GetNumberOfPoints(); ++i)
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->PositionalOn();
+    light->SetConeAngle(180.);
+    light->SetPosition(lamps->GetPoint(i));
+    light->SetColor(colors->GetTuple(i));
+    light->SetAttenuationValues(1., 0., 10.);
+    window->Scene.Renderer->AddLight(light);
+  }
+  return window;
+}
+
+// Milliseconds to take the lamps and to list them, the median of some runs.
+double ListMilliseconds(const SceneWindow& window, vtkRelievoLamps* lamps, int rounds)
+{
+  vtkRelievoView view;
+  view.Take(window.Scene.Renderer, nullptr);
+  lamps->GetNumberOfPoints();
+  vtkRelievoLampList list;
+  vtkRelievoLampClusters clusters;
+  Timed build;
+  build.Work = [&]() {
+    list.Take(view, { lamps });
+    clusters.Build(view, list);
+  };
+  return 1e3 * TimeInTurn({ build }, rounds).front().Median();
+}
+
+struct Case
+{
+  std::string Scene;
+  std::string Size; // "few" or "many" reach a point
+  int Lamps;
+  double Radius;
+};
+
+void Measure(vtkPolyData* mesh, const Case& what, const LightSizes& sizes, Table& table)
+{
+  const vtkSmartPointer<vtkPolyData> lamps = MakeLamps(what.Lamps);
+  const bool all = what.Lamps <= sizes.MostAll;
+  const bool peer = what.Lamps <= sizes.MostPeer;
+  struct Way
+  {
+    const char* Name;
+    int Code;
+  };
+  std::vector<Way> ways = { { "quads", vtkRelievoLampsStage::QUADS },
+    { "clusters", vtkRelievoLampsStage::CLUSTERS } };
+  if (all)
+  {
+    ways.push_back({ "every lamp", vtkRelievoLampsStage::ALL });
+  }
+  const SceneWindow plain(mesh, sizes.Pixels, sizes.Pixels);
+  std::vector<Timed> frames = { plain.Frame() };
+  std::vector<std::unique_ptr<LitWindow>> windows;
+  for (const Way& way : ways)
+  {
+    windows.emplace_back(new LitWindow(mesh, sizes.Pixels, lamps, what.Radius, way.Code));
+    frames.push_back(windows.back()->Frame());
+  }
+  std::unique_ptr<SceneWindow> peers;
+  if (peer)
+  {
+    peers = MakePeer(mesh, sizes.Pixels, lamps);
+    frames.push_back(peers->Frame());
+    ways.push_back({ Peer, -1 });
+  }
+  const std::vector<Timing> times = TimeInTurn(frames, sizes.Rounds);
+  std::cout << what.Scene << ", " << what.Lamps << " lamps of radius " << Number(what.Radius, 3)
+            << ", plain frame " << Number(1e3 * times[0].Median(), 3) << " ms:" << std::endl;
+  for (std::size_t i = 0; i < ways.size(); ++i)
+  {
+    double computed = std::nan("");
+    double reaching = std::nan("");
+    double listing = std::nan("");
+    if (i < windows.size())
+    {
+      windows[i]->Count(computed, reaching);
+    }
+    if (ways[i].Code == vtkRelievoLampsStage::CLUSTERS)
+    {
+      listing = ListMilliseconds(*windows[i]->Window, windows[i]->Lamps, sizes.Rounds);
+    }
+    const auto ratio = PairOf(times[i + 1], times[0]);
+    const auto text = [](double value) {
+      return std::isnan(value) ? std::string() : Number(value, 4);
+    };
+    std::cout << "  " << ways[i].Name << ": " << Number(1e3 * times[i + 1].Median(), 3) << " ms, "
+              << Number(ratio.Ratio(), 3) << " +- " << Number(ratio.RatioSpread(), 1) << " x plain";
+    if (!std::isnan(computed))
+    {
+      std::cout << ", " << Number(computed, 3) << " computed a pixel, " << Number(reaching, 3)
+                << " reach it";
+    }
+    std::cout << (std::isnan(listing) ? "" : ", lists in " + Number(listing, 3) + " ms")
+              << std::endl;
+    table.AddRow({ what.Scene, what.Size, std::to_string(what.Lamps), Number(what.Radius, 4),
+      ways[i].Name, Number(1e3 * times[i + 1].Median(), 4), Number(ratio.Ratio(), 4),
+      Number(ratio.RatioSpread(), 2), text(computed), text(reaching), text(computed / reaching),
+      text(listing), Number(LoadAverage(), 2) });
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+namespace relievoBench
+{
+int BenchLights(const std::string& outDir, const LightSizes& sizes)
+{
+  if (!MakeFolder(outDir))
+  {
+    return 1;
+  }
+  Table table({ "scene", "size", "lamps", "radius", "way", "milliseconds", "times a plain frame",
+    "+-", "computed", "reaching", "computed / reaching", "list ms", "load" });
+  for (const std::string& name : sizes.Scenes)
+  {
+    const vtkSmartPointer<vtkPolyData> mesh = SceneMesh(name);
+    if (!mesh)
+    {
+      return 1;
+    }
+    for (const int lamps : sizes.Lamps)
+    {
+      Measure(mesh, { name, "few", lamps, RadiusFor(lamps, Few) }, sizes, table);
+      if (lamps > 10)
+      {
+        Measure(mesh, { name, "many", lamps, RadiusFor(lamps, Many) }, sizes, table);
+      }
+    }
+  }
+  return table.WriteCsv(outDir + "/lights.csv") && DrawBenchCharts("lights", outDir, outDir) ? 0
+                                                                                             : 1;
+}
+}
+
+//------------------------------------------------------------------------------
+int RelievoBenchLights(const std::string& outDir)
+{
+  return relievoBench::BenchLights(outDir, {});
+}
