@@ -38,6 +38,7 @@ WRITES = {
     "07_three_spots.py": ["three_spots.png", "three_spots_layers.png"],
     "09_environment.py": ["environment.png", "environment_balls.png"],
     "10_relief_terrain.py": ["relief_terrain.png"],
+    "12_town_at_night.py": ["town.png", "town_lamps.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.
@@ -124,6 +125,18 @@ class Examples(unittest.TestCase):
         self.assertGreater((numpy.minimum(red, green) > 1.5 * blue + 30).mean(), 0.03)
         self.assertGreater((numpy.minimum(green, blue) > 1.5 * red + 30).mean(), 0.03)
         self.assertGreater((picture.min(axis=2) > 150).mean(), 0.3, "hardly anything is white")
+
+    def test_town_at_night(self):
+        said = self.run_example("12_town_at_night.py")
+        reaching, computed = (float(line.split(": ")[1].split()[0])
+                              for line in said.splitlines()[:2])  # fmt: skip
+        self.assertGreater(reaching, 1)
+        self.assertGreaterEqual(computed, reaching)
+        self.assertLess(computed, 2 * reaching)
+        picture = read_png(self.folder / "out" / "town.png").astype(float)
+        # Most lamps are warm, and the sky above them is dark.
+        self.assertGreater((picture[..., 0] > 1.2 * picture[..., 2] + 20).mean(), 0.1)
+        self.assertLess(picture[:40].mean(), 30)
 
     def test_relief_terrain(self):
         said = self.run_example("10_relief_terrain.py")
