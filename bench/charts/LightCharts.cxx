@@ -46,8 +46,8 @@ Chart MakeChart(const CsvRows& rows, const std::string& title, const std::string
       for (const CsvRow& row : rows)
       {
         const double value = NumberIn(row, column);
-        if (row.at("scene") == each.Scene && row.at("size") == each.Size &&
-          row.at("way") == way && std::isfinite(value) && value > 0.)
+        if (row.at("scene") == each.Scene && row.at("size") == each.Size && row.at("way") == way &&
+          std::isfinite(value) && value > 0.)
         {
           series.X.push_back(NumberIn(row, "lamps"));
           series.Y.push_back(value);

@@ -64,7 +64,7 @@ void vtkRelievoDisplayStage::Describe(vtkRelievoStageDescription& description)
     "The layer to show; empty for the picture itself.");
   description.AddFlag(
     "grey", this->Grey, [this](bool on) { this->SetGrey(on); },
-    "Shows scalar layers as grey, not in colours.");
+    "Shows scalar layers in grey instead of colours.");
 }
 
 //------------------------------------------------------------------------------

@@ -153,7 +153,7 @@ int vtkRelievoShadowPass::GetNumberOfMaps()
 void vtkRelievoShadowPass::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "shadows";
-  description.Help = "Makes blocked lights leave shadows.";
+  description.Help = "Shadows of lights: suns, spots and points.";
   description.Slot = vtkRelievoStageDescription::LIGHT_MAPS;
   description.Writes = { "shadow maps", "visibility" };
   description.OnByDefault = true;
@@ -162,7 +162,7 @@ void vtkRelievoShadowPass::Describe(vtkRelievoStageDescription& description)
     "Whether shadows are seen in the picture.");
   description.AddChoice(
     "method", this->Method, [this](int method) { this->SetMethod(method); },
-    { "map", "forward", "warped" }, "How it is found out whether a light is blocked.");
+    { "map", "forward", "warped" }, "How shadows are computed.");
   description.AddWhole(
     "map_size", this->MapSize, [this](int size) { this->SetMapSize(size); }, 16, 16384, "texels",
     "Width and height of each light's map.");
@@ -171,10 +171,10 @@ void vtkRelievoShadowPass::Describe(vtkRelievoStageDescription& description)
     16, "texels", "How soft the edges of shadows are.");
   description.AddNumber(
     "bias", this->Bias, [this](double bias) { this->SetBias(bias); }, 0.0, 100.0, "texels",
-    "How far behind what the light sees a surface may lie and still be lit.");
+    "Distance by which receivers are moved towards the light before the comparison.");
   description.AddNumber(
     "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0, 1.0,
-    "", "Part of a blocked light that is taken away.");
+    "", "Fraction of a blocked light that is removed.");
 }
 
 //------------------------------------------------------------------------------

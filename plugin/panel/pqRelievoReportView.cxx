@@ -35,7 +35,7 @@ pqRelievoReportView::pqRelievoReportView(QWidget* parent)
   , Chart(new pqRelievoTimesChart(Rest))
 {
   this->Fold->setObjectName("fold");
-  this->Fold->setText("What the picture took");
+  this->Fold->setText("Cost of the last picture");
   this->Fold->setToolTip("Time and memory on the graphics processor, part by part");
   this->Fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   this->Fold->setAutoRaise(true);

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A floor and a ball under lamps. As a script, lampScene.py FOLDER NAME [PORT THRESHOLD] draws them."""
+"""A floor and a ball under lamps. As a script: lampScene.py FOLDER NAME [PORT THRESHOLD]."""
 
 import sys
 
