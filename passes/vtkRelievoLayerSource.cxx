@@ -20,6 +20,7 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
+#include "vtkRelievoToneStage.h"
 #include "vtkRelievoView.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -85,6 +86,14 @@ std::string DescribeLight(vtkRenderer* renderer, vtkLight* light, vtkRelievoPass
   out << ", \"intensity\": " << light->GetIntensity()
       << ", \"cone_angle\": " << light->GetConeAngle() << "}";
   return out.str();
+}
+
+// The stage that maps light to the display's range, if it would: the window's picture is not of the
+// linear colour then.
+vtkRelievoToneStage* FindTone(vtkRelievoPass* pass)
+{
+  auto* tone = vtkRelievoToneStage::SafeDownCast(pass->GetStage("tone"));
+  return tone && tone->GetChangesPicture() ? tone : nullptr;
 }
 
 // Pixels that a window's framebuffers may have each way.
@@ -210,11 +219,12 @@ int vtkRelievoLayerSource::RequestData(
   vtkSmartPointer<vtkRelievoPass> pass = vtkRelievoPass::Attach(this->Renderer);
   std::vector<std::string> added;
   bool color = false;
+  vtkRelievoToneStage* tone = FindTone(pass);
   for (const std::string& layer : this->Layers)
   {
     const bool picture = layer == vtkRelievoLayerCatalogue::GetPicture().Name && !this->HDR;
     color = color || picture;
-    if (!picture && !pass->IsLayerRequested(layer))
+    if ((!picture || tone) && !pass->IsLayerRequested(layer))
     {
       pass->RequestLayer(layer);
       added.push_back(layer);
@@ -222,6 +232,7 @@ int vtkRelievoLayerSource::RequestData(
   }
 
   const bool drawn = this->Draw(pass, color);
+  color = color && !(tone && tone->GetReasonCode() == "ran"); // the colour is what it was before
   std::vector<std::string> read = this->Layers;
   if (color)
   {
