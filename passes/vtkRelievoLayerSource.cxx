@@ -88,14 +88,6 @@ std::string DescribeLight(vtkRenderer* renderer, vtkLight* light, vtkRelievoPass
   return out.str();
 }
 
-// The stage that maps light to the display's range, if it would: the window's picture is not of the
-// linear colour then.
-vtkRelievoToneStage* FindTone(vtkRelievoPass* pass)
-{
-  auto* tone = vtkRelievoToneStage::SafeDownCast(pass->GetStage("tone"));
-  return tone && tone->GetChangesPicture() ? tone : nullptr;
-}
-
 // Pixels that a window's framebuffers may have each way.
 int GetSizeLimit(vtkRenderWindow* any)
 {
@@ -219,12 +211,13 @@ int vtkRelievoLayerSource::RequestData(
   vtkSmartPointer<vtkRelievoPass> pass = vtkRelievoPass::Attach(this->Renderer);
   std::vector<std::string> added;
   bool color = false;
-  vtkRelievoToneStage* tone = FindTone(pass);
+  vtkRelievoToneStage* tone = pass->GetTone();
+  const bool toned = tone && tone->GetChangesPicture();
   for (const std::string& layer : this->Layers)
   {
     const bool picture = layer == vtkRelievoLayerCatalogue::GetPicture().Name && !this->HDR;
     color = color || picture;
-    if ((!picture || tone) && !pass->IsLayerRequested(layer))
+    if ((!picture || toned) && !pass->IsLayerRequested(layer))
     {
       pass->RequestLayer(layer);
       added.push_back(layer);
@@ -232,7 +225,7 @@ int vtkRelievoLayerSource::RequestData(
   }
 
   const bool drawn = this->Draw(pass, color);
-  color = color && !(tone && tone->GetReasonCode() == "ran"); // the colour is what it was before
+  color = color && !(toned && tone->GetReasonCode() == "ran"); // the colour is what it was before
   std::vector<std::string> read = this->Layers;
   if (color)
   {

@@ -39,7 +39,7 @@ public:
     CLAMP = 0,       ///< min(x, 1)
     SIMPLE = 1,      ///< x / (1 + x), for each component
     REINHARD = 2,    ///< x (1 + x / White^2) / (1 + x) of the luminance: keeps the hue
-    REINHARD_RGB = 3 ///< the same for each component: bright colours turn white
+    REINHARD_RGB = 3 ///< the same for each component: turns the hue of bright colours
   };
 
   ///@{

@@ -49,8 +49,8 @@ public:
   // Draws the quad over the linear colour: as the new colour, or blended.
   bool Draw(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, bool replaces);
 
-  // Writes the colour and the depth into the framebuffer that is bound, once after each End: through
-  // the sRGB curve, or as the quad does, which is ready. False if the colour is there already.
+  // Writes the colour and the depth into the framebuffer that is bound, once after each End:
+  // through the sRGB curve, or as the quad does, which is ready. False if it was done before.
   bool Present(vtkRelievoFrameContext& context, vtkRelievoScreenQuad* quad = nullptr);
 
   // Adds the colour as the point array `color`, 4 float.

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Tone mapping: from linear light of any size to linear light in [0, 1], and from there to 8 bits.
-// Reinhard's operators: E. Reinhard et al., Photographic Tone Reproduction for Digital Images, 2002.
+// Reinhard's operators: E. Reinhard and others, Photographic tone reproduction for digital images,
+// 2002.
 
 // The largest half: what is beyond, an overflow, counts as this.
 const float relievoToneLargest = float(65504.0);
@@ -70,8 +71,8 @@ vec3 relievoToneSimple(vec3 c)
 vec3 relievoToneReinhard(vec3 c, float white)
 {
   float luminance = relievoLuminance(c);
-  float share = luminance > float(0.0) ? relievoToneCurve(luminance, white) / luminance : float(1.0);
-  return share * c;
+  float shown = relievoToneCurve(luminance, white);
+  return luminance > float(0.0) ? (shown / luminance) * c : c;
 }
 
 // Reinhard's curve for each component.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Tone mapping against its definitions, written out here in double: the curves, what white is, what
-// becomes of hue and luminance, of light that is none, and of values that are rounded by thresholds.
+// becomes of hue and luminance, of light that is none, and of values rounded by thresholds.
 #include "Check.h"
 #include "Samples.h"
 #include "Session.h"
