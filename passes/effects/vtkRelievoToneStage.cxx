@@ -67,7 +67,7 @@ bool MapsTones(vtkRenderPass* pass)
 }
 
 // Whether what is not opaque is a colour times its alpha. Over a background that is no such colour,
-// such as white of alpha 0, which is VTK's usual, pixels contain the background whatever their alpha.
+// such as white with VTK's usual alpha of 0, pixels contain the background whatever their alpha.
 bool IsPremultiplied(vtkRenderer* renderer)
 {
   const double alpha = renderer->GetBackgroundAlpha();

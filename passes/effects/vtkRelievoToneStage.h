@@ -16,8 +16,8 @@
  * divided by alpha. Over other backgrounds VTK's colours contain the background whatever their
  * alpha is, and are toned as they are.
  *
- * With the operator CLAMP, Exposure 0, and neither AutoExposure nor Dither, the stage has nothing to
- * do. It is refused, with an error, beside VTK's own vtkToneMappingPass.
+ * With the operator CLAMP, Exposure 0, and neither AutoExposure nor Dither, the stage has nothing
+ * to do. It is refused, with an error, beside VTK's own vtkToneMappingPass.
  */
 #ifndef vtkRelievoToneStage_h
 #define vtkRelievoToneStage_h

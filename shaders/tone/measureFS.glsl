@@ -3,8 +3,8 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums over squares of 8 x 8: of logarithms of the luminance, and how many; where something is drawn
-// (x, y), and everywhere (z, w). RELIEVO_FIRST: of the colour's pixels; else of such sums.
+// Sums over squares of 8 x 8: of logarithms of the luminance, and how many; where something is
+// drawn (x, y), and everywhere (z, w). RELIEVO_FIRST: of the colour's pixels; else of such sums.
 #ifdef RELIEVO_FIRST
 //RELIEVO::Include(formulas/tone.glsl)
 //RELIEVO::Include(frame/color.glsl)

@@ -3,8 +3,8 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of the linear colour: exposure, tone operator, sRGB curve, dithering; and the depth as
-// the delegate left it.
+// The picture of the linear colour: exposure, tone operator, sRGB curve, dithering; and the depth
+// as the delegate left it.
 //RELIEVO::Include(formulas/srgb.glsl)
 //RELIEVO::Include(formulas/tone.glsl)
 //RELIEVO::Include(frame/color.glsl)
@@ -31,8 +31,9 @@ float toneExposureFactor()
 
 float toneThreshold(ivec2 pixel)
 {
+  ivec2 last = textureSize(toneThresholds, 0) - 1;
   return toneDither == 1 ? relievoToneBayer(uint(pixel.x), uint(pixel.y))
-                         : texelFetch(toneThresholds, pixel & (textureSize(toneThresholds, 0) - 1), 0).r;
+                         : texelFetch(toneThresholds, pixel & last, 0).r;
 }
 
 void main()

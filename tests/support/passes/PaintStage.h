@@ -84,8 +84,7 @@ protected:
     texture->SetMinificationFilter(vtkTextureObject::Nearest);
     texture->SetMagnificationFilter(vtkTextureObject::Nearest);
     texture->Create2DFromRaw(static_cast<unsigned int>(this->Width),
-      static_cast<unsigned int>(this->Pixels.size() / this->Width), 4, VTK_FLOAT,
-      halves.data());
+      static_cast<unsigned int>(this->Pixels.size() / this->Width), 4, VTK_FLOAT, halves.data());
     texture->Activate();
     program->SetUniformi("paint", texture->GetTextureUnit());
     context.DrawColor(this->Quad);
