@@ -45,10 +45,17 @@ struct LightSizes
   int Rounds = 11;
 };
 
+struct ToneSizes
+{
+  int Side = 256;  // of the picture with light of every kind, pixels
+  int Rounds = 31; // of timed frames; 0: none are timed
+};
+
 /** The benches of the same names, smaller or larger; as RelievoBenchEnvironment and so on. */
 int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
 int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
 int BenchLights(const std::string& outDir, const LightSizes& sizes);
+int BenchTone(const std::string& outDir, const ToneSizes& sizes);
 
 /** The part of BenchEnvironment that times frames; returns whether its file is written. */
 bool BenchEnvironmentFrames(const std::string& outDir, const EnvironmentSizes& sizes);

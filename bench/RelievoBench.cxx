@@ -43,6 +43,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
       RelievoBenchNormalMaps },
     { "environment", "error of environments against texels and angle; what a mirror costs",
       RelievoBenchEnvironment },
+    { "tone", "error and hue of tone operators, bands with and without dithering, frames",
+      RelievoBenchTone },
   };
   return entries;
 }

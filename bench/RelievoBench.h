@@ -71,4 +71,7 @@ int RelievoBenchRelief(const std::string& outDir);
 /** What a normal map costs a full-screen frame, against VTK's own textures. Half a minute. */
 int RelievoBenchNormalMaps(const std::string& outDir);
 
+/** Error and hue of tone operators, bands with and without dithering, frames. Half a minute. */
+int RelievoBenchTone(const std::string& outDir);
+
 #endif

@@ -20,6 +20,7 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
+#include "vtkRelievoToneStage.h"
 #include "vtkRelievoView.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -210,11 +211,13 @@ int vtkRelievoLayerSource::RequestData(
   vtkSmartPointer<vtkRelievoPass> pass = vtkRelievoPass::Attach(this->Renderer);
   std::vector<std::string> added;
   bool color = false;
+  vtkRelievoToneStage* tone = pass->GetTone();
+  const bool toned = tone && tone->GetChangesPicture();
   for (const std::string& layer : this->Layers)
   {
     const bool picture = layer == vtkRelievoLayerCatalogue::GetPicture().Name && !this->HDR;
     color = color || picture;
-    if (!picture && !pass->IsLayerRequested(layer))
+    if ((!picture || toned) && !pass->IsLayerRequested(layer))
     {
       pass->RequestLayer(layer);
       added.push_back(layer);
@@ -222,6 +225,7 @@ int vtkRelievoLayerSource::RequestData(
   }
 
   const bool drawn = this->Draw(pass, color);
+  color = color && !(toned && tone->GetReasonCode() == "ran"); // the colour is what it was before
   std::vector<std::string> read = this->Layers;
   if (color)
   {

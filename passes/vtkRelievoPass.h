@@ -21,6 +21,7 @@
 class vtkRelievoDisplayStage;
 class vtkRelievoGBufferPass;
 class vtkRelievoShadowPass;
+class vtkRelievoToneStage;
 class vtkRenderer;
 
 class VTKRELIEVOPASSES_EXPORT vtkRelievoPass : public vtkRelievoFramePass
@@ -55,6 +56,9 @@ public:
 
   /** The stage that makes the shadows: size, filter, and what casts and receives are set there. */
   vtkRelievoShadowPass* GetShadowPass();
+
+  /** The stage that maps the linear colour's highlights to the display's range. Default off. */
+  vtkRelievoToneStage* GetTone();
 
   ///@{
   /**

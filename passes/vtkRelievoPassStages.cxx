@@ -6,6 +6,7 @@
 #include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
+#include "vtkRelievoToneStage.h"
 
 namespace
 {
@@ -39,6 +40,12 @@ vtkRelievoGBufferPass* vtkRelievoPass::GetGBuffer()
 vtkRelievoShadowPass* vtkRelievoPass::GetShadowPass()
 {
   return Find<vtkRelievoShadowPass>(this, "shadows");
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoToneStage* vtkRelievoPass::GetTone()
+{
+  return Find<vtkRelievoToneStage>(this, "tone");
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,8 @@
 
 #include "formulas/srgb.glsl"
 
+#include "formulas/tone.glsl"
+
 #include "formulas/hash_color.glsl"
 
 #include "formulas/colormap.glsl"

@@ -25,6 +25,7 @@ const std::vector<Entry>& Entries()
     { "lights", { "lights.csv" }, LightsCharts },
     { "relief", { "relief.csv" }, ReliefCharts },
     { "environment", { "environment.csv", "environment-angle.csv" }, EnvironmentCharts },
+    { "tone", { "tone-curves.csv", "tone-bands.csv" }, ToneCharts },
   };
   return entries;
 }

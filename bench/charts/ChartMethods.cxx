@@ -63,6 +63,14 @@ const std::vector<ChartMethod>& ChartMethods()
     { "octahedral map", "octahedral", C::Green, M::Diamond, D::Dashed },
     { "sphere map", "sphere map", C::Purple, M::Up, D::Solid },
     { "lat-long", "lat-long", C::Orange, M::Down, D::Dotted },
+    // Tone
+    { "clamp", "clamp", C::Black, M::Plus, D::Dashed },
+    { "simple", "simple", C::Vermillion, M::Square, D::DashDotted },
+    { "reinhard", "reinhard", C::Blue, M::Circle, D::Solid },
+    { "reinhard_rgb", "reinhard_rgb", C::Purple, M::Up, D::Dotted },
+    { "none", "no dithering", C::Vermillion, M::Square, D::DashDotted },
+    { "ordered", "ordered", C::Green, M::Diamond, D::Dashed },
+    { "blue_noise", "blue noise", C::Blue, M::Circle, D::Solid },
   };
   return methods;
 }

@@ -193,6 +193,7 @@ void vtkRelievoColorTarget::End(vtkRelievoFrameContext& context)
   context.Provide("drawn", this->Drawn.get());
   this->Valid = this->ToLinear.Ready(context, "frame/toLinearFS.glsl", { "drawn" }) &&
     this->Draw(context, this->ToLinear, true);
+  this->Presented = false;
   if (this->Valid)
   {
     context.Provide("color", this);
@@ -241,16 +242,20 @@ bool vtkRelievoColorTarget::Draw(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoColorTarget::Present(vtkRelievoFrameContext& context)
+bool vtkRelievoColorTarget::Present(vtkRelievoFrameContext& context, vtkRelievoScreenQuad* quad)
 {
-  if (!this->Valid ||
-    !this->ToDisplay.Ready(context, "frame/toDisplayFS.glsl", { "color", "drawn" }))
+  const auto readyCurve = [&]() {
+    return this->ToDisplay.Ready(context, "frame/toDisplayFS.glsl", { "color", "drawn" });
+  };
+  if (!this->Valid || this->Presented || (!quad && !readyCurve()))
   {
-    return;
+    return false;
   }
   const vtkRelievoKeptState kept(context.Window->GetState());
   context.Window->GetState()->vtkglDisable(GL_BLEND);
-  this->ToDisplay.Draw(context, nullptr, true);
+  (quad ? *quad : this->ToDisplay).Draw(context, nullptr, true);
+  this->Presented = true;
+  return true;
 }
 
 //------------------------------------------------------------------------------

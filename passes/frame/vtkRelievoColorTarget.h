@@ -49,8 +49,9 @@ public:
   // Draws the quad over the linear colour: as the new colour, or blended.
   bool Draw(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, bool replaces);
 
-  // Writes the colour, through the sRGB curve, and the depth into the framebuffer that is bound.
-  void Present(vtkRelievoFrameContext& context);
+  // Writes the colour and the depth into the framebuffer that is bound, once after each End:
+  // through the sRGB curve, or as the quad does, which is ready. False if it was done before.
+  bool Present(vtkRelievoFrameContext& context, vtkRelievoScreenQuad* quad = nullptr);
 
   // Adds the colour as the point array `color`, 4 float.
   std::string Read(vtkImageData* image);
@@ -71,6 +72,7 @@ private:
   vtkRelievoScreenQuad ToDisplay;
   vtkRelievoScreenQuad Copy;
   bool Valid = false;
+  bool Presented = false;
 };
 
 #endif

@@ -77,3 +77,9 @@ bool vtkRelievoFrameContext::DrawColor(vtkRelievoScreenQuad& quad, bool replaces
 {
   return this->Color && this->Color->Draw(*this, quad, replaces);
 }
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFrameContext::Present(vtkRelievoScreenQuad& quad)
+{
+  return this->Color && this->Picture && this->Color->Present(*this, &quad);
+}

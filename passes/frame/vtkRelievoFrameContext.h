@@ -20,6 +20,7 @@ class vtkRelievoColorTarget;
 class vtkRelievoResource;
 class vtkRelievoScreenQuad;
 class vtkRelievoStage;
+class vtkRenderPass;
 class vtkRenderState;
 class vtkRenderer;
 
@@ -33,6 +34,9 @@ public:
 
   // Whether the window's picture is drawn; if not, only layers are, and the window does not change.
   bool Picture = true;
+
+  // The pass that draws the picture; nullptr: the renderer's own steps.
+  vtkRenderPass* Delegate = nullptr;
 
   // Whether the renderer's own steps draw the picture, without a pass.
   bool OwnSteps = true;
@@ -64,6 +68,12 @@ public:
   // Draws the quad, after its Ready, over the linear colour: as the new colour of every pixel if
   // `replaces`, otherwise blended as OpenGL's state says. False if there is no linear colour.
   bool DrawColor(vtkRelievoScreenQuad& quad, bool replaces = true);
+
+  // Draws the quad, after its Ready, as the picture of the linear colour, in the place of the sRGB
+  // curve alone; for stages that declare that they present. Its shader writes the depth as well, as
+  // frame/toDisplayFS.glsl does. False if there is no linear colour, or it is in the picture
+  // already.
+  bool Present(vtkRelievoScreenQuad& quad);
 
   // Reads layers that earlier stages wrote: see vtkRelievoStage::ReadLayers.
   std::function<std::string(const std::vector<std::string>&, vtkImageData*)> ReadLayers;

@@ -272,6 +272,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   context.State = s;
   context.View.Take(renderer, s);
   context.Picture = !this->LayersOnly;
+  context.Delegate = in.Delegate;
   context.OwnSteps = !in.Delegate && !s->GetFrameBuffer();
   context.Nested = renderer->GetPass() != this;
   context.ReadBack.assign(in.Requested.begin(), in.Requested.end());

@@ -25,19 +25,21 @@ bool Writes(const Node& node, const std::string& resource, bool layer)
     (!layer && Has(node.Declaration.Writes, resource));
 }
 
-// The node that makes the picture of something else than what the delegate drew, or -1.
-int FindPictureMaker(const std::vector<Node>& nodes)
+// The nodes that make the picture beside the delegate, the last one first.
+std::vector<int> FindPictureMakers(const std::vector<Node>& nodes)
 {
-  int maker = -1;
+  std::vector<int> makers;
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     if (nodes[i].Declaration.Runs && Has(nodes[i].Declaration.Writes, Picture) &&
-      !nodes[i].Delegate && (maker < 0 || nodes[maker].IsBefore(nodes[i])))
+      !nodes[i].Delegate)
     {
-      maker = static_cast<int>(i);
+      makers.push_back(static_cast<int>(i));
     }
   }
-  return maker;
+  std::sort(
+    makers.begin(), makers.end(), [&nodes](int a, int b) { return nodes[b].IsBefore(nodes[a]); });
+  return makers;
 }
 
 int FindDelegate(const std::vector<Node>& nodes)
@@ -227,15 +229,27 @@ void vtkRelievoFramePlan::AskFor(std::vector<Node>& nodes, const Name& name, int
 //------------------------------------------------------------------------------
 void vtkRelievoFramePlan::MarkPicture(std::vector<Node>& nodes)
 {
-  const int maker = FindPictureMaker(nodes);
-  for (const int place : { FindDelegate(nodes), maker })
+  const int delegate = FindDelegate(nodes);
+  if (delegate >= 0)
   {
-    if (place >= 0)
+    this->Need(nodes, delegate, Picture);
+  }
+  std::string cover; // the node that surely hides what was drawn before it
+  for (const int maker : FindPictureMakers(nodes))
+  {
+    Node& node = nodes[maker];
+    if (cover.empty())
     {
-      this->Need(nodes, place, Picture);
+      this->Need(nodes, maker, Picture);
+      cover = node.Declaration.Covers ? node.Name : "";
+    }
+    else
+    {
+      node.Code = "hidden";
+      node.Words = cover + " shows something else as the picture";
     }
   }
-  const bool covered = maker >= 0 && nodes[maker].Declaration.Covers;
+  const bool covered = !cover.empty();
   this->ColorSeen = this->ColorSeen || !covered;
   for (Node& node : nodes)
   {
@@ -246,7 +260,7 @@ void vtkRelievoFramePlan::MarkPicture(std::vector<Node>& nodes)
     if (covered)
     {
       node.Code = "hidden";
-      node.Words = nodes[maker].Name + " shows something else as the picture";
+      node.Words = cover + " shows something else as the picture";
     }
     else
     {
@@ -299,6 +313,13 @@ std::vector<std::string> vtkRelievoFramePlan::Make(
   std::vector<Node>& nodes, const std::vector<std::string>& layers, bool picture)
 {
   this->Wrong.clear();
+  for (const Node& node : nodes)
+  {
+    if (!node.Declaration.Runs && node.Declaration.Code == "refused")
+    {
+      this->Wrong.push_back("The stage " + node.Name + " does not run: " + node.Declaration.Words);
+    }
+  }
   do
   {
     this->Refused = false;

@@ -21,6 +21,7 @@
 struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
 {
   // Whether there is anything to do; if not, Code and Words say why, as vtkRelievoStage::GetReason.
+  // The words of what is "refused" are an error, which the frame says once.
   bool Runs = true;
   std::string Code;
   std::string Words;
@@ -33,6 +34,10 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
   bool WritesArrays = false;       // any layer that is not among anybody's Layers
   std::vector<std::string> Offers; // of Writes: to those that merely use it
   bool Covers = true; // of one that writes `picture`: the colour is surely not seen beneath
+
+  // Whether it makes the picture of the colour, by vtkRelievoFrameContext::Present, in the place of
+  // the sRGB curve alone. If it does not, the curve does.
+  bool Presents = false;
 };
 
 class VTKRELIEVOFRAME_EXPORT vtkRelievoFramePlan

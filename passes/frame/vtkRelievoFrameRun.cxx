@@ -196,9 +196,10 @@ void vtkRelievoFrameRun::ExecuteRest()
   }
   for (; this->Next < order.size(); ++this->Next)
   {
-    // What shows something else as the picture draws over it.
-    const int slot = this->Nodes[order[this->Next]].Slot;
-    if (slot == vtkRelievoStageDescription::DISPLAY)
+    // What makes the picture of the colour does so itself; what shows something else as the picture
+    // draws over it.
+    const vtkRelievoFramePlan::Node& node = this->Nodes[order[this->Next]];
+    if (node.Slot == vtkRelievoStageDescription::DISPLAY && !node.Declaration.Presents)
     {
       this->Present();
     }
@@ -210,10 +211,9 @@ void vtkRelievoFrameRun::ExecuteRest()
 //------------------------------------------------------------------------------
 void vtkRelievoFrameRun::Present()
 {
-  if (this->Context.Picture && this->Context.Color && !this->Presented)
+  if (this->Context.Picture && this->Context.Color)
   {
     this->Color.Present(this->Context);
-    this->Presented = true;
   }
 }
 

@@ -60,7 +60,6 @@ private:
   std::vector<bool> Dropped;                    // of Nodes: needed, and cannot run after all
   std::size_t Next = 0;                         // in the order
   bool ColorOpen = false;                       // the delegate draws into the colour target
-  bool Presented = false;                       // the colour is in the window
 };
 
 #endif

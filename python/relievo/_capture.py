@@ -24,7 +24,8 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
     size: (columns, rows) of the image in pixels, from 1 to 16384, or to OpenGL's limit where that
         is lower; None for the size of the renderer's viewport.
     hdr: whether the layer `color` is the linear colour of the frame, unclamped, without texts and
-        colour bars; if not, it is the window's picture, converted from 8 bits to linear light.
+        colour bars; if not, it is the window's picture, converted from 8 bits to linear light
+        (the linear colour all the same where the stage `tone` makes the picture).
 
     Returns vtkImageData of (columns, rows, 1) points with one point array per layer; VTK's row 0 is
     the BOTTOM of the picture (layer() gives numpy arrays with row 0 at the top). The field data

@@ -49,6 +49,7 @@ std::string FragmentShader()
     vtkRelievoShaderLibrary::Get("formulas/normal_depth.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/unproject.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/srgb.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/tone.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/hash_color.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/colormap.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/environment.glsl") +

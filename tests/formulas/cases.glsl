@@ -194,6 +194,34 @@ uvec4 relievoTestColor(int which, uvec4 a)
   return uvec4(relievoHash(a.x), relievoHash(a.y), relievoHash(a.z), relievoHash(a.w));
 }
 
+// Tone: a.xyz light, whatever it is; 56: a.xyz coordinates of pixels; 57: values and thresholds.
+uvec4 relievoTestTone(int which, uvec4 a)
+{
+  vec3 v = relievoTestVector(a);
+  vec3 light = relievoToneClean(v);
+  if (which < 54)
+  {
+    return relievoTestBits3(relievoTone(which - 50, light, float(4.0)));
+  }
+  if (which == 54)
+  {
+    return relievoTestBits(vec4(relievoLuminance(light), relievoToneLogLuminance(light),
+      relievoToneAutoExposure(relievoToneLogLuminance(light)),
+      relievoToneIsLight(v) ? float(1.0) : float(0.0)));
+  }
+  if (which == 55)
+  {
+    return relievoTestBits3(relievoToneReinhard(light, float(0.5)));
+  }
+  if (which == 56)
+  {
+    return relievoTestBits3(vec3(relievoToneBayer(a.x, a.y), relievoToneBayer(a.y, a.z),
+      relievoToneCurve(float(7.3), float(7.3))));
+  }
+  return relievoTestBits3(vec3(relievoToneDither(v.x, v.y), relievoToneDither(v.y, v.z),
+    relievoToneDither(float(1.0), v.x)));
+}
+
 // Environment: a.xyz a direction; 42 to 45: a.xy a place (45 also: cosine, roughness), b.x a face.
 uvec4 relievoTestEnvironment(int which, uvec4 a, uvec4 b)
 {
@@ -261,5 +289,9 @@ uvec4 relievoTestCase(int which, uvec4 a, uvec4 b)
   {
     return relievoTestColor(which, a);
   }
-  return relievoTestEnvironment(which, a, b);
+  if (which < 50)
+  {
+    return relievoTestEnvironment(which, a, b);
+  }
+  return relievoTestTone(which, a);
 }

@@ -235,6 +235,57 @@ void TestColor(relievoTest::GpuCases& gpu)
   Compare(gpu, { 33, "colour of an id", { color, color, color, color } }, WordInputs());
   Compare(gpu, { 34, "hash", { Same, Same, Same, Same } }, WordInputs());
 }
+
+std::vector<CaseInput> LightInputs()
+{
+  using relievoTest::Infinity;
+  using relievoTest::NaN;
+  std::vector<CaseInput> inputs;
+  const double special[] = { 0., -0., 1e-7, 0.18, 1., 4., 65504., 1e9, -0.1, -1e9, Infinity,
+    -Infinity, NaN };
+  for (double x : special)
+  {
+    for (double y : special)
+    {
+      for (double z : special)
+      {
+        inputs.push_back(Input(x, y, z));
+      }
+    }
+  }
+  std::mt19937 random(23);
+  std::uniform_real_distribution<double> stops(-14., 16.);
+  for (int i = 0; i < 50000; ++i)
+  {
+    inputs.push_back(
+      Input(std::exp2(stops(random)), std::exp2(stops(random)), std::exp2(stops(random))));
+  }
+  return inputs;
+}
+
+void TestTone(relievoTest::GpuCases& gpu)
+{
+  const std::vector<CaseInput> light = LightInputs();
+  const Rule shown = Number(0., 1.7e-6); // see testFormulasTone
+  const char* names[] = { "clamp", "simple", "Reinhard", "Reinhard by component" };
+  for (int i = 0; i < 4; ++i)
+  {
+    Compare(gpu, { 50 + i, names[i], { shown, shown, shown, shown } }, light);
+  }
+  const Rule ulps = Number(6e-7, 0.);
+  const Rule stops = Number(1e-6, 4e-6);
+  Compare(gpu, { 54, "luminance", { ulps, stops, Number(1e-5, 0.), Same } }, light);
+  Compare(gpu, { 55, "Reinhard's ratio", { ulps, ulps, ulps, ulps } }, light);
+  std::vector<CaseInput> pixels;
+  for (std::uint32_t i = 0; i < 64; ++i)
+  {
+    pixels.push_back({ glm::uvec4(i % 8, i / 8, 1000 + i, 0u), glm::uvec4(0u) });
+  }
+  Compare(gpu, { 56, "thresholds", { Same, Same, Number(2e-7, 0.), Same } }, pixels);
+  // Where the sum is close to a whole number, another rounding gives the neighbouring step.
+  const Rule step = Number(0., 1. / 255. + 1e-6);
+  Compare(gpu, { 57, "dithering", { step, step, Same, Same } }, UnitInputs());
+}
 }
 
 //------------------------------------------------------------------------------
@@ -249,6 +300,7 @@ int main()
       TestDepth(gpu);
       TestSpace(gpu);
       TestColor(gpu);
+      TestTone(gpu);
     }
   }
   return session.Result();

@@ -140,6 +140,34 @@ void TestColor()
   RELIEVO_CHECK(color);
 }
 
+// Several that make the picture: all up to the one that surely covers what is before it.
+void TestPictureMakers()
+{
+  std::vector<Plan::Node> nodes = MakeOwn(false);
+  nodes[2].Declaration.Offers = { "shadow maps" };
+  nodes.push_back(Make("glow", D::COMPOSITE, { "color" }, { "color" }));
+  nodes.push_back(Make("tone", D::DISPLAY, { "color" }, { "picture" }));
+  nodes.back().Order = -1;
+  nodes.back().Declaration.Covers = false;
+  nodes.push_back(Make("display", D::DISPLAY, { "cell" }, { "picture" }));
+  bool color = true;
+  RELIEVO_CHECK(
+    (Run(nodes, { "the picture" }, nullptr, &color) == Names{ "delegate", "gbuffer", "display" }));
+  RELIEVO_CHECK(!color);
+  nodes.back().Declaration.Covers = false;
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, nullptr, &color) ==
+    Names{ "shadows", "delegate", "gbuffer", "glow", "tone", "display" }));
+  RELIEVO_CHECK(color);
+  // A stage that refuses by itself is told of, and the others go on.
+  Names wrong;
+  nodes[nodes.size() - 2].Declaration.Runs = false;
+  nodes[nodes.size() - 2].Declaration.Code = "refused";
+  nodes[nodes.size() - 2].Declaration.Words = "it is not alone";
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) ==
+    Names{ "shadows", "delegate", "gbuffer", "glow", "display" }));
+  RELIEVO_CHECK(wrong.size() == 1 && wrong[0] == "The stage tone does not run: it is not alone");
+}
+
 // A stage that reads the colour and changes nothing sees it as it is at its place.
 void TestReaderInTheMiddle()
 {
@@ -300,6 +328,7 @@ int main()
   relievoTest::Session session;
   TestReached();
   TestColor();
+  TestPictureMakers();
   TestReaderInTheMiddle();
   TestRefused();
   TestAdders();

@@ -132,7 +132,9 @@ void NoteIdleStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages
     vtkRelievoStage* stage = pass->GetStage(choice.Name);
     if (stage->GetReasonCode() != "ran")
     {
-      Messages::Note("--stage " + choice.Name + " changed nothing: " + stage->GetReason());
+      const std::string asked =
+        choice.Option + (choice.Option == StageChoice().Option ? " " + choice.Name : "");
+      Messages::Note(asked + " changed nothing: " + stage->GetReason());
     }
   }
 }
@@ -230,7 +232,7 @@ void Render(const RenderOptions& options)
     }
     source->Update();
   }
-  else
+  if (options.EXR.empty() || (options.HDR && !options.PNG.empty())) // which leaves the window alone
   {
     scene.Window->Render();
   }

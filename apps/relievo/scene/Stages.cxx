@@ -77,7 +77,7 @@ void SetStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages)
       const std::string wrong = stage->TrySetParameter(name, value);
       if (!wrong.empty())
       {
-        throw WordsError("--stage " + wrong);
+        throw WordsError(choice.Option + " " + wrong);
       }
     }
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Stages of the frame as the command line asks for them: --stage NAME[:PARAMETER=VALUE,...]. Which
- * there are, and what they take, the stages say themselves.
+ * Stages of the frame as the command line asks for them: --stage NAME[:PARAMETER=VALUE,...], and
+ * options of their own. Which there are, and what they take, the stages say themselves.
  */
 #ifndef Stages_h
 #define Stages_h
@@ -19,6 +19,7 @@ struct StageChoice
 {
   std::string Name;
   std::vector<std::pair<std::string, std::string>> Parameters; ///< name and value, as given
+  std::string Option = "--stage";                              ///< that asks for it
 };
 
 /// The word behind --stage. A value goes on over commas up to the next PARAMETER=.

@@ -68,6 +68,11 @@ render draws the FILEs off screen and writes the outputs that you request.
   --stage NAME[:PARAMETER=VALUE,...]
                           runs a stage of the frame with these parameters; may be repeated;
                           `relievo stages` lists them
+  --tone OPERATOR[,white=W]
+                          how light above 1 is shown in the picture: clamp, simple, reinhard or
+                          reinhard-rgb; W is the light that becomes white (reinhard,white=4, if
+                          --exposure is given). The EXR's colour is the light before
+  --exposure STOPS        multiplies the light by 2 to this power, -20 to 20, or auto (0)
   --layers A,B,...        layers in the EXR besides its colour (depth), of
 @layers@
                           (shadow_N: visibility of the Nth --light, from 0: 1 lit, 0 dark), or the

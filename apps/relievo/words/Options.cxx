@@ -6,6 +6,7 @@
 #include "Readers.h"
 #include "Shadows.h"
 #include "SurfaceOptions.h"
+#include "ToneOptions.h"
 #include "Values.h"
 #include "Words.h"
 
@@ -244,6 +245,8 @@ const OptionRow RenderRows[] = {
       options.Stages.push_back(ParseStage(word));
     },
     true },
+  { "--tone", TakeTone, false },
+  { "--exposure", TakeExposure, false },
   { "--layers", TakeLayers, true },
   { "--hdr", [](RenderOptions& options, const std::string&) { options.HDR = true; }, false, true },
   { "--png",
@@ -311,6 +314,7 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
   {
     throw WordsError("--hdr: unclamped colour is written to OpenEXR: give --exr F as well");
   }
+  CheckToneOptions(options);
   CheckStages(options.Stages);
   if (!options.Lights.empty())
   {

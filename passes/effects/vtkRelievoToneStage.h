@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoToneStage
+ * @brief The stage that makes the picture of the linear colour: exposure, tone operator, dithering.
+ *
+ * The linear colour has highlights above 1. The stage multiplies it by the exposure, maps it to
+ * [0, 1] by the operator, encodes it by the exact sRGB curve, and rounds it to 8 bits, in the place
+ * of the curve alone. The layer `color` stays as it was before.
+ *
+ * Each pixel depends on its own colour alone, and with AutoExposure on one number of this frame. A
+ * component that is negative or not a number counts as 0, an infinite one as 65504.
+ *
+ * Where something covers a part of a pixel (alpha below 1), and the renderer's background is black
+ * or otherwise a premultiplied colour (no component above its alpha), what is toned is the colour
+ * divided by alpha. Over other backgrounds VTK's colours contain the background whatever their
+ * alpha is, and are toned as they are.
+ *
+ * With the operator CLAMP, Exposure 0, and neither AutoExposure nor Dither, the stage has nothing
+ * to do. It is refused, with an error, beside VTK's own vtkToneMappingPass.
+ */
+#ifndef vtkRelievoToneStage_h
+#define vtkRelievoToneStage_h
+
+#include "vtkRelievoEffectsModule.h" // for the export macro
+#include "vtkRelievoStage.h"
+
+#include <memory> // for the internals
+
+class VTKRELIEVOEFFECTS_EXPORT vtkRelievoToneStage : public vtkRelievoStage
+{
+public:
+  static vtkRelievoToneStage* New();
+  vtkTypeMacro(vtkRelievoToneStage, vtkRelievoStage);
+
+  /** Operators, for x of linear light. */
+  enum Operators
+  {
+    CLAMP = 0,       ///< min(x, 1)
+    SIMPLE = 1,      ///< x / (1 + x), for each component
+    REINHARD = 2,    ///< x (1 + x / White^2) / (1 + x) of the luminance: keeps the hue
+    REINHARD_RGB = 3 ///< the same for each component: turns the hue of bright colours
+  };
+
+  ///@{
+  /** How light is mapped to [0, 1]. Default REINHARD. */
+  vtkSetClampMacro(Operator, int, CLAMP, REINHARD_RGB);
+  vtkGetMacro(Operator, int);
+  void SetOperatorToClamp() { this->SetOperator(CLAMP); }
+  void SetOperatorToSimple() { this->SetOperator(SIMPLE); }
+  void SetOperatorToReinhard() { this->SetOperator(REINHARD); }
+  void SetOperatorToReinhardRgb() { this->SetOperator(REINHARD_RGB); }
+  ///@}
+
+  ///@{
+  /**
+   * The smallest luminance (REINHARD) or component (REINHARD_RGB) that is shown as 1, after
+   * exposure, from 0.01 to 65504. Default 4.
+   */
+  vtkSetClampMacro(White, double, 0.01, 65504.0);
+  vtkGetMacro(White, double);
+  ///@}
+
+  ///@{
+  /** Stops by which the light is multiplied: 2 to this power, from -20 to 20. Default 0. */
+  vtkSetClampMacro(Exposure, double, -20.0, 20.0);
+  vtkGetMacro(Exposure, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the light is first multiplied such that the log-average of the luminance becomes 0.18,
+   * over the pixels where something is drawn (opaque, or more so than the background), or over all
+   * if there are none; Exposure is then a correction. Measured from the frame's own colour, never
+   * from earlier frames. Luminance below 0.0003, black in 8 bits, counts as that; pixels with
+   * components that are negative, infinite or not a number are left out. Default off.
+   */
+  vtkSetMacro(AutoExposure, bool);
+  vtkGetMacro(AutoExposure, bool);
+  vtkBooleanMacro(AutoExposure, bool);
+  ///@}
+
+  /** Ditherings. */
+  enum Ditherings
+  {
+    DITHER_NONE = 0,      ///< to the nearest of 256 steps, as OpenGL rounds
+    DITHER_ORDERED = 1,   ///< Bayer's matrix of 8 x 8
+    DITHER_BLUE_NOISE = 2 ///< 64 x 64 thresholds without low frequencies, by void and cluster
+  };
+
+  ///@{
+  /**
+   * How values are rounded to 8 bits: by thresholds that depend on the pixel's place in the
+   * viewport alone, so that slow gradients have no bands. Default DITHER_NONE.
+   */
+  vtkSetClampMacro(Dither, int, DITHER_NONE, DITHER_BLUE_NOISE);
+  vtkGetMacro(Dither, int);
+  void SetDitherToNone() { this->SetDither(DITHER_NONE); }
+  void SetDitherToOrdered() { this->SetDither(DITHER_ORDERED); }
+  void SetDitherToBlueNoise() { this->SetDither(DITHER_BLUE_NOISE); }
+  ///@}
+
+  /** Whether the picture is another than the sRGB curve alone makes. */
+  bool GetChangesPicture();
+
+  /**
+   * Stops by which the last frame's light was multiplied, with AutoExposure read back from the GPU;
+   * NaN if the last frame was not measured.
+   */
+  double GetUsedExposure();
+
+  /** Threshold of the blue noise at a pixel, above 0 and below 1; repeats every 64 pixels. */
+  static double GetBlueNoise(int x, int y);
+
+  vtkIdType GetBytesHeld() override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkRelievoToneStage();
+  ~vtkRelievoToneStage() override;
+
+  void Describe(vtkRelievoStageDescription& description) override;
+  void Declare(
+    const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
+  void Execute(vtkRelievoFrameContext& context) override;
+
+  int Operator = REINHARD;
+  double White = 4.0;
+  double Exposure = 0.0;
+  bool AutoExposure = false;
+  int Dither = DITHER_NONE;
+
+private:
+  vtkRelievoToneStage(const vtkRelievoToneStage&) = delete;
+  void operator=(const vtkRelievoToneStage&) = delete;
+
+  bool HasWork() const;
+  void Fail(const std::string& wrong);
+  void UploadThresholds(vtkRelievoFrameContext& context);
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Tone mapping: from linear light of any size to linear light in [0, 1], and from there to 8 bits.
+// Reinhard's operators: E. Reinhard and others, Photographic tone reproduction for digital images,
+// 2002.
+
+// The largest half: what is beyond, an overflow, counts as this.
+const float relievoToneLargest = float(65504.0);
+
+// The light of the first step of 8 bits, (1 / 255) / 12.92: what is darker counts as this when a
+// picture's brightness is measured.
+const float relievoToneLeast = float(0.00030352697);
+
+// Relative luminance of linear light with sRGB's primaries.
+float relievoLuminance(vec3 c)
+{
+  return float(0.2126) * c.x + float(0.7152) * c.y + float(0.0722) * c.z;
+}
+
+// No light is negative or not a number. A comparison is false for what is not a number.
+float relievoToneCleanLight(float x)
+{
+  return x > float(0.0) ? min(x, relievoToneLargest) : float(0.0);
+}
+
+vec3 relievoToneClean(vec3 c)
+{
+  return vec3(
+    relievoToneCleanLight(c.x), relievoToneCleanLight(c.y), relievoToneCleanLight(c.z));
+}
+
+// Whether a pixel's light can be measured: no component is negative, infinite or not a number.
+bool relievoToneIsLight(vec3 c)
+{
+  return c.x >= float(0.0) && c.x <= relievoToneLargest && c.y >= float(0.0) &&
+    c.y <= relievoToneLargest && c.z >= float(0.0) && c.z <= relievoToneLargest;
+}
+
+// What is averaged for the automatic exposure.
+float relievoToneLogLuminance(vec3 c)
+{
+  return log2(clamp(relievoLuminance(c), relievoToneLeast, relievoToneLargest));
+}
+
+// The factor that brings the mean of the logarithms to the key, the middle grey of 0.18.
+float relievoToneAutoExposure(float meanLogLuminance)
+{
+  return float(0.18) / exp2(meanLogLuminance);
+}
+
+// x (1 + x / white^2) / (1 + x), written such that it is exactly 1 at x = white.
+float relievoToneCurve(float x, float white)
+{
+  float share = x / white;
+  return (x + share * share) / (float(1.0) + x);
+}
+
+vec3 relievoToneClamp(vec3 c)
+{
+  return vec3(min(c.x, float(1.0)), min(c.y, float(1.0)), min(c.z, float(1.0)));
+}
+
+// x / (1 + x) for each component: 1 is reached at infinity.
+vec3 relievoToneSimple(vec3 c)
+{
+  return vec3(c.x / (float(1.0) + c.x), c.y / (float(1.0) + c.y), c.z / (float(1.0) + c.z));
+}
+
+// Reinhard's curve on the luminance: the proportions of red, green and blue stay. A saturated
+// component may come out above 1.
+vec3 relievoToneReinhard(vec3 c, float white)
+{
+  float luminance = relievoLuminance(c);
+  float shown = relievoToneCurve(luminance, white);
+  return luminance > float(0.0) ? (shown / luminance) * c : c;
+}
+
+// Reinhard's curve for each component.
+vec3 relievoToneReinhardRgb(vec3 c, float white)
+{
+  return vec3(
+    relievoToneCurve(c.x, white), relievoToneCurve(c.y, white), relievoToneCurve(c.z, white));
+}
+
+// A colour with a component above 1, moved towards the grey of its luminance until it is 1: hue and
+// luminance stay, saturation is lost. White where the luminance is 1 or above.
+vec3 relievoToneIntoGamut(vec3 c)
+{
+  float most = max(c.x, max(c.y, c.z));
+  float grey = min(relievoLuminance(c), float(1.0));
+  float share = most > float(1.0) ? (float(1.0) - grey) / (most - grey) : float(1.0);
+  return relievoToneClamp(
+    most > float(1.0) ? vec3(grey) + share * (c - vec3(grey)) : c);
+}
+
+// By number: 0 clamp, 1 simple, 2 Reinhard on luminance, 3 Reinhard by component. The colour is
+// clean; the result is in [0, 1].
+vec3 relievoTone(int which, vec3 c, float white)
+{
+  if (which == 1)
+  {
+    return relievoToneSimple(c);
+  }
+  if (which == 2)
+  {
+    return relievoToneIntoGamut(relievoToneReinhard(c, white));
+  }
+  return relievoToneClamp(which == 3 ? relievoToneReinhardRgb(c, white) : c);
+}
+
+// Threshold of ordered dithering, above 0 and below 1: B. Bayer's matrix of 8 x 8, 1973.
+float relievoToneBayer(uint x, uint y)
+{
+  uint a = x ^ y;
+  uint code = ((a & uint(1)) << uint(5)) | ((y & uint(1)) << uint(4)) | ((a & uint(2)) << uint(2)) |
+    ((y & uint(2)) << uint(1)) | ((a & uint(4)) >> uint(1)) | ((y & uint(4)) >> uint(2));
+  return (float(code) + float(0.5)) / float(64.0);
+}
+
+// A value in [0, 1] as one of the two steps of 8 bits around it. Over thresholds that are spread
+// evenly from 0 to 1 the mean is the value.
+float relievoToneDither(float value, float threshold)
+{
+  return min(floor(float(255.0) * value + threshold), float(255.0)) / float(255.0);
+}
