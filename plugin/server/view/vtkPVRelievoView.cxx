@@ -159,7 +159,7 @@ bool vtkPVRelievoView::IsAnythingOn()
 {
   return this->GetShadows() || this->Internal->Frame->GetDisplayLayer() ||
     !this->Internal->Asked.empty() || this->IsAnyStageOn() ||
-    vtkPVRelievoLamps::IsAny(this->Internal->View);
+    vtkPVRelievoPoints::IsAny(this->Internal->View);
 }
 
 //------------------------------------------------------------------------------
