@@ -56,6 +56,8 @@ std::vector<L> MakeTable()
     { "color", L::COLOR, L::FROM_PICTURE, VTK_FLOAT, 4, OfRenderer, "R,G,B,A",
       "the picture, scene-linear and premultiplied" },
   };
+  table.push_back({ "fog", L::SHARE, L::FROM_STAGE, VTK_FLOAT, 1, 1.0, "V",
+    "what fog lets through: 1 all, 0 nothing" });
   L shadow = { "shadow_", L::SHARE, L::FROM_SHADOW, VTK_FLOAT, 1, 1.0, "V",
     "what is not blocked of a light: 1 lit, 0 dark" };
   shadow.OfLight = true;

@@ -37,3 +37,5 @@
 #include "formulas/half.glsl"
 
 #include "formulas/lamp.glsl"
+
+#include "formulas/fog.glsl"

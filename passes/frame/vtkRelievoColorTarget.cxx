@@ -215,7 +215,7 @@ void vtkRelievoColorTarget::EndAside(vtkRelievoFrameContext& context)
 
 //------------------------------------------------------------------------------
 bool vtkRelievoColorTarget::Draw(
-  vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, bool replaces)
+  vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, bool replaces, const int* part)
 {
   if (!this->Buffers.Pen || (!this->Valid && &quad != &this->ToLinear))
   {
@@ -232,7 +232,7 @@ bool vtkRelievoColorTarget::Draw(
     {
       state->vtkglDisable(GL_BLEND);
     }
-    quad.Draw(context, area);
+    quad.Draw(context, area, false, replaces ? nullptr : part);
   }
   if (replaces)
   {

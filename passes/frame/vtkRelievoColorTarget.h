@@ -46,8 +46,9 @@ public:
   void EndAside(vtkRelievoFrameContext& context);
   ///@}
 
-  // Draws the quad over the linear colour: as the new colour, or blended.
-  bool Draw(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, bool replaces);
+  // Draws the quad over the linear colour: as the new colour, or blended, also over a part only.
+  bool Draw(vtkRelievoFrameContext& context, vtkRelievoScreenQuad& quad, bool replaces,
+    const int* part = nullptr);
 
   // Writes the colour and the depth into the framebuffer that is bound, once after each End:
   // through the sRGB curve, or as the quad does, which is ready. False if it was done before.

@@ -73,9 +73,10 @@ vtkRelievoResource* vtkRelievoFrameContext::FindLayer(const std::string& name) c
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoFrameContext::DrawColor(vtkRelievoScreenQuad& quad, bool replaces)
+bool vtkRelievoFrameContext::DrawColor(
+  vtkRelievoScreenQuad& quad, bool replaces, const int* part)
 {
-  return this->Color && this->Color->Draw(*this, quad, replaces);
+  return this->Color && this->Color->Draw(*this, quad, replaces, part);
 }
 
 //------------------------------------------------------------------------------

@@ -66,8 +66,9 @@ public:
   ///@}
 
   // Draws the quad, after its Ready, over the linear colour: as the new colour of every pixel if
-  // `replaces`, otherwise blended as OpenGL's state says. False if there is no linear colour.
-  bool DrawColor(vtkRelievoScreenQuad& quad, bool replaces = true);
+  // `replaces`, otherwise blended as OpenGL's state says, only in `part` of the viewport (x, y,
+  // width, height in pixels) if that is given. False if there is no linear colour.
+  bool DrawColor(vtkRelievoScreenQuad& quad, bool replaces = true, const int* part = nullptr);
 
   // Draws the quad, after its Ready, as the picture of the linear colour, in the place of the sRGB
   // curve alone; for stages that declare that they present. Its shader writes the depth as well, as

@@ -68,7 +68,8 @@ vtkShaderProgram* vtkRelievoScreenQuad::Ready(vtkRelievoFrameContext& context,
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoScreenQuad::Draw(vtkRelievoFrameContext& context, const int* viewport, bool depth)
+void vtkRelievoScreenQuad::Draw(
+  vtkRelievoFrameContext& context, const int* viewport, bool depth, const int* part)
 {
   vtkShaderProgram* program = this->Quad->Program;
   const vtkRelievoView& view = context.View;
@@ -90,7 +91,8 @@ void vtkRelievoScreenQuad::Draw(vtkRelievoFrameContext& context, const int* view
   vtkOpenGLState* state = context.Window->GetState();
   const vtkRelievoKeptState kept(state);
   state->vtkglViewport(area[0], area[1], area[2], area[3]);
-  state->vtkglScissor(area[0], area[1], area[2], area[3]);
+  const int* drawn = part ? part : area;
+  state->vtkglScissor(drawn[0], drawn[1], drawn[2], drawn[3]);
   // OpenGL writes depths only where it tests them.
   state->SetEnumState(GL_DEPTH_TEST, depth);
   state->vtkglDepthFunc(depth ? GL_ALWAYS : GL_LEQUAL);

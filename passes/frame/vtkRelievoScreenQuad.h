@@ -40,8 +40,10 @@ public:
 
   // Draws with the program that Ready returned into x, y, width, height (default: the frame's
   // viewport) of the bound framebuffer, without depth test; the depth from the shader is written if
-  // `depth`. Blending is as the caller set it.
-  void Draw(vtkRelievoFrameContext& context, const int* viewport = nullptr, bool depth = false);
+  // `depth`. Blending is as the caller set it. Only the pixels of `part` (x, y, width, height) are
+  // drawn, if it is given.
+  void Draw(vtkRelievoFrameContext& context, const int* viewport = nullptr, bool depth = false,
+    const int* part = nullptr);
 
   void Release(vtkWindow* window);
 

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Optical depth and colour of fog by pixels: each sphere draws its rectangle, and the depths add up
+// or the greatest is kept.
+#ifndef vtkRelievoFogBuffer_h
+#define vtkRelievoFogBuffer_h
+
+#include "vtkRelievoScreenTarget.h"
+#include "vtkRelievoTextureBuffer.h"
+
+#include <string>
+#include <vector>
+
+class vtkRelievoFogRays;
+class vtkRelievoFogSpheres;
+class vtkRelievoFrameContext;
+class vtkShaderProgram;
+class vtkWindow;
+
+class vtkRelievoFogBuffer
+{
+public:
+  vtkRelievoFogBuffer();
+  ~vtkRelievoFogBuffer();
+
+  // Forgets the spheres, and adds those of which anything is in view.
+  void Clear();
+  void Add(const vtkRelievoFogRays& rays, vtkRelievoFogSpheres* fog, bool linear);
+
+  int GetNumberOfSpheres() const { return static_cast<int>(this->Texels.size() / 32); }
+
+  // The pixels of the viewport with spheres: x, y, width, height.
+  const int* GetPart() const { return this->Part; }
+
+  // Draws them. Returns what is wrong, in words.
+  std::string Draw(
+    vtkRelievoFrameContext& context, const vtkRelievoFogRays& rays, bool linear, bool dominant);
+
+  // Colour times optical depth, and optical depth; `fogDepth` in shaders.
+  vtkRelievoScreenTarget Target;
+
+  vtkIdType GetBytes() const { return this->Target.GetBytes() + this->Spheres.GetBytes(); }
+  void Release(vtkWindow* window);
+
+private:
+  std::string Compile(vtkRelievoFrameContext& context, const std::string& defines);
+
+  std::vector<float> Texels;
+  int Part[4] = { 0, 0, 0, 0 };
+  vtkRelievoTextureBuffer Spheres;
+  std::string Key; // what the program was compiled for
+  vtkShaderProgram* Program = nullptr; // null: it did not compile
+  unsigned int Arrays = 0;
+};
+
+#endif

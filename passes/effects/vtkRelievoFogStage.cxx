@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoFogStage.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPointData.h"
+#include "vtkRelievoFogBuffer.h"
+#include "vtkRelievoFogRays.h"
+#include "vtkRelievoFogSpheres.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePlan.h"
+#include "vtkRelievoKeptState.h"
+#include "vtkRelievoScreenQuad.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkRelievoFogStage);
+
+class vtkRelievoFogStage::Internals
+{
+public:
+  std::vector<vtkSmartPointer<vtkRelievoFogSpheres>> Fogs;
+  vtkRelievoFogBuffer Buffer;
+  vtkRelievoScreenQuad Quad;
+  std::string Said; // what was wrong in the last frame: said once
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoFogStage::vtkRelievoFogStage()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoFogStage::~vtkRelievoFogStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::AddFog(vtkRelievoFogSpheres* fog)
+{
+  auto& fogs = this->Internal->Fogs;
+  if (fog && std::find(fogs.begin(), fogs.end(), fog) == fogs.end())
+  {
+    fogs.emplace_back(fog);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::RemoveFog(vtkRelievoFogSpheres* fog)
+{
+  auto& fogs = this->Internal->Fogs;
+  const auto found = std::find(fogs.begin(), fogs.end(), fog);
+  if (found != fogs.end())
+  {
+    fogs.erase(found);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::RemoveAllFog()
+{
+  if (!this->Internal->Fogs.empty())
+  {
+    this->Internal->Fogs.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoFogStage::GetNumberOfFogs()
+{
+  return static_cast<int>(this->Internal->Fogs.size());
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoFogSpheres* vtkRelievoFogStage::GetFog(int i)
+{
+  return i >= 0 && i < this->GetNumberOfFogs() ? this->Internal->Fogs[i].Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::Describe(vtkRelievoStageDescription& description)
+{
+  description.Name = "fog";
+  description.Help = "Fog in spheres, which are given to it as data.";
+  description.Slot = vtkRelievoStageDescription::COMPOSITE;
+  description.Reads = { "depth" };
+  description.Writes = { "color" };
+  description.Layers = { "fog" };
+  description.OnByDefault = true;
+  description.TakesData = true;
+  description.AddChoice(
+    "mode", this->Mode, [this](int mode) { this->SetMode(mode); }, { "beer", "chord" },
+    "How light passes: beer, e^(-density length); chord, 1 - density length / diameter.");
+  description.AddChoice(
+    "overlap", this->Overlap, [this](int overlap) { this->SetOverlap(overlap); },
+    { "sum", "dominant" },
+    "Where spheres overlap: sum of optical depths, or the dominant sphere alone.");
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::Declare(
+  const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
+{
+  int spheres = 0;
+  int leftOut = 0;
+  for (const auto& fog : this->Internal->Fogs)
+  {
+    spheres += fog->GetNumberOfPoints();
+    leftOut += fog->GetNumberLeftOut();
+  }
+  if (spheres == 0)
+  {
+    declaration.Runs = false;
+    declaration.Code = "idle";
+    declaration.Words = this->Internal->Fogs.empty() ? "no fog is given to it (AddFog)"
+      : leftOut == 0                                 ? "the fog given to it has no points"
+                                                     : "none of the " + std::to_string(leftOut) +
+        " points given to it is a sphere of fog: place, radius and density must be finite, radius "
+        "and density above 0";
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  this->DrawCalls = 0;
+  this->NumberDrawn = 0;
+  const vtkRelievoFogRays rays(context.View);
+  std::string wrong;
+  int spheres = 0;
+  if (!rays.IsUsual())
+  {
+    wrong = "the camera's projection has depths that change across the picture";
+  }
+  else
+  {
+    in.Buffer.Clear();
+    for (const auto& fog : in.Fogs)
+    {
+      in.Buffer.Add(rays, fog, this->Mode == CHORD);
+      spheres += fog->GetNumberOfPoints();
+    }
+    this->NumberDrawn = in.Buffer.GetNumberOfSpheres();
+    wrong = in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT);
+  }
+  if (wrong.empty())
+  {
+    context.ProvideLayer("fog", &in.Buffer.Target);
+    this->DrawCalls = this->NumberDrawn > 0 ? 1 : 0;
+    this->Explain("ran",
+      "draws " + std::to_string(this->NumberDrawn) + " of " + std::to_string(spheres) + " spheres");
+  }
+  if (wrong.empty() && this->NumberDrawn > 0 && context.IsAsked(this, "color"))
+  {
+    if (in.Quad.Ready(context, "fog/colorFS.glsl", { "fog" }))
+    {
+      vtkOpenGLState* state = context.Window->GetState();
+      const vtkRelievoKeptState kept(state);
+      state->vtkglEnable(GL_BLEND);
+      state->vtkglBlendFuncSeparate(
+        GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      this->DrawCalls += context.DrawColor(in.Quad, false, in.Buffer.GetPart()) ? 1 : 0;
+    }
+    else
+    {
+      wrong = in.Quad.GetWrong();
+    }
+  }
+  if (!wrong.empty())
+  {
+    this->Explain("failed", wrong);
+    if (in.Said != wrong)
+    {
+      vtkErrorMacro("There is no fog: " << wrong << ".");
+    }
+  }
+  in.Said = wrong;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoFogStage::ReadLayers(
+  const std::vector<std::string>& names, vtkImageData* image)
+{
+  for (const std::string& name : names)
+  {
+    vtkNew<vtkImageData> drawn;
+    drawn->SetDimensions(image->GetDimensions());
+    const std::string wrong = this->Internal->Buffer.Target.Read(name, 4, drawn);
+    if (!wrong.empty())
+    {
+      return wrong;
+    }
+    image->SetDimensions(drawn->GetDimensions());
+    auto* depths = vtkFloatArray::SafeDownCast(drawn->GetPointData()->GetArray(name.c_str()));
+    vtkNew<vtkFloatArray> passes;
+    passes->SetName(name.c_str());
+    passes->SetNumberOfTuples(depths->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < depths->GetNumberOfTuples(); ++i)
+    {
+      passes->SetValue(i, std::exp(-depths->GetTypedComponent(i, 3)));
+    }
+    image->GetPointData()->AddArray(passes);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoFogStage::GetBytesHeld()
+{
+  return this->Internal->Buffer.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Buffer.Release(window);
+  this->Internal->Quad.Release(window);
+  this->DrawCalls = 0;
+  this->NumberDrawn = 0;
+  this->Superclass::ReleaseGraphicsResources(window);
+}

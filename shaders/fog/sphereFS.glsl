@@ -1,0 +1,42 @@
+//VTK::System::Dec
+//RELIEVO::Include(extensions.glsl)
+//RELIEVO::Include(exact.glsl)
+//RELIEVO::Defines
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Optical depth of one sphere at a pixel, and its colour times that.
+//RELIEVO::Include(gbuffer/read.glsl)
+//RELIEVO::Include(formulas/fog.glsl)
+flat in vec4 fogLinear;
+flat in vec4 fogLinearLacks;
+flat in vec4 fogSquare;
+flat in vec4 fogSquareLacks;
+flat in vec4 fogOrigin;
+flat in vec4 fogOffset;
+flat in vec3 fogColor;
+uniform vec2 fogDirection;     // x and y of the ray of pixel (0, 0), per unit of depth
+uniform vec4 fogDirectionStep; // their change by pixels in x, and in y
+uniform float fogBegin;        // depth where rays begin
+
+void main()
+{
+  vec2 direction = fogDirection + fogDirectionStep.xy * gl_FragCoord.x +
+    fogDirectionStep.zw * gl_FragCoord.y;
+  float end = relievoFetchDepth(ivec2(gl_FragCoord.xy)) - fogBegin;
+  float chord = relievoFogChordAt(gl_FragCoord.xy - fogOrigin.zw, fogLinear, fogLinearLacks,
+    fogSquare, fogSquareLacks, fogOrigin.xy, fogOffset, direction, end);
+#ifdef RELIEVO_FOG_LINEAR
+  float depth = relievoFogLinear(chord, fogSquareLacks.w);
+#else
+  float depth = relievoFogBeer(chord, fogSquareLacks.w);
+#endif
+  if (!(depth > 0.0))
+  {
+    discard;
+  }
+  gl_FragData[0] = vec4(fogColor * depth, depth);
+#ifdef RELIEVO_FOG_DOMINANT
+  gl_FragDepth = depth / (1.0 + depth);
+#endif
+}
