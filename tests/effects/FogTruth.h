@@ -9,7 +9,9 @@
 
 #include <vtkRelievoView.h>
 
-#include <glm/glm.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FogScene.h
+ * @brief A wall, a ball and a bit of sky with fog, and what of it must be seen.
+ */
+#ifndef relievoTestFogScene_h
+#define relievoTestFogScene_h
+
+#include "Layers.h"
+
+#include <vtkNew.h>
+#include <vtkRelievoFogSpheres.h>
+#include <vtkRelievoFogStage.h>
+#include <vtkRelievoPass.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace relievoTest
+{
+struct FogSphere
+{
+  glm::dvec3 Center;
+  double Radius;
+  double Density;
+  glm::dvec3 Color; // linear
+};
+
+/** Points with the arrays radius, density and color. */
+vtkSmartPointer<vtkPolyData> MakeFogPoints(const std::vector<FogSphere>& spheres);
+
+struct FogErrors
+{
+  double Passes = 0.;  // of the layer `fog`
+  double Picture = 0.; // levels of 255
+  int Fogged = 0;      // pixels that fog is seen in
+  int Sky = 0;         // of these, without a surface
+};
+
+class FogScene
+{
+public:
+  FogScene(int width, int height, const glm::dvec3& origin = glm::dvec3(0.));
+
+  /** Moved by the origin. */
+  void Set(const std::vector<FogSphere>& spheres);
+
+  /** A translucent square before everything. */
+  void AddGlass();
+
+  /** Layers of a frame that draws the picture as well; depth as the pixel's centre has it. */
+  Layers Read(const std::vector<std::string>& names);
+
+  /** The layer and the picture against sums over the spheres, with the depths of that frame. */
+  FogErrors Compare();
+
+  vtkNew<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkRelievoPass* Frame = nullptr;
+  vtkRelievoFogStage* Stage = nullptr;
+  vtkNew<vtkRelievoFogSpheres> Fog;
+
+private:
+  glm::dvec3 Origin;
+  std::vector<FogSphere> Spheres; // as they are in the world
+};
+}
+
+#endif
