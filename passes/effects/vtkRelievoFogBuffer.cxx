@@ -16,9 +16,10 @@
 
 namespace
 {
-float Lacks(double value)
+// What the value lacks as a float.
+double Lacks(double value)
 {
-  return static_cast<float>(value - static_cast<double>(static_cast<float>(value)));
+  return value - static_cast<double>(static_cast<float>(value));
 }
 }
 
@@ -58,26 +59,17 @@ void vtkRelievoFogBuffer::Add(
     const glm::dvec3& a = sphere.Linear;
     const glm::dvec3& b = sphere.Square;
     const int* r = sphere.Rectangle;
-    const double values[32] = { double(r[0]), double(r[1]), double(r[2]), double(r[3]), //
+    const bool first = this->Texels.empty();
+    const double texels[32] = { double(r[0]), double(r[1]), double(r[2]), double(r[3]), //
       a.x, a.y, a.z, sphere.MiddleDepth,                                                //
-      0., 0., 0., 0.,                                                                   //
+      Lacks(a.x), Lacks(a.y), Lacks(a.z), Lacks(sphere.MiddleDepth),                    //
       b.x, b.y, b.z, 1. / radius,                                                       //
-      0., 0., 0., std::min(density, 1e30),                                              //
+      Lacks(b.x), Lacks(b.y), Lacks(b.z), std::min(density, 1e30),                      //
       sphere.Offset.x, sphere.Offset.y, sphere.Pixel.x, sphere.Pixel.y,                 //
       sphere.Offsets[0].x, sphere.Offsets[0].y, sphere.Offsets[1].x, sphere.Offsets[1].y,
       row[5], row[6], row[7], 0. };
-    const std::size_t first = this->Texels.size();
-    this->Texels.insert(this->Texels.end(), values, values + 32);
-    float* texels = this->Texels.data() + first;
-    for (int k = 0; k < 4; ++k)
-    {
-      texels[8 + k] = Lacks(values[4 + k]);
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      texels[16 + k] = Lacks(values[12 + k]);
-    }
-    if (first == 0)
+    this->Texels.insert(this->Texels.end(), texels, texels + 32);
+    if (first)
     {
       std::copy_n(r, 4, this->Part);
       this->Part[2] -= r[0];

@@ -125,7 +125,8 @@ float relievoFogLinear(float chord, float density)
 // What a depth adds of its own colour, per unit of depth: (1 - e^-depth) / depth.
 float relievoFogShare(float depth)
 {
-  return depth < float(0.01)
-    ? float(1.0) - depth * (float(0.5) - depth / float(6.0))
+  return depth < float(0.1)
+    ? float(1.0) - depth / float(2.0) * (float(1.0) - depth / float(3.0) *
+        (float(1.0) - depth / float(4.0) * (float(1.0) - depth / float(5.0))))
     : (float(1.0) - exp(-depth)) / depth;
 }

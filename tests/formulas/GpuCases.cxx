@@ -43,7 +43,7 @@ std::string FragmentShader()
 {
   std::string shader = ReadTestShader("casesFS.glsl");
   vtkShaderProgram::Substitute(
-    shader, "//RELIEVO::Extensions", vtkRelievoShaderLibrary::Get("extensions.glsl"));
+    shader, "//RELIEVO::Extensions", vtkRelievoShaderLibrary::Get("extensions.glsl") + vtkRelievoShaderLibrary::Get("exact.glsl"));
   // normal_depth.glsl takes in the files below it.
   vtkShaderProgram::Substitute(shader, "//RELIEVO::Formulas",
     vtkRelievoShaderLibrary::Get("formulas/normal_depth.glsl") +
@@ -55,7 +55,8 @@ std::string FragmentShader()
       vtkRelievoShaderLibrary::Get("formulas/environment.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/irradiance.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/fresnel.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/prefilter.glsl"));
+      vtkRelievoShaderLibrary::Get("formulas/prefilter.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/fog.glsl"));
   vtkShaderProgram::Substitute(shader, "//RELIEVO::Cases", ReadTestShader("cases.glsl"));
   return shader;
 }

@@ -271,6 +271,36 @@ uvec4 relievoTestEnvironment(int which, uvec4 a, uvec4 b)
   return relievoTestBits3(relievoShIrradiance(d, coefficients));
 }
 
+// Fog: pairs of floats, that must be the same to the last bit, and what is made of them.
+uvec4 relievoTestFog(int which, uvec4 a, uvec4 b)
+{
+  vec3 u = relievoTestVector(a);
+  vec3 v = relievoTestVector(b);
+  if (which == 60)
+  {
+    vec2 sum = relievoSum(u.x, v.x);
+    vec2 product = relievoProduct(u.x, v.x);
+    return relievoTestBits(vec4(sum.x, sum.y, product.x, product.y));
+  }
+  vec3 least = vec3(float(3e-8) * u.y, float(2e-8) * v.y, float(1e-8) * u.z);
+  if (which == 61)
+  {
+    vec2 sum = relievoPairSum(vec2(u.x, least.x * u.x), vec2(v.x, least.y * v.x));
+    vec2 product = relievoPairProduct(vec2(u.x, least.x * u.x), v.x);
+    return relievoTestBits(vec4(sum.x, sum.y, product.x, product.y));
+  }
+  // 0.5 (x + y)^2 - 1, as it is at a pixel some way off: it cancels to a small rest.
+  vec2 pixel = vec2(floor(float(100.0) * u.x), floor(float(100.0) * v.x));
+  float away = pixel.x + pixel.y;
+  float discriminant = relievoFogDiscriminant(pixel,
+    vec3(float(0.5) * away * away + u.z * float(0.001), -away, -away), least,
+    vec3(float(0.5), float(1.0), float(0.5)), vec3(float(0.0), float(0.0), float(0.0)));
+  float end = float(4.0) * abs(u.y);
+  return relievoTestBits(vec4(discriminant,
+    relievoFogChord(abs(u.z), float(1.0) + abs(v.z), end, u.y, end - u.y),
+    relievoFogLinear(abs(u.x), abs(v.y)), relievoFogShare(abs(u.y))));
+}
+
 uvec4 relievoTestCase(int which, uvec4 a, uvec4 b)
 {
   if (which < 10)
@@ -293,5 +323,9 @@ uvec4 relievoTestCase(int which, uvec4 a, uvec4 b)
   {
     return relievoTestEnvironment(which, a, b);
   }
-  return relievoTestTone(which, a);
+  if (which < 60)
+  {
+    return relievoTestTone(which, a);
+  }
+  return relievoTestFog(which, a, b);
 }

@@ -12,6 +12,7 @@
 #include "Session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
@@ -286,6 +287,32 @@ void TestTone(relievoTest::GpuCases& gpu)
   const Rule step = Number(0., 1. / 255. + 1e-6);
   Compare(gpu, { 57, "dithering", { step, step, Same, Same } }, UnitInputs());
 }
+
+// Two triples, of numbers of either sign and of sizes from 1e-6 to 1.
+std::vector<CaseInput> PairInputs()
+{
+  std::vector<CaseInput> inputs;
+  std::mt19937 random(23);
+  std::uniform_real_distribution<double> uniform(-1., 1.);
+  const auto number = [&]() { return uniform(random) * std::pow(10., 3. * uniform(random) - 3.); };
+  for (int i = 0; i < 50000; ++i)
+  {
+    const double first[3] = { number(), number(), number() };
+    const glm::uvec4 second(FromFloat(static_cast<float>(number())),
+      FromFloat(static_cast<float>(number())), FromFloat(static_cast<float>(number())), 0u);
+    inputs.push_back(Input(first[0], first[1], first[2], second));
+  }
+  return inputs;
+}
+
+void TestFog(relievoTest::GpuCases& gpu)
+{
+  const std::vector<CaseInput> inputs = PairInputs();
+  Compare(gpu, { 60, "sum, product", { Same, Same, Same, Same } }, inputs);
+  Compare(gpu, { 61, "of pairs", { Same, Same, Same, Same } }, inputs);
+  const Rule chord = Number(3e-6, 1e-6);
+  Compare(gpu, { 62, "discriminant, chord", { Same, chord, chord, chord } }, inputs);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -301,6 +328,7 @@ int main()
       TestSpace(gpu);
       TestColor(gpu);
       TestTone(gpu);
+      TestFog(gpu);
     }
   }
   return session.Result();

@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Fog where it could fail: data that is no fog, eyes on and in spheres, sizes and places far apart,
+// small and several viewports; and that switched off, or without data, it leaves no trace.
+#include "Check.h"
+#include "FogScene.h"
+#include "GLCheck.h"
+#include "Session.h"
+#include "Window.h"
+
+#include <vtkCamera.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkRelievoDisplayStage.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace relievoTest;
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+const glm::dvec3 White(1.);
+const FogSphere Good = { { 0., 0.5, 0.4 }, 0.6, 0.8, White };
+
+void CheckAgainstTruth(FogScene& scene, const std::string& what, double limit = 1e-6)
+{
+  const FogErrors errors = scene.Compare();
+  RELIEVO_CHECK_AT_MOST(errors.Passes, limit, what + ": what passes");
+  RELIEVO_CHECK_AT_MOST(errors.Picture, 1.01, what + ": levels of 255");
+}
+
+void TestData()
+{
+  FogScene scene(60, 45);
+  const auto plain = Picture(scene.Window);
+  RELIEVO_CHECK(scene.Stage->GetReasonCode() == "idle" && scene.Frame->GetBytesHeld() == 0);
+
+  scene.Set({ Good });
+  const Layers expected = scene.Read({ "fog", "color" });
+  scene.Set({ { { NaN, 0., 0. }, 1., 1., White }, { { 0., Infinity, 0. }, 1., 1., White },
+    { { 0., 0., 0. }, NaN, 1., White }, { { 0., 0., 0. }, Infinity, 1., White },
+    { { 0., 0., 0. }, 1., -Infinity, White }, { { 0., 0., 0. }, 1., 1., { NaN, 0., 0. } }, Good,
+    { { 0., 0., 0. }, 0., 1., White }, { { 0., 0., 0. }, -1., 1., White },
+    { { 0., 0., 0. }, 1., 0., White }, { { 0., 0., 0. }, 1., -2., White } });
+  const Layers found = scene.Read({ "fog", "color" });
+  RELIEVO_CHECK(CountDifferent(expected, found, "fog") == 0);
+  RELIEVO_CHECK(CountDifferent(expected, found, "color") == 0);
+  RELIEVO_CHECK(scene.Fog->GetNumberLeftOut() == 10 && scene.Stage->GetNumberDrawn() == 1);
+
+  // None at all: nothing is held, and the picture is VTK's own.
+  scene.Set({ { { 0., 0., 0. }, 0., 1., White } });
+  RELIEVO_CHECK(SamePicture(plain, Picture(scene.Window), "only one without a radius"));
+  RELIEVO_CHECK(scene.Stage->GetReason().find("none of the 1 points") != std::string::npos);
+  scene.Set({});
+  RELIEVO_CHECK(SamePicture(plain, Picture(scene.Window), "no points"));
+  scene.Fog->SetInputData(vtkNew<vtkPolyData>());
+  RELIEVO_CHECK(SamePicture(plain, Picture(scene.Window), "empty polydata"));
+  scene.Fog->SetInputData(nullptr);
+  RELIEVO_CHECK(SamePicture(plain, Picture(scene.Window), "no data"));
+  RELIEVO_CHECK(scene.Stage->GetReason().find("no points") != std::string::npos);
+  scene.Stage->RemoveAllFog();
+  RELIEVO_CHECK(SamePicture(plain, Picture(scene.Window), "no fog"));
+  RELIEVO_CHECK(scene.Stage->GetReason().find("AddFog") != std::string::npos);
+  RELIEVO_CHECK(scene.Stage->GetBytesHeld() == 0 && scene.Frame->GetBytesHeld() == 0);
+
+  // Blocks, and one value for all.
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, MakeFogPoints({ Good }));
+  blocks->SetBlock(2, MakeFogPoints({ { { 5., 5., 5. }, -1., 1., White } }));
+  scene.Stage->AddFog(scene.Fog);
+  scene.Stage->AddFog(scene.Fog);
+  RELIEVO_CHECK(scene.Stage->GetNumberOfFogs() == 1);
+  scene.Fog->SetInputData(blocks);
+  RELIEVO_CHECK(CountDifferent(expected, scene.Read({ "fog" }), "fog") == 0);
+  const vtkSmartPointer<vtkPolyData> bare = MakeFogPoints({ Good });
+  bare->GetPointData()->Initialize();
+  scene.Fog->SetInputData(bare);
+  scene.Fog->SetRadius(Good.Radius);
+  scene.Fog->SetDensity(Good.Density);
+  const Layers forAll = scene.Read({ "fog", "color" });
+  RELIEVO_CHECK(CountDifferent(expected, forAll, "fog") == 0);
+  RELIEVO_CHECK(CountDifferent(expected, forAll, "color") == 0);
+}
+
+void TestArrays()
+{
+  FogScene scene(60, 45);
+  const vtkSmartPointer<vtkPolyData> points = MakeFogPoints({ Good });
+  vtkNew<vtkDoubleArray> pairs;
+  pairs->SetName("pairs");
+  pairs->SetNumberOfComponents(2);
+  pairs->InsertNextTuple2(1., 2.);
+  points->GetPointData()->AddArray(pairs);
+  vtkNew<vtkStringArray> words;
+  words->SetName("words");
+  words->InsertNextValue("thick");
+  points->GetPointData()->AddArray(words);
+  vtkNew<vtkUnsignedCharArray> bytes;
+  bytes->SetName("bytes");
+  bytes->SetNumberOfComponents(4);
+  bytes->InsertNextTuple4(255, 51, 0, 7);
+  points->GetPointData()->AddArray(bytes);
+  scene.Fog->SetInputData(points);
+  const struct
+  {
+    const char* Value;
+    const char* Array;
+    const char* Says;
+  } wrong[] = { { "radius", "size", "not among the point arrays" },
+    { "density", "pairs", "has 2 components; needed: one number per point" },
+    { "color", "density", "has 1 components; needed: red, green and blue" },
+    { "radius", "words", "holds no numbers" } };
+  for (const auto& each : wrong)
+  {
+    scene.Fog->SetArray(each.Value, each.Array);
+    ExpectMessage expect(std::string("'") + each.Array + "'");
+    scene.Window->Render();
+    scene.Window->Render();
+    RELIEVO_CHECK_THAT(expect.Count() == 1 &&
+        expect.Messages()[0].find(each.Says) != std::string::npos,
+      std::string(each.Array) + ": " + (expect.Count() ? expect.Messages()[0] : "said nothing"));
+    scene.Fog->SetArray(each.Value, each.Value);
+  }
+  {
+    ExpectMessage expect("one of radius, density, color");
+    scene.Fog->SetArray("colour", "density");
+  }
+  scene.Fog->SetArray("color", "bytes");
+  scene.Window->Render();
+  RELIEVO_CHECK_NEAR(scene.Fog->GetRows()[6], 0.2, 1e-12, "green of a byte 51");
+}
+
+void TestEyes()
+{
+  FogScene scene(61, 45);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  const glm::dvec3 eye(camera->GetPosition()[0], camera->GetPosition()[1], camera->GetPosition()[2]);
+  GLCheck gl(scene.Window);
+  scene.Set({ { eye, 0.3, 1.5, White } }); // all before the near plane
+  CheckAgainstTruth(scene, "eye at the centre, near plane outside");
+  scene.Set({ { eye, 2., 0.2, White } });
+  CheckAgainstTruth(scene, "near plane inside");
+  scene.Set({ { eye + glm::dvec3(0., 0., -1.), 1., 0.5, White } });
+  CheckAgainstTruth(scene, "eye on the sphere, looking in");
+  scene.Set({ { eye + glm::dvec3(0., 0., 1.), 1., 0.5, White } });
+  CheckAgainstTruth(scene, "eye on the sphere, looking away");
+  scene.Set({ { eye + glm::dvec3(1., 0., 0.), 1., 0.5, White } });
+  CheckAgainstTruth(scene, "eye on the sphere, looking along");
+  scene.Set({ { eye + glm::dvec3(0., 0., -0.02), 0.01, 50., White } });
+  CheckAgainstTruth(scene, "between eye and near plane");
+  camera->SetClippingRange(1e-6, 10.);
+  scene.Set({ Good, { eye, 1e-3, 100., White } });
+  CheckAgainstTruth(scene, "far / near 1e7");
+}
+
+void TestSizes()
+{
+  FogScene scene(61, 45);
+  GLCheck gl(scene.Window);
+  for (const double overlap : { 0, 1 })
+  {
+    scene.Stage->SetOverlap(static_cast<int>(overlap));
+    scene.Set({ { { 1., 2., 3. }, 1e9, 0.1, { 0.5, 0.6, 0.7 } } });
+    CheckAgainstTruth(scene, "radius 1e9");
+    scene.Set({ { { 0., 0.6, 4.5 - 1e-3 }, 1e-6, 1e6, White }, Good });
+    CheckAgainstTruth(scene, "radius 1e-6");
+    scene.Set({ { { 0., 0.5, 0. }, 1., 1e300, { 0.5, 0.6, 0.7 } } });
+    CheckAgainstTruth(scene, "density 1e300");
+    scene.Set({ { { 0., 0.5, 0. }, 1e-300, 1., White }, { { 0., 0.5, 0. }, 1., 1e-300, White },
+      { { 1e300, 0., 0. }, 1., 1., White }, Good });
+    CheckAgainstTruth(scene, "hardly any");
+  }
+  // One pixel's ray meets the centre of what is smaller than a millionth of the pixel.
+  scene.Renderer->GetActiveCamera()->SetPosition(0., 0.5, 4.5);
+  scene.Set({ { { 0., 0.5, 3. }, 1e-6, 1e6, White } });
+  const Layers layers = scene.Read({ "fog" });
+  RELIEVO_CHECK_NEAR(layers.Value("fog", 30, 22), std::exp(-2.), 1e-5, "through 1e-6");
+  RELIEVO_CHECK(layers.Value("fog", 31, 22) == 1.);
+}
+
+void TestPlaces()
+{
+  // Coordinates have steps of 2e-9 there.
+  FogScene far(60, 45, glm::dvec3(1e7, -1e7, 1e7));
+  GLCheck gl(far.Window);
+  far.Set({ Good, { { 1.6, 1.5, 0. }, 0.3, 1.5, { 1., 1., 0. } } });
+  CheckAgainstTruth(far, "at 1e7");
+
+  FogScene small(1, 3);
+  small.Set({ Good });
+  CheckAgainstTruth(small, "1 x 3 pixels");
+  RELIEVO_CHECK(small.Stage->GetNumberDrawn() == 1);
+
+  // Two viewports of a window: each has its own fog, in its own pixels.
+  FogScene one(60, 45);
+  one.Set({ Good });
+  FogScene both(120, 45);
+  both.Renderer->SetViewport(0.5, 0., 1., 1.);
+  both.Set({ Good });
+  vtkNew<vtkRenderer> other;
+  other->SetViewport(0., 0., 0.5, 1.);
+  other->SetBackground(0.2, 0.3, 0.4);
+  both.Window->AddRenderer(other);
+  const Layers alone = one.Read({ "fog" });
+  const Layers beside = both.Read({ "fog" });
+  RELIEVO_CHECK(beside.Width == 60 && LargestDifference(alone, beside, "fog") < 1e-6);
+  const auto left = Picture(one.Window);
+  const auto right = Picture(both.Window);
+  for (const int x : { 5, 30, 31, 40 })
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      RELIEVO_CHECK_NEAR(right->GetScalarComponentAsDouble(60 + x, 22, 0, i),
+        left->GetScalarComponentAsDouble(x, 22, 0, i), 1., "beside another viewport");
+    }
+  }
+}
+
+void TestToggles()
+{
+  FogScene scene(60, 45);
+  scene.Stage->EnabledOff();
+  const auto plain = Picture(scene.Window);
+  RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);
+  scene.Stage->EnabledOn();
+  scene.Set({ Good });
+  const auto fogged = Picture(scene.Window);
+  const vtkIdType held = scene.Frame->GetBytesHeld();
+  RELIEVO_CHECK(held > 60 * 45 * 16 && scene.Stage->GetBytesHeld() == 60 * 45 * 16 + 128);
+  const GLObjects objects = CountGLObjects(scene.Window);
+  for (int i = 0; i < 200; ++i)
+  {
+    scene.Stage->SetEnabled(i % 2 != 0);
+    scene.Stage->SetOverlap(i % 3 == 0); // of frames that are judged again below
+    scene.Window->Render();
+    RELIEVO_CHECK(i % 2 != 0 || scene.Frame->GetBytesHeld() == 0);
+  }
+  scene.Stage->SetOverlapToSum();
+  RELIEVO_CHECK(SamePicture(fogged, Picture(scene.Window), "after 200 times off and on"));
+  RELIEVO_CHECK(scene.Frame->GetBytesHeld() == held);
+  RELIEVO_CHECK_THAT(CountGLObjects(scene.Window).Bytes == objects.Bytes, "OpenGL's bytes grew");
+  scene.Window->SetSize(90, 70);
+  scene.Window->Render();
+  scene.Window->SetSize(60, 45);
+  RELIEVO_CHECK(SamePicture(fogged, Picture(scene.Window), "after resizing"));
+  scene.Stage->EnabledOff();
+  RELIEVO_CHECK(SamePicture(plain, Picture(scene.Window), "off"));
+  RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);
+}
+
+void TestRequests()
+{
+  FogScene scene(60, 45);
+  scene.Set({ { { 100., 0., 0. }, 1., 1., White } });
+  const Layers none = scene.Read({ "fog" });
+  RELIEVO_CHECK(none.Value("fog", 30, 22) == 1. && scene.Stage->GetNumberDrawn() == 0);
+  RELIEVO_CHECK(scene.Stage->GetDrawCalls() == 0);
+
+  // The layer shown as the picture: white is all.
+  scene.Set({ Good });
+  scene.Frame->SetDisplayLayer("fog");
+  const Layers layers = scene.Read({ "fog" });
+  const auto shown = Picture(scene.Window);
+  RELIEVO_CHECK_NEAR(shown->GetScalarComponentAsDouble(30, 22, 0, 1),
+    255. * layers.Value("fog", 30, 22), 1., "shown as grey");
+  scene.Frame->SetDisplayLayer(nullptr);
+
+  // Parameters by name; what is not one is refused in words.
+  RELIEVO_CHECK(scene.Stage->SetParameter("mode", "chord") && scene.Stage->GetMode() == 1);
+  RELIEVO_CHECK(scene.Stage->SetParameter("overlap", "dominant"));
+  RELIEVO_CHECK(!scene.Stage->TrySetParameter("mode", "linear").empty());
+
+  scene.Stage->RemoveAllFog();
+  scene.Frame->RequestLayer("fog");
+  scene.Window->Render();
+  vtkNew<vtkImageData> image;
+  ExpectMessage expect("the stage fog would write, but does not run: no fog is given");
+  RELIEVO_CHECK(!scene.Frame->ReadLayer("fog", image));
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  Session session;
+  TestData();
+  TestArrays();
+  TestEyes();
+  TestSizes();
+  TestPlaces();
+  TestToggles();
+  TestRequests();
+  return session.Result();
+}
