@@ -19,6 +19,7 @@
 #include "vtkRelievoPassesModule.h" // for the export macro
 
 class vtkRelievoDisplayStage;
+class vtkRelievoFogStage;
 class vtkRelievoGBufferPass;
 class vtkRelievoShadowPass;
 class vtkRelievoToneStage;
@@ -59,6 +60,9 @@ public:
 
   /** The stage that maps the linear colour's highlights to the display's range. Default off. */
   vtkRelievoToneStage* GetTone();
+
+  /** The stage that shows fog, once there is any: vtkRelievoFogStage::AddFog. */
+  vtkRelievoFogStage* GetFog();
 
   ///@{
   /**

@@ -3,6 +3,7 @@
 //
 // Short ways to the stages that every vtkRelievoPass has.
 #include "vtkRelievoDisplayStage.h"
+#include "vtkRelievoFogStage.h"
 #include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
@@ -46,6 +47,12 @@ vtkRelievoShadowPass* vtkRelievoPass::GetShadowPass()
 vtkRelievoToneStage* vtkRelievoPass::GetTone()
 {
   return Find<vtkRelievoToneStage>(this, "tone");
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoFogStage* vtkRelievoPass::GetFog()
+{
+  return Find<vtkRelievoFogStage>(this, "fog");
 }
 
 //------------------------------------------------------------------------------

@@ -23,6 +23,7 @@ lamp_evaluations   1 float     how many lamps were computed for the pixel       
 lamps_reaching     1 float     how many lamps reach the pixel's surface              0
 color              4 float     the picture in linear light, premultiplied            renderer's
 actor block cell   1 int       ids, from 0                                           -1
+fog                1 float     what fog lets through: 1 all, 0 nothing; see fog()    1
 shadow_N           1 float     visibility of light N: 1 lit, 0 dark                  1
 any array's name   the array's  point data interpolated, cell data per cell          NaN
 =================  ==========  ====================================================  ==========

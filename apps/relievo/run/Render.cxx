@@ -4,6 +4,7 @@
 
 #include "Display.h"
 #include "Failure.h"
+#include "Fog.h"
 #include "Lamps.h"
 #include "Messages.h"
 #include "Options.h"
@@ -161,6 +162,11 @@ void Render(const RenderOptions& options)
     CheckReadable(choice.File);
     inputs.push_back(choice.File);
   }
+  CheckFogFiles(options.Fogs);
+  for (const FogChoice& fog : options.Fogs)
+  {
+    inputs.push_back(fog.File);
+  }
   inputs.insert(inputs.end(), { options.NormalMap, options.HeightMap, options.Environment });
   inputs.erase(std::remove(inputs.begin(), inputs.end(), std::string()), inputs.end());
   Outputs outputs;
@@ -179,6 +185,7 @@ void Render(const RenderOptions& options)
   const Scene scene = BuildScene(options, progress);
   SetSurface(scene.Renderer, options, progress);
   const auto lamps = ReadLamps(options.Lamps, progress);
+  const auto fogs = ReadFogs(options.Fogs, progress);
   const std::vector<std::string> layers = LayersToCapture(options, scene);
   const int lights = CountLights(scene.Renderer);
   CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
@@ -189,7 +196,7 @@ void Render(const RenderOptions& options)
   // A plain picture is VTK's own: nothing of Relievo is attached that nobody asked for.
   vtkRelievoPass* pass = nullptr;
   if (!layers.empty() || !options.Report.empty() || options.ShadowMethod != Shadows::Off ||
-    !options.Stages.empty() || !options.Lamps.empty())
+    !options.Stages.empty() || !options.Lamps.empty() || !options.Fogs.empty())
   {
     pass = vtkRelievoPass::Attach(scene.Renderer);
   }
@@ -211,6 +218,7 @@ void Render(const RenderOptions& options)
       vtkRelievoLampsStage::SafeDownCast(pass->GetStage("lamps"))->AddLamps(each);
     }
     SetStages(pass, options.Stages);
+    AddFogs(pass, options.Fogs, fogs);
   }
   if (!options.Report.empty())
   {

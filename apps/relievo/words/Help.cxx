@@ -65,6 +65,11 @@ render draws the FILEs off screen and writes the outputs that you request.
   --skybox                shows the environment behind everything
   --up AXIS               the up axis, x, y or z, of --environment, the fitted camera and
                           --texture-coordinates (y)
+  --fog F[,radius=R][,density=D][,color=R/G/B][,mode=MODE]
+                          spheres of fog at the points of F; numbers, linear colours or names of
+                          point arrays (the arrays radius, density and color, else 1, 1 and white);
+                          MODE beer (e^-density length passes) or chord (what is held back grows
+                          in a line, to density at the diameter) (beer); may be repeated
   --stage NAME[:PARAMETER=VALUE,...]
                           runs a stage of the frame with these parameters; may be repeated;
                           `relievo stages` lists them
@@ -104,6 +109,7 @@ Examples
   relievo render buildings.obj --light sun:3,2,5 --light point:120,90,99 --shadows map \
     --png town.png --layers shadow_0,shadow_1 --exr town.exr
   relievo render bunny.off --environment forest.exr,90 --skybox --png bunny.png
+  relievo render buildings.obj --fog mist.vtp,density=0.01 --layers depth,fog --exr mist.exr
   relievo bench normals --out charts
 )";
 }

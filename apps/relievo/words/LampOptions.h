@@ -6,6 +6,8 @@
 #ifndef LampOptions_h
 #define LampOptions_h
 
+#include "PointValue.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -17,13 +19,6 @@ enum class Falloff
   Linear,
   InverseSquare,
   VTK
-};
-
-/// A number for all points, or the name of a point array.
-struct PointValue
-{
-  std::optional<double> Number;
-  std::string Array;
 };
 
 struct LampChoice

@@ -240,6 +240,11 @@ const OptionRow RenderRows[] = {
   { "--skybox", [](RenderOptions& options, const std::string&) { options.Skybox = true; }, false,
     true },
   { "--up", TakeUp, false },
+  { "--fog",
+    [](RenderOptions& options, const std::string& word) {
+      options.Fogs.push_back(ParseFog(word));
+    },
+    true },
   { "--stage",
     [](RenderOptions& options, const std::string& word) {
       options.Stages.push_back(ParseStage(word));
@@ -315,6 +320,7 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
     throw WordsError("--hdr: unclamped colour is written to OpenEXR: give --exr F as well");
   }
   CheckToneOptions(options);
+  CheckFogs(options.Fogs, options.Layers);
   CheckStages(options.Stages);
   if (!options.Lights.empty())
   {

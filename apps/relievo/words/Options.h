@@ -7,6 +7,7 @@
 #ifndef Options_h
 #define Options_h
 
+#include "FogOptions.h"
 #include "LampOptions.h"
 #include "Stages.h"
 
@@ -102,6 +103,7 @@ struct RenderOptions
   double Roughness = 0.2;                ///< of that mirror
   bool Skybox = false;
   int UpAxis = 1;                  ///< of the world: 0, 1, 2 for x, y, z
+  std::vector<FogChoice> Fogs;
   std::vector<StageChoice> Stages; ///< of the frame, as given
   bool HDR = false;                ///< the colour of the EXR unclamped
   std::vector<std::string> Layers; ///< each once; those of the EXR beside its colour

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FogOptions.h"
+
+#include "Failure.h"
+#include "Values.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cli
+{
+namespace
+{
+const char* const Form = "FILE[,radius=R][,density=D][,color=R/G/B][,mode=beer|chord]";
+}
+
+//------------------------------------------------------------------------------
+FogChoice ParseFog(const std::string& word)
+{
+  FogChoice fog;
+  std::vector<std::pair<std::string, std::string>> values;
+  fog.File = ParseFileAndValues("--fog", word, Form, values);
+  for (const auto& [name, value] : values)
+  {
+    const std::string option = "--fog " + name;
+    switch (ParseChoice(
+      "--fog " + name + "=" + value, name, { "radius", "density", "color", "mode" }))
+    {
+      case 0:
+        fog.Radius = ParsePointValue(option, value, 0.0);
+        break;
+      case 1:
+        fog.Density = ParsePointValue(option, value, 0.0);
+        break;
+      case 2:
+        if (value.find('/') == std::string::npos)
+        {
+          fog.ColorArray = value;
+        }
+        else
+        {
+          fog.Color = ParseThree(option, value);
+        }
+        break;
+      default:
+        ParseChoice(option, value, { "beer", "chord" });
+        fog.Mode = value;
+    }
+  }
+  return fog;
+}
+
+//------------------------------------------------------------------------------
+void CheckFogs(const std::vector<FogChoice>& fogs, const std::vector<std::string>& layers)
+{
+  std::string mode;
+  for (const FogChoice& fog : fogs)
+  {
+    if (!fog.Mode.empty() && !mode.empty() && fog.Mode != mode)
+    {
+      throw WordsError("--fog: got mode=beer and mode=chord, expected one mode for all fog");
+    }
+    mode = fog.Mode.empty() ? mode : fog.Mode;
+  }
+  if (fogs.empty() && std::find(layers.begin(), layers.end(), "fog") != layers.end())
+  {
+    throw WordsError("--layers: got 'fog', but there is no fog: give --fog FILE as well");
+  }
+}
+}

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The values of --fog.
+ */
+#ifndef FogOptions_h
+#define FogOptions_h
+
+#include "PointValue.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli
+{
+struct FogChoice
+{
+  std::string File;
+  PointValue Radius;
+  PointValue Density;
+  std::optional<std::array<double, 3>> Color; ///< for all points
+  std::string ColorArray;
+  std::string Mode; ///< beer or chord; empty: not said
+};
+
+/// FILE[,radius=R][,density=D][,color=R/G/B][,mode=beer|chord]. Throws WordsError.
+FogChoice ParseFog(const std::string& word);
+
+/// Throws WordsError if they do not go together, with each other and with the layers.
+void CheckFogs(const std::vector<FogChoice>& fogs, const std::vector<std::string>& layers);
+}
+
+#endif

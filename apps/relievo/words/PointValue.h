@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A value of points, as options of lamps and fog have it: one for all, or the name of an array.
+ */
+#ifndef PointValue_h
+#define PointValue_h
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cli
+{
+/// A number for all points, or the name of a point array.
+struct PointValue
+{
+  std::optional<double> Number;
+  std::string Array;
+};
+
+/// A number of `least` or more, or else a name. Throws WordsError.
+PointValue ParsePointValue(const std::string& option, const std::string& word, double least);
+
+/// Three numbers, A/B/C. Throws WordsError.
+std::array<double, 3> ParseThree(const std::string& option, const std::string& word);
+
+/// FILE[,NAME=VALUE]...: the file, and the names with their values, each once. Throws WordsError
+/// that shows the form.
+std::string ParseFileAndValues(const std::string& option, const std::string& word,
+  const std::string& form, std::vector<std::pair<std::string, std::string>>& values);
+}
+
+#endif
