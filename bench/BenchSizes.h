@@ -51,11 +51,22 @@ struct ToneSizes
   int Rounds = 31; // of timed frames; 0: none are timed
 };
 
+struct FogSizes
+{
+  int Rays = 200000; // for each distance
+  std::vector<double> Distances = { 2., 5., 10., 30., 100., 300., 1e3, 1e4, 1e5 }; // in radii
+  std::vector<std::string> Meshes = { "bunny", "motorBike", "buildings" };
+  int Width = 800;
+  int Height = 600;
+  int Rounds = 21;
+};
+
 /** The benches of the same names, smaller or larger; as RelievoBenchEnvironment and so on. */
 int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
 int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
 int BenchLights(const std::string& outDir, const LightSizes& sizes);
 int BenchTone(const std::string& outDir, const ToneSizes& sizes);
+int BenchFog(const std::string& outDir, const FogSizes& sizes);
 
 /** The part of BenchEnvironment that times frames; returns whether its file is written. */
 bool BenchEnvironmentFrames(const std::string& outDir, const EnvironmentSizes& sizes);

@@ -45,6 +45,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
       RelievoBenchEnvironment },
     { "tone", "error and hue of tone operators, bands with and without dithering, frames",
       RelievoBenchTone },
+    { "fog", "error of a fog sphere's chord against distance; what fog costs a frame",
+      RelievoBenchFog },
   };
   return entries;
 }

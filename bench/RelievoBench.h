@@ -68,6 +68,9 @@ int RelievoBenchLights(const std::string& outDir);
 /** Chart 7: errors of relief methods against looks and time, and full geometry. Minutes. */
 int RelievoBenchRelief(const std::string& outDir);
 
+/** Error of a fog sphere's chord against distance, and what fog costs a frame. A minute. */
+int RelievoBenchFog(const std::string& outDir);
+
 /** What a normal map costs a full-screen frame, against VTK's own textures. Half a minute. */
 int RelievoBenchNormalMaps(const std::string& outDir);
 

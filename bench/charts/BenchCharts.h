@@ -48,6 +48,7 @@ std::vector<NamedChart> LightsCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> ReliefCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> EnvironmentCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> ToneCharts(const std::vector<CsvRows>& files);
+std::vector<NamedChart> FogCharts(const std::vector<CsvRows>& files);
 }
 
 #endif

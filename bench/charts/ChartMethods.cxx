@@ -71,6 +71,11 @@ const std::vector<ChartMethod>& ChartMethods()
     { "none", "no dithering", C::Vermillion, M::Square, D::DashDotted },
     { "ordered", "ordered", C::Green, M::Diamond, D::Dashed },
     { "blue_noise", "blue noise", C::Blue, M::Circle, D::Solid },
+    // Fog
+    { "pairs of floats", "pairs of floats", C::Blue, M::Circle, D::Solid },
+    { "textbook, double", "textbook, double", C::Grey, M::Cross, D::Dashed },
+    { "textbook, float", "textbook, float", C::Grey, M::Up, D::Dotted },
+    { "perpendicular, float", "perpendicular, float", C::Grey, M::Down, D::Dashed },
   };
   return methods;
 }

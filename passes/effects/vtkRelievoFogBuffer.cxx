@@ -115,11 +115,11 @@ std::string vtkRelievoFogBuffer::Draw(
   format.Depth = dominant;
   std::string wrong = this->Target.Prepare(context, format);
   vtkRelievoResource* depth = context.Find("depth");
-  if (wrong.empty() && !depth)
+  const bool any = !this->Texels.empty();
+  if (wrong.empty() && any && !depth)
   {
     wrong = "the frame has made no 'depth'";
   }
-  const bool any = !this->Texels.empty();
   if (wrong.empty() && any)
   {
     wrong = this->Spheres.Upload(context.Window, this->Texels, 4);

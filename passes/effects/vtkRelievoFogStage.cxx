@@ -111,22 +111,14 @@ void vtkRelievoFogStage::Describe(vtkRelievoStageDescription& description)
 void vtkRelievoFogStage::Declare(
   const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
 {
-  int spheres = 0;
-  int leftOut = 0;
-  for (const auto& fog : this->Internal->Fogs)
+  const auto& fogs = this->Internal->Fogs;
+  if (std::none_of(
+        fogs.begin(), fogs.end(), [](const auto& fog) { return fog->GetNumberOfPoints() > 0; }))
   {
-    spheres += fog->GetNumberOfPoints();
-    leftOut += fog->GetNumberLeftOut();
-  }
-  if (spheres == 0)
-  {
-    declaration.Runs = false;
-    declaration.Code = "idle";
-    declaration.Words = this->Internal->Fogs.empty() ? "no fog is given to it (AddFog)"
-      : leftOut == 0                                 ? "the fog given to it has no points"
-                                                     : "none of the " + std::to_string(leftOut) +
-        " points given to it is a sphere of fog: place, radius and density must be finite, radius "
-        "and density above 0";
+    // Without fog the layer is still what it says: all passes.
+    declaration.Writes.clear();
+    declaration.Reads.clear();
+    declaration.Words = "there is no fog";
   }
 }
 

@@ -23,7 +23,7 @@ lamp_evaluations   1 float     how many lamps were computed for the pixel       
 lamps_reaching     1 float     how many lamps reach the pixel's surface              0
 color              4 float     the picture in linear light, premultiplied            renderer's
 actor block cell   1 int       ids, from 0                                           -1
-fog                1 float     what fog lets through: 1 all, 0 nothing; see fog()    1
+fog                1 float     what fog lets through: 1 all, 0 nothing               1
 shadow_N           1 float     visibility of light N: 1 lit, 0 dark                  1
 any array's name   the array's  point data interpolated, cell data per cell          NaN
 =================  ==========  ====================================================  ==========
@@ -58,6 +58,7 @@ from ._wrapped import *  # noqa: F401,F403
 
 from ._capture import capture
 from ._exr import read_exr, write_exr
+from ._fog import fog
 from ._frame import attach, detach, report, vtkRelievoPass
 from ._image import attributes, layer, layer_names
 from ._lamps import lamps
@@ -71,6 +72,7 @@ __all__ = [
     "capture",
     "depth_to_points",
     "detach",
+    "fog",
     "lamps",
     "layer",
     "layer_names",

@@ -2,12 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Lamps from data."""
 
-import numbers
-
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
-
 from ._errors import require
 from ._frame import attach
+from ._values import set_color, set_points, set_value, three
 from .vtkRelievoDeferred import vtkRelievoLamps
 
 _FALLOFFS = {
@@ -35,51 +32,16 @@ def lamps(renderer, points, radius=None, intensity=None, color=None, falloff="li
     """
     require(renderer, "vtkRenderer", "renderer")
     made = vtkRelievoLamps()
-    if isinstance(points, vtkAlgorithmOutput):
-        made.SetInputConnection(points)
-    elif isinstance(points, vtkAlgorithm) and points.GetNumberOfOutputPorts() > 0:
-        made.SetInputConnection(points.GetOutputPort())
-    else:
-        kinds = ("vtkDataSet", "vtkCompositeDataSet")
-        if not any(getattr(points, "IsA", lambda name: False)(kind) for kind in kinds):
-            raise ValueError(f"lamps: points: got {points!r}, expected a vtkDataSet, a composite "
-                             f"dataset, or an algorithm")
-        made.SetInputData(points)
-    _take(made, "radius", radius, made.SetRadius, 0)
-    _take(made, "intensity", intensity, made.SetIntensity)
-    if isinstance(color, str):
-        made.SetArray("color", color)
-    elif color is not None:
-        made.SetColor(*_three("color", color))
-        made.SetArray("color", "")
+    set_points(made, "lamps", points)
+    set_value(made, "lamps", "radius", radius, made.SetRadius, 0)
+    set_value(made, "lamps", "intensity", intensity, made.SetIntensity)
+    set_color(made, "lamps", color)
     if falloff not in _FALLOFFS:
         raise ValueError(f"lamps: falloff: got {falloff!r}, expected one of {', '.join(_FALLOFFS)}")
     made.SetFalloff(_FALLOFFS[falloff])
     if attenuation is not None:
         if falloff != "vtk":
             raise ValueError("lamps: attenuation: expected falloff='vtk' with it")
-        made.SetAttenuationValues(*_three("attenuation", attenuation))
+        made.SetAttenuationValues(*three("lamps", "attenuation", attenuation))
     attach(renderer).GetStage("lamps").AddLamps(made)
     return made
-
-
-def _take(made, name, value, set_for_all, least=None):
-    if isinstance(value, str):
-        made.SetArray(name, value)
-    elif value is not None:
-        if not isinstance(value, numbers.Real) or (least is not None and not value >= least):
-            expected = "a number" if least is None else f"a number of {least} or more"
-            raise ValueError(f"lamps: {name}: got {value!r}, expected {expected}, or the name of a "
-                             f"point array")
-        set_for_all(float(value))
-        made.SetArray(name, "")
-
-
-def _three(name, values):
-    try:
-        three = [float(each) for each in values]
-    except (TypeError, ValueError):
-        three = []
-    if len(three) != 3:
-        raise ValueError(f"lamps: {name}: got {values!r}, expected three numbers")
-    return three

@@ -66,6 +66,9 @@ class Fog(CliTest):
                               "--stage", "fog:overlap=dominant")  # fmt: skip
         self.check(largest, math.exp(-0.4), math.exp(-0.8))
 
+    def test_without_fog_all_passes(self):
+        self.check(self.passes(), 1, 1)
+
     def test_picture(self):
         """Over black: the colour of the fog times what it holds back, as sRGB."""
         for words, color in (([], (1, 0.5, 0)), ([",color=0.2/1/0.4"], (0.2, 1, 0.4))):
@@ -105,8 +108,6 @@ class Fog(CliTest):
         self.refused("render", "triangle.off", "--png", "a.png", "--fog", "fog.vtp,mode=beer",
                      "--fog", "bare.vtp,mode=chord", status=2,
                      says=["--fog", "one mode"])  # fmt: skip
-        self.refused("render", "triangle.off", "--exr", "a.exr", "--layers", "fog", status=2,
-                     says=["--layers", "'fog'", "--fog FILE"])  # fmt: skip
 
     def test_refused_files(self):
         self.refused("render", "triangle.off", "--png", "a.png", "--fog", "none.vtp", status=1,

@@ -40,7 +40,8 @@ class Catalogue(unittest.TestCase):
         self.assertEqual(
             set(LAYERS),
             {"depth", "range", "normal", "geometric_normal", "position", "albedo", "actor", "block",
-             "cell", "light", "lamp_evaluations", "lamps_reaching", "color", "shadow_N"},
+             "cell", "light", "lamp_evaluations", "lamps_reaching", "fog", "color",
+             "shadow_N"},
         )  # fmt: skip
         for name, layer in LAYERS.items():
             self.assertTrue(layer["help"], name)
@@ -65,6 +66,9 @@ class Catalogue(unittest.TestCase):
         corners.SetResolution(1, 1)
         corners.Push(1.0)
         relievo.lamps(renderer, corners, radius=2)
+        middle = vtkPlaneSource()
+        middle.SetOrigin(0, 0, 0)
+        relievo.fog(renderer, middle, radius=0.6)
         names = [name.replace("shadow_N", "shadow_0") for name in LAYERS]
         image = relievo.capture(renderer, names, size=(61, 47))
         for name, layer in zip(names, LAYERS.values()):

@@ -5,7 +5,6 @@
 #include "Failure.h"
 #include "Values.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace cli
@@ -52,7 +51,7 @@ FogChoice ParseFog(const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-void CheckFogs(const std::vector<FogChoice>& fogs, const std::vector<std::string>& layers)
+void CheckFogs(const std::vector<FogChoice>& fogs)
 {
   std::string mode;
   for (const FogChoice& fog : fogs)
@@ -62,10 +61,6 @@ void CheckFogs(const std::vector<FogChoice>& fogs, const std::vector<std::string
       throw WordsError("--fog: got mode=beer and mode=chord, expected one mode for all fog");
     }
     mode = fog.Mode.empty() ? mode : fog.Mode;
-  }
-  if (fogs.empty() && std::find(layers.begin(), layers.end(), "fog") != layers.end())
-  {
-    throw WordsError("--layers: got 'fog', but there is no fog: give --fog FILE as well");
   }
 }
 }

@@ -28,8 +28,8 @@ struct FogChoice
 /// FILE[,radius=R][,density=D][,color=R/G/B][,mode=beer|chord]. Throws WordsError.
 FogChoice ParseFog(const std::string& word);
 
-/// Throws WordsError if they do not go together, with each other and with the layers.
-void CheckFogs(const std::vector<FogChoice>& fogs, const std::vector<std::string>& layers);
+/// Throws WordsError if they do not go together.
+void CheckFogs(const std::vector<FogChoice>& fogs);
 }
 
 #endif

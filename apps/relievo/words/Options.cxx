@@ -320,7 +320,7 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
     throw WordsError("--hdr: unclamped colour is written to OpenEXR: give --exr F as well");
   }
   CheckToneOptions(options);
-  CheckFogs(options.Fogs, options.Layers);
+  CheckFogs(options.Fogs);
   CheckStages(options.Stages);
   if (!options.Lights.empty())
   {

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Runs the bench of fog with small sizes, and checks its CSV: all rows, errors as the formulas must
+// have them, and its charts.
+#include "BenchSizes.h"
+#include "Check.h"
+#include "CsvFile.h"
+#include "Session.h"
+#include "TextTools.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace
+{
+using relievoTest::Row;
+using relievoTest::Value;
+
+void CheckFog(const std::string& folder)
+{
+  relievoBench::FogSizes sizes;
+  sizes.Rays = 3000;
+  sizes.Distances = { 10., 1e3, 1e5 };
+  sizes.Meshes = { "buildings" };
+  sizes.Width = 120;
+  sizes.Height = 90;
+  sizes.Rounds = 3;
+  RELIEVO_CHECK(relievoBench::BenchFog(folder, sizes) == 0);
+  const std::vector<Row> rows = relievoTest::ReadCsv(folder + "/fog.csv");
+  RELIEVO_CHECK(rows.size() == 12);
+  std::map<std::string, std::map<double, Row>> all;
+  for (const Row& row : rows)
+  {
+    all[row.at("method")][Value(row, "distance / radius")] = row;
+    RELIEVO_CHECK(Value(row, "error in radii median") <= Value(row, "p99") &&
+      Value(row, "p99") <= Value(row, "max"));
+  }
+  for (const double distance : sizes.Distances)
+  {
+    RELIEVO_CHECK_AT_MOST(Value(all["pairs of floats"][distance], "max"), 1e-5,
+      "pairs of floats, " + std::to_string(distance) + " radii");
+  }
+  // Squares of the distance lose what is left of a radius, the distance itself later.
+  RELIEVO_CHECK(Value(all["textbook, float"][1e3], "max") > 0.5);
+  RELIEVO_CHECK(Value(all["textbook, float"][1e5], "error in radii median") > 0.5);
+  RELIEVO_CHECK(Value(all["perpendicular, float"][1e3], "max") > 1e-4);
+  RELIEVO_CHECK(Value(all["perpendicular, float"][1e3], "max") <
+    0.5 * Value(all["textbook, float"][1e3], "max"));
+  const std::vector<Row> frames = relievoTest::ReadCsv(folder + "/fog-frames.csv");
+  RELIEVO_CHECK(frames.size() == 8 && Value(frames.front(), "times a plain frame") == 1.);
+  for (const Row& row : frames)
+  {
+    RELIEVO_CHECK_THAT(
+      Value(row, "milliseconds") > 0. && std::isfinite(Value(row, "milliseconds")),
+      row.at("frame"));
+    // Plain, or without fog, nothing is held.
+    RELIEVO_CHECK((Value(row, "spheres") == 0.) == (Value(row, "bytes per pixel") == 0.));
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  relievoTest::TextTools text;
+  relievoTest::Session session;
+  const std::string folder = relievoTest::OutputFolder() + "/fog";
+  vtksys::SystemTools::RemoveADirectory(folder);
+  CheckFog(folder);
+  for (const char* chart : { "fog-error", "fog-frames" })
+  {
+    for (const char* kind : { ".png", ".svg" })
+    {
+      const std::string path = folder + "/" + chart + kind;
+      RELIEVO_CHECK_THAT(vtksys::SystemTools::FileLength(path) > 1000, path);
+    }
+  }
+  text.Release();
+  return session.Result();
+}

@@ -1,0 +1,107 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""relievo.fog: what it takes, what passes, and what it refuses."""
+
+import unittest
+
+import numpy
+import relievo
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkPointSource
+
+from scenes import plane_and_sphere, rays, window_of
+
+
+def points_at(places, **arrays):
+    data = vtkPolyData()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(numpy.array(places, float), deep=True))
+    data.SetPoints(points)
+    for name, values in arrays.items():
+        array = numpy_to_vtk(numpy.array(values, float), deep=True)
+        array.SetName(name)
+        data.GetPointData().AddArray(array)
+    return data
+
+
+class Fog(unittest.TestCase):
+    def setUp(self):
+        self.renderer = plane_and_sphere()
+        self.window = window_of(self.renderer, 90, 60)
+
+    def passes(self):
+        return relievo.layer(relievo.capture(self.renderer, ["fog"]), "fog")
+
+    def expected(self, spheres):
+        """What passes spheres (place, radius, density), by rays that end at the captured depth."""
+        relievo.attach(self.renderer).GetGBuffer().RefineDepthOff()
+        depth = relievo.layer(relievo.capture(self.renderer, ["depth"]), "depth").astype(float)
+        origin, direction = rays(self.renderer.GetActiveCamera(), 90, 60)
+        length = numpy.linalg.norm(direction, axis=-1)
+        total = numpy.zeros(depth.shape)
+        for place, radius, density in spheres:
+            to = numpy.array(place) - origin
+            middle = (to * direction).sum(axis=-1) / length
+            under = radius**2 - (to * to).sum(axis=-1) + middle**2
+            half = numpy.sqrt(numpy.maximum(under, 0))
+            chord = numpy.minimum(middle + half, depth * length) - numpy.maximum(middle - half, 0)
+            total += density * numpy.where(under > 0, numpy.maximum(chord, 0), 0)
+        return numpy.exp(-total)
+
+    def test_values(self):
+        """Arrays by their own names and others, numbers for all, a port that is followed."""
+        places = [(0, 0, 2), (3, 1, 0)]
+        fog = relievo.fog(
+            self.renderer, points_at(places, radius=[1.5, 3], thickness=[0.4, 0.2]),
+            density="thickness", color=(1, 0.5, 0.25))
+        expected = self.expected([(places[0], 1.5, 0.4), (places[1], 3, 0.2)])
+        self.assertLess(expected.min(), 0.5)
+        numpy.testing.assert_allclose(self.passes(), expected, rtol=0, atol=5e-6)
+        relievo.attach(self.renderer).GetFog().RemoveFog(fog)
+        self.assertTrue((self.passes() == 1).all())
+
+        source = vtkPointSource()
+        source.SetNumberOfPoints(1)
+        source.SetRadius(0)
+        source.SetCenter(*places[0])
+        relievo.fog(self.renderer, source, radius=1, density=0.7)
+        numpy.testing.assert_allclose(
+            self.passes(), self.expected([(places[0], 1, 0.7)]), rtol=0, atol=5e-6)
+        source.SetCenter(*places[1])
+        numpy.testing.assert_allclose(
+            self.passes(), self.expected([(places[1], 1, 0.7)]), rtol=0, atol=5e-6)
+
+    def test_modes(self):
+        data = points_at([(0, 0, 4), (0, 0, 4)], radius=[1, 0.8])
+        relievo.fog(self.renderer, data, density=0.5, mode="chord")
+        both = self.passes().min()
+        self.assertAlmostEqual(both, 0.25, delta=0.01)
+        relievo.fog(self.renderer, points_at([]), overlap="dominant")
+        self.assertAlmostEqual(self.passes().min(), 0.5, delta=0.01)
+        stage = relievo.attach(self.renderer).GetFog()
+        self.assertEqual((stage.GetParameter("mode"), stage.GetParameter("overlap")),
+                         ("chord", "dominant"))  # fmt: skip
+
+    def test_refusals(self):
+        """Wrong arguments are named, and change nothing."""
+        data = points_at([(0, 0, 4)])
+        for wrong, says in (
+            ({"points": 5}, "points"),
+            ({"radius": -1}, "radius.*0 or more"),
+            ({"radius": (1, 2)}, "radius"),
+            ({"density": float("nan")}, "density.*0 or more"),
+            ({"color": (1, 2)}, "color.*three numbers"),
+            ({"mode": "linear"}, "mode.*beer, chord"),
+            ({"mode": "beer", "overlap": 3}, "overlap.*sum, dominant"),
+        ):
+            with self.assertRaisesRegex(ValueError, f"fog: {says}"):
+                relievo.fog(self.renderer, **{"points": data, **wrong})
+        self.assertIsNone(self.renderer.GetPass())
+        with self.assertRaises(ValueError):
+            relievo.fog(None, data)
+
+
+if __name__ == "__main__":
+    unittest.main()
