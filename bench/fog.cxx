@@ -69,7 +69,8 @@ double Perpendicular(const glm::dvec3& center, const glm::dvec3& ray)
 const char* const Methods[] = { "textbook, float", "perpendicular, float", "textbook, double",
   "pairs of floats" };
 
-// A sphere of radius 1 that fills the height, seen from this distance.
+// A sphere of radius 1 that fills the height, seen from this distance, away from the middle of a
+// wide picture: along an axis its coordinates would be rounded less than they are elsewhere.
 void MeasureChords(double distance, int rays, Table& table)
 {
   vtkRelievoView view;
@@ -77,9 +78,12 @@ void MeasureChords(double distance, int rays, Table& table)
   view.Viewport[3] = Height;
   view.Near = 0.01;
   view.Far = 10. * distance;
-  const double top = 1.05 * view.Near / std::sqrt(distance * distance - 1.);
+  const glm::dvec2 aside(0.5, 0.3);
+  const double depth = distance / std::sqrt(1. + glm::dot(aside, aside));
+  const double top = 1.1 * view.Near / std::sqrt(depth * depth - 1.);
   const double right = top * Width / Height;
-  view.ViewToNDC = glm::frustum(-right, right, -top, top, view.Near, view.Far);
+  view.ViewToNDC = glm::frustum(aside.x * view.Near - right, aside.x * view.Near + right,
+    aside.y * view.Near - top, aside.y * view.Near + top, view.Near, view.Far);
   const vtkRelievoFogRays fog(view);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0., 1.);
@@ -88,7 +92,7 @@ void MeasureChords(double distance, int rays, Table& table)
   {
     // Its place changes by pixels from ray to ray, so that rays meet it anywhere.
     const glm::dvec3 center(PointAt(
-      view, 0.5 * Width + 4. * uniform(random), 0.5 * Height + 4. * uniform(random), distance));
+      view, 0.5 * Width + 4. * uniform(random), 0.5 * Height + 4. * uniform(random), depth));
     const double x = std::floor(Width * uniform(random)) + 0.5;
     const double y = std::floor(Height * uniform(random)) + 0.5;
     vtkRelievoFogRays::Sphere sphere;

@@ -8,7 +8,7 @@ import re
 import unittest
 
 import numpy
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkPointSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 import relievo
@@ -66,8 +66,9 @@ class Catalogue(unittest.TestCase):
         corners.SetResolution(1, 1)
         corners.Push(1.0)
         relievo.lamps(renderer, corners, radius=2)
-        middle = vtkPlaneSource()
-        middle.SetOrigin(0, 0, 0)
+        middle = vtkPointSource()
+        middle.SetNumberOfPoints(1)
+        middle.SetRadius(0)
         relievo.fog(renderer, middle, radius=0.6)
         names = [name.replace("shadow_N", "shadow_0") for name in LAYERS]
         image = relievo.capture(renderer, names, size=(61, 47))
