@@ -41,8 +41,7 @@ void vtkRelievoFogBuffer::Clear()
 
 //------------------------------------------------------------------------------
 // As shaders/fog/sphereVS.glsl reads them.
-void vtkRelievoFogBuffer::Add(
-  const vtkRelievoFogRays& rays, vtkRelievoFogSpheres* fog, bool linear)
+void vtkRelievoFogBuffer::Add(const vtkRelievoFogRays& rays, vtkRelievoFogSpheres* fog, bool linear)
 {
   const int count = fog->GetNumberOfPoints();
   const int width = fog->GetRowWidth();
@@ -66,8 +65,8 @@ void vtkRelievoFogBuffer::Add(
       b.x, b.y, b.z, 1. / radius,                                                       //
       Lacks(b.x), Lacks(b.y), Lacks(b.z), std::min(density, 1e30),                      //
       sphere.Offset.x, sphere.Offset.y, sphere.Pixel.x, sphere.Pixel.y,                 //
-      sphere.Offsets[0].x, sphere.Offsets[0].y, sphere.Offsets[1].x, sphere.Offsets[1].y,
-      row[5], row[6], row[7], 0. };
+      sphere.Offsets[0].x, sphere.Offsets[0].y, sphere.Offsets[1].x, sphere.Offsets[1].y, row[5],
+      row[6], row[7], 0. };
     this->Texels.insert(this->Texels.end(), texels, texels + 32);
     if (first)
     {

@@ -49,7 +49,7 @@ private:
   std::vector<float> Texels;
   int Part[4] = { 0, 0, 0, 0 };
   vtkRelievoTextureBuffer Spheres;
-  std::string Key; // what the program was compiled for
+  std::string Key;                     // what the program was compiled for
   vtkShaderProgram* Program = nullptr; // null: it did not compile
   unsigned int Arrays = 0;
 };

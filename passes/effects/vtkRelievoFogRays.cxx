@@ -12,9 +12,9 @@
 
 namespace
 {
-constexpr double Largest = 1e30;          // that is safe in sums of floats
-constexpr double PixelTolerance = 1e-3;   // added to rectangles all around
-constexpr double ClosestOfNear = 1e-9;    // bounds are of what is farther than this share of near
+constexpr double Largest = 1e30;        // that is safe in sums of floats
+constexpr double PixelTolerance = 1e-3; // added to rectangles all around
+constexpr double ClosestOfNear = 1e-9;  // bounds are of what is farther than this share of near
 
 // The cross product of (x, y, 0) and (direction, -1).
 glm::dvec3 Cross(const glm::dvec2& offset, const glm::dvec2& direction)
@@ -45,7 +45,7 @@ vtkRelievoFogRays::vtkRelievoFogRays(const vtkRelievoView& view)
   const glm::dmat2 toPlane = glm::inverse(glm::dmat2(p[0][0], p[0][1], p[1][0], p[1][1]));
   const glm::dvec2 byZ(p[2][0], p[2][1]);
   const glm::dvec2 constant(p[3][0], p[3][1]);
-  const glm::dvec2 corner(-1.0);                                        // NDC of pixel (0, 0)
+  const glm::dvec2 corner(-1.0);                                          // NDC of pixel (0, 0)
   const glm::dmat2 ndc(2.0 / this->Size.x, 0.0, 0.0, 2.0 / this->Size.y); // its change
   if (p[2][3] != 0.0)
   {

@@ -33,13 +33,13 @@ public:
   // left corner, so that centres are at halves.
   struct Sphere
   {
-    int Rectangle[4];    // the pixels that it may be seen in: x0, y0, and x1, y1 after the last
-    glm::dvec2 Pixel;    // the centre of a pixel in the middle of them, where the others are of
-    glm::dvec3 Linear;   // of the polynomial: 1, x, y
-    glm::dvec3 Square;   // x^2, x y, y^2
-    glm::dvec2 Offset;   // from the centre to the ray at the centre's depth, in radii
-    glm::dmat2 Offsets;  // its change by pixels in x and y
-    double MiddleDepth;  // of the centre, from where rays begin
+    int Rectangle[4];   // the pixels that it may be seen in: x0, y0, and x1, y1 after the last
+    glm::dvec2 Pixel;   // the centre of a pixel in the middle of them, where the others are of
+    glm::dvec3 Linear;  // of the polynomial: 1, x, y
+    glm::dvec3 Square;  // x^2, x y, y^2
+    glm::dvec2 Offset;  // from the centre to the ray at the centre's depth, in radii
+    glm::dmat2 Offsets; // its change by pixels in x and y
+    double MiddleDepth; // of the centre, from where rays begin
   };
 
   // False if the sphere covers the centre of no pixel.

@@ -33,6 +33,24 @@ public:
   std::string Said; // what was wrong in the last frame: said once
 };
 
+namespace
+{
+bool Sees(const vtkRelievoFogRays& rays, vtkRelievoFogSpheres* fog)
+{
+  const int count = fog->GetNumberOfPoints();
+  const double* row = fog->GetRows().data();
+  vtkRelievoFogRays::Sphere sphere;
+  for (int i = 0; i < count; ++i, row += fog->GetRowWidth())
+  {
+    if (rays.Find({ row[0], row[1], row[2] }, row[3], sphere))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
 //------------------------------------------------------------------------------
 vtkRelievoFogStage::vtkRelievoFogStage()
   : Internal(new Internals)
@@ -109,16 +127,17 @@ void vtkRelievoFogStage::Describe(vtkRelievoStageDescription& description)
 
 //------------------------------------------------------------------------------
 void vtkRelievoFogStage::Declare(
-  const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
+  const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
+  const vtkRelievoFogRays rays(context.View);
   const auto& fogs = this->Internal->Fogs;
-  if (std::none_of(
-        fogs.begin(), fogs.end(), [](const auto& fog) { return fog->GetNumberOfPoints() > 0; }))
+  if (rays.IsUsual() &&
+    std::none_of(fogs.begin(), fogs.end(), [&rays](const auto& fog) { return Sees(rays, fog); }))
   {
-    // Without fog the layer is still what it says: all passes.
+    // Without fog in view the layer is still what it says: all passes.
     declaration.Writes.clear();
     declaration.Reads.clear();
-    declaration.Words = "there is no fog";
+    declaration.Words = "no fog is in view";
   }
 }
 
@@ -160,8 +179,7 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
       vtkOpenGLState* state = context.Window->GetState();
       const vtkRelievoKeptState kept(state);
       state->vtkglEnable(GL_BLEND);
-      state->vtkglBlendFuncSeparate(
-        GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
       this->DrawCalls += context.DrawColor(in.Quad, false, in.Buffer.GetPart()) ? 1 : 0;
     }
     else

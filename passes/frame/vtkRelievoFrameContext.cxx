@@ -73,8 +73,7 @@ vtkRelievoResource* vtkRelievoFrameContext::FindLayer(const std::string& name) c
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoFrameContext::DrawColor(
-  vtkRelievoScreenQuad& quad, bool replaces, const int* part)
+bool vtkRelievoFrameContext::DrawColor(vtkRelievoScreenQuad& quad, bool replaces, const int* part)
 {
   return this->Color && this->Color->Draw(*this, quad, replaces, part);
 }

@@ -33,7 +33,8 @@ def fog(renderer, points, radius=None, density=None, color=None, mode=None, over
     set_value(made, "fog", "density", density, made.SetDensity, 0)
     set_color(made, "fog", color)
     choices = {"mode": ("beer", "chord"), "overlap": ("sum", "dominant")}
-    given = {name: word for name, word in (("mode", mode), ("overlap", overlap)) if word is not None}
+    asked = {"mode": mode, "overlap": overlap}
+    given = {name: word for name, word in asked.items() if word is not None}
     for name, word in given.items():
         if word not in choices[name]:
             expected = ", ".join(choices[name])

@@ -83,12 +83,13 @@ float relievoFogChord(
     return float(0.0);
   }
   float halfChord = sqrt(discriminant) / square;
-  float inside = min(min(halfChord + halfChord, end), min(toMiddle + halfChord, fromMiddle + halfChord));
+  float inside = min(
+    min(halfChord + halfChord, end), min(toMiddle + halfChord, fromMiddle + halfChord));
   return max(inside, float(0.0)) * sqrt(square);
 }
 
-// The same at a pixel, from what is known of the sphere (vtkRelievoFogRays): the polynomial and what
-// it lacks; last in linear and linearLacks the depth of the centre, last in square 1 / radius;
+// The same at a pixel, from what is known of the sphere (vtkRelievoFogRays): the polynomial and
+// what it lacks; last in linear and linearLacks the depth of the centre, last in square 1 / radius;
 // origin and offsets: from the centre to the ray at the centre's depth, in radii, and its change by
 // pixels in x and y. `direction` is of the ray: x and y per unit of depth.
 float relievoFogChordAt(vec2 pixel, vec4 linear, vec4 linearLacks, vec4 square, vec4 squareLacks,

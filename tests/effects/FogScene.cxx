@@ -155,8 +155,8 @@ FogErrors FogScene::Compare()
       for (std::size_t i = 0; i < this->Spheres.size(); ++i)
       {
         const FogSphere& sphere = this->Spheres[i];
-        const auto chord = static_cast<double>(
-          ChordTruth(view, x + 0.5, y + 0.5, centers[i], sphere.Radius, end));
+        const auto chord =
+          static_cast<double>(ChordTruth(view, x + 0.5, y + 0.5, centers[i], sphere.Radius, end));
         const double depth = linear
           ? -std::log1p(-std::min(1. - 1e-7, sphere.Density * chord / (2. * sphere.Radius)))
           : sphere.Density * chord;
@@ -178,13 +178,11 @@ FogErrors FogScene::Compare()
       errors.Sky += passes < 0.99 && std::isinf(end) ? 1 : 0;
       for (int i = 0; i < 3; ++i)
       {
-        const double before = LinearFromSrgb(
-          plain->GetScalarComponentAsDouble(x, y, 0, i) / 255.);
-        const double after =
-          before * passes + (sum > 0. ? color[i] / sum * (1. - passes) : 0.);
+        const double before = LinearFromSrgb(plain->GetScalarComponentAsDouble(x, y, 0, i) / 255.);
+        const double after = before * passes + (sum > 0. ? color[i] / sum * (1. - passes) : 0.);
         // One level of the plain picture is more of the fogged one where fog lies over the dark.
-        const double difference = std::abs(fogged->GetScalarComponentAsDouble(x, y, 0, i) -
-          255. * SrgbFromLinear(after));
+        const double difference =
+          std::abs(fogged->GetScalarComponentAsDouble(x, y, 0, i) - 255. * SrgbFromLinear(after));
         errors.Picture = std::max(errors.Picture, difference);
       }
     }

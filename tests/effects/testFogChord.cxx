@@ -46,10 +46,9 @@ vtkRelievoView MakeView(bool parallel, double half, const glm::dvec2& center, do
   const double right = (center.x + 1.) * across;
   const double bottom = (center.y - 1.) * half;
   const double top = (center.y + 1.) * half;
-  view.ViewToNDC = parallel
-    ? glm::ortho(left, right, bottom, top, view.Near, view.Far)
-    : glm::frustum(left * view.Near, right * view.Near, bottom * view.Near, top * view.Near,
-        view.Near, view.Far);
+  view.ViewToNDC = parallel ? glm::ortho(left, right, bottom, top, view.Near, view.Far)
+                            : glm::frustum(left * view.Near, right * view.Near, bottom * view.Near,
+                                top * view.Near, view.Near, view.Far);
   if (shear != 0.)
   {
     // As vtkCamera::SetViewShear: x and y move with the distance from a plane.
@@ -166,12 +165,11 @@ double LargestOutlineError(double distance, bool pairs)
       const double y = row(random) + 0.5;
       const double share = std::pow(10., -3. - i % 9);
       const glm::dvec3 at(PointAt(one.View, x, y, depth));
-      const glm::dvec3 ray =
-        glm::normalize(glm::dvec3(PointAt(one.View, x, y, depth + 1.L)) - at);
+      const glm::dvec3 ray = glm::normalize(glm::dvec3(PointAt(one.View, x, y, depth + 1.L)) - at);
       const glm::dvec3 side = glm::normalize(glm::cross(ray, glm::dvec3(0., 1., 0.)));
       const double angle = turn(random);
-      const glm::dvec3 center = at +
-        (1. - share) * (std::cos(angle) * side + std::sin(angle) * glm::cross(side, ray));
+      const glm::dvec3 center =
+        at + (1. - share) * (std::cos(angle) * side + std::sin(angle) * glm::cross(side, ray));
       vtkRelievoFogRays::Sphere sphere;
       if (!rays.Find(center, 1., sphere))
       {
@@ -179,8 +177,7 @@ double LargestOutlineError(double distance, bool pairs)
       }
       ++found;
       const double truth = static_cast<double>(ChordTruth(one.View, x, y, center, 1., Infinity));
-      const float chord =
-        FogChord(rays, sphere, 1., x, y, static_cast<float>(Infinity), pairs);
+      const float chord = FogChord(rays, sphere, 1., x, y, static_cast<float>(Infinity), pairs);
       largest = std::max(largest, std::abs(chord - truth));
     }
   }
@@ -213,8 +210,7 @@ void TestQuadrature()
       for (const double end : { Infinity, -one.Center.z + 0.5 })
       {
         const double at[2] = { x(random), y(random) };
-        const long double closed =
-          ChordTruth(one.View, at[0], at[1], one.Center, one.Radius, end);
+        const long double closed = ChordTruth(one.View, at[0], at[1], one.Center, one.Radius, end);
         const long double added =
           ChordByQuadrature(one.View, at[0], at[1], one.Center, one.Radius, end, Steps);
         RELIEVO_CHECK_THAT(std::abs(closed - added) < 3e-5L * one.Radius,
@@ -265,8 +261,9 @@ void TestOpticalDepths()
   RELIEVO_CHECK(std::exp(-f32::relievoFogLinear(2.f, 3.f)) < 2e-7);
   for (const double depth : { 1e-9, 1e-4, 0.00999, 0.01001, 0.3, 5., 1e6 })
   {
-    RELIEVO_CHECK_NEAR(f32::relievoFogShare(static_cast<float>(depth)) * depth / -std::expm1(-depth),
-      1., 2e-5, "share at " + std::to_string(depth));
+    RELIEVO_CHECK_NEAR(
+      f32::relievoFogShare(static_cast<float>(depth)) * depth / -std::expm1(-depth), 1., 2e-5,
+      "share at " + std::to_string(depth));
   }
 }
 }

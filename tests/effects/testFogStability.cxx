@@ -126,8 +126,8 @@ void TestArrays()
     ExpectMessage expect(std::string("'") + each.Array + "'");
     scene.Window->Render();
     scene.Window->Render();
-    RELIEVO_CHECK_THAT(expect.Count() == 1 &&
-        expect.Messages()[0].find(each.Says) != std::string::npos,
+    RELIEVO_CHECK_THAT(
+      expect.Count() == 1 && expect.Messages()[0].find(each.Says) != std::string::npos,
       std::string(each.Array) + ": " + (expect.Count() ? expect.Messages()[0] : "said nothing"));
     scene.Fog->SetArray(each.Value, each.Value);
   }
@@ -144,7 +144,8 @@ void TestEyes()
 {
   FogScene scene(61, 45);
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
-  const glm::dvec3 eye(camera->GetPosition()[0], camera->GetPosition()[1], camera->GetPosition()[2]);
+  const glm::dvec3 eye(
+    camera->GetPosition()[0], camera->GetPosition()[1], camera->GetPosition()[2]);
   GLCheck gl(scene.Window);
   scene.Set({ { eye, 0.3, 1.5, White } }); // all before the near plane
   CheckAgainstTruth(scene, "eye at the centre, near plane outside");

@@ -29,8 +29,8 @@ std::vector<FogSphere> SomeSpheres()
   return { { { 0., 0.5, 0.4 }, 0.6, 0.8, { 1., 1., 1. } },
     { { 0.9, 0.2, -1. }, 0.7, 0.5, { 0.2, 0.5, 1. } },
     { { -1.2, 1.2, -1.6 }, 0.8, 2., { 1., 0.1, 0.1 } },
-    { { 0., 0.5, 4.2 }, 1., 0.1, { 0.3, 0.9, 0.2 } },
-    { { 0., 0.5, 9. }, 2., 5., { 1., 0., 1. } }, { { 1.6, 1.5, 0. }, 0.3, 1.5, { 1., 1., 0. } } };
+    { { 0., 0.5, 4.2 }, 1., 0.1, { 0.3, 0.9, 0.2 } }, { { 0., 0.5, 9. }, 2., 5., { 1., 0., 1. } },
+    { { 1.6, 1.5, 0. }, 0.3, 1.5, { 1., 1., 0. } } };
 }
 
 struct Look
@@ -75,8 +75,7 @@ void TestLayer()
         GLCheck gl(scene.Window);
         scene.Set(SomeSpheres());
         scene.Stage->SetMode(chord ? vtkRelievoFogStage::CHORD : vtkRelievoFogStage::BEER);
-        scene.Stage->SetOverlap(
-          dominant ? vtkRelievoFogStage::DOMINANT : vtkRelievoFogStage::SUM);
+        scene.Stage->SetOverlap(dominant ? vtkRelievoFogStage::DOMINANT : vtkRelievoFogStage::SUM);
         const FogErrors errors = scene.Compare();
         const std::string name = std::string(look.Name) + (chord ? ", chord" : ", beer") +
           (dominant ? ", dominant" : ", sum");

@@ -42,8 +42,8 @@ std::string ReadTestShader(const std::string& name)
 std::string FragmentShader()
 {
   std::string shader = ReadTestShader("casesFS.glsl");
-  vtkShaderProgram::Substitute(
-    shader, "//RELIEVO::Extensions", vtkRelievoShaderLibrary::Get("extensions.glsl") + vtkRelievoShaderLibrary::Get("exact.glsl"));
+  vtkShaderProgram::Substitute(shader, "//RELIEVO::Extensions",
+    vtkRelievoShaderLibrary::Get("extensions.glsl") + vtkRelievoShaderLibrary::Get("exact.glsl"));
   // normal_depth.glsl takes in the files below it.
   vtkShaderProgram::Substitute(shader, "//RELIEVO::Formulas",
     vtkRelievoShaderLibrary::Get("formulas/normal_depth.glsl") +

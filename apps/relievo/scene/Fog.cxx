@@ -87,8 +87,8 @@ std::vector<vtkSmartPointer<vtkRelievoFogSpheres>> ReadFogs(
     const int leftOut = fog->GetNumberLeftOut();
     Messages::Check(choice.File, spheres == 0,
       leftOut == 0 ? "holds no points, expected one for each sphere of fog"
-                   : "holds no fog: places, radii and densities must be finite, radii and densities "
-                     "above 0");
+                   : "holds no fog: places, radii and densities must be finite, radii and "
+                     "densities above 0");
     if (leftOut > 0)
     {
       Messages::Note(choice.File + ": left out " + std::to_string(leftOut) + " of " +

@@ -23,8 +23,8 @@ FogChoice ParseFog(const std::string& word)
   for (const auto& [name, value] : values)
   {
     const std::string option = "--fog " + name;
-    switch (ParseChoice(
-      "--fog " + name + "=" + value, name, { "radius", "density", "color", "mode" }))
+    switch (
+      ParseChoice("--fog " + name + "=" + value, name, { "radius", "density", "color", "mode" }))
     {
       case 0:
         fog.Radius = ParsePointValue(option, value, 0.0);

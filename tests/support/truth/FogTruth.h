@@ -35,8 +35,8 @@ inline Long3 PointAt(const vtkRelievoView& view, double x, double y, long double
   const long double c = p[0][1];
   const long double d = p[1][1];
   const long double determinant = a * d - b * c;
-  return { (right[0] * d - right[1] * b) / determinant,
-    (right[1] * a - right[0] * c) / determinant, z };
+  return { (right[0] * d - right[1] * b) / determinant, (right[1] * a - right[0] * c) / determinant,
+    z };
 }
 
 /**
