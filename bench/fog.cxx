@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Fog: what float leaves of a sphere's chord as it is seen from farther away, by the formula,
-// against long double; and what frames with fog cost, by the number of spheres, as ratios to plain frames
-// that are drawn in turn with them.
+// against long double; and what frames with fog cost, by the number of spheres, as ratios to plain
+// frames that are drawn in turn with them.
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 

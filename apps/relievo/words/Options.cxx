@@ -241,9 +241,7 @@ const OptionRow RenderRows[] = {
     true },
   { "--up", TakeUp, false },
   { "--fog",
-    [](RenderOptions& options, const std::string& word) {
-      options.Fogs.push_back(ParseFog(word));
-    },
+    [](RenderOptions& options, const std::string& word) { options.Fogs.push_back(ParseFog(word)); },
     true },
   { "--stage",
     [](RenderOptions& options, const std::string& word) {

@@ -102,7 +102,7 @@ struct RenderOptions
   double Reflectivity = 0.04;            ///< share of the environment's light that is mirrored
   double Roughness = 0.2;                ///< of that mirror
   bool Skybox = false;
-  int UpAxis = 1;                  ///< of the world: 0, 1, 2 for x, y, z
+  int UpAxis = 1; ///< of the world: 0, 1, 2 for x, y, z
   std::vector<FogChoice> Fogs;
   std::vector<StageChoice> Stages; ///< of the frame, as given
   bool HDR = false;                ///< the colour of the EXR unclamped
