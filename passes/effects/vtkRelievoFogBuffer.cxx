@@ -43,8 +43,8 @@ void vtkRelievoFogBuffer::Clear()
 // As shaders/fog/sphereVS.glsl reads them.
 void vtkRelievoFogBuffer::Add(const vtkRelievoFogRays& rays, vtkRelievoFogSpheres* fog, bool linear)
 {
-  const int count = fog->GetNumberOfPoints();
   const int width = fog->GetRowWidth();
+  const int count = static_cast<int>(fog->GetRows().size()) / width;
   vtkRelievoFogRays::Sphere sphere;
   for (int i = 0; i < count; ++i)
   {

@@ -4,6 +4,7 @@
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
@@ -28,6 +29,7 @@ class vtkRelievoFogStage::Internals
 {
 public:
   std::vector<vtkSmartPointer<vtkRelievoFogSpheres>> Fogs;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkRelievoFogBuffer Buffer;
   vtkRelievoScreenQuad Quad;
   std::string Said; // what was wrong in the last frame: said once
@@ -106,6 +108,28 @@ vtkRelievoFogSpheres* vtkRelievoFogStage::GetFog(int i)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoFogStage::SetController(vtkMultiProcessController* controller)
+{
+  this->Internal->Controller = controller;
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkRelievoFogStage::GetController()
+{
+  return this->Internal->Controller;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFogStage::Prepare(vtkRelievoFrameContext&)
+{
+  for (const auto& fog : this->Internal->Fogs)
+  {
+    fog->Share(this->Internal->Controller);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoFogStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "fog";
@@ -131,7 +155,9 @@ void vtkRelievoFogStage::Declare(
 {
   const vtkRelievoFogRays rays(context.View);
   const auto& fogs = this->Internal->Fogs;
-  if (rays.IsUsual() &&
+  // Another process may have fog where this one has none, and must not wait for it.
+  const bool together = this->Internal->Controller && !fogs.empty();
+  if (rays.IsUsual() && !together &&
     std::none_of(fogs.begin(), fogs.end(), [&rays](const auto& fog) { return Sees(rays, fog); }))
   {
     // Without fog in view the layer is still what it says: all passes.
@@ -160,7 +186,7 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
     for (const auto& fog : in.Fogs)
     {
       in.Buffer.Add(rays, fog, this->Mode == CHORD);
-      spheres += fog->GetNumberOfPoints();
+      spheres += static_cast<int>(fog->GetRows().size()) / fog->GetRowWidth();
     }
     this->NumberDrawn = in.Buffer.GetNumberOfSpheres();
     wrong = in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT);

@@ -29,6 +29,7 @@
 
 #include <memory> // for what is drawn
 
+class vtkMultiProcessController;
 class vtkRelievoFogSpheres;
 
 class VTKRELIEVOEFFECTS_EXPORT vtkRelievoFogStage : public vtkRelievoStage
@@ -74,6 +75,15 @@ public:
   void SetOverlapToDominant() { this->SetOverlap(DOMINANT); }
   ///@}
 
+  ///@{
+  /**
+   * Processes that each draw a part of the scene, all in step (ParaView's ranks): the fog of each
+   * is before what all draw. All have the same fogs, which may be empty. Default nullptr.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
   /** Spheres that the last frame drew: those of which anything is in view. */
   vtkGetMacro(NumberDrawn, int);
 
@@ -87,6 +97,7 @@ protected:
   void Describe(vtkRelievoStageDescription& description) override;
   void Declare(
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
+  bool Prepare(vtkRelievoFrameContext& context) override;
   void Execute(vtkRelievoFrameContext& context) override;
   std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
 

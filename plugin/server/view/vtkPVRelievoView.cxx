@@ -14,9 +14,11 @@
 #include "vtkPVDefaultPass.h"
 #include "vtkPVRelievoAccess.h"
 #include "vtkPVRelievoEnvironment.h"
+#include "vtkPVRelievoFog.h"
 #include "vtkPVRelievoLamps.h"
 #include "vtkPVRelievoSun.h"
 #include "vtkPropCollection.h"
+#include "vtkRelievoFogStage.h"
 #include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoLampsStage.h"
 #include "vtkRelievoPass.h"
@@ -302,9 +304,11 @@ void vtkPVRelievoView::ChooseProcesses()
     passes->SetRenderEmptyImages(true);
   }
   in.Frame->GetShadowPass()->SetController(together ? controller : nullptr);
-  vtkPVRelievoLamps::Prepare(in.View,
-    vtkRelievoLampsStage::SafeDownCast(in.Frame->GetStage("lamps")),
-    together ? controller : nullptr);
+  vtkMultiProcessController* all = together ? controller : nullptr;
+  vtkPVRelievoLamps::Prepare(
+    in.View, vtkRelievoLampsStage::SafeDownCast(in.Frame->GetStage("lamps")), all);
+  vtkPVRelievoFog::Prepare(
+    in.View, vtkRelievoFogStage::SafeDownCast(in.Frame->GetStage("fog")), all);
 }
 
 //------------------------------------------------------------------------------
