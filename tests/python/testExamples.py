@@ -39,7 +39,7 @@ WRITES = {
     "09_environment.py": ["environment.png", "environment_balls.png"],
     "10_relief_terrain.py": ["relief_terrain.png"],
     "12_town_at_night.py": ["town.png", "town_lamps.png"],
-    "12_fog_valley.py": ["fog.png", "fog_layer.png"],
+    "13_fog_valley.py": ["fog.png", "fog_layer.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.

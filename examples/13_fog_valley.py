@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A valley at dawn: fog along its river, from points, and what of the light it lets through.
 
-    12_fog_valley.py [FOLDER]    writes FOLDER/fog.png and FOLDER/fog_layer.png
+    13_fog_valley.py [FOLDER]    writes FOLDER/fog.png and FOLDER/fog_layer.png
 
 The land is a grid of heights; 900 points along the river have a radius and a density each. The
 second picture shows the layer `fog`: white where all light passes.
