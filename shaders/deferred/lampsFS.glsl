@@ -32,14 +32,14 @@ uniform float relievoSliceScale;
 uniform float relievoSliceOffset;
 #endif
 
-struct relievoSum
+struct relievoLampSum
 {
   vec3 light;
   float computed;
   float reaching;
 };
 
-void relievoAddLamp(int i, int end, vec3 positionVC, vec3 normalVC, inout relievoSum sum)
+void relievoAddLamp(int i, int end, vec3 positionVC, vec3 normalVC, inout relievoLampSum sum)
 {
   if (i < end)
   {
@@ -64,7 +64,7 @@ void main()
 #endif
   float depth = relievoFetchDepth(pixel);
   vec3 normalVC = relievoFetchNormal(pixel);
-  relievoSum sum = relievoSum(vec3(0.0), 0.0, 0.0);
+  relievoLampSum sum = relievoLampSum(vec3(0.0), 0.0, 0.0);
   if (!isinf(depth))
   {
     vec3 positionVC =

@@ -66,15 +66,17 @@ def light(place, normal, places=PLACES, radii=RADII):
 
 
 def draw_ranks(folder, name, port=None, threshold="0"):
-    """A picture by all ranks, or by a server; without and with lamps, and with them hidden."""
+    """Pictures by all ranks, or by a server: without and with lamps, hidden, and points of fog."""
     if port:
         simple.Connect("localhost", int(port))
         pv.load(remote=True)
     pv.load()
     scene = Scene()
     scene.view.RemoteRenderThreshold = float(threshold)
-    for step, on, visible in (("off", 0, 1), ("on", 1, 1), ("hidden", 1, 0)):
-        scene.lamps.RelievoLamps, scene.lamps.Visibility = on, visible
+    for step, lamps, fog, visible in (("off", 0, 0, 1), ("on", 1, 0, 1), ("hidden", 1, 1, 0),
+                                      ("fog", 0, 1, 1)):  # fmt: skip
+        scene.lamps.RelievoLamps, scene.lamps.RelievoFog = lamps, fog
+        scene.lamps.Visibility = visible
         simple.Render(scene.view)
         simple.SaveScreenshot(f"{folder}/{name}-{step}.png", scene.view)
 

@@ -13,7 +13,7 @@ from paraview import simple, smtrace
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SCENE = pathlib.Path(__file__).with_name("lampScene.py")
-STEPS = ("off", "on", "hidden")
+STEPS = ("off", "on", "hidden", "fog")
 MPIRUN = ("mpirun", "--allow-run-as-root", "--oversubscribe", "-np")
 
 # Every property of a representation: default, another value as a script gives it.
@@ -72,6 +72,34 @@ class Lamps(pv.Test):
                     light[there, channel], truth[there], rtol=1e-4, atol=5e-5)
             self.assertFalse(light[~there].any())
 
+    def test_fog(self):
+        """The layer is what all spheres together let through, before surfaces and the sky."""
+        names = ("Fog", "FogRadius", "FogRadiusArray", "FogDensity", "FogDensityArray", "FogColor",
+                 "FogColorArray")  # fmt: skip
+        found = [getattr(self.lamps, "Relievo" + name) for name in names]
+        self.assertEqual([str(value).strip("'") for value in found[:5]],
+                         ["0", "1.0", "radius", "1.0", "density"])  # fmt: skip
+        self.assertEqual((list(found[5]), str(found[6]).strip("'")), ([1, 1, 1], "color"))
+        self.lamps.RelievoFog, self.lamps.RelievoFogDensity = 1, 0.7
+        fog, depth, place = self.layers("fog", "depth", "position")
+        eye = numpy.array(self.view.CameraPosition)
+        there = numpy.isfinite(depth)
+        ray = place[there] - eye
+        far = numpy.linalg.norm(ray, axis=-1)
+        ray /= far[:, None]
+        length = numpy.zeros(len(far))
+        for centre, radius in zip(lampScene.PLACES, lampScene.RADII):
+            middle = ((numpy.array(centre) - eye) * ray).sum(axis=-1)
+            off2 = ((eye + middle[:, None] * ray - centre) ** 2).sum(axis=-1)
+            half = numpy.sqrt(numpy.maximum(radius**2 - off2, 0))
+            length += numpy.maximum(numpy.minimum(middle + half, far) - (middle - half), 0)
+        # Half floats.
+        numpy.testing.assert_allclose(fog[there], numpy.exp(-0.7 * length), rtol=1e-3, atol=2e-5)
+        self.assertLess(fog[there].min(), 0.4)
+        off = pv.picture(self.view)
+        self.lamps.RelievoFog = 0
+        self.differ(off, pv.picture(self.view), "fog", share=0.2)
+
     def test_properties(self):
         """Defaults, pictures that change and come back, trace and state."""
         self.assertEqual(values(self.lamps), {n: first for n, (first, _) in PROPERTIES.items()})
@@ -128,16 +156,23 @@ class Lamps(pv.Test):
         alone = draw("alone")
         self.differ(alone["off"], alone["on"], "lamps", share=0.2)
         self.same(alone["off"], alone["hidden"], "hidden")
-        for ranks in (2, 3):
-            together = draw(f"of{ranks}", launcher=(*MPIRUN, str(ranks)), tool="pvbatch")
+        self.differ(alone["off"], alone["fog"], "fog", share=0.2)
+        # Ranks put their pictures together where they drew surfaces: fog is not seen before the sky.
+        surface = alone["off"].any(axis=2, keepdims=True)
+        self.assertGreater(surface.mean(), 0.5)
+
+        def compare(pictures, where, together):
             for step in STEPS:
-                self.near(alone[step], together[step], f"{step} on {ranks} ranks", level=1)
+                seen = surface if step == "fog" and together else True
+                self.near(alone[step] * seen, pictures[step] * seen, f"{step} {where}", level=1)
+
+        for ranks in (2, 3):
+            compare(draw(f"of{ranks}", launcher=(*MPIRUN, str(ranks)), tool="pvbatch"),
+                    f"on {ranks} ranks", True)  # fmt: skip
         for launcher, threshold, where in (((), 0, "server"), ((*MPIRUN, "2"), 0, "two"),
                                            ((), 1e9, "client")):  # fmt: skip
             with self.subTest(where), pv.Server(launcher=launcher) as server:
-                there = draw(where, server.port, threshold)
-                for step in STEPS:
-                    self.near(alone[step], there[step], f"{step} by {where}", level=1)
+                compare(draw(where, server.port, threshold), f"by {where}", where == "two")
                 self.assertEqual(pv.messages(server.text()), [])
 
 
