@@ -123,8 +123,11 @@ def main():
     relievo.fog(renderer, mist(), color=(0.85, 0.8, 0.78))
     image = relievo.capture(renderer, ["color", "fog"])
     passes = relievo.layer(image, "fog")
-    print(f"{(passes < 0.99).mean():.0%} of the pixels have fog; the thickest lets "
-          f"{passes.min():.1%} through, an optical depth of {-math.log(passes.min()):.1f}")  # fmt: skip
+    least = passes.min()
+    print(
+        f"{(passes < 0.99).mean():.0%} of the pixels have fog; the thickest lets {least:.1%} "
+        f"through, an optical depth of {-math.log(least):.1f}"
+    )
     for name, file in (("color", "fog.png"), ("fog", "fog_layer.png")):
         picture, _ = demo_sheet.picture_of(name, relievo.layer(image, name))
         demo_sheet.write_png(folder / file, picture)

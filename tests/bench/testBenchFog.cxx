@@ -57,9 +57,10 @@ void CheckFog(const std::string& folder)
   {
     RELIEVO_CHECK_THAT(Value(row, "milliseconds") > 0. && std::isfinite(Value(row, "milliseconds")),
       row.at("frame"));
-    // Plain, or without fog in view, nothing is held.
-    RELIEVO_CHECK(
-      (Value(row, "share of the picture each") == 0.) == (Value(row, "bytes per pixel") == 0.));
+    // Plain, or without fog in view, nothing is held; a few pixels may be none in a small picture.
+    const double share = Value(row, "share of the picture each");
+    const double bytes = Value(row, "bytes per pixel");
+    RELIEVO_CHECK_THAT(share == 0. ? bytes == 0. : share < 0.01 || bytes > 0., row.at("frame"));
   }
 }
 }
