@@ -57,7 +57,7 @@ void vtkRelievoLampClusters::Divide(const vtkRelievoView& view, const vtkRelievo
   {
     tile *= 2.0;
   }
-  double slices = std::min<double>(MostSlices, std::ceil(4.0 * range * count / thickness));
+  double slices = std::min<double>(MostSlices, std::ceil(3.5 * range * count / thickness));
   slices = std::isfinite(slices) ? std::max(1.0, slices) : 1.0;
   const auto cells = [&]() {
     return std::ceil(this->Width / tile) * std::ceil(this->Height / tile) * slices;
@@ -81,20 +81,20 @@ void vtkRelievoLampClusters::Divide(const vtkRelievoView& view, const vtkRelievo
   const double start = this->Parallel ? this->From : std::log2(this->From);
   this->SliceScale = static_cast<float>(scale);
   this->SliceOffset = static_cast<float>(-start * scale);
+  this->SliceStarts.clear();
+  for (int slice = 0; slice <= this->Slices; ++slice)
+  {
+    const double share = static_cast<double>(slice) / this->Slices;
+    this->SliceStarts.push_back(this->Parallel
+        ? this->From + share * (this->To - this->From)
+        : this->From * std::pow(this->To / this->From, share));
+  }
   this->RowPlanes.clear();
   for (int row = 0; row <= this->Rows; ++row)
   {
     this->RowPlanes.push_back(
       this->Bounds.GetPlane(1, 2.0 * row * this->Tile / this->Height - 1.0));
   }
-}
-
-//------------------------------------------------------------------------------
-double vtkRelievoLampClusters::GetSliceStart(int slice) const
-{
-  const double share = static_cast<double>(slice) / this->Slices;
-  return this->Parallel ? this->From + share * (this->To - this->From)
-                        : this->From * std::pow(this->To / this->From, share);
 }
 
 //------------------------------------------------------------------------------
@@ -116,8 +116,8 @@ void vtkRelievoLampClusters::AddSpans(
   const int lastSlice = findSlice(widen(depth + sphere.Radius, 1.0));
   for (int slice = firstSlice; slice <= lastSlice; ++slice)
   {
-    const double from = widen(this->GetSliceStart(slice), -1.0);
-    const double to = widen(this->GetSliceStart(slice + 1), 1.0);
+    const double from = widen(this->SliceStarts[slice], -1.0);
+    const double to = widen(this->SliceStarts[slice + 1], 1.0);
     double least;
     double most;
     if (!this->Bounds.FindExtent(sphere, 1, from, to, least, most))

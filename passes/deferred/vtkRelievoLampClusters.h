@@ -54,7 +54,6 @@ private:
   };
 
   void Divide(const vtkRelievoView& view, const vtkRelievoLampList& list);
-  double GetSliceStart(int slice) const;
   void AddSpans(
     const vtkRelievoLampList& list, int lamp, std::vector<std::vector<Span>>& slices) const;
   void FillSlice(int slice);
@@ -71,6 +70,7 @@ private:
   float SliceScale = 0.0f;
   float SliceOffset = 0.0f;
   vtkRelievoSphereBounds Bounds{ glm::dmat4(1.0) };
+  std::vector<double> SliceStarts;   // depths
   std::vector<glm::dvec4> RowPlanes; // between rows of tiles
   std::vector<Sheet> Sheets;
   std::vector<float> Cells;

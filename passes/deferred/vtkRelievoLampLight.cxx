@@ -9,13 +9,14 @@
 #include "vtkPointData.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoLampsStage.h"
+#include "vtkRelievoThreads.h"
 #include "vtkShaderProgram.h"
 
 //------------------------------------------------------------------------------
 void vtkRelievoLampLight::Take(
   vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets)
 {
-  this->List.Take(context.View, sets);
+  vtkRelievoWithThreads([&]() { this->List.Take(context.View, sets); });
 }
 
 //------------------------------------------------------------------------------
@@ -28,7 +29,7 @@ std::string vtkRelievoLampLight::Prepare(
   const bool quads = way == vtkRelievoLampsStage::QUADS;
   if (way == vtkRelievoLampsStage::CLUSTERS)
   {
-    this->Clusters.Build(context.View, this->List);
+    vtkRelievoWithThreads([&]() { this->Clusters.Build(context.View, this->List); });
   }
   else
   {

@@ -3,7 +3,7 @@
 #include "vtkRelievoLampList.h"
 
 #include "vtkRelievoLamps.h"
-#include "vtkSMPTools.h"
+#include "vtkRelievoThreads.h"
 
 #include <glm/geometric.hpp>
 

@@ -33,7 +33,7 @@ const char* const Material = "material";
 const std::vector<std::string> WayNames{ "auto", "quads", "clusters", "all" };
 
 // Up to so many lamps rectangles are drawn by themselves: clusters cost more to list.
-constexpr int MostQuads = 64;
+constexpr int MostQuads = 8;
 
 // Whether some surface gives back less than all of its light, so that lamps must know how much.
 bool HasMaterials(vtkRenderer* renderer)

@@ -15,10 +15,6 @@ glm::dvec4 GetRow(const glm::dmat4& matrix, int row)
   return { matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row] };
 }
 
-double Evaluate(const glm::dvec4& plane, const glm::dvec3& point)
-{
-  return plane.x * point.x + plane.y * point.y + plane.z * point.z + plane.w;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -26,6 +22,15 @@ vtkRelievoSphereBounds::vtkRelievoSphereBounds(const glm::dmat4& viewToNDC)
   : Rows{ GetRow(viewToNDC, 0), GetRow(viewToNDC, 1), GetRow(viewToNDC, 3) }
   , Usual(this->Rows[2].x == 0.0 && this->Rows[2].y == 0.0)
 {
+  const glm::dvec3 w(this->Rows[2]);
+  this->SquareW = glm::dot(w, w);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const glm::dvec3 normal(this->Rows[axis]);
+    this->Across[axis] = std::sqrt(normal.x * normal.x + normal.y * normal.y);
+    this->Square[axis] = glm::dot(normal, normal);
+    this->Mixed[axis] = glm::dot(normal, w);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -62,28 +67,27 @@ bool vtkRelievoSphereBounds::FindExtent(
   const glm::dvec4& rowW = this->Rows[2];
 
   // Where it is cut.
+  const double across = row.x * center.x + row.y * center.y + row.w;
   for (const double cut : { from, to })
   {
-    const double across2 = radius * radius - (cut - depth) * (cut - depth);
+    const double left2 = radius * radius - (cut - depth) * (cut - depth);
     const double w = rowW.w - rowW.z * cut;
-    if (across2 >= 0.0 && w > 0.0)
+    if (left2 >= 0.0 && w > 0.0)
     {
-      const double middle = Evaluate(row, glm::dvec3(center.x, center.y, -cut));
-      const double reach = std::sqrt(across2 * (row.x * row.x + row.y * row.y));
+      const double middle = across - row.z * cut;
+      const double reach = std::sqrt(left2) * this->Across[axis];
       take((middle - reach) / w);
       take((middle + reach) / w);
     }
   }
 
   // Where planes of constant NDC touch it: (a - ndc b)^2 = radius^2 |A - ndc B|^2.
-  const glm::dvec3 normal(row);
-  const glm::dvec3 normalW(rowW);
-  const double a = Evaluate(row, center);
-  const double b = Evaluate(rowW, center);
+  const double a = across + row.z * center.z;
+  const double b = rowW.z * center.z + rowW.w;
   const double r2 = radius * radius;
-  const double square = b * b - r2 * glm::dot(normalW, normalW);
-  const double half = a * b - r2 * glm::dot(normal, normalW);
-  const double constant = a * a - r2 * glm::dot(normal, normal);
+  const double square = b * b - r2 * this->SquareW;
+  const double half = a * b - r2 * this->Mixed[axis];
+  const double constant = a * a - r2 * this->Square[axis];
   const double discriminant = half * half - square * constant;
   if (discriminant >= 0.0)
   {
@@ -92,13 +96,10 @@ bool vtkRelievoSphereBounds::FindExtent(
     const double roots[2] = { sum / square, constant / sum };
     for (const double ndc : roots)
     {
-      if (!std::isfinite(ndc))
-      {
-        continue;
-      }
-      const glm::dvec3 n = normal - ndc * normalW;
-      const glm::dvec3 touching = center - n * ((a - ndc * b) / glm::dot(n, n));
-      if (-touching.z >= from && -touching.z <= to && Evaluate(rowW, touching) > 0.0)
+      const double length2 =
+        this->Square[axis] + ndc * (ndc * this->SquareW - 2.0 * this->Mixed[axis]);
+      const double z = center.z - (row.z - ndc * rowW.z) * ((a - ndc * b) / length2);
+      if (-z >= from && -z <= to && rowW.z * z + rowW.w > 0.0) // false if it is not a number
       {
         take(ndc);
       }

@@ -43,6 +43,13 @@ public:
 private:
   glm::dvec4 Rows[3]; // of x, y and w
   bool Usual;         // w depends on the depth alone
+
+  // Of the normals of x and y: their lengths across the view, and products with themselves, with
+  // that of w, and of that with itself.
+  double Across[2];
+  double Square[2];
+  double Mixed[2];
+  double SquareW;
 };
 
 #endif
