@@ -18,8 +18,7 @@ struct Panel
   const char* Title;
 };
 
-const Panel Panels[] = { { "bunny", "few", "bunny" },
-  { "motorBike", "few", "motorBike" },
+const Panel Panels[] = { { "bunny", "few", "bunny" }, { "motorBike", "few", "motorBike" },
   { "buildings", "few", "buildings" } };
 
 Chart MakeChart(const CsvRows& rows, const std::string& title, const std::string& column,
@@ -27,8 +26,9 @@ Chart MakeChart(const CsvRows& rows, const std::string& title, const std::string
 {
   Chart chart;
   chart.Title = title;
-  chart.Note = "1.3 to 1.8 reach a pixel from 10 lamps on. Default: quads up to 8 lamps in sight, then "
-               "clusters. Grey: VTK.";
+  chart.Note =
+    "1.3 to 1.8 reach a pixel from 10 lamps on. Default: quads up to 8 lamps in sight, then "
+    "clusters. Grey: VTK.";
   chart.Columns = 3;
   chart.X.Log = true;
   chart.X.Title = "lamps";

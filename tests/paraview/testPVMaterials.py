@@ -78,6 +78,9 @@ class Materials(pv.Test):
         for source in kinds:
             shown = simple.Show(source, self.view)
             known = [name for name in shown.ListProperties() if name.startswith("Relievo")]
+            for name in known:
+                self.assertGreater(len(getattr(type(shown), name).__doc__.strip()), 15, name)
+            known = [name for name in known if not name.startswith(("RelievoLamp", "RelievoFog"))]
             self.assertEqual(sorted(known), sorted(PROPERTIES), source)
             for name, (default, _) in PROPERTIES.items():
                 self.assertEqual(value(shown, name), default, name)

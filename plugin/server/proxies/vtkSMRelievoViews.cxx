@@ -36,14 +36,17 @@ vtkStandardNewMacro(vtkSMRelievoViews);
 
 namespace
 {
-// What older proxies are given: the sub-proxy of view.xml, and that of material.xml.
+// What older proxies are given: the sub-proxy of view.xml, and those of material.xml, fog.xml and
+// lamps.xml, in the order in which later ones have them.
 struct Kind
 {
   const char* Group;
   const char* SubProxy;
 };
 constexpr Kind View{ "views", "Relievo" };
-constexpr Kind Representation{ "representations", "RelievoMaterial" };
+constexpr Kind Material{ "representations", "RelievoMaterial" };
+constexpr Kind Fog{ "representations", "RelievoFog" };
+constexpr Kind Lamps{ "representations", "RelievoLamps" };
 
 vtkSmartPointer<vtkSMRelievoViews>& Instance()
 {
@@ -233,7 +236,7 @@ int vtkSMRelievoViews::Upgrade()
     {
       continue; // in a shared session proxies must stay as the server sent them
     }
-    for (const Kind* kind : { &View, &Representation })
+    for (const Kind* kind : { &View, &Material, &Fog, &Lamps })
     {
       DropPrototypes(current->GetSessionProxyManager(), *kind);
       vtkNew<vtkSMProxyIterator> proxy;
