@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Threads for vtkSMPTools also where VTK takes one by default, as Debian's does, though it has more.
+// Threads for vtkSMPTools, also where VTK has more and takes one by default, as Debian's does.
 #ifndef vtkRelievoThreads_h
 #define vtkRelievoThreads_h
 

@@ -157,7 +157,7 @@ class Lamps(pv.Test):
         self.differ(alone["off"], alone["on"], "lamps", share=0.2)
         self.same(alone["off"], alone["hidden"], "hidden")
         self.differ(alone["off"], alone["fog"], "fog", share=0.2)
-        # Ranks put their pictures together where they drew surfaces: fog is not seen before the sky.
+        # Ranks put their pictures together where they drew surfaces, without fog before the sky.
         surface = alone["off"].any(axis=2, keepdims=True)
         self.assertGreater(surface.mean(), 0.5)
 

@@ -14,13 +14,10 @@
 #include "vtkPVDefaultPass.h"
 #include "vtkPVRelievoAccess.h"
 #include "vtkPVRelievoEnvironment.h"
-#include "vtkPVRelievoFog.h"
-#include "vtkPVRelievoLamps.h"
+#include "vtkPVRelievoPoints.h"
 #include "vtkPVRelievoSun.h"
 #include "vtkPropCollection.h"
-#include "vtkRelievoFogStage.h"
 #include "vtkRelievoGBufferPass.h"
-#include "vtkRelievoLampsStage.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
 #include "vtkRenderWindow.h"
@@ -304,11 +301,7 @@ void vtkPVRelievoView::ChooseProcesses()
     passes->SetRenderEmptyImages(true);
   }
   in.Frame->GetShadowPass()->SetController(together ? controller : nullptr);
-  vtkMultiProcessController* all = together ? controller : nullptr;
-  vtkPVRelievoLamps::Prepare(
-    in.View, vtkRelievoLampsStage::SafeDownCast(in.Frame->GetStage("lamps")), all);
-  vtkPVRelievoFog::Prepare(
-    in.View, vtkRelievoFogStage::SafeDownCast(in.Frame->GetStage("fog")), all);
+  this->GivePoints(in.View, together ? controller : nullptr);
 }
 
 //------------------------------------------------------------------------------

@@ -24,6 +24,7 @@ class vtkPVRelievoEnvironment;
 class vtkPVRelievoSun;
 class vtkImageData;
 class vtkLight;
+class vtkMultiProcessController;
 class vtkPVView;
 class vtkRelievoPass;
 
@@ -192,6 +193,7 @@ private:
   void PlacePass();
   void ChooseCasters();
   void ChooseProcesses();
+  void GivePoints(vtkPVView* view, vtkMultiProcessController* controller);
   void Finish();
 
   class Internals;

@@ -4,7 +4,13 @@
 // Stages of the frame as properties of a view: by name, whatever stages there are.
 #include "vtkPVRelievoView.h"
 
+#include "vtkMultiProcessController.h"
+#include "vtkPVRelievoFog.h"
+#include "vtkPVRelievoLamps.h"
 #include "vtkPVRelievoWithin.h"
+#include "vtkPVView.h"
+#include "vtkRelievoFogStage.h"
+#include "vtkRelievoLampsStage.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 
@@ -80,4 +86,15 @@ void vtkPVRelievoView::SetStageText(const char* parameter, const char* text)
   const std::string words = text ? text : "";
   SetParameter(
     this, parameter, [&words](const vtkRelievoParameter& found) { return found.Parse(words); });
+}
+
+//------------------------------------------------------------------------------
+// Representations' points, to the stages that take them: of all processes that draw together.
+void vtkPVRelievoView::GivePoints(vtkPVView* view, vtkMultiProcessController* controller)
+{
+  vtkRelievoPass* frame = this->GetFrame();
+  vtkPVRelievoLamps::Prepare(
+    view, vtkRelievoLampsStage::SafeDownCast(frame->GetStage("lamps")), controller);
+  vtkPVRelievoFog::Prepare(
+    view, vtkRelievoFogStage::SafeDownCast(frame->GetStage("fog")), controller);
 }
