@@ -16,7 +16,7 @@ constexpr int MostSlices = 256;
 
 // Memory and time of the lists stay bounded: cells are made larger instead.
 constexpr double MostCells = 1 << 21;
-constexpr double MostEntries = 1 << 22;
+constexpr double MostEntries = 1 << 23;
 
 // Shaders find a pixel's slice with a float's logarithm.
 constexpr double SliceMargin = 1e-5;
@@ -32,9 +32,13 @@ void vtkRelievoLampClusters::Divide(const vtkRelievoView& view, const vtkRelievo
   this->Bounds = vtkRelievoSphereBounds(view.ViewToNDC);
   double from = view.Far;
   double to = view.Near;
-  double pixels = 0.0; // of all rectangles
-  double across = 0.0; // their sizes
+  double across = 0.0; // pixels, of all rectangles
   double thickness = 0.0;
+  // Of all rectangles: area and half the edge, and both times the thickness.
+  double area = 0.0;
+  double edge = 0.0;
+  double volume = 0.0;
+  double band = 0.0;
   for (const vtkRelievoLampList::Lamp& lamp : list.GetLamps())
   {
     const double depth = -lamp.Sphere.Center.z;
@@ -42,11 +46,15 @@ void vtkRelievoLampClusters::Divide(const vtkRelievoView& view, const vtkRelievo
     to = std::max(to, std::min(view.Far, depth + lamp.Sphere.Radius));
     const double width = 0.5 * (lamp.Rectangle[2] - lamp.Rectangle[0]) * this->Width;
     const double height = 0.5 * (lamp.Rectangle[3] - lamp.Rectangle[1]) * this->Height;
-    pixels += width * height;
     across += std::sqrt(width * height);
     const double near = std::max(view.Near, depth - lamp.Sphere.Radius);
     const double far = std::min(view.Far, depth + lamp.Sphere.Radius);
-    thickness += view.Parallel ? far - near : std::log2(std::max(1.0, far / near));
+    const double thick = view.Parallel ? far - near : std::log2(std::max(1.0, far / near));
+    thickness += thick;
+    area += width * height;
+    edge += width + height;
+    volume += width * height * thick;
+    band += (width + height) * thick;
   }
   const double count = std::max<double>(1.0, static_cast<double>(list.GetLamps().size()));
   this->From = from < to ? from : view.Near;
@@ -62,11 +70,12 @@ void vtkRelievoLampClusters::Divide(const vtkRelievoView& view, const vtkRelievo
   const auto cells = [&]() {
     return std::ceil(this->Width / tile) * std::ceil(this->Height / tile) * slices;
   };
+  // The cells that boxes around the lamps' parts in view touch: few large lamps among many small
+  // ones count as what they are.
   const auto entries = [&]() {
-    const double spread = 1.0 + slices * (thickness / count) / std::max(range, 1e-300);
-    const double side = across / count + tile;
-    return count * std::min(side * side, double(this->Width) * this->Height) / (tile * tile) *
-      std::min(spread, slices);
+    const double perThickness = slices / std::max(range, 1e-300);
+    return (area + perThickness * volume) / (tile * tile) + (edge + perThickness * band) / tile +
+      count + perThickness * thickness;
   };
   while (cells() > 1.0 && (cells() > MostCells || entries() > std::max(MostEntries, 2.0 * count)))
   {

@@ -86,9 +86,9 @@ void vtkRelievoLampList::Take(const vtkRelievoView& view, const std::vector<vtkR
   const Taker taker(view);
   for (std::size_t set = 0; set < sets.size(); ++set)
   {
-    const double* rows = sets[set]->GetRows().data();
+    const double* rows = sets[set]->GetSharedRows().data();
     const int width = sets[set]->GetRowWidth();
-    const auto count = static_cast<vtkIdType>(sets[set]->GetRows().size()) / width;
+    const auto count = static_cast<vtkIdType>(sets[set]->GetSharedRows().size()) / width;
     // Linear is 0, inverse square 1; of VTK's, each set has its own: 2 and more.
     const int falloff = sets[set]->GetFalloff() == vtkRelievoLamps::VTK
       ? vtkRelievoLamps::VTK + static_cast<int>(set)

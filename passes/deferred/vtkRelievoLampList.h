@@ -22,8 +22,8 @@ public:
     float Rectangle[4];                    // in NDC, cut to the view
   };
 
-  // Takes the lamps, which are up to date, in their order. What lies behind the eye, beyond the
-  // clipping planes, beside the view, or between the centres of all pixels, is left out.
+  // Takes the lamps, which are shared or up to date, in their order. What lies behind the eye,
+  // beyond the clipping planes, beside the view, or between the centres of all pixels, is left out.
   void Take(const vtkRelievoView& view, const std::vector<vtkRelievoLamps*>& sets);
 
   const std::vector<Lamp>& GetLamps() const { return this->Lamps; }

@@ -44,11 +44,11 @@ void vtkRelievoFogBuffer::Clear()
 void vtkRelievoFogBuffer::Add(const vtkRelievoFogRays& rays, vtkRelievoFogSpheres* fog, bool linear)
 {
   const int width = fog->GetRowWidth();
-  const int count = static_cast<int>(fog->GetRows().size()) / width;
+  const int count = static_cast<int>(fog->GetSharedRows().size()) / width;
   vtkRelievoFogRays::Sphere sphere;
   for (int i = 0; i < count; ++i)
   {
-    const double* row = fog->GetRows().data() + static_cast<std::size_t>(i) * width;
+    const double* row = fog->GetSharedRows().data() + static_cast<std::size_t>(i) * width;
     const double radius = row[3];
     if (!rays.Find({ row[0], row[1], row[2] }, radius, sphere))
     {

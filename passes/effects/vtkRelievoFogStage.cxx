@@ -186,7 +186,7 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
     for (const auto& fog : in.Fogs)
     {
       in.Buffer.Add(rays, fog, this->Mode == CHORD);
-      spheres += static_cast<int>(fog->GetRows().size()) / fog->GetRowWidth();
+      spheres += static_cast<int>(fog->GetSharedRows().size()) / fog->GetRowWidth();
     }
     this->NumberDrawn = in.Buffer.GetNumberOfSpheres();
     wrong = in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT);
@@ -235,7 +235,7 @@ std::string vtkRelievoFogStage::ReadLayers(
     const std::string wrong = this->Internal->Buffer.Target.Read(name, 4, drawn);
     if (!wrong.empty())
     {
-      return wrong;
+      return "The layer '" + name + "' cannot be read: " + wrong + ".";
     }
     image->SetDimensions(drawn->GetDimensions());
     auto* depths = vtkFloatArray::SafeDownCast(drawn->GetPointData()->GetArray(name.c_str()));

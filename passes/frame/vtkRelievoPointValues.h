@@ -63,25 +63,22 @@ public:
   vtkGetMacro(NumberLeftOut, int);
 
 #ifndef __VTK_WRAP__
-  // Brings the points up to date, and joins those of all processes in their order. All processes
-  // call it. nullptr: of this one alone.
-  void Share(vtkMultiProcessController* controller);
-
-  // Row by row: x, y, z, and the values in their order. Up to date after GetNumberOfPoints; with
-  // those of all processes after Share.
+  // Row by row: x, y, z, and the values in their order. Up to date after GetNumberOfPoints.
   const std::vector<double>& GetRows() const
+  {
+    return this->Rows;
+  }
+
+  // Brings the points up to date, and joins those of all processes in their order; all of them call
+  // it. nullptr: those of this one. Then the rows of all.
+  void Share(vtkMultiProcessController* controller);
+  const std::vector<double>& GetSharedRows() const
   {
     return this->Shared ? this->All : this->Rows;
   }
   int GetRowWidth() const
   {
     return this->Width;
-  }
-
-  // When the rows changed last.
-  vtkMTimeType GetRowsTime() const
-  {
-    return this->RowsTime.GetMTime();
   }
 #endif
 

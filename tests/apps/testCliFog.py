@@ -87,7 +87,7 @@ class Fog(CliTest):
         self.assertEqual(done.stderr, "")
         self.write("some.vtp", [(0, 0, 0), (1, 0, 0)], radius=(1, [0.8, 0]), density=(1, [1, 1]))
         done = self.render("--fog", "some.vtp", "--png", "a.png")
-        self.assertIn("some.vtp: left out 1 of 2 spheres", done.stderr)
+        self.assertIn("some.vtp: left out 1 of 2 points that are no fog", done.stderr)
 
     def test_refused_words(self):
         for word, says in (

@@ -37,9 +37,9 @@ vtkRelievoView MakeView(int width, int height, bool parallel, double near, doubl
   return view;
 }
 
-void TestView(const vtkRelievoView& view, int count, double radius, const std::string& what)
+void TestLamps(const vtkRelievoView& view, const std::vector<Lamp>& given, const std::string& what)
 {
-  const std::vector<Lamp> given = RandomLamps(count, radius, true);
+  const int count = static_cast<int>(given.size());
   vtkNew<vtkRelievoLamps> lamps;
   lamps->SetInputData(ToPolyData(given));
   RELIEVO_CHECK(lamps->GetNumberOfPoints() == count);
@@ -92,9 +92,16 @@ void TestView(const vtkRelievoView& view, int count, double radius, const std::s
             << clusters.GetSlices() << " cells, " << clusters.GetLists().size() << " entries, "
             << static_cast<double>(listed) / 4000 << " listed, "
             << static_cast<double>(needed) / 4000 << " needed a point\n";
+  // Floats in the lists are whole numbers up to 2^24.
+  RELIEVO_CHECK(clusters.GetLists().size() <= 1 << 24);
   RELIEVO_CHECK(lost == 0);
   RELIEVO_CHECK(ordered);
   RELIEVO_CHECK(needed > 0);
+}
+
+void TestView(const vtkRelievoView& view, int count, double radius, const std::string& what)
+{
+  TestLamps(view, RandomLamps(count, radius, true), what);
 }
 }
 
@@ -107,6 +114,13 @@ int main()
   TestView(usual, 1000, 3.0, "1000 large lamps");
   TestView(usual, 10000, 0.1, "10000 lamps");
   TestView(usual, 100000, 0.05, "100000 lamps");
+  // Cells that suit the many small ones would list the few large ones 100 million times.
+  std::vector<Lamp> mixed = RandomLamps(20000, 0.03, true);
+  for (const Lamp& lamp : RandomLamps(100, 6.0, true))
+  {
+    mixed.push_back(lamp);
+  }
+  TestLamps(usual, mixed, "20000 small lamps and 100 large ones");
   TestView(MakeView(600, 600, true, 2.0, 14.0), 1000, 0.3, "parallel");
   TestView(MakeView(600, 600, true, -5.0, 14.0), 1000, 0.3, "parallel, from behind the eye");
   TestView(MakeView(1, 3, false, 2.0, 14.0), 1000, 0.3, "1 x 3 pixels");

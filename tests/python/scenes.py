@@ -3,7 +3,9 @@
 """Scenes of known depth, and the rays of a camera in double."""
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
@@ -16,6 +18,19 @@ def add(renderer, source):
     actor.SetMapper(mapper)
     renderer.AddActor(actor)
     return actor
+
+
+def points_at(places, **arrays):
+    """Points without cells, with arrays by name."""
+    data = vtkPolyData()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(numpy.array(places, float), deep=True))
+    data.SetPoints(points)
+    for name, values in arrays.items():
+        array = numpy_to_vtk(numpy.array(values, float), deep=True)
+        array.SetName(name)
+        data.GetPointData().AddArray(array)
+    return data
 
 
 def plane_and_sphere(parallel=False, far_from_origin=(0, 0, 0)):

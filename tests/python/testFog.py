@@ -6,24 +6,9 @@ import unittest
 
 import numpy
 import relievo
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkPointSource
 
-from scenes import plane_and_sphere, rays, window_of
-
-
-def points_at(places, **arrays):
-    data = vtkPolyData()
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(numpy.array(places, float), deep=True))
-    data.SetPoints(points)
-    for name, values in arrays.items():
-        array = numpy_to_vtk(numpy.array(values, float), deep=True)
-        array.SetName(name)
-        data.GetPointData().AddArray(array)
-    return data
+from scenes import plane_and_sphere, points_at, rays, window_of
 
 
 class Fog(unittest.TestCase):

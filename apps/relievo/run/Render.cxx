@@ -9,6 +9,7 @@
 #include "Messages.h"
 #include "Options.h"
 #include "Outputs.h"
+#include "Points.h"
 #include "Progress.h"
 #include "Readers.h"
 #include "Scene.h"
@@ -154,18 +155,13 @@ void Render(const RenderOptions& options)
   std::vector<std::string> inputs = options.Files;
   for (const LampChoice& choice : options.Lamps)
   {
-    CheckExtension(choice.File);
-    if (IsGLTF(choice.File))
-    {
-      throw WordsError("--lamps: " + choice.File + " is a scene; expected a file of points");
-    }
-    CheckReadable(choice.File);
+    CheckPointFile("--lamps", choice.File);
     inputs.push_back(choice.File);
   }
-  CheckFogFiles(options.Fogs);
-  for (const FogChoice& fog : options.Fogs)
+  for (const FogChoice& choice : options.Fogs)
   {
-    inputs.push_back(fog.File);
+    CheckPointFile("--fog", choice.File);
+    inputs.push_back(choice.File);
   }
   inputs.insert(inputs.end(), { options.NormalMap, options.HeightMap, options.Environment });
   inputs.erase(std::remove(inputs.begin(), inputs.end(), std::string()), inputs.end());

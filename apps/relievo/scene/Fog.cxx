@@ -3,8 +3,8 @@
 #include "Fog.h"
 
 #include "DataSets.h"
-#include "Failure.h"
 #include "Messages.h"
+#include "Points.h"
 #include "Readers.h"
 
 #include "vtkDataObject.h"
@@ -38,20 +38,6 @@ std::string ListDefaults(vtkDataObject* data, const FogChoice& choice)
 }
 
 //------------------------------------------------------------------------------
-void CheckFogFiles(const std::vector<FogChoice>& choices)
-{
-  for (const FogChoice& choice : choices)
-  {
-    CheckExtension(choice.File);
-    if (IsGLTF(choice.File))
-    {
-      throw WordsError("--fog: " + choice.File + " is a scene; expected a file of points");
-    }
-    CheckReadable(choice.File);
-  }
-}
-
-//------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkRelievoFogSpheres>> ReadFogs(
   const std::vector<FogChoice>& choices, Progress& progress)
 {
@@ -61,40 +47,10 @@ std::vector<vtkSmartPointer<vtkRelievoFogSpheres>> ReadFogs(
     const vtkSmartPointer<vtkDataObject> data = ReadData(choice.File, progress);
     auto fog = vtkSmartPointer<vtkRelievoFogSpheres>::New();
     fog->SetInputData(data);
-    if (choice.Radius.Number)
-    {
-      fog->SetRadius(*choice.Radius.Number);
-    }
-    if (choice.Density.Number)
-    {
-      fog->SetDensity(*choice.Density.Number);
-    }
-    if (choice.Color)
-    {
-      fog->SetColor(choice.Color->data());
-    }
-    // One value for all comes before an array that the file has.
-    const auto takes = [&fog](const char* value, const std::string& array, bool forAll) {
-      if (forAll || !array.empty())
-      {
-        fog->SetArray(value, array);
-      }
-    };
-    takes("radius", choice.Radius.Array, choice.Radius.Number.has_value());
-    takes("density", choice.Density.Array, choice.Density.Number.has_value());
-    takes("color", choice.ColorArray, choice.Color.has_value());
-    const int spheres = fog->GetNumberOfPoints();
-    const int leftOut = fog->GetNumberLeftOut();
-    Messages::Check(choice.File, spheres == 0,
-      leftOut == 0 ? "holds no points, expected one for each sphere of fog"
-                   : "holds no fog: places, radii and densities must be finite, radii and "
-                     "densities above 0");
-    if (leftOut > 0)
-    {
-      Messages::Note(choice.File + ": left out " + std::to_string(leftOut) + " of " +
-        std::to_string(spheres + leftOut) +
-        " spheres of fog, which are not finite or have a radius or density of 0 or less");
-    }
+    TakeValue(fog.Get(), "radius", choice.Radius, &vtkRelievoFogSpheres::SetRadius);
+    TakeValue(fog.Get(), "density", choice.Density, &vtkRelievoFogSpheres::SetDensity);
+    TakeColor(fog.Get(), choice.Color);
+    CheckPoints(fog, choice.File, "fog", "places must be finite, radii and densities above 0");
     const std::string defaults = ListDefaults(data, choice);
     if (!defaults.empty())
     {

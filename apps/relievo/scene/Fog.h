@@ -16,9 +16,6 @@ namespace cli
 {
 class Progress;
 
-/// Throws WordsError or WorkError for files that cannot be read, or are no points.
-void CheckFogFiles(const std::vector<FogChoice>& choices);
-
 /// The points of each file as spheres of fog. Throws WorkError with the file's name: what cannot be
 /// read, arrays that do not fit, files without a point that is a sphere of fog.
 std::vector<vtkSmartPointer<vtkRelievoFogSpheres>> ReadFogs(

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Lamps.h"
 
-#include "Failure.h"
-#include "Messages.h"
+#include "Points.h"
 #include "Readers.h"
 
 #include "vtkDataObject.h"
@@ -21,28 +20,9 @@ std::vector<vtkSmartPointer<vtkRelievoLamps>> ReadLamps(
     vtkSmartPointer<vtkDataObject> points = ReadData(choice.File, progress);
     auto lamps = vtkSmartPointer<vtkRelievoLamps>::New();
     lamps->SetInputData(points);
-    if (choice.Radius.Number)
-    {
-      lamps->SetRadius(*choice.Radius.Number);
-    }
-    if (choice.Intensity.Number)
-    {
-      lamps->SetIntensity(*choice.Intensity.Number);
-    }
-    if (choice.Color)
-    {
-      lamps->SetColor(choice.Color->data());
-    }
-    // One number for all comes before an array that the file has.
-    const auto takes = [&lamps](const char* value, const std::string& array, bool forAll) {
-      if (forAll || !array.empty())
-      {
-        lamps->SetArray(value, array);
-      }
-    };
-    takes("radius", choice.Radius.Array, choice.Radius.Number.has_value());
-    takes("intensity", choice.Intensity.Array, choice.Intensity.Number.has_value());
-    takes("color", choice.ColorArray, choice.Color.has_value());
+    TakeValue(lamps.Get(), "radius", choice.Radius, &vtkRelievoLamps::SetRadius);
+    TakeValue(lamps.Get(), "intensity", choice.Intensity, &vtkRelievoLamps::SetIntensity);
+    TakeColor(lamps.Get(), choice.Color);
     constexpr int kinds[] = { vtkRelievoLamps::LINEAR, vtkRelievoLamps::INVERSE_SQUARE,
       vtkRelievoLamps::VTK };
     lamps->SetFalloff(kinds[static_cast<int>(choice.Kind)]);
@@ -50,14 +30,8 @@ std::vector<vtkSmartPointer<vtkRelievoLamps>> ReadLamps(
     {
       lamps->SetAttenuationValues(choice.Attenuation->data());
     }
-    const int count = lamps->GetNumberOfPoints();
-    Messages::Check(choice.File);
-    if (count == 0)
-    {
-      throw WorkError(choice.File +
-        ": holds no points that are lamps: expected finite places, radii above 0 and intensities "
-        "other than 0");
-    }
+    CheckPoints(lamps, choice.File, "lamps",
+      "places must be finite, radii above 0 and intensities other than 0");
     all.push_back(lamps);
   }
   return all;

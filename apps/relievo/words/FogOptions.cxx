@@ -33,14 +33,7 @@ FogChoice ParseFog(const std::string& word)
         fog.Density = ParsePointValue(option, value, 0.0);
         break;
       case 2:
-        if (value.find('/') == std::string::npos)
-        {
-          fog.ColorArray = value;
-        }
-        else
-        {
-          fog.Color = ParseThree(option, value);
-        }
+        fog.Color = ParseColorValue(option, value);
         break;
       default:
         ParseChoice(option, value, { "beer", "chord" });

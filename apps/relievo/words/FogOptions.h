@@ -8,8 +8,6 @@
 
 #include "PointValue.h"
 
-#include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +18,7 @@ struct FogChoice
   std::string File;
   PointValue Radius;
   PointValue Density;
-  std::optional<std::array<double, 3>> Color; ///< for all points
-  std::string ColorArray;
+  ColorValue Color;
   std::string Mode; ///< beer or chord; empty: not said
 };
 

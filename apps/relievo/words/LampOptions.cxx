@@ -37,14 +37,7 @@ LampChoice ParseLamps(const std::string& word)
         lamps.Intensity = ParsePointValue(option, value, -std::numeric_limits<double>::infinity());
         break;
       case 2:
-        if (value.find('/') == std::string::npos)
-        {
-          lamps.ColorArray = value;
-        }
-        else
-        {
-          lamps.Color = ParseThree(option, value);
-        }
+        lamps.Color = ParseColorValue(option, value);
         break;
       case 3:
         lamps.Kind = kinds[ParseChoice(option, value, { "linear", "inverse-square", "vtk" })];

@@ -26,8 +26,7 @@ struct LampChoice
   std::string File;
   PointValue Radius;
   PointValue Intensity;
-  std::optional<std::array<double, 3>> Color; ///< for all points
-  std::string ColorArray;
+  ColorValue Color;
   Falloff Kind = Falloff::Linear;
   std::optional<std::array<double, 3>> Attenuation; ///< of Falloff::VTK
 };

@@ -44,6 +44,21 @@ PointValue ParsePointValue(const std::string& option, const std::string& word, d
 }
 
 //------------------------------------------------------------------------------
+ColorValue ParseColorValue(const std::string& option, const std::string& word)
+{
+  ColorValue value;
+  if (word.find('/') == std::string::npos)
+  {
+    value.Array = word;
+  }
+  else
+  {
+    value.Color = ParseThree(option, word);
+  }
+  return value;
+}
+
+//------------------------------------------------------------------------------
 std::array<double, 3> ParseThree(const std::string& option, const std::string& word)
 {
   const char* const form = "three numbers, such as 1/0.8/0.5";

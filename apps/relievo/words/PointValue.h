@@ -21,8 +21,18 @@ struct PointValue
   std::string Array;
 };
 
+/// A linear colour for all points, or the name of a point array.
+struct ColorValue
+{
+  std::optional<std::array<double, 3>> Color;
+  std::string Array;
+};
+
 /// A number of `least` or more, or else a name. Throws WordsError.
 PointValue ParsePointValue(const std::string& option, const std::string& word, double least);
+
+/// R/G/B, or else a name. Throws WordsError.
+ColorValue ParseColorValue(const std::string& option, const std::string& word);
 
 /// Three numbers, A/B/C. Throws WordsError.
 std::array<double, 3> ParseThree(const std::string& option, const std::string& word);
