@@ -34,6 +34,11 @@
 #define RELIEVO_PRIMITIVE_NONE 2
 #define RELIEVO_PRIMITIVE_OF_POINTS 3 // a sphere or a stick at every point
 
+// How a surface is lit
+#define RELIEVO_SHADING_NONE 0
+#define RELIEVO_SHADING_PHONG 1 // VTK's flat and Gouraud shading, too
+#define RELIEVO_SHADING_PBR 2
+
 // RELIEVO_METHOD: vtkRelievoMaterial::Methods
 #define RELIEVO_METHOD_OFF 0
 #define RELIEVO_METHOD_PARALLAX 1

@@ -38,4 +38,8 @@
 
 #include "formulas/lamp.glsl"
 
+#include "formulas/surface.glsl"
+
+#include "formulas/shading.glsl"
+
 #include "formulas/fog.glsl"

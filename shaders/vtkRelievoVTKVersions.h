@@ -36,6 +36,11 @@
 #define RELIEVO_VTK_EAR_CLIPPING 1
 #endif
 
+// Where some lights are lamps, PBR takes a sun among them for a lamp at its place.
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 5, 0)
+#define RELIEVO_VTK_PBR_SUNS_AT_PLACES 1
+#endif
+
 // vtkProp::GeneralTextureTransform() is called GENERAL_TEXTURE_TRANSFORM().
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 #define RELIEVO_VTK_TEXTURE_TRANSFORM GENERAL_TEXTURE_TRANSFORM

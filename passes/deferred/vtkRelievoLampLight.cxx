@@ -25,6 +25,7 @@ std::string vtkRelievoLampLight::Prepare(
 {
   this->Way = way;
   this->Counting = counts;
+  this->Floats = floats;
   this->Computed = this->Reaching = -1.0;
   const bool quads = way == vtkRelievoLampsStage::QUADS;
   if (way == vtkRelievoLampsStage::CLUSTERS)
@@ -53,7 +54,7 @@ std::string vtkRelievoLampLight::Prepare(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoLampLight::Draw(vtkRelievoFrameContext& context)
+std::string vtkRelievoLampLight::Draw(vtkRelievoFrameContext& context, bool glossy)
 {
   this->DrawCalls = 0;
   std::string wrong = this->Upload(context);
@@ -61,6 +62,22 @@ std::string vtkRelievoLampLight::Draw(vtkRelievoFrameContext& context)
   {
     wrong = this->DrawInto(context, this->Sum, this->Lights,
       this->Sum.GetFormat().Halves ? "#define RELIEVO_HALVES\n" : "");
+  }
+  const bool quads = this->Way == vtkRelievoLampsStage::QUADS;
+  if (!glossy)
+  {
+    this->Gloss.Release(context.Window);
+  }
+  else if (wrong.empty())
+  {
+    wrong = this->Gloss.Prepare(context, { 4, !this->Floats && !quads, quads });
+    this->Gloss.SetDefines("#define RELIEVO_GLOSS\n");
+  }
+  if (glossy && wrong.empty())
+  {
+    wrong = this->DrawInto(context, this->Gloss, this->Glosses,
+      this->Gloss.GetFormat().Halves ? "#define RELIEVO_GLOSS\n#define RELIEVO_HALVES\n"
+                                     : "#define RELIEVO_GLOSS\n");
   }
   if (wrong.empty() && this->Counting)
   {
@@ -140,8 +157,12 @@ std::string vtkRelievoLampLight::DrawInto(vtkRelievoFrameContext& context,
     std::string all = defines;
     all += this->Way == vtkRelievoLampsStage::CLUSTERS ? "#define RELIEVO_LAMPS_IN_CLUSTERS\n" : "";
     all += context.View.Parallel ? "#define RELIEVO_LINEAR_SLICES\n" : "";
-    vtkShaderProgram* program =
-      quad.Ready(context, "deferred/lampsFS.glsl", { "depth", "normal" }, all);
+    std::vector<std::string> reads{ "depth", "normal" };
+    if (&target == &this->Gloss)
+    {
+      reads.emplace_back("surface");
+    }
+    vtkShaderProgram* program = quad.Ready(context, "deferred/lampsFS.glsl", reads, all);
     wrong = quad.GetWrong();
     if (program)
     {
@@ -179,17 +200,19 @@ void vtkRelievoLampLight::SumCounts()
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoLampLight::GetBytes() const
 {
-  return this->Sum.GetBytes() + this->Counts.GetBytes() + this->Lamps.GetBytes() +
-    this->Attenuations.GetBytes() + this->Cells.GetBytes() + this->Lists.GetBytes() +
-    this->Quads.GetBytes();
+  return this->Sum.GetBytes() + this->Gloss.GetBytes() + this->Counts.GetBytes() +
+    this->Lamps.GetBytes() + this->Attenuations.GetBytes() + this->Cells.GetBytes() +
+    this->Lists.GetBytes() + this->Quads.GetBytes();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoLampLight::Release(vtkWindow* window)
 {
   this->Sum.Release(window);
+  this->Gloss.Release(window);
   this->Counts.Release(window);
   this->Lights.Release(window);
+  this->Glosses.Release(window);
   this->Counter.Release(window);
   this->Quads.Release(window);
   for (vtkRelievoTextureBuffer* buffer :

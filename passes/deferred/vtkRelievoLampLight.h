@@ -24,11 +24,13 @@ public:
   void Take(vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets);
   std::string Prepare(vtkRelievoFrameContext& context, int way, bool floats, bool counts);
 
-  // Sums the light, and counts. Returns what is wrong, in words.
-  std::string Draw(vtkRelievoFrameContext& context);
+  // Sums the light and, of surfaces that are more than matte, the gloss; and counts. Returns what
+  // is wrong, in words.
+  std::string Draw(vtkRelievoFrameContext& context, bool glossy);
 
   const vtkRelievoLampList& GetList() const { return this->List; }
   vtkRelievoScreenTarget& GetSum() { return this->Sum; }
+  vtkRelievoScreenTarget& GetGloss() { return this->Gloss; }
   vtkRelievoScreenTarget& GetCounts() { return this->Counts; } // computed, reaching
 
   // Lamps a pixel in the last frame, on average; -1: they were not counted.
@@ -49,6 +51,7 @@ private:
 
   int Way = 0;
   bool Counting = false;
+  bool Floats = false;
   int DrawCalls = 0;
   double Computed = -1.0;
   double Reaching = -1.0;
@@ -56,8 +59,10 @@ private:
   vtkRelievoLampClusters Clusters;
   vtkRelievoLampQuads Quads;
   vtkRelievoScreenTarget Sum{ "relievoLight" };
+  vtkRelievoScreenTarget Gloss{ "relievoGlossSum" };
   vtkRelievoScreenTarget Counts{ "relievoLampCounts" };
   vtkRelievoScreenQuad Lights;
+  vtkRelievoScreenQuad Glosses;
   vtkRelievoScreenQuad Counter;
   vtkRelievoTextureBuffer Lamps;
   vtkRelievoTextureBuffer Attenuations;

@@ -2,20 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoLampsStage.h"
 
-#include "vtkActor.h"
-#include "vtkActorCollection.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkProperty.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoKeptState.h"
 #include "vtkRelievoLampLight.h"
 #include "vtkRelievoLamps.h"
-#include "vtkRenderer.h"
+#include "vtkRelievoResource.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -29,30 +26,12 @@ namespace
 const char* const Light = "light";
 const char* const Evaluations = "lamp_evaluations";
 const char* const Reaching = "lamps_reaching";
-const char* const Material = "material";
+const char* const Surface = "surface";
+const char* const Gloss = "lamp gloss";
 const std::vector<std::string> WayNames{ "auto", "quads", "clusters", "all" };
 
 // Up to so many lamps rectangles are drawn by themselves: clusters cost more to list.
 constexpr int MostQuads = 8;
-
-// Whether some surface gives back less than all of its light, so that lamps must know how much.
-bool HasMaterials(vtkRenderer* renderer)
-{
-  vtkActorCollection* actors = renderer->GetActors();
-  vtkCollectionSimpleIterator it;
-  actors->InitTraversal(it);
-  while (vtkActor* actor = actors->GetNextActor(it))
-  {
-    vtkProperty* property = actor->GetProperty();
-    if (actor->GetVisibility() &&
-      (!property->GetLighting() || property->GetDiffuse() != 1.0 ||
-        property->GetInterpolation() == VTK_PBR))
-    {
-      return true;
-    }
-  }
-  return false;
-}
 }
 
 class vtkRelievoLampsStage::Internals
@@ -169,18 +148,10 @@ void vtkRelievoLampsStage::Declare(
 
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkRelievoLampsStage::GetReadsFor(
-  const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const
+  const vtkRelievoFrameContext&, const std::vector<std::string>& asked) const
 {
-  std::vector<std::string> reads;
-  if (std::find(asked.begin(), asked.end(), "color") != asked.end())
-  {
-    reads.emplace_back("albedo");
-    if (HasMaterials(context.Renderer))
-    {
-      reads.emplace_back(Material);
-    }
-  }
-  return reads;
+  const bool colors = std::find(asked.begin(), asked.end(), "color") != asked.end();
+  return colors ? std::vector<std::string>{ Surface } : std::vector<std::string>();
 }
 
 //------------------------------------------------------------------------------
@@ -212,7 +183,12 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
 void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  std::string wrong = in.Light.Draw(context);
+  const bool colors = context.IsAsked(this, "color") && this->NumberDrawn > 0;
+  const vtkRelievoResource* surface = colors ? context.Find(Surface) : nullptr;
+  // Words of the G-buffer beside the colour are there for a surface that is more than matte.
+  const bool glossy =
+    surface && surface->GetDefines().find("RELIEVO_SURFACE_DETAIL_WORD") != std::string::npos;
+  std::string wrong = in.Light.Draw(context, glossy);
   this->DrawCalls = in.Light.GetDrawCalls();
   if (wrong.empty())
   {
@@ -225,12 +201,13 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
       }
     }
   }
-  if (wrong.empty() && context.IsAsked(this, "color") && this->NumberDrawn > 0)
+  if (wrong.empty() && colors)
   {
-    std::vector<std::string> reads{ "albedo", Light };
-    if (context.Find(Material))
+    std::vector<std::string> reads{ Surface, Light };
+    if (glossy)
     {
-      reads.emplace_back(Material);
+      context.Provide(Gloss, &in.Light.GetGloss());
+      reads.emplace_back(Gloss);
     }
     if (in.Colors.Ready(context, "deferred/lampsColorFS.glsl", reads))
     {

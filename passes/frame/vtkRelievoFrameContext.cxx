@@ -49,6 +49,13 @@ bool vtkRelievoFrameContext::IsAsked(
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoFrameContext::IsPlanned(const std::string& resource) const
+{
+  return std::any_of(this->Asked.begin(), this->Asked.end(),
+    [this, &resource](const auto& asked) { return this->IsAsked(asked.first, resource); });
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoFrameContext::Provide(const std::string& name, vtkRelievoResource* resource)
 {
   this->Resources[name] = resource;

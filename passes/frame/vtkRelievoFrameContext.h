@@ -54,6 +54,9 @@ public:
   const std::vector<std::string>& GetAsked(const vtkRelievoStage* stage) const;
   bool IsAsked(const vtkRelievoStage* stage, const std::string& resource) const;
 
+  // Whether some stage is asked for it in this frame.
+  bool IsPlanned(const std::string& resource) const;
+
   ///@{
   // What a stage wrote, by the resource's name; nullptr if it does not exist (yet). It must live
   // until the frame is done.

@@ -35,6 +35,9 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
   std::vector<std::string> Offers; // of Writes: to those that merely use it
   bool Covers = true; // of one that writes `picture`: the colour is surely not seen beneath
 
+  // Whether it finishes what the delegate draws, while it draws: needed whenever that is.
+  bool DrawsAlong = false;
+
   // Whether it makes the picture of the colour, by vtkRelievoFrameContext::Present, in the place of
   // the sRGB curve alone. If it does not, the curve does.
   bool Presents = false;

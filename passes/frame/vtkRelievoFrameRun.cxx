@@ -66,7 +66,7 @@ void vtkRelievoFrameRun::Declare()
       node.Declaration.Code = "off";
       node.Declaration.Words = "switched off (EnabledOff)";
     }
-    if (description.Slot == Description::LIGHT_MAPS)
+    if (description.Slot == Description::LIGHT_MAPS || node.Declaration.DrawsAlong)
     {
       // What is made of lights is used where the picture is lit.
       std::vector<std::string>& uses = delegate.Declaration.Uses;

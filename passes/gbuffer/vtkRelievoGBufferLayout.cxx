@@ -117,7 +117,8 @@ void vtkRelievoGBufferLayout::Arrange()
     // Full floats where they fit into the attachments that are there anyhow, otherwise one word.
     const int togetherWords = together ? GetNormalDepthWords(this->NormalDepth) : 0;
     const int others = togetherWords + (depthAlone ? 1 : 0) + (this->Ids ? 1 : 0) +
-      (this->Albedo ? 1 : 0) + (this->Material ? 1 : 0) + shadowWords;
+      (this->Albedo ? 1 : 0) + (this->Surface ? 1 : 0) + (this->SurfaceDetail ? 1 : 0) +
+      (this->SurfaceSpecular ? 1 : 0) + shadowWords;
     const int attachmentsFloat = (others + 3 * normals + 3) / 4;
     const int attachmentsPacked = (others + normals + 3) / 4;
     this->ChosenNormalFormat = attachmentsFloat == attachmentsPacked
@@ -132,7 +133,9 @@ void vtkRelievoGBufferLayout::Arrange()
   this->NormalWord = normalAlone ? add(noNormal) : -1;
   this->GeometricNormalWord = this->GeometricNormal ? add(noNormal) : -1;
   this->AlbedoWord = this->Albedo ? add({ 0u }) : -1;
-  this->MaterialWord = this->Material ? add({ 0u }) : -1;
+  this->SurfaceWord = this->Surface ? add({ 0u }) : -1;
+  this->SurfaceDetailWord = this->SurfaceDetail ? add({ 0u }) : -1;
+  this->SurfaceSpecularWord = this->SurfaceSpecular ? add({ 0u }) : -1;
   // Where nothing is, no light is blocked.
   this->ShadowWord =
     shadowWords > 0 ? add(std::vector<std::uint32_t>(shadowWords, 0xffffffffu)) : -1;
@@ -162,7 +165,9 @@ std::string vtkRelievoGBufferLayout::GetDefines() const
   define("NORMAL", this->NormalWord);
   define("GEOMETRIC_NORMAL", this->GeometricNormalWord);
   define("ALBEDO", this->AlbedoWord);
-  define("MATERIAL", this->MaterialWord);
+  define("SURFACE", this->SurfaceWord);
+  define("SURFACE_DETAIL", this->SurfaceDetailWord);
+  define("SURFACE_SPECULAR", this->SurfaceSpecularWord);
   define("SHADOW", this->ShadowWord);
   out << "#define RELIEVO_NORMAL_FORMAT " << this->ChosenNormalFormat << "\n";
   out << "#define RELIEVO_DEPTH_FORMAT " << this->DepthFormat << "\n";

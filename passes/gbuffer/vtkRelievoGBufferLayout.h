@@ -22,7 +22,9 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   bool Normal = false;
   bool GeometricNormal = false;
   bool Albedo = false;
-  bool Material = false; // how much of the light a surface gives back
+  bool Surface = false;         // how surfaces are lit, and their colour
+  bool SurfaceDetail = false;   // and the share, the width of highlights, what metal they are
+  bool SurfaceSpecular = false; // and the colour of highlights
   bool Ids = false;
   std::map<std::string, int> Lights; // of layers that are a light's visibility
   std::vector<int> Shadows;          // lights, by their number in the renderer, ascending
@@ -36,7 +38,9 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   int GeometricNormalWord = -1;
   int NormalDepthWord = -1;
   int AlbedoWord = -1;
-  int MaterialWord = -1;
+  int SurfaceWord = -1;
+  int SurfaceDetailWord = -1;
+  int SurfaceSpecularWord = -1;
   int IdWord = -1;
   int ShadowWord = -1; // two lights a word, 16 bits each
 

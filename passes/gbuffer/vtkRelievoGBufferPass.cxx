@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoGBufferInternals.h"
 
+#include "vtkLightCollection.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoFrameContext.h"
@@ -9,8 +10,10 @@
 #include "vtkRelievoKeptState.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerReader.h"
+#include "vtkRelievoSurfaces.h"
 
 #include <algorithm>
+#include <numeric>
 
 vtkStandardNewMacro(vtkRelievoGBufferPass);
 
@@ -40,8 +43,8 @@ void vtkRelievoGBufferPass::Describe(vtkRelievoStageDescription& description)
     }
   }
   description.WritesArrays = true;
-  // For stages that light: diffuse share, metallic, roughness.
-  description.Writes = { "material" };
+  // For stages that light: beside VTK's own light, and in its place.
+  description.Writes = { "surface", "shading" };
 }
 
 //------------------------------------------------------------------------------
@@ -65,9 +68,9 @@ void vtkRelievoGBufferPass::Internals::Arrange(
   layout.NormalDepth = self.NormalDepthFormat;
   for (const std::string& layer : context.GetAsked(&self))
   {
-    if (layer == "material")
+    if (layer == "surface" || layer == "shading")
     {
-      layout.Material = true;
+      layout.Surface = true;
     }
     else
     {
@@ -83,7 +86,38 @@ void vtkRelievoGBufferPass::Internals::Arrange(
     layout.Ids = layout.Ids ||
       (refines && vtkRelievoLayerCatalogue::Find(layer).Source == vtkRelievoLayer::FROM_DEPTH);
   }
+  if (layout.Surface)
+  {
+    const vtkRelievoSurfaces surfaces = vtkRelievoSurfaces::Find(context.State);
+    layout.SurfaceDetail = surfaces.Detail;
+    layout.SurfaceSpecular = surfaces.Specular;
+  }
+  std::vector<int> asked; // lights whose visibility is a layer
+  this->Textures.WhyNot.clear();
+  this->Textures.Left.clear();
+  this->Textures.Deferred = this->Textures.NumberOfLights = 0;
+  this->Shading = context.IsAsked(&self, "shading");
+  if (this->Shading)
+  {
+    layout.Depth = layout.Normal = true;
+    asked = layout.Shadows;
+    if (context.IsPlanned("shadow maps"))
+    {
+      layout.Shadows.resize(context.Renderer->GetLights()->GetNumberOfItems());
+      std::iota(layout.Shadows.begin(), layout.Shadows.end(), 0);
+      this->Textures.NumberOfLights = static_cast<int>(layout.Shadows.size());
+    }
+  }
   layout.Arrange();
+  if (this->Shading && layout.GetNumberOfAttachments() > vtkRelievoGBufferLayout::MostAttachments)
+  {
+    this->Textures.WhyNot = "the visibility of " + std::to_string(layout.Shadows.size()) +
+      " lights takes more than " + std::to_string(vtkRelievoGBufferLayout::MostAttachments) +
+      " attachments";
+    this->Shading = false;
+    layout.Shadows = asked;
+    layout.Arrange();
+  }
   const bool changed = layout != this->Layout;
   this->Layout = layout;
   if (changed)
@@ -153,7 +187,7 @@ void vtkRelievoGBufferPass::BeginOpaque(vtkRelievoFrameContext& context)
   {
     return;
   }
-  in.SetMode(vtkRelievoGBufferSplice::Mode{ false, false, in.PrimitiveIds });
+  in.SetMode(vtkRelievoGBufferSplice::Mode{ false, false, in.PrimitiveIds, in.Shading });
   in.Offset[0] = v[0];
   in.Offset[1] = v[1];
   in.Draws.Clear();
@@ -162,7 +196,7 @@ void vtkRelievoGBufferPass::BeginOpaque(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoGBufferPass::EndOpaque(vtkRelievoFrameContext&)
+void vtkRelievoGBufferPass::EndOpaque(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   if (!in.Writing)
@@ -174,6 +208,11 @@ void vtkRelievoGBufferPass::EndOpaque(vtkRelievoFrameContext&)
   in.Writing = false;
   in.Valid = true;
   this->Shared = true;
+  if (in.Shading)
+  {
+    in.Textures.Set(in.Layout, in.Target, in.Offset, this->NormalSpace == WORLD);
+    context.Provide("shading", &in.Textures);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -185,6 +224,18 @@ void vtkRelievoGBufferPass::Execute(vtkRelievoFrameContext& context)
     this->EndOpaque(context);
     in.NotShared = "the delegate does not draw all of its opaque geometry in one go";
     in.Valid = this->Shared = false;
+  }
+  const std::vector<std::string>& asked = context.GetAsked(this);
+  if (in.Shading && !in.Valid)
+  {
+    in.Textures.WhyNot = in.NotShared;
+    context.Provide("shading", &in.Textures);
+    if (asked.size() == 1)
+    {
+      in.Target.Release(context.Window);
+      this->Explain("idle", "nothing but shading is asked for, and VTK lights: " + in.NotShared);
+      return;
+    }
   }
   if (!in.Valid && in.View.Viewport[2] > 0 && in.View.Viewport[3] > 0)
   {
@@ -201,10 +252,10 @@ void vtkRelievoGBufferPass::Execute(vtkRelievoFrameContext& context)
   }
   std::string words = "asked for:";
   in.Textures.Set(in.Layout, in.Target, in.Offset, this->NormalSpace == WORLD);
-  for (const std::string& layer : context.GetAsked(this))
+  for (const std::string& layer : asked)
   {
-    layer == "material" ? context.Provide(layer, &in.Textures)
-                        : context.ProvideLayer(layer, &in.Textures);
+    const bool internal = layer == "surface" || layer == "shading";
+    internal ? context.Provide(layer, &in.Textures) : context.ProvideLayer(layer, &in.Textures);
     words += " " + layer;
   }
   this->Explain("ran",
@@ -227,7 +278,7 @@ void vtkRelievoGBufferPass::DrawOwnPass(vtkRelievoFrameContext& context)
   if (wrong.empty())
   {
     in.SetMode(vtkRelievoGBufferSplice::Mode{
-      true, in.View.Far > 1e4 * in.View.Near && !in.View.Parallel, in.PrimitiveIds });
+      true, in.View.Far > 1e4 * in.View.Near && !in.View.Parallel, in.PrimitiveIds, false });
     in.Offset[0] = in.Offset[1] = 0;
     in.Draws.Clear();
     in.Writing = true;

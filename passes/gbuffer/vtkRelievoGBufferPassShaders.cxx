@@ -12,6 +12,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
 #include "vtkRelievoShaderTrial.h"
+#include "vtkRelievoSurfaces.h"
 #include "vtkShaderProgram.h"
 
 #include <glm/matrix.hpp>
@@ -131,10 +132,11 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
   in.Glyphs.SetUniforms(program, mapper);
   program->SetUniformi(
     "relievoFaces", actor->GetProperty()->GetRepresentation() == VTK_SURFACE ? 1 : 0);
-  // An actor without lighting is lit by nothing.
-  const bool lit = actor->GetProperty()->GetLighting();
-  program->SetUniformf(
-    "relievoDiffuseShare", lit ? static_cast<float>(actor->GetProperty()->GetDiffuse()) : 0.0f);
+  if (in.Layout.SurfaceWord >= 0)
+  {
+    vtkRelievoSurfaces::SetUniforms(
+      program, actor, in.Mode.Deferred && in.Defers(program, mapper, actor));
+  }
   const double winding = actor->GetMatrix()->Determinant() *
     glm::determinant(glm::dmat3(in.View.WorldToView)) *
     glm::determinant(glm::dmat2(in.View.ViewToNDC));
@@ -142,6 +144,21 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
   program->SetUniformf("relievoNear", static_cast<float>(in.View.Near));
   program->SetUniformf("relievoFar", static_cast<float>(in.View.Far));
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Whether the light of a draw is left out; counts, and keeps why it is not.
+bool vtkRelievoGBufferPass::Internals::Defers(
+  vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
+  if (!actor->GetProperty()->GetLighting())
+  {
+    return false; // nothing to leave out
+  }
+  const std::string why = vtkRelievoSurfaces::WhyLit(
+    actor, mapper, this->Renderer, program->GetFragmentShader()->GetSource());
+  ++(why.empty() ? this->Textures.Deferred : this->Textures.Left[why]);
+  return why.empty();
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 #include "vtkRelievoPrimitiveIds.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
+#include "vtkRelievoSurfaces.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -187,7 +188,13 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   const std::size_t end = fragment.find("//RELIEVO::Texture::End");
   if (begin != std::string::npos && end != std::string::npos && begin < end)
   {
+    // Of the colour, and of the highlight's.
     FillMark(write, "//RELIEVO::Texture::Copy", fragment.substr(begin, end - begin));
+    FillMark(write, "//RELIEVO::Texture::Copy", fragment.substr(begin, end - begin));
+  }
+  if (mode.Deferred)
+  {
+    vtkRelievoSurfaces::MakeLightsOptional(fragment);
   }
   std::string shadows;
   for (std::size_t i = 0; i < layout.Shadows.size(); i += 2)

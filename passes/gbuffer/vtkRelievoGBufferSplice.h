@@ -37,11 +37,13 @@ struct Mode
   bool LayersOnly = false;       // nobody sees the colour
   bool LinearVisibility = false; // the depth buffer holds depth / far
   int PrimitiveIds = 0;          // a vtkRelievoPrimitiveIds::Route
+  bool Deferred = false;         // VTK's lights can be left out
 
   bool operator!=(const Mode& other) const
   {
     return this->LayersOnly != other.LayersOnly ||
-      this->LinearVisibility != other.LinearVisibility || this->PrimitiveIds != other.PrimitiveIds;
+      this->LinearVisibility != other.LinearVisibility ||
+      this->PrimitiveIds != other.PrimitiveIds || this->Deferred != other.Deferred;
   }
 };
 

@@ -5,12 +5,12 @@
 #ifndef vtkRelievoGBufferTextures_h
 #define vtkRelievoGBufferTextures_h
 
-#include "vtkRelievoResource.h"
+#include "vtkRelievoShading.h"
 
 class vtkRelievoGBufferTarget;
 struct vtkRelievoGBufferLayout;
 
-class vtkRelievoGBufferTextures : public vtkRelievoResource
+class vtkRelievoGBufferTextures : public vtkRelievoShading
 {
 public:
   // The viewport begins at `offset` within the textures.

@@ -10,6 +10,7 @@
 #include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoShadowPass.h"
 #include "vtkRelievoShadowSchedule.h"
+#include "vtkRelievoShadowStrengths.h"
 #include "vtkRelievoShadowWork.h"
 #include "vtkTimeStamp.h"
 #include "vtkWeakPointer.h"
@@ -33,6 +34,7 @@ public:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the frame
   std::set<vtkShaderProgram*> Told;             // programs that have this frame's uniforms
   std::set<std::string> Said;                   // warnings and errors
+  vtkRelievoShadowStrengths Strengths;          // of the lights of this frame
   bool Spliced = false;
   bool Strayed = false; // shaders without shadows were built with this pass in their keys
 

@@ -284,6 +284,8 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
   const int mapDraws = in.Schedule.Draw(work, context.Renderer);
   this->NumberOfMapsDrawn = work.MapsDrawn;
   work.Maps.Bind(true);
+  in.Strengths.Set(work, this->Visible ? this->Strength : 0.0);
+  context.Provide("shadow maps", &in.Strengths);
   in.Told.clear();
   const int methodDraws = in.Method->Draw(work, context.Renderer);
   in.Told.clear();

@@ -1,22 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What one lamp of vtkRelievoLampList adds at a point.
+// What one lamp of vtkRelievoLampList sends to a point.
 //RELIEVO::Include(formulas/lamp.glsl)
 uniform samplerBuffer relievoLamps;            // place, radius; colour, fall-off
 uniform samplerBuffer relievoLampAttenuations; // of each set
 
-// Light of the lamp at a point of eye space with this normal. `reaches` says whether the point is
-// within its radius.
-vec3 relievoLampLight(int lamp, vec3 positionVC, vec3 normalVC, out bool reaches)
+struct relievoLampRay
+{
+  vec3 light;   // what arrives, whatever the surface's direction
+  vec3 toLamp;  // eye space
+  float range;  // its length
+  bool reaches; // the point is within the radius
+};
+
+relievoLampRay relievoSeeLamp(int lamp, vec3 positionVC)
 {
   vec4 place = texelFetch(relievoLamps, 2 * lamp);
   vec4 color = texelFetch(relievoLamps, 2 * lamp + 1);
   vec3 toLamp = place.xyz - positionVC;
   float range = length(toLamp);
-  reaches = range < place.w;
-  if (!reaches)
+  relievoLampRay ray = relievoLampRay(vec3(0.0), toLamp, range, range < place.w);
+  if (!ray.reaches)
   {
-    return vec3(0.0);
+    return ray;
   }
   float falloff = 0.0;
   if (color.w == 0.0)
@@ -32,5 +38,6 @@ vec3 relievoLampLight(int lamp, vec3 positionVC, vec3 normalVC, out bool reaches
     vec4 values = texelFetch(relievoLampAttenuations, int(color.w) - 2);
     falloff = relievoLampAttenuated(range, place.w, values.xyz);
   }
-  return color.rgb * (falloff * relievoLampCosine(normalVC, toLamp, range));
+  ray.light = color.rgb * falloff;
+  return ray;
 }

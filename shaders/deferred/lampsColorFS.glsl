@@ -4,22 +4,32 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What lamps add to the linear colour: their light times the surface's colour.
+// What lamps add to the linear colour: their light times the surface's colour, and its gloss.
 //RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(formulas/srgb.glsl)
 //RELIEVO::Include(deferred/light.glsl)
 in vec2 texCoord;
 uniform vec2 relievoSize;
+#ifdef RELIEVO_GLOSS
+uniform sampler2D relievoGlossSum;
+#endif
 
 void main()
 {
   ivec2 pixel = ivec2(floor(texCoord * relievoSize));
-  vec4 albedo = relievoFetchAlbedo(pixel);
-  float diffuse = 1.0;
-#ifdef RELIEVO_MATERIAL_WORD
-  vec4 material = relievoFetchMaterial(pixel);
-  diffuse = material.x * (1.0 - material.y);
+  relievoSurface surface = relievoFetchSurface(pixel);
+  vec3 color = vec3(0.0);
+  if (surface.shading == RELIEVO_SHADING_PHONG)
+  {
+    color = surface.diffuse * relievoLinearColorFromSrgb(surface.color);
+  }
+  else if (surface.shading == RELIEVO_SHADING_PBR)
+  {
+    color = (1.0 - surface.metallic) * surface.color;
+  }
+  vec3 sum = color * relievoFetchLight(pixel);
+#ifdef RELIEVO_GLOSS
+  sum += texelFetch(relievoGlossSum, pixel, 0).rgb;
 #endif
-  gl_FragData[0] =
-    vec4(diffuse * relievoLinearColorFromSrgb(albedo.rgb) * relievoFetchLight(pixel), 0.0);
+  gl_FragData[0] = vec4(sum, 0.0);
 }

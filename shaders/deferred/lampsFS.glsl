@@ -7,6 +7,8 @@
 // The light of lamps at each pixel's point. RELIEVO_LAMPS_IN_CLUSTERS: of those that its cluster
 // lists; RELIEVO_LAMP_IN_QUAD: of the one whose rectangle is drawn; else of all.
 // RELIEVO_COUNT_LAMPS: instead, how many were computed, and how many reach the point.
+// RELIEVO_GLOSS: instead, what is given back beside the light times the surface's colour, linear:
+// Phong's highlights; of PBR what its highlights give, less what they take.
 // RELIEVO_HALVES: the sum is stored in half floats.
 //RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(formulas/half.glsl)
@@ -39,6 +41,10 @@ struct relievoLampSum
   float reaching;
 };
 
+#ifdef RELIEVO_GLOSS
+//RELIEVO::Include(deferred/gloss.glsl)
+#endif
+
 void relievoAddLamp(int i, int end, vec3 positionVC, vec3 normalVC, inout relievoLampSum sum)
 {
   if (i < end)
@@ -48,10 +54,19 @@ void relievoAddLamp(int i, int end, vec3 positionVC, vec3 normalVC, inout reliev
 #else
     int lamp = i;
 #endif
-    bool reaches;
-    sum.light += relievoLampLight(lamp, positionVC, normalVC, reaches);
+    relievoLampRay ray = relievoSeeLamp(lamp, positionVC);
+    float cosine = relievoLampCosine(normalVC, ray.toLamp, ray.range);
+#ifdef RELIEVO_GLOSS
+    if (ray.reaches && cosine > 0.0)
+    {
+      sum.light += ray.light *
+        relievoGloss(relievoLit, normalVC, ray.toLamp / ray.range, normalize(-positionVC));
+    }
+#else
+    sum.light += ray.light * cosine;
+#endif
     sum.computed += 1.0;
-    sum.reaching += reaches ? 1.0 : 0.0;
+    sum.reaching += ray.reaches ? 1.0 : 0.0;
   }
 }
 
@@ -65,7 +80,13 @@ void main()
   float depth = relievoFetchDepth(pixel);
   vec3 normalVC = relievoFetchNormal(pixel);
   relievoLampSum sum = relievoLampSum(vec3(0.0), 0.0, 0.0);
-  if (!isinf(depth))
+#ifdef RELIEVO_GLOSS
+  relievoLit = relievoFetchSurface(pixel);
+  bool glossy = relievoIsGlossy(relievoLit);
+#else
+  bool glossy = true;
+#endif
+  if (!isinf(depth) && glossy)
   {
     vec3 positionVC =
       relievoEyePosition(relievoNdcFromPixel(vec2(pixel), relievoSize), depth, relievoProjection);

@@ -5,6 +5,7 @@
 //RELIEVO::Include(codes.glsl)
 //RELIEVO::Include(formulas/normal_depth.glsl)
 //RELIEVO::Include(formulas/octahedral.glsl)
+//RELIEVO::Include(formulas/surface.glsl)
 uniform usampler2D relievoWords1;
 #if RELIEVO_ATTACHMENTS > 1
 uniform usampler2D relievoWords2;
@@ -144,10 +145,57 @@ vec4 relievoFetchAlbedo(ivec2 pixel)
 }
 #endif
 
-#ifdef RELIEVO_MATERIAL_WORD
-// The share of light that is given back diffusely, metallic, roughness, and whether it is PBR.
-vec4 relievoFetchMaterial(ivec2 pixel)
+#ifdef RELIEVO_SURFACE_WORD
+// What light falls on. Colours are as VTK has them for display; those of PBR are linear.
+struct relievoSurface
 {
-  return unpackUnorm4x8(relievoFetchWord(pixel, RELIEVO_MATERIAL_WORD));
+  int shading;      // RELIEVO_SHADING_*
+  bool deferred;    // whether VTK has left its lights out
+  vec3 color;       // without light
+  float diffuse;    // Phong: share of the light that is given back
+  float power;      // Phong: of the highlight
+  vec3 specular;    // Phong: its colour times its share
+  float metallic;   // PBR
+  float roughness;  // PBR
+};
+
+const relievoSurface relievoNoSurface =
+  relievoSurface(RELIEVO_SHADING_NONE, false, vec3(0.0), 1.0, 1.0, vec3(0.0), 0.0, 0.5);
+
+relievoSurface relievoFetchSurface(ivec2 pixel)
+{
+  uint word = relievoFetchWord(pixel, RELIEVO_SURFACE_WORD);
+  int kind = int(relievoUnpackSurfaceKind(word));
+  relievoSurface surface = relievoNoSurface;
+  surface.shading = kind & 3;
+  surface.deferred = kind > 3;
+  surface.color = relievoUnpackSurfaceColor(word);
+#ifdef RELIEVO_SURFACE_DETAIL_WORD
+  vec2 detail = relievoUnpackUnorm16(relievoFetchWord(pixel, RELIEVO_SURFACE_DETAIL_WORD));
+  if (surface.shading == RELIEVO_SHADING_PBR)
+  {
+    surface.metallic = detail.x;
+    surface.roughness = detail.y;
+  }
+  else
+  {
+    surface.diffuse = detail.x;
+    surface.power = detail.y * relievoMostSpecularPower;
+  }
+#endif
+#ifdef RELIEVO_SURFACE_SPECULAR_WORD
+  surface.specular =
+    relievoUnpackSurfaceColor(relievoFetchWord(pixel, RELIEVO_SURFACE_SPECULAR_WORD));
+#endif
+  return surface;
+}
+#endif
+
+#ifdef RELIEVO_SHADOW_WORD
+// What of the light at this place of those that are stored reaches the pixel: 1 lit, 0 dark.
+float relievoFetchVisibility(ivec2 pixel, int place)
+{
+  vec2 two = unpackUnorm2x16(relievoFetchWord(pixel, RELIEVO_SHADOW_WORD + place / 2));
+  return place % 2 == 0 ? two.x : two.y;
 }
 #endif

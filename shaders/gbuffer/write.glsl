@@ -37,7 +37,13 @@ uniform float relievoWinding; // -1 where actor, view and projection together mi
 uniform int relievoFaces; // whether faces are drawn, not their edges or corners
 uniform float relievoNear;
 uniform float relievoFar;
-uniform float relievoDiffuseShare; // the property's diffuse share; 0 without lighting
+#ifdef RELIEVO_SURFACE_WORD
+//RELIEVO::Include(formulas/surface.glsl)
+uniform int relievoShading; // RELIEVO_SHADING_*
+uniform int relievoDefers; // whether VTK's lights are left out
+uniform vec4 relievoHighlight[2]; // of both sides: colour times share, power
+uniform vec2 relievoMetal; // metallic, roughness
+#endif
 
 uint relievoPackDepth(float depth, bool parallel, float zNear, float zFar)
 {
@@ -193,7 +199,7 @@ uvec3 relievoPackNormal(vec3 n)
   RELIEVO_STORE_NORMAL(RELIEVO_GEOMETRIC_NORMAL_WORD, relievoFaceWords)
 #endif
 
-#ifdef RELIEVO_ALBEDO_WORD
+#if defined(RELIEVO_ALBEDO_WORD) || defined(RELIEVO_SURFACE_WORD)
 #ifdef RELIEVO_PBR_ALBEDO
   vec4 relievoAlbedo = vec4(albedo, opacity);
 #else
@@ -222,15 +228,44 @@ uvec3 relievoPackNormal(vec3 n)
     //RELIEVO::Texture::Copy
 #undef fragOutput0
   }
+#endif
+#ifdef RELIEVO_ALBEDO_WORD
   relievoWords[RELIEVO_ALBEDO_WORD] = packUnorm4x8(relievoAlbedo);
 #endif
 
-#ifdef RELIEVO_MATERIAL_WORD
-#ifdef RELIEVO_PBR_ALBEDO
-  relievoWords[RELIEVO_MATERIAL_WORD] =
-    packUnorm4x8(vec4(relievoDiffuseShare > 0.0 ? 1.0 : 0.0, metallic, roughness, 1.0));
+#if defined(RELIEVO_SURFACE_DETAIL_WORD) || defined(RELIEVO_SURFACE_SPECULAR_WORD)
+#ifdef RELIEVO_BACKFACE_PROPERTY
+  vec4 relievoGloss = relievoHighlight[gl_FrontFacing ? 0 : 1];
 #else
-  relievoWords[RELIEVO_MATERIAL_WORD] = packUnorm4x8(vec4(relievoDiffuseShare, 0.0, 1.0, 0.0));
+  vec4 relievoGloss = relievoHighlight[0];
+#endif
+  float relievoPower = relievoGloss.a / relievoMostSpecularPower;
+#endif
+#ifdef RELIEVO_SURFACE_SPECULAR_WORD
+  vec4 relievoSpecular = vec4(relievoGloss.rgb, 1.0);
+#ifndef RELIEVO_PBR_ALBEDO
+  {
+#define fragOutput0 relievoSpecular
+    //RELIEVO::Texture::Copy
+#undef fragOutput0
+  }
+#endif
+#endif
+
+#ifdef RELIEVO_SURFACE_WORD
+  relievoWords[RELIEVO_SURFACE_WORD] = relievoPackSurfaceColor(
+    relievoAlbedo.rgb, uint(relievoShading + 4 * relievoDefers));
+#ifdef RELIEVO_SURFACE_DETAIL_WORD
+#ifdef RELIEVO_PBR_ALBEDO
+  relievoWords[RELIEVO_SURFACE_DETAIL_WORD] = relievoPackUnorm16(vec2(metallic, roughness));
+#else
+  relievoWords[RELIEVO_SURFACE_DETAIL_WORD] = relievoPackUnorm16(
+    relievoShading == RELIEVO_SHADING_PBR ? relievoMetal : vec2(relievoDiffuse, relievoPower));
+#endif
+#endif
+#ifdef RELIEVO_SURFACE_SPECULAR_WORD
+  relievoWords[RELIEVO_SURFACE_SPECULAR_WORD] =
+    relievoPackSurfaceColor(relievoSpecular.rgb, uint(0));
 #endif
 #endif
 

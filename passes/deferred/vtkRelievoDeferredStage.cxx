@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoDeferredStage.h"
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePlan.h"
+#include "vtkRelievoKeptState.h"
+#include "vtkRelievoScreenQuad.h"
+#include "vtkRelievoShading.h"
+#include "vtkRelievoVTKVersions.h"
+#include "vtkShaderProgram.h"
+
+#include <set>
+#include <vector>
+
+vtkStandardNewMacro(vtkRelievoDeferredStage);
+
+namespace
+{
+const char* const Shading = "shading";
+const char* const Shadows = "shadow maps";
+
+// VTK's declarations of its lights, and the list of them for shaders/deferred/shadeFS.glsl.
+std::string DescribeLights(vtkOpenGLRenderer* renderer)
+{
+  std::string text = renderer->GetLightingUniforms();
+  text += "\n#define RELIEVO_LIGHTS";
+  const int complexity = renderer->GetLightingComplexity();
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator it;
+  lights->InitTraversal(it);
+  int number = 0;
+  int shining = 0;
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    if (light->GetSwitch())
+    {
+      const std::string i = std::to_string(shining++);
+      const auto name = [&i](const char* of) { return std::string("light") + of + i + ", "; };
+      text += complexity == vtkOpenGLRenderer::Headlight ? " RELIEVO_HEADLIGHT(" + name("Color")
+        : complexity == vtkOpenGLRenderer::Directional
+        ? " RELIEVO_SUN(" + name("Color") + name("DirectionVC")
+        : " RELIEVO_LAMP(" + name("Color") + name("DirectionVC") + name("PositionVC") +
+          name("Attenuation") + name("Positional") + name("Exponent") + name("ConeAngle");
+      text += std::to_string(number) + ")";
+    }
+    ++number;
+  }
+  text += "\n";
+#ifdef RELIEVO_VTK_PBR_SUNS_AT_PLACES
+  text += "#define RELIEVO_PBR_SUNS_AT_PLACES\n";
+#endif
+  return text;
+}
+}
+
+class vtkRelievoDeferredStage::Internals
+{
+public:
+  vtkRelievoScreenQuad Quad;
+  std::set<std::string> Said;
+  bool Done = false; // in this frame
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoDeferredStage::vtkRelievoDeferredStage()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoDeferredStage::~vtkRelievoDeferredStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoDeferredStage::Describe(vtkRelievoStageDescription& description)
+{
+  description.Name = "deferred";
+  description.Label = "Deferred Shading";
+  description.Help = "Shades opaque surfaces once for each pixel, after they are drawn.";
+  description.Slot = vtkRelievoStageDescription::SURFACES;
+  description.Reads = { Shading };
+  description.Writes = { "shaded" };
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDeferredStage::Declare(
+  const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
+{
+  declaration.DrawsAlong = true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoDeferredStage::Prepare(vtkRelievoFrameContext&)
+{
+  this->Internal->Done = false;
+  this->DrawCalls = this->NumberDeferred = this->NumberLeft = 0;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDeferredStage::EndOpaque(vtkRelievoFrameContext& context)
+{
+  if (!this->Internal->Done && context.Find(Shading))
+  {
+    this->AddLights(context);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDeferredStage::Execute(vtkRelievoFrameContext& context)
+{
+  const auto* shading = static_cast<vtkRelievoShading*>(context.Find(Shading));
+  if (!shading)
+  {
+    this->Explain("failed", "the layers could not be made; VTK lights all surfaces");
+    return;
+  }
+  std::string words = "shades what " + std::to_string(this->NumberDeferred) + " draw calls drew";
+  if (!shading->WhyNot.empty())
+  {
+    this->Explain("idle", "VTK lights all surfaces, since " + shading->WhyNot);
+    return;
+  }
+  for (const auto& left : shading->Left)
+  {
+    words += "; VTK lights " + std::to_string(left.second) +
+      (left.second == 1 ? " that " : " of which each ") + left.first;
+  }
+  this->Explain("ran", words);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDeferredStage::AddLights(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  auto* shading = static_cast<vtkRelievoShading*>(context.Find(Shading));
+  in.Done = true;
+  this->NumberDeferred = shading->Deferred;
+  for (const auto& left : shading->Left)
+  {
+    this->NumberLeft += left.second;
+  }
+  if (this->NumberDeferred == 0)
+  {
+    return;
+  }
+  auto* renderer = static_cast<vtkOpenGLRenderer*>(context.Renderer);
+  std::vector<std::string> reads{ Shading };
+  if (shading->NumberOfLights > 0 && context.Find(Shadows))
+  {
+    reads.emplace_back(Shadows);
+  }
+  vtkShaderProgram* program =
+    in.Quad.Ready(context, "deferred/shadeFS.glsl", reads, DescribeLights(renderer));
+  if (!program)
+  {
+    if (in.Said.insert(in.Quad.GetWrong()).second)
+    {
+      vtkErrorMacro("No light on surfaces: " << in.Quad.GetWrong() << ".");
+    }
+    return;
+  }
+  renderer->UpdateLightingUniforms(program);
+  vtkOpenGLState* state = context.Window->GetState();
+  const vtkRelievoKeptState kept(state);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  in.Quad.Draw(context);
+  ++this->DrawCalls;
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, vtkVariant> vtkRelievoDeferredStage::GetFacts()
+{
+  return { { "deferred_draws", vtkVariant(this->NumberDeferred) },
+    { "forward_draws", vtkVariant(this->NumberLeft) } };
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDeferredStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Quad.Release(window);
+  this->DrawCalls = this->NumberDeferred = this->NumberLeft = 0;
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoDeferredStage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberDeferred: " << this->NumberDeferred << "\n";
+  os << indent << "NumberLeft: " << this->NumberLeft << "\n";
+}

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoSurfaces.h"
+
+#include "vtkActor.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLShaderProperty.h"
+#include "vtkProperty.h"
+#include "vtkRelievoAccess.h"
+#include "vtkRelievoPropParts.h"
+#include "vtkRelievoSpliceText.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTexture.h"
+
+#include "codes.glsl"
+
+#include <map>
+#include <vector>
+
+using namespace vtkRelievoSpliceText;
+
+namespace
+{
+// The text between these, both included, is what VTK writes of lights. Headlights and others of
+// Phong; PBR, whose last line is before the first that is kept.
+const char* const HeadlightBegin = "  float df = max(0.0";
+const char* const PhongBegin = "  vec3 diffuse = vec3(0,0,0);";
+const char* const PhongEnd = "gl_FragData[0] = vec4(ambientColor + diffuse + specular, opacity);";
+const char* const PbrBegin = "  float NdL, NdH, HdL, distanceVC, attenuation, D, Vis;\n";
+const char* const PbrEnd = "  // In IBL, we assume";
+const char* const Choice = "if (relievoDefers == 0)\n  {\n";
+
+bool IsLit(vtkActor* actor)
+{
+  return actor->GetProperty()->GetLighting();
+}
+
+bool Shines(vtkProperty* property)
+{
+  const double* color = property->GetSpecularColor();
+  return property->GetSpecular() > 0.0 && (color[0] > 0.0 || color[1] > 0.0 || color[2] > 0.0);
+}
+
+std::string WhyLitPbr(vtkProperty* property, vtkRenderer* renderer)
+{
+  if (renderer->GetUseImageBasedLighting())
+  {
+    return "is lit by an environment";
+  }
+  if (property->GetCoatStrength() > 0.0 || property->GetAnisotropy() != 0.0)
+  {
+    return "has a clear coat or anisotropy";
+  }
+  const double* tint = property->GetEdgeTint();
+  if (property->GetBaseIOR() != 1.5 || tint[0] != 1.0 || tint[1] != 1.0 || tint[2] != 1.0)
+  {
+    return "has an index of refraction other than 1.5, or an edge tint";
+  }
+  for (const auto& texture : property->GetAllTextures())
+  {
+    if (texture.first != "albedoTex" && texture.first != "normalTex")
+    {
+      return "has the texture " + texture.first;
+    }
+  }
+  return std::string();
+}
+
+void SetHighlight(vtkProperty* property, float highlight[4])
+{
+  const double* color = property->GetSpecularColor();
+  for (int i = 0; i < 3; ++i)
+  {
+    highlight[i] = static_cast<float>(property->GetSpecular() * color[i]);
+  }
+  highlight[3] = static_cast<float>(property->GetSpecularPower());
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSurfaces vtkRelievoSurfaces::Find(const vtkRenderState* s)
+{
+  vtkRelievoSurfaces found;
+  std::vector<vtkRelievoPropParts::Part> parts;
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkRelievoPropParts::Collect(s->GetPropArray()[i], parts);
+    for (const vtkRelievoPropParts::Part& part : parts)
+    {
+      vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
+      if (!actor || !IsLit(actor))
+      {
+        continue;
+      }
+      for (vtkProperty* property : { actor->GetProperty(), actor->GetBackfaceProperty() })
+      {
+        const bool isPbr = property && property->GetInterpolation() == VTK_PBR;
+        const bool shines = property && !isPbr && Shines(property);
+        found.Specular = found.Specular || shines;
+        found.Detail =
+          found.Detail || isPbr || shines || (property && property->GetDiffuse() != 1.0);
+      }
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSurfaces::MakeLightsOptional(std::string& fragment)
+{
+  const auto find = [&fragment](const char* text, bool behind) {
+    const std::size_t at = fragment.find(text);
+    return at == std::string::npos || !behind ? at : at + std::string(text).size();
+  };
+  std::size_t begin = find(PbrBegin, true);
+  std::size_t end = find(PbrEnd, false);
+  std::string otherwise;
+  if (begin == std::string::npos)
+  {
+    begin = std::min(find(HeadlightBegin, false), find(PhongBegin, false));
+    end = find(PhongEnd, true);
+    otherwise = "\n  else\n  {\n    gl_FragData[0] = vec4(ambientColor, opacity);\n  }";
+  }
+  // What a clear coat declares there is used behind.
+  if (begin < end && end != std::string::npos && !Has(fragment, "vec3 coatF0 ="))
+  {
+    fragment.insert(end, "\n  }" + otherwise + "\n");
+    fragment.insert(begin, Choice);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoSurfaces::WhyLit(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper,
+  vtkRenderer* renderer, const std::string& fragment)
+{
+  vtkProperty* property = actor->GetProperty();
+  auto* shaders = vtkOpenGLShaderProperty::SafeDownCast(actor->GetShaderProperty());
+  if (shaders &&
+    (shaders->GetNumberOfShaderReplacements() > 0 || shaders->HasFragmentShaderCode() ||
+      shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode()))
+  {
+    return "has shader code of its own";
+  }
+  if (Has(fragment, "relievoHeightMap") || Has(fragment, "relievoReflection"))
+  {
+    return "has a relief or an environment (vtkRelievoMaterial)";
+  }
+  // A point or a line has one place across its width, and spheres and tubes another than VTK lights.
+  if (!vtkRelievoAccess::Mapper::DrawsTriangles(mapper) ||
+    property->GetRepresentation() != VTK_SURFACE)
+  {
+    return "draws points or lines";
+  }
+  if (property->GetEdgeVisibility())
+  {
+    return "draws the edges of its cells over its light";
+  }
+  if (actor->GetForceOpaque() || property->GetOpacity() < 1.0)
+  {
+    return "is blended among the opaque geometry";
+  }
+  if (property->GetInterpolation() == VTK_PBR)
+  {
+    const std::string why = WhyLitPbr(property, renderer);
+    if (!why.empty())
+    {
+      return why;
+    }
+  }
+  return Has(fragment, Choice) ? std::string() : "has no lights in its shader as VTK writes them";
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSurfaces::SetUniforms(vtkShaderProgram* program, vtkActor* actor, bool defers)
+{
+  vtkProperty* property = actor->GetProperty();
+  vtkProperty* back = actor->GetBackfaceProperty() ? actor->GetBackfaceProperty() : property;
+  const int lit =
+    property->GetInterpolation() == VTK_PBR ? RELIEVO_SHADING_PBR : RELIEVO_SHADING_PHONG;
+  program->SetUniformi("relievoShading", IsLit(actor) ? lit : RELIEVO_SHADING_NONE);
+  program->SetUniformi("relievoDefers", defers ? 1 : 0);
+  float highlights[2][4];
+  SetHighlight(property, highlights[0]);
+  SetHighlight(back, highlights[1]);
+  program->SetUniform4fv("relievoHighlight", 2, highlights);
+  const float metal[2] = { static_cast<float>(property->GetMetallic()),
+    static_cast<float>(property->GetRoughness()) };
+  program->SetUniform2f("relievoMetal", metal);
+}

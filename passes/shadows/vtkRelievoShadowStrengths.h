@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The resource `shadow maps`, for stages that light by themselves: which share of each of the
+// renderer's lights is taken where it is blocked, as relievoShadowStrengths[RELIEVO_SHADOW_NUMBERS].
+#ifndef vtkRelievoShadowStrengths_h
+#define vtkRelievoShadowStrengths_h
+
+#include "vtkRelievoResource.h"
+
+#include <vector>
+
+struct vtkRelievoShadowWork;
+
+class vtkRelievoShadowStrengths : public vtkRelievoResource
+{
+public:
+  // `strength` is the share for a light whose own shadow attenuation is 1.
+  void Set(const vtkRelievoShadowWork& work, double strength);
+
+  std::string GetDefines() const override;
+  void Activate(vtkShaderProgram* program) override;
+  void Deactivate() override {}
+
+private:
+  std::vector<float> Strengths;
+};
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a surface gives back of a lamp's light beside the light times its own colour.
+//RELIEVO::Include(formulas/srgb.glsl)
+//RELIEVO::Include(formulas/shading.glsl)
+relievoSurface relievoLit = relievoNoSurface; // of the pixel
+
+bool relievoIsGlossy(relievoSurface surface)
+{
+  return surface.shading == RELIEVO_SHADING_PBR ||
+    (surface.shading == RELIEVO_SHADING_PHONG && surface.specular != vec3(0.0));
+}
+
+vec3 relievoGloss(relievoSurface surface, vec3 normal, vec3 toLamp, vec3 toEye)
+{
+  if (surface.shading == RELIEVO_SHADING_PBR)
+  {
+    // A lamp's light is what a white matte surface gives back: pi times the radiance.
+    return 3.14159265358979 *
+      relievoPbr(surface.color, surface.metallic, surface.roughness, normal, toLamp, toEye) -
+      (1.0 - surface.metallic) * max(0.0, dot(normal, toLamp)) * surface.color;
+  }
+  return relievoLinearColorFromSrgb(surface.specular) *
+    relievoPhongHighlight(normal, -toLamp, toEye, surface.power);
+}
