@@ -23,6 +23,7 @@ void vtkRelievoPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const char* shown = this->GetDisplayLayer();
   os << indent << "Shadows: " << this->GetShadows() << "\n";
+  os << indent << "Deferred: " << this->GetDeferred() << "\n";
   os << indent << "DisplayLayer: " << (shown ? shown : "(none)") << "\n";
   os << indent << "DisplayRange: " << this->GetDisplayRange()[0] << " "
      << this->GetDisplayRange()[1] << "\n";

@@ -58,6 +58,16 @@ public:
   /** The stage that makes the shadows: size, filter, and what casts and receives are set there. */
   vtkRelievoShadowPass* GetShadowPass();
 
+  ///@{
+  /**
+   * Whether opaque surfaces are shaded once for each pixel, after they are drawn
+   * (vtkRelievoDeferredStage). Default off.
+   */
+  void SetDeferred(bool on);
+  bool GetDeferred();
+  vtkBooleanMacro(Deferred, bool);
+  ///@}
+
   /** The stage that maps the linear colour's highlights to the display's range. Default off. */
   vtkRelievoToneStage* GetTone();
 

@@ -71,6 +71,22 @@ void vtkRelievoPass::SetShadows(bool on)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoPass::SetDeferred(bool on)
+{
+  if (vtkRelievoStage* deferred = FindToSet(this, this->GetStage("deferred"), "deferred"))
+  {
+    deferred->SetEnabled(on);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPass::GetDeferred()
+{
+  vtkRelievoStage* deferred = this->GetStage("deferred");
+  return deferred && deferred->GetEnabled();
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoPass::GetShadows()
 {
   vtkRelievoShadowPass* shadows = this->GetShadowPass();

@@ -8,6 +8,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoPropParts.h"
+#include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -23,14 +24,12 @@ using namespace vtkRelievoSpliceText;
 
 namespace
 {
-// The text between these, both included, is what VTK writes of lights. Headlights and others of
-// Phong; PBR, whose last line is before the first that is kept.
-const char* const HeadlightBegin = "  float df = max(0.0";
-const char* const PhongBegin = "  vec3 diffuse = vec3(0,0,0);";
-const char* const PhongEnd = "gl_FragData[0] = vec4(ambientColor + diffuse + specular, opacity);";
-const char* const PbrBegin = "  float NdL, NdH, HdL, distanceVC, attenuation, D, Vis;\n";
-const char* const PbrEnd = "  // In IBL, we assume";
-const char* const Choice = "if (relievoDefers == 0)\n  {\n";
+// A section of shaders/gbuffer/lights.glsl without the ends of its lines.
+std::string Section(const char* name)
+{
+  const std::string text = vtkRelievoShaderLibrary::GetSection("gbuffer/lights.glsl", name);
+  return text.substr(0, text.find_last_not_of("\n") + 1);
+}
 
 bool IsLit(vtkActor* actor)
 {
@@ -110,24 +109,25 @@ vtkRelievoSurfaces vtkRelievoSurfaces::Find(const vtkRenderState* s)
 //------------------------------------------------------------------------------
 void vtkRelievoSurfaces::MakeLightsOptional(std::string& fragment)
 {
-  const auto find = [&fragment](const char* text, bool behind) {
+  const auto find = [&fragment](const char* section, bool behind) {
+    const std::string text = Section(section);
     const std::size_t at = fragment.find(text);
-    return at == std::string::npos || !behind ? at : at + std::string(text).size();
+    return at == std::string::npos || !behind ? at : at + text.size();
   };
-  std::size_t begin = find(PbrBegin, true);
-  std::size_t end = find(PbrEnd, false);
-  std::string otherwise;
+  std::size_t begin = find("PbrBegin", true);
+  std::size_t end = find("PbrEnd", false);
+  std::string after = "\n" + Section("End") + "\n";
   if (begin == std::string::npos)
   {
-    begin = std::min(find(HeadlightBegin, false), find(PhongBegin, false));
-    end = find(PhongEnd, true);
-    otherwise = "\n  else\n  {\n    gl_FragData[0] = vec4(ambientColor, opacity);\n  }";
+    begin = std::min(find("HeadlightBegin", false), find("PhongBegin", false));
+    end = find("PhongEnd", true);
+    after += Section("Otherwise") + "\n";
   }
   // What a clear coat declares there is used behind.
-  if (begin < end && end != std::string::npos && !Has(fragment, "vec3 coatF0 ="))
+  if (begin < end && end != std::string::npos && find("CoatBegin", false) == std::string::npos)
   {
-    fragment.insert(end, "\n  }" + otherwise + "\n");
-    fragment.insert(begin, Choice);
+    fragment.insert(end, after);
+    fragment.insert(begin, "\n" + Section("Choice") + "\n");
   }
 }
 
@@ -147,7 +147,7 @@ std::string vtkRelievoSurfaces::WhyLit(vtkActor* actor, vtkOpenGLPolyDataMapper*
   {
     return "has a relief or an environment (vtkRelievoMaterial)";
   }
-  // A point or a line has one place across its width, and spheres and tubes another than VTK lights.
+  // A point or a line has one place across its width, spheres and tubes another than VTK lights.
   if (!vtkRelievoAccess::Mapper::DrawsTriangles(mapper) ||
     property->GetRepresentation() != VTK_SURFACE)
   {
@@ -169,7 +169,8 @@ std::string vtkRelievoSurfaces::WhyLit(vtkActor* actor, vtkOpenGLPolyDataMapper*
       return why;
     }
   }
-  return Has(fragment, Choice) ? std::string() : "has no lights in its shader as VTK writes them";
+  return Has(fragment, Section("Choice")) ? std::string()
+                                          : "has no lights in its shader as VTK writes them";
 }
 
 //------------------------------------------------------------------------------

@@ -28,8 +28,8 @@ struct vtkRelievoSurfaces
 
   // Why VTK has to light what it draws for the actor with this fragment shader, in words; empty if
   // it has not.
-  static std::string WhyLit(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper,
-    vtkRenderer* renderer, const std::string& fragment);
+  static std::string WhyLit(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, vtkRenderer* renderer,
+    const std::string& fragment);
 
   static void SetUniforms(vtkShaderProgram* program, vtkActor* actor, bool defers);
 };

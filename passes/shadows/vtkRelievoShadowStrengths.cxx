@@ -30,7 +30,7 @@ void vtkRelievoShadowStrengths::Activate(vtkShaderProgram* program)
 {
   if (!this->Strengths.empty())
   {
-    program->SetUniform1fv("relievoShadowStrengths", static_cast<int>(this->Strengths.size()),
-      this->Strengths.data());
+    program->SetUniform1fv(
+      "relievoShadowStrengths", static_cast<int>(this->Strengths.size()), this->Strengths.data());
   }
 }

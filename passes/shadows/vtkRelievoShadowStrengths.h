@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The resource `shadow maps`, for stages that light by themselves: which share of each of the
-// renderer's lights is taken where it is blocked, as relievoShadowStrengths[RELIEVO_SHADOW_NUMBERS].
+// renderer's lights is taken where it is blocked. In shaders it is
+// relievoShadowStrengths[RELIEVO_SHADOW_NUMBERS].
 #ifndef vtkRelievoShadowStrengths_h
 #define vtkRelievoShadowStrengths_h
 

@@ -119,8 +119,8 @@ void main()
     discard;
   }
   float depth = relievoFetchDepth(relievoPixel);
-  relievoPlaceVC =
-    relievoEyePosition(relievoNdcFromPixel(vec2(relievoPixel), relievoSize), depth, relievoProjection);
+  vec2 place = relievoNdcFromPixel(vec2(relievoPixel), relievoSize);
+  relievoPlaceVC = relievoEyePosition(place, depth, relievoProjection);
   relievoNormalVC = relievoFetchNormal(relievoPixel);
   // As VTK's shaders have it, in parallel views, too.
   relievoToEyeVC = normalize(-relievoPlaceVC);

@@ -27,7 +27,7 @@ struct Case
 {
   const char* Name;
   Set Do;
-  int Levels = 1;   // of 255
+  int Levels = 1;    // of 255
   bool Left = false; // whether VTK lights some of it
 };
 
@@ -41,7 +41,8 @@ void AllProperties(DeferredScene& scene, const std::function<void(vtkProperty*)>
 
 const std::vector<Case> Surfaces{
   { "matte", [](DeferredScene&) {} },
-  { "flat", [](DeferredScene& s) { AllProperties(s, [](auto* p) { p->SetInterpolationToFlat(); }); } },
+  { "flat",
+    [](DeferredScene& s) { AllProperties(s, [](auto* p) { p->SetInterpolationToFlat(); }); } },
   { "shares",
     [](DeferredScene& s) {
       AllProperties(s, [](auto* p) {
@@ -68,8 +69,7 @@ const std::vector<Case> Surfaces{
     } },
   { "edges", [](DeferredScene& s) { s.Actors[1]->GetProperty()->EdgeVisibilityOn(); }, 1, true },
   { "wire frame",
-    [](DeferredScene& s) { s.Actors[0]->GetProperty()->SetRepresentationToWireframe(); }, 1,
-    true },
+    [](DeferredScene& s) { s.Actors[0]->GetProperty()->SetRepresentationToWireframe(); }, 1, true },
   { "points with normals",
     [](DeferredScene& s) {
       s.Actors[0]->GetProperty()->SetRepresentationToPoints();
@@ -196,7 +196,9 @@ void TestLights()
 
 void TestViews()
 {
-  const Set views[] = { [](DeferredScene& s) { s.Renderer->GetActiveCamera()->ParallelProjectionOn(); },
+  const Set views[] = { [](DeferredScene& s) {
+                         s.Renderer->GetActiveCamera()->ParallelProjectionOn();
+                       },
     [](DeferredScene& s) { s.Renderer->SetViewport(0.2, 0.3, 0.9, 0.8); },
     [](DeferredScene& s) { s.Renderer->GetActiveCamera()->SetViewShear(0.2, -0.1, 1.0); },
     [](DeferredScene& s) { s.Window->SetSize(1, 3); },

@@ -70,6 +70,8 @@ render draws the FILEs off screen and writes the outputs that you request.
                           point arrays (the arrays radius, density and color, else 1, 1 and white);
                           MODE beer (e^-density length passes) or chord (what is held back grows
                           in a line, to density at the diameter) (beer); may be repeated
+  --deferred              shades opaque surfaces once for each pixel, after they are drawn: the
+                          same picture, sooner where much is drawn over each other
   --stage NAME[:PARAMETER=VALUE,...]
                           runs a stage of the frame with these parameters; may be repeated;
                           `relievo stages` lists them
@@ -96,7 +98,8 @@ bench measures, prints what it found, and writes CSV, PNG and SVG to a folder. W
   --redraw DIR            draws the charts from the CSV files in DIR, without measuring; without
                           NAME, all of them
 
-Options are written --name value or --name=value, --skybox alone; -- ends them.
+Options are written --name value or --name=value, --skybox, --deferred and --hdr alone; --
+ends them.
 Either all requested files are written, or none. VTK before 9.4 needs an X display, which
 xvfb-run provides.
 Exit status: 0 done, 1 the work failed, 2 the arguments were wrong.

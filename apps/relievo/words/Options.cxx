@@ -200,6 +200,16 @@ std::string NamedAs(
 }
 
 //------------------------------------------------------------------------------
+// A stage that an option of its own switches on.
+void TakeStage(RenderOptions& options, const char* name)
+{
+  StageChoice choice;
+  choice.Name = name;
+  choice.Option = std::string("--") + name;
+  options.Stages.push_back(choice);
+}
+
+//------------------------------------------------------------------------------
 struct OptionRow
 {
   const char* Name;
@@ -247,6 +257,9 @@ const OptionRow RenderRows[] = {
     [](RenderOptions& options, const std::string& word) {
       options.Stages.push_back(ParseStage(word));
     },
+    true },
+  { "--deferred",
+    [](RenderOptions& options, const std::string&) { TakeStage(options, "deferred"); }, false,
     true },
   { "--tone", TakeTone, false },
   { "--exposure", TakeExposure, false },

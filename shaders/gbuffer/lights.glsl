@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What VTK's mappers write into fragment shaders of the renderer's lights, by its first and last
+// lines, and what is put around it, so that a uniform can switch it off. The last line of PBR is
+// the one before the section's.
+
+//RELIEVO::Section(HeadlightBegin)
+  float df = max(0.0
+
+//RELIEVO::Section(PhongBegin)
+  vec3 diffuse = vec3(0,0,0);
+
+//RELIEVO::Section(PhongEnd)
+gl_FragData[0] = vec4(ambientColor + diffuse + specular, opacity);
+
+//RELIEVO::Section(PbrBegin)
+  float NdL, NdH, HdL, distanceVC, attenuation, D, Vis;
+
+//RELIEVO::Section(PbrEnd)
+  // In IBL, we assume
+
+//RELIEVO::Section(CoatBegin)
+  vec3 coatF0 =
+
+//RELIEVO::Section(Choice)
+  if (relievoDefers == 0)
+  {
+
+//RELIEVO::Section(End)
+  }
+
+//RELIEVO::Section(Otherwise)
+  else
+  {
+    gl_FragData[0] = vec4(ambientColor, opacity);
+  }
