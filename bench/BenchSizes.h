@@ -45,6 +45,14 @@ struct LightSizes
   int Rounds = 11;
 };
 
+struct DeferredSizes
+{
+  std::vector<int> Overdraw = { 1, 2, 4, 8, 16 };
+  std::vector<int> Lights = { 1, 8, 32 };
+  int Pixels = 600;
+  int Rounds = 15;
+};
+
 struct ToneSizes
 {
   int Side = 256;  // of the picture with light of every kind, pixels
@@ -65,6 +73,7 @@ struct FogSizes
 int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
 int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
 int BenchLights(const std::string& outDir, const LightSizes& sizes);
+int BenchDeferred(const std::string& outDir, const DeferredSizes& sizes);
 int BenchTone(const std::string& outDir, const ToneSizes& sizes);
 int BenchFog(const std::string& outDir, const FogSizes& sizes);
 

@@ -37,6 +37,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
     { "bias", "false shadow against leak as the shadows' bias grows", RelievoBenchBias },
     { "lights", "what lamps cost a frame, 1 to 100 000, by the way they are found",
       RelievoBenchLights },
+    { "deferred", "deferred shading against VTK's own, by overdraw and number of lights",
+      RelievoBenchDeferred },
     { "relief", "what relief methods miss, against looks, time and full geometry",
       RelievoBenchRelief },
     { "normal-maps", "what a normal map costs a frame, against VTK's own textures",

@@ -65,6 +65,9 @@ int RelievoBenchEnvironment(const std::string& outDir);
 /** Chart 6: frames with 1 to 100 000 lamps, by the way they are found. Ten minutes. */
 int RelievoBenchLights(const std::string& outDir);
 
+/** Frames with deferred shading against VTK's own, by overdraw and lights. Two minutes. */
+int RelievoBenchDeferred(const std::string& outDir);
+
 /** Chart 7: errors of relief methods against looks and time, and full geometry. Minutes. */
 int RelievoBenchRelief(const std::string& outDir);
 

@@ -23,6 +23,7 @@ const std::vector<Entry>& Entries()
     { "shadows", { "shadows.csv" }, ShadowsCharts },
     { "bias", { "bias.csv" }, BiasCharts },
     { "lights", { "lights.csv" }, LightsCharts },
+    { "deferred", { "deferred.csv" }, DeferredCharts },
     { "relief", { "relief.csv" }, ReliefCharts },
     { "environment", { "environment.csv", "environment-angle.csv" }, EnvironmentCharts },
     { "tone", { "tone-curves.csv", "tone-bands.csv" }, ToneCharts },

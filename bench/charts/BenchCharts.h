@@ -45,6 +45,7 @@ std::vector<NamedChart> GBufferCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> ShadowsCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> BiasCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> LightsCharts(const std::vector<CsvRows>& files);
+std::vector<NamedChart> DeferredCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> ReliefCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> EnvironmentCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> ToneCharts(const std::vector<CsvRows>& files);

@@ -52,6 +52,8 @@ const std::vector<ChartMethod>& ChartMethods()
     { "clusters", "clusters", C::Vermillion, M::Square, D::DashDotted },
     { "every lamp", "every lamp", C::Purple, M::Up, D::Solid },
     { "VTK's lights", "VTK's lights", C::Grey, M::Cross, D::Dashed },
+    { "deferred", "deferred", C::Green, M::Diamond, D::Solid },
+    { "VTK's shading", "VTK", C::Grey, M::Cross, D::Dashed },
     // Relief
     { "relief", "relief", C::Blue, M::Circle, D::Solid },
     { "occlusion", "occlusion", C::Green, M::Diamond, D::Dashed },

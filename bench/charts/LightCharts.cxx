@@ -75,4 +75,44 @@ std::vector<NamedChart> LightsCharts(const std::vector<CsvRows>& files)
       MakeChart(files[0], "Lamps computed for a pixel, against those that reach it",
         "computed / reaching", "computed / reaching", { "quads", "clusters" }) } };
 }
+
+//------------------------------------------------------------------------------
+std::vector<NamedChart> DeferredCharts(const std::vector<CsvRows>& files)
+{
+  Chart chart;
+  chart.Title = "Deferred shading by how often a pixel is drawn";
+  chart.Note = "Matte surfaces that fill the window, the farthest first. Grey: VTK's own shading.";
+  chart.Columns = 3;
+  chart.X.Log = true;
+  chart.X.Title = "surfaces behind a pixel";
+  chart.X.Ticks = { { 1., "1" }, { 2., "2" }, { 4., "4" }, { 8., "8" }, { 16., "16" } };
+  chart.Y.Title = "milliseconds a frame";
+  chart.Y.Log = true;
+  chart.Y.Ticks = { { 5., "5" }, { 10., "10" }, { 20., "20" }, { 50., "50" }, { 100., "100" },
+    { 200., "200" }, { 500., "500" } };
+  for (const char* lights : { "1", "8", "32" })
+  {
+    ChartPanel panel;
+    panel.Title = std::string(lights) + (lights == std::string("1") ? " light" : " lights");
+    for (const char* way : { "deferred", "VTK's shading" })
+    {
+      ChartSeries series;
+      series.Method = way;
+      for (const CsvRow& row : files[0])
+      {
+        if (row.at("surface") == "matte" && row.at("lights") == lights && row.at("way") == way)
+        {
+          series.X.push_back(NumberIn(row, "overdraw"));
+          series.Y.push_back(NumberIn(row, "milliseconds"));
+        }
+      }
+      if (!series.X.empty())
+      {
+        panel.Series.push_back(series);
+      }
+    }
+    chart.Panels.push_back(panel);
+  }
+  return { { "deferred", chart } };
+}
 }

@@ -43,15 +43,17 @@ public:
   std::string NotShared;      // why the delegate's geometry pass cannot be shared
   vtkRelievoPrimitiveIds::Route PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
   bool Writing = false;
-  bool RefinesDepth = true; // of the last frame
-  bool Shading = false;     // surfaces are to be lit by a later stage
-  bool Strayed = false;     // shaders without layers were built with this pass in their keys
-  bool Valid = false;       // the textures hold the last frame's layers
+  bool RefinesDepth = true;              // of the last frame
+  bool Shading = false;                  // surfaces are to be lit by a later stage
+  std::map<vtkMapper*, std::string> Lit; // then: why VTK has to light what they draw
+  bool Strayed = false; // shaders without layers were built with this pass in their keys
+  bool Valid = false;   // the textures hold the last frame's layers
 
   // The layout for what is asked of the stage.
   void Arrange(vtkRelievoGBufferPass& self, const vtkRelievoFrameContext& context);
 
-  bool Defers(vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
+  void CountLeft(vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
+  std::string WhyLit(vtkActor* actor) const;
 
   void SetMode(const vtkRelievoGBufferSplice::Mode& mode)
   {

@@ -141,6 +141,17 @@ bool vtkRelievoGBufferPass::Prepare(vtkRelievoFrameContext& context)
   this->DrawCalls = 0;
 
   in.Props.Collect(context.State);
+  std::map<vtkMapper*, std::string> lit;
+  if (in.Shading)
+  {
+    lit = vtkRelievoSurfaces::FindLit(context.State, context.Renderer);
+  }
+  if (lit != in.Lit)
+  {
+    // Actors that share a mapper share its shaders: one may change what is right for all.
+    in.Lit = lit;
+    in.StructureTime.Modified();
+  }
   in.PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
   if (in.Layout.IdWord >= 0)
   {

@@ -42,7 +42,9 @@ bool vtkRelievoGBufferPass::PostReplaceShaderValues(std::string& vertexShader,
   }
   const std::string own[3] = { vertexShader, geometryShader, fragmentShader };
   // Returns what is wrong, in words, and leaves the shaders as they were then.
-  auto fill = [&](const vtkRelievoGBufferSplice::Mode& mode, bool& compiles) {
+  auto fill = [&](vtkRelievoGBufferSplice::Mode mode, bool& compiles) {
+    mode.Deferred =
+      mode.Deferred && actor->GetProperty()->GetLighting() && in.WhyLit(actor).empty();
     std::string wrong = vtkRelievoGBufferSplice::Fill(
       vertexShader, geometryShader, fragmentShader, mapper, actor, in.Layout, mode);
     compiles = true;
@@ -134,8 +136,8 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
     "relievoFaces", actor->GetProperty()->GetRepresentation() == VTK_SURFACE ? 1 : 0);
   if (in.Layout.SurfaceWord >= 0)
   {
-    vtkRelievoSurfaces::SetUniforms(
-      program, actor, in.Mode.Deferred && in.Defers(program, mapper, actor));
+    vtkRelievoSurfaces::SetUniforms(program, actor);
+    in.CountLeft(program, mapper, actor);
   }
   const double winding = actor->GetMatrix()->Determinant() *
     glm::determinant(glm::dmat3(in.View.WorldToView)) *
@@ -147,18 +149,32 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
 }
 
 //------------------------------------------------------------------------------
-// Whether the light of a draw is left out; counts, and keeps why it is not.
-bool vtkRelievoGBufferPass::Internals::Defers(
+// Counts the draw among those whose light is left out, or those that VTK lights, and why.
+void vtkRelievoGBufferPass::Internals::CountLeft(
   vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
 {
-  if (!actor->GetProperty()->GetLighting())
+  const std::string fragment = program->GetFragmentShader()->GetSource();
+  if (!this->Mode.Deferred || !actor->GetProperty()->GetLighting())
   {
-    return false; // nothing to leave out
+    return; // there is nothing to leave out
   }
-  const std::string why = vtkRelievoSurfaces::WhyLit(
-    actor, mapper, this->Renderer, program->GetFragmentShader()->GetSource());
-  ++(why.empty() ? this->Textures.Deferred : this->Textures.Left[why]);
-  return why.empty();
+  if (fragment.find("#define RELIEVO_LIGHT_LEFT_OUT") != std::string::npos)
+  {
+    ++this->Textures.Deferred;
+    return;
+  }
+  std::string why = this->WhyLit(actor);
+  why = why.empty() ? vtkRelievoSurfaces::WhyLit(mapper, fragment) : why;
+  ++this->Textures.Left[why.empty() ? "has no lights in its shader as VTK writes them" : why];
+}
+
+//------------------------------------------------------------------------------
+// Why VTK has to light the actor: for itself, or for another one that shares its mapper's shaders.
+std::string vtkRelievoGBufferPass::Internals::WhyLit(vtkActor* actor) const
+{
+  const auto found = this->Lit.find(actor->GetMapper());
+  return found != this->Lit.end() ? found->second
+                                  : vtkRelievoSurfaces::WhyLit(actor, this->Renderer);
 }
 
 //------------------------------------------------------------------------------

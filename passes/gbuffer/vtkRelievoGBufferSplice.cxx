@@ -183,6 +183,10 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
   define(Has(fragment, "FragCoord.z + cFactor") || Has(fragment, "FragCoord.z + 1.0*cOffset"),
     "RELIEVO_COINCIDENT_OFFSET");
 
+  define(mode.Deferred && vtkRelievoSurfaces::WhyLit(mapper, fragment).empty() &&
+      vtkRelievoSurfaces::LeaveLightOut(fragment),
+    "RELIEVO_LIGHT_LEFT_OUT");
+
   std::string write = Section("write.glsl", "FragmentImpl");
   const std::size_t begin = fragment.find("//RELIEVO::Texture::Begin");
   const std::size_t end = fragment.find("//RELIEVO::Texture::End");
@@ -191,10 +195,6 @@ std::string vtkRelievoGBufferSplice::Fill(std::string& vertex, std::string& geom
     // Of the colour, and of the highlight's.
     FillMark(write, "//RELIEVO::Texture::Copy", fragment.substr(begin, end - begin));
     FillMark(write, "//RELIEVO::Texture::Copy", fragment.substr(begin, end - begin));
-  }
-  if (mode.Deferred)
-  {
-    vtkRelievoSurfaces::MakeLightsOptional(fragment);
   }
   std::string shadows;
   for (std::size_t i = 0; i < layout.Shadows.size(); i += 2)

@@ -37,7 +37,7 @@ struct Mode
   bool LayersOnly = false;       // nobody sees the colour
   bool LinearVisibility = false; // the depth buffer holds depth / far
   int PrimitiveIds = 0;          // a vtkRelievoPrimitiveIds::Route
-  bool Deferred = false;         // VTK's lights can be left out
+  bool Deferred = false;         // VTK's lights are left out where that can be
 
   bool operator!=(const Mode& other) const
   {

@@ -17,13 +17,16 @@
 
 #include "codes.glsl"
 
-#include <map>
+#include <algorithm>
+#include <functional>
 #include <vector>
 
 using namespace vtkRelievoSpliceText;
 
 namespace
 {
+const char* const PointsOrLines = "draws points or lines";
+
 // A section of shaders/gbuffer/lights.glsl without the ends of its lines.
 std::string Section(const char* name)
 {
@@ -31,9 +34,21 @@ std::string Section(const char* name)
   return text.substr(0, text.find_last_not_of("\n") + 1);
 }
 
-bool IsLit(vtkActor* actor)
+void ForEachLit(const vtkRenderState* s, const std::function<void(vtkActor*)>& work)
 {
-  return actor->GetProperty()->GetLighting();
+  std::vector<vtkRelievoPropParts::Part> parts;
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkRelievoPropParts::Collect(s->GetPropArray()[i], parts);
+    for (const vtkRelievoPropParts::Part& part : parts)
+    {
+      vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
+      if (actor && actor->GetProperty()->GetLighting())
+      {
+        work(actor);
+      }
+    }
+  }
 }
 
 bool Shines(vtkProperty* property)
@@ -82,32 +97,35 @@ void SetHighlight(vtkProperty* property, float highlight[4])
 vtkRelievoSurfaces vtkRelievoSurfaces::Find(const vtkRenderState* s)
 {
   vtkRelievoSurfaces found;
-  std::vector<vtkRelievoPropParts::Part> parts;
-  for (int i = 0; i < s->GetPropArrayCount(); ++i)
-  {
-    vtkRelievoPropParts::Collect(s->GetPropArray()[i], parts);
-    for (const vtkRelievoPropParts::Part& part : parts)
+  ForEachLit(s, [&found](vtkActor* actor) {
+    for (vtkProperty* property : { actor->GetProperty(), actor->GetBackfaceProperty() })
     {
-      vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
-      if (!actor || !IsLit(actor))
-      {
-        continue;
-      }
-      for (vtkProperty* property : { actor->GetProperty(), actor->GetBackfaceProperty() })
-      {
-        const bool isPbr = property && property->GetInterpolation() == VTK_PBR;
-        const bool shines = property && !isPbr && Shines(property);
-        found.Specular = found.Specular || shines;
-        found.Detail =
-          found.Detail || isPbr || shines || (property && property->GetDiffuse() != 1.0);
-      }
+      const bool isPbr = property && property->GetInterpolation() == VTK_PBR;
+      const bool shines = property && !isPbr && Shines(property);
+      found.Specular = found.Specular || shines;
+      found.Detail = found.Detail || isPbr || shines || (property && property->GetDiffuse() != 1.0);
     }
-  }
+  });
   return found;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoSurfaces::MakeLightsOptional(std::string& fragment)
+std::map<vtkMapper*, std::string> vtkRelievoSurfaces::FindLit(
+  const vtkRenderState* s, vtkRenderer* renderer)
+{
+  std::map<vtkMapper*, std::string> lit;
+  ForEachLit(s, [&](vtkActor* actor) {
+    const std::string why = WhyLit(actor, renderer);
+    if (!why.empty())
+    {
+      lit.emplace(actor->GetMapper(), why);
+    }
+  });
+  return lit;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoSurfaces::LeaveLightOut(std::string& fragment)
 {
   const auto find = [&fragment](const char* section, bool behind) {
     const std::string text = Section(section);
@@ -116,24 +134,24 @@ void vtkRelievoSurfaces::MakeLightsOptional(std::string& fragment)
   };
   std::size_t begin = find("PbrBegin", true);
   std::size_t end = find("PbrEnd", false);
-  std::string after = "\n" + Section("End") + "\n";
+  std::string unlit;
   if (begin == std::string::npos)
   {
     begin = std::min(find("HeadlightBegin", false), find("PhongBegin", false));
     end = find("PhongEnd", true);
-    after += Section("Otherwise") + "\n";
+    unlit = Section("Unlit");
   }
   // What a clear coat declares there is used behind.
-  if (begin < end && end != std::string::npos && find("CoatBegin", false) == std::string::npos)
+  if (begin >= end || end == std::string::npos || find("CoatBegin", false) != std::string::npos)
   {
-    fragment.insert(end, after);
-    fragment.insert(begin, "\n" + Section("Choice") + "\n");
+    return false;
   }
+  fragment.replace(begin, end - begin, "\n" + unlit + "\n");
+  return true;
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoSurfaces::WhyLit(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper,
-  vtkRenderer* renderer, const std::string& fragment)
+std::string vtkRelievoSurfaces::WhyLit(vtkActor* actor, vtkRenderer* renderer)
 {
   vtkProperty* property = actor->GetProperty();
   auto* shaders = vtkOpenGLShaderProperty::SafeDownCast(actor->GetShaderProperty());
@@ -143,15 +161,9 @@ std::string vtkRelievoSurfaces::WhyLit(vtkActor* actor, vtkOpenGLPolyDataMapper*
   {
     return "has shader code of its own";
   }
-  if (Has(fragment, "relievoHeightMap") || Has(fragment, "relievoReflection"))
+  if (property->GetRepresentation() != VTK_SURFACE)
   {
-    return "has a relief or an environment (vtkRelievoMaterial)";
-  }
-  // A point or a line has one place across its width, spheres and tubes another than VTK lights.
-  if (!vtkRelievoAccess::Mapper::DrawsTriangles(mapper) ||
-    property->GetRepresentation() != VTK_SURFACE)
-  {
-    return "draws points or lines";
+    return PointsOrLines;
   }
   if (property->GetEdgeVisibility())
   {
@@ -161,27 +173,33 @@ std::string vtkRelievoSurfaces::WhyLit(vtkActor* actor, vtkOpenGLPolyDataMapper*
   {
     return "is blended among the opaque geometry";
   }
-  if (property->GetInterpolation() == VTK_PBR)
-  {
-    const std::string why = WhyLitPbr(property, renderer);
-    if (!why.empty())
-    {
-      return why;
-    }
-  }
-  return Has(fragment, Section("Choice")) ? std::string()
-                                          : "has no lights in its shader as VTK writes them";
+  return property->GetInterpolation() == VTK_PBR ? WhyLitPbr(property, renderer) : std::string();
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoSurfaces::SetUniforms(vtkShaderProgram* program, vtkActor* actor, bool defers)
+std::string vtkRelievoSurfaces::WhyLit(vtkOpenGLPolyDataMapper* mapper, const std::string& fragment)
+{
+  // A point or a line has one place across its width, spheres and tubes another than VTK lights.
+  if (!vtkRelievoAccess::Mapper::DrawsTriangles(mapper))
+  {
+    return PointsOrLines;
+  }
+  if (Has(fragment, "relievoHeightMap") || Has(fragment, "relievoReflection"))
+  {
+    return "has a relief or an environment (vtkRelievoMaterial)";
+  }
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSurfaces::SetUniforms(vtkShaderProgram* program, vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
   vtkProperty* back = actor->GetBackfaceProperty() ? actor->GetBackfaceProperty() : property;
   const int lit =
     property->GetInterpolation() == VTK_PBR ? RELIEVO_SHADING_PBR : RELIEVO_SHADING_PHONG;
-  program->SetUniformi("relievoShading", IsLit(actor) ? lit : RELIEVO_SHADING_NONE);
-  program->SetUniformi("relievoDefers", defers ? 1 : 0);
+  program->SetUniformi(
+    "relievoShading", actor->GetProperty()->GetLighting() ? lit : RELIEVO_SHADING_NONE);
   float highlights[2][4];
   SetHighlight(property, highlights[0]);
   SetHighlight(back, highlights[1]);

@@ -6,9 +6,11 @@
 #ifndef vtkRelievoSurfaces_h
 #define vtkRelievoSurfaces_h
 
+#include <map>
 #include <string>
 
 class vtkActor;
+class vtkMapper;
 class vtkOpenGLPolyDataMapper;
 class vtkRenderState;
 class vtkRenderer;
@@ -22,16 +24,20 @@ struct vtkRelievoSurfaces
   // Of the visible actors.
   static vtkRelievoSurfaces Find(const vtkRenderState* s);
 
-  // Lets a uniform switch VTK's lights off in its fragment shader. Changes nothing where they are
-  // not found as VTK writes them.
-  static void MakeLightsOptional(std::string& fragment);
+  // Takes VTK's lights out of its fragment shader. False where they are not found as VTK writes
+  // them.
+  static bool LeaveLightOut(std::string& fragment);
 
-  // Why VTK has to light what it draws for the actor with this fragment shader, in words; empty if
-  // it has not.
-  static std::string WhyLit(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, vtkRenderer* renderer,
-    const std::string& fragment);
+  // Why VTK has to light the actor, in words; empty if it has not.
+  static std::string WhyLit(vtkActor* actor, vtkRenderer* renderer);
 
-  static void SetUniforms(vtkShaderProgram* program, vtkActor* actor, bool defers);
+  // The same of all that is drawn by a mapper, where it is not empty.
+  static std::map<vtkMapper*, std::string> FindLit(const vtkRenderState* s, vtkRenderer* renderer);
+
+  // The same of what a mapper draws now with this fragment shader.
+  static std::string WhyLit(vtkOpenGLPolyDataMapper* mapper, const std::string& fragment);
+
+  static void SetUniforms(vtkShaderProgram* program, vtkActor* actor);
 };
 
 #endif

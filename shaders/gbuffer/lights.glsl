@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What VTK's mappers write into fragment shaders of the renderer's lights, by its first and last
-// lines, and what is put around it, so that a uniform can switch it off. The last line of PBR is
-// the one before the section's.
+// lines, and what takes its place when the light is left out. The last line of PBR is the one
+// before the section's.
 
 //RELIEVO::Section(HeadlightBegin)
   float df = max(0.0
@@ -22,15 +22,5 @@ gl_FragData[0] = vec4(ambientColor + diffuse + specular, opacity);
 //RELIEVO::Section(CoatBegin)
   vec3 coatF0 =
 
-//RELIEVO::Section(Choice)
-  if (relievoDefers == 0)
-  {
-
-//RELIEVO::Section(End)
-  }
-
-//RELIEVO::Section(Otherwise)
-  else
-  {
-    gl_FragData[0] = vec4(ambientColor, opacity);
-  }
+//RELIEVO::Section(Unlit)
+  gl_FragData[0] = vec4(ambientColor, opacity);

@@ -9,7 +9,8 @@
 // (glyph_depth.glsl is),
 // RELIEVO_SPHERE_POINTS, RELIEVO_TUBE_LINES, RELIEVO_PBR_ALBEDO, RELIEVO_BACKFACE_PROPERTY,
 // RELIEVO_PRIMITIVE_SOURCE, RELIEVO_LAYERS_ONLY, RELIEVO_LINEAR_VISIBILITY,
-// RELIEVO_COINCIDENT_OFFSET. Codes: codes.glsl. What other splices define: splice/contract.glsl.
+// RELIEVO_COINCIDENT_OFFSET, RELIEVO_LIGHT_LEFT_OUT (lights.glsl). Codes: codes.glsl. What other
+// splices define: splice/contract.glsl.
 
 //RELIEVO::Section(Extensions)
 //RELIEVO::Include(extensions.glsl)
@@ -40,7 +41,6 @@ uniform float relievoFar;
 #ifdef RELIEVO_SURFACE_WORD
 //RELIEVO::Include(formulas/surface.glsl)
 uniform int relievoShading; // RELIEVO_SHADING_*
-uniform int relievoDefers; // whether VTK's lights are left out
 uniform vec4 relievoHighlight[2]; // of both sides: colour times share, power
 uniform vec2 relievoMetal; // metallic, roughness
 #endif
@@ -253,8 +253,13 @@ uvec3 relievoPackNormal(vec3 n)
 #endif
 
 #ifdef RELIEVO_SURFACE_WORD
-  relievoWords[RELIEVO_SURFACE_WORD] = relievoPackSurfaceColor(
-    relievoAlbedo.rgb, uint(relievoShading + 4 * relievoDefers));
+#ifdef RELIEVO_LIGHT_LEFT_OUT
+  int relievoKind = relievoShading + 4;
+#else
+  int relievoKind = relievoShading;
+#endif
+  relievoWords[RELIEVO_SURFACE_WORD] =
+    relievoPackSurfaceColor(relievoAlbedo.rgb, uint(relievoKind));
 #ifdef RELIEVO_SURFACE_DETAIL_WORD
 #ifdef RELIEVO_PBR_ALBEDO
   relievoWords[RELIEVO_SURFACE_DETAIL_WORD] = relievoPackUnorm16(vec2(metallic, roughness));

@@ -63,8 +63,8 @@ void TestAllLeft()
     [](DeferredScene& s) { Shiny(s)->SetCoatStrength(0.8); });
   TestLeft("refraction", "has an index of refraction other than 1.5",
     [](DeferredScene& s) { Shiny(s)->SetBaseIOR(2.0); });
-  TestLeft("edge tint", "or an edge tint",
-    [](DeferredScene& s) { Shiny(s)->SetEdgeTint(0.2, 1.0, 0.4); });
+  TestLeft(
+    "edge tint", "or an edge tint", [](DeferredScene& s) { Shiny(s)->SetEdgeTint(0.2, 1.0, 0.4); });
   TestLeft("forced opaque", "is blended among the opaque geometry", [](DeferredScene& s) {
     s.Actors[0]->GetProperty()->SetOpacity(0.4);
     s.Actors[0]->ForceOpaqueOn();
@@ -94,8 +94,8 @@ void TestChain(const char* name)
   vtkNew<Pass> pass;
   pass->SetDelegatePass(vtkNew<vtkRenderStepsPass>());
   scene.Frame->SetDelegatePass(pass);
-  // What looks at its neighbours may decide otherwise for one level's difference.
-  RELIEVO_CHECK_AT_MOST(scene.CompareWithVTK(name), 2, std::string(name) + ": levels");
+  // FXAA blends by contrast: one level's difference in what it is given becomes up to four.
+  RELIEVO_CHECK_AT_MOST(scene.CompareWithVTK(name), 4, std::string(name) + ": levels");
 }
 
 void TestPicture(const char* name, const Set& set, int levels = 1)
@@ -112,15 +112,14 @@ void TestCombinations()
   TestChain<vtkSSAOPass>("vtkSSAOPass");
   TestChain<vtkOpenGLFXAAPass>("vtkOpenGLFXAAPass");
   TestChain<vtkToneMappingPass>("vtkToneMappingPass");
-  const auto glass = [](DeferredScene& s) {
-    s.Actors[1]->GetProperty()->SetOpacity(0.5);
-  };
+  const auto glass = [](DeferredScene& s) { s.Actors[1]->GetProperty()->SetOpacity(0.5); };
   TestPicture("translucent", glass);
   TestPicture("peeled", [&](DeferredScene& s) {
     glass(s);
     s.Renderer->UseDepthPeelingOn();
   });
-  TestPicture("FXAA", [](DeferredScene& s) { s.Renderer->UseFXAAOn(); }, 2);
+  TestPicture(
+    "FXAA", [](DeferredScene& s) { s.Renderer->UseFXAAOn(); }, 4);
   TestPicture("tone", [](DeferredScene& s) { s.Frame->GetTone()->EnabledOn(); });
   TestPicture("gradient", [](DeferredScene& s) {
     s.Renderer->GradientBackgroundOn();
@@ -152,8 +151,8 @@ void TestLinear()
       for (int c = 0; c < 4; ++c)
       {
         const double expected = own.Value("color", x, y, c);
-        worst = std::max(worst,
-          std::abs(deferred.Value("color", x, y, c) - expected) / (0.02 + expected));
+        worst = std::max(
+          worst, std::abs(deferred.Value("color", x, y, c) - expected) / (0.02 + expected));
         most = std::max(most, expected);
       }
     }

@@ -13,6 +13,17 @@
 namespace cli
 {
 //------------------------------------------------------------------------------
+StageChoice& AddStage(
+  std::vector<StageChoice>& stages, const std::string& name, const std::string& option)
+{
+  StageChoice choice;
+  choice.Name = name;
+  choice.Option = option;
+  stages.push_back(choice);
+  return stages.back();
+}
+
+//------------------------------------------------------------------------------
 StageChoice ParseStage(const std::string& word)
 {
   const char* const expected = "NAME or NAME:PARAMETER=VALUE,..., such as those of relievo stages";

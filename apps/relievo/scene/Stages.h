@@ -22,6 +22,10 @@ struct StageChoice
   std::string Option = "--stage";                              ///< that asks for it
 };
 
+/// Asks for a stage, by an option of its own, behind what was asked for before.
+StageChoice& AddStage(
+  std::vector<StageChoice>& stages, const std::string& name, const std::string& option);
+
 /// The word behind --stage. A value goes on over commas up to the next PARAMETER=.
 StageChoice ParseStage(const std::string& word);
 

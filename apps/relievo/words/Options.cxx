@@ -200,16 +200,6 @@ std::string NamedAs(
 }
 
 //------------------------------------------------------------------------------
-// A stage that an option of its own switches on.
-void TakeStage(RenderOptions& options, const char* name)
-{
-  StageChoice choice;
-  choice.Name = name;
-  choice.Option = std::string("--") + name;
-  options.Stages.push_back(choice);
-}
-
-//------------------------------------------------------------------------------
 struct OptionRow
 {
   const char* Name;
@@ -259,8 +249,10 @@ const OptionRow RenderRows[] = {
     },
     true },
   { "--deferred",
-    [](RenderOptions& options, const std::string&) { TakeStage(options, "deferred"); }, false,
-    true },
+    [](RenderOptions& options, const std::string&) {
+      AddStage(options.Stages, "deferred", "--deferred");
+    },
+    false, true },
   { "--tone", TakeTone, false },
   { "--exposure", TakeExposure, false },
   { "--layers", TakeLayers, true },

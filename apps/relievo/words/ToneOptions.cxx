@@ -13,16 +13,6 @@ namespace cli
 namespace
 {
 const char* const Stage = "tone";
-
-// The choice of the option, which stands behind what was given before.
-StageChoice& Add(RenderOptions& options, const char* option)
-{
-  StageChoice choice;
-  choice.Name = Stage;
-  choice.Option = option;
-  options.Stages.push_back(choice);
-  return options.Stages.back();
-}
 }
 
 //------------------------------------------------------------------------------
@@ -33,7 +23,7 @@ void TakeTone(RenderOptions& options, const std::string& word)
   const char* const operators[] = { "clamp", "simple", "reinhard", "reinhard_rgb" };
   const std::size_t which =
     ParseChoice("--tone", pieces[0], { "clamp", "simple", "reinhard", "reinhard-rgb" });
-  StageChoice& choice = Add(options, "--tone");
+  StageChoice& choice = AddStage(options.Stages, Stage, "--tone");
   choice.Parameters.emplace_back("operator", operators[which]);
   for (std::size_t i = 1; i < pieces.size(); ++i)
   {
@@ -54,7 +44,7 @@ void TakeTone(RenderOptions& options, const std::string& word)
 //------------------------------------------------------------------------------
 void TakeExposure(RenderOptions& options, const std::string& word)
 {
-  StageChoice& choice = Add(options, "--exposure");
+  StageChoice& choice = AddStage(options.Stages, Stage, "--exposure");
   if (word == "auto")
   {
     choice.Parameters.emplace_back("auto_exposure", "on");
