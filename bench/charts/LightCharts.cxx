@@ -89,7 +89,7 @@ std::vector<NamedChart> DeferredCharts(const std::vector<CsvRows>& files)
   chart.Y.Title = "milliseconds a frame";
   chart.Y.Log = true;
   chart.Y.Ticks = { { 5., "5" }, { 10., "10" }, { 20., "20" }, { 50., "50" }, { 100., "100" },
-    { 200., "200" }, { 500., "500" } };
+    { 200., "200" }, { 500., "500" }, { 1000., "1000" }, { 2000., "2000" } };
   for (const char* lights : { "1", "8", "32" })
   {
     ChartPanel panel;
