@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoDeferredStage.h"
 
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
@@ -28,30 +26,27 @@ const char* const Shading = "shading";
 const char* const Shadows = "shadow maps";
 
 // VTK's declarations of its lights, and the list of them for shaders/deferred/shadeFS.glsl.
-std::string DescribeLights(vtkOpenGLRenderer* renderer)
+std::string DescribeLights(const vtkRelievoFrameContext& context)
 {
+  auto* renderer = static_cast<vtkOpenGLRenderer*>(context.Renderer);
   std::string text = renderer->GetLightingUniforms();
   text += "\n#define RELIEVO_LIGHTS";
   const int complexity = renderer->GetLightingComplexity();
-  vtkLightCollection* lights = renderer->GetLights();
-  vtkCollectionSimpleIterator it;
-  lights->InitTraversal(it);
-  int number = 0;
-  int shining = 0;
-  while (vtkLight* light = lights->GetNextLight(it))
+  for (const vtkRelievoFrameLight& light : vtkRelievoFrameScene::FindLights(renderer))
   {
-    if (light->GetSwitch())
+    if (light.ShaderIndex < 0)
     {
-      const std::string i = std::to_string(shining++);
-      const auto name = [&i](const char* of) { return std::string("light") + of + i + ", "; };
-      text += complexity == vtkOpenGLRenderer::Headlight ? " RELIEVO_HEADLIGHT(" + name("Color")
-        : complexity == vtkOpenGLRenderer::Directional
-        ? " RELIEVO_SUN(" + name("Color") + name("DirectionVC")
-        : " RELIEVO_LAMP(" + name("Color") + name("DirectionVC") + name("PositionVC") +
-          name("Attenuation") + name("Positional") + name("Exponent") + name("ConeAngle");
-      text += std::to_string(number) + ")";
+      continue;
     }
-    ++number;
+    const auto name = [&light](const char* of) {
+      return std::string("light") + of + std::to_string(light.ShaderIndex) + ", ";
+    };
+    text += complexity == vtkOpenGLRenderer::Headlight ? " RELIEVO_HEADLIGHT(" + name("Color")
+      : complexity == vtkOpenGLRenderer::Directional
+      ? " RELIEVO_SUN(" + name("Color") + name("DirectionVC")
+      : " RELIEVO_LAMP(" + name("Color") + name("DirectionVC") + name("PositionVC") +
+        name("Attenuation") + name("Positional") + name("Exponent") + name("ConeAngle");
+    text += std::to_string(light.Number) + ")";
   }
   text += "\n";
 #ifdef RELIEVO_VTK_PBR_SUNS_AT_PLACES
@@ -158,7 +153,7 @@ void vtkRelievoDeferredStage::AddLights(vtkRelievoFrameContext& context)
     reads.emplace_back(Shadows);
   }
   vtkShaderProgram* program =
-    in.Quad.Ready(context, "deferred/shadeFS.glsl", reads, DescribeLights(renderer));
+    in.Quad.Ready(context, "deferred/shadeFS.glsl", reads, DescribeLights(context));
   if (!program)
   {
     if (in.Said.insert(in.Quad.GetWrong()).second)

@@ -57,7 +57,7 @@ std::string vtkRelievoLampQuads::Draw(vtkRelievoFrameContext& context,
   const vtkRelievoView& view = context.View;
   const float size[2] = { static_cast<float>(view.Viewport[2]),
     static_cast<float>(view.Viewport[3]) };
-  glm::mat4 projection(view.ViewToNDC);
+  glm::mat4 projection = view.GetProjection();
   program->SetUniform2f("relievoSize", size);
   program->SetUniformMatrix4x4("relievoProjection", &projection[0][0]);
   program->SetUniformf("relievoNear", static_cast<float>(view.Near));

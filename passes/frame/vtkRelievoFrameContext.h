@@ -7,6 +7,7 @@
 #define vtkRelievoFrameContext_h
 
 #include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkRelievoFrameScene.h"
 #include "vtkRelievoView.h"
 
 #include <functional>
@@ -31,6 +32,7 @@ public:
   vtkOpenGLRenderWindow* Window = nullptr;
   const vtkRenderState* State = nullptr;
   vtkRelievoView View;
+  vtkRelievoFrameScene Scene; // empty if no stage runs
 
   // Whether the window's picture is drawn; if not, only layers are, and the window does not change.
   bool Picture = true;

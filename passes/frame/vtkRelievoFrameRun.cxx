@@ -294,6 +294,10 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
 int vtkRelievoFrameRun::Execute(vtkRelievoDelegate& delegate, vtkRenderPass* pass)
 {
   const std::vector<int>& order = this->Order.GetOrder();
+  if (std::any_of(order.begin(), order.end(), [](int place) { return place > 0; }))
+  {
+    this->Context.Scene.Take(this->Context.State);
+  }
   for (const int place : order)
   {
     if (place > 0 && !this->Stages[place - 1]->Prepare(this->Context))

@@ -76,8 +76,8 @@ void vtkRelievoScreenQuad::Draw(
   const int* area = viewport ? viewport : view.Viewport;
   const float size[2] = { static_cast<float>(view.Viewport[2]),
     static_cast<float>(view.Viewport[3]) };
-  glm::mat4 projection(view.ViewToNDC);
-  glm::mat4 viewToWorld(glm::inverse(view.WorldToView));
+  glm::mat4 projection = view.GetProjection();
+  glm::mat4 viewToWorld = view.GetViewToWorld();
   program->SetUniform2f("relievoSize", size);
   program->SetUniformf("relievoNear", static_cast<float>(view.Near));
   program->SetUniformf("relievoFar", static_cast<float>(view.Far));

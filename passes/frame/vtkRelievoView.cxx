@@ -23,6 +23,18 @@ glm::dmat4 vtkRelievoToGlm(vtkMatrix4x4* matrix)
 }
 
 //------------------------------------------------------------------------------
+glm::mat4 vtkRelievoView::GetProjection() const
+{
+  return glm::mat4(this->ViewToNDC);
+}
+
+//------------------------------------------------------------------------------
+glm::mat4 vtkRelievoView::GetViewToWorld() const
+{
+  return glm::mat4(glm::inverse(this->WorldToView));
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoView::Take(vtkRenderer* renderer, const vtkRenderState* s)
 {
   vtkFrameBufferObjectBase* framebuffer = s ? s->GetFrameBuffer() : nullptr;

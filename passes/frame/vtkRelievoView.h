@@ -26,6 +26,12 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoView
   glm::dmat4 WorldToView = glm::dmat4(1.0); // column-major, as GLM has it
   glm::dmat4 ViewToNDC = glm::dmat4(1.0);
 
+  ///@{
+  // In float, as shaders have them.
+  glm::mat4 GetProjection() const;
+  glm::mat4 GetViewToWorld() const;
+  ///@}
+
   void Take(vtkRenderer* renderer, const vtkRenderState* s);
 };
 

@@ -88,7 +88,7 @@ void vtkRelievoGBufferPass::Internals::Arrange(
   }
   if (layout.Surface)
   {
-    const vtkRelievoSurfaces surfaces = vtkRelievoSurfaces::Find(context.State);
+    const vtkRelievoSurfaces surfaces = vtkRelievoSurfaces::Find(context.Scene);
     layout.SurfaceDetail = surfaces.Detail;
     layout.SurfaceSpecular = surfaces.Specular;
   }
@@ -140,11 +140,11 @@ bool vtkRelievoGBufferPass::Prepare(vtkRelievoFrameContext& context)
   this->Shared = false;
   this->DrawCalls = 0;
 
-  in.Props.Collect(context.State);
+  in.Props.Collect(context.Scene);
   std::map<vtkMapper*, std::string> lit;
   if (in.Shading)
   {
-    lit = vtkRelievoSurfaces::FindLit(context.State, context.Renderer);
+    lit = vtkRelievoSurfaces::FindLit(context.Scene, context.Renderer);
   }
   if (lit != in.Lit)
   {

@@ -5,23 +5,22 @@
 #include "vtkHiddenLineRemovalPass.h"
 #include "vtkNew.h"
 #include "vtkProp.h"
-#include "vtkRelievoPropParts.h"
+#include "vtkRelievoFrameScene.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 
 //------------------------------------------------------------------------------
-void vtkRelievoOpaqueProps::Collect(const vtkRenderState* s)
+void vtkRelievoOpaqueProps::Collect(const vtkRelievoFrameScene& scene)
 {
   this->Props.clear();
   this->Mixed.clear();
   this->Foreign.clear();
-  std::vector<vtkRelievoPropParts::Part> parts;
-  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  for (const vtkRelievoFrameProp& drawn : scene.Props)
   {
-    vtkProp* prop = s->GetPropArray()[i];
-    vtkRelievoPropParts::Collect(prop, parts);
+    vtkProp* prop = drawn.Prop;
+    const std::vector<vtkRelievoPropParts::Part>& parts = drawn.Parts;
     bool writes = false;
     bool foreign = false;
     for (const vtkRelievoPropParts::Part& part : parts)

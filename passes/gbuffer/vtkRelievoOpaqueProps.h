@@ -14,13 +14,13 @@
 
 class vtkOpenGLRenderPass;
 class vtkProp;
-class vtkRenderState;
 class vtkRenderer;
+struct vtkRelievoFrameScene;
 
 class vtkRelievoOpaqueProps
 {
 public:
-  void Collect(const vtkRenderState* s);
+  void Collect(const vtkRelievoFrameScene& scene);
 
   // Class of a prop that may draw opaque geometry but writes no layers; empty if there is none.
   const std::string& GetForeign() const { return this->Foreign; }

@@ -7,10 +7,9 @@
 #include "vtkOpenGLShaderProperty.h"
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
-#include "vtkRelievoPropParts.h"
+#include "vtkRelievoFrameScene.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
-#include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTexture.h"
@@ -34,13 +33,11 @@ std::string Section(const char* name)
   return text.substr(0, text.find_last_not_of("\n") + 1);
 }
 
-void ForEachLit(const vtkRenderState* s, const std::function<void(vtkActor*)>& work)
+void ForEachLit(const vtkRelievoFrameScene& scene, const std::function<void(vtkActor*)>& work)
 {
-  std::vector<vtkRelievoPropParts::Part> parts;
-  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  for (const vtkRelievoFrameProp& prop : scene.Props)
   {
-    vtkRelievoPropParts::Collect(s->GetPropArray()[i], parts);
-    for (const vtkRelievoPropParts::Part& part : parts)
+    for (const vtkRelievoPropParts::Part& part : prop.Parts)
     {
       vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
       if (actor && actor->GetProperty()->GetLighting())
@@ -94,10 +91,10 @@ void SetHighlight(vtkProperty* property, float highlight[4])
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoSurfaces vtkRelievoSurfaces::Find(const vtkRenderState* s)
+vtkRelievoSurfaces vtkRelievoSurfaces::Find(const vtkRelievoFrameScene& scene)
 {
   vtkRelievoSurfaces found;
-  ForEachLit(s, [&found](vtkActor* actor) {
+  ForEachLit(scene, [&found](vtkActor* actor) {
     for (vtkProperty* property : { actor->GetProperty(), actor->GetBackfaceProperty() })
     {
       const bool isPbr = property && property->GetInterpolation() == VTK_PBR;
@@ -111,10 +108,10 @@ vtkRelievoSurfaces vtkRelievoSurfaces::Find(const vtkRenderState* s)
 
 //------------------------------------------------------------------------------
 std::map<vtkMapper*, std::string> vtkRelievoSurfaces::FindLit(
-  const vtkRenderState* s, vtkRenderer* renderer)
+  const vtkRelievoFrameScene& scene, vtkRenderer* renderer)
 {
   std::map<vtkMapper*, std::string> lit;
-  ForEachLit(s, [&](vtkActor* actor) {
+  ForEachLit(scene, [&](vtkActor* actor) {
     const std::string why = WhyLit(actor, renderer);
     if (!why.empty())
     {

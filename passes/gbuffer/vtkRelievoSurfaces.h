@@ -12,8 +12,8 @@
 class vtkActor;
 class vtkMapper;
 class vtkOpenGLPolyDataMapper;
-class vtkRenderState;
 class vtkRenderer;
+struct vtkRelievoFrameScene;
 class vtkShaderProgram;
 
 struct vtkRelievoSurfaces
@@ -22,7 +22,7 @@ struct vtkRelievoSurfaces
   bool Specular = false; // some has a highlight of Phong's
 
   // Of the visible actors.
-  static vtkRelievoSurfaces Find(const vtkRenderState* s);
+  static vtkRelievoSurfaces Find(const vtkRelievoFrameScene& scene);
 
   // Takes VTK's lights out of its fragment shader. False where they are not found as VTK writes
   // them.
@@ -32,7 +32,8 @@ struct vtkRelievoSurfaces
   static std::string WhyLit(vtkActor* actor, vtkRenderer* renderer);
 
   // The same of all that is drawn by a mapper, where it is not empty.
-  static std::map<vtkMapper*, std::string> FindLit(const vtkRenderState* s, vtkRenderer* renderer);
+  static std::map<vtkMapper*, std::string> FindLit(
+    const vtkRelievoFrameScene& scene, vtkRenderer* renderer);
 
   // The same of what a mapper draws now with this fragment shader.
   static std::string WhyLit(vtkOpenGLPolyDataMapper* mapper, const std::string& fragment);

@@ -4,7 +4,7 @@
 
 #include "vtkCamera.h"
 #include "vtkLight.h"
-#include "vtkLightCollection.h"
+#include "vtkRelievoFrameScene.h"
 #include "vtkRenderer.h"
 
 #include <cmath>
@@ -30,16 +30,13 @@ bool IsAtEye(const vtkRelievoShadowLight& light, vtkCamera* camera)
 std::vector<vtkRelievoShadowLight> vtkRelievoShadowLight::Collect(vtkRenderer* renderer)
 {
   std::vector<vtkRelievoShadowLight> lights;
-  vtkLightCollection* collection = renderer->GetLights();
-  vtkCollectionSimpleIterator it;
-  collection->InitTraversal(it);
-  int on = 0;
-  while (vtkLight* source = collection->GetNextLight(it))
+  for (const vtkRelievoFrameLight& each : vtkRelievoFrameScene::FindLights(renderer))
   {
+    vtkLight* source = each.Light;
     vtkRelievoShadowLight light;
     light.Light = source;
-    light.Number = static_cast<int>(lights.size());
-    light.ShaderIndex = source->GetSwitch() ? on++ : -1;
+    light.Number = each.Number;
+    light.ShaderIndex = each.ShaderIndex;
     light.Positional = source->GetPositional() != 0;
     light.ConeAngle = source->GetConeAngle();
     glm::dvec3 focus(0.0);

@@ -168,14 +168,15 @@ void Compare(const std::string& what, const std::vector<const Case*>& cases, con
   RELIEVO_CHECK((scene.Stage->GetNumberLeft() > 0) == left);
 }
 
+// Kinds of light in turn: VTK's shaders differ by what lights there are, and TestLights has all.
 void TestSurfaces()
 {
+  const Case* const kinds[] = { &Lights[0], &Lights[1], &Lights[4] };
+  int i = 0;
   for (const Case& surface : Surfaces)
   {
-    for (const Case* light : { &Lights[0], &Lights[1], &Lights[4] })
-    {
-      Compare(std::string(surface.Name) + ", " + light->Name, { light, &surface });
-    }
+    const Case* light = kinds[i++ % 3];
+    Compare(std::string(surface.Name) + ", " + light->Name, { light, &surface });
   }
 }
 
