@@ -21,6 +21,7 @@
 class vtkRelievoDisplayStage;
 class vtkRelievoFogStage;
 class vtkRelievoGBufferPass;
+class vtkRelievoMarkersStage;
 class vtkRelievoShadowPass;
 class vtkRelievoToneStage;
 class vtkRenderer;
@@ -73,6 +74,9 @@ public:
 
   /** The stage that shows fog, once there is any: vtkRelievoFogStage::AddFog. */
   vtkRelievoFogStage* GetFog();
+
+  /** The stage that marks surfaces, once there are markers: vtkRelievoMarkersStage::AddMarkers. */
+  vtkRelievoMarkersStage* GetMarkers();
 
   ///@{
   /**
