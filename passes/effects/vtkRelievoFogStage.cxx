@@ -162,7 +162,6 @@ void vtkRelievoFogStage::Declare(
   {
     // Without fog in view the layer is still what it says: all passes.
     declaration.Writes.clear();
-    declaration.Reads.clear();
     declaration.Words = "no fog is in view";
   }
 }

@@ -5,10 +5,10 @@
  * @brief Markers on surfaces, around points of data and around actors
  * (vtkRelievoMarkersStage::AddMarkers).
  *
- * Each point of the input is one; its point arrays `radius`, `width`, `reach`, `opacity` and `color`
- * (SetArray takes others) give it its own values, and the values set here are for points without,
- * and for actors. Whatever surface is seen within the radius of a point is coloured; distances of
- * an actor are those from the box around it, which turns and moves with it.
+ * Each point of the input is one; its point arrays `radius`, `width`, `reach`, `opacity` and
+ * `color` (SetArray takes others) give it its own values, and the values set here are for points
+ * without, and for actors. Whatever surface is seen within the radius of a point is coloured;
+ * distances of an actor are those from the box around it, which turns and moves with it.
  *
  * Shapes:
  * - RING (default): from `width` below the radius to the radius.
@@ -19,8 +19,8 @@
  *   where it begins, and fades in proportion to the height, to nothing at `reach` radii. Nothing
  *   is in its way: it falls on all that lies below. The colour is not used.
  *
- * A marker whose radius or opacity (a ring's width, a shadow's reach) is 0 or less has no effect,
- * and is counted (GetNumberLeftOut); but the radius of an actor's shadow may be 0.
+ * A point whose radius or opacity (a ring's width, a shadow's reach) is 0 or less has no effect,
+ * and is counted (GetNumberLeftOut); the radius of an actor's shadow may be 0.
  */
 #ifndef vtkRelievoMarkers_h
 #define vtkRelievoMarkers_h

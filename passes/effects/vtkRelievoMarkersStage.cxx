@@ -139,7 +139,6 @@ void vtkRelievoMarkersStage::Declare(
   {
     // Without markers in view the layer is still what it says: nothing is covered.
     declaration.Writes.clear();
-    declaration.Reads.clear();
     declaration.Words = "no markers are in view";
   }
 }

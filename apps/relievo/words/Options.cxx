@@ -243,6 +243,11 @@ const OptionRow RenderRows[] = {
   { "--fog",
     [](RenderOptions& options, const std::string& word) { options.Fogs.push_back(ParseFog(word)); },
     true },
+  { "--markers",
+    [](RenderOptions& options, const std::string& word) {
+      options.Markers.push_back(ParseMarkers(word));
+    },
+    true },
   { "--stage",
     [](RenderOptions& options, const std::string& word) {
       options.Stages.push_back(ParseStage(word));
