@@ -17,6 +17,8 @@
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPolyData.h>
+#include <vtkRelievoFogSpheres.h>
+#include <vtkRelievoFogStage.h>
 #include <vtkTransform.h>
 
 #include <algorithm>
@@ -314,6 +316,24 @@ void TestOrder()
   scene.Stage->AddMarkers(scene.Markers);
   RELIEVO_CHECK(SamePicture(redOver, Picture(scene.Window), "the shadow is below"));
   RELIEVO_CHECK(scene.Stage->GetNumberDrawn() == 3);
+
+  // Fog lies over them: what passes of a marker, and the fog's own.
+  scene.Stage->RemoveAllMarkers();
+  scene.Stage->AddMarkers(scene.Markers);
+  scene.Set(M::DISC, { { { 0., 0., 0. }, 50., 1., 4., 1., { 1., 0., 0. } } });
+  vtkNew<vtkRelievoFogSpheres> fog;
+  fog->SetInputData(MakeMarkerPoints({ {} }));
+  fog->SetArray("radius", "");
+  fog->SetArray("color", "");
+  fog->SetRadius(50.);
+  fog->SetDensity(0.2);
+  fog->SetColor(0., 0., 1.);
+  scene.Frame->GetFog()->AddFog(fog);
+  const Layers layers = scene.Read({ "color", "fog" });
+  const double passes = layers.Value("fog", 30, 15);
+  RELIEVO_CHECK(passes > 0.2 && passes < 0.8);
+  RELIEVO_CHECK_NEAR(layers.Value("color", 30, 15, 0), passes, 2e-3, "the marker behind fog");
+  RELIEVO_CHECK_NEAR(layers.Value("color", 30, 15, 2), 1. - passes, 2e-3, "fog over the marker");
 }
 
 // Depths belong to the centres of pixels, whatever the multisampling.
