@@ -81,7 +81,8 @@ public:
   ///@{
   /**
    * The layer shown as the picture, or nullptr (default) for the picture itself. Scalars are shown
-   * through a colour map over DisplayRange, vectors as 0.5 v + 0.5, ids as distinct colours.
+   * through a colour map over DisplayRange, vectors as 0.5 v + 0.5, ids as distinct colours, light
+   * (color, light) by the sRGB curve, from 0 to 1 or over DisplayRange.
    */
   void SetDisplayLayer(const char* name);
   const char* GetDisplayLayer();

@@ -5,9 +5,10 @@
 #include "vtkRelievoMarkers.h"
 #include "vtkRelievoView.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,18 @@ namespace
 constexpr double EdgePixels = 1.0;     // beyond the outline, that edges are filtered over
 constexpr double Largest = 1e30;       // that is safe in floats
 constexpr double ShadowOnset = 0.25;   // radii below a point, over which its shadow begins
+constexpr double Thinnest = 1e-4;      // square of a shadow's width, of its mean one
 constexpr double BoxTolerance = 0.001; // of a box's height, above its bottom
+
+// Some direction across this one.
+glm::dvec3 GetAcross(const glm::dvec3& direction)
+{
+  const glm::dvec3 size = glm::abs(direction);
+  const glm::dvec3 least = size.x <= size.y && size.x <= size.z ? glm::dvec3(1.0, 0.0, 0.0)
+    : size.y <= size.z                                          ? glm::dvec3(0.0, 1.0, 0.0)
+                                                                : glm::dvec3(0.0, 0.0, 1.0);
+  return glm::normalize(glm::cross(direction, least));
+}
 
 // What the value lacks as a float.
 double Lacks(double value)
@@ -35,6 +47,16 @@ struct vtkRelievoMarkerList::Body
   const double* Values; // radius, width, reach, opacity, color
   int Shape;
   glm::dvec3 Up;
+};
+
+// What the shader computes with: lengths in units, which is the radius of a sphere around all.
+struct vtkRelievoMarkerList::Fit
+{
+  glm::dvec3 Center; // of that sphere, in the world
+  double Unit;
+  glm::dvec4 Edges{ 0.0 };
+  glm::dvec3 Axes[3]; // eye space
+  glm::dvec3 Half{ 0.0 };
 };
 
 //------------------------------------------------------------------------------
@@ -111,67 +133,76 @@ void vtkRelievoMarkerList::Add(
 }
 
 //------------------------------------------------------------------------------
+vtkRelievoMarkerList::Fit vtkRelievoMarkerList::FitMarker(const Body& body) const
+{
+  const double radius = body.Values[0];
+  Fit fit;
+  fit.Center = body.Center;
+  fit.Unit = glm::length(body.Half) + radius;
+  fit.Edges[0] = radius / fit.Unit;
+  fit.Edges[1] = fit.Edges[0] * std::max(0.0, 1.0 - body.Values[1]);
+  fit.Half = body.Half / fit.Unit;
+  for (int i = 0; i < 3; ++i)
+  {
+    fit.Axes[i] = this->WorldToView * body.Axes[i];
+  }
+  return fit;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoMarkerList::Fit vtkRelievoMarkerList::FitShadow(const Body& body) const
+{
+  const double radius = body.Values[0];
+  // The ellipse around the box as seen from above, grown by the radius.
+  glm::dmat3 spread(0.0);
+  double bottom = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double along = glm::dot(body.Axes[i], body.Up);
+    const glm::dvec3 across = body.Half[i] * (body.Axes[i] - along * body.Up);
+    spread += 2.0 * glm::outerProduct(across, across);
+    bottom += body.Half[i] * std::abs(along);
+  }
+  const double squares = spread[0][0] + spread[1][1] + spread[2][2];
+  const double size = std::sqrt(0.5 * squares) + radius;
+  // What is flat in a direction still has a little.
+  const double grown = std::max(radius * radius, Thinnest * size * size);
+  const glm::dvec3 first = GetAcross(body.Up);
+  const glm::dvec3 second = glm::cross(body.Up, first);
+  const double angle = 0.5 *
+    std::atan2(2.0 * glm::dot(first, spread * second),
+      glm::dot(first, spread * first) - glm::dot(second, spread * second));
+  const glm::dvec3 along[2] = { std::cos(angle) * first + std::sin(angle) * second,
+    std::cos(angle) * second - std::sin(angle) * first };
+
+  const bool isPoint = body.Half == glm::dvec3(0.0);
+  const double fade = body.Values[2] * size;
+  const double end = bottom + fade;
+  const double onset = isPoint ? ShadowOnset * radius : BoxTolerance * (bottom + size);
+  const double start = isPoint ? 0.0 : bottom - 2.0 * onset;
+  const double down = 0.5 * end; // to the middle of the column
+  Fit fit;
+  fit.Center = body.Center - down * body.Up;
+  fit.Unit = std::sqrt(squares + grown + down * down);
+  const double unit = fit.Unit;
+  fit.Edges = { (start - down) / unit, unit / onset, (end - down) / unit, unit / fade };
+  for (int i = 0; i < 2; ++i)
+  {
+    const double half = std::sqrt(glm::dot(along[i], spread * along[i]) + grown);
+    fit.Axes[i] = unit / half * (this->WorldToView * along[i]);
+  }
+  fit.Axes[2] = this->WorldToView * body.Up;
+  return fit;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoMarkerList::AddBody(const vtkRelievoSphereRays& rays, const Body& body)
 {
   ++this->Given;
-  const double radius = body.Values[0];
   const bool shadow = body.Shape == vtkRelievoMarkers::SHADOW;
-  glm::dvec3 center = body.Center;
-  double unit = glm::length(body.Half) + radius;
-  double edges[4] = { 0.0, 0.0, 0.0, 0.0 };
-  double axes[3][4];
-  if (shadow)
-  {
-    // The ellipse around the box as seen from above, grown by the radius.
-    glm::dmat3 spread(0.0);
-    double bottom = 0.0;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double along = glm::dot(body.Axes[i], body.Up);
-      const glm::dvec3 across = body.Half[i] * (body.Axes[i] - along * body.Up);
-      spread += 2.0 * glm::outerProduct(across, across);
-      bottom += body.Half[i] * std::abs(along);
-    }
-    const glm::dmat3 up = glm::outerProduct(body.Up, body.Up);
-    const glm::dmat3 level = glm::dmat3(1.0) - up;
-    const double size = std::sqrt(0.5 * (spread[0][0] + spread[1][1] + spread[2][2])) + radius;
-    // What is flat in a direction still has a little.
-    const double grown = std::max(radius * radius, 1e-8 * size * size);
-    const double rim2 = spread[0][0] + spread[1][1] + spread[2][2] + grown; // or more
-    spread += grown * level;
-    const glm::dmat3 square = glm::inverse(spread + size * size * up) - up / (size * size);
-    const bool isPoint = body.Half == glm::dvec3(0.0);
-    const double fade = body.Values[2] * size;
-    const double end = bottom + fade;
-    const double onset = isPoint ? ShadowOnset * radius : BoxTolerance * (bottom + size);
-    const double start = isPoint ? 0.0 : bottom - 2.0 * onset;
-    // Its middle is halfway down.
-    const double down = 0.5 * end;
-    center -= down * body.Up;
-    unit = std::sqrt(rim2 + down * down);
-    const double heights[4] = { (start - down) / unit, unit / onset, (end - down) / unit,
-      unit / fade };
-    std::copy_n(heights, 4, edges);
-    const glm::dmat3 turned =
-      unit * unit * (this->WorldToView * square * glm::transpose(this->WorldToView));
-    const glm::dvec3 upVC = this->WorldToView * body.Up;
-    const double rows[3][4] = { { turned[0][0], turned[1][1], turned[2][2], 0.0 },
-      { turned[1][2], turned[2][0], turned[0][1], 0.0 }, { upVC.x, upVC.y, upVC.z, 0.0 } };
-    std::copy_n(&rows[0][0], 12, &axes[0][0]);
-  }
-  else
-  {
-    edges[0] = radius / unit;
-    edges[1] = edges[0] * std::max(0.0, 1.0 - body.Values[1]);
-    for (int i = 0; i < 3; ++i)
-    {
-      const glm::dvec3 axis = this->WorldToView * body.Axes[i];
-      const double row[4] = { axis.x, axis.y, axis.z, body.Half[i] / unit };
-      std::copy_n(row, 4, axes[i]);
-    }
-  }
+  const Fit fit = shadow ? this->FitShadow(body) : this->FitMarker(body);
   vtkRelievoSphereRays::Sphere sphere;
-  if (!(unit > 0.0) || !rays.Find(center, unit, sphere, EdgePixels))
+  if (!(fit.Unit > 0.0) || !rays.Find(fit.Center, fit.Unit, sphere, EdgePixels))
   {
     return;
   }
@@ -183,11 +214,11 @@ void vtkRelievoMarkerList::AddBody(const vtkRelievoSphereRays& rays, const Body&
     tint * body.Values[4], tint * body.Values[5], tint * body.Values[6], alpha,       //
     sphere.Offset.x, sphere.Offset.y, sphere.Pixel.x, sphere.Pixel.y,                 //
     sphere.Offsets[0].x, sphere.Offsets[0].y, sphere.Offsets[1].x, sphere.Offsets[1].y, depth,
-    Lacks(depth), 1.0 / unit, double(body.Shape),   //
-    edges[0], edges[1], edges[2], edges[3],         //
-    axes[0][0], axes[0][1], axes[0][2], axes[0][3], //
-    axes[1][0], axes[1][1], axes[1][2], axes[1][3], //
-    axes[2][0], axes[2][1], axes[2][2], axes[2][3] };
+    Lacks(depth), 1.0 / fit.Unit, double(body.Shape),        //
+    fit.Edges.x, fit.Edges.y, fit.Edges.z, fit.Edges.w,      //
+    fit.Axes[0].x, fit.Axes[0].y, fit.Axes[0].z, fit.Half.x, //
+    fit.Axes[1].x, fit.Axes[1].y, fit.Axes[1].z, fit.Half.y, //
+    fit.Axes[2].x, fit.Axes[2].y, fit.Axes[2].z, fit.Half.z };
   if (!std::all_of(texels, texels + 36, [](double v) { return std::abs(v) < Largest; }))
   {
     return;

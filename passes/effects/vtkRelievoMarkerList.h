@@ -37,8 +37,11 @@ public:
 
 private:
   struct Body;
+  struct Fit;
 
   void Add(const vtkRelievoSphereRays& rays, vtkRelievoMarkers* markers, bool shared);
+  Fit FitMarker(const Body& body) const;
+  Fit FitShadow(const Body& body) const;
   void AddBody(const vtkRelievoSphereRays& rays, const Body& body);
 
   glm::dmat3 WorldToView{ 1.0 };

@@ -81,7 +81,7 @@ float relievoMarkerGlow(float range, float radius, float footprint)
 //   facing  cosine between the surface's normal and up
 float relievoBlobShadow(float square, float height, vec4 heights, float facing)
 {
-  float left = max(float(0.0), float(1.0) - square);
+  float left = clamp(float(1.0) - square, float(0.0), float(1.0));
   float onset = clamp((-height - heights.x) * heights.y, float(0.0), float(1.0));
   float fade = clamp((heights.z + height) * heights.w, float(0.0), float(1.0));
   return left * left * onset * fade * clamp(float(4.0) * facing, float(0.0), float(1.0));

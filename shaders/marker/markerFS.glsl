@@ -61,12 +61,13 @@ void main()
 #ifdef RELIEVO_MARKER_SHADOWS
   if (markerDepth.w == 3.0)
   {
-    // The axes are the matrix of the ellipse around the shadow's axis: its diagonal, the rest; up.
-    float square = dot(markerAxisX.xyz, place * place) +
-      2.0 * dot(markerAxisY.xyz, place.yzx * place.zxy);
+    // The axes are those of the ellipse around the shadow's axis, over their half lengths; and up.
+    float alongX = dot(markerAxisX.xyz, place);
+    float alongY = dot(markerAxisY.xyz, place);
     vec3 normalVC = relievoFetchNormal(pixel);
     float facing = dot(normalVC, normalVC) > 0.0 ? dot(normalVC, markerAxisZ.xyz) : 1.0;
-    share = relievoBlobShadow(square, dot(place, markerAxisZ.xyz), markerEdges, facing);
+    share = relievoBlobShadow(
+      alongX * alongX + alongY * alongY, dot(place, markerAxisZ.xyz), markerEdges, facing);
   }
   else
 #endif

@@ -165,7 +165,7 @@ double ShadowShare(const Mark& mark, const Place& place, const glm::dvec3& up)
     const double size = std::sqrt((s[0][0] + s[1][1] + s[2][2]) / 2.) + r;
     const glm::dmat3 level3 = glm::dmat3(1.) - glm::outerProduct(up, up);
     const glm::dmat3 grown =
-      s + std::max(r * r, 1e-8 * size * size) * level3 + glm::outerProduct(up, up);
+      s + std::max(r * r, 1e-4 * size * size) * level3 + glm::outerProduct(up, up);
     square = glm::dot(level, glm::inverse(grown) * level);
     const double tolerance = 0.001 * (footing.Bottom + size);
     onset = (down - footing.Bottom + 2. * tolerance) / tolerance;

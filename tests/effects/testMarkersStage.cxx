@@ -155,6 +155,16 @@ void TestActors()
   scene.Set(M::SHADOW, { ball });
   Check(scene, "shadow without a radius", 100);
   RELIEVO_CHECK_AT_MOST(LargestOn(scene, 1), 0., "on what throws it");
+  // What is flat and stands on edge still throws a little.
+  vtkNew<vtkRenderer> elsewhere;
+  auto sheet = AddActor(elsewhere, MakeSquare());
+  sheet->SetPosition(0.8, 1.2, 0.9);
+  sheet->RotateY(33.);
+  ball.Actor = sheet;
+  scene.Set(M::SHADOW, { ball });
+  Check(scene, "shadow of a sheet", 3);
+  ball.Actor = scene.Ball;
+
   // A sheared actor has the box along the world's axes.
   Mark wall{ {}, 0.4, 1., 3., 1. };
   wall.Actor = scene.Wall;
@@ -164,7 +174,6 @@ void TestActors()
   scene.Set(M::DISC, { wall });
   const Layers found = scene.Read({ "marker" });
   RELIEVO_CHECK(scene.Stage->GetNumberDrawn() == 1);
-  vtkNew<vtkRenderer> elsewhere;
   auto same = AddActor(elsewhere, MakeBox(1., 1., 1.));
   const double* b = scene.Wall->GetBounds();
   same->SetScale(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
