@@ -84,7 +84,7 @@ void MeasureChords(double distance, int rays, Table& table)
   const double right = top * Width / Height;
   view.ViewToNDC = glm::frustum(aside.x * view.Near - right, aside.x * view.Near + right,
     aside.y * view.Near - top, aside.y * view.Near + top, view.Near, view.Far);
-  const vtkRelievoFogRays fog(view);
+  const vtkRelievoSphereRays fog(view);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0., 1.);
   std::vector<float> errors[std::size(Methods)];
@@ -95,7 +95,7 @@ void MeasureChords(double distance, int rays, Table& table)
       view, 0.5 * Width + 4. * uniform(random), 0.5 * Height + 4. * uniform(random), depth));
     const double x = std::floor(Width * uniform(random)) + 0.5;
     const double y = std::floor(Height * uniform(random)) + 0.5;
-    vtkRelievoFogRays::Sphere sphere;
+    vtkRelievoSphereRays::Sphere sphere;
     const auto truth = static_cast<double>(ChordTruth(view, x, y, center, 1., Infinity));
     if (truth == 0. || !fog.Find(center, 1., sphere))
     {

@@ -21,6 +21,7 @@
 class vtkRelievoDisplayStage;
 class vtkRelievoFogStage;
 class vtkRelievoGBufferPass;
+class vtkRelievoMarkersStage;
 class vtkRelievoShadowPass;
 class vtkRelievoToneStage;
 class vtkRenderer;
@@ -74,10 +75,14 @@ public:
   /** The stage that shows fog, once there is any: vtkRelievoFogStage::AddFog. */
   vtkRelievoFogStage* GetFog();
 
+  /** The stage that marks surfaces, once there are markers: vtkRelievoMarkersStage::AddMarkers. */
+  vtkRelievoMarkersStage* GetMarkers();
+
   ///@{
   /**
    * The layer shown as the picture, or nullptr (default) for the picture itself. Scalars are shown
-   * through a colour map over DisplayRange, vectors as 0.5 v + 0.5, ids as distinct colours.
+   * through a colour map over DisplayRange, vectors as 0.5 v + 0.5, ids as distinct colours, light
+   * (color, light) by the sRGB curve, from 0 to 1 or over DisplayRange.
    */
   void SetDisplayLayer(const char* name);
   const char* GetDisplayLayer();

@@ -5,6 +5,7 @@
 #include "vtkRelievoDisplayStage.h"
 #include "vtkRelievoFogStage.h"
 #include "vtkRelievoGBufferPass.h"
+#include "vtkRelievoMarkersStage.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowPass.h"
 #include "vtkRelievoToneStage.h"
@@ -53,6 +54,12 @@ vtkRelievoToneStage* vtkRelievoPass::GetTone()
 vtkRelievoFogStage* vtkRelievoPass::GetFog()
 {
   return Find<vtkRelievoFogStage>(this, "fog");
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoMarkersStage* vtkRelievoPass::GetMarkers()
+{
+  return Find<vtkRelievoMarkersStage>(this, "markers");
 }
 
 //------------------------------------------------------------------------------

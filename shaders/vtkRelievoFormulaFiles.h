@@ -43,3 +43,5 @@
 #include "formulas/shading.glsl"
 
 #include "formulas/fog.glsl"
+
+#include "formulas/marker.glsl"

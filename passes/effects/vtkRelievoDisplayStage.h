@@ -6,7 +6,8 @@
  *
  * Depth, range, normals and albedo are shown directly from the G-buffer's words. Ids, positions and
  * arrays, whose meaning only the CPU knows, are read back first. Scalars go through a colour map
- * over Range, vectors are shown as 0.5 v + 0.5, ids as distinct colours.
+ * over Range, vectors are shown as 0.5 v + 0.5, ids as distinct colours; light (color, light) by
+ * the sRGB curve, from 0 to 1 or over Range: `color` is the colour before tone.
  */
 #ifndef vtkRelievoDisplayStage_h
 #define vtkRelievoDisplayStage_h

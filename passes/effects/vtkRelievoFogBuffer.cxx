@@ -6,10 +6,10 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
-#include "vtkRelievoFogRays.h"
 #include "vtkRelievoFogSpheres.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoShaderLibrary.h"
+#include "vtkRelievoSphereRays.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -41,11 +41,12 @@ void vtkRelievoFogBuffer::Clear()
 
 //------------------------------------------------------------------------------
 // As shaders/fog/sphereVS.glsl reads them.
-void vtkRelievoFogBuffer::Add(const vtkRelievoFogRays& rays, vtkRelievoFogSpheres* fog, bool linear)
+void vtkRelievoFogBuffer::Add(
+  const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog, bool linear)
 {
   const int width = fog->GetRowWidth();
   const int count = static_cast<int>(fog->GetSharedRows().size()) / width;
-  vtkRelievoFogRays::Sphere sphere;
+  vtkRelievoSphereRays::Sphere sphere;
   for (int i = 0; i < count; ++i)
   {
     const double* row = fog->GetSharedRows().data() + static_cast<std::size_t>(i) * width;
@@ -107,7 +108,7 @@ std::string vtkRelievoFogBuffer::Compile(
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoFogBuffer::Draw(
-  vtkRelievoFrameContext& context, const vtkRelievoFogRays& rays, bool linear, bool dominant)
+  vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays, bool linear, bool dominant)
 {
   vtkRelievoScreenTarget::Format format;
   format.Halves = false;

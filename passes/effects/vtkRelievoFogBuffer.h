@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-class vtkRelievoFogRays;
+class vtkRelievoSphereRays;
 class vtkRelievoFogSpheres;
 class vtkRelievoFrameContext;
 class vtkShaderProgram;
@@ -26,7 +26,7 @@ public:
 
   // Forgets the spheres, and adds those of which anything is in view.
   void Clear();
-  void Add(const vtkRelievoFogRays& rays, vtkRelievoFogSpheres* fog, bool linear);
+  void Add(const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog, bool linear);
 
   int GetNumberOfSpheres() const { return static_cast<int>(this->Texels.size() / 32); }
 
@@ -35,7 +35,7 @@ public:
 
   // Draws them. Returns what is wrong, in words.
   std::string Draw(
-    vtkRelievoFrameContext& context, const vtkRelievoFogRays& rays, bool linear, bool dominant);
+    vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays, bool linear, bool dominant);
 
   // Colour times optical depth, and optical depth; `fogDepth` in shaders.
   vtkRelievoScreenTarget Target;

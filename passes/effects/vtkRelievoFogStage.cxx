@@ -11,12 +11,12 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkRelievoFogBuffer.h"
-#include "vtkRelievoFogRays.h"
 #include "vtkRelievoFogSpheres.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoKeptState.h"
 #include "vtkRelievoScreenQuad.h"
+#include "vtkRelievoSphereRays.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 
@@ -37,11 +37,11 @@ public:
 
 namespace
 {
-bool Sees(const vtkRelievoFogRays& rays, vtkRelievoFogSpheres* fog)
+bool Sees(const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog)
 {
   const int count = fog->GetNumberOfPoints();
   const double* row = fog->GetRows().data();
-  vtkRelievoFogRays::Sphere sphere;
+  vtkRelievoSphereRays::Sphere sphere;
   for (int i = 0; i < count; ++i, row += fog->GetRowWidth())
   {
     if (rays.Find({ row[0], row[1], row[2] }, row[3], sphere))
@@ -153,7 +153,7 @@ void vtkRelievoFogStage::Describe(vtkRelievoStageDescription& description)
 void vtkRelievoFogStage::Declare(
   const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
-  const vtkRelievoFogRays rays(context.View);
+  const vtkRelievoSphereRays rays(context.View);
   const auto& fogs = this->Internal->Fogs;
   // Another process may have fog where this one has none, and must not wait for it.
   const bool together = this->Internal->Controller && !fogs.empty();
@@ -162,7 +162,6 @@ void vtkRelievoFogStage::Declare(
   {
     // Without fog in view the layer is still what it says: all passes.
     declaration.Writes.clear();
-    declaration.Reads.clear();
     declaration.Words = "no fog is in view";
   }
 }
@@ -173,7 +172,7 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
   Internals& in = *this->Internal;
   this->DrawCalls = 0;
   this->NumberDrawn = 0;
-  const vtkRelievoFogRays rays(context.View);
+  const vtkRelievoSphereRays rays(context.View);
   std::string wrong;
   int spheres = 0;
   if (!rays.IsUsual())

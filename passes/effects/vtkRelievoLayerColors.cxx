@@ -56,6 +56,8 @@ std::vector<unsigned char> vtkRelievoLayerColors::Make(
   std::vector<unsigned char> colors(static_cast<std::size_t>(image->GetNumberOfPoints()) * 4, 0);
   const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(layer);
   const bool ids = known.Kind == vtkRelievoLayer::ID;
+  const bool light = known.Kind == vtkRelievoLayer::COLOR && known.Type == VTK_FLOAT;
+  const bool black = known.Source == vtkRelievoLayer::FROM_PICTURE; // is a colour, too
   const int components = array ? array->GetNumberOfComponents() : 1;
   Extremes extremes[3];
   for (int c = 0; c < std::min(3, components) && !ids && array; ++c)
@@ -105,7 +107,8 @@ std::vector<unsigned char> vtkRelievoLayerColors::Make(
         zero = zero && value == 0.0;
         color[c] = GetScalarColor(value, extremes[c], true).x;
       }
-      there = there && !zero;
+      color = light ? relievo::f32::relievoSrgbColorFromLinear(color) : color;
+      there = there && (black || !zero);
     }
     if (there)
     {

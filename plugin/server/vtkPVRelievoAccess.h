@@ -14,6 +14,7 @@
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVSynchronizedRenderer.h"
+#include "vtkSelectionRepresentation.h"
 #include "vtkSynchronizedRenderers.h"
 
 #include <array>
@@ -44,6 +45,16 @@ public:
       actors.push_back(faces->*(&Surface::BackfaceActor));
     }
     return actors;
+  }
+};
+
+class Selection : public vtkSelectionRepresentation
+{
+public:
+  // What shows it.
+  static vtkGeometryRepresentation* Surface(vtkSelectionRepresentation* selection)
+  {
+    return selection->*(&Selection::GeometryRepresentation);
   }
 };
 

@@ -24,6 +24,7 @@ lamps_reaching     1 float     how many lamps reach the pixel's surface         
 color              4 float     the picture in linear light, premultiplied            renderer's
 actor block cell   1 int       ids, from 0                                           -1
 fog                1 float     what fog lets through: 1 all, 0 nothing               1
+marker             1 float     how much of the surface markers cover, 0 to 1         0
 shadow_N           1 float     visibility of light N: 1 lit, 0 dark                  1
 any array's name   the array's  point data interpolated, cell data per cell          NaN
 =================  ==========  ====================================================  ==========
@@ -63,6 +64,7 @@ from ._frame import attach, detach, report, vtkRelievoPass
 from ._image import attributes, layer, layer_names
 from ._lamps import lamps
 from ._layers import layers
+from ._markers import markers
 from ._points import depth_to_points
 from ._stages import stage, stages
 
@@ -77,6 +79,7 @@ __all__ = [
     "layer",
     "layer_names",
     "layers",
+    "markers",
     "read_exr",
     "report",
     "stage",

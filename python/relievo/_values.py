@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What lamps and fog take: points with values, one for all or by point arrays."""
+"""What lamps, fog and markers take: points with values, one for all or by point arrays."""
 
 import numbers
 

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The rectangle of each sphere, as a strip of 4 corners, and what vtkRelievoFogRays says of it.
+// The rectangle of each sphere, as a strip of 4 corners, and what vtkRelievoSphereRays says of it.
 uniform samplerBuffer fogSpheres;
 uniform vec2 relievoSize;
 flat out vec4 fogLinear; // the middle's depth last

@@ -64,8 +64,8 @@ vtkRelievoView MakeView(bool parallel, double half, const glm::dvec2& center, do
 // The greatest error in radii over pixels and ends.
 double LargestError(const Case& one, std::mt19937& random, int& compared)
 {
-  const vtkRelievoFogRays rays(one.View);
-  vtkRelievoFogRays::Sphere sphere;
+  const vtkRelievoSphereRays rays(one.View);
+  vtkRelievoSphereRays::Sphere sphere;
   double largest = 0.;
   if (!rays.Find(one.Center, one.Radius, sphere))
   {
@@ -157,7 +157,7 @@ double LargestOutlineError(double distance, bool pairs)
   int found = 0;
   for (Case one : MakeCases(distance, 1.))
   {
-    const vtkRelievoFogRays rays(one.View);
+    const vtkRelievoSphereRays rays(one.View);
     const double depth = -one.Center.z;
     for (int i = 0; i < 3000; ++i)
     {
@@ -170,7 +170,7 @@ double LargestOutlineError(double distance, bool pairs)
       const double angle = turn(random);
       const glm::dvec3 center =
         at + (1. - share) * (std::cos(angle) * side + std::sin(angle) * glm::cross(side, ray));
-      vtkRelievoFogRays::Sphere sphere;
+      vtkRelievoSphereRays::Sphere sphere;
       if (!rays.Find(center, 1., sphere))
       {
         continue;
@@ -225,8 +225,8 @@ void TestClosedForms()
 {
   const auto chord = [](double depth, double radius, double end) {
     const vtkRelievoView view = MakeView(false, 0.5, glm::dvec2(0.), 0.);
-    const vtkRelievoFogRays rays(view);
-    vtkRelievoFogRays::Sphere sphere;
+    const vtkRelievoSphereRays rays(view);
+    vtkRelievoSphereRays::Sphere sphere;
     return rays.Find(glm::dvec3(0., 0., -depth), radius, sphere)
       ? radius * FogChord(rays, sphere, radius, 320.5, 240.5, static_cast<float>(end))
       : 0.f;

@@ -101,6 +101,37 @@ void TestWhiteAndLayer()
 }
 
 // What is no light is a pixel, not a stain.
+// The colour before tone, as the picture: by the sRGB curve alone, clamped, or brought into range.
+void TestShownColor()
+{
+  ToneScene scene(64, 48);
+  relievoTest::GLCheck gl(scene.Window);
+  scene.PaintLight();
+  scene.Paint->Pixels[5] = glm::vec4(0.f, 0.f, 0.f, 1.f);
+  scene.Renderer->SetBackground(1., 0., 1.);
+  scene.Tone->SetExposure(-2.);
+  scene.Frame->SetDisplayLayer("color");
+  for (const double most : { 1., 16. })
+  {
+    scene.Frame->SetDisplayRange(0., most);
+    const auto picture = scene.Picture();
+    RELIEVO_CHECK(scene.Tone->GetReasonCode() == "hidden");
+    const auto* bytes = static_cast<unsigned char*>(picture->GetScalarPointer());
+    double error = 0.;
+    for (std::size_t i = 0; i < scene.Paint->Pixels.size(); ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const double light = std::min(1., PaintStage::GetHalf(scene.Paint->Pixels[i][c]) / most);
+        const double srgb =
+          light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1. / 2.4) - 0.055;
+        error = std::max(error, std::abs(bytes[4 * i + c] - 255. * srgb));
+      }
+    }
+    RELIEVO_CHECK_AT_MOST(error, Rounding, "the colour before tone");
+  }
+}
+
 void TestBadPixels()
 {
   constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -256,6 +287,7 @@ int main()
   relievoTest::Session session;
   TestOperators();
   TestWhiteAndLayer();
+  TestShownColor();
   TestBadPixels();
   TestAlpha();
   TestAutoExposure();

@@ -66,16 +66,18 @@ def light(place, normal, places=PLACES, radii=RADII):
 
 
 def draw_ranks(folder, name, port=None, threshold="0"):
-    """Pictures by all ranks, or by a server: without and with lamps, hidden, and points of fog."""
+    """Pictures by all ranks, or by a server: without and with lamps, hidden, fog, and markers."""
     if port:
         simple.Connect("localhost", int(port))
         pv.load(remote=True)
     pv.load()
     scene = Scene()
     scene.view.RemoteRenderThreshold = float(threshold)
-    for step, lamps, fog, visible in (("off", 0, 0, 1), ("on", 1, 0, 1), ("hidden", 1, 1, 0),
-                                      ("fog", 0, 1, 1)):  # fmt: skip
+    for step, lamps, fog, markers, visible in (
+            ("off", 0, 0, 0, 1), ("on", 1, 0, 0, 1), ("hidden", 1, 1, 1, 0), ("fog", 0, 1, 0, 1),
+            ("markers", 0, 0, 1, 1)):  # fmt: skip
         scene.lamps.RelievoLamps, scene.lamps.RelievoFog = lamps, fog
+        scene.lamps.RelievoMarkers = markers
         scene.lamps.Visibility = visible
         simple.Render(scene.view)
         simple.SaveScreenshot(f"{folder}/{name}-{step}.png", scene.view)

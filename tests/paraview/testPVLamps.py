@@ -13,7 +13,7 @@ from paraview import simple, smtrace
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SCENE = pathlib.Path(__file__).with_name("lampScene.py")
-STEPS = ("off", "on", "hidden", "fog")
+STEPS = ("off", "on", "hidden", "fog", "markers")
 MPIRUN = ("mpirun", "--allow-run-as-root", "--oversubscribe", "-np")
 
 # Every property of a representation: default, another value as a script gives it.
@@ -99,6 +99,7 @@ class Lamps(pv.Test):
         off = pv.picture(self.view)
         self.lamps.RelievoFog = 0
         self.differ(off, pv.picture(self.view), "fog", share=0.2)
+        self.assertTrue((self.layers("fog")[0] == 1).all(), "all passes")
 
     def test_properties(self):
         """Defaults, pictures that change and come back, trace and state."""
@@ -157,6 +158,7 @@ class Lamps(pv.Test):
         self.differ(alone["off"], alone["on"], "lamps", share=0.2)
         self.same(alone["off"], alone["hidden"], "hidden")
         self.differ(alone["off"], alone["fog"], "fog", share=0.2)
+        self.differ(alone["off"], alone["markers"], "markers", share=0.02)
         # Ranks put their pictures together where they drew surfaces, without fog before the sky.
         surface = alone["off"].any(axis=2, keepdims=True)
         self.assertGreater(surface.mean(), 0.5)

@@ -40,7 +40,7 @@ class Catalogue(unittest.TestCase):
         self.assertEqual(
             set(LAYERS),
             {"depth", "range", "normal", "geometric_normal", "position", "albedo", "actor", "block",
-             "cell", "light", "lamp_evaluations", "lamps_reaching", "fog", "color",
+             "cell", "light", "lamp_evaluations", "lamps_reaching", "fog", "marker", "color",
              "shadow_N"},
         )  # fmt: skip
         for name, layer in LAYERS.items():
@@ -70,6 +70,7 @@ class Catalogue(unittest.TestCase):
         middle.SetNumberOfPoints(1)
         middle.SetRadius(0)
         relievo.fog(renderer, middle, radius=0.6)
+        relievo.markers(renderer, middle, shape="disc", radius=0.6)
         names = [name.replace("shadow_N", "shadow_0") for name in LAYERS]
         image = relievo.capture(renderer, names, size=(61, 47))
         for name, layer in zip(names, LAYERS.values()):

@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "Fog.h"
 #include "Lamps.h"
+#include "Markers.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Outputs.h"
@@ -26,6 +27,8 @@
 #include "vtkRelievoLampsStage.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
+#include "vtkRelievoMarkers.h"
+#include "vtkRelievoMarkersStage.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 #include "vtkRenderWindow.h"
@@ -163,6 +166,11 @@ void Render(const RenderOptions& options)
     CheckPointFile("--fog", choice.File);
     inputs.push_back(choice.File);
   }
+  for (const MarkerChoice& choice : options.Markers)
+  {
+    CheckPointFile("--markers", choice.File);
+    inputs.push_back(choice.File);
+  }
   inputs.insert(inputs.end(), { options.NormalMap, options.HeightMap, options.Environment });
   inputs.erase(std::remove(inputs.begin(), inputs.end(), std::string()), inputs.end());
   Outputs outputs;
@@ -182,6 +190,7 @@ void Render(const RenderOptions& options)
   SetSurface(scene.Renderer, options, progress);
   const auto lamps = ReadLamps(options.Lamps, progress);
   const auto fogs = ReadFogs(options.Fogs, progress);
+  const auto markers = ReadMarkers(options.Markers, options.UpAxis, progress);
   const std::vector<std::string> layers = LayersToCapture(options, scene);
   const int lights = CountLights(scene.Renderer);
   CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
@@ -192,7 +201,8 @@ void Render(const RenderOptions& options)
   // A plain picture is VTK's own: nothing of Relievo is attached that nobody asked for.
   vtkRelievoPass* pass = nullptr;
   if (!layers.empty() || !options.Report.empty() || options.ShadowMethod != Shadows::Off ||
-    !options.Stages.empty() || !options.Lamps.empty() || !options.Fogs.empty())
+    !options.Stages.empty() || !options.Lamps.empty() || !options.Fogs.empty() ||
+    !options.Markers.empty())
   {
     pass = vtkRelievoPass::Attach(scene.Renderer);
   }
@@ -215,6 +225,10 @@ void Render(const RenderOptions& options)
     }
     SetStages(pass, options.Stages);
     AddFogs(pass, options.Fogs, fogs);
+    for (vtkRelievoMarkers* each : markers)
+    {
+      pass->GetMarkers()->AddMarkers(each);
+    }
   }
   if (!options.Report.empty())
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What --lamps and --fog do with their files: points with values.
+ * What --lamps, --fog and --markers do with their files: points with values.
  */
 #ifndef Points_h
 #define Points_h

@@ -70,6 +70,12 @@ render draws the FILEs off screen and writes the outputs that you request.
                           point arrays (the arrays radius, density and color, else 1, 1 and white);
                           MODE beer (e^-density length passes) or chord (what is held back grows
                           in a line, to density at the diameter) (beer); may be repeated
+  --markers F[,shape=SHAPE][,radius=R][,width=W][,reach=H][,opacity=A][,color=R/G/B][,up=X/Y/Z]
+                          marks surfaces within R of each point of F; SHAPE ring (W of the radius
+                          wide), glow, disc, or shadow, a blob below the point, up to H radii
+                          along the up axis, or X/Y/Z; numbers, linear colours or names of point
+                          arrays (the arrays radius, width, reach, opacity and color, else 1,
+                          0.2, 4, 0.8 and orange) (ring); may be repeated
   --deferred              shades opaque surfaces once for each pixel, after they are drawn: the
                           same picture, sooner where much is drawn over each other
   --stage NAME[:PARAMETER=VALUE,...]
@@ -113,6 +119,7 @@ Examples
     --png town.png --layers shadow_0,shadow_1 --exr town.exr
   relievo render bunny.off --environment forest.exr,90 --skybox --png bunny.png
   relievo render buildings.obj --fog mist.vtp,density=0.01 --layers depth,fog --exr mist.exr
+  relievo render buildings.obj --up z --markers sites.vtp,radius=30,shape=glow --png sites.png
   relievo bench normals --out charts
 )";
 }

@@ -188,6 +188,13 @@ void TakePath(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
+template <auto All, auto Parse>
+void TakeNext(RenderOptions& options, const std::string& word)
+{
+  (options.*All).push_back(Parse(word));
+}
+
+//------------------------------------------------------------------------------
 // A picture in another format than its name says would be a surprise.
 std::string NamedAs(
   const std::string& extension, const std::string& option, const std::string& word)
@@ -224,11 +231,7 @@ const OptionRow RenderRows[] = {
   { "--clip", TakeClip, false },
   { "--shading", TakeShading, false },
   { "--light", TakeLight, true },
-  { "--lamps",
-    [](RenderOptions& options, const std::string& word) {
-      options.Lamps.push_back(ParseLamps(word));
-    },
-    true },
+  { "--lamps", TakeNext<&RenderOptions::Lamps, ParseLamps>, true },
   { "--shadows", TakeShadows, false },
   { "--shadow-size", TakeShadowSize, false },
   { "--normal-map", TakePath<&RenderOptions::NormalMap>, false },
@@ -240,14 +243,9 @@ const OptionRow RenderRows[] = {
   { "--skybox", [](RenderOptions& options, const std::string&) { options.Skybox = true; }, false,
     true },
   { "--up", TakeUp, false },
-  { "--fog",
-    [](RenderOptions& options, const std::string& word) { options.Fogs.push_back(ParseFog(word)); },
-    true },
-  { "--stage",
-    [](RenderOptions& options, const std::string& word) {
-      options.Stages.push_back(ParseStage(word));
-    },
-    true },
+  { "--fog", TakeNext<&RenderOptions::Fogs, ParseFog>, true },
+  { "--markers", TakeNext<&RenderOptions::Markers, ParseMarkers>, true },
+  { "--stage", TakeNext<&RenderOptions::Stages, ParseStage>, true },
   { "--deferred",
     [](RenderOptions& options, const std::string&) {
       AddStage(options.Stages, "deferred", "--deferred");

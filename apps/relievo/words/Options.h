@@ -9,6 +9,7 @@
 
 #include "FogOptions.h"
 #include "LampOptions.h"
+#include "MarkerOptions.h"
 #include "Stages.h"
 
 #include <array>
@@ -104,6 +105,7 @@ struct RenderOptions
   bool Skybox = false;
   int UpAxis = 1; ///< of the world: 0, 1, 2 for x, y, z
   std::vector<FogChoice> Fogs;
+  std::vector<MarkerChoice> Markers;
   std::vector<StageChoice> Stages; ///< of the frame, as given
   bool HDR = false;                ///< the colour of the EXR unclamped
   std::vector<std::string> Layers; ///< each once; those of the EXR beside its colour

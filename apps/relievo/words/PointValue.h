@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A value of points, as options of lamps and fog have it: one for all, or the name of an array.
+ * A value of points, as options of lamps, fog and markers have it: one for all, or the name of an
+ * array.
  */
 #ifndef PointValue_h
 #define PointValue_h

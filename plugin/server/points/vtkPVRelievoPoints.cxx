@@ -77,7 +77,7 @@ std::vector<vtkPVRelievoPoints*> vtkPVRelievoPoints::FindIn(vtkPVView* view)
   {
     if (each->IsIn(view))
     {
-      each->TakeInput();
+      TakeInput(each->Internal->Representation, each->GetValues());
       found.push_back(each);
     }
   }
@@ -85,11 +85,11 @@ std::vector<vtkPVRelievoPoints*> vtkPVRelievoPoints::FindIn(vtkPVView* view)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoPoints::TakeInput()
+void vtkPVRelievoPoints::TakeInput(
+  vtkGeometryRepresentation* representation, vtkRelievoPointValues* values)
 {
-  vtkRelievoPointValues* values = this->GetValues();
-  vtkActor* actor = this->Internal->Representation->GetActor();
-  vtkMapper* mapper = actor->GetMapper();
+  vtkActor* actor = representation ? representation->GetActor() : nullptr;
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
   if (mapper && mapper->GetNumberOfInputConnections(0) > 0)
   {
     values->SetInputConnection(mapper->GetInputConnection(0, 0));
@@ -98,7 +98,7 @@ void vtkPVRelievoPoints::TakeInput()
   {
     values->SetInputData(nullptr);
   }
-  values->SetUserMatrix(actor->GetMatrix());
+  values->SetUserMatrix(actor ? actor->GetMatrix() : nullptr);
 }
 
 //------------------------------------------------------------------------------

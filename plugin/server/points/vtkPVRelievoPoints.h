@@ -3,13 +3,13 @@
 /**
  * @class vtkPVRelievoPoints
  * @brief The points of one of ParaView's surface representations as things in its view, on one
- * process: lamps, spheres of fog.
+ * process: lamps, spheres of fog, markers.
  *
  * While it is on and the representation is visible, each point of what it draws is one. With
  * several ranks, the points of each are there for all.
  *
- * Every setting is a property of the representation's proxy (lamps.xml, fog.xml). A value out of
- * its range is brought into it, with a warning that says so.
+ * Every setting is a property of the representation's proxy (lamps.xml, fog.xml, markers.xml). A
+ * value out of its range is brought into it, with a warning that says so.
  */
 #ifndef vtkPVRelievoPoints_h
 #define vtkPVRelievoPoints_h
@@ -21,6 +21,7 @@
 #include <string> // for names
 #include <vector> // for those in a view
 
+class vtkGeometryRepresentation;
 class vtkPVDataRepresentation;
 class vtkPVView;
 class vtkRelievoPointValues;
@@ -55,6 +56,9 @@ public:
   /** Whether any points in the view are anything. */
   static bool IsAny(vtkPVView* view);
 
+  /** Gives the points that the representation draws, where it draws them; nullptr: none. */
+  static void TakeInput(vtkGeometryRepresentation* representation, vtkRelievoPointValues* values);
+
   /** What the points are, as of vtkRelievoPointValues. */
   virtual vtkRelievoPointValues* GetValues() = 0;
 
@@ -74,7 +78,6 @@ private:
   void operator=(const vtkPVRelievoPoints&) = delete;
 
   bool IsIn(vtkPVView* view);
-  void TakeInput();
 
   class Internals;
   std::unique_ptr<Internals> Internal;

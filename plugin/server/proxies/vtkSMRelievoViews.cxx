@@ -36,8 +36,8 @@ vtkStandardNewMacro(vtkSMRelievoViews);
 
 namespace
 {
-// What older proxies are given: the sub-proxy of view.xml, and those of material.xml, fog.xml and
-// lamps.xml, in the order in which later ones have them.
+// What older proxies are given: the sub-proxy of view.xml, and those of material.xml, fog.xml,
+// lamps.xml and markers.xml, in the order in which later ones have them.
 struct Kind
 {
   const char* Group;
@@ -47,6 +47,7 @@ constexpr Kind View{ "views", "Relievo" };
 constexpr Kind Material{ "representations", "RelievoMaterial" };
 constexpr Kind Fog{ "representations", "RelievoFog" };
 constexpr Kind Lamps{ "representations", "RelievoLamps" };
+constexpr Kind Markers{ "representations", "RelievoMarkers" };
 
 vtkSmartPointer<vtkSMRelievoViews>& Instance()
 {
@@ -236,7 +237,7 @@ int vtkSMRelievoViews::Upgrade()
     {
       continue; // in a shared session proxies must stay as the server sent them
     }
-    for (const Kind* kind : { &View, &Material, &Fog, &Lamps })
+    for (const Kind* kind : { &View, &Material, &Fog, &Lamps, &Markers })
     {
       DropPrototypes(current->GetSessionProxyManager(), *kind);
       vtkNew<vtkSMProxyIterator> proxy;

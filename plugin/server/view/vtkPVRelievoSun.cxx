@@ -152,3 +152,20 @@ void vtkPVRelievoSun::Place(vtkRenderer* renderer, vtkLightKit* kit)
   this->DimmedIntensity = this->KitIntensity * (shines ? this->KitShare : 1.0);
   kit->SetKeyLightIntensity(this->DimmedIntensity);
 }
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoSun::Print(std::ostream& os, vtkIndent indent) const
+{
+  os << indent << "Sun: " << this->On << "\n";
+  os << indent << "SunBy: " << (this->ByDateAndPlace ? "date and place" : "angles") << "\n";
+  os << indent << "SunAzimuth: " << this->Azimuth << "\n";
+  os << indent << "SunElevation: " << this->Elevation << "\n";
+  os << indent << "SunNorth: " << this->North << "\n";
+  os << indent << "SunUpAxis: " << this->UpAxis << "\n";
+  os << indent << "SunIntensity: " << this->Intensity << "\n";
+  os << indent << "SunColor: " << this->Color[0] << " " << this->Color[1] << " " << this->Color[2]
+     << "\n";
+  os << indent << "SunKitShare: " << this->KitShare << "\n";
+  os << indent << "SunFill: " << this->Fill << "\n";
+  this->Position->PrintSelf(os, indent.GetNextIndent());
+}

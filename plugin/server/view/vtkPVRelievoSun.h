@@ -10,6 +10,7 @@
 #include "vtkNew.h"
 #include "vtkRelievoSolarPosition.h"
 
+#include <ostream>
 #include <vector>
 
 class vtkLightKit;
@@ -43,6 +44,9 @@ public:
 
   // Towards the sun in the world, of unit length.
   void GetDirection(double direction[3]);
+
+  // The settings.
+  void Print(std::ostream& os, vtkIndent indent) const;
 
   // Before each picture: lights and kit as the settings say. Off, the kit is given back.
   void Place(vtkRenderer* renderer, vtkLightKit* kit);

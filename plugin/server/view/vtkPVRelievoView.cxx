@@ -15,6 +15,7 @@
 #include "vtkPVRelievoAccess.h"
 #include "vtkPVRelievoEnvironment.h"
 #include "vtkPVRelievoPoints.h"
+#include "vtkPVRelievoSelection.h"
 #include "vtkPVRelievoSun.h"
 #include "vtkPropCollection.h"
 #include "vtkRelievoGBufferPass.h"
@@ -64,6 +65,7 @@ public:
   vtkNew<vtkPVDefaultPass> Delegate;
   vtkPVRelievoSun Sun;
   vtkPVRelievoEnvironment Surroundings;
+  vtkPVRelievoSelection Selection;
   unsigned long EarlyTag = 0;
   unsigned long StartTag = 0;
   unsigned long EndTag = 0;
@@ -157,7 +159,7 @@ vtkPVRelievoView* vtkPVRelievoView::Find(vtkPVView* view)
 bool vtkPVRelievoView::IsAnythingOn()
 {
   return this->GetShadows() || this->Internal->Frame->GetDisplayLayer() ||
-    !this->Internal->Asked.empty() || this->IsAnyStageOn() ||
+    !this->Internal->Asked.empty() || this->IsAnyStageOn() || this->Internal->Selection.On ||
     vtkPVRelievoPoints::IsAny(this->Internal->View);
 }
 
@@ -363,6 +365,12 @@ vtkPVRelievoSun& vtkPVRelievoView::GetSunlight()
 }
 
 //------------------------------------------------------------------------------
+vtkPVRelievoSelection& vtkPVRelievoView::GetSelection()
+{
+  return this->Internal->Selection;
+}
+
+//------------------------------------------------------------------------------
 vtkPVRelievoEnvironment& vtkPVRelievoView::GetSurroundings()
 {
   return this->Internal->Surroundings;
@@ -374,20 +382,10 @@ void vtkPVRelievoView::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "View: " << this->Internal->View.GetPointer() << "\n";
   os << indent << "LightKitCasts: " << this->LightKitCasts << "\n";
-  const vtkPVRelievoSun& sun = this->Internal->Sun;
-  os << indent << "Sun: " << sun.On << "\n";
-  os << indent << "SunBy: " << (sun.ByDateAndPlace ? "date and place" : "angles") << "\n";
-  os << indent << "SunAzimuth: " << sun.Azimuth << "\n";
-  os << indent << "SunElevation: " << sun.Elevation << "\n";
-  os << indent << "SunNorth: " << sun.North << "\n";
-  os << indent << "SunUpAxis: " << sun.UpAxis << "\n";
-  os << indent << "SunIntensity: " << sun.Intensity << "\n";
-  os << indent << "SunColor: " << sun.Color[0] << " " << sun.Color[1] << " " << sun.Color[2]
-     << "\n";
-  os << indent << "SunKitShare: " << sun.KitShare << "\n";
-  os << indent << "SunFill: " << sun.Fill << "\n";
-  sun.Position->PrintSelf(os, indent.GetNextIndent());
+  this->Internal->Sun.Print(os, indent);
   os << indent << "Skybox: " << this->Internal->Surroundings.Sky << "\n";
+  os << indent << "MarkSelection: " << this->Internal->Selection.On << "\n";
+  this->Internal->Selection.Look->PrintSelf(os, indent.GetNextIndent());
   os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
   os << indent << "Environment:\n";
   this->Internal->Surroundings.Environment->PrintSelf(os, indent.GetNextIndent());

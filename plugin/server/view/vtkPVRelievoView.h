@@ -21,6 +21,7 @@
 #include <string> // for names
 
 class vtkPVRelievoEnvironment;
+class vtkPVRelievoSelection;
 class vtkPVRelievoSun;
 class vtkImageData;
 class vtkLight;
@@ -116,6 +117,16 @@ public:
   void SetEnvironmentGammaCorrect(bool on);
   ///@}
 
+  ///@{
+  /** Markers around the points of what is selected, as of vtkRelievoMarkers. Default off. */
+  void SetMarkSelection(bool on);
+  void SetMarkSelectionShape(int shape);
+  void SetMarkSelectionRadius(double radius);
+  void SetMarkSelectionWidth(double width);
+  void SetMarkSelectionOpacity(double opacity);
+  void SetMarkSelectionColor(double red, double green, double blue);
+  ///@}
+
   /** Whether the environment is shown behind everything. Default off. */
   void SetSkybox(bool on);
 
@@ -167,6 +178,9 @@ public:
 
   /** The view's sun. */
   vtkPVRelievoSun& GetSunlight();
+
+  /** The markers of what is selected in the view. */
+  vtkPVRelievoSelection& GetSelection();
 
   /** The view's environment. */
   vtkPVRelievoEnvironment& GetSurroundings();

@@ -5,6 +5,7 @@
 #include "vtkPVRelievoView.h"
 
 #include "vtkPVRelievoEnvironment.h"
+#include "vtkPVRelievoSelection.h"
 #include "vtkPVRelievoSun.h"
 #include "vtkPVRelievoWithin.h"
 #include "vtkRelievoPass.h"
@@ -233,6 +234,48 @@ void vtkPVRelievoView::SetEnvironmentGammaCorrect(bool on)
 void vtkPVRelievoView::SetSkybox(bool on)
 {
   this->GetSurroundings().Sky = on;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetMarkSelection(bool on)
+{
+  this->GetSelection().On = on;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetMarkSelectionShape(int shape)
+{
+  const int first = vtkRelievoMarkers::RING;
+  const int last = vtkRelievoMarkers::DISC;
+  this->GetSelection().Look->SetShape(
+    vtkPVRelievoWithin(this, "MarkSelectionShape", shape, first, last));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetMarkSelectionRadius(double radius)
+{
+  this->GetSelection().Look->SetRadius(
+    vtkPVRelievoWithin(this, "MarkSelectionRadius", radius, 0.0, 1e30));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetMarkSelectionWidth(double width)
+{
+  this->GetSelection().Look->SetWidth(
+    vtkPVRelievoWithin(this, "MarkSelectionWidth", width, 0.0, 1.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetMarkSelectionOpacity(double opacity)
+{
+  this->GetSelection().Look->SetOpacity(
+    vtkPVRelievoWithin(this, "MarkSelectionOpacity", opacity, 0.0, 1.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetMarkSelectionColor(double red, double green, double blue)
+{
+  this->GetSelection().Look->SetColor(red, green, blue);
 }
 
 //------------------------------------------------------------------------------

@@ -7,10 +7,13 @@
 #include "vtkMultiProcessController.h"
 #include "vtkPVRelievoFog.h"
 #include "vtkPVRelievoLamps.h"
+#include "vtkPVRelievoMarkers.h"
+#include "vtkPVRelievoSelection.h"
 #include "vtkPVRelievoWithin.h"
 #include "vtkPVView.h"
 #include "vtkRelievoFogStage.h"
 #include "vtkRelievoLampsStage.h"
+#include "vtkRelievoMarkersStage.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 
@@ -97,4 +100,6 @@ void vtkPVRelievoView::GivePoints(vtkPVView* view, vtkMultiProcessController* co
     view, vtkRelievoLampsStage::SafeDownCast(frame->GetStage("lamps")), controller);
   vtkPVRelievoFog::Prepare(
     view, vtkRelievoFogStage::SafeDownCast(frame->GetStage("fog")), controller);
+  vtkPVRelievoMarkers::Prepare(view, this->GetSelection(),
+    vtkRelievoMarkersStage::SafeDownCast(frame->GetStage("markers")), controller);
 }

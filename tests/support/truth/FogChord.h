@@ -7,8 +7,8 @@
 #ifndef relievoTestFogChord_h
 #define relievoTestFogChord_h
 
-#include <vtkRelievoFogRays.h>
 #include <vtkRelievoFormulas.h>
+#include <vtkRelievoSphereRays.h>
 
 namespace relievoTest
 {
@@ -18,7 +18,7 @@ inline float FloatLack(double value)
 }
 
 /** In radii; pixels from the viewport's lower left corner, `end` is a depth, as a layer has it. */
-inline float FogChord(const vtkRelievoFogRays& rays, const vtkRelievoFogRays::Sphere& sphere,
+inline float FogChord(const vtkRelievoSphereRays& rays, const vtkRelievoSphereRays::Sphere& sphere,
   double radius, double x, double y, float end, bool pairs = true)
 {
   const glm::dvec4 linear(sphere.Linear, sphere.MiddleDepth);

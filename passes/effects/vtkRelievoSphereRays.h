@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A camera's rays against spheres, in double: what shaders/formulas/fog.glsl needs to know of each
-// sphere to compute the chord of every pixel's ray.
+// sphere to compute the chord of every pixel's ray, and markers to compute how far a pixel's point
+// is from the sphere's centre.
 //
 // The ray of a pixel is where its NDC is the same at every depth t: B + t D, in eye space, with D.z
 // -1. In perspective B is the same for all pixels, in parallel projection D is; the other is linear
 // in the pixel. Then so is (B - C) x D for a sphere's centre C, and
 //   |D|^2 - |(B - C) x D|^2 / radius^2,
 // which is positive where the ray meets the sphere, is a polynomial of second degree in the pixel.
-#ifndef vtkRelievoFogRays_h
-#define vtkRelievoFogRays_h
+#ifndef vtkRelievoSphereRays_h
+#define vtkRelievoSphereRays_h
 
 #include "vtkRelievoEffectsModule.h" // for the export macro
 #include "vtkRelievoSphereBounds.h"
@@ -21,10 +22,10 @@
 
 struct vtkRelievoView;
 
-class VTKRELIEVOEFFECTS_EXPORT vtkRelievoFogRays
+class VTKRELIEVOEFFECTS_EXPORT vtkRelievoSphereRays
 {
 public:
-  explicit vtkRelievoFogRays(const vtkRelievoView& view);
+  explicit vtkRelievoSphereRays(const vtkRelievoView& view);
 
   // False for a projection in which depth changes across the picture: it has other rays.
   bool IsUsual() const { return this->Usual; }
@@ -42,8 +43,9 @@ public:
     double MiddleDepth; // of the centre, from where rays begin
   };
 
-  // False if the sphere covers the centre of no pixel.
-  bool Find(const glm::dvec3& centerWorld, double radius, Sphere& sphere) const;
+  // False if the sphere, with `margin` pixels around its rectangle, covers the centre of no pixel.
+  bool Find(
+    const glm::dvec3& centerWorld, double radius, Sphere& sphere, double margin = 0.0) const;
 
   // x and y of D at a place of the viewport, and the change by pixels in x and y.
   glm::dvec2 GetDirection(const glm::dvec2& pixel) const;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkRelievoFogRays.h"
+#include "vtkRelievoSphereRays.h"
 
 #include "vtkRelievoView.h"
 
@@ -34,7 +34,7 @@ bool IsSafe(const glm::dvec3& v)
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoFogRays::vtkRelievoFogRays(const vtkRelievoView& view)
+vtkRelievoSphereRays::vtkRelievoSphereRays(const vtkRelievoView& view)
   : WorldToView(view.WorldToView)
   , Bounds(view.ViewToNDC)
   , Size(view.Viewport[2], view.Viewport[3])
@@ -67,14 +67,16 @@ vtkRelievoFogRays::vtkRelievoFogRays(const vtkRelievoView& view)
 }
 
 //------------------------------------------------------------------------------
-glm::dvec2 vtkRelievoFogRays::GetDirection(const glm::dvec2& pixel) const
+glm::dvec2 vtkRelievoSphereRays::GetDirection(const glm::dvec2& pixel) const
 {
   return this->Direction + this->Directions * pixel;
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoFogRays::Find(const glm::dvec3& centerWorld, double radius, Sphere& sphere) const
+bool vtkRelievoSphereRays::Find(
+  const glm::dvec3& centerWorld, double radius, Sphere& sphere, double margin) const
 {
+  const double around = margin + PixelTolerance;
   const glm::dvec3 center(this->WorldToView * glm::dvec4(centerWorld, 1.0));
   const double depth = -center.z;
   double rectangle[4];
@@ -88,10 +90,9 @@ bool vtkRelievoFogRays::Find(const glm::dvec3& centerWorld, double radius, Spher
   {
     const double first = 0.5 * (rectangle[axis] + 1.0) * this->Size[axis];
     const double last = 0.5 * (rectangle[axis + 2] + 1.0) * this->Size[axis];
-    sphere.Rectangle[axis] =
-      static_cast<int>(std::max(0.0, std::ceil(first - 0.5 - PixelTolerance)));
-    sphere.Rectangle[axis + 2] = static_cast<int>(
-      std::min(this->Size[axis] - 1.0, std::floor(last - 0.5 + PixelTolerance)) + 1.0);
+    sphere.Rectangle[axis] = static_cast<int>(std::max(0.0, std::ceil(first - 0.5 - around)));
+    sphere.Rectangle[axis + 2] =
+      static_cast<int>(std::min(this->Size[axis] - 1.0, std::floor(last - 0.5 + around)) + 1.0);
     if (sphere.Rectangle[axis] >= sphere.Rectangle[axis + 2])
     {
       return false;

@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoMarkers.h"
+
+#include "vtkActor.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkRelievoMarkers);
+
+class vtkRelievoMarkers::Internals
+{
+public:
+  std::vector<vtkSmartPointer<vtkProp3D>> Actors;
+};
+
+namespace
+{
+enum Values
+{
+  RADIUS,
+  WIDTH,
+  REACH,
+  OPACITY,
+  COLOR
+};
+
+constexpr double Orange[3] = { 1.0, 0.5, 0.0 };
+constexpr double Skewed = 1e-6; // cosine between axes from which they are not those of a box
+
+bool IsBox(const double bounds[6])
+{
+  return std::all_of(bounds, bounds + 6, [](double v) { return std::isfinite(v); }) &&
+    bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
+}
+
+// The box of bounds under a matrix; false if it leaves none.
+bool FindBox(const double bounds[6], vtkMatrix4x4* matrix, vtkRelievoMarkers::Box& box)
+{
+  const double middle[4] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
+    0.5 * (bounds[4] + bounds[5]), 1.0 };
+  double center[4];
+  matrix->MultiplyPoint(middle, center);
+  std::copy_n(center, 3, box.Center);
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      box.Axes[i][row] = matrix->GetElement(row, i);
+    }
+    const double length = vtkMath::Normalize(box.Axes[i]);
+    box.Half[i] = 0.5 * (bounds[2 * i + 1] - bounds[2 * i]) * length;
+    if (!(length > 0.0) || !std::isfinite(length))
+    {
+      return false;
+    }
+  }
+  return std::abs(vtkMath::Dot(box.Axes[0], box.Axes[1])) < Skewed &&
+    std::abs(vtkMath::Dot(box.Axes[1], box.Axes[2])) < Skewed &&
+    std::abs(vtkMath::Dot(box.Axes[2], box.Axes[0])) < Skewed;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoMarkers::vtkRelievoMarkers()
+  : Internal(new Internals)
+{
+  this->AddValue("radius", 1, "one length per point, in world units", 1.0);
+  this->AddValue("width", 1, "one share of the radius per point", 0.2);
+  this->AddValue("reach", 1, "one number of radii per point", 4.0);
+  this->AddValue("opacity", 1, "one number from 0 to 1 per point", 0.8);
+  this->AddValue("color", 3, "red, green and blue per point", 1.0);
+  this->SetForAll(COLOR, Orange);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoMarkers::~vtkRelievoMarkers() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoMarkers::SetRadius(double radius)
+{
+  this->SetForAll(RADIUS, &radius);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMarkers::SetWidth(double width)
+{
+  this->SetForAll(WIDTH, &width);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMarkers::SetReach(double reach)
+{
+  this->SetForAll(REACH, &reach);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMarkers::SetOpacity(double opacity)
+{
+  this->SetForAll(OPACITY, &opacity);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMarkers::SetColor(double red, double green, double blue)
+{
+  const double color[3] = { red, green, blue };
+  this->SetForAll(COLOR, color);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMarkers::GetColor(double color[3]) const
+{
+  std::copy_n(this->GetForAll(COLOR), 3, color);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMarkers::SetUp(double x, double y, double z)
+{
+  double up[3] = { x, y, z };
+  const double length = vtkMath::Norm(up);
+  if (!(length > 0.0) || !std::isfinite(length))
+  {
+    vtkErrorMacro("SetUp was given (" << x << ", " << y << ", " << z
+                                      << "), expected a direction; nothing is changed.");
+    return;
+  }
+  if (!std::equal(up, up + 3, this->Up))
+  {
+    std::copy_n(up, 3, this->Up);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMarkers::AddActor(vtkProp3D* actor)
+{
+  auto& actors = this->Internal->Actors;
+  if (actor && std::find(actors.begin(), actors.end(), actor) == actors.end())
+  {
+    actors.emplace_back(actor);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMarkers::RemoveActor(vtkProp3D* actor)
+{
+  auto& actors = this->Internal->Actors;
+  const auto found = std::find(actors.begin(), actors.end(), actor);
+  if (found != actors.end())
+  {
+    actors.erase(found);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMarkers::RemoveAllActors()
+{
+  if (!this->Internal->Actors.empty())
+  {
+    this->Internal->Actors.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoMarkers::GetNumberOfActors()
+{
+  return static_cast<int>(this->Internal->Actors.size());
+}
+
+//------------------------------------------------------------------------------
+vtkProp3D* vtkRelievoMarkers::GetActor(int i)
+{
+  return i >= 0 && i < this->GetNumberOfActors() ? this->Internal->Actors[i].Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoMarkers::Box> vtkRelievoMarkers::GetBoxes()
+{
+  std::vector<Box> boxes;
+  vtkNew<vtkMatrix4x4> matrix;
+  for (const auto& prop : this->Internal->Actors)
+  {
+    if (!prop->GetVisibility())
+    {
+      continue;
+    }
+    Box box;
+    auto* actor = vtkActor::SafeDownCast(prop);
+    const double* bounds =
+      actor && actor->GetMapper() ? actor->GetMapper()->GetBounds() : prop->GetBounds();
+    if (!bounds || !IsBox(bounds))
+    {
+      continue;
+    }
+    if (actor && actor->GetMapper())
+    {
+      actor->GetMatrix(matrix);
+    }
+    else
+    {
+      matrix->Identity();
+    }
+    if (!FindBox(bounds, matrix, box))
+    {
+      // Sheared, or flat in itself: the box along the world's axes.
+      matrix->Identity();
+      bounds = prop->GetBounds();
+      if (!bounds || !IsBox(bounds) || !FindBox(bounds, matrix, box))
+      {
+        continue;
+      }
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoMarkers::GetValuesForActors(double values[7]) const
+{
+  for (int i = RADIUS; i <= OPACITY; ++i)
+  {
+    values[i] = this->GetForAll(i)[0];
+  }
+  std::copy_n(this->GetForAll(COLOR), 3, values + COLOR);
+  const bool finite = std::all_of(values, values + 7, [](double v) { return std::isfinite(v); });
+  return finite && this->IsVisible(values) &&
+    (values[RADIUS] > 0.0 || (this->Shape == SHADOW && values[RADIUS] == 0.0));
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoMarkers::IsVisible(const double* values) const
+{
+  return values[OPACITY] > 0.0 && (this->Shape != RING || values[WIDTH] > 0.0) &&
+    (this->Shape != SHADOW || values[REACH] > 0.0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoMarkers::HasEffect(const double* row) const
+{
+  return row[3 + RADIUS] > 0.0 && this->IsVisible(row + 3);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMarkers::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Shape: " << this->Shape << "\n";
+  os << indent << "Up: " << this->Up[0] << " " << this->Up[1] << " " << this->Up[2] << "\n";
+  for (const auto& actor : this->Internal->Actors)
+  {
+    os << indent << "Actor: " << actor.GetPointer() << "\n";
+  }
+}

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoMarkersStage
+ * @brief Rings, glows, discs and blob shadows on surfaces, around points of data and actors: over
+ * the picture, and as the layer `marker`, how much of a pixel they cover.
+ *
+ * The place of each pixel's surface comes from the layer `depth`; a marker colours it by its
+ * distance in the world, on whatever surface that is. Edges are filtered over the pixel. Markers
+ * lie one over the other in the order of their sets and points; shadows lie below all others.
+ *
+ * The picture is color (1 - a) + marker a, in linear light. Without a surface there is no marker.
+ * Translucent things, which are in the colour already, are covered as the opaque surface behind
+ * them.
+ */
+#ifndef vtkRelievoMarkersStage_h
+#define vtkRelievoMarkersStage_h
+
+#include "vtkRelievoEffectsModule.h" // for the export macro
+#include "vtkRelievoStage.h"
+
+#include <memory> // for what is drawn
+
+class vtkMultiProcessController;
+class vtkRelievoMarkers;
+
+class VTKRELIEVOEFFECTS_EXPORT vtkRelievoMarkersStage : public vtkRelievoStage
+{
+public:
+  static vtkRelievoMarkersStage* New();
+  vtkTypeMacro(vtkRelievoMarkersStage, vtkRelievoStage);
+
+  ///@{
+  /** Sets of markers: any number; each once. Later ones lie over earlier ones. */
+  void AddMarkers(vtkRelievoMarkers* markers);
+  void RemoveMarkers(vtkRelievoMarkers* markers);
+  void RemoveAllMarkers();
+  int GetNumberOfMarkerSets();
+  vtkRelievoMarkers* GetMarkers(int i);
+  ///@}
+
+  ///@{
+  /**
+   * Processes that each draw a part of the scene, all in step (ParaView's ranks): the points of
+   * each mark what all draw. All have the same sets, which may be empty. Default nullptr.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
+  /** Markers that the last frame drew: those of which anything is in view. */
+  vtkGetMacro(NumberDrawn, int);
+
+  vtkIdType GetBytesHeld() override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkRelievoMarkersStage();
+  ~vtkRelievoMarkersStage() override;
+
+  void Describe(vtkRelievoStageDescription& description) override;
+  void Declare(
+    const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
+  bool Prepare(vtkRelievoFrameContext& context) override;
+  void Execute(vtkRelievoFrameContext& context) override;
+  std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
+
+  int NumberDrawn = 0;
+
+private:
+  vtkRelievoMarkersStage(const vtkRelievoMarkersStage&) = delete;
+  void operator=(const vtkRelievoMarkersStage&) = delete;
+
+  std::string Draw(vtkRelievoFrameContext& context);
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

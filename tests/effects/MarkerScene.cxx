@@ -1,0 +1,368 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MarkerScene.h"
+
+#include "Check.h"
+#include "FogTruth.h"
+#include "Props.h"
+#include "Stage.h"
+#include "Window.h"
+
+#include <vtkCamera.h>
+#include <vtkDoubleArray.h>
+#include <vtkImageData.h>
+#include <vtkMapper.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkRelievoGBufferPass.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace relievoTest
+{
+namespace
+{
+// IEC 61966-2-1.
+double LinearFromSrgb(double v)
+{
+  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+double SrgbFromLinear(double v)
+{
+  return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1. / 2.4) - 0.055;
+}
+
+// A pixel's point in the world, and its changes by pixels on the plane that the depths around say.
+struct Place
+{
+  glm::dvec3 Point;
+  glm::dvec3 Along[2];
+  glm::dvec3 Normal; // 0: none
+};
+
+Place FindPlace(const vtkRelievoView& view, const Layers& layers, int x, int y)
+{
+  const double depth = layers.Value("depth", x, y);
+  const glm::dmat4 toWorld = glm::inverse(view.WorldToView);
+  const auto at = [&](double px, double py, double z) {
+    return glm::dvec3(toWorld * glm::dvec4(glm::dvec3(PointAt(view, px, py, z)), 1.));
+  };
+  Place place;
+  place.Point = at(x + 0.5, y + 0.5, depth);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    double steps[2] = { 0., 0. };
+    bool there[2];
+    for (int side = 0; side < 2; ++side)
+    {
+      const int away = side == 0 ? -1 : 1;
+      const int nx = x + (axis == 0 ? away : 0);
+      const int ny = y + (axis == 1 ? away : 0);
+      there[side] = nx >= 0 && ny >= 0 && nx < layers.Width && ny < layers.Height;
+      if (there[side])
+      {
+        const double other = layers.Value("depth", nx, ny);
+        steps[side] = away * (view.Parallel ? other - depth : depth - depth * depth / other);
+      }
+    }
+    if (!there[0] || !there[1])
+    {
+      steps[0] = steps[1] = there[0] ? steps[0] : steps[1];
+    }
+    const bool alike = steps[0] * steps[1] > 0.;
+    const double slope =
+      alike ? std::copysign(std::min(std::abs(steps[0]), std::abs(steps[1])), steps[0]) : 0.;
+    const double h = 1e-3;
+    const double dx = axis == 0 ? h : 0.;
+    const double dy = axis == 1 ? h : 0.;
+    place.Along[axis] = (at(x + 0.5 + dx, y + 0.5 + dy, depth + slope * h) -
+                          at(x + 0.5 - dx, y + 0.5 - dy, depth - slope * h)) /
+      (2. * h);
+  }
+  place.Normal = glm::dvec3(0.);
+  if (layers.Image->GetPointData()->HasArray("normal"))
+  {
+    place.Normal = layers.Vector("normal", x, y);
+  }
+  return place;
+}
+
+// From the actor's box to the point, through the coordinates of its mesh.
+glm::dvec3 WayFromBox(vtkActor* actor, const glm::dvec3& point)
+{
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Invert(actor->GetMatrix(), inverse);
+  double mesh[4] = { point.x, point.y, point.z, 1. };
+  inverse->MultiplyPoint(mesh, mesh);
+  const double* bounds = actor->GetMapper()->GetBounds();
+  for (int i = 0; i < 3; ++i)
+  {
+    mesh[i] = std::min(std::max(mesh[i], bounds[2 * i]), bounds[2 * i + 1]);
+  }
+  actor->GetMatrix()->MultiplyPoint(mesh, mesh);
+  return point - glm::dvec3(mesh[0], mesh[1], mesh[2]);
+}
+
+// The heights of the corners of the actor's box along a direction, and the matrix of the ellipse
+// around it as seen along that: twice the sum of the squares of its half edges.
+struct Footing
+{
+  glm::dvec3 Center;
+  double Bottom = 0.;
+  glm::dmat3 Spread{ 0. };
+};
+
+Footing FindFooting(vtkActor* actor, const glm::dvec3& up)
+{
+  const double* b = actor->GetMapper()->GetBounds();
+  const auto at = [actor](double x, double y, double z) {
+    double p[4] = { x, y, z, 1. };
+    actor->GetMatrix()->MultiplyPoint(p, p);
+    return glm::dvec3(p[0], p[1], p[2]);
+  };
+  const double m[3] = { (b[0] + b[1]) / 2., (b[2] + b[3]) / 2., (b[4] + b[5]) / 2. };
+  Footing footing;
+  footing.Center = at(m[0], m[1], m[2]);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 p = at(b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2)]);
+    footing.Bottom = std::max(footing.Bottom, glm::dot(footing.Center - p, up));
+  }
+  const glm::dvec3 ends[3] = { at(b[1], m[1], m[2]), at(m[0], b[3], m[2]), at(m[0], m[1], b[5]) };
+  for (const glm::dvec3& end : ends)
+  {
+    const glm::dvec3 edge = end - footing.Center;
+    const glm::dvec3 level = edge - glm::dot(edge, up) * up;
+    footing.Spread += 2. * glm::outerProduct(level, level);
+  }
+  return footing;
+}
+
+double ShadowShare(const Mark& mark, const Place& place, const glm::dvec3& up)
+{
+  const double facing = place.Normal == glm::dvec3(0.) ? 1. : glm::dot(place.Normal, up);
+  Footing footing;
+  footing.Center = mark.Center;
+  if (mark.Actor)
+  {
+    footing = FindFooting(mark.Actor, up);
+  }
+  const glm::dvec3 to = place.Point - footing.Center;
+  const double down = -glm::dot(to, up);
+  const glm::dvec3 level = to + down * up;
+  const double r = mark.Radius;
+  double square = glm::dot(level, level) / (r * r);
+  double onset = down / (0.25 * r);
+  double fade = 1. - down / (mark.Reach * r);
+  if (mark.Actor)
+  {
+    const glm::dmat3& s = footing.Spread;
+    const double size = std::sqrt((s[0][0] + s[1][1] + s[2][2]) / 2.) + r;
+    const glm::dmat3 level3 = glm::dmat3(1.) - glm::outerProduct(up, up);
+    const glm::dmat3 grown =
+      s + std::max(r * r, 1e-4 * size * size) * level3 + glm::outerProduct(up, up);
+    square = glm::dot(level, glm::inverse(grown) * level);
+    const double tolerance = 0.001 * (footing.Bottom + size);
+    onset = (down - footing.Bottom + 2. * tolerance) / tolerance;
+    fade = 1. - (down - footing.Bottom) / (mark.Reach * size);
+  }
+  const double soft = std::max(0., 1. - square);
+  return soft * soft * glm::clamp(onset, 0., 1.) * glm::clamp(fade, 0., 1.) *
+    glm::clamp(4. * facing, 0., 1.);
+}
+
+// How much of [from, to] lies in [-radius, radius].
+double Overlap(double from, double to, double radius)
+{
+  return std::max(0., std::min(to, radius) - std::max(from, -radius));
+}
+
+double Share(const Mark& mark, int shape, const Place& place, const glm::dvec3& up)
+{
+  if (shape == vtkRelievoMarkers::SHADOW)
+  {
+    return ShadowShare(mark, place, up);
+  }
+  const glm::dvec3 way =
+    mark.Actor ? WayFromBox(mark.Actor, place.Point) : place.Point - mark.Center;
+  const double range = glm::length(way);
+  const double steps[2] = { glm::dot(way, place.Along[0]), glm::dot(way, place.Along[1]) };
+  const double across =
+    (glm::dot(place.Along[0], place.Along[0]) + glm::dot(place.Along[1], place.Along[1])) / 2.;
+  // From the middle of the pixel to half a pixel up the slope, twice.
+  const double edge = std::sqrt(range * range + std::hypot(steps[0], steps[1]) + across / 4.);
+  const double footprint = 2. * (edge - range);
+  const double r = mark.Radius;
+  if (shape == vtkRelievoMarkers::GLOW)
+  {
+    const double wider = r * r + footprint * footprint / 4.;
+    const double left = std::max(0., 1. - range * range / wider);
+    return r * r / wider * left * left;
+  }
+  const double from = range - footprint / 2.;
+  const double to = range + footprint / 2.;
+  const double inner = shape == vtkRelievoMarkers::RING ? r * std::max(0., 1. - mark.Width) : 0.;
+  return (Overlap(from, to, r) - Overlap(from, to, inner)) / footprint;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeMarkerPoints(const std::vector<Mark>& marks)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const char* const names[] = { "radius", "width", "reach", "opacity", "color" };
+  vtkNew<vtkDoubleArray> arrays[5];
+  for (int i = 0; i < 5; ++i)
+  {
+    arrays[i]->SetName(names[i]);
+  }
+  arrays[4]->SetNumberOfComponents(3);
+  for (const Mark& mark : marks)
+  {
+    points->InsertNextPoint(mark.Center.x, mark.Center.y, mark.Center.z);
+    arrays[0]->InsertNextValue(mark.Radius);
+    arrays[1]->InsertNextValue(mark.Width);
+    arrays[2]->InsertNextValue(mark.Reach);
+    arrays[3]->InsertNextValue(mark.Opacity);
+    arrays[4]->InsertNextTuple3(mark.Color.x, mark.Color.y, mark.Color.z);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  for (const auto& array : arrays)
+  {
+    data->GetPointData()->AddArray(array);
+  }
+  return data;
+}
+
+//------------------------------------------------------------------------------
+MarkerScene::MarkerScene(int width, int height, const glm::dvec3& origin)
+  : Window(MakeWindow(width, height, Renderer))
+  , Origin(origin)
+{
+  auto floor = AddActor(this->Renderer, MakeBox(6., 0.1, 6.));
+  floor->SetPosition(origin.x, origin.y - 0.05, origin.z);
+  floor->GetProperty()->SetColor(0.5, 0.55, 0.5);
+  this->Ball = AddActor(this->Renderer, MakeBall(0.5));
+  this->Ball->SetPosition(origin.x, origin.y + 0.5, origin.z);
+  this->Ball->GetProperty()->SetColor(0.9, 0.4, 0.2);
+  this->Wall = AddActor(this->Renderer, MakeBox(3., 2., 0.1));
+  this->Wall->SetPosition(origin.x - 0.5, origin.y + 1., origin.z - 1.6);
+  this->Wall->RotateY(30.);
+  this->Wall->GetProperty()->SetColor(0.6, 0.6, 0.7);
+  this->Renderer->SetBackground(0.2, 0.3, 0.4);
+  this->Renderer->SetBackgroundAlpha(1.);
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetPosition(origin.x + 0.3, origin.y + 1.6, origin.z + 4.5);
+  camera->SetFocalPoint(origin.x, origin.y + 0.4, origin.z);
+  camera->SetViewAngle(50.);
+  camera->SetClippingRange(0.5, 12.);
+  this->Frame = vtkRelievoPass::Attach(this->Renderer);
+  this->Stage = this->Frame->GetMarkers();
+  this->Stage->AddMarkers(this->Markers);
+}
+
+//------------------------------------------------------------------------------
+void MarkerScene::Set(int shape, const std::vector<Mark>& marks)
+{
+  this->Marks = marks;
+  this->Markers->SetShape(shape);
+  this->Markers->RemoveAllActors();
+  std::vector<Mark> points;
+  for (Mark& mark : this->Marks)
+  {
+    mark.Center += this->Origin;
+    if (!mark.Actor)
+    {
+      points.push_back(mark);
+      continue;
+    }
+    this->Markers->AddActor(mark.Actor);
+    this->Markers->SetRadius(mark.Radius);
+    this->Markers->SetWidth(mark.Width);
+    this->Markers->SetReach(mark.Reach);
+    this->Markers->SetOpacity(mark.Opacity);
+    this->Markers->SetColor(mark.Color.x, mark.Color.y, mark.Color.z);
+  }
+  this->Markers->SetInputData(MakeMarkerPoints(points));
+}
+
+//------------------------------------------------------------------------------
+Layers MarkerScene::Read(const std::vector<std::string>& names)
+{
+  // As the stage reads it: refined depths are computed for readers alone.
+  this->Frame->GetGBuffer()->RefineDepthOff();
+  for (const std::string& name : names)
+  {
+    this->Frame->RequestLayer(name);
+  }
+  this->Window->Render();
+  vtkNew<vtkImageData> image;
+  for (const std::string& name : names)
+  {
+    RELIEVO_CHECK(this->Frame->ReadLayer(name, image));
+    this->Frame->ReleaseLayer(name);
+  }
+  return Layers(image);
+}
+
+//------------------------------------------------------------------------------
+MarkerErrors MarkerScene::Compare()
+{
+  const int shape = this->Markers->GetShape();
+  const bool shadow = shape == vtkRelievoMarkers::SHADOW;
+  this->Stage->EnabledOff();
+  const vtkSmartPointer<vtkImageData> plain = Picture(this->Window);
+  this->Stage->EnabledOn();
+  const vtkSmartPointer<vtkImageData> marked = Picture(this->Window);
+  std::vector<std::string> names{ "depth", "marker" };
+  if (shadow)
+  {
+    names.emplace_back("normal");
+  }
+  const Layers layers = this->Read(names);
+  vtkRelievoView view;
+  view.Take(this->Renderer, nullptr);
+  const double* given = this->Markers->GetUp();
+  const glm::dvec3 up = glm::normalize(glm::dvec3(given[0], given[1], given[2]));
+  MarkerErrors errors;
+  for (int y = 0; y < layers.Height; ++y)
+  {
+    for (int x = 0; x < layers.Width; ++x)
+    {
+      double passes = 1.;
+      glm::dvec3 color(0.);
+      if (std::isfinite(layers.Value("depth", x, y)))
+      {
+        const Place place = FindPlace(view, layers, x, y);
+        for (const Mark& mark : this->Marks)
+        {
+          const double share = mark.Opacity * Share(mark, shape, place, up);
+          color = (1. - share) * color + share * (shadow ? glm::dvec3(0.) : mark.Color);
+          passes *= 1. - share;
+        }
+      }
+      const double error = std::abs(1. - passes - layers.Value("marker", x, y));
+      errors.Covered = error > errors.Covered || std::isnan(error) ? error : errors.Covered;
+      errors.Marked += passes < 0.99 ? 1 : 0;
+      errors.Edges += passes < 0.99 && passes > 0.25 ? 1 : 0;
+      for (int i = 0; i < 3; ++i)
+      {
+        const double before = LinearFromSrgb(plain->GetScalarComponentAsDouble(x, y, 0, i) / 255.);
+        const double after = std::min(before * passes + color[i], 1.);
+        // One level of the plain picture is more of the marked one where that is dark.
+        const double difference =
+          std::abs(marked->GetScalarComponentAsDouble(x, y, 0, i) - 255. * SrgbFromLinear(after));
+        errors.Picture = std::max(errors.Picture, difference);
+      }
+    }
+  }
+  return errors;
+}
+}

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file MarkerScene.h
+ * @brief A floor, a ball, a turned wall and a bit of sky with markers, and what of them must be
+ * seen.
+ */
+#ifndef relievoTestMarkerScene_h
+#define relievoTestMarkerScene_h
+
+#include "Layers.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkRelievoMarkers.h>
+#include <vtkRelievoMarkersStage.h>
+#include <vtkRelievoPass.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace relievoTest
+{
+/** A point, or, if there is an actor, its box. */
+struct Mark
+{
+  glm::dvec3 Center{ 0. };
+  double Radius = 1.;
+  double Width = 0.2;
+  double Reach = 4.;
+  double Opacity = 0.8;
+  glm::dvec3 Color{ 1., 0.5, 0. }; // linear
+  vtkActor* Actor = nullptr;
+};
+
+/** Points with all arrays of vtkRelievoMarkers. */
+vtkSmartPointer<vtkPolyData> MakeMarkerPoints(const std::vector<Mark>& marks);
+
+/**
+ * Levels of 255 between a picture and what follows from the plain one: both are rounded, and the
+ * colour is in half floats, which are cut off twice, by a tenth of a level each.
+ */
+constexpr double PictureLimit = 1.2;
+
+struct MarkerErrors
+{
+  double Covered = 0.; // of the layer `marker`
+  double Picture = 0.; // levels of 255
+  int Marked = 0;      // pixels of which more than a hundredth is covered
+  int Edges = 0;       // of these, not wholly
+};
+
+class MarkerScene
+{
+public:
+  MarkerScene(int width, int height, const glm::dvec3& origin = glm::dvec3(0.));
+
+  /** What the set draws: points, moved by the origin, and actors, which share the last's values. */
+  void Set(int shape, const std::vector<Mark>& marks);
+
+  /** Layers of a frame that draws the picture as well; depth as the pixel's centre has it. */
+  Layers Read(const std::vector<std::string>& names);
+
+  /** The layer and the picture against the markers in double, with the depths of that frame. */
+  MarkerErrors Compare();
+
+  vtkNew<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkActor> Ball;
+  vtkSmartPointer<vtkActor> Wall;
+  vtkRelievoPass* Frame = nullptr;
+  vtkRelievoMarkersStage* Stage = nullptr;
+  vtkNew<vtkRelievoMarkers> Markers;
+
+private:
+  glm::dvec3 Origin;
+  std::vector<Mark> Marks; // as they are in the world
+};
+}
+
+#endif
