@@ -53,6 +53,8 @@ std::vector<L> MakeTable()
       "how many lamps were computed for the pixel" },
     { "lamps_reaching", L::NUMBER, L::FROM_STAGE, VTK_FLOAT, 1, 0.0, "V",
       "how many lamps reach the pixel's surface" },
+    { "blend", L::COLOR, L::FROM_STAGE, VTK_FLOAT, 4, 0.0, "R,G,B,A",
+      "what is translucent, scene-linear and premultiplied" },
     { "color", L::COLOR, L::FROM_PICTURE, VTK_FLOAT, 4, OfRenderer, "R,G,B,A",
       "the picture, scene-linear and premultiplied" },
   };

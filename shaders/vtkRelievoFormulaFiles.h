@@ -18,6 +18,8 @@
 
 #include "formulas/tone.glsl"
 
+#include "formulas/blend.glsl"
+
 #include "formulas/hash_color.glsl"
 
 #include "formulas/colormap.glsl"

@@ -14,6 +14,11 @@
 #define RELIEVO_VTK_COMPOSITE_HELPERS 1
 #endif
 
+// vtkOrderIndependentTranslucentPass blends a transmittance into alpha; since 9.3 an opacity.
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
+#define RELIEVO_VTK_AVERAGED_TRANSMITTANCE 1
+#endif
+
 // The renderer holds the props of a frame in a std::vector instead of an array and a count.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
 #define RELIEVO_VTK_PROP_VECTOR 1

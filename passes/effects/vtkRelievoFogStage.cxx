@@ -135,6 +135,7 @@ void vtkRelievoFogStage::Describe(vtkRelievoStageDescription& description)
   description.Name = "fog";
   description.Help = "Fog in spheres, which are given to it as data.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
+  description.Order = -20; // before what is translucent, see the stage `blend`
   description.Reads = { "depth" };
   description.Writes = { "color" };
   description.Layers = { "fog" };

@@ -91,10 +91,10 @@ vtkSmartPointer<vtkTextureObject> vtkRelievoColorBuffers::MakeTexture(
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoColorBuffers::GetBoundFramebuffer()
+int vtkRelievoColorBuffers::GetBoundFramebuffer(bool reading)
 {
   GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  glGetIntegerv(reading ? GL_READ_FRAMEBUFFER_BINDING : GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   return bound;
 }
 

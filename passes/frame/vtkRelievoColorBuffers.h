@@ -36,7 +36,8 @@ struct vtkRelievoColorBuffers
   static vtkSmartPointer<vtkTextureObject> MakeTexture(
     vtkOpenGLRenderWindow* window, unsigned int format, int width, int height);
 
-  static int GetBoundFramebuffer();
+  // For drawing, or for reading.
+  static int GetBoundFramebuffer(bool reading = false);
 
   vtkIdType GetBytes() const;
   void Release(vtkWindow* window);

@@ -84,6 +84,7 @@ void vtkRelievoColorTarget::Begin(vtkRelievoFrameContext& context)
 {
   vtkRenderer* renderer = context.Renderer;
   vtkOpenGLState* state = context.Window->GetState();
+  this->Separated = false;
   const int before = vtkRelievoColorBuffers::GetBoundFramebuffer();
   state->PushFramebufferBindings();
   this->Buffers.Framebuffer->Bind();
@@ -162,15 +163,15 @@ void vtkRelievoColorTarget::CopyWhatIsThere(vtkRelievoFrameContext& context, int
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoColorTarget::IsBound() const
+bool vtkRelievoColorTarget::IsBound(bool reading) const
 {
   return this->Buffers.Framebuffer &&
-    vtkRelievoColorBuffers::GetBoundFramebuffer() ==
+    vtkRelievoColorBuffers::GetBoundFramebuffer(reading) ==
     static_cast<int>(this->Buffers.Framebuffer->GetFBOIndex());
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoColorTarget::End(vtkRelievoFrameContext& context)
+void vtkRelievoColorTarget::Resolve(vtkRelievoFrameContext& context)
 {
   const int* v = context.View.Viewport;
   vtkOpenGLState* state = context.Window->GetState();
@@ -187,12 +188,48 @@ void vtkRelievoColorTarget::End(vtkRelievoFrameContext& context)
         v[1] + v[3], buffer, GL_NEAREST);
     }
   }
-  state->PopFramebufferBindings();
   this->Drawn->Offset[0] = v[0];
   this->Drawn->Offset[1] = v[1];
   context.Provide("drawn", this->Drawn.get());
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoColorTarget::MakeLinear(vtkRelievoFrameContext& context)
+{
   this->Valid = this->ToLinear.Ready(context, "frame/toLinearFS.glsl", { "drawn" }) &&
     this->Draw(context, this->ToLinear, true);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoColorTarget::Separate(vtkRelievoFrameContext& context)
+{
+  this->Resolve(context);
+  this->MakeLinear(context);
+  this->Separated = true;
+  context.Provide("color", this);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoColorTarget::Clear(vtkRelievoFrameContext& context, float alpha)
+{
+  vtkOpenGLState* state = context.Window->GetState();
+  const vtkRelievoKeptState kept(state);
+  this->Buffers.Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  const float nothing[4] = { 0.0f, 0.0f, 0.0f, alpha };
+  glClearBufferfv(GL_COLOR, 0, nothing);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoColorTarget::End(vtkRelievoFrameContext& context)
+{
+  this->Resolve(context);
+  context.Window->GetState()->PopFramebufferBindings();
+  if (!this->Separated)
+  {
+    this->MakeLinear(context);
+  }
   this->Presented = false;
   if (this->Valid)
   {

@@ -34,8 +34,17 @@ public:
   // Binds it.
   void Begin(vtkRelievoFrameContext& context);
 
-  // Whether what is bound for drawing now is what Begin bound.
-  bool IsBound() const;
+  // Whether what is bound for drawing, or for reading, now is what Begin bound.
+  bool IsBound(bool reading = false) const;
+
+  ///@{
+  // Before End: the linear colour is made of what has been drawn until now, and what is drawn next
+  // is not part of it. Clear makes room for that: black, with this alpha. Resolve makes it the
+  // resource `drawn`.
+  void Separate(vtkRelievoFrameContext& context);
+  void Clear(vtkRelievoFrameContext& context, float alpha);
+  void Resolve(vtkRelievoFrameContext& context);
+  ///@}
 
   // Binds what was bound before Begin; the linear colour is there from now on.
   void End(vtkRelievoFrameContext& context);
@@ -65,6 +74,7 @@ public:
 
 private:
   void CopyWhatIsThere(vtkRelievoFrameContext& context, int framebuffer);
+  void MakeLinear(vtkRelievoFrameContext& context);
 
   class Input;
   std::unique_ptr<Input> Drawn; // what the delegate drew, as a resource
@@ -73,6 +83,7 @@ private:
   vtkRelievoScreenQuad ToDisplay;
   vtkRelievoScreenQuad Copy;
   bool Valid = false;
+  bool Separated = false; // the linear colour was made before all was drawn
   bool Presented = false;
 };
 

@@ -17,9 +17,17 @@ int vtkRelievoDelegate::Render(vtkRenderPass* pass, const vtkRenderState* s, con
 {
   vtkProp** props = s->GetPropArray();
   int count = s->GetPropArrayCount();
-  if (count > 0 && (moments.OpaqueBegins || moments.OpaqueEnds || moments.OverlayBegins))
+  if (count > 0 &&
+    (moments.OpaqueBegins || moments.OpaqueEnds || moments.TranslucentBegins ||
+      moments.OverlayBegins))
   {
     this->Begin->Opaque = moments.OpaqueBegins;
+    this->Begin->TranslucentAsked = moments.TranslucentAsked;
+    if (moments.TranslucentBegins)
+    {
+      this->Begin->Translucent = [&]() { moments.TranslucentBegins(this->Begin); };
+    }
+    this->Begin->Volumes = moments.VolumesBegin;
     this->Begin->Overlay = moments.OverlayBegins;
     this->Props.assign(1, this->Begin);
     this->Props.insert(this->Props.end(), props, props + count);
@@ -47,6 +55,7 @@ int vtkRelievoDelegate::Render(vtkRenderPass* pass, const vtkRenderState* s, con
   const int drawn = pass ? RenderPass(pass, s, props, count) : RenderOwnSteps(s, props, count);
   this->Props.clear();
   this->Begin->Opaque = this->Begin->Overlay = nullptr;
+  this->Begin->TranslucentAsked = this->Begin->Translucent = this->Begin->Volumes = nullptr;
   this->End->Opaque = nullptr;
   this->EndOfWireFrames->Reached = nullptr;
   return drawn;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Draws the picture as it would be without Relievo, by a pass or by the renderer's own steps, and
-// tells when its opaque geometry begins and ends, and when its overlay begins.
+// tells when its opaque geometry begins and ends, when what is translucent, volumes and its overlay
+// begin.
 #ifndef vtkRelievoDelegate_h
 #define vtkRelievoDelegate_h
 
@@ -20,11 +21,15 @@ class vtkWindow;
 class vtkRelievoDelegate
 {
 public:
-  // Called as often as the delegate draws opaque geometry, or an overlay; empty ones cost nothing.
+  // Called as often as the delegate draws opaque geometry, and so on; empty ones cost nothing.
   struct Moments
   {
     std::function<void()> OpaqueBegins;
     std::function<void()> OpaqueEnds;
+    std::function<void()> TranslucentAsked; // before it is drawn by most delegates, not by all
+    // With the prop that marks it, which has the keys of the passes that draw.
+    std::function<void(vtkProp*)> TranslucentBegins;
+    std::function<void()> VolumesBegin;
     std::function<void()> OverlayBegins;
   };
 

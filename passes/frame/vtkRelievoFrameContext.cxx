@@ -86,6 +86,13 @@ bool vtkRelievoFrameContext::DrawColor(vtkRelievoScreenQuad& quad, bool replaces
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoFrameContext::KeepTranslucentApart(vtkRelievoScreenTarget* target, bool putBack)
+{
+  this->Translucent = target;
+  this->PutBack = putBack;
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoFrameContext::Present(vtkRelievoScreenQuad& quad)
 {
   return this->Color && this->Picture && this->Color->Present(*this, &quad);

@@ -20,6 +20,7 @@ class vtkOpenGLRenderWindow;
 class vtkRelievoColorTarget;
 class vtkRelievoResource;
 class vtkRelievoScreenQuad;
+class vtkRelievoScreenTarget;
 class vtkRelievoStage;
 class vtkRenderPass;
 class vtkRenderState;
@@ -81,6 +82,12 @@ public:
   // already.
   bool Present(vtkRelievoScreenQuad& quad);
 
+  // To be called in Prepare: what the delegate draws translucent, and volumes, are kept apart from
+  // the colour, in the target: premultiplied, in linear light. If `putBack`, the colour has them as
+  // well, blended as VTK does. After the delegate the resource `translucent` is the target if there
+  // was anything to draw; otherwise the target is as it was, and need not be allocated.
+  void KeepTranslucentApart(vtkRelievoScreenTarget* target, bool putBack);
+
   // Reads layers that earlier stages wrote: see vtkRelievoStage::ReadLayers.
   std::function<std::string(const std::vector<std::string>&, vtkImageData*)> ReadLayers;
 
@@ -91,6 +98,8 @@ private:
   std::map<std::string, vtkRelievoResource*> Resources;
   std::map<std::string, vtkRelievoResource*> Layers;
   vtkRelievoColorTarget* Color = nullptr;
+  vtkRelievoScreenTarget* Translucent = nullptr;
+  bool PutBack = false;
 };
 
 #endif

@@ -15,6 +15,7 @@
 #include "vtkRelievoGpuTimer.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoStageRegistry.h"
+#include "vtkRelievoTranslucentLayers.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkWeakPointer.h"
@@ -37,6 +38,7 @@ public:
   vtkRelievoFrameReport Report;
   vtkRelievoDelegate Picture;
   vtkRelievoColorTarget Color;
+  vtkRelievoTranslucentLayers Translucent;
   vtkRelievoFrameReader Reader{ Color };
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
 
@@ -280,7 +282,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
     return in.Reader.Read(names, image);
   };
   const std::vector<vtkRelievoStage*> stages = in.GetStages();
-  vtkRelievoFrameRun run(context, stages, in.Color, in.Timer);
+  vtkRelievoFrameRun run(context, stages, in.Color, in.Translucent, in.Timer);
   for (const std::string& wrong : run.Plan())
   {
     if (in.Said.insert(wrong).second)
@@ -298,6 +300,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   if (!run.NeedsColor())
   {
     in.Color.Release(window);
+    in.Translucent.Release(window);
   }
   in.Reader.SetFrame(run.GetWriters(), run.GetMissing());
 
@@ -339,6 +342,7 @@ void vtkRelievoFramePass::ReleaseStages(vtkWindow* window)
     }
   }
   this->Internal->Color.Release(window);
+  this->Internal->Translucent.Release(window);
   this->Internal->Timer.Release();
 }
 

@@ -13,6 +13,7 @@ using Node = vtkRelievoFramePlan::Node;
 
 const std::string Picture = "picture";
 const std::string Color = "color";
+const std::string Translucent = "translucent";
 
 bool Has(const std::vector<std::string>& names, const std::string& name)
 {
@@ -162,6 +163,10 @@ void vtkRelievoFramePlan::Need(std::vector<Node>& nodes, int place, const std::s
     return;
   }
   node.Needed = true;
+  if (node.Delegate && resource == Translucent)
+  {
+    this->ColorNeeded = this->ColorSeen = true; // which it is kept apart from
+  }
   if (!asked)
   {
     node.Asked.insert(std::upper_bound(node.Asked.begin(), node.Asked.end(), resource), resource);
@@ -196,7 +201,29 @@ void vtkRelievoFramePlan::AskForColor(std::vector<Node>& nodes, int reader)
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     const bool before = reader < 0 || nodes[i].IsBefore(nodes[reader]);
-    if (nodes[i].Declaration.Runs && (nodes[i].Delegate || (nodes[i].ChangesColor() && before)))
+    if (nodes[i].Declaration.Runs && !nodes[i].Declaration.Joins &&
+      (nodes[i].Delegate || (nodes[i].ChangesColor() && before)))
+    {
+      this->Need(nodes, static_cast<int>(i), Color);
+    }
+  }
+  this->Join(nodes, reader);
+}
+
+//------------------------------------------------------------------------------
+// Those that change the colour where somebody before them does; before the reader, if there is one.
+void vtkRelievoFramePlan::Join(std::vector<Node>& nodes, int reader)
+{
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    const Node& node = nodes[i];
+    const bool joins = node.Declaration.Runs && node.Declaration.Joins && node.ChangesColor() &&
+      (reader < 0 || node.IsBefore(nodes[reader])) &&
+      std::any_of(nodes.begin(), nodes.end(), [&node](const Node& other) {
+        return other.Needed && !other.Declaration.Joins && other.ChangesColor() &&
+          Has(other.Asked, Color) && other.IsBefore(node);
+      });
+    if (joins)
     {
       this->Need(nodes, static_cast<int>(i), Color);
     }
@@ -253,7 +280,7 @@ void vtkRelievoFramePlan::MarkPicture(std::vector<Node>& nodes)
   this->ColorSeen = this->ColorSeen || !covered;
   for (Node& node : nodes)
   {
-    if (!node.Declaration.Runs || !node.ChangesColor())
+    if (!node.Declaration.Runs || !node.ChangesColor() || (node.Declaration.Joins && !covered))
     {
       continue;
     }

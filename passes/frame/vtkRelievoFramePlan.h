@@ -4,7 +4,8 @@
 // Which steps of a frame run, and in which order: worked out backwards from what is asked of it.
 //
 // Resources are names: `picture`, what the window shows; `color`, the linear colour that the
-// picture is made of; layers; and whatever else stages write and read, such as `shadow maps`.
+// picture is made of; `translucent`, what the delegate keeps apart from it; layers; and whatever
+// else stages write and read, such as `shadow maps`.
 // Users name layers only, and arrays of their data among them, which may be called as they like:
 // what a stage writes is a layer if the stage publishes it.
 #ifndef vtkRelievoFramePlan_h
@@ -33,6 +34,8 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
   std::vector<std::string> Layers; // writes as well, for users to request by these names
   bool WritesArrays = false;       // any layer that is not among anybody's Layers
   std::vector<std::string> Offers; // of Writes: to those that merely use it
+  // Whether it changes the colour only in pictures in which another stage before it does.
+  bool Joins = false;
   bool Covers = true; // of one that writes `picture`: the colour is surely not seen beneath
 
   // Whether it finishes what the delegate draws, while it draws: needed whenever that is.
@@ -103,6 +106,7 @@ private:
   void Need(std::vector<Node>& nodes, int node, const std::string& resource);
   void AskFor(std::vector<Node>& nodes, const Name& name, int reader);
   void AskForColor(std::vector<Node>& nodes, int reader);
+  void Join(std::vector<Node>& nodes, int reader);
   void Refuse(Node& node, const std::string& words, bool told = false);
 
   std::vector<int> Order;

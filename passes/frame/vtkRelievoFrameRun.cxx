@@ -11,6 +11,7 @@
 #include "vtkRelievoFrameReport.h"
 #include "vtkRelievoGpuTimer.h"
 #include "vtkRelievoStage.h"
+#include "vtkRelievoTranslucentLayers.h"
 #include "vtkRenderPass.h"
 
 #include <algorithm>
@@ -18,10 +19,11 @@
 //------------------------------------------------------------------------------
 vtkRelievoFrameRun::vtkRelievoFrameRun(vtkRelievoFrameContext& context,
   const std::vector<vtkRelievoStage*>& stages, vtkRelievoColorTarget& color,
-  vtkRelievoGpuTimer& timer)
+  vtkRelievoTranslucentLayers& translucent, vtkRelievoGpuTimer& timer)
   : Context(context)
   , Stages(stages)
   , Color(color)
+  , Translucent(translucent)
   , Timer(timer)
   , Nodes(stages.size() + 1)
   , Dropped(stages.size() + 1, false)
@@ -38,7 +40,7 @@ void vtkRelievoFrameRun::Declare()
   delegate.Slot = Description::SURFACES;
   delegate.Order = -1;
   delegate.Delegate = true;
-  delegate.Declaration.Writes = { "picture", "color" };
+  delegate.Declaration.Writes = { "picture", "color", "translucent" };
   for (std::size_t i = 0; i < this->Stages.size(); ++i)
   {
     vtkRelievoStage* stage = this->Stages[i];
@@ -191,6 +193,7 @@ void vtkRelievoFrameRun::ExecuteRest()
   const std::vector<int>& order = this->Order.GetOrder();
   if (this->ColorOpen)
   {
+    this->Translucent.End();
     this->Color.End(this->Context);
     this->ColorOpen = false;
   }
@@ -255,6 +258,16 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
     this->Color.Begin(this->Context);
     this->ColorOpen = true;
     this->Context.Color = &this->Color;
+    if (this->Context.Translucent)
+    {
+      this->Translucent.Begin(
+        this->Context, this->Color, *this->Context.Translucent, this->Context.PutBack);
+      moments.TranslucentAsked = [&]() { interrupt([&]() { this->Translucent.Ask(); }); };
+      moments.TranslucentBegins = [&](vtkProp* marker) {
+        interrupt([&]() { this->Translucent.BeginSurfaces(marker); });
+      };
+      moments.VolumesBegin = [&]() { interrupt([&]() { this->Translucent.BeginVolumes(); }); };
+    }
     // Texts and bars are drawn over the finished picture, not into the colour that stages change;
     // without a picture, nowhere.
     moments.OverlayBegins = [&]() {

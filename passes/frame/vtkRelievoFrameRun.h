@@ -17,13 +17,15 @@ class vtkRelievoFrameContext;
 class vtkRelievoFrameReport;
 class vtkRelievoGpuTimer;
 class vtkRelievoStage;
+class vtkRelievoTranslucentLayers;
 class vtkRenderPass;
 
 class vtkRelievoFrameRun
 {
 public:
   vtkRelievoFrameRun(vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages,
-    vtkRelievoColorTarget& color, vtkRelievoGpuTimer& timer);
+    vtkRelievoColorTarget& color, vtkRelievoTranslucentLayers& translucent,
+    vtkRelievoGpuTimer& timer);
 
   // Works out what runs, and tells the others why not. Returns what cannot run for what it reads.
   std::vector<std::string> Plan();
@@ -54,6 +56,7 @@ private:
   vtkRelievoFrameContext& Context;
   const std::vector<vtkRelievoStage*>& Stages; // node i + 1 is stage i
   vtkRelievoColorTarget& Color;
+  vtkRelievoTranslucentLayers& Translucent;
   vtkRelievoGpuTimer& Timer;
   vtkRelievoFramePlan Order;
   std::vector<vtkRelievoFramePlan::Node> Nodes; // the first is the delegate

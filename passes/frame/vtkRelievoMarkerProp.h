@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Props that draw nothing: put before and behind the props of a frame, they tell when the opaque
-// geometry of whatever delegate begins and ends, and when what lies over the picture begins.
+// geometry of whatever delegate begins and ends, when what is translucent and volumes begin, and
+// when what lies over the picture does.
 #ifndef vtkRelievoMarkerProp_h
 #define vtkRelievoMarkerProp_h
 
@@ -19,9 +20,15 @@ public:
   vtkTypeMacro(vtkRelievoMarkerProp, vtkProp);
 
   std::function<void()> Opaque;
+  std::function<void()> Translucent;
+  std::function<void()> TranslucentAsked; // whether there is any, before it is drawn
+  std::function<void()> Volumes;
   std::function<void()> Overlay;
 
   int RenderOpaqueGeometry(vtkViewport*) override { return Call(this->Opaque); }
+  int RenderTranslucentPolygonalGeometry(vtkViewport*) override { return Call(this->Translucent); }
+  vtkTypeBool HasTranslucentPolygonalGeometry() override { return Call(this->TranslucentAsked); }
+  int RenderVolumetricGeometry(vtkViewport*) override { return Call(this->Volumes); }
   int RenderOverlay(vtkViewport*) override { return Call(this->Overlay); }
 
 protected:

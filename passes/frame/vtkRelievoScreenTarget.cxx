@@ -114,6 +114,14 @@ std::string vtkRelievoScreenTarget::Prepare(vtkRelievoFrameContext& context, con
 //------------------------------------------------------------------------------
 void vtkRelievoScreenTarget::Begin(vtkRelievoFrameContext& context, float value)
 {
+  this->GoOn(context);
+  const float values[4] = { value, value, value, value };
+  glClearBufferfv(GL_COLOR, 0, values);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoScreenTarget::GoOn(vtkRelievoFrameContext& context)
+{
   vtkOpenGLState* state = context.Window->GetState();
   this->Kept.reset(new vtkRelievoKeptState(state));
   this->Framebuffer->Bind();
@@ -124,8 +132,6 @@ void vtkRelievoScreenTarget::Begin(vtkRelievoFrameContext& context, float value)
   state->vtkglDisable(GL_BLEND);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
-  const float values[4] = { value, value, value, value };
-  glClearBufferfv(GL_COLOR, 0, values);
 }
 
 //------------------------------------------------------------------------------

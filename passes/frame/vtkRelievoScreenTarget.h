@@ -45,7 +45,9 @@ public:
   ///@{
   // Binds it for drawing, cleared to the value in every channel; gives back what was bound, and
   // OpenGL's state. Viewport and scissor cover all of it; there is no blending and no depth test.
+  // GoOn does not clear.
   void Begin(vtkRelievoFrameContext& context, float value = 0.0f);
+  void GoOn(vtkRelievoFrameContext& context);
   void End();
   ///@}
 

@@ -172,7 +172,7 @@ void TestOrder()
   RELIEVO_CHECK_AT_MOST(LargestDifference(many, one, "fog"), 2e-5, "a thousand equal: fog");
 }
 
-// A translucent surface has no depth of its own: the fog reaches to what is behind it.
+// The layer is of what is opaque; testBlendStage has the picture with something translucent.
 void TestTranslucent()
 {
   FogScene scene(60, 45);
@@ -181,8 +181,6 @@ void TestTranslucent()
   scene.AddGlass();
   const Layers with = scene.Read({ "fog", "depth" });
   RELIEVO_CHECK(CountDifferent(without, with, "fog") == 0);
-  const FogErrors errors = scene.Compare(); // the picture too: of what is blended already
-  RELIEVO_CHECK_AT_MOST(errors.Picture, 1.01, "with glass: levels of 255");
 }
 
 // Depths belong to the centres of pixels, whatever the multisampling.

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The sRGB curve against its definition, the colours of ids, and the colour map of debug views.
+// The sRGB curve against its definition, the colours of ids, the colour map of debug views, and
+// layers over one another.
 #include "Check.h"
 #include "Samples.h"
 #include "Session.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <random>
 #include <unordered_set>
 
 namespace
@@ -116,6 +118,43 @@ void TestColormap()
   RELIEVO_CHECK(f64::relievoColormap(Infinity) == f64::relievoColormap(1.));
   RELIEVO_CHECK(f64::relievoColormap(NaN) == glm::dvec3(0.));
 }
+
+// Layers over one another: by what each lets through; in any grouping; in linear light as a lone
+// layer's colour is, and never brighter than by its own light.
+void TestLayers()
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(0., 1.);
+  const auto layer = [&]() {
+    const double a = share(random);
+    return glm::dvec4(a * share(random), a * share(random), a * share(random), a);
+  };
+  double apart = 0.;
+  for (int i = 0; i < 10000; ++i)
+  {
+    const glm::dvec4 a = layer();
+    const glm::dvec4 b = layer();
+    const glm::dvec4 c = layer();
+    const glm::dvec4 all = f64::relievoOver(f64::relievoOver(a, b), c);
+    apart = std::max(apart, glm::length(all - f64::relievoOver(a, f64::relievoOver(b, c))));
+    RELIEVO_CHECK_NEAR(1. - all.w, (1. - a.w) * (1. - b.w) * (1. - c.w), 1e-14, "let through");
+    const glm::dvec4 linear = f64::relievoLinearLayerFromSrgb(a);
+    RELIEVO_CHECK_NEAR(
+      linear.y, a.w * f64::relievoLinearFromSrgb(a.y / a.w), 1e-14, "linear layer");
+    RELIEVO_CHECK(linear.w == a.w);
+    const float cover = f32::relievoAveragedCover(static_cast<float>(-a.w * a.w));
+    RELIEVO_CHECK_NEAR(cover, 1. - a.w, 1e-6, "cover by alpha");
+  }
+  RELIEVO_CHECK_AT_MOST(apart, 1e-15, "another grouping");
+  RELIEVO_CHECK(f64::relievoLinearLayerFromSrgb(glm::dvec4(0.)) == glm::dvec4(0.));
+  // Light that covers little or nothing: as bright as it shines.
+  for (const double a : { 0., 1e-4, 0.1, 0.3 })
+  {
+    const glm::dvec4 shines = f64::relievoLinearLayerFromSrgb(glm::dvec4(0.3, 0.15, 0., a));
+    RELIEVO_CHECK_NEAR(shines.x, 0.3, 1e-15, "shines");
+    RELIEVO_CHECK(shines.y < 0.15 && shines.z == 0. && shines.w == a);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -125,5 +164,6 @@ int main()
   TestSrgb();
   TestHashColor();
   TestColormap();
+  TestLayers();
   return session.Result();
 }

@@ -321,6 +321,44 @@ void TestNoColor()
   RELIEVO_CHECK(nodes[7].Code == "off");
   RELIEVO_CHECK(Says({ plan.GetMissing().at("color") }, { "it is dark" }));
 }
+
+// What joins in changes the colour where another does before it; what it writes beside can be read
+// anyway, and then there is a linear colour.
+void TestJoins()
+{
+  std::vector<Plan::Node> nodes = MakeOwn(true);
+  nodes[0].Declaration.Writes.emplace_back("translucent");
+  Plan::Node joins = Make("joins", D::COMPOSITE, { "translucent" }, { "color" });
+  joins.Order = -10;
+  joins.Declaration.Layers = { "blend" };
+  joins.Declaration.Joins = true;
+  nodes.push_back(joins);
+  bool color = true;
+  RELIEVO_CHECK((Run(nodes, { "the picture" }, nullptr, &color) == Names{ "shadows", "delegate" }));
+  RELIEVO_CHECK(!color);
+  RELIEVO_CHECK(
+    (Run(nodes, { "the picture", "color" }, nullptr, &color) == Names{ "shadows", "delegate" }));
+  RELIEVO_CHECK(color);
+  RELIEVO_CHECK(
+    (Run(nodes, { "blend" }, nullptr, &color) == Names{ "shadows", "delegate", "joins" }));
+  RELIEVO_CHECK(color);
+  // A stage after it does not need it, nor one that only reads the colour.
+  nodes.push_back(Make("later", D::COMPOSITE, {}, { "color" }));
+  Plan::Node shows = Make("shows", D::DISPLAY, { "color" }, { "picture" });
+  shows.Declaration.Presents = true;
+  nodes.push_back(shows);
+  RELIEVO_CHECK(
+    (Run(nodes, { "the picture" }) == Names{ "shadows", "delegate", "later", "shows" }));
+  nodes.push_back(Make("lamps", D::SHADE, { "depth" }, { "color" }));
+  RELIEVO_CHECK((Run(nodes, { "the picture" }) ==
+    Names{ "shadows", "delegate", "gbuffer", "lamps", "joins", "later", "shows" }));
+  // Lamps read the colour beneath.
+  Plan::Node reads = Make("reads", D::SHADE, { "color" }, {});
+  reads.Declaration.Layers = { "half" };
+  nodes.push_back(reads);
+  RELIEVO_CHECK(
+    (Run(nodes, { "half" }) == Names{ "shadows", "delegate", "gbuffer", "lamps", "reads" }));
+}
 }
 
 int main()
@@ -335,5 +373,6 @@ int main()
   TestNames();
   TestMissing();
   TestNoColor();
+  TestJoins();
   return session.Result();
 }

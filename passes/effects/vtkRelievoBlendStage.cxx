@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoBlendStage.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePlan.h"
+#include "vtkRelievoScreenQuad.h"
+#include "vtkRelievoScreenTarget.h"
+#include "vtkRenderer.h"
+
+vtkStandardNewMacro(vtkRelievoBlendStage);
+
+namespace
+{
+const char* const Blend = "blend";
+}
+
+class vtkRelievoBlendStage::Internals
+{
+public:
+  vtkRelievoScreenTarget Layer{ "blendLayer" };
+  vtkRelievoScreenQuad Quad;
+  std::string Said; // what was wrong in the last frame: said once
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoBlendStage::vtkRelievoBlendStage()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoBlendStage::~vtkRelievoBlendStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoBlendStage::Describe(vtkRelievoStageDescription& description)
+{
+  description.Name = "blend";
+  description.Help = "Keeps what is translucent apart until what is opaque has been lit.";
+  description.Slot = vtkRelievoStageDescription::COMPOSITE;
+  description.Order = -10; // before stages that change the colour whatever is drawn
+  description.Reads = { "translucent" };
+  description.Writes = { "color" };
+  description.Layers = { Blend };
+  description.OnByDefault = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoBlendStage::Declare(
+  const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
+{
+  declaration.Joins = true;
+  if (context.Renderer->GetUseFXAA())
+  {
+    declaration.Runs = false;
+    declaration.Code = "idle";
+    declaration.Words =
+      "FXAA (UseFXAA) smooths translucent surfaces together with those behind them";
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoBlendStage::Prepare(vtkRelievoFrameContext& context)
+{
+  context.KeepTranslucentApart(&this->Internal->Layer, !context.IsAsked(this, "color"));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoBlendStage::Execute(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  const bool any = context.Find("translucent") != nullptr;
+  std::string wrong;
+  this->DrawCalls = 0;
+  if (context.IsAsked(this, Blend))
+  {
+    wrong = any ? "" : in.Layer.Prepare(context, {});
+    if (!any && wrong.empty())
+    {
+      in.Layer.Begin(context);
+      in.Layer.End();
+    }
+    if (wrong.empty())
+    {
+      context.ProvideLayer(Blend, &in.Layer);
+    }
+  }
+  else if (!any)
+  {
+    this->ReleaseGraphicsResources(context.Window);
+  }
+  if (any && context.IsAsked(this, "color"))
+  {
+    if (in.Quad.Ready(context, "blend/colorFS.glsl", { "color", "translucent" }))
+    {
+      this->DrawCalls += context.DrawColor(in.Quad) ? 1 : 0;
+    }
+    wrong = in.Quad.GetWrong();
+  }
+  this->Explain(wrong.empty() ? "ran" : "failed",
+    !wrong.empty() ? wrong
+      : any        ? "composites what is translucent after light"
+                   : "nothing translucent was drawn into the colour");
+  if (!wrong.empty() && in.Said != wrong)
+  {
+    vtkErrorMacro("What is translucent is missing: " << wrong << ".");
+  }
+  in.Said = wrong;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoBlendStage::ReadLayers(
+  const std::vector<std::string>& names, vtkImageData* image)
+{
+  for (const std::string& name : names)
+  {
+    const std::string wrong = this->Internal->Layer.Read(name, 4, image);
+    if (!wrong.empty())
+    {
+      return "The layer '" + name + "' cannot be read: " + wrong + ".";
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoBlendStage::GetBytesHeld()
+{
+  return this->Internal->Layer.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoBlendStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Layer.Release(window);
+  this->Internal->Quad.Release(window);
+  this->DrawCalls = 0;
+  this->Superclass::ReleaseGraphicsResources(window);
+}

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoTranslucentLayers.h"
+
+#include "vtkDualDepthPeelingPass.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkNew.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkOrderIndependentTranslucentPass.h"
+#include "vtkPropCollection.h"
+#include "vtkRelievoColorTarget.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoScreenTarget.h"
+#include "vtkRelievoVTKVersions.h"
+#include "vtkRenderState.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace
+{
+template <typename Test>
+bool AnyProp(const vtkRelievoFrameContext& context, const Test& test)
+{
+  vtkProp** props = context.State->GetPropArray();
+  return std::any_of(props, props + context.State->GetPropArrayCount(), test);
+}
+
+bool HasSurfaces(const vtkRelievoFrameContext& context)
+{
+  return AnyProp(
+    context, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
+}
+
+bool HasVolumes(const vtkRelievoFrameContext& context)
+{
+  return AnyProp(context, [](vtkProp* prop) {
+    vtkNew<vtkPropCollection> volumes;
+    prop->GetVolumes(volumes);
+    return volumes->GetNumberOfItems() > 0;
+  });
+}
+
+// Whether a pass of this class draws the prop now.
+template <typename Pass>
+bool IsDrawnBy(vtkProp* prop)
+{
+  vtkInformation* keys = prop->GetPropertyKeys();
+  vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
+  for (int i = 0; keys && keys->Has(key) && i < keys->Length(key); ++i)
+  {
+    if (Pass::SafeDownCast(keys->Get(key, i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoTranslucentLayers::Begin(vtkRelievoFrameContext& context,
+  vtkRelievoColorTarget& color, vtkRelievoScreenTarget& target, bool putBack)
+{
+  this->Context = &context;
+  this->Color = &color;
+  this->Target = &target;
+  this->PutBack = putBack;
+  this->Any = this->IsOpen = this->Drawn = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoTranslucentLayers::Ask()
+{
+  if (!this->Context || !this->Color->IsBound())
+  {
+    return;
+  }
+  if (this->IsOpen && this->Drawn)
+  {
+    this->Close();
+  }
+  if (!this->IsOpen && HasSurfaces(*this->Context))
+  {
+    this->Open();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoTranslucentLayers::BeginSurfaces(vtkProp* marker)
+{
+  if (!this->Context)
+  {
+    return;
+  }
+  // Dual peeling asks nothing, and comes here when its own framebuffer is bound for drawing.
+  const bool bound = this->Color->IsBound() ||
+    (this->Color->IsBound(true) && IsDrawnBy<vtkDualDepthPeelingPass>(marker));
+  if (!this->IsOpen && bound && HasSurfaces(*this->Context))
+  {
+    this->Open();
+  }
+  if (this->IsOpen && !this->Drawn)
+  {
+    this->Drawn = true;
+#ifdef RELIEVO_VTK_AVERAGED_TRANSMITTANCE
+    this->Averaged = IsDrawnBy<vtkOrderIndependentTranslucentPass>(marker);
+    if (this->Averaged)
+    {
+      this->Color->Clear(*this->Context, -1.0f);
+    }
+#endif
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoTranslucentLayers::BeginVolumes()
+{
+  if (!this->Context || !this->Color->IsBound() || !HasVolumes(*this->Context))
+  {
+    return;
+  }
+  if (this->IsOpen && this->Drawn)
+  {
+    this->Close();
+  }
+  if (!this->IsOpen)
+  {
+    this->Open();
+  }
+  this->Drawn = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoTranslucentLayers::Open()
+{
+  if (!this->Any)
+  {
+    if (!this->Target->Prepare(*this->Context, {}).empty())
+    {
+      return;
+    }
+    this->Color->Separate(*this->Context);
+    this->Target->Begin(*this->Context);
+    this->Target->End();
+    this->Any = true;
+  }
+  this->Color->Clear(*this->Context, 0.0f);
+  this->IsOpen = true;
+  this->Drawn = this->Averaged = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoTranslucentLayers::Close()
+{
+  this->Color->Resolve(*this->Context);
+  if (vtkShaderProgram* program =
+        this->ToLinear.Ready(*this->Context, "frame/layerFS.glsl", { "drawn" }))
+  {
+    program->SetUniformi("relievoAveraged", this->Averaged);
+    this->Target->GoOn(*this->Context);
+    vtkOpenGLState* state = this->Context->Window->GetState();
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    this->ToLinear.Draw(*this->Context, this->Target->GetArea());
+    this->Target->End();
+    this->Context->Provide("translucent", this->Target);
+  }
+  if (this->PutBack)
+  {
+    if (vtkShaderProgram* program =
+          this->ToColor.Ready(*this->Context, "frame/putBackFS.glsl", { "color", "drawn" }))
+    {
+      program->SetUniformi("relievoAveraged", this->Averaged);
+      this->Color->Draw(*this->Context, this->ToColor, true);
+    }
+  }
+  this->IsOpen = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoTranslucentLayers::End()
+{
+  if (this->IsOpen && this->Drawn)
+  {
+    this->Close();
+  }
+  this->IsOpen = false;
+  this->Context = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoTranslucentLayers::Release(vtkWindow* window)
+{
+  this->ToLinear.Release(window);
+  this->ToColor.Release(window);
+}

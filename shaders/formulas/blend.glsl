@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Layers of premultiplied colour, one over the other.
+//RELIEVO::Include(formulas/srgb.glsl)
+
+// Associative: (a over b) over c is a over (b over c).
+vec4 relievoOver(vec4 front, vec4 behind)
+{
+  return front + (float(1.0) - front.w) * behind;
+}
+
+// From premultiplied colours for display to premultiplied linear light. What is brighter than its
+// cover, a highlight or what shines by itself, is linear as if it covered as much as it shines: its
+// colour divided by a small cover would leave the curve's range.
+vec4 relievoLinearLayerFromSrgb(vec4 layer)
+{
+  float cover = max(max(layer.x, layer.y), max(layer.z, layer.w));
+  if (!(cover > float(0.0)))
+  {
+    return vec4(float(0.0), float(0.0), float(0.0), layer.w);
+  }
+  vec3 linear = cover *
+    relievoLinearColorFromSrgb(vec3(layer.x / cover, layer.y / cover, layer.z / cover));
+  return vec4(linear.x, linear.y, linear.z, layer.w);
+}
+
+// How much a layer covers whose alpha was -1 and has been blended with a transmittance t as VTK's
+// weighted average did before 9.3: alpha becomes (1 - t) t + t alpha.
+float relievoAveragedCover(float alpha)
+{
+  return float(1.0) - sqrt(max(-alpha, float(0.0)));
+}

@@ -1,0 +1,19 @@
+//VTK::System::Dec
+//RELIEVO::Include(extensions.glsl)
+//RELIEVO::Defines
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A layer that the delegate drew, in linear light.
+//RELIEVO::Include(formulas/half.glsl)
+//RELIEVO::Include(frame/layer.glsl)
+in vec2 texCoord;
+uniform vec2 relievoSize;
+
+void main()
+{
+  vec4 layer =
+    relievoLinearLayerFromSrgb(relievoFetchLayer(ivec2(floor(texCoord * relievoSize))));
+  gl_FragData[0] = vec4(relievoRoundToHalf(layer.r), relievoRoundToHalf(layer.g),
+    relievoRoundToHalf(layer.b), relievoRoundToHalf(layer.a));
+}

@@ -1,0 +1,29 @@
+//VTK::System::Dec
+//RELIEVO::Include(extensions.glsl)
+//RELIEVO::Defines
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A layer that the delegate drew, over the colour as VTK blends: in the values for display.
+//RELIEVO::Include(formulas/half.glsl)
+//RELIEVO::Include(frame/color.glsl)
+//RELIEVO::Include(frame/layer.glsl)
+in vec2 texCoord;
+uniform vec2 relievoSize;
+
+void main()
+{
+  ivec2 pixel = ivec2(floor(texCoord * relievoSize));
+  vec4 color = relievoFetchColor(pixel);
+  vec4 layer = relievoFetchLayer(pixel);
+  if (layer != vec4(0.0))
+  {
+    vec4 drawn = relievoOver(layer, vec4(relievoSrgbColorFromLinear(color.rgb), color.a));
+    // The weighted average leaves an alpha of its own, see relievoAveragedCover.
+    float t = 1.0 - layer.a;
+    float alpha = relievoAveraged != 0 ? layer.a * t + t * color.a : drawn.a;
+    color = vec4(relievoLinearColorFromSrgb(drawn.rgb), alpha);
+  }
+  gl_FragData[0] = vec4(relievoRoundToHalf(color.r), relievoRoundToHalf(color.g),
+    relievoRoundToHalf(color.b), relievoRoundToHalf(color.a));
+}

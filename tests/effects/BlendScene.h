@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BlendScene.h
+ * @brief Two panes before a wall that a lamp lights, and what of them must be seen.
+ */
+#ifndef relievoTestBlendScene_h
+#define relievoTestBlendScene_h
+
+#include "Layers.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkRelievoBlendStage.h>
+#include <vtkRelievoLampsStage.h>
+#include <vtkRelievoPass.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <vector>
+
+namespace relievoTest
+{
+/** How VTK blends where panes overlap: in order of depth, or by their weighted average. */
+enum class Blending
+{
+  Sorted,
+  Averaged
+};
+
+/**
+ * In parallel projection, with the borders of everything on borders of pixels, so that it is known
+ * which pixel shows what. The panes are not lit; the wall is, in front of it is a lamp.
+ */
+struct BlendScene
+{
+  explicit BlendScene(int samples = 0);
+
+  /** Puts the panes in the scene or takes them out. */
+  void ShowPanes(bool on);
+
+  /** Renders, and reads layers of the frame. */
+  Layers Read(const std::vector<std::string>& names);
+
+  /** The layer `blend` at a pixel, in double. */
+  glm::dvec4 GetBlend(int x, int y, Blending blending) const;
+
+  /** A volume that covers a part of the picture alike, nearer than the panes. */
+  void ShowVolume(bool on);
+
+  vtkNew<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkActor> Wall;
+  vtkSmartPointer<vtkActor> Panes[2]; // the first is behind
+  vtkSmartPointer<vtkProp> Volume;
+  vtkRelievoPass* Frame;
+  vtkRelievoLampsStage* Lamps;
+  vtkRelievoBlendStage* Blend;
+};
+
+/** One premultiplied colour over another. */
+glm::dvec4 Over(const glm::dvec4& front, const glm::dvec4& behind);
+
+/** A layer of four components at a pixel. */
+glm::dvec4 GetColor(const Layers& layers, const std::string& name, int x, int y);
+}
+
+#endif
