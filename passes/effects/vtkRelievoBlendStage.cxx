@@ -102,7 +102,7 @@ void vtkRelievoBlendStage::Execute(vtkRelievoFrameContext& context)
   }
   this->Explain(wrong.empty() ? "ran" : "failed",
     !wrong.empty() ? wrong
-      : any        ? "composites what is translucent after light"
+      : any        ? "keeps what is translucent apart"
                    : "nothing translucent was drawn into the colour");
   if (!wrong.empty() && in.Said != wrong)
   {

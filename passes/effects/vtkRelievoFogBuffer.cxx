@@ -87,29 +87,33 @@ void vtkRelievoFogBuffer::Add(
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoFogBuffer::Compile(
-  vtkRelievoFrameContext& context, const std::string& defines)
+  vtkRelievoFrameContext& context, const std::string& defines, int which)
 {
+  vtkShaderProgram*& program = this->Programs[which];
   vtkOpenGLShaderCache* cache = context.Window->GetShaderCache();
-  if (this->Key != defines)
+  if (this->Keys[which] != defines)
   {
     std::string text = vtkRelievoShaderLibrary::Get("fog/sphereFS.glsl");
     vtkShaderProgram::Substitute(text, "//RELIEVO::Defines", defines, false);
-    this->Key = defines;
-    this->Program = cache->ReadyShaderProgram(
+    this->Keys[which] = defines;
+    program = cache->ReadyShaderProgram(
       vtkRelievoShaderLibrary::Get("fog/sphereVS.glsl").c_str(), text.c_str(), "");
   }
-  else if (this->Program)
+  else if (program)
   {
-    this->Program = cache->ReadyShaderProgram(this->Program);
+    program = cache->ReadyShaderProgram(program);
   }
-  return this->Program ? std::string()
+  return program ? std::string()
                        : "its shader fog/sphereFS.glsl does not compile; see the errors before";
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoFogBuffer::Draw(
   vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays, bool linear, bool dominant)
+std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
+  const vtkRelievoFogRays& rays, bool linear, bool dominant, vtkRelievoResource* translucent)
 {
+  const int which = translucent ? 1 : 0;
   vtkRelievoScreenTarget::Format format;
   format.Halves = false;
   format.Depth = dominant;
@@ -127,8 +131,9 @@ std::string vtkRelievoFogBuffer::Draw(
   if (wrong.empty() && any)
   {
     wrong = this->Compile(context,
-      depth->GetDefines() + (linear ? "#define RELIEVO_FOG_LINEAR\n" : "") +
-        (dominant ? "#define RELIEVO_FOG_DOMINANT\n" : ""));
+      depth->GetDefines() + (translucent ? translucent->GetDefines() : "") + (linear ? "#define RELIEVO_FOG_LINEAR\n" : "") +
+        (dominant ? "#define RELIEVO_FOG_DOMINANT\n" : ""),
+      which);
   }
   if (!wrong.empty())
   {
@@ -152,18 +157,23 @@ std::string vtkRelievoFogBuffer::Draw(
       state->vtkglEnable(GL_BLEND);
       state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
     }
+    vtkShaderProgram* program = this->Programs[which];
     const float size[2] = { static_cast<float>(context.View.Viewport[2]),
       static_cast<float>(context.View.Viewport[3]) };
     const glm::vec2 direction(rays.GetDirection(glm::dvec2(0.0)));
     const glm::mat2 directions(rays.GetDirections());
     const float step[4] = { directions[0].x, directions[0].y, directions[1].x, directions[1].y };
     const float first[2] = { direction.x, direction.y };
-    this->Program->SetUniform2f("relievoSize", size);
-    this->Program->SetUniform2f("fogDirection", first);
-    this->Program->SetUniform4f("fogDirectionStep", step);
-    this->Program->SetUniformf("fogBegin", static_cast<float>(rays.GetBegin()));
-    depth->Activate(this->Program);
-    this->Spheres.Activate(this->Program, "fogSpheres");
+    program->SetUniform2f("relievoSize", size);
+    program->SetUniform2f("fogDirection", first);
+    program->SetUniform4f("fogDirectionStep", step);
+    program->SetUniformf("fogBegin", static_cast<float>(rays.GetBegin()));
+    depth->Activate(program);
+    if (translucent)
+    {
+      translucent->Activate(program);
+    }
+    this->Spheres.Activate(program, "fogSpheres");
     if (!this->Arrays)
     {
       glGenVertexArrays(1, &this->Arrays);
@@ -173,6 +183,10 @@ std::string vtkRelievoFogBuffer::Draw(
     glBindVertexArray(0);
     this->Spheres.Deactivate();
     depth->Deactivate();
+    if (translucent)
+    {
+      translucent->Deactivate();
+    }
   }
   this->Target.End();
   return {};
@@ -187,8 +201,11 @@ void vtkRelievoFogBuffer::Release(vtkWindow* window)
     glDeleteVertexArrays(1, &this->Arrays);
   }
   this->Arrays = 0;
-  this->Program = nullptr;
-  this->Key.clear();
+  for (int which = 0; which < 2; ++which)
+  {
+    this->Programs[which] = nullptr;
+    this->Keys[which].clear();
+  }
   this->Target.Release(window);
   this->Spheres.Release(window);
 }

@@ -36,6 +36,10 @@ public:
   // Draws them. Returns what is wrong, in words.
   std::string Draw(
     vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays, bool linear, bool dominant);
+  // Draws them before what is opaque, and only before what is translucent if that is given. Returns
+  // what is wrong, in words.
+  std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoFogRays& rays, bool linear,
+    bool dominant, vtkRelievoResource* translucent = nullptr);
 
   // Colour times optical depth, and optical depth; `fogDepth` in shaders.
   vtkRelievoScreenTarget Target;
@@ -44,13 +48,13 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  std::string Compile(vtkRelievoFrameContext& context, const std::string& defines);
+  std::string Compile(vtkRelievoFrameContext& context, const std::string& defines, int which);
 
   std::vector<float> Texels;
   int Part[4] = { 0, 0, 0, 0 };
   vtkRelievoTextureBuffer Spheres;
-  std::string Key;                     // what the program was compiled for
-  vtkShaderProgram* Program = nullptr; // null: it did not compile
+  std::string Keys[2]; // what the programs were compiled for: before opaque, and translucent
+  vtkShaderProgram* Programs[2] = { nullptr, nullptr }; // null: it did not compile
   unsigned int Arrays = 0;
 };
 

@@ -17,6 +17,7 @@
 #include "vtkRelievoKeptState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoSphereRays.h"
+#include "vtkRelievoTranslucentDepth.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 
@@ -31,6 +32,7 @@ public:
   std::vector<vtkSmartPointer<vtkRelievoFogSpheres>> Fogs;
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkRelievoFogBuffer Buffer;
+  vtkRelievoTranslucentDepth Translucent;
   vtkRelievoScreenQuad Quad;
   std::string Said; // what was wrong in the last frame: said once
 };
@@ -120,8 +122,12 @@ vtkMultiProcessController* vtkRelievoFogStage::GetController()
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoFogStage::Prepare(vtkRelievoFrameContext&)
+bool vtkRelievoFogStage::Prepare(vtkRelievoFrameContext& context)
 {
+  if (context.IsAsked(this, "color"))
+  {
+    context.WantTranslucentDepth(&this->Internal->Translucent);
+  }
   for (const auto& fog : this->Internal->Fogs)
   {
     fog->Share(this->Internal->Controller);
@@ -189,12 +195,16 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
       spheres += static_cast<int>(fog->GetSharedRows().size()) / fog->GetRowWidth();
     }
     this->NumberDrawn = in.Buffer.GetNumberOfSpheres();
-    wrong = in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT);
+    wrong = this->DrawBeforeTranslucent(context, rays);
+    if (wrong.empty())
+    {
+      wrong = in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT);
+    }
   }
   if (wrong.empty())
   {
     context.ProvideLayer("fog", &in.Buffer.Target);
-    this->DrawCalls = this->NumberDrawn > 0 ? 1 : 0;
+    this->DrawCalls += this->NumberDrawn > 0 ? 1 : 0;
     this->Explain("ran",
       "draws " + std::to_string(this->NumberDrawn) + " of " + std::to_string(spheres) + " spheres");
   }
@@ -222,6 +232,42 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
     }
   }
   in.Said = wrong;
+}
+
+//------------------------------------------------------------------------------
+// The fog before what is translucent covers it as much as it covers what is behind.
+std::string vtkRelievoFogStage::DrawBeforeTranslucent(
+  vtkRelievoFrameContext& context, const vtkRelievoFogRays& rays)
+{
+  Internals& in = *this->Internal;
+  auto* layer = dynamic_cast<vtkRelievoScreenTarget*>(context.Find("translucent"));
+  vtkRelievoResource* depth = context.Find("translucent depth");
+  if (!depth)
+  {
+    in.Translucent.Release(context.Window);
+  }
+  if (this->NumberDrawn == 0 || !layer || !depth || !context.IsAsked(this, "color"))
+  {
+    return {};
+  }
+  const std::string wrong =
+    in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT, depth);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  context.ProvideLayer("fog", &in.Buffer.Target);
+  if (in.Quad.Ready(context, "fog/colorFS.glsl", { "fog" }))
+  {
+    layer->GoOn(context);
+    vtkOpenGLState* state = context.Window->GetState();
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_DST_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    in.Quad.Draw(context, layer->GetArea(), false, in.Buffer.GetPart());
+    layer->End();
+    this->DrawCalls += 2;
+  }
+  return in.Quad.GetWrong();
 }
 
 //------------------------------------------------------------------------------
@@ -254,7 +300,7 @@ std::string vtkRelievoFogStage::ReadLayers(
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoFogStage::GetBytesHeld()
 {
-  return this->Internal->Buffer.GetBytes();
+  return this->Internal->Buffer.GetBytes() + this->Internal->Translucent.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -262,6 +308,7 @@ void vtkRelievoFogStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Buffer.Release(window);
   this->Internal->Quad.Release(window);
+  this->Internal->Translucent.Release(window);
   this->DrawCalls = 0;
   this->NumberDrawn = 0;
   this->Superclass::ReleaseGraphicsResources(window);

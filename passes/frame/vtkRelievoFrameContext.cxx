@@ -93,6 +93,12 @@ void vtkRelievoFrameContext::KeepTranslucentApart(vtkRelievoScreenTarget* target
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoFrameContext::WantTranslucentDepth(vtkRelievoTranslucentDepth* depth)
+{
+  this->TranslucentDepth = depth;
+}
+
+//------------------------------------------------------------------------------
 bool vtkRelievoFrameContext::Present(vtkRelievoScreenQuad& quad)
 {
   return this->Color && this->Picture && this->Color->Present(*this, &quad);

@@ -22,6 +22,7 @@ class vtkRelievoResource;
 class vtkRelievoScreenQuad;
 class vtkRelievoScreenTarget;
 class vtkRelievoStage;
+class vtkRelievoTranslucentDepth;
 class vtkRenderPass;
 class vtkRenderState;
 class vtkRenderer;
@@ -88,11 +89,16 @@ public:
   // was anything to draw; otherwise the target is as it was, and need not be allocated.
   void KeepTranslucentApart(vtkRelievoScreenTarget* target, bool putBack);
 
+  // To be called in Prepare: where something is kept apart, its depth is drawn as well, once for
+  // all who want it, and is the resource `translucent depth`.
+  void WantTranslucentDepth(vtkRelievoTranslucentDepth* depth);
+
   // Reads layers that earlier stages wrote: see vtkRelievoStage::ReadLayers.
   std::function<std::string(const std::vector<std::string>&, vtkImageData*)> ReadLayers;
 
 private:
   friend class vtkRelievoFrameRun;
+  friend class vtkRelievoTranslucentLayers;
 
   std::map<const vtkRelievoStage*, std::vector<std::string>> Asked;
   std::map<std::string, vtkRelievoResource*> Resources;
@@ -100,6 +106,7 @@ private:
   vtkRelievoColorTarget* Color = nullptr;
   vtkRelievoScreenTarget* Translucent = nullptr;
   bool PutBack = false;
+  vtkRelievoTranslucentDepth* TranslucentDepth = nullptr;
 };
 
 #endif

@@ -260,8 +260,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
     this->Context.Color = &this->Color;
     if (this->Context.Translucent)
     {
-      this->Translucent.Begin(
-        this->Context, this->Color, *this->Context.Translucent, this->Context.PutBack);
+      this->Translucent.Begin(this->Context, this->Color);
       moments.TranslucentAsked = [&]() { interrupt([&]() { this->Translucent.Ask(); }); };
       moments.TranslucentBegins = [&](vtkProp* marker) {
         interrupt([&]() { this->Translucent.BeginSurfaces(marker); });

@@ -14,6 +14,7 @@
 #include "vtkRelievoColorTarget.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoScreenTarget.h"
+#include "vtkRelievoTranslucentDepth.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkRenderState.h"
 #include "vtkShaderProgram.h"
@@ -62,13 +63,11 @@ bool IsDrawnBy(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoTranslucentLayers::Begin(vtkRelievoFrameContext& context,
-  vtkRelievoColorTarget& color, vtkRelievoScreenTarget& target, bool putBack)
+void vtkRelievoTranslucentLayers::Begin(
+  vtkRelievoFrameContext& context, vtkRelievoColorTarget& color)
 {
   this->Context = &context;
   this->Color = &color;
-  this->Target = &target;
-  this->PutBack = putBack;
   this->Any = this->IsOpen = this->Drawn = false;
 }
 
@@ -139,13 +138,13 @@ void vtkRelievoTranslucentLayers::Open()
 {
   if (!this->Any)
   {
-    if (!this->Target->Prepare(*this->Context, {}).empty())
+    if (!this->Context->Translucent->Prepare(*this->Context, {}).empty())
     {
       return;
     }
     this->Color->Separate(*this->Context);
-    this->Target->Begin(*this->Context);
-    this->Target->End();
+    this->Context->Translucent->Begin(*this->Context);
+    this->Context->Translucent->End();
     this->Any = true;
   }
   this->Color->Clear(*this->Context, 0.0f);
@@ -161,15 +160,15 @@ void vtkRelievoTranslucentLayers::Close()
         this->ToLinear.Ready(*this->Context, "frame/layerFS.glsl", { "drawn" }))
   {
     program->SetUniformi("relievoAveraged", this->Averaged);
-    this->Target->GoOn(*this->Context);
+    this->Context->Translucent->GoOn(*this->Context);
     vtkOpenGLState* state = this->Context->Window->GetState();
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    this->ToLinear.Draw(*this->Context, this->Target->GetArea());
-    this->Target->End();
-    this->Context->Provide("translucent", this->Target);
+    this->ToLinear.Draw(*this->Context, this->Context->Translucent->GetArea());
+    this->Context->Translucent->End();
+    this->Context->Provide("translucent", this->Context->Translucent);
   }
-  if (this->PutBack)
+  if (this->Context->PutBack)
   {
     if (vtkShaderProgram* program =
           this->ToColor.Ready(*this->Context, "frame/putBackFS.glsl", { "color", "drawn" }))
@@ -189,6 +188,11 @@ void vtkRelievoTranslucentLayers::End()
     this->Close();
   }
   this->IsOpen = false;
+  if (this->Context && this->Context->Find("translucent") && this->Context->TranslucentDepth &&
+    this->Context->TranslucentDepth->Draw(*this->Context))
+  {
+    this->Context->Provide("translucent depth", this->Context->TranslucentDepth);
+  }
   this->Context = nullptr;
 }
 

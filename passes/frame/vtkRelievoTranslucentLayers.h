@@ -14,16 +14,14 @@
 class vtkProp;
 class vtkRelievoColorTarget;
 class vtkRelievoFrameContext;
-class vtkRelievoScreenTarget;
 class vtkWindow;
 
 class vtkRelievoTranslucentLayers
 {
 public:
-  // For a frame, while the delegate draws into the colour's framebuffer; see
-  // vtkRelievoFrameContext::KeepTranslucentApart.
-  void Begin(vtkRelievoFrameContext& context, vtkRelievoColorTarget& color,
-    vtkRelievoScreenTarget& target, bool putBack);
+  // For a frame, while the delegate draws into the colour's framebuffer, as the context has been
+  // told (KeepTranslucentApart, WantTranslucentDepth).
+  void Begin(vtkRelievoFrameContext& context, vtkRelievoColorTarget& color);
 
   ///@{
   // What comes now. A delegate asks which props are translucent before it draws these, or it does
@@ -44,10 +42,8 @@ private:
 
   vtkRelievoFrameContext* Context = nullptr;
   vtkRelievoColorTarget* Color = nullptr;
-  vtkRelievoScreenTarget* Target = nullptr;
   vtkRelievoScreenQuad ToLinear;
   vtkRelievoScreenQuad ToColor;
-  bool PutBack = false;
   bool Any = false;      // a layer has been opened in this frame
   bool IsOpen = false;   // what is drawn goes to a layer
   bool Drawn = false;    // something has been drawn into it

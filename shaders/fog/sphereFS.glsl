@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Optical depth of one sphere at a pixel, and its colour times that.
 //RELIEVO::Include(gbuffer/read.glsl)
+//RELIEVO::Include(frame/translucent_depth.glsl)
 //RELIEVO::Include(formulas/fog.glsl)
 flat in vec4 fogLinear;
 flat in vec4 fogLinearLacks;
@@ -23,7 +24,11 @@ void main()
 {
   vec2 direction = fogDirection + fogDirectionStep.xy * gl_FragCoord.x +
     fogDirectionStep.zw * gl_FragCoord.y;
-  float end = relievoFetchDepth(ivec2(gl_FragCoord.xy)) - fogBegin;
+  float end = relievoFetchDepth(ivec2(gl_FragCoord.xy));
+#ifdef RELIEVO_TRANSLUCENT_DEPTH
+  end = min(end, relievoFetchTranslucentDepth(ivec2(gl_FragCoord.xy)));
+#endif
+  end -= fogBegin;
   float chord = relievoFogChordAt(gl_FragCoord.xy - fogOrigin.zw, fogLinear, fogLinearLacks,
     fogSquare, fogSquareLacks, fogOrigin.xy, fogOffset, direction, end);
 #ifdef RELIEVO_FOG_LINEAR

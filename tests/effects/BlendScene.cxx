@@ -179,6 +179,28 @@ Layers BlendScene::Read(const std::vector<std::string>& names)
 }
 
 //------------------------------------------------------------------------------
+double BlendScene::GetNearest(int x, int y) const
+{
+  double nearest = -1e30;
+  for (int i = 0; i < 2; ++i)
+  {
+    if (this->IsBefore(i, x, y))
+    {
+      nearest = std::max(nearest, PaneTable[i].Z);
+    }
+  }
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
+bool BlendScene::IsBefore(int i, int x, int y) const
+{
+  const Pane& pane = PaneTable[i];
+  return this->Panes[i]->GetVisibility() && x >= pane.From[0] && x < pane.To[0] &&
+    y >= pane.From[1] && y < pane.To[1];
+}
+
+//------------------------------------------------------------------------------
 glm::dvec4 BlendScene::GetBlend(int x, int y, Blending blending) const
 {
   // As VTK blends, in values for display.
@@ -186,10 +208,9 @@ glm::dvec4 BlendScene::GetBlend(int x, int y, Blending blending) const
   double opacities = 0.0;
   for (int i = 0; i < 2; ++i)
   {
-    const Pane& pane = PaneTable[i];
-    if (this->Panes[i]->GetVisibility() && x >= pane.From[0] && x < pane.To[0] &&
-      y >= pane.From[1] && y < pane.To[1])
+    if (this->IsBefore(i, x, y))
     {
+      const Pane& pane = PaneTable[i];
       const glm::dvec4 layer(pane.Opacity * pane.Color, pane.Opacity);
       sum = blending == Blending::Sorted
         ? Over(layer, sum)

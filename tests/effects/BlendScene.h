@@ -49,6 +49,9 @@ struct BlendScene
   /** The layer `blend` at a pixel, in double. */
   glm::dvec4 GetBlend(int x, int y, Blending blending) const;
 
+  /** z of the pane in front at a pixel; very far where there is none. */
+  double GetNearest(int x, int y) const;
+
   /** A volume that covers a part of the picture alike, nearer than the panes. */
   void ShowVolume(bool on);
 
@@ -60,6 +63,9 @@ struct BlendScene
   vtkRelievoPass* Frame;
   vtkRelievoLampsStage* Lamps;
   vtkRelievoBlendStage* Blend;
+
+private:
+  bool IsBefore(int pane, int x, int y) const;
 };
 
 /** One premultiplied colour over another. */

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Depth of the nearest translucent surface; pixel (0, 0) is the viewport's lower left one.
+//RELIEVO::Include(formulas/depth.glsl)
+#ifdef RELIEVO_TRANSLUCENT_DEPTH
+uniform sampler2D relievoTranslucentZ;
+uniform vec3 relievoTranslucentRange; // near, far, whether parallel
+
+// World units; +infinity where there is none.
+float relievoFetchTranslucentDepth(ivec2 pixel)
+{
+  float z = texelFetch(relievoTranslucentZ, pixel, 0).r;
+  float zNear = relievoTranslucentRange.x;
+  float zFar = relievoTranslucentRange.y;
+  return z >= 1.0 ? relievoInfinity()
+    : relievoTranslucentRange.z != 0.0 ? relievoParallelDepth(z, zNear, zFar)
+                                       : relievoPerspectiveDepth(z, zNear, zFar);
+}
+#endif
