@@ -104,7 +104,7 @@ std::string vtkRelievoFogBuffer::Compile(
     program = cache->ReadyShaderProgram(program);
   }
   return program ? std::string()
-                       : "its shader fog/sphereFS.glsl does not compile; see the errors before";
+                 : "its shader fog/sphereFS.glsl does not compile; see the errors before";
 }
 
 //------------------------------------------------------------------------------
@@ -131,7 +131,8 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
   if (wrong.empty() && any)
   {
     wrong = this->Compile(context,
-      depth->GetDefines() + (translucent ? translucent->GetDefines() : "") + (linear ? "#define RELIEVO_FOG_LINEAR\n" : "") +
+      depth->GetDefines() + (translucent ? translucent->GetDefines() : "") +
+        (linear ? "#define RELIEVO_FOG_LINEAR\n" : "") +
         (dominant ? "#define RELIEVO_FOG_DOMINANT\n" : ""),
       which);
   }

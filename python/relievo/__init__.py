@@ -21,6 +21,7 @@ albedo             4 uint8     surface colour before lighting, RGBA, 0 to 255   
 light              3 float     what lamps add, before the surface's colour           0
 lamp_evaluations   1 float     how many lamps were computed for the pixel            0
 lamps_reaching     1 float     how many lamps reach the pixel's surface              0
+blend              4 float     what is translucent, in linear light, premultiplied   0
 color              4 float     the picture in linear light, premultiplied            renderer's
 actor block cell   1 int       ids, from 0                                           -1
 fog                1 float     what fog lets through: 1 all, 0 nothing               1

@@ -299,7 +299,8 @@ void TestToggles()
 
 // What of light passes from the nearest pane to the eye, in parallel projection: e to the optical
 // depth of the part of the sphere that is before it.
-double GetPass(const glm::dvec3& center, double radius, double density, double x, double y, double z)
+double GetPass(
+  const glm::dvec3& center, double radius, double density, double x, double y, double z)
 {
   const double square =
     radius * radius - (x - center.x) * (x - center.x) - (y - center.y) * (y - center.y);
@@ -341,8 +342,7 @@ void TestFog()
       {
         for (int x = 0; x < seen.Width; ++x)
         {
-          glm::dvec4 blend =
-            scene.GetBlend(x, y, peeling ? Blending::Sorted : Blending::Averaged);
+          glm::dvec4 blend = scene.GetBlend(x, y, peeling ? Blending::Sorted : Blending::Averaged);
           const double pass = GetPass({ 0.0, 0.0, z }, 0.6, 2.0, 0.1 * (x + 0.5 - 30.0),
             0.1 * (y + 0.5 - 20.0), scene.GetNearest(x, y));
           blend = glm::dvec4(

@@ -41,6 +41,7 @@ class Catalogue(unittest.TestCase):
             set(LAYERS),
             {"depth", "range", "normal", "geometric_normal", "position", "albedo", "actor", "block",
              "cell", "light", "lamp_evaluations", "lamps_reaching", "fog", "marker", "color",
+             "cell", "light", "lamp_evaluations", "lamps_reaching", "fog", "blend", "color",
              "shadow_N"},
         )  # fmt: skip
         for name, layer in LAYERS.items():
