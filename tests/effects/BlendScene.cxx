@@ -98,6 +98,17 @@ glm::dvec4 Over(const glm::dvec4& front, const glm::dvec4& behind)
 }
 
 //------------------------------------------------------------------------------
+double GetError(const glm::dvec4& value, const glm::dvec4& expected)
+{
+  double worst = 0.0;
+  for (int c = 0; c < 4; ++c)
+  {
+    worst = std::max(worst, std::abs(value[c] - expected[c]) / (std::abs(expected[c]) + 0.05));
+  }
+  return worst;
+}
+
+//------------------------------------------------------------------------------
 glm::dvec4 GetColor(const Layers& layers, const std::string& name, int x, int y)
 {
   return { layers.Value(name, x, y, 0), layers.Value(name, x, y, 1), layers.Value(name, x, y, 2),

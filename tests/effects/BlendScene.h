@@ -71,6 +71,14 @@ private:
 /** One premultiplied colour over another. */
 glm::dvec4 Over(const glm::dvec4& front, const glm::dvec4& behind);
 
+/** The largest error of a component, relative but for dark values. */
+double GetError(const glm::dvec4& value, const glm::dvec4& expected);
+
+/** Half floats for display, then in linear light; Mesa's software cuts their last bits off. */
+constexpr double Halves = 8.0 / 1024.0;
+/** VTK peels into 8 bits, up to three times one after the other; the curve is steeper than 2. */
+constexpr double Bytes = 4.0 / 255.0;
+
 /** A layer of four components at a pixel. */
 glm::dvec4 GetColor(const Layers& layers, const std::string& name, int x, int y);
 }

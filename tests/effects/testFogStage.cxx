@@ -172,7 +172,7 @@ void TestOrder()
   RELIEVO_CHECK_AT_MOST(LargestDifference(many, one, "fog"), 2e-5, "a thousand equal: fog");
 }
 
-// The layer is of what is opaque; testBlendStage has the picture with something translucent.
+// The layer is of what is opaque; testBlendFog has the picture with something translucent.
 void TestTranslucent()
 {
   FogScene scene(60, 45);

@@ -66,6 +66,11 @@ class Catalogue(unittest.TestCase):
         corners = vtkPlaneSource()  # lamps in front of the sphere
         corners.SetResolution(1, 1)
         corners.Push(1.0)
+        pane = vtkPlaneSource()
+        pane.SetOrigin(-0.3, -0.3, 0.6)
+        pane.SetPoint1(0.3, -0.3, 0.6)
+        pane.SetPoint2(-0.3, 0.3, 0.6)
+        scenes.add(renderer, pane).GetProperty().SetOpacity(0.5)
         relievo.lamps(renderer, corners, radius=2)
         middle = vtkPointSource()
         middle.SetNumberOfPoints(1)
