@@ -18,8 +18,8 @@
  * - DOMINANT: only the one that lets least through counts.
  *
  * The picture is color T + fog (1 - T), in linear light, where T is what passes; also over the
- * background, whose alpha grows by that of the fog. Translucent things, which are in the colour
- * already, have no depth of their own: fog reaches to the opaque surface behind them.
+ * background, whose alpha grows by that of the fog. What is translucent is composited afterwards
+ * (vtkRelievoBlendStage), and is covered by the fog before its nearest surface.
  */
 #ifndef vtkRelievoFogStage_h
 #define vtkRelievoFogStage_h
