@@ -40,7 +40,7 @@ void vtkRelievoBlendStage::Describe(vtkRelievoStageDescription& description)
   description.Name = "blend";
   description.Help = "Keeps what is translucent apart until what is opaque has been lit.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
-  description.Order = -10; // before stages that change the colour whatever is drawn
+  description.Order = -1; // before stages that change the colour whatever is drawn
   description.Reads = { "translucent" };
   description.Writes = { "color" };
   description.Layers = { Blend };

@@ -8,7 +8,7 @@
  * translucent over nothing instead of over the colour: sorted, by its weighted average, or by depth
  * peeling, as without Relievo. That is the layer `blend`: premultiplied, in linear light, half
  * floats. The stage composites it, blend + (1 - a) color, after those stages, and before stages
- * that change the colour as a whole: in slot COMPOSITE, with order -10. Where nothing before
+ * that change the colour as a whole: in slot COMPOSITE, with order -1. Where nothing before
  * changes the colour, VTK blends as without Relievo, and the stage is idle.
  *
  * Layers are composited in linear light, VTK blends values for display: the same pane is a little

@@ -108,10 +108,8 @@ std::string vtkRelievoFogBuffer::Compile(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoFogBuffer::Draw(
-  vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays, bool linear, bool dominant)
 std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
-  const vtkRelievoFogRays& rays, bool linear, bool dominant, vtkRelievoResource* translucent)
+  const vtkRelievoSphereRays& rays, bool linear, bool dominant, vtkRelievoResource* translucent)
 {
   const int which = translucent ? 1 : 0;
   vtkRelievoScreenTarget::Format format;

@@ -33,12 +33,9 @@ public:
   // The pixels of the viewport with spheres: x, y, width, height.
   const int* GetPart() const { return this->Part; }
 
-  // Draws them. Returns what is wrong, in words.
-  std::string Draw(
-    vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays, bool linear, bool dominant);
   // Draws them before what is opaque, and only before what is translucent if that is given. Returns
   // what is wrong, in words.
-  std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoFogRays& rays, bool linear,
+  std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays, bool linear,
     bool dominant, vtkRelievoResource* translucent = nullptr);
 
   // Colour times optical depth, and optical depth; `fogDepth` in shaders.

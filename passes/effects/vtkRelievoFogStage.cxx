@@ -141,7 +141,7 @@ void vtkRelievoFogStage::Describe(vtkRelievoStageDescription& description)
   description.Name = "fog";
   description.Help = "Fog in spheres, which are given to it as data.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
-  description.Order = -20; // before what is translucent, see the stage `blend`
+  description.Order = -5; // over markers, before what is translucent, see the stage `blend`
   description.Reads = { "depth" };
   description.Writes = { "color" };
   description.Layers = { "fog" };
@@ -237,7 +237,7 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
 //------------------------------------------------------------------------------
 // The fog before what is translucent covers it as much as it covers what is behind.
 std::string vtkRelievoFogStage::DrawBeforeTranslucent(
-  vtkRelievoFrameContext& context, const vtkRelievoFogRays& rays)
+  vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays)
 {
   Internals& in = *this->Internal;
   auto* layer = dynamic_cast<vtkRelievoScreenTarget*>(context.Find("translucent"));

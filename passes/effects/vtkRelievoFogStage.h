@@ -30,7 +30,7 @@
 #include <memory> // for what is drawn
 
 class vtkMultiProcessController;
-class vtkRelievoFogRays;
+class vtkRelievoSphereRays;
 class vtkRelievoFogSpheres;
 
 class VTKRELIEVOEFFECTS_EXPORT vtkRelievoFogStage : public vtkRelievoStage
@@ -100,7 +100,8 @@ protected:
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
   bool Prepare(vtkRelievoFrameContext& context) override;
   void Execute(vtkRelievoFrameContext& context) override;
-  std::string DrawBeforeTranslucent(vtkRelievoFrameContext& context, const vtkRelievoFogRays& rays);
+  std::string DrawBeforeTranslucent(
+    vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays);
   std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
 
   int Mode = BEER;
