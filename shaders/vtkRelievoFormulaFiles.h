@@ -45,3 +45,5 @@
 #include "formulas/fog.glsl"
 
 #include "formulas/marker.glsl"
+
+#include "formulas/noise.glsl"

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoBlockLabels.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkDataArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace relievo
+{
+//------------------------------------------------------------------------------
+int BlockLabels::Inside(int axis, int index) const
+{
+  const int size = this->Box.Size[axis];
+  if (index >= 1 && index <= size)
+  {
+    return index - 1;
+  }
+  return this->Box.Closed[2 * axis + (index < 1 ? 0 : 1)] ? -1 : (index < 1 ? 0 : size - 1);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType BlockLabels::Index(int i, int j, int k) const
+{
+  const vtkIdType x = this->Inside(0, i);
+  const vtkIdType y = this->Inside(1, j);
+  const vtkIdType z = this->Inside(2, k);
+  return x < 0 || y < 0 || z < 0 ? -1 : x + this->Box.Size[0] * (y + this->Box.Size[1] * z);
+}
+
+namespace
+{
+// Bit i of the words tells whether test(i) holds.
+template <typename Test>
+void PackBits(int count, BitSlice::Word* words, Test&& test)
+{
+  for (int first = 0; first < count; first += 64)
+  {
+    const int end = std::min(64, count - first);
+    BitSlice::Word word = 0;
+    for (int bit = 0; bit < end; ++bit)
+    {
+      word |= static_cast<BitSlice::Word>(test(first + bit)) << bit;
+    }
+    words[first / 64] = word;
+  }
+}
+
+template <typename T>
+class LabelsOf : public BlockLabels
+{
+public:
+  LabelsOf(const T* values, const BlockBox& box, vtkTypeInt64 air, const unsigned char* ghosts,
+    unsigned char hiding)
+    : BlockLabels(box)
+    , Values(values)
+    , Ghosts(ghosts)
+    , Hiding(hiding)
+    , Air(static_cast<T>(air))
+  {
+    this->HasAir = static_cast<vtkTypeInt64>(this->Air) == air;
+    this->AirLabel = air;
+  }
+
+  vtkTypeInt64 LabelAt(vtkIdType index) const override
+  {
+    return index < 0 || this->IsHidden(index) ? this->AirLabel
+                                              : static_cast<vtkTypeInt64>(this->Values[index]);
+  }
+
+  void GetSolid(int k, BitSlice& solid) const override
+  {
+    const int width = this->Box.Size[0];
+    for (int j = 0; j < this->Box.Size[1] + 2; ++j)
+    {
+      BitSlice::Word* words = solid.Row(j);
+      std::fill(words, words + solid.Words, BitSlice::Word(0));
+      const vtkIdType start = this->Index(1, j, k);
+      if (start < 0)
+      {
+        continue;
+      }
+      const T* row = this->Values + start;
+      // Bit 0 is the layer around; the row itself begins at bit 1.
+      if (this->Ghosts)
+      {
+        PackBits(width + 1, words, [&](int i) {
+          return i > 0 && this->IsSolid(row[i - 1]) && !this->IsHidden(start + i - 1);
+        });
+      }
+      else
+      {
+        PackBits(width + 1, words, [&](int i) { return i > 0 && this->IsSolid(row[i - 1]); });
+      }
+      this->SetBit(words, 0, this->Label(0, j, k) != this->AirLabel);
+      this->SetBit(words, width + 1, this->Label(width + 1, j, k) != this->AirLabel);
+    }
+  }
+
+  void GetBorders(int k, BitSlice& x, BitSlice& y, BitSlice& z) const override
+  {
+    const int width = this->Box.Size[0] + 2;
+    std::vector<vtkTypeInt64> rows[3];
+    for (std::vector<vtkTypeInt64>& row : rows)
+    {
+      row.resize(width + 1);
+    }
+    for (int j = 0; j < this->Box.Size[1] + 2; ++j)
+    {
+      if (j == 0)
+      {
+        this->GetRow(j, k, rows[0]);
+      }
+      else
+      {
+        std::swap(rows[0], rows[1]);
+      }
+      const std::vector<vtkTypeInt64>& row = rows[0];
+      PackBits(width - 1, x.Row(j), [&](int i) { return row[i] != row[i + 1]; });
+      if (j < this->Box.Size[1] + 1)
+      {
+        this->GetRow(j + 1, k, rows[1]);
+        PackBits(width, y.Row(j), [&](int i) { return row[i] != rows[1][i]; });
+      }
+      if (k > 0)
+      {
+        this->GetRow(j, k - 1, rows[2]);
+        PackBits(width, z.Row(j), [&](int i) { return row[i] != rows[2][i]; });
+      }
+    }
+  }
+
+private:
+  bool IsSolid(T value) const { return !this->HasAir || value != this->Air; }
+  bool IsHidden(vtkIdType index) const
+  {
+    return this->Ghosts && (this->Ghosts[index] & this->Hiding);
+  }
+  static void SetBit(BitSlice::Word* words, int bit, bool value)
+  {
+    const BitSlice::Word mask = BitSlice::Word(1) << (bit & 63);
+    words[bit / 64] = value ? words[bit / 64] | mask : words[bit / 64] & ~mask;
+  }
+  void GetRow(int j, int k, std::vector<vtkTypeInt64>& row) const
+  {
+    const int width = this->Box.Size[0];
+    for (int i = 0; i < width + 2; i += width + 1)
+    {
+      row[i] = this->Label(i, j, k);
+    }
+    const vtkIdType start = this->Index(1, j, k);
+    for (int i = 0; i < width; ++i)
+    {
+      row[i + 1] = start < 0 || this->IsHidden(start + i)
+        ? this->AirLabel
+        : static_cast<vtkTypeInt64>(this->Values[start + i]);
+    }
+  }
+
+  const T* Values;
+  const unsigned char* Ghosts;
+  unsigned char Hiding;
+  T Air;
+  vtkTypeInt64 AirLabel = 0;
+  bool HasAir = true; // the type can hold the label of air
+};
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<BlockLabels> BlockLabels::New(vtkDataArray* labels, const BlockBox& box,
+  vtkTypeInt64 air, vtkUnsignedCharArray* ghosts, unsigned char hiding)
+{
+  bool hides = false;
+  for (vtkIdType i = 0; ghosts && !hides && i < ghosts->GetNumberOfValues(); ++i)
+  {
+    hides = ghosts->GetValue(i) & hiding;
+  }
+  const unsigned char* hidden = hides ? ghosts->GetPointer(0) : nullptr;
+  switch (labels->GetDataType())
+  {
+    vtkTemplateMacro(
+      if constexpr (std::is_integral<VTK_TT>::value) {
+        return std::make_unique<LabelsOf<VTK_TT>>(
+          static_cast<const VTK_TT*>(labels->GetVoidPointer(0)), box, air, hidden, hiding);
+      });
+  }
+  return nullptr;
+}
+}
