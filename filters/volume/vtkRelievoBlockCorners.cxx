@@ -21,21 +21,20 @@ struct Around
 
   Around(const BlockSurface& surface)
     : Starts(surface.Points->GetNumberOfTuples() + 1, 0)
-    , Corners(4 * surface.Faces.size())
+    , Corners(4 * surface.Faces.GetSize())
   {
-    for (const BlockFace& face : surface.Faces)
+    for (vtkIdType face = 0; face < surface.Faces.GetSize(); ++face)
     {
-      for (const vtkIdType point : face.Points)
+      for (const vtkTypeUInt32 point : surface.Faces[face].Points)
       {
-        ++this->Starts[point + 1];
+        ++this->Starts[static_cast<vtkIdType>(point) + 1];
       }
     }
     std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
     std::vector<vtkIdType> next(this->Starts.begin(), this->Starts.end() - 1);
-    for (std::size_t corner = 0; corner < this->Corners.size(); ++corner)
+    for (vtkIdType corner = 0; corner < 4 * surface.Faces.GetSize(); ++corner)
     {
-      const vtkIdType point = surface.Faces[corner / 4].Points[corner % 4];
-      this->Corners[next[point]++] = static_cast<vtkIdType>(corner);
+      this->Corners[next[surface.Faces[corner / 4].Points[corner % 4]]++] = corner;
     }
   }
 };
@@ -141,12 +140,12 @@ private:
   {
     double turned[3];
     vtkMath::Multiply3x3(this->NormalAxes, area.data(), turned);
-    const bool any = vtkMath::Normalize(turned) != 0.;
+    vtkMath::Normalize(turned);
     for (int c = 0; c < 3; ++c)
     {
       normal[c] = static_cast<float>(turned[c]);
     }
-    return any;
+    return !IsNull(area);
   }
 
   const BlockSurface& Surface;
@@ -172,7 +171,7 @@ void ForAll(vtkIdType count, Work&& work)
 void MakeWeights(const BlockSurface& surface, const BlockLabels& labels, const Around& around,
   std::vector<vtkTypeInt64> weighted, BlockCorners& result)
 {
-  std::vector<vtkTypeInt64> materials(surface.Faces.size());
+  std::vector<vtkTypeInt64> materials(surface.Faces.GetSize());
   ForAll(static_cast<vtkIdType>(materials.size()),
     [&](vtkIdType i) { materials[i] = labels.LabelAt(surface.Faces[i].Owner); });
   if (weighted.empty())
@@ -240,8 +239,7 @@ BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& la
     }
     for (vtkIdType i = around.Starts[vertex]; i < around.Starts[vertex + 1]; ++i)
     {
-      result.Points[around.Corners[i]] =
-        starts[vertex] + groups.Of[i - around.Starts[vertex]];
+      result.Points[around.Corners[i]] = starts[vertex] + groups.Of[i - around.Starts[vertex]];
     }
   });
   if (mesh.Weights)

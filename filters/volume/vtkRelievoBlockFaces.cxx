@@ -24,8 +24,8 @@ bool IsIn(const int range[2], int index)
 }
 
 // Of the borders between two rows of blocks those that have an owner.
-void KeepOwned(const BitSlice& lowSolid, int row, bool lowOwns, bool highOwns, const int range[2],
-  Word* borders)
+void KeepOwned(
+  const BitSlice& lowSolid, int row, bool lowOwns, bool highOwns, const int range[2], Word* borders)
 {
   const Word* solid = lowSolid.Row(row);
   for (int word = 0; word < lowSolid.Words; ++word)
@@ -85,8 +85,7 @@ void FaceSlice::Make(
       this->Y.Row(j));
     if (below)
     {
-      KeepOwned(
-        below->Solid, j, underOwns && inRow, inSlice && inRow, owners, this->Z.Row(j));
+      KeepOwned(below->Solid, j, underOwns && inRow, inSlice && inRow, owners, this->Z.Row(j));
     }
     else
     {
@@ -125,11 +124,10 @@ void VertexSlice::Make(const BlockBox& box, const FaceSlice& lower, const FaceSl
     for (int word = 0; word < words; ++word)
     {
       const int next = word + 1;
-      const Word following = next < words
-        ? across[0][next] | across[1][next] | across[2][next] | across[3][next]
-        : 0;
-      const Word used = x[0][word] | x[1][word] | x[2][word] | x[3][word] | both | both >> 1 |
-        following << 63;
+      const Word following =
+        next < words ? across[0][next] | across[1][next] | across[2][next] | across[3][next] : 0;
+      const Word used =
+        x[0][word] | x[1][word] | x[2][word] | x[3][word] | both | both >> 1 | following << 63;
       both = following;
       this->Used.Row(j)[word] = used;
       this->Before[static_cast<std::size_t>(j) * words + word] = this->Count;

@@ -37,7 +37,7 @@ struct FaceSlice
 /** Vertices of faces in the plane between slices k and k + 1: vertex i is between blocks i, i + 1. */
 struct VertexSlice
 {
-  BitSlice Used; // a row for each vertex row j, between rows j and j + 1 of blocks
+  BitSlice Used;           // a row for each vertex row j, between rows j and j + 1 of blocks
   std::vector<int> Before; // vertices in all words before a word
   int Count = 0;
 

@@ -31,21 +31,54 @@ vtkIdType BlockLabels::Index(int i, int j, int k) const
   return x < 0 || y < 0 || z < 0 ? -1 : x + this->Box.Size[0] * (y + this->Box.Size[1] * z);
 }
 
+//------------------------------------------------------------------------------
+vtkIdType BlockLabels::Beside(vtkIdType index, int axis, bool above) const
+{
+  int place[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    place[i] = static_cast<int>(index % this->Box.Size[i]) + 1;
+    index /= this->Box.Size[i];
+  }
+  place[axis] += above ? 1 : -1;
+  return this->Index(place[0], place[1], place[2]);
+}
+
 namespace
 {
-// Bit i of the words tells whether test(i) holds.
+// Bit i of the words tells whether test(i) holds. By bytes first, which compilers turn into vectors.
 template <typename Test>
 void PackBits(int count, BitSlice::Word* words, Test&& test)
 {
   for (int first = 0; first < count; first += 64)
   {
     const int end = std::min(64, count - first);
-    BitSlice::Word word = 0;
-    for (int bit = 0; bit < end; ++bit)
+    unsigned char bytes[64] = {};
+    for (int i = 0; i < end; ++i)
     {
-      word |= static_cast<BitSlice::Word>(test(first + bit)) << bit;
+      bytes[i] = test(first + i);
+    }
+    BitSlice::Word word = 0;
+    for (int group = 0; group < 8; ++group)
+    {
+      BitSlice::Word eight = 0;
+      for (int i = 0; i < 8; ++i)
+      {
+        eight |= static_cast<BitSlice::Word>(bytes[8 * group + i]) << 8 * i;
+      }
+      // The product brings the lowest bit of byte i to bit 56 + i.
+      word |= (eight * 0x0102040810204080u >> 56) << 8 * group;
     }
     words[first / 64] = word;
+  }
+}
+
+// All bits one higher: bit 0 becomes 0.
+void ShiftUp(BitSlice::Word* words, int count)
+{
+  for (int word = count - 1; word >= 0; --word)
+  {
+    words[word] = words[word] << 1 | (word > 0 ? words[word - 1] >> 63 : 0);
   }
 }
 
@@ -84,17 +117,18 @@ public:
         continue;
       }
       const T* row = this->Values + start;
-      // Bit 0 is the layer around; the row itself begins at bit 1.
-      if (this->Ghosts)
+      const T air = this->Air;
+      if (this->Ghosts || !this->HasAir)
       {
-        PackBits(width + 1, words, [&](int i) {
-          return i > 0 && this->IsSolid(row[i - 1]) && !this->IsHidden(start + i - 1);
-        });
+        PackBits(width, words,
+          [&](int i) { return (!this->HasAir || row[i] != air) && !this->IsHidden(start + i); });
       }
       else
       {
-        PackBits(width + 1, words, [&](int i) { return i > 0 && this->IsSolid(row[i - 1]); });
+        PackBits(width, words, [row, air](int i) { return row[i] != air; });
       }
+      // Bit 0 is the layer around; the row itself begins at bit 1.
+      ShiftUp(words, solid.Words);
       this->SetBit(words, 0, this->Label(0, j, k) != this->AirLabel);
       this->SetBit(words, width + 1, this->Label(width + 1, j, k) != this->AirLabel);
     }
@@ -134,7 +168,6 @@ public:
   }
 
 private:
-  bool IsSolid(T value) const { return !this->HasAir || value != this->Air; }
   bool IsHidden(vtkIdType index) const
   {
     return this->Ghosts && (this->Ghosts[index] & this->Hiding);
@@ -181,11 +214,10 @@ std::unique_ptr<BlockLabels> BlockLabels::New(vtkDataArray* labels, const BlockB
   const unsigned char* hidden = hides ? ghosts->GetPointer(0) : nullptr;
   switch (labels->GetDataType())
   {
-    vtkTemplateMacro(
-      if constexpr (std::is_integral<VTK_TT>::value) {
-        return std::make_unique<LabelsOf<VTK_TT>>(
-          static_cast<const VTK_TT*>(labels->GetVoidPointer(0)), box, air, hidden, hiding);
-      });
+    vtkTemplateMacro(if constexpr (std::is_integral<VTK_TT>::value) {
+      return std::make_unique<LabelsOf<VTK_TT>>(
+        static_cast<const VTK_TT*>(labels->GetVoidPointer(0)), box, air, hidden, hiding);
+    });
   }
   return nullptr;
 }

@@ -78,6 +78,9 @@ public:
   /** The place of a block in the array; -1 for one of a closed layer. */
   vtkIdType Index(int i, int j, int k) const;
 
+  /** The place of the block beside a block, along an axis; -1 for air outside. */
+  vtkIdType Beside(vtkIdType index, int axis, bool above) const;
+
   int Words() const { return (this->Box.Size[0] + 2 + 63) / 64 + 1; }
   const BlockBox& GetBox() const { return this->Box; }
 

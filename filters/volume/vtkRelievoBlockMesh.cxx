@@ -63,7 +63,7 @@ Kept KeptFaces(
   const BlockSurface& surface, const BlockLabels& labels, const BlockMeshSettings& mesh)
 {
   Kept kept;
-  kept.Count = static_cast<vtkIdType>(surface.Faces.size());
+  kept.Count = surface.Faces.GetSize();
   if (mesh.HasGhosts)
   {
     for (vtkIdType i = 0; i < kept.Count; ++i)
@@ -78,11 +78,11 @@ Kept KeptFaces(
   return kept;
 }
 
-template <typename ArrayType>
-void MakeCells(const std::vector<vtkIdType>& points, bool triangles, vtkPolyData* output)
+// Polygons of four points each: pointOf(quad, corner).
+template <typename ArrayType, typename PointOf>
+void MakeCells(vtkIdType quads, bool triangles, vtkPolyData* output, PointOf&& pointOf)
 {
   using Id = typename ArrayType::ValueType;
-  const auto quads = static_cast<vtkIdType>(points.size() / 4);
   const int corners = triangles ? 3 : 4;
   const vtkIdType cells = triangles ? 2 * quads : quads;
   vtkNew<ArrayType> offsets;
@@ -94,11 +94,10 @@ void MakeCells(const std::vector<vtkIdType>& points, bool triangles, vtkPolyData
   ForAll(cells + 1, [&](vtkIdType i) { starts[i] = static_cast<Id>(corners * i); });
   static const int fan[6] = { 0, 1, 2, 0, 2, 3 };
   ForAll(quads, [&](vtkIdType quad) {
-    const vtkIdType* from = points.data() + 4 * quad;
     Id* to = ids + (triangles ? 6 : 4) * quad;
     for (int i = 0; i < (triangles ? 6 : 4); ++i)
     {
-      to[i] = static_cast<Id>(from[triangles ? fan[i] : i]);
+      to[i] = static_cast<Id>(pointOf(quad, triangles ? fan[i] : i));
     }
   });
   vtkNew<vtkCellArray> polygons;
@@ -117,17 +116,16 @@ void AddLabels(vtkDataArray* labels, const char* name, vtkIdType faces, int cell
   array->SetNumberOfTuples(cellsPerFace * faces);
   switch (array->GetDataType())
   {
-    vtkTemplateMacro(
-      if constexpr (std::is_integral<VTK_TT>::value) {
-        auto* values = static_cast<VTK_TT*>(array->GetVoidPointer(0));
-        ForAll(faces, [&](vtkIdType face) {
-          const auto value = static_cast<VTK_TT>(labelOf(face));
-          for (int i = 0; i < cellsPerFace; ++i)
-          {
-            values[cellsPerFace * face + i] = value;
-          }
-        });
+    vtkTemplateMacro(if constexpr (std::is_integral<VTK_TT>::value) {
+      auto* values = static_cast<VTK_TT*>(array->GetVoidPointer(0));
+      ForAll(faces, [&](vtkIdType face) {
+        const auto value = static_cast<VTK_TT>(labelOf(face));
+        for (int i = 0; i < cellsPerFace; ++i)
+        {
+          values[cellsPerFace * face + i] = value;
+        }
       });
+    });
   }
   output->GetCellData()->AddArray(array);
 }
@@ -210,8 +208,8 @@ void MarkGhosts(const BlockSurface& surface, const BlockLabels& labels,
   unsigned char* values = ghosts->GetPointer(0);
   ForAll(faces.Count, [&](vtkIdType i) {
     const bool owned = IsIn(mesh.Owned, surface.Faces[faces[i]].Owner, labels.GetBox());
-    std::memset(values + cellsPerFace * i, owned ? 0 : vtkDataSetAttributes::DUPLICATECELL,
-      cellsPerFace);
+    std::memset(
+      values + cellsPerFace * i, owned ? 0 : vtkDataSetAttributes::DUPLICATECELL, cellsPerFace);
   });
   output->GetCellData()->AddArray(ghosts);
 }
@@ -222,21 +220,25 @@ vtkIdType MakeBlockMesh(const BlockSurface& surface, const BlockLabels& labels, 
   const BlockSettings& settings, const BlockMeshSettings& mesh, vtkPolyData* output)
 {
   const Kept faces = KeptFaces(surface, labels, mesh);
-  const bool own = mesh.SplitMaterials || mesh.TextureCoordinates || mesh.Weights ||
-    surface.NullNormals > 0;
+  const bool own =
+    mesh.SplitMaterials || mesh.TextureCoordinates || mesh.Weights || surface.NullNormals > 0;
   BlockCorners corners;
   if (own)
   {
     corners = MakeBlockCorners(surface, labels, settings, mesh);
   }
-  std::vector<vtkIdType> cells(4 * faces.Count);
-  ForAll(faces.Count, [&](vtkIdType i) {
-    const vtkIdType* from =
-      own ? corners.Points.data() + 4 * faces[i] : surface.Faces[faces[i]].Points;
-    std::copy(from, from + 4, cells.begin() + 4 * i);
-  });
-  const vtkIdType count = own ? static_cast<vtkIdType>(corners.Vertices.size())
-                              : surface.Points->GetNumberOfTuples();
+  std::vector<vtkIdType> cells; // where they are not those of the faces
+  if (own || mesh.HasGhosts)
+  {
+    cells.resize(4 * faces.Count);
+    ForAll(4 * faces.Count, [&](vtkIdType i) {
+      const vtkIdType face = faces[i / 4];
+      cells[i] = own ? corners.Points[4 * face + i % 4]
+                     : static_cast<vtkIdType>(surface.Faces[face].Points[i % 4]);
+    });
+  }
+  const vtkIdType count =
+    own ? static_cast<vtkIdType>(corners.Vertices.size()) : surface.Points->GetNumberOfTuples();
   const Kept kept = UsedPoints(cells, count, !mesh.HasGhosts);
   Kept vertices = kept; // the vertex of each point
   if (own)
@@ -250,15 +252,17 @@ vtkIdType MakeBlockMesh(const BlockSurface& surface, const BlockLabels& labels, 
   output->SetPoints(points);
   if (settings.Normals)
   {
-    output->GetPointData()->SetNormals(
-      own ? FloatsOf(corners.Normals.empty() ? nullptr : corners.Normals[0].data(), 3, kept, "Normals")
-          : (asTheyAre ? surface.Normals
-                       : FloatsOf(surface.Normals->GetPointer(0), 3, kept, "Normals")));
+    output->GetPointData()->SetNormals(own
+        ? FloatsOf(
+            corners.Normals.empty() ? nullptr : corners.Normals[0].data(), 3, kept, "Normals")
+        : (asTheyAre ? surface.Normals
+                     : FloatsOf(surface.Normals->GetPointer(0), 3, kept, "Normals")));
   }
   if (mesh.TextureCoordinates)
   {
     output->GetPointData()->SetTCoords(
-      FloatsOf(corners.Texture.empty() ? nullptr : corners.Texture[0].data(), 2, kept, "Texture Coordinates"));
+      FloatsOf(corners.Texture.empty() ? nullptr : corners.Texture[0].data(), 2, kept,
+        "Texture Coordinates"));
   }
   if (!corners.Weights.empty())
   {
@@ -272,21 +276,27 @@ vtkIdType MakeBlockMesh(const BlockSurface& surface, const BlockLabels& labels, 
     output->GetPointData()->AddArray(weights);
   }
   const vtkIdType largest = std::max<vtkIdType>(6 * faces.Count + 1, kept.Count);
+  const auto pointOf = [&](vtkIdType quad, int corner) {
+    return cells.empty() ? static_cast<vtkIdType>(surface.Faces[quad].Points[corner])
+                         : cells[4 * quad + corner];
+  };
   if (largest < VTK_TYPE_INT32_MAX)
   {
-    MakeCells<vtkTypeInt32Array>(cells, mesh.Triangles, output);
+    MakeCells<vtkTypeInt32Array>(faces.Count, mesh.Triangles, output, pointOf);
   }
   else
   {
-    MakeCells<vtkTypeInt64Array>(cells, mesh.Triangles, output);
+    MakeCells<vtkTypeInt64Array>(faces.Count, mesh.Triangles, output, pointOf);
   }
   const int cellsPerFace = mesh.Triangles ? 2 : 1;
   AddLabels(array, "material", faces.Count, cellsPerFace, output,
     [&](vtkIdType i) { return labels.LabelAt(surface.Faces[faces[i]].Owner); });
   if (settings.Faces.BetweenLabels)
   {
-    AddLabels(array, "neighbor", faces.Count, cellsPerFace, output,
-      [&](vtkIdType i) { return labels.LabelAt(surface.Faces[faces[i]].Other); });
+    AddLabels(array, "neighbor", faces.Count, cellsPerFace, output, [&](vtkIdType i) {
+      const BlockFace& face = surface.Faces[faces[i]];
+      return labels.LabelAt(labels.Beside(face.Owner, face.Axis, face.Low));
+    });
   }
   output->GetCellData()->SetActiveScalars("material");
   if (mesh.HasGhosts)

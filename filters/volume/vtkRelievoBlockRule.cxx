@@ -88,8 +88,8 @@ BlockRule::Offset BlockRule::Of(const std::array<vtkTypeInt64, 8>& labels) const
       const int pairs = this->Pairs[masks[i]][axis];
       counts[std::abs(pairs)] += (pairs > 0) - (pairs < 0);
     }
-    offset[axis] = (counts[1] * this->Lengths[1] + counts[2] * this->Lengths[2] +
-                     counts[3] * this->Lengths[3]) *
+    offset[axis] =
+      (counts[1] * this->Lengths[1] + counts[2] * this->Lengths[2] + counts[3] * this->Lengths[3]) *
       (2. / 3.) / count;
   }
   return offset;

@@ -40,8 +40,7 @@ BlockSlab::BlockSlab(const BlockLabels& labels, const BlockSettings& settings,
   , Settings(settings)
   , Rule(rule)
   , Surface(surface)
-  , NeedsLabels(
-      settings.Faces.BetweenLabels || !settings.Rigid.empty() || !settings.Level.empty())
+  , NeedsLabels(settings.Faces.BetweenLabels || !settings.Rigid.empty() || !settings.Level.empty())
 {
   double transposed[3][3];
   for (int axis = 0; axis < 3; ++axis)
@@ -102,8 +101,7 @@ void BlockSlab::Make(int k, const std::vector<vtkIdType>& starts, vtkIdType firs
 }
 
 //------------------------------------------------------------------------------
-void BlockSlab::MakePlane(
-  int k, const FaceSlice& lower, const FaceSlice& upper, Plane& plane) const
+void BlockSlab::MakePlane(int k, const FaceSlice& lower, const FaceSlice& upper, Plane& plane) const
 {
   const BlockBox& box = this->Labels.GetBox();
   plane.Vertices.Make(box, lower, upper);
@@ -129,8 +127,7 @@ BlockRule::Offset BlockSlab::OffsetOf(
     std::array<vtkTypeInt64, 8> labels;
     for (int block = 0; block < 8; ++block)
     {
-      labels[block] =
-        this->Labels.Label(i + (block & 1), j + (block >> 1 & 1), k + (block >> 2));
+      labels[block] = this->Labels.Label(i + (block & 1), j + (block >> 1 & 1), k + (block >> 2));
       if (this->Settings.Rigid.count(labels[block]))
       {
         return {};
@@ -202,9 +199,8 @@ void BlockSlab::MakeFaces(int k, bool write, vtkIdType face)
   };
   for (int j = 0; j <= box.Size[1]; ++j)
   {
-    ForEachBit(slice.Z.Row(j), words, [&](int i) {
-      this->MakeFace(2, i, j, k, isSolid(this->Faces[0], i, j), write, face);
-    });
+    ForEachBit(slice.Z.Row(j), words,
+      [&](int i) { this->MakeFace(2, i, j, k, isSolid(this->Faces[0], i, j), write, face); });
     ForEachBit(slice.X.Row(j), words,
       [&](int i) { this->MakeFace(0, i, j, k, isSolid(slice, i, j), write, face); });
     ForEachBit(slice.Y.Row(j), words,
@@ -254,8 +250,7 @@ void BlockSlab::MakeFace(int axis, int i, int j, int k, bool low, bool write, vt
   for (int c = 0; c < 3; ++c)
   {
     const double one = (*offsets[2])[c] - (*offsets[0])[c] + (c == u || c == v ? 1. : 0.);
-    const double other =
-      (*offsets[3])[c] - (*offsets[1])[c] + (c == v ? 1. : (c == u ? -1. : 0.));
+    const double other = (*offsets[3])[c] - (*offsets[1])[c] + (c == v ? 1. : (c == u ? -1. : 0.));
     lengths[0] += this->Metric[c] * one * one;
     lengths[1] += this->Metric[c] * other * other;
   }
@@ -265,13 +260,10 @@ void BlockSlab::MakeFace(int axis, int i, int j, int k, bool low, bool write, vt
     // Seen from outside: in order where the axis points out, else against it.
     const bool inOrder = low != this->Mirrored;
     const int from = inOrder ? (first + corner) & 3 : (first + 4 - corner) & 3;
-    result.Points[corner] = planes[from]->Start + numbers[from];
+    result.Points[corner] = static_cast<vtkTypeUInt32>(planes[from]->Start + numbers[from]);
   }
-  const int below[] = { i + (axis == 0), j + (axis == 1), k - (axis == 2) };
-  const vtkIdType lowBlock = this->Labels.Index(i, j, below[2]);
-  const vtkIdType highBlock = this->Labels.Index(below[0], below[1], k);
-  result.Owner = low ? lowBlock : highBlock;
-  result.Other = low ? highBlock : lowBlock;
+  result.Owner = low ? this->Labels.Index(i, j, k - (axis == 2))
+                     : this->Labels.Index(i + (axis == 0), j + (axis == 1), k);
   result.Axis = static_cast<unsigned char>(axis);
   result.Low = low;
   result.First = static_cast<unsigned char>(first);
@@ -295,8 +287,8 @@ void BlockSlab::MakeSeams(int k)
       const Word seams = odd | all;
       ForEachBit(&seams, 1, [&](int bit) {
         const auto has = [bit](Word bits) { return static_cast<int>(bits >> bit & 1u); };
-        this->AddSeam(axis, 64 * word + bit, j, k,
-          has(a[word]) + has(b[word]) + has(c[word]) + has(fourth));
+        this->AddSeam(
+          axis, 64 * word + bit, j, k, has(a[word]) + has(b[word]) + has(c[word]) + has(fourth));
       });
     }
   };
@@ -316,8 +308,7 @@ void BlockSlab::AddSeam(int axis, int i, int j, int k, int uses)
   BlockSeam seam;
   seam.Vertex = lower;
   seam.Uses = uses;
-  seam.Points[0] =
-    this->Planes[0].Start + this->Planes[0].Vertices.Number(lower[0], lower[1]);
+  seam.Points[0] = this->Planes[0].Start + this->Planes[0].Vertices.Number(lower[0], lower[1]);
   const Plane& end = this->Planes[axis == 2 ? 1 : 0];
   seam.Points[1] = end.Start + end.Vertices.Number(i, j);
   this->Seams.push_back(seam);
@@ -328,9 +319,8 @@ void BlockSlab::WritePlane(int k)
 {
   const Plane& plane = this->Planes[0];
   const BlockSettings& settings = this->Settings;
-  void* points = plane.Vertices.Count
-    ? this->Surface.Points->GetVoidPointer(3 * plane.Start)
-    : nullptr;
+  void* points =
+    plane.Vertices.Count ? this->Surface.Points->GetVoidPointer(3 * plane.Start) : nullptr;
   float* normals = settings.Normals && plane.Vertices.Count
     ? this->Surface.Normals->GetPointer(3 * plane.Start)
     : nullptr;
@@ -339,8 +329,8 @@ void BlockSlab::WritePlane(int k)
   {
     ForEachBit(plane.Vertices.Used.Row(j), plane.Vertices.Used.Words, [&](int i) {
       const BlockRule::Offset& offset = plane.Offsets[number];
-      const double block[] = { settings.First[0] + i + offset[0],
-        settings.First[1] + j + offset[1], settings.First[2] + (k - 1) + offset[2] };
+      const double block[] = { settings.First[0] + i + offset[0], settings.First[1] + j + offset[1],
+        settings.First[2] + (k - 1) + offset[2] };
       for (int row = 0; row < 3; ++row)
       {
         const double value = settings.Origin[row] + settings.Axes[row][0] * block[0] +
@@ -354,12 +344,16 @@ void BlockSlab::WritePlane(int k)
           static_cast<float*>(points)[3 * number + row] = static_cast<float>(value);
         }
       }
-      this->Surface.Offsets[plane.Start + number] = offset;
+      if (this->Surface.Offsets.GetSize() > 0)
+      {
+        this->Surface.Offsets[plane.Start + number] = offset;
+      }
       if (normals)
       {
         double normal[3];
         vtkMath::Multiply3x3(this->NormalAxes, plane.Areas[number].data(), normal);
-        this->NullNormals += vtkMath::Normalize(normal) == 0.;
+        vtkMath::Normalize(normal);
+        this->NullNormals += IsNull(plane.Areas[number]);
         for (int c = 0; c < 3; ++c)
         {
           normals[3 * number + c] = static_cast<float>(normal[c]);

@@ -49,11 +49,11 @@ private:
   const BlockRule& Rule;
   BlockSurface& Surface;
   bool NeedsLabels;
-  bool Mirrored; // the axes of the image are left-handed
-  double Metric[3];       // squared lengths of the axes
+  bool Mirrored;           // the axes of the image are left-handed
+  double Metric[3];        // squared lengths of the axes
   double NormalAxes[3][3]; // what turns area vectors of blocks into normals
-  FaceSlice Faces[3];     // k - 1, k, k + 1
-  Plane Planes[2];        // below and above slice k
+  FaceSlice Faces[3];      // k - 1, k, k + 1
+  Plane Planes[2];         // below and above slice k
 };
 }
 

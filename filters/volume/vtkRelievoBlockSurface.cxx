@@ -9,6 +9,7 @@
 #include "vtkRelievoThreads.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace relievo
 {
@@ -56,7 +57,7 @@ vtkIdType AddUp(std::vector<vtkIdType>& counts)
 }
 
 //------------------------------------------------------------------------------
-bool MakeBlockSurface(
+Made MakeBlockSurface(
   const BlockLabels& labels, const BlockSettings& settings, BlockSurface& surface)
 {
   const BlockBox& box = labels.GetBox();
@@ -80,6 +81,10 @@ bool MakeBlockSurface(
   });
   const vtkIdType vertexCount = AddUp(vertices);
   const vtkIdType faceCount = AddUp(faces);
+  if (!goOn || vertexCount > VTK_TYPE_UINT32_MAX)
+  {
+    return goOn ? Made::TooLarge : Made::Stopped;
+  }
   if (settings.DoublePoints)
   {
     surface.Points = vtkSmartPointer<vtkDoubleArray>::New();
@@ -97,28 +102,39 @@ bool MakeBlockSurface(
     surface.Normals->SetNumberOfComponents(3);
     surface.Normals->SetNumberOfTuples(vertexCount);
   }
-  surface.Faces.resize(faceCount);
-  surface.Offsets.resize(vertexCount);
+  surface.Faces.Allocate(faceCount);
 
   const BlockRule rule(settings.Strength);
   const int slabs = (slices + SlabSize - 1) / SlabSize;
   std::vector<std::vector<BlockSeam>> seams(slabs);
   std::vector<vtkIdType> nulls(slabs, 0);
-  goOn = goOn && ForSlabs(slices, settings, 0.3, 0.8, [&](int number, int first, int end) {
-    BlockSlab slab(labels, settings, rule, surface);
-    slab.Begin(first, vertices);
-    for (int k = first; k < end; ++k)
-    {
-      slab.Make(k, vertices, faces[k]);
-    }
-    seams[number] = std::move(slab.Seams);
-    nulls[number] = slab.NullNormals;
-  });
-  for (int i = 0; i < slabs; ++i)
+  const auto write = [&](double from, double to) {
+    return ForSlabs(slices, settings, from, to, [&](int number, int first, int end) {
+      BlockSlab slab(labels, settings, rule, surface);
+      slab.Begin(first, vertices);
+      for (int k = first; k < end; ++k)
+      {
+        slab.Make(k, vertices, faces[k]);
+      }
+      seams[number] = std::move(slab.Seams);
+      nulls[number] = slab.NullNormals;
+    });
+  };
+  if (settings.KeepOffsets)
   {
-    surface.Seams.insert(surface.Seams.end(), seams[i].begin(), seams[i].end());
-    surface.NullNormals += nulls[i];
+    surface.Offsets.Allocate(vertexCount);
   }
-  return goOn;
+  goOn = goOn && write(0.3, 0.6);
+  surface.NullNormals = std::accumulate(nulls.begin(), nulls.end(), vtkIdType(0));
+  if (goOn && surface.NullNormals > 0 && !settings.KeepOffsets)
+  {
+    surface.Offsets.Allocate(vertexCount);
+    goOn = write(0.6, 0.8);
+  }
+  for (const std::vector<BlockSeam>& slab : seams)
+  {
+    surface.Seams.insert(surface.Seams.end(), slab.begin(), slab.end());
+  }
+  return goOn ? Made::Done : Made::Stopped;
 }
 }

@@ -44,6 +44,7 @@ struct BlockSettings
   bool Normals = true;
   bool Seams = true;
   bool DoublePoints = false;
+  bool KeepOffsets = false;
   // Vertex 0 has these block coordinates (whole, or half for labels on points), and is at Origin +
   // Axes * them, one column an axis.
   std::array<double, 3> First = {};
@@ -63,29 +64,59 @@ struct BlockSeam
 
 struct BlockFace
 {
-  vtkIdType Points[4]; // counterclockwise from outside; cut from the first to the third
-  vtkIdType Owner;     // place of its block in the array of labels
-  vtkIdType Other;     // of the block on the other side, -1 outside
+  vtkTypeUInt32 Points[4]; // counterclockwise from outside; cut from the first to the third
+  vtkIdType Owner;         // place of its block in the array of labels
   unsigned char Axis;
   bool Low;            // the owner is the lower of both
   unsigned char First; // which corner comes first: 0 is the lowest along both axes
+};
+
+/** An array whose values begin unset: pages that each thread writes first are near to it. */
+template <typename T>
+class Unset
+{
+public:
+  void Allocate(vtkIdType size)
+  {
+    this->Values.reset(new T[size]);
+    this->Size = size;
+  }
+  vtkIdType GetSize() const { return this->Size; }
+  T& operator[](vtkIdType i) { return this->Values[i]; }
+  const T& operator[](vtkIdType i) const { return this->Values[i]; }
+
+private:
+  std::unique_ptr<T[]> Values;
+  vtkIdType Size = 0;
 };
 
 struct BlockSurface
 {
   vtkSmartPointer<vtkDataArray> Points;
   vtkSmartPointer<vtkFloatArray> Normals;
-  std::vector<BlockRule::Offset> Offsets; // movements in blocks
-  std::vector<BlockFace> Faces;
+  Unset<BlockRule::Offset> Offsets; // movements in blocks; with KeepOffsets, or null normals
+  Unset<BlockFace> Faces;
   std::vector<BlockSeam> Seams;
   vtkIdType NullNormals = 0; // vertices whose faces' normals add up to nothing
 };
 
+/** Whether nothing but rounding is left of a sum of area vectors in blocks. */
+inline bool IsNull(const std::array<double, 3>& area)
+{
+  return area[0] * area[0] + area[1] * area[1] + area[2] * area[2] < 1e-18;
+}
+
 /** The area vector in blocks of a face whose corners moved, in the order of BlockFace. */
 std::array<double, 3> AreaOf(int axis, const BlockRule::Offset* const corners[4]);
 
-/** False if GoOn stopped it. */
-bool MakeBlockSurface(
+enum class Made
+{
+  Done,
+  Stopped, // by GoOn
+  TooLarge // 2^32 vertices or more
+};
+
+Made MakeBlockSurface(
   const BlockLabels& labels, const BlockSettings& settings, BlockSurface& surface);
 }
 

@@ -90,8 +90,7 @@ std::array<std::array<float, 2>, 4> TextureOf(const BlockFace& face, const Block
 
   // Where the face is among the blocks, so that flat ground has one texture throughout.
   const BlockBox& box = labels.GetBox();
-  const vtkIdType place[3] = { face.Owner % box.Size[0],
-    face.Owner / box.Size[0] % box.Size[1],
+  const vtkIdType place[3] = { face.Owner % box.Size[0], face.Owner / box.Size[0] % box.Size[1],
     face.Owner / (static_cast<vtkIdType>(box.Size[0]) * box.Size[1]) };
   const auto middleAlong = [&](int axis) {
     double squares = 0.;

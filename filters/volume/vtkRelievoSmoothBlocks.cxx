@@ -77,9 +77,9 @@ struct vtkRelievoSmoothBlocks::Internals
     image->GetDimensions(size);
     if (!onPoints && std::min({ size[0], size[1], size[2] }) < 2)
     {
-      problem = "the image is flat, so its cells are no blocks; it has " +
-        std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
-        std::to_string(size[2]) + " points. Put the labels on its points, or make it one cell thick";
+      problem = "the image is flat, so its cells are no blocks; it has " + std::to_string(size[0]) +
+        " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]) +
+        " points. Put the labels on its points, or make it one cell thick";
       return nullptr;
     }
     return labels;
@@ -119,15 +119,14 @@ struct vtkRelievoSmoothBlocks::Internals
     {
       // The last points of the last cells belong to the next piece, where there is one.
       int& last = owned[2 * axis + 1];
-      const bool end = last == static_cast<int>(cells[axis]) &&
-        extent[2 * axis + 1] == whole[2 * axis + 1];
+      const bool end =
+        last == static_cast<int>(cells[axis]) && extent[2 * axis + 1] == whole[2 * axis + 1];
       last = end ? box.Size[axis] : std::min(last, box.Size[axis]);
     }
     return owned;
   }
 
-  static void SetGeometry(
-    vtkImageData* image, bool onPoints, relievo::BlockSettings& settings)
+  static void SetGeometry(vtkImageData* image, bool onPoints, relievo::BlockSettings& settings)
   {
     int extent[6];
     image->GetExtent(extent);
@@ -220,8 +219,7 @@ int vtkRelievoSmoothBlocks::RequestUpdateExtent(
   vtkInformation* output = outputs->GetInformationObject(0);
   if (output->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1)
   {
-    const int levels =
-      output->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + Internals::GhostLevels;
+    const int levels = output->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + Internals::GhostLevels;
     input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), levels);
   }
   return 1;
@@ -276,8 +274,8 @@ int vtkRelievoSmoothBlocks::RequestData(
   }
   vtkUnsignedCharArray* ghosts =
     onPoints ? image->GetPointGhostArray() : image->GetCellGhostArray();
-  const auto hiding = static_cast<unsigned char>(onPoints ? int(vtkDataSetAttributes::HIDDENPOINT)
-                                                          : int(vtkDataSetAttributes::HIDDENCELL));
+  const auto hiding = static_cast<unsigned char>(
+    onPoints ? int(vtkDataSetAttributes::HIDDENPOINT) : int(vtkDataSetAttributes::HIDDENCELL));
   const std::unique_ptr<relievo::BlockLabels> labels =
     relievo::BlockLabels::New(array, box, this->AirLabel, ghosts, hiding);
 
@@ -296,8 +294,7 @@ int vtkRelievoSmoothBlocks::RequestData(
   }
   mesh.Weights = this->MaterialWeights;
   mesh.WeightedLabels.assign(this->Self->Weighted.begin(), this->Self->Weighted.end());
-  const int levels =
-    outputs->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  const int levels = outputs->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
   mesh.Owned = Internals::FindOwned(image, onPoints, box, whole);
   mesh.Kept = Internals::Grow(mesh.Owned, levels, box.Size);
   // One more layer, for the normals at the border; its own faces are dropped.
@@ -321,12 +318,20 @@ int vtkRelievoSmoothBlocks::RequestData(
     this->UpdateProgress(progress);
     return !this->GetAbortExecute();
   };
+  settings.KeepOffsets = mesh.SplitMaterials || mesh.TextureCoordinates || mesh.Weights;
   relievo::BlockSurface surface;
-  if (!relievo::MakeBlockSurface(*labels, settings, surface))
+  const relievo::Made made = relievo::MakeBlockSurface(*labels, settings, surface);
+  if (made == relievo::Made::TooLarge)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro("No surface of blocks: it would have 2^32 points or more; make it in pieces.");
+  }
+  if (made != relievo::Made::Done)
   {
     return 1;
   }
-  const vtkIdType weighted = relievo::MakeBlockMesh(surface, *labels, array, settings, mesh, output);
+  const vtkIdType weighted =
+    relievo::MakeBlockMesh(surface, *labels, array, settings, mesh, output);
   if (weighted > relievo::BlockMeshSettings::MostWeights)
   {
     this->SetErrorCode(vtkErrorCode::UserError);

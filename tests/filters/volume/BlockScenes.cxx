@@ -117,8 +117,8 @@ std::map<Edge, int> EdgeUses(vtkPolyData* surface)
     const vtkIdType count = points->GetNumberOfIds();
     for (vtkIdType i = 0; i < count; ++i)
     {
-      ++uses[EdgeOf(PlaceOf(surface, points->GetId(i)),
-        PlaceOf(surface, points->GetId((i + 1) % count)))];
+      ++uses[EdgeOf(
+        PlaceOf(surface, points->GetId(i)), PlaceOf(surface, points->GetId((i + 1) % count)))];
     }
   });
   return uses;
@@ -134,8 +134,7 @@ int UnlistedEdges(vtkPolyData* surface, vtkPolyData* seams)
   for (vtkIdType i = 0; i < seams->GetLines()->GetNumberOfCells(); ++i)
   {
     seams->GetLines()->GetCellAtId(i, points);
-    const Edge edge =
-      EdgeOf(PlaceOf(seams, points->GetId(0)), PlaceOf(seams, points->GetId(1)));
+    const Edge edge = EdgeOf(PlaceOf(seams, points->GetId(0)), PlaceOf(seams, points->GetId(1)));
     const auto found = uses.find(edge);
     const bool right = found != uses.end() && found->second != 2 &&
       found->second == static_cast<int>(counts->GetComponent(i, 0));
@@ -162,8 +161,8 @@ double SmallestArea(vtkPolyData* surface)
     {
       corners[i] = PlaceOf(surface, points->GetId(i));
     }
-    smallest = std::min(smallest,
-      vtkTriangle::TriangleArea(corners[0].data(), corners[1].data(), corners[2].data()));
+    smallest = std::min(
+      smallest, vtkTriangle::TriangleArea(corners[0].data(), corners[1].data(), corners[2].data()));
   });
   return smallest;
 }
@@ -193,7 +192,7 @@ vtkIdType EulerNumber(vtkPolyData* surface)
   {
     places.insert(PlaceOf(surface, i));
   }
-  return static_cast<vtkIdType>(places.size()) -
-    static_cast<vtkIdType>(EdgeUses(surface).size()) + surface->GetNumberOfPolys();
+  return static_cast<vtkIdType>(places.size()) - static_cast<vtkIdType>(EdgeUses(surface).size()) +
+    surface->GetNumberOfPolys();
 }
 }

@@ -60,7 +60,8 @@ BallErrors Measure(const Place& center)
     double squares = 0.;
     double angles = 0.;
     vtkIdType count = 0;
-    const vtkIdType size = strength == 0. ? surface->GetNumberOfPolys() : surface->GetNumberOfPoints();
+    const vtkIdType size =
+      strength == 0. ? surface->GetNumberOfPolys() : surface->GetNumberOfPoints();
     for (vtkIdType i = 0; i < size; ++i)
     {
       Place place;
@@ -132,8 +133,7 @@ void TestVolume(const std::string& name, const std::array<int, 3>& size, const L
   vtkIdType faces = 0;
   double volume = 0.;
   const auto at = [&](int i, int j, int k) {
-    const bool inside =
-      i >= 0 && j >= 0 && k >= 0 && i < size[0] && j < size[1] && k < size[2];
+    const bool inside = i >= 0 && j >= 0 && k >= 0 && i < size[0] && j < size[1] && k < size[2];
     const vtkTypeInt64 value = inside ? label(i, j, k) : 0;
     return between ? value : vtkTypeInt64(value != 0);
   };
@@ -157,9 +157,11 @@ void TestVolume(const std::string& name, const std::array<int, 3>& size, const L
   {
     RELIEVO_CHECK_NEAR(VolumeOf(surface), volume, 1e-9 * volume + 1e-12, name + ": volume inside");
   }
-  RELIEVO_CHECK_AT_MOST(-SmallestArea(surface), faces ? -0.031 : 0., name + ": smallest area, negative");
+  RELIEVO_CHECK_AT_MOST(
+    -SmallestArea(surface), faces ? -0.031 : 0., name + ": smallest area, negative");
   const int unlisted = UnlistedEdges(surface, filter->GetOutput(1));
-  RELIEVO_CHECK_THAT(unlisted == 0, name + ": " + std::to_string(unlisted) + " edges are not as listed");
+  RELIEVO_CHECK_THAT(
+    unlisted == 0, name + ": " + std::to_string(unlisted) + " edges are not as listed");
   vtkDataArray* materials = surface->GetCellData()->GetArray("material");
   RELIEVO_CHECK(materials && materials->GetDataType() == VTK_INT);
   RELIEVO_CHECK((surface->GetCellData()->GetArray("neighbor") != nullptr) == between);
@@ -189,16 +191,17 @@ void TestVolumes()
     TestVolume("checkers", { 6, 6, 6 }, checkers, false, strength);
     TestVolume("wall", { 7, 6, 5 }, wall, false, strength);
     TestVolume("random", { 70, 9, 19 }, AnyOf(1, 2), false, strength);
-    TestVolume("sparse", { 9, 67, 18 }, [](int i, int j, int k) {
-      return vtkTypeInt64(AnyOf(2, 7)(i, j, k) == 1);
-    }, false, strength);
+    TestVolume(
+      "sparse", { 9, 67, 18 },
+      [](int i, int j, int k) { return vtkTypeInt64(AnyOf(2, 7)(i, j, k) == 1); }, false, strength);
     TestVolume("labels", { 12, 9, 21 }, AnyOf(3, 5), true, strength);
     TestVolume("two labels", { 66, 5, 7 }, AnyOf(4, 3), true, strength);
     TestVolume("labels from outside", { 10, 11, 9 }, AnyOf(4, 3), false, strength);
   }
   // A ball is a sphere, and a ring of blocks a torus.
   vtkNew<Filter> filter;
-  RELIEVO_CHECK(EulerNumber(Run(filter, MakeBlocks({ 20, 20, 20 }, BallOf(8., { 10., 10., 10. })))) == 2);
+  RELIEVO_CHECK(
+    EulerNumber(Run(filter, MakeBlocks({ 20, 20, 20 }, BallOf(8., { 10., 10., 10. })))) == 2);
   const auto ring = [](int i, int j, int k) {
     const double around = std::hypot(i - 9.5, j - 9.5) - 6.;
     return vtkTypeInt64(around * around + (k - 4.5) * (k - 4.5) < 9.);
@@ -274,8 +277,9 @@ void TestTypes()
   vtkNew<Filter> large;
   large->SetSurface(Filter::BETWEEN_LABELS);
   large->SetAirLabel(base);
-  vtkPolyData* surface = Run(large, MakeBlocks({ 3, 1, 1 },
-    [base](int i, int, int) { return i == 1 ? base + 1 : base; }, VTK_LONG_LONG));
+  vtkPolyData* surface = Run(large,
+    MakeBlocks(
+      { 3, 1, 1 }, [base](int i, int, int) { return i == 1 ? base + 1 : base; }, VTK_LONG_LONG));
   RELIEVO_CHECK(surface->GetNumberOfPolys() == 12);
   // The outside of the blocks does not depend on what air is called; an unsigned type lacks -1.
   vtkNew<Filter> none;

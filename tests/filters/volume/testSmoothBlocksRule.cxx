@@ -129,8 +129,7 @@ void Add(const std::array<Place, 4>& offsets, Smallest& smallest)
     const double normal[] = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
       a[0] * b[1] - a[1] * b[0] };
     smallest.Inwards = std::min(smallest.Inwards, 0.5 * normal[2]);
-    smallest.Area =
-      std::min(smallest.Area, 0.5 * std::hypot(normal[0], normal[1], normal[2]));
+    smallest.Area = std::min(smallest.Area, 0.5 * std::hypot(normal[0], normal[1], normal[2]));
   }
 }
 
