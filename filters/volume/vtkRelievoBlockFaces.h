@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRelievoBlockFaces.h
- * @brief Which faces of a slice of blocks belong to the surface, and which vertices they use, as bits.
+ * @brief Which faces of a slice of blocks belong to the surface, and which vertices they use, as
+ * bits.
  */
 #ifndef vtkRelievoBlockFaces_h
 #define vtkRelievoBlockFaces_h
@@ -34,7 +35,9 @@ struct FaceSlice
   vtkIdType Count() const;
 };
 
-/** Vertices of faces in the plane between slices k and k + 1: vertex i is between blocks i, i + 1. */
+/**
+ * Vertices of faces in the plane between slices k and k + 1: vertex i is between blocks i, i + 1.
+ */
 struct VertexSlice
 {
   BitSlice Used;           // a row for each vertex row j, between rows j and j + 1 of blocks

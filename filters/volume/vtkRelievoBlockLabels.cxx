@@ -46,7 +46,8 @@ vtkIdType BlockLabels::Beside(vtkIdType index, int axis, bool above) const
 
 namespace
 {
-// Bit i of the words tells whether test(i) holds. By bytes first, which compilers turn into vectors.
+// Bit i of the words tells whether test(i) holds. By bytes first, which compilers turn into
+// vectors.
 template <typename Test>
 void PackBits(int count, BitSlice::Word* words, Test&& test)
 {

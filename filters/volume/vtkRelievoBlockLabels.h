@@ -70,8 +70,8 @@ public:
   virtual void GetSolid(int k, BitSlice& solid) const = 0;
 
   /**
-   * Where labels of a slice differ: in `x` bit i compares block i with i + 1, in row j of `y` rows j
-   * and j + 1, and in `z` slices k - 1 and k (k at least 1).
+   * Where labels of a slice differ: in `x` bit i compares block i with i + 1, in row j of `y` rows
+   * j and j + 1, and in `z` slices k - 1 and k (k at least 1).
    */
   virtual void GetBorders(int k, BitSlice& x, BitSlice& y, BitSlice& z) const = 0;
 

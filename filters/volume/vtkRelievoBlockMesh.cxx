@@ -8,6 +8,7 @@
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -304,5 +305,42 @@ vtkIdType MakeBlockMesh(const BlockSurface& surface, const BlockLabels& labels, 
     MarkGhosts(surface, labels, mesh, faces, cellsPerFace, output);
   }
   return static_cast<vtkIdType>(corners.WeightNames.size());
+}
+
+//------------------------------------------------------------------------------
+void MakeBlockSeams(const BlockSurface& surface, const std::array<int, 6>& owned,
+  const std::array<int, 3>& size, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(surface.Points->GetDataType());
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIntArray> uses;
+  uses->SetName("uses");
+  for (const BlockSeam& seam : surface.Seams)
+  {
+    bool mine = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // Vertex i is below block i + 1; the last ones have no such block.
+      const int last = owned[2 * axis + 1];
+      const int vertex = seam.Vertex[axis] + 1;
+      mine = mine && vertex >= owned[2 * axis] &&
+        (vertex <= last || (last == size[axis] && vertex == last + 1));
+    }
+    if (mine)
+    {
+      lines->InsertNextCell(2);
+      for (const vtkIdType point : seam.Points)
+      {
+        double place[3];
+        surface.Points->GetTuple(point, place);
+        lines->InsertCellPoint(points->InsertNextPoint(place));
+      }
+      uses->InsertNextValue(seam.Uses);
+    }
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  output->GetCellData()->AddArray(uses);
 }
 }

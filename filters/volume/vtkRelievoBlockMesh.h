@@ -41,6 +41,10 @@ struct BlockMeshSettings
  */
 vtkIdType MakeBlockMesh(const BlockSurface& surface, const BlockLabels& labels, vtkDataArray* array,
   const BlockSettings& settings, const BlockMeshSettings& mesh, vtkPolyData* output);
+
+/** Makes lines of the seams whose lower end belongs to this piece. */
+void MakeBlockSeams(const BlockSurface& surface, const std::array<int, 6>& owned,
+  const std::array<int, 3>& size, vtkPolyData* output);
 }
 
 #endif

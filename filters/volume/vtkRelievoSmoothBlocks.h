@@ -6,21 +6,22 @@
  *
  * Input: a vtkImageData with an array of labels, any integer type, one component, on cells or on
  * points (each point is then the middle of a block). One label is air. By default the array is the
- * active scalars of the cells, or else of the points; SetInputArrayToProcess(0, ...) chooses another.
- * Blanked blocks are air.
+ * active scalars of the cells, or else of the points; SetInputArrayToProcess(0, ...) chooses
+ * another. Blanked blocks are air.
  *
  * Output 0: triangles, or quads, that face outwards, with the blocks' own topology: one face (two
  * triangles) where a block meets air, and by choice where two labels meet. Each vertex moves along
- * each axis by at most 3/8 of a block, by a rule that treats all axes alike and is symmetric under the
- * 48 symmetries of the cube (vtkRelievoBlockRule.h); no triangle is inverted or without area. Cell
- * arrays: "material", the label of the block that a face belongs to, and, between labels, "neighbor",
- * the label on its other side.
+ * each axis by at most 3/8 of a block, by a rule that treats all axes alike and is symmetric under
+ * the 48 symmetries of the cube (vtkRelievoBlockRule.h); no triangle is inverted or without area.
+ * Cell arrays: "material", the label of the block that a face belongs to, and, between labels,
+ * "neighbor", the label on its other side.
  *
  * Output 1: lines along the seams, the edges that are not used by exactly two faces: where blocks
- * touch along an edge only, where three or four labels meet, and at open borders. Cell array "uses".
+ * touch along an edge only, where three or four labels meet, and at open borders. Cell array
+ * "uses".
  *
- * A piece asks its input for two more layers of ghost cells and is then, bit for bit, what the whole
- * has there. Results do not depend on the number of threads.
+ * A piece asks its input for two more layers of ghost cells and is then, bit for bit, what the
+ * whole has there. Results do not depend on the number of threads.
  *
  * The rule is in the spirit of L. Pensjo's smooth worlds from block data (2012), made anew. Memory
  * grows with the surface. With an array of floats, or with none, the filter reports one error, sets
@@ -49,8 +50,8 @@ public:
 
   ///@{
   /**
-   * How far vertices move, in blocks: 0 leaves cubes, 0.125 makes a step a slope of 45 degrees, more
-   * rounds edges further. Default is 0.125; from 0 to 0.25.
+   * How far vertices move, in blocks: 0 leaves cubes, 0.125 makes a step a slope of 45 degrees,
+   * more rounds edges further. Default is 0.125; from 0 to 0.25.
    */
   vtkSetClampMacro(Strength, double, 0., 0.25);
   vtkGetMacro(Strength, double);
@@ -64,9 +65,9 @@ public:
 
   ///@{
   /**
-   * Which faces are made: those between a block and air (OUTSIDE, the default), or also those between
-   * blocks of two labels, once each (BETWEEN_LABELS). A face between two labels belongs to the block
-   * with the lower indices.
+   * Which faces are made: those between a block and air (OUTSIDE, the default), or also those
+   * between blocks of two labels, once each (BETWEEN_LABELS). A face between two labels belongs to
+   * the block with the lower indices.
    */
   vtkSetClampMacro(Surface, int, OUTSIDE, BETWEEN_LABELS);
   vtkGetMacro(Surface, int);
@@ -96,8 +97,8 @@ public:
   ///@{
   /**
    * Point normals: the mean over all faces at a point, by area (ACROSS_MATERIALS, the default), or
-   * over those of one material, with a point for each (WITHIN_MATERIALS). Where they cancel out, each
-   * face has a point with its own normal.
+   * over those of one material, with a point for each (WITHIN_MATERIALS). Where they cancel out,
+   * each face has a point with its own normal.
    */
   vtkSetClampMacro(Normals, int, NO_NORMALS, WITHIN_MATERIALS);
   vtkGetMacro(Normals, int);
@@ -169,8 +170,9 @@ public:
 
   ///@{
   /**
-   * Size of one copy of the texture, or of a tile of the atlas, in world units. With 0, the default,
-   * it is the longest side of a block, or twice that for an atlas, so that every face fits.
+   * Size of one copy of the texture, or of a tile of the atlas, in world units. With 0, the
+   * default, it is the longest side of a block, or twice that for an atlas, so that every face
+   * fits.
    */
   vtkSetClampMacro(TileSize, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(TileSize, double);
@@ -178,9 +180,9 @@ public:
 
   ///@{
   /**
-   * Columns and rows of an atlas, a texture with a tile for each material: label 1 has the one in the
-   * lower left corner, label 2 the next to its right. Faces are in the middle of their tile. 0 0, the
-   * default: no atlas, textures repeat.
+   * Columns and rows of an atlas, a texture with a tile for each material: label 1 has the one in
+   * the lower left corner, label 2 the next to its right. Faces are in the middle of their tile. 0
+   * 0, the default: no atlas, textures repeat.
    */
   vtkSetVector2Macro(Atlas, int);
   vtkGetVector2Macro(Atlas, int);
@@ -188,9 +190,9 @@ public:
 
   ///@{
   /**
-   * Whether points have the array "weights", for soft borders between materials: a component for each
-   * label, named after it, with its share of the faces at the point. Their sum is 1 where all labels
-   * are weighted. Default is off.
+   * Whether points have the array "weights", for soft borders between materials: a component for
+   * each label, named after it, with its share of the faces at the point. Their sum is 1 where all
+   * labels are weighted. Default is off.
    */
   vtkSetMacro(MaterialWeights, bool);
   vtkGetMacro(MaterialWeights, bool);

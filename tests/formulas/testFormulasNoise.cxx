@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Simplex noise: its mean and range, no jumps, also where lattice cells meet; other seeds give other
-// noise; the same values in float and double, near the origin and half a thousand million cells away;
-// and no repetition after the periods that other noises have.
+// Simplex noise: its mean and range, no jumps, also where lattice cells meet; other seeds give
+// other noise; the same values in float and double, near the origin and half a thousand million
+// cells away; and no repetition after the periods that other noises have.
 #include "Check.h"
 #include "Session.h"
 #include "vtkRelievoFormulas.h"
@@ -66,8 +66,8 @@ void TestValues()
     squares += value * value;
     product += value * f64::relievoSimplexNoise(cell, part, 6u);
     largest = std::max(largest, std::abs(value));
-    rounding = std::max(
-      rounding, std::abs(value - f32::relievoSimplexNoise(cell, glm::vec3(part), 5u)));
+    rounding =
+      std::max(rounding, std::abs(value - f32::relievoSimplexNoise(cell, glm::vec3(part), 5u)));
     const glm::ivec3 away = cell * 500000;
     far = std::max(far,
       std::abs(f64::relievoSimplexNoise(away, part, 5u) -
@@ -109,8 +109,8 @@ void TestJumps()
       place.z = std::round(place.x + place.y) - place.x - place.y;
     }
     const glm::dvec3 step = 1e-7 * glm::normalize(points.NextParts() - 0.5);
-    steepest = std::max(
-      steepest, std::abs(NoiseAt(place + step, 9u) - NoiseAt(place - step, 9u)) / 2e-7);
+    steepest =
+      std::max(steepest, std::abs(NoiseAt(place + step, 9u) - NoiseAt(place - step, 9u)) / 2e-7);
   }
   RELIEVO_CHECK_AT_MOST(steepest, 7., "steepest slope");
 }
@@ -129,8 +129,8 @@ void TestPeriods()
         const glm::dvec3 part = points.NextParts();
         glm::ivec3 shifted = cell;
         shifted[axis] += period;
-        equal += f64::relievoSimplexNoise(cell, part, 1u) ==
-          f64::relievoSimplexNoise(shifted, part, 1u);
+        equal +=
+          f64::relievoSimplexNoise(cell, part, 1u) == f64::relievoSimplexNoise(shifted, part, 1u);
       }
       RELIEVO_CHECK_THAT(equal < 10, "repeats after " + std::to_string(period) + " cells");
     }

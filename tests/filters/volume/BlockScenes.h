@@ -39,8 +39,8 @@ using Edge = std::array<Place, 2>; // the smaller one first
 std::map<Edge, int> EdgeUses(vtkPolyData* surface);
 
 /**
- * Edges between two faces of blocks whose use differs from twice and that output 1 does not list, or
- * lists with another count. Diagonals of faces are used twice by construction.
+ * Edges between two faces of blocks whose use differs from twice and that output 1 does not list,
+ * or lists with another count. Diagonals of faces are used twice by construction.
  */
 int UnlistedEdges(vtkPolyData* surface, vtkPolyData* seams);
 

@@ -93,8 +93,7 @@ protected:
     info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
     return 1;
   }
-  int RequestData(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
   {
     vtkInformation* info = outputs->GetInformationObject(0);
     vtkImageData* image = vtkImageData::GetData(info);
@@ -267,8 +266,8 @@ void TestChunks(int options)
           {
             for (int i = extent[0]; i < extent[1]; ++i)
             {
-              const bool mine = i >= own[0] && i < own[1] && j >= own[2] && j < own[3] &&
-                k >= own[4] && k < own[5];
+              const bool mine =
+                i >= own[0] && i < own[1] && j >= own[2] && j < own[3] && k >= own[4] && k < own[5];
               image->GetCellGhostArray()->SetValue(cell++,
                 static_cast<unsigned char>(mine ? 0 : int(vtkDataSetAttributes::DUPLICATECELL)));
             }
