@@ -107,8 +107,7 @@ void SetBlockGeometry(vtkImageData* image, bool onPoints, BlockSettings& setting
 }
 
 //------------------------------------------------------------------------------
-std::array<int, 6> GrowBlocks(
-  const std::array<int, 6>& box, int by, const std::array<int, 3>& size)
+std::array<int, 6> GrowBlocks(const std::array<int, 6>& box, int by, const std::array<int, 3>& size)
 {
   std::array<int, 6> grown = box;
   for (int axis = 0; axis < 3; ++axis)

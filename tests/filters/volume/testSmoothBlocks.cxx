@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 
 namespace
@@ -118,6 +119,42 @@ void TestBall()
   RELIEVO_CHECK_AT_MOST(errors.Largest, 0.45, "largest distance to the sphere, blocks");
   RELIEVO_CHECK_AT_MOST(
     errors.Normal / errors.Cubes, 0.25, "error of normals, as part of that of cubes");
+}
+
+// Wherever the ball is among the blocks. Half a block is what flat surroundings cannot tell.
+void TestBallAnywhere()
+{
+  constexpr double Radius = 12.7;
+  double sum = 0.;
+  double worst = 0.;
+  double largest = 0.;
+  constexpr int Balls = 12;
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(15.5, 16.5);
+  for (int ball = 0; ball < Balls; ++ball)
+  {
+    const double x = uniform(random);
+    const double y = uniform(random);
+    const Place center = { x, y, uniform(random) };
+    vtkNew<Filter> filter;
+    vtkPolyData* surface = Run(filter, MakeBlocks({ 32, 32, 32 }, BallOf(Radius, center)));
+    double squares = 0.;
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      Place place;
+      surface->GetPoint(i, place.data());
+      const double distance =
+        std::abs(std::sqrt(vtkMath::Distance2BetweenPoints(place.data(), center.data())) - Radius);
+      squares += distance * distance;
+      largest = std::max(largest, distance);
+    }
+    const double rms = std::sqrt(squares / static_cast<double>(surface->GetNumberOfPoints()));
+    worst = std::max(worst, rms);
+    sum += rms;
+  }
+  RELIEVO_CHECK_AT_MOST(sum / Balls, 0.14, "rms distance, mean of balls anywhere");
+  RELIEVO_CHECK_AT_MOST(worst, 0.15, "rms distance, the worst of them");
+  RELIEVO_CHECK_AT_MOST(largest, 0.5, "largest distance of all");
 }
 
 // Faces, orientation, and edges of any volume: counts come from the labels.
@@ -338,6 +375,7 @@ int main()
 {
   relievoTest::Session session;
   TestBall();
+  TestBallAnywhere();
   TestVolumes();
   TestGeometry();
   TestTypes();
