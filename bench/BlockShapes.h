@@ -23,10 +23,10 @@ namespace relievoBench
 struct BlockShape
 {
   std::string Name;
-  int Size = 0;                                         // blocks each way
-  std::function<double(const glm::dvec3&)> DistanceAt;  // negative inside
+  int Size = 0;                                          // blocks each way
+  std::function<double(const glm::dvec3&)> DistanceAt;   // negative inside
   std::function<glm::dvec3(const glm::dvec3&)> NormalAt; // outwards, of length 1
-  double Border = 0.;                                   // what is nearer to the border is not measured
+  double Border = 0.; // what is nearer to the border is not measured
 
   bool IsMeasured(const glm::dvec3& place) const;
 

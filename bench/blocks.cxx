@@ -62,8 +62,8 @@ vtkSmartPointer<vtkRelievoSmoothBlocks> Blocks(vtkImageData* labels, double stre
   filter->SetStrength(strength);
   filter->SetCloseBorders(false); // as the peers
   filter->SetSeams(false);
-  filter->SetNormals(strength > 0. ? vtkRelievoSmoothBlocks::ACROSS_MATERIALS
-                                   : vtkRelievoSmoothBlocks::NO_NORMALS);
+  filter->SetNormals(
+    strength > 0. ? vtkRelievoSmoothBlocks::ACROSS_MATERIALS : vtkRelievoSmoothBlocks::NO_NORMALS);
   return filter;
 }
 
@@ -128,8 +128,7 @@ Errors Measure(const BlockShape& shape, vtkPolyData* surface, bool faceNormals)
   vtkDataArray* normals = surface->GetPointData()->GetNormals();
   const auto addNormal = [&](const double place[3], const double normal[3]) {
     const glm::dvec3 out = shape.NormalAt({ place[0], place[1], place[2] });
-    const double angle = vtkMath::DegreesFromRadians(
-      vtkMath::AngleBetweenVectors(&out[0], normal));
+    const double angle = vtkMath::DegreesFromRadians(vtkMath::AngleBetweenVectors(&out[0], normal));
     // Some peers' normals point inwards.
     const double off = std::min(angle, faceNormals ? angle : 180. - angle);
     angles += off * off;
@@ -301,8 +300,8 @@ int relievoBench::BenchBlocks(const std::string& outDir, const BlockSizes& sizes
   }
   vtkSMPTools::Initialize(1);
   Table table({ "shape", "blocks", "method", "triangles", "milliseconds", "ms per million blocks",
-    "million triangles per second", "hausdorff blocks", "rms distance blocks",
-    "rms normal degrees", "load" });
+    "million triangles per second", "hausdorff blocks", "rms distance blocks", "rms normal degrees",
+    "load" });
   for (const int size : sizes.Sizes)
   {
     for (const BlockShape& shape : BlockShapes(size))
@@ -324,8 +323,8 @@ int relievoBench::BenchBlocks(const std::string& outDir, const BlockSizes& sizes
         std::cout << shape.Name << ' ' << size << ", " << ways[i].Name << ": "
                   << Number(1e3 * seconds) << " ms, " << Number(1e-6 * triangles / seconds, 3)
                   << " M triangles/s, Hausdorff " << Number(errors.Hausdorff) << ", rms "
-                  << Number(errors.Distance) << ", normals " << Number(errors.Normal)
-                  << " degrees" << std::endl;
+                  << Number(errors.Distance) << ", normals " << Number(errors.Normal) << " degrees"
+                  << std::endl;
       }
     }
   }
