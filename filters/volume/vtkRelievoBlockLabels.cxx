@@ -137,34 +137,13 @@ public:
 
   void GetBorders(int k, BitSlice& x, BitSlice& y, BitSlice& z) const override
   {
-    const int width = this->Box.Size[0] + 2;
-    std::vector<vtkTypeInt64> rows[3];
-    for (std::vector<vtkTypeInt64>& row : rows)
+    if (this->HasAir)
     {
-      row.resize(width + 1);
+      this->template GetBordersAs<T>(k, x, y, z);
     }
-    for (int j = 0; j < this->Box.Size[1] + 2; ++j)
+    else
     {
-      if (j == 0)
-      {
-        this->GetRow(j, k, rows[0]);
-      }
-      else
-      {
-        std::swap(rows[0], rows[1]);
-      }
-      const std::vector<vtkTypeInt64>& row = rows[0];
-      PackBits(width - 1, x.Row(j), [&](int i) { return row[i] != row[i + 1]; });
-      if (j < this->Box.Size[1] + 1)
-      {
-        this->GetRow(j + 1, k, rows[1]);
-        PackBits(width, y.Row(j), [&](int i) { return row[i] != rows[1][i]; });
-      }
-      if (k > 0)
-      {
-        this->GetRow(j, k - 1, rows[2]);
-        PackBits(width, z.Row(j), [&](int i) { return row[i] != rows[2][i]; });
-      }
+      this->template GetBordersAs<vtkTypeInt64>(k, x, y, z);
     }
   }
 
@@ -178,19 +157,52 @@ private:
     const BitSlice::Word mask = BitSlice::Word(1) << (bit & 63);
     words[bit / 64] = value ? words[bit / 64] | mask : words[bit / 64] & ~mask;
   }
-  void GetRow(int j, int k, std::vector<vtkTypeInt64>& row) const
+
+  // With rows of a type that holds every label, that of air, too.
+  template <typename Id>
+  void GetBordersAs(int k, BitSlice& x, BitSlice& y, BitSlice& z) const
+  {
+    const int width = this->Box.Size[0] + 2;
+    std::vector<Id> row(width);
+    std::vector<Id> next(width);
+    std::vector<Id> below(width);
+    this->GetRow(0, k, next);
+    for (int j = 0; j < this->Box.Size[1] + 2; ++j)
+    {
+      std::swap(row, next);
+      const Id* labels = row.data();
+      PackBits(width - 1, x.Row(j), [labels](int i) { return labels[i] != labels[i + 1]; });
+      if (j < this->Box.Size[1] + 1)
+      {
+        this->GetRow(j + 1, k, next);
+        const Id* others = next.data();
+        PackBits(width, y.Row(j), [labels, others](int i) { return labels[i] != others[i]; });
+      }
+      if (k > 0)
+      {
+        this->GetRow(j, k - 1, below);
+        const Id* others = below.data();
+        PackBits(width, z.Row(j), [labels, others](int i) { return labels[i] != others[i]; });
+      }
+    }
+  }
+
+  template <typename Id>
+  void GetRow(int j, int k, std::vector<Id>& row) const
   {
     const int width = this->Box.Size[0];
-    for (int i = 0; i < width + 2; i += width + 1)
-    {
-      row[i] = this->Label(i, j, k);
-    }
     const vtkIdType start = this->Index(1, j, k);
-    for (int i = 0; i < width; ++i)
+    if (start < 0)
     {
-      row[i + 1] = start < 0 || this->IsHidden(start + i)
-        ? this->AirLabel
-        : static_cast<vtkTypeInt64>(this->Values[start + i]);
+      std::fill(row.begin(), row.end(), static_cast<Id>(this->AirLabel));
+      return;
+    }
+    row.front() = static_cast<Id>(this->Label(0, j, k));
+    row.back() = static_cast<Id>(this->Label(width + 1, j, k));
+    std::copy(this->Values + start, this->Values + start + width, row.begin() + 1);
+    for (int i = 0; this->Ghosts && i < width; ++i)
+    {
+      row[i + 1] = this->IsHidden(start + i) ? static_cast<Id>(this->AirLabel) : row[i + 1];
     }
   }
 
