@@ -21,8 +21,8 @@ Chart ErrorAgainstTime(
   {
     largest = std::max(largest, NumberIn(row, "blocks"));
   }
-  chart.Note = "Lower left is better. One thread, " + std::to_string(static_cast<int>(largest)) +
-    " blocks each way.";
+  chart.Note = "Lower left is better. Ring: the default. One thread, " +
+    std::to_string(static_cast<int>(largest)) + " blocks each way.";
   chart.X.Title = "milliseconds per million blocks";
   chart.X.Log = true;
   chart.Y.Title = unit;
