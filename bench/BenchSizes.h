@@ -69,12 +69,20 @@ struct FogSizes
   int Rounds = 21;
 };
 
+struct BlockSizes
+{
+  std::vector<int> Sizes = { 32, 64, 128 }; // blocks each way; charts show the last
+  int Rounds = 11;
+  std::vector<std::string> Data = { "aal.nii.gz", "liver.inr" };
+};
+
 /** The benches of the same names, smaller or larger; as RelievoBenchEnvironment and so on. */
 int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
 int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
 int BenchLights(const std::string& outDir, const LightSizes& sizes);
 int BenchDeferred(const std::string& outDir, const DeferredSizes& sizes);
 int BenchTone(const std::string& outDir, const ToneSizes& sizes);
+int BenchBlocks(const std::string& outDir, const BlockSizes& sizes);
 int BenchFog(const std::string& outDir, const FogSizes& sizes);
 
 /** The part of BenchEnvironment that times frames; returns whether its file is written. */

@@ -49,6 +49,7 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
       RelievoBenchTone },
     { "fog", "error of a fog sphere's chord against distance; what fog costs a frame",
       RelievoBenchFog },
+    { "blocks", "error of surfaces of labels against time, beside VTK's own", RelievoBenchBlocks },
   };
   return entries;
 }

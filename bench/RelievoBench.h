@@ -74,6 +74,9 @@ int RelievoBenchRelief(const std::string& outDir);
 /** Error of a fog sphere's chord against distance, and what fog costs a frame. A minute. */
 int RelievoBenchFog(const std::string& outDir);
 
+/** Chart 9: surfaces of labels: distance and normals against time, with peers. Two minutes. */
+int RelievoBenchBlocks(const std::string& outDir);
+
 /** What a normal map costs a full-screen frame, against VTK's own textures. Half a minute. */
 int RelievoBenchNormalMaps(const std::string& outDir);
 

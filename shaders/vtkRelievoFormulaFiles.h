@@ -47,3 +47,5 @@
 #include "formulas/fog.glsl"
 
 #include "formulas/marker.glsl"
+
+#include "formulas/noise.glsl"

@@ -27,6 +27,7 @@ const std::vector<Entry>& Entries()
     { "relief", { "relief.csv" }, ReliefCharts },
     { "environment", { "environment.csv", "environment-angle.csv" }, EnvironmentCharts },
     { "tone", { "tone-curves.csv", "tone-bands.csv" }, ToneCharts },
+    { "blocks", { "blocks.csv" }, BlockCharts },
     { "fog", { "fog.csv", "fog-frames.csv" }, FogCharts },
   };
   return entries;

@@ -73,6 +73,13 @@ const std::vector<ChartMethod>& ChartMethods()
     { "none", "no dithering", C::Vermillion, M::Square, D::DashDotted },
     { "ordered", "ordered", C::Green, M::Diamond, D::Dashed },
     { "blue_noise", "blue noise", C::Blue, M::Circle, D::Solid },
+    // Surfaces of blocks
+    { "smooth blocks", "smooth blocks", C::Blue, M::Circle, D::Solid },
+    { "smooth blocks, 0.25", "smooth, 0.25", C::Sky, M::Circle, D::Dashed },
+    { "cubes", "cubes", C::Black, M::Square, D::Dotted },
+    { "flying edges", "flying edges", C::Grey, M::Cross, D::Dashed },
+    { "flying edges, sinc", "… and sinc", C::Vermillion, M::Up, D::DashDotted },
+    { "surface nets", "surface nets", C::Green, M::Diamond, D::Dashed },
     // Fog
     { "pairs of floats", "pairs of floats", C::Blue, M::Circle, D::Solid },
     { "textbook, double", "textbook, double", C::Grey, M::Cross, D::Dashed },

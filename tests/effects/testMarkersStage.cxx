@@ -17,6 +17,7 @@
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPolyData.h>
+#include <vtkProperty.h>
 #include <vtkRelievoFogSpheres.h>
 #include <vtkRelievoFogStage.h>
 #include <vtkTransform.h>
@@ -343,6 +344,28 @@ void TestOrder()
   RELIEVO_CHECK(passes > 0.2 && passes < 0.8);
   RELIEVO_CHECK_NEAR(layers.Value("color", 30, 15, 0), passes, 2e-3, "the marker behind fog");
   RELIEVO_CHECK_NEAR(layers.Value("color", 30, 15, 2), 1. - passes, 2e-3, "fog over the marker");
+
+  // And so does glass: a green ball that covers half of a red disc.
+  scene.Frame->GetFog()->RemoveFog(fog);
+  scene.Ball->GetProperty()->SetOpacity(0.5);
+  scene.Ball->GetProperty()->SetColor(0., 1., 0.);
+  scene.Ball->GetProperty()->LightingOff();
+  scene.Ball->GetProperty()->BackfaceCullingOn();
+  const Layers glass = scene.Read({ "color", "blend", "marker" });
+  int seen = 0;
+  for (int y = 0; y < glass.Height; ++y)
+  {
+    for (int x = 0; x < glass.Width; ++x)
+    {
+      if (std::abs(glass.Value("blend", x, y, 3) - 0.5) < 1e-2 && glass.Value("marker", x, y) == 1.)
+      {
+        ++seen;
+        RELIEVO_CHECK(std::abs(glass.Value("color", x, y, 0) - 0.5) < 1e-2);
+        RELIEVO_CHECK(std::abs(glass.Value("color", x, y, 1) - 0.5) < 1e-2);
+      }
+    }
+  }
+  RELIEVO_CHECK(seen > 20);
 }
 
 // Depths belong to the centres of pixels, whatever the multisampling.

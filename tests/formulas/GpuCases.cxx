@@ -56,7 +56,8 @@ std::string FragmentShader()
       vtkRelievoShaderLibrary::Get("formulas/irradiance.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/fresnel.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/prefilter.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/fog.glsl"));
+      vtkRelievoShaderLibrary::Get("formulas/fog.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/noise.glsl"));
   vtkShaderProgram::Substitute(shader, "//RELIEVO::Cases", ReadTestShader("cases.glsl"));
   return shader;
 }

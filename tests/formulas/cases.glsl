@@ -301,6 +301,20 @@ uvec4 relievoTestFog(int which, uvec4 a, uvec4 b)
     relievoFogLinear(abs(u.x), abs(v.y)), relievoFogShare(abs(u.y))));
 }
 
+// Noise: the words of a corner, the same to the last bit, and the noise itself, near and far.
+uvec4 relievoTestNoise(uvec4 a, uvec4 b)
+{
+  ivec3 far = ivec3(int(a.x >> uint(3)), int(a.y >> uint(3)), int(a.z >> uint(3))) -
+    ivec3(268435456, 268435456, 268435456);
+  ivec3 near = ivec3(int(a.x & uint(7)), int(a.y & uint(7)), int(a.z & uint(7)));
+  float cell = float(1.0) / float(16777216.0);
+  vec3 part = vec3(float(b.x >> uint(8)) * cell, float(b.y >> uint(8)) * cell,
+    float(b.z >> uint(8)) * cell);
+  return uvec4(relievoNoiseHash(a.x, a.y, a.z, a.w), relievoNoiseHash(b.x, a.y, b.z, a.w),
+    floatBitsToUint(relievoSimplexNoise(far, part, a.w)),
+    floatBitsToUint(relievoSimplexNoise(near, part, a.w)));
+}
+
 uvec4 relievoTestCase(int which, uvec4 a, uvec4 b)
 {
   if (which < 10)
@@ -327,5 +341,9 @@ uvec4 relievoTestCase(int which, uvec4 a, uvec4 b)
   {
     return relievoTestTone(which, a);
   }
-  return relievoTestFog(which, a, b);
+  if (which < 70)
+  {
+    return relievoTestFog(which, a, b);
+  }
+  return relievoTestNoise(a, b);
 }

@@ -315,6 +315,18 @@ void TestFog(relievoTest::GpuCases& gpu)
 }
 }
 
+void TestNoise(relievoTest::GpuCases& gpu)
+{
+  std::vector<CaseInput> inputs = WordInputs();
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    const glm::uvec4 next = inputs[(i + 1) % inputs.size()].A;
+    inputs[i].B = glm::uvec4(next.x, next.y, next.z, 0u);
+  }
+  const Rule noise = Number(0., 5e-6);
+  Compare(gpu, { 70, "noise", { Same, Same, noise, noise } }, inputs);
+}
+
 //------------------------------------------------------------------------------
 int main()
 {
@@ -329,6 +341,7 @@ int main()
       TestColor(gpu);
       TestTone(gpu);
       TestFog(gpu);
+      TestNoise(gpu);
     }
   }
   return session.Result();

@@ -17,6 +17,7 @@ FILTERS = {
     "EnvironmentConvert": ["InputProjection", "OutputProjection"],
     "EnvironmentPrefilter": ["InputProjection"],
     "EnvironmentIrradiance": ["InputProjection"],
+    "SmoothBlocks": ["Surface", "Normals", "Up", "NoiseDimensions"],
 }
 
 
@@ -108,6 +109,31 @@ class Filters(pv.Test):
         # integral over the sphere.
         self.assertEqual(rows.GetNumberOfRows(), 9)
         self.assertLess(numpy.abs(first / numpy.sqrt(4 * numpy.pi) - 0.5).max(), 0.01)
+
+    def test_smooth_blocks(self):
+        """Labels on points; lists of labels; the seams are the second output."""
+        wavelet = simple.Wavelet(WholeExtent=[0, 12, 0, 12, 0, 12])
+        labels = simple.Calculator(Input=wavelet, ResultArrayName="labels")
+        labels.Function = "(coordsX>4)+2*(coordsY>6)"
+        labels.ResultArrayType = "Int"
+        blocks = simple.SmoothBlocks(Input=labels)
+        blocks.Labels = ["POINTS", "labels"]
+        blocks.Surface = "Between labels"
+        blocks.UpdatePipeline()
+        smooth = servermanager.Fetch(blocks)
+        self.assertGreater(smooth.GetNumberOfPolys(), 500)
+        self.assertIsNotNone(smooth.GetCellData().GetArray("neighbor"))
+        seams = servermanager.Fetch(simple.OutputPort(blocks, 1))
+        self.assertGreater(seams.GetNumberOfLines(), 13)
+        self.assertGreater(vtk_to_numpy(seams.GetCellData().GetArray("uses")).min(), 2)
+        blocks.RigidLabels = [1, 2, 3]
+        blocks.UpdatePipeline()
+        moved = vtk_to_numpy(servermanager.Fetch(blocks).GetPoints().GetData()) - 0.5
+        self.assertEqual(numpy.abs(moved - numpy.round(moved)).max(), 0)
+        blocks.RigidLabels = []
+        blocks.UpdatePipeline()
+        moved = vtk_to_numpy(servermanager.Fetch(blocks).GetPoints().GetData()) - 0.5
+        self.assertGreater(numpy.abs(moved - numpy.round(moved)).max(), 0.2)
 
 
 if __name__ == "__main__":

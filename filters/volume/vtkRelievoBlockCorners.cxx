@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoBlockCorners.h"
+
+#include "vtkFloatArray.h"
+#include "vtkMath.h"
+#include "vtkRelievoThreads.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace relievo
+{
+namespace
+{
+// The corners of faces around each vertex, in the order of the faces.
+struct Around
+{
+  std::vector<vtkIdType> Starts;
+  std::vector<vtkIdType> Corners; // 4 * face + corner
+
+  Around(const BlockSurface& surface)
+    : Starts(surface.Points->GetNumberOfTuples() + 1, 0)
+    , Corners(4 * surface.Faces.GetSize())
+  {
+    for (vtkIdType face = 0; face < surface.Faces.GetSize(); ++face)
+    {
+      for (const vtkTypeUInt32 point : surface.Faces[face].Points)
+      {
+        ++this->Starts[static_cast<vtkIdType>(point) + 1];
+      }
+    }
+    std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
+    std::vector<vtkIdType> next(this->Starts.begin(), this->Starts.end() - 1);
+    for (vtkIdType corner = 0; corner < 4 * surface.Faces.GetSize(); ++corner)
+    {
+      this->Corners[next[surface.Faces[corner / 4].Points[corner % 4]]++] = corner;
+    }
+  }
+};
+
+// Groups of a vertex' corners that share a normal: at most as many as there are faces around it.
+struct Groups
+{
+  static constexpr int Most = 12;
+  int Of[Most] = {};
+  int Count = 0;
+  std::array<float, 3> Normals[Most];
+};
+
+class Grouping
+{
+public:
+  Grouping(const BlockSurface& surface, const BlockLabels& labels, const BlockSettings& settings,
+    const BlockMeshSettings& mesh)
+    : Surface(surface)
+    , Labels(labels)
+    , Settings(settings)
+    , Mesh(mesh)
+  {
+    double transposed[3][3];
+    vtkMath::Transpose3x3(settings.Axes, transposed);
+    vtkMath::Invert3x3(transposed, this->NormalAxes);
+  }
+
+  Groups Of(const vtkIdType* corners, int count) const
+  {
+    Groups groups;
+    vtkTypeInt64 materials[Groups::Most] = {};
+    std::array<double, 3> areas[Groups::Most];
+    std::array<double, 3> sums[Groups::Most] = {};
+    int members[Groups::Most] = {};
+    for (int i = 0; i < count; ++i)
+    {
+      const BlockFace& face = this->Surface.Faces[corners[i] / 4];
+      const vtkTypeInt64 material =
+        this->Mesh.SplitMaterials ? this->Labels.LabelAt(face.Owner) : 0;
+      int group = 0;
+      while (group < groups.Count && materials[group] != material)
+      {
+        ++group;
+      }
+      groups.Count = std::max(groups.Count, group + 1);
+      materials[group] = material;
+      groups.Of[i] = group;
+      ++members[group];
+      areas[i] = this->AreaOfFace(face);
+      for (int c = 0; c < 3; ++c)
+      {
+        sums[group][c] += areas[i][c];
+      }
+    }
+    if (!this->Settings.Normals)
+    {
+      return groups;
+    }
+    for (int group = 0, all = groups.Count; group < all; ++group)
+    {
+      if (this->SetNormal(sums[group], groups.Normals[group]) || members[group] == 1)
+      {
+        continue;
+      }
+      // Nothing is left of the sum: each face keeps its own normal, the first one this group.
+      bool first = true;
+      for (int i = 0; i < count; ++i)
+      {
+        if (groups.Of[i] == group)
+        {
+          groups.Of[i] = first ? group : groups.Count++;
+          this->SetNormal(areas[i], groups.Normals[groups.Of[i]]);
+          first = false;
+        }
+      }
+    }
+    return groups;
+  }
+
+private:
+  std::array<double, 3> AreaOfFace(const BlockFace& face) const
+  {
+    const BlockRule::Offset* corners[4];
+    const bool inOrder = face.Low != (vtkMath::Determinant3x3(this->Settings.Axes) < 0.);
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const int at = inOrder ? (face.First + corner) & 3 : (face.First + 4 - corner) & 3;
+      corners[at] = &this->Surface.Offsets[face.Points[corner]];
+    }
+    std::array<double, 3> area = AreaOf(face.Axis, corners);
+    if (!face.Low)
+    {
+      for (double& value : area)
+      {
+        value = -value;
+      }
+    }
+    return area;
+  }
+
+  bool SetNormal(const std::array<double, 3>& area, std::array<float, 3>& normal) const
+  {
+    double turned[3];
+    vtkMath::Multiply3x3(this->NormalAxes, area.data(), turned);
+    vtkMath::Normalize(turned);
+    for (int c = 0; c < 3; ++c)
+    {
+      normal[c] = static_cast<float>(turned[c]);
+    }
+    return !IsNull(area);
+  }
+
+  const BlockSurface& Surface;
+  const BlockLabels& Labels;
+  const BlockSettings& Settings;
+  const BlockMeshSettings& Mesh;
+  double NormalAxes[3][3];
+};
+
+template <typename Work>
+void ForAll(vtkIdType count, Work&& work)
+{
+  vtkRelievoWithThreads([&]() {
+    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        work(i);
+      }
+    });
+  });
+}
+
+void MakeWeights(const BlockSurface& surface, const BlockLabels& labels, const Around& around,
+  std::vector<vtkTypeInt64> weighted, BlockCorners& result)
+{
+  std::vector<vtkTypeInt64> materials(surface.Faces.GetSize());
+  ForAll(static_cast<vtkIdType>(materials.size()),
+    [&](vtkIdType i) { materials[i] = labels.LabelAt(surface.Faces[i].Owner); });
+  if (weighted.empty())
+  {
+    weighted = materials;
+  }
+  std::sort(weighted.begin(), weighted.end());
+  weighted.erase(std::unique(weighted.begin(), weighted.end()), weighted.end());
+  for (const vtkTypeInt64 label : weighted)
+  {
+    result.WeightNames.push_back(std::to_string(label));
+  }
+  const std::size_t count = weighted.size();
+  if (static_cast<vtkIdType>(count) > BlockMeshSettings::MostWeights)
+  {
+    return;
+  }
+  const vtkIdType vertices = surface.Points->GetNumberOfTuples();
+  result.Weights.assign(count * vertices, 0.f);
+  ForAll(vertices, [&](vtkIdType vertex) {
+    const vtkIdType begin = around.Starts[vertex];
+    const vtkIdType end = around.Starts[vertex + 1];
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      int faces = 0;
+      for (vtkIdType corner = begin; corner < end; ++corner)
+      {
+        faces += materials[around.Corners[corner] / 4] == weighted[i];
+      }
+      result.Weights[count * vertex + i] =
+        static_cast<float>(faces) / static_cast<float>(std::max<vtkIdType>(end - begin, 1));
+    }
+  });
+}
+}
+
+//------------------------------------------------------------------------------
+BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& labels,
+  const BlockSettings& settings, const BlockMeshSettings& mesh)
+{
+  BlockCorners result;
+  const Around around(surface);
+  const Grouping grouping(surface, labels, settings, mesh);
+  const vtkIdType vertices = surface.Points->GetNumberOfTuples();
+  const auto groupsOf = [&](vtkIdType vertex) {
+    const vtkIdType begin = around.Starts[vertex];
+    return grouping.Of(
+      around.Corners.data() + begin, static_cast<int>(around.Starts[vertex + 1] - begin));
+  };
+  std::vector<vtkIdType> starts(vertices + 1, 0);
+  ForAll(vertices, [&](vtkIdType vertex) { starts[vertex + 1] = groupsOf(vertex).Count; });
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  result.Points.resize(around.Corners.size());
+  result.Vertices.resize(starts[vertices]);
+  result.Normals.resize(settings.Normals ? starts[vertices] : 0);
+  ForAll(vertices, [&](vtkIdType vertex) {
+    const Groups groups = groupsOf(vertex);
+    for (int group = 0; group < groups.Count; ++group)
+    {
+      result.Vertices[starts[vertex] + group] = vertex;
+      if (settings.Normals)
+      {
+        result.Normals[starts[vertex] + group] = groups.Normals[group];
+      }
+    }
+    for (vtkIdType i = around.Starts[vertex]; i < around.Starts[vertex + 1]; ++i)
+    {
+      result.Points[around.Corners[i]] = starts[vertex] + groups.Of[i - around.Starts[vertex]];
+    }
+  });
+  if (mesh.Weights)
+  {
+    MakeWeights(surface, labels, around, mesh.WeightedLabels, result);
+  }
+  if (!mesh.TextureCoordinates)
+  {
+    return result;
+  }
+  // Corners of two faces have different coordinates: each gets a point of its own.
+  const auto corners = static_cast<vtkIdType>(around.Corners.size());
+  result.Texture.resize(corners);
+  std::vector<vtkIdType> ofCorners(corners);
+  std::vector<std::array<float, 3>> normals(settings.Normals ? corners : 0);
+  ForAll(corners / 4, [&](vtkIdType face) {
+    const std::array<std::array<float, 2>, 4> texture =
+      TextureOf(surface.Faces[face], surface, labels, settings, mesh);
+    for (vtkIdType corner = 4 * face; corner < 4 * face + 4; ++corner)
+    {
+      const vtkIdType point = result.Points[corner];
+      ofCorners[corner] = result.Vertices[point];
+      if (settings.Normals)
+      {
+        normals[corner] = result.Normals[point];
+      }
+      result.Texture[corner] = texture[corner - 4 * face];
+      result.Points[corner] = corner;
+    }
+  });
+  result.Vertices.swap(ofCorners);
+  result.Normals.swap(normals);
+  return result;
+}
+}

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkRelievoBlockFaces.h
+ * @brief Which faces of a slice of blocks belong to the surface, and which vertices they use, as
+ * bits.
+ */
+#ifndef vtkRelievoBlockFaces_h
+#define vtkRelievoBlockFaces_h
+
+#include "vtkRelievoBlockLabels.h"
+
+namespace relievo
+{
+/** Which faces are made. */
+struct FaceChoice
+{
+  bool BetweenLabels = false; // also between two labels that are no air
+  // Blocks, numbered as in BlockBox, whose faces are made. A face belongs to the lower of its
+  // blocks, unless that is air.
+  std::array<int, 6> Owners = {};
+};
+
+/** Faces of one slice k of blocks, and those between it and the slice below. */
+struct FaceSlice
+{
+  BitSlice Solid;
+  BitSlice X; // row j, bit i: between blocks i and i + 1
+  BitSlice Y; // row j, bit i: between rows j and j + 1
+  BitSlice Z; // row j, bit i: between slices k - 1 and k
+
+  /** Makes slice k. `below` is slice k - 1, unless k is 0. */
+  void Make(const BlockLabels& labels, const FaceChoice& choice, int k, const FaceSlice* below);
+
+  vtkIdType Count() const;
+};
+
+/**
+ * Vertices of faces in the plane between slices k and k + 1: vertex i is between blocks i, i + 1.
+ */
+struct VertexSlice
+{
+  BitSlice Used;           // a row for each vertex row j, between rows j and j + 1 of blocks
+  std::vector<int> Before; // vertices in all words before a word
+  int Count = 0;
+
+  void Make(const BlockBox& box, const FaceSlice& lower, const FaceSlice& upper);
+
+  /** The number of a used vertex in its slice. */
+  int Number(int i, int j) const
+  {
+    const std::size_t word = static_cast<std::size_t>(j) * this->Used.Words + i / 64;
+    const BitSlice::Word below = (BitSlice::Word(1) << (i & 63)) - 1;
+    return this->Before[word] + static_cast<int>(CountBits(this->Used.Bits[word] & below));
+  }
+
+  static std::size_t CountBits(BitSlice::Word word)
+  {
+    word -= word >> 1 & 0x5555555555555555u;
+    word = (word & 0x3333333333333333u) + (word >> 2 & 0x3333333333333333u);
+    word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fu;
+    return word * 0x0101010101010101u >> 56;
+  }
+};
+
+/** Bit i is bit i + 1 of the row; the row has a word of zeros at its end. */
+inline BitSlice::Word NextBits(const BitSlice::Word* row, int word, int words)
+{
+  return row[word] >> 1 | (word + 1 < words ? row[word + 1] << 63 : 0);
+}
+
+/** Calls each(i) for every bit that is set in a row, in order. */
+template <typename Each>
+void ForEachBit(const BitSlice::Word* row, int words, Each&& each)
+{
+  for (int word = 0; word < words; ++word)
+  {
+    for (BitSlice::Word left = row[word]; left; left &= left - 1)
+    {
+      const BitSlice::Word lowest = left & (~left + 1);
+      each(64 * word + static_cast<int>(VertexSlice::CountBits(lowest - 1)));
+    }
+  }
+}
+}
+
+#endif

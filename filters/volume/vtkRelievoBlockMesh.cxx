@@ -1,0 +1,346 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoBlockMesh.h"
+
+#include "vtkRelievoBlockCorners.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRelievoThreads.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cstring>
+#include <type_traits>
+
+namespace relievo
+{
+namespace
+{
+template <typename Work>
+void ForAll(vtkIdType count, Work&& work)
+{
+  vtkRelievoWithThreads([&]() {
+    vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        work(i);
+      }
+    });
+  });
+}
+
+bool IsIn(const std::array<int, 6>& range, vtkIdType place, const BlockBox& box)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto index = static_cast<int>(place % box.Size[axis]) + 1;
+    place /= box.Size[axis];
+    if (index < range[2 * axis] || index > range[2 * axis + 1])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The numbers of what is kept; all where the list is empty.
+struct Kept
+{
+  std::vector<vtkIdType> List;
+  vtkIdType Count = 0;
+  vtkIdType operator[](vtkIdType i) const { return this->List.empty() ? i : this->List[i]; }
+};
+
+Kept KeptFaces(
+  const BlockSurface& surface, const BlockLabels& labels, const BlockMeshSettings& mesh)
+{
+  Kept kept;
+  kept.Count = surface.Faces.GetSize();
+  if (mesh.HasGhosts)
+  {
+    for (vtkIdType i = 0; i < kept.Count; ++i)
+    {
+      if (IsIn(mesh.Kept, surface.Faces[i].Owner, labels.GetBox()))
+      {
+        kept.List.push_back(i);
+      }
+    }
+    kept.Count = static_cast<vtkIdType>(kept.List.size());
+  }
+  return kept;
+}
+
+// Polygons of four points each: pointOf(quad, corner).
+template <typename ArrayType, typename PointOf>
+void MakeCells(vtkIdType quads, bool triangles, vtkPolyData* output, PointOf&& pointOf)
+{
+  using Id = typename ArrayType::ValueType;
+  const int corners = triangles ? 3 : 4;
+  const vtkIdType cells = triangles ? 2 * quads : quads;
+  vtkNew<ArrayType> offsets;
+  offsets->SetNumberOfValues(cells + 1);
+  vtkNew<ArrayType> connectivity;
+  connectivity->SetNumberOfValues(corners * cells);
+  Id* starts = offsets->GetPointer(0);
+  Id* ids = connectivity->GetPointer(0);
+  ForAll(cells + 1, [&](vtkIdType i) { starts[i] = static_cast<Id>(corners * i); });
+  static const int fan[6] = { 0, 1, 2, 0, 2, 3 };
+  ForAll(quads, [&](vtkIdType quad) {
+    Id* to = ids + (triangles ? 6 : 4) * quad;
+    for (int i = 0; i < (triangles ? 6 : 4); ++i)
+    {
+      to[i] = static_cast<Id>(pointOf(quad, triangles ? fan[i] : i));
+    }
+  });
+  vtkNew<vtkCellArray> polygons;
+  polygons->SetData(offsets, connectivity);
+  output->SetPolys(polygons);
+}
+
+// An array of the type of `labels` with a value for each cell.
+template <typename LabelOfFace>
+void AddLabels(vtkDataArray* labels, const char* name, vtkIdType faces, int cellsPerFace,
+  vtkPolyData* output, LabelOfFace&& labelOf)
+{
+  auto array =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(labels->GetDataType()));
+  array->SetName(name);
+  array->SetNumberOfTuples(cellsPerFace * faces);
+  switch (array->GetDataType())
+  {
+    vtkTemplateMacro(if constexpr (std::is_integral<VTK_TT>::value) {
+      auto* values = static_cast<VTK_TT*>(array->GetVoidPointer(0));
+      ForAll(faces, [&](vtkIdType face) {
+        const auto value = static_cast<VTK_TT>(labelOf(face));
+        for (int i = 0; i < cellsPerFace; ++i)
+        {
+          values[cellsPerFace * face + i] = value;
+        }
+      });
+    });
+  }
+  output->GetCellData()->AddArray(array);
+}
+
+// Copies the tuples of the points that are kept.
+template <typename T>
+void CopyTuples(const T* from, int components, const Kept& points, T* to)
+{
+  ForAll(points.Count, [&](vtkIdType i) {
+    std::memcpy(to + components * i, from + components * points[i], sizeof(T) * components);
+  });
+}
+
+vtkSmartPointer<vtkFloatArray> FloatsOf(
+  const float* values, int components, const Kept& points, const char* name)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(points.Count);
+  CopyTuples(values, components, points, array->GetPointer(0));
+  return array;
+}
+
+vtkSmartPointer<vtkDataArray> PointsOf(vtkDataArray* vertices, const Kept& which)
+{
+  vtkSmartPointer<vtkDataArray> points;
+  points.TakeReference(vtkDataArray::CreateDataArray(vertices->GetDataType()));
+  points->SetNumberOfComponents(3);
+  points->SetNumberOfTuples(which.Count);
+  if (vertices->GetDataType() == VTK_DOUBLE)
+  {
+    CopyTuples(static_cast<double*>(vertices->GetVoidPointer(0)), 3, which,
+      static_cast<double*>(points->GetVoidPointer(0)));
+  }
+  else
+  {
+    CopyTuples(static_cast<float*>(vertices->GetVoidPointer(0)), 3, which,
+      static_cast<float*>(points->GetVoidPointer(0)));
+  }
+  return points;
+}
+
+// Numbers the points that the cells use, in order, and renumbers the cells.
+Kept UsedPoints(std::vector<vtkIdType>& cells, vtkIdType count, bool all)
+{
+  Kept kept;
+  kept.Count = count;
+  if (all)
+  {
+    return kept;
+  }
+  std::vector<vtkIdType> numbers(count, -1);
+  for (const vtkIdType point : cells)
+  {
+    numbers[point] = 0;
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (numbers[i] == 0)
+    {
+      numbers[i] = static_cast<vtkIdType>(kept.List.size());
+      kept.List.push_back(i);
+    }
+  }
+  for (vtkIdType& point : cells)
+  {
+    point = numbers[point];
+  }
+  kept.Count = static_cast<vtkIdType>(kept.List.size());
+  return kept;
+}
+
+void MarkGhosts(const BlockSurface& surface, const BlockLabels& labels,
+  const BlockMeshSettings& mesh, const Kept& faces, int cellsPerFace, vtkPolyData* output)
+{
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(cellsPerFace * faces.Count);
+  unsigned char* values = ghosts->GetPointer(0);
+  ForAll(faces.Count, [&](vtkIdType i) {
+    const bool owned = IsIn(mesh.Owned, surface.Faces[faces[i]].Owner, labels.GetBox());
+    std::memset(
+      values + cellsPerFace * i, owned ? 0 : vtkDataSetAttributes::DUPLICATECELL, cellsPerFace);
+  });
+  output->GetCellData()->AddArray(ghosts);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIdType MakeBlockMesh(const BlockSurface& surface, const BlockLabels& labels, vtkDataArray* array,
+  const BlockSettings& settings, const BlockMeshSettings& mesh, vtkPolyData* output)
+{
+  const Kept faces = KeptFaces(surface, labels, mesh);
+  const bool own =
+    mesh.SplitMaterials || mesh.TextureCoordinates || mesh.Weights || surface.NullNormals > 0;
+  BlockCorners corners;
+  if (own)
+  {
+    corners = MakeBlockCorners(surface, labels, settings, mesh);
+  }
+  std::vector<vtkIdType> cells; // where they are not those of the faces
+  if (own || mesh.HasGhosts)
+  {
+    cells.resize(4 * faces.Count);
+    ForAll(4 * faces.Count, [&](vtkIdType i) {
+      const vtkIdType face = faces[i / 4];
+      cells[i] = own ? corners.Points[4 * face + i % 4]
+                     : static_cast<vtkIdType>(surface.Faces[face].Points[i % 4]);
+    });
+  }
+  const vtkIdType count =
+    own ? static_cast<vtkIdType>(corners.Vertices.size()) : surface.Points->GetNumberOfTuples();
+  const Kept kept = UsedPoints(cells, count, !mesh.HasGhosts);
+  Kept vertices = kept; // the vertex of each point
+  if (own)
+  {
+    vertices.List.resize(kept.Count);
+    ForAll(kept.Count, [&](vtkIdType i) { vertices.List[i] = corners.Vertices[kept[i]]; });
+  }
+  const bool asTheyAre = vertices.List.empty() && kept.Count == count;
+  vtkNew<vtkPoints> points;
+  points->SetData(asTheyAre ? surface.Points : PointsOf(surface.Points, vertices));
+  output->SetPoints(points);
+  if (settings.Normals)
+  {
+    output->GetPointData()->SetNormals(own
+        ? FloatsOf(
+            corners.Normals.empty() ? nullptr : corners.Normals[0].data(), 3, kept, "Normals")
+        : (asTheyAre ? surface.Normals
+                     : FloatsOf(surface.Normals->GetPointer(0), 3, kept, "Normals")));
+  }
+  if (mesh.TextureCoordinates)
+  {
+    output->GetPointData()->SetTCoords(
+      FloatsOf(corners.Texture.empty() ? nullptr : corners.Texture[0].data(), 2, kept,
+        "Texture Coordinates"));
+  }
+  if (!corners.Weights.empty())
+  {
+    const auto components = static_cast<int>(corners.WeightNames.size());
+    vtkSmartPointer<vtkFloatArray> weights =
+      FloatsOf(corners.Weights.data(), components, vertices, "weights");
+    for (int i = 0; i < components; ++i)
+    {
+      weights->SetComponentName(i, corners.WeightNames[i].c_str());
+    }
+    output->GetPointData()->AddArray(weights);
+  }
+  const vtkIdType largest = std::max<vtkIdType>(6 * faces.Count + 1, kept.Count);
+  const auto pointOf = [&](vtkIdType quad, int corner) {
+    return cells.empty() ? static_cast<vtkIdType>(surface.Faces[quad].Points[corner])
+                         : cells[4 * quad + corner];
+  };
+  if (largest < VTK_TYPE_INT32_MAX)
+  {
+    MakeCells<vtkTypeInt32Array>(faces.Count, mesh.Triangles, output, pointOf);
+  }
+  else
+  {
+    MakeCells<vtkTypeInt64Array>(faces.Count, mesh.Triangles, output, pointOf);
+  }
+  const int cellsPerFace = mesh.Triangles ? 2 : 1;
+  AddLabels(array, "material", faces.Count, cellsPerFace, output,
+    [&](vtkIdType i) { return labels.LabelAt(surface.Faces[faces[i]].Owner); });
+  if (settings.Faces.BetweenLabels)
+  {
+    AddLabels(array, "neighbor", faces.Count, cellsPerFace, output, [&](vtkIdType i) {
+      const BlockFace& face = surface.Faces[faces[i]];
+      return labels.LabelAt(labels.Beside(face.Owner, face.Axis, face.Low));
+    });
+  }
+  output->GetCellData()->SetActiveScalars("material");
+  if (mesh.HasGhosts)
+  {
+    MarkGhosts(surface, labels, mesh, faces, cellsPerFace, output);
+  }
+  return static_cast<vtkIdType>(corners.WeightNames.size());
+}
+
+//------------------------------------------------------------------------------
+void MakeBlockSeams(const BlockSurface& surface, const std::array<int, 6>& owned,
+  const std::array<int, 3>& size, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(surface.Points->GetDataType());
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIntArray> uses;
+  uses->SetName("uses");
+  for (const BlockSeam& seam : surface.Seams)
+  {
+    bool mine = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // Vertex i is below block i + 1; the last ones have no such block.
+      const int last = owned[2 * axis + 1];
+      const int vertex = seam.Vertex[axis] + 1;
+      mine = mine && vertex >= owned[2 * axis] &&
+        (vertex <= last || (last == size[axis] && vertex == last + 1));
+    }
+    if (mine)
+    {
+      lines->InsertNextCell(2);
+      for (const vtkIdType point : seam.Points)
+      {
+        double place[3];
+        surface.Points->GetTuple(point, place);
+        lines->InsertCellPoint(points->InsertNextPoint(place));
+      }
+      uses->InsertNextValue(seam.Uses);
+    }
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  output->GetCellData()->AddArray(uses);
+}
+}

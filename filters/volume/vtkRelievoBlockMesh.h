@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkRelievoBlockMesh.h
+ * @brief Makes polygons with their arrays from the surface of blocks.
+ */
+#ifndef vtkRelievoBlockMesh_h
+#define vtkRelievoBlockMesh_h
+
+#include "vtkRelievoBlockSurface.h"
+
+#include <array>
+#include <vector>
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace relievo
+{
+struct BlockMeshSettings
+{
+  static constexpr vtkIdType MostWeights = 64;
+
+  bool Triangles = true;
+  bool SplitMaterials = false; // normals merge within a material
+  bool TextureCoordinates = false;
+  double TileSize = 1.; // world units
+  int AtlasColumns = 0; // 0: textures repeat
+  int AtlasRows = 0;
+  bool Weights = false;
+  std::vector<vtkTypeInt64> WeightedLabels; // empty: all
+  // Blocks, numbered as in BlockBox, whose faces are kept; those outside Owned are ghosts.
+  std::array<int, 6> Kept = {};
+  std::array<int, 6> Owned = {};
+  bool HasGhosts = false; // some faces are to be dropped or marked
+};
+
+/**
+ * Makes the polygons; returns how many labels weights were asked of, which are left out when there
+ * are more than MostWeights.
+ */
+vtkIdType MakeBlockMesh(const BlockSurface& surface, const BlockLabels& labels, vtkDataArray* array,
+  const BlockSettings& settings, const BlockMeshSettings& mesh, vtkPolyData* output);
+
+/** Makes lines of the seams whose lower end belongs to this piece. */
+void MakeBlockSeams(const BlockSurface& surface, const std::array<int, 6>& owned,
+  const std::array<int, 3>& size, vtkPolyData* output);
+}
+
+#endif

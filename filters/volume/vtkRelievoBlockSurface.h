@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkRelievoBlockSurface.h
+ * @brief The surface of labelled blocks with moved vertices, as quads that share them.
+ *
+ * Slices of blocks are made in slabs on all threads: once to count, once to write. What a vertex or
+ * a face is, and the order of every sum, follow from the blocks around it alone; so the result does
+ * not depend on threads, nor a part of the surface on the rest.
+ */
+#ifndef vtkRelievoBlockSurface_h
+#define vtkRelievoBlockSurface_h
+
+#include "vtkRelievoBlockFaces.h"
+#include "vtkRelievoBlockRule.h"
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <memory>
+#include <set>
+
+class vtkDataArray;
+class vtkFloatArray;
+
+namespace relievo
+{
+struct BlockNoise
+{
+  double Amplitude = 0.; // blocks
+  double Scale = 16.;    // blocks of a cell of the noise
+  unsigned int Seed = 0;
+  bool Solid = false; // three dimensions; else the same along the axis that points up
+};
+
+struct BlockSettings
+{
+  FaceChoice Faces;
+  double Strength = 0.125;
+  std::set<vtkTypeInt64> Rigid;
+  std::set<vtkTypeInt64> Level;
+  int Up = 2;
+  BlockNoise Noise;
+  bool Normals = true;
+  bool Seams = true;
+  bool DoublePoints = false;
+  bool KeepOffsets = false;
+  // Vertex 0 has these block coordinates (whole, or half for labels on points), and is at Origin +
+  // Axes * them, one column an axis.
+  std::array<double, 3> First = {};
+  std::array<double, 3> Origin = {};
+  double Axes[3][3] = {}; // [row][column]
+  // Called from the thread of the caller with the part that is done; false stops.
+  std::function<bool(double)> GoOn;
+};
+
+/** An edge that is used other than twice; corners are vertices of the surface. */
+struct BlockSeam
+{
+  vtkIdType Points[2];
+  int Uses;
+  std::array<int, 3> Vertex; // the lower one
+};
+
+struct BlockFace
+{
+  vtkTypeUInt32 Points[4]; // counterclockwise from outside; cut from the first to the third
+  vtkIdType Owner;         // place of its block in the array of labels
+  unsigned char Axis;
+  bool Low;            // the owner is the lower of both
+  unsigned char First; // which corner comes first: 0 is the lowest along both axes
+};
+
+/** An array whose values begin unset: pages that each thread writes first are near to it. */
+template <typename T>
+class Unset
+{
+public:
+  void Allocate(vtkIdType size)
+  {
+    this->Values.reset(new T[size]);
+    this->Size = size;
+  }
+  vtkIdType GetSize() const { return this->Size; }
+  T& operator[](vtkIdType i) { return this->Values[i]; }
+  const T& operator[](vtkIdType i) const { return this->Values[i]; }
+
+private:
+  std::unique_ptr<T[]> Values;
+  vtkIdType Size = 0;
+};
+
+struct BlockSurface
+{
+  vtkSmartPointer<vtkDataArray> Points;
+  vtkSmartPointer<vtkFloatArray> Normals;
+  Unset<BlockRule::Offset> Offsets; // movements in blocks; with KeepOffsets, or null normals
+  Unset<BlockFace> Faces;
+  std::vector<BlockSeam> Seams;
+  vtkIdType NullNormals = 0; // vertices whose faces' normals add up to nothing
+};
+
+/** Whether nothing but rounding is left of a sum of area vectors in blocks. */
+inline bool IsNull(const std::array<double, 3>& area)
+{
+  return area[0] * area[0] + area[1] * area[1] + area[2] * area[2] < 1e-18;
+}
+
+/** The area vector in blocks of a face whose corners moved, in the order of BlockFace. */
+std::array<double, 3> AreaOf(int axis, const BlockRule::Offset* const corners[4]);
+
+enum class Made
+{
+  Done,
+  Stopped, // by GoOn
+  TooLarge // 2^32 vertices or more
+};
+
+Made MakeBlockSurface(
+  const BlockLabels& labels, const BlockSettings& settings, BlockSurface& surface);
+}
+
+#endif

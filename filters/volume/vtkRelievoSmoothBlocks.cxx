@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoSmoothBlocks.h"
+
+#include "vtkRelievoBlockInput.h"
+#include "vtkRelievoBlockMesh.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+vtkStandardNewMacro(vtkRelievoSmoothBlocks);
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+//------------------------------------------------------------------------------
+struct vtkRelievoSmoothBlocks::Internals
+{
+  // A vertex' face normals need the movements of its neighbours, which their neighbours decide.
+  static constexpr int GhostLevels = 2;
+
+  std::set<vtkTypeInt64> Rigid;
+  std::set<vtkTypeInt64> Level;
+  std::set<vtkTypeInt64> Weighted;
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoSmoothBlocks::vtkRelievoSmoothBlocks()
+  : Self(new Internals)
+{
+  this->SetNumberOfOutputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataSetAttributes::SCALARS);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSmoothBlocks::~vtkRelievoSmoothBlocks() = default;
+
+//------------------------------------------------------------------------------
+int vtkRelievoSmoothBlocks::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSmoothBlocks::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  vtkInformation* input = inputs[0]->GetInformationObject(0);
+  vtkInformation* output = outputs->GetInformationObject(0);
+  if (output->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1)
+  {
+    const int levels = output->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + Internals::GhostLevels;
+    input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), levels);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSmoothBlocks::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkImageData* image = vtkImageData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (image->GetNumberOfPoints() == 0)
+  {
+    return 1;
+  }
+  int association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  vtkDataArray* array = this->GetInputArrayToProcess(0, image, association);
+  if (!array && !this->GetInputArrayInformation(0)->Has(vtkDataObject::FIELD_NAME()))
+  {
+    array = image->GetPointData()->GetScalars();
+    association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  }
+  const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  std::string problem;
+  relievo::BlockSettings settings;
+  relievo::SetBlockGeometry(image, onPoints, settings);
+  if (relievo::CheckBlockLabels(image, array, onPoints, problem) &&
+    !(std::abs(vtkMath::Determinant3x3(settings.Axes)) > 0.))
+  {
+    problem = "blocks of an image with this spacing and direction matrix have no volume";
+  }
+  if (!problem.empty())
+  {
+    // The output stays empty. Status 0 would make the pipeline say it again in its own words.
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro("No surface of blocks: " << problem << ".");
+    return 1;
+  }
+
+  int extent[6];
+  image->GetExtent(extent);
+  int whole[6];
+  std::copy(extent, extent + 6, whole);
+  vtkInformation* info = inputs[0]->GetInformationObject(0);
+  if (info->Has(SDDP::WHOLE_EXTENT()))
+  {
+    info->Get(SDDP::WHOLE_EXTENT(), whole);
+  }
+  relievo::BlockBox box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.Size[axis] = extent[2 * axis + 1] - extent[2 * axis] + (onPoints ? 1 : 0);
+    for (int side = 2 * axis; side < 2 * axis + 2; ++side)
+    {
+      box.Closed[side] = this->CloseBorders && extent[side] == whole[side];
+    }
+  }
+  vtkUnsignedCharArray* ghosts =
+    onPoints ? image->GetPointGhostArray() : image->GetCellGhostArray();
+  const auto hiding = static_cast<unsigned char>(
+    onPoints ? int(vtkDataSetAttributes::HIDDENPOINT) : int(vtkDataSetAttributes::HIDDENCELL));
+  const std::unique_ptr<relievo::BlockLabels> labels =
+    relievo::BlockLabels::New(array, box, this->AirLabel, ghosts, hiding);
+
+  relievo::BlockMeshSettings mesh;
+  mesh.Triangles = this->Triangles;
+  mesh.SplitMaterials = this->Normals == WITHIN_MATERIALS;
+  mesh.TextureCoordinates = this->TextureCoordinates;
+  mesh.AtlasColumns = this->Atlas[0];
+  mesh.AtlasRows = this->Atlas[1];
+  mesh.TileSize = this->TileSize;
+  if (!(mesh.TileSize > 0.))
+  {
+    const double* spacing = image->GetSpacing();
+    mesh.TileSize = std::max({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) }) *
+      (mesh.AtlasColumns > 0 && mesh.AtlasRows > 0 ? 2. : 1.);
+  }
+  mesh.Weights = this->MaterialWeights;
+  mesh.WeightedLabels.assign(this->Self->Weighted.begin(), this->Self->Weighted.end());
+  const int levels = outputs->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  mesh.Owned = relievo::FindOwnedBlocks(image, onPoints, box, whole);
+  mesh.Kept = relievo::GrowBlocks(mesh.Owned, levels, box.Size);
+  // One more layer, for the normals at the border; its own faces are dropped.
+  settings.Faces.Owners = relievo::GrowBlocks(mesh.Kept, 1, box.Size);
+  const std::array<int, 6> all = { 1, box.Size[0], 1, box.Size[1], 1, box.Size[2] };
+  mesh.HasGhosts = mesh.Owned != all;
+
+  settings.Faces.BetweenLabels = this->Surface == BETWEEN_LABELS;
+  settings.Strength = this->Strength;
+  settings.Rigid = this->Self->Rigid;
+  settings.Level = this->Self->Level;
+  settings.Up = this->Up;
+  settings.Noise.Amplitude = this->NoiseAmplitude;
+  settings.Noise.Scale = this->NoiseScale;
+  settings.Noise.Seed = static_cast<unsigned int>(this->NoiseSeed);
+  settings.Noise.Solid = this->NoiseDimensions == 3;
+  settings.Normals = this->Normals != NO_NORMALS;
+  settings.Seams = this->Seams;
+  settings.DoublePoints = this->OutputPointsPrecision == DOUBLE_PRECISION;
+  settings.GoOn = [this](double progress) {
+    this->UpdateProgress(progress);
+    return !this->GetAbortExecute();
+  };
+  settings.KeepOffsets = mesh.SplitMaterials || mesh.TextureCoordinates || mesh.Weights;
+  relievo::BlockSurface surface;
+  const relievo::Made made = relievo::MakeBlockSurface(*labels, settings, surface);
+  if (made == relievo::Made::TooLarge)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro("No surface of blocks: it would have 2^32 points or more; make it in pieces.");
+  }
+  if (made != relievo::Made::Done)
+  {
+    return 1;
+  }
+  const vtkIdType weighted =
+    relievo::MakeBlockMesh(surface, *labels, array, settings, mesh, output);
+  if (weighted > relievo::BlockMeshSettings::MostWeights)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro("No weights of materials: there are "
+      << weighted << " labels, and at most " << relievo::BlockMeshSettings::MostWeights
+      << " can have weights; choose some with AddWeightedLabel.");
+  }
+  if (this->Seams)
+  {
+    relievo::MakeBlockSeams(surface, mesh.Owned, box.Size, vtkPolyData::GetData(outputs, 1));
+  }
+  this->UpdateProgress(1.);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSmoothBlocks::AddRigidLabel(vtkTypeInt64 label)
+{
+  if (this->Self->Rigid.insert(label).second)
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSmoothBlocks::ClearRigidLabels()
+{
+  this->Self->Rigid.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSmoothBlocks::GetNumberOfRigidLabels()
+{
+  return static_cast<int>(this->Self->Rigid.size());
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSmoothBlocks::AddLevelLabel(vtkTypeInt64 label)
+{
+  if (this->Self->Level.insert(label).second)
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSmoothBlocks::ClearLevelLabels()
+{
+  this->Self->Level.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSmoothBlocks::GetNumberOfLevelLabels()
+{
+  return static_cast<int>(this->Self->Level.size());
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSmoothBlocks::AddWeightedLabel(vtkTypeInt64 label)
+{
+  if (this->Self->Weighted.insert(label).second)
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSmoothBlocks::ClearWeightedLabels()
+{
+  this->Self->Weighted.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSmoothBlocks::GetNumberOfWeightedLabels()
+{
+  return static_cast<int>(this->Self->Weighted.size());
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSmoothBlocks::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&](const char* name, const std::set<vtkTypeInt64>& labels) {
+    os << indent << name << ":";
+    for (const vtkTypeInt64 label : labels)
+    {
+      os << " " << label;
+    }
+    os << (labels.empty() ? " none\n" : "\n");
+  };
+  os << indent << "AirLabel: " << this->AirLabel << "\n";
+  os << indent << "Strength: " << this->Strength << "\n";
+  os << indent << "Surface: " << this->Surface << "\n";
+  os << indent << "CloseBorders: " << (this->CloseBorders ? "on" : "off") << "\n";
+  os << indent << "Triangles: " << (this->Triangles ? "on" : "off") << "\n";
+  os << indent << "Normals: " << this->Normals << "\n";
+  print("RigidLabels", this->Self->Rigid);
+  print("LevelLabels", this->Self->Level);
+  os << indent << "Up: " << this->Up << "\n";
+  os << indent << "NoiseAmplitude: " << this->NoiseAmplitude << "\n";
+  os << indent << "NoiseScale: " << this->NoiseScale << "\n";
+  os << indent << "NoiseSeed: " << this->NoiseSeed << "\n";
+  os << indent << "NoiseDimensions: " << this->NoiseDimensions << "\n";
+  os << indent << "TextureCoordinates: " << (this->TextureCoordinates ? "on" : "off") << "\n";
+  os << indent << "TileSize: " << this->TileSize << "\n";
+  os << indent << "Atlas: " << this->Atlas[0] << " " << this->Atlas[1] << "\n";
+  os << indent << "MaterialWeights: " << (this->MaterialWeights ? "on" : "off") << "\n";
+  print("WeightedLabels", this->Self->Weighted);
+  os << indent << "Seams: " << (this->Seams ? "on" : "off") << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+}

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Runs the bench of blocks with a small size, and checks its CSV: all rows, errors within what
+// blocks allow, and its charts.
+#include "BenchSizes.h"
+#include "Check.h"
+#include "CsvFile.h"
+#include "Session.h"
+#include "TextTools.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace
+{
+using relievoTest::Row;
+using relievoTest::Value;
+
+void CheckBlocks(const std::string& folder)
+{
+  relievoBench::BlockSizes sizes;
+  sizes.Sizes = { 32 };
+  sizes.Rounds = 3;
+  sizes.Data.clear();
+  RELIEVO_CHECK(relievoBench::BenchBlocks(folder, sizes) == 0);
+  const std::vector<Row> rows = relievoTest::ReadCsv(folder + "/blocks.csv");
+  std::map<std::string, std::map<std::string, Row>> all;
+  for (const Row& row : rows)
+  {
+    all[row.at("shape")][row.at("method")] = row;
+    const std::string name = row.at("shape") + ", " + row.at("method");
+    RELIEVO_CHECK_THAT(Value(row, "milliseconds") > 0. && Value(row, "triangles") > 100., name);
+    RELIEVO_CHECK_AT_MOST(Value(row, "hausdorff blocks"), 1.5, name + ", distance");
+    RELIEVO_CHECK_AT_MOST(
+      Value(row, "rms distance blocks"), Value(row, "hausdorff blocks"), name + ", rms");
+  }
+  RELIEVO_CHECK(all.size() == 3);
+  for (auto& shape : all)
+  {
+    RELIEVO_CHECK(shape.second.size() >= 5);
+    Row& cubes = shape.second["cubes"];
+    Row& smooth = shape.second["smooth blocks"];
+    RELIEVO_CHECK(cubes.at("triangles") == smooth.at("triangles"));
+    RELIEVO_CHECK_AT_MOST(Value(smooth, "rms normal degrees"),
+      0.4 * Value(cubes, "rms normal degrees"), shape.first + ", normals, degrees");
+    RELIEVO_CHECK_AT_MOST(Value(smooth, "rms distance blocks"),
+      0.5 * Value(cubes, "rms distance blocks"), shape.first + ", rms distance");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  relievoTest::TextTools text;
+  relievoTest::Session session;
+  const std::string folder = relievoTest::OutputFolder() + "/blocks";
+  vtksys::SystemTools::RemoveADirectory(folder);
+  CheckBlocks(folder);
+  for (const char* chart : { "blocks-distance", "blocks-normals" })
+  {
+    for (const char* kind : { ".png", ".svg" })
+    {
+      const std::string path = folder + "/" + chart + kind;
+      RELIEVO_CHECK_THAT(vtksys::SystemTools::FileLength(path) > 1000, path);
+    }
+  }
+  text.Release();
+  return session.Result();
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file BlockScenes.h
+ * @brief Images of labels, and what tests ask of their surfaces.
+ */
+#ifndef relievoTestBlockScenes_h
+#define relievoTestBlockScenes_h
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <array>
+#include <functional>
+#include <map>
+#include <vector>
+
+class vtkImageData;
+class vtkPolyData;
+
+namespace relievoTest
+{
+using LabelOf = std::function<vtkTypeInt64(int, int, int)>;
+
+/** Labels on cells, or on points, of an image with so many of them in each direction. */
+vtkSmartPointer<vtkImageData> MakeBlocks(
+  const std::array<int, 3>& size, const LabelOf& label, int type = VTK_INT, bool onPoints = false);
+
+/** A ball around a place, in blocks. */
+LabelOf BallOf(double radius, const std::array<double, 3>& center);
+
+/** Any labels from 0 to count - 1, the same for the same seed. */
+LabelOf AnyOf(unsigned int seed, int count);
+
+using Place = std::array<double, 3>;
+using Edge = std::array<Place, 2>; // the smaller one first
+
+/** How many polygons use an edge, by the places of its ends. */
+std::map<Edge, int> EdgeUses(vtkPolyData* surface);
+
+/**
+ * Edges between two faces of blocks whose use differs from twice and that output 1 does not list,
+ * or lists with another count. Diagonals of faces are used twice by construction.
+ */
+int UnlistedEdges(vtkPolyData* surface, vtkPolyData* seams);
+
+/** The smallest area of a triangle. */
+double SmallestArea(vtkPolyData* surface);
+
+/** The volume inside, from the triangles' orientation. */
+double VolumeOf(vtkPolyData* surface);
+
+/** The number of points minus edges plus polygons, of points at different places. */
+vtkIdType EulerNumber(vtkPolyData* surface);
+}
+
+#endif

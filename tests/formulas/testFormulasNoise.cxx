@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Simplex noise: its mean and range, no jumps, also where lattice cells meet; other seeds give
+// other noise; the same values in float and double, near the origin and half a thousand million
+// cells away; and no repetition after the periods that other noises have.
+#include "Check.h"
+#include "Session.h"
+#include "vtkRelievoFormulas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace
+{
+namespace f32 = relievo::f32;
+namespace f64 = relievo::f64;
+
+constexpr int Samples = 200000;
+
+struct Points
+{
+  std::mt19937 Random{ 3 };
+  std::uniform_real_distribution<double> Part{ 0., 1. };
+  std::uniform_int_distribution<int> Cell{ -1000, 1000 };
+
+  glm::ivec3 NextCell()
+  {
+    const int x = this->Cell(this->Random);
+    const int y = this->Cell(this->Random);
+    return glm::ivec3(x, y, this->Cell(this->Random));
+  }
+  // A float in [0, 1), so that float and double mean the same.
+  double NextPart() { return std::floor(16777216. * this->Part(this->Random)) / 16777216.; }
+  glm::dvec3 NextParts()
+  {
+    const double x = this->NextPart();
+    const double y = this->NextPart();
+    return glm::dvec3(x, y, this->NextPart());
+  }
+};
+
+double NoiseAt(const glm::dvec3& place, unsigned int seed)
+{
+  const glm::dvec3 cell = glm::floor(place);
+  return f64::relievoSimplexNoise(glm::ivec3(cell), place - cell, seed);
+}
+
+void TestValues()
+{
+  Points points;
+  double sum = 0.;
+  double squares = 0.;
+  double product = 0.;
+  double largest = 0.;
+  double rounding = 0.;
+  double far = 0.;
+  for (int i = 0; i < Samples; ++i)
+  {
+    const glm::ivec3 cell = points.NextCell();
+    const glm::dvec3 part = points.NextParts();
+    const double value = f64::relievoSimplexNoise(cell, part, 5u);
+    sum += value;
+    squares += value * value;
+    product += value * f64::relievoSimplexNoise(cell, part, 6u);
+    largest = std::max(largest, std::abs(value));
+    rounding =
+      std::max(rounding, std::abs(value - f32::relievoSimplexNoise(cell, glm::vec3(part), 5u)));
+    const glm::ivec3 away = cell * 500000;
+    far = std::max(far,
+      std::abs(f64::relievoSimplexNoise(away, part, 5u) -
+        f32::relievoSimplexNoise(away, glm::vec3(part), 5u)));
+  }
+  RELIEVO_CHECK_AT_MOST(largest, 1., "largest value");
+  RELIEVO_CHECK_AT_MOST(-largest, -0.9, "largest value, negative");
+  RELIEVO_CHECK_NEAR(sum / Samples, 0., 0.005, "mean");
+  // Correlation of two seeds, of 200,000 independent values: its standard error is 0.0022.
+  RELIEVO_CHECK_NEAR(product / squares, 0., 0.01, "correlation of two seeds");
+  RELIEVO_CHECK_AT_MOST(rounding, 5e-6, "float against double");
+  RELIEVO_CHECK_AT_MOST(far, 5e-6, "float against double, far away");
+}
+
+// Steps of 2e-7 of a cell over the places where it could jump: coordinates that are whole, or equal
+// but for whole cells.
+void TestJumps()
+{
+  Points points;
+  double steepest = 0.;
+  for (int i = 0; i < Samples; ++i)
+  {
+    glm::dvec3 place = glm::dvec3(points.NextCell()) + points.NextParts();
+    if (i & 1)
+    {
+      place.y = place.x + (points.Cell(points.Random) % 4);
+    }
+    if (i & 2)
+    {
+      place.z = place.y + (points.Cell(points.Random) % 3);
+    }
+    if (i & 4)
+    {
+      place.x = std::floor(place.x);
+    }
+    if (i & 8)
+    {
+      // Where the coordinates add up to a multiple of three, lattice cells meet at their ends.
+      place.z = std::round(place.x + place.y) - place.x - place.y;
+    }
+    const glm::dvec3 step = 1e-7 * glm::normalize(points.NextParts() - 0.5);
+    steepest =
+      std::max(steepest, std::abs(NoiseAt(place + step, 9u) - NoiseAt(place - step, 9u)) / 2e-7);
+  }
+  RELIEVO_CHECK_AT_MOST(steepest, 7., "steepest slope");
+}
+
+void TestPeriods()
+{
+  Points points;
+  for (const int period : { 256, 289, 4096, 65536, 1 << 20, 1 << 24, 1 << 27 })
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      int equal = 0;
+      for (int i = 0; i < 200; ++i)
+      {
+        const glm::ivec3 cell = points.NextCell();
+        const glm::dvec3 part = points.NextParts();
+        glm::ivec3 shifted = cell;
+        shifted[axis] += period;
+        equal +=
+          f64::relievoSimplexNoise(cell, part, 1u) == f64::relievoSimplexNoise(shifted, part, 1u);
+      }
+      RELIEVO_CHECK_THAT(equal < 10, "repeats after " + std::to_string(period) + " cells");
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  relievoTest::Session session;
+  TestValues();
+  TestJumps();
+  TestPeriods();
+  return session.Result();
+}
