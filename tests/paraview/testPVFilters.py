@@ -123,7 +123,7 @@ class Filters(pv.Test):
         smooth = servermanager.Fetch(blocks)
         self.assertGreater(smooth.GetNumberOfPolys(), 500)
         self.assertIsNotNone(smooth.GetCellData().GetArray("neighbor"))
-        seams = servermanager.Fetch(simple.OutputPort(blocks, 1))
+        seams = servermanager.Fetch(blocks, idx=1)
         self.assertGreater(seams.GetNumberOfLines(), 13)
         self.assertGreater(vtk_to_numpy(seams.GetCellData().GetArray("uses")).min(), 2)
         blocks.RigidLabels = [1, 2, 3]

@@ -46,6 +46,7 @@ PROPERTIES = {
     "RelievoEnvironmentIntensity": (1.0, 0.5),
     "RelievoEnvironmentUp": ("Z", "Y"),
     "RelievoEnvironmentGammaCorrect": (1, 0),
+    "RelievoStageDeferred": (0, 1),
     "RelievoStageFog": (1, 0),
     "RelievoStageFogMode": ("Beer", "Chord"),
     "RelievoStageFogOverlap": ("Sum", "Dominant"),
