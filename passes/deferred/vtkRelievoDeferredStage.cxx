@@ -117,6 +117,10 @@ void vtkRelievoDeferredStage::Execute(vtkRelievoFrameContext& context)
     this->Explain("failed", "the layers could not be made; VTK lights all surfaces");
     return;
   }
+  if (!this->Internal->Done && shading->Deferred > 0)
+  {
+    this->AddLights(context); // late, but better than none: the next frames leave it to VTK
+  }
   std::string words = "shades what " + std::to_string(this->NumberDeferred) + " draw calls drew";
   if (!shading->WhyNot.empty())
   {
@@ -162,6 +166,8 @@ void vtkRelievoDeferredStage::AddLights(vtkRelievoFrameContext& context)
     }
     return;
   }
+  // Another renderer's lights may be newer, and VTK's shader cache gives both the same program.
+  program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
   renderer->UpdateLightingUniforms(program);
   vtkOpenGLState* state = context.Window->GetState();
   const vtkRelievoKeptState kept(state);

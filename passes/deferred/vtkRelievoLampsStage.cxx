@@ -185,9 +185,8 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
   Internals& in = *this->Internal;
   const bool colors = context.IsAsked(this, "color") && this->NumberDrawn > 0;
   const vtkRelievoResource* surface = colors ? context.Find(Surface) : nullptr;
-  // Words of the G-buffer beside the colour are there for a surface that is more than matte.
   const bool glossy =
-    surface && surface->GetDefines().find("RELIEVO_SURFACE_DETAIL_WORD") != std::string::npos;
+    surface && surface->GetDefines().find("RELIEVO_GLOSSY_SURFACES") != std::string::npos;
   std::string wrong = in.Light.Draw(context, glossy);
   this->DrawCalls = in.Light.GetDrawCalls();
   if (wrong.empty())

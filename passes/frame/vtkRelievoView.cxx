@@ -35,6 +35,13 @@ glm::mat4 vtkRelievoView::GetViewToWorld() const
 }
 
 //------------------------------------------------------------------------------
+double vtkRelievoView::GetWinding() const
+{
+  return glm::determinant(glm::dmat3(this->WorldToView)) *
+    glm::determinant(glm::dmat2(this->ViewToNDC));
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoView::Take(vtkRenderer* renderer, const vtkRenderState* s)
 {
   vtkFrameBufferObjectBase* framebuffer = s ? s->GetFrameBuffer() : nullptr;

@@ -32,6 +32,9 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoView
   glm::mat4 GetViewToWorld() const;
   ///@}
 
+  // Negative if the picture is mirrored.
+  double GetWinding() const;
+
   void Take(vtkRenderer* renderer, const vtkRenderState* s);
 };
 

@@ -169,6 +169,7 @@ std::string vtkRelievoGBufferLayout::GetDefines() const
   define("SURFACE_DETAIL", this->SurfaceDetailWord);
   define("SURFACE_SPECULAR", this->SurfaceSpecularWord);
   define("SHADOW", this->ShadowWord);
+  out << (this->SurfaceSpecular || this->SurfacePbr ? "#define RELIEVO_GLOSSY_SURFACES\n" : "");
   out << "#define RELIEVO_NORMAL_FORMAT " << this->ChosenNormalFormat << "\n";
   out << "#define RELIEVO_DEPTH_FORMAT " << this->DepthFormat << "\n";
   out << "#define RELIEVO_NORMAL_DEPTH_FORMAT " << this->NormalDepth << "\n";

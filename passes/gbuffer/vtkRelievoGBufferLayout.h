@@ -25,6 +25,7 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   bool Surface = false;         // how surfaces are lit, and their colour
   bool SurfaceDetail = false;   // and the share, the width of highlights, what metal they are
   bool SurfaceSpecular = false; // and the colour of highlights
+  bool SurfacePbr = false;      // some of them are PBR
   bool Ids = false;
   std::map<std::string, int> Lights; // of layers that are a light's visibility
   std::vector<int> Shadows;          // lights, by their number in the renderer, ascending

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoGBufferInternals.h"
 
-#include "vtkLightCollection.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoFrameContext.h"
@@ -13,7 +12,6 @@
 #include "vtkRelievoSurfaces.h"
 
 #include <algorithm>
-#include <numeric>
 
 vtkStandardNewMacro(vtkRelievoGBufferPass);
 
@@ -57,76 +55,6 @@ std::vector<std::string> vtkRelievoGBufferPass::GetReadsFor(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoGBufferPass::Internals::Arrange(
-  vtkRelievoGBufferPass& self, const vtkRelievoFrameContext& context)
-{
-  this->RefinesDepth = self.RefineDepth;
-  vtkRelievoGBufferLayout layout;
-  layout.Lights = context.Lights;
-  layout.NormalFormat = self.NormalFormat;
-  layout.DepthFormat = self.DepthFormat;
-  layout.NormalDepth = self.NormalDepthFormat;
-  for (const std::string& layer : context.GetAsked(&self))
-  {
-    if (layer == "surface" || layer == "shading")
-    {
-      layout.Surface = true;
-    }
-    else
-    {
-      vtkRelievoLayerReader::AddChannels(layer, layout);
-    }
-  }
-  // A depth that shares its texel with the normal is as it was written.
-  const bool together =
-    self.NormalDepthFormat != NORMAL_DEPTH_SEPARATE && layout.Normal && layout.Depth;
-  const bool refines = self.RefineDepth && self.DepthFormat == DEPTH_32F && !together;
-  for (const std::string& layer : context.ReadBack)
-  {
-    layout.Ids = layout.Ids ||
-      (refines && vtkRelievoLayerCatalogue::Find(layer).Source == vtkRelievoLayer::FROM_DEPTH);
-  }
-  if (layout.Surface)
-  {
-    const vtkRelievoSurfaces surfaces = vtkRelievoSurfaces::Find(context.Scene);
-    layout.SurfaceDetail = surfaces.Detail;
-    layout.SurfaceSpecular = surfaces.Specular;
-  }
-  std::vector<int> asked; // lights whose visibility is a layer
-  this->Textures.WhyNot.clear();
-  this->Textures.Left.clear();
-  this->Textures.Deferred = this->Textures.NumberOfLights = 0;
-  this->Shading = context.IsAsked(&self, "shading");
-  if (this->Shading)
-  {
-    layout.Depth = layout.Normal = true;
-    asked = layout.Shadows;
-    if (context.IsPlanned("shadow maps"))
-    {
-      layout.Shadows.resize(context.Renderer->GetLights()->GetNumberOfItems());
-      std::iota(layout.Shadows.begin(), layout.Shadows.end(), 0);
-      this->Textures.NumberOfLights = static_cast<int>(layout.Shadows.size());
-    }
-  }
-  layout.Arrange();
-  if (this->Shading && layout.GetNumberOfAttachments() > vtkRelievoGBufferLayout::MostAttachments)
-  {
-    this->Textures.WhyNot = "the visibility of " + std::to_string(layout.Shadows.size()) +
-      " lights takes more than " + std::to_string(vtkRelievoGBufferLayout::MostAttachments) +
-      " attachments";
-    this->Shading = false;
-    layout.Shadows = asked;
-    layout.Arrange();
-  }
-  const bool changed = layout != this->Layout;
-  this->Layout = layout;
-  if (changed)
-  {
-    this->StructureTime.Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 bool vtkRelievoGBufferPass::Prepare(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
@@ -144,7 +72,7 @@ bool vtkRelievoGBufferPass::Prepare(vtkRelievoFrameContext& context)
   std::map<vtkMapper*, std::string> lit;
   if (in.Shading)
   {
-    lit = vtkRelievoSurfaces::FindLit(context.Scene, context.Renderer);
+    lit = vtkRelievoSurfaces::FindLit(context.Scene, context.Renderer, in.View.GetWinding() < 0.0);
   }
   if (lit != in.Lit)
   {
@@ -164,8 +92,13 @@ bool vtkRelievoGBufferPass::Prepare(vtkRelievoFrameContext& context)
                     "driver, or choose another.");
     }
   }
+  in.LeftOut.clear();
   in.NotShared.clear();
-  if (!this->ShareGeometryPass)
+  if (in.ShadingAsked && !in.Shading && context.GetAsked(this).size() == 1)
+  {
+    in.NotShared = in.Textures.WhyNot; // nothing else is asked for
+  }
+  else if (!this->ShareGeometryPass)
   {
     in.NotShared = "ShareGeometryPass is off";
   }
@@ -235,16 +168,18 @@ void vtkRelievoGBufferPass::Execute(vtkRelievoFrameContext& context)
     this->EndOpaque(context);
     in.NotShared = "the delegate does not draw all of its opaque geometry in one go";
     in.Valid = this->Shared = false;
+    in.Stray = in.Stray || in.Shading;
   }
   const std::vector<std::string>& asked = context.GetAsked(this);
-  if (in.Shading && !in.Valid)
+  if (in.ShadingAsked && !in.Valid)
   {
-    in.Textures.WhyNot = in.NotShared;
+    in.Textures.WhyNot = in.Textures.WhyNot.empty() ? in.NotShared : in.Textures.WhyNot;
     context.Provide("shading", &in.Textures);
     if (asked.size() == 1)
     {
       in.Target.Release(context.Window);
-      this->Explain("idle", "nothing but shading is asked for, and VTK lights: " + in.NotShared);
+      this->Explain(
+        "idle", "nothing but shading is asked for, and VTK lights: " + in.Textures.WhyNot);
       return;
     }
   }
@@ -382,6 +317,7 @@ void vtkRelievoGBufferPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Target.Release(window);
   this->Internal->Draws.Clear();
   this->Internal->Valid = false;
+  this->Internal->Stray = false;
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

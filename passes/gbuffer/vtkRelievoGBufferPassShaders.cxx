@@ -110,6 +110,8 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
   in.Target.WriteLayers(writes);
   if (!writes)
   {
+    const bool seen = mask[0] || mask[1] || mask[2] || mask[3];
+    in.Stray = in.Stray || (seen && in.Mode.Deferred);
     return true;
   }
   ++this->DrawCalls;
@@ -139,9 +141,7 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
     vtkRelievoSurfaces::SetUniforms(program, actor);
     in.CountLeft(program, mapper, actor);
   }
-  const double winding = actor->GetMatrix()->Determinant() *
-    glm::determinant(glm::dmat3(in.View.WorldToView)) *
-    glm::determinant(glm::dmat2(in.View.ViewToNDC));
+  const double winding = actor->GetMatrix()->Determinant() * in.View.GetWinding();
   program->SetUniformf("relievoWinding", winding < 0.0 ? -1.0f : 1.0f);
   program->SetUniformf("relievoNear", static_cast<float>(in.View.Near));
   program->SetUniformf("relievoFar", static_cast<float>(in.View.Far));
@@ -153,19 +153,21 @@ bool vtkRelievoGBufferPass::SetShaderParameters(vtkShaderProgram* program,
 void vtkRelievoGBufferPass::Internals::CountLeft(
   vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
 {
-  const std::string fragment = program->GetFragmentShader()->GetSource();
   if (!this->Mode.Deferred || !actor->GetProperty()->GetLighting())
   {
     return; // there is nothing to leave out
   }
-  if (fragment.find("#define RELIEVO_LIGHT_LEFT_OUT") != std::string::npos)
+  auto known = this->LeftOut.find(program);
+  if (known == this->LeftOut.end())
   {
-    ++this->Textures.Deferred;
-    return;
+    const std::string fragment = program->GetFragmentShader()->GetSource();
+    const bool out = fragment.find("#define RELIEVO_LIGHT_LEFT_OUT") != std::string::npos;
+    std::string why = out ? std::string() : this->WhyLit(actor);
+    why = out || !why.empty() ? why : vtkRelievoSurfaces::WhyLit(mapper, fragment);
+    why = out || !why.empty() ? why : "has no light in its shader as VTK writes it";
+    known = this->LeftOut.emplace(program, why).first;
   }
-  std::string why = this->WhyLit(actor);
-  why = why.empty() ? vtkRelievoSurfaces::WhyLit(mapper, fragment) : why;
-  ++this->Textures.Left[why.empty() ? "has no lights in its shader as VTK writes them" : why];
+  ++(known->second.empty() ? this->Textures.Deferred : this->Textures.Left[known->second]);
 }
 
 //------------------------------------------------------------------------------

@@ -3,13 +3,17 @@
 #include "vtkRelievoSurfaces.h"
 
 #include "vtkActor.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLShaderProperty.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoFrameScene.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTexture.h"
@@ -33,19 +37,38 @@ std::string Section(const char* name)
   return text.substr(0, text.find_last_not_of("\n") + 1);
 }
 
-void ForEachLit(const vtkRelievoFrameScene& scene, const std::function<void(vtkActor*)>& work)
+using Work = std::function<void(vtkActor*, vtkMatrix4x4*)>;
+
+void ForEachMesh(const vtkRelievoFrameScene& scene, const Work& work)
 {
   for (const vtkRelievoFrameProp& prop : scene.Props)
   {
     for (const vtkRelievoPropParts::Part& part : prop.Parts)
     {
       vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
-      if (actor && actor->GetProperty()->GetLighting())
+      if (actor)
       {
-        work(actor);
+        work(actor, part.Matrix ? part.Matrix : actor->GetMatrix());
       }
     }
   }
+}
+
+void ForEachLit(const vtkRelievoFrameScene& scene, const Work& work)
+{
+  ForEachMesh(scene, [&work](vtkActor* actor, vtkMatrix4x4* matrix) {
+    if (actor->GetProperty()->GetLighting())
+    {
+      work(actor, matrix);
+    }
+  });
+}
+
+bool DrawsLines(vtkActor* actor)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  return actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME ||
+    (mesh && mesh->GetNumberOfLines() > 0);
 }
 
 bool Shines(vtkProperty* property)
@@ -94,12 +117,13 @@ void SetHighlight(vtkProperty* property, float highlight[4])
 vtkRelievoSurfaces vtkRelievoSurfaces::Find(const vtkRelievoFrameScene& scene)
 {
   vtkRelievoSurfaces found;
-  ForEachLit(scene, [&found](vtkActor* actor) {
+  ForEachLit(scene, [&found](vtkActor* actor, vtkMatrix4x4*) {
     for (vtkProperty* property : { actor->GetProperty(), actor->GetBackfaceProperty() })
     {
       const bool isPbr = property && property->GetInterpolation() == VTK_PBR;
       const bool shines = property && !isPbr && Shines(property);
       found.Specular = found.Specular || shines;
+      found.Pbr = found.Pbr || isPbr;
       found.Detail = found.Detail || isPbr || shines || (property && property->GetDiffuse() != 1.0);
     }
   });
@@ -108,17 +132,55 @@ vtkRelievoSurfaces vtkRelievoSurfaces::Find(const vtkRelievoFrameScene& scene)
 
 //------------------------------------------------------------------------------
 std::map<vtkMapper*, std::string> vtkRelievoSurfaces::FindLit(
-  const vtkRelievoFrameScene& scene, vtkRenderer* renderer)
+  const vtkRelievoFrameScene& scene, vtkRenderer* renderer, bool mirrors)
 {
   std::map<vtkMapper*, std::string> lit;
-  ForEachLit(scene, [&](vtkActor* actor) {
-    const std::string why = WhyLit(actor, renderer);
+  ForEachLit(scene, [&](vtkActor* actor, vtkMatrix4x4* matrix) {
+    const bool mirrored = (matrix->Determinant() < 0.0) != mirrors;
+    // VTK turns normals by the winding of faces, which a mirroring matrix inverts.
+    const std::string why =
+      mirrored ? "is mirrored, so that VTK lights its other side" : WhyLit(actor, renderer);
     if (!why.empty())
     {
       lit.emplace(actor->GetMapper(), why);
     }
   });
   return lit;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoSurfaces::WhyAllLit(
+  const vtkRelievoFrameScene& scene, vtkRenderWindow* window)
+{
+  const bool smooth = window->GetLineSmoothing() != 0;
+  std::string why;
+  ForEachMesh(scene, [&why, smooth](vtkActor* actor, vtkMatrix4x4*) {
+    vtkProperty* property = actor->GetProperty();
+    vtkProperty* back = actor->GetBackfaceProperty();
+    auto* shaders = vtkOpenGLShaderProperty::SafeDownCast(actor->GetShaderProperty());
+    if (actor->GetForceOpaque() && actor->HasTranslucentPolygonalGeometry() == 0 &&
+      property->GetOpacity() < 1.0)
+    {
+      why = "something translucent is forced to be drawn among the opaque geometry";
+    }
+    else if (actor->GetMapper()->IsA("vtkPointGaussianMapper"))
+    {
+      why = "Gaussian splats are drawn among the opaque geometry";
+    }
+    else if (back && back->GetOpacity() < 1.0 && property->GetOpacity() >= 1.0)
+    {
+      why = "the backs of some surfaces are translucent";
+    }
+    else if (smooth && DrawsLines(actor))
+    {
+      why = "smoothed lines are drawn among the opaque geometry (vtkRenderWindow::LineSmoothing)";
+    }
+    else if (shaders && shaders->HasFragmentShaderCode())
+    {
+      why = "an actor has a whole fragment shader of its own";
+    }
+  });
+  return why;
 }
 
 //------------------------------------------------------------------------------
@@ -130,7 +192,8 @@ bool vtkRelievoSurfaces::LeaveLightOut(std::string& fragment)
     return at == std::string::npos || !behind ? at : at + text.size();
   };
   std::size_t begin = find("PbrBegin", true);
-  std::size_t end = find("PbrEnd", false);
+  // VTK 9.7 has the one in the place of the other.
+  std::size_t end = std::min(find("PbrEnd", false), find("PbrEndWithoutEnvironment", false));
   std::string unlit;
   if (begin == std::string::npos)
   {
@@ -165,10 +228,6 @@ std::string vtkRelievoSurfaces::WhyLit(vtkActor* actor, vtkRenderer* renderer)
   if (property->GetEdgeVisibility())
   {
     return "draws the edges of its cells over its light";
-  }
-  if (actor->GetForceOpaque() || property->GetOpacity() < 1.0)
-  {
-    return "is blended among the opaque geometry";
   }
   return property->GetInterpolation() == VTK_PBR ? WhyLitPbr(property, renderer) : std::string();
 }

@@ -12,6 +12,7 @@
 class vtkActor;
 class vtkMapper;
 class vtkOpenGLPolyDataMapper;
+class vtkRenderWindow;
 class vtkRenderer;
 struct vtkRelievoFrameScene;
 class vtkShaderProgram;
@@ -20,9 +21,14 @@ struct vtkRelievoSurfaces
 {
   bool Detail = false;   // some visible surface gives back a share only, shines, or is PBR
   bool Specular = false; // some has a highlight of Phong's
+  bool Pbr = false;      // some is PBR
 
   // Of the visible actors.
   static vtkRelievoSurfaces Find(const vtkRelievoFrameScene& scene);
+
+  // Why VTK has to light all of it, in words: something is drawn over surfaces without taking their
+  // place, or in ways that are not known. Empty if it has not.
+  static std::string WhyAllLit(const vtkRelievoFrameScene& scene, vtkRenderWindow* window);
 
   // Takes VTK's lights out of its fragment shader. False where they are not found as VTK writes
   // them.
@@ -31,9 +37,9 @@ struct vtkRelievoSurfaces
   // Why VTK has to light the actor, in words; empty if it has not.
   static std::string WhyLit(vtkActor* actor, vtkRenderer* renderer);
 
-  // The same of all that is drawn by a mapper, where it is not empty.
+  // The same of all that is drawn by a mapper, where it is not empty; `mirrors`: the view does.
   static std::map<vtkMapper*, std::string> FindLit(
-    const vtkRelievoFrameScene& scene, vtkRenderer* renderer);
+    const vtkRelievoFrameScene& scene, vtkRenderer* renderer, bool mirrors);
 
   // The same of what a mapper draws now with this fragment shader.
   static std::string WhyLit(vtkOpenGLPolyDataMapper* mapper, const std::string& fragment);

@@ -68,9 +68,7 @@ void vtkRelievoShadowUniforms::SetFrame(vtkShaderProgram* program, const vtkReli
   program->SetUniform1fv("relievoShadowLowest", faces, lowest.data());
   program->SetUniform1fv("relievoShadowStrength", lights, strengths.data());
   program->SetUniform1iv("relievoShadowSlot", work.Structure.Numbers, slots.data());
-  const bool mirrored = glm::determinant(glm::dmat3(work.View.WorldToView)) *
-      glm::determinant(glm::dmat2(work.View.ViewToNDC)) <
-    0.0;
+  const bool mirrored = work.View.GetWinding() < 0.0;
   program->SetUniformf("relievoShadowHand", mirrored ? 1.f : -1.f);
   program->SetUniformf("relievoShadowSize", static_cast<float>(work.Maps.GetSize()));
   program->SetUniformi("relievoShadowRadius", work.Radius);

@@ -4,7 +4,8 @@
 
 const float relievoMostSpecularPower = float(128.0); // that vtkProperty takes
 
-// A colour of 0 to 1 in 10, 10 and 9 bits, and a kind of 0 to 7.
+// A colour of 0 to 1 in 10, 10 and 9 bits, and a kind of 0 to 7. Linear colours are packed by their
+// square roots, so that dark ones keep their digits.
 uint relievoPackSurfaceColor(vec3 color, uint kind)
 {
   uint red = uint(clamp(color.x, float(0.0), float(1.0)) * float(1023.0) + float(0.5));

@@ -19,6 +19,9 @@ gl_FragData[0] = vec4(ambientColor + diffuse + specular, opacity);
 //RELIEVO::Section(PbrEnd)
   // In IBL, we assume
 
+//RELIEVO::Section(PbrEndWithoutEnvironment)
+  vec3 iblSpecular = vec3(0.0);
+
 //RELIEVO::Section(CoatBegin)
   vec3 coatF0 =
 

@@ -170,6 +170,10 @@ relievoSurface relievoFetchSurface(ivec2 pixel)
   surface.shading = kind & 3;
   surface.deferred = kind > 3;
   surface.color = relievoUnpackSurfaceColor(word);
+  if (surface.shading == RELIEVO_SHADING_PBR)
+  {
+    surface.color *= surface.color;
+  }
 #ifdef RELIEVO_SURFACE_DETAIL_WORD
   vec2 detail = relievoUnpackUnorm16(relievoFetchWord(pixel, RELIEVO_SURFACE_DETAIL_WORD));
   if (surface.shading == RELIEVO_SHADING_PBR)

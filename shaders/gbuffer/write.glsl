@@ -258,8 +258,10 @@ uvec3 relievoPackNormal(vec3 n)
 #else
   int relievoKind = relievoShading;
 #endif
-  relievoWords[RELIEVO_SURFACE_WORD] =
-    relievoPackSurfaceColor(relievoAlbedo.rgb, uint(relievoKind));
+  vec3 relievoStored = relievoShading == RELIEVO_SHADING_PBR
+    ? sqrt(max(relievoAlbedo.rgb, vec3(0.0)))
+    : relievoAlbedo.rgb;
+  relievoWords[RELIEVO_SURFACE_WORD] = relievoPackSurfaceColor(relievoStored, uint(relievoKind));
 #ifdef RELIEVO_SURFACE_DETAIL_WORD
 #ifdef RELIEVO_PBR_ALBEDO
   relievoWords[RELIEVO_SURFACE_DETAIL_WORD] = relievoPackUnorm16(vec2(metallic, roughness));

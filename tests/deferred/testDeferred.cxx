@@ -102,6 +102,19 @@ const std::vector<Case> Surfaces{
       s.Actors[1]->GetProperty()->SetRoughness(0.6);
     },
     2 },
+  { "dark PBR",
+    [](DeferredScene& s) {
+      AllProperties(s, [](auto* p) {
+        p->SetInterpolationToPBR();
+        p->SetColor(0.004, 0.002, 0.0015);
+        p->SetRoughness(0.9);
+      });
+      for (int i = 0; i < 3; ++i)
+      {
+        s.AddLight()->SetIntensity(2.0);
+      }
+    },
+    2 },
   { "PBR and Phong",
     [](DeferredScene& s) {
       s.Actors[0]->GetProperty()->SetInterpolationToPBR();
@@ -218,4 +231,5 @@ int main()
   TestSurfaces();
   TestLights();
   TestViews();
+  return session.Result();
 }

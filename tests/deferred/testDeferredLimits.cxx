@@ -6,6 +6,7 @@
 #include "Check.h"
 #include "DeferredScenes.h"
 #include "GLCheck.h"
+#include "ImageCompare.h"
 #include "Layers.h"
 #include "Session.h"
 #include "Window.h"
@@ -13,8 +14,10 @@
 #include <vtkCamera.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkMapper.h>
 #include <vtkOpenGLFXAAPass.h>
 #include <vtkPointData.h>
+#include <vtkPointGaussianMapper.h>
 #include <vtkProperty.h>
 #include <vtkRelievoToneStage.h>
 #include <vtkRenderStepsPass.h>
@@ -65,10 +68,70 @@ void TestAllLeft()
     [](DeferredScene& s) { Shiny(s)->SetBaseIOR(2.0); });
   TestLeft(
     "edge tint", "or an edge tint", [](DeferredScene& s) { Shiny(s)->SetEdgeTint(0.2, 1.0, 0.4); });
-  TestLeft("forced opaque", "is blended among the opaque geometry", [](DeferredScene& s) {
-    s.Actors[0]->GetProperty()->SetOpacity(0.4);
-    s.Actors[0]->ForceOpaqueOn();
+  TestLeft(
+    "mirrored", "is mirrored", [](DeferredScene& s) { s.Actors[0]->SetScale(-1.0, 1.0, 1.0); });
+}
+
+// What is drawn over surfaces without taking their place: the surfaces need their light before.
+void TestNothingLeft(const char* what, const char* words, const Set& set)
+{
+  DeferredScene scene(120, 90);
+  scene.AddLight();
+  set(scene);
+  RELIEVO_CHECK(scene.CompareWithVTK(what) == 0);
+  RELIEVO_CHECK(scene.Stage->GetReasonCode() == "idle");
+  RELIEVO_CHECK(scene.Stage->GetReason().find(words) != std::string::npos);
+  RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);
+}
+
+void TestBlended()
+{
+  // The last actor is drawn over the others.
+  TestNothingLeft("forced opaque", "forced to be drawn among the opaque", [](DeferredScene& s) {
+    s.Actors[3]->SetPosition(0.0, 0.0, 2.5);
+    s.Actors[3]->GetProperty()->SetOpacity(0.4);
+    s.Actors[3]->ForceOpaqueOn();
   });
+  TestNothingLeft("splats", "Gaussian splats", [](DeferredScene& s) {
+    vtkNew<vtkPointGaussianMapper> splats;
+    splats->SetInputConnection(s.Actors[0]->GetMapper()->GetInputConnection(0, 0));
+    splats->SetScaleFactor(0.1);
+    s.Actors[0]->SetMapper(splats);
+    s.Renderer->RemoveActor(s.Actors[0]);
+    s.Renderer->AddActor(s.Actors[0]);
+  });
+}
+
+// Two renderers whose lights differ share a program; the picture is the same however often drawn.
+void TestTwoRenderers()
+{
+  DeferredScene scene(160, 90);
+  scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  vtkLight* first = scene.AddLight();
+  vtkNew<vtkRenderer> other;
+  other->SetViewport(0.5, 0.0, 1.0, 1.0);
+  other->AutomaticLightCreationOff();
+  // VTK's own shaders differ: where they do not, its own lights are the other renderer's.
+  scene.SetTexture(2);
+  scene.Renderer->RemoveActor(scene.Actors[2]);
+  other->AddActor(scene.Actors[2]);
+  other->SetActiveCamera(scene.Renderer->GetActiveCamera());
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(-3.0, 1.0, 4.0);
+  light->SetDiffuseColor(1.0, 0.4, 0.2);
+  other->AddLight(light);
+  scene.Window->AddRenderer(other);
+  const auto both = [&](bool on) {
+    scene.Frame->SetDeferred(on);
+    vtkRelievoPass::Attach(other)->SetDeferred(on);
+    Picture(scene.Window);
+    first->Modified();
+    Picture(scene.Window);
+    return Picture(scene.Window);
+  };
+  const auto own = both(false);
+  RELIEVO_CHECK_AT_MOST(CompareImages(both(true), own).Largest, 1, "two renderers: levels");
 }
 
 // Nothing is deferred where the layers cannot be written along.
@@ -197,8 +260,11 @@ int main()
 {
   relievoTest::Session session;
   TestAllLeft();
+  TestBlended();
+  TestTwoRenderers();
   TestMultisampling();
   TestCombinations();
   TestLinear();
   TestToggles();
+  return session.Result();
 }
