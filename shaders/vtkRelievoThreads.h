@@ -20,7 +20,10 @@ void vtkRelievoWithThreads(Work&& work)
   if (std::string(vtkSMPTools::GetBackend()) == "Sequential" &&
     !std::getenv("VTK_SMP_BACKEND_IN_USE"))
   {
-    vtkSMPTools::LocalScope(vtkSMPTools::Config(std::string("STDThread")), work);
+    // As many as vtkSMPTools::Initialize was given.
+    vtkSMPTools::Config config(vtk::detail::smp::vtkSMPToolsAPI::GetInstance());
+    config.Backend = "STDThread";
+    vtkSMPTools::LocalScope(config, work);
     return;
   }
 #endif

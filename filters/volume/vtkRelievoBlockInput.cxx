@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoBlockInput.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
+#include "vtkRelievoArrayNames.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -18,8 +21,9 @@ bool CheckBlockLabels(
 {
   if (!labels)
   {
-    problem = "the image needs an array of labels, on cells or points; none was found "
-              "(SetInputArrayToProcess chooses one)";
+    problem = "the image needs an array of labels, on cells or points (SetInputArrayToProcess "
+              "chooses one); the one that was asked for is not there. On cells there are: " +
+      ArrayNames(image->GetCellData()) + "; on points: " + ArrayNames(image->GetPointData());
     return false;
   }
   const std::string name = labels->GetName() ? labels->GetName() : "(unnamed)";
@@ -34,6 +38,14 @@ bool CheckBlockLabels(
   {
     problem = "labels have one component, but '" + name + "' has " +
       std::to_string(labels->GetNumberOfComponents());
+    return false;
+  }
+  const vtkIdType blocks = onPoints ? image->GetNumberOfPoints() : image->GetNumberOfCells();
+  if (labels->GetNumberOfTuples() != blocks)
+  {
+    problem = "'" + name + "' has " + std::to_string(labels->GetNumberOfTuples()) +
+      " values, but the image has " + std::to_string(blocks) + (onPoints ? " points" : " cells") +
+      "; take an array of labels on cells or points";
     return false;
   }
   int size[3];

@@ -7,6 +7,7 @@
 
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -25,6 +26,18 @@
 vtkStandardNewMacro(vtkRelievoSmoothBlocks);
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
+
+namespace
+{
+// The output that is updated: faces or seams.
+int GetPort(vtkInformation* request)
+{
+  const int port = request->Has(vtkExecutive::FROM_OUTPUT_PORT())
+    ? request->Get(vtkExecutive::FROM_OUTPUT_PORT())
+    : 0;
+  return std::max(port, 0);
+}
+}
 
 //------------------------------------------------------------------------------
 struct vtkRelievoSmoothBlocks::Internals
@@ -62,7 +75,7 @@ int vtkRelievoSmoothBlocks::RequestUpdateExtent(
 {
   this->Superclass::RequestUpdateExtent(request, inputs, outputs);
   vtkInformation* input = inputs[0]->GetInformationObject(0);
-  vtkInformation* output = outputs->GetInformationObject(0);
+  vtkInformation* output = outputs->GetInformationObject(GetPort(request));
   if (output->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1)
   {
     const int levels = output->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + Internals::GhostLevels;
@@ -73,7 +86,7 @@ int vtkRelievoSmoothBlocks::RequestUpdateExtent(
 
 //------------------------------------------------------------------------------
 int vtkRelievoSmoothBlocks::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkImageData* image = vtkImageData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
@@ -91,9 +104,14 @@ int vtkRelievoSmoothBlocks::RequestData(
   }
   const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
   std::string problem;
+  if (!std::isfinite(this->Strength) || !std::isfinite(this->NoiseAmplitude) ||
+    !std::isfinite(this->NoiseScale) || !std::isfinite(this->TileSize))
+  {
+    problem = "Strength, NoiseAmplitude, NoiseScale and TileSize must be finite";
+  }
   relievo::BlockSettings settings;
   relievo::SetBlockGeometry(image, onPoints, settings);
-  if (relievo::CheckBlockLabels(image, array, onPoints, problem) &&
+  if (problem.empty() && relievo::CheckBlockLabels(image, array, onPoints, problem) &&
     !(std::abs(vtkMath::Determinant3x3(settings.Axes)) > 0.))
   {
     problem = "blocks of an image with this spacing and direction matrix have no volume";
@@ -146,7 +164,8 @@ int vtkRelievoSmoothBlocks::RequestData(
   }
   mesh.Weights = this->MaterialWeights;
   mesh.WeightedLabels.assign(this->Self->Weighted.begin(), this->Self->Weighted.end());
-  const int levels = outputs->GetInformationObject(0)->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  vtkInformation* asked = outputs->GetInformationObject(GetPort(request));
+  const int levels = asked->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
   mesh.Owned = relievo::FindOwnedBlocks(image, onPoints, box, whole);
   mesh.Kept = relievo::GrowBlocks(mesh.Owned, levels, box.Size);
   // One more layer, for the normals at the border; its own faces are dropped.

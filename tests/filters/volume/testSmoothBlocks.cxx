@@ -14,7 +14,9 @@
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkErrorCode.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
+#include <vtkIntArray.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -357,14 +359,25 @@ void TestMessages()
   refuses(MakeBlocks({ 3, 3, 3 }, label, VTK_DOUBLE), "'labels' is of type double");
   vtkNew<vtkImageData> bare;
   bare->SetDimensions(3, 3, 3);
-  refuses(bare, "none was found");
+  refuses(bare, "On cells there are: none; on points: none");
+  vtkSmartPointer<vtkImageData> fields = MakeBlocks({ 3, 3, 3 }, label);
+  vtkNew<vtkIntArray> few;
+  few->SetName("few");
+  few->SetNumberOfTuples(7);
+  fields->GetCellData()->SetScalars(nullptr);
+  fields->GetFieldData()->AddArray(few);
+  vtkNew<Filter> ofField;
+  ofField->SetInputData(fields);
+  ofField->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_NONE, "few");
+  ExpectMessage expect("'few' has 7 values, but the image has 27 cells");
+  ofField->Update();
   vtkSmartPointer<vtkImageData> flat = MakeBlocks({ 3, 3, 1 }, label);
   flat->SetDimensions(4, 4, 1);
   refuses(flat, "the image is flat");
   vtkSmartPointer<vtkImageData> thin = MakeBlocks({ 3, 3, 3 }, label);
   thin->SetSpacing(1., 0., 1.);
   refuses(thin, "no volume");
-  vtkNew<Filter> filter; // no points at all
+  vtkNew<Filter> filter;
   vtkNew<vtkImageData> nothing;
   RELIEVO_CHECK(Run(filter, nothing)->GetNumberOfPoints() == 0);
 }

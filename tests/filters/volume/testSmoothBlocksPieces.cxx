@@ -22,6 +22,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkRelievoThreads.h>
 #include <vtkSMPTools.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTrivialProducer.h>
@@ -29,6 +30,7 @@
 
 #include <algorithm>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace
@@ -186,6 +188,20 @@ void CheckSame(std::vector<Polygon> found, std::vector<Polygon> expected, const 
       std::to_string(expected.size()));
 }
 
+// Updates the seams alone.
+void UpdateSeams(Filter* filter, int piece, int count)
+{
+  using SDDP = vtkStreamingDemandDrivenPipeline;
+  vtkNew<vtkInformationVector> asked;
+  asked->SetNumberOfInformationObjects(2);
+  vtkInformation* seams = asked->GetInformationObject(1);
+  seams->Set(SDDP::UPDATE_PIECE_NUMBER(), piece);
+  seams->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), count);
+  seams->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  filter->Modified();
+  SDDP::SafeDownCast(filter->GetExecutive())->Update(1, asked);
+}
+
 void TestPipeline(bool onPoints, int options)
 {
   vtkNew<LabelSource> source;
@@ -223,6 +239,14 @@ void TestPipeline(bool onPoints, int options)
     const std::string which = name + ", " + std::to_string(count) + " pieces";
     CheckSame(pieces, whole, which);
     CheckSame(seams, wholeSeams, which + ", seams");
+    // And by updating the seams alone.
+    seams.clear();
+    for (int piece = 0; piece < count; ++piece)
+    {
+      UpdateSeams(filter, piece, count);
+      AddSeams(filter->GetOutput(1), seams);
+    }
+    CheckSame(seams, wholeSeams, which + ", seams alone");
     CheckSame(withGhosts, whole, which + " with ghosts");
   }
 }
@@ -294,6 +318,12 @@ void TestThreads()
   for (const int threads : { 1, 2, 7 })
   {
     vtkSMPTools::Initialize(threads);
+#if VTK_SMP_ENABLE_STDTHREAD
+    int used = 0;
+    vtkRelievoWithThreads([&used]() { used = vtkSMPTools::GetEstimatedNumberOfThreads(); });
+    const int most = static_cast<int>(std::thread::hardware_concurrency()); // VTK takes no more
+    RELIEVO_CHECK_THAT(used == std::min(threads, most), std::to_string(used) + " threads run");
+#endif
     vtkNew<LabelSource> source;
     vtkNew<Filter> filter;
     SetUp(filter, 1);
