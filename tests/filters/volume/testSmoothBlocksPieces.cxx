@@ -321,8 +321,10 @@ void TestThreads()
 #if VTK_SMP_ENABLE_STDTHREAD
     int used = 0;
     vtkRelievoWithThreads([&used]() { used = vtkSMPTools::GetEstimatedNumberOfThreads(); });
-    const int most = static_cast<int>(std::thread::hardware_concurrency()); // VTK takes no more
-    RELIEVO_CHECK_THAT(used == std::min(threads, most), std::to_string(used) + " threads run");
+    // VTK's own threads are no more than there are cores; TBB's may be.
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    RELIEVO_CHECK_THAT(
+      used == threads || used == std::min(threads, cores), std::to_string(used) + " threads run");
 #endif
     vtkNew<LabelSource> source;
     vtkNew<Filter> filter;
