@@ -171,6 +171,11 @@ void vtkRelievoGBufferPass::Execute(vtkRelievoFrameContext& context)
     in.Stray = in.Stray || in.Shading;
   }
   const std::vector<std::string>& asked = context.GetAsked(this);
+  if (!in.Valid && in.NotShared.empty())
+  {
+    in.NotShared = context.Picture ? "the delegate draws no opaque geometry of this renderer"
+                                   : "only the layers are asked for, without the picture";
+  }
   if (in.ShadingAsked && !in.Valid)
   {
     in.Textures.WhyNot = in.Textures.WhyNot.empty() ? in.NotShared : in.Textures.WhyNot;
@@ -185,11 +190,6 @@ void vtkRelievoGBufferPass::Execute(vtkRelievoFrameContext& context)
   }
   if (!in.Valid && in.View.Viewport[2] > 0 && in.View.Viewport[3] > 0)
   {
-    if (in.NotShared.empty())
-    {
-      in.NotShared = context.Picture ? "the delegate draws no opaque geometry of this renderer"
-                                     : "only the layers are asked for, without the picture";
-    }
     this->DrawOwnPass(context);
   }
   if (!in.Valid)
