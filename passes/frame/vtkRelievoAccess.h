@@ -59,26 +59,50 @@ public:
   // renderer's own of this frame: visible, culled, ordered.
   static void RenderOwnSteps(vtkOpenGLRenderer* ren, vtkProp** props, int count)
   {
-#ifdef RELIEVO_VTK_PROP_VECTOR
-    std::vector<vtkProp*> kept(props, props + count);
-    (ren->*(&Renderer::PropArray)).swap(kept);
-#else
-    vtkProp** const kept = ren->*(&Renderer::PropArray);
-    const int keptCount = ren->*(&Renderer::PropArrayCount);
-    ren->*(&Renderer::PropArray) = props;
-    ren->*(&Renderer::PropArrayCount) = count;
-#endif
+    const Props inUse(ren, props, count);
     (ren->*(&Renderer::UpdateCamera))();
     (ren->*(&Renderer::UpdateLightGeometry))();
     ren->UpdateLights();
     (ren->*(&Renderer::UpdateGeometry))(nullptr);
-#ifdef RELIEVO_VTK_PROP_VECTOR
-    (ren->*(&Renderer::PropArray)).swap(kept);
-#else
-    ren->*(&Renderer::PropArray) = kept;
-    ren->*(&Renderer::PropArrayCount) = keptCount;
-#endif
   }
+
+  // Props in place of the renderer's own of this frame, for as long as this lives.
+  class Props
+  {
+  public:
+    Props(vtkRenderer* ren, vtkProp** props, int count)
+      : Owner(ren)
+#ifdef RELIEVO_VTK_PROP_VECTOR
+      , Kept(props, props + count)
+    {
+      (ren->*(&Renderer::PropArray)).swap(this->Kept);
+    }
+    ~Props() { (this->Owner->*(&Renderer::PropArray)).swap(this->Kept); }
+#else
+      , Kept(ren->*(&Renderer::PropArray))
+      , KeptCount(ren->*(&Renderer::PropArrayCount))
+    {
+      ren->*(&Renderer::PropArray) = props;
+      ren->*(&Renderer::PropArrayCount) = count;
+    }
+    ~Props()
+    {
+      this->Owner->*(&Renderer::PropArray) = this->Kept;
+      this->Owner->*(&Renderer::PropArrayCount) = this->KeptCount;
+    }
+#endif
+    Props(const Props&) = delete;
+    Props& operator=(const Props&) = delete;
+
+  private:
+    vtkRenderer* Owner;
+#ifdef RELIEVO_VTK_PROP_VECTOR
+    std::vector<vtkProp*> Kept;
+#else
+    vtkProp** Kept;
+    int KeptCount;
+#endif
+  };
 };
 
 class Camera : public vtkCamera
