@@ -121,7 +121,8 @@ void vtkRelievoDeferredStage::Execute(vtkRelievoFrameContext& context)
   {
     this->AddLights(context); // late, but better than none: the next frames leave it to VTK
   }
-  std::string words = "shades what " + std::to_string(this->NumberDeferred) + " draw calls drew";
+  std::string words = "shades what " + std::to_string(this->NumberDeferred) +
+    (this->NumberDeferred == 1 ? " draw call drew" : " draw calls drew");
   if (!shading->WhyNot.empty())
   {
     this->Explain("idle", "VTK lights all surfaces, since " + shading->WhyNot);
@@ -130,7 +131,7 @@ void vtkRelievoDeferredStage::Execute(vtkRelievoFrameContext& context)
   for (const auto& left : shading->Left)
   {
     words += "; VTK lights " + std::to_string(left.second) +
-      (left.second == 1 ? " that " : " of which each ") + left.first;
+      (left.second == 1 ? " that " : ", each of which ") + left.first;
   }
   this->Explain("ran", words);
 }

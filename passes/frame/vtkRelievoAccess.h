@@ -77,7 +77,10 @@ public:
     {
       (ren->*(&Renderer::PropArray)).swap(this->Kept);
     }
-    ~Props() { (this->Owner->*(&Renderer::PropArray)).swap(this->Kept); }
+    ~Props()
+    {
+      (this->Owner->*(&Renderer::PropArray)).swap(this->Kept);
+    }
 #else
       , Kept(ren->*(&Renderer::PropArray))
       , KeptCount(ren->*(&Renderer::PropArrayCount))

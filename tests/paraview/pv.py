@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the plugin's tests share: the plugin, pictures as numpy, how two differ, other processes."""
 
+import json
 import os
 import pathlib
 import re
@@ -49,6 +50,13 @@ def pixels(image, channels=3):
 def picture(view):
     """What the view draws now, at full quality."""
     return pixels(view.SMProxy.CaptureWindow(1))
+
+
+def stage(view, name):
+    """What the frame's report says of that stage in the last picture."""
+    view.SMProxy.UpdatePropertyInformation()
+    report = json.loads(view.GetProperty("RelievoFrameReport").GetElement(0))
+    return next(each for each in report["stages"] if each["name"] == name)
 
 
 def restore(path, picture_path):

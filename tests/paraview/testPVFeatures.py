@@ -14,6 +14,14 @@ import numpy
 import pv
 
 
+# What VTK shades although deferred shading is on, and a word of the reason.
+LEFT_TO_VTK = {
+    "8 samples": "multisampled",
+    "ambient occlusion": "several buffers",
+    "axes": "vtkPVGridAxes3DActor",
+}
+
+
 def draw():
     return {name: pv.picture(features.make(name).view) for name in features.FEATURES}
 
@@ -32,9 +40,22 @@ class Features(pv.Test):
         if name != "nothing":
             self.differ(first, self.own["nothing"], name + ", the feature itself", 1e-4)
         truth = scene.verdicts(margin=1 + features.FEATURES[name][1])
-        judge.shadows(self, judge.sun(scene), truth, name)
+        pictures = judge.sun(scene)
+        judge.shadows(self, pictures, truth, name)
+        self.judge_deferred(name, scene, pictures[-1])
         scene.sun(on=False, shadows=False)
         self.same(pv.picture(scene.view), first, name + ", off again")
+
+
+    def judge_deferred(self, name, scene, own):
+        """Deferred shading gives VTK's picture, or says why all of it is left to VTK."""
+        scene.view.RelievoStageDeferred = 1
+        # FXAA's edges choose by thresholds, from which a level may carry it away.
+        level = 4 if name == "FXAA" else 2 if name == "materials" else 1
+        self.near(pv.picture(scene.view), own, name + ", deferred", level=level, share=0)
+        reason = pv.stage(scene.view, "deferred")["reason"]
+        self.assertIn(LEFT_TO_VTK.get(name, "shades what"), reason, name)
+        scene.view.RelievoStageDeferred = 0
 
 
 for each in features.FEATURES:

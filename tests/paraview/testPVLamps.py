@@ -101,6 +101,20 @@ class Lamps(pv.Test):
         self.differ(off, pv.picture(self.view), "fog", share=0.2)
         self.assertTrue((self.layers("fog")[0] == 1).all(), "all passes")
 
+    def test_behind_glass(self):
+        """A pane that is all but opaque hides the lamps' light as well, once FXAA is off."""
+        pane = simple.Box(Center=[0, -2, 2.5], XLength=9, YLength=9, ZLength=0.05)
+        shown = simple.Show(pane, self.view)
+        shown.Opacity, shown.Ambient, shown.Diffuse = 0.999, 0.0, 0.0
+        for smooth in (1, 0):
+            self.view.UseFXAA, self.lamps.RelievoLamps = smooth, 0
+            off = pv.picture(self.view)
+            self.lamps.RelievoLamps = 1
+            on = pv.picture(self.view)
+            self.assertEqual(pv.stage(self.view, "blend")["ran"], not smooth)
+            (self.differ if smooth else self.near)(off, on, f"FXAA {smooth}", share=0.01)
+        simple.Delete(pane)
+
     def test_properties(self):
         """Defaults, pictures that change and come back, trace and state."""
         self.assertEqual(values(self.lamps), {n: first for n, (first, _) in PROPERTIES.items()})
