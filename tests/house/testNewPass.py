@@ -9,6 +9,7 @@ The copy keeps its build, so that a second run compiles only what changed.
 """
 
 import filecmp
+import json
 import os
 import pathlib
 import shutil
@@ -88,6 +89,7 @@ def main(source, cmake, ctest, *options):
     if paraview:
         in_paraview(build)
         newLayer.in_paraview(run, build, folder)
+        in_the_dock(source, build)
     return 0
 
 
@@ -213,6 +215,44 @@ def in_paraview(build):
     plain = (folder / "plain.png").read_bytes()
     assert (folder / "mist.png").read_bytes() != plain
     assert (folder / "again.png").read_bytes() == plain
+
+
+DOCK = """<?xml version="1.0" ?>
+<pqevents>
+  <pqevent object="{shell}" command="executeCommand"
+    arguments="from windowShell import *; scene()" />
+  <pqevent object="{dock}/RelievoStageMist/CheckBox" command="set_boolean" arguments="true" />
+  <pqevent object="{shell}" command="executeCommand"
+    arguments="values('mist', 'RelievoStageMist')" />
+</pqevents>
+"""
+SHELL = "pqClientMainWindow/pythonShellDock/pythonShell/consoleWidget"
+STAGES = ("pqClientMainWindow/pqRelievoPanel/1QScrollArea0/qt_scrollarea_viewport/content/all/"
+          "stages/stages")
+
+
+def in_the_dock(source, build):
+    """In ParaView's window, the dock has a control of the stage, which switches it on."""
+    client = shutil.which("paraview")
+    if not client:
+        print("not in the dock: paraview's window is not installed")
+        return
+    folder = pathlib.Path(os.environ["RELIEVO_TEST_OUTPUT"])
+    script = folder / "dock.xml"
+    script.write_text(DOCK.format(shell=SHELL, dock=STAGES), encoding="utf-8")
+    notes = folder / "notes.jsonl"
+    notes.unlink(missing_ok=True)
+    home = folder / "home"
+    shutil.rmtree(home, ignore_errors=True)
+    home.mkdir(mode=0o700)
+    output = run(
+        [client, "--dr", "--exit", f"--test-script={script}", f"--test-directory={folder}"],
+        env={**os.environ, "HOME": str(home), "XDG_RUNTIME_DIR": str(home),
+             "PYTHONPATH": str(source / "tests" / "paraview" / "gui"),
+             "PV_PLUGIN_PATH": str(build / "plugin" / "Relievo")})
+    assert "Success =  true" in output and "ERR|" not in output, output
+    noted = dict(json.loads(line) for line in notes.read_text(encoding="utf-8").splitlines())
+    assert noted == {"mist": [1]}, noted
 
 
 if __name__ == "__main__":
