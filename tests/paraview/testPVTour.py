@@ -5,6 +5,7 @@
 import os
 import pathlib
 
+import numpy
 import pv
 
 EXAMPLES = pathlib.Path(os.environ["RELIEVO_EXAMPLES"])
@@ -45,6 +46,30 @@ class Tour(pv.Test):
         sky = (plain == plain[0, 0]).all(axis=2)
         self.assertGreater(sky.mean(), 0.15)
         self.assertLess(worn[sky].max(axis=1).mean(), 120)
+
+    def test_hall(self):
+        said = pv.run(EXAMPLES / "17_paraview_hall.py", pv.OUTPUT, tool="pvbatch")
+        self.assertEqual(pv.messages(said), [])
+        both = pv.read(pv.OUTPUT / "paraview_hall.png").astype(int)
+        plain, lit = both[:, :719], both[:, 721:]
+        # Lamps on pillars are warm and bright, fireflies' light is green; ParaView has neither.
+        warm, green = (
+            lambda c: (c[:200, :, 0] > 220) & (c[:200, :, 2] < 160),
+            lambda c: (c[..., 1] > 1.15 * c[..., 0]) & (c[..., 1] > 1.3 * c[..., 2]),
+        )
+        for what, test in (("lamps", warm), ("fireflies", green)):
+            self.assertGreater(test(lit).sum(), 300, what)
+            self.assertLess(test(plain).sum(), 30, what)
+        # The ring on the floor, and nothing of it within.
+        ring = (lit[..., 2] > 150) & (lit[..., 2] > 1.8 * lit[..., 0])
+        rows, columns = numpy.nonzero(ring)
+        self.assertGreater(len(rows), 500)
+        self.assertFalse(ring[int(rows.mean()), int(columns.mean())])
+        # Mist on the floor of the far end; the lamps' colour on the near floor.
+        mist, floor = (lit[rows, 210:310].mean(axis=(0, 1)) for rows in (slice(285, 330),
+                                                                         slice(490, 535)))
+        self.assertGreater(mist[2], 1.08 * mist[0])
+        self.assertLess(floor[2], 0.8 * floor[0])
 
 
 if __name__ == "__main__":

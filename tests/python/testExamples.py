@@ -44,7 +44,7 @@ WRITES = {
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.
-BY_PARAVIEW = ["08_paraview_tour.py", "11_paraview_materials.py"]
+BY_PARAVIEW = ["08_paraview_tour.py", "11_paraview_materials.py", "17_paraview_hall.py"]
 
 # file name: words after the folder, for examples that take long otherwise
 WORDS = {"06_sun_study.py": ["--every", "120"], "10_relief_terrain.py": ["257"]}
