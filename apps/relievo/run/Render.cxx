@@ -218,7 +218,7 @@ void Render(const RenderOptions& options)
   CheckSize(scene.Window, options.Size);
   if (pass)
   {
-    SetShadows(pass, scene.Window, options);
+    SetShadows(pass, scene.Renderer, options);
     for (vtkRelievoLamps* each : lamps)
     {
       vtkRelievoLampsStage::SafeDownCast(pass->GetStage("lamps"))->AddLamps(each);

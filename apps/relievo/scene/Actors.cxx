@@ -10,7 +10,6 @@
 
 #include "vtkActor.h"
 #include "vtkCellData.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -22,9 +21,6 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCompositeMapper.h"
-#include "vtkUnsignedCharArray.h"
-
-#include <algorithm>
 
 namespace cli
 {
@@ -74,44 +70,6 @@ vtkSmartPointer<vtkDataObject> WithNormals(vtkDataObject* data, Progress& progre
   normals->ConsistencyOff(); // the file's own winding is what its author sees everywhere else
   return Run(normals, data, progress);
 }
-
-//------------------------------------------------------------------------------
-// Scalars that are colours already are drawn as they are; others go over their own range from dark
-// blue through green to yellow, evenly in lightness.
-void ColourByScalars(vtkDataObject* data, vtkMapper* mapper)
-{
-  double range[2] = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
-  ForEachDataSet(data, [&range](vtkDataSet* block) {
-    vtkDataArray* scalars = block->GetPointData()->GetScalars();
-    scalars = scalars ? scalars : block->GetCellData()->GetScalars();
-    const bool colours = vtkUnsignedCharArray::SafeDownCast(scalars) != nullptr;
-    if (scalars && !colours)
-    {
-      double own[2];
-      scalars->GetFiniteRange(own, 0);
-      range[0] = std::min(range[0], own[0]);
-      range[1] = std::max(range[1], own[1]);
-    }
-  });
-  if (range[0] > range[1])
-  {
-    return;
-  }
-  // The dependable part of viridis: five of its colours, joined in the Lab space.
-  const double colours[5][3] = { { 0.267, 0.005, 0.329 }, { 0.229, 0.322, 0.546 },
-    { 0.128, 0.567, 0.551 }, { 0.369, 0.789, 0.383 }, { 0.993, 0.906, 0.144 } };
-  vtkNew<vtkColorTransferFunction> map;
-  map->SetColorSpaceToLab();
-  map->SetNanColor(0.5, 0.5, 0.5);
-  const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
-  for (int i = 0; i < 5; ++i)
-  {
-    map->AddRGBPoint(range[0] + width * i / 4.0, colours[i][0], colours[i][1], colours[i][2]);
-  }
-  map->Build();
-  mapper->SetLookupTable(map);
-  mapper->UseLookupTableScalarRangeOn();
-}
 }
 
 //------------------------------------------------------------------------------
@@ -143,7 +101,6 @@ vtkSmartPointer<vtkActor> MakeActor(
     composite->SetInputDataObject(surface);
     mapper = composite;
   }
-  ColourByScalars(surface, mapper);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetInterpolationToPhong();

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * From data to an actor as a user expects to see it. Polygons are drawn as they are; grids, images
- * and volumes by their outer surface; composite data block by block. Where the data has active
- * scalars they give the colour: colours directly, numbers over their own range.
+ * and volumes by their outer surface; composite data block by block.
  */
 #ifndef Actors_h
 #define Actors_h

@@ -6,7 +6,9 @@
 #include "CrashGuard.h"
 #include "Failure.h"
 #include "FinitePoints.h"
+#include "Look.h"
 #include "Messages.h"
+#include "ObjMaterials.h"
 #include "Options.h"
 #include "Progress.h"
 #include "Readers.h"
@@ -111,6 +113,7 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
     {
       light->SetFocalPoint(0.0, 0.0, 0.0);
     }
+    light->SetColor(choice.Color[0], choice.Color[1], choice.Color[2]);
     renderer->AddLight(light);
   }
 }
@@ -175,7 +178,12 @@ Scene BuildScene(const RenderOptions& options, Progress& progress)
     {
       const vtkSmartPointer<vtkDataObject> data = ReadData(path, progress);
       progress.Begin("preparing " + path);
-      scene.Renderer->AddActor(MakeActor(data, smooth, path, progress));
+      const vtkSmartPointer<vtkActor> actor = MakeActor(data, smooth, path, progress);
+      const auto parts = SplitByMaterials(actor, path, progress);
+      for (vtkActor* part : parts)
+      {
+        scene.Renderer->AddActor(part);
+      }
       progress.End();
     }
     vtkActorCollection* actors = scene.Renderer->GetActors();
@@ -195,6 +203,7 @@ Scene BuildScene(const RenderOptions& options, Progress& progress)
     Messages::Check(path, !shows, "holds nothing that can be drawn: no points, or no cells");
   }
   SetShading(scene.Renderer, options.ShadingKind);
+  SetLook(scene, options.Look);
   AddLights(scene.Renderer, options);
   PlaceCamera(scene.Renderer, options);
   return scene;

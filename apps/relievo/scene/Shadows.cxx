@@ -5,6 +5,7 @@
 #include "Options.h"
 #include "Values.h"
 
+#include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoLayerCatalogue.h"
@@ -40,12 +41,18 @@ int CountLights(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void SetShadows(vtkRelievoPass* pass, vtkRenderWindow* window, const RenderOptions& options)
+void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options)
 {
   pass->SetShadows(options.ShadowMethod != Shadows::Off);
+  for (std::size_t i = 0; i < options.Lights.size(); ++i)
+  {
+    // The file's lights are gone where others are asked for.
+    vtkObject* light = renderer->GetLights()->GetItemAsObject(static_cast<int>(i));
+    pass->GetShadowPass()->SetLightCasts(vtkLight::SafeDownCast(light), options.Lights[i].Casts);
+  }
   if (options.ShadowSize)
   {
-    vtkOpenGLRenderWindow* gl = vtkOpenGLRenderWindow::SafeDownCast(window);
+    vtkOpenGLRenderWindow* gl = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
     const int limit = gl ? vtkTextureObject::GetMaximumTextureSize(gl) : *options.ShadowSize;
     if (*options.ShadowSize > limit)
     {

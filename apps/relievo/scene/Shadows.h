@@ -10,7 +10,6 @@
 
 class vtkRelievoPass;
 class vtkRenderer;
-class vtkRenderWindow;
 
 namespace cli
 {
@@ -25,7 +24,7 @@ void CheckShadowLayers(const RenderOptions& options, int lights, const std::stri
 int CountLights(vtkRenderer* renderer);
 
 /// Sets the pass as asked. Throws WordsError if the maps are larger than the window's OpenGL makes.
-void SetShadows(vtkRelievoPass* pass, vtkRenderWindow* window, const RenderOptions& options);
+void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options);
 }
 
 #endif

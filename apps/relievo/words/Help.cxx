@@ -23,7 +23,8 @@ const char* const Page = R"(relievo - pictures and measurable layers of meshes a
 render draws the FILEs off screen and writes the outputs that you request.
   FILE  .vtp .vtu .vti .vtr .vts .vtm .vtmb .pvtp .pvtu .pvti .pvtr .pvts .vtk
         .stl .ply .obj .off .gltf .glb
-        Grids and images are drawn by their outer surface. Active scalars give the colour.
+        Grids and images are drawn by their outer surface. Active scalars give the colour. OBJ
+        and glTF bring their materials and textures.
 
   --size WxH              size of the picture in pixels, 1 to 16384 (1024x768)
   --camera PX,PY,PZ,FX,FY,FZ,UX,UY,UZ
@@ -33,6 +34,20 @@ render draws the FILEs off screen and writes the outputs that you request.
   --parallel-scale S      parallel projection; S is half the picture's height in world units
   --clip NEAR,FAR         clipping distances, 0 < NEAR < FAR (around the scene)
   --shading KIND          flat, gouraud, phong or pbr (phong; glTF keeps its own materials)
+  --preset NAME           studio, town or print: lights, shadows and background, where no other
+                          option says them
+  --color-by NAME[,COMPONENT]
+                          colours by a point or cell array; COMPONENT a number from 0, or
+                          magnitude (the magnitude; bytes of 3 or 4 components are colours)
+  --range MIN,MAX         values of the first and the last colour (those of all files together)
+  --colormap NAME         viridis, cool-warm, grey, hot or rainbow (viridis)
+  --scalar-bar            shows the colours and their values at the right
+  --color COLOR           one colour for all meshes; COLOR is R/G/B from 0 to 1 as displays show
+                          it, #rrggbb, or a name such as slategray
+  --opacity A             of all meshes, 0 to 1 (1)
+  --edges                 draws the edges of cells
+  --background COLOR[,COLOR]
+                          one colour, or the bottom's and the top's (black)
   --light LIGHT           may be repeated (the file's lights, else the environment alone, else a
                           headlight); LIGHT is
                             sun:DX,DY,DZ                    direction towards the sun
@@ -104,8 +119,8 @@ bench measures, prints what it found, and writes CSV, PNG and SVG to a folder. W
   --redraw DIR            draws the charts from the CSV files in DIR, without measuring; without
                           NAME, all of them
 
-Options are written --name value or --name=value, --skybox, --deferred and --hdr alone; --
-ends them.
+Options are written --name value or --name=value; --scalar-bar, --edges, --skybox, --deferred and
+--hdr alone; -- ends them.
 Either all requested files are written, or none. VTK before 9.4 needs an X display, which
 xvfb-run provides.
 Exit status: 0 done, 1 the work failed, 2 the arguments were wrong.
@@ -114,6 +129,7 @@ Examples
   relievo render bunny.off --png bunny.png
   relievo render bunny.off --size 1920x1080 --light sun:3,5,2 --layers depth,normal,cell \
     --exr bunny.exr --report bunny.json
+  relievo render wing.vtu --color-by Pressure --scalar-bar --preset print --png wing.png
   relievo render wing.vtu --parallel-scale 2 --layers depth,Pressure --exr wing.exr
   relievo render buildings.obj --light sun:3,2,5 --light point:120,90,99 --shadows map \
     --png town.png --layers shadow_0,shadow_1 --exr town.exr

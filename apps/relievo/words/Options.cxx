@@ -3,10 +3,12 @@
 #include "Options.h"
 
 #include "Failure.h"
+#include "Presets.h"
 #include "Readers.h"
 #include "Shadows.h"
 #include "SurfaceOptions.h"
 #include "ToneOptions.h"
+#include "Triples.h"
 #include "Values.h"
 #include "Words.h"
 
@@ -22,21 +24,6 @@ namespace cli
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-std::array<double, 3> Triple(const std::vector<double>& numbers, std::size_t first)
-{
-  return { numbers[first], numbers[first + 1], numbers[first + 2] };
-}
-
-std::array<double, 3> Minus(const std::array<double, 3>& a, const std::array<double, 3>& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-double Length(const std::array<double, 3>& v)
-{
-  return std::hypot(v[0], v[1], v[2]);
-}
 
 double SineBetween(const std::array<double, 3>& a, const std::array<double, 3>& b)
 {
@@ -94,60 +81,6 @@ void TakeShading(RenderOptions& options, const std::string& word)
   constexpr Shading kinds[] = { Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::PBR };
   options.ShadingKind =
     kinds[ParseChoice("--shading", word, { "flat", "gouraud", "phong", "pbr" })];
-}
-
-//------------------------------------------------------------------------------
-void TakeLight(RenderOptions& options, const std::string& word)
-{
-  const std::string::size_type colon = word.find(':');
-  if (colon == std::string::npos)
-  {
-    RefuseValue("--light", word, "sun:DX,DY,DZ or spot:PX,PY,PZ,FX,FY,FZ,CONE or point:PX,PY,PZ");
-  }
-  const std::string kind = word.substr(0, colon);
-  const std::string numbers = word.substr(colon + 1);
-  LightChoice light;
-  switch (ParseChoice("--light " + word, kind, { "sun", "spot", "point" }))
-  {
-    case 0:
-    {
-      light.Is = LightChoice::Kind::Sun;
-      light.Position = Triple(ParseNumbers("--light sun", numbers, 3, "DX,DY,DZ"), 0);
-      const double length = Length(light.Position);
-      if (length == 0.0)
-      {
-        RefuseValue("--light sun", numbers, "a direction towards the sun, which 0,0,0 is not");
-      }
-      for (double& component : light.Position)
-      {
-        component /= length;
-      }
-      break;
-    }
-    case 1:
-    {
-      light.Is = LightChoice::Kind::Spot;
-      const std::vector<double> n =
-        ParseNumbers("--light spot", numbers, 7, "PX,PY,PZ,FX,FY,FZ,CONE");
-      light.Position = Triple(n, 0);
-      light.FocalPoint = Triple(n, 3);
-      light.ConeAngle = n[6];
-      if (Length(Minus(light.FocalPoint, light.Position)) == 0.0)
-      {
-        RefuseValue("--light spot", numbers, "a focal point FX,FY,FZ apart from PX,PY,PZ");
-      }
-      if (light.ConeAngle <= 0.0 || light.ConeAngle > 180.0)
-      {
-        RefuseValue(
-          "--light spot", numbers, "CONE, half the opening in degrees, above 0 and not above 180");
-      }
-      break;
-    }
-    default:
-      light.Is = LightChoice::Kind::Point;
-      light.Position = Triple(ParseNumbers("--light point", numbers, 3, "PX,PY,PZ"), 0);
-  }
-  options.Lights.push_back(light);
 }
 
 //------------------------------------------------------------------------------
@@ -230,7 +163,19 @@ const OptionRow RenderRows[] = {
     false },
   { "--clip", TakeClip, false },
   { "--shading", TakeShading, false },
-  { "--light", TakeLight, true },
+  { "--preset", TakePreset, false },
+  { "--color-by", TakeColorBy, false },
+  { "--range", TakeRange, false },
+  { "--colormap", TakeColormap, false },
+  { "--scalar-bar",
+    [](RenderOptions& options, const std::string&) { options.Look.ScalarBar = true; }, false,
+    true },
+  { "--color", TakeColor, false },
+  { "--opacity", TakeOpacity, false },
+  { "--edges", [](RenderOptions& options, const std::string&) { options.Look.Edges = true; }, false,
+    true },
+  { "--background", TakeBackground, false },
+  { "--light", TakeNext<&RenderOptions::Lights, ParseLight>, true },
   { "--lamps", TakeNext<&RenderOptions::Lamps, ParseLamps>, true },
   { "--shadows", TakeShadows, false },
   { "--shadow-size", TakeShadowSize, false },
@@ -320,6 +265,7 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
   {
     throw WordsError("--hdr: unclamped colour is written to OpenEXR: give --exr F as well");
   }
+  CheckLookOptions(options, given);
   CheckToneOptions(options);
   CheckFogs(options.Fogs);
   CheckStages(options.Stages);
@@ -366,6 +312,7 @@ RenderOptions ParseRender(const std::vector<std::string>& words)
       row->Take(options, value);
     },
     [&](const std::string& word) { options.Files.push_back(word); });
+  ApplyPreset(options, seen);
   CheckTogether(options, seen);
   return options;
 }

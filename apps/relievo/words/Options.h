@@ -9,6 +9,8 @@
 
 #include "FogOptions.h"
 #include "LampOptions.h"
+#include "LightOptions.h"
+#include "LookOptions.h"
 #include "MarkerOptions.h"
 #include "Stages.h"
 
@@ -67,20 +69,6 @@ struct CameraPlace
   std::array<double, 3> ViewUp;
 };
 
-struct LightChoice
-{
-  enum class Kind
-  {
-    Sun,
-    Spot,
-    Point
-  };
-  Kind Is;
-  std::array<double, 3> Position;   ///< for a sun, the unit direction towards it
-  std::array<double, 3> FocalPoint; ///< of a spot
-  double ConeAngle = 180.0;         ///< degrees, half the opening
-};
-
 struct RenderOptions
 {
   std::vector<std::string> Files;
@@ -90,6 +78,8 @@ struct RenderOptions
   std::optional<double> ParallelScale;     ///< half the height, world units
   std::optional<std::array<double, 2>> Clip;
   Shading ShadingKind = Shading::FromFile;
+  std::string Preset; ///< of lights, shadows and background; empty: none
+  LookChoice Look;
   std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
   std::vector<LampChoice> Lamps;
   Shadows ShadowMethod = Shadows::Off;

@@ -1,0 +1,322 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ObjMaterials.h"
+
+#include "Failure.h"
+#include "Images.h"
+#include "Messages.h"
+#include "Progress.h"
+#include "Readers.h"
+
+#include "vtkActor.h"
+#include "vtkCellData.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <locale>
+#include <map>
+#include <sstream>
+
+namespace cli
+{
+namespace
+{
+// As Wavefront's MTL has them, of what VTK's lighting knows.
+struct Material
+{
+  double Diffuse[3] = { 0.8, 0.8, 0.8 };
+  double Specular[3] = { 0.0, 0.0, 0.0 };
+  double Exponent = 1.0;
+  double Opacity = 1.0;
+  std::string Texture; // path; empty: none
+};
+
+const char* const CellIds = "vtkOriginalCellIds";
+const std::vector<std::string> TextureExtensions = { ".png", ".jpg", ".jpeg", ".tif", ".tiff",
+  ".bmp", ".hdr", ".exr" };
+
+//------------------------------------------------------------------------------
+std::string Trim(const std::string& text)
+{
+  const std::string::size_type first = text.find_first_not_of(" \t\r");
+  return first == std::string::npos
+    ? ""
+    : text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
+}
+
+//------------------------------------------------------------------------------
+// The path of a texture: behind options such as `-s 1 1 1`, which are left out, with slashes of
+// either kind.
+std::string FindTexture(const std::string& words, const std::filesystem::path& folder)
+{
+  std::string name = words;
+  if (!name.empty() && name[0] == '-')
+  {
+    const std::string::size_type space = name.find_last_of(" \t");
+    name = space == std::string::npos ? "" : name.substr(space + 1);
+  }
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name.empty() ? "" : (folder / name).lexically_normal().string();
+}
+
+//------------------------------------------------------------------------------
+void TakeLine(const std::string& line, const std::filesystem::path& folder, Material& material)
+{
+  std::istringstream words(line);
+  words.imbue(std::locale::classic());
+  std::string name;
+  words >> name;
+  const auto take = [&words](double(&color)[3]) {
+    double read[3];
+    if (words >> read[0] >> read[1] >> read[2])
+    {
+      std::transform(read, read + 3, color, [](double n) { return std::clamp(n, 0.0, 1.0); });
+    }
+  };
+  double number = 0.0;
+  if (name == "Kd")
+  {
+    take(material.Diffuse);
+  }
+  else if (name == "Ks")
+  {
+    take(material.Specular);
+  }
+  else if (name == "Ns" && words >> number)
+  {
+    material.Exponent = std::clamp(number, 1.0, 1000.0);
+  }
+  else if (name == "d" && words >> number)
+  {
+    material.Opacity = std::clamp(number, 0.0, 1.0);
+  }
+  else if (name == "Tr" && words >> number)
+  {
+    material.Opacity = 1.0 - std::clamp(number, 0.0, 1.0);
+  }
+  else if (name == "map_Kd")
+  {
+    std::string rest;
+    std::getline(words, rest);
+    material.Texture = FindTexture(Trim(rest), folder);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ReadLibrary(const std::string& path, std::map<std::string, Material>& materials)
+{
+  std::ifstream file(path, std::ios::binary);
+  Material* material = nullptr;
+  for (std::string line; std::getline(file, line);)
+  {
+    line = Trim(line);
+    const std::string begin = "newmtl";
+    if (line.compare(0, begin.size(), begin) == 0)
+    {
+      material = &materials[Trim(line.substr(begin.size()))];
+    }
+    else if (material)
+    {
+      TakeLine(line, std::filesystem::path(path).parent_path(), *material);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// What an OBJ file says of materials. VTK's reader has it as well, but forgets the first one of
+// faces without texture coordinates.
+struct Named
+{
+  std::vector<std::string> Libraries;
+  std::vector<std::string> Names;
+  std::vector<int> OfFace; // place in Names; -1: none
+};
+
+Named ReadNames(const std::string& path)
+{
+  Named named;
+  int current = -1;
+  std::ifstream file(path, std::ios::binary);
+  for (std::string line; std::getline(file, line);)
+  {
+    const std::string::size_type end = std::min(line.find_first_of(" \t"), line.size());
+    const std::string word = line.substr(0, end);
+    if (word == "f")
+    {
+      named.OfFace.push_back(current);
+    }
+    else if (word == "usemtl")
+    {
+      const std::string name = Trim(line.substr(end));
+      const auto known = std::find(named.Names.begin(), named.Names.end(), name);
+      current = static_cast<int>(known - named.Names.begin());
+      if (known == named.Names.end())
+      {
+        named.Names.push_back(name);
+      }
+    }
+    else if (word == "mtllib")
+    {
+      named.Libraries.push_back(Trim(line.substr(end)));
+    }
+  }
+  return named;
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, Material> ReadLibraries(
+  const std::vector<std::string>& libraries, const std::string& path)
+{
+  std::map<std::string, Material> materials;
+  for (const std::string& name : libraries)
+  {
+    const std::filesystem::path library = std::filesystem::path(path).parent_path() / name;
+    std::error_code trouble;
+    if (std::filesystem::is_regular_file(library, trouble))
+    {
+      ReadLibrary(library.string(), materials);
+    }
+    else
+    {
+      Messages::Note(path + ": drawn without the materials of " + name + ", which is not there");
+    }
+  }
+  return materials;
+}
+
+//------------------------------------------------------------------------------
+// The cells of one material; `vtkOriginalCellIds` says which they are in the file.
+vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* mesh, const std::vector<int>& ofCell, int id)
+{
+  auto part = vtkSmartPointer<vtkPolyData>::New();
+  part->SetPoints(mesh->GetPoints());
+  part->GetPointData()->ShallowCopy(mesh->GetPointData());
+  part->AllocateEstimate(mesh->GetNumberOfCells(), 3);
+  part->GetCellData()->CopyAllocate(mesh->GetCellData());
+  vtkNew<vtkIdTypeArray> original;
+  original->SetName(CellIds);
+  auto* before = vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetArray(CellIds));
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    if (ofCell[cell] == id)
+    {
+      mesh->GetCellPoints(cell, points);
+      const vtkIdType next = part->InsertNextCell(mesh->GetCellType(cell), points);
+      part->GetCellData()->CopyData(mesh->GetCellData(), cell, next);
+      original->InsertNextValue(before ? before->GetValue(cell) : cell);
+    }
+  }
+  part->GetCellData()->AddArray(original);
+  return part;
+}
+
+//------------------------------------------------------------------------------
+// Of each cell of the mesh; empty if the mesh has other faces than the file.
+std::vector<int> FindMaterials(vtkPolyData* mesh, const std::vector<int>& ofFace)
+{
+  // VTK counts points and lines before faces.
+  const vtkIdType others = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  auto* before = vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetArray(CellIds));
+  std::vector<int> ofCell(mesh->GetNumberOfCells(), -1);
+  for (vtkIdType cell = others; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    const vtkIdType face = (before ? before->GetValue(cell) : cell) - others;
+    if (face < 0 || face >= static_cast<vtkIdType>(ofFace.size()))
+    {
+      return {};
+    }
+    ofCell[cell] = ofFace[face];
+  }
+  return ofCell;
+}
+
+//------------------------------------------------------------------------------
+void Wear(vtkActor* actor, const Material& material, const std::string& path, Progress& progress)
+{
+  vtkProperty* property = actor->GetProperty();
+  property->SetDiffuseColor(material.Diffuse);
+  property->SetSpecularColor(material.Specular);
+  const double strongest = *std::max_element(material.Specular, material.Specular + 3);
+  property->SetSpecular(strongest > 0.0 ? 1.0 : 0.0);
+  property->SetSpecularPower(material.Exponent);
+  property->SetOpacity(material.Opacity);
+  if (material.Texture.empty())
+  {
+    return;
+  }
+  try
+  {
+    CheckImage("map_Kd", material.Texture, TextureExtensions);
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(ReadImage(material.Texture, progress));
+    texture->InterpolateOn();
+    texture->MipmapOn();
+    actor->SetTexture(texture);
+  }
+  catch (const std::exception& error)
+  {
+    Messages::Note(path + ": drawn without a texture: " + error.what());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
+  vtkActor* actor, const std::string& path, Progress& progress)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  if (ExtensionOf(path) != ".obj" || !mesh)
+  {
+    return { actor };
+  }
+  const Named named = ReadNames(path);
+  const std::map<std::string, Material> materials = ReadLibraries(named.Libraries, path);
+  const std::vector<int> ofCell = FindMaterials(mesh, named.OfFace);
+  if (materials.empty() || ofCell.empty())
+  {
+    return { actor };
+  }
+  std::vector<vtkSmartPointer<vtkActor>> parts;
+  for (int id = -1; id < static_cast<int>(named.Names.size()); ++id)
+  {
+    const vtkSmartPointer<vtkPolyData> cells = Extract(mesh, ofCell, id);
+    if (cells->GetNumberOfCells() == 0)
+    {
+      continue;
+    }
+    const std::string name = id < 0 ? "" : named.Names[id];
+    // The reader has the coordinates of each material in an array of its name.
+    if (cells->GetPointData()->HasArray(name.c_str()))
+    {
+      cells->GetPointData()->SetActiveTCoords(name.c_str());
+    }
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(cells);
+    auto part = vtkSmartPointer<vtkActor>::New();
+    part->SetMapper(mapper);
+    part->GetProperty()->DeepCopy(actor->GetProperty());
+    const auto material = materials.find(name);
+    if (material != materials.end())
+    {
+      Wear(part, material->second, path, progress);
+    }
+    else if (id >= 0)
+    {
+      Messages::Note(path + ": no library has the material '" + name + "'");
+    }
+    parts.push_back(part);
+  }
+  return parts;
+}
+}

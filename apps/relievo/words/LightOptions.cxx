@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LightOptions.h"
+
+#include "Triples.h"
+#include "Values.h"
+
+namespace cli
+{
+namespace
+{
+LightChoice ParseSun(const std::string& numbers)
+{
+  LightChoice light;
+  light.Is = LightChoice::Kind::Sun;
+  light.Position = Triple(ParseNumbers("--light sun", numbers, 3, "DX,DY,DZ"), 0);
+  const double length = Length(light.Position);
+  if (length == 0.0)
+  {
+    RefuseValue("--light sun", numbers, "a direction towards the sun, which 0,0,0 is not");
+  }
+  for (double& component : light.Position)
+  {
+    component /= length;
+  }
+  return light;
+}
+
+//------------------------------------------------------------------------------
+LightChoice ParseSpot(const std::string& numbers)
+{
+  LightChoice light;
+  light.Is = LightChoice::Kind::Spot;
+  const std::vector<double> n = ParseNumbers("--light spot", numbers, 7, "PX,PY,PZ,FX,FY,FZ,CONE");
+  light.Position = Triple(n, 0);
+  light.FocalPoint = Triple(n, 3);
+  light.ConeAngle = n[6];
+  if (Length(Minus(light.FocalPoint, light.Position)) == 0.0)
+  {
+    RefuseValue("--light spot", numbers, "a focal point FX,FY,FZ apart from PX,PY,PZ");
+  }
+  if (light.ConeAngle <= 0.0 || light.ConeAngle > 180.0)
+  {
+    RefuseValue(
+      "--light spot", numbers, "CONE, half the opening in degrees, above 0 and not above 180");
+  }
+  return light;
+}
+}
+
+//------------------------------------------------------------------------------
+LightChoice ParseLight(const std::string& word)
+{
+  const std::string::size_type colon = word.find(':');
+  if (colon == std::string::npos)
+  {
+    RefuseValue("--light", word, "sun:DX,DY,DZ or spot:PX,PY,PZ,FX,FY,FZ,CONE or point:PX,PY,PZ");
+  }
+  const std::string kind = word.substr(0, colon);
+  const std::string numbers = word.substr(colon + 1);
+  switch (ParseChoice("--light " + word, kind, { "sun", "spot", "point" }))
+  {
+    case 0:
+      return ParseSun(numbers);
+    case 1:
+      return ParseSpot(numbers);
+    default:
+    {
+      LightChoice light;
+      light.Is = LightChoice::Kind::Point;
+      light.Position = Triple(ParseNumbers("--light point", numbers, 3, "PX,PY,PZ"), 0);
+      return light;
+    }
+  }
+}
+}

@@ -1,0 +1,210 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Colours by arrays, colour maps and bars, opacity, edges, backgrounds, presets, OBJ materials."""
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+from cli import CliTest, main, read_png, write_image
+
+SIDE, CELLS = 96, 8
+CAMERA = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10", "--parallel-scale", "1"]
+LOOK = [*CAMERA, "--size", f"{SIDE}x{SIDE}"]
+X = (numpy.arange(SIDE) + 0.5) / SIDE * 2 - 1  # of each column
+# Two squares; the first face has no texture coordinates, the file's name a blank.
+OBJ = """mtllib two squares.mtl
+v -1 -1 0
+v 0 -1 0
+v 0 1 0
+v -1 1 0
+v 1 -1 0
+v 1 1 0
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+usemtl plain red
+f 1 2 3 4
+usemtl printed
+f 2/1 5/2 6/3 3/4
+"""
+MTL = """newmtl plain red
+Kd 0.8 0.2 0.4
+newmtl printed
+Kd 1 1 1
+d 1.0
+map_Kd -s 1 1 1 .\\halves.png
+"""
+
+
+def add(data, name, values):
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    data.AddArray(array)
+
+
+class Look(CliTest):
+    def setUp(self):
+        super().setUp()
+        source = vtkPlaneSource()
+        source.SetOrigin(-1, -1, 0)
+        source.SetPoint1(1, -1, 0)
+        source.SetPoint2(-1, 1, 0)
+        source.SetResolution(CELLS, CELLS)
+        source.Update()
+        plane = source.GetOutput()
+        x = vtk_to_numpy(plane.GetPoints().GetData())[:, 0].astype(float)
+        add(plane.GetPointData(), "across", 3 + 2 * x)  # 1 to 5
+        add(plane.GetPointData(), "wind", numpy.c_[x, 0 * x, 0 * x + 1])
+        add(plane.GetPointData(), "paint", numpy.tile(numpy.uint8([30, 200, 90]), (len(x), 1)))
+        add(plane.GetCellData(), "column", numpy.arange(CELLS**2) % CELLS)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(self.folder / "plane.vtp"))
+        writer.SetInputData(plane)
+        writer.Write()
+        self.before = self.names()
+
+    def albedo(self, *words, file="plane.vtp"):
+        self.relievo("render", file, *LOOK, *words, "--layers", "albedo", "--exr", "a.exr")
+        channels = self.exr("a.exr")[1]
+        return numpy.stack([channels[f"albedo.{c}"] for c in "RGB"], axis=-1)
+
+    def judge(self, found, expected, columns=slice(None)):
+        """Each column's colour, of one channel or three, in bytes."""
+        expected = numpy.asarray(expected, dtype=float)
+        expected = expected[:, None] if expected.ndim == 1 else expected
+        difference = abs(found[:, columns] - expected[None, columns])
+        self.assertLess(difference.max(), 1.6 / 255)
+
+    def test_values(self):
+        """Of points and cells, a component, a magnitude, a range; bytes are colours."""
+        grey = ["--colormap", "grey", "--color-by"]
+        self.judge(self.albedo(*grey, "across"), (X + 1) / 2)
+        self.judge(self.albedo(*grey, "across", "--range", "2,4"), numpy.clip(X + 0.5, 0, 1),
+                   abs(abs(X) - 0.5) > 0.26)  # fmt: skip
+        self.judge(self.albedo(*grey, "wind,0"), (X + 1) / 2)
+        at_points = numpy.hypot(numpy.linspace(-1, 1, CELLS + 1), 1)
+        lengths = numpy.interp(X, numpy.linspace(-1, 1, CELLS + 1), at_points)
+        self.judge(self.albedo(*grey, "wind"), (lengths - 1) / (2**0.5 - 1))
+        self.judge(self.albedo(*grey, "column"), (numpy.arange(SIDE) * CELLS // SIDE) / 7)
+        self.judge(self.albedo("--color-by", "paint"),
+                   numpy.tile(numpy.array([30, 200, 90]) / 255, (SIDE, 1)))  # fmt: skip
+        self.judge(self.albedo(*grey, "paint,1", "--range", "0,200"), numpy.ones(SIDE))
+        self.judge(self.albedo("--color", "#1e90ff"),
+                   numpy.tile(numpy.array([30, 144, 255]) / 255, (SIDE, 1)))  # fmt: skip
+
+    def test_maps(self):
+        """The ends of each map, as their authors publish them."""
+        for name, low, high in (
+            ("viridis", (68, 1, 84), (253, 231, 37)),
+            ("cool-warm", (59, 76, 192), (180, 4, 38)),
+            ("hot", (0, 0, 0), (255, 255, 255)),
+            ("rainbow", (0, 0, 255), (255, 0, 0)),
+        ):
+            for bounds, end in (("9,10", low), ("0,1", high)):
+                found = self.albedo("--color-by", "across", "--colormap", name, "--range", bounds)
+                apart = abs(found * 255 - end).max()
+                self.assertLess(apart, 4, f"{name}, {bounds}: {found[0, 0] * 255}")
+
+    def test_bar(self):
+        """At the right edge and nowhere else; its colours are those of the map."""
+        words = ["render", "plane.vtp", *CAMERA, "--size", "400x200", "--background", "white",
+                 "--color-by", "across"]  # fmt: skip
+        self.relievo(*words, "--png", "a.png")
+        self.relievo(*words, "--scalar-bar", "--png", "b.png")
+        plain, bar = (read_png(self.folder / name).astype(int) for name in ("a.png", "b.png"))
+        apart = (plain != bar).any(axis=2)
+        self.assertFalse(apart[:, :330].any())
+        self.assertGreater(apart.mean(), 0.01)
+        for color in ((68, 1, 84), (253, 231, 37)):
+            self.assertGreater((abs(bar - color).max(axis=2) < 12)[:, 330:].sum(), 10, color)
+
+    def test_background(self):
+        """One colour, by name or numbers; two from the bottom to the top."""
+        words = ["render", "triangle.off", "--size", "64x64", "--png", "a.png", "--background"]
+        for value, expected in (("slategray", (112, 128, 144)), ("1/0.5/0", (255, 128, 0)),
+                                ("#0a141e", (10, 20, 30))):  # fmt: skip
+            self.relievo(*words, value)
+            found = read_png(self.folder / "a.png")[0, 0, :3].astype(int)
+            self.assertLess(abs(found - expected).max(), 2, value)
+        self.relievo(*words, "black,white")
+        column = read_png(self.folder / "a.png")[:, 63, 0].astype(float)
+        numpy.testing.assert_allclose(column, (63.5 - numpy.arange(64)) / 64 * 255, atol=1.5)
+
+    def test_opacity_and_edges(self):
+        self.relievo("render", "plane.vtp", *LOOK, "--opacity", "0.25", "--layers", "blend",
+                     "--exr", "a.exr")  # fmt: skip
+        numpy.testing.assert_allclose(self.exr("a.exr")[1]["blend.A"], 0.25, atol=1e-3)
+        self.relievo("render", "plane.vtp", *LOOK, "--edges", "--png", "a.png")
+        dark = read_png(self.folder / "a.png")[..., 0] < 200
+        at_edges = numpy.arange(1, CELLS) * SIDE // CELLS
+        across = dark.mean(axis=0)
+        for edge in at_edges:
+            self.assertGreater(max(across[edge - 1 : edge + 1]), 0.9, "an edge of cells")
+        self.assertLess(dark.mean(), 0.4)
+
+    def test_presets(self):
+        """What a preset sets can be said in words, and words come before it."""
+        words = ["render", "triangle.off", "--size", "64x64", "--png"]
+        self.relievo(*words, "a.png", "--preset", "print")
+        self.relievo(*words, "b.png", "--preset", "print", "--background", "black")
+        white, black = (read_png(self.folder / name).astype(int) for name in ("a.png", "b.png"))
+        self.assertEqual((tuple(white[0, -1]), tuple(black[0, -1])), ((255,) * 3, (0,) * 3))
+        light = ["--light", "sun:1,2,3"]
+        self.relievo(*words, "a.png", "--preset", "studio", *light, "--background", "black")
+        self.relievo(*words, "b.png", *light)
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+        for up in ("x", "y", "z"):
+            # The fitted camera and the lights turn together: what is above the mesh is lit.
+            self.relievo("render", "plane.vtp", "--size", "64x64", "--up", up, "--preset", "town",
+                         "--layers", "shadow_0,shadow_2", "--exr", "a.exr")  # fmt: skip
+            self.assertIn("shadow_2.V", self.exr("a.exr")[1])
+
+    def test_obj_materials(self):
+        (self.folder / "two squares.mtl").write_text(MTL)
+        (self.folder / "two.obj").write_text(OBJ)
+        halves = numpy.zeros((64, 64, 3), numpy.uint8)
+        halves[:32], halves[32:] = (20, 40, 200), (240, 230, 10)
+        write_image(vtkPNGWriter(), self.folder / "halves.png", halves)
+        self.relievo("render", "two.obj", *LOOK, "--exr", "a.exr", "--layers",
+                     "albedo,vtkOriginalCellIds")  # fmt: skip
+        channels = self.exr("a.exr")[1]
+        found = numpy.stack([channels[f"albedo.{c}"] for c in "RGB"], axis=-1) * 255
+        for what, area, color in (
+            ("plain", found[:, :47], (204, 51, 102)),
+            ("lower half", found[52:92, 52:92], (20, 40, 200)),
+            ("upper half", found[4:44, 52:92], (240, 230, 10)),
+        ):
+            self.assertLess(abs(area - color).max(), 2, what)
+        cells = next(found for name, found in channels.items() if "vtkOriginalCellIds" in name)
+        numpy.testing.assert_array_equal(cells[:, ::95], [[0, 1]] * SIDE)
+        (self.folder / "halves.png").unlink()
+        done = self.relievo("render", "two.obj", *LOOK, "--png", "a.png")
+        self.assertIn("drawn without a texture", done.stderr)
+        (self.folder / "two squares.mtl").unlink()
+        done = self.relievo("render", "two.obj", *LOOK, "--png", "a.png")
+        self.assertIn("two squares.mtl, which is not there", done.stderr)
+
+    def test_refused(self):
+        for words, says in (
+            (["--color-by", "acros"], ["'acros'", "across, column, paint, wind"]),
+            (["--color-by", "wind,3"], ["component 3", "0 to 2"]),
+            (["--colormap", "viridian"], ["'viridian'", "viridis, cool-warm"]),
+            (["--range", "2,1"], ["'2,1'", "MIN < MAX"]),
+            (["--opacity", "1.5"], ["'1.5'", "0 to 1"]),
+            (["--background", "greenish"], ["'greenish'", "#rrggbb"]),
+            (["--background", "red,green,blue"], ["the bottom and the top"]),
+            (["--color", "2/0/0"], ["'2/0/0'", "R/G/B from 0 to 1"]),
+            (["--color", "red", "--color-by", "across"], ["--color-by and --color"]),
+            (["--preset", "stage"], ["'stage'", "studio, town, print"]),
+            (["--scalar-bar"], ["--scalar-bar", "no values", "--color-by"]),
+        ):
+            with self.subTest(words):
+                self.refused("render", "plane.vtp", "--png", "a.png", *words, status=2, says=says)
+
+
+if __name__ == "__main__":
+    main()
