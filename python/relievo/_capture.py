@@ -9,20 +9,24 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
 
-from ._errors import Watch, require
+from ._errors import Watch
+from ._renderers import renderer_of
 from .vtkRelievoPasses import vtkRelievoDisplay, vtkRelievoLayerSource, vtkRelievoPass
 
 _LARGEST = 16384  # pixels each way; OpenGL's own limit, asked when there is a window, may be lower
+_SIZE_OF_DATA = (1024, 768)
 
 
 def capture(renderer, layers=("depth",), size=None, hdr=False):
     """Draws the renderer once and returns the layers of what is visible.
 
-    renderer: a vtkRenderer. Its camera, lights, passes and window stay unchanged. A renderer
-        without a window is drawn in an off-screen one, and `size` is needed.
+    renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter). Its camera,
+        lights, passes and window stay unchanged. A renderer without a window is drawn in an
+        off-screen one, and `size` is needed. Or a dataset (also composite), or a filter that makes
+        one: its surface is drawn, seen along -z with y up, fitted to the picture.
     layers: names of layers, or one name; see help(relievo). Repeated names count once.
     size: (columns, rows) of the image in pixels, from 1 to 16384, or to OpenGL's limit where that
-        is lower; None for the size of the renderer's viewport.
+        is lower; None for the size of the renderer's viewport, (1024, 768) for data.
     hdr: whether the layer `color` is the linear colour of the frame, unclamped, without texts and
         colour bars; if not, it is the window's picture, converted from 8 bits to linear light
         (the linear colour all the same where the stage `tone` makes the picture).
@@ -35,8 +39,10 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
     Raises ValueError for wrong arguments, such as a layer that no visible data has or a size above
     the limit, and RuntimeError if the layers cannot be drawn, or there is no display.
     """
-    require(renderer, "vtkRenderer", "renderer")
+    renderer, made = renderer_of(renderer)
     layers = _names(layers)
+    if made and size is None:
+        size = _SIZE_OF_DATA
     if size is not None:
         size = _pixels(size)
     source = vtkRelievoLayerSource()

@@ -238,8 +238,8 @@ void SetColors(const Scene& scene, const LookChoice& look)
     }
     if (look.ScalarBar && values && ++bars == 1)
     {
-      AddScalarBar(scene.Renderer, map,
-        name + (look.Component ? " " + std::to_string(*look.Component) : ""));
+      AddScalarBar(
+        scene.Renderer, map, name + (look.Component ? " " + std::to_string(*look.Component) : ""));
     }
   }
   if (look.ScalarBar && bars != 1)

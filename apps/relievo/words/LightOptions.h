@@ -20,11 +20,11 @@ struct LightChoice
     Point
   };
   Kind Is = Kind::Sun;
-  std::array<double, 3> Position;               ///< for a sun, the unit direction towards it
-  std::array<double, 3> FocalPoint;             ///< of a spot
-  double ConeAngle = 180.0;                     ///< degrees, half the opening
+  std::array<double, 3> Position;                  ///< for a sun, the unit direction towards it
+  std::array<double, 3> FocalPoint;                ///< of a spot
+  double ConeAngle = 180.0;                        ///< degrees, half the opening
   std::array<double, 3> Color = { 1.0, 1.0, 1.0 }; ///< times its intensity
-  bool Casts = true;                            ///< shadows, if there are any
+  bool Casts = true;                               ///< shadows, if there are any
 };
 
 /// "sun:DX,DY,DZ" and so on; throws WordsError.

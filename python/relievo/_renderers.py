@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What people have in hand, as a renderer: a renderer, a plotter, data, a filter."""
+
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+
+_EXPECTED = "a vtkRenderer, something with a .renderer, a dataset, or a filter that makes one"
+
+
+def renderer_of(thing):
+    """The renderer, and whether it was made here, for data.
+
+    Data is drawn by its outer surface and seen along -z with y up; polygons as they are.
+    """
+    inner = thing if _is(thing, "vtkRenderer") else getattr(thing, "renderer", None)
+    if _is(inner, "vtkRenderer"):
+        return inner, False
+    if _is(thing, "vtkAlgorithm"):
+        thing.Update()
+        thing = thing.GetOutputDataObject(0) if thing.GetNumberOfOutputPorts() else None
+    if _is(thing, "vtkPolyData"):
+        surface = thing
+    elif _is(thing, "vtkCompositeDataSet"):
+        surface = _run(vtkCompositeDataGeometryFilter(), thing)
+    elif _is(thing, "vtkDataSet"):
+        outside = vtkGeometryFilter()
+        outside.PassThroughCellIdsOn()
+        surface = _run(outside, thing)
+    else:
+        raise ValueError(f"renderer: got {thing!r}, expected {_EXPECTED}")
+    if surface.GetNumberOfCells() == 0:
+        raise ValueError("renderer: the data has no cells to draw")
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(surface)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    renderer = vtkRenderer()
+    renderer.AddActor(actor)
+    renderer.ResetCamera()
+    return renderer, True
+
+
+def _is(thing, name):
+    return hasattr(thing, "IsA") and bool(thing.IsA(name))
+
+
+def _run(algorithm, data):
+    algorithm.SetInputDataObject(data)
+    algorithm.Update()
+    surface = vtkPolyData()
+    surface.ShallowCopy(algorithm.GetOutputDataObject(0))
+    return surface
