@@ -30,7 +30,8 @@ const Row Rows[] = {
         map->AddRGBPoint(low + share * (high - low), color.x, color.y, color.z);
       }
     } },
-  // Diverging from the middle: K. Moreland, Diverging Color Maps for Scientific Visualization, 2009.
+  // Diverging from the middle: K. Moreland, Diverging Color Maps for Scientific Visualization,
+  // 2009.
   { "cool-warm",
     [](Map* map, double low, double high) {
       map->SetColorSpaceToDiverging();
