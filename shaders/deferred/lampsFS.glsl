@@ -1,6 +1,9 @@
 //VTK::System::Dec
 //RELIEVO::Include(extensions.glsl)
 //RELIEVO::Defines
+#ifdef RELIEVO_LAMP_SHADOWS
+#extension GL_ARB_texture_gather : enable
+#endif
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
@@ -10,10 +13,15 @@
 // RELIEVO_GLOSS: instead, what is given back beside the light times the surface's colour, linear:
 // Phong's highlights; of PBR what its highlights give, less what they take.
 // RELIEVO_HALVES: the sum is stored in half floats.
+// RELIEVO_LAMP_SHADOWS: of RELIEVO_LAMP_IN_QUAD, the lamp casts shadows.
 //RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(formulas/half.glsl)
 //RELIEVO::Include(formulas/unproject.glsl)
 //RELIEVO::Include(deferred/lamp.glsl)
+#ifdef RELIEVO_LAMP_SHADOWS
+//RELIEVO::Include(shadow/lamp.glsl)
+vec3 relievoFaceVC = vec3(0.0); // the triangle's normal
+#endif
 uniform mat4 relievoProjection;
 #ifdef RELIEVO_LAMP_IN_QUAD
 flat in int relievoLamp;
@@ -56,6 +64,12 @@ void relievoAddLamp(int i, int end, vec3 positionVC, vec3 normalVC, inout reliev
 #endif
     relievoLampRay ray = relievoSeeLamp(lamp, positionVC);
     float cosine = relievoLampCosine(normalVC, ray.toLamp, ray.range);
+#ifdef RELIEVO_LAMP_SHADOWS
+    if (ray.reaches && cosine > 0.0)
+    {
+      ray.light *= relievoLampUnshadowed(-ray.toLamp, relievoFaceVC);
+    }
+#endif
 #ifdef RELIEVO_GLOSS
     if (ray.reaches && cosine > 0.0)
     {
@@ -90,6 +104,10 @@ void main()
   {
     vec3 positionVC =
       relievoEyePosition(relievoNdcFromPixel(vec2(pixel), relievoSize), depth, relievoProjection);
+#ifdef RELIEVO_LAMP_SHADOWS
+    relievoFaceVC = relievoFetchGeometricNormal(pixel);
+    relievoFaceVC = relievoFaceVC == vec3(0.0) ? normalVC : relievoFaceVC;
+#endif
 #if defined(RELIEVO_LAMP_IN_QUAD)
     relievoAddLamp(relievoLamp, relievoLamp + 1, positionVC, normalVC, sum);
 #elif defined(RELIEVO_LAMPS_IN_CLUSTERS)
