@@ -29,9 +29,12 @@ struct LampChoice
   ColorValue Color;
   Falloff Kind = Falloff::Linear;
   std::optional<std::array<double, 3>> Attenuation; ///< of Falloff::VTK
+  PointValue Casts;                                 ///< 1 always, 0 never
+  std::string Casting;                              ///< parameter of the stage; empty: not given
 };
 
-/// FILE[,radius=R][,intensity=I][,color=R/G/B][,falloff=F][,attenuation=A/B/C]. Throws WordsError.
+/// FILE[,radius=R][,intensity=I][,color=R/G/B][,falloff=F][,attenuation=A/B/C][,casts=C]
+/// [,casting=N]. Throws WordsError.
 LampChoice ParseLamps(const std::string& word);
 }
 
