@@ -21,8 +21,8 @@ class vtkPolyData;
 namespace relievoBench
 {
 /**
- * The radius of so many lamps, anywhere in a box around the scene, of which `reaching` reach a point
- * in the middle of the box, on average.
+ * The radius of so many lamps, anywhere in a box around the scene, of which `reaching` reach a
+ * point in the middle of the box, on average.
  */
 double RadiusFor(int lamps, double reaching);
 

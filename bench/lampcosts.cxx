@@ -35,12 +35,11 @@ double SecondsOf(const Timed& frame)
   return time.count();
 }
 
-void MeasurePeer(const std::string& scene, vtkPolyData* mesh, int count, const LightSizes& sizes,
-  Table& table)
+void MeasurePeer(
+  const std::string& scene, vtkPolyData* mesh, int count, const LightSizes& sizes, Table& table)
 {
   const vtkSmartPointer<vtkPolyData> lamps = MakeLamps(count);
-  LitWindow lit(
-    mesh, sizes.Pixels, lamps, RadiusFor(count, Few), vtkRelievoLampsStage::AUTOMATIC);
+  LitWindow lit(mesh, sizes.Pixels, lamps, RadiusFor(count, Few), vtkRelievoLampsStage::AUTOMATIC);
   const std::unique_ptr<SceneWindow> peer = MakePeer(mesh, sizes.Pixels, lamps);
   const std::vector<Timed> frames = { lit.Frame(), peer->Frame() };
   const char* const names[] = { "lamps", "VTK's lights" };
@@ -102,9 +101,9 @@ void MeasureShadows(
       std::cout << scene << ", " << sizes.Casting[i] << " of " << Count << " lamps cast, " << motion
                 << ": " << Number(1e3 * times[i].Median(), 3) << " ms, " << Number(ratio.Ratio(), 3)
                 << " +- " << Number(ratio.RatioSpread(), 1) << " x without" << std::endl;
-      table.AddRow({ scene, std::to_string(sizes.Casting[i]), motion,
-        Number(1e3 * times[i].Median(), 4), Number(ratio.Ratio(), 4),
-        Number(ratio.RatioSpread(), 2), Number(LoadAverage(), 2) });
+      table.AddRow(
+        { scene, std::to_string(sizes.Casting[i]), motion, Number(1e3 * times[i].Median(), 4),
+          Number(ratio.Ratio(), 4), Number(ratio.RatioSpread(), 2), Number(LoadAverage(), 2) });
     }
   }
 }
@@ -115,8 +114,8 @@ namespace relievoBench
 {
 int BenchLightsPeer(const std::string& outDir, const LightSizes& sizes)
 {
-  Table table({ "scene", "lamps", "way", "first frame s", "milliseconds", "times lamps", "+-",
-    "load" });
+  Table table(
+    { "scene", "lamps", "way", "first frame s", "milliseconds", "times lamps", "+-", "load" });
   for (const std::string& name : sizes.Scenes)
   {
     const vtkSmartPointer<vtkPolyData> mesh = SceneMesh(name);

@@ -23,8 +23,8 @@ void vtkRelievoLampLight::Take(
   for (const vtkRelievoLampList::Lamp& lamp : this->Casting.GetLamps())
   {
     const double* row = lamp.Row;
-    context.CastingLamps.push_back({ glm::dvec3(row[0], row[1], row[2]), row[3],
-      strengths[context.CastingLamps.size()] });
+    context.CastingLamps.push_back(
+      { glm::dvec3(row[0], row[1], row[2]), row[3], strengths[context.CastingLamps.size()] });
   }
 }
 
@@ -138,12 +138,7 @@ void vtkRelievoLampLight::Bind(vtkShaderProgram* program, bool casting)
   {
     this->Cells.Activate(program, "relievoCells");
     this->Lists.Activate(program, "relievoLists");
-    program->SetUniformi("relievoColumns", this->Clusters.GetColumns());
-    program->SetUniformi("relievoRows", this->Clusters.GetRows());
-    program->SetUniformi("relievoSlices", this->Clusters.GetSlices());
-    program->SetUniformi("relievoTile", this->Clusters.GetTile());
-    program->SetUniformf("relievoSliceScale", this->Clusters.GetSliceScale());
-    program->SetUniformf("relievoSliceOffset", this->Clusters.GetSliceOffset());
+    this->Clusters.SetUniforms(program);
   }
 }
 
@@ -179,8 +174,7 @@ std::string vtkRelievoLampLight::DrawInto(vtkRelievoFrameContext& context,
 std::string vtkRelievoLampLight::DrawQuads(
   vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target, const std::string& defines)
 {
-  const bool others =
-    this->Way == vtkRelievoLampsStage::QUADS && !this->List.GetLamps().empty();
+  const bool others = this->Way == vtkRelievoLampsStage::QUADS && !this->List.GetLamps().empty();
   const bool casting = !this->Casting.GetLamps().empty();
   std::string wrong;
   if (others || casting)

@@ -197,8 +197,7 @@ vtkRelievoLampList vtkRelievoLampList::TakeCasting(int largest, std::vector<doub
 
 //------------------------------------------------------------------------------
 // The lamps at these places, ascending.
-void vtkRelievoLampList::TakeOut(
-  const std::vector<std::size_t>& places, vtkRelievoLampList& others)
+void vtkRelievoLampList::TakeOut(const std::vector<std::size_t>& places, vtkRelievoLampList& others)
 {
   for (const std::size_t place : places)
   {

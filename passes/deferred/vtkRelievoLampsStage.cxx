@@ -4,6 +4,7 @@
 
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
@@ -14,6 +15,7 @@
 #include "vtkRelievoLampLight.h"
 #include "vtkRelievoLamps.h"
 #include "vtkRelievoResource.h"
+#include "vtkRelievoTranslucentLamps.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -70,6 +72,7 @@ public:
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkRelievoLampLight Light;
   vtkRelievoScreenQuad Colors;
+  vtkNew<vtkRelievoTranslucentLamps> Translucent;
   std::set<std::string> Said;
   int LeftOut = 0;
   bool SomeCast = false; // in this frame, perhaps: on all processes alike
@@ -156,6 +159,9 @@ void vtkRelievoLampsStage::Describe(vtkRelievoStageDescription& description)
   description.AddFlag(
     "floats", this->Floats, [this](bool on) { this->SetFloats(on); },
     "Sums light in floats instead of half floats.");
+  description.AddFlag(
+    "translucent", this->Translucent, [this](bool on) { this->SetTranslucent(on); },
+    "Lights translucent surfaces as well, in VTK's own shaders.");
   description.AddWhole(
     "casting", this->Casting, [this](int lamps) { this->SetCasting(lamps); }, 0, 8, "lamps",
     "How many lamps, the largest in the picture, cast shadows; the others shine through walls.");
@@ -230,7 +236,15 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
   const int automatic = others <= MostQuads ? QUADS : CLUSTERS;
   this->WayTaken = this->Way == AUTOMATIC ? automatic : this->Way;
   const bool counts = context.IsAsked(this, Evaluations) || context.IsAsked(this, Reaching);
-  const std::string wrong = in.Light.Prepare(context, this->WayTaken, this->Floats, counts);
+  std::string wrong = in.Light.Prepare(context, this->WayTaken, this->Floats, counts);
+  if (!this->Translucent || !context.IsAsked(this, "color"))
+  {
+    in.Translucent->ReleaseGraphicsResources(context.Window);
+  }
+  else if (wrong.empty())
+  {
+    wrong = in.Translucent->Begin(context, sets);
+  }
   this->Say(wrong);
   return wrong.empty();
 }
@@ -280,8 +294,15 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
   {
     this->Explain("ran",
       std::to_string(this->NumberDrawn) + " of " + std::to_string(this->NumberOfLamps) +
-        " lamps may light what is seen; by " + WayNames[this->WayTaken] + DescribeCasting(context));
+        " lamps may light what is seen; by " + WayNames[this->WayTaken] + DescribeCasting(context) +
+        (in.Translucent->GetNumberOfProps() > 0 ? "; what is translucent is lit" : ""));
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLampsStage::Finish(vtkRelievoFrameContext&)
+{
+  this->Internal->Translucent->End();
 }
 
 //------------------------------------------------------------------------------
@@ -324,6 +345,7 @@ std::map<std::string, vtkVariant> vtkRelievoLampsStage::GetFacts()
   const auto share = [](double value) { return value < 0.0 ? vtkVariant() : vtkVariant(value); };
   return { { "lamps", vtkVariant(this->NumberOfLamps) },
     { "lamps_drawn", vtkVariant(this->NumberDrawn) }, { "lamps_left_out", vtkVariant(in.LeftOut) },
+    { "lamps_on_translucent", vtkVariant(in.Translucent->GetNumberOfProps()) },
     { "lamps_casting", vtkVariant(this->NumberCasting) },
     { "lamps_way", vtkVariant(WayNames[this->WayTaken]) },
     { "lamps_evaluated_per_pixel", share(in.Light.GetComputed()) },
@@ -333,7 +355,7 @@ std::map<std::string, vtkVariant> vtkRelievoLampsStage::GetFacts()
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoLampsStage::GetBytesHeld()
 {
-  return this->Internal->Light.GetBytes();
+  return this->Internal->Light.GetBytes() + this->Internal->Translucent->GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -342,6 +364,7 @@ void vtkRelievoLampsStage::ReleaseGraphicsResources(vtkWindow* window)
   Internals& in = *this->Internal;
   in.Light.Release(window);
   in.Colors.Release(window);
+  in.Translucent->ReleaseGraphicsResources(window);
   this->DrawCalls = 0;
   this->NumberOfLamps = this->NumberDrawn = this->NumberCasting = 0;
   this->Superclass::ReleaseGraphicsResources(window);
@@ -354,6 +377,7 @@ void vtkRelievoLampsStage::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Way: " << WayNames[this->Way] << "\n";
   os << indent << "WayTaken: " << WayNames[this->WayTaken] << "\n";
   os << indent << "Floats: " << this->Floats << "\n";
+  os << indent << "Translucent: " << this->Translucent << "\n";
   os << indent << "Casting: " << this->Casting << "\n";
   os << indent << "NumberCasting: " << this->NumberCasting << "\n";
   os << indent << "NumberOfLamps: " << this->NumberOfLamps << "\n";

@@ -63,6 +63,16 @@ public:
 
   ///@{
   /**
+   * Whether lamps light translucent surfaces: diffuse light, without highlights and shadows, in
+   * VTK's own shaders. Default off.
+   */
+  vtkSetMacro(Translucent, bool);
+  vtkGetMacro(Translucent, bool);
+  vtkBooleanMacro(Translucent, bool);
+  ///@}
+
+  ///@{
+  /**
    * How many lamps cast shadows beside those that always do (vtkRelievoLamps::SetCasts), 0
    * (default) to 8 in all: the largest, by brightness times the part of the picture that they may
    * light. Their shadows fade where the next lamp is nearly as large, so that none comes or goes at
@@ -115,11 +125,13 @@ protected:
     const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const override;
   bool Prepare(vtkRelievoFrameContext& context) override;
   void Execute(vtkRelievoFrameContext& context) override;
+  void Finish(vtkRelievoFrameContext& context) override;
   std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
 
   int Way = AUTOMATIC;
   int WayTaken = QUADS;
   bool Floats = false;
+  bool Translucent = false;
   int NumberOfLamps = 0;
   int NumberDrawn = 0;
   int NumberCasting = 0;

@@ -105,7 +105,10 @@ protected:
   }
 
   // When the rows were made.
-  vtkMTimeType GetRowsTime() const { return this->RowsTime.GetMTime(); }
+  vtkMTimeType GetRowsTime() const
+  {
+    return this->RowsTime.GetMTime();
+  }
 
   // Whether the thing of this row does anything.
   virtual bool HasEffect(const double* row) const = 0;

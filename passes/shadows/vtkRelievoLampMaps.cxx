@@ -85,8 +85,8 @@ void vtkRelievoLampMaps::SetLamp(vtkShaderProgram* program, int lamp)
       glm::vec3(this->Work.View.WorldToView * glm::dvec4(entries[place].Light.Position, 1.0));
   }
   vtkRelievoShadowFaces faces(this->Work, Sides, center);
-  for (int face = 0;
-       place < entries.size() && face < static_cast<int>(entries[place].Maps.size()); ++face)
+  for (int face = 0; place < entries.size() && face < static_cast<int>(entries[place].Maps.size());
+       ++face)
   {
     const vtkRelievoShadowCache::Map& map = entries[place].Maps[face];
     faces.Set(face, map, this->Method.GetBias(map.View, this->Work.Bias));

@@ -33,9 +33,9 @@ int vtkRelievoShadowPass::GetSizeHere(int size)
   const int largest = vtkRelievoShadowMaps::GetLargestSize();
   if (size > largest && this->Internal->Said.insert("size" + std::to_string(size)).second)
   {
-    vtkWarningMacro("Shadow maps of " << size << " x " << size
-                                      << " texels were asked for, this OpenGL makes at most "
-                                      << largest << " x " << largest << ": these are used.");
+    vtkWarningMacro("Shadow maps of "
+      << size << " x " << size << " texels were asked for, this OpenGL makes at most " << largest
+      << " x " << largest << ": these are used.");
   }
   return std::min(size, largest);
 }

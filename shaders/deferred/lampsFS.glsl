@@ -1,12 +1,12 @@
 //VTK::System::Dec
 //RELIEVO::Include(extensions.glsl)
 //RELIEVO::Defines
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
 #ifdef RELIEVO_LAMP_SHADOWS
 #extension GL_ARB_texture_gather : enable
 #endif
 //VTK::Output::Dec
-// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
-// SPDX-License-Identifier: BSD-3-Clause
 // The light of lamps at each pixel's point. RELIEVO_LAMPS_IN_CLUSTERS: of those that its cluster
 // lists; RELIEVO_LAMP_IN_QUAD: of the one whose rectangle is drawn; else of all.
 // RELIEVO_COUNT_LAMPS: instead, how many were computed, and how many reach the point.
@@ -32,14 +32,7 @@ uniform vec2 relievoSize; // of the viewport
 uniform int relievoLampCount;
 #endif
 #ifdef RELIEVO_LAMPS_IN_CLUSTERS
-uniform samplerBuffer relievoCells; // where each cell's list starts
-uniform samplerBuffer relievoLists;
-uniform int relievoColumns;
-uniform int relievoRows;
-uniform int relievoSlices;
-uniform int relievoTile; // pixels
-uniform float relievoSliceScale;
-uniform float relievoSliceOffset;
+//RELIEVO::Include(deferred/clusters.glsl)
 #endif
 
 struct relievoLampSum
@@ -58,7 +51,7 @@ void relievoAddLamp(int i, int end, vec3 positionVC, vec3 normalVC, inout reliev
   if (i < end)
   {
 #ifdef RELIEVO_LAMPS_IN_CLUSTERS
-    int lamp = int(texelFetch(relievoLists, i).x);
+    int lamp = relievoListedLamp(i);
 #else
     int lamp = i;
 #endif
@@ -111,18 +104,9 @@ void main()
 #if defined(RELIEVO_LAMP_IN_QUAD)
     relievoAddLamp(relievoLamp, relievoLamp + 1, positionVC, normalVC, sum);
 #elif defined(RELIEVO_LAMPS_IN_CLUSTERS)
-#ifdef RELIEVO_LINEAR_SLICES
-    float place = depth;
-#else
-    float place = log2(depth);
-#endif
-    // Before the first slice and behind the last one there is no lamp.
-    int slice =
-      clamp(int(floor(place * relievoSliceScale + relievoSliceOffset)), 0, relievoSlices - 1);
-    ivec2 tile = pixel / relievoTile;
-    int cell = (slice * relievoRows + tile.y) * relievoColumns + tile.x;
-    int from = int(texelFetch(relievoCells, cell).x);
-    int to = int(texelFetch(relievoCells, cell + 1).x);
+    ivec2 list = relievoFindLamps(pixel, depth);
+    int from = list.x;
+    int to = list.y;
 #else
     int from = 0;
     int to = relievoLampCount;

@@ -16,15 +16,10 @@
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
 #include <vtkCamera.h>
-#include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
-#include <vtkPointData.h>
 #include <vtkProperty.h>
-#include <vtkRelievoLampList.h>
 #include <vtkRelievoShadowPass.h>
-
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -191,8 +186,8 @@ void TestCasters()
   RELIEVO_CHECK(CountDifferent(open, cast, "light") > 200);
   RELIEVO_CHECK(GetFact(shadows, "lamp_maps_drawn") == GetFact(shadows, "lamp_maps"));
   RELIEVO_CHECK(GetFact(shadows, "lamp_maps") > 0);
-  RELIEVO_CHECK(scene.Stage->GetReason().find("1 casts shadows, at (0.2, 2.4, 0.3)") !=
-    std::string::npos);
+  RELIEVO_CHECK(
+    scene.Stage->GetReason().find("1 casts shadows, at (0.2, 2.4, 0.3)") != std::string::npos);
   const Layers still(scene.Read(Light));
   RELIEVO_CHECK(GetFact(shadows, "lamp_maps_drawn") == 0);
   RELIEVO_CHECK(CountDifferent(cast, still, "light") == 0);
@@ -264,7 +259,8 @@ void TestSmallLamp()
       }
     }
   }
-  RELIEVO_CHECK_NEAR(dark[1] / dark[0], 1.0, 0.01, "light in a large scene over that in a small one");
+  RELIEVO_CHECK_NEAR(
+    dark[1] / dark[0], 1.0, 0.01, "light in a large scene over that in a small one");
 }
 
 // From none to eight and back, other sizes, off and on: the same pictures, and nothing held.
@@ -331,103 +327,11 @@ void TestRefusals()
     RELIEVO_CHECK(expect.Count() == 1);
   }
 }
-
-vtkRelievoView MakeView()
-{
-  vtkRelievoView view;
-  view.Viewport[2] = 400;
-  view.Viewport[3] = 300;
-  view.Near = 0.1;
-  view.Far = 100.0;
-  view.WorldToView =
-    glm::lookAt(glm::dvec3(0.0, 0.0, 10.0), glm::dvec3(0.0), glm::dvec3(0.0, 1.0, 0.0));
-  view.ViewToNDC = glm::perspective(0.7, 4.0 / 3.0, 0.1, 100.0);
-  return view;
-}
-
-// Which lamps cast: by the array, and by size; and that no strength jumps while lamps move.
-void TestChoice()
-{
-  const vtkRelievoView view = MakeView();
-  const auto choose = [&view](const std::vector<Lamp>& lamps, const std::vector<double>& casts,
-                        int largest) {
-    vtkSmartPointer<vtkPolyData> data = ToPolyData(lamps);
-    vtkNew<vtkDoubleArray> array;
-    array->SetName("casts");
-    for (const double each : casts)
-    {
-      array->InsertNextValue(each);
-    }
-    if (!casts.empty())
-    {
-      data->GetPointData()->AddArray(array);
-    }
-    vtkNew<vtkRelievoLamps> set;
-    set->SetInputData(data);
-    set->Share(nullptr);
-    vtkRelievoLampList list;
-    list.Take(view, { set });
-    std::vector<double> strengths;
-    const vtkRelievoLampList casting = list.TakeCasting(largest, strengths);
-    RELIEVO_CHECK(list.GetLamps().size() + casting.GetLamps().size() == lamps.size());
-    RELIEVO_CHECK(list.GetTexels().size() == 8 * list.GetLamps().size());
-    RELIEVO_CHECK(casting.GetTexels().size() == 8 * casting.GetLamps().size());
-    std::vector<double> all(lamps.size(), 0.0); // by lamp
-    for (std::size_t i = 0; i < strengths.size(); ++i)
-    {
-      const auto place = casting.GetLamps()[i].Row - set->GetSharedRows().data();
-      all[static_cast<std::size_t>(place) / set->GetRowWidth()] = strengths[i];
-      RELIEVO_CHECK(casting.GetTexels()[8 * i + 3] ==
-        static_cast<float>(casting.GetLamps()[i].Row[3]));
-    }
-    return all;
-  };
-  std::vector<Lamp> lamps;
-  for (int i = 0; i < 12; ++i)
-  {
-    lamps.push_back({ glm::dvec3(0.3 * i - 1.5, 0.0, 0.0), 0.3 + 0.1 * i, 1.0, White });
-  }
-  const std::vector<double> three = choose(lamps, {}, 3);
-  RELIEVO_CHECK(std::count(three.begin(), three.end(), 1.0) == 3);
-  RELIEVO_CHECK(three[11] == 1.0 && three[10] == 1.0 && three[9] == 1.0);
-  RELIEVO_CHECK(choose(lamps, {}, 0) == std::vector<double>(12, 0.0));
-  std::vector<double> casts(12, -1.0);
-  casts[0] = 1.0;
-  casts[11] = 0.0;
-  const std::vector<double> named = choose(lamps, casts, 2);
-  RELIEVO_CHECK(named[0] == 1.0 && named[11] == 0.0 && named[10] == 1.0 && named[9] == 1.0);
-  RELIEVO_CHECK(std::count(named.begin(), named.end(), 0.0) == 9);
-  const std::vector<double> all = choose(lamps, std::vector<double>(12, 1.0), 0);
-  RELIEVO_CHECK(std::count(all.begin(), all.end(), 0.0) == 4);
-
-  // Two lamps, of which one may cast: each grows while the other shrinks.
-  std::vector<double> before;
-  double jump = 0.0;
-  double most[2] = { 0.0, 0.0 };
-  constexpr int Steps = 400;
-  for (int i = 0; i <= Steps; ++i)
-  {
-    const double t = static_cast<double>(i) / Steps;
-    const std::vector<double> now = choose({ { glm::dvec3(-1.0, 0.0, 5.0 * t - 2.5), 1.0, 1.0, White },
-                                             { glm::dvec3(1.0, 0.0, 2.5 - 5.0 * t), 1.0, 1.0, White } },
-      {}, 1);
-    for (std::size_t k = 0; k < now.size(); ++k)
-    {
-      jump = before.empty() ? 0.0 : std::max(jump, std::abs(now[k] - before[k]));
-      most[k] = std::max(most[k], now[k]);
-    }
-    RELIEVO_CHECK(now[0] == 0.0 || now[1] == 0.0);
-    before = now;
-  }
-  RELIEVO_CHECK_AT_MOST(jump, 0.15, "largest change of a shadow's strength in a step");
-  RELIEVO_CHECK(most[0] == 1.0 && most[1] == 1.0);
-}
 }
 
 int main()
 {
   relievoTest::Session session;
-  TestChoice();
   TestRays();
   TestPointLight();
   TestCasters();

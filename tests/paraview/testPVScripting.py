@@ -54,6 +54,7 @@ PROPERTIES = {
     "RelievoStageLamps": (1, 0),
     "RelievoStageLampsWay": ("Auto", "Clusters"),
     "RelievoStageLampsFloats": (0, 1),
+    "RelievoStageLampsTranslucent": (0, 1),
     "RelievoStageLampsCasting": (0, 2),
     "RelievoStageMarkers": (1, 0),
     "RelievoStageTone": (0, 1),

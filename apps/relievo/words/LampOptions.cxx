@@ -3,6 +3,7 @@
 #include "LampOptions.h"
 
 #include "Failure.h"
+#include "Options.h"
 #include "Values.h"
 
 #include <limits>
@@ -37,7 +38,7 @@ PointValue ParseCasts(const std::string& option, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-LampChoice ParseLamps(const std::string& word)
+void TakeLamps(RenderOptions& options, const std::string& word)
 {
   LampChoice lamps;
   std::vector<std::pair<std::string, std::string>> values;
@@ -68,13 +69,14 @@ LampChoice ParseLamps(const std::string& word)
         lamps.Casts = ParseCasts(option, value);
         break;
       default:
-        lamps.Casting = std::to_string(ParseWhole(option, value, 0, 8));
+        AddStage(options.Stages, "lamps", "--lamps casting")
+          .Parameters.emplace_back("casting", std::to_string(ParseWhole(option, value, 0, 8)));
     }
   }
   if (lamps.Attenuation && lamps.Kind != Falloff::VTK)
   {
     RefuseValue("--lamps attenuation", word, "falloff=vtk with it");
   }
-  return lamps;
+  options.Lamps.push_back(lamps);
 }
 }

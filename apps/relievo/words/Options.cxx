@@ -231,16 +231,7 @@ const OptionRow RenderRows[] = {
   { "--clip", TakeClip, false },
   { "--shading", TakeShading, false },
   { "--light", TakeLight, true },
-  { "--lamps",
-    [](RenderOptions& options, const std::string& word) {
-      options.Lamps.push_back(ParseLamps(word));
-      if (!options.Lamps.back().Casting.empty())
-      {
-        AddStage(options.Stages, "lamps", "--lamps casting")
-          .Parameters.emplace_back("casting", options.Lamps.back().Casting);
-      }
-    },
-    true },
+  { "--lamps", TakeLamps, true },
   { "--shadows", TakeShadows, false },
   { "--shadow-size", TakeShadowSize, false },
   { "--normal-map", TakePath<&RenderOptions::NormalMap>, false },
