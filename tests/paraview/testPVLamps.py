@@ -133,7 +133,10 @@ class Lamps(pv.Test):
             changes = not name.endswith((
                 "IntensityArray", "ColorArray", "LampRadius", "CastsArray"))
             changed = pv.picture(self.view)
-            (self.differ if changes else self.same)(on, changed, name)
+            if changes:
+                self.differ(on, changed, name, share=0.001 if name.endswith("Casts") else 0.01)
+            else:
+                self.same(on, changed, name)
             setattr(self.lamps, name, default)
         self.same(on, pv.picture(self.view), "as before")
         self.lamps.Visibility = 0
@@ -173,7 +176,7 @@ class Lamps(pv.Test):
 
         alone = draw("alone")
         self.differ(alone["off"], alone["on"], "lamps", share=0.2)
-        self.differ(alone["on"], alone["cast"], "shadows", share=0.01)
+        self.differ(alone["on"], alone["cast"], "shadows", share=0.001)
         self.same(alone["off"], alone["hidden"], "hidden")
         self.differ(alone["off"], alone["fog"], "fog", share=0.2)
         self.differ(alone["off"], alone["markers"], "markers", share=0.02)
