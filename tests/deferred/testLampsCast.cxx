@@ -114,7 +114,7 @@ void TestRays()
   LampScene far(200, 150, offset);
   const glm::dvec3 there[3] = { Around[0] + offset, Around[1] + offset, Around[2] + offset };
   CheckAgainstRays(far, there, "far from the origin");
-  // Inside the ball, on the floor, at the camera: of the last, nothing is in shadow that is seen.
+  // Inside the ball, on the floor, inside the cone.
   LampScene scene(200, 150);
   const glm::dvec3 within[3] = { { -0.7, 0.8, 0.0 }, { 0.2, 1e-3, 1.5 }, { 1.0, 0.3, 0.4 } };
   CheckAgainstRays(scene, within, "inside and on surfaces");
@@ -235,6 +235,21 @@ void TestCasters()
   gl.Poll("end of casters");
 }
 
+// Of a lamp at the eye, nothing is in shadow that is seen, but for a texel at silhouettes.
+void TestAtEye()
+{
+  LampScene scene(120, 90);
+  const double* eye = scene.Renderer->GetActiveCamera()->GetPosition();
+  vtkSmartPointer<vtkRelievoLamps> set =
+    Add(scene, { { glm::dvec3(eye[0], eye[1], eye[2]), 30.0, 1.0, White } });
+  const Layers open(scene.Read(Light));
+  set->SetCasts(vtkRelievoLamps::CASTS_ALWAYS);
+  const Layers cast(scene.Read(Light));
+  RELIEVO_CHECK(scene.Stage->GetNumberCasting() == 1);
+  RELIEVO_CHECK_AT_MOST(static_cast<double>(CountDifferent(open, cast, "light")) / (120 * 90),
+    0.02, "pixels in shadow of a lamp at the eye");
+}
+
 // Beyond a lamp's radius lies most of the scene.
 void TestSmallLamp()
 {
@@ -335,6 +350,7 @@ int main()
   TestRays();
   TestPointLight();
   TestCasters();
+  TestAtEye();
   TestSmallLamp();
   TestToggles();
   TestRefusals();

@@ -13,7 +13,7 @@ from paraview import simple, smtrace
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SCENE = pathlib.Path(__file__).with_name("lampScene.py")
-STEPS = ("off", "on", "cast", "hidden", "fog", "markers")
+STEPS = ("off", "on", "far", "cast", "hidden", "fog", "markers")
 MPIRUN = ("mpirun", "--allow-run-as-root", "--oversubscribe", "-np")
 
 # Every property of a representation: default, another value as a script gives it.
@@ -134,7 +134,7 @@ class Lamps(pv.Test):
                 "IntensityArray", "ColorArray", "LampRadius", "CastsArray"))
             changed = pv.picture(self.view)
             if changes:
-                self.differ(on, changed, name, share=0.001 if name.endswith("Casts") else 0.01)
+                self.differ(on, changed, name, share=0.0005 if name.endswith("Casts") else 0.01)
             else:
                 self.same(on, changed, name)
             setattr(self.lamps, name, default)
@@ -176,7 +176,7 @@ class Lamps(pv.Test):
 
         alone = draw("alone")
         self.differ(alone["off"], alone["on"], "lamps", share=0.2)
-        self.differ(alone["on"], alone["cast"], "shadows", share=0.001)
+        self.differ(alone["far"], alone["cast"], "shadows", share=0.02)
         self.same(alone["off"], alone["hidden"], "hidden")
         self.differ(alone["off"], alone["fog"], "fog", share=0.2)
         self.differ(alone["off"], alone["markers"], "markers", share=0.02)
