@@ -178,6 +178,18 @@ bool vtkRelievoTranslucentLamps::SetShaderParameters(
 }
 
 //------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoTranslucentLamps::GetShaderStageMTime()
+{
+  // Asked outside of Begin and End by keys that were copied meanwhile: there it splices nothing.
+  if (!this->Window || this->Strayed)
+  {
+    this->StructureTime.Modified();
+    this->Strayed = !this->Window;
+  }
+  return this->StructureTime.GetMTime();
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkRelievoTranslucentLamps::GetBytes() const
 {
   return this->Lamps.GetBytes() + this->Attenuations.GetBytes() + this->Cells.GetBytes() +

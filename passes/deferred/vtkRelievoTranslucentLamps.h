@@ -45,7 +45,7 @@ public:
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* VAO = nullptr) override;
-  vtkMTimeType GetShaderStageMTime() override { return this->StructureTime.GetMTime(); }
+  vtkMTimeType GetShaderStageMTime() override;
   ///@}
 
   void Render(const vtkRenderState*) override {}
@@ -70,6 +70,7 @@ private:
   vtkOpenGLRenderWindow* Window = nullptr; // between Begin and End
   int NumberOfProps = 0;
   bool Parallel = false;
+  bool Strayed = false; // shaders without lamps were built with this pass in their keys
   std::set<std::string> Said;
 };
 
