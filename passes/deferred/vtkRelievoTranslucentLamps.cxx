@@ -55,7 +55,8 @@ std::string vtkRelievoTranslucentLamps::Begin(
     return {};
   }
   std::string wrong = this->Lamps.Upload(context.Window, this->List.GetTexels(), 4);
-  const auto upload = [&](vtkRelievoTextureBuffer& buffer, const std::vector<float>& values, int n) {
+  const auto upload = [&](
+                        vtkRelievoTextureBuffer& buffer, const std::vector<float>& values, int n) {
     wrong = wrong.empty() ? buffer.Upload(context.Window, values, n) : wrong;
   };
   upload(this->Attenuations, this->List.GetAttenuations(), 4);

@@ -4,8 +4,8 @@
 // linear light to what VTK has lit. Defines, by vtkRelievoTranslucentLamps: RELIEVO_LINEAR_SLICES,
 // RELIEVO_LAMPS_ON_PBR, RELIEVO_LAMPS_ON_BACKFACES (the back has a property of its own).
 //
-// Names of VTK's shaders that are read: vertexVC, normalVCVSOutput, gl_FragData[0]; diffuseColor and
-// diffuseIntensity, or albedo and metallic.
+// Names of VTK's shaders that are read: vertexVC, normalVCVSOutput, gl_FragData[0]; diffuseColor
+// and diffuseIntensity, or albedo and metallic.
 
 //RELIEVO::Section(Dec)
 //RELIEVO::Include(formulas/srgb.glsl)

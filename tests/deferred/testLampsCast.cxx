@@ -246,8 +246,8 @@ void TestAtEye()
   set->SetCasts(vtkRelievoLamps::CASTS_ALWAYS);
   const Layers cast(scene.Read(Light));
   RELIEVO_CHECK(scene.Stage->GetNumberCasting() == 1);
-  RELIEVO_CHECK_AT_MOST(static_cast<double>(CountDifferent(open, cast, "light")) / (120 * 90),
-    0.02, "pixels in shadow of a lamp at the eye");
+  RELIEVO_CHECK_AT_MOST(static_cast<double>(CountDifferent(open, cast, "light")) / (120 * 90), 0.02,
+    "pixels in shadow of a lamp at the eye");
 }
 
 // Beyond a lamp's radius lies most of the scene.

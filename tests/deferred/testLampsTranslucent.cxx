@@ -34,7 +34,7 @@ constexpr double Halves = 2.0 * (2.4 + 1.0) / 1024.0;
 // Of 1: bytes for display, in both pictures.
 constexpr double Bytes = 2.0 * 2.4 / 255.0;
 
-constexpr double Z = 1.5;       // of the pane
+constexpr double Z = 1.5; // of the pane
 constexpr double Opacity = 0.4;
 const glm::dvec3 Color(0.8, 0.5, 0.3);
 
@@ -75,8 +75,8 @@ struct PaneScene : LampScene
   vtkNew<vtkActor> Pane;
 };
 
-// What lamps add to the pane against what they should: `own` is the share of the light that it gives
-// back; the error is of the value, or of 1. Returns the most that they add.
+// What lamps add to the pane against what they should: `own` is the share of the light that it
+// gives back; the error is of the value, or of 1. Returns the most that they add.
 double CheckPane(PaneScene& scene, const std::vector<Lamp>& lamps, const glm::dvec3& own,
   double limit, const std::string& what, bool absolute = false)
 {
@@ -114,8 +114,8 @@ double CheckPane(PaneScene& scene, const std::vector<Lamp>& lamps, const glm::dv
         continue;
       }
       const bool pane = rim > 0.0 && before;
-      const LampSum sum = SumLight(
-        lamps, vtkRelievoLamps::LINEAR, glm::dvec3(1.0), place, glm::dvec3(0.0, 0.0, 1.0));
+      const LampSum sum =
+        SumLight(lamps, vtkRelievoLamps::LINEAR, glm::dvec3(1.0), place, glm::dvec3(0.0, 0.0, 1.0));
       for (int c = 0; c < 3; ++c)
       {
         const double added = pane ? Opacity * own[c] * sum.Light[c] : 0.0;
@@ -131,7 +131,6 @@ double CheckPane(PaneScene& scene, const std::vector<Lamp>& lamps, const glm::dv
   RELIEVO_CHECK(inside > 200);
   return most;
 }
-
 
 void TestSums()
 {
