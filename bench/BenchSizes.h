@@ -41,6 +41,7 @@ struct LightSizes
   std::vector<int> Lamps = { 1, 10, 100, 1000, 10000, 100000 };
   int MostAll = 1000; // lamps with which every pixel computes all of them
   int MostPeer = 100; // lights of VTK's: its shaders are compiled for their number
+  std::vector<int> Casting = { 0, 1, 4, 8 }; // of eight lamps, in BenchLampShadows
   int Pixels = 600;
   int Rounds = 11;
 };
@@ -80,6 +81,8 @@ struct BlockSizes
 int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
 int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
 int BenchLights(const std::string& outDir, const LightSizes& sizes);
+int BenchLightsPeer(const std::string& outDir, const LightSizes& sizes);
+int BenchLampShadows(const std::string& outDir, const LightSizes& sizes);
 int BenchDeferred(const std::string& outDir, const DeferredSizes& sizes);
 int BenchTone(const std::string& outDir, const ToneSizes& sizes);
 int BenchBlocks(const std::string& outDir, const BlockSizes& sizes);

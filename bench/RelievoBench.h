@@ -65,6 +65,12 @@ int RelievoBenchEnvironment(const std::string& outDir);
 /** Chart 6: frames with 1 to 100 000 lamps, by the way they are found. Ten minutes. */
 int RelievoBenchLights(const std::string& outDir);
 
+/** Lamps against 100 and 300 lights of VTK's. Five minutes, for its shaders' compiler. */
+int RelievoBenchLightsPeer(const std::string& outDir);
+
+/** Frames in which 1 to 8 lamps cast shadows, against none. A minute. */
+int RelievoBenchLampShadows(const std::string& outDir);
+
 /** Frames with deferred shading against VTK's own, by overdraw and lights. Two minutes. */
 int RelievoBenchDeferred(const std::string& outDir);
 

@@ -8,27 +8,20 @@
 
 #include "BenchCharts.h"
 #include "BenchSizes.h"
-#include "FrameBench.h"
+#include "LampWindows.h"
 #include "Table.h"
 
-#include <vtkFloatArray.h>
-#include <vtkLight.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkRelievoLampClusters.h>
 #include <vtkRelievoLampList.h>
 #include <vtkRelievoLamps.h>
 #include <vtkRelievoLampsStage.h>
-#include <vtkRelievoPass.h>
 #include <vtkRelievoThreads.h>
 #include <vtkRenderer.h>
 
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -40,97 +33,9 @@ using relievoTest::Timing;
 
 const char* const Peer = "VTK's lights";
 
-// Lamps are anywhere in a box around the scene, 6 x 2 x 6 units.
-constexpr double Box[3] = { 6., 2., 6. };
-
 // So many of these reach a point in the middle of the box, on average.
 constexpr double Few = 4.;
 constexpr double Many = 40.;
-
-double RadiusFor(int lamps, double reaching)
-{
-  constexpr double Pi = 3.14159265358979323846;
-  return std::cbrt(reaching * Box[0] * Box[1] * Box[2] / (lamps * 4. / 3. * Pi));
-}
-
-vtkSmartPointer<vtkPolyData> MakeLamps(int count)
-{
-  std::mt19937 random(static_cast<unsigned int>(count));
-  std::uniform_real_distribution<double> share(0., 1.);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkFloatArray> colors;
-  colors->SetName("color");
-  colors->SetNumberOfComponents(3);
-  for (int i = 0; i < count; ++i)
-  {
-    points->InsertNextPoint(
-      Box[0] * (share(random) - 0.5), Box[1] * share(random), Box[2] * (share(random) - 0.5));
-    colors->InsertNextTuple3(share(random), share(random), share(random));
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->GetPointData()->AddArray(colors);
-  return data;
-}
-
-// One way of drawing the scene with the lamps.
-struct LitWindow
-{
-  std::unique_ptr<SceneWindow> Window;
-  vtkNew<vtkRelievoLamps> Lamps;
-  vtkRelievoLampsStage* Stage = nullptr;
-
-  LitWindow(vtkPolyData* mesh, int pixels, vtkPolyData* lamps, double radius, int way)
-    : Window(new SceneWindow(mesh, pixels, pixels))
-  {
-    this->Lamps->SetInputData(lamps);
-    this->Lamps->SetRadius(radius);
-    vtkRelievoPass* frame = vtkRelievoPass::Attach(this->Window->Scene.Renderer);
-    this->Stage = vtkRelievoLampsStage::SafeDownCast(frame->GetStage("lamps"));
-    this->Stage->AddLamps(this->Lamps);
-    this->Stage->SetWay(way);
-  }
-
-  // A frame in which every lamp has moved.
-  Timed Frame()
-  {
-    Timed frame = this->Window->Frame();
-    frame.Prepare = [this]() { this->Lamps->Modified(); };
-    return frame;
-  }
-
-  // Lamps computed and reaching, on average over the pixels.
-  void Count(double& computed, double& reaching)
-  {
-    vtkRelievoPass* frame = vtkRelievoPass::Attach(this->Window->Scene.Renderer);
-    frame->RequestLayer("lamp_evaluations");
-    this->Window->Window->Render();
-    const auto facts = this->Stage->GetFacts();
-    computed = facts.at("lamps_evaluated_per_pixel").ToDouble();
-    reaching = facts.at("lamps_reaching_per_pixel").ToDouble();
-    frame->ReleaseLayers();
-  }
-};
-
-// As many lights of VTK's, at the same places.
-std::unique_ptr<SceneWindow> MakePeer(vtkPolyData* mesh, int pixels, vtkPolyData* lamps)
-{
-  std::unique_ptr<SceneWindow> window(new SceneWindow(mesh, pixels, pixels));
-  vtkDataArray* colors = lamps->GetPointData()->GetArray("color");
-  for (vtkIdType i = 0; i < lamps->GetNumberOfPoints(); ++i)
-  {
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToSceneLight();
-    light->PositionalOn();
-    light->SetConeAngle(180.);
-    light->SetPosition(lamps->GetPoint(i));
-    light->SetColor(colors->GetTuple(i));
-    light->SetAttenuationValues(1., 0., 10.);
-    window->Scene.Renderer->AddLight(light);
-  }
-  return window;
-}
 
 // Milliseconds to take the lamps and to list them, the median of some runs.
 double ListMilliseconds(const SceneWindow& window, vtkRelievoLamps* lamps, int rounds)

@@ -3,6 +3,7 @@
 #include "vtkRelievoLampClusters.h"
 
 #include "vtkSMPTools.h"
+#include "vtkShaderProgram.h"
 
 #include <glm/geometric.hpp>
 
@@ -263,4 +264,15 @@ void vtkRelievoLampClusters::Build(const vtkRelievoView& view, const vtkRelievoL
     }
   });
   this->Cells.back() = static_cast<float>(starts.back());
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLampClusters::SetUniforms(vtkShaderProgram* program) const
+{
+  program->SetUniformi("relievoColumns", this->Columns);
+  program->SetUniformi("relievoRows", this->Rows);
+  program->SetUniformi("relievoSlices", this->Slices);
+  program->SetUniformi("relievoTile", this->Tile);
+  program->SetUniformf("relievoSliceScale", this->SliceScale);
+  program->SetUniformf("relievoSliceOffset", this->SliceOffset);
 }

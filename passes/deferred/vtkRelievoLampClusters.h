@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+class vtkShaderProgram;
+
 class VTKRELIEVODEFERRED_EXPORT vtkRelievoLampClusters
 {
 public:
@@ -31,6 +33,9 @@ public:
   // projection, the depth itself.
   float GetSliceScale() const { return this->SliceScale; }
   float GetSliceOffset() const { return this->SliceOffset; }
+
+  // The uniforms of shaders/deferred/clusters.glsl, but for the lists.
+  void SetUniforms(vtkShaderProgram* program) const;
 
   // Where the list of each cell begins, columns first, then rows; and where the last one ends.
   const std::vector<float>& GetCells() const { return this->Cells; }

@@ -14,9 +14,25 @@
 
 //------------------------------------------------------------------------------
 void vtkRelievoLampLight::Take(
-  vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets)
+  vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets, int casting)
 {
   vtkRelievoWithThreads([&]() { this->List.Take(context.View, sets); });
+  std::vector<double> strengths;
+  this->Casting = this->List.TakeCasting(casting, strengths);
+  context.CastingLamps.clear();
+  for (const vtkRelievoLampList::Lamp& lamp : this->Casting.GetLamps())
+  {
+    const double* row = lamp.Row;
+    context.CastingLamps.push_back(
+      { glm::dvec3(row[0], row[1], row[2]), row[3], strengths[context.CastingLamps.size()] });
+  }
+}
+
+//------------------------------------------------------------------------------
+// Lamps that cast are drawn as quads, however the others are.
+bool vtkRelievoLampLight::HasQuads() const
+{
+  return this->Way == vtkRelievoLampsStage::QUADS || !this->Casting.GetLamps().empty();
 }
 
 //------------------------------------------------------------------------------
@@ -27,7 +43,7 @@ std::string vtkRelievoLampLight::Prepare(
   this->Counting = counts;
   this->Floats = floats;
   this->Computed = this->Reaching = -1.0;
-  const bool quads = way == vtkRelievoLampsStage::QUADS;
+  const bool quads = this->HasQuads();
   if (way == vtkRelievoLampsStage::CLUSTERS)
   {
     vtkRelievoWithThreads([&]() { this->Clusters.Build(context.View, this->List); });
@@ -40,6 +56,11 @@ std::string vtkRelievoLampLight::Prepare(
   if (!quads)
   {
     this->Quads.Release(context.Window);
+  }
+  if (this->Casting.GetLamps().empty())
+  {
+    this->CastingQuads.Release(context.Window);
+    this->CastingLamps.Release(context.Window);
   }
   // Half floats lose what is small beside the sum so far: rectangles add to floats.
   const bool white = this->List.IsWhite();
@@ -63,7 +84,7 @@ std::string vtkRelievoLampLight::Draw(vtkRelievoFrameContext& context, bool glos
     wrong = this->DrawInto(context, this->Sum, this->Lights,
       this->Sum.GetFormat().Halves ? "#define RELIEVO_HALVES\n" : "");
   }
-  const bool quads = this->Way == vtkRelievoLampsStage::QUADS;
+  const bool quads = this->HasQuads();
   if (!glossy)
   {
     this->Gloss.Release(context.Window);
@@ -91,6 +112,10 @@ std::string vtkRelievoLampLight::Draw(vtkRelievoFrameContext& context, bool glos
 std::string vtkRelievoLampLight::Upload(vtkRelievoFrameContext& context)
 {
   std::string wrong = this->Lamps.Upload(context.Window, this->List.GetTexels(), 4);
+  if (wrong.empty() && !this->Casting.GetLamps().empty())
+  {
+    wrong = this->CastingLamps.Upload(context.Window, this->Casting.GetTexels(), 4);
+  }
   if (wrong.empty())
   {
     wrong = this->Attenuations.Upload(context.Window, this->List.GetAttenuations(), 4);
@@ -105,33 +130,25 @@ std::string vtkRelievoLampLight::Upload(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoLampLight::Bind(vtkShaderProgram* program)
+void vtkRelievoLampLight::Bind(vtkShaderProgram* program, bool casting)
 {
-  this->Lamps.Activate(program, "relievoLamps");
+  (casting ? this->CastingLamps : this->Lamps).Activate(program, "relievoLamps");
   this->Attenuations.Activate(program, "relievoLampAttenuations");
-  program->SetUniformi("relievoLampCount", static_cast<int>(this->List.GetLamps().size()));
-  if (this->Way == vtkRelievoLampsStage::CLUSTERS)
+  if (this->Way == vtkRelievoLampsStage::CLUSTERS && !casting)
   {
     this->Cells.Activate(program, "relievoCells");
     this->Lists.Activate(program, "relievoLists");
-    program->SetUniformi("relievoColumns", this->Clusters.GetColumns());
-    program->SetUniformi("relievoRows", this->Clusters.GetRows());
-    program->SetUniformi("relievoSlices", this->Clusters.GetSlices());
-    program->SetUniformi("relievoTile", this->Clusters.GetTile());
-    program->SetUniformf("relievoSliceScale", this->Clusters.GetSliceScale());
-    program->SetUniformf("relievoSliceOffset", this->Clusters.GetSliceOffset());
+    this->Clusters.SetUniforms(program);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoLampLight::Unbind()
 {
-  this->Lamps.Deactivate();
-  this->Attenuations.Deactivate();
-  if (this->Way == vtkRelievoLampsStage::CLUSTERS)
+  for (vtkRelievoTextureBuffer* buffer :
+    { &this->Lamps, &this->CastingLamps, &this->Attenuations, &this->Cells, &this->Lists })
   {
-    this->Cells.Deactivate();
-    this->Lists.Deactivate();
+    buffer->Deactivate();
   }
 }
 
@@ -141,39 +158,72 @@ std::string vtkRelievoLampLight::DrawInto(vtkRelievoFrameContext& context,
 {
   target.Begin(context);
   std::string wrong;
-  if (this->List.GetLamps().empty())
+  if (this->Way != vtkRelievoLampsStage::QUADS && !this->List.GetLamps().empty())
   {
-    // Cleared is what it is.
+    wrong = this->DrawPixels(context, target, quad, defines);
   }
-  else if (this->Way == vtkRelievoLampsStage::QUADS)
+  if (wrong.empty() && this->HasQuads())
   {
-    wrong = this->Quads.Draw(context, this->List, target, defines,
-      [this](vtkShaderProgram* program) { this->Bind(program); });
-    this->Unbind();
-    this->DrawCalls += 2;
-  }
-  else
-  {
-    std::string all = defines;
-    all += this->Way == vtkRelievoLampsStage::CLUSTERS ? "#define RELIEVO_LAMPS_IN_CLUSTERS\n" : "";
-    all += context.View.Parallel ? "#define RELIEVO_LINEAR_SLICES\n" : "";
-    std::vector<std::string> reads{ "depth", "normal" };
-    if (&target == &this->Gloss)
-    {
-      reads.emplace_back("surface");
-    }
-    vtkShaderProgram* program = quad.Ready(context, "deferred/lampsFS.glsl", reads, all);
-    wrong = quad.GetWrong();
-    if (program)
-    {
-      this->Bind(program);
-      quad.Draw(context, target.GetArea());
-      this->Unbind();
-      ++this->DrawCalls;
-    }
+    wrong = this->DrawQuads(context, target, defines);
   }
   target.End();
   return wrong;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLampLight::DrawQuads(
+  vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target, const std::string& defines)
+{
+  const bool others = this->Way == vtkRelievoLampsStage::QUADS && !this->List.GetLamps().empty();
+  const bool casting = !this->Casting.GetLamps().empty();
+  std::string wrong;
+  if (others || casting)
+  {
+    wrong = (others ? this->Quads : this->CastingQuads).DrawSurfaces(context, target);
+    ++this->DrawCalls;
+  }
+  if (others && wrong.empty())
+  {
+    wrong = this->Quads.Draw(
+      context, this->List, defines,
+      [this](vtkShaderProgram* program) { this->Bind(program, false); }, nullptr, this->DrawCalls);
+    this->Unbind();
+  }
+  if (casting && wrong.empty())
+  {
+    // How many lamps are computed does not depend on their shadows.
+    auto* shadows = &target == &this->Counts
+      ? nullptr
+      : static_cast<vtkRelievoLampShadows*>(context.Find("lamp shadows"));
+    wrong = this->CastingQuads.Draw(
+      context, this->Casting, defines,
+      [this](vtkShaderProgram* program) { this->Bind(program, true); }, shadows, this->DrawCalls);
+    this->Unbind();
+  }
+  return wrong;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLampLight::DrawPixels(vtkRelievoFrameContext& context,
+  vtkRelievoScreenTarget& target, vtkRelievoScreenQuad& quad, const std::string& defines)
+{
+  std::string all = defines;
+  all += this->Way == vtkRelievoLampsStage::CLUSTERS ? "#define RELIEVO_LAMPS_IN_CLUSTERS\n" : "";
+  all += context.View.Parallel ? "#define RELIEVO_LINEAR_SLICES\n" : "";
+  std::vector<std::string> reads{ "depth", "normal" };
+  if (&target == &this->Gloss)
+  {
+    reads.emplace_back("surface");
+  }
+  if (vtkShaderProgram* program = quad.Ready(context, "deferred/lampsFS.glsl", reads, all))
+  {
+    this->Bind(program, false);
+    program->SetUniformi("relievoLampCount", static_cast<int>(this->List.GetLamps().size()));
+    quad.Draw(context, target.GetArea());
+    this->Unbind();
+    ++this->DrawCalls;
+  }
+  return quad.GetWrong();
 }
 
 //------------------------------------------------------------------------------
@@ -202,7 +252,8 @@ vtkIdType vtkRelievoLampLight::GetBytes() const
 {
   return this->Sum.GetBytes() + this->Gloss.GetBytes() + this->Counts.GetBytes() +
     this->Lamps.GetBytes() + this->Attenuations.GetBytes() + this->Cells.GetBytes() +
-    this->Lists.GetBytes() + this->Quads.GetBytes();
+    this->Lists.GetBytes() + this->Quads.GetBytes() + this->CastingQuads.GetBytes() +
+    this->CastingLamps.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -215,8 +266,9 @@ void vtkRelievoLampLight::Release(vtkWindow* window)
   this->Glosses.Release(window);
   this->Counter.Release(window);
   this->Quads.Release(window);
+  this->CastingQuads.Release(window);
   for (vtkRelievoTextureBuffer* buffer :
-    { &this->Lamps, &this->Attenuations, &this->Cells, &this->Lists })
+    { &this->Lamps, &this->CastingLamps, &this->Attenuations, &this->Cells, &this->Lists })
   {
     buffer->Release(window);
   }

@@ -19,16 +19,19 @@
 class vtkRelievoLampLight
 {
 public:
-  // Takes the lamps, and makes the buffers: for counts only if they are wanted. Returns what is
-  // wrong, in words.
-  void Take(vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets);
+  // Takes the lamps, and tells the context which of them cast shadows: so many of the largest, and
+  // those that always do. Then makes the buffers: for counts only if they are wanted. Returns what
+  // is wrong, in words.
+  void Take(
+    vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets, int casting);
   std::string Prepare(vtkRelievoFrameContext& context, int way, bool floats, bool counts);
 
   // Sums the light and, of surfaces that are more than matte, the gloss; and counts. Returns what
   // is wrong, in words.
   std::string Draw(vtkRelievoFrameContext& context, bool glossy);
 
-  const vtkRelievoLampList& GetList() const { return this->List; }
+  const vtkRelievoLampList& GetList() const { return this->List; } // but for those that cast
+  const vtkRelievoLampList& GetCasting() const { return this->Casting; }
   vtkRelievoScreenTarget& GetSum() { return this->Sum; }
   vtkRelievoScreenTarget& GetGloss() { return this->Gloss; }
   vtkRelievoScreenTarget& GetCounts() { return this->Counts; } // computed, reaching
@@ -43,10 +46,15 @@ public:
 
 private:
   std::string Upload(vtkRelievoFrameContext& context);
-  void Bind(vtkShaderProgram* program);
+  void Bind(vtkShaderProgram* program, bool casting);
   void Unbind();
   std::string DrawInto(vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target,
     vtkRelievoScreenQuad& quad, const std::string& defines);
+  std::string DrawQuads(
+    vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target, const std::string& defines);
+  std::string DrawPixels(vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target,
+    vtkRelievoScreenQuad& quad, const std::string& defines);
+  bool HasQuads() const;
   void SumCounts();
 
   int Way = 0;
@@ -56,8 +64,10 @@ private:
   double Computed = -1.0;
   double Reaching = -1.0;
   vtkRelievoLampList List;
+  vtkRelievoLampList Casting;
   vtkRelievoLampClusters Clusters;
   vtkRelievoLampQuads Quads;
+  vtkRelievoLampQuads CastingQuads;
   vtkRelievoScreenTarget Sum{ "relievoLight" };
   vtkRelievoScreenTarget Gloss{ "relievoGlossSum" };
   vtkRelievoScreenTarget Counts{ "relievoLampCounts" };
@@ -65,6 +75,7 @@ private:
   vtkRelievoScreenQuad Glosses;
   vtkRelievoScreenQuad Counter;
   vtkRelievoTextureBuffer Lamps;
+  vtkRelievoTextureBuffer CastingLamps;
   vtkRelievoTextureBuffer Attenuations;
   vtkRelievoTextureBuffer Cells;
   vtkRelievoTextureBuffer Lists;

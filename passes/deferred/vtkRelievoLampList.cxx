@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoLampList.h"
 
+#include "vtkRelievoLampShadows.h"
 #include "vtkRelievoLamps.h"
 #include "vtkRelievoThreads.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -55,6 +57,7 @@ public:
       }
     }
     std::copy_n(rectangle, 4, lamp.Rectangle);
+    lamp.Row = row;
     piece.Lamps.push_back(lamp);
     for (int i = 0; i < 3; ++i)
     {
@@ -73,6 +76,33 @@ private:
   const vtkRelievoView& View;
   vtkRelievoSphereBounds Bounds;
 };
+
+constexpr int TexelFloats = 8; // of a lamp
+
+// A lamp that may cast.
+struct Candidate
+{
+  std::size_t Place;
+  bool Always;
+  double Size;
+
+  bool operator<(const Candidate& other) const
+  {
+    return this->Always != other.Always ? this->Always
+      : this->Size != other.Size        ? this->Size > other.Size
+                                        : this->Place < other.Place;
+  }
+};
+
+double GetSize(const vtkRelievoLampList::Lamp& lamp)
+{
+  const double* row = lamp.Row;
+  const float* r = lamp.Rectangle;
+  return std::abs(row[4]) * std::max({ row[5], row[6], row[7] }) * (r[2] - r[0]) * (r[3] - r[1]);
+}
+
+// Up to so much more than the next lamp's size a shadow is weaker.
+constexpr double Fade = 0.1;
 }
 
 //------------------------------------------------------------------------------
@@ -117,5 +147,68 @@ void vtkRelievoLampList::Take(const vtkRelievoView& view, const std::vector<vtkR
     {
       this->Attenuations.push_back(static_cast<float>(value));
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoLampList vtkRelievoLampList::TakeCasting(int largest, std::vector<double>& strengths)
+{
+  vtkRelievoLampList casting;
+  casting.Attenuations = this->Attenuations;
+  casting.White = this->White;
+  strengths.clear();
+  std::vector<Candidate> candidates;
+  int always = 0;
+  for (std::size_t i = 0; i < this->Lamps.size(); ++i)
+  {
+    const double casts = vtkRelievoLamps::GetCastsOf(this->Lamps[i].Row);
+    if (casts > 0.0 || (casts < 0.0 && largest > 0))
+    {
+      candidates.push_back({ i, casts > 0.0, GetSize(this->Lamps[i]) });
+      always += casts > 0.0 ? 1 : 0;
+    }
+  }
+  const std::size_t most = std::min(
+    { vtkRelievoCastingLamp::Most, always + largest, static_cast<int>(candidates.size()) });
+  const std::size_t looked = std::min(most + 1, candidates.size());
+  std::partial_sort(candidates.begin(), candidates.begin() + looked, candidates.end());
+  std::vector<std::pair<std::size_t, double>> chosen;
+  for (std::size_t i = 0; i < most; ++i)
+  {
+    const Candidate& lamp = candidates[i];
+    const bool alone = looked == most || lamp.Always != candidates[most].Always;
+    const double next = alone ? 0.0 : candidates[most].Size;
+    const double strength = next > 0.0 ? std::min((lamp.Size / next - 1.0) / Fade, 1.0) : 1.0;
+    if (strength > 0.0)
+    {
+      chosen.emplace_back(lamp.Place, strength);
+    }
+  }
+  std::sort(chosen.begin(), chosen.end());
+  std::vector<std::size_t> places;
+  for (const auto& each : chosen)
+  {
+    places.push_back(each.first);
+    strengths.push_back(each.second);
+  }
+  this->TakeOut(places, casting);
+  return casting;
+}
+
+//------------------------------------------------------------------------------
+// The lamps at these places, ascending.
+void vtkRelievoLampList::TakeOut(const std::vector<std::size_t>& places, vtkRelievoLampList& others)
+{
+  for (const std::size_t place : places)
+  {
+    others.Lamps.push_back(this->Lamps[place]);
+    const auto texels = this->Texels.begin() + static_cast<std::ptrdiff_t>(place * TexelFloats);
+    others.Texels.insert(others.Texels.end(), texels, texels + TexelFloats);
+  }
+  for (auto place = places.rbegin(); place != places.rend(); ++place)
+  {
+    this->Lamps.erase(this->Lamps.begin() + static_cast<std::ptrdiff_t>(*place));
+    const auto texels = this->Texels.begin() + static_cast<std::ptrdiff_t>(*place * TexelFloats);
+    this->Texels.erase(texels, texels + TexelFloats);
   }
 }

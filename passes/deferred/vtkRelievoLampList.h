@@ -20,11 +20,18 @@ public:
   {
     vtkRelievoSphereBounds::Sphere Sphere; // eye space; enlarged by what a float's rounding moves
     float Rectangle[4];                    // in NDC, cut to the view
+    const double* Row;                     // of its set
   };
 
   // Takes the lamps, which are shared or up to date, in their order. What lies behind the eye,
   // beyond the clipping planes, beside the view, or between the centres of all pixels, is left out.
   void Take(const vtkRelievoView& view, const std::vector<vtkRelievoLamps*>& sets);
+
+  // Takes those out that cast shadows, eight at most, and returns them: those that always do, and
+  // of the others so many of the largest, by brightness times the area of their rectangle. Where
+  // the next one is almost as large, the strength of a shadow falls to 0, so that none comes or
+  // goes at once while the camera moves.
+  vtkRelievoLampList TakeCasting(int largest, std::vector<double>& strengths);
 
   const std::vector<Lamp>& GetLamps() const { return this->Lamps; }
   int GetNumberGiven() const { return this->NumberGiven; }
@@ -37,6 +44,8 @@ public:
   const std::vector<float>& GetAttenuations() const { return this->Attenuations; }
 
 private:
+  void TakeOut(const std::vector<std::size_t>& places, vtkRelievoLampList& others);
+
   std::vector<Lamp> Lamps;
   std::vector<float> Texels;
   std::vector<float> Attenuations;

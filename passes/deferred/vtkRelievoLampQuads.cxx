@@ -9,15 +9,31 @@
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoLampList.h"
-#include "vtkRelievoResource.h"
+#include "vtkRelievoLampShadows.h"
 #include "vtkRelievoScreenTarget.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkShaderProgram.h"
 
 //------------------------------------------------------------------------------
+std::string vtkRelievoLampQuads::DrawSurfaces(
+  vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target)
+{
+  vtkOpenGLState* state = context.Window->GetState();
+  if (!this->Surfaces.Ready(context, "deferred/lampDepthFS.glsl", { "depth" }))
+  {
+    return this->Surfaces.GetWrong();
+  }
+  // Depth only: the colour is the sum's.
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  this->Surfaces.Draw(context, target.GetArea(), true);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  return {};
+}
+
+//------------------------------------------------------------------------------
 std::string vtkRelievoLampQuads::Draw(vtkRelievoFrameContext& context,
-  const vtkRelievoLampList& list, vtkRelievoScreenTarget& target, const std::string& defines,
-  const std::function<void(vtkShaderProgram*)>& bind)
+  const vtkRelievoLampList& list, const std::string& defines,
+  const std::function<void(vtkShaderProgram*)>& bind, vtkRelievoLampShadows* shadows, int& draws)
 {
   std::vector<float> rectangles;
   rectangles.reserve(4 * list.GetLamps().size());
@@ -30,22 +46,14 @@ std::string vtkRelievoLampQuads::Draw(vtkRelievoFrameContext& context,
   {
     return tooMany;
   }
-  vtkOpenGLState* state = context.Window->GetState();
-  if (!this->Surfaces.Ready(context, "deferred/lampDepthFS.glsl", { "depth" }))
-  {
-    return this->Surfaces.GetWrong();
-  }
-  // Depth only: the colour is the sum's.
-  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  this->Surfaces.Draw(context, target.GetArea(), true);
-  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-
   vtkRelievoResource* layers = context.Find("depth");
   vtkRelievoResource* normals = context.Find("normal");
-  const std::string vertices = vtkRelievoShaderLibrary::Get("deferred/lampQuadVS.glsl");
+  const std::string casting = shadows ? shadows->GetDefines() : std::string();
+  std::string vertices = vtkRelievoShaderLibrary::Get("deferred/lampQuadVS.glsl");
+  vtkShaderProgram::Substitute(vertices, "//RELIEVO::Defines", casting, false);
   std::string fragments = vtkRelievoShaderLibrary::Get("deferred/lampsFS.glsl");
   vtkShaderProgram::Substitute(fragments, "//RELIEVO::Defines",
-    layers->GetDefines() + (normals == layers ? "" : normals->GetDefines()) + defines +
+    layers->GetDefines() + (normals == layers ? "" : normals->GetDefines()) + defines + casting +
       "#define RELIEVO_LAMP_IN_QUAD\n",
     false);
   vtkShaderProgram* program =
@@ -75,12 +83,30 @@ std::string vtkRelievoLampQuads::Draw(vtkRelievoFrameContext& context,
     this->Nothing = vtkSmartPointer<vtkOpenGLVertexArrayObject>::New();
   }
   this->Nothing->Bind();
+  vtkOpenGLState* state = context.Window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(list.GetLamps().size()));
+  const auto lamps = static_cast<int>(list.GetLamps().size());
+  if (shadows)
+  {
+    shadows->Activate(program);
+    for (int lamp = 0; lamp < lamps; ++lamp)
+    {
+      program->SetUniformi("relievoCastingLamp", lamp);
+      shadows->SetLamp(program, lamp);
+      glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    }
+    shadows->Deactivate();
+    draws += lamps;
+  }
+  else
+  {
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, lamps);
+    ++draws;
+  }
   this->Nothing->Release();
   this->Rectangles.Deactivate();
   if (normals != layers)

@@ -15,16 +15,22 @@
 
 class vtkOpenGLVertexArrayObject;
 class vtkRelievoLampList;
+class vtkRelievoLampShadows;
 class vtkRelievoScreenTarget;
 
 class vtkRelievoLampQuads
 {
 public:
-  // Adds the lamps' light to the target, which was begun and has a depth buffer. `bind` sets what
-  // the lamps' shader reads. Returns what is wrong, in words.
+  // Draws the surfaces' depth into the target, which was begun and has a depth buffer. Returns what
+  // is wrong, in words.
+  std::string DrawSurfaces(vtkRelievoFrameContext& context, vtkRelievoScreenTarget& target);
+
+  // Adds the lamps' light to the target, after the surfaces. `bind` sets what the lamps' shader
+  // reads. The lamps are those of the context that cast, if there are `shadows`. Returns what is
+  // wrong, in words; the number of draw calls is added to `draws`.
   std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoLampList& list,
-    vtkRelievoScreenTarget& target, const std::string& defines,
-    const std::function<void(vtkShaderProgram*)>& bind);
+    const std::string& defines, const std::function<void(vtkShaderProgram*)>& bind,
+    vtkRelievoLampShadows* shadows, int& draws);
 
   vtkIdType GetBytes() const { return this->Rectangles.GetBytes(); }
   void Release(vtkWindow* window);

@@ -14,6 +14,7 @@ vtkRelievoLamps::vtkRelievoLamps()
   this->AddValue("radius", 1, "one length per point, in world units", 1.0);
   this->AddValue("intensity", 1, "one number per point", 1.0);
   this->AddValue("color", 3, "red, green and blue per point", 1.0);
+  this->AddValue("casts", 1, "-1, 0 or 1 per point", -1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -42,6 +43,35 @@ void vtkRelievoLamps::SetColor(double red, double green, double blue)
 void vtkRelievoLamps::GetColor(double color[3]) const
 {
   std::copy_n(this->GetForAll(2), 3, color);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLamps::SetCasts(int casts)
+{
+  const double value = std::clamp<int>(casts, CASTS_IF_LARGE, CASTS_ALWAYS);
+  this->SetForAll(3, &value);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoLamps::GetCasts() const
+{
+  return static_cast<int>(this->GetForAll(3)[0]);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoLamps::GetSomeCastAlways()
+{
+  if (this->LookedAt != this->GetRowsTime())
+  {
+    this->LookedAt = this->GetRowsTime();
+    this->SomeCastAlways = false;
+    const std::vector<double>& rows = this->GetRows();
+    for (std::size_t i = 0; i < rows.size(); i += static_cast<std::size_t>(this->GetRowWidth()))
+    {
+      this->SomeCastAlways = this->SomeCastAlways || GetCastsOf(&rows[i]) > 0.0;
+    }
+  }
+  return this->SomeCastAlways;
 }
 
 //------------------------------------------------------------------------------

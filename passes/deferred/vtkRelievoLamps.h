@@ -4,9 +4,9 @@
  * @class vtkRelievoLamps
  * @brief Lamps from data: each point is a lamp (vtkRelievoLampsStage::AddLamps).
  *
- * The input's point arrays `radius`, `intensity` and `color` (SetArray takes others) give each lamp
- * its own values; the values set here are for lamps without. A lamp shines in all directions, up to
- * its radius.
+ * The input's point arrays `radius`, `intensity`, `color` and `casts` (SetArray takes others) give
+ * each lamp its own values; the values set here are for lamps without. A lamp shines in all
+ * directions, up to its radius, and through walls unless it casts.
  *
  * Light at distance d of a lamp of radius r, before colour, intensity and the angle to the surface:
  * - LINEAR: max(0, 1 - d / r), the default.
@@ -57,6 +57,23 @@ public:
   void GetColor(double color[3]) const;
   ///@}
 
+  enum Casting
+  {
+    CASTS_IF_LARGE = -1,
+    CASTS_NEVER = 0,
+    CASTS_ALWAYS = 1
+  };
+
+  ///@{
+  /**
+   * Whether lamps cast shadows: CASTS_IF_LARGE (default) those that the stage chooses
+   * (vtkRelievoLampsStage::SetCasting), CASTS_NEVER, or CASTS_ALWAYS. At most eight lamps cast in a
+   * picture. In arrays, negative numbers, 0, and positive ones.
+   */
+  void SetCasts(int casts);
+  int GetCasts() const;
+  ///@}
+
   ///@{
   /** LINEAR (default), INVERSE_SQUARE or VTK. */
   vtkSetClampMacro(Falloff, int, LINEAR, VTK);
@@ -72,12 +89,25 @@ public:
   vtkGetVector3Macro(AttenuationValues, double);
   ///@}
 
+#ifndef __VTK_WRAP__
+  // Whether some lamp of this process casts always. Up to date after GetNumberOfPoints.
+  bool GetSomeCastAlways();
+
+  // Of a row of GetRows.
+  static double GetCastsOf(const double* row)
+  {
+    return row[8];
+  }
+#endif
+
 protected:
   vtkRelievoLamps();
   ~vtkRelievoLamps() override;
 
   bool HasEffect(const double* row) const override;
 
+  vtkMTimeType LookedAt = 0; // when it was last found out whether
+  bool SomeCastAlways = false;
   int Falloff = LINEAR;
   double AttenuationValues[3] = { 1.0, 0.0, 0.0 };
 

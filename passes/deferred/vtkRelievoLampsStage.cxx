@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoLampsStage.h"
 
+#include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
@@ -13,10 +15,12 @@
 #include "vtkRelievoLampLight.h"
 #include "vtkRelievoLamps.h"
 #include "vtkRelievoResource.h"
+#include "vtkRelievoTranslucentLamps.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoLampsStage);
@@ -28,10 +32,37 @@ const char* const Evaluations = "lamp_evaluations";
 const char* const Reaching = "lamps_reaching";
 const char* const Surface = "surface";
 const char* const Gloss = "lamp gloss";
+const char* const Shadows = "lamp shadows";
 const std::vector<std::string> WayNames{ "auto", "quads", "clusters", "all" };
 
 // Up to so many lamps rectangles are drawn by themselves: clusters cost more to list.
 constexpr int MostQuads = 8;
+
+// Which lamps cast, and why they do not if they should, as a part of a sentence.
+std::string DescribeCasting(const vtkRelievoFrameContext& context)
+{
+  const std::size_t count = context.CastingLamps.size();
+  if (count == 0)
+  {
+    return {};
+  }
+  if (!context.Find(Shadows))
+  {
+    return "; no shadows: see the stage shadows";
+  }
+  std::ostringstream out;
+  out << "; " << count << (count == 1 ? " casts shadows, at " : " cast shadows, at ");
+  for (const vtkRelievoCastingLamp& lamp : context.CastingLamps)
+  {
+    out << (&lamp == context.CastingLamps.data() ? "(" : ", (") << lamp.Position.x << ", "
+        << lamp.Position.y << ", " << lamp.Position.z << ")";
+    if (lamp.Strength < 1.0)
+    {
+      out << " by " << static_cast<int>(100.0 * lamp.Strength) << " %";
+    }
+  }
+  return out.str();
+}
 }
 
 class vtkRelievoLampsStage::Internals
@@ -41,8 +72,10 @@ public:
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkRelievoLampLight Light;
   vtkRelievoScreenQuad Colors;
+  vtkNew<vtkRelievoTranslucentLamps> Translucent;
   std::set<std::string> Said;
   int LeftOut = 0;
+  bool SomeCast = false; // in this frame, perhaps: on all processes alike
 
   std::vector<vtkRelievoLamps*> GetSets() const { return { this->Sets.begin(), this->Sets.end() }; }
 };
@@ -126,6 +159,12 @@ void vtkRelievoLampsStage::Describe(vtkRelievoStageDescription& description)
   description.AddFlag(
     "floats", this->Floats, [this](bool on) { this->SetFloats(on); },
     "Sums light in floats instead of half floats.");
+  description.AddFlag(
+    "translucent", this->Translucent, [this](bool on) { this->SetTranslucent(on); },
+    "Lights translucent surfaces as well, in VTK's own shaders.");
+  description.AddWhole(
+    "casting", this->Casting, [this](int lamps) { this->SetCasting(lamps); }, 0, 8, "lamps",
+    "How many lamps, the largest in the picture, cast shadows; the others shine through walls.");
 }
 
 //------------------------------------------------------------------------------
@@ -144,14 +183,35 @@ void vtkRelievoLampsStage::Declare(
     declaration.Writes.clear();
     declaration.Words = "there are no lamps";
   }
+  int casts = any && this->Casting > 0 ? 1 : 0;
+  for (const auto& lamps : sets)
+  {
+    lamps->GetNumberOfPoints(); // brings them up to date
+    casts = casts || lamps->GetSomeCastAlways() ? 1 : 0;
+  }
+  if (together && any)
+  {
+    const int here = casts;
+    this->Internal->Controller->AllReduce(&here, &casts, 1, vtkCommunicator::MAX_OP);
+  }
+  this->Internal->SomeCast = casts != 0;
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkRelievoLampsStage::GetReadsFor(
   const vtkRelievoFrameContext&, const std::vector<std::string>& asked) const
 {
-  const bool colors = std::find(asked.begin(), asked.end(), "color") != asked.end();
-  return colors ? std::vector<std::string>{ Surface } : std::vector<std::string>();
+  std::vector<std::string> reads;
+  if (std::find(asked.begin(), asked.end(), "color") != asked.end())
+  {
+    reads.emplace_back(Surface);
+  }
+  if (this->Internal->SomeCast)
+  {
+    reads.emplace_back("geometric_normal");
+    reads.emplace_back(Shadows);
+  }
+  return reads;
 }
 
 //------------------------------------------------------------------------------
@@ -163,18 +223,28 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
   {
     lamps->Share(in.Controller);
   }
-  in.Light.Take(context, sets);
+  in.Light.Take(context, sets, this->Casting);
+  const auto others = static_cast<int>(in.Light.GetList().GetLamps().size());
+  this->NumberCasting = static_cast<int>(in.Light.GetCasting().GetLamps().size());
   this->NumberOfLamps = in.Light.GetList().GetNumberGiven();
-  this->NumberDrawn = static_cast<int>(in.Light.GetList().GetLamps().size());
+  this->NumberDrawn = others + this->NumberCasting;
   in.LeftOut = 0;
   for (vtkRelievoLamps* lamps : sets)
   {
     in.LeftOut += lamps->GetNumberLeftOut();
   }
-  const int automatic = this->NumberDrawn <= MostQuads ? QUADS : CLUSTERS;
+  const int automatic = others <= MostQuads ? QUADS : CLUSTERS;
   this->WayTaken = this->Way == AUTOMATIC ? automatic : this->Way;
   const bool counts = context.IsAsked(this, Evaluations) || context.IsAsked(this, Reaching);
-  const std::string wrong = in.Light.Prepare(context, this->WayTaken, this->Floats, counts);
+  std::string wrong = in.Light.Prepare(context, this->WayTaken, this->Floats, counts);
+  if (!this->Translucent || !context.IsAsked(this, "color"))
+  {
+    in.Translucent->ReleaseGraphicsResources(context.Window);
+  }
+  else if (wrong.empty())
+  {
+    wrong = in.Translucent->Begin(context, sets);
+  }
   this->Say(wrong);
   return wrong.empty();
 }
@@ -224,8 +294,15 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
   {
     this->Explain("ran",
       std::to_string(this->NumberDrawn) + " of " + std::to_string(this->NumberOfLamps) +
-        " lamps may light what is seen; by " + WayNames[this->WayTaken]);
+        " lamps may light what is seen; by " + WayNames[this->WayTaken] + DescribeCasting(context) +
+        (in.Translucent->GetNumberOfProps() > 0 ? "; what is translucent is lit" : ""));
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLampsStage::Finish(vtkRelievoFrameContext&)
+{
+  this->Internal->Translucent->End();
 }
 
 //------------------------------------------------------------------------------
@@ -268,6 +345,8 @@ std::map<std::string, vtkVariant> vtkRelievoLampsStage::GetFacts()
   const auto share = [](double value) { return value < 0.0 ? vtkVariant() : vtkVariant(value); };
   return { { "lamps", vtkVariant(this->NumberOfLamps) },
     { "lamps_drawn", vtkVariant(this->NumberDrawn) }, { "lamps_left_out", vtkVariant(in.LeftOut) },
+    { "lamps_on_translucent", vtkVariant(in.Translucent->GetNumberOfProps()) },
+    { "lamps_casting", vtkVariant(this->NumberCasting) },
     { "lamps_way", vtkVariant(WayNames[this->WayTaken]) },
     { "lamps_evaluated_per_pixel", share(in.Light.GetComputed()) },
     { "lamps_reaching_per_pixel", share(in.Light.GetReaching()) } };
@@ -276,7 +355,7 @@ std::map<std::string, vtkVariant> vtkRelievoLampsStage::GetFacts()
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoLampsStage::GetBytesHeld()
 {
-  return this->Internal->Light.GetBytes();
+  return this->Internal->Light.GetBytes() + this->Internal->Translucent->GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -285,8 +364,9 @@ void vtkRelievoLampsStage::ReleaseGraphicsResources(vtkWindow* window)
   Internals& in = *this->Internal;
   in.Light.Release(window);
   in.Colors.Release(window);
+  in.Translucent->ReleaseGraphicsResources(window);
   this->DrawCalls = 0;
-  this->NumberOfLamps = this->NumberDrawn = 0;
+  this->NumberOfLamps = this->NumberDrawn = this->NumberCasting = 0;
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -297,6 +377,9 @@ void vtkRelievoLampsStage::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Way: " << WayNames[this->Way] << "\n";
   os << indent << "WayTaken: " << WayNames[this->WayTaken] << "\n";
   os << indent << "Floats: " << this->Floats << "\n";
+  os << indent << "Translucent: " << this->Translucent << "\n";
+  os << indent << "Casting: " << this->Casting << "\n";
+  os << indent << "NumberCasting: " << this->NumberCasting << "\n";
   os << indent << "NumberOfLamps: " << this->NumberOfLamps << "\n";
   os << indent << "NumberDrawn: " << this->NumberDrawn << "\n";
   for (const auto& lamps : this->Internal->Sets)

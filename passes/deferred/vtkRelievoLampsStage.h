@@ -6,8 +6,9 @@
  *
  * Adds up, for each pixel's point on an opaque surface, intensity x colour x fall-off x max(0, n.l)
  * of every lamp (vtkRelievoLamps) that reaches it, and adds that, times the surface's colour, to
- * the picture in linear light. The sum is the layer `light`. Lamps shine through walls: they cast
- * no shadows.
+ * the picture in linear light. The sum is the layer `light`. Lamps shine through walls, but for up
+ * to eight that cast shadows (SetCasting, vtkRelievoLamps::SetCasts), by maps of the stage
+ * `shadows`. Those are drawn as quads, whichever way the others take.
  *
  * Ways to find the lamps of a pixel, with the same result:
  * - QUADS: a rectangle is drawn for each lamp, as large as it can be seen, at the front of its
@@ -62,6 +63,27 @@ public:
 
   ///@{
   /**
+   * Whether lamps light translucent surfaces: diffuse light, without highlights and shadows, in
+   * VTK's own shaders. Default off.
+   */
+  vtkSetMacro(Translucent, bool);
+  vtkGetMacro(Translucent, bool);
+  vtkBooleanMacro(Translucent, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How many lamps cast shadows beside those that always do (vtkRelievoLamps::SetCasts), 0
+   * (default) to 8 in all: the largest, by brightness times the part of the picture that they may
+   * light. Their shadows fade where the next lamp is nearly as large, so that none comes or goes at
+   * once while the camera moves.
+   */
+  vtkSetClampMacro(Casting, int, 0, 8);
+  vtkGetMacro(Casting, int);
+  ///@}
+
+  ///@{
+  /**
    * Processes that each draw a part of the scene, all in step (ParaView's ranks): the lamps of each
    * light what all draw. All have the same sets, which may be empty. Default nullptr.
    */
@@ -85,6 +107,9 @@ public:
   vtkGetMacro(NumberDrawn, int);
   ///@}
 
+  /** Lamps of the last frame that cast shadows. */
+  vtkGetMacro(NumberCasting, int);
+
   vtkIdType GetBytesHeld() override;
   std::map<std::string, vtkVariant> GetFacts() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -100,13 +125,17 @@ protected:
     const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const override;
   bool Prepare(vtkRelievoFrameContext& context) override;
   void Execute(vtkRelievoFrameContext& context) override;
+  void Finish(vtkRelievoFrameContext& context) override;
   std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
 
   int Way = AUTOMATIC;
   int WayTaken = QUADS;
   bool Floats = false;
+  bool Translucent = false;
   int NumberOfLamps = 0;
   int NumberDrawn = 0;
+  int NumberCasting = 0;
+  int Casting = 0;
 
 private:
   vtkRelievoLampsStage(const vtkRelievoLampsStage&) = delete;

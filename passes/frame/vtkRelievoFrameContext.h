@@ -8,6 +8,7 @@
 
 #include "vtkRelievoFrameModule.h" // for the export macro
 #include "vtkRelievoFrameScene.h"
+#include "vtkRelievoLampShadows.h"
 #include "vtkRelievoView.h"
 
 #include <functional>
@@ -53,6 +54,9 @@ public:
 
   // Layers that are a light's visibility, and the light's index in vtkRenderer::GetLights().
   std::map<std::string, int> Lights;
+
+  // Lamps whose shadows are wanted, as the resource `lamp shadows`; from Prepare on.
+  std::vector<vtkRelievoCastingLamp> CastingLamps;
 
   // What is requested of the things that a stage writes; sorted. Empty if the stage is not needed.
   const std::vector<std::string>& GetAsked(const vtkRelievoStage* stage) const;

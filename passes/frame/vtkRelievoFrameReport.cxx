@@ -6,6 +6,7 @@
 #include "vtkRelievoStage.h"
 #include "vtkRenderer.h"
 
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -41,7 +42,14 @@ std::string Number(double value)
     return "null";
   }
   std::ostringstream out;
-  out << value;
+  if (value == std::floor(value) && value < 1e15)
+  {
+    out << static_cast<long long>(value); // bytes and counts with all digits
+  }
+  else
+  {
+    out << value;
+  }
   return out.str();
 }
 }

@@ -104,6 +104,12 @@ protected:
     return this->Values[value].ForAll;
   }
 
+  // When the rows were made.
+  vtkMTimeType GetRowsTime() const
+  {
+    return this->RowsTime.GetMTime();
+  }
+
   // Whether the thing of this row does anything.
   virtual bool HasEffect(const double* row) const = 0;
 

@@ -72,7 +72,10 @@ void vtkRelievoTextureBuffer::Activate(vtkShaderProgram* program, const char* sa
 //------------------------------------------------------------------------------
 void vtkRelievoTextureBuffer::Deactivate()
 {
-  this->Texture->Deactivate();
+  if (this->Texture)
+  {
+    this->Texture->Deactivate();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,8 @@
 #include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoShadowProps.h"
 
+#include <glm/vector_relational.hpp>
+
 #include <algorithm>
 
 namespace
@@ -16,7 +18,7 @@ bool IsSame(const vtkRelievoShadowLight& a, const vtkRelievoShadowLight& b)
 {
   return a.Light == b.Light && a.Positional == b.Positional && a.IsSpot() == b.IsSpot() &&
     (!a.IsSpot() || a.ConeAngle == b.ConeAngle) && (!a.Positional || a.Position == b.Position) &&
-    ((a.Positional && !a.IsSpot()) || a.Direction == b.Direction);
+    a.Reach == b.Reach && ((a.Positional && !a.IsSpot()) || a.Direction == b.Direction);
 }
 
 bool IsSame(const std::vector<vtkRelievoBox>& a, const std::vector<vtkRelievoBox>& b)
@@ -31,6 +33,23 @@ bool IsSame(const vtkRelievoShadowFit::Request& a, const vtkRelievoShadowFit::Re
 {
   return a.Size == b.Size && a.Border == b.Border && a.Eye == b.Eye && a.Gaze == b.Gaze &&
     a.ViewUp == b.ViewUp && a.ParallelEye == b.ParallelEye;
+}
+
+// The parts of boxes within a cube around the light's sphere.
+std::vector<vtkRelievoBox> GetReached(
+  const std::vector<vtkRelievoBox>& boxes, const vtkRelievoShadowLight& light)
+{
+  std::vector<vtkRelievoBox> reached;
+  for (vtkRelievoBox box : boxes)
+  {
+    box.Min = glm::max(box.Min, light.Position - light.Reach);
+    box.Max = glm::min(box.Max, light.Position + light.Reach);
+    if (glm::all(glm::lessThanEqual(box.Min, box.Max)))
+    {
+      reached.push_back(box);
+    }
+  }
+  return reached;
 }
 
 int Count(const std::vector<Entry>& entries)
@@ -101,9 +120,20 @@ void vtkRelievoShadowCache::Fit(const std::vector<vtkRelievoShadowLight>& castin
   {
     Entry entry;
     entry.Light = light;
-    entry.Cube = vtkRelievoShadowFit::IsCube(light, all);
-    for (const vtkRelievoShadowView& view :
-      method.Fit(light, visible, all, scene.Casters, scene.Request))
+    std::vector<vtkRelievoShadowView> views;
+    if (light.Reach > 0.0)
+    {
+      const auto receivers = GetReached(scene.Receivers, light);
+      views = method.Fit(light, vtkRelievoShadowRegion::Cut(receivers, scene.WorldToNDC),
+        vtkRelievoShadowRegion::GetFaces(receivers), GetReached(scene.Casters, light),
+        scene.Request);
+    }
+    else
+    {
+      entry.Cube = vtkRelievoShadowFit::IsCube(light, all);
+      views = method.Fit(light, visible, all, scene.Casters, scene.Request);
+    }
+    for (const vtkRelievoShadowView& view : views)
     {
       Map map;
       map.View = view;

@@ -33,3 +33,17 @@ void vtkRelievoShadowPass::Internals::UpdateStructure()
     this->StructureTime.Modified();
   }
 }
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowPass::Internals::IsDrawingMaps(vtkShaderProgram* program)
+{
+  if (this->Work.DrawingMaps)
+  {
+    this->Schedule.AddProgram(program);
+  }
+  if (this->Lamps.Work.DrawingMaps)
+  {
+    this->Lamps.Schedule.AddProgram(program);
+  }
+  return this->Work.DrawingMaps || this->Lamps.Work.DrawingMaps;
+}

@@ -6,6 +6,7 @@
 #define vtkRelievoShadowInternals_h
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkRelievoLampMaps.h"
 #include "vtkRelievoShadowLights.h"
 #include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoShadowPass.h"
@@ -25,12 +26,16 @@ class vtkRelievoShadowPass::Internals
 {
 public:
   vtkRelievoShadowLights Lights;
-  vtkRelievoShadowWork Work;
+  vtkRelievoShadowCasters Casters; // of all maps
+  vtkRelievoShadowWork Work{ Casters };
   vtkRelievoShadowSchedule Schedule;
+  vtkRelievoLampMaps Lamps{ Casters }; // from data
   std::unique_ptr<vtkRelievoShadowMethod> Method = vtkRelievoShadowMethod::Make(METHOD_MAP);
   int MethodMade = METHOD_MAP;
   vtkTimeStamp StructureTime;
   bool LayersAsked = false;                     // visibility is asked for as a layer
+  bool LightsAsked = false;                     // shadows of the renderer's lights
+  bool LampsAsked = false;                      // and of lamps from data
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the frame
   std::set<vtkShaderProgram*> Told;             // programs that have this frame's uniforms
   std::set<std::string> Said;                   // warnings and errors
@@ -40,6 +45,9 @@ public:
 
   // Makes the method, if it is another one than in the frame before. The context is current.
   void UseMethod(int method, vtkOpenGLRenderWindow* window);
+
+  // Whether a map is being drawn: notes the program that draws into it.
+  bool IsDrawingMaps(vtkShaderProgram* program);
 
   // Shaders are built anew if they are to be others than in the frame before.
   void UpdateStructure();

@@ -22,6 +22,7 @@ struct vtkRelievoShadowLight
   double ConeAngle = 90.0;            // degrees from the axis; 90 and more: all directions
   glm::dvec3 Position{ 0.0 };         // world, of positional lights
   glm::dvec3 Direction{ 0.0, 0, -1 }; // world, unit, the way the light goes
+  double Reach = 0.0;                 // of positional lights: nothing beyond is lit; 0: no end
   std::string NoShadow;               // why it casts none, in words; empty if it casts
   bool Broken = false;                // it could not cast if it were asked to: worth a warning
 

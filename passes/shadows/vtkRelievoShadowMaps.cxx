@@ -221,10 +221,10 @@ void vtkRelievoShadowMaps::End()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowMaps::DrawBothSides()
+void vtkRelievoShadowMaps::DrawBothSides(vtkOpenGLRenderWindow* window)
 {
-  this->Window->GetState()->vtkglDisable(GL_CULL_FACE);
-  this->Window->GetState()->vtkglDepthMask(GL_TRUE); // also of what is translucent
+  window->GetState()->vtkglDisable(GL_CULL_FACE);
+  window->GetState()->vtkglDepthMask(GL_TRUE); // also of what is translucent
 }
 
 //------------------------------------------------------------------------------

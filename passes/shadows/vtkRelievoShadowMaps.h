@@ -63,7 +63,7 @@ public:
   void Write(int layer, const std::vector<float>& depths);
 
   // For the draw call that follows: a sheet blocks light from both sides.
-  void DrawBothSides();
+  static void DrawBothSides(vtkOpenGLRenderWindow* window);
 
   // Binds the maps for looking up, or an empty texture that stands in for them while they are
   // drawn. Returns false if no texture unit is free.

@@ -12,8 +12,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
-#include <iomanip>
-#include <sstream>
+#include <vector>
 
 vtkStandardNewMacro(vtkRelievoShadowPass);
 
@@ -120,6 +119,8 @@ void vtkRelievoShadowPass::SetController(vtkMultiProcessController* controller)
   if (this->GetController() != controller)
   {
     this->Internal->Schedule.Exchange.SetController(controller);
+    this->Internal->Lamps.Schedule.Exchange.SetController(controller);
+    this->Internal->Lamps.Work.Cache.Clear();
     this->Internal->Work.Cache.Clear(); // maps of this process alone, or of others that are gone
     this->Modified();
   }
@@ -153,9 +154,9 @@ int vtkRelievoShadowPass::GetNumberOfMaps()
 void vtkRelievoShadowPass::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "shadows";
-  description.Help = "Shadows of lights: suns, spots and points.";
+  description.Help = "Shadows of lights (suns, spots and points) and of lamps from data.";
   description.Slot = vtkRelievoStageDescription::LIGHT_MAPS;
-  description.Writes = { "shadow maps", "visibility" };
+  description.Writes = { "shadow maps", "visibility", "lamp shadows" };
   description.OnByDefault = true;
   description.AddFlag(
     "visible", this->Visible, [this](bool on) { this->SetVisible(on); },
@@ -175,13 +176,17 @@ void vtkRelievoShadowPass::Describe(vtkRelievoStageDescription& description)
   description.AddNumber(
     "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0, 1.0,
     "", "Fraction of a blocked light that is removed.");
+  description.AddWhole(
+    "lamp_map_size", this->LampMapSize, [this](int size) { this->SetLampMapSize(size); }, 16, 16384,
+    "texels", "Width and height of each map of a lamp from data; a lamp has up to six.");
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowPass::Declare(
   const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
 {
-  // The visibility is for layers, whether shadows are seen or not.
+  // The visibility is for layers, and lamps are lit by their own stage, whether shadows of lights
+  // are seen or not.
   declaration.Offers.clear();
   if (this->Visible)
   {
@@ -197,63 +202,24 @@ bool vtkRelievoShadowPass::Prepare(vtkRelievoFrameContext& context)
   vtkRelievoAccess::Renderer::FollowCamera(context.Renderer);
   // The shaders that draw the maps are built for the lights that VTK counts here.
   static_cast<vtkOpenGLRenderer*>(context.Renderer)->UpdateLights();
-  in.Lights.Collect(context.Renderer, vtkRelievoShadowMaps::GetMostFaces());
-  if (in.Schedule.Exchange.IsOn())
-  {
-    in.Lights.KeepOnly(in.Schedule.Exchange.FindCommon(in.Lights.GetNumbers()));
-  }
-  for (const vtkRelievoShadowLight& light : in.Lights.GetAll())
-  {
-    if (light.Broken && in.Said.insert(std::to_string(light.Number) + light.NoShadow).second)
-    {
-      vtkWarningMacro(<< in.Lights.GetName(light) << " casts no shadow: " << light.NoShadow << ".");
-    }
-  }
-  if (in.Lights.GetCasting().empty())
+  in.LayersAsked = context.IsAsked(this, "visibility");
+  in.LampsAsked = context.IsAsked(this, "lamp shadows");
+  const bool lights = in.LayersAsked || context.IsAsked(this, "shadow maps");
+  lights ? this->CollectLights(context) : in.Lights.Clear();
+  if (in.Lights.GetCasting().empty() && !in.LampsAsked)
   {
     this->Explain("no_lights", "no light casts" + in.Lights.GetReport());
     return false;
   }
+  if (!in.LampsAsked)
+  {
+    in.Lamps.Release(context.Window);
+  }
   this->DrawCalls = 0;
   this->NumberOfMapsDrawn = 0;
-  in.LayersAsked = context.IsAsked(this, "visibility");
   in.Work.View = context.View;
   in.Work.Props.Collect(context.State);
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoShadowPass::ExplainMaps()
-{
-  Internals& in = *this->Internal;
-  const auto& casting = in.Lights.GetCasting();
-  std::ostringstream out;
-  out << casting.size() << (casting.size() == 1 ? " light casts" : " lights cast");
-  for (const vtkRelievoShadowLight& light : casting)
-  {
-    out << (&light == casting.data() ? " (" : ", ") << in.Lights.GetName(light);
-  }
-  out << "), " << in.Work.Cache.GetNumberOfMaps()
-      << (in.Work.Cache.GetNumberOfMaps() == 1 ? " map of " : " maps of ") << in.Work.Maps.GetSize()
-      << " x " << in.Work.Maps.GetSize() << " texels, " << this->NumberOfMapsDrawn
-      << " drawn anew, expected share of wrong pixels " << std::setprecision(2)
-      << 100.0 * this->GetExpectedWrongShare() << " %" << std::setprecision(6)
-      << in.Schedule.Exchange.GetReport() << in.Lights.GetReport();
-  this->Explain("ran", out.str());
-}
-
-//------------------------------------------------------------------------------
-int vtkRelievoShadowPass::GetMapSizeHere()
-{
-  const int largest = vtkRelievoShadowMaps::GetLargestSize();
-  if (this->MapSize > largest &&
-    this->Internal->Said.insert("size" + std::to_string(this->MapSize)).second)
-  {
-    vtkWarningMacro("Shadow maps of " << this->MapSize << " x " << this->MapSize
-                                      << " texels were asked for, this OpenGL makes at most "
-                                      << largest << " x " << largest << ": these are used.");
-  }
-  return std::min(this->MapSize, largest);
 }
 
 //------------------------------------------------------------------------------
@@ -267,34 +233,59 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
   }
   in.Window = context.Window;
   work.PlainDraw.SetWindow(in.Window);
-  work.Bias = this->Bias;
-  in.UseMethod(this->Method, context.Window);
-  const std::string fault = in.Schedule.Fit(work, in.Lights.GetCasting(), *in.Method,
-    this->GetMapSizeHere(), this->FilterRadius, context.Renderer);
-  in.UpdateStructure();
+  const bool lights = !in.Lights.GetCasting().empty();
+  in.UseMethod(lights ? this->Method : METHOD_MAP, context.Window);
+  std::string fault;
+  if (lights)
+  {
+    work.Bias = this->Bias;
+    fault = in.Schedule.Fit(work, in.Lights.GetCasting(), *in.Method,
+      this->GetSizeHere(this->MapSize), this->FilterRadius, context.Renderer);
+  }
+  else
+  {
+    work.Maps.Release(context.Window);
+    work.Cache.Clear();
+  }
+  // Processes that draw together fit their maps together, though there be none.
+  const bool lamps =
+    in.LampsAsked && (!context.CastingLamps.empty() || in.Lamps.Schedule.Exchange.IsOn());
+  std::vector<std::string> words;
   if (!fault.empty())
   {
-    this->Explain("failed", fault);
     this->SayOnce("No shadows: " + fault);
+    words.push_back(fault);
+    work.Cache.Clear();
+  }
+  in.UpdateStructure();
+  if (!lamps)
+  {
+    in.Lamps.Release(context.Window);
+  }
+  if ((!lights || !fault.empty()) && !lamps)
+  {
+    this->Explain(lights ? "failed" : "idle", lights ? fault : "no lamp that is seen casts");
     return;
   }
   in.Spliced = true;
   work.Props.AddPass(this);
   in.Told.clear();
-  const int mapDraws = in.Schedule.Draw(work, context.Renderer);
-  this->NumberOfMapsDrawn = work.MapsDrawn;
-  work.Maps.Bind(true);
-  in.Strengths.Set(work, this->Visible ? this->Strength : 0.0);
-  context.Provide("shadow maps", &in.Strengths);
-  in.Told.clear();
-  const int methodDraws = in.Method->Draw(work, context.Renderer);
-  in.Told.clear();
-  this->DrawCalls += mapDraws + methodDraws; // mappers that draw by themselves counted theirs
-  this->ExplainMaps();
-  if (!in.Method->GetFault().empty())
+  if (lights && fault.empty())
   {
-    this->SayOnce("Shadows are looked up in the maps alone: " + in.Method->GetFault());
+    this->DrawLights(context);
+    words.push_back(this->DescribeMaps());
   }
+  if (lamps)
+  {
+    words.push_back(this->DrawLamps(context));
+  }
+  in.Told.clear();
+  std::string all;
+  for (const std::string& each : words)
+  {
+    all += (all.empty() ? "" : "; ") + each;
+  }
+  this->Explain("ran", all);
 }
 
 //------------------------------------------------------------------------------
@@ -314,6 +305,7 @@ void vtkRelievoShadowPass::Finish(vtkRelievoFrameContext& context)
   {
     in.Work.Props.RemovePass(this);
     in.Work.Maps.Unbind();
+    in.Lamps.Unbind();
     in.Method->Unbind();
     in.Spliced = false;
     if (in.Work.Props.ChangesByDrawing())
@@ -321,6 +313,7 @@ void vtkRelievoShadowPass::Finish(vtkRelievoFrameContext& context)
       // Some mappers count themselves as modified when they draw.
       in.Work.Props.Collect(context.State);
       in.Work.Cache.SetCasters(in.Work.Props);
+      in.Lamps.Work.Cache.SetCasters(in.Work.Props);
       in.Method->Settle(in.Work);
     }
   }
@@ -329,7 +322,8 @@ void vtkRelievoShadowPass::Finish(vtkRelievoFrameContext& context)
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoShadowPass::GetBytesHeld()
 {
-  return this->Internal->Work.Maps.GetBytes() + this->Internal->Method->GetBytes();
+  return this->Internal->Work.Maps.GetBytes() + this->Internal->Method->GetBytes() +
+    this->Internal->Lamps.Work.Maps.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -337,6 +331,7 @@ void vtkRelievoShadowPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Work.Maps.Release(window);
   this->Internal->Method->Release(window);
+  this->Internal->Lamps.Release(window);
   this->Internal->Work.PlainDraw.Release(window);
   this->Internal->Work.Cache.Clear();
   this->Internal->Lights.Clear();
@@ -352,6 +347,7 @@ void vtkRelievoShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Visible: " << this->Visible << "\n";
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "MapSize: " << this->MapSize << "\n";
+  os << indent << "LampMapSize: " << this->LampMapSize << "\n";
   os << indent << "FilterRadius: " << this->FilterRadius << "\n";
   os << indent << "Bias: " << this->Bias << "\n";
   os << indent << "Strength: " << this->Strength << "\n";

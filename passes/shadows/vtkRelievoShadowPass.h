@@ -89,6 +89,15 @@ public:
 
   ///@{
   /**
+   * The same of each map of a lamp from data (vtkRelievoLampsStage::SetCasting), of which a lamp
+   * has up to six. Default 1024.
+   */
+  vtkSetClampMacro(LampMapSize, int, 16, VTK_INT_MAX);
+  vtkGetMacro(LampMapSize, int);
+  ///@}
+
+  ///@{
+  /**
    * Radius of the filter over the map in texels, 0 to 16, and at most a quarter of the map. It
    * sets the softness of a shadow's edge: 1 interpolates between the verdicts of four texels, 0
    * takes that of the nearest one. Default 1.
@@ -211,7 +220,10 @@ public:
   vtkIdType GetBytesHeld() override;
 
 #ifndef __VTK_WRAP__
-  /** "expected_wrong_share": see EstimateWrongShare; null if no shadows were made. */
+  /**
+   * "expected_wrong_share": see EstimateWrongShare; null if no shadows of lights were made.
+   * "lamp_maps", "lamp_maps_drawn", "lamp_maps_bytes": of lamps from data; the second were redrawn.
+   */
   std::map<std::string, vtkVariant> GetFacts() override;
 #endif
 
@@ -244,6 +256,7 @@ protected:
   bool Visible = false;
   int Method = METHOD_MAP;
   int MapSize = 2048;
+  int LampMapSize = 1024;
   int FilterRadius = 1;
   double Bias = 1.5;
   double Strength = 1.0;
@@ -253,10 +266,13 @@ private:
   vtkRelievoShadowPass(const vtkRelievoShadowPass&) = delete;
   void operator=(const vtkRelievoShadowPass&) = delete;
 
-  void ExplainMaps();
+  void CollectLights(vtkRelievoFrameContext& context);
+  void DrawLights(vtkRelievoFrameContext& context);
+  std::string DrawLamps(vtkRelievoFrameContext& context);
+  std::string DescribeMaps() const;
   void SayOnce(const std::string& error);
   double GetExpectedWrongShare() const; // of the frame's maps
-  int GetMapSizeHere();                 // or OpenGL's limit, with a warning
+  int GetSizeHere(int size);            // or OpenGL's limit, with a warning
 
   class Internals;
   std::unique_ptr<Internals> Internal;

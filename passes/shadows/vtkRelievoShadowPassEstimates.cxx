@@ -81,7 +81,12 @@ double vtkRelievoShadowPass::GetExpectedWrongShare() const
 //------------------------------------------------------------------------------
 std::map<std::string, vtkVariant> vtkRelievoShadowPass::GetFacts()
 {
-  const bool ran = this->GetReasonCode() == "ran";
+  const Internals& in = *this->Internal;
+  const vtkRelievoShadowWork& lamps = in.Lamps.Work;
+  const bool ran = this->GetReasonCode() == "ran" && !in.Lights.GetCasting().empty();
   return { { "expected_wrong_share",
-    ran ? vtkVariant(this->GetExpectedWrongShare()) : vtkVariant() } };
+             ran ? vtkVariant(this->GetExpectedWrongShare()) : vtkVariant() },
+    { "lamp_maps", vtkVariant(lamps.Cache.GetNumberOfMaps()) },
+    { "lamp_maps_drawn", vtkVariant(lamps.MapsDrawn) },
+    { "lamp_maps_bytes", vtkVariant(static_cast<long long>(lamps.Maps.GetBytes())) } };
 }

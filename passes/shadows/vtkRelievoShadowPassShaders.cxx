@@ -72,12 +72,12 @@ bool vtkRelievoShadowPass::SetShaderParameters(vtkShaderProgram* program,
   {
     in.Work.PlainDraw.Learn(mapper);
   }
-  this->DrawCalls += in.Work.DrawingMaps || in.Work.DrawingDepth ? 1 : 0;
-  if (in.Work.DrawingMaps)
+  const bool drawingMaps = in.IsDrawingMaps(program);
+  this->DrawCalls += drawingMaps || in.Work.DrawingDepth ? 1 : 0;
+  if (drawingMaps)
   {
-    in.Schedule.AddProgram(program);
     // A sheet blocks light from both sides.
-    in.Work.Maps.DrawBothSides();
+    vtkRelievoShadowMaps::DrawBothSides(in.Window);
   }
   if (!program->IsUniformUsed("relievoShadowMaps"))
   {

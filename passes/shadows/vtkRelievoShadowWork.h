@@ -12,19 +12,35 @@
 #include "vtkRelievoShadowSplice.h"
 #include "vtkRelievoView.h"
 
+// What is drawn into all maps of a frame, and how.
+struct vtkRelievoShadowCasters
+{
+  vtkRelievoShadowProps Props;
+  vtkRelievoCasterDraw PlainDraw;
+};
+
 struct vtkRelievoShadowWork
 {
+  explicit vtkRelievoShadowWork(vtkRelievoShadowCasters& casters)
+    : Props(casters.Props)
+    , PlainDraw(casters.PlainDraw)
+  {
+  }
+
   vtkRelievoView View; // the camera's
-  vtkRelievoShadowProps Props;
+  vtkRelievoShadowProps& Props;
+  vtkRelievoCasterDraw& PlainDraw;
   vtkRelievoShadowCache Cache;
   vtkRelievoShadowMaps Maps;
-  vtkRelievoCasterDraw PlainDraw;
   vtkRelievoShadowSplice::Structure Structure;
   int Radius = 1;    // of the filter in texels, as the maps' size allows
   double Bias = 0.0; // in texels
   int MapsDrawn = 0; // anew, in this frame
   bool DrawingMaps = false;
   bool DrawingDepth = false; // that the camera sees, for a method
+
+  // Texels from a map's middle to where the filter no longer has room.
+  float GetInner() const { return 0.5f * (this->Maps.GetSize() - 1) - this->Radius; }
 };
 
 #endif

@@ -12,10 +12,15 @@ _FALLOFFS = {
     "inverse-square": vtkRelievoLamps.INVERSE_SQUARE,
     "vtk": vtkRelievoLamps.VTK,
 }
+_CASTS = {
+    None: vtkRelievoLamps.CASTS_IF_LARGE,
+    False: vtkRelievoLamps.CASTS_NEVER,
+    True: vtkRelievoLamps.CASTS_ALWAYS,
+}
 
 
 def lamps(renderer, points, radius=None, intensity=None, color=None, falloff="linear",
-          attenuation=None):
+          attenuation=None, casts=None):
     """Lights what the renderer draws with a lamp at each point.
 
         relievo.lamps(renderer, street_lamps, radius=12, color=(1, 0.8, 0.5))
@@ -26,6 +31,10 @@ def lamps(renderer, points, radius=None, intensity=None, color=None, falloff="li
     red, green, blue, or the name of a point array. None takes the array "radius", "intensity" or
     "color" if the points have it, else 1, 1 and white. falloff: "linear", "inverse-square" or
     "vtk", with attenuation = (constant, linear, quadratic) as vtkLight has it.
+    casts: whether the lamps cast shadows, True or False, or the name of a point array of 1 and 0.
+    None takes the array "casts", else as many of the largest lamps cast as the stage says, of all
+    that there are: relievo.stage(renderer, "lamps", casting=4), by default none. At most eight
+    cast in a picture; all others shine through walls.
 
     Returns the vtkRelievoLamps. attach(renderer).GetStage("lamps").RemoveLamps(it) takes them away.
     Raises ValueError for wrong arguments; then nothing is changed.
@@ -43,5 +52,13 @@ def lamps(renderer, points, radius=None, intensity=None, color=None, falloff="li
         if falloff != "vtk":
             raise ValueError("lamps: attenuation: expected falloff='vtk' with it")
         made.SetAttenuationValues(*three("lamps", "attenuation", attenuation))
+    if isinstance(casts, str):
+        made.SetArray("casts", casts)
+    elif casts is None or isinstance(casts, bool):
+        made.SetCasts(_CASTS[casts])
+        made.SetArray("casts", "casts" if casts is None else "")
+    else:
+        raise ValueError(f"lamps: casts: got {casts!r}, expected True, False, or the name of a "
+                         f"point array")
     attach(renderer).GetStage("lamps").AddLamps(made)
     return made

@@ -1,19 +1,27 @@
 //VTK::System::Dec
+//RELIEVO::Defines
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The rectangle of one lamp, an instance each, at the front of its sphere.
+// The rectangle of one lamp, an instance each, at the front of its sphere. RELIEVO_LAMP_SHADOWS:
+// of one alone, which a uniform names.
 //RELIEVO::Include(deferred/occlusion.glsl)
 uniform samplerBuffer relievoLamps;
 uniform samplerBuffer relievoRectangles; // NDC: x0, y0, x1, y1
 uniform float relievoNear;
 uniform float relievoFar;
+#ifdef RELIEVO_LAMP_SHADOWS
+uniform int relievoCastingLamp;
+#define RELIEVO_LAMP relievoCastingLamp
+#else
+#define RELIEVO_LAMP gl_InstanceID
+#endif
 flat out int relievoLamp;
 
 void main()
 {
-  vec4 rectangle = texelFetch(relievoRectangles, gl_InstanceID);
-  vec4 place = texelFetch(relievoLamps, 2 * gl_InstanceID);
-  relievoLamp = gl_InstanceID;
+  vec4 rectangle = texelFetch(relievoRectangles, RELIEVO_LAMP);
+  vec4 place = texelFetch(relievoLamps, 2 * RELIEVO_LAMP);
+  relievoLamp = RELIEVO_LAMP;
   float front = -place.z - place.w;
   gl_Position = vec4((gl_VertexID & 1) == 0 ? rectangle.x : rectangle.z,
     gl_VertexID < 2 ? rectangle.y : rectangle.w,

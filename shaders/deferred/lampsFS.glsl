@@ -1,19 +1,27 @@
 //VTK::System::Dec
 //RELIEVO::Include(extensions.glsl)
 //RELIEVO::Defines
-//VTK::Output::Dec
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
+#ifdef RELIEVO_LAMP_SHADOWS
+#extension GL_ARB_texture_gather : enable
+#endif
+//VTK::Output::Dec
 // The light of lamps at each pixel's point. RELIEVO_LAMPS_IN_CLUSTERS: of those that its cluster
 // lists; RELIEVO_LAMP_IN_QUAD: of the one whose rectangle is drawn; else of all.
 // RELIEVO_COUNT_LAMPS: instead, how many were computed, and how many reach the point.
 // RELIEVO_GLOSS: instead, what is given back beside the light times the surface's colour, linear:
 // Phong's highlights; of PBR what its highlights give, less what they take.
 // RELIEVO_HALVES: the sum is stored in half floats.
+// RELIEVO_LAMP_SHADOWS: of RELIEVO_LAMP_IN_QUAD, the lamp casts shadows.
 //RELIEVO::Include(gbuffer/read.glsl)
 //RELIEVO::Include(formulas/half.glsl)
 //RELIEVO::Include(formulas/unproject.glsl)
 //RELIEVO::Include(deferred/lamp.glsl)
+#ifdef RELIEVO_LAMP_SHADOWS
+//RELIEVO::Include(shadow/lamp.glsl)
+vec3 relievoFaceVC = vec3(0.0); // the triangle's normal
+#endif
 uniform mat4 relievoProjection;
 #ifdef RELIEVO_LAMP_IN_QUAD
 flat in int relievoLamp;
@@ -24,14 +32,7 @@ uniform vec2 relievoSize; // of the viewport
 uniform int relievoLampCount;
 #endif
 #ifdef RELIEVO_LAMPS_IN_CLUSTERS
-uniform samplerBuffer relievoCells; // where each cell's list starts
-uniform samplerBuffer relievoLists;
-uniform int relievoColumns;
-uniform int relievoRows;
-uniform int relievoSlices;
-uniform int relievoTile; // pixels
-uniform float relievoSliceScale;
-uniform float relievoSliceOffset;
+//RELIEVO::Include(deferred/clusters.glsl)
 #endif
 
 struct relievoLampSum
@@ -50,12 +51,18 @@ void relievoAddLamp(int i, int end, vec3 positionVC, vec3 normalVC, inout reliev
   if (i < end)
   {
 #ifdef RELIEVO_LAMPS_IN_CLUSTERS
-    int lamp = int(texelFetch(relievoLists, i).x);
+    int lamp = relievoListedLamp(i);
 #else
     int lamp = i;
 #endif
     relievoLampRay ray = relievoSeeLamp(lamp, positionVC);
     float cosine = relievoLampCosine(normalVC, ray.toLamp, ray.range);
+#ifdef RELIEVO_LAMP_SHADOWS
+    if (ray.reaches && cosine > 0.0)
+    {
+      ray.light *= relievoLampUnshadowed(-ray.toLamp, relievoFaceVC);
+    }
+#endif
 #ifdef RELIEVO_GLOSS
     if (ray.reaches && cosine > 0.0)
     {
@@ -90,21 +97,16 @@ void main()
   {
     vec3 positionVC =
       relievoEyePosition(relievoNdcFromPixel(vec2(pixel), relievoSize), depth, relievoProjection);
+#ifdef RELIEVO_LAMP_SHADOWS
+    relievoFaceVC = relievoFetchGeometricNormal(pixel);
+    relievoFaceVC = relievoFaceVC == vec3(0.0) ? normalVC : relievoFaceVC;
+#endif
 #if defined(RELIEVO_LAMP_IN_QUAD)
     relievoAddLamp(relievoLamp, relievoLamp + 1, positionVC, normalVC, sum);
 #elif defined(RELIEVO_LAMPS_IN_CLUSTERS)
-#ifdef RELIEVO_LINEAR_SLICES
-    float place = depth;
-#else
-    float place = log2(depth);
-#endif
-    // Before the first slice and behind the last one there is no lamp.
-    int slice =
-      clamp(int(floor(place * relievoSliceScale + relievoSliceOffset)), 0, relievoSlices - 1);
-    ivec2 tile = pixel / relievoTile;
-    int cell = (slice * relievoRows + tile.y) * relievoColumns + tile.x;
-    int from = int(texelFetch(relievoCells, cell).x);
-    int to = int(texelFetch(relievoCells, cell + 1).x);
+    ivec2 list = relievoFindLamps(pixel, depth);
+    int from = list.x;
+    int to = list.y;
 #else
     int from = 0;
     int to = relievoLampCount;

@@ -137,6 +137,14 @@ vec3 relievoFetchNormal(ivec2 pixel)
 }
 #endif
 
+#ifdef RELIEVO_GEOMETRIC_NORMAL_WORD
+// Of the triangle, likewise.
+vec3 relievoFetchGeometricNormal(ivec2 pixel)
+{
+  return relievoFetchNormalAt(pixel, RELIEVO_GEOMETRIC_NORMAL_WORD);
+}
+#endif
+
 #ifdef RELIEVO_ALBEDO_WORD
 // As VTK has it for display, with the opacity; 0 where nothing is.
 vec4 relievoFetchAlbedo(ivec2 pixel)

@@ -14,6 +14,10 @@ SIDE = 100
 LOOK = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10", "--parallel-scale", "2",
         "--size", f"{SIDE}x{SIDE}", "--shading", "flat"]  # fmt: skip
 
+# The same with a plate of half width 0.3 above it, at z = 0.3.
+PLATE = ("OFF\n8 2 0\n-2 -2 0\n2 -2 0\n2 2 0\n-2 2 0\n-.3 -.3 .3\n.3 -.3 .3\n.3 .3 .3\n"
+         "-.3 .3 .3\n4 0 1 2 3\n4 4 5 6 7\n")  # fmt: skip
+
 PLACES = numpy.array([[0.0, 0.0, 0.5], [1.0, -0.7, 0.3], [-1.2, 1.1, 1.0]])
 RADII = numpy.array([1.5, 0.8, 1.2])
 COLOURS = numpy.array([[1.0, 0.5, 0.0], [0.2, 0.4, 1.0], [1.0, 1.0, 1.0]])
@@ -104,6 +108,45 @@ class Lamps(CliTest):
         self.assertEqual((report["lamps"], report["lamps_drawn"]), (3, 3))
         self.assertEqual(report["lamps_way"], "clusters")
 
+    def test_shadows(self):
+        """A plate's shadow where the lamp's rays say, by each word; none without."""
+        (self.folder / "plate.off").write_text(PLATE)
+        place = numpy.array([0.8, 0.0, 1.0])
+        (self.folder / "one.vtk").write_text(vtk_file([place], radius=[3.0], lit=[1.0]))
+        rows, columns = numpy.mgrid[0:SIDE, 0:SIDE] + 0.5
+        x, y = (columns - SIDE / 2) / 25, (SIDE / 2 - rows) / 25
+        # Where the ray from the floor to the lamp passes the plate's plane.
+        off = numpy.maximum(abs(x + 0.3 * (place[0] - x)), abs(y + 0.3 * (place[1] - y)))
+        plate = numpy.maximum(abs(x), abs(y)) < 0.35
+        d = numpy.sqrt((x - place[0]) ** 2 + (y - place[1]) ** 2 + place[2] ** 2)
+        free = numpy.maximum(1 - d / 3.0, 0) * place[2] / d
+        dark, lit = (off < 0.27) & ~plate, (off > 0.33) & ~plate
+        self.assertGreater(dark.sum(), 100)
+        for words, casts in (("", False), (",casting=1", True), (",casts=always", True),
+                             (",casts=lit", True), (",casting=8,casts=never", False)):  # fmt: skip
+            self.relievo("render", "plate.off", *LOOK, "--lamps", "one.vtk" + words, "--layers",
+                         "light", "--exr", "a.exr", "--report", "a.json")  # fmt: skip
+            seen = self.exr("a.exr")[1]["light.R"]
+            numpy.testing.assert_allclose(seen[lit], free[lit], rtol=2e-5, atol=2e-5)
+            numpy.testing.assert_allclose(seen[dark], 0 if casts else free[dark], rtol=2e-5)
+            report = json.loads((self.folder / "a.json").read_text())
+            self.assertEqual(report["lamps_casting"], int(casts), words)
+            self.assertEqual(report["lamp_maps"] > 0, casts)
+
+    def test_deferred(self):
+        """--deferred: the same picture within a level, shadows and lamps included."""
+        words = ("--light", "point:1,2,3", "--shadows", "map", "--lamps", "bare.vtk,casting=2",
+                 "--report", "a.json", "--png")  # fmt: skip
+        self.draw(*words, "a.png")
+        report = json.loads((self.folder / "a.json").read_text())
+        self.assertEqual(report["deferred_draws"], 0)
+        self.draw(*words, "b.png", "--deferred")
+        report = json.loads((self.folder / "a.json").read_text())
+        self.assertEqual((report["deferred_draws"], report["forward_draws"]), (1, 0))
+        first, second = (read_png(self.folder / name).astype(int) for name in ("a.png", "b.png"))
+        self.assertGreater(first.max(), 100)
+        self.assertLessEqual(abs(first - second).max(), 1)
+
     def test_refusals(self):
         """Words, files and arrays that do not fit, each by name."""
         picture = ("--png", "a.png")
@@ -117,6 +160,8 @@ class Lamps(CliTest):
             "lamps.vtk,color=1/2": ["--lamps color", "three numbers"],
             "lamps.vtk,falloff=cubic": ["--lamps falloff", "cubic", "inverse-square"],
             "lamps.vtk,attenuation=1/0/0": "falloff=vtk",
+            "lamps.vtk,casting=9": ["--lamps casting", "9", "0 to 8"],
+            "lamps.vtk,casts=": ["--lamps casts", "always, never"],
             "lamps.png": ["lamps.png", "extension"],
             "town.gltf": ["town.gltf", "scene"],
         }.items():
@@ -125,6 +170,7 @@ class Lamps(CliTest):
             "none.vtk": ["none.vtk", "No such file"],
             "bare.vtk,radius=width": ["bare.vtk", "'width'", "is not among the point arrays"],
             "lamps.vtk,radius=color": ["lamps.vtk", "'color'", "has 3 components"],
+            "bare.vtk,casts=walls": ["bare.vtk", "'walls'", "is not among the point arrays"],
             "bare.vtk,radius=0": ["bare.vtk", "no points that are lamps"],
         }.items():
             self.refused("render", "floor.off", "--lamps", word, *picture, status=1, says=says)

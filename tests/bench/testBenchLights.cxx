@@ -49,5 +49,14 @@ int main()
       RELIEVO_CHECK_AT_MOST(Value(row, "computed"), 1., name);
     }
   }
+
+  sizes.Lamps = { 2 };
+  sizes.Casting = { 0, 1 };
+  RELIEVO_CHECK(relievoBench::BenchLightsPeer(folder, sizes) == 0);
+  const std::vector<relievoTest::Row> peers = relievoTest::ReadCsv(folder + "/lights-peer.csv");
+  RELIEVO_CHECK(peers.size() == 2 && peers[1].at("way") == "VTK's lights");
+  RELIEVO_CHECK(relievoBench::BenchLampShadows(folder, sizes) == 0);
+  const std::vector<relievoTest::Row> shadows = relievoTest::ReadCsv(folder + "/lamp-shadows.csv");
+  RELIEVO_CHECK(shadows.size() == 4 && Value(shadows[3], "times without") > 0.);
   return session.Result();
 }

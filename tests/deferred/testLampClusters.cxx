@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The lists of clusters against distances: every lamp that reaches a point is in the list of the
-// point's cell, in the lamps' order; and how many more are.
+// point's cell, in the lamps' order, and how many more are; which lamps cast shadows.
 #include "Check.h"
 #include "LampScenes.h"
 #include "Session.h"
 
+#include <vtkDoubleArray.h>
+#include <vtkPointData.h>
 #include <vtkRelievoLampClusters.h>
+#include <vtkRelievoLampList.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -20,6 +23,8 @@
 namespace
 {
 using namespace relievoTest;
+
+const glm::dvec3 White(1.0);
 
 vtkRelievoView MakeView(int width, int height, bool parallel, double near, double far)
 {
@@ -103,6 +108,85 @@ void TestView(const vtkRelievoView& view, int count, double radius, const std::s
 {
   TestLamps(view, RandomLamps(count, radius, true), what);
 }
+
+// Which lamps cast: by the array, and by size; and that no strength jumps while lamps move.
+void TestChoice()
+{
+  const vtkRelievoView view = MakeView(400, 300, false, 0.1, 100.0);
+  const auto choose = [&view](const std::vector<Lamp>& lamps, const std::vector<double>& casts,
+                        int largest) {
+    vtkSmartPointer<vtkPolyData> data = ToPolyData(lamps);
+    vtkNew<vtkDoubleArray> array;
+    array->SetName("casts");
+    for (const double each : casts)
+    {
+      array->InsertNextValue(each);
+    }
+    if (!casts.empty())
+    {
+      data->GetPointData()->AddArray(array);
+    }
+    vtkNew<vtkRelievoLamps> set;
+    set->SetInputData(data);
+    set->Share(nullptr);
+    vtkRelievoLampList list;
+    list.Take(view, { set });
+    std::vector<double> strengths;
+    const vtkRelievoLampList casting = list.TakeCasting(largest, strengths);
+    RELIEVO_CHECK(list.GetLamps().size() + casting.GetLamps().size() == lamps.size());
+    RELIEVO_CHECK(list.GetTexels().size() == 8 * list.GetLamps().size());
+    RELIEVO_CHECK(casting.GetTexels().size() == 8 * casting.GetLamps().size());
+    std::vector<double> all(lamps.size(), 0.0); // by lamp
+    for (std::size_t i = 0; i < strengths.size(); ++i)
+    {
+      const auto place = casting.GetLamps()[i].Row - set->GetSharedRows().data();
+      all[static_cast<std::size_t>(place) / set->GetRowWidth()] = strengths[i];
+      RELIEVO_CHECK(
+        casting.GetTexels()[8 * i + 3] == static_cast<float>(casting.GetLamps()[i].Row[3]));
+    }
+    return all;
+  };
+  std::vector<Lamp> lamps;
+  for (int i = 0; i < 12; ++i)
+  {
+    lamps.push_back({ glm::dvec3(0.3 * i - 1.5, 0.0, 0.0), 0.3 + 0.1 * i, 1.0, White });
+  }
+  const std::vector<double> three = choose(lamps, {}, 3);
+  RELIEVO_CHECK(std::count(three.begin(), three.end(), 1.0) == 3);
+  RELIEVO_CHECK(three[11] == 1.0 && three[10] == 1.0 && three[9] == 1.0);
+  RELIEVO_CHECK(choose(lamps, {}, 0) == std::vector<double>(12, 0.0));
+  std::vector<double> casts(12, -1.0);
+  casts[0] = 1.0;
+  casts[11] = 0.0;
+  const std::vector<double> named = choose(lamps, casts, 2);
+  RELIEVO_CHECK(named[0] == 1.0 && named[11] == 0.0 && named[10] == 1.0 && named[9] == 1.0);
+  RELIEVO_CHECK(std::count(named.begin(), named.end(), 0.0) == 9);
+  const std::vector<double> all = choose(lamps, std::vector<double>(12, 1.0), 0);
+  RELIEVO_CHECK(std::count(all.begin(), all.end(), 0.0) == 4);
+
+  // Two lamps, of which one may cast: each grows while the other shrinks.
+  std::vector<double> before;
+  double jump = 0.0;
+  double most[2] = { 0.0, 0.0 };
+  constexpr int Steps = 400;
+  for (int i = 0; i <= Steps; ++i)
+  {
+    const double t = static_cast<double>(i) / Steps;
+    const std::vector<double> now =
+      choose({ { glm::dvec3(-1.0, 0.0, 5.0 * t - 2.5), 1.0, 1.0, White },
+               { glm::dvec3(1.0, 0.0, 2.5 - 5.0 * t), 1.0, 1.0, White } },
+        {}, 1);
+    for (std::size_t k = 0; k < now.size(); ++k)
+    {
+      jump = before.empty() ? 0.0 : std::max(jump, std::abs(now[k] - before[k]));
+      most[k] = std::max(most[k], now[k]);
+    }
+    RELIEVO_CHECK(now[0] == 0.0 || now[1] == 0.0);
+    before = now;
+  }
+  RELIEVO_CHECK_AT_MOST(jump, 0.15, "largest change of a shadow's strength in a step");
+  RELIEVO_CHECK(most[0] == 1.0 && most[1] == 1.0);
+}
 }
 
 int main()
@@ -125,5 +209,6 @@ int main()
   TestView(MakeView(600, 600, true, -5.0, 14.0), 1000, 0.3, "parallel, from behind the eye");
   TestView(MakeView(1, 3, false, 2.0, 14.0), 1000, 0.3, "1 x 3 pixels");
   TestView(MakeView(333, 77, false, 1e-4, 1e3), 1000, 0.3, "far / near of 1e7");
+  TestChoice();
   return session.Result();
 }

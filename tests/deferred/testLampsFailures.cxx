@@ -135,7 +135,7 @@ void TestArrays()
   set->SetInputData(nothing);
   RELIEVO_CHECK(set->GetNumberOfPoints() == 0);
   {
-    const ExpectMessage expect("no value 'size'; expected one of radius, intensity, color");
+    const ExpectMessage expect("no value 'size'; expected one of radius, intensity, color, casts");
     set->SetArray("size", "radius");
   }
   // Colours of bytes, with an opacity that nobody asks for; whole numbers as radius; ghosts.

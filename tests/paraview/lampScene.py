@@ -74,10 +74,15 @@ def draw_ranks(folder, name, port=None, threshold="0"):
     scene = Scene()
     scene.view.RemoteRenderThreshold = float(threshold)
     for step, lamps, fog, markers, visible in (
-            ("off", 0, 0, 0, 1), ("on", 1, 0, 0, 1), ("hidden", 1, 1, 1, 0), ("fog", 0, 1, 0, 1),
-            ("markers", 0, 0, 1, 1)):  # fmt: skip
+            ("off", 0, 0, 0, 1), ("on", 1, 0, 0, 1), ("far", 1, 0, 0, 1), ("cast", 1, 0, 0, 1),
+            ("hidden", 1, 1, 1, 0), ("fog", 0, 1, 0, 1), ("markers", 0, 0, 1, 1)):  # fmt: skip
         scene.lamps.RelievoLamps, scene.lamps.RelievoFog = lamps, fog
         scene.lamps.RelievoMarkers = markers
+        far = step in ("far", "cast")
+        scene.lamps.RelievoLampRadiusArray = "" if far else "radius"
+        scene.lamps.RelievoLampRadius = 5 if far else 1
+        scene.lamps.RelievoLampIntensity = 0.2 if far else 1
+        scene.lamps.RelievoLampCasts = "Always" if step == "cast" else "If Large"
         scene.lamps.Visibility = visible
         simple.Render(scene.view)
         simple.SaveScreenshot(f"{folder}/{name}-{step}.png", scene.view)

@@ -13,7 +13,7 @@ from paraview import simple, smtrace
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SCENE = pathlib.Path(__file__).with_name("lampScene.py")
-STEPS = ("off", "on", "hidden", "fog", "markers")
+STEPS = ("off", "on", "far", "cast", "hidden", "fog", "markers")
 MPIRUN = ("mpirun", "--allow-run-as-root", "--oversubscribe", "-np")
 
 # Every property of a representation: default, another value as a script gives it.
@@ -27,6 +27,8 @@ PROPERTIES = {
     "RelievoLampColorArray": ("color", ""),
     "RelievoLampFalloff": ("Linear", "Inverse Square"),
     "RelievoLampAttenuation": ([1.0, 0.0, 0.0], [1.0, 2.0, 3.0]),
+    "RelievoLampCasts": ("If Large", "Always"),
+    "RelievoLampCastsArray": ("casts", ""),
 }
 
 
@@ -128,9 +130,13 @@ class Lamps(pv.Test):
                 continue
             setattr(self.lamps, name, other)
             # Of the arrays, only `radius` is there.
-            changes = not name.endswith(("IntensityArray", "ColorArray", "LampRadius"))
+            changes = not name.endswith((
+                "IntensityArray", "ColorArray", "LampRadius", "CastsArray"))
             changed = pv.picture(self.view)
-            (self.differ if changes else self.same)(on, changed, name)
+            if changes:
+                self.differ(on, changed, name, share=0.0005 if name.endswith("Casts") else 0.01)
+            else:
+                self.same(on, changed, name)
             setattr(self.lamps, name, default)
         self.same(on, pv.picture(self.view), "as before")
         self.lamps.Visibility = 0
@@ -170,6 +176,7 @@ class Lamps(pv.Test):
 
         alone = draw("alone")
         self.differ(alone["off"], alone["on"], "lamps", share=0.2)
+        self.differ(alone["far"], alone["cast"], "shadows", share=0.02)
         self.same(alone["off"], alone["hidden"], "hidden")
         self.differ(alone["off"], alone["fog"], "fog", share=0.2)
         self.differ(alone["off"], alone["markers"], "markers", share=0.02)

@@ -61,6 +61,26 @@ class Lamps(unittest.TestCase):
         report = relievo.report(relievo.attach(self.renderer))
         self.assertEqual((report["lamps"], report["lamps_drawn"]), (1, 1))
 
+    def test_casts(self):
+        """By a word for all, by an array, and by the stage's number."""
+
+        def casting(number=0, **more):
+            points = points_at([(0, 0, 4), (3, 1, 3)], radius=[6, 3], lit=[1, 0])
+            lamps = relievo.lamps(self.renderer, points, **more)
+            relievo.stage(self.renderer, "lamps", casting=number)
+            self.window.Render()
+            stage = relievo.attach(self.renderer).GetStage("lamps")
+            stage.RemoveLamps(lamps)
+            return stage.GetNumberCasting()
+
+        self.assertEqual(casting(), 0)
+        self.assertEqual(casting(1), 1)
+        self.assertEqual(casting(8), 2)
+        self.assertEqual(casting(8, casts=False), 0)
+        self.assertEqual(casting(casts=True), 2)
+        self.assertEqual(casting(casts="lit"), 1)
+        self.assertEqual(casting(2, casts="lit"), 1)
+
     def test_refusals(self):
         """Wrong arguments are named, and change nothing."""
         data = points_at([(0, 0, 4)])
@@ -71,6 +91,7 @@ class Lamps(unittest.TestCase):
             ({"intensity": None, "color": (1, 2)}, "color.*three numbers"),
             ({"falloff": "cubic"}, "falloff.*inverse-square"),
             ({"attenuation": (1, 0, 0)}, "attenuation.*falloff='vtk'"),
+            ({"casts": 3}, "casts.*True, False"),
         ):
             with self.assertRaisesRegex(ValueError, f"lamps: {says}"):
                 relievo.lamps(self.renderer, **{"points": data, **wrong})

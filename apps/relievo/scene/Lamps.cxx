@@ -30,6 +30,14 @@ std::vector<vtkSmartPointer<vtkRelievoLamps>> ReadLamps(
     {
       lamps->SetAttenuationValues(choice.Attenuation->data());
     }
+    if (choice.Casts.Number)
+    {
+      lamps->SetCasts(static_cast<int>(*choice.Casts.Number));
+    }
+    if (choice.Casts.Number || !choice.Casts.Array.empty())
+    {
+      lamps->SetArray("casts", choice.Casts.Array);
+    }
     CheckPoints(lamps, choice.File, "lamps",
       "places must be finite, radii above 0 and intensities other than 0");
     all.push_back(lamps);

@@ -53,11 +53,14 @@ render draws the FILEs off screen and writes the outputs that you request.
                             sun:DX,DY,DZ                    direction towards the sun
                             spot:PX,PY,PZ,FX,FY,FZ,CONE     CONE: half the opening, degrees
                             point:PX,PY,PZ
-  --lamps FILE[,radius=R][,intensity=I][,color=R/G/B][,falloff=F]
+  --lamps FILE[,radius=R][,intensity=I][,color=R/G/B][,falloff=F][,casts=C][,casting=N]
                           each point of the file is a lamp that shines up to its radius; may be
                           repeated. Values are numbers for all, or names of point arrays (the
                           arrays radius, intensity and color, else 1, 1 and white); F is linear
-                          (linear), inverse-square, or vtk with attenuation=A/B/C
+                          (linear), inverse-square, or vtk with attenuation=A/B/C. Lamps
+                          shine through walls: casts=always (or never, or an array of 1 and 0)
+                          gives these shadows, casting=N the N largest of all lamps (0); at
+                          most eight cast
   --shadows METHOD        shadows of the lights in the picture: off, map, forward or warped
                           (off)
   --shadow-size N         side of each shadow map in texels, 16 to 16384 (2048)

@@ -3,6 +3,7 @@
 #include "LampOptions.h"
 
 #include "Failure.h"
+#include "Options.h"
 #include "Values.h"
 
 #include <limits>
@@ -14,11 +15,30 @@ namespace cli
 namespace
 {
 const char* const Form = "FILE[,radius=R][,intensity=I][,color=R/G/B][,falloff=linear|"
-                         "inverse-square|vtk][,attenuation=A/B/C]";
+                         "inverse-square|vtk][,attenuation=A/B/C][,casts=always|never|ARRAY]"
+                         "[,casting=N]";
+
+PointValue ParseCasts(const std::string& option, const std::string& word)
+{
+  PointValue casts;
+  if (word.empty())
+  {
+    RefuseValue(option, word, "always, never, or the name of a point array");
+  }
+  if (word == "always" || word == "never")
+  {
+    casts.Number = word == "always" ? 1.0 : 0.0;
+  }
+  else
+  {
+    casts.Array = word;
+  }
+  return casts;
+}
 }
 
 //------------------------------------------------------------------------------
-LampChoice ParseLamps(const std::string& word)
+void TakeLamps(RenderOptions& options, const std::string& word)
 {
   LampChoice lamps;
   std::vector<std::pair<std::string, std::string>> values;
@@ -28,7 +48,7 @@ LampChoice ParseLamps(const std::string& word)
     const std::string option = "--lamps " + name;
     constexpr Falloff kinds[] = { Falloff::Linear, Falloff::InverseSquare, Falloff::VTK };
     switch (ParseChoice("--lamps " + name + "=" + value, name,
-      { "radius", "intensity", "color", "falloff", "attenuation" }))
+      { "radius", "intensity", "color", "falloff", "attenuation", "casts", "casting" }))
     {
       case 0:
         lamps.Radius = ParsePointValue(option, value, 0.0);
@@ -42,14 +62,21 @@ LampChoice ParseLamps(const std::string& word)
       case 3:
         lamps.Kind = kinds[ParseChoice(option, value, { "linear", "inverse-square", "vtk" })];
         break;
-      default:
+      case 4:
         lamps.Attenuation = ParseThree(option, value);
+        break;
+      case 5:
+        lamps.Casts = ParseCasts(option, value);
+        break;
+      default:
+        AddStage(options.Stages, "lamps", "--lamps casting")
+          .Parameters.emplace_back("casting", std::to_string(ParseWhole(option, value, 0, 8)));
     }
   }
   if (lamps.Attenuation && lamps.Kind != Falloff::VTK)
   {
     RefuseValue("--lamps attenuation", word, "falloff=vtk with it");
   }
-  return lamps;
+  options.Lamps.push_back(lamps);
 }
 }

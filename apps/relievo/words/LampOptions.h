@@ -29,10 +29,14 @@ struct LampChoice
   ColorValue Color;
   Falloff Kind = Falloff::Linear;
   std::optional<std::array<double, 3>> Attenuation; ///< of Falloff::VTK
+  PointValue Casts;                                 ///< 1 always, 0 never
 };
 
-/// FILE[,radius=R][,intensity=I][,color=R/G/B][,falloff=F][,attenuation=A/B/C]. Throws WordsError.
-LampChoice ParseLamps(const std::string& word);
+struct RenderOptions;
+
+/// FILE[,radius=R][,intensity=I][,color=R/G/B][,falloff=F][,attenuation=A/B/C][,casts=C]
+/// [,casting=N], of which the last is a parameter of the stage. Throws WordsError.
+void TakeLamps(RenderOptions& options, const std::string& word);
 }
 
 #endif

@@ -176,7 +176,7 @@ const OptionRow RenderRows[] = {
     true },
   { "--background", TakeBackground, false },
   { "--light", TakeNext<&RenderOptions::Lights, ParseLight>, true },
-  { "--lamps", TakeNext<&RenderOptions::Lamps, ParseLamps>, true },
+  { "--lamps", TakeLamps, true },
   { "--shadows", TakeShadows, false },
   { "--shadow-size", TakeShadowSize, false },
   { "--normal-map", TakePath<&RenderOptions::NormalMap>, false },

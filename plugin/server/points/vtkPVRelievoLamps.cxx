@@ -74,6 +74,13 @@ void vtkPVRelievoLamps::SetFalloff(int falloff)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVRelievoLamps::SetCasts(int choice)
+{
+  this->Lamps->SetCasts(
+    vtkPVRelievoWithin<int>(this, "LampCasts", choice, 0, 2) + vtkRelievoLamps::CASTS_IF_LARGE);
+}
+
+//------------------------------------------------------------------------------
 void vtkPVRelievoLamps::SetAttenuation(double constant, double linear, double quadratic)
 {
   this->Lamps->SetAttenuationValues(constant, linear, quadratic);

@@ -27,6 +27,8 @@ public:
   void SetIntensity(double intensity);
   void SetIntensityArray(const char* name) { this->SetArray("intensity", name); }
   void SetFalloff(int falloff);
+  void SetCasts(int choice); // place in CASTS_IF_LARGE, CASTS_NEVER, CASTS_ALWAYS
+  void SetCastsArray(const char* name) { this->SetArray("casts", name); }
   void SetAttenuation(double constant, double linear, double quadratic);
   ///@}
 

@@ -49,6 +49,7 @@ public:
   /** As of vtkRelievoShadowPass. */
   void SetShadowMethod(int method);
   void SetShadowMapSize(int size);
+  void SetShadowLampMapSize(int size);
   void SetShadowFilterRadius(int radius);
   void SetShadowBias(double bias);
   void SetShadowStrength(double strength);

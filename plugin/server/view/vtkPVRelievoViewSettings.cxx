@@ -43,6 +43,13 @@ void vtkPVRelievoView::SetShadowMapSize(int size)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowLampMapSize(int size)
+{
+  this->GetFrame()->GetShadowPass()->SetLampMapSize(
+    vtkPVRelievoWithin(this, "ShadowLampMapSize", size, 16, 16384));
+}
+
+//------------------------------------------------------------------------------
 void vtkPVRelievoView::SetShadowFilterRadius(int radius)
 {
   this->GetFrame()->GetShadowPass()->SetFilterRadius(

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Lights what is translucent with lamps, in VTK's own shaders while VTK draws it: each fragment
+// computes the lamps that its cluster lists.
+#ifndef vtkRelievoTranslucentLamps_h
+#define vtkRelievoTranslucentLamps_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkRelievoLampClusters.h"
+#include "vtkRelievoLampList.h"
+#include "vtkRelievoSplicedKeys.h"
+#include "vtkRelievoTextureBuffer.h"
+#include "vtkTimeStamp.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+class vtkRelievoFrameContext;
+class vtkRelievoLamps;
+
+class vtkRelievoTranslucentLamps : public vtkOpenGLRenderPass
+{
+public:
+  static vtkRelievoTranslucentLamps* New();
+  vtkTypeMacro(vtkRelievoTranslucentLamps, vtkOpenGLRenderPass);
+
+  // From here to End, the lamps' light is in what VTK draws translucent. The sets are shared or up
+  // to date. Returns what is wrong, in words.
+  std::string Begin(vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets);
+  void End();
+
+  // Translucent props of the frame.
+  int GetNumberOfProps() const { return this->NumberOfProps; }
+
+  vtkIdType GetBytes() const;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  // Called by VTK's mappers.
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+  vtkMTimeType GetShaderStageMTime() override;
+  ///@}
+
+  void Render(const vtkRenderState*) override {}
+
+protected:
+  vtkRelievoTranslucentLamps() = default;
+  ~vtkRelievoTranslucentLamps() override = default;
+
+private:
+  vtkRelievoTranslucentLamps(const vtkRelievoTranslucentLamps&) = delete;
+  void operator=(const vtkRelievoTranslucentLamps&) = delete;
+
+  vtkRelievoView View;
+  vtkRelievoLampList List;
+  vtkRelievoLampClusters Clusters;
+  vtkRelievoTextureBuffer Lamps;
+  vtkRelievoTextureBuffer Attenuations;
+  vtkRelievoTextureBuffer Cells;
+  vtkRelievoTextureBuffer Lists;
+  vtkRelievoSplicedKeys Keys;
+  vtkTimeStamp StructureTime;
+  vtkOpenGLRenderWindow* Window = nullptr; // between Begin and End
+  int NumberOfProps = 0;
+  bool Parallel = false;
+  bool Strayed = false; // shaders without lamps were built with this pass in their keys
+  std::set<std::string> Said;
+};
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The lists of vtkRelievoLampClusters: the lamps of each cell of the view.
+uniform samplerBuffer relievoCells; // where each cell's list starts
+uniform samplerBuffer relievoLists;
+uniform int relievoColumns;
+uniform int relievoRows;
+uniform int relievoSlices;
+uniform int relievoTile; // pixels
+uniform float relievoSliceScale;
+uniform float relievoSliceOffset;
+
+// Where the list of a pixel's cell starts, and where it ends. RELIEVO_LINEAR_SLICES: of a parallel
+// view.
+ivec2 relievoFindLamps(ivec2 pixel, float depth)
+{
+#ifdef RELIEVO_LINEAR_SLICES
+  float place = depth;
+#else
+  float place = log2(depth);
+#endif
+  // Before the first slice and behind the last one there is no lamp.
+  int slice =
+    clamp(int(floor(place * relievoSliceScale + relievoSliceOffset)), 0, relievoSlices - 1);
+  ivec2 tile = pixel / relievoTile;
+  int cell = (slice * relievoRows + tile.y) * relievoColumns + tile.x;
+  return ivec2(
+    int(texelFetch(relievoCells, cell).x), int(texelFetch(relievoCells, cell + 1).x));
+}
+
+int relievoListedLamp(int i)
+{
+  return int(texelFetch(relievoLists, i).x);
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Spliced into VTK's fragment shaders of what is translucent: the diffuse light of lamps, added in
+// linear light to what VTK has lit. Defines, by vtkRelievoTranslucentLamps: RELIEVO_LINEAR_SLICES,
+// RELIEVO_LAMPS_ON_PBR, RELIEVO_LAMPS_ON_BACKFACES (the back has a property of its own).
+//
+// Names of VTK's shaders that are read: vertexVC, normalVCVSOutput, gl_FragData[0]; diffuseColor
+// and diffuseIntensity, or albedo and metallic.
+
+//RELIEVO::Section(Dec)
+//RELIEVO::Include(formulas/srgb.glsl)
+//RELIEVO::Include(deferred/lamp.glsl)
+//RELIEVO::Include(deferred/clusters.glsl)
+uniform int relievoLampsLight; // whether the actor is drawn translucent, and has light
+uniform mat4 relievoLampProjection;
+uniform vec2 relievoLampPixels; // of the viewport
+
+vec3 relievoLampLight(vec3 positionVC, vec3 normalVC)
+{
+  // Not by gl_FragCoord: VTK may draw into a framebuffer of its own.
+  vec4 clip = relievoLampProjection * vec4(positionVC, 1.0);
+  vec2 place = (0.5 * clip.xy / clip.w + 0.5) * relievoLampPixels;
+  ivec2 pixel = clamp(ivec2(floor(place)), ivec2(0), ivec2(relievoLampPixels) - 1);
+  ivec2 list = relievoFindLamps(pixel, -positionVC.z);
+  vec3 light = vec3(0.0);
+  for (int i = list.x; i < list.y; ++i)
+  {
+    relievoLampRay ray = relievoSeeLamp(relievoListedLamp(i), positionVC);
+    light += ray.light * relievoLampCosine(normalVC, ray.toLamp, ray.range);
+  }
+  return light;
+}
+
+//RELIEVO::Section(Impl)
+  if (relievoLampsLight != 0)
+  {
+#ifdef RELIEVO_LAMPS_ON_PBR
+    vec3 relievoLampColor = (1.0 - metallic) * albedo;
+#else
+    float relievoLampShare = diffuseIntensity;
+#ifdef RELIEVO_LAMPS_ON_BACKFACES
+    relievoLampShare = gl_FrontFacing ? diffuseIntensity : diffuseIntensityBF;
+#endif
+    vec3 relievoLampColor = relievoLampShare > 0.0
+      ? relievoLampShare * relievoLinearColorFromSrgb(diffuseColor / relievoLampShare)
+      : vec3(0.0);
+#endif
+    gl_FragData[0].rgb =
+      relievoSrgbColorFromLinear(relievoLinearColorFromSrgb(gl_FragData[0].rgb) +
+        relievoLampColor * relievoLampLight(vertexVC.xyz, normalVCVSOutput));
+  }
