@@ -49,6 +49,8 @@ std::vector<L> MakeTable()
     { "cell", L::ID, L::FROM_ID, VTK_INT, 1, -1.0, "id", "index of the cell in its mesh, from 0" },
     { "light", L::COLOR, L::FROM_STAGE, VTK_FLOAT, 3, 0.0, "R,G,B",
       "what lamps add, before the surface's colour" },
+    { "light_depth", L::NUMBER, L::FROM_STAGE, VTK_FLOAT, 1, Infinity, "Z",
+      "what a light's shadow map sees: distance along its axis, world units" },
     { "lamp_evaluations", L::NUMBER, L::FROM_STAGE, VTK_FLOAT, 1, 0.0, "V",
       "how many lamps were computed for the pixel" },
     { "lamps_reaching", L::NUMBER, L::FROM_STAGE, VTK_FLOAT, 1, 0.0, "V",

@@ -9,6 +9,7 @@
 //------------------------------------------------------------------------------
 void vtkRelievoShadowStrengths::Set(const vtkRelievoShadowWork& work, double strength)
 {
+  this->Work = &work;
   this->Strengths.assign(static_cast<std::size_t>(work.Structure.Numbers), 0.0f);
   for (const auto& entry : work.Cache.GetEntries())
   {

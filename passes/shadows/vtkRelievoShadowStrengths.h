@@ -19,12 +19,16 @@ public:
   // `strength` is the share for a light whose own shadow attenuation is 1.
   void Set(const vtkRelievoShadowWork& work, double strength);
 
+  // What they were made of, until the frame is done.
+  const vtkRelievoShadowWork* GetWork() const { return this->Work; }
+
   std::string GetDefines() const override;
   void Activate(vtkShaderProgram* program) override;
   void Deactivate() override {}
 
 private:
   std::vector<float> Strengths;
+  const vtkRelievoShadowWork* Work = nullptr;
 };
 
 #endif

@@ -19,6 +19,7 @@ geometric_normal   3 float     unit normal of the triangle, world space         
 position           3 double    world position                                        0
 albedo             4 uint8     surface colour before lighting, RGBA, 0 to 255        0
 light              3 float     what lamps add, before the surface's colour           0
+light_depth        1 float     what a light's shadow map sees, along its axis        +infinity
 lamp_evaluations   1 float     how many lamps were computed for the pixel            0
 lamps_reaching     1 float     how many lamps reach the pixel's surface              0
 blend              4 float     what is translucent, in linear light, premultiplied   0

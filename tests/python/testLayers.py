@@ -40,9 +40,8 @@ class Catalogue(unittest.TestCase):
         self.assertEqual(
             set(LAYERS),
             {"depth", "range", "normal", "geometric_normal", "position", "albedo", "actor", "block",
-             "cell", "light", "lamp_evaluations", "lamps_reaching", "fog", "marker", "blend",
-             "color",
-             "shadow_N"},
+             "cell", "light", "light_depth", "lamp_evaluations", "lamps_reaching", "fog",
+             "marker", "blend", "color", "shadow_N"},
         )  # fmt: skip
         for name, layer in LAYERS.items():
             self.assertTrue(layer["help"], name)

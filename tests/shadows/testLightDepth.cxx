@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The layer `light_depth`: what the maps of a sun, a spot and a lamp straight above see of a box on
+// a ground, whose distances along the axis are known.
+#include "Check.h"
+#include "GLCheck.h"
+#include "Session.h"
+#include "Window.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCubeSource.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPlaneSource.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRelievoLayerSource.h>
+#include <vtkRelievoLightDepthStage.h>
+#include <vtkRelievoPass.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace
+{
+constexpr int Width = 240;
+constexpr int Height = 160;
+constexpr double Top = 0.5; // of the box, above the ground
+constexpr double Above = 5.0;
+
+void Add(vtkRenderer* renderer, vtkPolyDataAlgorithm* source)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
+}
+
+struct Scene
+{
+  vtkSmartPointer<vtkRenderWindow> Window = relievoTest::MakeWindow(Width, Height);
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkLight> Light;
+
+  Scene(bool positional, double cone)
+  {
+    this->Window->AddRenderer(this->Renderer);
+    vtkNew<vtkPlaneSource> ground;
+    ground->SetOrigin(-2.0, -2.0, 0.0);
+    ground->SetPoint1(2.0, -2.0, 0.0);
+    ground->SetPoint2(-2.0, 2.0, 0.0);
+    Add(this->Renderer, ground);
+    vtkNew<vtkCubeSource> box;
+    box->SetBounds(-0.5, 0.5, -0.25, 0.25, 0.0, Top);
+    Add(this->Renderer, box);
+    this->Light->SetLightTypeToSceneLight();
+    this->Light->SetPosition(0.0, 0.0, Above);
+    this->Light->SetFocalPoint(0.0, 0.0, 0.0);
+    this->Light->SetPositional(positional);
+    this->Light->SetConeAngle(cone);
+    vtkNew<vtkLight> other; // light 0 casts none
+    other->SetLightTypeToHeadlight();
+    other->SetIntensity(0.2);
+    this->Renderer->AddLight(other);
+    this->Renderer->AddLight(this->Light);
+    this->Renderer->GetActiveCamera()->SetPosition(3.0, -4.0, 5.0);
+    this->Renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
+    this->Renderer->ResetCamera();
+    this->Frame = vtkRelievoPass::Attach(this->Renderer);
+    this->Frame->ShadowsOn();
+  }
+
+  vtkDataArray* Read()
+  {
+    this->Source->SetRenderer(this->Renderer);
+    this->Source->RemoveAllLayers();
+    this->Source->AddLayer("light_depth");
+    this->Source->Update();
+    vtkDataArray* found = this->Source->GetOutput()->GetPointData()->GetArray("light_depth");
+    RELIEVO_CHECK(found && found->GetNumberOfTuples() == vtkIdType(Width) * Height);
+    return found;
+  }
+
+  vtkRelievoStage* GetStage() { return this->Frame->GetStage("light_depth"); }
+
+  vtkRelievoPass* Frame = nullptr;
+  vtkNew<vtkRelievoLayerSource> Source;
+};
+
+// How many pixels have the value, and how many any finite one.
+std::pair<int, int> Count(vtkDataArray* depths, double value)
+{
+  std::pair<int, int> found;
+  for (vtkIdType i = 0; i < depths->GetNumberOfTuples(); ++i)
+  {
+    const double depth = depths->GetTuple1(i);
+    found.first += std::abs(depth - value) < 2e-4 ? 1 : 0;
+    found.second += std::isinf(depth) ? 0 : 1;
+  }
+  return found;
+}
+
+void TestSun()
+{
+  Scene scene(false, 90.0);
+  const relievoTest::GLCheck gl(scene.Window);
+  vtkDataArray* depths = scene.Read();
+  // From the near plane: the box's top and the ground are its height apart, in their proportion.
+  double nearest = 1e300;
+  double farthest = 0.0;
+  for (vtkIdType i = 0; i < depths->GetNumberOfTuples(); ++i)
+  {
+    if (!std::isinf(depths->GetTuple1(i)))
+    {
+      nearest = std::min(nearest, depths->GetTuple1(i));
+      farthest = std::max(farthest, depths->GetTuple1(i));
+    }
+  }
+  RELIEVO_CHECK_AT_MOST(std::abs(farthest - nearest - Top), 1e-4, "the box's height");
+  const double top = Count(depths, nearest).first;
+  const double ground = Count(depths, farthest).first;
+  RELIEVO_CHECK_AT_MOST(std::abs(top / ground - 0.5 / 15.5), 0.004, "the box's share of the ground");
+  RELIEVO_CHECK(Count(depths, 0.0).second == top + ground);
+  RELIEVO_CHECK(scene.GetStage()->GetReason() == "shows 1 map of light 1");
+}
+
+void TestSpotAndLamp()
+{
+  for (const double cone : { 40.0, 180.0 })
+  {
+    Scene scene(true, cone);
+    const relievoTest::GLCheck gl(scene.Window);
+    vtkDataArray* depths = scene.Read();
+    const std::string what = cone < 90.0 ? "spot: " : "lamp: ";
+    const auto ground = Count(depths, Above);
+    const auto top = Count(depths, Above - Top);
+    // The box's top is nearer and looks larger; its sides are in between, and few.
+    const double hidden = 0.5 * std::pow(Above / (Above - Top), 2.0);
+    RELIEVO_CHECK_AT_MOST(
+      std::abs(double(top.first) / ground.first - hidden / (16.0 - hidden)), 0.01, what + "the top");
+    RELIEVO_CHECK(top.first + ground.first > 0.98 * ground.second && ground.first > 1000);
+  }
+}
+
+// Which light; none that casts; no shadows at all; nothing left of what was.
+void TestWhichLight()
+{
+  Scene scene(false, 90.0);
+  const int finite = Count(scene.Read(), 0.0).second;
+  RELIEVO_CHECK(finite > 1000);
+  scene.GetStage()->SetParameter("light", "1");
+  RELIEVO_CHECK(Count(scene.Read(), 0.0).second == finite);
+  scene.GetStage()->SetParameter("light", "0");
+  RELIEVO_CHECK(Count(scene.Read(), 0.0).second == 0);
+  RELIEVO_CHECK(scene.GetStage()->GetReason() == "light 0 casts no shadow");
+  scene.GetStage()->SetParameter("light", "-1");
+  RELIEVO_CHECK(Count(scene.Read(), 0.0).second == finite);
+
+  scene.Frame->SetDisplayLayer("light_depth");
+  scene.Window->Render();
+  RELIEVO_CHECK(scene.GetStage()->GetReasonCode() == "ran");
+  scene.Frame->SetDisplayLayer("");
+  scene.Window->Render();
+  RELIEVO_CHECK(scene.GetStage()->GetReasonCode() == "not_asked");
+  RELIEVO_CHECK(scene.GetStage()->GetBytesHeld() == 0);
+}
+}
+
+int main()
+{
+  relievoTest::Session session;
+  TestSun();
+  TestSpotAndLamp();
+  TestWhichLight();
+  return session.Result();
+}
