@@ -3,6 +3,7 @@
 #include "vtkRelievoBlockSlab.h"
 
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoNoisePlace.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
@@ -177,10 +178,10 @@ BlockRule::Offset BlockSlab::OffsetOf(
     {
       if (axis != up || settings.Solid)
       {
-        const double place =
-          (this->Settings.First[axis] + vertex[axis] + offset[axis]) / settings.Scale;
-        cell[axis] = static_cast<int>(std::floor(place));
-        part[axis] = place - std::floor(place);
+        const NoisePlace place = NoisePlace::Of(
+          (this->Settings.First[axis] + vertex[axis] + offset[axis]) / settings.Scale);
+        cell[axis] = place.Cell;
+        part[axis] = place.Part;
       }
     }
     offset[up] += settings.Amplitude * f64::relievoSimplexNoise(cell, part, settings.Seed);

@@ -85,6 +85,10 @@ Made MakeBlockSurface(
   {
     return goOn ? Made::TooLarge : Made::Stopped;
   }
+  if (settings.HasRoom && !settings.HasRoom(vertexCount, faceCount))
+  {
+    return Made::Stopped;
+  }
   if (settings.DoublePoints)
   {
     surface.Points = vtkSmartPointer<vtkDoubleArray>::New();

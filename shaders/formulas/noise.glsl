@@ -32,8 +32,9 @@ float relievoNoiseCorner(uint word, float x, float y, float z)
 float relievoSimplexNoise(ivec3 cell, vec3 part, uint seed)
 {
   // The lattice is that of cubes after moving each point by a third of its coordinates' sum along
-  // all axes. Whole thirds of a cell are split off as integers; 3 * 2^29 keeps the sum positive.
-  uint sum = uint(cell.x + cell.y + cell.z + 1610612736);
+  // all axes. Whole thirds of a cell are split off as integers; 3 * 2^29 keeps the sum positive,
+  // which only an unsigned one can hold.
+  uint sum = uint(cell.x) + uint(cell.y) + uint(cell.z) + uint(1610612736);
   int third = int(sum / uint(3)) - 536870912;
   float rest = (float(sum % uint(3)) + part.x + part.y + part.z) / float(3.0);
   float sx = part.x + rest;

@@ -115,6 +115,32 @@ void TestJumps()
   RELIEVO_CHECK_AT_MOST(steepest, 7., "steepest slope");
 }
 
+// The farthest cells, whose coordinates' sum is more than an int holds: there, too, the lattice is
+// that of its neighbours, so that nothing jumps.
+void TestFarthest()
+{
+  Points points;
+  constexpr int Far = 1 << 29;
+  double steepest = 0.;
+  for (int i = 0; i < Samples / 10; ++i)
+  {
+    glm::ivec3 cell(Far - 2, Far - 2, Far - 2);
+    cell *= (i & 1) ? -1 : 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      glm::ivec3 before = cell;
+      before[axis] -= 1;
+      glm::dvec3 part = points.NextParts();
+      part[axis] = 0.;
+      const double there = f64::relievoSimplexNoise(cell, part, 9u);
+      part[axis] = 1. - 1e-7;
+      steepest =
+        std::max(steepest, std::abs(there - f64::relievoSimplexNoise(before, part, 9u)) / 1e-7);
+    }
+  }
+  RELIEVO_CHECK_AT_MOST(steepest, 7., "steepest slope between the farthest cells");
+}
+
 void TestPeriods()
 {
   Points points;
@@ -144,6 +170,7 @@ int main()
   relievoTest::Session session;
   TestValues();
   TestJumps();
+  TestFarthest();
   TestPeriods();
   return session.Result();
 }

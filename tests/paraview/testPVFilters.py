@@ -17,7 +17,7 @@ FILTERS = {
     "EnvironmentConvert": ["InputProjection", "OutputProjection"],
     "EnvironmentPrefilter": ["InputProjection"],
     "EnvironmentIrradiance": ["InputProjection"],
-    "SmoothBlocks": ["Surface", "Normals", "Up", "NoiseDimensions"],
+    "SmoothBlocks": ["Surface", "Normals", "Up", "NoiseDimensions", "OutputPointsPrecision"],
 }
 
 

@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 #include <string>
 
@@ -325,6 +326,12 @@ void TestTypes()
   none->SetAirLabel(-1);
   RELIEVO_CHECK(
     Run(none, MakeBlocks({ 2, 2, 2 }, AnyOf(1, 2), VTK_UNSIGNED_CHAR))->GetNumberOfPolys() == 48);
+  // The neighbor of an outer face is air, also where the labels' type has no such value.
+  none->SetSurface(Filter::BETWEEN_LABELS);
+  vtkDataArray* neighbors =
+    Run(none, MakeBlocks({ 2, 2, 2 }, AnyOf(1, 2), VTK_UNSIGNED_CHAR))->GetCellData()->GetArray(
+      "neighbor");
+  RELIEVO_CHECK(neighbors->GetRange()[0] == -1. && neighbors->GetRange()[1] <= 1.);
 }
 
 void TestBlanking()
@@ -341,6 +348,60 @@ void TestBlanking()
   RELIEVO_CHECK(Run(filter, image)->GetNumberOfPolys() == 2 * (54 + 6));
   filter->CloseBordersOff();
   RELIEVO_CHECK(Run(filter, image)->GetNumberOfPolys() == 2 * 6);
+  // A cell that a finer level replaces is not there either.
+  image->GetCellGhostArray()->SetValue(13, vtkDataSetAttributes::REFINEDCELL);
+  RELIEVO_CHECK(Run(filter, image)->GetNumberOfPolys() == 2 * 6);
+  // What has a hidden point is what the image itself calls hidden; two points hide the 12 cells
+  // around them.
+  vtkSmartPointer<vtkImageData> large =
+    MakeBlocks({ 5, 4, 6 }, [](int, int, int) { return vtkTypeInt64(2); });
+  const auto hide = [](vtkImageData* of, vtkIdType point) {
+    of->AllocatePointGhostArray();
+    of->GetPointGhostArray()->SetValue(point, vtkDataSetAttributes::HIDDENPOINT);
+  };
+  hide(large, 2 + 6 * (2 + 5 * 3));
+  hide(large, 3 + 6 * (2 + 5 * 3));
+  vtkIdType hidden = 0;
+  for (vtkIdType i = 0; i < large->GetNumberOfCells(); ++i)
+  {
+    hidden += !large->IsCellVisible(i);
+  }
+  RELIEVO_CHECK(hidden == 12);
+  RELIEVO_CHECK(Run(filter, large)->GetNumberOfPolys() == 2 * 2 * (3 * 2 + 2 * 2 + 3 * 2));
+  // Labels on points: the block around a hidden point.
+  vtkSmartPointer<vtkImageData> onPoints =
+    MakeBlocks({ 5, 4, 6 }, [](int, int, int) { return vtkTypeInt64(2); }, VTK_INT, true);
+  hide(onPoints, 2 + 5 * (2 + 4 * 3));
+  RELIEVO_CHECK(Run(filter, onPoints)->GetNumberOfPolys() == 2 * 6);
+}
+
+// A surface that needs more than there is room for is refused with the bytes that it takes; with
+// just as many it is made, and what is made is not larger.
+void TestMemory()
+{
+  vtkSmartPointer<vtkImageData> image = MakeBlocks({ 30, 31, 32 }, AnyOf(7, 3));
+  for (const bool rich : { false, true })
+  {
+    vtkNew<Filter> filter;
+    filter->SetInputData(image);
+    filter->SetTextureCoordinates(rich);
+    filter->SetMaterialWeights(rich);
+    filter->SetSurface(rich ? Filter::BETWEEN_LABELS : Filter::OUTSIDE);
+    filter->SetMemoryLimit(1e5);
+    ExpectMessage expect("MemoryLimit is 100000 bytes");
+    filter->Update();
+    RELIEVO_CHECK(expect.Count() == 1 && filter->GetErrorCode() == vtkErrorCode::UserError);
+    RELIEVO_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+    const std::string before = "it would take ";
+    const std::string said = expect.Messages().empty() ? before : expect.Messages().front();
+    const double bytes = std::atof(said.c_str() + said.find(before) + before.size());
+    filter->SetMemoryLimit(bytes);
+    filter->Update();
+    RELIEVO_CHECK(filter->GetErrorCode() == vtkErrorCode::NoError);
+    const double made = 1024. * static_cast<double>(filter->GetOutput()->GetActualMemorySize());
+    RELIEVO_CHECK_AT_MOST(made, bytes, "bytes that were made, against those expected");
+    RELIEVO_CHECK_AT_MOST(bytes, 6. * made, "bytes expected, against those that were made");
+  }
 }
 
 void TestMessages()
@@ -393,6 +454,7 @@ int main()
   TestGeometry();
   TestTypes();
   TestBlanking();
+  TestMemory();
   TestMessages();
   return session.Result();
 }
