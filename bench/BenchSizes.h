@@ -90,6 +90,9 @@ int BenchFog(const std::string& outDir, const FogSizes& sizes);
 
 /** The part of BenchEnvironment that times frames; returns whether its file is written. */
 bool BenchEnvironmentFrames(const std::string& outDir, const EnvironmentSizes& sizes);
+
+/** The part of BenchBlocks that counts threads; returns whether its file is written. */
+bool BenchBlockThreads(const std::string& outDir, const BlockSizes& sizes);
 }
 
 #endif
