@@ -42,6 +42,7 @@ WRITES = {
     "13_fog_valley.py": ["fog.png", "fog_layer.png"],
     "14_markers.py": ["markers.png", "markers_layer.png"],
     "15_blocks.py": ["blocks.png"],
+    "16_caves.py": ["caves.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.
