@@ -79,7 +79,7 @@ struct BlockSizes
 
 struct CaveSizes
 {
-  int Side = 192; // samples
+  int Side = 192;                                             // samples
   std::vector<double> Scales = { 16., 32., 64., 128., 256. }; // samples across a cell of the noise
   std::vector<double> Widths = { 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5 }; // parts of Scale
   double Across = 12.; // samples across the tunnels whose width is measured

@@ -19,13 +19,13 @@ public:
   }
   std::size_t IndexOf(int i, int j, int k) const
   {
-    return i + static_cast<std::size_t>(this->Size[0]) *
-      (j + static_cast<std::size_t>(this->Size[1]) * k);
+    return i +
+      static_cast<std::size_t>(this->Size[0]) * (j + static_cast<std::size_t>(this->Size[1]) * k);
   }
   bool IsAir(int i, int j, int k) const
   {
-    const bool inside = i >= 0 && j >= 0 && k >= 0 && i < this->Size[0] && j < this->Size[1] &&
-      k < this->Size[2];
+    const bool inside =
+      i >= 0 && j >= 0 && k >= 0 && i < this->Size[0] && j < this->Size[1] && k < this->Size[2];
     return inside && this->Values[this->IndexOf(i, j, k)];
   }
 
@@ -98,8 +98,7 @@ void CountComponents(const Mask& mask, const std::array<int, 3>& size, CaveShape
     largest = std::max(largest, ++counts[root]);
   }
   shape.Air = static_cast<double>(air.size()) / static_cast<double>(parents.size());
-  shape.Largest =
-    air.empty() ? 0. : static_cast<double>(largest) / static_cast<double>(air.size());
+  shape.Largest = air.empty() ? 0. : static_cast<double>(largest) / static_cast<double>(air.size());
 }
 }
 
@@ -130,8 +129,8 @@ CaveShape MeasureCaves(const std::vector<unsigned char>& values, const std::arra
         {
           const bool here = mask.IsAir(i, j, k);
           air += here;
-          level += 0.25 * (here != mask.IsAir(i + 1, j, k)) +
-            0.25 * (here != mask.IsAir(i, j + 1, k));
+          level +=
+            0.25 * (here != mask.IsAir(i + 1, j, k)) + 0.25 * (here != mask.IsAir(i, j + 1, k));
           upright += 0.5 * (here != mask.IsAir(i, j, k + 1));
         }
       }

@@ -43,8 +43,7 @@ void MakeNaive(vtkRelievoCaves* caves, std::vector<unsigned char>& mask)
     return noise > shell[0] && noise < shell[1];
   };
   std::size_t sample = 0;
-  const glm::dvec3 step =
-    glm::dvec3(1., 1., caves->GetVerticalScale()) * (1. / caves->GetScale());
+  const glm::dvec3 step = glm::dvec3(1., 1., caves->GetVerticalScale()) * (1. / caves->GetScale());
   for (int k = 0; k < size[2]; ++k)
   {
     for (int j = 0; j < size[1]; ++j)
@@ -104,9 +103,8 @@ void MeasureScale(double scale, double width, const CaveSizes& sizes, Table& tab
               << " ns a sample" << std::endl;
   }
   std::cout << "  " << Number(100. * shape.Air) << " % air in " << shape.Components
-            << " parts, the largest with " << Number(100. * shape.Largest)
-            << " %; Euler number " << shape.Euler << "; " << different << " samples differ"
-            << std::endl;
+            << " parts, the largest with " << Number(100. * shape.Largest) << " %; Euler number "
+            << shape.Euler << "; " << different << " samples differ" << std::endl;
 }
 
 // In samples that are small against the tunnels, and over several seeds: the mean is of interest.

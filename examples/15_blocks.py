@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""An island of labelled blocks as a smooth, textured surface: grass, rock, water, and huts that stay cubes.
+"""An island of labelled blocks as a smooth, textured surface, with huts that stay cubes.
 
     15_blocks.py [FOLDER]    writes FOLDER/blocks.png
 

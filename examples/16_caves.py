@@ -28,8 +28,9 @@ import demo_sheet
 import scene
 
 SIZE = (1280, 720)
-BLOCKS = (160, 160, 80)
-EYES = 1.7  # above the ground; a block is a metre
+BLOCKS = (224, 224, 112)  # half a metre each
+EYES = 3.4  # blocks above the ground
+UP = numpy.array((0.0, 0.0, 1.0))
 random = numpy.random.default_rng(2)
 
 
@@ -38,9 +39,9 @@ def make_caves(seed):
     caves = relievo.vtkRelievoCaves()
     caves.SetSize(*BLOCKS)
     caves.SetSeed(seed)
-    caves.SetTunnelWidth(9)
-    caves.SetScale(70)
-    caves.SetVerticalScale(1.6)
+    caves.SetTunnelWidth(17)
+    caves.SetScale(110)
+    caves.SetVerticalScale(1.4)
     caves.SetContent(caves.LABELS)
     caves.Update()
     image = caves.GetOutput()
@@ -55,11 +56,11 @@ def surface(image):
     blocks.SetStrength(0.2)
     blocks.CloseBordersOff()
     blocks.SeamsOff()
-    blocks.SetNoiseAmplitude(0.45)
-    blocks.SetNoiseScale(2.6)
+    blocks.SetNoiseAmplitude(1.0)
+    blocks.SetNoiseScale(6)
     blocks.SetNoiseDimensions(3)
     blocks.TextureCoordinatesOn()
-    blocks.SetTileSize(7)
+    blocks.SetTileSize(12)
     blocks.Update()
     print(f"{blocks.GetOutput().GetNumberOfPolys()} triangles")
     return blocks.GetOutput()
@@ -70,15 +71,15 @@ def rock():
     size = 512
     frequency = numpy.hypot(*numpy.meshgrid(*[numpy.fft.fftfreq(size, 1 / size)] * 2))
     layers = []
-    for slope in (1.2, 1.7):
+    for slope in (0.7, 1.3):
         spectrum = numpy.fft.fft2(random.standard_normal((size, size)))
-        spectrum *= numpy.exp(-frequency / 120) / numpy.maximum(frequency, 2) ** slope
+        spectrum *= numpy.exp(-frequency / 120) / numpy.maximum(frequency, 10) ** slope
         spectrum[0, 0] = 0
         waves = numpy.fft.ifft2(spectrum).real
         layers.append(waves / waves.std())
-    grain = numpy.clip(0.62 + 0.13 * layers[0] + 0.10 * layers[1], 0.15, 1)
-    warm = numpy.clip(0.5 + 0.25 * layers[1], 0, 1)[..., None]
-    colour = (1 - warm) * (0.62, 0.60, 0.60) + warm * (0.80, 0.66, 0.50)
+    grain = numpy.clip(0.76 + 0.08 * layers[0] + 0.06 * layers[1], 0.2, 1)
+    warm = numpy.clip(0.5 + 0.2 * layers[1], 0, 1)[..., None]
+    colour = (1 - warm) * (0.66, 0.66, 0.68) + warm * (0.82, 0.74, 0.64)
     image = vtkImageData()
     image.SetDimensions(size, size, 1)
     texels = (255 * grain[..., None] * colour).astype(numpy.uint8).reshape(-1, 3)
@@ -91,7 +92,7 @@ def rock():
     return texture
 
 
-def free_way(air, place, direction, most=70.0):
+def free_way(air, place, direction, most=130.0):
     """How far one can go from a place until there is rock, in blocks."""
     steps = numpy.arange(0, most, 0.5)
     at = numpy.rint(place + steps[:, None] * direction).astype(int)
@@ -103,18 +104,18 @@ def free_way(air, place, direction, most=70.0):
 
 def lookout(air):
     """A place to stand, and the direction in which one sees farthest."""
-    floor = air[1:-3] & ~air[:-4] & air[2:-2] & air[3:-1]
+    floor = air[1:-6] & ~air[:-7] & air[3:-4] & air[6:-1]
     floors = numpy.argwhere(floor)[:, ::-1] + (0, 0, 1)
     best = (0, None, None)
-    for place in random.permutation(floors)[:400]:
+    for place in random.permutation(floors)[:300]:
         eyes = place + (0, 0, EYES - 0.5)
         for turn in numpy.arange(0, 2 * numpy.pi, numpy.pi / 10):
             for slope in (-0.25, -0.1, 0.0):
                 direction = numpy.array((numpy.cos(turn), numpy.sin(turn), slope))
                 direction /= numpy.linalg.norm(direction)
                 sides = numpy.cross(direction, (0, 0, 1))
-                room = min(free_way(air, eyes, s * sides, 6) for s in (-1, 1))
-                far = free_way(air, eyes, direction) if room >= 1.5 else 0
+                room = min(free_way(air, eyes, s * sides, 8) for s in (-1, 1))
+                far = free_way(air, eyes, direction) if room >= 4.5 else 0
                 if far > best[0]:
                     best = (far, eyes, direction)
     return best
@@ -136,13 +137,11 @@ def along_the_way(air, eyes, direction, far):
     """Lamps under the roof, on alternate sides, and how far each shines."""
     sides = numpy.cross(direction, (0, 0, 1))
     lamps = []
-    for number, step in enumerate(numpy.arange(5.0, far + 12, 7.5)):
-        at = eyes + min(step, far - 1) * direction
+    for number, step in enumerate(numpy.arange(7.0, far, 12.0)):
+        at = eyes + step * direction
         side = (-1) ** number * sides
-        at = at + max(free_way(air, at, side, 4) - 1.6, 0) * side
-        at = at + max(free_way(air, at, numpy.array((0.0, 0.0, 1.0)), 5) - 1.2, 0) * (
-            numpy.array((0.0, 0.0, 1.0)))  # fmt: skip
-        lamps.append(at)
+        at = at + max(free_way(air, at, side, 9) - 2.5, 0) * side
+        lamps.append(at + max(free_way(air, at, UP, 12) - 2.5, 0) * UP)
     return numpy.array(lamps)
 
 
@@ -164,15 +163,15 @@ def main():
     torch = vtkLight()
     torch.SetLightTypeToHeadlight()
     torch.SetColor(0.55, 0.65, 0.9)
-    torch.SetIntensity(0.16)
+    torch.SetIntensity(0.22)
     renderer.AutomaticLightCreationOff()
     renderer.AddLight(torch)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*eyes)
-    camera.SetFocalPoint(*(eyes + direction))
+    camera.SetFocalPoint(*(eyes + direction + 0.12 * UP))
     camera.SetViewUp(0, 0, 1)
     camera.SetViewAngle(62)
-    camera.SetClippingRange(0.2, 200)
+    camera.SetClippingRange(0.4, 400)
     renderer.UseFXAAOn()
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
@@ -182,17 +181,20 @@ def main():
 
     lamps = along_the_way(air, eyes, direction, far)
     warm = numpy.where(random.random(len(lamps))[:, None] < 0.75, (1.0, 0.66, 0.32), (0.5, 0.8, 1))
-    relievo.lamps(renderer, as_points(lamps, radius=numpy.full(len(lamps), 22.0), color=warm),
-                  intensity=16, falloff="inverse-square")  # fmt: skip
-    mist = eyes + numpy.linspace(6, far + 6, 14)[:, None] * direction - (0, 0, 1.5)
-    mist = mist + random.normal(0, 0.8, mist.shape)
-    glow = numpy.concatenate([mist, lamps])
+    relievo.lamps(renderer, as_points(lamps, radius=numpy.full(len(lamps), 44.0), color=warm),
+                  intensity=62, falloff="inverse-square")  # fmt: skip
+    # Mist along the way, and a small glow around each lamp: a thin sphere around a thick one.
+    mist = eyes + numpy.linspace(22, far + 6, 12)[:, None] * direction - 4 * UP
+    mist = mist + random.normal(0, 2.0, mist.shape)
     relievo.fog(
         renderer,
-        as_points(glow, radius=numpy.r_[numpy.full(len(mist), 5.0), numpy.full(len(lamps), 1.1)],
-                  density=numpy.r_[numpy.full(len(mist), 0.012), numpy.full(len(lamps), 0.6)],
-                  color=numpy.r_[numpy.full((len(mist), 3), (0.20, 0.19, 0.2)), 1.0 * warm]),
-    )  # fmt: skip
+        as_points(
+            numpy.concatenate([mist, lamps, lamps]),
+            radius=numpy.repeat([13.0, 1.6, 0.4], [len(mist), len(lamps), len(lamps)]),
+            density=numpy.repeat([0.010, 0.1, 8.0], [len(mist), len(lamps), len(lamps)]),
+            color=numpy.concatenate([numpy.full((len(mist), 3), (0.30, 0.25, 0.20)), warm, warm]),
+        ),
+    )
     picture, _ = demo_sheet.picture_of(
         "color", relievo.layer(relievo.capture(renderer, ["color"]), "color"))  # fmt: skip
     demo_sheet.write_png(folder / "caves.png", picture)

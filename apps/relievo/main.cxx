@@ -33,7 +33,8 @@ int Run(std::vector<std::string> words)
   }
   if (words.empty())
   {
-    throw cli::WordsError("no command given, expected render, cave, stages or bench; see relievo --help");
+    throw cli::WordsError(
+      "no command given, expected render, cave, stages or bench; see relievo --help");
   }
   const std::string command = words.front();
   words.erase(words.begin());

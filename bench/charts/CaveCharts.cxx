@@ -46,7 +46,8 @@ Chart Widths(const CsvRows& rows)
   Chart chart;
   chart.Kind = Chart::Curves;
   chart.Title = "Caves: width of tunnels";
-  chart.Note = "1: as asked. Mean length of air along level lines, and twice that along upright ones.";
+  chart.Note =
+    "1: as asked. Mean length of air along level lines, and twice that along upright ones.";
   chart.X.Title = "width asked, part of Scale";
   chart.Y.Title = "measured over asked";
   chart.Panels.resize(1);

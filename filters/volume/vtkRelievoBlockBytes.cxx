@@ -39,8 +39,8 @@ double BytesOfBlocks(vtkIdType vertices, vtkIdType faces, const BlockSettings& s
   const double ids = (mesh.Triangles ? 6. : 4.) + cellsPerFace;
   const double number =
     std::max(6. * quads + 1., points) < VTK_TYPE_INT32_MAX ? sizeof(vtkTypeInt32) : Id;
-  double polygons = quads *
-    (ids * number + cellsPerFace * labelBytes * (settings.Faces.BetweenLabels ? 2. : 1.));
+  double polygons =
+    quads * (ids * number + cellsPerFace * labelBytes * (settings.Faces.BetweenLabels ? 2. : 1.));
   if (own || mesh.HasGhosts)
   {
     polygons += Id * corners + points * (Id + place + normal + texture + weights);

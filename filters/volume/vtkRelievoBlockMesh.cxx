@@ -108,11 +108,10 @@ void MakeCells(vtkIdType quads, bool triangles, vtkPolyData* output, PointOf&& p
 
 // An array with a value for each cell.
 template <typename LabelOfFace>
-void AddLabels(int type, const char* name, vtkIdType faces, int cellsPerFace,
-  vtkPolyData* output, LabelOfFace&& labelOf)
+void AddLabels(int type, const char* name, vtkIdType faces, int cellsPerFace, vtkPolyData* output,
+  LabelOfFace&& labelOf)
 {
-  auto array =
-    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
   array->SetName(name);
   array->SetNumberOfTuples(cellsPerFace * faces);
   switch (array->GetDataType())

@@ -17,9 +17,9 @@ using CavePlace = std::array<double, 3>;
 struct CaveField
 {
   std::array<unsigned int, 2> Seeds = {};
-  CavePlace Cells = {};  // a world unit along each axis
-  double Middle = 0.;    // of the shell
-  double PerHalf = 10.;  // one over half its thickness
+  CavePlace Cells = {}; // a world unit along each axis
+  double Middle = 0.;   // of the shell
+  double PerHalf = 10.; // one over half its thickness
 
   /** The widest tunnels that there are, in cells. */
   static constexpr double Widest = 0.5;
@@ -27,9 +27,9 @@ struct CaveField
   /**
    * Half the thickness of the shell around 0 that makes tunnels so wide, in cells: the mean length
    * of air along lines. With V the volume of air and S the area of its walls that is 4 V / S. The
-   * share of one noise within h is P(h), its density p(h) and its mean slope there G(h), so V =
-   * P^2 and S = 4 p G P, and the width P / (p G), which is 2 h / G where h is small. P, p and G were
-   * measured over 4e6 places; this is within 2 % of what they give.
+   * share of one noise within h is P(h), its density p(h) and its mean slope there G(h), so V
+   * = P^2 and S = 4 p G P, and the width P / (p G), which is 2 h / G where h is small. P, p and G
+   * were measured over 4e6 places; this is within 2 % of what they give.
    */
   static double HalfOf(double width) { return width * (1.2 - width * width); }
 

@@ -21,8 +21,7 @@ bool IsFinite(const relievo::CavePlace& place)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoCaveFunction::SetLength(
-  const char* name, double& member, double value, bool orZero)
+void vtkRelievoCaveFunction::SetLength(const char* name, double& member, double value, bool orZero)
 {
   if (!std::isfinite(value) || value < 0. || (value == 0. && !orZero))
   {
@@ -59,7 +58,8 @@ void vtkRelievoCaveFunction::SetShell(double low, double high)
 {
   if (!std::isfinite(low) || !std::isfinite(high) || !(low < high))
   {
-    vtkErrorMacro("Shell is " << low << " " << high << ", expected two numbers, the lower first; it stays "
+    vtkErrorMacro("Shell is " << low << " " << high
+                              << ", expected two numbers, the lower first; it stays "
                               << this->Shell[0] << " " << this->Shell[1] << ".");
   }
   else if (this->Shell[0] != low || this->Shell[1] != high)

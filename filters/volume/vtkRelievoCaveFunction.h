@@ -7,8 +7,8 @@
  * Air is where two simplex noises of different seeds both lie in a shell, between two thresholds:
  * each shell is a winding sheet, and tunnels are where two sheets cross. The value is the larger
  * distance of both noises from the middle of the shell, as part of half its thickness, less 1: -1
- * in the middle of a tunnel, 0 at its walls. Each place is evaluated by itself, so any region can be
- * made without its neighbours, and threads may share the function.
+ * in the middle of a tunnel, 0 at its walls. Each place is evaluated by itself, so any region can
+ * be made without its neighbours, and threads may share the function.
  *
  * The noise has cells of integers: far from the origin nothing is lost but the digits that doubles
  * do not have, and caves begin again after 2^30 cells along each axis, from 2^29 cells around the

@@ -82,8 +82,7 @@ public:
     this->PerStep = 1. / (slope * std::abs(grid.Spacing[0] * settings.Field.Cells[0]));
     this->BlockRise = slope * std::sqrt(squares);
     // A block of a few samples is not worth an evaluation of its own.
-    this->UsesBlocks =
-      settings.Skipping && this->Block[0] * this->Block[1] * this->Block[2] >= 12;
+    this->UsesBlocks = settings.Skipping && this->Block[0] * this->Block[1] * this->Block[2] >= 12;
   }
 
   CaveCounts Run() const

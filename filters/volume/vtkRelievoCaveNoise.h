@@ -26,8 +26,8 @@ public:
     const NoisePlace x = NoisePlace::Of(place[0] + which * 0.5);
     const NoisePlace y = NoisePlace::Of(place[1] + which * 0.25);
     const NoisePlace z = NoisePlace::Of(place[2] + which * 0.125);
-    this->Simplex = f64::relievoSimplexAt(
-      f64::ivec3(x.Cell, y.Cell, z.Cell), f64::vec3(x.Part, y.Part, z.Part));
+    this->Simplex =
+      f64::relievoSimplexAt(f64::ivec3(x.Cell, y.Cell, z.Cell), f64::vec3(x.Part, y.Part, z.Part));
   }
 
   double Value() const { return f64::relievoSimplexNoiseIn(this->Simplex, this->Seed); }

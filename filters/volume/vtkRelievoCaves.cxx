@@ -43,8 +43,8 @@ std::string FindProblem(vtkRelievoCaves* caves, const relievo::CaveField& field)
     const double first = caves->GetOrigin()[axis];
     const double last = first + (size[axis] - 1) * caves->GetSpacing()[axis];
     // NaN stays.
-    reach = std::abs(first * field.Cells[axis]) <= reach ? reach
-                                                         : std::abs(first * field.Cells[axis]);
+    reach =
+      std::abs(first * field.Cells[axis]) <= reach ? reach : std::abs(first * field.Cells[axis]);
     reach =
       std::abs(last * field.Cells[axis]) <= reach ? reach : std::abs(last * field.Cells[axis]);
   }
@@ -124,13 +124,13 @@ int vtkRelievoCaves::RequestData(
   double samples = 1.;
   for (int axis = 0; axis < 3; ++axis)
   {
-    samples *= std::max(
-      static_cast<double>(grid.Extent[2 * axis + 1]) - grid.Extent[2 * axis] + 1., 0.);
+    samples *=
+      std::max(static_cast<double>(grid.Extent[2 * axis + 1]) - grid.Extent[2 * axis] + 1., 0.);
   }
   if (problem.empty())
   {
-    const double bytes = samples *
-      (this->Content == DENSITY ? sizeof(float) : sizeof(unsigned char));
+    const double bytes =
+      samples * (this->Content == DENSITY ? sizeof(float) : sizeof(unsigned char));
     problem = relievo::LackOfMemory(bytes, this->MemoryLimit);
     problem += problem.empty() ? "" : "; make it in pieces, or with a smaller Size";
   }
@@ -162,9 +162,9 @@ int vtkRelievoCaves::RequestData(
     vtkNew<vtkUnsignedCharArray> mask;
     mask->SetName(labels ? "label" : "cave");
     mask->SetNumberOfValues(image->GetNumberOfPoints());
-    counts = relievo::MakeCaveMask(grid, settings,
-      static_cast<unsigned char>(labels ? this->AirLabel : 1),
-      static_cast<unsigned char>(labels ? this->RockLabel : 0), mask->GetPointer(0));
+    counts =
+      relievo::MakeCaveMask(grid, settings, static_cast<unsigned char>(labels ? this->AirLabel : 1),
+        static_cast<unsigned char>(labels ? this->RockLabel : 0), mask->GetPointer(0));
     image->GetPointData()->SetScalars(mask);
   }
   if (counts.Stopped)

@@ -41,10 +41,10 @@ public:
 
   ///@{
   /**
-   * What points have: the array "cave", 1 in the air and 0 in the rock (MASK, the default); the array
-   * "density", floats from -1 in the middle of tunnels over 0 at their walls to 1 in the rock
-   * (DENSITY), for contours; or the array "label", AirLabel and RockLabel (LABELS). Masks and labels
-   * are unsigned char.
+   * What points have: the array "cave", 1 in the air and 0 in the rock (MASK, the default); the
+   * array "density", floats from -1 in the middle of tunnels over 0 at their walls to 1 in the rock
+   * (DENSITY), for contours; or the array "label", AirLabel and RockLabel (LABELS). Masks and
+   * labels are unsigned char.
    */
   vtkSetClampMacro(Content, int, MASK, LABELS);
   vtkGetMacro(Content, int);

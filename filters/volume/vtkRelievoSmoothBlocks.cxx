@@ -174,8 +174,7 @@ int vtkRelievoSmoothBlocks::RequestData(
   {
     for (int side = 0; side < 6; ++side)
     {
-      const int layers =
-        side & 1 ? box.Size[side / 2] - mesh.Owned[side] : mesh.Owned[side] - 1;
+      const int layers = side & 1 ? box.Size[side / 2] - mesh.Owned[side] : mesh.Owned[side] - 1;
       this->Self->MissedGhosts = this->Self->MissedGhosts ||
         (extent[side] != whole[side] && layers < Internals::GhostLevels);
     }

@@ -41,9 +41,8 @@ relievoBench::CaveShape ShapeOf(const std::function<bool(int, int, int)>& isAir)
 
 void TestShapes()
 {
-  const auto ball = ShapeOf([](int i, int j, int k) {
-    return std::hypot(i - 11.2, j - 11.4, k - 11.6) < 7.;
-  });
+  const auto ball =
+    ShapeOf([](int i, int j, int k) { return std::hypot(i - 11.2, j - 11.4, k - 11.6) < 7.; });
   RELIEVO_CHECK(ball.Components == 1 && ball.Euler == 1 && ball.Largest == 1.);
   // 4 V / S of a ball is 4 / 3 of its radius.
   RELIEVO_CHECK_NEAR(ball.LevelWidth, 4. / 3. * 7., 0.5, "mean length in a ball");

@@ -165,15 +165,15 @@ void TestGradient()
     worst = std::max(worst, glm::length(gradient - difference));
     rounding = std::max(rounding,
       glm::length(gradient -
-        glm::dvec3(f32::relievoSimplexNoiseGradientIn(
-          f32::relievoSimplexAt(cell, glm::vec3(part)), 4u))));
+        glm::dvec3(
+          f32::relievoSimplexNoiseGradientIn(f32::relievoSimplexAt(cell, glm::vec3(part)), 4u))));
   }
   RELIEVO_CHECK_AT_MOST(worst, 1e-5, "gradient against differences");
   RELIEVO_CHECK_AT_MOST(rounding, 5e-5, "gradient in float against double");
 }
 
-// B of relievoSimplexNoiseSlope's comment, where r^2 is `square`. It falls to 1/10, rises to 1/6 and
-// falls from there on, so over an interval it is largest at an end or at 1/6.
+// B of relievoSimplexNoiseSlope's comment, where r^2 is `square`. It falls to 1/10, rises to 1/6
+// and falls from there on, so over an interval it is largest at an end or at 1/6.
 double LongestGradient(double square)
 {
   const double t = std::max(0.5 - square, 0.);

@@ -45,8 +45,8 @@ void Cave(const CaveOptions& options)
     progress.Begin("writing " + options.File);
     progress.Observe(writer);
     const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
-    Messages::Check("-o " + options.File, !written,
-      vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+    Messages::Check(
+      "-o " + options.File, !written, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
   }
   outputs.Commit();
   const auto samples = static_cast<double>(caves->GetOutput()->GetNumberOfPoints());

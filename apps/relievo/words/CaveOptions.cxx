@@ -43,8 +43,8 @@ CaveOptions ParseCave(const std::vector<std::string>& words)
   WalkWords(
     words, "cave",
     { { "-o", false }, { "--size", false }, { "--seed", false }, { "--width", false },
-      { "--scale", false }, { "--vertical-scale", false }, { "--up", false },
-      { "--origin", false }, { "--spacing", false }, { "--content", false } },
+      { "--scale", false }, { "--vertical-scale", false }, { "--up", false }, { "--origin", false },
+      { "--spacing", false }, { "--content", false } },
     [&](const std::string& name, const std::string& value) {
       if (name == "-o")
       {
@@ -56,8 +56,8 @@ CaveOptions ParseCave(const std::vector<std::string>& words)
       }
       else if (name == "--seed")
       {
-        options.Seed = ParseWhole(
-          name, value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+        options.Seed =
+          ParseWhole(name, value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
       }
       else if (name == "--width")
       {

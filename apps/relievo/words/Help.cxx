@@ -114,11 +114,11 @@ render draws the FILEs off screen and writes the outputs that you request.
   --hdr                   the colour of the EXR as the lights give it, unclamped, half floats
   --report F              frame report, JSON: what ran and why, GPU ms, bytes held
 
-cave makes winding caves from a seed and writes them as an image. The same seed makes the same caves.
+cave makes winding caves from a seed and writes them as an image.
 
   -o FILE.vti             the image
   --size WxHxD            samples along x, y and z (128x64x128)
-  --seed N                another seed, another cave (0)
+  --seed N                another seed, other caves; the same seed, the same caves (0)
   --width W               width of tunnels in world units, at most half of --scale (6)
   --scale S               how far apart the bends of tunnels are, in world units (64)
   --vertical-scale V      how much lower than wide caves are (2)

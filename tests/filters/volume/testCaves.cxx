@@ -46,8 +46,7 @@ std::array<double, 2> NaiveNoises(Caves* caves, const double point[3])
   for (unsigned int which = 0; which < 2; ++which)
   {
     const glm::dvec3 cell = glm::floor(place);
-    noises[which] =
-      relievo::f64::relievoSimplexNoise(glm::ivec3(cell), place - cell, seed + which);
+    noises[which] = relievo::f64::relievoSimplexNoise(glm::ivec3(cell), place - cell, seed + which);
     place += glm::dvec3(0.5, 0.25, 0.125);
   }
   return noises;
@@ -113,8 +112,7 @@ std::vector<Case> Cases()
         caves->SetOrigin(1e7, -1e7, 1e7 + 0.125);
         caves->SetUp(1);
       } },
-    { "negative spacing", { 40, 41, 42 },
-      [](Caves* caves) { caves->SetSpacing(-1., 0.7, -2.); } },
+    { "negative spacing", { 40, 41, 42 }, [](Caves* caves) { caves->SetSpacing(-1., 0.7, -2.); } },
     { "a column", { 1, 1, 900 }, [](Caves* caves) { caves->SetSeed(-7); } },
     { "a row", { 900, 1, 1 }, [](Caves* caves) { caves->SetSeed(3); } },
     { "a shell to one side", { 50, 50, 50 },
@@ -244,7 +242,8 @@ void TestPieces()
         compare(caves->GetOutput());
       }
     }
-    const int extents[][6] = { { 3, 3, 3, 3, 3, 3 }, { 0, 69, 7, 7, 1, 50 }, { 13, 44, 5, 36, 20, 51 } };
+    const int extents[][6] = { { 3, 3, 3, 3, 3, 3 }, { 0, 69, 7, 7, 1, 50 },
+      { 13, 44, 5, 36, 20, 51 } };
     for (const auto& extent : extents)
     {
       caves->UpdateExtent(extent);
@@ -332,8 +331,7 @@ void TestRefusals()
   refuses("Size is 0 5 5", [](Caves* caves) { caves->SetSize(0, 5, 5); });
   refuses("expected at most 32, half of Scale", [](Caves* caves) { caves->SetTunnelWidth(33.); });
   refuses("expected at most 5e+08", [](Caves* caves) { caves->SetOrigin(0., 1e12, 0.); });
-  refuses("expected at most 5e+08",
-    [](Caves* caves) { caves->SetSpacing(1., 1., std::nan("")); });
+  refuses("expected at most 5e+08", [](Caves* caves) { caves->SetSpacing(1., 1., std::nan("")); });
   refuses("it would take 1000000000 bytes (953.7 MiB), and MemoryLimit is 1000000 bytes",
     [](Caves* caves) {
       caves->SetSize(1000, 1000, 1000);
