@@ -115,6 +115,11 @@ public:
     return groups;
   }
 
+  void SetNormalOf(const BlockFace& face, std::array<float, 3>& normal) const
+  {
+    this->SetNormal(this->AreaOfFace(face), normal);
+  }
+
 private:
   std::array<double, 3> AreaOfFace(const BlockFace& face) const
   {
@@ -168,6 +173,57 @@ void ForAll(vtkIdType count, Work&& work)
   });
 }
 
+// Only where normals cancel out: the first of the faces there keeps the vertex, the others get
+// points at the end.
+BlockCorners MakeNullCorners(const BlockSurface& surface, const Grouping& grouping)
+{
+  BlockCorners result;
+  const vtkIdType vertices = surface.Points->GetNumberOfTuples();
+  const vtkIdType faces = surface.Faces.GetSize();
+  result.Points.resize(4 * faces);
+  result.Vertices.resize(vertices);
+  result.Normals.resize(vertices);
+  const float* normals = surface.Normals->GetPointer(0);
+  const auto isNull = [normals](vtkIdType vertex) {
+    const float* normal = normals + 3 * vertex;
+    return normal[0] == 0.f && normal[1] == 0.f && normal[2] == 0.f;
+  };
+  ForAll(vertices, [&](vtkIdType vertex) {
+    result.Vertices[vertex] = vertex;
+    std::copy_n(normals + 3 * vertex, 3, result.Normals[vertex].begin());
+  });
+  std::vector<unsigned char> hasNull(faces);
+  ForAll(faces, [&](vtkIdType face) {
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const vtkIdType vertex = surface.Faces[face].Points[corner];
+      result.Points[4 * face + corner] = vertex;
+      hasNull[face] = hasNull[face] || isNull(vertex);
+    }
+  });
+  std::vector<bool> isTaken(vertices, false);
+  for (vtkIdType face = 0; face < faces; ++face)
+  {
+    for (vtkIdType corner = 4 * face; hasNull[face] && corner < 4 * face + 4; ++corner)
+    {
+      const vtkIdType vertex = result.Points[corner];
+      if (!isNull(vertex))
+      {
+        continue;
+      }
+      if (isTaken[vertex])
+      {
+        result.Points[corner] = static_cast<vtkIdType>(result.Vertices.size());
+        result.Vertices.push_back(vertex);
+        result.Normals.emplace_back();
+      }
+      isTaken[vertex] = true;
+      grouping.SetNormalOf(surface.Faces[face], result.Normals[result.Points[corner]]);
+    }
+  }
+  return result;
+}
+
 void MakeWeights(const BlockSurface& surface, const BlockLabels& labels, const Around& around,
   std::vector<vtkTypeInt64> weighted, BlockCorners& result)
 {
@@ -212,9 +268,13 @@ void MakeWeights(const BlockSurface& surface, const BlockLabels& labels, const A
 BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& labels,
   const BlockSettings& settings, const BlockMeshSettings& mesh)
 {
+  const Grouping grouping(surface, labels, settings, mesh);
+  if (!mesh.SplitMaterials && !mesh.TextureCoordinates && !mesh.Weights)
+  {
+    return MakeNullCorners(surface, grouping);
+  }
   BlockCorners result;
   const Around around(surface);
-  const Grouping grouping(surface, labels, settings, mesh);
   const vtkIdType vertices = surface.Points->GetNumberOfTuples();
   const auto groupsOf = [&](vtkIdType vertex) {
     const vtkIdType begin = around.Starts[vertex];

@@ -9,6 +9,7 @@
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -354,7 +355,11 @@ void BlockSlab::WritePlane(int k)
         double normal[3];
         vtkMath::Multiply3x3(this->NormalAxes, plane.Areas[number].data(), normal);
         vtkMath::Normalize(normal);
-        this->NullNormals += IsNull(plane.Areas[number]);
+        if (IsNull(plane.Areas[number]))
+        {
+          std::fill(normal, normal + 3, 0.);
+          ++this->NullNormals;
+        }
         for (int c = 0; c < 3; ++c)
         {
           normals[3 * number + c] = static_cast<float>(normal[c]);

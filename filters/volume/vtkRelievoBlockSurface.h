@@ -95,8 +95,8 @@ private:
 struct BlockSurface
 {
   vtkSmartPointer<vtkDataArray> Points;
-  vtkSmartPointer<vtkFloatArray> Normals;
-  Unset<BlockRule::Offset> Offsets; // movements in blocks; with KeepOffsets, or null normals
+  vtkSmartPointer<vtkFloatArray> Normals; // 0 where those of the faces add up to nothing
+  Unset<BlockRule::Offset> Offsets;       // movements in blocks; with KeepOffsets
   Unset<BlockFace> Faces;
   std::vector<BlockSeam> Seams;
   vtkIdType NullNormals = 0; // vertices whose faces' normals add up to nothing

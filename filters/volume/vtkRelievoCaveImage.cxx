@@ -73,6 +73,7 @@ public:
       const double step = std::abs(grid.Spacing[axis] * settings.Field.Cells[axis]);
       const double most = std::min(2. * HalfBlock / step + 1., 64.);
       this->Block[axis] = settings.Skipping ? std::max(static_cast<int>(most), 1) : 64;
+      this->Block[axis] = std::min(this->Block[axis], this->Size[axis]);
       this->Blocks[axis] = (this->Size[axis] + this->Block[axis] - 1) / this->Block[axis];
       const double half = 0.5 * (this->Block[axis] - 1) * step;
       squares += half * half;

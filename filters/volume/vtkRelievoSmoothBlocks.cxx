@@ -217,7 +217,8 @@ int vtkRelievoSmoothBlocks::RequestData(
     }
     return lack.empty();
   };
-  settings.KeepOffsets = mesh.SplitMaterials || mesh.TextureCoordinates || mesh.Weights;
+  // Also for faces' own normals, where those at a vertex cancel out.
+  settings.KeepOffsets = settings.Normals || mesh.TextureCoordinates || mesh.Weights;
   relievo::BlockSurface surface;
   const relievo::Made made = relievo::MakeBlockSurface(*labels, settings, surface);
   if (made == relievo::Made::TooLarge)
