@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace relievo
 {
@@ -173,57 +174,6 @@ void ForAll(vtkIdType count, Work&& work)
   });
 }
 
-// Only where normals cancel out: the first of the faces there keeps the vertex, the others get
-// points at the end.
-BlockCorners MakeNullCorners(const BlockSurface& surface, const Grouping& grouping)
-{
-  BlockCorners result;
-  const vtkIdType vertices = surface.Points->GetNumberOfTuples();
-  const vtkIdType faces = surface.Faces.GetSize();
-  result.Points.resize(4 * faces);
-  result.Vertices.resize(vertices);
-  result.Normals.resize(vertices);
-  const float* normals = surface.Normals->GetPointer(0);
-  const auto isNull = [normals](vtkIdType vertex) {
-    const float* normal = normals + 3 * vertex;
-    return normal[0] == 0.f && normal[1] == 0.f && normal[2] == 0.f;
-  };
-  ForAll(vertices, [&](vtkIdType vertex) {
-    result.Vertices[vertex] = vertex;
-    std::copy_n(normals + 3 * vertex, 3, result.Normals[vertex].begin());
-  });
-  std::vector<unsigned char> hasNull(faces);
-  ForAll(faces, [&](vtkIdType face) {
-    for (int corner = 0; corner < 4; ++corner)
-    {
-      const vtkIdType vertex = surface.Faces[face].Points[corner];
-      result.Points[4 * face + corner] = vertex;
-      hasNull[face] = hasNull[face] || isNull(vertex);
-    }
-  });
-  std::vector<bool> isTaken(vertices, false);
-  for (vtkIdType face = 0; face < faces; ++face)
-  {
-    for (vtkIdType corner = 4 * face; hasNull[face] && corner < 4 * face + 4; ++corner)
-    {
-      const vtkIdType vertex = result.Points[corner];
-      if (!isNull(vertex))
-      {
-        continue;
-      }
-      if (isTaken[vertex])
-      {
-        result.Points[corner] = static_cast<vtkIdType>(result.Vertices.size());
-        result.Vertices.push_back(vertex);
-        result.Normals.emplace_back();
-      }
-      isTaken[vertex] = true;
-      grouping.SetNormalOf(surface.Faces[face], result.Normals[result.Points[corner]]);
-    }
-  }
-  return result;
-}
-
 void MakeWeights(const BlockSurface& surface, const BlockLabels& labels, const Around& around,
   std::vector<vtkTypeInt64> weighted, BlockCorners& result)
 {
@@ -265,16 +215,71 @@ void MakeWeights(const BlockSurface& surface, const BlockLabels& labels, const A
 }
 
 //------------------------------------------------------------------------------
-BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& labels,
+void SplitNullNormals(BlockSurface& surface, const BlockLabels& labels,
   const BlockSettings& settings, const BlockMeshSettings& mesh)
 {
   const Grouping grouping(surface, labels, settings, mesh);
-  if (!mesh.SplitMaterials && !mesh.TextureCoordinates && !mesh.Weights)
+  const vtkIdType vertices = surface.Points->GetNumberOfTuples();
+  const float* normals = surface.Normals->GetPointer(0);
+  const auto isNull = [normals](vtkIdType vertex) {
+    const float* normal = normals + 3 * vertex;
+    return normal[0] == 0.f && normal[1] == 0.f && normal[2] == 0.f;
+  };
+  std::vector<unsigned char> hasNull(surface.Faces.GetSize());
+  ForAll(surface.Faces.GetSize(), [&](vtkIdType face) {
+    const vtkTypeUInt32* points = surface.Faces[face].Points;
+    hasNull[face] = std::any_of(points, points + 4, isNull);
+  });
+  // The first of the faces at a vertex keeps it, the others get points at the end.
+  std::vector<bool> isKept(vertices, false);
+  std::vector<std::pair<vtkIdType, std::array<float, 3>>> kept;
+  std::vector<std::pair<vtkIdType, std::array<float, 3>>> added;
+  for (vtkIdType face = 0; face < surface.Faces.GetSize(); ++face)
   {
-    return MakeNullCorners(surface, grouping);
+    if (!hasNull[face])
+    {
+      continue;
+    }
+    std::array<float, 3> normal;
+    grouping.SetNormalOf(surface.Faces[face], normal);
+    for (vtkTypeUInt32& point : surface.Faces[face].Points)
+    {
+      const vtkIdType vertex = point;
+      if (isNull(vertex))
+      {
+        (isKept[vertex] ? added : kept).emplace_back(vertex, normal);
+        point = isKept[vertex]
+          ? static_cast<vtkTypeUInt32>(vertices + static_cast<vtkIdType>(added.size()) - 1)
+          : point;
+        isKept[vertex] = true;
+      }
+    }
   }
+  const auto count = vertices + static_cast<vtkIdType>(added.size());
+  surface.Points->Resize(count);
+  surface.Points->SetNumberOfTuples(count);
+  surface.Normals->Resize(count);
+  surface.Normals->SetNumberOfTuples(count);
+  for (const auto& vertex : kept)
+  {
+    surface.Normals->SetTypedTuple(vertex.first, vertex.second.data());
+  }
+  for (vtkIdType i = vertices; i < count; ++i)
+  {
+    double place[3];
+    surface.Points->GetTuple(added[i - vertices].first, place);
+    surface.Points->SetTuple(i, place);
+    surface.Normals->SetTypedTuple(i, added[i - vertices].second.data());
+  }
+}
+
+//------------------------------------------------------------------------------
+BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& labels,
+  const BlockSettings& settings, const BlockMeshSettings& mesh)
+{
   BlockCorners result;
   const Around around(surface);
+  const Grouping grouping(surface, labels, settings, mesh);
   const vtkIdType vertices = surface.Points->GetNumberOfTuples();
   const auto groupsOf = [&](vtkIdType vertex) {
     const vtkIdType begin = around.Starts[vertex];

@@ -216,13 +216,19 @@ void MarkGhosts(const BlockSurface& surface, const BlockLabels& labels,
 }
 
 //------------------------------------------------------------------------------
-vtkIdType MakeBlockMesh(const BlockSurface& surface, const BlockLabels& labels, vtkDataArray* array,
+vtkIdType MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, vtkDataArray* array,
   const BlockSettings& settings, const BlockMeshSettings& mesh, vtkPolyData* output)
 {
   const Kept faces = KeptFaces(surface, labels, mesh);
-  const bool own =
-    mesh.SplitMaterials || mesh.TextureCoordinates || mesh.Weights || surface.NullNormals > 0;
+  const bool fits =
+    surface.Points->GetNumberOfTuples() + 12 * surface.NullNormals < VTK_TYPE_UINT32_MAX;
+  const bool own = mesh.SplitMaterials || mesh.TextureCoordinates || mesh.Weights ||
+    (surface.NullNormals > 0 && !fits);
   BlockCorners corners;
+  if (!own && surface.NullNormals > 0)
+  {
+    SplitNullNormals(surface, labels, settings, mesh);
+  }
   if (own)
   {
     corners = MakeBlockCorners(surface, labels, settings, mesh);

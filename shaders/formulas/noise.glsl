@@ -146,5 +146,5 @@ vec3 relievoSimplexNoiseGradientIn(relievoSimplex s, uint seed)
 // and a symmetric matrix that multiplies what is along d by t^3 (t - 8 r^2) and the rest by t^4,
 // so it is at most sqrt(2) B(r) long, B being the larger of t^4 and t^3 (9 r^2 - 0.5). Over a
 // simplex, the sum of the four B is below 0.0725 (testFormulasNoise bounds it by halving the
-// simplex); 76 * sqrt(2) * 0.0725 = 7.793. The steepest place found has 6.9.
+// simplex); 76 * sqrt(2) * 0.0725 = 7.793. The steepest place found has 6.7.
 const float relievoSimplexNoiseSlope = float(7.8);
