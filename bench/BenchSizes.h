@@ -77,6 +77,16 @@ struct BlockSizes
   std::vector<std::string> Data = { "aal.nii.gz", "liver.inr" };
 };
 
+struct CaveSizes
+{
+  int Side = 192;                                             // samples
+  std::vector<double> Scales = { 16., 32., 64., 128., 256. }; // samples across a cell of the noise
+  std::vector<double> Widths = { 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5 }; // parts of Scale
+  double Across = 12.; // samples across the tunnels whose width is measured
+  int Rounds = 5;
+  int Seeds = 24;
+};
+
 /** The benches of the same names, smaller or larger; as RelievoBenchEnvironment and so on. */
 int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
 int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
@@ -86,10 +96,14 @@ int BenchLampShadows(const std::string& outDir, const LightSizes& sizes);
 int BenchDeferred(const std::string& outDir, const DeferredSizes& sizes);
 int BenchTone(const std::string& outDir, const ToneSizes& sizes);
 int BenchBlocks(const std::string& outDir, const BlockSizes& sizes);
+int BenchCaves(const std::string& outDir, const CaveSizes& sizes);
 int BenchFog(const std::string& outDir, const FogSizes& sizes);
 
 /** The part of BenchEnvironment that times frames; returns whether its file is written. */
 bool BenchEnvironmentFrames(const std::string& outDir, const EnvironmentSizes& sizes);
+
+/** The part of BenchBlocks that counts threads; returns whether its file is written. */
+bool BenchBlockThreads(const std::string& outDir, const BlockSizes& sizes);
 }
 
 #endif

@@ -55,6 +55,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
     { "fog", "error of a fog sphere's chord against distance; what fog costs a frame",
       RelievoBenchFog },
     { "blocks", "error of surfaces of labels against time, beside VTK's own", RelievoBenchBlocks },
+    { "caves", "evaluations of noise and time for caves; width of tunnels against what was asked",
+      RelievoBenchCaves },
   };
   return entries;
 }

@@ -83,6 +83,9 @@ int RelievoBenchFog(const std::string& outDir);
 /** Chart 9: surfaces of labels: distance and normals against time, with peers. Two minutes. */
 int RelievoBenchBlocks(const std::string& outDir);
 
+/** Caves: evaluations of noise, time, what they are like, width of tunnels. A minute. */
+int RelievoBenchCaves(const std::string& outDir);
+
 /** What a normal map costs a full-screen frame, against VTK's own textures. Half a minute. */
 int RelievoBenchNormalMaps(const std::string& outDir);
 

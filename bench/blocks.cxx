@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Surfaces of labels: how far they are from the shape that was cut into blocks, both ways, how far
-// their normals are off, and how long they take, on one thread, in turn with their peers.
+// their normals are off, and how long they take, on one thread, in turn with their peers; and
+// triangles a second by threads.
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 
@@ -335,7 +336,7 @@ int relievoBench::BenchBlocks(const std::string& outDir, const BlockSizes& sizes
     MeasureReal(name, std::max(sizes.Rounds / 2, 3), real);
   }
   vtkSMPTools::Initialize(0);
-  const bool written = table.WriteCsv(outDir + "/blocks.csv") &&
+  const bool written = BenchBlockThreads(outDir, sizes) && table.WriteCsv(outDir + "/blocks.csv") &&
     real.WriteCsv(outDir + "/blocks-labels.csv") && DrawBenchCharts("blocks", outDir, outDir);
   return written ? 0 : 1;
 }

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench.h"
+#include "Cave.h"
+#include "CaveOptions.h"
 #include "Failure.h"
 #include "Help.h"
 #include "Options.h"
@@ -31,13 +33,18 @@ int Run(std::vector<std::string> words)
   }
   if (words.empty())
   {
-    throw cli::WordsError("no command given, expected render, stages or bench; see relievo --help");
+    throw cli::WordsError(
+      "no command given, expected render, cave, stages or bench; see relievo --help");
   }
   const std::string command = words.front();
   words.erase(words.begin());
   if (command == "render")
   {
     cli::Render(cli::ParseRender(words));
+  }
+  else if (command == "cave")
+  {
+    cli::Cave(cli::ParseCave(words));
   }
   else if (command == "stages")
   {
@@ -50,7 +57,7 @@ int Run(std::vector<std::string> words)
   else
   {
     throw cli::WordsError("got '" + command +
-      "', expected render, stages, bench, --help or --version; see relievo --help");
+      "', expected render, cave, stages, bench, --help or --version; see relievo --help");
   }
   return 0;
 }

@@ -28,6 +28,7 @@ const std::vector<Entry>& Entries()
     { "environment", { "environment.csv", "environment-angle.csv" }, EnvironmentCharts },
     { "tone", { "tone-curves.csv", "tone-bands.csv" }, ToneCharts },
     { "blocks", { "blocks.csv" }, BlockCharts },
+    { "caves", { "caves.csv", "caves-width.csv" }, CaveCharts },
     { "fog", { "fog.csv", "fog-frames.csv" }, FogCharts },
   };
   return entries;

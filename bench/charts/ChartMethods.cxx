@@ -80,6 +80,12 @@ const std::vector<ChartMethod>& ChartMethods()
     { "flying edges", "flying edges", C::Grey, M::Cross, D::Dashed },
     { "flying edges, sinc", "… and sinc", C::Vermillion, M::Up, D::DashDotted },
     { "surface nets", "surface nets", C::Green, M::Diamond, D::Dashed },
+    // Caves
+    { "skipping", "skipping", C::Blue, M::Circle, D::Solid },
+    { "classic", "second if the first passes", C::Grey, M::Cross, D::Dashed },
+    { "naive", "both noises", C::Black, M::Square, D::Dotted },
+    { "level lines", "level", C::Blue, M::Circle, D::Solid },
+    { "upright lines", "upright", C::Sky, M::Up, D::Dashed },
     // Fog
     { "pairs of floats", "pairs of floats", C::Blue, M::Circle, D::Solid },
     { "textbook, double", "textbook, double", C::Grey, M::Cross, D::Dashed },

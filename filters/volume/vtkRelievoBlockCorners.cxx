@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace relievo
 {
@@ -115,6 +116,11 @@ public:
     return groups;
   }
 
+  void SetNormalOf(const BlockFace& face, std::array<float, 3>& normal) const
+  {
+    this->SetNormal(this->AreaOfFace(face), normal);
+  }
+
 private:
   std::array<double, 3> AreaOfFace(const BlockFace& face) const
   {
@@ -206,6 +212,65 @@ void MakeWeights(const BlockSurface& surface, const BlockLabels& labels, const A
     }
   });
 }
+}
+
+//------------------------------------------------------------------------------
+void SplitNullNormals(BlockSurface& surface, const BlockLabels& labels,
+  const BlockSettings& settings, const BlockMeshSettings& mesh)
+{
+  const Grouping grouping(surface, labels, settings, mesh);
+  const vtkIdType vertices = surface.Points->GetNumberOfTuples();
+  const float* normals = surface.Normals->GetPointer(0);
+  const auto isNull = [normals](vtkIdType vertex) {
+    const float* normal = normals + 3 * vertex;
+    return normal[0] == 0.f && normal[1] == 0.f && normal[2] == 0.f;
+  };
+  std::vector<unsigned char> hasNull(surface.Faces.GetSize());
+  ForAll(surface.Faces.GetSize(), [&](vtkIdType face) {
+    const vtkTypeUInt32* points = surface.Faces[face].Points;
+    hasNull[face] = std::any_of(points, points + 4, isNull);
+  });
+  // The first of the faces at a vertex keeps it, the others get points at the end.
+  std::vector<bool> isKept(vertices, false);
+  std::vector<std::pair<vtkIdType, std::array<float, 3>>> kept;
+  std::vector<std::pair<vtkIdType, std::array<float, 3>>> added;
+  for (vtkIdType face = 0; face < surface.Faces.GetSize(); ++face)
+  {
+    if (!hasNull[face])
+    {
+      continue;
+    }
+    std::array<float, 3> normal;
+    grouping.SetNormalOf(surface.Faces[face], normal);
+    for (vtkTypeUInt32& point : surface.Faces[face].Points)
+    {
+      const vtkIdType vertex = point;
+      if (isNull(vertex))
+      {
+        (isKept[vertex] ? added : kept).emplace_back(vertex, normal);
+        point = isKept[vertex]
+          ? static_cast<vtkTypeUInt32>(vertices + static_cast<vtkIdType>(added.size()) - 1)
+          : point;
+        isKept[vertex] = true;
+      }
+    }
+  }
+  const auto count = vertices + static_cast<vtkIdType>(added.size());
+  surface.Points->Resize(count);
+  surface.Points->SetNumberOfTuples(count);
+  surface.Normals->Resize(count);
+  surface.Normals->SetNumberOfTuples(count);
+  for (const auto& vertex : kept)
+  {
+    surface.Normals->SetTypedTuple(vertex.first, vertex.second.data());
+  }
+  for (vtkIdType i = vertices; i < count; ++i)
+  {
+    double place[3];
+    surface.Points->GetTuple(added[i - vertices].first, place);
+    surface.Points->SetTuple(i, place);
+    surface.Normals->SetTypedTuple(i, added[i - vertices].second.data());
+  }
 }
 
 //------------------------------------------------------------------------------

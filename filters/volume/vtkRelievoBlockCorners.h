@@ -28,6 +28,13 @@ struct BlockCorners
 BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& labels,
   const BlockSettings& settings, const BlockMeshSettings& mesh);
 
+/**
+ * Gives faces points of their own where their normals cancel out. The surface then has more points
+ * than vertices; room for 12 a vertex must be left below 2^32.
+ */
+void SplitNullNormals(BlockSurface& surface, const BlockLabels& labels,
+  const BlockSettings& settings, const BlockMeshSettings& mesh);
+
 /** The texture coordinates of a face's corners, in the order of its points. */
 std::array<std::array<float, 2>, 4> TextureOf(const BlockFace& face, const BlockSurface& surface,
   const BlockLabels& labels, const BlockSettings& settings, const BlockMeshSettings& mesh);

@@ -61,6 +61,52 @@ bool CheckBlockLabels(
 }
 
 //------------------------------------------------------------------------------
+HiddenBlocks FindHiddenBlocks(vtkImageData* image, bool onPoints)
+{
+  HiddenBlocks hidden;
+  vtkUnsignedCharArray* points = image->GetPointGhostArray();
+  vtkUnsignedCharArray* cells = image->GetCellGhostArray();
+  if (onPoints)
+  {
+    hidden.Marks = points;
+    hidden.Bits = vtkDataSetAttributes::HIDDENPOINT;
+    return hidden;
+  }
+  hidden.Marks = cells;
+  hidden.Bits = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+  const auto hides = [](unsigned char mark) {
+    return (mark & vtkDataSetAttributes::HIDDENPOINT) != 0;
+  };
+  if (!points ||
+    std::none_of(points->GetPointer(0), points->GetPointer(points->GetNumberOfValues()), hides))
+  {
+    return hidden;
+  }
+  // A cell with a hidden point is hidden.
+  const vtkIdType count = image->GetNumberOfCells();
+  hidden.Marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  hidden.Marks->SetNumberOfValues(count);
+  int size[3];
+  image->GetDimensions(size);
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    unsigned char mark =
+      cells ? static_cast<unsigned char>(cells->GetValue(cell) & hidden.Bits) : 0;
+    const vtkIdType i = cell % (size[0] - 1);
+    const vtkIdType j = cell / (size[0] - 1) % (size[1] - 1);
+    const vtkIdType k = cell / (size[0] - 1) / (size[1] - 1);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const vtkIdType point =
+        i + (corner & 1) + size[0] * (j + (corner >> 1 & 1) + size[1] * (k + (corner >> 2)));
+      mark |= hides(points->GetValue(point)) ? hidden.Bits : 0;
+    }
+    hidden.Marks->SetValue(cell, mark);
+  }
+  return hidden;
+}
+
+//------------------------------------------------------------------------------
 std::array<int, 6> FindOwnedBlocks(
   vtkImageData* image, bool onPoints, const BlockBox& box, const int whole[6])
 {

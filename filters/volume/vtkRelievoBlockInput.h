@@ -13,6 +13,7 @@
 
 class vtkDataArray;
 class vtkImageData;
+class vtkUnsignedCharArray;
 
 namespace relievo
 {
@@ -21,6 +22,15 @@ namespace relievo
  */
 bool CheckBlockLabels(
   vtkImageData* image, vtkDataArray* labels, bool onPoints, std::string& problem);
+
+/** Marks of blocks that are air whatever their label, where they have one of the bits. */
+struct HiddenBlocks
+{
+  vtkSmartPointer<vtkUnsignedCharArray> Marks; // null: none
+  unsigned char Bits = 0;
+};
+
+HiddenBlocks FindHiddenBlocks(vtkImageData* image, bool onPoints);
 
 /** Blocks, numbered from 1, that belong to this piece of the whole extent. */
 std::array<int, 6> FindOwnedBlocks(

@@ -105,6 +105,8 @@ public:
                                               : static_cast<vtkTypeInt64>(this->Values[index]);
   }
 
+  bool CanHoldAir() const override { return this->HasAir; }
+
   void GetSolid(int k, BitSlice& solid) const override
   {
     const int width = this->Box.Size[0];

@@ -75,6 +75,9 @@ public:
    */
   virtual void GetBorders(int k, BitSlice& x, BitSlice& y, BitSlice& z) const = 0;
 
+  /** Whether the type of the labels can hold that of air. */
+  virtual bool CanHoldAir() const = 0;
+
   /** The place of a block in the array; -1 for one of a closed layer. */
   vtkIdType Index(int i, int j, int k) const;
 

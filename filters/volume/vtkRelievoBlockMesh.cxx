@@ -106,13 +106,12 @@ void MakeCells(vtkIdType quads, bool triangles, vtkPolyData* output, PointOf&& p
   output->SetPolys(polygons);
 }
 
-// An array of the type of `labels` with a value for each cell.
+// An array with a value for each cell.
 template <typename LabelOfFace>
-void AddLabels(vtkDataArray* labels, const char* name, vtkIdType faces, int cellsPerFace,
-  vtkPolyData* output, LabelOfFace&& labelOf)
+void AddLabels(int type, const char* name, vtkIdType faces, int cellsPerFace, vtkPolyData* output,
+  LabelOfFace&& labelOf)
 {
-  auto array =
-    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(labels->GetDataType()));
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
   array->SetName(name);
   array->SetNumberOfTuples(cellsPerFace * faces);
   switch (array->GetDataType())
@@ -217,13 +216,19 @@ void MarkGhosts(const BlockSurface& surface, const BlockLabels& labels,
 }
 
 //------------------------------------------------------------------------------
-vtkIdType MakeBlockMesh(const BlockSurface& surface, const BlockLabels& labels, vtkDataArray* array,
+vtkIdType MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, vtkDataArray* array,
   const BlockSettings& settings, const BlockMeshSettings& mesh, vtkPolyData* output)
 {
   const Kept faces = KeptFaces(surface, labels, mesh);
-  const bool own =
-    mesh.SplitMaterials || mesh.TextureCoordinates || mesh.Weights || surface.NullNormals > 0;
+  const bool fits =
+    surface.Points->GetNumberOfTuples() + 12 * surface.NullNormals < VTK_TYPE_UINT32_MAX;
+  const bool own = mesh.SplitMaterials || mesh.TextureCoordinates || mesh.Weights ||
+    (surface.NullNormals > 0 && !fits);
   BlockCorners corners;
+  if (!own && surface.NullNormals > 0)
+  {
+    SplitNullNormals(surface, labels, settings, mesh);
+  }
   if (own)
   {
     corners = MakeBlockCorners(surface, labels, settings, mesh);
@@ -290,11 +295,12 @@ vtkIdType MakeBlockMesh(const BlockSurface& surface, const BlockLabels& labels, 
     MakeCells<vtkTypeInt64Array>(faces.Count, mesh.Triangles, output, pointOf);
   }
   const int cellsPerFace = mesh.Triangles ? 2 : 1;
-  AddLabels(array, "material", faces.Count, cellsPerFace, output,
+  AddLabels(array->GetDataType(), "material", faces.Count, cellsPerFace, output,
     [&](vtkIdType i) { return labels.LabelAt(surface.Faces[faces[i]].Owner); });
   if (settings.Faces.BetweenLabels)
   {
-    AddLabels(array, "neighbor", faces.Count, cellsPerFace, output, [&](vtkIdType i) {
+    const int type = labels.CanHoldAir() ? array->GetDataType() : VTK_TYPE_INT64;
+    AddLabels(type, "neighbor", faces.Count, cellsPerFace, output, [&](vtkIdType i) {
       const BlockFace& face = surface.Faces[faces[i]];
       return labels.LabelAt(labels.Beside(face.Owner, face.Axis, face.Low));
     });

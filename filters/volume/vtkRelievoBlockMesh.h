@@ -39,7 +39,7 @@ struct BlockMeshSettings
  * Makes the polygons; returns how many labels weights were asked of, which are left out when there
  * are more than MostWeights.
  */
-vtkIdType MakeBlockMesh(const BlockSurface& surface, const BlockLabels& labels, vtkDataArray* array,
+vtkIdType MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, vtkDataArray* array,
   const BlockSettings& settings, const BlockMeshSettings& mesh, vtkPolyData* output);
 
 /** Makes lines of the seams whose lower end belongs to this piece. */

@@ -3,11 +3,13 @@
 #include "vtkRelievoBlockSlab.h"
 
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoNoisePlace.h"
 
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -177,10 +179,10 @@ BlockRule::Offset BlockSlab::OffsetOf(
     {
       if (axis != up || settings.Solid)
       {
-        const double place =
-          (this->Settings.First[axis] + vertex[axis] + offset[axis]) / settings.Scale;
-        cell[axis] = static_cast<int>(std::floor(place));
-        part[axis] = place - std::floor(place);
+        const NoisePlace place = NoisePlace::Of(
+          (this->Settings.First[axis] + vertex[axis] + offset[axis]) / settings.Scale);
+        cell[axis] = place.Cell;
+        part[axis] = place.Part;
       }
     }
     offset[up] += settings.Amplitude * f64::relievoSimplexNoise(cell, part, settings.Seed);
@@ -353,7 +355,11 @@ void BlockSlab::WritePlane(int k)
         double normal[3];
         vtkMath::Multiply3x3(this->NormalAxes, plane.Areas[number].data(), normal);
         vtkMath::Normalize(normal);
-        this->NullNormals += IsNull(plane.Areas[number]);
+        if (IsNull(plane.Areas[number]))
+        {
+          std::fill(normal, normal + 3, 0.);
+          ++this->NullNormals;
+        }
         for (int c = 0; c < 3; ++c)
         {
           normals[3 * number + c] = static_cast<float>(normal[c]);

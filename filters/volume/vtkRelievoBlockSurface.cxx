@@ -85,6 +85,10 @@ Made MakeBlockSurface(
   {
     return goOn ? Made::TooLarge : Made::Stopped;
   }
+  if (settings.HasRoom && !settings.HasRoom(vertexCount, faceCount))
+  {
+    return Made::Stopped;
+  }
   if (settings.DoublePoints)
   {
     surface.Points = vtkSmartPointer<vtkDoubleArray>::New();
@@ -108,29 +112,21 @@ Made MakeBlockSurface(
   const int slabs = (slices + SlabSize - 1) / SlabSize;
   std::vector<std::vector<BlockSeam>> seams(slabs);
   std::vector<vtkIdType> nulls(slabs, 0);
-  const auto write = [&](double from, double to) {
-    return ForSlabs(slices, settings, from, to, [&](int number, int first, int end) {
-      BlockSlab slab(labels, settings, rule, surface);
-      slab.Begin(first, vertices);
-      for (int k = first; k < end; ++k)
-      {
-        slab.Make(k, vertices, faces[k]);
-      }
-      seams[number] = std::move(slab.Seams);
-      nulls[number] = slab.NullNormals;
-    });
-  };
   if (settings.KeepOffsets)
   {
     surface.Offsets.Allocate(vertexCount);
   }
-  goOn = goOn && write(0.3, 0.6);
+  goOn = ForSlabs(slices, settings, 0.3, 0.8, [&](int number, int first, int end) {
+    BlockSlab slab(labels, settings, rule, surface);
+    slab.Begin(first, vertices);
+    for (int k = first; k < end; ++k)
+    {
+      slab.Make(k, vertices, faces[k]);
+    }
+    seams[number] = std::move(slab.Seams);
+    nulls[number] = slab.NullNormals;
+  });
   surface.NullNormals = std::accumulate(nulls.begin(), nulls.end(), vtkIdType(0));
-  if (goOn && surface.NullNormals > 0 && !settings.KeepOffsets)
-  {
-    surface.Offsets.Allocate(vertexCount);
-    goOn = write(0.6, 0.8);
-  }
   for (const std::vector<BlockSeam>& slab : seams)
   {
     surface.Seams.insert(surface.Seams.end(), slab.begin(), slab.end());

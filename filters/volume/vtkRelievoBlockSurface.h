@@ -52,6 +52,8 @@ struct BlockSettings
   double Axes[3][3] = {}; // [row][column]
   // Called from the thread of the caller with the part that is done; false stops.
   std::function<bool(double)> GoOn;
+  // Called with the numbers of vertices and faces before they are made; false stops.
+  std::function<bool(vtkIdType, vtkIdType)> HasRoom;
 };
 
 /** An edge that is used other than twice; corners are vertices of the surface. */
@@ -93,8 +95,8 @@ private:
 struct BlockSurface
 {
   vtkSmartPointer<vtkDataArray> Points;
-  vtkSmartPointer<vtkFloatArray> Normals;
-  Unset<BlockRule::Offset> Offsets; // movements in blocks; with KeepOffsets, or null normals
+  vtkSmartPointer<vtkFloatArray> Normals; // 0 where those of the faces add up to nothing
+  Unset<BlockRule::Offset> Offsets;       // movements in blocks; with KeepOffsets
   Unset<BlockFace> Faces;
   std::vector<BlockSeam> Seams;
   vtkIdType NullNormals = 0; // vertices whose faces' normals add up to nothing
@@ -112,7 +114,7 @@ std::array<double, 3> AreaOf(int axis, const BlockRule::Offset* const corners[4]
 enum class Made
 {
   Done,
-  Stopped, // by GoOn
+  Stopped, // by GoOn or HasRoom
   TooLarge // 2^32 vertices or more
 };
 

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoSmoothBlocks.h"
 
+#include "vtkRelievoBlockBytes.h"
 #include "vtkRelievoBlockInput.h"
 #include "vtkRelievoBlockMesh.h"
+#include "vtkRelievoMemory.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
@@ -48,6 +50,7 @@ struct vtkRelievoSmoothBlocks::Internals
   std::set<vtkTypeInt64> Rigid;
   std::set<vtkTypeInt64> Level;
   std::set<vtkTypeInt64> Weighted;
+  bool MissedGhosts = false; // the warning is given
 };
 
 //------------------------------------------------------------------------------
@@ -142,12 +145,9 @@ int vtkRelievoSmoothBlocks::RequestData(
       box.Closed[side] = this->CloseBorders && extent[side] == whole[side];
     }
   }
-  vtkUnsignedCharArray* ghosts =
-    onPoints ? image->GetPointGhostArray() : image->GetCellGhostArray();
-  const auto hiding = static_cast<unsigned char>(
-    onPoints ? int(vtkDataSetAttributes::HIDDENPOINT) : int(vtkDataSetAttributes::HIDDENCELL));
+  const relievo::HiddenBlocks hidden = relievo::FindHiddenBlocks(image, onPoints);
   const std::unique_ptr<relievo::BlockLabels> labels =
-    relievo::BlockLabels::New(array, box, this->AirLabel, ghosts, hiding);
+    relievo::BlockLabels::New(array, box, this->AirLabel, hidden.Marks, hidden.Bits);
 
   relievo::BlockMeshSettings mesh;
   mesh.Triangles = this->Triangles;
@@ -170,6 +170,22 @@ int vtkRelievoSmoothBlocks::RequestData(
   mesh.Kept = relievo::GrowBlocks(mesh.Owned, levels, box.Size);
   // One more layer, for the normals at the border; its own faces are dropped.
   settings.Faces.Owners = relievo::GrowBlocks(mesh.Kept, 1, box.Size);
+  if (asked->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1 && !this->Self->MissedGhosts)
+  {
+    for (int side = 0; side < 6; ++side)
+    {
+      const int layers = side & 1 ? box.Size[side / 2] - mesh.Owned[side] : mesh.Owned[side] - 1;
+      this->Self->MissedGhosts = this->Self->MissedGhosts ||
+        (extent[side] != whole[side] && layers < Internals::GhostLevels);
+    }
+    if (this->Self->MissedGhosts)
+    {
+      vtkWarningMacro("The input does not give "
+        << Internals::GhostLevels
+        << " layers of ghost cells around each piece, so pieces do not fit together at their "
+           "borders. Make them with vtkGhostCellsGenerator (Ghost Cells in ParaView).");
+    }
+  }
   const std::array<int, 6> all = { 1, box.Size[0], 1, box.Size[1], 1, box.Size[2] };
   mesh.HasGhosts = mesh.Owned != all;
 
@@ -189,7 +205,20 @@ int vtkRelievoSmoothBlocks::RequestData(
     this->UpdateProgress(progress);
     return !this->GetAbortExecute();
   };
-  settings.KeepOffsets = mesh.SplitMaterials || mesh.TextureCoordinates || mesh.Weights;
+  settings.HasRoom = [&](vtkIdType vertices, vtkIdType faces) {
+    const std::string lack = relievo::LackOfMemory(
+      relievo::BytesOfBlocks(vertices, faces, settings, mesh, array->GetDataTypeSize()),
+      this->MemoryLimit);
+    if (!lack.empty())
+    {
+      this->SetErrorCode(vtkErrorCode::UserError);
+      vtkErrorMacro("No surface of blocks: " << lack << ". It would have " << faces
+                                             << " faces; make it in pieces.");
+    }
+    return lack.empty();
+  };
+  // Also for faces' own normals, where those at a vertex cancel out.
+  settings.KeepOffsets = settings.Normals || mesh.TextureCoordinates || mesh.Weights;
   relievo::BlockSurface surface;
   const relievo::Made made = relievo::MakeBlockSurface(*labels, settings, surface);
   if (made == relievo::Made::TooLarge)
@@ -316,4 +345,5 @@ void vtkRelievoSmoothBlocks::PrintSelf(ostream& os, vtkIndent indent)
   print("WeightedLabels", this->Self->Weighted);
   os << indent << "Seams: " << (this->Seams ? "on" : "off") << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

@@ -7,21 +7,24 @@
  * Input: a vtkImageData with an array of labels, any integer type, one component, on cells or on
  * points (each point is then the middle of a block). One label is air. By default the array is the
  * active scalars of the cells, or else of the points; SetInputArrayToProcess(0, ...) chooses
- * another. Blanked blocks are air.
+ * another. Blanked blocks are air: cells and points that are hidden, cells with a hidden point, and
+ * cells that a finer level of an AMR replaces.
  *
  * Output 0: triangles, or quads, that face outwards, with the blocks' own topology: one face (two
  * triangles) where a block meets air, and by choice where two labels meet. Each vertex moves along
  * each axis by at most 3/8 of a block, by a rule that treats all axes alike and is symmetric under
  * the 48 symmetries of the cube (vtkRelievoBlockRule.h); no triangle is inverted or without area.
  * Cell arrays: "material", the label of the block that a face belongs to, and, between labels,
- * "neighbor", the label on its other side.
+ * "neighbor", the label on its other side (of the labels' type, or of 64 bits where that cannot
+ * hold the label of air).
  *
  * Output 1: lines along the seams, the edges that are not used by exactly two faces: where blocks
  * touch along an edge only, where three or four labels meet, and at open borders. Cell array
  * "uses".
  *
  * A piece asks its input for two more layers of ghost cells and is then, bit for bit, what the
- * whole has there. Results do not depend on the number of threads.
+ * whole has there; an input that does not give them gets one warning. Results do not depend on the
+ * number of threads.
  *
  * The rule is in the spirit of L. Pensjo's smooth worlds from block data (2012), made anew. Memory
  * grows with the surface. With an array of floats, or with none, the filter reports one error, sets
@@ -225,6 +228,15 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
+  ///@{
+  /**
+   * The most bytes that the surface may take while it is made; 0, the default: what the machine has
+   * left. A surface that needs more is refused before it is made, with the bytes it would take.
+   */
+  vtkSetClampMacro(MemoryLimit, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
 protected:
   vtkRelievoSmoothBlocks();
   ~vtkRelievoSmoothBlocks() override;
@@ -255,6 +267,7 @@ private:
   bool MaterialWeights = false;
   bool Seams = true;
   int OutputPointsPrecision = DEFAULT_PRECISION;
+  double MemoryLimit = 0.;
 
   vtkRelievoSmoothBlocks(const vtkRelievoSmoothBlocks&) = delete;
   void operator=(const vtkRelievoSmoothBlocks&) = delete;

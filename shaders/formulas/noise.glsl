@@ -14,59 +14,137 @@ uint relievoNoiseHash(uint x, uint y, uint z, uint seed)
   return word ^ (word >> uint(15));
 }
 
-// What a corner at (x, y, z) from the point adds: (0.5 - r^2)^4 times the product with one of the
-// twelve directions to the edges of a cube.
-float relievoNoiseCorner(uint word, float x, float y, float z)
+// Of the twelve directions to the edges of a cube: the one that belongs to a word, times (x, y, z).
+float relievoNoiseAlong(uint word, float x, float y, float z)
 {
-  float inside = max(float(0.5) - x * x - y * y - z * z, float(0.0));
   uint edge = ((word >> uint(16)) * uint(12)) >> uint(16);
   float u = edge < uint(8) ? x : y;
   float v = edge < uint(4) ? y : z;
-  float along = ((edge & uint(1)) != uint(0) ? -u : u) + ((edge & uint(2)) != uint(0) ? -v : v);
-  float square = inside * inside;
-  return square * square * along;
+  return ((edge & uint(1)) != uint(0) ? -u : u) + ((edge & uint(2)) != uint(0) ? -v : v);
 }
 
-// The noise in [-1, 1] at cell + part; the cell's coordinates are at most 2^29 in size, those of
-// the part in [0, 1). Its mean is 0.
-float relievoSimplexNoise(ivec3 cell, vec3 part, uint seed)
+// What a corner at (x, y, z) from the point adds: (0.5 - r^2)^4 times the product with its
+// direction.
+float relievoNoiseCorner(uint word, float x, float y, float z)
+{
+  float inside = max(float(0.5) - x * x - y * y - z * z, float(0.0));
+  float square = inside * inside;
+  return square * square * relievoNoiseAlong(word, x, y, z);
+}
+
+// The gradient of that.
+vec3 relievoNoiseCornerGradient(uint word, float x, float y, float z)
+{
+  float inside = max(float(0.5) - x * x - y * y - z * z, float(0.0));
+  float cube = inside * inside * inside;
+  float inwards = float(-8.0) * cube * relievoNoiseAlong(word, x, y, z);
+  float along = cube * inside;
+  return vec3(
+    along * relievoNoiseAlong(word, float(1.0), float(0.0), float(0.0)) + inwards * x,
+    along * relievoNoiseAlong(word, float(0.0), float(1.0), float(0.0)) + inwards * y,
+    along * relievoNoiseAlong(word, float(0.0), float(0.0), float(1.0)) + inwards * z);
+}
+
+// The simplex of the lattice that a point lies in, the same for all seeds: its lowest corner A, the
+// steps from there to the next two, B and C (D is one step along all axes), and the point seen from
+// A.
+struct relievoSimplex
+{
+  uint ax;
+  uint ay;
+  uint az;
+  uint bx;
+  uint by;
+  uint bz;
+  uint cx;
+  uint cy;
+  uint cz;
+  float x;
+  float y;
+  float z;
+};
+
+// That of cell + part; the cell's coordinates are at most 2^29 in size, those of the part in
+// [0, 1).
+relievoSimplex relievoSimplexAt(ivec3 cell, vec3 part)
 {
   // The lattice is that of cubes after moving each point by a third of its coordinates' sum along
-  // all axes. Whole thirds of a cell are split off as integers; 3 * 2^29 keeps the sum positive.
-  uint sum = uint(cell.x + cell.y + cell.z + 1610612736);
+  // all axes. Whole thirds of a cell are split off as integers; 3 * 2^29 keeps the sum positive,
+  // which only an unsigned one can hold.
+  uint sum = uint(cell.x) + uint(cell.y) + uint(cell.z) + uint(1610612736);
   int third = int(sum / uint(3)) - 536870912;
   float rest = (float(sum % uint(3)) + part.x + part.y + part.z) / float(3.0);
   float sx = part.x + rest;
   float sy = part.y + rest;
   float sz = part.z + rest;
-  float bx = floor(sx);
-  float by = floor(sy);
-  float bz = floor(sz);
-  sx -= bx;
-  sy -= by;
-  sz -= bz;
-  uint x = uint(cell.x + third + int(bx));
-  uint y = uint(cell.y + third + int(by));
-  uint z = uint(cell.z + third + int(bz));
+  float wholeX = floor(sx);
+  float wholeY = floor(sy);
+  float wholeZ = floor(sz);
+  sx -= wholeX;
+  sy -= wholeY;
+  sz -= wholeZ;
   float back = (sx + sy + sz) / float(6.0);
-  float dx = sx - back;
-  float dy = sy - back;
-  float dz = sz - back;
+  relievoSimplex simplex;
+  simplex.ax = uint(cell.x + third + int(wholeX));
+  simplex.ay = uint(cell.y + third + int(wholeY));
+  simplex.az = uint(cell.z + third + int(wholeZ));
+  simplex.x = sx - back;
+  simplex.y = sy - back;
+  simplex.z = sz - back;
   // The way from the lowest corner to the highest goes along the largest coordinate first.
-  uint x1 = (sx >= sy && sx >= sz) ? uint(1) : uint(0);
-  uint y1 = (sy > sx && sy >= sz) ? uint(1) : uint(0);
-  uint z1 = uint(1) - x1 - y1;
-  uint z2 = (sz > sx || sz > sy) ? uint(1) : uint(0);
-  uint y2 = (y1 == uint(1) || (sy > sx || sy >= sz)) ? uint(1) : uint(0);
-  uint x2 = uint(2) - y2 - z2;
+  simplex.bx = (sx >= sy && sx >= sz) ? uint(1) : uint(0);
+  simplex.by = (sy > sx && sy >= sz) ? uint(1) : uint(0);
+  simplex.bz = uint(1) - simplex.bx - simplex.by;
+  simplex.cz = (sz > sx || sz > sy) ? uint(1) : uint(0);
+  simplex.cy = (simplex.by == uint(1) || (sy > sx || sy >= sz)) ? uint(1) : uint(0);
+  simplex.cx = uint(2) - simplex.cy - simplex.cz;
+  return simplex;
+}
+
+// The noise of a seed in [-1, 1] at the point of a simplex. Its mean is 0.
+float relievoSimplexNoiseIn(relievoSimplex s, uint seed)
+{
   float g = float(1.0) / float(6.0);
-  float value = relievoNoiseCorner(relievoNoiseHash(x, y, z, seed), dx, dy, dz) +
-    relievoNoiseCorner(relievoNoiseHash(x + x1, y + y1, z + z1, seed), dx - float(x1) + g,
-      dy - float(y1) + g, dz - float(z1) + g) +
-    relievoNoiseCorner(relievoNoiseHash(x + x2, y + y2, z + z2, seed),
-      dx - float(x2) + float(2.0) * g, dy - float(y2) + float(2.0) * g,
-      dz - float(z2) + float(2.0) * g) +
-    relievoNoiseCorner(relievoNoiseHash(x + uint(1), y + uint(1), z + uint(1), seed),
-      dx - float(0.5), dy - float(0.5), dz - float(0.5));
+  float value = relievoNoiseCorner(relievoNoiseHash(s.ax, s.ay, s.az, seed), s.x, s.y, s.z) +
+    relievoNoiseCorner(relievoNoiseHash(s.ax + s.bx, s.ay + s.by, s.az + s.bz, seed),
+      s.x - float(s.bx) + g, s.y - float(s.by) + g, s.z - float(s.bz) + g) +
+    relievoNoiseCorner(relievoNoiseHash(s.ax + s.cx, s.ay + s.cy, s.az + s.cz, seed),
+      s.x - float(s.cx) + float(2.0) * g, s.y - float(s.cy) + float(2.0) * g,
+      s.z - float(s.cz) + float(2.0) * g) +
+    relievoNoiseCorner(
+      relievoNoiseHash(s.ax + uint(1), s.ay + uint(1), s.az + uint(1), seed), s.x - float(0.5),
+      s.y - float(0.5), s.z - float(0.5));
   return value * float(76.0);
 }
+
+// The noise at cell + part, as relievoSimplexAt takes them.
+float relievoSimplexNoise(ivec3 cell, vec3 part, uint seed)
+{
+  return relievoSimplexNoiseIn(relievoSimplexAt(cell, part), seed);
+}
+
+// The gradient of the noise of a seed, a cell.
+vec3 relievoSimplexNoiseGradientIn(relievoSimplex s, uint seed)
+{
+  float g = float(1.0) / float(6.0);
+  return float(76.0) *
+    (relievoNoiseCornerGradient(relievoNoiseHash(s.ax, s.ay, s.az, seed), s.x, s.y, s.z) +
+      relievoNoiseCornerGradient(
+        relievoNoiseHash(s.ax + s.bx, s.ay + s.by, s.az + s.bz, seed), s.x - float(s.bx) + g,
+        s.y - float(s.by) + g, s.z - float(s.bz) + g) +
+      relievoNoiseCornerGradient(
+        relievoNoiseHash(s.ax + s.cx, s.ay + s.cy, s.az + s.cz, seed),
+        s.x - float(s.cx) + float(2.0) * g, s.y - float(s.cy) + float(2.0) * g,
+        s.z - float(s.cz) + float(2.0) * g) +
+      relievoNoiseCornerGradient(
+        relievoNoiseHash(s.ax + uint(1), s.ay + uint(1), s.az + uint(1), seed), s.x - float(0.5),
+        s.y - float(0.5), s.z - float(0.5)));
+}
+
+// The noise is nowhere steeper, a cell. A corner at the distance r adds t^4 (g . d) with t = 0.5
+// - r^2 and |g| = sqrt(2). The gradient of that, t^4 g - 8 t^3 (g . d) d, is the product of g
+// and a symmetric matrix that multiplies what is along d by t^3 (t - 8 r^2) and the rest by t^4,
+// so it is at most sqrt(2) B(r) long, B being the larger of t^4 and t^3 (9 r^2 - 0.5). Over a
+// simplex, the sum of the four B is below 0.0725 (testFormulasNoise bounds it by halving the
+// simplex); 76 * sqrt(2) * 0.0725 = 7.793. The steepest place found has 6.7.
+const float relievoSimplexNoiseSlope = float(7.8);

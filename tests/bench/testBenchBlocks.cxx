@@ -39,6 +39,12 @@ void CheckBlocks(const std::string& folder)
       Value(row, "rms distance blocks"), Value(row, "hausdorff blocks"), name + ", rms");
   }
   RELIEVO_CHECK(all.size() == 3);
+  for (const Row& row : relievoTest::ReadCsv(folder + "/blocks-threads.csv"))
+  {
+    RELIEVO_CHECK(Value(row, "milliseconds") > 0. && Value(row, "triangles") > 100.);
+    all["threads " + row.at("labels")][row.at("threads")] = row;
+  }
+  RELIEVO_CHECK(all.erase("threads ball") == 1 && all.erase("threads sponge") == 1);
   for (auto& shape : all)
   {
     RELIEVO_CHECK(shape.second.size() >= 5);

@@ -9,6 +9,7 @@
 #include "vtkRelievoFormulas.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -115,6 +116,130 @@ void TestJumps()
   RELIEVO_CHECK_AT_MOST(steepest, 7., "steepest slope");
 }
 
+// The farthest cells, whose coordinates' sum is more than an int holds: there, too, the lattice is
+// that of its neighbours, so that nothing jumps.
+void TestFarthest()
+{
+  Points points;
+  constexpr int Far = 1 << 29;
+  double steepest = 0.;
+  for (int i = 0; i < Samples / 10; ++i)
+  {
+    glm::ivec3 cell(Far - 2, Far - 2, Far - 2);
+    cell *= (i & 1) ? -1 : 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      glm::ivec3 before = cell;
+      before[axis] -= 1;
+      glm::dvec3 part = points.NextParts();
+      part[axis] = 0.;
+      const double there = f64::relievoSimplexNoise(cell, part, 9u);
+      part[axis] = 1. - 1e-7;
+      steepest =
+        std::max(steepest, std::abs(there - f64::relievoSimplexNoise(before, part, 9u)) / 1e-7);
+    }
+  }
+  RELIEVO_CHECK_AT_MOST(steepest, 7., "steepest slope between the farthest cells");
+}
+
+// The gradient against differences of the noise.
+void TestGradient()
+{
+  Points points;
+  double worst = 0.;
+  double rounding = 0.;
+  for (int i = 0; i < Samples / 10; ++i)
+  {
+    const glm::ivec3 cell = points.NextCell();
+    const glm::dvec3 part = points.NextParts();
+    const glm::dvec3 gradient =
+      f64::relievoSimplexNoiseGradientIn(f64::relievoSimplexAt(cell, part), 4u);
+    glm::dvec3 difference;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      glm::dvec3 step(0.);
+      step[axis] = 1e-6;
+      const glm::dvec3 place = glm::dvec3(cell) + part;
+      difference[axis] = (NoiseAt(place + step, 4u) - NoiseAt(place - step, 4u)) / 2e-6;
+    }
+    worst = std::max(worst, glm::length(gradient - difference));
+    rounding = std::max(rounding,
+      glm::length(gradient -
+        glm::dvec3(
+          f32::relievoSimplexNoiseGradientIn(f32::relievoSimplexAt(cell, glm::vec3(part)), 4u))));
+  }
+  RELIEVO_CHECK_AT_MOST(worst, 1e-5, "gradient against differences");
+  RELIEVO_CHECK_AT_MOST(rounding, 5e-5, "gradient in float against double");
+}
+
+// B of relievoSimplexNoiseSlope's comment, where r^2 is `square`. It falls to 1/10, rises to 1/6
+// and falls from there on, so over an interval it is largest at an end or at 1/6.
+double LongestGradient(double square)
+{
+  const double t = std::max(0.5 - square, 0.);
+  return t * t * t * std::max(t, 9. * square - 0.5);
+}
+
+double LongestGradient(double low, double high)
+{
+  const double ends = std::max(LongestGradient(low), LongestGradient(high));
+  return low < 1. / 6. && high > 1. / 6. ? std::max(ends, 1. / 27.) : ends;
+}
+
+// Whether the sum over the simplex's corners is at most `limit` all over a tetrahedron.
+bool IsBelow(
+  const std::array<glm::dvec3, 4>& simplex, std::array<glm::dvec3, 4> part, double limit, int depth)
+{
+  glm::dvec3 middle = 0.25 * (part[0] + part[1] + part[2] + part[3]);
+  double radius = 0.;
+  for (const glm::dvec3& corner : part)
+  {
+    radius = std::max(radius, glm::length(corner - middle));
+  }
+  double sum = 0.;
+  for (const glm::dvec3& corner : simplex)
+  {
+    const double away = glm::length(corner - middle);
+    const double near = std::max(away - radius, 0.);
+    sum += LongestGradient(near * near, (away + radius) * (away + radius));
+  }
+  if (sum <= limit || depth == 0)
+  {
+    return sum <= limit;
+  }
+  // Halved at its longest edge.
+  int a = 0;
+  int b = 1;
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = i + 1; j < 4; ++j)
+    {
+      if (glm::length(part[i] - part[j]) > glm::length(part[a] - part[b]))
+      {
+        a = i;
+        b = j;
+      }
+    }
+  }
+  middle = 0.5 * (part[a] + part[b]);
+  std::array<glm::dvec3, 4> other = part;
+  part[a] = middle;
+  other[b] = middle;
+  return IsBelow(simplex, part, limit, depth - 1) && IsBelow(simplex, other, limit, depth - 1);
+}
+
+// The proof of the steepest slope, for one simplex: the others are its mirror images.
+void TestSlope()
+{
+  const std::array<glm::dvec3, 4> simplex = { glm::dvec3(0.), glm::dvec3(5., -1., -1.) / 6.,
+    glm::dvec3(2., 2., -1.) / 3., glm::dvec3(0.5) };
+  const double limit = f64::relievoSimplexNoiseSlope / (76. * std::sqrt(2.));
+  RELIEVO_CHECK_AT_MOST(limit, 0.0726, "sum of the longest gradients");
+  RELIEVO_CHECK(IsBelow(simplex, simplex, limit, 60));
+  // The bound has not much room: half way between two corners it is nearly reached.
+  RELIEVO_CHECK(!IsBelow(simplex, simplex, 0.0724, 60));
+}
+
 void TestPeriods()
 {
   Points points;
@@ -144,6 +269,9 @@ int main()
   relievoTest::Session session;
   TestValues();
   TestJumps();
+  TestFarthest();
+  TestGradient();
+  TestSlope();
   TestPeriods();
   return session.Result();
 }

@@ -17,8 +17,10 @@ FILTERS = {
     "EnvironmentConvert": ["InputProjection", "OutputProjection"],
     "EnvironmentPrefilter": ["InputProjection"],
     "EnvironmentIrradiance": ["InputProjection"],
-    "SmoothBlocks": ["Surface", "Normals", "Up", "NoiseDimensions"],
+    "Caves": ["Content", "Up"],
+    "SmoothBlocks": ["Surface", "Normals", "Up", "NoiseDimensions", "OutputPointsPrecision"],
 }
+SOURCES = ["Caves"]
 
 
 def points(source, name):
@@ -45,7 +47,8 @@ class Filters(pv.Test):
         """All are in Filters > Relievo; each property has a text, words where numbers mean some."""
         manager = servermanager.ProxyManager()
         for name, worded in FILTERS.items():
-            made = manager.GetPrototypeProxy("filters", f"Relievo{name}")
+            group = "sources" if name in SOURCES else "filters"
+            made = manager.GetPrototypeProxy(group, f"Relievo{name}")
             menu = made.GetHints().FindNestedElementByName("ShowInMenu")
             self.assertEqual(menu.GetAttribute("category"), "Relievo", name)
             self.assertEqual(made.GetXMLLabel().replace(" ", ""), name)
@@ -134,6 +137,20 @@ class Filters(pv.Test):
         blocks.UpdatePipeline()
         moved = vtk_to_numpy(servermanager.Fetch(blocks).GetPoints().GetData()) - 0.5
         self.assertGreater(numpy.abs(moved - numpy.round(moved)).max(), 0.2)
+
+    def test_caves(self):
+        """A source: its labels make a surface of blocks, its density a contour between them."""
+        caves = simple.Caves(Size=[40, 40, 20], Seed=3, Content="Labels")
+        labels = points(caves, "label")
+        self.assertEqual(sorted(set(labels.ravel())), [0, 1])
+        blocks = simple.SmoothBlocks(Input=caves)
+        blocks.UpdatePipeline()
+        self.assertGreater(servermanager.Fetch(blocks).GetNumberOfPolys(), 1000)
+        caves.Content = "Density"
+        density = points(caves, "density")
+        self.assertTrue(((density < 0) == (labels == 0)).all())
+        caves.Origin = [1e7, 0, 0]
+        self.assertTrue((density != points(caves, "density")).any())
 
 
 if __name__ == "__main__":

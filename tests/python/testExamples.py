@@ -41,6 +41,8 @@ WRITES = {
     "12_town_at_night.py": ["town.png", "town_lamps.png"],
     "13_fog_valley.py": ["fog.png", "fog_layer.png"],
     "14_markers.py": ["markers.png", "markers_layer.png"],
+    "15_blocks.py": ["blocks.png"],
+    "16_caves.py": ["caves.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.

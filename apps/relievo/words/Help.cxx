@@ -16,6 +16,7 @@ constexpr std::size_t Columns = 98;
 const char* const Page = R"(relievo - pictures and measurable layers of meshes and grids
 
   relievo render FILE... [options] --png F | --exr F | --report F
+  relievo cave [options] -o FILE.vti
   relievo stages
   relievo bench NAME [--out DIR] [--redraw DIR]
   relievo --help | --version
@@ -113,6 +114,21 @@ render draws the FILEs off screen and writes the outputs that you request.
   --hdr                   the colour of the EXR as the lights give it, unclamped, half floats
   --report F              frame report, JSON: what ran and why, GPU ms, bytes held
 
+cave makes winding caves from a seed and writes them as an image.
+
+  -o FILE.vti             the image
+  --size WxHxD            samples along x, y and z (128x64x128)
+  --seed N                another seed, other caves; the same seed, the same caves (0)
+  --width W               width of tunnels in world units, at most half of --scale (6)
+  --scale S               how far apart the bends of tunnels are, in world units (64)
+  --vertical-scale V      how much lower than wide caves are (2)
+  --up AXIS               the axis that points up, x, y or z (y)
+  --origin X,Y,Z          place of the first sample (0,0,0)
+  --spacing X,Y,Z         distance between samples (1,1,1)
+  --content KIND          of the samples: mask (1 in the air, 0 in the rock), density (-1 in the
+                          middle of tunnels, 0 at their walls, 1 in the rock) or labels (0 and 1,
+                          for smooth blocks) (mask)
+
 stages lists the stages of the frame, and the values that their parameters take.
 
 bench measures, prints what it found, and writes CSV, PNG and SVG to a folder. Without a known
@@ -139,6 +155,7 @@ Examples
   relievo render bunny.off --environment forest.exr,90 --skybox --png bunny.png
   relievo render buildings.obj --fog mist.vtp,density=0.01 --layers depth,fog --exr mist.exr
   relievo render buildings.obj --up z --markers sites.vtp,radius=30,shape=glow --png sites.png
+  relievo cave --size 256x128x256 --seed 7 -o cave.vti
   relievo bench normals --out charts
 )";
 }

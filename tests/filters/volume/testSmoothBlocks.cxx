@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Surfaces of blocks: distance and normals on balls against the sphere, topology against counts of
-// blocks, edges and seams on random volumes, checkerboards and walls, geometry of images, types of
-// labels, messages.
+// blocks, edges and seams on random volumes, checkerboards and walls, geometry of images.
 #include "BlockScenes.h"
 #include "Check.h"
 #include "Session.h"
@@ -12,16 +11,12 @@
 #include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkDataSetAttributes.h>
 #include <vtkErrorCode.h>
-#include <vtkFieldData.h>
 #include <vtkImageData.h>
-#include <vtkIntArray.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -296,91 +291,6 @@ void TestGeometry()
     RELIEVO_CHECK_NEAR(VolumeOf(surface), volume, 0.002 * volume, "volume, so outwards");
   }
 }
-
-void TestTypes()
-{
-  const LabelOf label = AnyOf(8, 3);
-  vtkNew<Filter> filter;
-  filter->SetSurface(Filter::BETWEEN_LABELS);
-  const vtkIdType expected = Run(filter, MakeBlocks({ 5, 6, 7 }, label))->GetNumberOfPolys();
-  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
-         VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
-         VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE })
-  {
-    vtkPolyData* surface = Run(filter, MakeBlocks({ 5, 6, 7 }, label, type));
-    RELIEVO_CHECK(surface->GetNumberOfPolys() == expected);
-    RELIEVO_CHECK(surface->GetCellData()->GetArray("material")->GetDataType() == type);
-  }
-  // Labels that differ only beyond 2^31, and by less than a double tells apart.
-  const vtkTypeInt64 base = vtkTypeInt64(1) << 60;
-  vtkNew<Filter> large;
-  large->SetSurface(Filter::BETWEEN_LABELS);
-  large->SetAirLabel(base);
-  vtkPolyData* surface = Run(large,
-    MakeBlocks(
-      { 3, 1, 1 }, [base](int i, int, int) { return i == 1 ? base + 1 : base; }, VTK_LONG_LONG));
-  RELIEVO_CHECK(surface->GetNumberOfPolys() == 12);
-  // The outside of the blocks does not depend on what air is called; an unsigned type lacks -1.
-  vtkNew<Filter> none;
-  none->SetAirLabel(-1);
-  RELIEVO_CHECK(
-    Run(none, MakeBlocks({ 2, 2, 2 }, AnyOf(1, 2), VTK_UNSIGNED_CHAR))->GetNumberOfPolys() == 48);
-}
-
-void TestBlanking()
-{
-  vtkSmartPointer<vtkImageData> image =
-    MakeBlocks({ 3, 3, 3 }, [](int, int, int) { return vtkTypeInt64(2); });
-  image->AllocateCellGhostArray();
-  for (vtkIdType i = 0; i < 27; ++i)
-  {
-    image->GetCellGhostArray()->SetValue(
-      i, static_cast<unsigned char>(i == 13 ? int(vtkDataSetAttributes::HIDDENCELL) : 0));
-  }
-  vtkNew<Filter> filter;
-  RELIEVO_CHECK(Run(filter, image)->GetNumberOfPolys() == 2 * (54 + 6));
-  filter->CloseBordersOff();
-  RELIEVO_CHECK(Run(filter, image)->GetNumberOfPolys() == 2 * 6);
-}
-
-void TestMessages()
-{
-  const LabelOf label = AnyOf(8, 3);
-  const auto refuses = [](vtkImageData* image, const std::string& words) {
-    vtkNew<Filter> filter;
-    filter->SetInputData(image);
-    ExpectMessage expect(words);
-    filter->Update();
-    RELIEVO_CHECK(expect.Count() == 1);
-    RELIEVO_CHECK(filter->GetErrorCode() == vtkErrorCode::UserError);
-    RELIEVO_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
-  };
-  refuses(MakeBlocks({ 3, 3, 3 }, label, VTK_FLOAT), "'labels' is of type float");
-  refuses(MakeBlocks({ 3, 3, 3 }, label, VTK_DOUBLE), "'labels' is of type double");
-  vtkNew<vtkImageData> bare;
-  bare->SetDimensions(3, 3, 3);
-  refuses(bare, "On cells there are: none; on points: none");
-  vtkSmartPointer<vtkImageData> fields = MakeBlocks({ 3, 3, 3 }, label);
-  vtkNew<vtkIntArray> few;
-  few->SetName("few");
-  few->SetNumberOfTuples(7);
-  fields->GetCellData()->SetScalars(nullptr);
-  fields->GetFieldData()->AddArray(few);
-  vtkNew<Filter> ofField;
-  ofField->SetInputData(fields);
-  ofField->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_NONE, "few");
-  ExpectMessage expect("'few' has 7 values, but the image has 27 cells");
-  ofField->Update();
-  vtkSmartPointer<vtkImageData> flat = MakeBlocks({ 3, 3, 1 }, label);
-  flat->SetDimensions(4, 4, 1);
-  refuses(flat, "the image is flat");
-  vtkSmartPointer<vtkImageData> thin = MakeBlocks({ 3, 3, 3 }, label);
-  thin->SetSpacing(1., 0., 1.);
-  refuses(thin, "no volume");
-  vtkNew<Filter> filter;
-  vtkNew<vtkImageData> nothing;
-  RELIEVO_CHECK(Run(filter, nothing)->GetNumberOfPoints() == 0);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -391,8 +301,5 @@ int main()
   TestBallAnywhere();
   TestVolumes();
   TestGeometry();
-  TestTypes();
-  TestBlanking();
-  TestMessages();
   return session.Result();
 }

@@ -311,6 +311,27 @@ void TestChunks(int options)
   CheckSame(found, whole, "chunks, options " + std::to_string(options));
 }
 
+// An input without ghost cells: one warning, whatever number of pieces.
+void TestNoGhosts()
+{
+  vtkNew<vtkImageData> image;
+  image->SetExtent(0, Size[0], 0, Size[1], 0, 20);
+  Fill(image, false);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(image);
+  producer->SetWholeExtent(0, Size[0], 0, Size[1], 0, Size[2]);
+  vtkNew<Filter> filter;
+  filter->SetInputConnection(producer->GetOutputPort());
+  ExpectMessage expect("does not give 2 layers of ghost cells");
+  filter->Update();
+  RELIEVO_CHECK(expect.Count() == 0);
+  filter->UpdatePiece(0, 2, 0);
+  RELIEVO_CHECK(expect.Count() == 1 && filter->GetOutput()->GetNumberOfPolys() > 0);
+  filter->Modified();
+  filter->UpdatePiece(1, 3, 0);
+  RELIEVO_CHECK(expect.Count() == 1);
+}
+
 // The same arrays, in the same order.
 void TestThreads()
 {
@@ -354,6 +375,7 @@ int main()
     TestChunks(options);
   }
   TestPipeline(true, 1);
+  TestNoGhosts();
   TestThreads();
   return session.Result();
 }

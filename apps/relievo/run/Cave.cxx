@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cave.h"
+
+#include "CaveOptions.h"
+#include "Messages.h"
+#include "Outputs.h"
+#include "Progress.h"
+
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkRelievoCaves.h"
+#include "vtkXMLImageDataWriter.h"
+
+#include <cstdio>
+
+namespace cli
+{
+//------------------------------------------------------------------------------
+void Cave(const CaveOptions& options)
+{
+  Messages::Collect();
+  Outputs outputs;
+  outputs.Add("-o", options.File, {});
+  vtkNew<vtkRelievoCaves> caves;
+  caves->SetSize(options.Size[0], options.Size[1], options.Size[2]);
+  caves->SetOrigin(options.Origin[0], options.Origin[1], options.Origin[2]);
+  caves->SetSpacing(options.Spacing[0], options.Spacing[1], options.Spacing[2]);
+  caves->SetSeed(options.Seed);
+  caves->SetTunnelWidth(options.Width);
+  caves->SetScale(options.Scale);
+  caves->SetVerticalScale(options.VerticalScale);
+  caves->SetUp(options.Up);
+  caves->SetContent(options.Content);
+  {
+    Progress progress;
+    progress.Begin("making caves");
+    progress.Observe(caves);
+    caves->Update();
+    Messages::Check("cave", caves->GetErrorCode() != vtkErrorCode::NoError);
+    vtkNew<vtkXMLImageDataWriter> writer;
+    writer->SetInputData(caves->GetOutput());
+    writer->SetFileName(outputs.Temporary(options.File).c_str());
+    progress.Begin("writing " + options.File);
+    progress.Observe(writer);
+    const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
+    Messages::Check(
+      "-o " + options.File, !written, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+  }
+  outputs.Commit();
+  const auto samples = static_cast<double>(caves->GetOutput()->GetNumberOfPoints());
+  std::printf("%s: %.0f samples, %.2f %% air, %.2f evaluations of noise a sample\n",
+    options.File.c_str(), samples,
+    100. * static_cast<double>(caves->GetNumberOfAirSamples()) / samples,
+    static_cast<double>(caves->GetNumberOfEvaluations()) / samples);
+}
+}

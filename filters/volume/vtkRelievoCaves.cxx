@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoCaves.h"
+
+#include "vtkRelievoCaveFunction.h"
+#include "vtkRelievoCaveImage.h"
+#include "vtkRelievoMemory.h"
+
+#include "vtkErrorCode.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+vtkStandardNewMacro(vtkRelievoCaves);
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+namespace
+{
+// Cells of the noise from the origin; its integers reach a little farther.
+constexpr double Farthest = 5e8;
+
+// Words for what cannot be made; empty if it can.
+std::string FindProblem(vtkRelievoCaves* caves, const relievo::CaveField& field)
+{
+  std::ostringstream problem;
+  const int* size = caves->GetSize();
+  const double width = caves->GetTunnelWidth();
+  const double widest = relievo::CaveField::Widest * caves->GetScale();
+  double reach = 0.;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double first = caves->GetOrigin()[axis];
+    const double last = first + (size[axis] - 1) * caves->GetSpacing()[axis];
+    // NaN stays.
+    reach =
+      std::abs(first * field.Cells[axis]) <= reach ? reach : std::abs(first * field.Cells[axis]);
+    reach =
+      std::abs(last * field.Cells[axis]) <= reach ? reach : std::abs(last * field.Cells[axis]);
+  }
+  if (std::min({ size[0], size[1], size[2] }) < 1)
+  {
+    problem << "Size is " << size[0] << " " << size[1] << " " << size[2]
+            << ", expected at least 1 sample along each axis";
+  }
+  else if (width > widest)
+  {
+    problem << "TunnelWidth is " << width << ", expected at most " << widest << ", half of Scale ("
+            << caves->GetScale() << "); a larger Scale makes wider tunnels";
+  }
+  else if (!(reach <= Farthest))
+  {
+    problem << "Origin and Spacing put samples " << reach
+            << " cells of the noise (Scale) from the origin, expected at most " << Farthest;
+  }
+  return problem.str();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoCaves::vtkRelievoCaves()
+  : Function(vtkSmartPointer<vtkRelievoCaveFunction>::New())
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoCaves::~vtkRelievoCaves() = default;
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoCaves::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Function->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoCaves::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  const int extent[] = { 0, this->Size[0] - 1, 0, this->Size[1] - 1, 0, this->Size[2] - 1 };
+  const bool empty = std::min({ this->Size[0], this->Size[1], this->Size[2] }) < 1;
+  const int none[] = { 0, -1, 0, -1, 0, -1 };
+  info->Set(SDDP::WHOLE_EXTENT(), empty ? none : extent, 6);
+  info->Set(vtkDataObject::ORIGIN(), this->Origin, 3);
+  info->Set(vtkDataObject::SPACING(), this->Spacing, 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(
+    info, this->Content == DENSITY ? VTK_FLOAT : VTK_UNSIGNED_CHAR, 1);
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoCaves::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(info);
+  this->NumberOfEvaluations = 0;
+  this->NumberOfAirSamples = 0;
+  this->SetErrorCode(vtkErrorCode::NoError);
+  relievo::CaveGrid grid;
+  std::copy_n(info->Get(SDDP::UPDATE_EXTENT()), 6, grid.Extent.begin());
+  std::copy_n(this->Origin, 3, grid.Origin.begin());
+  std::copy_n(this->Spacing, 3, grid.Spacing.begin());
+  relievo::CaveSettings settings;
+  settings.Field = this->Function->GetField();
+  settings.Skipping = this->Skipping;
+  settings.GoOn = [this](double progress) {
+    this->UpdateProgress(progress);
+    return !this->GetAbortExecute();
+  };
+  std::string problem = FindProblem(this, settings.Field);
+  double samples = 1.;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    samples *=
+      std::max(static_cast<double>(grid.Extent[2 * axis + 1]) - grid.Extent[2 * axis] + 1., 0.);
+  }
+  if (problem.empty())
+  {
+    const double bytes =
+      samples * (this->Content == DENSITY ? sizeof(float) : sizeof(unsigned char));
+    problem = relievo::LackOfMemory(bytes, this->MemoryLimit);
+    problem += problem.empty() ? "" : "; make it in pieces, or with a smaller Size";
+  }
+  if (!problem.empty())
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro("No caves: " << problem << ".");
+    return 1;
+  }
+  image->SetExtent(grid.Extent.data());
+  image->SetOrigin(this->Origin);
+  image->SetSpacing(this->Spacing);
+  if (samples == 0.) // a piece of nothing
+  {
+    return 1;
+  }
+  relievo::CaveCounts counts;
+  if (this->Content == DENSITY)
+  {
+    vtkNew<vtkFloatArray> density;
+    density->SetName("density");
+    density->SetNumberOfValues(image->GetNumberOfPoints());
+    counts = relievo::MakeCaveDensity(grid, settings, density->GetPointer(0));
+    image->GetPointData()->SetScalars(density);
+  }
+  else
+  {
+    const bool labels = this->Content == LABELS;
+    vtkNew<vtkUnsignedCharArray> mask;
+    mask->SetName(labels ? "label" : "cave");
+    mask->SetNumberOfValues(image->GetNumberOfPoints());
+    counts =
+      relievo::MakeCaveMask(grid, settings, static_cast<unsigned char>(labels ? this->AirLabel : 1),
+        static_cast<unsigned char>(labels ? this->RockLabel : 0), mask->GetPointer(0));
+    image->GetPointData()->SetScalars(mask);
+  }
+  if (counts.Stopped)
+  {
+    image->Initialize();
+    return 1;
+  }
+  this->NumberOfEvaluations = counts.Evaluations;
+  this->NumberOfAirSamples = counts.Air;
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoCaveFunction* vtkRelievoCaves::GetFunction()
+{
+  return this->Function;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCaves::SetSeed(int seed)
+{
+  this->Function->SetSeed(seed);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoCaves::GetSeed()
+{
+  return this->Function->GetSeed();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCaves::SetScale(double scale)
+{
+  this->Function->SetScale(scale);
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoCaves::GetScale()
+{
+  return this->Function->GetScale();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCaves::SetVerticalScale(double scale)
+{
+  this->Function->SetVerticalScale(scale);
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoCaves::GetVerticalScale()
+{
+  return this->Function->GetVerticalScale();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCaves::SetUp(int axis)
+{
+  this->Function->SetUp(axis);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoCaves::GetUp()
+{
+  return this->Function->GetUp();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCaves::SetTunnelWidth(double width)
+{
+  this->Function->SetTunnelWidth(width);
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoCaves::GetTunnelWidth()
+{
+  return this->Function->GetTunnelWidth();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCaves::SetShell(double low, double high)
+{
+  this->Function->SetShell(low, high);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCaves::SetShell(const double shell[2])
+{
+  this->Function->SetShell(shell);
+}
+
+//------------------------------------------------------------------------------
+double* vtkRelievoCaves::GetShell()
+{
+  return this->Function->GetShell();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCaves::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Content: " << this->Content << "\n";
+  os << indent << "AirLabel: " << this->AirLabel << "\n";
+  os << indent << "RockLabel: " << this->RockLabel << "\n";
+  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << " " << this->Size[2] << "\n";
+  os << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << " " << this->Origin[2]
+     << "\n";
+  os << indent << "Spacing: " << this->Spacing[0] << " " << this->Spacing[1] << " "
+     << this->Spacing[2] << "\n";
+  os << indent << "Skipping: " << (this->Skipping ? "on" : "off") << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "NumberOfEvaluations: " << this->NumberOfEvaluations << "\n";
+  os << indent << "NumberOfAirSamples: " << this->NumberOfAirSamples << "\n";
+  os << indent << "Function:\n";
+  this->Function->PrintSelf(os, indent.GetNextIndent());
+}

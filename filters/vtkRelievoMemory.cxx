@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoMemory.h"
+
+#include <vtksys/SystemInformation.hxx>
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+
+namespace relievo
+{
+namespace
+{
+// Infinite where the system does not tell.
+double FreeBytes()
+{
+  vtksys::SystemInformation system;
+  double free = std::numeric_limits<double>::infinity();
+  const auto add = [&free](double available, double used) {
+    if (available > 0. && used >= 0.)
+    {
+      free = std::min(free, 1024. * std::max(available - used, 0.));
+    }
+  };
+  add(static_cast<double>(system.GetHostMemoryAvailable()),
+    static_cast<double>(system.GetHostMemoryUsed()));
+  add(static_cast<double>(system.GetProcMemoryAvailable()),
+    static_cast<double>(system.GetProcMemoryUsed()));
+  return free;
+}
+
+// "1234567 bytes (1.2 MiB)".
+std::string Words(double bytes)
+{
+  static const char* const units[] = { "KiB", "MiB", "GiB", "TiB", "PiB", "EiB" };
+  int unit = 0;
+  double size = bytes / 1024.;
+  for (; size >= 1024. && unit < 5; ++unit)
+  {
+    size /= 1024.;
+  }
+  char words[80];
+  std::snprintf(words, sizeof(words), "%.0f bytes (%.1f %s)", bytes, size, units[unit]);
+  return words;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string LackOfMemory(double bytes, double limit)
+{
+  const double room = limit > 0. ? limit : FreeBytes();
+  if (bytes <= room)
+  {
+    return "";
+  }
+  return "it would take " + Words(bytes) + ", and " +
+    (limit > 0. ? "MemoryLimit is " : "the machine has ") + Words(room) +
+    (limit > 0. ? "" : " left");
+}
+}

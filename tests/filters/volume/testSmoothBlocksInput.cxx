@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What smooth blocks take: all integer types, blanked blocks; and what they refuse, with a message.
+#include "BlockScenes.h"
+#include "Check.h"
+#include "Session.h"
+#include "vtkRelievoSmoothBlocks.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace
+{
+using namespace relievoTest;
+using Filter = vtkRelievoSmoothBlocks;
+
+vtkPolyData* Run(Filter* filter, vtkImageData* image)
+{
+  filter->SetInputData(image);
+  filter->Update();
+  RELIEVO_CHECK(filter->GetErrorCode() == vtkErrorCode::NoError);
+  return filter->GetOutput();
+}
+
+void TestTypes()
+{
+  const LabelOf label = AnyOf(8, 3);
+  vtkNew<Filter> filter;
+  filter->SetSurface(Filter::BETWEEN_LABELS);
+  const vtkIdType expected = Run(filter, MakeBlocks({ 5, 6, 7 }, label))->GetNumberOfPolys();
+  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+         VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
+         VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE })
+  {
+    vtkPolyData* surface = Run(filter, MakeBlocks({ 5, 6, 7 }, label, type));
+    RELIEVO_CHECK(surface->GetNumberOfPolys() == expected);
+    RELIEVO_CHECK(surface->GetCellData()->GetArray("material")->GetDataType() == type);
+  }
+  // Labels that differ only beyond 2^31, and by less than a double tells apart.
+  const vtkTypeInt64 base = vtkTypeInt64(1) << 60;
+  vtkNew<Filter> large;
+  large->SetSurface(Filter::BETWEEN_LABELS);
+  large->SetAirLabel(base);
+  vtkPolyData* surface = Run(large,
+    MakeBlocks(
+      { 3, 1, 1 }, [base](int i, int, int) { return i == 1 ? base + 1 : base; }, VTK_LONG_LONG));
+  RELIEVO_CHECK(surface->GetNumberOfPolys() == 12);
+  // The outside of the blocks does not depend on what air is called; an unsigned type lacks -1.
+  vtkNew<Filter> none;
+  none->SetAirLabel(-1);
+  RELIEVO_CHECK(
+    Run(none, MakeBlocks({ 2, 2, 2 }, AnyOf(1, 2), VTK_UNSIGNED_CHAR))->GetNumberOfPolys() == 48);
+  // The neighbor of an outer face is air, also where the labels' type has no such value.
+  none->SetSurface(Filter::BETWEEN_LABELS);
+  vtkDataArray* neighbors = Run(none, MakeBlocks({ 2, 2, 2 }, AnyOf(1, 2), VTK_UNSIGNED_CHAR))
+                              ->GetCellData()
+                              ->GetArray("neighbor");
+  RELIEVO_CHECK(neighbors->GetRange()[0] == -1. && neighbors->GetRange()[1] <= 1.);
+}
+
+void TestBlanking()
+{
+  vtkSmartPointer<vtkImageData> image =
+    MakeBlocks({ 3, 3, 3 }, [](int, int, int) { return vtkTypeInt64(2); });
+  image->AllocateCellGhostArray();
+  for (vtkIdType i = 0; i < 27; ++i)
+  {
+    image->GetCellGhostArray()->SetValue(
+      i, static_cast<unsigned char>(i == 13 ? int(vtkDataSetAttributes::HIDDENCELL) : 0));
+  }
+  vtkNew<Filter> filter;
+  RELIEVO_CHECK(Run(filter, image)->GetNumberOfPolys() == 2 * (54 + 6));
+  filter->CloseBordersOff();
+  RELIEVO_CHECK(Run(filter, image)->GetNumberOfPolys() == 2 * 6);
+  // A cell that a finer level replaces is not there either.
+  image->GetCellGhostArray()->SetValue(13, vtkDataSetAttributes::REFINEDCELL);
+  RELIEVO_CHECK(Run(filter, image)->GetNumberOfPolys() == 2 * 6);
+  // What has a hidden point is what the image itself calls hidden; two points hide the 12 cells
+  // around them.
+  vtkSmartPointer<vtkImageData> large =
+    MakeBlocks({ 5, 4, 6 }, [](int, int, int) { return vtkTypeInt64(2); });
+  const auto hide = [](vtkImageData* of, vtkIdType point) {
+    of->AllocatePointGhostArray();
+    of->GetPointGhostArray()->SetValue(point, vtkDataSetAttributes::HIDDENPOINT);
+  };
+  hide(large, 2 + 6 * (2 + 5 * 3));
+  hide(large, 3 + 6 * (2 + 5 * 3));
+  vtkIdType hidden = 0;
+  for (vtkIdType i = 0; i < large->GetNumberOfCells(); ++i)
+  {
+    hidden += !large->IsCellVisible(i);
+  }
+  RELIEVO_CHECK(hidden == 12);
+  RELIEVO_CHECK(Run(filter, large)->GetNumberOfPolys() == 2 * 2 * (3 * 2 + 2 * 2 + 3 * 2));
+  // Labels on points: the block around a hidden point.
+  vtkSmartPointer<vtkImageData> onPoints = MakeBlocks(
+    { 5, 4, 6 }, [](int, int, int) { return vtkTypeInt64(2); }, VTK_INT, true);
+  hide(onPoints, 2 + 5 * (2 + 4 * 3));
+  RELIEVO_CHECK(Run(filter, onPoints)->GetNumberOfPolys() == 2 * 6);
+}
+
+// A surface that needs more than there is room for is refused with the bytes that it takes; with
+// just as many it is made, and what is made is not larger.
+void TestMemory()
+{
+  vtkSmartPointer<vtkImageData> image = MakeBlocks({ 30, 31, 32 }, AnyOf(7, 3));
+  for (const bool rich : { false, true })
+  {
+    vtkNew<Filter> filter;
+    filter->SetInputData(image);
+    filter->SetTextureCoordinates(rich);
+    filter->SetMaterialWeights(rich);
+    filter->SetSurface(rich ? Filter::BETWEEN_LABELS : Filter::OUTSIDE);
+    filter->SetMemoryLimit(1e5);
+    ExpectMessage expect("MemoryLimit is 100000 bytes");
+    filter->Update();
+    RELIEVO_CHECK(expect.Count() == 1 && filter->GetErrorCode() == vtkErrorCode::UserError);
+    RELIEVO_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+    const std::string before = "it would take ";
+    const std::string said = expect.Messages().empty() ? before : expect.Messages().front();
+    const double bytes = std::atof(said.c_str() + said.find(before) + before.size());
+    filter->SetMemoryLimit(bytes);
+    filter->Update();
+    RELIEVO_CHECK(filter->GetErrorCode() == vtkErrorCode::NoError);
+    const double made = 1024. * static_cast<double>(filter->GetOutput()->GetActualMemorySize());
+    RELIEVO_CHECK_AT_MOST(made, bytes, "bytes that were made, against those expected");
+    RELIEVO_CHECK_AT_MOST(bytes, 6. * made, "bytes expected, against those that were made");
+  }
+}
+
+void TestMessages()
+{
+  const LabelOf label = AnyOf(8, 3);
+  const auto refuses = [](vtkImageData* image, const std::string& words) {
+    vtkNew<Filter> filter;
+    filter->SetInputData(image);
+    ExpectMessage expect(words);
+    filter->Update();
+    RELIEVO_CHECK(expect.Count() == 1);
+    RELIEVO_CHECK(filter->GetErrorCode() == vtkErrorCode::UserError);
+    RELIEVO_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+  };
+  refuses(MakeBlocks({ 3, 3, 3 }, label, VTK_FLOAT), "'labels' is of type float");
+  refuses(MakeBlocks({ 3, 3, 3 }, label, VTK_DOUBLE), "'labels' is of type double");
+  vtkNew<vtkImageData> bare;
+  bare->SetDimensions(3, 3, 3);
+  refuses(bare, "On cells there are: none; on points: none");
+  vtkSmartPointer<vtkImageData> fields = MakeBlocks({ 3, 3, 3 }, label);
+  vtkNew<vtkIntArray> few;
+  few->SetName("few");
+  few->SetNumberOfTuples(7);
+  fields->GetCellData()->SetScalars(nullptr);
+  fields->GetFieldData()->AddArray(few);
+  vtkNew<Filter> ofField;
+  ofField->SetInputData(fields);
+  ofField->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_NONE, "few");
+  ExpectMessage expect("'few' has 7 values, but the image has 27 cells");
+  ofField->Update();
+  vtkSmartPointer<vtkImageData> flat = MakeBlocks({ 3, 3, 1 }, label);
+  flat->SetDimensions(4, 4, 1);
+  refuses(flat, "the image is flat");
+  vtkSmartPointer<vtkImageData> thin = MakeBlocks({ 3, 3, 3 }, label);
+  thin->SetSpacing(1., 0., 1.);
+  refuses(thin, "no volume");
+  vtkNew<Filter> filter;
+  vtkNew<vtkImageData> nothing;
+  RELIEVO_CHECK(Run(filter, nothing)->GetNumberOfPoints() == 0);
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  relievoTest::Session session;
+  TestTypes();
+  TestBlanking();
+  TestMemory();
+  TestMessages();
+  return session.Result();
+}
