@@ -22,8 +22,8 @@ struct Side
   int Size[2] = { 0, 0 };
   double WorldToNDC[16];
   int Axis = -1;
-  int Sign = 0;     // of the direction of looking
-  double Eye = 0.;  // along the axis
+  int Sign = 0;    // of the direction of looking
+  double Eye = 0.; // along the axis
 };
 
 bool GetMatrix(vtkImageData* image, const char* name, double matrix[16])
@@ -69,8 +69,8 @@ std::string Understand(vtkImageData* image, Side& side)
   }
   const double* last = side.WorldToNDC + 12;
   const double scale = std::abs(last[3]);
-  const bool parallel = std::max({ std::abs(last[0]), std::abs(last[1]), std::abs(last[2]) }) <=
-    1e-12 * scale;
+  const bool parallel =
+    std::max({ std::abs(last[0]), std::abs(last[1]), std::abs(last[2]) }) <= 1e-12 * scale;
   if (side.Axis < 0 || !parallel)
   {
     return "its camera does not look along x, y or z in parallel projection";

@@ -61,8 +61,7 @@ vtkRelievoVoxelGrid vtkRelievoVoxelFit::Fit(const double box[6]) const
   for (int axis = 0; axis < 3; ++axis)
   {
     // A flat box, too, has cells with a volume.
-    grid.Spacing[axis] =
-      grid.Spacing[axis] > 0. ? grid.Spacing[axis] : widest > 0. ? widest : 1.;
+    grid.Spacing[axis] = grid.Spacing[axis] > 0. ? grid.Spacing[axis] : widest > 0. ? widest : 1.;
     grid.Origin[axis] = (box[2 * axis] + box[2 * axis + 1] - count[axis] * grid.Spacing[axis]) / 2.;
   }
   return grid;

@@ -19,16 +19,17 @@ std::int64_t ForEachRow(const vtkRelievoVoxelGrid& grid, unsigned char* mask, Wo
   const int width = grid.Cells[0];
   const vtkIdType rows = static_cast<vtkIdType>(grid.Cells[1]) * grid.Cells[2];
   std::atomic<std::int64_t> inside{ 0 };
-  vtkSMPTools::For(0, rows, std::max<vtkIdType>(1, 65536 / width), [&](vtkIdType begin, vtkIdType end) {
-    std::int64_t found = 0;
-    for (vtkIdType row = begin; row < end; ++row)
-    {
-      unsigned char* cells = mask + row * width;
-      work(static_cast<int>(row % grid.Cells[1]), static_cast<int>(row / grid.Cells[1]), cells);
-      found += std::count(cells, cells + width, static_cast<unsigned char>(1));
-    }
-    inside += found;
-  });
+  vtkSMPTools::For(
+    0, rows, std::max<vtkIdType>(1, 65536 / width), [&](vtkIdType begin, vtkIdType end) {
+      std::int64_t found = 0;
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        unsigned char* cells = mask + row * width;
+        work(static_cast<int>(row % grid.Cells[1]), static_cast<int>(row / grid.Cells[1]), cells);
+        found += std::count(cells, cells + width, static_cast<unsigned char>(1));
+      }
+      inside += found;
+    });
   return inside;
 }
 

@@ -115,7 +115,8 @@ bool vtkRelievoVoxelShell::Internals::MakeGrid(vtkRelievoVoxelShell* self, vtkDa
   {
     const double across = cells / count[static_cast<std::size_t>(axis)];
     columns += self->Method == SIX_VIEWS || axis == self->Axis ? across : 0.;
-    words += self->Method == PARITY ? across * (count[static_cast<std::size_t>(axis)] / 64. + 1.) : 0.;
+    words +=
+      self->Method == PARITY ? across * (count[static_cast<std::size_t>(axis)] / 64. + 1.) : 0.;
   }
   const bool seen = self->Method != PARITY || self->Distances;
   const double bytes =
@@ -149,7 +150,8 @@ void vtkRelievoVoxelShell::Internals::Describe(int method, int axis,
   }
   else if (this->Closed)
   {
-    out << "parity along " << "xyz"[axis];
+    out << "parity along "
+        << "xyz"[axis];
   }
   else
   {
@@ -164,8 +166,8 @@ void vtkRelievoVoxelShell::Internals::Describe(int method, int axis,
   {
     if (this->Columns[a] > 0)
     {
-      out << "; open along " << "xyz"[a] << ": " << this->Open[a] << " of " << this->Columns[a]
-          << " columns";
+      out << "; open along "
+          << "xyz"[a] << ": " << this->Open[a] << " of " << this->Columns[a] << " columns";
     }
   }
   if (invalid > 0)
@@ -190,8 +192,7 @@ int vtkRelievoVoxelShell::FillInputPortInformation(int port, vtkInformation* inf
 {
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(
-    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkImageData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   if (port == 1)
   {
@@ -299,8 +300,8 @@ int vtkRelievoVoxelShell::RequestData(
     output->SetSpacing(grid.Spacing.data());
     const auto work = [&]() {
       vtkRelievoVoxelSurface surface;
-      for (vtkDataSet* leaf : fromImages ? std::vector<vtkDataSet*>()
-                                         : vtkRelievoVoxelMeshes::GetLeaves(surfaceData))
+      for (vtkDataSet* leaf :
+        fromImages ? std::vector<vtkDataSet*>() : vtkRelievoVoxelMeshes::GetLeaves(surfaceData))
       {
         surface.Add(vtkRelievoVoxelMeshes::GetSurface(leaf), grid);
       }
@@ -324,8 +325,7 @@ int vtkRelievoVoxelShell::RequestData(
       {
         const vtkRelievoVoxelParity bits(surface, grid, this->Axis);
         self.Count(this->Axis, bits, grid);
-        self.Inside =
-          vtkRelievoVoxelMask::FromParity(bits, this->Axis, grid, mask->GetPointer(0));
+        self.Inside = vtkRelievoVoxelMask::FromParity(bits, this->Axis, grid, mask->GetPointer(0));
       }
       else
       {

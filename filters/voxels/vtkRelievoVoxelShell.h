@@ -8,7 +8,7 @@
  * counts. Its data are needed in one piece.
  *
  * Input 1, optional: orthographic depth images, from each side of one, two or three axes, with the
- * layer `depth` and the field data of captures (vtkRelievoLayerSource, vtkRelievoVoxelViews). Each
+ * layer `depth` and the field data of captures (vtkRelievoLayerSource, vtkRelievoDepthViews). Each
  * may be a vtkImageData or a vtkMultiBlockDataSet of them. They then take the place of the surface,
  * which is at most asked for its bounds.
  *

@@ -198,7 +198,8 @@ void TestExcess()
   const glm::dmat3 onEdge = Turn({ 1., 0., 0. }, 90.);
   const glm::dmat3 tilted = Turn({ 1., 1., 0. }, 30.);
   // Slices of the torus on edge are rings, seen as discs.
-  const double torus = (0.8 - glm::pi<double>() * 0.16 + 4. / 3. * 0.064) / (2. * glm::pi<double>() * 0.16);
+  const double torus =
+    (0.8 - glm::pi<double>() * 0.16 + 4. / 3. * 0.064) / (2. * glm::pi<double>() * 0.16);
   const Case cases[] = { { MakeBall(), 0., 0. }, { MakeTorus(1e-3, onEdge), torus, 0. },
     { MakeHollowBall(), 1. / 7., 1. / 7. }, { MakeBowl(1e-3, tilted), -1., -1. } };
   for (const Case& each : cases)
@@ -280,7 +281,8 @@ void TestThreads()
     vtkImageData* together = Run(many, bowl.Mesh, method);
     vtkSMPTools::Initialize(0);
     const unsigned char* a = Mask(alone)->GetPointer(0);
-    RELIEVO_CHECK(std::equal(a, a + Mask(alone)->GetNumberOfValues(), Mask(together)->GetPointer(0)));
+    RELIEVO_CHECK(
+      std::equal(a, a + Mask(alone)->GetNumberOfValues(), Mask(together)->GetPointer(0)));
   }
 }
 

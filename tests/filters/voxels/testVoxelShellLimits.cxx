@@ -107,10 +107,12 @@ void TestHoles()
   const Cells holed = CellsOf(filter);
   RELIEVO_CHECK(!filter->IsClosed());
   RELIEVO_CHECK(filter->GetNumberOfOpenColumns(0) + filter->GetNumberOfOpenColumns(1) +
-      filter->GetNumberOfOpenColumns(2) > 0);
+      filter->GetNumberOfOpenColumns(2) >
+    0);
   RELIEVO_CHECK(filter->GetNumberOfColumns(0) == 1600);
-  RELIEVO_CHECK_THAT(filter->GetReport().find("the surface is open; open along x: ") !=
-      std::string::npos, filter->GetReport());
+  RELIEVO_CHECK_THAT(
+    filter->GetReport().find("the surface is open; open along x: ") != std::string::npos,
+    filter->GetReport());
   RELIEVO_CHECK_AT_MOST(static_cast<double>(Differences(whole, holed)) / inside, 0.002,
     "cells that a hole changes, share of those inside");
   // A hole between columns is one as well.
@@ -195,8 +197,8 @@ void TestOddTriangles()
   SetGrid(filter);
   RELIEVO_CHECK(Differences(whole, CellsOf(filter)) == 0);
   RELIEVO_CHECK(filter->IsClosed());
-  RELIEVO_CHECK_THAT(filter->GetReport().find("left out: 1 triangles") != std::string::npos,
-    filter->GetReport());
+  RELIEVO_CHECK_THAT(
+    filter->GetReport().find("left out: 1 triangles") != std::string::npos, filter->GetReport());
   // Bounds come from the points that are finite.
   vtkNew<Filter> automatic;
   automatic->SetInputData(odd);
@@ -219,8 +221,7 @@ void TestKindsOfData()
     soupCells->InsertNextCell(3);
     for (int p = 0; p < 3; ++p)
     {
-      soupCells->InsertCellPoint(
-        soupPoints->InsertNextPoint(torus.Mesh->GetPoint(ids->GetId(p))));
+      soupCells->InsertCellPoint(soupPoints->InsertNextPoint(torus.Mesh->GetPoint(ids->GetId(p))));
     }
   }
   vtkNew<vtkPolyData> soup;
@@ -498,8 +499,8 @@ void TestDepthImages()
       {
         for (int i = 0; i < 40; ++i, ++cell)
         {
-          const glm::dvec3 place(-1.5 + (i + 0.5) * 0.075, -1.45 + (j + 0.5) * 0.075,
-            -1.52 + (k + 0.5) * 0.075);
+          const glm::dvec3 place(
+            -1.5 + (i + 0.5) * 0.075, -1.45 + (j + 0.5) * 0.075, -1.52 + (k + 0.5) * 0.075);
           const double distance = glm::length(place) - 1.;
           wrong += std::abs(distance) > 1.5 * texel && cells[cell] != (distance < 0.) ? 1 : 0;
         }
@@ -507,8 +508,8 @@ void TestDepthImages()
     }
     RELIEVO_CHECK_AT_MOST(wrong, 0., "wrong cells, texels: " + std::to_string(size));
     RELIEVO_CHECK(std::count(cells.begin(), cells.end(), 1) > 5000);
-    RELIEVO_CHECK_THAT(filter->GetReport().rfind("6 views, along x y z", 0) == 0,
-      filter->GetReport());
+    RELIEVO_CHECK_THAT(
+      filter->GetReport().rfind("6 views, along x y z", 0) == 0, filter->GetReport());
   }
   const auto refused = [](vtkImageData* a, vtkImageData* b, bool bounds, const char* words) {
     vtkNew<Filter> filter;

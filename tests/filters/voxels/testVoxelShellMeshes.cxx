@@ -39,8 +39,7 @@ int CrossingsOf(const EmbreeScene& scene, const glm::dvec3& place, const glm::dv
   long long last = -1;
   for (;;)
   {
-    const SurfacePoint hit =
-      scene.Cast(ray, from, std::numeric_limits<double>::infinity(), last);
+    const SurfacePoint hit = scene.Cast(ray, from, std::numeric_limits<double>::infinity(), last);
     if (!hit.Hit || count > 1000)
     {
       return count;

@@ -32,8 +32,8 @@ int StepsOf(double radius, double chord)
 void AddArc(Profile& profile, const glm::dvec2& middle, double radius, double from, double to,
   double chord, bool first = true)
 {
-  const int steps =
-    std::max(2, static_cast<int>(std::ceil(StepsOf(radius, chord) * std::abs(to - from) / 2. / Pi)));
+  const int steps = std::max(
+    2, static_cast<int>(std::ceil(StepsOf(radius, chord) * std::abs(to - from) / 2. / Pi)));
   for (int i = first ? 0 : 1; i <= steps; ++i)
   {
     const double angle = from + (to - from) * i / steps;
