@@ -76,6 +76,14 @@ struct BlockSizes
   std::vector<std::string> Data = { "aal.nii.gz", "liver.inr" };
 };
 
+struct VoxelSizes
+{
+  std::vector<int> Sizes = { 25, 50, 100 }; // cells along the longest side
+  int Rounds = 9;
+  std::vector<std::string> Meshes = { "bunny" };
+  int Large = 300; // cells each way for a sphere of 1.3 million triangles; 0: without
+};
+
 /** The benches of the same names, smaller or larger; as RelievoBenchEnvironment and so on. */
 int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
 int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
@@ -83,6 +91,7 @@ int BenchLights(const std::string& outDir, const LightSizes& sizes);
 int BenchDeferred(const std::string& outDir, const DeferredSizes& sizes);
 int BenchTone(const std::string& outDir, const ToneSizes& sizes);
 int BenchBlocks(const std::string& outDir, const BlockSizes& sizes);
+int BenchVoxels(const std::string& outDir, const VoxelSizes& sizes);
 int BenchFog(const std::string& outDir, const FogSizes& sizes);
 
 /** The part of BenchEnvironment that times frames; returns whether its file is written. */

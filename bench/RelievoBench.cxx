@@ -50,6 +50,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
     { "fog", "error of a fog sphere's chord against distance; what fog costs a frame",
       RelievoBenchFog },
     { "blocks", "error of surfaces of labels against time, beside VTK's own", RelievoBenchBlocks },
+    { "voxels", "cells inside bodies: excess and missed against time, beside VTK's own",
+      RelievoBenchVoxels },
   };
   return entries;
 }

@@ -77,6 +77,9 @@ int RelievoBenchFog(const std::string& outDir);
 /** Chart 9: surfaces of labels: distance and normals against time, with peers. Two minutes. */
 int RelievoBenchBlocks(const std::string& outDir);
 
+/** Chart 10: cells inside bodies: excess and missed against time, with peers. A minute. */
+int RelievoBenchVoxels(const std::string& outDir);
+
 /** What a normal map costs a full-screen frame, against VTK's own textures. Half a minute. */
 int RelievoBenchNormalMaps(const std::string& outDir);
 

@@ -28,6 +28,7 @@ const std::vector<Entry>& Entries()
     { "environment", { "environment.csv", "environment-angle.csv" }, EnvironmentCharts },
     { "tone", { "tone-curves.csv", "tone-bands.csv" }, ToneCharts },
     { "blocks", { "blocks.csv" }, BlockCharts },
+    { "voxels", { "voxels.csv" }, VoxelCharts },
     { "fog", { "fog.csv", "fog-frames.csv" }, FogCharts },
   };
   return entries;

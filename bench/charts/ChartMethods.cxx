@@ -80,6 +80,14 @@ const std::vector<ChartMethod>& ChartMethods()
     { "flying edges", "flying edges", C::Grey, M::Cross, D::Dashed },
     { "flying edges, sinc", "… and sinc", C::Vermillion, M::Up, D::DashDotted },
     { "surface nets", "surface nets", C::Green, M::Diamond, D::Dashed },
+    // Cells inside bodies
+    { "parity", "parity", C::Blue, M::Circle, D::Solid },
+    { "two views", "two views", C::Vermillion, M::Square, D::DashDotted },
+    { "six views", "six views", C::Green, M::Diamond, D::Dashed },
+    { "six views, drawn", "… drawn", C::Purple, M::Up, D::Dotted },
+    { "vtkPolyDataToImageStencil", "image stencil", C::Grey, M::Cross, D::Dashed },
+    { "vtkSelectEnclosedPoints", "enclosed points", C::Orange, M::Cross, D::Dashed },
+    { "vtkVoxelModeller", "voxel modeller", C::Grey, M::Down, D::Dotted },
     // Fog
     { "pairs of floats", "pairs of floats", C::Blue, M::Circle, D::Solid },
     { "textbook, double", "textbook, double", C::Grey, M::Cross, D::Dashed },

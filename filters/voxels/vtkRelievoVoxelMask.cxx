@@ -169,3 +169,20 @@ void vtkRelievoVoxelMask::Distances(const std::vector<vtkRelievoVoxelViews>& vie
     }
   });
 }
+
+//------------------------------------------------------------------------------
+double vtkRelievoVoxelMask::EstimateBytes(
+  const std::array<double, 3>& cells, bool parity, int axis, bool distances)
+{
+  const double all = cells[0] * cells[1] * cells[2];
+  double bytes = all * (1. + (distances ? 8. * (axis < 0 ? 3. : 1.) : 0.));
+  for (int a = 0; a < 3; ++a)
+  {
+    const double along = cells[static_cast<std::size_t>(a)];
+    const double columns = all / along;
+    bytes += parity ? columns * 8. * (std::floor(along / 64.) + 1.) : 0.;
+    // Two doubles while they are made, two that are kept, two indices.
+    bytes += (!parity || distances) && (axis < 0 || axis == a) ? columns * 40. : 0.;
+  }
+  return bytes;
+}

@@ -7,6 +7,7 @@
 
 #include "vtkRelievoVoxelColumns.h"
 
+#include <array>
 #include <vector>
 
 namespace vtkRelievoVoxelMask
@@ -29,6 +30,10 @@ std::int64_t FromVote(const std::vector<vtkRelievoVoxelParity>& axes,
 // columns without a crossing.
 void Distances(const std::vector<vtkRelievoVoxelViews>& views, const vtkRelievoVoxelGrid& grid,
   float* front, float* back);
+
+// What a grid takes, output included: for parity along all axes, or for views along one axis, or
+// along three (-1).
+double EstimateBytes(const std::array<double, 3>& cells, bool parity, int axis, bool distances);
 }
 
 #endif

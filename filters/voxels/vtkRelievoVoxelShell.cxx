@@ -10,7 +10,6 @@
 #include "vtkRelievoVoxelSurface.h"
 
 #include "vtkCellData.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
@@ -46,6 +45,11 @@ void AddNumbers(vtkFieldData* fields, const char* name, std::initializer_list<vt
   fields->AddArray(array);
 }
 
+bool IsBox(const double bounds[6])
+{
+  return bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
+}
+
 // Depth images that an input has, with those in blocks.
 void AddImages(vtkDataObject* data, std::vector<vtkImageData*>& images)
 {
@@ -56,13 +60,6 @@ void AddImages(vtkDataObject* data, std::vector<vtkImageData*>& images)
       images.push_back(image);
     }
   }
-}
-
-std::string NumberWithUnit(double bytes)
-{
-  std::ostringstream out;
-  out << static_cast<std::int64_t>(std::min(bytes, 9e18)) << " bytes";
-  return out.str();
 }
 }
 
@@ -95,8 +92,7 @@ bool vtkRelievoVoxelShell::Internals::MakeGrid(vtkRelievoVoxelShell* self, vtkDa
 {
   double box[6];
   std::copy(self->Bounds, self->Bounds + 6, box);
-  const bool given = box[0] <= box[1] && box[2] <= box[3] && box[4] <= box[5];
-  if (!given && !(surface && vtkRelievoVoxelMeshes::GetBounds(surface, box)))
+  if (!IsBox(box) && !(surface && vtkRelievoVoxelMeshes::GetBounds(surface, box)))
   {
     grid.Cells = { { 0, 0, 0 } };
     return true; // nothing there
@@ -107,25 +103,13 @@ bool vtkRelievoVoxelShell::Internals::MakeGrid(vtkRelievoVoxelShell* self, vtkDa
   fit.Resolution = self->Resolution;
   fit.Padding = self->Padding;
   const std::array<double, 3> count = fit.Count(box);
-  const double cells = count[0] * count[1] * count[2];
-  const int views = self->Method == SIX_VIEWS ? 3 : 1;
-  double columns = 0.;
-  double words = 0.;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double across = cells / count[static_cast<std::size_t>(axis)];
-    columns += self->Method == SIX_VIEWS || axis == self->Axis ? across : 0.;
-    words +=
-      self->Method == PARITY ? across * (count[static_cast<std::size_t>(axis)] / 64. + 1.) : 0.;
-  }
-  const bool seen = self->Method != PARITY || self->Distances;
-  const double bytes =
-    cells * (1. + (self->Distances ? 8. * views : 0.)) + 8. * words + (seen ? 40. * columns : 0.);
+  const double bytes = vtkRelievoVoxelMask::EstimateBytes(
+    count, self->Method == PARITY, self->Method == SIX_VIEWS ? -1 : self->Axis, self->Distances);
   if (bytes > self->MemoryLimit * 1048576.)
   {
     std::ostringstream out;
     out << count[0] << " x " << count[1] << " x " << count[2] << " cells would take "
-        << NumberWithUnit(bytes) << ", more than MemoryLimit (" << self->MemoryLimit
+        << static_cast<std::int64_t>(std::min(bytes, 9e18)) << " bytes, more than MemoryLimit (" << self->MemoryLimit
         << " MiB); make cells larger or the limit higher";
     problem = out.str();
     return false;
@@ -206,9 +190,7 @@ int vtkRelievoVoxelShell::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* surface = nullptr;
-  const bool given = this->Bounds[0] <= this->Bounds[1] && this->Bounds[2] <= this->Bounds[3] &&
-    this->Bounds[4] <= this->Bounds[5];
-  if (!given && inputs[0]->GetNumberOfInformationObjects() > 0)
+  if (!IsBox(this->Bounds) && inputs[0]->GetNumberOfInformationObjects() > 0)
   {
     // Only the data tell where the grid is.
     int port = 0;

@@ -41,6 +41,7 @@ WRITES = {
     "12_town_at_night.py": ["town.png", "town_lamps.png"],
     "13_fog_valley.py": ["fog.png", "fog_layer.png"],
     "14_markers.py": ["markers.png", "markers_layer.png"],
+    "18_voxel_cubes.py": ["voxels.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.

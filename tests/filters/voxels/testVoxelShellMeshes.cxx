@@ -7,48 +7,27 @@
 #include "EmbreeScene.h"
 #include "Scenes.h"
 #include "Session.h"
+#include "VoxelTruth.h"
 #include "vtkRelievoVoxelShell.h"
 
 #include <vtkCellData.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkSMPTools.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include <atomic>
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
+#include <vector>
 
 namespace
 {
 using namespace relievoTest;
 using Filter = vtkRelievoVoxelShell;
-
-int CrossingsOf(const EmbreeScene& scene, const glm::dvec3& place, const glm::dvec3& direction)
-{
-  Ray ray;
-  ray.Origin = place;
-  ray.Direction = direction;
-  int count = 0;
-  double from = 0.;
-  long long last = -1;
-  for (;;)
-  {
-    const SurfacePoint hit = scene.Cast(ray, from, std::numeric_limits<double>::infinity(), last);
-    if (!hit.Hit || count > 1000)
-    {
-      return count;
-    }
-    ++count;
-    from = hit.Depth;
-    last = hit.Triangle;
-  }
-}
 
 double VolumeOf(vtkPolyData* mesh)
 {
@@ -89,28 +68,16 @@ void TestMesh(const std::string& name, int resolution)
   const int* points = image->GetDimensions();
   const double* origin = image->GetOrigin();
   const double* spacing = image->GetSpacing();
-  const glm::dvec3 directions[3] = { glm::normalize(glm::dvec3(0.9, 0.31, 0.17)),
-    glm::normalize(glm::dvec3(-0.22, 0.83, 0.41)), glm::normalize(glm::dvec3(0.13, -0.37, -0.78)) };
-  std::atomic<vtkIdType> inside{ 0 };
-  std::atomic<vtkIdType> wrong{ 0 };
-  const int width = points[0] - 1;
-  const int height = points[1] - 1;
-  vtkSMPTools::For(0, mask->GetNumberOfValues(), 1024, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType cell = begin; cell < end; ++cell)
-    {
-      const glm::dvec3 index(
-        cell % width + 0.5, cell / width % height + 0.5, cell / width / height + 0.5);
-      const glm::dvec3 place = glm::dvec3(origin[0], origin[1], origin[2]) +
-        index * glm::dvec3(spacing[0], spacing[1], spacing[2]);
-      int votes = 0;
-      for (const glm::dvec3& direction : directions)
-      {
-        votes += CrossingsOf(scene, place, direction) % 2;
-      }
-      inside += votes >= 2 ? 1 : 0;
-      wrong += (votes >= 2) != (mask->GetValue(cell) == 1) ? 1 : 0;
-    }
-  });
+  const int cells[3] = { points[0] - 1, points[1] - 1, points[2] - 1 };
+  const std::vector<unsigned char> truth =
+    CellsInside([&scene](const glm::dvec3& place) { return IsInsideByVote(scene, place); }, cells,
+      origin, glm::dvec3(spacing[0], spacing[1], spacing[2]));
+  const auto inside = std::count(truth.begin(), truth.end(), 1);
+  int wrong = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+  {
+    wrong += truth[i] != mask->GetValue(static_cast<vtkIdType>(i)) ? 1 : 0;
+  }
   RELIEVO_CHECK(inside > 1000);
   RELIEVO_CHECK_AT_MOST(static_cast<double>(wrong) / static_cast<double>(inside), 1e-3,
     name + ": cells other than Embree's vote, share of those inside");
