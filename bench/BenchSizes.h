@@ -79,7 +79,9 @@ struct BlockSizes
 struct VoxelSizes
 {
   std::vector<int> Sizes = { 25, 50, 100 }; // cells along the longest side
-  int Rounds = 9;
+  int Slow = 25;                            // cells up to which slow peers take part
+  double Chord = 2e-4;                      // how far triangles are from the bodies
+  int Rounds = 5;
   std::vector<std::string> Meshes = { "bunny" };
   int Large = 300; // cells each way for a sphere of 1.3 million triangles; 0: without
 };

@@ -181,9 +181,7 @@ Way EnclosedWay(vtkPolyData* mesh, const Grid& grid)
       enclosed->Modified();
       enclosed->Update();
     },
-    [enclosed]() {
-      return enclosed->GetOutput()->GetPointData()->GetArray("SelectedPoints");
-    } };
+    [enclosed]() { return enclosed->GetOutput()->GetPointData()->GetArray("SelectedPoints"); } };
 }
 
 Way ModellerWay(vtkPolyData* mesh, const Grid& grid)
@@ -226,14 +224,13 @@ Errors Compare(const std::vector<unsigned char>& truth, vtkDataArray* cells)
   return { excess / inside, missed / inside };
 }
 
-std::vector<Body> Bodies(const std::vector<std::string>& meshes)
+std::vector<Body> Bodies(const std::vector<std::string>& meshes, double chord)
 {
   const glm::dmat3 tilted = relievoTest::Turn({ 1., 0.3, 0.2 }, 37.);
   const glm::dmat3 onEdge = relievoTest::Turn({ 1., 0.02, 0.03 }, 90.);
   std::vector<Body> bodies;
-  for (const Solid& solid :
-    { relievoTest::MakeBall(2e-4), relievoTest::MakeTorus(2e-4, onEdge),
-      relievoTest::MakeHollowBall(2e-4), relievoTest::MakeBowl(2e-4, tilted) })
+  for (const Solid& solid : { relievoTest::MakeBall(chord), relievoTest::MakeTorus(chord, onEdge),
+         relievoTest::MakeHollowBall(chord), relievoTest::MakeBowl(chord, tilted) })
   {
     const auto distance = solid.DistanceAt;
     bodies.push_back({ solid.Name, solid.Mesh,
@@ -245,14 +242,14 @@ std::vector<Body> Bodies(const std::vector<std::string>& meshes)
     {
       auto scene = std::make_shared<relievoTest::EmbreeScene>();
       scene->AddActor(mesh);
-      bodies.push_back(
-        { name, mesh, [scene](const glm::dvec3& place) { return relievoTest::IsInsideByVote(*scene, place); } });
+      bodies.push_back({ name, mesh,
+        [scene](const glm::dvec3& place) { return relievoTest::IsInsideByVote(*scene, place); } });
     }
   }
   return bodies;
 }
 
-void Measure(const Body& body, int size, int rounds, bool compare, Table& table)
+void Measure(const Body& body, int size, int rounds, bool compare, bool withSlow, Table& table)
 {
   const Grid grid(body.Mesh, size);
   std::vector<Way> ways = { ShellWay("two views", body.Mesh, grid, Shell::TWO_VIEWS),
@@ -261,9 +258,12 @@ void Measure(const Body& body, int size, int rounds, bool compare, Table& table)
 #ifdef RELIEVO_BENCH_STENCIL
   ways.push_back(StencilWay(body.Mesh, grid));
 #endif
-  if (compare) // minutes for large grids
+  if (withSlow) // a ray for each cell: minutes for large grids
   {
     ways.push_back(EnclosedWay(body.Mesh, grid));
+  }
+  if (compare)
+  {
     ways.push_back(ModellerWay(body.Mesh, grid));
   }
   std::vector<Timed> works(ways.size());
@@ -275,8 +275,8 @@ void Measure(const Body& body, int size, int rounds, bool compare, Table& table)
   std::vector<unsigned char> truth;
   if (compare)
   {
-    truth = relievoTest::CellsInside(
-      body.IsInside, grid.Cells, grid.Origin, glm::dvec3(grid.Spacing));
+    truth =
+      relievoTest::CellsInside(body.IsInside, grid.Cells, grid.Origin, glm::dvec3(grid.Spacing));
   }
   for (std::size_t i = 0; i < ways.size(); ++i)
   {
@@ -306,11 +306,11 @@ int relievoBench::BenchVoxels(const std::string& outDir, const VoxelSizes& sizes
   }
   Table table({ "body", "triangles", "cells", "method", "milliseconds", "excess percent",
     "missed percent", "load" });
-  for (const Body& body : Bodies(sizes.Meshes))
+  for (const Body& body : Bodies(sizes.Meshes, sizes.Chord))
   {
     for (const int size : sizes.Sizes)
     {
-      Measure(body, size, sizes.Rounds, true, table);
+      Measure(body, size, sizes.Rounds, true, size <= sizes.Slow, table);
     }
   }
   if (sizes.Large > 0)
@@ -319,7 +319,8 @@ int relievoBench::BenchVoxels(const std::string& outDir, const VoxelSizes& sizes
     sphere->SetThetaResolution(806);
     sphere->SetPhiResolution(806);
     sphere->Update();
-    Measure({ "sphere", sphere->GetOutput(), InsideFunction() }, sizes.Large, 3, false, table);
+    Measure(
+      { "sphere", sphere->GetOutput(), InsideFunction() }, sizes.Large, 3, false, false, table);
   }
   const bool written =
     table.WriteCsv(outDir + "/voxels.csv") && DrawBenchCharts("voxels", outDir, outDir);

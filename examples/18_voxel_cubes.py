@@ -74,9 +74,10 @@ def cubes_of(shell, model, **settings):
     cubes.SetInputData(1, model)
     for name, value in settings.items():
         getattr(cubes, f"Set{name}")(value)
+    cube = vtkCubeSource()
     mapper = vtkGlyph3DMapper()
     mapper.SetInputConnection(cubes.GetOutputPort())
-    mapper.SetSourceConnection(vtkCubeSource().GetOutputPort())
+    mapper.SetSourceConnection(cube.GetOutputPort())
     mapper.SetScaleModeToScaleByVectorComponents()
     mapper.SetScaleArray("scale")
     mapper.OrientOff()
@@ -101,7 +102,7 @@ def picture(actor):
     camera = renderer.GetActiveCamera()
     camera.SetPosition(-4, -9, 13)
     camera.SetFocalPoint(0, 0.1, -0.2)
-    camera.SetViewAngle(28)
+    camera.SetViewAngle(30)
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
@@ -123,15 +124,15 @@ def main():
     smooth.SetMapper(mapper)
     shell = relievo.vtkRelievoVoxelShell()
     shell.SetInputData(model)
-    shell.SetResolution(64)
-    shell.SetPadding(10)
+    shell.SetResolution(44)
+    shell.SetPadding(5)
     shell.Update()
     print(shell.GetReport())
     plain, count = cubes_of(shell, model)
     print(f"{count} cubes are seen")
-    falling, _ = cubes_of(shell, model, Transition=0.9)
+    falling, _ = cubes_of(shell, model, Transition=0.6)
     pushed, _ = cubes_of(
-        shell, model, Transition=0.25, Repeller=(-1.9, -1.0, 0.9), RepellerRadius=2.2
+        shell, model, Repeller=(-2.2, 0.2, 1.0), RepellerRadius=1.8
     )
     pictures = [picture(actor) for actor in (smooth, plain, falling, pushed)]
     demo_sheet.write_png(folder / "voxels.png", numpy.concatenate(pictures, axis=1))

@@ -131,9 +131,8 @@ void vtkRelievoDepthViews::Aim(
                                       : 1.;
   texel = std::max({ texel, width / pixels[0], height / pixels[1] });
   // Rounding must not add a texel.
-  const auto count = [texel](double length) {
-    return std::max(1., std::ceil(length / texel - 1e-6));
-  };
+  const auto count = [texel](
+                       double length) { return std::max(1., std::ceil(length / texel - 1e-6)); };
   this->Renderer->SetViewport(
     0., 0., std::min(count(width) / pixels[0], 1.), std::min(count(height) / pixels[1], 1.));
 
@@ -167,9 +166,9 @@ int vtkRelievoDepthViews::RequestData(
   this->SetErrorCode(vtkErrorCode::NoError);
   if (!this->Renderer || !this->Renderer->GetRenderWindow())
   {
-    vtkErrorMacro("Depth views are asked of " << (this->Renderer
-        ? "a renderer without a window; add it to a vtkRenderWindow."
-        : "no renderer; use SetRenderer."));
+    vtkErrorMacro("Depth views are asked of "
+      << (this->Renderer ? "a renderer without a window; add it to a vtkRenderWindow."
+                         : "no renderer; use SetRenderer."));
     // Status 0 would make the pipeline say it again in its own words.
     this->SetErrorCode(vtkErrorCode::UserError);
     return 1;

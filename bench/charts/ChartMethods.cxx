@@ -86,7 +86,7 @@ const std::vector<ChartMethod>& ChartMethods()
     { "six views", "six views", C::Green, M::Diamond, D::Dashed },
     { "six views, drawn", "… drawn", C::Purple, M::Up, D::Dotted },
     { "vtkPolyDataToImageStencil", "image stencil", C::Grey, M::Cross, D::Dashed },
-    { "vtkSelectEnclosedPoints", "enclosed points", C::Orange, M::Cross, D::Dashed },
+    { "vtkSelectEnclosedPoints", "enclosed points", C::Grey, M::Cross, D::Dashed },
     { "vtkVoxelModeller", "voxel modeller", C::Grey, M::Down, D::Dotted },
     // Fog
     { "pairs of floats", "pairs of floats", C::Blue, M::Circle, D::Solid },

@@ -45,8 +45,8 @@ bool IsInner(const unsigned char* mask, const std::array<int, 3>& cells, const i
   stride = 1;
   for (int axis = 0; axis < 3 && inner; ++axis)
   {
-    inner = cell[axis] > 0 && cell[axis] + 1 < cells[axis] && mask[at - stride] &&
-      mask[at + stride];
+    inner =
+      cell[axis] > 0 && cell[axis] + 1 < cells[axis] && mask[at - stride] && mask[at + stride];
     stride *= cells[axis];
   }
   return inner;
@@ -106,8 +106,7 @@ vtkRelievoVoxelCubes::~vtkRelievoVoxelCubes() = default;
 //------------------------------------------------------------------------------
 int vtkRelievoVoxelCubes::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(
-    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkDataSet");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkDataSet");
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -195,8 +194,8 @@ int vtkRelievoVoxelCubes::RequestData(
             }
           }
           points->InsertNextPoint(place);
-          sizes->InsertNextValue(static_cast<float>(
-            this->RestSize + (1. - this->RestSize) * share * this->Growth));
+          sizes->InsertNextValue(
+            static_cast<float>(this->RestSize + (1. - this->RestSize) * share * this->Growth));
         }
       }
     }

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoVoxelDepths.h"
 
+#include "vtkRelievoVoxelMeshes.h"
+
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
@@ -97,6 +100,18 @@ double DepthAt(const Side& side, const double place[4])
   }
   return side.Depth->GetComponent(texel[1] * side.Size[0] + texel[0], 0);
 }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVoxelDepths::Add(vtkDataObject* data, std::vector<vtkImageData*>& images)
+{
+  for (vtkDataSet* leaf : vtkRelievoVoxelMeshes::GetLeaves(data))
+  {
+    if (auto* image = vtkImageData::SafeDownCast(leaf))
+    {
+      images.push_back(image);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -10,10 +10,14 @@
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkImageData;
 
 namespace vtkRelievoVoxelDepths
 {
+// The data, or what is in its blocks, if they are images.
+void Add(vtkDataObject* data, std::vector<vtkImageData*>& images);
+
 // Each image looks along an axis; each axis that one looks along needs one from each side. A column
 // takes the texel whose centre is nearest to its own; beyond an image, and where a texel is not
 // finite, there is nothing. Returns what is wrong, or an empty text.

@@ -79,16 +79,15 @@ private:
 }
 
 //------------------------------------------------------------------------------
-std::vector<float> vtkRelievoVoxelDistance::Squared(const unsigned char* mask,
-  const std::array<int, 3>& cells, const std::array<double, 3>& spacing)
+std::vector<float> vtkRelievoVoxelDistance::Squared(
+  const unsigned char* mask, const std::array<int, 3>& cells, const std::array<double, 3>& spacing)
 {
   const vtkIdType strides[3] = { 1, cells[0], static_cast<vtkIdType>(cells[0]) * cells[1] };
   const vtkIdType all = strides[2] * cells[2];
   std::vector<float> squares(static_cast<std::size_t>(all));
   for (vtkIdType i = 0; i < all; ++i)
   {
-    squares[static_cast<std::size_t>(i)] =
-      mask[i] ? 0.f : std::numeric_limits<float>::infinity();
+    squares[static_cast<std::size_t>(i)] = mask[i] ? 0.f : std::numeric_limits<float>::infinity();
   }
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -12,8 +12,8 @@ namespace vtkRelievoVoxelDistance
 {
 // Squared, between centres, exact but for rounding; infinity if no cell is 1. By parabolas, an axis
 // at a time (Felzenszwalb and Huttenlocher 2012).
-std::vector<float> Squared(const unsigned char* mask, const std::array<int, 3>& cells,
-  const std::array<double, 3>& spacing);
+std::vector<float> Squared(
+  const unsigned char* mask, const std::array<int, 3>& cells, const std::array<double, 3>& spacing);
 }
 
 #endif

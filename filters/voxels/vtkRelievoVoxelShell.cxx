@@ -49,18 +49,6 @@ bool IsBox(const double bounds[6])
 {
   return bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
 }
-
-// Depth images that an input has, with those in blocks.
-void AddImages(vtkDataObject* data, std::vector<vtkImageData*>& images)
-{
-  for (vtkDataSet* leaf : vtkRelievoVoxelMeshes::GetLeaves(data))
-  {
-    if (auto* image = vtkImageData::SafeDownCast(leaf))
-    {
-      images.push_back(image);
-    }
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -109,8 +97,8 @@ bool vtkRelievoVoxelShell::Internals::MakeGrid(vtkRelievoVoxelShell* self, vtkDa
   {
     std::ostringstream out;
     out << count[0] << " x " << count[1] << " x " << count[2] << " cells would take "
-        << static_cast<std::int64_t>(std::min(bytes, 9e18)) << " bytes, more than MemoryLimit (" << self->MemoryLimit
-        << " MiB); make cells larger or the limit higher";
+        << static_cast<std::int64_t>(std::min(bytes, 9e18)) << " bytes, more than MemoryLimit ("
+        << self->MemoryLimit << " MiB); make cells larger or the limit higher";
     problem = out.str();
     return false;
   }
@@ -244,7 +232,7 @@ int vtkRelievoVoxelShell::RequestData(
   std::vector<vtkImageData*> images;
   for (int i = 0; i < inputs[1]->GetNumberOfInformationObjects(); ++i)
   {
-    AddImages(vtkDataObject::GetData(inputs[1], i), images);
+    vtkRelievoVoxelDepths::Add(vtkDataObject::GetData(inputs[1], i), images);
   }
   const bool fromImages = inputs[1]->GetNumberOfInformationObjects() > 0;
   vtkRelievoVoxelGrid grid;

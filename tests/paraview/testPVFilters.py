@@ -138,7 +138,7 @@ class Filters(pv.Test):
         self.assertGreater(numpy.abs(moved - numpy.round(moved)).max(), 0.2)
 
     def test_voxel_shell(self):
-        """Cells of a ball from a composite, and of a cut one, which is open; cubes with its data."""
+        """Cells of a ball in a composite, and of a cut one, which is open; cubes with its data."""
         ball = simple.Sphere(ThetaResolution=60, PhiResolution=60)
         shell = simple.VoxelShell(Input=simple.GroupDatasets(Input=[ball]), Resolution=40)
         shell.Distances = 1

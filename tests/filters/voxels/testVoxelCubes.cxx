@@ -92,8 +92,8 @@ void TestSizes()
     largest = std::max(largest, std::abs(sizes->GetValue(cell) - size));
     for (int axis = 0; axis < 3; ++axis)
     {
-      largest = std::max(
-        largest, std::abs(scales->GetComponent(cell, axis) - size * Spacing[axis]));
+      largest =
+        std::max(largest, std::abs(scales->GetComponent(cell, axis) - size * Spacing[axis]));
       RELIEVO_CHECK(std::abs(output->GetPoint(cell)[axis] - CenterOf(cell)[axis]) < 1e-5);
     }
   }

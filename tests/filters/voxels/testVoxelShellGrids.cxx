@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Grids: by size, by dimensions, of one row, flat, within the body, empty, too large; and from depth
-// images of other resolutions, or that do not fit.
+// Grids: by size, by dimensions, of one row, flat, within the body, empty, too large; and from
+// depth images of other resolutions, or that do not fit.
 #include "Check.h"
 #include "Session.h"
 #include "Solids.h"
@@ -20,9 +20,9 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
-#include <glm/geometric.hpp>
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <string>
 

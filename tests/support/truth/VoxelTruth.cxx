@@ -58,8 +58,8 @@ std::vector<unsigned char> relievoTest::CellsInside(const InsideFunction& isInsi
   vtkSMPTools::For(0, count, 1024, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType cell = begin; cell < end; ++cell)
     {
-      const glm::dvec3 index(cell % cells[0] + 0.5, cell / cells[0] % cells[1] + 0.5,
-        cell / cells[0] / cells[1] + 0.5);
+      const glm::dvec3 index(
+        cell % cells[0] + 0.5, cell / cells[0] % cells[1] + 0.5, cell / cells[0] / cells[1] + 0.5);
       inside[static_cast<std::size_t>(cell)] =
         isInside(glm::dvec3(origin[0], origin[1], origin[2]) + index * spacing) ? 1 : 0;
     }
