@@ -87,6 +87,16 @@ struct CaveSizes
   int Seeds = 24;
 };
 
+struct VoxelSizes
+{
+  std::vector<int> Sizes = { 25, 50, 100 }; // cells along the longest side
+  int Slow = 25;                            // cells up to which slow peers take part
+  double Chord = 2e-4;                      // how far triangles are from the bodies
+  int Rounds = 5;
+  std::vector<std::string> Meshes = { "bunny" };
+  int Large = 300; // cells each way for a sphere of 1.3 million triangles; 0: without
+};
+
 /** The benches of the same names, smaller or larger; as RelievoBenchEnvironment and so on. */
 int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
 int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
@@ -97,6 +107,7 @@ int BenchDeferred(const std::string& outDir, const DeferredSizes& sizes);
 int BenchTone(const std::string& outDir, const ToneSizes& sizes);
 int BenchBlocks(const std::string& outDir, const BlockSizes& sizes);
 int BenchCaves(const std::string& outDir, const CaveSizes& sizes);
+int BenchVoxels(const std::string& outDir, const VoxelSizes& sizes);
 int BenchFog(const std::string& outDir, const FogSizes& sizes);
 
 /** The part of BenchEnvironment that times frames; returns whether its file is written. */

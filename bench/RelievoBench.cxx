@@ -57,6 +57,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
     { "blocks", "error of surfaces of labels against time, beside VTK's own", RelievoBenchBlocks },
     { "caves", "evaluations of noise and time for caves; width of tunnels against what was asked",
       RelievoBenchCaves },
+    { "voxels", "cells inside bodies: excess and missed against time, beside VTK's own",
+      RelievoBenchVoxels },
   };
   return entries;
 }

@@ -86,6 +86,9 @@ int RelievoBenchBlocks(const std::string& outDir);
 /** Caves: evaluations of noise, time, what they are like, width of tunnels. A minute. */
 int RelievoBenchCaves(const std::string& outDir);
 
+/** Chart 10: cells inside bodies: excess and missed against time, with peers. A minute. */
+int RelievoBenchVoxels(const std::string& outDir);
+
 /** What a normal map costs a full-screen frame, against VTK's own textures. Half a minute. */
 int RelievoBenchNormalMaps(const std::string& outDir);
 

@@ -4,7 +4,8 @@ set(Python3_FIND_STRATEGY LOCATION)
 set(relievo_vtk_components
   CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   ChartsCore FiltersCore FiltersGeneral FiltersGeometry FiltersHybrid FiltersModeling FiltersSources
-  IOExport IOGeometry IOImage IOImport IOLegacy IOPLY IOXML ImagingCore InteractionStyle
+  IOExport IOGeometry IOImage IOImport IOLegacy IOPLY IOXML ImagingCore ImagingHybrid
+  InteractionStyle
   ParallelCore
   RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
   RenderingOpenGL2 RenderingVolumeOpenGL2 ViewsContext2D WrappingTools)
@@ -19,7 +20,7 @@ if (RELIEVO_USE_PARAVIEW)
 endif ()
 # After ParaView, VTK_DIR is ParaView's own VTK.
 find_package(VTK 9.1 REQUIRED COMPONENTS ${relievo_vtk_components}
-  OPTIONAL_COMPONENTS WrappingPythonCore Python)
+  OPTIONAL_COMPONENTS ImagingStencil WrappingPythonCore Python)
 
 option(RELIEVO_WRAP_PYTHON "Build the Python package; needs a VTK that is wrapped" "${VTK_WRAP_PYTHON}")
 if (RELIEVO_WRAP_PYTHON AND NOT VTK_WRAP_PYTHON)

@@ -29,6 +29,7 @@ const std::vector<Entry>& Entries()
     { "tone", { "tone-curves.csv", "tone-bands.csv" }, ToneCharts },
     { "blocks", { "blocks.csv" }, BlockCharts },
     { "caves", { "caves.csv", "caves-width.csv" }, CaveCharts },
+    { "voxels", { "voxels.csv" }, VoxelCharts },
     { "fog", { "fog.csv", "fog-frames.csv" }, FogCharts },
   };
   return entries;

@@ -51,6 +51,7 @@ std::vector<NamedChart> EnvironmentCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> ToneCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> BlockCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> CaveCharts(const std::vector<CsvRows>& files);
+std::vector<NamedChart> VoxelCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> FogCharts(const std::vector<CsvRows>& files);
 }
 

@@ -86,6 +86,14 @@ const std::vector<ChartMethod>& ChartMethods()
     { "naive", "both noises", C::Black, M::Square, D::Dotted },
     { "level lines", "level", C::Blue, M::Circle, D::Solid },
     { "upright lines", "upright", C::Sky, M::Up, D::Dashed },
+    // Cells inside bodies
+    { "parity", "parity", C::Blue, M::Circle, D::Solid },
+    { "two views", "two views", C::Vermillion, M::Square, D::DashDotted },
+    { "six views", "six views", C::Green, M::Diamond, D::Dashed },
+    { "six views, drawn", "… drawn", C::Purple, M::Up, D::Dotted },
+    { "vtkPolyDataToImageStencil", "image stencil", C::Grey, M::Cross, D::Dashed },
+    { "vtkSelectEnclosedPoints", "enclosed points", C::Grey, M::Cross, D::Dashed },
+    { "vtkVoxelModeller", "voxel modeller", C::Grey, M::Down, D::Dotted },
     // Fog
     { "pairs of floats", "pairs of floats", C::Blue, M::Circle, D::Solid },
     { "textbook, double", "textbook, double", C::Grey, M::Cross, D::Dashed },

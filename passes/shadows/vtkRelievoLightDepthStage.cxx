@@ -129,8 +129,8 @@ void vtkRelievoLightDepthStage::Execute(vtkRelievoFrameContext& context)
   this->Explain(maps > 0 ? "ran" : "idle",
     maps > 0 ? "shows " + std::to_string(maps) + (maps == 1 ? " map" : " maps") + " of light " +
         std::to_string(entry->Light.Number)
-             : this->Light < 0 ? "no light casts"
-                               : "light " + std::to_string(this->Light) + " casts no shadow");
+      : this->Light < 0 ? "no light casts"
+                        : "light " + std::to_string(this->Light) + " casts no shadow");
 }
 
 //------------------------------------------------------------------------------

@@ -19,6 +19,8 @@ FILTERS = {
     "EnvironmentIrradiance": ["InputProjection"],
     "Caves": ["Content", "Up"],
     "SmoothBlocks": ["Surface", "Normals", "Up", "NoiseDimensions", "OutputPointsPrecision"],
+    "VoxelShell": ["Method", "Axis"],
+    "VoxelCubes": [],
 }
 SOURCES = ["Caves"]
 
@@ -151,6 +153,29 @@ class Filters(pv.Test):
         self.assertTrue(((density < 0) == (labels == 0)).all())
         caves.Origin = [1e7, 0, 0]
         self.assertTrue((density != points(caves, "density")).any())
+
+    def test_voxel_shell(self):
+        """Cells of a ball in a composite, and of a cut one, which is open; cubes with its data."""
+        ball = simple.Sphere(ThetaResolution=60, PhiResolution=60)
+        shell = simple.VoxelShell(Input=simple.GroupDatasets(Input=[ball]), Resolution=40)
+        shell.Distances = 1
+        image = servermanager.Fetch(shell)
+        self.assertEqual(image.GetNumberOfCells(), 40**3)
+        mask = vtk_to_numpy(image.GetCellData().GetArray("mask"))
+        self.assertLess(abs(mask.sum() / 40**3 - numpy.pi / 6), 0.005)
+        self.assertEqual(image.GetFieldData().GetArray("closed").GetTuple1(0), 1)
+        self.assertIsNotNone(image.GetCellData().GetArray("front"))
+        shell.Method = "Six views"
+        seen = vtk_to_numpy(servermanager.Fetch(shell).GetCellData().GetArray("mask"))
+        self.assertLess(abs(int(seen.sum()) - int(mask.sum())), 0.002 * mask.sum())
+        cut = simple.Sphere(ThetaResolution=60, PhiResolution=60, StartPhi=20)
+        holed = servermanager.Fetch(simple.VoxelShell(Input=cut, Resolution=40))
+        self.assertEqual(holed.GetFieldData().GetArray("closed").GetTuple1(0), 0)
+        self.assertGreater(holed.GetFieldData().GetArray("open_columns").GetComponent(0, 2), 50)
+        cubes = servermanager.Fetch(simple.VoxelCubes(Input=shell, Model=ball, Transition=0.05))
+        sizes = vtk_to_numpy(cubes.GetPointData().GetArray("size"))
+        self.assertEqual((sizes.max(), sizes.min() < 0.5), (1, True))
+        self.assertIsNotNone(cubes.GetPointData().GetArray("Normals"))
 
 
 if __name__ == "__main__":

@@ -43,6 +43,7 @@ WRITES = {
     "14_markers.py": ["markers.png", "markers_layer.png"],
     "15_blocks.py": ["blocks.png"],
     "16_caves.py": ["caves.png"],
+    "18_voxel_cubes.py": ["voxels.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.

@@ -128,7 +128,8 @@ void TestSun()
   RELIEVO_CHECK_AT_MOST(std::abs(farthest - nearest - Top), 1e-4, "the box's height");
   const double top = Count(depths, nearest).first;
   const double ground = Count(depths, farthest).first;
-  RELIEVO_CHECK_AT_MOST(std::abs(top / ground - 0.5 / 15.5), 0.004, "the box's share of the ground");
+  RELIEVO_CHECK_AT_MOST(
+    std::abs(top / ground - 0.5 / 15.5), 0.004, "the box's share of the ground");
   RELIEVO_CHECK(Count(depths, 0.0).second == top + ground);
   RELIEVO_CHECK(scene.GetStage()->GetReason() == "shows 1 map of light 1");
 }
@@ -145,8 +146,8 @@ void TestSpotAndLamp()
     const auto top = Count(depths, Above - Top);
     // The box's top is nearer and looks larger; its sides are in between, and few.
     const double hidden = 0.5 * std::pow(Above / (Above - Top), 2.0);
-    RELIEVO_CHECK_AT_MOST(
-      std::abs(double(top.first) / ground.first - hidden / (16.0 - hidden)), 0.01, what + "the top");
+    RELIEVO_CHECK_AT_MOST(std::abs(double(top.first) / ground.first - hidden / (16.0 - hidden)),
+      0.01, what + "the top");
     RELIEVO_CHECK(top.first + ground.first > 0.98 * ground.second && ground.first > 1000);
   }
 }

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoVoxelCubes
+ * @brief Points with sizes, to be drawn as cubes: 1 inside a mask, less and less outside.
+ *
+ * Input 0: vtkImageData with the cell array `mask` of vtkRelievoVoxelShell. Input 1, optional: a
+ * data set whose point data color the cubes: each has those of the nearest point.
+ *
+ * Output: a point at the centre of each cell that has a cube, with the point arrays
+ * - size (float): 1 inside, falling to RestSize over Transition outside;
+ * - scale (3 float): size times the cell's sides, for vtkGlyph3DMapper's scaling by vector
+ *   components with a unit cube.
+ * Inner cells, whose six neighbours are inside, are left out: they are not seen.
+ *
+ * Errors: an image without `mask`.
+ */
+#ifndef vtkRelievoVoxelCubes_h
+#define vtkRelievoVoxelCubes_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkRelievoFiltersModule.h" // for the export macro
+
+class VTKRELIEVOFILTERS_EXPORT vtkRelievoVoxelCubes : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkRelievoVoxelCubes* New();
+  vtkTypeMacro(vtkRelievoVoxelCubes, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Size of cubes that are farther outside than Transition, 0 to 1. Default is 0.05. */
+  vtkSetClampMacro(RestSize, double, 0., 1.);
+  vtkGetMacro(RestSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * The distance, in world units from the nearest cell inside, over which sizes fall to RestSize.
+   * Default 0: there are cubes inside only.
+   */
+  vtkSetClampMacro(Transition, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(Transition, double);
+  ///@}
+
+  ///@{
+  /** How much of the sizes above RestSize there is, 0 to 1, for animations. Default is 1. */
+  vtkSetClampMacro(Growth, double, 0., 1.);
+  vtkGetMacro(Growth, double);
+  ///@}
+
+  ///@{
+  /** Whether cells farther outside than Transition have cubes, of RestSize. Default is off. */
+  vtkSetMacro(WholeGrid, bool);
+  vtkGetMacro(WholeGrid, bool);
+  vtkBooleanMacro(WholeGrid, bool);
+  ///@}
+
+  ///@{
+  /**
+   * A place that cubes move away from: one at the distance d below RepellerRadius r moves to
+   * (r + d d / r) / 2. Cells there have cubes inside as well. Default radius 0: nothing moves.
+   */
+  vtkSetVector3Macro(Repeller, double);
+  vtkGetVector3Macro(Repeller, double);
+  vtkSetClampMacro(RepellerRadius, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(RepellerRadius, double);
+  ///@}
+
+protected:
+  vtkRelievoVoxelCubes();
+  ~vtkRelievoVoxelCubes() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+private:
+  double RestSize = 0.05;
+  double Transition = 0.;
+  double Growth = 1.;
+  bool WholeGrid = false;
+  double Repeller[3] = { 0., 0., 0. };
+  double RepellerRadius = 0.;
+
+  vtkRelievoVoxelCubes(const vtkRelievoVoxelCubes&) = delete;
+  void operator=(const vtkRelievoVoxelCubes&) = delete;
+};
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The grid that fits a box.
+#ifndef vtkRelievoVoxelFit_h
+#define vtkRelievoVoxelFit_h
+
+#include "vtkRelievoVoxelGrid.h"
+
+struct vtkRelievoVoxelFit
+{
+  std::array<int, 3> Dimensions{ { 0, 0, 0 } }; // first choice, if all are above 0
+  double CellSize = 0.;                         // second choice
+  int Resolution = 100;                         // cells along the longest side
+  int Padding = 0;                              // cells added on each side
+
+  // How many cells a box takes along each axis, which may be more than fit into an int.
+  std::array<double, 3> Count(const double box[6]) const;
+
+  // The grid around the middle of a box; its counts must fit.
+  vtkRelievoVoxelGrid Fit(const double box[6]) const;
+
+private:
+  bool IsByDimensions() const;
+  double GetCubeSize(const double box[6]) const;
+};
+
+#endif

@@ -1,0 +1,393 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoVoxelShell.h"
+
+#include "vtkRelievoThreads.h"
+#include "vtkRelievoVoxelDepths.h"
+#include "vtkRelievoVoxelFit.h"
+#include "vtkRelievoVoxelMask.h"
+#include "vtkRelievoVoxelMeshes.h"
+#include "vtkRelievoVoxelSurface.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <vector>
+
+vtkStandardNewMacro(vtkRelievoVoxelShell);
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+namespace
+{
+void AddNumbers(vtkFieldData* fields, const char* name, std::initializer_list<vtkIdType> values)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(values.size()));
+  array->InsertNextTypedTuple(values.begin());
+  fields->AddArray(array);
+}
+
+bool IsBox(const double bounds[6])
+{
+  return bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkRelievoVoxelShell::Internals
+{
+  vtkIdType Inside = 0;
+  bool Closed = false;
+  std::array<vtkIdType, 3> Open{};
+  std::array<vtkIdType, 3> Columns{};
+  std::string Report;
+
+  // The grid of what the inputs are now; false with the problem where there is none.
+  static bool MakeGrid(vtkRelievoVoxelShell* self, vtkDataObject* surface,
+    vtkRelievoVoxelGrid& grid, std::string& problem);
+
+  void Count(int axis, const vtkRelievoVoxelParity& parity, const vtkRelievoVoxelGrid& grid)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    this->Open[a] = static_cast<vtkIdType>(parity.GetNumberOfOpenColumns());
+    this->Columns[a] = static_cast<vtkIdType>(grid.GetNumberOfColumns(axis));
+  }
+  void Describe(int method, int axis, const std::vector<vtkRelievoVoxelViews>& views,
+    const vtkRelievoVoxelGrid& grid, bool fromImages, vtkIdType invalid);
+};
+
+//------------------------------------------------------------------------------
+bool vtkRelievoVoxelShell::Internals::MakeGrid(vtkRelievoVoxelShell* self, vtkDataObject* surface,
+  vtkRelievoVoxelGrid& grid, std::string& problem)
+{
+  double box[6];
+  std::copy(self->Bounds, self->Bounds + 6, box);
+  if (!IsBox(box) && !(surface && vtkRelievoVoxelMeshes::GetBounds(surface, box)))
+  {
+    grid.Cells = { { 0, 0, 0 } };
+    return true; // nothing there
+  }
+  vtkRelievoVoxelFit fit;
+  std::copy(self->Dimensions, self->Dimensions + 3, fit.Dimensions.begin());
+  fit.CellSize = self->CellSize;
+  fit.Resolution = self->Resolution;
+  fit.Padding = self->Padding;
+  const std::array<double, 3> count = fit.Count(box);
+  const double bytes = vtkRelievoVoxelMask::EstimateBytes(
+    count, self->Method == PARITY, self->Method == SIX_VIEWS ? -1 : self->Axis, self->Distances);
+  if (bytes > self->MemoryLimit * 1048576.)
+  {
+    std::ostringstream out;
+    out << count[0] << " x " << count[1] << " x " << count[2] << " cells would take "
+        << static_cast<std::int64_t>(std::min(bytes, 9e18)) << " bytes, more than MemoryLimit ("
+        << self->MemoryLimit << " MiB); make cells larger or the limit higher";
+    problem = out.str();
+    return false;
+  }
+  grid = fit.Fit(box);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVoxelShell::Internals::Describe(int method, int axis,
+  const std::vector<vtkRelievoVoxelViews>& views, const vtkRelievoVoxelGrid& grid, bool fromImages,
+  vtkIdType invalid)
+{
+  std::ostringstream out;
+  if (fromImages || method != PARITY)
+  {
+    out << 2 * views.size() << " views, along";
+    for (const vtkRelievoVoxelViews& view : views)
+    {
+      out << ' ' << "xyz"[view.Axis];
+    }
+  }
+  else if (this->Closed)
+  {
+    out << "parity along "
+        << "xyz"[axis];
+  }
+  else
+  {
+    out << "parity, by vote of x y z";
+  }
+  out << ": " << this->Inside << " of " << grid.GetNumberOfCells() << " cells inside";
+  if (!fromImages)
+  {
+    out << (this->Closed ? "; the surface is closed" : "; the surface is open");
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    if (this->Columns[a] > 0)
+    {
+      out << "; open along "
+          << "xyz"[a] << ": " << this->Open[a] << " of " << this->Columns[a] << " columns";
+    }
+  }
+  if (invalid > 0)
+  {
+    out << "; left out: " << invalid << " triangles with points that are not finite";
+  }
+  this->Report = out.str();
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoVoxelShell::vtkRelievoVoxelShell()
+  : Self(new Internals)
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoVoxelShell::~vtkRelievoVoxelShell() = default;
+
+//------------------------------------------------------------------------------
+int vtkRelievoVoxelShell::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoVoxelShell::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataObject* surface = nullptr;
+  if (!IsBox(this->Bounds) && inputs[0]->GetNumberOfInformationObjects() > 0)
+  {
+    // Only the data tell where the grid is.
+    int port = 0;
+    vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0, port);
+    producer->Update(port);
+    surface = producer->GetOutputDataObject(port);
+  }
+  vtkRelievoVoxelGrid grid;
+  std::string problem;
+  Internals::MakeGrid(this, surface, grid, problem);
+  const std::array<int, 6> extent{ { 0, grid.Cells[0], 0, grid.Cells[1], 0, grid.Cells[2] } };
+  const std::array<int, 6> none{ { 0, -1, 0, -1, 0, -1 } };
+  vtkInformation* output = outputs->GetInformationObject(0);
+  output->Set(SDDP::WHOLE_EXTENT(), grid.GetNumberOfCells() > 0 ? extent.data() : none.data(), 6);
+  output->Set(vtkDataObject::ORIGIN(), grid.Origin.data(), 3);
+  output->Set(vtkDataObject::SPACING(), grid.Spacing.data(), 3);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoVoxelShell::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  for (int port = 0; port < 2; ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* input = inputs[port]->GetInformationObject(i);
+      if (input->Has(SDDP::WHOLE_EXTENT()))
+      {
+        input->Set(SDDP::UPDATE_EXTENT(), input->Get(SDDP::WHOLE_EXTENT()), 6);
+      }
+      input->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+      input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoVoxelShell::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkImageData* output = vtkImageData::GetData(outputs);
+  output->Initialize();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  Internals& self = *this->Self;
+  self = Internals();
+  vtkDataObject* surfaceData = vtkDataObject::GetData(inputs[0]);
+  std::vector<vtkImageData*> images;
+  for (int i = 0; i < inputs[1]->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkRelievoVoxelDepths::Add(vtkDataObject::GetData(inputs[1], i), images);
+  }
+  const bool fromImages = inputs[1]->GetNumberOfInformationObjects() > 0;
+  vtkRelievoVoxelGrid grid;
+  std::string problem;
+  if (!surfaceData && !fromImages)
+  {
+    problem = "there is no input; give a surface (input 0) or depth images (input 1)";
+  }
+  else if (Internals::MakeGrid(this, surfaceData, grid, problem) && fromImages && !surfaceData &&
+    grid.GetNumberOfCells() == 0)
+  {
+    problem = "depth images alone do not say where the grid is; set Bounds";
+  }
+  std::vector<vtkRelievoVoxelViews> views;
+  if (problem.empty() && fromImages && grid.GetNumberOfCells() > 0)
+  {
+    problem = vtkRelievoVoxelDepths::Read(images, grid, views);
+  }
+  if (!problem.empty())
+  {
+    // The output stays empty. Status 0 would make the pipeline say it again in its own words.
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro("No cells: " << problem << ".");
+    return 1;
+  }
+
+  vtkNew<vtkUnsignedCharArray> mask;
+  mask->SetName("mask");
+  mask->SetNumberOfValues(static_cast<vtkIdType>(grid.GetNumberOfCells()));
+  vtkIdType invalid = 0;
+  if (grid.GetNumberOfCells() > 0)
+  {
+    output->SetDimensions(grid.Cells[0] + 1, grid.Cells[1] + 1, grid.Cells[2] + 1);
+    output->SetOrigin(grid.Origin.data());
+    output->SetSpacing(grid.Spacing.data());
+    const auto work = [&]() {
+      vtkRelievoVoxelSurface surface;
+      for (vtkDataSet* leaf :
+        fromImages ? std::vector<vtkDataSet*>() : vtkRelievoVoxelMeshes::GetLeaves(surfaceData))
+      {
+        surface.Add(vtkRelievoVoxelMeshes::GetSurface(leaf), grid);
+      }
+      invalid = surface.GetNumberOfInvalid();
+      self.Closed = !fromImages && surface.IsClosed();
+      this->UpdateProgress(0.3);
+      const bool parity = this->Method == PARITY && !fromImages;
+      for (int axis = 0; axis < 3 && !fromImages && (!parity || this->Distances); ++axis)
+      {
+        if (this->Method == SIX_VIEWS || axis == this->Axis)
+        {
+          views.push_back(vtkRelievoVoxelViews::Of(surface, grid, axis));
+        }
+      }
+      this->UpdateProgress(0.6);
+      if (!parity)
+      {
+        self.Inside = vtkRelievoVoxelMask::FromViews(views, grid, mask->GetPointer(0));
+      }
+      else if (self.Closed)
+      {
+        const vtkRelievoVoxelParity bits(surface, grid, this->Axis);
+        self.Count(this->Axis, bits, grid);
+        self.Inside = vtkRelievoVoxelMask::FromParity(bits, this->Axis, grid, mask->GetPointer(0));
+      }
+      else
+      {
+        std::vector<vtkRelievoVoxelParity> axes;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          axes.emplace_back(surface, grid, axis);
+          self.Count(axis, axes.back(), grid);
+        }
+        self.Inside = vtkRelievoVoxelMask::FromVote(axes, grid, mask->GetPointer(0));
+      }
+    };
+    vtkRelievoWithThreads(work);
+  }
+  output->GetCellData()->SetScalars(mask);
+  if (this->Distances)
+  {
+    vtkNew<vtkFloatArray> front;
+    vtkNew<vtkFloatArray> back;
+    front->SetName("front");
+    back->SetName("back");
+    for (vtkFloatArray* array : { front.Get(), back.Get() })
+    {
+      array->SetNumberOfComponents(std::max(1, static_cast<int>(views.size())));
+      array->SetNumberOfTuples(mask->GetNumberOfTuples());
+      output->GetCellData()->AddArray(array);
+    }
+    if (grid.GetNumberOfCells() > 0)
+    {
+      vtkRelievoWithThreads([&]() {
+        vtkRelievoVoxelMask::Distances(views, grid, front->GetPointer(0), back->GetPointer(0));
+      });
+    }
+  }
+  self.Describe(this->Method, this->Axis, views, grid, fromImages, invalid);
+  vtkFieldData* fields = output->GetFieldData();
+  AddNumbers(fields, "inside", { self.Inside });
+  AddNumbers(fields, "closed", { self.Closed });
+  AddNumbers(fields, "columns", { self.Columns[0], self.Columns[1], self.Columns[2] });
+  AddNumbers(fields, "open_columns", { self.Open[0], self.Open[1], self.Open[2] });
+  vtkNew<vtkStringArray> report;
+  report->SetName("report");
+  report->InsertNextValue(self.Report);
+  fields->AddArray(report);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoVoxelShell::GetNumberOfCellsInside()
+{
+  return this->Self->Inside;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoVoxelShell::IsClosed()
+{
+  return this->Self->Closed;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoVoxelShell::GetNumberOfOpenColumns(int axis)
+{
+  return axis >= 0 && axis < 3 ? this->Self->Open[static_cast<std::size_t>(axis)] : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoVoxelShell::GetNumberOfColumns(int axis)
+{
+  return axis >= 0 && axis < 3 ? this->Self->Columns[static_cast<std::size_t>(axis)] : 0;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoVoxelShell::GetReport()
+{
+  return this->Self->Report;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoVoxelShell::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const char* methods[] = { "two views", "six views", "parity" };
+  os << indent << "Method: " << methods[this->Method] << "\n";
+  os << indent << "Axis: " << this->Axis << "\n";
+  os << indent << "Bounds: " << this->Bounds[0] << " " << this->Bounds[1] << " " << this->Bounds[2]
+     << " " << this->Bounds[3] << " " << this->Bounds[4] << " " << this->Bounds[5] << "\n";
+  os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << " "
+     << this->Dimensions[2] << "\n";
+  os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "Padding: " << this->Padding << "\n";
+  os << indent << "Distances: " << this->Distances << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "Report: " << this->Self->Report << "\n";
+}

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoVoxelShell
+ * @brief Which cells of a grid are inside a surface: by what is seen of it, or by parity.
+ *
+ * Input 0: a data set, or a composite of them. Of what is not a vtkPolyData, the outer surface
+ * counts. Its data are needed in one piece.
+ *
+ * Input 1, optional: orthographic depth images, from each side of one, two or three axes, with the
+ * layer `depth` and the field data of captures (vtkRelievoLayerSource, vtkRelievoDepthViews). Each
+ * may be a vtkImageData or a vtkMultiBlockDataSet of them. They then take the place of the surface,
+ * which is at most asked for its bounds.
+ *
+ * Output: vtkImageData with the cell array `mask` (unsigned char, 1 inside, 0 outside). A cell is
+ * inside if its centre is:
+ * - TWO_VIEWS: between what is seen from the front and from the back along Axis;
+ * - SIX_VIEWS: that along all three axes. Both take hollows that are not seen for solid;
+ * - PARITY: behind an odd number of crossings, which is exact for any closed surface. Where the
+ *   surface is not closed, each of the three axes counts, columns with an odd number of crossings
+ *   in all do not vote, and the majority decides.
+ *
+ * Places are computed in double, as rays through the centres of columns meet triangles; polygons
+ * are cut into fans. Results do not depend on the number of threads. The time depends on the
+ * triangles, the columns that they cover and, for the output, on the cells.
+ *
+ * Field data, each also as a method: `inside` (number of cells), `closed` (1 or 0), `columns` and
+ * `open_columns` (of each axis that counts), and `report`, a text.
+ *
+ * Errors: no input, a grid that would take more than MemoryLimit, depth images that do not fit. An
+ * empty surface is none: nothing is inside.
+ */
+#ifndef vtkRelievoVoxelShell_h
+#define vtkRelievoVoxelShell_h
+
+#include "vtkImageAlgorithm.h"
+#include "vtkRelievoFiltersModule.h" // for the export macro
+
+#include <memory> // for the internals
+#include <string> // for the report
+
+class VTKRELIEVOFILTERS_EXPORT vtkRelievoVoxelShell : public vtkImageAlgorithm
+{
+public:
+  static vtkRelievoVoxelShell* New();
+  vtkTypeMacro(vtkRelievoVoxelShell, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum MethodType
+  {
+    TWO_VIEWS = 0,
+    SIX_VIEWS = 1,
+    PARITY = 2
+  };
+
+  ///@{
+  /** How inside is decided. Default is PARITY. Depth images decide by the axes they look along. */
+  vtkSetClampMacro(Method, int, TWO_VIEWS, PARITY);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  ///@{
+  /**
+   * The axis that two views look along, and along which crossings of a closed surface are counted:
+   * 0, 1, or 2 (the default).
+   */
+  vtkSetClampMacro(Axis, int, 0, 2);
+  vtkGetMacro(Axis, int);
+  ///@}
+
+  ///@{
+  /**
+   * The box that the grid fills: x, y and z, each from and to. While a pair is not in order, as by
+   * default (1, -1, ...), it is the input's bounds. Needed where only depth images are given.
+   */
+  vtkSetVector6Macro(Bounds, double);
+  vtkGetVector6Macro(Bounds, double);
+  ///@}
+
+  ///@{
+  /** Cells along x, y and z, which fill the box. Default 0 0 0: by CellSize or Resolution. */
+  vtkSetVector3Macro(Dimensions, int);
+  vtkGetVector3Macro(Dimensions, int);
+  ///@}
+
+  ///@{
+  /** Side of the cubic cells in world units. Default 0: by Resolution. */
+  vtkSetClampMacro(CellSize, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(CellSize, double);
+  ///@}
+
+  ///@{
+  /** Cubic cells along the longest side of the box. Default is 100. */
+  vtkSetClampMacro(Resolution, int, 1, VTK_INT_MAX);
+  vtkGetMacro(Resolution, int);
+  ///@}
+
+  ///@{
+  /** Cells that are added on each side of the box. Default is 0. */
+  vtkSetClampMacro(Padding, int, 0, 1000000);
+  vtkGetMacro(Padding, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether there are the cell arrays `front` and `back` (float): how far a cell's centre is behind
+   * the first surface of its column, and before the last one, in world units along each viewed axis
+   * (PARITY: Axis). Negative outside, NaN in columns without a surface. Default off.
+   */
+  vtkSetMacro(Distances, bool);
+  vtkGetMacro(Distances, bool);
+  vtkBooleanMacro(Distances, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Mebibytes that a grid may take, output included; one that would take more is refused. Default
+   * is 1024.
+   */
+  vtkSetClampMacro(MemoryLimit, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MemoryLimit, int);
+  ///@}
+
+  ///@{
+  /**
+   * Of the last update: cells inside; whether the surface uses each edge an even number of times;
+   * columns along an axis with an odd number of crossings, and all of them (0 where crossings were
+   * not counted); and all of this in words.
+   */
+  vtkIdType GetNumberOfCellsInside();
+  bool IsClosed();
+  vtkIdType GetNumberOfOpenColumns(int axis);
+  vtkIdType GetNumberOfColumns(int axis);
+  std::string GetReport();
+  ///@}
+
+protected:
+  vtkRelievoVoxelShell();
+  ~vtkRelievoVoxelShell() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Self;
+  int Method = PARITY;
+  int Axis = 2;
+  double Bounds[6] = { 1., -1., 1., -1., 1., -1. };
+  int Dimensions[3] = { 0, 0, 0 };
+  double CellSize = 0.;
+  int Resolution = 100;
+  int Padding = 0;
+  bool Distances = false;
+  int MemoryLimit = 1024;
+
+  vtkRelievoVoxelShell(const vtkRelievoVoxelShell&) = delete;
+  void operator=(const vtkRelievoVoxelShell&) = delete;
+};
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Runs the bench of voxels with a small size, and checks its CSV: all rows, what parity and views
+// may be off, and its charts.
+#include "BenchSizes.h"
+#include "Check.h"
+#include "CsvFile.h"
+#include "Session.h"
+#include "TextTools.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace
+{
+using relievoTest::Row;
+using relievoTest::Value;
+
+void CheckVoxels(const std::string& folder)
+{
+  relievoBench::VoxelSizes sizes;
+  sizes.Sizes = { 10, 16 };
+  sizes.Slow = 16;
+  sizes.Chord = 2e-3;
+  sizes.Rounds = 3;
+  sizes.Meshes.clear();
+  sizes.Large = 0;
+  RELIEVO_CHECK(relievoBench::BenchVoxels(folder, sizes) == 0);
+  std::map<std::string, int> methods;
+  std::map<std::string, std::map<std::string, double>> wrong;
+  for (const Row& row : relievoTest::ReadCsv(folder + "/voxels.csv"))
+  {
+    const std::string& method = row.at("method");
+    const std::string name = row.at("body") + ", " + row.at("cells") + ", " + method;
+    const double excess = Value(row, "excess percent");
+    const double missed = Value(row, "missed percent");
+    ++methods[method];
+    RELIEVO_CHECK_THAT(Value(row, "milliseconds") > 0., name);
+    wrong[row.at("body") + row.at("cells")][method] = excess + missed;
+    if (method.rfind("vtk", 0) != 0)
+    {
+      // The triangles lie within the bodies' surfaces.
+      RELIEVO_CHECK_AT_MOST(missed, 2., name + ", missed cells, %");
+    }
+    if (method == "two views" && row.at("body") != "ball")
+    {
+      RELIEVO_CHECK_THAT(excess > 5., name);
+    }
+  }
+  for (auto& grid : wrong)
+  {
+    // Another way to the same triangles' inside.
+    RELIEVO_CHECK_NEAR(grid.second["parity"], grid.second["vtkSelectEnclosedPoints"], 1e-3,
+      grid.first + ", wrong, %");
+  }
+  RELIEVO_CHECK(methods.size() >= 6);
+  for (const auto& method : methods)
+  {
+    RELIEVO_CHECK_THAT(method.second == 8, method.first);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  relievoTest::TextTools text;
+  relievoTest::Session session;
+  const std::string folder = relievoTest::OutputFolder() + "/voxels";
+  vtksys::SystemTools::RemoveADirectory(folder);
+  CheckVoxels(folder);
+  for (const char* chart : { "voxels-wrong", "voxels-time" })
+  {
+    for (const char* kind : { ".png", ".svg" })
+    {
+      const std::string path = folder + "/" + chart + kind;
+      RELIEVO_CHECK_THAT(vtksys::SystemTools::FileLength(path) > 1000, path);
+    }
+  }
+  text.Release();
+  return session.Result();
+}

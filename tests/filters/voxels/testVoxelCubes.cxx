@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Cubes of a mask: which cells have one, sizes against distances by brute force, what the repeller
+// moves, and data of the nearest point.
+#include "Check.h"
+#include "Session.h"
+#include "vtkRelievoVoxelCubes.h"
+
+#include <vtkCellData.h>
+#include <vtkErrorCode.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace
+{
+constexpr int Size[3] = { 13, 9, 11 };
+const glm::dvec3 Origin(-1., 2., 0.5);
+const glm::dvec3 Spacing(0.5, 0.25, 1.);
+
+glm::dvec3 CenterOf(int cell)
+{
+  const glm::dvec3 index(
+    cell % Size[0] + 0.5, cell / Size[0] % Size[1] + 0.5, cell / Size[0] / Size[1] + 0.5);
+  return Origin + index * Spacing;
+}
+
+// A few cells anywhere, and a block with inner cells.
+vtkSmartPointer<vtkImageData> Image()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(Size[0] + 1, Size[1] + 1, Size[2] + 1);
+  image->SetOrigin(Origin.x, Origin.y, Origin.z);
+  image->SetSpacing(Spacing.x, Spacing.y, Spacing.z);
+  vtkNew<vtkUnsignedCharArray> mask;
+  mask->SetName("mask");
+  std::mt19937 any(5);
+  for (int cell = 0; cell < Size[0] * Size[1] * Size[2]; ++cell)
+  {
+    const glm::dvec3 apart = glm::abs(CenterOf(cell) - glm::dvec3(0.5, 3.1, 4.));
+    const bool block = apart.x < 1. && apart.y < 0.6 && apart.z < 2.1;
+    mask->InsertNextValue(block || any() % 200 == 0 ? 1 : 0);
+  }
+  image->GetCellData()->AddArray(mask);
+  return image;
+}
+
+void TestSizes()
+{
+  const vtkSmartPointer<vtkImageData> image = Image();
+  auto* mask = vtkUnsignedCharArray::SafeDownCast(image->GetCellData()->GetArray("mask"));
+  vtkNew<vtkRelievoVoxelCubes> cubes;
+  cubes->SetInputData(image);
+  cubes->SetTransition(1.7);
+  cubes->SetRestSize(0.1);
+  cubes->SetGrowth(0.999); // inner cells as well
+  cubes->WholeGridOn();
+  cubes->Update();
+  vtkPolyData* output = cubes->GetOutput();
+  auto* sizes = vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("size"));
+  auto* scales = vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray("scale"));
+  RELIEVO_CHECK(output->GetNumberOfPoints() == mask->GetNumberOfValues());
+  double largest = 0.;
+  vtkIdType falling = 0;
+  for (int cell = 0; cell < mask->GetNumberOfValues(); ++cell)
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int other = 0; other < mask->GetNumberOfValues(); ++other)
+    {
+      if (mask->GetValue(other))
+      {
+        nearest = std::min(nearest, glm::distance(CenterOf(cell), CenterOf(other)));
+      }
+    }
+    const double rest = 1. - std::min(nearest / 1.7, 1.);
+    const double size = 0.1 + 0.9 * 0.999 * rest * rest * (3. - 2. * rest);
+    falling += rest > 0. && rest < 1. ? 1 : 0;
+    largest = std::max(largest, std::abs(sizes->GetValue(cell) - size));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      largest =
+        std::max(largest, std::abs(scales->GetComponent(cell, axis) - size * Spacing[axis]));
+      RELIEVO_CHECK(std::abs(output->GetPoint(cell)[axis] - CenterOf(cell)[axis]) < 1e-5);
+    }
+  }
+  RELIEVO_CHECK(falling > 100);
+  RELIEVO_CHECK_AT_MOST(largest, 1e-6, "sizes against brute force");
+  // Without the grid outside, and without what is not seen.
+  cubes->SetGrowth(1.);
+  cubes->SetTransition(0.);
+  cubes->WholeGridOff();
+  cubes->Update();
+  vtkIdType shell = 0;
+  for (int cell = 0; cell < mask->GetNumberOfValues(); ++cell)
+  {
+    bool seen = false;
+    int step = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int at = cell / step % Size[axis];
+      seen = seen || at == 0 || at == Size[axis] - 1 || !mask->GetValue(cell - step) ||
+        !mask->GetValue(cell + step);
+      step *= Size[axis];
+    }
+    shell += mask->GetValue(cell) && seen ? 1 : 0;
+  }
+  RELIEVO_CHECK(cubes->GetOutput()->GetNumberOfPoints() == shell);
+  sizes = vtkFloatArray::SafeDownCast(cubes->GetOutput()->GetPointData()->GetArray("size"));
+  RELIEVO_CHECK(sizes->GetRange()[0] == 1. && sizes->GetRange()[1] == 1.);
+}
+
+void TestRepeller()
+{
+  const vtkSmartPointer<vtkImageData> image = Image();
+  vtkNew<vtkRelievoVoxelCubes> cubes;
+  cubes->SetInputData(image);
+  cubes->WholeGridOn();
+  cubes->SetGrowth(0.5);
+  const glm::dvec3 middle(0.7, 3., 4.2);
+  cubes->SetRepeller(middle.x, middle.y, middle.z);
+  cubes->SetRepellerRadius(2.);
+  cubes->Update();
+  int moved = 0;
+  for (vtkIdType i = 0; i < cubes->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    glm::dvec3 place;
+    cubes->GetOutput()->GetPoint(i, &place[0]);
+    const glm::dvec3 before = CenterOf(static_cast<int>(i));
+    const double d = glm::distance(before, middle);
+    RELIEVO_CHECK(glm::distance(place, middle) > 0.9999);
+    const glm::dvec3 truth =
+      d < 2. ? middle + glm::normalize(before - middle) * (1. + d * d / 4.) : before;
+    RELIEVO_CHECK(glm::distance(place, truth) < 1e-5);
+    moved += d < 2. ? 1 : 0;
+  }
+  RELIEVO_CHECK(moved > 50);
+}
+
+void TestColors()
+{
+  vtkNew<vtkPolyData> model;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> values;
+  values->SetName("value");
+  std::mt19937 any(7);
+  std::uniform_real_distribution<double> unit(0., 1.);
+  for (int i = 0; i < 50; ++i)
+  {
+    points->InsertNextPoint(-1. + 6. * unit(any), 2. + 2. * unit(any), 11. * unit(any));
+    values->InsertNextValue(static_cast<float>(i));
+  }
+  model->SetPoints(points);
+  model->GetPointData()->SetScalars(values);
+  vtkNew<vtkRelievoVoxelCubes> cubes;
+  cubes->SetInputData(0, Image());
+  cubes->SetInputData(1, model);
+  cubes->Update();
+  vtkPolyData* output = cubes->GetOutput();
+  vtkDataArray* found = output->GetPointData()->GetScalars();
+  RELIEVO_CHECK(found && std::string(found->GetName()) == "value");
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    glm::dvec3 place;
+    output->GetPoint(i, &place[0]);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int p = 0; p < 50; ++p)
+    {
+      glm::dvec3 other;
+      points->GetPoint(p, &other[0]);
+      nearest = std::min(nearest, glm::distance(place, other));
+    }
+    glm::dvec3 chosen;
+    points->GetPoint(static_cast<vtkIdType>(found->GetTuple1(i)), &chosen[0]);
+    RELIEVO_CHECK(glm::distance(place, chosen) < nearest + 1e-6);
+  }
+}
+
+void TestNoMask()
+{
+  vtkNew<vtkRelievoVoxelCubes> cubes;
+  vtkNew<vtkImageData> image;
+  cubes->SetInputData(image);
+  cubes->Update();
+  RELIEVO_CHECK(cubes->GetErrorCode() == vtkErrorCode::NoError);
+  image->SetDimensions(3, 3, 3);
+  relievoTest::ExpectMessage expect("no cell array 'mask'");
+  cubes->SetInputData(image);
+  cubes->Modified();
+  cubes->Update();
+  RELIEVO_CHECK(expect.Count() == 1 && cubes->GetErrorCode() == vtkErrorCode::UserError);
+}
+}
+
+int main()
+{
+  relievoTest::Session session;
+  TestSizes();
+  TestRepeller();
+  TestColors();
+  TestNoMask();
+  return session.Result();
+}
