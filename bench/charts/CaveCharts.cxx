@@ -16,7 +16,7 @@ Chart Evaluations(const CsvRows& rows)
   Chart chart;
   chart.Kind = Chart::Curves;
   chart.Title = "Caves: evaluations of noise";
-  chart.Note = "Lower is better. All make the same mask. Tunnels are a tenth of a cell wide.";
+  chart.Note = "Lower is better. Same masks; tunnels a tenth of a cell wide. Ring: the default.";
   chart.X.Title = "samples across a cell of the noise (Scale)";
   chart.X.Log = true;
   chart.X.Ticks = { { 16., "16" }, { 32., "32" }, { 64., "64" }, { 128., "128" }, { 256., "256" } };
