@@ -162,7 +162,7 @@ void vtkRelievoShadowPass::Describe(vtkRelievoStageDescription& description)
     "Whether shadows are seen in the picture.");
   description.AddChoice(
     "method", this->Method, [this](int method) { this->SetMethod(method); },
-    { "map", "forward", "warped" }, "How shadows are computed.");
+    { "map", "forward", "warped", "exact" }, "How shadows are computed.");
   description.AddWhole(
     "map_size", this->MapSize, [this](int size) { this->SetMapSize(size); }, 16, 16384, "texels",
     "Width and height of each light's map.");
@@ -238,7 +238,7 @@ void vtkRelievoShadowPass::ExplainMaps()
       << " x " << in.Work.Maps.GetSize() << " texels, " << this->NumberOfMapsDrawn
       << " drawn anew, expected share of wrong pixels " << std::setprecision(2)
       << 100.0 * this->GetExpectedWrongShare() << " %" << std::setprecision(6)
-      << in.Schedule.Exchange.GetReport() << in.Lights.GetReport();
+      << in.Method->GetReport() << in.Schedule.Exchange.GetReport() << in.Lights.GetReport();
   this->Explain("ran", out.str());
 }
 
@@ -268,7 +268,7 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
   in.Window = context.Window;
   work.PlainDraw.SetWindow(in.Window);
   work.Bias = this->Bias;
-  in.UseMethod(this->Method, context.Window);
+  this->PrepareMethod(context);
   const std::string fault = in.Schedule.Fit(work, in.Lights.GetCasting(), *in.Method,
     this->GetMapSizeHere(), this->FilterRadius, context.Renderer);
   in.UpdateStructure();
@@ -294,6 +294,33 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
   if (!in.Method->GetFault().empty())
   {
     this->SayOnce("Shadows are looked up in the maps alone: " + in.Method->GetFault());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::PrepareMethod(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  const bool refused = this->Method == in.MethodRefused && in.Work.Props.GetState() == in.Refused;
+  in.UseMethod(refused ? METHOD_MAP : this->Method, context.Window);
+  std::string fault;
+  if (in.Schedule.Exchange.IsOn() && in.Method->Traces())
+  {
+    fault = "each process has only its own part of the casters";
+  }
+  else
+  {
+    fault = in.Method->Prepare(in.Work, context.Renderer);
+  }
+  if (!fault.empty())
+  {
+    in.MethodRefused = this->Method;
+    in.Refused = in.Work.Props.GetState();
+    in.UseMethod(METHOD_MAP, context.Window);
+    if (in.Said.insert(fault).second)
+    {
+      vtkWarningMacro("Shadows are made with maps: " << fault << ".");
+    }
   }
 }
 

@@ -56,7 +56,8 @@ public:
   {
     METHOD_MAP = 0,
     METHOD_FORWARD = 1,
-    METHOD_WARPED = 2
+    METHOD_WARPED = 2,
+    METHOD_EXACT = 3
   };
 
   ///@{
@@ -71,11 +72,12 @@ public:
    * density follows the logistic function, in up to four straight pieces that are drawn separately,
    * so that edges stay straight. Lamps use maps as with METHOD_MAP.
    */
-  vtkSetClampMacro(Method, int, METHOD_MAP, METHOD_WARPED);
+  vtkSetClampMacro(Method, int, METHOD_MAP, METHOD_EXACT);
   vtkGetMacro(Method, int);
   void SetMethodToMap() { this->SetMethod(METHOD_MAP); }
   void SetMethodToForward() { this->SetMethod(METHOD_FORWARD); }
   void SetMethodToWarped() { this->SetMethod(METHOD_WARPED); }
+  void SetMethodToExact() { this->SetMethod(METHOD_EXACT); }
   ///@}
 
   ///@{
@@ -253,6 +255,7 @@ private:
   vtkRelievoShadowPass(const vtkRelievoShadowPass&) = delete;
   void operator=(const vtkRelievoShadowPass&) = delete;
 
+  void PrepareMethod(vtkRelievoFrameContext& context); // or maps, with a warning
   void ExplainMaps();
   void SayOnce(const std::string& error);
   double GetExpectedWrongShare() const; // of the frame's maps
