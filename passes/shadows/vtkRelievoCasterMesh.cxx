@@ -85,7 +85,8 @@ std::vector<glm::vec3> GetCorners(
   return corners;
 }
 
-// The middle of what has a place; and its largest coordinate.
+// The middle of what has a place; and the largest coordinate that is rounded to a float, here or in
+// VTK's buffer: that keeps floats as they are, and shifts what lies 10^4 times its size away.
 glm::dvec3 GetMiddle(vtkPolyData* data, const std::vector<vtkIdType>& triangles, double& reach)
 {
   glm::dvec3 low(1e300);
@@ -105,8 +106,14 @@ glm::dvec3 GetMiddle(vtkPolyData* data, const std::vector<vtkIdType>& triangles,
     reach = 0.0;
     return glm::dvec3(0.0);
   }
+  const glm::dvec3 half = 0.5 * (high - low);
   const glm::dvec3 most = glm::max(glm::abs(low), glm::abs(high));
-  reach = std::max({ most.x, most.y, most.z });
+  reach = std::max({ half.x, half.y, half.z });
+  const double farthest = std::max({ most.x, most.y, most.z });
+  if (data->GetPoints()->GetDataType() != VTK_FLOAT && farthest <= 2e4 * reach)
+  {
+    reach = farthest;
+  }
   return 0.5 * (low + high);
 }
 

@@ -16,7 +16,6 @@
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCasterDraw.h"
-#include "vtkRelievoCasterFollow.h"
 #include "vtkRelievoPropParts.h"
 #include "vtkRelievoShadowFit.h"
 #include "vtkRenderState.h"
@@ -203,33 +202,6 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
       }
     }
   }
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkRelievoCaster> vtkRelievoShadowProps::TakeFollowed()
-{
-  this->AllCasters.swap(this->Casters);
-  this->AllBoxes.swap(this->CasterBoxes);
-  this->Casters.clear();
-  this->CasterBoxes.clear();
-  std::vector<vtkRelievoCaster> followed;
-  for (std::size_t i = 0; i < this->AllCasters.size(); ++i)
-  {
-    const Caster& caster = this->AllCasters[i];
-    if (!vtkRelievoCasterFollow::Collect(caster.Prop, caster.Translucent, followed))
-    {
-      this->Casters.push_back(caster);
-      this->CasterBoxes.push_back(this->AllBoxes[i]);
-    }
-  }
-  return followed;
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoShadowProps::PutBackFollowed()
-{
-  this->Casters = this->AllCasters;
-  this->CasterBoxes = this->AllBoxes;
 }
 
 //------------------------------------------------------------------------------

@@ -56,7 +56,8 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderWindow* window, const RenderOptio
     pass->GetShadowPass()->SetMapSize(*options.ShadowSize);
   }
   constexpr int methods[] = { vtkRelievoShadowPass::METHOD_MAP, vtkRelievoShadowPass::METHOD_MAP,
-    vtkRelievoShadowPass::METHOD_FORWARD, vtkRelievoShadowPass::METHOD_WARPED };
+    vtkRelievoShadowPass::METHOD_FORWARD, vtkRelievoShadowPass::METHOD_WARPED,
+    vtkRelievoShadowPass::METHOD_EXACT };
   pass->GetShadowPass()->SetMethod(methods[static_cast<int>(options.ShadowMethod)]);
 }
 }

@@ -43,8 +43,8 @@ render draws the FILEs off screen and writes the outputs that you request.
                           repeated. Values are numbers for all, or names of point arrays (the
                           arrays radius, intensity and color, else 1, 1 and white); F is linear
                           (linear), inverse-square, or vtk with attenuation=A/B/C
-  --shadows METHOD        shadows of the lights in the picture: off, map, forward or warped
-                          (off)
+  --shadows METHOD        shadows of the lights in the picture: off, map, forward, warped or
+                          exact (off)
   --shadow-size N         side of each shadow map in texels, 16 to 16384 (2048)
   --normal-map F          normals from an image (.png .jpg .tif .bmp .hdr .exr; OpenGL's green),
                           placed by the meshes' texture coordinates; linear values, not sRGB

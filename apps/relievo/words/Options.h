@@ -34,7 +34,8 @@ enum class Shadows
   Off,
   Map,
   Forward,
-  Warped
+  Warped,
+  Exact
 };
 
 enum class Relief
