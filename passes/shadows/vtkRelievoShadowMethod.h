@@ -32,8 +32,8 @@ public:
   vtkRelievoShadowMethod(const vtkRelievoShadowMethod&) = delete;
   void operator=(const vtkRelievoShadowMethod&) = delete;
 
-  // Before maps are fitted: takes the casters that need none. Returns why the frame's shadows cannot
-  // be made this way, in words; `map` makes them then.
+  // Before maps are fitted: takes the casters that need none. Returns why the frame's shadows
+  // cannot be made this way, in words; `map` makes them then.
   virtual std::string Prepare(vtkRelievoShadowWork&, vtkRenderer*) { return std::string(); }
 
   // The views of a light's maps, as vtkRelievoShadowFit::Fit, which is what is done by default.
