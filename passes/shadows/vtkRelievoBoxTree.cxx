@@ -13,8 +13,8 @@ using Box = vtkRelievoBoxTree::Box;
 using Node = vtkRelievoBoxTree::Node;
 
 constexpr int Bins = 16;
-constexpr int Few = 32;           // boxes that are split where it is best, not by bins
-constexpr int ForAThread = 8192;  // boxes of a subtree that one thread makes
+constexpr int Few = 32;          // boxes that are split where it is best, not by bins
+constexpr int ForAThread = 8192; // boxes of a subtree that one thread makes
 
 const Box Nothing = { glm::vec3(std::numeric_limits<float>::max()),
   glm::vec3(-std::numeric_limits<float>::max()) };
@@ -181,8 +181,7 @@ vtkRelievoBoxTree::Task vtkRelievoBoxTree::MakeNode(
     const float y = GetMiddle(boxes[b])[split.Axis];
     return x < y || (x == y && a < b);
   });
-  node.Low.w =
-    static_cast<float>(task.Node + GetNumberOfNodes(task.Count, this->LeafSize));
+  node.Low.w = static_cast<float>(task.Node + GetNumberOfNodes(task.Count, this->LeafSize));
   node.High.w = 0.f;
   const Task left = { task.Node + 1, task.First, split.Left };
   right = { left.Node + GetNumberOfNodes(split.Left, this->LeafSize), task.First + split.Left,

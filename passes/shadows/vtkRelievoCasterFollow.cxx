@@ -49,9 +49,9 @@ bool IsSurface(vtkActor* actor)
   vtkMapper* mapper = actor->GetMapper();
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   bool surface = vtkRelievoCasterDraw::IsPlainClass(actor) &&
-    !vtkRelievoCasterDraw::HasOwnShaders(actor) &&
-    property->GetRepresentation() == VTK_SURFACE && !property->GetVertexVisibility() &&
-    (!planes || planes->GetNumberOfItems() == 0) && IsOpaque(actor->GetTexture());
+    !vtkRelievoCasterDraw::HasOwnShaders(actor) && property->GetRepresentation() == VTK_SURFACE &&
+    !property->GetVertexVisibility() && (!planes || planes->GetNumberOfItems() == 0) &&
+    IsOpaque(actor->GetTexture());
   for (const auto& named : property->GetAllTextures())
   {
     surface = surface && IsOpaque(named.second);
@@ -109,8 +109,7 @@ bool AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attribute
     it->TraverseSubTreeOff();
     for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
     {
-      followed =
-        followed && AddBlocks(it->GetCurrentDataObject(), attributes, manner, casters);
+      followed = followed && AddBlocks(it->GetCurrentDataObject(), attributes, manner, casters);
     }
     return followed;
   }
@@ -118,8 +117,8 @@ bool AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attribute
   return mesh && AddMesh(mesh, manner, casters);
 }
 
-bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, bool translucent,
-  std::vector<vtkRelievoCaster>& casters)
+bool AddActor(
+  vtkActor* actor, vtkMatrix4x4* matrix, bool translucent, std::vector<vtkRelievoCaster>& casters)
 {
   vtkMapper* mapper = actor->GetMapper();
   if (!actor->GetVisibility())

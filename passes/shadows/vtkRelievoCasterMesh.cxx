@@ -134,8 +134,8 @@ bool vtkRelievoCasterMesh::Follows(vtkPolyData* data)
 {
   bool follows = true;
 #ifdef RELIEVO_VTK_EAR_CLIPPING
-  ForEachCell(data->GetPolys(),
-    [&](vtkIdType count, const vtkIdType*) { follows = follows && count < 5; });
+  ForEachCell(
+    data->GetPolys(), [&](vtkIdType count, const vtkIdType*) { follows = follows && count < 5; });
 #endif
   return follows &&
     data->GetPolys()->GetNumberOfConnectivityIds() +

@@ -29,7 +29,7 @@ public:
   bool WasRefitted() const { return this->Refitted; } // by the last update
 
   const glm::dvec3& GetOrigin() const { return this->Origin; }
-  double GetReach() const { return this->Reach; } // largest coordinate that is rounded
+  double GetReach() const { return this->Reach; }          // largest coordinate that is rounded
   void GetBounds(glm::dvec3& low, glm::dvec3& high) const; // about the origin
 
 private:

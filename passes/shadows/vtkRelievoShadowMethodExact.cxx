@@ -76,12 +76,10 @@ void vtkRelievoShadowMethodExact::SetFrameUniforms(
   for (const auto& entry : work.Cache.GetEntries())
   {
     const vtkRelievoShadowLight& light = entry.Light;
-    sources.emplace_back(light.Positional
-        ? glm::dvec4(light.Position - this->Tree.GetOrigin(), 1.0)
-        : glm::dvec4(-light.Direction, 0.0));
+    sources.emplace_back(light.Positional ? glm::dvec4(light.Position - this->Tree.GetOrigin(), 1.0)
+                                          : glm::dvec4(-light.Direction, 0.0));
   }
-  const float blur[2] = { static_cast<float>(
-                            Roundings * Ulp * GetSizeInView(work.View, center)),
+  const float blur[2] = { static_cast<float>(Roundings * Ulp * GetSizeInView(work.View, center)),
     static_cast<float>(Roundings * Ulp) };
   program->SetUniformi("relievoShadowTree", this->Tree.GetTextureUnit());
   program->SetUniformi(

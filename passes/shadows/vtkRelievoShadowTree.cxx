@@ -150,8 +150,7 @@ std::string vtkRelievoShadowTree::Update(vtkOpenGLRenderWindow* window,
   }
   const bool meshes = this->UpdateMeshes(casters);
   const bool same = !meshes && this->Texture && origin == this->Origin &&
-    std::equal(
-      casters.begin(), casters.end(), this->Casters.begin(), this->Casters.end(), IsSame);
+    std::equal(casters.begin(), casters.end(), this->Casters.begin(), this->Casters.end(), IsSame);
   if (same)
   {
     return {};

@@ -56,12 +56,11 @@ void TestMesh(const std::string& mesh, SceneLight kind, int width, int height)
   frame->GetShadowPass()->SetMethodToExact();
   const auto truth = scene.MakeTruth();
   window->Render();
-  const auto shadow = relievoTest::TraceShadow(
-    *truth, truth->Trace(relievoTest::View(scene.Renderer)), scene.Light);
+  const auto shadow =
+    relievoTest::TraceShadow(*truth, truth->Trace(relievoTest::View(scene.Renderer)), scene.Light);
   const Layers phong(scene.Renderer, { "shadow_0" });
   const auto errors = relievoTest::CompareShadow(shadow, Visibility(phong.Image));
-  const std::string what =
-    mesh + ", " + std::to_string(width) + " x " + std::to_string(height);
+  const std::string what = mesh + ", " + std::to_string(width) + " x " + std::to_string(height);
   std::cout << what << ": " << errors.ToString() << std::endl;
   RELIEVO_CHECK_THAT(errors.Compared > 10000 && errors.Dark > 500, what + ": what is compared");
   RELIEVO_CHECK_AT_MOST(errors.Wrong(), Limit, what + ": share of wrong verdicts");
@@ -204,11 +203,11 @@ void TestTroubles()
   stage.AddGround();
   stage.AddThings();
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const auto mesh = relievoTest::MakePolygons({ { -1., 1.5, 0. }, { 1., 1.5, 0. },
-    { 1., 1.5 + 1e-7, 1e-5 }, { 0., 1.5, 0. }, { none, 0., 0. }, { -2., 1.2, 1. },
-    { -1., 1.2, 1. }, { -1., 1.2, 2. } });
-  for (const auto& cell : { std::array<vtkIdType, 3>{ 0, 1, 2 }, { 0, 1, 3 }, { 0, 3, 3 },
-         { 0, 1, 4 }, { 5, 6, 7 } })
+  const auto mesh =
+    relievoTest::MakePolygons({ { -1., 1.5, 0. }, { 1., 1.5, 0. }, { 1., 1.5 + 1e-7, 1e-5 },
+      { 0., 1.5, 0. }, { none, 0., 0. }, { -2., 1.2, 1. }, { -1., 1.2, 1. }, { -1., 1.2, 2. } });
+  for (const auto& cell :
+    { std::array<vtkIdType, 3>{ 0, 1, 2 }, { 0, 1, 3 }, { 0, 3, 3 }, { 0, 1, 4 }, { 5, 6, 7 } })
   {
     mesh->GetPolys()->InsertNextCell(3, cell.data());
   }
@@ -241,7 +240,9 @@ void TestOthers()
   ShadowStage stage;
   stage.AddGround();
   stage.AddBox({ 0.2, 0.8, -0.1 }, { 1.2, 1.6, 0.5 });
-  stage.AddBox({ -1.4, 0.5, 0.9 }, { 0.9, 0.4, 0.7 })->GetProperty()->SetRepresentationToWireframe();
+  stage.AddBox({ -1.4, 0.5, 0.9 }, { 0.9, 0.4, 0.7 })
+    ->GetProperty()
+    ->SetRepresentationToWireframe();
   stage.AddSun(-3., 4., -2.);
   stage.GetShadows()->SetMethodToExact();
   const auto both = relievoTest::CaptureShadow(stage, 0);

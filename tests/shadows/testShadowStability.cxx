@@ -56,7 +56,8 @@ void CheckInner(const std::string& what, ShadowStage& stage, int number, double 
   const auto inner = relievoTest::CompareShadow(relievoTest::GetInner(truth), array->GetPointer(0));
   std::cout << what << ": " << all.ToString() << "; inner " << inner.ToString() << "\n";
   RELIEVO_CHECK_THAT(inner.Compared > 1000 && inner.Dark > 50, what + ": too little is judged");
-  RELIEVO_CHECK_AT_MOST(all.Wrong(), Exact ? exactLimit : limit, what + ": share of wrong verdicts");
+  RELIEVO_CHECK_AT_MOST(
+    all.Wrong(), Exact ? exactLimit : limit, what + ": share of wrong verdicts");
   RELIEVO_CHECK_AT_MOST(inner.FalseShadow, 0, what + ": inner pixels in false shadow");
   RELIEVO_CHECK_AT_MOST(inner.FalseLight, 0, what + ": inner pixels in false light");
 }
@@ -213,25 +214,31 @@ void TestWorlds()
     plain(s);
     s.AddBox({ 0., -1e3, 0. }, { 1e4, 1., 1e4 });
   });
-  Test("a caster far towards the sun", [](ShadowStage& s) {
-    s.AddThings();
-    s.AddBox({ 3e4, 4e4, 2e4 }, { 1., 0.1, 1. });
-    s.AddSun(3., 4., 2.);
-  }, 1e-3, 1., glm::dvec3(0.), 1.5e-3); // floats have no digits left there
+  Test(
+    "a caster far towards the sun",
+    [](ShadowStage& s) {
+      s.AddThings();
+      s.AddBox({ 3e4, 4e4, 2e4 }, { 1., 0.1, 1. });
+      s.AddSun(3., 4., 2.);
+    },
+    1e-3, 1., glm::dvec3(0.), 1.5e-3); // floats have no digits left there
   Test("parallel camera", [&plain](ShadowStage& s) {
     plain(s);
     s.Renderer->GetActiveCamera()->ParallelProjectionOn();
     s.Renderer->GetActiveCamera()->SetParallelScale(1.7);
   });
-  Test("telephoto", [](ShadowStage& s) {
-    s.AddThings();
-    s.AddSun(-3., 4., -2.);
-    s.AddLamp({ -1., 4., -1.5 }, { 0.3, 0., 0.3 }, 40.);
-    s.AddLamp({ -1., 3., -1.5 }, { 0.3, 0., 0.3 }, 90.);
-    s.Renderer->GetActiveCamera()->SetPosition(2.5e3, 2.5e3 + 0.5, 6e3);
-    s.Renderer->GetActiveCamera()->SetViewAngle(0.03);
-    s.Renderer->GetActiveCamera()->SetClippingRange(5e3, 9e3);
-  }, 1e-3, 1., glm::dvec3(0.), 2e-4); // nor in eye space, so far from the eye
+  Test(
+    "telephoto",
+    [](ShadowStage& s) {
+      s.AddThings();
+      s.AddSun(-3., 4., -2.);
+      s.AddLamp({ -1., 4., -1.5 }, { 0.3, 0., 0.3 }, 40.);
+      s.AddLamp({ -1., 3., -1.5 }, { 0.3, 0., 0.3 }, 90.);
+      s.Renderer->GetActiveCamera()->SetPosition(2.5e3, 2.5e3 + 0.5, 6e3);
+      s.Renderer->GetActiveCamera()->SetViewAngle(0.03);
+      s.Renderer->GetActiveCamera()->SetClippingRange(5e3, 9e3);
+    },
+    1e-3, 1., glm::dvec3(0.), 2e-4); // nor in eye space, so far from the eye
 }
 
 // A scene is the same picture wherever it lies, but for what rounding does to edges.
