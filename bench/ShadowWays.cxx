@@ -39,6 +39,7 @@ const std::vector<ShadowWay>& ShadowWays()
     { "map", UseShadowMap, 4096, false },
     { "forward", UseShadowForward, 1024, true },
     { "warped", UseShadowWarped, 4096, false },
+    { "exact", UseShadowExact, 4096, false },
     { "vtkShadowMapPass", UseShadowPeer, 4096, false },
   };
   return ways;
@@ -86,6 +87,12 @@ void UseShadowForward(vtkRenderer* renderer, int mapSize)
 void UseShadowWarped(vtkRenderer* renderer, int mapSize)
 {
   UseMethod(renderer, mapSize, vtkRelievoShadowPass::METHOD_WARPED);
+}
+
+//------------------------------------------------------------------------------
+void UseShadowExact(vtkRenderer* renderer, int mapSize)
+{
+  UseMethod(renderer, mapSize, vtkRelievoShadowPass::METHOD_EXACT);
 }
 
 //------------------------------------------------------------------------------

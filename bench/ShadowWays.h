@@ -34,6 +34,7 @@ void UseShadowPeer(vtkRenderer* renderer, int mapSize);
 void UseShadowMap(vtkRenderer* renderer, int mapSize);
 void UseShadowForward(vtkRenderer* renderer, int mapSize);
 void UseShadowWarped(vtkRenderer* renderer, int mapSize);
+void UseShadowExact(vtkRenderer* renderer, int mapSize); // of any size
 
 /** Plain frames again; what the pass held is released. */
 void UseNoShadows(vtkRenderWindow* window, vtkRenderer* renderer);

@@ -26,6 +26,8 @@
 
 #include "formulas/shadow.glsl"
 
+#include "formulas/ray.glsl"
+
 #include "formulas/environment.glsl"
 
 #include "formulas/irradiance.glsl"

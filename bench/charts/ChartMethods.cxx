@@ -45,6 +45,7 @@ const std::vector<ChartMethod>& ChartMethods()
     { "map", "map", C::Blue, M::Circle, D::Solid },
     { "forward", "forward", C::Vermillion, M::Square, D::DashDotted },
     { "warped", "warped", C::Green, M::Diamond, D::Dashed },
+    { "exact", "exact", C::Orange, M::Down, D::Solid },
     { "constant, computed", "constant bias", C::Purple, M::Up, D::Dotted },
     { "vtkShadowMapPass", "VTK", C::Grey, M::Cross, D::Dashed },
     // Lamps

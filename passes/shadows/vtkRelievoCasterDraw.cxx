@@ -29,13 +29,6 @@ namespace
 {
 using Access = vtkRelievoAccess::Mapper;
 
-bool HasOwnShaders(vtkActor* actor)
-{
-  vtkShaderProperty* shaders = actor->GetShaderProperty();
-  return shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
-    shaders->HasFragmentShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
-}
-
 // Whether VTK moves polygons in depth: in its own shaders.
 bool IsOffset(vtkMapper* mapper)
 {
@@ -102,6 +95,20 @@ void vtkRelievoCasterDraw::AddActorClass(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::IsPlainClass(vtkActor* actor)
+{
+  return GetActorClasses().count(actor->GetClassName()) != 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::HasOwnShaders(vtkActor* actor)
+{
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  return shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
+    shaders->HasFragmentShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
+}
+
+//------------------------------------------------------------------------------
 vtkActor* vtkRelievoCasterDraw::GetPlainActor(vtkProp* prop) const
 {
   auto* actor = vtkActor::SafeDownCast(prop);
@@ -113,7 +120,7 @@ std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor*
 {
   // Exactly these classes, of actors and of mappers: a derived one may draw otherwise.
   vtkMapper* mapper = actor->GetMapper();
-  if (!mapper || GetActorClasses().count(actor->GetClassName()) == 0)
+  if (!mapper || !IsPlainClass(actor))
   {
     return {};
   }

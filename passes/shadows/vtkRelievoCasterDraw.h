@@ -36,6 +36,9 @@ public:
   // Actors of this class draw their mapper as vtkOpenGLActor does.
   static void AddActorClass(const std::string& name);
 
+  static bool IsPlainClass(vtkActor* actor); // of such a class
+  static bool HasOwnShaders(vtkActor* actor);
+
   // A mapper has drawn in this window: its buffers, as built now, are in this context.
   void Learn(vtkOpenGLPolyDataMapper* mapper);
 

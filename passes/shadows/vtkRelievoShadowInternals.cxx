@@ -20,6 +20,8 @@ void vtkRelievoShadowPass::Internals::UpdateStructure()
 {
   vtkRelievoShadowSplice::Structure structure;
   structure.Method = this->Method->GetShader();
+  structure.Traced = this->Method->Traces();
+  structure.Maps = !structure.Traced || this->Work.Cache.GetNumberOfMaps() > 0;
   structure.Numbers = static_cast<int>(this->Lights.GetAll().size());
   structure.Unlit = this->LayersAsked;
   structure.WideFilter = this->Work.Radius > 1;

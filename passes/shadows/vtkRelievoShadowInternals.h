@@ -32,6 +32,8 @@ public:
   vtkRelievoLampMaps Lamps{ Casters }; // from data
   std::unique_ptr<vtkRelievoShadowMethod> Method = vtkRelievoShadowMethod::Make(METHOD_MAP);
   int MethodMade = METHOD_MAP;
+  int MethodRefused = -1; // could not make shadows of what cast so
+  std::vector<std::uint64_t> Refused;
   vtkTimeStamp StructureTime;
   bool LayersAsked = false;                     // visibility is asked for as a layer
   bool LightsAsked = false;                     // shadows of the renderer's lights

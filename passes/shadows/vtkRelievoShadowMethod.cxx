@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowMethod.h"
 
+#include "vtkRelievoShadowMethodExact.h"
 #include "vtkRelievoShadowMethodForward.h"
 #include "vtkRelievoShadowMethodMap.h"
 #include "vtkRelievoShadowMethodWarped.h"
@@ -16,6 +17,8 @@ std::unique_ptr<vtkRelievoShadowMethod> vtkRelievoShadowMethod::Make(int method)
       return std::make_unique<vtkRelievoShadowMethodForward>();
     case vtkRelievoShadowPass::METHOD_WARPED:
       return std::make_unique<vtkRelievoShadowMethodWarped>();
+    case vtkRelievoShadowPass::METHOD_EXACT:
+      return std::make_unique<vtkRelievoShadowMethodExact>();
     default:
       return std::make_unique<vtkRelievoShadowMethodMap>();
   }

@@ -32,6 +32,10 @@ public:
   vtkRelievoShadowMethod(const vtkRelievoShadowMethod&) = delete;
   void operator=(const vtkRelievoShadowMethod&) = delete;
 
+  // Before maps are fitted: takes the casters that need none. Returns why the frame's shadows
+  // cannot be made this way, in words; `map` makes them then.
+  virtual std::string Prepare(vtkRelievoShadowWork&, vtkRenderer*) { return std::string(); }
+
   // The views of a light's maps, as vtkRelievoShadowFit::Fit, which is what is done by default.
   virtual std::vector<vtkRelievoShadowView> Fit(const vtkRelievoShadowLight& light,
     const std::vector<vtkRelievoShadowRegion::Polygon>& visible,
@@ -54,6 +58,9 @@ public:
   // The source with the section MethodDec that shaders/shadow/receive.glsl asks for.
   virtual std::string GetShader() const = 0;
 
+  // Whether rays decide: the section TraceImpl, after what the maps say.
+  virtual bool Traces() const { return false; }
+
   // Depth of a map that is taken off receivers for a bias in texels, before the shader's section.
   virtual double GetBias(const vtkRelievoShadowView& view, double texels) const
   {
@@ -65,6 +72,9 @@ public:
   virtual void SetActorUniforms(vtkShaderProgram*, const vtkRelievoShadowWork&, vtkActor*) const {}
 
   virtual vtkRelievoShadowEstimate Estimate(const vtkRelievoShadowDemand& demand) const = 0;
+
+  // For the frame's report: ", WORDS".
+  virtual std::string GetReport() const { return std::string(); }
 
   // What is held beside the maps.
   virtual vtkIdType GetBytes() const { return 0; }

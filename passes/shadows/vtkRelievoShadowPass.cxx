@@ -163,7 +163,7 @@ void vtkRelievoShadowPass::Describe(vtkRelievoStageDescription& description)
     "Whether shadows are seen in the picture.");
   description.AddChoice(
     "method", this->Method, [this](int method) { this->SetMethod(method); },
-    { "map", "forward", "warped" }, "How shadows are computed.");
+    { "map", "forward", "warped", "exact" }, "How shadows are computed.");
   description.AddWhole(
     "map_size", this->MapSize, [this](int size) { this->SetMapSize(size); }, 16, 16384, "texels",
     "Width and height of each light's map.");
@@ -234,16 +234,17 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
   in.Window = context.Window;
   work.PlainDraw.SetWindow(in.Window);
   const bool lights = !in.Lights.GetCasting().empty();
-  in.UseMethod(lights ? this->Method : METHOD_MAP, context.Window);
   std::string fault;
   if (lights)
   {
     work.Bias = this->Bias;
+    this->PrepareMethod(context);
     fault = in.Schedule.Fit(work, in.Lights.GetCasting(), *in.Method,
       this->GetSizeHere(this->MapSize), this->FilterRadius, context.Renderer);
   }
   else
   {
+    in.UseMethod(METHOD_MAP, context.Window);
     work.Maps.Release(context.Window);
     work.Cache.Clear();
   }
@@ -286,6 +287,32 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
     all += (all.empty() ? "" : "; ") + each;
   }
   this->Explain("ran", all);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::PrepareMethod(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  const bool refused = this->Method == in.MethodRefused && in.Work.Props.GetState() == in.Refused;
+  in.UseMethod(refused ? METHOD_MAP : this->Method, context.Window);
+  std::string fault;
+  if (in.Schedule.Exchange.IsOn() && in.Method->Traces())
+  {
+    fault = "each process has only its own part of the casters";
+  }
+  else if (!(fault = in.Method->Prepare(in.Work, context.Renderer)).empty())
+  {
+    in.MethodRefused = this->Method;
+    in.Refused = in.Work.Props.GetState();
+  }
+  if (!fault.empty())
+  {
+    in.UseMethod(METHOD_MAP, context.Window);
+    if (in.Said.insert(fault).second)
+    {
+      vtkWarningMacro("Shadows are made with maps: " << fault << ".");
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -56,7 +56,8 @@ public:
   {
     METHOD_MAP = 0,
     METHOD_FORWARD = 1,
-    METHOD_WARPED = 2
+    METHOD_WARPED = 2,
+    METHOD_EXACT = 3
   };
 
   ///@{
@@ -70,12 +71,21 @@ public:
    * plane, with rays sheared upright so that its depth is the height. Along the view direction its
    * density follows the logistic function, in up to four straight pieces that are drawn separately,
    * so that edges stay straight. Lamps use maps as with METHOD_MAP.
+   * METHOD_EXACT sends a ray from each pixel's own place to the light, past the triangles of what
+   * casts: no texels, no bias, no filter. Translucent geometry with CASTS_ALWAYS lets 1 - opacity
+   * of the light pass; what the rays meet is multiplied, and the visibility is a transmittance. It
+   * follows the surfaces of vtkPolyDataMapper and of composite meshes; other casters (points,
+   * lines, wireframes, glyphs, impostors, cut-out textures, clipping planes, shaders of their own)
+   * are drawn into maps as with METHOD_MAP, whose settings then hold for them. Where OpenGL has no
+   * buffer that holds the triangles, and with several processes (SetController), all of them are,
+   * with a warning.
    */
-  vtkSetClampMacro(Method, int, METHOD_MAP, METHOD_WARPED);
+  vtkSetClampMacro(Method, int, METHOD_MAP, METHOD_EXACT);
   vtkGetMacro(Method, int);
   void SetMethodToMap() { this->SetMethod(METHOD_MAP); }
   void SetMethodToForward() { this->SetMethod(METHOD_FORWARD); }
   void SetMethodToWarped() { this->SetMethod(METHOD_WARPED); }
+  void SetMethodToExact() { this->SetMethod(METHOD_EXACT); }
   ///@}
 
   ///@{
@@ -194,7 +204,8 @@ public:
    * unknown method or a negative number.
    *
    * Bytes: GPU memory for maps of size x size texels (one for a sun or a narrow lamp, up to six for
-   * other lamps), so many casting lights and a picture of width x height pixels.
+   * other lamps), so many casting lights and a picture of width x height pixels. METHOD_EXACT holds
+   * 56 bytes for each triangle instead, which are not in it.
    *
    * Draw calls: at most, in a frame that redraws all maps, with props of one draw call each.
    *
@@ -266,6 +277,7 @@ private:
   vtkRelievoShadowPass(const vtkRelievoShadowPass&) = delete;
   void operator=(const vtkRelievoShadowPass&) = delete;
 
+  void PrepareMethod(vtkRelievoFrameContext& context); // or maps, with a warning
   void CollectLights(vtkRelievoFrameContext& context);
   void DrawLights(vtkRelievoFrameContext& context);
   std::string DrawLamps(vtkRelievoFrameContext& context);

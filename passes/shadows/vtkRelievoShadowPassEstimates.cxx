@@ -11,7 +11,7 @@ namespace
 bool IsPossible(int method, const vtkRelievoShadowDemand& demand)
 {
   return method >= vtkRelievoShadowPass::METHOD_MAP &&
-    method <= vtkRelievoShadowPass::METHOD_WARPED &&
+    method <= vtkRelievoShadowPass::METHOD_EXACT &&
     std::min({ demand.MapSize - 1, demand.Maps, demand.Lights, demand.Props, demand.Width,
       demand.Height }) >= 0;
 }
@@ -32,7 +32,7 @@ vtkIdType vtkRelievoShadowPass::EstimateBytes(
     vtkErrorMacro("EstimateBytes was given method "
       << method << ", size " << size << ", " << maps << " maps, " << lights << " lights, " << width
       << " x " << height
-      << " pixels; give it a method from 0 (map) to 2 (warped), a size from 1 on, "
+      << " pixels; give it a method from 0 (map) to 3 (exact), a size from 1 on, "
       << "and no negative numbers.");
     return -1;
   }
@@ -49,7 +49,7 @@ int vtkRelievoShadowPass::EstimateDrawCalls(int method, int maps, int props)
   {
     vtkErrorMacro("EstimateDrawCalls was given method "
       << method << ", " << maps << " maps and " << props << " props; give it a method from 0 (map) "
-      << "to 2 (warped), and no negative numbers.");
+      << "to 3 (exact), and no negative numbers.");
     return -1;
   }
   return vtkRelievoShadowMethod::Make(method)->Estimate(demand).DrawCalls;
@@ -63,7 +63,7 @@ double vtkRelievoShadowPass::EstimateWrongShare(int method, int size)
   if (!IsPossible(method, demand))
   {
     vtkErrorMacro("EstimateWrongShare was given method "
-      << method << " and size " << size << "; give it a method from 0 (map) to 2 (warped), and a "
+      << method << " and size " << size << "; give it a method from 0 (map) to 3 (exact), and a "
       << "size from 1 on.");
     return -1.0;
   }

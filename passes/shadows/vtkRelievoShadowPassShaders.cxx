@@ -79,7 +79,7 @@ bool vtkRelievoShadowPass::SetShaderParameters(vtkShaderProgram* program,
     // A sheet blocks light from both sides.
     vtkRelievoShadowMaps::DrawBothSides(in.Window);
   }
-  if (!program->IsUniformUsed("relievoShadowMaps"))
+  if (!program->IsUniformUsed("relievoShadowMaps") && !program->IsUniformUsed("relievoShadowTree"))
   {
     return true;
   }

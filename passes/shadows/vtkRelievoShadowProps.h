@@ -20,6 +20,7 @@ class vtkProp;
 class vtkRelievoCasterDraw;
 class vtkRenderState;
 class vtkRenderer;
+struct vtkRelievoCaster;
 struct vtkRelievoShadowView;
 
 class vtkRelievoShadowProps
@@ -46,6 +47,11 @@ public:
   const std::vector<vtkRelievoBox>& GetCasterBoxes() const { return this->CasterBoxes; }
   const std::vector<vtkRelievoBox>& GetReceiverBoxes() const { return this->ReceiverBoxes; }
   bool Receives(vtkProp* part) const;
+
+  // Takes the casters that can be followed triangle by triangle out of those that are drawn into
+  // maps, and puts them back.
+  std::vector<vtkRelievoCaster> TakeFollowed();
+  void PutBackFollowed();
 
   void AddPass(vtkOpenGLRenderPass* pass);
   void RemovePass(vtkOpenGLRenderPass* pass);
@@ -84,6 +90,8 @@ private:
   bool MereReceivers = false;
   std::vector<Caster> Casters;
   std::vector<vtkRelievoBox> CasterBoxes; // of Casters, one each
+  std::vector<Caster> AllCasters;         // while some are taken out
+  std::vector<vtkRelievoBox> AllBoxes;    // of these
   std::vector<vtkRelievoBox> ReceiverBoxes;
   std::set<vtkProp*> Parts;        // that draw themselves
   std::set<vtkProp*> NotReceiving; // of Parts

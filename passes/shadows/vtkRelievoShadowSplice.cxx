@@ -60,10 +60,11 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   for (const Structure::Light& light : structure.Lights)
   {
     // An impostor has its own normal. Derivatives are not to be had where a cube's side is chosen.
-    const std::string way = light.Cube ? "Cube"
-      : impostor                       ? "Normal"
-      : light.Parallel                 ? "Sun"
-                                       : "Lamp";
+    const std::string way = !structure.Maps ? "No"
+      : light.Cube                          ? "Cube"
+      : impostor                            ? "Normal"
+      : light.Parallel                      ? "Sun"
+                                            : "Lamp";
     visibility += Numbered((way + "Visibility").c_str(), light, slot, face);
     flow += way == "Sun" || way == "Lamp" ? Numbered((way + "Flow").c_str(), light, slot, face)
                                           : std::string();
@@ -115,6 +116,9 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
       vtkRelievoShaderLibrary::GetSection(structure.Method, "MethodDec") + Section("MapsDec") +
       lights);
   FillMark(fragment, UniformFlow, flow);
-  FillMark(fragment, Impl, normal + visibility + colors);
+  const std::string trace = structure.Traced
+    ? vtkRelievoShaderLibrary::GetSection(structure.Method, "TraceImpl")
+    : std::string();
+  FillMark(fragment, Impl, normal + visibility + trace + colors);
   return std::string();
 }

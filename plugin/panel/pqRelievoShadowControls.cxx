@@ -31,9 +31,11 @@ pqRelievoShadowControls::pqRelievoShadowControls(QWidget* parent)
   method->addItem("Map", 0);
   method->addItem("Forward", 1);
   method->addItem("Warped", 2);
+  method->addItem("Exact", 3);
   method->setItemData(0, "Right for nearly all scenes", Qt::ToolTipRole);
   method->setItemData(1, "Edges as fine as the picture's pixels, not softened", Qt::ToolTipRole);
   method->setItemData(2, "More detail near the camera: for landscapes", Qt::ToolTipRole);
+  method->setItemData(3, "A ray for each pixel: no errors at edges, slower", Qt::ToolTipRole);
   auto* size = new QComboBox(this->Rest);
   size->setObjectName("size");
   for (int texels = 256; texels <= 16384; texels *= 2)

@@ -112,6 +112,9 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
       relievoMapFacing(plane, map.xyz / map.w, relievoShadowEye[RELIEVO_FACE]));
   }
 
+//RELIEVO::Section(NoVisibility)
+  relievoVisibility[RELIEVO_SLOT] = 1.0;
+
 //RELIEVO::Section(CubeVisibility)
   relievoVisibility[RELIEVO_SLOT] =
     relievoShadowCube(RELIEVO_FACE, RELIEVO_SHADOW_POSITION, relievoShadowNormalVC);

@@ -79,7 +79,7 @@ class Walk:
             **choose(
                 [
                     {"RelievoShadows": choose([0, 1, 1])},
-                    {"RelievoShadowMethod": choose(["Map", "Forward", "Warped"])},
+                    {"RelievoShadowMethod": choose(["Map", "Forward", "Warped", "Exact"])},
                     {"RelievoShadowMapSize": choose([256, 500, 1024])},
                     {"RelievoShadowFilterRadius": choose([0, 1, 3])},
                     {"RelievoShadowBias": self.between(0.5, 3.0)},

@@ -161,11 +161,12 @@ void TestWrongQuestions()
 {
   vtkNew<vtkRelievoShadowPass> pass;
   const relievoTest::ExpectMessage expected("was given method");
-  RELIEVO_CHECK(pass->EstimateWrongShare(3, 512) == -1.);
+  RELIEVO_CHECK(pass->EstimateWrongShare(4, 512) == -1.);
   RELIEVO_CHECK(pass->EstimateWrongShare(Pass::METHOD_MAP, 0) == -1.);
   RELIEVO_CHECK(pass->EstimateBytes(-1, 512, 1, 1, 10, 10) == -1);
   RELIEVO_CHECK(pass->EstimateBytes(Pass::METHOD_FORWARD, 512, 1, 1, -10, 10) == -1);
   RELIEVO_CHECK(pass->EstimateDrawCalls(Pass::METHOD_WARPED, -1, 2) == -1);
+  RELIEVO_CHECK(pass->EstimateWrongShare(Pass::METHOD_EXACT, 1) == 2e-5); // whatever the size
   RELIEVO_CHECK(pass->EstimateWrongShare(Pass::METHOD_FORWARD, 1) == 1.); // a share, in any case
 }
 }

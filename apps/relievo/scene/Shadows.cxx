@@ -63,7 +63,8 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
     pass->GetShadowPass()->SetMapSize(*options.ShadowSize);
   }
   constexpr int methods[] = { vtkRelievoShadowPass::METHOD_MAP, vtkRelievoShadowPass::METHOD_MAP,
-    vtkRelievoShadowPass::METHOD_FORWARD, vtkRelievoShadowPass::METHOD_WARPED };
+    vtkRelievoShadowPass::METHOD_FORWARD, vtkRelievoShadowPass::METHOD_WARPED,
+    vtkRelievoShadowPass::METHOD_EXACT };
   pass->GetShadowPass()->SetMethod(methods[static_cast<int>(options.ShadowMethod)]);
 }
 }

@@ -62,8 +62,8 @@ render draws the FILEs off screen and writes the outputs that you request.
                           shine through walls: casts=always (or never, or an array of 1 and 0)
                           gives these shadows, casting=N the N largest of all lamps (0); at
                           most eight cast
-  --shadows METHOD        shadows of the lights in the picture: off, map, forward or warped
-                          (off)
+  --shadows METHOD        shadows of the lights in the picture: off, map, forward, warped or
+                          exact (off)
   --shadow-size N         side of each shadow map in texels, 16 to 16384 (2048)
   --normal-map F          normals from an image (.png .jpg .tif .bmp .hdr .exr; OpenGL's green),
                           placed by the meshes' texture coordinates; linear values, not sRGB

@@ -86,9 +86,10 @@ void TakeShading(RenderOptions& options, const std::string& word)
 //------------------------------------------------------------------------------
 void TakeShadows(RenderOptions& options, const std::string& word)
 {
-  constexpr Shadows methods[] = { Shadows::Off, Shadows::Map, Shadows::Forward, Shadows::Warped };
+  constexpr Shadows methods[] = { Shadows::Off, Shadows::Map, Shadows::Forward, Shadows::Warped,
+    Shadows::Exact };
   options.ShadowMethod =
-    methods[ParseChoice("--shadows", word, { "off", "map", "forward", "warped" })];
+    methods[ParseChoice("--shadows", word, { "off", "map", "forward", "warped", "exact" })];
 }
 
 //------------------------------------------------------------------------------

@@ -36,7 +36,8 @@ enum class Shadows
   Off,
   Map,
   Forward,
-  Warped
+  Warped,
+  Exact
 };
 
 enum class Relief

@@ -30,7 +30,7 @@ bool vtkPVRelievoView::GetShadows()
 void vtkPVRelievoView::SetShadowMethod(int method)
 {
   const int least = vtkRelievoShadowPass::METHOD_MAP;
-  const int most = vtkRelievoShadowPass::METHOD_WARPED;
+  const int most = vtkRelievoShadowPass::METHOD_EXACT;
   this->GetFrame()->GetShadowPass()->SetMethod(
     vtkPVRelievoWithin(this, "ShadowMethod", method, least, most));
 }

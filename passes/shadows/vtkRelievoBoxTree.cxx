@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoBoxTree.h"
+
+#include "vtkRelievoThreads.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace
+{
+using Box = vtkRelievoBoxTree::Box;
+using Node = vtkRelievoBoxTree::Node;
+
+constexpr int Bins = 16;
+constexpr int Few = 32;          // boxes that are split where it is best, not by bins
+constexpr int ForAThread = 8192; // boxes of a subtree that one thread makes
+
+const Box Nothing = { glm::vec3(std::numeric_limits<float>::max()),
+  glm::vec3(-std::numeric_limits<float>::max()) };
+
+void Add(Box& box, const Box& other)
+{
+  box.Min = glm::min(box.Min, other.Min);
+  box.Max = glm::max(box.Max, other.Max);
+}
+
+float GetArea(const Box& box)
+{
+  const glm::vec3 size = glm::max(box.Max - box.Min, glm::vec3(0.f));
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+glm::vec3 GetMiddle(const Box& box)
+{
+  return 0.5f * box.Min + 0.5f * box.Max;
+}
+
+int RoundUp(int count, int leafSize)
+{
+  return (count + leafSize - 1) / leafSize * leafSize;
+}
+}
+
+// Where a range of boxes is cut: after so many of them, sorted along an axis. The surface area
+// heuristic.
+struct vtkRelievoBoxTree::Split
+{
+  int Axis = 0;
+  int Left = 0;
+  float Cost = std::numeric_limits<float>::max();
+
+  void Offer(int axis, int left, float cost)
+  {
+    if (cost < this->Cost)
+    {
+      *this = { axis, left, cost };
+    }
+  }
+
+  // Each possible cut.
+  void TryAll(const std::vector<Box>& boxes, std::vector<int>& sorted, int leafSize)
+  {
+    const int count = static_cast<int>(sorted.size());
+    std::vector<float> after(count);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      std::sort(sorted.begin(), sorted.end(), [&](int a, int b) {
+        const float x = GetMiddle(boxes[a])[axis];
+        const float y = GetMiddle(boxes[b])[axis];
+        return x < y || (x == y && a < b);
+      });
+      Box box = Nothing;
+      for (int i = count - 1; i > 0; --i)
+      {
+        Add(box, boxes[sorted[i]]);
+        after[i] = GetArea(box);
+      }
+      box = Nothing;
+      for (int i = 0; i < count - 1; ++i)
+      {
+        Add(box, boxes[sorted[i]]);
+        const int left = i + 1;
+        if (left % leafSize == 0)
+        {
+          this->Offer(axis, left,
+            GetArea(box) * static_cast<float>(left) +
+              after[left] * static_cast<float>(count - left));
+        }
+      }
+    }
+  }
+
+  // Cuts between a few bins, moved to where leaves are full.
+  void TryBins(const std::vector<Box>& boxes, const int* order, int count, int leafSize)
+  {
+    Box middles = Nothing;
+    for (int i = 0; i < count; ++i)
+    {
+      const glm::vec3 middle = GetMiddle(boxes[order[i]]);
+      Add(middles, { middle, middle });
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const float low = middles.Min[axis];
+      const float width = middles.Max[axis] - low;
+      if (!(width > 0.f))
+      {
+        continue;
+      }
+      Box bins[Bins];
+      int counts[Bins] = {};
+      std::fill_n(bins, Bins, Nothing);
+      for (int i = 0; i < count; ++i)
+      {
+        const float share = (GetMiddle(boxes[order[i]])[axis] - low) / width;
+        const int bin = std::min(Bins - 1, static_cast<int>(share * Bins));
+        Add(bins[bin], boxes[order[i]]);
+        ++counts[bin];
+      }
+      float after[Bins];
+      Box box = Nothing;
+      for (int bin = Bins - 1; bin > 0; --bin)
+      {
+        Add(box, bins[bin]);
+        after[bin] = GetArea(box);
+      }
+      box = Nothing;
+      int left = 0;
+      for (int bin = 0; bin < Bins - 1; ++bin)
+      {
+        Add(box, bins[bin]);
+        left += counts[bin];
+        if (left > 0 && left < count)
+        {
+          const int whole = std::min(RoundUp(left, leafSize), RoundUp(count, leafSize) - leafSize);
+          this->Offer(axis, whole,
+            GetArea(box) * static_cast<float>(left) +
+              after[bin + 1] * static_cast<float>(count - left));
+        }
+      }
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+int vtkRelievoBoxTree::GetNumberOfNodes(int boxes, int leafSize)
+{
+  return boxes > 0 ? 2 * (RoundUp(boxes, leafSize) / leafSize) - 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoBoxTree::Task vtkRelievoBoxTree::MakeNode(
+  const std::vector<Box>& boxes, const Task& task, Task& right)
+{
+  Node& node = this->Nodes[task.Node];
+  right.Count = 0;
+  if (task.Count <= this->LeafSize)
+  {
+    node.Low.w = static_cast<float>(-1 - task.First);
+    node.High.w = static_cast<float>(task.Count);
+    return { task.Node, task.First, 0 };
+  }
+  int* const order = this->Order.data() + task.First;
+  Split split;
+  if (task.Count <= Few)
+  {
+    std::vector<int> sorted(order, order + task.Count);
+    split.TryAll(boxes, sorted, this->LeafSize);
+  }
+  else
+  {
+    split.TryBins(boxes, order, task.Count, this->LeafSize);
+  }
+  if (split.Left <= 0 || split.Left >= task.Count) // all in one place
+  {
+    split = { 0, RoundUp(task.Count / 2, this->LeafSize), 0.f };
+  }
+  std::nth_element(order, order + split.Left, order + task.Count, [&](int a, int b) {
+    const float x = GetMiddle(boxes[a])[split.Axis];
+    const float y = GetMiddle(boxes[b])[split.Axis];
+    return x < y || (x == y && a < b);
+  });
+  node.Low.w = static_cast<float>(task.Node + GetNumberOfNodes(task.Count, this->LeafSize));
+  node.High.w = 0.f;
+  const Task left = { task.Node + 1, task.First, split.Left };
+  right = { left.Node + GetNumberOfNodes(split.Left, this->LeafSize), task.First + split.Left,
+    task.Count - split.Left };
+  return left;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoBoxTree::MakeSubtree(const std::vector<Box>& boxes, const Task& task)
+{
+  std::vector<Task> open(1, task);
+  while (!open.empty())
+  {
+    const Task next = open.back();
+    open.pop_back();
+    Task right{};
+    const Task left = this->MakeNode(boxes, next, right);
+    if (right.Count > 0)
+    {
+      open.push_back(right);
+      open.push_back(left);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoBoxTree::Build(const std::vector<Box>& boxes, int leafSize)
+{
+  this->LeafSize = leafSize;
+  const int count = static_cast<int>(boxes.size());
+  this->Nodes.assign(GetNumberOfNodes(count, leafSize), Node());
+  this->Order.resize(count);
+  for (int i = 0; i < count; ++i)
+  {
+    this->Order[i] = i;
+  }
+  std::vector<Task> large(count > 0 ? 1 : 0, Task{ 0, 0, count });
+  std::vector<Task> small;
+  vtkRelievoWithThreads([&]() {
+    while (!large.empty())
+    {
+      const std::vector<Task> now = std::move(large);
+      std::vector<Task> next(2 * now.size());
+      vtkSMPTools::For(0, static_cast<vtkIdType>(now.size()), 1, [&](vtkIdType from, vtkIdType to) {
+        for (vtkIdType i = from; i < to; ++i)
+        {
+          next[2 * i] = now[i];
+          if (now[i].Count > ForAThread)
+          {
+            next[2 * i] = this->MakeNode(boxes, now[i], next[2 * i + 1]);
+          }
+        }
+      });
+      large.clear();
+      for (const Task& task : next)
+      {
+        if (task.Count > 0)
+        {
+          (task.Count > ForAThread ? large : small).push_back(task);
+        }
+      }
+    }
+    vtkSMPTools::For(0, static_cast<vtkIdType>(small.size()), 1, [&](vtkIdType from, vtkIdType to) {
+      for (vtkIdType i = from; i < to; ++i)
+      {
+        this->MakeSubtree(boxes, small[i]);
+      }
+    });
+  });
+  this->FitNodes(boxes);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoBoxTree::Refit(const std::vector<Box>& boxes)
+{
+  this->FitNodes(boxes);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoBoxTree::FitNodes(const std::vector<Box>& boxes)
+{
+  // Children come after their parents.
+  for (int i = static_cast<int>(this->Nodes.size()) - 1; i >= 0; --i)
+  {
+    Node& node = this->Nodes[i];
+    Box box = Nothing;
+    const int count = static_cast<int>(node.High.w);
+    if (count > 0)
+    {
+      const int first = -1 - static_cast<int>(node.Low.w);
+      for (int k = first; k < first + count; ++k)
+      {
+        Add(box, boxes[this->Order[k]]);
+      }
+    }
+    else
+    {
+      const Node& left = this->Nodes[i + 1];
+      const int behind = left.High.w > 0.f ? i + 2 : static_cast<int>(left.Low.w);
+      const Node& right = this->Nodes[behind];
+      Add(box, { glm::vec3(left.Low), glm::vec3(left.High) });
+      Add(box, { glm::vec3(right.Low), glm::vec3(right.High) });
+    }
+    node.Low = glm::vec4(box.Min, node.Low.w);
+    node.High = glm::vec4(box.Max, node.High.w);
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoBoxTree::GetCost() const
+{
+  double sum = 0.0;
+  for (const Node& node : this->Nodes)
+  {
+    sum += GetArea({ glm::vec3(node.Low), glm::vec3(node.High) });
+  }
+  const double root = this->Nodes.empty()
+    ? 0.0
+    : GetArea({ glm::vec3(this->Nodes[0].Low), glm::vec3(this->Nodes[0].High) });
+  return root > 0.0 ? sum / root : 0.0;
+}

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoCasterMesh.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRelievoThreads.h"
+#include "vtkRelievoVTKVersions.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+constexpr int LeafSize = 4;
+constexpr vtkIdType Most = 1 << 24; // that a float counts
+constexpr double Worn = 1.5;        // times what the tree cost when it was built
+
+template <typename Work>
+void ForEachCell(vtkCellArray* cells, Work work)
+{
+  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    it->GetCurrentCell(count, ids);
+    work(count, ids);
+  }
+}
+
+// Points of triangles: polygons as fans, strips.
+std::vector<vtkIdType> GetTriangles(vtkPolyData* data)
+{
+  std::vector<vtkIdType> triangles;
+  triangles.reserve(static_cast<std::size_t>(3 * data->GetNumberOfPolys()));
+  ForEachCell(data->GetPolys(), [&](vtkIdType count, const vtkIdType* ids) {
+    for (vtkIdType i = 2; i < count; ++i)
+    {
+      triangles.insert(triangles.end(), { ids[0], ids[i - 1], ids[i] });
+    }
+  });
+  ForEachCell(data->GetStrips(), [&](vtkIdType count, const vtkIdType* ids) {
+    for (vtkIdType i = 2; i < count; ++i)
+    {
+      triangles.insert(triangles.end(), { ids[i - 2], ids[i - 1], ids[i] });
+    }
+  });
+  return triangles;
+}
+
+bool IsFinite(const glm::dvec3& p)
+{
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+// Corners about an origin. What has a corner nowhere is drawn nowhere, and so becomes a point.
+std::vector<glm::vec3> GetCorners(
+  vtkPolyData* data, const std::vector<vtkIdType>& triangles, const glm::dvec3& origin)
+{
+  std::vector<glm::vec3> corners(triangles.size());
+  vtkRelievoWithThreads([&]() {
+    vtkSMPTools::For(
+      0, static_cast<vtkIdType>(triangles.size() / 3), [&](vtkIdType from, vtkIdType to) {
+        for (vtkIdType i = from; i < to; ++i)
+        {
+          bool finite = true;
+          for (vtkIdType k = 3 * i; k < 3 * i + 3; ++k)
+          {
+            glm::dvec3 p;
+            data->GetPoint(triangles[k], &p.x);
+            finite = finite && IsFinite(p);
+            corners[k] = glm::vec3(p - origin);
+          }
+          if (!finite)
+          {
+            corners[3 * i] = corners[3 * i + 1] = corners[3 * i + 2] = glm::vec3(0.f);
+          }
+        }
+      });
+  });
+  return corners;
+}
+
+// The middle of what has a place; and the largest coordinate that is rounded to a float, here or in
+// VTK's buffer: that keeps floats as they are, and shifts what lies 10^4 times its size away.
+glm::dvec3 GetMiddle(vtkPolyData* data, const std::vector<vtkIdType>& triangles, double& reach)
+{
+  glm::dvec3 low(1e300);
+  glm::dvec3 high(-1e300);
+  for (const vtkIdType id : triangles)
+  {
+    glm::dvec3 p;
+    data->GetPoint(id, &p.x);
+    if (IsFinite(p))
+    {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+  }
+  if (low.x > high.x)
+  {
+    reach = 0.0;
+    return glm::dvec3(0.0);
+  }
+  const glm::dvec3 half = 0.5 * (high - low);
+  const glm::dvec3 most = glm::max(glm::abs(low), glm::abs(high));
+  reach = std::max({ half.x, half.y, half.z });
+  const double farthest = std::max({ most.x, most.y, most.z });
+  if (data->GetPoints()->GetDataType() != VTK_FLOAT && farthest <= 2e4 * reach)
+  {
+    reach = farthest;
+  }
+  return 0.5 * (low + high);
+}
+
+std::vector<vtkRelievoBoxTree::Box> GetBoxes(const std::vector<glm::vec3>& corners)
+{
+  std::vector<vtkRelievoBoxTree::Box> boxes(corners.size() / 3);
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    const glm::vec3* p = corners.data() + 3 * i;
+    boxes[i] = { glm::min(glm::min(p[0], p[1]), p[2]), glm::max(glm::max(p[0], p[1]), p[2]) };
+  }
+  return boxes;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterMesh::Follows(vtkPolyData* data)
+{
+  bool follows = true;
+#ifdef RELIEVO_VTK_EAR_CLIPPING
+  ForEachCell(
+    data->GetPolys(), [&](vtkIdType count, const vtkIdType*) { follows = follows && count < 5; });
+#endif
+  return follows &&
+    data->GetPolys()->GetNumberOfConnectivityIds() +
+      data->GetStrips()->GetNumberOfConnectivityIds() <=
+    Most;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterMesh::Update(vtkPolyData* data)
+{
+  this->Refitted = false;
+  const std::vector<vtkMTimeType> times = { data->GetPoints() ? data->GetPoints()->GetMTime() : 0,
+    data->GetPolys()->GetMTime(), data->GetStrips()->GetMTime() };
+  if (this->Times == times)
+  {
+    return false;
+  }
+  const bool sameCells = this->Times.size() == times.size() &&
+    std::equal(times.begin() + 1, times.end(), this->Times.begin() + 1);
+  const std::vector<vtkIdType> triangles = GetTriangles(data);
+  this->Origin = GetMiddle(data, triangles, this->Reach);
+  const std::vector<glm::vec3> corners = GetCorners(data, triangles, this->Origin);
+  const std::vector<vtkRelievoBoxTree::Box> boxes = GetBoxes(corners);
+  if (sameCells && boxes.size() == this->Tree.GetOrder().size())
+  {
+    this->Tree.Refit(boxes);
+    this->Refitted = this->Tree.GetCost() <= Worn * this->CostWhenBuilt;
+  }
+  if (!this->Refitted)
+  {
+    this->Tree.Build(boxes, LeafSize);
+    this->CostWhenBuilt = this->Tree.GetCost();
+  }
+  this->Times = times;
+  this->Pack(corners);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterMesh::Pack(const std::vector<glm::vec3>& corners)
+{
+  const auto& nodes = this->Tree.GetNodes();
+  const auto& order = this->Tree.GetOrder();
+  this->Texels.assign(2 * nodes.size() + (5 * order.size() + 1) / 2, glm::vec4(0.f));
+  if (this->Texels.empty())
+  {
+    return;
+  }
+  float* to = &this->Texels[0].x;
+  for (const auto& node : nodes)
+  {
+    to = std::copy(&node.Low.x, &node.Low.x + 4, to);
+    to = std::copy(&node.High.x, &node.High.x + 4, to);
+  }
+  for (const int triangle : order)
+  {
+    const float* from = &corners[3 * static_cast<std::size_t>(triangle)].x;
+    std::copy(from, from + 9, to);
+    to += 10;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterMesh::GetBounds(glm::dvec3& low, glm::dvec3& high) const
+{
+  low = glm::dvec3(this->Tree.GetNodes()[0].Low);
+  high = glm::dvec3(this->Tree.GetNodes()[0].High);
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether a ray meets a box or a triangle: from + t * ray, t from 0 to a last one.
+//
+// Triangles are watertight (after S. Woop, C. Benthin, I. Wald, Watertight ray/triangle
+// intersection, 2013): a ray that passes an edge meets one of the triangles that share it, or both.
+
+// 1 / ray by component, without infinities.
+vec3 relievoRayInverse(vec3 ray)
+{
+  float least = float(1e-30);
+  return vec3(float(1.0) / (abs(ray.x) < least ? least : ray.x),
+    float(1.0) / (abs(ray.y) < least ? least : ray.y),
+    float(1.0) / (abs(ray.z) < least ? least : ray.z));
+}
+
+// True as well if rounding leaves it open.
+bool relievoRayMeetsBox(vec3 from, vec3 inverse, float last, vec3 low, vec3 high)
+{
+  vec3 a = (low - from) * inverse;
+  vec3 b = (high - from) * inverse;
+  float enters = max(max(min(a.x, b.x), min(a.y, b.y)), max(min(a.z, b.z), float(0.0)));
+  float leaves = min(min(max(a.x, b.x), max(a.y, b.y)), min(max(a.z, b.z), last));
+  return enters <= leaves * float(1.000001);
+}
+
+// On which side of the line from a to b the origin is: above 0 on the left, below on the right. The
+// same number, with the other sign, for the line from b to a, however the products are rounded.
+float relievoEdgeSide(vec2 a, vec2 b)
+{
+  bool turned = a.x > b.x || (a.x == b.x && a.y > b.y);
+  vec2 p = turned ? b : a;
+  vec2 q = turned ? a : b;
+  float side = p.x * q.y - p.y * q.x;
+  return turned ? -side : side;
+}
+
+// Whether the line along z through the origin passes the triangle that has these corners across it.
+// Edges belong to it; what is seen edge-on is not met.
+bool relievoLineMeetsTriangle(vec2 a, vec2 b, vec2 c)
+{
+  float ab = relievoEdgeSide(a, b);
+  float bc = relievoEdgeSide(b, c);
+  float ca = relievoEdgeSide(c, a);
+  float least = min(min(ab, bc), ca);
+  float most = max(max(ab, bc), ca);
+  return least < most ? least >= float(0.0) || most <= float(0.0) : least != float(0.0);
+}
