@@ -28,14 +28,17 @@ vt 1 1
 vt 0 1
 usemtl plain red
 f 1 2 3 4
-usemtl printed
-f 2/1 5/2 6/3 3/4
+  usemtl printed items
+ f 2/1 5/2 6/3 3/4
 """
 MTL = """newmtl plain red
 Kd 0.8 0.2 0.4
-newmtl printed
+newmtl printed items
+illum 1
+Ks 1 1 1
 Kd 1 1 1
-d 1.0
+d -halo 1.0
+Tr 1
 map_Kd -s 1 1 1 .\\halves.png
 """
 
@@ -61,6 +64,7 @@ class Look(CliTest):
         add(plane.GetPointData(), "wind", numpy.c_[x, 0 * x, 0 * x + 1])
         add(plane.GetPointData(), "paint", numpy.tile(numpy.uint8([30, 200, 90]), (len(x), 1)))
         add(plane.GetCellData(), "column", numpy.arange(CELLS**2) % CELLS)
+        add(plane.GetCellData(), "label,1", (numpy.arange(CELLS**2) % CELLS).astype(numpy.uint8))
         writer = vtkXMLPolyDataWriter()
         writer.SetFileName(str(self.folder / "plane.vtp"))
         writer.SetInputData(plane)
@@ -90,6 +94,7 @@ class Look(CliTest):
         lengths = numpy.interp(X, numpy.linspace(-1, 1, CELLS + 1), at_points)
         self.judge(self.albedo(*grey, "wind"), (lengths - 1) / (2**0.5 - 1))
         self.judge(self.albedo(*grey, "column"), (numpy.arange(SIDE) * CELLS // SIDE) / 7)
+        self.judge(self.albedo(*grey, "label,1"), (numpy.arange(SIDE) * CELLS // SIDE) / 7)
         self.judge(self.albedo("--color-by", "paint"),
                    numpy.tile(numpy.array([30, 200, 90]) / 255, (SIDE, 1)))  # fmt: skip
         self.judge(self.albedo(*grey, "paint,1", "--range", "0,200"), numpy.ones(SIDE))
@@ -149,6 +154,7 @@ class Look(CliTest):
     def test_presets(self):
         """What a preset sets can be said in words, and words come before it."""
         words = ["render", "triangle.off", "--size", "64x64", "--png"]
+        self.relievo(*words, "a.png", "--preset", "town", "--shadow-size", "512")
         self.relievo(*words, "a.png", "--preset", "print")
         self.relievo(*words, "b.png", "--preset", "print", "--background", "black")
         white, black = (read_png(self.folder / name).astype(int) for name in ("a.png", "b.png"))
@@ -181,6 +187,18 @@ class Look(CliTest):
             self.assertLess(abs(area - color).max(), 2, what)
         cells = next(found for name, found in channels.items() if "vtkOriginalCellIds" in name)
         numpy.testing.assert_array_equal(cells[:, ::95], [[0, 1]] * SIDE)
+        for word in (["--color", "white"], ["--color-by", "vtkOriginalCellIds", "--colormap", "grey"]):
+            plain = self.albedo(*word, file="two.obj")
+            self.assertLess(abs(plain[:, 52:92] - 1).max(), 1 / 255, "without the texture")
+        self.relievo("render", "two.obj", *LOOK, "--shading", "pbr", "--png", "a.png")
+        found = read_png(self.folder / "a.png").astype(int)
+        self.assertGreater(found[70, 70, 2], found[70, 70, 0] + 50, "a texture of PBR")
+        (self.folder / "two.obj").write_text(OBJ.replace("two squares.mtl", "a.mtl b.mtl"))
+        for name, words in (("a.mtl", MTL[: MTL.index("newmtl printed")]),
+                            ("b.mtl", MTL[MTL.index("newmtl printed") :])):  # fmt: skip
+            (self.folder / name).write_text(words)
+        self.judge(self.albedo(file="two.obj")[:, :47], numpy.tile([0.8, 0.2, 0.4], (47, 1)))
+        (self.folder / "two.obj").write_text(OBJ)
         (self.folder / "halves.png").unlink()
         done = self.relievo("render", "two.obj", *LOOK, "--png", "a.png")
         self.assertIn("drawn without a texture", done.stderr)
@@ -190,7 +208,7 @@ class Look(CliTest):
 
     def test_refused(self):
         for words, says in (
-            (["--color-by", "acros"], ["'acros'", "across, column, paint, wind"]),
+            (["--color-by", "acros"], ["'acros'", "across, column, label,1, paint, wind"]),
             (["--color-by", "wind,3"], ["component 3", "0 to 2"]),
             (["--colormap", "viridian"], ["'viridian'", "viridis, cool-warm"]),
             (["--range", "2,1"], ["'2,1'", "MIN < MAX"]),

@@ -58,7 +58,8 @@ struct Coloring
 
 bool AreColors(const std::vector<vtkDataArray*>& arrays, const LookChoice& look)
 {
-  return !look.Magnitude && !look.Component && vtkUnsignedCharArray::SafeDownCast(arrays[0]);
+  return !look.Magnitude && !look.Component && vtkUnsignedCharArray::SafeDownCast(arrays[0]) &&
+    arrays[0]->GetNumberOfComponents() >= 3;
 }
 
 //------------------------------------------------------------------------------
@@ -252,8 +253,16 @@ void SetColors(const Scene& scene, const LookChoice& look)
 }
 
 //------------------------------------------------------------------------------
-void SetLook(Scene& scene, const LookChoice& look)
+void SetLook(Scene& scene, const LookChoice& choice)
 {
+  LookChoice look = choice;
+  if (scene.Arrays.count(look.ColorByAsGiven))
+  {
+    // What looks like a component belongs to the name.
+    look.ColorBy = look.ColorByAsGiven;
+    look.Component.reset();
+    look.Magnitude = false;
+  }
   if (!look.Background.empty())
   {
     const Color& bottom = look.Background.front();
@@ -263,8 +272,15 @@ void SetLook(Scene& scene, const LookChoice& look)
     scene.Renderer->SetGradientBackground(look.Background.size() > 1);
   }
   SetColors(scene, look);
-  ForEachActor(scene.Renderer, [&look](vtkActor* actor) {
+  bool translucent = false;
+  ForEachActor(scene.Renderer, [&](vtkActor* actor) {
     vtkProperty* property = actor->GetProperty();
+    if (look.Solid || !look.ColorBy.empty())
+    {
+      // A texture would be multiplied with the colours.
+      actor->SetTexture(nullptr);
+      property->RemoveTexture("albedoTex");
+    }
     if (look.Solid)
     {
       actor->GetMapper()->ScalarVisibilityOff();
@@ -274,13 +290,14 @@ void SetLook(Scene& scene, const LookChoice& look)
     {
       property->SetOpacity(look.Opacity * property->GetOpacity());
     }
+    translucent = translucent || property->GetOpacity() < 1.0;
     if (look.Edges)
     {
       property->EdgeVisibilityOn();
       property->SetEdgeColor(0.1, 0.1, 0.1);
     }
   });
-  if (look.Opacity < 1.0)
+  if (translucent)
   {
     scene.Renderer->UseDepthPeelingOn();
   }

@@ -10,6 +10,7 @@
 
 #include "vtkActor.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
@@ -38,6 +39,8 @@ struct Material
   double Specular[3] = { 0.0, 0.0, 0.0 };
   double Exponent = 1.0;
   double Opacity = 1.0;
+  bool Dissolves = false; // opacity is given as such, and not as transparency alone
+  bool Highlights = true;
   std::string Texture; // path; empty: none
 };
 
@@ -95,13 +98,30 @@ void TakeLine(const std::string& line, const std::filesystem::path& folder, Mate
   else if (name == "Ns" && words >> number)
   {
     material.Exponent = std::clamp(number, 1.0, 1000.0);
+    material.Highlights = material.Highlights && number > 0.0;
   }
-  else if (name == "d" && words >> number)
+  else if (name == "illum" && words >> number)
   {
-    material.Opacity = std::clamp(number, 0.0, 1.0);
+    material.Highlights = material.Highlights && number >= 2.0;
   }
-  else if (name == "Tr" && words >> number)
+  else if (name == "d")
   {
+    std::string last;
+    for (std::string each; words >> each;)
+    {
+      last = each; // behind -halo
+    }
+    std::istringstream value(last);
+    value.imbue(std::locale::classic());
+    if (value >> number)
+    {
+      material.Opacity = std::clamp(number, 0.0, 1.0);
+      material.Dissolves = true;
+    }
+  }
+  else if (name == "Tr" && !material.Dissolves && words >> number)
+  {
+    // Some programs write 1 for what is opaque; then they write d as well.
     material.Opacity = 1.0 - std::clamp(number, 0.0, 1.0);
   }
   else if (name == "map_Kd")
@@ -149,6 +169,7 @@ Named ReadNames(const std::string& path)
   std::ifstream file(path, std::ios::binary);
   for (std::string line; std::getline(file, line);)
   {
+    line.erase(0, line.find_first_not_of(" \t"));
     const std::string::size_type end = std::min(line.find_first_of(" \t"), line.size());
     const std::string word = line.substr(0, end);
     if (word == "f")
@@ -178,44 +199,56 @@ std::map<std::string, Material> ReadLibraries(
   const std::vector<std::string>& libraries, const std::string& path)
 {
   std::map<std::string, Material> materials;
-  for (const std::string& name : libraries)
-  {
+  const auto read = [&](const std::string& name) {
     const std::filesystem::path library = std::filesystem::path(path).parent_path() / name;
     std::error_code trouble;
-    if (std::filesystem::is_regular_file(library, trouble))
+    const bool there = std::filesystem::is_regular_file(library, trouble);
+    if (there)
     {
       ReadLibrary(library.string(), materials);
     }
-    else
+    return there;
+  };
+  for (const std::string& line : libraries)
+  {
+    // One name, which may have blanks, or several names.
+    if (read(line))
     {
-      Messages::Note(path + ": drawn without the materials of " + name + ", which is not there");
+      continue;
+    }
+    std::istringstream names(line);
+    for (std::string name; names >> name;)
+    {
+      if (!read(name))
+      {
+        Messages::Note(path + ": drawn without the materials of " + line + ", which is not there");
+        break;
+      }
     }
   }
   return materials;
 }
 
 //------------------------------------------------------------------------------
-// The cells of one material; `vtkOriginalCellIds` says which they are in the file.
-vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* mesh, const std::vector<int>& ofCell, int id)
+// These cells; `vtkOriginalCellIds` says which they are in the file.
+vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* mesh, const std::vector<vtkIdType>& cells)
 {
   auto part = vtkSmartPointer<vtkPolyData>::New();
   part->SetPoints(mesh->GetPoints());
   part->GetPointData()->ShallowCopy(mesh->GetPointData());
-  part->AllocateEstimate(mesh->GetNumberOfCells(), 3);
-  part->GetCellData()->CopyAllocate(mesh->GetCellData());
+  const auto count = static_cast<vtkIdType>(cells.size());
+  part->AllocateEstimate(count, 4);
+  part->GetCellData()->CopyAllocate(mesh->GetCellData(), count);
   vtkNew<vtkIdTypeArray> original;
   original->SetName(CellIds);
   auto* before = vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetArray(CellIds));
   vtkNew<vtkIdList> points;
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  for (const vtkIdType cell : cells)
   {
-    if (ofCell[cell] == id)
-    {
-      mesh->GetCellPoints(cell, points);
-      const vtkIdType next = part->InsertNextCell(mesh->GetCellType(cell), points);
-      part->GetCellData()->CopyData(mesh->GetCellData(), cell, next);
-      original->InsertNextValue(before ? before->GetValue(cell) : cell);
-    }
+    mesh->GetCellPoints(cell, points);
+    const vtkIdType next = part->InsertNextCell(mesh->GetCellType(cell), points);
+    part->GetCellData()->CopyData(mesh->GetCellData(), cell, next);
+    original->InsertNextValue(before ? before->GetValue(cell) : cell);
   }
   part->GetCellData()->AddArray(original);
   return part;
@@ -248,7 +281,7 @@ void Wear(vtkActor* actor, const Material& material, const std::string& path, Pr
   property->SetDiffuseColor(material.Diffuse);
   property->SetSpecularColor(material.Specular);
   const double strongest = *std::max_element(material.Specular, material.Specular + 3);
-  property->SetSpecular(strongest > 0.0 ? 1.0 : 0.0);
+  property->SetSpecular(material.Highlights && strongest > 0.0 ? 1.0 : 0.0);
   property->SetSpecularPower(material.Exponent);
   property->SetOpacity(material.Opacity);
   if (material.Texture.empty())
@@ -283,23 +316,35 @@ std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
   const Named named = ReadNames(path);
   const std::map<std::string, Material> materials = ReadLibraries(named.Libraries, path);
   const std::vector<int> ofCell = FindMaterials(mesh, named.OfFace);
-  if (materials.empty() || ofCell.empty())
+  if (materials.empty())
   {
     return { actor };
   }
+  if (ofCell.empty())
+  {
+    Messages::Note(path + ": drawn without its materials: VTK reads other faces than are listed");
+    return { actor };
+  }
   std::vector<vtkSmartPointer<vtkActor>> parts;
+  std::vector<std::vector<vtkIdType>> cellsOf(named.Names.size() + 1); // the first: of none
+  for (std::size_t cell = 0; cell < ofCell.size(); ++cell)
+  {
+    cellsOf[ofCell[cell] + 1].push_back(static_cast<vtkIdType>(cell));
+  }
   for (int id = -1; id < static_cast<int>(named.Names.size()); ++id)
   {
-    const vtkSmartPointer<vtkPolyData> cells = Extract(mesh, ofCell, id);
-    if (cells->GetNumberOfCells() == 0)
+    if (cellsOf[id + 1].empty())
     {
       continue;
     }
+    const vtkSmartPointer<vtkPolyData> cells = Extract(mesh, cellsOf[id + 1]);
     const std::string name = id < 0 ? "" : named.Names[id];
-    // The reader has the coordinates of each material in an array of its name.
-    if (cells->GetPointData()->HasArray(name.c_str()))
+    // The reader has the coordinates of each material in an array of its name's first word.
+    const std::string first = name.substr(0, name.find_first_of(" \t"));
+    vtkDataArray* coordinates = cells->GetPointData()->GetArray(first.c_str());
+    if (coordinates && coordinates->GetNumberOfComponents() == 2)
     {
-      cells->GetPointData()->SetActiveTCoords(name.c_str());
+      cells->GetPointData()->SetActiveTCoords(first.c_str());
     }
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(cells);

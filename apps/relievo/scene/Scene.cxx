@@ -27,6 +27,7 @@
 #include "vtkRelievoNullLight.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTexture.h"
 
 namespace cli
 {
@@ -73,6 +74,11 @@ void SetShading(vtkRenderer* renderer, Shading kind)
         break;
       case Shading::PBR:
         actor->GetProperty()->SetInterpolationToPBR();
+        if (vtkTexture* texture = actor->GetTexture()) // which PBR does not look at
+        {
+          texture->UseSRGBColorSpaceOn();
+          actor->GetProperty()->SetBaseColorTexture(texture);
+        }
         break;
       case Shading::FromFile:
         break;

@@ -60,7 +60,7 @@ Color ParseColor(const std::string& option, const std::string& word)
 void TakeColorBy(RenderOptions& options, const std::string& word)
 {
   LookChoice& look = options.Look;
-  look.ColorBy = word;
+  look.ColorBy = look.ColorByAsGiven = word;
   // An array's name may hold commas.
   const std::string::size_type comma = word.rfind(',');
   const std::string last = comma == std::string::npos ? "" : word.substr(comma + 1);

@@ -24,6 +24,7 @@ constexpr const char* DefaultColormap = "viridis";
 
 struct LookChoice
 {
+  std::string ColorByAsGiven;
   std::string ColorBy;          ///< name of an array; empty: the active scalars
   std::optional<int> Component; ///< of it; none: colours as they are, else the magnitude
   bool Magnitude = false;       ///< of arrays that could be colours

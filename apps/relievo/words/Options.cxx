@@ -277,7 +277,8 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
   }
   CheckSurfaceOptions(options, given);
   CheckShadowStage(options, given);
-  if (options.ShadowSize && given.count("--shadows") == 0 && !SetsShadows(options, "visible") &&
+  if (options.ShadowSize && given.count("--shadows") == 0 && options.ShadowMethod == Shadows::Off &&
+    !SetsShadows(options, "visible") &&
     std::all_of(options.Layers.begin(), options.Layers.end(),
       [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) < 0; }))
   {
