@@ -187,8 +187,9 @@ class Look(CliTest):
             self.assertLess(abs(area - color).max(), 2, what)
         cells = next(found for name, found in channels.items() if "vtkOriginalCellIds" in name)
         numpy.testing.assert_array_equal(cells[:, ::95], [[0, 1]] * SIDE)
-        for word in (["--color", "white"], ["--color-by", "vtkOriginalCellIds", "--colormap", "grey"]):
-            plain = self.albedo(*word, file="two.obj")
+        for words in (["--color", "white"],
+                      ["--color-by", "vtkOriginalCellIds", "--colormap", "grey"]):  # fmt: skip
+            plain = self.albedo(*words, file="two.obj")
             self.assertLess(abs(plain[:, 52:92] - 1).max(), 1 / 255, "without the texture")
         self.relievo("render", "two.obj", *LOOK, "--shading", "pbr", "--png", "a.png")
         found = read_png(self.folder / "a.png").astype(int)
