@@ -18,11 +18,13 @@
 #include <vtkRelievoFormulas.h>
 #include <vtkSMPTools.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTransform.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -41,12 +43,14 @@ std::array<double, 2> NaiveNoises(Caves* caves, const double point[3])
   }
   const int up = caves->GetUp();
   place[up] = point[up] * (1. / caves->GetScale() * caves->GetVerticalScale());
-  const auto seed = 2u * static_cast<unsigned int>(caves->GetSeed());
+  // Two seeds from one: negative ones have them the other way around.
+  const auto doubled = 2u * static_cast<unsigned int>(caves->GetSeed());
+  const unsigned int swapped = caves->GetSeed() < 0 ? 1u : 0u;
   std::array<double, 2> noises;
   for (unsigned int which = 0; which < 2; ++which)
   {
     const glm::dvec3 cell = glm::floor(place);
-    noises[which] = relievo::f64::relievoSimplexNoise(glm::ivec3(cell), place - cell, seed + which);
+    noises[which] = relievo::f64::relievoSimplexNoise(glm::ivec3(cell), place - cell, doubled + (which ^ swapped));
     place += glm::dvec3(0.5, 0.25, 0.125);
   }
   return noises;
@@ -331,7 +335,31 @@ void TestRefusals()
   refuses("Size is 0 5 5", [](Caves* caves) { caves->SetSize(0, 5, 5); });
   refuses("expected at most 32, half of Scale", [](Caves* caves) { caves->SetTunnelWidth(33.); });
   refuses("expected at most 5e+08", [](Caves* caves) { caves->SetOrigin(0., 1e12, 0.); });
-  refuses("expected at most 5e+08", [](Caves* caves) { caves->SetSpacing(1., 1., std::nan("")); });
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      refuses("not finite", [&](Caves* caves) {
+        double origin[3] = { 0., 0., 0. };
+        origin[axis] = bad;
+        caves->SetOrigin(origin);
+      });
+      refuses("not finite", [&](Caves* caves) {
+        double spacing[3] = { 1., 1., 1. };
+        spacing[axis] = bad;
+        caves->SetSpacing(spacing);
+      });
+    }
+  }
+  refuses("not finite", [](Caves* caves) {
+    caves->SetSize(5, 1, 5);
+    caves->SetSpacing(1., std::nan(""), 1.);
+  });
+  refuses("The function has a Transform", [](Caves* caves) {
+    vtkNew<vtkTransform> transform;
+    transform->Translate(1., 2., 3.);
+    caves->GetFunction()->SetTransform(transform);
+  });
   refuses("it would take 1000000000 bytes (953.7 MiB), and MemoryLimit is 1000000 bytes",
     [](Caves* caves) {
       caves->SetSize(1000, 1000, 1000);
@@ -351,6 +379,33 @@ void TestRefusals()
   stays("Scale is 0", [&]() { caves->SetScale(0.); });
   stays("VerticalScale is nan", [&]() { caves->SetVerticalScale(std::nan("")); });
   stays("TunnelWidth is -1", [&]() { caves->SetTunnelWidth(-1.); });
+}
+
+// Nothing of an earlier update is left where the next has nothing.
+void TestNothing()
+{
+  for (const bool refused : { true, false })
+  {
+    vtkNew<Caves> caves;
+    caves->SetSize(5, 4, 3);
+    caves->Update();
+    RELIEVO_CHECK(ValuesOf(caves->GetOutput()).size() == 60);
+    if (refused)
+    {
+      caves->SetTunnelWidth(1000.);
+      ExpectMessage expect("expected at most 32");
+      caves->Update();
+      RELIEVO_CHECK(expect.Count() == 1);
+    }
+    else
+    {
+      caves->UpdatePiece(999, 1000, 0);
+    }
+    const std::string name = refused ? "refused" : "an empty piece";
+    vtkImageData* image = caves->GetOutput();
+    RELIEVO_CHECK_THAT(image->GetNumberOfPoints() == 0, name);
+    RELIEVO_CHECK_THAT(image->GetPointData()->GetNumberOfArrays() == 0, name + " has arrays");
+  }
 }
 
 void TestAbort()
@@ -380,6 +435,7 @@ int main()
   TestWidth();
   TestEvaluations();
   TestRefusals();
+  TestNothing();
   TestAbort();
   return session.Result();
 }
