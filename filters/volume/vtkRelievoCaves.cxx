@@ -68,8 +68,9 @@ std::string FindProblem(vtkRelievoCaves* caves, const relievo::CaveField& field)
   }
   else if (caves->GetFunction()->GetTransform())
   {
-    problem << "The function has a Transform, which images of samples do not follow; move the image "
-               "with Origin and Spacing, or sample the function with vtkSampleFunction";
+    problem
+      << "The function has a Transform, which images of samples do not follow; move the image "
+         "with Origin and Spacing, or sample the function with vtkSampleFunction";
   }
   else if (!finite)
   {
