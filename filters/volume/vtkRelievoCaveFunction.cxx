@@ -83,7 +83,8 @@ relievo::CaveField vtkRelievoCaveFunction::GetField() const
 {
   relievo::CaveField field;
   const auto seed = static_cast<unsigned int>(this->Seed);
-  field.Seeds = { 2u * seed, 2u * seed + 1u };
+  const unsigned int first = (seed << 1u) | (seed >> 31u); // no bit is lost
+  field.Seeds = { first, first ^ 1u };
   field.Cells.fill(1. / this->Scale);
   field.Cells[this->Up] *= this->VerticalScale;
   if (this->TunnelWidth > 0.)

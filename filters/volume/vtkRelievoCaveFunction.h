@@ -36,7 +36,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Another seed, other caves. Default is 0. */
+  /** Another seed, other caves. Default is 0; any whole number. */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
   ///@}

@@ -16,8 +16,9 @@ namespace
 {
 constexpr int BatchSize = 64; // rows of blocks between two reports of progress
 
-// What the noise of doubles, and of their rounded places, may be off.
-constexpr double Rounding = 1e-6;
+// What two noises may differ by because of rounding: 5e8 cells from the origin, the places of a
+// sample and of the middle of its block are off by at most 6e-7 cells together; the slope is 7.8.
+constexpr double Rounding = 5e-6;
 
 // Half the size of blocks along each axis, in cells: larger ones are rarely proven to be rock.
 constexpr double HalfBlock = 0.03;

@@ -30,6 +30,13 @@ namespace
 // Cells of the noise from the origin; its integers reach a little farther.
 constexpr double Farthest = 5e8;
 
+std::string Words(const double* numbers)
+{
+  std::ostringstream words;
+  words << numbers[0] << " " << numbers[1] << " " << numbers[2];
+  return words.str();
+}
+
 // Words for what cannot be made; empty if it can.
 std::string FindProblem(vtkRelievoCaves* caves, const relievo::CaveField& field)
 {
@@ -38,15 +45,16 @@ std::string FindProblem(vtkRelievoCaves* caves, const relievo::CaveField& field)
   const double width = caves->GetTunnelWidth();
   const double widest = relievo::CaveField::Widest * caves->GetScale();
   double reach = 0.;
+  bool finite = true;
   for (int axis = 0; axis < 3; ++axis)
   {
     const double first = caves->GetOrigin()[axis];
     const double last = first + (size[axis] - 1) * caves->GetSpacing()[axis];
-    // NaN stays.
-    reach =
-      std::abs(first * field.Cells[axis]) <= reach ? reach : std::abs(first * field.Cells[axis]);
-    reach =
-      std::abs(last * field.Cells[axis]) <= reach ? reach : std::abs(last * field.Cells[axis]);
+    for (const double place : { first * field.Cells[axis], last * field.Cells[axis] })
+    {
+      finite = finite && std::isfinite(place);
+      reach = std::max(reach, std::abs(place));
+    }
   }
   if (std::min({ size[0], size[1], size[2] }) < 1)
   {
@@ -58,7 +66,19 @@ std::string FindProblem(vtkRelievoCaves* caves, const relievo::CaveField& field)
     problem << "TunnelWidth is " << width << ", expected at most " << widest << ", half of Scale ("
             << caves->GetScale() << "); a larger Scale makes wider tunnels";
   }
-  else if (!(reach <= Farthest))
+  else if (caves->GetFunction()->GetTransform())
+  {
+    problem
+      << "The function has a Transform, which images of samples do not follow; move the image "
+         "with Origin and Spacing, or sample the function with vtkSampleFunction";
+  }
+  else if (!finite)
+  {
+    problem << "Origin (" << Words(caves->GetOrigin()) << ") and Spacing ("
+            << Words(caves->GetSpacing()) << "), with Scale (" << caves->GetScale()
+            << "), put samples at places that are not finite";
+  }
+  else if (reach > Farthest)
   {
     problem << "Origin and Spacing put samples " << reach
             << " cells of the noise (Scale) from the origin, expected at most " << Farthest;
@@ -106,6 +126,7 @@ int vtkRelievoCaves::RequestData(
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
+  image->Initialize(); // of the last update
   this->NumberOfEvaluations = 0;
   this->NumberOfAirSamples = 0;
   this->SetErrorCode(vtkErrorCode::NoError);

@@ -11,7 +11,8 @@
  *
  * Refused with an error, vtkErrorCode::UserError and an empty output: a size without points; an
  * origin or spacing that is not finite; tunnels wider than half of Scale; samples more than 5e8
- * cells of the noise from the origin; and images for which there is not enough memory.
+ * cells of the noise from the origin; a function with a Transform, which only the function itself
+ * follows; and images for which there is not enough memory.
  */
 #ifndef vtkRelievoCaves_h
 #define vtkRelievoCaves_h
@@ -72,7 +73,10 @@ public:
   vtkGetVector3Macro(Spacing, double);
   ///@}
 
-  /** The caves as an implicit function, which can also be sampled, contoured or clipped with. */
+  /**
+   * The caves as an implicit function, which can also be sampled, contoured or clipped with. With a
+   * Transform of its own, no image is made.
+   */
   vtkRelievoCaveFunction* GetFunction();
 
   ///@{

@@ -14,7 +14,11 @@ namespace cli
 namespace
 {
 constexpr int MostSamples = 1 << 20; // along an axis
-constexpr double Largest = 1e30;
+
+double ParseLength(const std::string& name, const std::string& value)
+{
+  return ParseNumberBetween(name, value, 0., std::numeric_limits<double>::infinity());
+}
 
 std::array<double, 3> ParseTriple(const std::string& name, const std::string& value)
 {
@@ -61,15 +65,15 @@ CaveOptions ParseCave(const std::vector<std::string>& words)
       }
       else if (name == "--width")
       {
-        options.Width = ParseNumberBetween(name, value, 0., Largest);
+        options.Width = ParseLength(name, value);
       }
       else if (name == "--scale")
       {
-        options.Scale = ParseNumberBetween(name, value, 0., Largest);
+        options.Scale = ParseLength(name, value);
       }
       else if (name == "--vertical-scale")
       {
-        options.VerticalScale = ParseNumberBetween(name, value, 0., Largest);
+        options.VerticalScale = ParseLength(name, value);
       }
       else if (name == "--up")
       {

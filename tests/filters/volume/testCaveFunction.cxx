@@ -19,6 +19,8 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -106,6 +108,26 @@ void TestPlaces()
   RELIEVO_CHECK(shell[0][1] == shell[1][1] && shell[0][0] == -shell[0][1] && shell[0][1] > 0.4);
 }
 
+// Every bit of the seed counts.
+void TestSeeds()
+{
+  std::vector<std::vector<double>> caves;
+  for (int bit = -1; bit < 32; ++bit)
+  {
+    vtkNew<Function> function;
+    function->SetSeed(bit < 0 ? 0 : static_cast<int>(1u << static_cast<unsigned int>(bit)));
+    std::vector<double> values;
+    for (int i = 0; i < 100; ++i)
+    {
+      double point[] = { 37. * i, 11. * i, 64. };
+      values.push_back(function->EvaluateFunction(point));
+    }
+    RELIEVO_CHECK_THAT(std::find(caves.begin(), caves.end(), values) == caves.end(),
+      "the same caves with bit " + std::to_string(bit) + " of the seed");
+    caves.push_back(values);
+  }
+}
+
 void TestSampled()
 {
   vtkNew<Function> function;
@@ -150,6 +172,7 @@ int main()
   relievoTest::Session session;
   TestGradient();
   TestPlaces();
+  TestSeeds();
   TestSampled();
   return session.Result();
 }
