@@ -256,10 +256,13 @@ void SplitNullNormals(BlockSurface& surface, const BlockLabels& labels,
     }
   }
   const auto count = vertices + static_cast<vtkIdType>(added.size());
-  surface.Points->Resize(count);
-  surface.Points->SetNumberOfTuples(count);
-  surface.Normals->Resize(count);
-  surface.Normals->SetNumberOfTuples(count);
+  if (!added.empty())
+  {
+    // Keeps what is there, in every VTK: SetNumberOfTuples does not, and Resize is going.
+    const double place[3] = { 0.0, 0.0, 0.0 };
+    surface.Points->InsertTuple(count - 1, place);
+    surface.Normals->InsertTuple(count - 1, place);
+  }
   for (const auto& vertex : kept)
   {
     surface.Normals->SetTypedTuple(vertex.first, vertex.second.data());

@@ -73,7 +73,7 @@ void vtkRelievoLightDepthStage::Describe(vtkRelievoStageDescription& description
   description.Label = "Light's Depth";
   description.Help = "Shows what a light's shadow maps see.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
-  description.Reads = { "shadow maps" };
+  description.Reads = { "visibility" }; // whether shadows are seen in the picture or not
   description.Layers = { Layer };
   description.OnByDefault = true;
   description.AddWhole(
@@ -129,6 +129,7 @@ void vtkRelievoLightDepthStage::Execute(vtkRelievoFrameContext& context)
   this->Explain(maps > 0 ? "ran" : "idle",
     maps > 0 ? "shows " + std::to_string(maps) + (maps == 1 ? " map" : " maps") + " of light " +
         std::to_string(entry->Light.Number)
+      : entry           ? "light " + std::to_string(entry->Light.Number) + " has no map"
       : this->Light < 0 ? "no light casts"
                         : "light " + std::to_string(this->Light) + " casts no shadow");
 }

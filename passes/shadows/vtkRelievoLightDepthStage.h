@@ -9,8 +9,9 @@
  * rays are parallel; +infinity where nothing casts, and beside the map. A light with several maps
  * has them side by side, three in a row. It runs only where the layer is requested.
  *
- * A layer of it needs shadows of lights (vtkRelievoPass::ShadowsOn). Maps that are unevenly spaced
- * (vtkRelievoShadowPass::METHOD_WARPED) are shown as they are stored.
+ * Shadows need not be seen in the picture. Maps that are unevenly spaced
+ * (vtkRelievoShadowPass::METHOD_WARPED) are shown as they are stored; exact shadows
+ * (METHOD_EXACT) have none, but for casters that they cannot follow.
  */
 #ifndef vtkRelievoLightDepthStage_h
 #define vtkRelievoLightDepthStage_h

@@ -26,7 +26,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTransform.h>
-#include <vtkTransformPolyDataFilter.h>
+#include <vtkTransformFilter.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -74,12 +74,12 @@ struct Scene
     {
       vtkNew<vtkTransform> transform;
       transform->SetMatrix(actor->GetMatrix());
-      vtkNew<vtkTransformPolyDataFilter> moved;
+      vtkNew<vtkTransformFilter> moved;
       moved->SetInputData(vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->GetInput());
       moved->SetTransform(transform);
       moved->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
       moved->Update();
-      both->AddInputData(moved->GetOutput());
+      both->AddInputData(moved->GetPolyDataOutput());
     }
     both->Update();
     return both->GetOutput();

@@ -21,6 +21,7 @@
 #include <vtkRelievoLayerSource.h>
 #include <vtkRelievoLightDepthStage.h>
 #include <vtkRelievoPass.h>
+#include <vtkRelievoShadowPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
@@ -165,6 +166,15 @@ void TestWhichLight()
   RELIEVO_CHECK(scene.GetStage()->GetReason() == "light 0 casts no shadow");
   scene.GetStage()->SetParameter("light", "-1");
   RELIEVO_CHECK(Count(scene.Read(), 0.0).second == finite);
+
+  // Shadows need not be seen; exact ones have no maps.
+  scene.Frame->ShadowsOff();
+  RELIEVO_CHECK(Count(scene.Read(), 0.0).second == finite);
+  scene.Frame->GetShadowPass()->SetMethodToExact();
+  RELIEVO_CHECK(Count(scene.Read(), 0.0).second == 0);
+  RELIEVO_CHECK(scene.GetStage()->GetReason() == "light 1 has no map");
+  scene.Frame->GetShadowPass()->SetMethodToMap();
+  scene.Frame->ShadowsOn();
 
   scene.Frame->SetDisplayLayer("light_depth");
   scene.Window->Render();

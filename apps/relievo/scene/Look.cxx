@@ -192,7 +192,7 @@ void AddScalarBar(vtkRenderer* renderer, vtkColorTransferFunction* map, const st
   bar->SetPosition(0.87, 0.1);
   bar->SetWidth(0.1);
   bar->SetHeight(0.8);
-  renderer->AddActor2D(bar);
+  renderer->AddViewProp(bar);
 }
 
 //------------------------------------------------------------------------------
