@@ -115,6 +115,10 @@ void vtkRelievoLightDepthStage::Execute(vtkRelievoFrameContext& context)
   for (int i = 0; i < maps; ++i)
   {
     const vtkRelievoShadowCache::Map& map = entry->Maps[i];
+    if (!(map.View.Width > 0.0 && map.View.Height > 0.0))
+    {
+      continue;
+    }
     const std::array<int, 4> area = GetArea(map.View, in.Target.GetArea(), maps, i);
     const float range[3] = { static_cast<float>(map.View.Near), static_cast<float>(map.View.Far),
       map.View.Parallel ? 1.0f : 0.0f };
