@@ -10,13 +10,15 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoLampsStage.h"
 #include "vtkRelievoThreads.h"
+#include "vtkRelievoTiles.h"
 #include "vtkShaderProgram.h"
 
 //------------------------------------------------------------------------------
 void vtkRelievoLampLight::Take(
   vtkRelievoFrameContext& context, const std::vector<vtkRelievoLamps*>& sets, int casting)
 {
-  vtkRelievoWithThreads([&]() { this->List.Take(context.View, sets); });
+  const glm::dmat4 toPicture = vtkRelievoGetTileToPicture(context.Renderer);
+  vtkRelievoWithThreads([&]() { this->List.Take(context.View, sets, toPicture); });
   std::vector<double> strengths;
   this->Casting = this->List.TakeCasting(casting, strengths);
   context.CastingLamps.clear();
@@ -53,7 +55,7 @@ std::string vtkRelievoLampLight::Prepare(
     this->Cells.Release(context.Window);
     this->Lists.Release(context.Window);
   }
-  if (!quads)
+  if (way != vtkRelievoLampsStage::QUADS)
   {
     this->Quads.Release(context.Window);
   }

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace
 {
@@ -21,60 +20,102 @@ struct Piece
 {
   std::vector<vtkRelievoLampList::Lamp> Lamps;
   std::vector<float> Texels;
+  std::vector<vtkRelievoLampList::Lamp> Beside;
+  std::vector<float> BesideTexels;
   bool White = true;
+};
+
+// Where lamps are looked for: the view, or the picture that it is a tile of.
+struct Frustum
+{
+  vtkRelievoSphereBounds Bounds;
+  double Pixels[2];
 };
 
 class Taker
 {
 public:
-  Taker(const vtkRelievoView& view)
+  Taker(const vtkRelievoView& view, const glm::dmat4& tileToPicture)
     : View(view)
-    , Bounds(view.ViewToNDC)
+    , Tile{ vtkRelievoSphereBounds(view.ViewToNDC),
+      { static_cast<double>(view.Viewport[2]), static_cast<double>(view.Viewport[3]) } }
+    , Picture{ vtkRelievoSphereBounds(tileToPicture * view.ViewToNDC),
+      { view.Viewport[2] / tileToPicture[0][0], view.Viewport[3] / tileToPicture[1][1] } }
+    , InTiles(tileToPicture != glm::dmat4(1.0))
   {
   }
 
-  void Take(const double* row, float falloff, Piece& piece) const
+  void Take(const double* row, vtkIdType number, float falloff, Piece& piece) const
   {
     const glm::dvec4 center = this->View.WorldToView * glm::dvec4(row[0], row[1], row[2], 1.0);
     vtkRelievoLampList::Lamp lamp;
     lamp.Sphere.Center = glm::dvec3(center);
     // What shaders find of a pixel's place and distance is rounded to float.
     lamp.Sphere.Radius = row[3] * (1.0 + 1e-5) + 1e-6 * glm::length(lamp.Sphere.Center);
-    double rectangle[4];
-    if (!this->Bounds.FindRectangle(lamp.Sphere, this->View.Near, this->View.Far, rectangle))
+    double rectangle[4] = { 0.0, 0.0, 0.0, 0.0 };
+    const bool seen = this->Find(this->Tile, lamp.Sphere, rectangle);
+    if (!seen && (!this->InTiles || vtkRelievoLamps::GetCastsOf(row) == 0.0))
     {
       return;
+    }
+    double whole[4];
+    std::copy_n(rectangle, 4, whole);
+    const bool inPicture = this->InTiles ? this->Find(this->Picture, lamp.Sphere, whole) : seen;
+    if (!seen && !inPicture)
+    {
+      return;
+    }
+    std::copy_n(rectangle, 4, lamp.Rectangle);
+    if (!seen)
+    {
+      std::fill_n(lamp.Rectangle, 4, 0.0f);
+    }
+    lamp.Row = row;
+    lamp.Number = number;
+    lamp.Size = inPicture ? std::abs(row[4]) * std::max({ row[5], row[6], row[7] }) *
+        (whole[2] - whole[0]) * (whole[3] - whole[1])
+                          : -1.0;
+    (seen ? piece.Lamps : piece.Beside).push_back(lamp);
+    std::vector<float>& texels = seen ? piece.Texels : piece.BesideTexels;
+    for (int i = 0; i < 3; ++i)
+    {
+      texels.push_back(static_cast<float>(lamp.Sphere.Center[i]));
+    }
+    texels.push_back(static_cast<float>(row[3]));
+    for (int i = 0; i < 3; ++i)
+    {
+      texels.push_back(static_cast<float>(row[4] * row[5 + i]));
+    }
+    texels.push_back(falloff);
+    piece.White = piece.White && (!seen || (row[5] == row[6] && row[6] == row[7]));
+  }
+
+private:
+  bool Find(
+    const Frustum& frustum, const vtkRelievoSphereBounds::Sphere& sphere, double rectangle[4]) const
+  {
+    if (!frustum.Bounds.FindRectangle(sphere, this->View.Near, this->View.Far, rectangle))
+    {
+      return false;
     }
     for (int axis = 0; axis < 2; ++axis)
     {
       // In pixels; without the centre of one it lights nothing.
-      const double half = 0.5 * this->View.Viewport[2 + axis];
+      const double half = 0.5 * frustum.Pixels[axis];
       const double first = std::ceil((rectangle[axis] + 1.0) * half - 0.501);
       const double last = std::floor((rectangle[axis + 2] + 1.0) * half - 0.499);
       if (last < first)
       {
-        return;
+        return false;
       }
     }
-    std::copy_n(rectangle, 4, lamp.Rectangle);
-    lamp.Row = row;
-    piece.Lamps.push_back(lamp);
-    for (int i = 0; i < 3; ++i)
-    {
-      piece.Texels.push_back(static_cast<float>(lamp.Sphere.Center[i]));
-    }
-    piece.Texels.push_back(static_cast<float>(row[3]));
-    for (int i = 0; i < 3; ++i)
-    {
-      piece.Texels.push_back(static_cast<float>(row[4] * row[5 + i]));
-    }
-    piece.Texels.push_back(falloff);
-    piece.White = piece.White && row[5] == row[6] && row[6] == row[7];
+    return true;
   }
 
-private:
   const vtkRelievoView& View;
-  vtkRelievoSphereBounds Bounds;
+  Frustum Tile;
+  Frustum Picture;
+  bool InTiles;
 };
 
 constexpr int TexelFloats = 8; // of a lamp
@@ -82,38 +123,35 @@ constexpr int TexelFloats = 8; // of a lamp
 // A lamp that may cast.
 struct Candidate
 {
-  std::size_t Place;
+  const vtkRelievoLampList::Lamp* Lamp;
+  const float* Texels;
   bool Always;
-  double Size;
+  double Strength;
 
   bool operator<(const Candidate& other) const
   {
-    return this->Always != other.Always ? this->Always
-      : this->Size != other.Size        ? this->Size > other.Size
-                                        : this->Place < other.Place;
+    return this->Always != other.Always      ? this->Always
+      : this->Lamp->Size != other.Lamp->Size ? this->Lamp->Size > other.Lamp->Size
+                                             : this->Lamp->Number < other.Lamp->Number;
   }
 };
-
-double GetSize(const vtkRelievoLampList::Lamp& lamp)
-{
-  const double* row = lamp.Row;
-  const float* r = lamp.Rectangle;
-  return std::abs(row[4]) * std::max({ row[5], row[6], row[7] }) * (r[2] - r[0]) * (r[3] - r[1]);
-}
 
 // Up to so much more than the next lamp's size a shadow is weaker.
 constexpr double Fade = 0.1;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoLampList::Take(const vtkRelievoView& view, const std::vector<vtkRelievoLamps*>& sets)
+void vtkRelievoLampList::Take(const vtkRelievoView& view, const std::vector<vtkRelievoLamps*>& sets,
+  const glm::dmat4& tileToPicture)
 {
   this->Lamps.clear();
   this->Texels.clear();
+  this->Beside.clear();
+  this->BesideTexels.clear();
   this->Attenuations.clear();
   this->NumberGiven = 0;
   this->White = true;
-  const Taker taker(view);
+  const Taker taker(view, tileToPicture);
   for (std::size_t set = 0; set < sets.size(); ++set)
   {
     const double* rows = sets[set]->GetSharedRows().data();
@@ -131,7 +169,8 @@ void vtkRelievoLampList::Take(const vtkRelievoView& view, const std::vector<vtkR
           const vtkIdType end = std::min(count, (p + 1) * PieceSize);
           for (vtkIdType i = p * PieceSize; i < end; ++i)
           {
-            taker.Take(rows + i * width, static_cast<float>(falloff), pieces[p]);
+            taker.Take(
+              rows + i * width, this->NumberGiven + i, static_cast<float>(falloff), pieces[p]);
           }
         }
       });
@@ -139,6 +178,9 @@ void vtkRelievoLampList::Take(const vtkRelievoView& view, const std::vector<vtkR
     {
       this->Lamps.insert(this->Lamps.end(), piece.Lamps.begin(), piece.Lamps.end());
       this->Texels.insert(this->Texels.end(), piece.Texels.begin(), piece.Texels.end());
+      this->Beside.insert(this->Beside.end(), piece.Beside.begin(), piece.Beside.end());
+      this->BesideTexels.insert(
+        this->BesideTexels.end(), piece.BesideTexels.begin(), piece.BesideTexels.end());
       this->White = this->White && piece.White;
     }
     this->NumberGiven += static_cast<int>(count);
@@ -159,56 +201,61 @@ vtkRelievoLampList vtkRelievoLampList::TakeCasting(int largest, std::vector<doub
   strengths.clear();
   std::vector<Candidate> candidates;
   int always = 0;
-  for (std::size_t i = 0; i < this->Lamps.size(); ++i)
-  {
-    const double casts = vtkRelievoLamps::GetCastsOf(this->Lamps[i].Row);
-    if (casts > 0.0 || (casts < 0.0 && largest > 0))
+  const auto consider = [&](const std::vector<Lamp>& lamps, const std::vector<float>& texels) {
+    for (std::size_t i = 0; i < lamps.size(); ++i)
     {
-      candidates.push_back({ i, casts > 0.0, GetSize(this->Lamps[i]) });
-      always += casts > 0.0 ? 1 : 0;
+      const double casts = vtkRelievoLamps::GetCastsOf(lamps[i].Row);
+      if (lamps[i].Size >= 0.0 && (casts > 0.0 || (casts < 0.0 && largest > 0)))
+      {
+        candidates.push_back({ &lamps[i], &texels[i * TexelFloats], casts > 0.0, 1.0 });
+        always += casts > 0.0 ? 1 : 0;
+      }
     }
-  }
+  };
+  consider(this->Lamps, this->Texels);
+  consider(this->Beside, this->BesideTexels);
   const std::size_t most = std::min(
     { vtkRelievoCastingLamp::Most, always + largest, static_cast<int>(candidates.size()) });
   const std::size_t looked = std::min(most + 1, candidates.size());
   std::partial_sort(candidates.begin(), candidates.begin() + looked, candidates.end());
-  std::vector<std::pair<std::size_t, double>> chosen;
+  std::vector<Candidate> chosen;
   for (std::size_t i = 0; i < most; ++i)
   {
-    const Candidate& lamp = candidates[i];
-    const bool alone = looked == most || lamp.Always != candidates[most].Always;
-    const double next = alone ? 0.0 : candidates[most].Size;
-    const double strength = next > 0.0 ? std::min((lamp.Size / next - 1.0) / Fade, 1.0) : 1.0;
-    if (strength > 0.0)
+    Candidate candidate = candidates[i];
+    const bool alone = looked == most || candidate.Always != candidates[most].Always;
+    const double next = alone ? 0.0 : candidates[most].Lamp->Size;
+    candidate.Strength =
+      next > 0.0 ? std::min((candidate.Lamp->Size / next - 1.0) / Fade, 1.0) : 1.0;
+    if (candidate.Strength > 0.0)
     {
-      chosen.emplace_back(lamp.Place, strength);
+      chosen.push_back(candidate);
     }
   }
-  std::sort(chosen.begin(), chosen.end());
-  std::vector<std::size_t> places;
-  for (const auto& each : chosen)
+  std::sort(chosen.begin(), chosen.end(),
+    [](const Candidate& a, const Candidate& b) { return a.Lamp->Number < b.Lamp->Number; });
+  for (const Candidate& candidate : chosen)
   {
-    places.push_back(each.first);
-    strengths.push_back(each.second);
+    casting.Lamps.push_back(*candidate.Lamp);
+    casting.Texels.insert(casting.Texels.end(), candidate.Texels, candidate.Texels + TexelFloats);
+    strengths.push_back(candidate.Strength);
   }
-  this->TakeOut(places, casting);
+  for (const Lamp& lamp : casting.Lamps)
+  {
+    this->TakeOut(lamp.Number);
+  }
   return casting;
 }
 
 //------------------------------------------------------------------------------
-// The lamps at these places, ascending.
-void vtkRelievoLampList::TakeOut(const std::vector<std::size_t>& places, vtkRelievoLampList& others)
+// The lamp of this number, if the view sees it. Numbers ascend.
+void vtkRelievoLampList::TakeOut(vtkIdType number)
 {
-  for (const std::size_t place : places)
+  const auto lamp = std::lower_bound(this->Lamps.begin(), this->Lamps.end(), number,
+    [](const Lamp& each, vtkIdType wanted) { return each.Number < wanted; });
+  if (lamp != this->Lamps.end() && lamp->Number == number)
   {
-    others.Lamps.push_back(this->Lamps[place]);
-    const auto texels = this->Texels.begin() + static_cast<std::ptrdiff_t>(place * TexelFloats);
-    others.Texels.insert(others.Texels.end(), texels, texels + TexelFloats);
-  }
-  for (auto place = places.rbegin(); place != places.rend(); ++place)
-  {
-    this->Lamps.erase(this->Lamps.begin() + static_cast<std::ptrdiff_t>(*place));
-    const auto texels = this->Texels.begin() + static_cast<std::ptrdiff_t>(*place * TexelFloats);
+    const auto texels = this->Texels.begin() + (lamp - this->Lamps.begin()) * TexelFloats;
     this->Texels.erase(texels, texels + TexelFloats);
+    this->Lamps.erase(lamp);
   }
 }

@@ -23,6 +23,7 @@ public:
   explicit vtkRelievoLampMaps(vtkRelievoShadowCasters& casters)
     : Work(casters)
   {
+    this->Work.OnEverything = true;
   }
 
   vtkRelievoShadowWork Work;

@@ -83,7 +83,7 @@ void vtkRelievoShadowMethodExact::SetFrameUniforms(
     static_cast<float>(Roundings * Ulp) };
   program->SetUniformi("relievoShadowTree", this->Tree.GetTextureUnit());
   program->SetUniformi(
-    "relievoShadowCasters", work.DrawingMaps ? 0 : this->Tree.GetNumberOfNodes());
+    "relievoShadowCasters", work.DrawingAnyMaps ? 0 : this->Tree.GetNumberOfNodes());
   program->SetUniformi("relievoShadowRecords", this->Tree.GetFirstRecord());
   program->SetUniformMatrix4x4("relievoShadowToLocal", const_cast<float*>(&matrix[0][0]));
   program->SetUniform4fv("relievoShadowSource", static_cast<int>(sources.size()),

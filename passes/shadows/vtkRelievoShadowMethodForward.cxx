@@ -112,7 +112,7 @@ void vtkRelievoShadowMethodForward::SetActorUniforms(
   int region[4];
   vtkRelievoForwardMasks::GetViewport(region);
   // A mask is of the opaque surfaces that are seen, at the size of the viewport.
-  const bool holds = !work.DrawingMaps && !work.DrawingDepth && this->Fault.empty() &&
+  const bool holds = !work.DrawingAnyMaps && !work.DrawingDepth && this->Fault.empty() &&
     this->Masks.GetTextureUnit() >= 0 && actor->HasOpaqueGeometry() &&
     region[2] == work.View.Viewport[2] && region[3] == work.View.Viewport[3];
   program->SetUniformi("relievoShadowMasked", holds ? 1 : 0);

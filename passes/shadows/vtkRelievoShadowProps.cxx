@@ -121,6 +121,7 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
   this->Casters.clear();
   this->CasterBoxes.clear();
   this->ReceiverBoxes.clear();
+  this->AllBoxes.clear();
   this->Parts.clear();
   this->NotReceiving.clear();
   this->State.clear();
@@ -170,6 +171,7 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
       this->State.push_back(reinterpret_cast<std::uintptr_t>(prop));
       this->State.push_back(translucent ? 1 : 0);
     }
+    this->AllBoxes.push_back(box);
     if (choice.Receives)
     {
       this->ReceiverBoxes.push_back(box);

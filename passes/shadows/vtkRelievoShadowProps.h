@@ -46,6 +46,7 @@ public:
 
   const std::vector<vtkRelievoBox>& GetCasterBoxes() const { return this->CasterBoxes; }
   const std::vector<vtkRelievoBox>& GetReceiverBoxes() const { return this->ReceiverBoxes; }
+  const std::vector<vtkRelievoBox>& GetAllBoxes() const { return this->AllBoxes; }
   bool Receives(vtkProp* part) const;
 
   // Takes the casters that can be followed triangle by triangle out of those that are drawn into
@@ -89,12 +90,13 @@ private:
   std::set<vtkProp*> Mixed;   // of Spliced: assemblies of which only the meshes cast
   bool MereReceivers = false;
   std::vector<Caster> Casters;
-  std::vector<vtkRelievoBox> CasterBoxes; // of Casters, one each
-  std::vector<Caster> AllCasters;         // while some are taken out
-  std::vector<vtkRelievoBox> AllBoxes;    // of these
+  std::vector<vtkRelievoBox> CasterBoxes;    // of Casters, one each
+  std::vector<Caster> AllCasters;            // while some are taken out
+  std::vector<vtkRelievoBox> AllCasterBoxes; // of these
   std::vector<vtkRelievoBox> ReceiverBoxes;
-  std::set<vtkProp*> Parts;        // that draw themselves
-  std::set<vtkProp*> NotReceiving; // of Parts
+  std::vector<vtkRelievoBox> AllBoxes; // of what was chosen to receive and what was not
+  std::set<vtkProp*> Parts;            // that draw themselves
+  std::set<vtkProp*> NotReceiving;     // of Parts
   vtkRelievoSplicedKeys Keys;
   std::vector<std::uint64_t> State;
   std::vector<bool> Culling;

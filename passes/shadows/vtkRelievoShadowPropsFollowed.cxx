@@ -9,7 +9,7 @@
 std::vector<vtkRelievoCaster> vtkRelievoShadowProps::TakeFollowed()
 {
   this->AllCasters.swap(this->Casters);
-  this->AllBoxes.swap(this->CasterBoxes);
+  this->AllCasterBoxes.swap(this->CasterBoxes);
   this->Casters.clear();
   this->CasterBoxes.clear();
   std::vector<vtkRelievoCaster> followed;
@@ -19,7 +19,7 @@ std::vector<vtkRelievoCaster> vtkRelievoShadowProps::TakeFollowed()
     if (!vtkRelievoCasterFollow::Collect(caster.Prop, caster.Translucent, followed))
     {
       this->Casters.push_back(caster);
-      this->CasterBoxes.push_back(this->AllBoxes[i]);
+      this->CasterBoxes.push_back(this->AllCasterBoxes[i]);
     }
   }
   return followed;
@@ -29,5 +29,5 @@ std::vector<vtkRelievoCaster> vtkRelievoShadowProps::TakeFollowed()
 void vtkRelievoShadowProps::PutBackFollowed()
 {
   this->Casters = this->AllCasters;
-  this->CasterBoxes = this->AllBoxes;
+  this->CasterBoxes = this->AllCasterBoxes;
 }

@@ -5,36 +5,12 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoShadowWork.h"
+#include "vtkRelievoTiles.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <sstream>
-
-namespace
-{
-// From the NDC of the tile that is drawn to those of the whole picture, so that maps are the same
-// in all tiles. Identity without tiles.
-glm::dmat4 GetTileToPicture(vtkRenderer* renderer)
-{
-  glm::dmat4 m(1.0);
-  const double* all = renderer->GetViewport();
-  double tile[4];
-  renderer->GetRenderWindow()->GetTileViewport(tile);
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const double low = std::max(all[axis], tile[axis]);
-    const double high = std::min(all[axis + 2], tile[axis + 2]);
-    const double whole = all[axis + 2] - all[axis];
-    if (high > low && whole > 0.0)
-    {
-      m[axis][axis] = (high - low) / whole;
-      m[3][axis] = (high + low - all[axis] - all[axis + 2]) / whole;
-    }
-  }
-  return m;
-}
-}
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoShadowSchedule::Fit(vtkRelievoShadowWork& work,
@@ -52,9 +28,10 @@ std::string vtkRelievoShadowSchedule::Fit(vtkRelievoShadowWork& work,
   request.Gaze = glm::normalize(-glm::dvec3(viewToWorld[2]));
   request.ViewUp = glm::dvec3(viewToWorld[1]);
   request.ParallelEye = work.View.Parallel;
-  scene.WorldToNDC = GetTileToPicture(renderer) * work.View.ViewToNDC * work.View.WorldToView;
+  scene.WorldToNDC =
+    vtkRelievoGetTileToPicture(renderer) * work.View.ViewToNDC * work.View.WorldToView;
   scene.Casters = work.Props.GetCasterBoxes();
-  scene.Receivers = work.Props.GetReceiverBoxes();
+  scene.Receivers = work.OnEverything ? work.Props.GetAllBoxes() : work.Props.GetReceiverBoxes();
   scene.SameCasters = work.Cache.HasCasters(work.Props);
   work.Cache.SetCasters(work.Props);
   const bool together = this->Exchange.IsOn();
@@ -114,7 +91,7 @@ int vtkRelievoShadowSchedule::Draw(vtkRelievoShadowWork& work, vtkRenderer* rend
       }
       if (!work.DrawingMaps)
       {
-        work.DrawingMaps = true;
+        work.DrawingMaps = work.DrawingAnyMaps = true;
         work.Maps.Bind(false);
         work.Maps.Begin();
       }
@@ -132,7 +109,7 @@ int vtkRelievoShadowSchedule::Draw(vtkRelievoShadowWork& work, vtkRenderer* rend
   if (work.DrawingMaps)
   {
     work.Maps.End();
-    work.DrawingMaps = false;
+    work.DrawingMaps = work.DrawingAnyMaps = false;
     // What VTK takes for these programs' lights are in a light's eye space.
     for (vtkShaderProgram* program : this->LitForMaps)
     {

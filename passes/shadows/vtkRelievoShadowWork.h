@@ -17,6 +17,7 @@ struct vtkRelievoShadowCasters
 {
   vtkRelievoShadowProps Props;
   vtkRelievoCasterDraw PlainDraw;
+  bool DrawingMaps = false;
 };
 
 struct vtkRelievoShadowWork
@@ -24,12 +25,14 @@ struct vtkRelievoShadowWork
   explicit vtkRelievoShadowWork(vtkRelievoShadowCasters& casters)
     : Props(casters.Props)
     , PlainDraw(casters.PlainDraw)
+    , DrawingAnyMaps(casters.DrawingMaps)
   {
   }
 
   vtkRelievoView View; // the camera's
   vtkRelievoShadowProps& Props;
   vtkRelievoCasterDraw& PlainDraw;
+  bool& DrawingAnyMaps; // these or others of the same casters
   vtkRelievoShadowCache Cache;
   vtkRelievoShadowMaps Maps;
   vtkRelievoShadowSplice::Structure Structure;
@@ -38,6 +41,7 @@ struct vtkRelievoShadowWork
   int MapsDrawn = 0; // anew, in this frame
   bool DrawingMaps = false;
   bool DrawingDepth = false; // that the camera sees, for a method
+  bool OnEverything = false; // shadows fall also on what was chosen not to receive any
 
   // Texels from a map's middle to where the filter no longer has room.
   float GetInner() const { return 0.5f * (this->Maps.GetSize() - 1) - this->Radius; }

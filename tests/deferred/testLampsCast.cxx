@@ -235,6 +235,23 @@ void TestCasters()
   gl.Poll("end of casters");
 }
 
+// Shadows of lamps fall on everything, whatever was chosen for those of the renderer's lights.
+void TestReceivers()
+{
+  LampScene scene(120, 90);
+  vtkActorCollection* actors = scene.Renderer->GetActors();
+  Add(scene, { { Around[0], 6.0, 1.0, White }, { Around[1], 6.0, 1.0, White } });
+  scene.Stage->SetCasting(8);
+  const Layers all(scene.Read(Light));
+  for (int i = actors->GetNumberOfItems() - 1; i >= 0; --i)
+  {
+    auto* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
+    scene.Frame->GetShadowPass()->SetPropReceives(actor, false);
+    const Layers fewer(scene.Read(Light));
+    RELIEVO_CHECK(CountDifferent(all, fewer, "light") == 0);
+  }
+}
+
 // Of a lamp at the eye, nothing is in shadow that is seen, but for a texel at silhouettes.
 void TestAtEye()
 {
@@ -350,6 +367,7 @@ int main()
   TestRays();
   TestPointLight();
   TestCasters();
+  TestReceivers();
   TestAtEye();
   TestSmallLamp();
   TestToggles();
