@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 vtkStandardNewMacro(vtkRelievoDepthViews);
@@ -179,6 +180,20 @@ int vtkRelievoDepthViews::RequestData(
   {
     return 1; // nothing to see
   }
+  for (int i = 0; i < 6; ++i)
+  {
+    // Sums and differences of two ends must be finite as well.
+    constexpr double Farthest = std::numeric_limits<double>::max() / 4.;
+    if (!(std::abs(box[i]) <= Farthest && std::abs(seen[i]) <= Farthest))
+    {
+      vtkErrorMacro("No depth views: along "
+        << "xyz"[i / 2] << " the box is from " << box[i / 2 * 2] << " to " << box[i / 2 * 2 + 1]
+        << " and the props from " << seen[i / 2 * 2] << " to " << seen[i / 2 * 2 + 1]
+        << ", expected finite numbers; set Bounds.");
+      this->SetErrorCode(vtkErrorCode::UserError);
+      return 1;
+    }
+  }
   const KeptView kept(this->Renderer);
   vtkNew<vtkRelievoLayerSource> capture;
   capture->SetRenderer(this->Renderer);
@@ -191,6 +206,12 @@ int vtkRelievoDepthViews::RequestData(
       if (!this->SixViews && axis != this->Axis)
       {
         continue;
+      }
+      this->UpdateProgress(block / (this->SixViews ? 6. : 2.));
+      if (this->GetAbortExecute())
+      {
+        output->Initialize();
+        return 1;
       }
       vtkNew<vtkCamera> camera;
       this->Renderer->SetActiveCamera(camera);

@@ -16,7 +16,7 @@
  * Texels are squares around the middle of the box. A view has at most as many as the window has
  * pixels each way: its texels are larger then.
  *
- * Errors: those of vtkRelievoLayerSource; the output is then empty.
+ * Errors: a box that is not finite, and those of vtkRelievoLayerSource; the output is then empty.
  */
 #ifndef vtkRelievoDepthViews_h
 #define vtkRelievoDepthViews_h

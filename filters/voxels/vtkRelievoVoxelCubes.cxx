@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoVoxelCubes.h"
 
+#include "vtkRelievoMemory.h"
 #include "vtkRelievoThreads.h"
 #include "vtkRelievoVoxelDistance.h"
+#include "vtkRelievoVoxelPieces.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -21,13 +23,17 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStaticPointLocator.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoVoxelCubes);
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace
 {
@@ -52,12 +58,14 @@ bool IsInner(const unsigned char* mask, const std::array<int, 3>& cells, const i
   return inner;
 }
 
-// The data of the nearest point, for each of the points.
-void AddNearest(vtkDataSet* model, vtkPoints* points, vtkPointData* output)
+// The data of the nearest point, for each of the points. Returns the names of arrays that are left
+// out, as cubes have their own of these names.
+std::string AddNearest(vtkDataSet* model, vtkPoints* points, vtkPointData* output)
 {
+  std::string left;
   if (!model || model->GetNumberOfPoints() == 0 || points->GetNumberOfPoints() == 0)
   {
-    return;
+    return left;
   }
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(model);
@@ -76,6 +84,16 @@ void AddNearest(vtkDataSet* model, vtkPoints* points, vtkPointData* output)
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = data->GetAbstractArray(i);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    if (name == vtkDataSetAttributes::GhostArrayName())
+    {
+      continue; // the model's ghosts are not the cubes'
+    }
+    if (name == "size" || name == "scale")
+    {
+      left += (left.empty() ? "'" : ", '") + name + "'";
+      continue;
+    }
     auto copy = vtk::TakeSmartPointer(array->NewInstance());
     copy->SetName(array->GetName());
     copy->SetNumberOfComponents(array->GetNumberOfComponents());
@@ -91,6 +109,7 @@ void AddNearest(vtkDataSet* model, vtkPoints* points, vtkPointData* output)
       output->AddArray(copy);
     }
   }
+  return left;
 }
 }
 
@@ -110,6 +129,46 @@ int vtkRelievoVoxelCubes::FillInputPortInformation(int port, vtkInformation* inf
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoVoxelCubes::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* input = inputs[0]->GetInformationObject(0);
+  vtkInformation* output = outputs->GetInformationObject(0);
+  std::array<int, 6> extent;
+  input->Get(SDDP::WHOLE_EXTENT(), extent.data());
+  // The nearest cell inside may be anywhere.
+  if (!(this->Transition > 0.))
+  {
+    const std::array<int, 6> whole = extent;
+    extent = vtkRelievoVoxelPieces::Of(input, output);
+    // The neighbours tell which cells are inner ones.
+    for (std::size_t i = 0; i < 6 && extent[0] <= extent[1]; i += 2)
+    {
+      extent[i] = std::max(extent[i] - 1, whole[i]);
+      extent[i + 1] = std::min(extent[i + 1] + 1, whole[i + 1]);
+    }
+  }
+  // The executive would divide the extent of a piece again.
+  input->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+  input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+  input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  input->Set(SDDP::UPDATE_EXTENT(), extent.data(), 6);
+  for (int i = 0; i < inputs[1]->GetNumberOfInformationObjects(); ++i)
+  {
+    // The nearest point may be anywhere.
+    vtkInformation* model = inputs[1]->GetInformationObject(i);
+    if (model->Has(SDDP::WHOLE_EXTENT()))
+    {
+      model->Set(SDDP::UPDATE_EXTENT(), model->Get(SDDP::WHOLE_EXTENT()), 6);
+    }
+    model->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+    model->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+    model->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
   return 1;
 }
@@ -139,69 +198,156 @@ int vtkRelievoVoxelCubes::RequestData(
     std::max(1, extent[3] - extent[2]), std::max(1, extent[5] - extent[4]) } };
   std::array<double, 3> spacing;
   image->GetSpacing(spacing.data());
-  const unsigned char* inside = mask->GetPointer(0);
+  // Each cell has its cube in one piece. Of data that came in blocks of their own, all cells that
+  // are no ghosts are this piece's.
+  std::array<int, 6> own =
+    vtkRelievoVoxelPieces::Of(inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
+  for (std::size_t i = 0; i < 6; i += 2)
+  {
+    if (extent[i] > own[i] || extent[i + 1] < own[i + 1])
+    {
+      std::copy(extent, extent + 6, own.begin());
+      break;
+    }
+  }
+  if (own[0] > own[1])
+  {
+    return 1; // a piece of nothing
+  }
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    image->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  constexpr unsigned char Blanked =
+    vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+  std::vector<unsigned char> visible; // of the mask, where cells are blanked
+  if (ghosts)
+  {
+    visible.assign(mask->GetPointer(0), mask->GetPointer(0) + mask->GetNumberOfValues());
+    for (vtkIdType i = 0; i < mask->GetNumberOfValues(); ++i)
+    {
+      visible[static_cast<std::size_t>(i)] &= (ghosts->GetValue(i) & Blanked) ? 0 : 255;
+    }
+  }
+  const unsigned char* inside = ghosts ? visible.data() : mask->GetPointer(0);
+  const auto isOwn = [&](vtkIdType at, const int cell[3]) {
+    bool is = !ghosts || !(ghosts->GetValue(at) & (Blanked | vtkDataSetAttributes::DUPLICATECELL));
+    for (int axis = 0; axis < 3 && is; ++axis)
+    {
+      const int index = extent[2 * axis] + cell[axis];
+      is = index >= own[2 * axis] && index < std::max(own[2 * axis + 1], own[2 * axis] + 1);
+    }
+    return is;
+  };
   vtkNew<vtkPoints> points;
   vtkNew<vtkFloatArray> sizes;
   sizes->SetName("size");
   const double reach2 = this->RepellerRadius * this->RepellerRadius;
+  std::string left;
+  std::string lack;
   const auto work = [&]() {
     std::vector<float> squares;
+    const auto count = static_cast<double>(mask->GetNumberOfValues());
+    const double distances = this->Transition > 0. ? count * sizeof(float) : 0.;
+    lack = relievo::LackOfMemory(distances, this->MemoryLimit);
+    if (!lack.empty())
+    {
+      return;
+    }
     if (this->Transition > 0.)
     {
       squares = vtkRelievoVoxelDistance::Squared(inside, cells, spacing);
     }
-    this->UpdateProgress(0.5);
-    vtkIdType at = 0;
-    int cell[3];
-    for (cell[2] = 0; cell[2] < cells[2]; ++cell[2])
-    {
-      for (cell[1] = 0; cell[1] < cells[1]; ++cell[1])
+    const double reach = this->Transition * this->Transition;
+    const bool innerToo = this->Growth != 1. || reach2 > 0.;
+    const auto forEachCell = [&](const auto& visit) {
+      vtkIdType at = 0;
+      int cell[3];
+      for (cell[2] = 0; cell[2] < cells[2] && !this->GetAbortExecute(); ++cell[2])
       {
-        for (cell[0] = 0; cell[0] < cells[0]; ++cell[0], ++at)
+        for (cell[1] = 0; cell[1] < cells[1]; ++cell[1])
         {
-          double share = inside[at] ? 1. : 0.;
-          if (!inside[at] && this->Transition > 0.)
+          for (cell[0] = 0; cell[0] < cells[0]; ++cell[0], ++at)
           {
-            const double distance = std::sqrt(squares[static_cast<std::size_t>(at)]);
-            const double rest = 1. - std::min(distance / this->Transition, 1.);
-            share = rest * rest * (3. - 2. * rest);
-          }
-          if (share == 0. && !this->WholeGrid)
-          {
-            continue;
-          }
-          double index[3];
-          double place[3];
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            index[axis] = extent[2 * axis] + cell[axis] + 0.5;
-          }
-          image->TransformContinuousIndexToPhysicalPoint(index, place);
-          const double distance2 =
-            reach2 > 0. ? vtkMath::Distance2BetweenPoints(place, this->Repeller) : reach2;
-          if (distance2 >= reach2 && this->Growth == 1. && IsInner(inside, cells, cell))
-          {
-            continue;
-          }
-          const double distance = std::sqrt(distance2);
-          if (distance2 < reach2 && distance > 0.)
-          {
-            const double to =
-              (this->RepellerRadius + distance2 / this->RepellerRadius) / 2. / distance;
-            for (int axis = 0; axis < 3; ++axis)
+            const bool shown = inside[at] || this->WholeGrid ||
+              (!squares.empty() && squares[static_cast<std::size_t>(at)] < reach);
+            if (shown && isOwn(at, cell) && (innerToo || !IsInner(inside, cells, cell)))
             {
-              place[axis] = this->Repeller[axis] + (place[axis] - this->Repeller[axis]) * to;
+              visit(at, cell);
             }
           }
-          points->InsertNextPoint(place);
-          sizes->InsertNextValue(
-            static_cast<float>(this->RestSize + (1. - this->RestSize) * share * this->Growth));
         }
       }
+    };
+    double cubes = 0.;
+    forEachCell([&](vtkIdType, const int*) { cubes += 1.; });
+    // The place, the size and three scales.
+    lack = relievo::LackOfMemory(distances + cubes * 7. * sizeof(float), this->MemoryLimit);
+    if (!lack.empty())
+    {
+      return;
     }
-    AddNearest(vtkDataSet::GetData(inputs[1]), points, output->GetPointData());
+    this->UpdateProgress(0.5);
+    forEachCell([&](vtkIdType at, const int* cell) {
+      double share = inside[at] ? 1. : 0.;
+      if (!inside[at] && this->Transition > 0.)
+      {
+        const double distance = std::sqrt(squares[static_cast<std::size_t>(at)]);
+        const double rest = 1. - std::min(distance / this->Transition, 1.);
+        share = rest * rest * (3. - 2. * rest);
+      }
+      if (share == 0. && !this->WholeGrid)
+      {
+        return;
+      }
+      double index[3];
+      double place[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        index[axis] = extent[2 * axis] + cell[axis] + 0.5;
+      }
+      image->TransformContinuousIndexToPhysicalPoint(index, place);
+      const double distance2 =
+        reach2 > 0. ? vtkMath::Distance2BetweenPoints(place, this->Repeller) : reach2;
+      if (distance2 >= reach2 && this->Growth == 1. && IsInner(inside, cells, cell))
+      {
+        return;
+      }
+      const double distance = std::sqrt(distance2);
+      if (distance2 < reach2 && distance > 0.)
+      {
+        const double to = (this->RepellerRadius + distance2 / this->RepellerRadius) / 2. / distance;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          place[axis] = this->Repeller[axis] + (place[axis] - this->Repeller[axis]) * to;
+        }
+      }
+      points->InsertNextPoint(place);
+      sizes->InsertNextValue(
+        static_cast<float>(this->RestSize + (1. - this->RestSize) * share * this->Growth));
+    });
+    this->UpdateProgress(0.8);
+    if (this->GetAbortExecute())
+    {
+      return;
+    }
+    left = AddNearest(vtkDataSet::GetData(inputs[1]), points, output->GetPointData());
   };
   vtkRelievoWithThreads(work);
+  if (!lack.empty())
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro("No cubes: " << lack << "; make cells larger or the limit higher.");
+    return 1;
+  }
+  if (this->GetAbortExecute())
+  {
+    output->Initialize();
+    return 1;
+  }
+  if (!left.empty())
+  {
+    vtkWarningMacro("The point data " << left << " of the model are left out: cubes have their own "
+                                      << "of this name. Rename them to have both.");
+  }
   vtkNew<vtkFloatArray> scales;
   scales->SetName("scale");
   scales->SetNumberOfComponents(3);
@@ -231,4 +377,5 @@ void vtkRelievoVoxelCubes::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Repeller: " << this->Repeller[0] << " " << this->Repeller[1] << " "
      << this->Repeller[2] << "\n";
   os << indent << "RepellerRadius: " << this->RepellerRadius << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

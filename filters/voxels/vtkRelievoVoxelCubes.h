@@ -13,7 +13,11 @@
  *   components with a unit cube.
  * Inner cells, whose six neighbours are inside, are left out: they are not seen.
  *
- * Errors: an image without `mask`.
+ * In pieces, each cell has its cube in one of them. Cells that are ghosts or blanked have none, and
+ * blanked ones are outside. Ghost arrays of the second input are left out, and so, with a warning,
+ * are arrays called `size` or `scale`.
+ *
+ * Errors: an image without `mask`, more memory than MemoryLimit.
  */
 #ifndef vtkRelievoVoxelCubes_h
 #define vtkRelievoVoxelCubes_h
@@ -67,11 +71,22 @@ public:
   vtkGetMacro(RepellerRadius, double);
   ///@}
 
+  ///@{
+  /**
+   * The most bytes that the cubes may take; 0, the default: what the machine has left. More are
+   * refused before they are made.
+   */
+  vtkSetClampMacro(MemoryLimit, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
 protected:
   vtkRelievoVoxelCubes();
   ~vtkRelievoVoxelCubes() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -82,6 +97,7 @@ private:
   bool WholeGrid = false;
   double Repeller[3] = { 0., 0., 0. };
   double RepellerRadius = 0.;
+  double MemoryLimit = 0.;
 
   vtkRelievoVoxelCubes(const vtkRelievoVoxelCubes&) = delete;
   void operator=(const vtkRelievoVoxelCubes&) = delete;

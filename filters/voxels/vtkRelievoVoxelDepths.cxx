@@ -127,7 +127,14 @@ std::string vtkRelievoVoxelDepths::Read(const std::vector<vtkImageData*>& images
     {
       return "depth image " + std::to_string(i) + ": " + problem;
     }
-    sides[static_cast<std::size_t>(side.Axis)][side.Sign > 0 ? 0 : 1] = side;
+    Side& place = sides[static_cast<std::size_t>(side.Axis)][side.Sign > 0 ? 0 : 1];
+    if (place.Depth)
+    {
+      return "depth image " + std::to_string(i) + ": there is one already from " +
+        (side.Sign > 0 ? "below" : "above") + " along " + "xyz"[side.Axis] +
+        "; give one from each side";
+    }
+    place = side;
   }
   views.clear();
   for (int axis = 0; axis < 3; ++axis)

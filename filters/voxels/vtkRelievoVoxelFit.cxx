@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace
 {
@@ -43,6 +45,35 @@ std::array<double, 3> vtkRelievoVoxelFit::Count(const double box[6]) const
       (this->IsByDimensions() ? this->Dimensions[axis] : std::max(cubes, 1.)) + 2. * this->Padding;
   }
   return count;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoVoxelFit::FindProblem(const double box[6]) const
+{
+  std::ostringstream out;
+  // Sums of two ends must be finite as well.
+  constexpr double Farthest = std::numeric_limits<double>::max() / 4.;
+  for (int i = 0; i < 6; ++i)
+  {
+    if (!(std::abs(box[i]) <= Farthest))
+    {
+      out << "the box along "
+          << "xyz"[i / 2] << " is from " << box[i / 2 * 2] << " to " << box[i / 2 * 2 + 1]
+          << ", expected finite numbers up to " << Farthest
+          << "; set Bounds to the box that the grid shall fill";
+      return out.str();
+    }
+  }
+  const std::array<double, 3> count = this->Count(box);
+  // An extent counts points, one more than cells. NaN fails.
+  constexpr double Most = std::numeric_limits<int>::max() - 1.;
+  if (!(count[0] <= Most && count[1] <= Most && count[2] <= Most))
+  {
+    out.precision(10);
+    out << count[0] << " x " << count[1] << " x " << count[2] << " cells are asked for, at most "
+        << Most << " along an axis can be counted; make cells larger";
+  }
+  return out.str();
 }
 
 //------------------------------------------------------------------------------

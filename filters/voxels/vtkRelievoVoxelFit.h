@@ -7,6 +7,8 @@
 
 #include "vtkRelievoVoxelGrid.h"
 
+#include <string>
+
 struct vtkRelievoVoxelFit
 {
   std::array<int, 3> Dimensions{ { 0, 0, 0 } }; // first choice, if all are above 0
@@ -17,7 +19,11 @@ struct vtkRelievoVoxelFit
   // How many cells a box takes along each axis, which may be more than fit into an int.
   std::array<double, 3> Count(const double box[6]) const;
 
-  // The grid around the middle of a box; its counts must fit.
+  // Words for a box that no grid can fill: lengths that are not finite, more cells along an axis
+  // than an extent can count. Empty if there is none.
+  std::string FindProblem(const double box[6]) const;
+
+  // The grid around the middle of a box without such a problem.
   vtkRelievoVoxelGrid Fit(const double box[6]) const;
 
 private:

@@ -2,19 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoVoxelShell.h"
 
+#include "vtkRelievoMemory.h"
 #include "vtkRelievoThreads.h"
 #include "vtkRelievoVoxelDepths.h"
 #include "vtkRelievoVoxelFit.h"
 #include "vtkRelievoVoxelMask.h"
 #include "vtkRelievoVoxelMeshes.h"
+#include "vtkRelievoVoxelPieces.h"
+#include "vtkRelievoVoxelReport.h"
 #include "vtkRelievoVoxelSurface.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -22,11 +23,11 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 #include <vector>
 
@@ -36,15 +37,6 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace
 {
-void AddNumbers(vtkFieldData* fields, const char* name, std::initializer_list<vtkIdType> values)
-{
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(values.size()));
-  array->InsertNextTypedTuple(values.begin());
-  fields->AddArray(array);
-}
-
 bool IsBox(const double bounds[6])
 {
   return bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
@@ -54,24 +46,11 @@ bool IsBox(const double bounds[6])
 //------------------------------------------------------------------------------
 struct vtkRelievoVoxelShell::Internals
 {
-  vtkIdType Inside = 0;
-  bool Closed = false;
-  std::array<vtkIdType, 3> Open{};
-  std::array<vtkIdType, 3> Columns{};
-  std::string Report;
+  vtkRelievoVoxelReport Report;
 
   // The grid of what the inputs are now; false with the problem where there is none.
   static bool MakeGrid(vtkRelievoVoxelShell* self, vtkDataObject* surface,
     vtkRelievoVoxelGrid& grid, std::string& problem);
-
-  void Count(int axis, const vtkRelievoVoxelParity& parity, const vtkRelievoVoxelGrid& grid)
-  {
-    const auto a = static_cast<std::size_t>(axis);
-    this->Open[a] = static_cast<vtkIdType>(parity.GetNumberOfOpenColumns());
-    this->Columns[a] = static_cast<vtkIdType>(grid.GetNumberOfColumns(axis));
-  }
-  void Describe(int method, int axis, const std::vector<vtkRelievoVoxelViews>& views,
-    const vtkRelievoVoxelGrid& grid, bool fromImages, vtkIdType invalid);
 };
 
 //------------------------------------------------------------------------------
@@ -90,63 +69,28 @@ bool vtkRelievoVoxelShell::Internals::MakeGrid(vtkRelievoVoxelShell* self, vtkDa
   fit.CellSize = self->CellSize;
   fit.Resolution = self->Resolution;
   fit.Padding = self->Padding;
+  problem = fit.FindProblem(box);
+  if (!problem.empty())
+  {
+    return false;
+  }
   const std::array<double, 3> count = fit.Count(box);
-  const double bytes = vtkRelievoVoxelMask::EstimateBytes(
-    count, self->Method == PARITY, self->Method == SIX_VIEWS ? -1 : self->Axis, self->Distances);
-  if (bytes > self->MemoryLimit * 1048576.)
+  const bool fromImages = self->GetNumberOfInputConnections(1) > 0;
+  const double bytes =
+    vtkRelievoVoxelMask::EstimateBytes(count, self->Method == PARITY && !fromImages,
+      self->Method == SIX_VIEWS || fromImages ? -1 : self->Axis, self->Distances);
+  const std::string lack = relievo::LackOfMemory(bytes, self->MemoryLimit);
+  if (!lack.empty())
   {
     std::ostringstream out;
-    out << count[0] << " x " << count[1] << " x " << count[2] << " cells would take "
-        << static_cast<std::int64_t>(std::min(bytes, 9e18)) << " bytes, more than MemoryLimit ("
-        << self->MemoryLimit << " MiB); make cells larger or the limit higher";
+    out.precision(10);
+    out << count[0] << " x " << count[1] << " x " << count[2] << " cells are asked for; " << lack
+        << "; make cells larger or the limit higher";
     problem = out.str();
     return false;
   }
   grid = fit.Fit(box);
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoVoxelShell::Internals::Describe(int method, int axis,
-  const std::vector<vtkRelievoVoxelViews>& views, const vtkRelievoVoxelGrid& grid, bool fromImages,
-  vtkIdType invalid)
-{
-  std::ostringstream out;
-  if (fromImages || method != PARITY)
-  {
-    out << 2 * views.size() << " views, along";
-    for (const vtkRelievoVoxelViews& view : views)
-    {
-      out << ' ' << "xyz"[view.Axis];
-    }
-  }
-  else if (this->Closed)
-  {
-    out << "parity along "
-        << "xyz"[axis];
-  }
-  else
-  {
-    out << "parity, by vote of x y z";
-  }
-  out << ": " << this->Inside << " of " << grid.GetNumberOfCells() << " cells inside";
-  if (!fromImages)
-  {
-    out << (this->Closed ? "; the surface is closed" : "; the surface is open");
-  }
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    if (this->Columns[a] > 0)
-    {
-      out << "; open along "
-          << "xyz"[a] << ": " << this->Open[a] << " of " << this->Columns[a] << " columns";
-    }
-  }
-  if (invalid > 0)
-  {
-    out << "; left out: " << invalid << " triangles with points that are not finite";
-  }
-  this->Report = out.str();
 }
 
 //------------------------------------------------------------------------------
@@ -174,16 +118,33 @@ int vtkRelievoVoxelShell::FillInputPortInformation(int port, vtkInformation* inf
 }
 
 //------------------------------------------------------------------------------
+vtkTypeBool vtkRelievoVoxelShell::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  // The input's bounds are known for a time only.
+  return request->Has(SDDP::REQUEST_TIME_DEPENDENT_INFORMATION())
+    ? this->RequestInformation(request, inputs, outputs)
+    : this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
 int vtkRelievoVoxelShell::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  vtkInformation* output = outputs->GetInformationObject(0);
   vtkDataObject* surface = nullptr;
   if (!IsBox(this->Bounds) && inputs[0]->GetNumberOfInformationObjects() > 0)
   {
+    vtkInformation* input = inputs[0]->GetInformationObject(0);
+    if (input->Has(SDDP::TIME_STEPS()) || input->Has(SDDP::TIME_RANGE()))
+    {
+      output->Set(SDDP::TIME_DEPENDENT_INFORMATION(), 1);
+      output->Set(SDDP::UNRESTRICTED_UPDATE_EXTENT(), 1);
+    }
     // Only the data tell where the grid is.
     int port = 0;
     vtkAlgorithm* producer = this->GetInputAlgorithm(0, 0, port);
-    producer->Update(port);
+    vtkRelievoVoxelPieces::UpdateWhole(producer, port);
     surface = producer->GetOutputDataObject(port);
   }
   vtkRelievoVoxelGrid grid;
@@ -191,17 +152,24 @@ int vtkRelievoVoxelShell::RequestInformation(
   Internals::MakeGrid(this, surface, grid, problem);
   const std::array<int, 6> extent{ { 0, grid.Cells[0], 0, grid.Cells[1], 0, grid.Cells[2] } };
   const std::array<int, 6> none{ { 0, -1, 0, -1, 0, -1 } };
-  vtkInformation* output = outputs->GetInformationObject(0);
-  output->Set(SDDP::WHOLE_EXTENT(), grid.GetNumberOfCells() > 0 ? extent.data() : none.data(), 6);
+  vtkRelievoVoxelPieces::SetWhole(output, grid.GetNumberOfCells() > 0 ? extent : none);
   output->Set(vtkDataObject::ORIGIN(), grid.Origin.data(), 3);
   output->Set(vtkDataObject::SPACING(), grid.Spacing.data(), 3);
+  output->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
   return 1;
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoVoxelShell::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  vtkInformation* output = outputs->GetInformationObject(0);
+  if (output->Has(SDDP::TIME_DEPENDENT_INFORMATION()) && !IsBox(this->Bounds))
+  {
+    // Filters downstream ask for the extent of the time that they saw first. In pieces, the
+    // executive divides this one.
+    output->Set(SDDP::UPDATE_EXTENT(), output->Get(SDDP::WHOLE_EXTENT()), 6);
+  }
   for (int port = 0; port < 2; ++port)
   {
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
@@ -274,41 +242,66 @@ int vtkRelievoVoxelShell::RequestData(
         fromImages ? std::vector<vtkDataSet*>() : vtkRelievoVoxelMeshes::GetLeaves(surfaceData))
       {
         surface.Add(vtkRelievoVoxelMeshes::GetSurface(leaf), grid);
+        if (this->GetAbortExecute())
+        {
+          return;
+        }
       }
       invalid = surface.GetNumberOfInvalid();
-      self.Closed = !fromImages && surface.IsClosed();
+      self.Report.Closed = !fromImages && surface.IsClosed();
       this->UpdateProgress(0.3);
       const bool parity = this->Method == PARITY && !fromImages;
       for (int axis = 0; axis < 3 && !fromImages && (!parity || this->Distances); ++axis)
       {
+        if (this->GetAbortExecute())
+        {
+          return;
+        }
         if (this->Method == SIX_VIEWS || axis == this->Axis)
         {
           views.push_back(vtkRelievoVoxelViews::Of(surface, grid, axis));
         }
       }
       this->UpdateProgress(0.6);
+      if (this->GetAbortExecute())
+      {
+        return;
+      }
       if (!parity)
       {
-        self.Inside = vtkRelievoVoxelMask::FromViews(views, grid, mask->GetPointer(0));
+        self.Report.Inside = vtkRelievoVoxelMask::FromViews(views, grid, mask->GetPointer(0));
       }
-      else if (self.Closed)
+      else if (self.Report.Closed)
       {
         const vtkRelievoVoxelParity bits(surface, grid, this->Axis);
-        self.Count(this->Axis, bits, grid);
-        self.Inside = vtkRelievoVoxelMask::FromParity(bits, this->Axis, grid, mask->GetPointer(0));
+        self.Report.Count(this->Axis, bits, grid);
+        self.Report.Inside =
+          vtkRelievoVoxelMask::FromParity(bits, this->Axis, grid, mask->GetPointer(0));
       }
       else
       {
         std::vector<vtkRelievoVoxelParity> axes;
         for (int axis = 0; axis < 3; ++axis)
         {
+          this->UpdateProgress(0.6 + 0.1 * axis);
+          if (this->GetAbortExecute())
+          {
+            return;
+          }
           axes.emplace_back(surface, grid, axis);
-          self.Count(axis, axes.back(), grid);
+          self.Report.Count(axis, axes.back(), grid);
         }
-        self.Inside = vtkRelievoVoxelMask::FromVote(axes, grid, mask->GetPointer(0));
+        self.Report.Inside = vtkRelievoVoxelMask::FromVote(axes, grid, mask->GetPointer(0));
       }
     };
     vtkRelievoWithThreads(work);
+  }
+  this->UpdateProgress(0.9);
+  if (this->GetAbortExecute())
+  {
+    output->Initialize();
+    self = Internals();
+    return 1;
   }
   output->GetCellData()->SetScalars(mask);
   if (this->Distances)
@@ -330,47 +323,41 @@ int vtkRelievoVoxelShell::RequestData(
       });
     }
   }
-  self.Describe(this->Method, this->Axis, views, grid, fromImages, invalid);
-  vtkFieldData* fields = output->GetFieldData();
-  AddNumbers(fields, "inside", { self.Inside });
-  AddNumbers(fields, "closed", { self.Closed });
-  AddNumbers(fields, "columns", { self.Columns[0], self.Columns[1], self.Columns[2] });
-  AddNumbers(fields, "open_columns", { self.Open[0], self.Open[1], self.Open[2] });
-  vtkNew<vtkStringArray> report;
-  report->SetName("report");
-  report->InsertNextValue(self.Report);
-  fields->AddArray(report);
+  vtkRelievoVoxelPieces::Crop(output, outputs->GetInformationObject(0));
+  self.Report.Describe(
+    this->Method == PARITY && !fromImages, this->Axis, views, grid, fromImages, invalid);
+  self.Report.AddTo(output->GetFieldData());
   return 1;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoVoxelShell::GetNumberOfCellsInside()
 {
-  return this->Self->Inside;
+  return this->Self->Report.Inside;
 }
 
 //------------------------------------------------------------------------------
 bool vtkRelievoVoxelShell::IsClosed()
 {
-  return this->Self->Closed;
+  return this->Self->Report.Closed;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoVoxelShell::GetNumberOfOpenColumns(int axis)
 {
-  return axis >= 0 && axis < 3 ? this->Self->Open[static_cast<std::size_t>(axis)] : 0;
+  return axis >= 0 && axis < 3 ? this->Self->Report.Open[static_cast<std::size_t>(axis)] : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoVoxelShell::GetNumberOfColumns(int axis)
 {
-  return axis >= 0 && axis < 3 ? this->Self->Columns[static_cast<std::size_t>(axis)] : 0;
+  return axis >= 0 && axis < 3 ? this->Self->Report.Columns[static_cast<std::size_t>(axis)] : 0;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoVoxelShell::GetReport()
 {
-  return this->Self->Report;
+  return this->Self->Report.Words;
 }
 
 //------------------------------------------------------------------------------
@@ -389,5 +376,5 @@ void vtkRelievoVoxelShell::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Padding: " << this->Padding << "\n";
   os << indent << "Distances: " << this->Distances << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
-  os << indent << "Report: " << this->Self->Report << "\n";
+  os << indent << "Report: " << this->Self->Report.Words << "\n";
 }

@@ -21,14 +21,18 @@
  *   in all do not vote, and the majority decides.
  *
  * Places are computed in double, as rays through the centres of columns meet triangles; polygons
- * are cut into fans. Results do not depend on the number of threads. The time depends on the
+ * are cut into triangles. Results do not depend on the number of threads. The time depends on the
  * triangles, the columns that they cover and, for the output, on the cells.
  *
  * Field data, each also as a method: `inside` (number of cells), `closed` (1 or 0), `columns` and
  * `open_columns` (of each axis that counts), and `report`, a text.
  *
- * Errors: no input, a grid that would take more than MemoryLimit, depth images that do not fit. An
- * empty surface is none: nothing is inside.
+ * In pieces, each has its part of the cells, and the whole surface is needed for it; numbers and
+ * report are those of the whole grid. Where Bounds are the input's and it changes in time, the
+ * whole extent does too.
+ *
+ * Errors: no input, a grid that is infinite or would take more than MemoryLimit, depth images that
+ * do not fit. An empty surface is none: nothing is inside.
  */
 #ifndef vtkRelievoVoxelShell_h
 #define vtkRelievoVoxelShell_h
@@ -114,11 +118,11 @@ public:
 
   ///@{
   /**
-   * Mebibytes that a grid may take, output included; one that would take more is refused. Default
-   * is 1024.
+   * The most bytes that a grid may take, output included; 0, the default: what the machine has
+   * left. A larger one is refused before it is made.
    */
-  vtkSetClampMacro(MemoryLimit, int, 1, VTK_INT_MAX);
-  vtkGetMacro(MemoryLimit, int);
+  vtkSetClampMacro(MemoryLimit, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(MemoryLimit, double);
   ///@}
 
   ///@{
@@ -138,6 +142,8 @@ protected:
   vtkRelievoVoxelShell();
   ~vtkRelievoVoxelShell() override;
 
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
@@ -157,7 +163,7 @@ private:
   int Resolution = 100;
   int Padding = 0;
   bool Distances = false;
-  int MemoryLimit = 1024;
+  double MemoryLimit = 0.;
 
   vtkRelievoVoxelShell(const vtkRelievoVoxelShell&) = delete;
   void operator=(const vtkRelievoVoxelShell&) = delete;

@@ -6,10 +6,18 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVersion.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/vec3.hpp>
 
 #include <atomic>
 #include <cmath>
@@ -38,6 +46,77 @@ std::uint64_t HashOf(const double* point)
   }
   return hash;
 }
+
+// Cuts polygons that a fan would leave.
+class PolygonCutter
+{
+public:
+  explicit PolygonCutter(const double* points)
+    : Places(points)
+  {
+  }
+
+  // Whether no corner turns against the others. True where that cannot be told, as without area.
+  bool IsConvex(const vtkIdType* ids, vtkIdType size) const
+  {
+    const glm::dvec3 first = this->PlaceOf(ids[0]);
+    glm::dvec3 normal(0.);
+    for (vtkIdType i = 2; i < size; ++i)
+    {
+      normal += glm::cross(this->PlaceOf(ids[i - 1]) - first, this->PlaceOf(ids[i]) - first);
+    }
+    const double limit = -1e-10 * glm::dot(normal, normal);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const glm::dvec3 at = this->PlaceOf(ids[i]);
+      const glm::dvec3 turn = glm::cross(
+        at - this->PlaceOf(ids[(i + size - 1) % size]), this->PlaceOf(ids[(i + 1) % size]) - at);
+      if (glm::dot(turn, normal) < limit)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // Ears by VTK; a fan where it finds none.
+  template <typename Add>
+  void Cut(const vtkIdType* ids, vtkIdType size, Add&& add)
+  {
+    this->Polygon->Initialize();
+    this->Polygon->PointIds->SetNumberOfIds(size);
+    this->Polygon->Points->SetDataTypeToDouble();
+    this->Polygon->Points->SetNumberOfPoints(size);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      this->Polygon->PointIds->SetId(i, i);
+      this->Polygon->Points->SetPoint(i, this->Places + 3 * ids[i]);
+    }
+    this->Corners->Reset();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+    const int cut = this->Polygon->TriangulateLocalIds(0, this->Corners);
+#else
+    const int cut = this->Polygon->Triangulate(this->Corners);
+#endif
+    const bool fan = !cut || this->Corners->GetNumberOfIds() != 3 * (size - 2);
+    for (vtkIdType i = 0; i < size - 2; ++i)
+    {
+      add(ids[fan ? 0 : this->Corners->GetId(3 * i)],
+        ids[fan ? i + 1 : this->Corners->GetId(3 * i + 1)],
+        ids[fan ? i + 2 : this->Corners->GetId(3 * i + 2)]);
+    }
+  }
+
+private:
+  glm::dvec3 PlaceOf(vtkIdType id) const
+  {
+    return glm::make_vec3(this->Places + 3 * id);
+  }
+
+  const double* Places;
+  vtkNew<vtkPolygon> Polygon;
+  vtkNew<vtkIdList> Corners;
+};
 }
 
 //------------------------------------------------------------------------------
@@ -94,10 +173,16 @@ void vtkRelievoVoxelSurface::Add(vtkPolyData* mesh, const vtkRelievoVoxelGrid& g
   vtkIdType size = 0;
   const vtkIdType* ids = nullptr;
   vtkIdType cell = firstPolygon;
+  PolygonCutter cutter(this->Points.data() + 3 * offset);
   auto it = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
   for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell(), ++cell)
   {
     it->GetCurrentCell(size, ids);
+    if (size > 3 && !isGhost(cell) && !cutter.IsConvex(ids, size))
+    {
+      cutter.Cut(ids, size, addTriangle);
+      continue;
+    }
     for (vtkIdType i = 2; i < size && !isGhost(cell); ++i)
     {
       addTriangle(ids[0], ids[i - 1], ids[i]);

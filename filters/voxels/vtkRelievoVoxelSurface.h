@@ -19,7 +19,8 @@ class vtkPolyData;
 class vtkRelievoVoxelSurface
 {
 public:
-  // Adds polygons and strips, cut into triangles as fans. Ghost cells are left out.
+  // Adds polygons and strips as triangles: concave polygons cut by ears, others as fans. Ghosts are
+  // left out.
   void Add(vtkPolyData* mesh, const vtkRelievoVoxelGrid& grid);
 
   // Whether each edge is used an even number of times, by places: the exclusive or of a hash of all

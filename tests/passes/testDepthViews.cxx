@@ -12,8 +12,10 @@
 
 #include <vtkActor.h>
 #include <vtkAppendPolyData.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCellData.h>
+#include <vtkCommand.h>
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
@@ -31,6 +33,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace
@@ -242,6 +245,37 @@ void TestRefusals()
     views->Update();
   }
   RELIEVO_CHECK(views->GetOutput()->GetNumberOfBlocks() == 0);
+  Scene scene;
+  views->SetRenderer(scene.Renderer);
+  const double infinity = std::numeric_limits<double>::infinity();
+  views->SetBounds(-infinity, infinity, -1., 1., -1., 1.);
+  {
+    relievoTest::ExpectMessage expect("along x the box is from -inf to inf");
+    views->Update();
+    RELIEVO_CHECK(expect.Count() == 1);
+  }
+  RELIEVO_CHECK(views->GetOutput()->GetNumberOfBlocks() == 0);
+  RELIEVO_CHECK(views->GetErrorCode() == vtkErrorCode::UserError);
+}
+
+void TestAbort()
+{
+  Scene scene;
+  vtkNew<vtkRelievoDepthViews> views;
+  views->SetRenderer(scene.Renderer);
+  views->SetBounds(Box);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
+    auto* filter = vtkAlgorithm::SafeDownCast(caller);
+    filter->SetAbortExecute(filter->GetProgress() > 0.4);
+  });
+  const unsigned long tag = views->AddObserver(vtkCommand::ProgressEvent, abort);
+  views->Update();
+  RELIEVO_CHECK(views->GetOutput()->GetNumberOfBlocks() == 0);
+  views->RemoveObserver(tag);
+  views->SetAbortExecute(0);
+  views->Update();
+  RELIEVO_CHECK(views->GetOutput()->GetNumberOfBlocks() == 6);
 }
 }
 
@@ -252,5 +286,6 @@ int main()
   TestSides();
   TestStays();
   TestRefusals();
+  TestAbort();
   return session.Result();
 }

@@ -187,6 +187,22 @@ void TestColors()
     points->GetPoint(static_cast<vtkIdType>(found->GetTuple1(i)), &chosen[0]);
     RELIEVO_CHECK(glm::distance(place, chosen) < nearest + 1e-6);
   }
+  // What is not the cubes', or would take the place of their own.
+  for (const char* name : { "vtkGhostType", "size", "scale" })
+  {
+    vtkNew<vtkUnsignedCharArray> array;
+    array->SetName(name);
+    array->SetNumberOfValues(50);
+    array->FillValue(1);
+    model->GetPointData()->AddArray(array);
+  }
+  model->Modified();
+  relievoTest::ExpectMessage expect("point data 'size', 'scale' of the model are left out");
+  cubes->Update();
+  RELIEVO_CHECK(expect.Count() == 1);
+  RELIEVO_CHECK(!output->GetPointData()->HasArray("vtkGhostType"));
+  RELIEVO_CHECK(output->GetPointData()->GetArray("size")->GetDataType() == VTK_FLOAT);
+  RELIEVO_CHECK(output->GetPointData()->GetArray("scale")->GetNumberOfComponents() == 3);
 }
 
 void TestNoMask()

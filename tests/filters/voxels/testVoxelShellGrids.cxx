@@ -119,27 +119,60 @@ void TestTooLarge()
   vtkNew<Filter> filter;
   filter->SetInputData(ball.Mesh);
   filter->SetResolution(1000);
+  filter->SetMemoryLimit(1073741824.);
   {
-    relievoTest::ExpectMessage expect("1000 x 1000 x 1000 cells would take 1");
+    relievoTest::ExpectMessage expect("1000 x 1000 x 1000 cells are asked for; it would take 1");
     filter->Update();
     RELIEVO_CHECK(expect.Count() == 1);
-    RELIEVO_CHECK_THAT(
-      expect.Messages()[0].find("bytes, more than MemoryLimit (1024 MiB)") != std::string::npos,
+    RELIEVO_CHECK_THAT(expect.Messages()[0].find("and MemoryLimit is 1073741824 bytes (1.0 GiB)") !=
+        std::string::npos,
       expect.Messages()[0]);
     RELIEVO_CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
   }
+  filter->SetMemoryLimit(0.);
   {
-    relievoTest::ExpectMessage expect("cells would take");
+    relievoTest::ExpectMessage expect("and the machine has ");
     filter->SetCellSize(1e-9);
     filter->Update();
-    filter->SetCellSize(1e-300);
+    RELIEVO_CHECK(expect.Count() == 1);
+  }
+  {
+    relievoTest::ExpectMessage expect("at most 2147483646 along an axis");
+    filter->SetMemoryLimit(VTK_DOUBLE_MAX);
+    // The last is below what a double divides by.
+    for (const double size : { 1e-10, 1e-300, 1e-320 })
+    {
+      filter->SetCellSize(size);
+      filter->Update();
+    }
+    filter->SetDimensions(1, 1, 2147483647);
     filter->Update();
-    filter->SetDimensions(2147483647, 2147483647, 2147483647);
-    filter->Update();
-    RELIEVO_CHECK(expect.Count() == 3);
+    RELIEVO_CHECK(expect.Count() == 4);
   }
   filter->SetDimensions(5, 5, 5);
   RELIEVO_CHECK(CellsOf(filter).size() == 125);
+}
+
+void TestInfinite()
+{
+  const Solid ball = MakeBall();
+  const double inf = std::numeric_limits<double>::infinity();
+  const double boxes[4][6] = { { -2., inf, -2., 2., -2., 2. }, { -1e308, 1e308, -1., 1., -1., 1. },
+    { -inf, inf, -inf, inf, -inf, inf }, { -2., 2., -inf, 2., -2., 2. } };
+  for (const auto& box : boxes)
+  {
+    for (const int count : { 0, 10 })
+    {
+      vtkNew<Filter> filter;
+      filter->SetInputData(ball.Mesh);
+      filter->SetBounds(box);
+      filter->SetDimensions(count, count, count);
+      relievoTest::ExpectMessage expect("expected finite numbers");
+      filter->Update();
+      RELIEVO_CHECK(expect.Count() == 1 && filter->GetErrorCode() == vtkErrorCode::UserError);
+      RELIEVO_CHECK(filter->GetOutput()->GetNumberOfCells() == 0);
+    }
+  }
 }
 
 // A depth image of the ball from one side of an axis, at any resolution.
@@ -238,6 +271,14 @@ void TestDepthImages()
     RELIEVO_CHECK(std::count(cells.begin(), cells.end(), 1) > 5000);
     RELIEVO_CHECK_THAT(
       filter->GetReport().rfind("6 views, along x y z", 0) == 0, filter->GetReport());
+    // Three axes have distances of 8 bytes per cell, whatever Method says.
+    filter->DistancesOn();
+    filter->SetMemoryLimit(25. * 64000.);
+    relievoTest::ExpectMessage expect("40 x 40 x 40 cells are asked for; it would take 1");
+    filter->Update();
+    RELIEVO_CHECK(expect.Count() == 1);
+    filter->SetMemoryLimit(60. * 64000.);
+    CellsOf(filter);
   }
   const auto refused = [](vtkImageData* a, vtkImageData* b, bool bounds, const char* words) {
     vtkNew<Filter> filter;
@@ -254,7 +295,8 @@ void TestDepthImages()
   const auto front = DepthOfBall(1, 1, 64);
   const auto back = DepthOfBall(1, -1, 64);
   refused(front, back, false, "set Bounds");
-  refused(front, front, true, "along y there is a depth image from below only");
+  refused(front, front, true, "depth image 1: there is one already from below along y");
+  refused(front, DepthOfBall(2, 1, 64), true, "along y there is a depth image from below only");
   refused(front, DepthOfBall(1, -1, 64, true), true, "does not look along x, y or z in parallel");
   vtkNew<vtkImageData> bare;
   bare->SetDimensions(4, 4, 1);
@@ -268,6 +310,7 @@ int main()
   TestGrids();
   TestEmpty();
   TestTooLarge();
+  TestInfinite();
   TestDepthImages();
   return session.Result();
 }

@@ -224,6 +224,48 @@ void TestKindsOfData()
   RELIEVO_CHECK(Differences(whole, CellsOf(ghosts)) == 0);
 }
 
+// A prism over the shape of a U, of the area 7 of 9, with caps of one polygon each.
+void TestConcavePolygons()
+{
+  const double shape[8][2] = { { 0., 0. }, { 3., 0. }, { 3., 3. }, { 2., 3. }, { 2., 1. },
+    { 1., 1. }, { 1., 3. }, { 0., 3. } };
+  for (int first = 0; first < 8; ++first)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> cells;
+    vtkNew<vtkIdList> bottom;
+    vtkNew<vtkIdList> top;
+    for (int i = 0; i < 8; ++i)
+    {
+      const double* place = shape[(first + i) % 8];
+      points->InsertNextPoint(place[0], place[1], 0.);
+      points->InsertNextPoint(place[0] + 0.02, place[1] + 0.01, 1.003);
+      bottom->InsertNextId(2 * (7 - i));
+      top->InsertNextId(2 * i + 1);
+      const vtkIdType next = 2 * ((i + 1) % 8);
+      cells->InsertNextCell({ 2 * i, next, next + 1, 2 * i + 1 });
+    }
+    cells->InsertNextCell(bottom);
+    cells->InsertNextCell(top);
+    vtkNew<vtkPolyData> prism;
+    prism->SetPoints(points);
+    prism->SetPolys(cells);
+    vtkNew<Filter> filter;
+    filter->SetInputData(prism);
+    filter->SetBounds(-0.1, 3.1, -0.1, 3.1, -0.1, 1.1);
+    filter->SetCellSize(0.05);
+    for (const int method : { Filter::TWO_VIEWS, Filter::SIX_VIEWS, Filter::PARITY })
+    {
+      filter->SetMethod(method);
+      CellsOf(filter);
+      RELIEVO_CHECK(filter->IsClosed());
+      RELIEVO_CHECK_NEAR(static_cast<double>(filter->GetNumberOfCellsInside()) * 0.05 * 0.05 * 0.05,
+        7. * 1.003, 0.15, "volume of a prism");
+    }
+  }
+}
+
 void TestMoving()
 {
   const Solid box = MakeBox(Turn({ 1., 0.3, 0.2 }, 37.));
@@ -269,6 +311,7 @@ int main()
   TestSheets();
   TestOddTriangles();
   TestKindsOfData();
+  TestConcavePolygons();
   TestMoving();
   return session.Result();
 }
