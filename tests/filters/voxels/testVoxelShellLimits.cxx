@@ -21,7 +21,7 @@
 #include <vtkPolyData.h>
 #include <vtkStripper.h>
 #include <vtkTransform.h>
-#include <vtkTransformPolyDataFilter.h>
+#include <vtkTransformFilter.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -270,7 +270,7 @@ void TestMoving()
 {
   const Solid box = MakeBox(Turn({ 1., 0.3, 0.2 }, 37.));
   vtkNew<vtkTransform> transform;
-  vtkNew<vtkTransformPolyDataFilter> moved;
+  vtkNew<vtkTransformFilter> moved;
   moved->SetInputData(box.Mesh);
   moved->SetTransform(transform);
   vtkNew<Filter> filter;
