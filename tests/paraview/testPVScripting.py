@@ -95,7 +95,7 @@ WRONG = (
     ("RelievoSunLongitude", -181, "expected -180 to 180: -180 is taken"),
     ("RelievoSunTimeZone", 15, "expected -12 to 14: 14 is taken"),
     ("RelievoSunFill", -0.5, "expected 0 to 1: 0 is taken"),
-    ("RelievoSunUpAxis", 7, "expected 0 to 3: 3 is taken"),
+    ("RelievoSunUpAxis", 7, "expected 0 to 2: 2 is taken"),
     ("RelievoSunIntensity", -1, "expected 0 to 1000: 0 is taken"),
     ("RelievoSunColor", [0.5, 2.0, 0.5], "was given 2, expected 0 to 1: 1 is taken"),
     ("RelievoSunKitShare", 1.5, "expected 0 to 1: 1 is taken"),
