@@ -14,29 +14,9 @@ beside this folder); the meshes are those that tools/unpack-data puts into the f
 (default: build/data).
 """
 
-import os
-import pathlib
-import sys
-
 from paraview import simple
 
-HERE = pathlib.Path(__file__).resolve().parent
-BUILD = HERE.parent / "build"
-
-WIDE = 1440
-
-
-def words():
-    """The folder to write to, the plugin, the folder of the meshes."""
-    folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
-    folder.mkdir(parents=True, exist_ok=True)
-    plugins = os.environ.get("RELIEVO_PLUGIN_PATH", BUILD / "release" / "plugin" / "Relievo")
-    plugin = pathlib.Path(plugins) / "Relievo.so"
-    data = pathlib.Path(os.environ.get("RELIEVO_DATA", BUILD / "data"))
-    for path in (plugin, data / "buildings.obj", data / "motorBike.obj"):
-        if not path.is_file():
-            raise SystemExit(f"{path} is missing: ./run-demo makes it")
-    return folder, plugin, data
+import paraview_sheet
 
 
 def make_view():
@@ -45,20 +25,6 @@ def make_view():
     view.UseColorPaletteForBackground = 0
     view.Background = [0.80, 0.85, 0.92]
     return view
-
-
-def save(path, views, high=540):
-    """Writes a picture of the views from left to right."""
-    layout = simple.CreateLayout(path.stem)
-    layout.AssignView(0, views[0])
-    cell = 0
-    for number, view in enumerate(views[1:]):
-        layout.SplitViewHorizontal(views[number], 1 / (len(views) - number))
-        cell = 2 * cell + 2
-        layout.AssignView(cell, view)
-    layout.SetSize(WIDE, high)
-    simple.SaveScreenshot(str(path), layout, ImageResolution=[WIDE, high])
-    print(path)
 
 
 def write(view, words):
@@ -99,13 +65,13 @@ def town(folder, data):
     for view, said in zip(views, ("ParaView", "with shadows of the sun at 9:30")):
         show_town(view, buildings, ground, said)
     print(f"9:30, {let_the_sun_shine(views[1], 9.5)}")
-    save(folder / "paraview_town.png", views)
+    paraview_sheet.save(folder / "paraview_town.png", views)
     views = [make_view() for _ in range(3)]
     for view, hour in zip(views, (8, 12, 16)):
         show_town(view, buildings, ground, f"{hour}:00")
         view.CameraViewAngle = 30
         print(f"{hour}:00, {let_the_sun_shine(view, hour)}")
-    save(folder / "paraview_day.png", views, high=400)
+    paraview_sheet.save(folder / "paraview_day.png", views, high=400)
 
 
 def bike(folder, data):
@@ -140,11 +106,11 @@ def bike(folder, data):
     bar.RangeLabelFormat, bar.WindowLocation = "%.1f", "Upper Right Corner"
     simple.GetDisplayProperties(height, shadows).SetScalarBarVisibility(shadows, True)
     layer.RelievoDisplayLayer = "normal"
-    save(folder / "paraview_bike.png", views)
+    paraview_sheet.save(folder / "paraview_bike.png", views)
 
 
 def main():
-    folder, plugin, data = words()
+    folder, plugin, data = paraview_sheet.words("buildings.obj", "motorBike.obj")
     # Before the first view is made; in a client-server session once with remote=True as well.
     simple.LoadPlugin(str(plugin), remote=False, ns=globals())
     town(folder, data)

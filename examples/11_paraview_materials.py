@@ -13,31 +13,15 @@ beside this folder); motorBike.obj and forest.exr are those that tools/unpack-da
 folder RELIEVO_DATA (default: build/data).
 """
 
-import os
-import pathlib
-import sys
-
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
-BUILD = pathlib.Path(__file__).resolve().parent.parent / "build"
+import paraview_sheet
+
 TEXELS, STONES = 512, 8  # of a tile: its size, and stones along a side
-
-
-def words():
-    """The folder to write to, the plugin, the folder of the data."""
-    folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
-    folder.mkdir(parents=True, exist_ok=True)
-    plugins = os.environ.get("RELIEVO_PLUGIN_PATH", BUILD / "release" / "plugin" / "Relievo")
-    plugin = pathlib.Path(plugins) / "Relievo.so"
-    data = pathlib.Path(os.environ.get("RELIEVO_DATA", BUILD / "data"))
-    for path in (plugin, data / "motorBike.obj", data / "forest.exr"):
-        if not path.is_file():
-            raise SystemExit(f"{path} is missing: ./run-demo makes it")
-    return folder, plugin, data
 
 
 def write_cobbles(path):
@@ -101,19 +85,8 @@ def wear_materials(view, bike, floor, cobbles, forest):
     view.RelievoSunColor = [1.0, 0.93, 0.8]
 
 
-def save(path, views):
-    """Writes a picture of both views."""
-    layout = simple.CreateLayout(path.stem)
-    layout.AssignView(0, views[0])
-    layout.SplitViewHorizontal(views[0], 0.5)
-    layout.AssignView(2, views[1])
-    layout.SetSize(1440, 540)
-    simple.SaveScreenshot(str(path), layout, ImageResolution=[1440, 540])
-    print(path)
-
-
 def main():
-    folder, plugin, data = words()
+    folder, plugin, data = paraview_sheet.words("motorBike.obj", "forest.exr")
     # Before the first view is made; in a client-server session once with remote=True as well.
     simple.LoadPlugin(str(plugin), remote=False, ns=globals())
     write_cobbles(folder / "cobbles.png")
@@ -121,7 +94,7 @@ def main():
     ground = simple.Plane(Origin=[-4, -4, 0], Point1=[6, -4, 0], Point2=[-4, 6, 0])
     plain, worn = make_view(mesh, ground), make_view(mesh, ground)
     wear_materials(*worn, folder / "cobbles.png", data / "forest.exr")
-    save(folder / "paraview_materials.png", [plain[0], worn[0]])
+    paraview_sheet.save(folder / "paraview_materials.png", [plain[0], worn[0]])
 
 
 main()

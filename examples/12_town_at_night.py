@@ -10,9 +10,6 @@ pixel, and how many were computed for it.
 
 import numpy
 import relievo
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
 from vtkmodules.vtkRenderingCore import (
@@ -77,18 +74,6 @@ def street_lamps():
     return points, numpy.full(len(points), 34.0), colours
 
 
-def as_points(places, radii, colours):
-    data = vtkPolyData()
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(places, deep=True))
-    data.SetPoints(points)
-    for name, values in (("radius", radii), ("color", colours)):
-        array = numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
-        array.SetName(name)
-        data.GetPointData().AddArray(array)
-    return data
-
-
 folder = scene.folder()
 renderer = vtkRenderer()
 renderer.SetBackground(0.012, 0.016, 0.035)
@@ -119,7 +104,9 @@ window.SetSize(*SIZE)
 window.AddRenderer(renderer)
 renderer.UseFXAAOn()
 
-relievo.lamps(renderer, as_points(*street_lamps()), intensity=42, falloff="inverse-square")
+places, radii, colours = street_lamps()
+lamps = scene.points(places, radius=radii, color=colours)
+relievo.lamps(renderer, lamps, intensity=42, falloff="inverse-square")
 image = relievo.capture(renderer, ["color", "lamps_reaching", "lamp_evaluations"])
 
 picture, _ = demo_sheet.picture_of("color", relievo.layer(image, "color"))

@@ -22,7 +22,6 @@ from vtkmodules.vtkRenderingCore import (
     vtkLight,
     vtkRenderer,
     vtkRenderWindow,
-    vtkTexture,
 )
 
 import demo_sheet
@@ -115,16 +114,7 @@ def texture(label):
     colour, varies = LOOKS[label]
     grain = 0.6 * waves(256, 0.6, 80) + 0.4 * waves(256, 1.8, 60)
     rows = colour * (1 + varies * 2.2 * (grain[..., None] - 0.5))
-    image = vtkImageData()
-    image.SetDimensions(256, 256, 1)
-    texels = numpy.clip(255 * rows, 0, 255).astype(numpy.uint8).reshape(-1, 3)
-    image.GetPointData().SetScalars(numpy_to_vtk(texels, deep=True))
-    made = vtkTexture()
-    made.SetInputData(image)
-    made.InterpolateOn()
-    made.MipmapOn()
-    made.RepeatOn()
-    return made
+    return scene.texture(rows)
 
 
 def actor(blocks, label):

@@ -12,16 +12,13 @@ import sys
 
 import numpy
 import relievo
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
-    vtkTexture,
 )
 
 import demo_sheet
@@ -80,16 +77,7 @@ def rock():
     grain = numpy.clip(0.76 + 0.08 * layers[0] + 0.06 * layers[1], 0.2, 1)
     warm = numpy.clip(0.5 + 0.2 * layers[1], 0, 1)[..., None]
     colour = (1 - warm) * (0.66, 0.66, 0.68) + warm * (0.82, 0.74, 0.64)
-    image = vtkImageData()
-    image.SetDimensions(size, size, 1)
-    texels = (255 * grain[..., None] * colour).astype(numpy.uint8).reshape(-1, 3)
-    image.GetPointData().SetScalars(numpy_to_vtk(texels, deep=True))
-    texture = vtkTexture()
-    texture.SetInputData(image)
-    texture.InterpolateOn()
-    texture.MipmapOn()
-    texture.RepeatOn()
-    return texture
+    return scene.texture(grain[..., None] * colour)
 
 
 def free_way(air, place, direction, most=130.0):
@@ -119,18 +107,6 @@ def lookout(air):
                 if far > best[0]:
                     best = (far, eyes, direction)
     return best
-
-
-def as_points(places, **arrays):
-    data = vtkPolyData()
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(numpy.array(places, dtype=float), deep=True))
-    data.SetPoints(points)
-    for name, values in arrays.items():
-        array = numpy_to_vtk(numpy.ascontiguousarray(values, dtype=float), deep=True)
-        array.SetName(name)
-        data.GetPointData().AddArray(array)
-    return data
 
 
 def along_the_way(air, eyes, direction, far):
@@ -181,14 +157,14 @@ def main():
 
     lamps = along_the_way(air, eyes, direction, far)
     warm = numpy.where(random.random(len(lamps))[:, None] < 0.75, (1.0, 0.66, 0.32), (0.5, 0.8, 1))
-    relievo.lamps(renderer, as_points(lamps, radius=numpy.full(len(lamps), 44.0), color=warm),
+    relievo.lamps(renderer, scene.points(lamps, radius=numpy.full(len(lamps), 44.0), color=warm),
                   intensity=62, falloff="inverse-square")  # fmt: skip
     # Mist along the way, and a small glow around each lamp: a thin sphere around a thick one.
     mist = eyes + numpy.linspace(22, far + 6, 12)[:, None] * direction - 4 * UP
     mist = mist + random.normal(0, 2.0, mist.shape)
     relievo.fog(
         renderer,
-        as_points(
+        scene.points(
             numpy.concatenate([mist, lamps, lamps]),
             radius=numpy.repeat([13.0, 1.6, 0.4], [len(mist), len(lamps), len(lamps)]),
             density=numpy.repeat([0.010, 0.1, 8.0], [len(mist), len(lamps), len(lamps)]),

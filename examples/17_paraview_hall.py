@@ -8,44 +8,21 @@ Run it with ParaView's own pvbatch or pvpython. The plugin is the one in the fol
 RELIEVO_PLUGIN_PATH (default: build/release/plugin/Relievo beside this folder).
 """
 
-import os
-import pathlib
-import sys
-
 import numpy
 from paraview import simple
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
 
-BUILD = pathlib.Path(__file__).resolve().parent.parent / "build"
+import paraview_sheet
+import scene
+
 WIDTH, LENGTH, HEIGHT = 12.0, 40.0, 7.0  # of the hall, in metres
 BAYS = 8
 rng = numpy.random.default_rng(3)
 
 
-def words():
-    """The folder to write to, and the plugin."""
-    folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
-    folder.mkdir(parents=True, exist_ok=True)
-    plugins = os.environ.get("RELIEVO_PLUGIN_PATH", BUILD / "release" / "plugin" / "Relievo")
-    plugin = pathlib.Path(plugins) / "Relievo.so"
-    if not plugin.is_file():
-        raise SystemExit(f"{plugin} is missing: ./run-demo makes it")
-    return folder, plugin
-
-
 def points(places, **arrays):
     """Places, with an array of each name, as a source of ParaView's pipeline."""
-    data = vtkPolyData()
-    array = vtkPoints()
-    array.SetData(numpy_to_vtk(numpy.asarray(places, dtype=float), deep=True))
-    data.SetPoints(array)
-    for name, values in arrays.items():
-        values = numpy_to_vtk(numpy.asarray(values, dtype=float), deep=True)
-        values.SetName(name)
-        data.GetPointData().AddArray(values)
+    data = scene.points(places, **arrays)
     vertices = vtkVertexGlyphFilter()  # ParaView draws cells
     vertices.SetInputData(data)
     vertices.Update()
@@ -137,25 +114,14 @@ def light(view, shown):
     view.RelievoStageToneExposure, view.RelievoStageToneWhite = 0.4, 3.0
 
 
-def save(path, views):
-    """Writes a picture of both views."""
-    layout = simple.CreateLayout(path.stem)
-    layout.AssignView(0, views[0])
-    layout.SplitViewHorizontal(views[0], 0.5)
-    layout.AssignView(2, views[1])
-    layout.SetSize(1440, 540)
-    simple.SaveScreenshot(str(path), layout, ImageResolution=[1440, 540])
-    print(path)
-
-
 def main():
-    folder, plugin = words()
+    folder, plugin, _ = paraview_sheet.words()
     # Before the first view is made; in a client-server session once with remote=True as well.
     simple.LoadPlugin(str(plugin), remote=False, ns=globals())
     parts = hall()
     plain, lit = make_view(parts), make_view(parts)
     light(*lit)
-    save(folder / "paraview_hall.png", [plain[0], lit[0]])
+    paraview_sheet.save(folder / "paraview_hall.png", [plain[0], lit[0]])
 
 
 main()

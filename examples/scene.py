@@ -6,6 +6,10 @@ import os
 import pathlib
 import sys
 
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkElevationFilter
 from vtkmodules.vtkFiltersSources import (
     vtkConeSource,
@@ -19,6 +23,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkRenderer,
     vtkRenderWindow,
+    vtkTexture,
 )
 
 
@@ -36,6 +41,33 @@ def data(name):
     if not path.is_file():
         raise SystemExit(f"{path} is missing: run tools/unpack-data")
     return str(path)
+
+
+def points(places, **arrays):
+    """Points without cells, with an array of each name."""
+    data = vtkPolyData()
+    at = vtkPoints()
+    at.SetData(numpy_to_vtk(numpy.array(places, dtype=float), deep=True))
+    data.SetPoints(at)
+    for name, values in arrays.items():
+        array = numpy_to_vtk(numpy.ascontiguousarray(values, dtype=float), deep=True)
+        array.SetName(name)
+        data.GetPointData().AddArray(array)
+    return data
+
+
+def texture(colours):
+    """Colours (rows, columns, 3) from 0 to 1, the first row lowest, as a texture that repeats."""
+    image = vtkImageData()
+    image.SetDimensions(colours.shape[1], colours.shape[0], 1)
+    texels = (255 * numpy.clip(colours, 0, 1)).astype(numpy.uint8).reshape(-1, 3)
+    image.GetPointData().SetScalars(numpy_to_vtk(texels, deep=True))
+    made = vtkTexture()
+    made.SetInputData(image)
+    made.InterpolateOn()
+    made.MipmapOn()
+    made.RepeatOn()
+    return made
 
 
 def make(columns=640, rows=480):

@@ -42,7 +42,7 @@ std::string Number(double value)
     return "null";
   }
   std::ostringstream out;
-  if (value == std::floor(value) && value < 1e15)
+  if (value == std::floor(value) && std::abs(value) < 1e15)
   {
     out << static_cast<long long>(value); // bytes and counts with all digits
   }

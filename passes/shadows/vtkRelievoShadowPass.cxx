@@ -362,6 +362,7 @@ void vtkRelievoShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Work.PlainDraw.Release(window);
   this->Internal->Work.Cache.Clear();
   this->Internal->Lights.Clear();
+  this->Internal->MethodRefused = -1; // another window's OpenGL may hold what this one did not
   this->NumberOfMapsDrawn = 0;
   this->DrawCalls = 0;
   this->Superclass::ReleaseGraphicsResources(window);

@@ -81,18 +81,7 @@ void TestMesh(const std::string& mesh, SceneLight kind, int width, int height)
 void TestHorizon()
 {
   ShadowStage stage(400, 300);
-  for (int i = 0; i < 24; ++i)
-  {
-    stage.AddBox({ -0.6, 0.25, 2. - 2. * i }, { 0.06, 0.5, 0.06 });
-    stage.AddBox({ 0.9, 0.25, 1.5 - 2. * i }, { 0.06, 0.5, 0.06 });
-  }
-  stage.AddBox({ 0., -0.05, -22. }, { 12., 0.1, 52. });
-  vtkCamera* camera = stage.Renderer->GetActiveCamera();
-  camera->SetPosition(0., 0.8, 4.);
-  camera->SetFocalPoint(0., 0.3, 0.);
-  camera->SetViewAngle(50.);
-  camera->SetClippingRange(0.5, 60.);
-  stage.AddSun(-4., 1.5, -1.);
+  stage.AddPolesToHorizon();
   stage.GetShadows()->SetMethodToExact();
   relievoTest::CheckShadow(stage, 0, Limit, "horizon");
 }

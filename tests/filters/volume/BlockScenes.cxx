@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockScenes.h"
 
+#include "Check.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkErrorCode.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkRelievoSmoothBlocks.h>
 #include <vtkTriangle.h>
 
 #include <algorithm>
@@ -21,6 +25,15 @@
 
 namespace relievoTest
 {
+//------------------------------------------------------------------------------
+vtkPolyData* Run(vtkRelievoSmoothBlocks* filter, vtkImageData* image)
+{
+  filter->SetInputData(image);
+  filter->Update();
+  RELIEVO_CHECK(filter->GetErrorCode() == vtkErrorCode::NoError);
+  return filter->GetOutput();
+}
+
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> MakeBlocks(
   const std::array<int, 3>& size, const LabelOf& label, int type, bool onPoints)

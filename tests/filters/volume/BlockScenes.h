@@ -17,6 +17,7 @@
 
 class vtkImageData;
 class vtkPolyData;
+class vtkRelievoSmoothBlocks;
 
 namespace relievoTest
 {
@@ -31,6 +32,9 @@ LabelOf BallOf(double radius, const std::array<double, 3>& center);
 
 /** Any labels from 0 to count - 1, the same for the same seed. */
 LabelOf AnyOf(unsigned int seed, int count);
+
+/** What the filter makes of the image; fails the test if that is an error. */
+vtkPolyData* Run(vtkRelievoSmoothBlocks* filter, vtkImageData* image);
 
 using Place = std::array<double, 3>;
 using Edge = std::array<Place, 2>; // the smaller one first

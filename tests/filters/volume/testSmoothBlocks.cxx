@@ -28,14 +28,6 @@ namespace
 using namespace relievoTest;
 using Filter = vtkRelievoSmoothBlocks;
 
-vtkPolyData* Run(Filter* filter, vtkImageData* image)
-{
-  filter->SetInputData(image);
-  filter->Update();
-  RELIEVO_CHECK(filter->GetErrorCode() == vtkErrorCode::NoError);
-  return filter->GetOutput();
-}
-
 struct BallErrors
 {
   double Distance = 0.; // rms

@@ -27,14 +27,6 @@ namespace
 using namespace relievoTest;
 using Filter = vtkRelievoSmoothBlocks;
 
-vtkPolyData* Run(Filter* filter, vtkImageData* image)
-{
-  filter->SetInputData(image);
-  filter->Update();
-  RELIEVO_CHECK(filter->GetErrorCode() == vtkErrorCode::NoError);
-  return filter->GetOutput();
-}
-
 void TestTypes()
 {
   const LabelOf label = AnyOf(8, 3);

@@ -29,14 +29,6 @@ namespace
 using namespace relievoTest;
 using Filter = vtkRelievoSmoothBlocks;
 
-vtkPolyData* Run(Filter* filter, vtkImageData* image)
-{
-  filter->SetInputData(image);
-  filter->Update();
-  RELIEVO_CHECK(filter->GetErrorCode() == vtkErrorCode::NoError);
-  return filter->GetOutput();
-}
-
 template <typename Each>
 void ForEachTriangle(vtkPolyData* surface, Each&& each)
 {

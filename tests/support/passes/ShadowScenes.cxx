@@ -71,6 +71,23 @@ void ShadowStage::AddThings()
 }
 
 //------------------------------------------------------------------------------
+void ShadowStage::AddPolesToHorizon()
+{
+  for (int i = 0; i < 24; ++i)
+  {
+    this->AddBox({ -0.6, 0.25, 2. - 2. * i }, { 0.06, 0.5, 0.06 });
+    this->AddBox({ 0.9, 0.25, 1.5 - 2. * i }, { 0.06, 0.5, 0.06 });
+  }
+  this->AddBox({ 0., -0.05, -22. }, { 12., 0.1, 52. });
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetPosition(0., 0.8, 4.);
+  camera->SetFocalPoint(0., 0.3, 0.);
+  camera->SetViewAngle(50.);
+  camera->SetClippingRange(0.5, 60.);
+  this->AddSun(-4., 1.5, -1.);
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkLight> ShadowStage::AddSun(double x, double y, double z)
 {
   auto light = vtkSmartPointer<vtkLight>::New();

@@ -43,6 +43,9 @@ struct ShadowStage : Stage
   /** Ground, a tall box and a low one with a gap to the ground: what most tests look at. */
   void AddThings();
 
+  /** Two rows of poles to the horizon before a camera of its own, and a low sun. */
+  void AddPolesToHorizon();
+
   /** A sun towards that direction. */
   vtkSmartPointer<vtkLight> AddSun(double x, double y, double z);
 
