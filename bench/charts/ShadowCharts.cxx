@@ -13,6 +13,9 @@ namespace
 {
 const char* const Peer = "vtkShadowMapPass";
 
+// Of wrong verdicts, in percent: two or three pixels of a picture, and fewer.
+const double Hardly = 1e-3;
+
 struct LitScene
 {
   const char* Scene;
@@ -27,7 +30,8 @@ Chart ShadowsChart(
 {
   Chart chart;
   chart.Title = title;
-  chart.Note = std::string("Ring: the default, a map of 2048. Grey, VTK: ") + Peer + ".";
+  chart.Note =
+    std::string("Ring: the default, a map of 2048. exact has no map. Grey, VTK: ") + Peer + ".";
   chart.Columns = static_cast<int>(scenes.size());
   chart.X.Log = true;
   chart.X.Title = overTime ? "milliseconds of a frame whose light moves, maps of 512 to 4096"
@@ -42,12 +46,13 @@ Chart ShadowsChart(
   }
   chart.Y.Title = "wrong verdicts, % of pixels";
   chart.Y.Log = true;
-  chart.Y.Ticks = { { 0.01, "0.01" }, { 0.1, "0.1" }, { 1., "1" }, { 10., "10" } };
+  chart.Y.Ticks = { { Hardly, "< 0.001" }, { 0.01, "0.01" }, { 0.1, "0.1" }, { 1., "1" },
+    { 10., "10" } };
   for (const LitScene& scene : scenes)
   {
     ChartPanel panel;
     panel.Title = scene.Title;
-    for (const char* method : { "map", "warped", "forward", Peer })
+    for (const char* method : { "map", "warped", "forward", "exact", Peer })
     {
       ChartSeries series;
       series.Method = method;
@@ -62,7 +67,7 @@ Chart ShadowsChart(
             ? static_cast<int>(series.X.size())
             : series.Default;
           series.X.push_back(overTime ? NumberIn(row, "moving ms") : size);
-          series.Y.push_back(NumberIn(row, "wrong %"));
+          series.Y.push_back(std::max(Hardly, NumberIn(row, "wrong %")));
         }
       }
       panel.Series.push_back(series);

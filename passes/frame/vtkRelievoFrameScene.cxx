@@ -4,6 +4,7 @@
 
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
@@ -21,6 +22,24 @@ std::vector<vtkRelievoFrameLight> vtkRelievoFrameScene::FindLights(vtkRenderer* 
     lights.push_back({ light, number, light->GetSwitch() ? on++ : -1 });
   }
   return lights;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoFrameProp> vtkRelievoFrameScene::FindVisible(vtkRenderer* renderer)
+{
+  std::vector<vtkRelievoFrameProp> visible;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  for (int number = 0; vtkProp* prop = props->GetNextProp(it); ++number)
+  {
+    if (prop->GetVisibility())
+    {
+      visible.push_back({ prop, number, {} });
+      vtkRelievoPropParts::Collect(prop, visible.back().Parts);
+    }
+  }
+  return visible;
 }
 
 //------------------------------------------------------------------------------

@@ -18,7 +18,8 @@ class vtkRenderer;
 
 struct vtkRelievoFrameProp
 {
-  vtkProp* Prop;
+  vtkProp* Prop = nullptr;
+  int Number = -1; // place in vtkRenderer::GetViewProps(); -1 in what a frame draws
   std::vector<vtkRelievoPropParts::Part> Parts;
 };
 
@@ -34,6 +35,10 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoFrameScene
   std::vector<vtkRelievoFrameProp> Props; // in the order in which they are drawn
 
   void Take(const vtkRenderState* s);
+
+  // What the renderer's visible props draw, in its order: those outside the view, too, whose
+  // shadows may be seen. As they are now: drawing may choose another level of detail.
+  static std::vector<vtkRelievoFrameProp> FindVisible(vtkRenderer* renderer);
 
   // As they are now: VTK makes one while it draws a renderer that has none.
   static std::vector<vtkRelievoFrameLight> FindLights(vtkRenderer* renderer);

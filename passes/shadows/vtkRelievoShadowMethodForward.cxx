@@ -14,7 +14,7 @@ namespace
 {
 // As of vtkRelievoShadowMethodMap. No filter hides the steps of its edges, and samples that do not
 // go on leave gaps: four times as many as with map.
-constexpr vtkRelievoShadowErrorLaw Law = { 1.66e-3, 0.97 };
+constexpr vtkRelievoShadowErrorLaw Law = { 1.81e-3, 0.95 };
 }
 
 //------------------------------------------------------------------------------

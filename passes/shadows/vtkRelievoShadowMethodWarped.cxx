@@ -19,7 +19,7 @@ using vtkRelievoShadowFit::Request;
 using vtkRelievoShadowSteps::Rounding;
 
 // As of vtkRelievoShadowMethodMap. Where a scene runs to the horizon, a third to two thirds of it.
-constexpr vtkRelievoShadowErrorLaw Law = { 3.90e-4, 0.90 };
+constexpr vtkRelievoShadowErrorLaw Law = { 4.29e-4, 0.90 };
 
 // Angles that a map may have, in half a turn.
 constexpr double GazeTurns = 16.0;

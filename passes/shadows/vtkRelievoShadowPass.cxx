@@ -218,7 +218,7 @@ bool vtkRelievoShadowPass::Prepare(vtkRelievoFrameContext& context)
   this->DrawCalls = 0;
   this->NumberOfMapsDrawn = 0;
   in.Work.View = context.View;
-  in.Work.Props.Collect(context.State);
+  in.Work.Props.Collect(context.Renderer, context.Scene.Props);
   return true;
 }
 
@@ -338,7 +338,7 @@ void vtkRelievoShadowPass::Finish(vtkRelievoFrameContext& context)
     if (in.Work.Props.ChangesByDrawing())
     {
       // Some mappers count themselves as modified when they draw.
-      in.Work.Props.Collect(context.State);
+      in.Work.Props.Collect(context.Renderer, context.Scene.Props);
       in.Work.Cache.SetCasters(in.Work.Props);
       in.Lamps.Work.Cache.SetCasters(in.Work.Props);
       in.Method->Settle(in.Work);

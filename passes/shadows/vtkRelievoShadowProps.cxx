@@ -13,12 +13,11 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCasterDraw.h"
+#include "vtkRelievoFrameScene.h"
 #include "vtkRelievoPropParts.h"
 #include "vtkRelievoShadowFit.h"
-#include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
@@ -112,7 +111,8 @@ vtkRelievoShadowProps::Choice& vtkRelievoShadowProps::GetChoice(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
+void vtkRelievoShadowProps::Collect(
+  vtkRenderer* renderer, const std::vector<vtkRelievoFrameProp>& drawnProps)
 {
   this->Spliced.clear();
   this->Seen.clear();
@@ -127,23 +127,20 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
   this->State.clear();
   this->Culling.clear();
   this->Unsteady = false;
-  const std::set<vtkProp*> drawn(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
-  std::vector<vtkRelievoPropParts::Part> parts;
-  vtkPropCollection* props = s->GetRenderer()->GetViewProps();
-  vtkCollectionSimpleIterator it;
-  props->InitTraversal(it);
-  for (int number = 0; vtkProp* prop = props->GetNextProp(it); ++number)
+  std::set<vtkProp*> drawn;
+  for (const vtkRelievoFrameProp& drawnProp : drawnProps)
   {
-    if (!prop->GetVisibility())
-    {
-      continue;
-    }
+    drawn.insert(drawnProp.Prop);
+  }
+  for (vtkRelievoFrameProp& visible : vtkRelievoFrameScene::FindVisible(renderer))
+  {
+    vtkProp* prop = visible.Prop;
+    std::vector<vtkRelievoPropParts::Part>& parts = visible.Parts;
     Choice choice;
     for (const Choice& made : this->Choices)
     {
       choice = made.Prop == prop ? made : choice;
     }
-    vtkRelievoPropParts::Collect(prop, parts);
     const bool mixed = vtkRelievoPropParts::IsMixed(prop, parts);
     parts.erase(std::remove_if(parts.begin(), parts.end(),
                   [](const vtkRelievoPropParts::Part& part) {
@@ -151,7 +148,7 @@ void vtkRelievoShadowProps::Collect(const vtkRenderState* s)
                   }),
       parts.end());
     vtkRelievoBox box;
-    box.Number = number;
+    box.Number = visible.Number;
     // The bounds bring the mapper's input up to date as well.
     if (parts.empty() || !GetBox(prop, box))
     {

@@ -18,9 +18,9 @@ class vtkActor;
 class vtkOpenGLRenderPass;
 class vtkProp;
 class vtkRelievoCasterDraw;
-class vtkRenderState;
 class vtkRenderer;
 struct vtkRelievoCaster;
+struct vtkRelievoFrameProp;
 struct vtkRelievoShadowView;
 
 class vtkRelievoShadowProps
@@ -36,7 +36,7 @@ public:
   Choice& GetChoice(vtkProp* prop);
 
   // Casters and receivers are all visible props of the renderer, also outside the view.
-  void Collect(const vtkRenderState* s);
+  void Collect(vtkRenderer* renderer, const std::vector<vtkRelievoFrameProp>& drawnProps);
 
   // The state of what casts, for comparison.
   const std::vector<std::uint64_t>& GetState() const { return this->State; }

@@ -150,7 +150,7 @@ void TestReport()
     RELIEVO_CHECK_NEAR(std::stod(report.substr(at + name.size())),
       stage.GetShadows()->EstimateWrongShare(Pass::METHOD_MAP, 512), 1e-8, "share of the report");
   }
-  RELIEVO_CHECK(report.find("expected share of wrong pixels 0.13 %") != std::string::npos);
+  RELIEVO_CHECK(report.find("expected share of wrong pixels 0.14 %") != std::string::npos);
   stage.GetFrame()->ShadowsOff();
   stage.Window->Render();
   RELIEVO_CHECK(
