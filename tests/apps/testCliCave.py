@@ -31,6 +31,8 @@ class Cave(CliTest):
         self.assertEqual(sorted(set(mask)), [0, 1])
         self.assertIn(f"98304 samples, {100 * mask.mean():.2f} % air", done.stdout)
         self.assertEqual(self.names(), sorted([*self.before, "cave.vti"]))
+        # Readable beside every expat, by any VTK.
+        self.assertNotIn(b"<AppendedData", (self.folder / "cave.vti").read_bytes())
 
     def test_options(self):
         mask = self.values("--size", "48x48x48")

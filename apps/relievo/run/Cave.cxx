@@ -42,6 +42,8 @@ void Cave(const CaveOptions& options)
     vtkNew<vtkXMLImageDataWriter> writer;
     writer->SetInputData(caves->GetOutput());
     writer->SetFileName(outputs.Temporary(options.File).c_str());
+    // Not appended: Debian's mended expat keeps VTK before 9.3.1 from reading that.
+    writer->SetDataModeToBinary();
     progress.Begin("writing " + options.File);
     progress.Observe(writer);
     const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
