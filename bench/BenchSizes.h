@@ -97,6 +97,18 @@ struct VoxelSizes
   int Large = 300; // cells each way for a sphere of 1.3 million triangles; 0: without
 };
 
+struct ParticleSizes
+{
+  std::vector<int> Numbers = { 1000, 10000, 100000, 1000000 };
+  int MostPeer = 100000; // particles up to which the closest point takes part
+  int Rounds = 7;
+  int Resolution = 256; // texels along the longest side
+  double Chord = 2e-4;  // how far triangles are from the torus
+  std::vector<std::string> Meshes = { "bunny" };
+  int DriftNumber = 1000;
+  std::vector<int> Steps = { 1, 10, 100, 1000 };
+};
+
 /** The benches of the same names, smaller or larger; as RelievoBenchEnvironment and so on. */
 int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
 int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
@@ -108,6 +120,7 @@ int BenchTone(const std::string& outDir, const ToneSizes& sizes);
 int BenchBlocks(const std::string& outDir, const BlockSizes& sizes);
 int BenchCaves(const std::string& outDir, const CaveSizes& sizes);
 int BenchVoxels(const std::string& outDir, const VoxelSizes& sizes);
+int BenchParticles(const std::string& outDir, const ParticleSizes& sizes);
 int BenchFog(const std::string& outDir, const FogSizes& sizes);
 
 /** The part of BenchEnvironment that times frames; returns whether its file is written. */

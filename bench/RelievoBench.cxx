@@ -59,6 +59,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
       RelievoBenchCaves },
     { "voxels", "cells inside bodies: excess and missed against time, beside VTK's own",
       RelievoBenchVoxels },
+    { "particles", "particles on surfaces: time of a step by number, and drift by steps",
+      RelievoBenchParticles },
   };
   return entries;
 }

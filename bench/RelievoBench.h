@@ -89,6 +89,9 @@ int RelievoBenchCaves(const std::string& outDir);
 /** Chart 10: cells inside bodies: excess and missed against time, with peers. A minute. */
 int RelievoBenchVoxels(const std::string& outDir);
 
+/** Particles on surfaces: time of a step, distance by steps, with a peer. Two minutes. */
+int RelievoBenchParticles(const std::string& outDir);
+
 /** What a normal map costs a full-screen frame, against VTK's own textures. Half a minute. */
 int RelievoBenchNormalMaps(const std::string& outDir);
 

@@ -11,9 +11,6 @@ sizes fall outside, and a place repels the cubes.
 
 import numpy
 import relievo
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -26,45 +23,9 @@ from vtkmodules.vtkRenderingCore import (
 
 import demo_sheet
 import scene
+from knot import knot
 
 SIZE = (420, 420)
-
-
-def knot(around=360, across=48, radius=0.62):
-    """A tube along a trefoil knot, closed; its point data say where along the knot a point is."""
-    turn = numpy.linspace(0, 2 * numpy.pi, around, endpoint=False)
-
-    def line(t):
-        x = numpy.sin(t) + 2 * numpy.sin(2 * t)
-        y = numpy.cos(t) - 2 * numpy.cos(2 * t)
-        return numpy.stack([x, y, -numpy.sin(3 * t)], axis=-1)
-
-    def unit(v):
-        return v / numpy.linalg.norm(v, axis=-1, keepdims=True)
-
-    along = unit(line(turn + 1e-4) - line(turn - 1e-4))
-    side = unit(numpy.cross(along, (0.0, 0.0, 1.0)))
-    up = numpy.cross(side, along)
-    angle = numpy.linspace(0, 2 * numpy.pi, across, endpoint=False)[None, :, None]
-    ring = numpy.cos(angle) * side[:, None] + numpy.sin(angle) * up[:, None]
-    places = (line(turn)[:, None] + radius * ring).reshape(-1, 3)
-    i, j = numpy.meshgrid(numpy.arange(around), numpy.arange(across), indexing="ij")
-    after, beside = (i + 1) % around, (j + 1) % across
-    corners = [(i, j), (after, j), (after, beside), (i, beside)]
-    quads = numpy.stack([a * across + b for a, b in corners], axis=-1).reshape(-1, 4)
-    cells = vtkCellArray()
-    cells.SetData(4, numpy_to_vtkIdTypeArray(quads.ravel().astype(numpy.int64), deep=True))
-    points = vtkPoints()
-    points.SetData(numpy_to_vtk(places, deep=True))
-    mesh = vtkPolyData()
-    mesh.SetPoints(points)
-    mesh.SetPolys(cells)
-    hue = numpy.repeat(turn, across)[:, None] + numpy.array([0, 2.1, 4.2])
-    colors = (255 * (0.55 + 0.4 * numpy.cos(hue))).astype(numpy.uint8)
-    array = numpy_to_vtk(colors, deep=True)
-    array.SetName("color")
-    mesh.GetPointData().SetScalars(array)
-    return mesh
 
 
 def cubes_of(shell, model, **settings):

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoMemory.h"
 
+#include "vtkRelievoCgroup.h"
+
 #include <vtksys/SystemInformation.hxx>
 
 #include <algorithm>
 #include <cstdio>
-#include <limits>
 
 namespace relievo
 {
@@ -16,7 +17,7 @@ namespace
 double FreeBytes()
 {
   vtksys::SystemInformation system;
-  double free = std::numeric_limits<double>::infinity();
+  double free = FreeBytesOfCgroup();
   const auto add = [&free](double available, double used) {
     if (available > 0. && used >= 0.)
     {

@@ -51,3 +51,5 @@
 #include "formulas/marker.glsl"
 
 #include "formulas/noise.glsl"
+
+#include "formulas/cube.glsl"

@@ -30,6 +30,7 @@ const std::vector<Entry>& Entries()
     { "blocks", { "blocks.csv" }, BlockCharts },
     { "caves", { "caves.csv", "caves-width.csv" }, CaveCharts },
     { "voxels", { "voxels.csv" }, VoxelCharts },
+    { "particles", { "particles.csv", "particles-drift.csv" }, ParticleCharts },
     { "fog", { "fog.csv", "fog-frames.csv" }, FogCharts },
   };
   return entries;

@@ -95,6 +95,10 @@ const std::vector<ChartMethod>& ChartMethods()
     { "vtkPolyDataToImageStencil", "image stencil", C::Grey, M::Cross, D::Dashed },
     { "vtkSelectEnclosedPoints", "enclosed points", C::Grey, M::Cross, D::Dashed },
     { "vtkVoxelModeller", "voxel modeller", C::Grey, M::Down, D::Dotted },
+    // Particles on surfaces
+    { "depth maps", "depth maps", C::Blue, M::Circle, D::Solid },
+    { "closest point", "closest point", C::Grey, M::Cross, D::Dashed },
+    { "not held", "not held", C::Black, M::Square, D::Dotted },
     // Fog
     { "pairs of floats", "pairs of floats", C::Blue, M::Circle, D::Solid },
     { "textbook, double", "textbook, double", C::Grey, M::Cross, D::Dashed },

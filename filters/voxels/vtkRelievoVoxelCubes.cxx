@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoVoxelCubes.h"
 
+#include "vtkRelievoFormulas.h"
 #include "vtkRelievoMemory.h"
 #include "vtkRelievoThreads.h"
 #include "vtkRelievoVoxelDistance.h"
@@ -15,7 +16,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -89,7 +90,7 @@ std::string AddNearest(vtkDataSet* model, vtkPoints* points, vtkPointData* outpu
     {
       continue; // the model's ghosts are not the cubes'
     }
-    if (name == "size" || name == "scale")
+    if (name == "size" || name == "scale" || name == "instance")
     {
       left += (left.empty() ? "'" : ", '") + name + "'";
       continue;
@@ -240,7 +241,11 @@ int vtkRelievoVoxelCubes::RequestData(
   vtkNew<vtkPoints> points;
   vtkNew<vtkFloatArray> sizes;
   sizes->SetName("size");
-  const double reach2 = this->RepellerRadius * this->RepellerRadius;
+  const double radius = this->Instanced ? 0. : this->RepellerRadius;
+  const double growth = this->Instanced ? 1. : this->Growth;
+  const double longest =
+    std::max({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+  const relievo::f64::vec3 repeller(this->Repeller[0], this->Repeller[1], this->Repeller[2]);
   std::string left;
   std::string lack;
   const auto work = [&]() {
@@ -257,7 +262,7 @@ int vtkRelievoVoxelCubes::RequestData(
       squares = vtkRelievoVoxelDistance::Squared(inside, cells, spacing);
     }
     const double reach = this->Transition * this->Transition;
-    const bool innerToo = this->Growth != 1. || reach2 > 0.;
+    const bool innerToo = this->Instanced || growth != 1. || radius > 0.;
     const auto forEachCell = [&](const auto& visit) {
       vtkIdType at = 0;
       int cell[3];
@@ -287,42 +292,32 @@ int vtkRelievoVoxelCubes::RequestData(
     }
     this->UpdateProgress(0.5);
     forEachCell([&](vtkIdType at, const int* cell) {
-      double share = inside[at] ? 1. : 0.;
+      double outside = inside[at] ? 0. : std::numeric_limits<double>::infinity();
       if (!inside[at] && this->Transition > 0.)
       {
-        const double distance = std::sqrt(squares[static_cast<std::size_t>(at)]);
-        const double rest = 1. - std::min(distance / this->Transition, 1.);
-        share = rest * rest * (3. - 2. * rest);
+        outside = std::sqrt(squares[static_cast<std::size_t>(at)]);
       }
-      if (share == 0. && !this->WholeGrid)
+      if (outside > 0. && outside >= this->Transition && !this->WholeGrid)
       {
         return;
       }
       double index[3];
-      double place[3];
+      relievo::f64::vec3 place;
       for (int axis = 0; axis < 3; ++axis)
       {
         index[axis] = extent[2 * axis] + cell[axis] + 0.5;
       }
-      image->TransformContinuousIndexToPhysicalPoint(index, place);
-      const double distance2 =
-        reach2 > 0. ? vtkMath::Distance2BetweenPoints(place, this->Repeller) : reach2;
-      if (distance2 >= reach2 && this->Growth == 1. && IsInner(inside, cells, cell))
+      image->TransformContinuousIndexToPhysicalPoint(index, &place.x);
+      const double distance = glm::distance(place, repeller);
+      if (distance >= radius && growth == 1. && !this->Instanced && IsInner(inside, cells, cell))
       {
         return;
       }
-      const double distance = std::sqrt(distance2);
-      if (distance2 < reach2 && distance > 0.)
-      {
-        const double to = (this->RepellerRadius + distance2 / this->RepellerRadius) / 2. / distance;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          place[axis] = this->Repeller[axis] + (place[axis] - this->Repeller[axis]) * to;
-        }
-      }
-      points->InsertNextPoint(place);
-      sizes->InsertNextValue(
-        static_cast<float>(this->RestSize + (1. - this->RestSize) * share * this->Growth));
+      place = relievo::f64::relievoCubePlace(place, repeller, radius);
+      points->InsertNextPoint(&place.x);
+      sizes->InsertNextValue(static_cast<float>(this->Instanced
+          ? 1. / (1. + outside / longest)
+          : relievo::f64::relievoCubeSize(outside, this->Transition, this->RestSize, growth)));
     });
     this->UpdateProgress(0.8);
     if (this->GetAbortExecute())
@@ -349,7 +344,7 @@ int vtkRelievoVoxelCubes::RequestData(
                                       << "of this name. Rename them to have both.");
   }
   vtkNew<vtkFloatArray> scales;
-  scales->SetName("scale");
+  scales->SetName(this->Instanced ? "instance" : "scale");
   scales->SetNumberOfComponents(3);
   scales->SetNumberOfTuples(sizes->GetNumberOfValues());
   for (vtkIdType i = 0; i < sizes->GetNumberOfValues(); ++i)
@@ -361,7 +356,10 @@ int vtkRelievoVoxelCubes::RequestData(
     }
   }
   output->SetPoints(points);
-  output->GetPointData()->AddArray(sizes);
+  if (!this->Instanced)
+  {
+    output->GetPointData()->AddArray(sizes);
+  }
   output->GetPointData()->AddArray(scales);
   return 1;
 }
@@ -377,5 +375,6 @@ void vtkRelievoVoxelCubes::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Repeller: " << this->Repeller[0] << " " << this->Repeller[1] << " "
      << this->Repeller[2] << "\n";
   os << indent << "RepellerRadius: " << this->RepellerRadius << "\n";
+  os << indent << "Instanced: " << this->Instanced << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
 }

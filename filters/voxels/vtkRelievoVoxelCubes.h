@@ -13,9 +13,14 @@
  *   components with a unit cube.
  * Inner cells, whose six neighbours are inside, are left out: they are not seen.
  *
+ * With Instanced, sizes and places are left to vtkRelievoVoxelCubesActor, which computes them as
+ * the cubes are drawn: all cells up to Transition have a point, and it stays at their centre.
+ * Instead of the above there is the point array `instance` (3 float): the cell's sides divided by
+ * 1 + d, where d is how far outside it is, in longest sides of a cell.
+ *
  * In pieces, each cell has its cube in one of them. Cells that are ghosts or blanked have none, and
  * blanked ones are outside. Ghost arrays of the second input are left out, and so, with a warning,
- * are arrays called `size` or `scale`.
+ * are arrays called `size`, `scale` or `instance`.
  *
  * Errors: an image without `mask`, more memory than MemoryLimit.
  */
@@ -72,6 +77,13 @@ public:
   ///@}
 
   ///@{
+  /** Whether sizes and places are left to vtkRelievoVoxelCubesActor. Default is off. */
+  vtkSetMacro(Instanced, bool);
+  vtkGetMacro(Instanced, bool);
+  vtkBooleanMacro(Instanced, bool);
+  ///@}
+
+  ///@{
   /**
    * The most bytes that the cubes may take; 0, the default: what the machine has left. More are
    * refused before they are made.
@@ -97,6 +109,7 @@ private:
   bool WholeGrid = false;
   double Repeller[3] = { 0., 0., 0. };
   double RepellerRadius = 0.;
+  bool Instanced = false;
   double MemoryLimit = 0.;
 
   vtkRelievoVoxelCubes(const vtkRelievoVoxelCubes&) = delete;

@@ -29,21 +29,6 @@ struct Side
   double Eye = 0.; // along the axis
 };
 
-bool GetMatrix(vtkImageData* image, const char* name, double matrix[16])
-{
-  vtkDataArray* array = image->GetFieldData()->GetArray(name);
-  if (!array || array->GetNumberOfValues() != 16)
-  {
-    return false;
-  }
-  const int components = array->GetNumberOfComponents();
-  for (int i = 0; i < 16; ++i)
-  {
-    matrix[i] = array->GetComponent(i / components, i % components);
-  }
-  return std::all_of(matrix, matrix + 16, [](double value) { return std::isfinite(value); });
-}
-
 std::string Understand(vtkImageData* image, Side& side)
 {
   side.Depth = image->GetPointData()->GetArray("depth");
@@ -53,8 +38,8 @@ std::string Understand(vtkImageData* image, Side& side)
   {
     return "it has no layer 'depth' on a single slice; capture the layer depth";
   }
-  if (!GetMatrix(image, "worldToCamera", worldToCamera) ||
-    !GetMatrix(image, "worldToNDC", side.WorldToNDC))
+  if (!vtkRelievoVoxelDepths::GetMatrix(image, "worldToCamera", worldToCamera) ||
+    !vtkRelievoVoxelDepths::GetMatrix(image, "worldToNDC", side.WorldToNDC))
   {
     return "its field data has no 'worldToCamera' and 'worldToNDC' of 16 numbers, as captures have";
   }
@@ -112,6 +97,22 @@ void vtkRelievoVoxelDepths::Add(vtkDataObject* data, std::vector<vtkImageData*>&
       images.push_back(image);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoVoxelDepths::GetMatrix(vtkImageData* image, const char* name, double matrix[16])
+{
+  vtkDataArray* array = image->GetFieldData()->GetArray(name);
+  if (!array || array->GetNumberOfValues() != 16)
+  {
+    return false;
+  }
+  const int components = array->GetNumberOfComponents();
+  for (int i = 0; i < 16; ++i)
+  {
+    matrix[i] = array->GetComponent(i / components, i % components);
+  }
+  return std::all_of(matrix, matrix + 16, [](double value) { return std::isfinite(value); });
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,7 @@ FILTERS = {
     "SmoothBlocks": ["Surface", "Normals", "Up", "NoiseDimensions", "OutputPointsPrecision"],
     "VoxelShell": ["Method", "Axis"],
     "VoxelCubes": [],
+    "SurfaceParticles": ["Place"],
 }
 SOURCES = ["Caves"]
 
@@ -176,6 +177,31 @@ class Filters(pv.Test):
         sizes = vtk_to_numpy(cubes.GetPointData().GetArray("size"))
         self.assertEqual((sizes.max(), sizes.min() < 0.5), (1, True))
         self.assertIsNotNone(cubes.GetPointData().GetArray("Normals"))
+
+    def test_surface_particles(self):
+        """On a ball, at all times; the animation has its steps; points and a field of another."""
+        ball = simple.Sphere(ThetaResolution=60, PhiResolution=60)
+        made = simple.SurfaceParticles(Input=ball, NumberOfParticles=500, Resolution=50)
+        made.NumberOfSteps = 20
+        self.assertAlmostEqual(made.NoiseSpeed, 0.01, 3)
+        scene = simple.GetAnimationScene()
+        scene.UpdateAnimationUsingDataTimeSteps()
+        self.assertEqual(len(scene.TimeKeeper.TimestepValues), 21)
+        places = []
+        for time in (0, 20, 20.0, 0):
+            made.UpdatePipeline(time)
+            here = vtk_to_numpy(servermanager.Fetch(made).GetPoints().GetData())
+            self.assertLess(numpy.abs(numpy.linalg.norm(here, axis=1) - 0.5).max(), 0.02)
+            places.append(here)
+        self.assertGreater(numpy.abs(places[1] - places[0]).max(), 0.05)
+        self.assertTrue((places[3] == places[0]).all() and (places[1] == places[2]).all())
+        upwards = simple.Calculator(Input=simple.Wavelet(), Function="kHat", ResultArrayName="up")
+        other = simple.SurfaceParticles(Input=ball, Points=simple.Plane(), Field=upwards)
+        other.NoiseSpeed, other.FieldArray = 0, "up"
+        other.UpdatePipeline(50)
+        top = servermanager.Fetch(other)
+        self.assertEqual(top.GetNumberOfPoints(), 4)
+        self.assertGreater(vtk_to_numpy(top.GetPoints().GetData())[:, 2].min(), 0.45)
 
 
 if __name__ == "__main__":

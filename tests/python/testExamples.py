@@ -44,6 +44,8 @@ WRITES = {
     "15_blocks.py": ["blocks.png"],
     "16_caves.py": ["caves.png"],
     "18_voxel_cubes.py": ["voxels.png"],
+    "19_surface_particles.py": ["particles.png"],
+    "20_moving_cubes.py": ["cubes.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.

@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Particles that stream over a knot, and pillars that stand on it.
+
+    19_surface_particles.py [FOLDER]    writes FOLDER/particles.png
+
+vtkRelievoSurfaceParticles moves the particles by the curl of noise and holds them on the knot's
+depth maps; it has time steps, as a reader of a series has. In the last picture vtkGlyph3DMapper
+turns a pillar to each particle's normal and velocity.
+"""
+
+import numpy
+import relievo
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkColorTransferFunction,
+    vtkGlyph3DMapper,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+)
+
+import demo_sheet
+import scene
+from knot import knot
+
+SIZE = (420, 420)
+COLORS = ((0.0, 0.20, 0.45, 0.95), (0.4, 0.98, 0.62, 0.18), (1.0, 1.0, 0.97, 0.75))
+
+
+def particles_on(model, count):
+    particles = relievo.vtkRelievoSurfaceParticles()
+    particles.SetInputData(model)
+    particles.SetNumberOfParticles(count)
+    particles.SetNoiseSpeed(0.05)
+    particles.SetNoiseScale(0.9)
+    particles.SetNumberOfSteps(60)
+    particles.OrientationsOn()
+    return particles
+
+
+def glyphs(particles, length, width):
+    """An actor with a box for each particle, its longest side along the normal."""
+    box = vtkCubeSource()
+    box.SetXLength(length)
+    box.SetYLength(2.5 * width)
+    box.SetZLength(width)
+    box.SetCenter(length / 2, 0, 0)
+    mapper = vtkGlyph3DMapper()
+    mapper.SetInputConnection(particles.GetOutputPort())
+    mapper.SetSourceConnection(box.GetOutputPort())
+    mapper.ScalingOff()
+    mapper.SetOrientationArray("orientation")
+    mapper.SetOrientationModeToQuaternion()
+    speed = vtkColorTransferFunction()
+    for value, *color in COLORS:
+        speed.AddRGBPoint(0.12 * value, *color)
+    speed.SetVectorModeToMagnitude()
+    mapper.SetLookupTable(speed)
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray("velocity")
+    mapper.SetColorModeToMapScalars()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def picture(*actors):
+    renderer = vtkRenderer()
+    renderer.SetBackground(0.09, 0.1, 0.13)
+    for actor in actors:
+        renderer.AddActor(actor)
+    sun = vtkLight()
+    sun.SetLightTypeToSceneLight()
+    sun.SetPosition(-3, 4, 7)
+    renderer.AddLight(sun)
+    fill = vtkLight()
+    fill.SetLightTypeToHeadlight()
+    fill.SetIntensity(0.35)
+    renderer.AddLight(fill)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(-4, -9, 13)
+    camera.SetFocalPoint(0, 0.1, -0.2)
+    camera.SetViewAngle(30)
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(*SIZE)
+    window.AddRenderer(renderer)
+    renderer.ResetCameraClippingRange()
+    frame = relievo.attach(renderer)
+    frame.ShadowsOn()
+    image = relievo.capture(renderer, ["color"])
+    return demo_sheet.picture_of("color", relievo.layer(image, "color"))[0]
+
+
+def main():
+    folder = scene.folder()
+    model = knot()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(model)
+    mapper.ScalarVisibilityOff()
+    body = vtkActor()
+    body.SetMapper(mapper)
+    body.GetProperty().SetColor(0.24, 0.26, 0.30)
+    pictures = []
+    shown = ((12000, 0.03, 0.03, 0), (12000, 0.03, 0.03, 60), (2500, 0.4, 0.03, 60))
+    for count, length, width, time in shown:
+        particles = particles_on(model, count)
+        particles.UpdateTimeStep(time)
+        print(f"{particles.GetOutput().GetNumberOfPoints()} particles at time {time}")
+        pictures.append(picture(body, glyphs(particles, length, width)))
+    demo_sheet.write_png(folder / "particles.png", numpy.concatenate(pictures, axis=1))
+    print(folder / "particles.png")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A knot of cubes that grow and step aside, moved by the graphics card alone.
+
+    20_moving_cubes.py [FOLDER]    writes FOLDER/cubes.png
+
+The filters find the cubes once. vtkRelievoVoxelCubesActor then sizes and places them in the vertex
+shader: a transition from small cubes to the knot, and a place that cubes keep away from. In a
+window with an interactor, set Growth or Repeller before each Render.
+"""
+
+import time
+
+import numpy
+import relievo
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow
+
+import demo_sheet
+import scene
+from knot import knot
+
+SIZE = (420, 420)
+
+
+def cubes_of(model):
+    shell = relievo.vtkRelievoVoxelShell()
+    shell.SetInputData(model)
+    shell.SetResolution(44)
+    shell.SetPadding(4)
+    cubes = relievo.vtkRelievoVoxelCubes()
+    cubes.SetInputConnection(shell.GetOutputPort())
+    cubes.SetInputData(1, model)
+    cubes.SetTransition(0.6)
+    cubes.InstancedOn()
+    cubes.Update()
+    actor = relievo.vtkRelievoVoxelCubesActor()
+    actor.SetInputConnection(cubes.GetOutputPort())
+    actor.SetCellSize(shell.GetOutput().GetSpacing())
+    actor.SetTransition(0.6)
+    print(f"{cubes.GetOutput().GetNumberOfPoints()} cubes")
+    return actor
+
+
+def main():
+    folder = scene.folder()
+    cubes = cubes_of(knot())
+    renderer = vtkRenderer()
+    renderer.SetBackground(0.09, 0.1, 0.13)
+    renderer.AddActor(cubes)
+    sun = vtkLight()
+    sun.SetLightTypeToSceneLight()
+    sun.SetPosition(-3, 4, 7)
+    renderer.AddLight(sun)
+    fill = vtkLight()
+    fill.SetLightTypeToHeadlight()
+    fill.SetIntensity(0.35)
+    renderer.AddLight(fill)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(-4, -9, 13)
+    camera.SetFocalPoint(0, 0.1, -0.2)
+    camera.SetViewAngle(30)
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(*SIZE)
+    window.AddRenderer(renderer)
+    frame = relievo.attach(renderer)
+    frame.ShadowsOn()
+    pictures = []
+    for growth, radius, x in ((0.15, 0, 0), (0.6, 0, 0), (1, 1.8, -2.2), (1, 1.8, 1.8)):
+        start = time.perf_counter()
+        cubes.SetGrowth(growth)
+        cubes.SetRepeller(x, 0.2, 1.0)
+        cubes.SetRepellerRadius(radius)
+        print(f"set in {1e3 * (time.perf_counter() - start):.2f} ms")
+        renderer.ResetCameraClippingRange()
+        image = relievo.capture(renderer, ["color"])
+        pictures.append(demo_sheet.picture_of("color", relievo.layer(image, "color"))[0])
+    demo_sheet.write_png(folder / "cubes.png", numpy.concatenate(pictures, axis=1))
+    print(folder / "cubes.png")
+
+
+if __name__ == "__main__":
+    main()

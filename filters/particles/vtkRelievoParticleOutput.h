@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Particles as points with arrays.
+#ifndef vtkRelievoParticleOutput_h
+#define vtkRelievoParticleOutput_h
+
+#include "vtkRelievoParticleField.h"
+#include "vtkRelievoParticleMaps.h"
+#include "vtkRelievoParticleState.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+class vtkCellArray;
+class vtkDataSet;
+class vtkIdTypeArray;
+class vtkPolyData;
+
+struct vtkRelievoParticleOutput
+{
+  const vtkRelievoParticleMaps& Maps;
+  const vtkRelievoParticleField& Field;
+  bool Inside;
+  bool Orientations;
+  // The same at all times, and shared by their outputs; made where they are not there.
+  vtkSmartPointer<vtkIdTypeArray>& Numbers;
+  vtkSmartPointer<vtkCellArray>& Vertices;
+
+  // Particles, the first of which has this number; their start's point data go along.
+  void Write(const vtkRelievoParticleState& state, vtkIdType first, vtkDataSet* start,
+    vtkPolyData* output) const;
+
+private:
+  void Number(vtkIdType first, vtkIdType count) const;
+};
+
+#endif

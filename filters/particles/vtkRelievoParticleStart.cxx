@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoParticleStart.h"
+
+#include "vtkRelievoFormulas.h"
+
+#include "vtkDataSet.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkStaticPointLocator.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+//------------------------------------------------------------------------------
+vtkRelievoParticleStart::vtkRelievoParticleStart(
+  const vtkRelievoParticleMaps& maps, bool inside, unsigned int seed)
+  : Maps(maps)
+  , Inside(inside)
+  , Seed(seed)
+  , Low(std::numeric_limits<double>::infinity())
+  , High(-std::numeric_limits<double>::infinity())
+{
+  double sum = 0.;
+  for (std::size_t v = 0; v < maps.Views.size(); ++v)
+  {
+    const vtkRelievoParticleView& view = maps.Views[v];
+    const auto texels = static_cast<vtkIdType>(view.GetNumberOfTexels());
+    std::vector<float> areas(static_cast<std::size_t>(texels), 0.F);
+    vtkSMPTools::For(0, texels, 4096, [&](vtkIdType begin, vtkIdType end) {
+      for (auto texel = static_cast<std::size_t>(begin); texel < static_cast<std::size_t>(end);
+           ++texel)
+      {
+        if (view.IsSeen(texel))
+        {
+          const vtkRelievoParticlePlace place = view.At(texel);
+          const double square = view.GetTexelSize() * view.GetTexelSize();
+          areas[texel] = maps.IsSeenBetter(static_cast<int>(v), place)
+            ? 0.F
+            : static_cast<float>(square / std::max(place.Facing, 0.1));
+        }
+      }
+    });
+    for (std::size_t texel = 0; texel < areas.size(); ++texel)
+    {
+      if (areas[texel] > 0.F)
+      {
+        const glm::dvec3 position = view.At(texel).Position;
+        this->Low = glm::min(this->Low, position);
+        this->High = glm::max(this->High, position);
+        sum += static_cast<double>(areas[texel]);
+        this->Parts.push_back({ static_cast<int>(v), texel });
+        this->Shares.push_back(sum);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoParticleStart::GetBox(glm::dvec3& low, glm::dvec3& high) const
+{
+  low = this->Low;
+  high = this->High;
+  return !this->Parts.empty();
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoParticleStart::Random(vtkIdType i, unsigned int which) const
+{
+  const auto index = static_cast<std::uint64_t>(i);
+  return relievo::f64::relievoNoiseHash(static_cast<std::uint32_t>(index),
+           static_cast<std::uint32_t>(index >> 32), which, this->Seed) /
+    4294967296.;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoParticleStart::SpreadOne(
+  vtkIdType i, vtkIdType count, glm::dvec3& position, int& view) const
+{
+  constexpr unsigned int Tries = 64;
+  view = 0;
+  for (unsigned int t = 0; this->Inside && t < Tries; ++t)
+  {
+    const glm::dvec3 part(
+      this->Random(i, 3 * t + 8), this->Random(i, 3 * t + 9), this->Random(i, 3 * t + 10));
+    position = glm::mix(this->Low, this->High, part);
+    if (this->Maps.IsInside(position))
+    {
+      return;
+    }
+  }
+  const double share = (static_cast<double>(i) + this->Random(i, 0)) / static_cast<double>(count);
+  const auto found =
+    std::upper_bound(this->Shares.begin(), this->Shares.end(), share * this->Shares.back());
+  const auto index = std::min<std::ptrdiff_t>(
+    found - this->Shares.begin(), static_cast<std::ptrdiff_t>(this->Parts.size()) - 1);
+  const Part& part = this->Parts[static_cast<std::size_t>(index)];
+  view = part.View;
+  position =
+    this->Maps.Views[static_cast<std::size_t>(view)]
+      .At(part.Texel, 0.998 * (this->Random(i, 1) - 0.5), 0.998 * (this->Random(i, 2) - 0.5))
+      .Position;
+  if (this->Inside)
+  {
+    this->Maps.PushInside(position, 4. * this->Maps.GetTexelSize());
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoParticleState vtkRelievoParticleStart::Spread(
+  vtkIdType begin, vtkIdType end, vtkIdType count) const
+{
+  vtkRelievoParticleState state;
+  if (this->Parts.empty() || begin >= end)
+  {
+    return state;
+  }
+  state.Positions.resize(static_cast<std::size_t>(end - begin));
+  state.Views.resize(state.Positions.size());
+  vtkSMPTools::For(begin, end, 4096, [&](vtkIdType first, vtkIdType last) {
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      const auto at = static_cast<std::size_t>(i - begin);
+      int view = 0;
+      this->SpreadOne(i, count, state.Positions[at], view);
+      state.Views[at] = static_cast<unsigned char>(view);
+    }
+  });
+  return state;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoParticleState vtkRelievoParticleStart::AtPoints(
+  vtkDataSet* points, vtkIdType begin, vtkIdType end) const
+{
+  vtkRelievoParticleState state = this->Spread(begin, end, points->GetNumberOfPoints());
+  if (state.Positions.empty())
+  {
+    return state;
+  }
+  vtkNew<vtkPoints> centers;
+  centers->SetDataTypeToDouble();
+  centers->SetNumberOfPoints(static_cast<vtkIdType>(this->Parts.size()));
+  vtkSMPTools::For(0, centers->GetNumberOfPoints(), 4096, [&](vtkIdType first, vtkIdType last) {
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      const Part& part = this->Parts[static_cast<std::size_t>(i)];
+      const auto& view = this->Maps.Views[static_cast<std::size_t>(part.View)];
+      const glm::dvec3 center = view.At(part.Texel).Position;
+      centers->SetPoint(i, &center.x);
+    }
+  });
+  vtkNew<vtkPolyData> seen;
+  seen->SetPoints(centers);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(seen);
+  locator->BuildLocator();
+  double any[3];
+  points->GetPoint(0, any); // a data set may make what the threads then share
+  vtkSMPTools::For(begin, end, 1024, [&](vtkIdType first, vtkIdType last) {
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      const auto at = static_cast<std::size_t>(i - begin);
+      glm::dvec3 position;
+      points->GetPoint(i, &position.x);
+      if (!(std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z)))
+      {
+        continue;
+      }
+      if (this->Inside && this->Maps.IsInside(position))
+      {
+        state.Positions[at] = position;
+        continue;
+      }
+      const vtkIdType nearest = locator->FindClosestPoint(&position.x);
+      const Part& part = this->Parts[static_cast<std::size_t>(std::max<vtkIdType>(nearest, 0))];
+      const auto& view = this->Maps.Views[static_cast<std::size_t>(part.View)];
+      vtkRelievoParticlePlace place = view.At(part.Texel);
+      vtkRelievoParticlePlace held;
+      if (view.Find(position, false, held) &&
+        glm::distance(held.Position, position) < glm::distance(place.Position, position))
+      {
+        place = held;
+      }
+      state.Positions[at] = place.Position;
+      state.Views[at] = static_cast<unsigned char>(part.View);
+      if (this->Inside)
+      {
+        this->Maps.PushInside(state.Positions[at], 4. * this->Maps.GetTexelSize());
+      }
+    }
+  });
+  return state;
+}

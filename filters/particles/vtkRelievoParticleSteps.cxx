@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoParticleSteps.h"
+
+#include "vtkSMPTools.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace
+{
+// Long ways are taken in parts, so that none leads past a texel: at most so many in a step.
+constexpr int Parts = 512;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoParticleSteps::vtkRelievoParticleSteps(
+  const vtkRelievoParticleMaps& maps, const vtkRelievoParticleField& field, bool inside)
+  : Maps(maps)
+  , Field(field)
+  , Inside(inside)
+{
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoParticleSteps::Begin(
+  vtkRelievoParticleState start, double timeStep, int numberOfSteps, int checkpoints)
+{
+  this->Kept.clear();
+  this->Kept.emplace(0, std::move(start));
+  this->Latest = 0;
+  this->TimeStep = timeStep;
+  this->Interval = numberOfSteps / (checkpoints + 1) + 1;
+}
+
+//------------------------------------------------------------------------------
+const vtkRelievoParticleState* vtkRelievoParticleSteps::Get(
+  double steps, const std::function<bool(double)>& goesOn)
+{
+  // Rounding of times must not make a whole step two.
+  double part = steps - std::floor(steps);
+  const int whole = static_cast<int>(std::floor(steps)) + (part > 1. - 1e-6 ? 1 : 0);
+  part = part < 1e-6 || part > 1. - 1e-6 ? 0. : part;
+
+  auto before = std::prev(this->Kept.upper_bound(whole));
+  const int from = before->first;
+  if (from < whole)
+  {
+    // What no later time needs is not copied.
+    const bool isKept = from % this->Interval == 0;
+    vtkRelievoParticleState state;
+    if (isKept)
+    {
+      state = before->second;
+    }
+    else
+    {
+      state = std::move(before->second);
+      this->Kept.erase(before);
+    }
+    for (int step = from; step < whole; ++step)
+    {
+      if (!goesOn(static_cast<double>(step - from) / (whole - from)))
+      {
+        return nullptr;
+      }
+      this->Advance(state, this->TimeStep);
+      if ((step + 1) % this->Interval == 0 && step + 1 < whole)
+      {
+        this->Kept.emplace(step + 1, state);
+      }
+    }
+    if (this->Latest % this->Interval != 0)
+    {
+      this->Kept.erase(this->Latest);
+    }
+    this->Latest = whole;
+    before = this->Kept.emplace(whole, std::move(state)).first;
+  }
+  if (part == 0.)
+  {
+    return &before->second;
+  }
+  this->Between = before->second;
+  this->Advance(this->Between, part * this->TimeStep);
+  return &this->Between;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoParticleSteps::Advance(vtkRelievoParticleState& state, double time) const
+{
+  const auto count = static_cast<vtkIdType>(state.Positions.size());
+  vtkSMPTools::For(0, count, 2048, [&](vtkIdType begin, vtkIdType end) {
+    vtkRelievoParticleField::Reader reader(this->Field);
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+    {
+      if (this->Inside)
+      {
+        this->AdvanceInside(reader, state.Positions[i], time);
+      }
+      else
+      {
+        this->AdvanceOnSurface(state.Positions[i], state.Views[i], time);
+      }
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+// By the midpoint rule, in parts of half a texel.
+void vtkRelievoParticleSteps::AdvanceOnSurface(
+  glm::dvec3& position, unsigned char& view, double time) const
+{
+  double rest = time;
+  vtkRelievoParticlePlace here;
+  vtkRelievoParticlePlace next;
+  if (!this->Maps.Views[view].Find(position, true, here))
+  {
+    return;
+  }
+  for (int part = 0; part < Parts && rest > 0.; ++part)
+  {
+    const double speed = static_cast<double>(glm::length(here.Velocity));
+    if (!(speed > 0.))
+    {
+      return;
+    }
+    const double step = std::min(rest, 0.5 * this->Maps.Views[view].GetTexelSize() / speed);
+    glm::dvec3 velocity = here.Velocity;
+    int held = view;
+    const glm::dvec3 middle = here.Position + 0.5 * step * velocity;
+    glm::vec3 there;
+    if (this->Maps.Views[view].FindVelocity(middle, there))
+    {
+      velocity = there - glm::dot(there, here.Normal) * here.Normal;
+    }
+    else if (this->Maps.Hold(middle, here, held, next))
+    {
+      velocity = next.Velocity;
+    }
+    held = view;
+    if (!this->Maps.Hold(here.Position + step * velocity, here, held, next))
+    {
+      return; // at the end of what is seen
+    }
+    here = next;
+    position = here.Position;
+    view = static_cast<unsigned char>(held);
+    rest -= step;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoParticleSteps::AdvanceInside(
+  vtkRelievoParticleField::Reader& field, glm::dvec3& position, double time) const
+{
+  const double texel = this->Maps.GetTexelSize();
+  double rest = time;
+  for (int part = 0; part < Parts && rest > 0.; ++part)
+  {
+    glm::dvec3 velocity = field.InSpace(position);
+    const double speed = glm::length(velocity);
+    if (!(speed > 0.))
+    {
+      return;
+    }
+    const double step = std::min(rest, 0.5 * texel / speed);
+    const glm::dvec3 middle = position + 0.5 * step * velocity;
+    if (!this->Field.IsUniform() && this->Maps.IsInside(middle))
+    {
+      velocity = field.InSpace(middle);
+    }
+    glm::dvec3 to = position + step * velocity;
+    if (!this->Maps.IsInside(to) && !this->Maps.PushInside(to, 2. * texel))
+    {
+      return; // no way on from here
+    }
+    position = to;
+    rest -= step;
+  }
+}

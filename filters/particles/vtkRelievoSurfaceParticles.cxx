@@ -1,0 +1,389 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoSurfaceParticles.h"
+
+#include "vtkRelievoMemory.h"
+#include "vtkRelievoParticleOutput.h"
+#include "vtkRelievoParticleStart.h"
+#include "vtkRelievoParticleSteps.h"
+#include "vtkRelievoThreads.h"
+#include "vtkRelievoVoxelDepths.h"
+#include "vtkRelievoVoxelFit.h"
+#include "vtkRelievoVoxelMeshes.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataSet.h"
+#include "vtkErrorCode.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+vtkStandardNewMacro(vtkRelievoSurfaceParticles);
+
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+namespace
+{
+enum InputType
+{
+  SURFACE,
+  IMAGES,
+  POINTS,
+  FIELD,
+  INPUTS
+};
+
+vtkDataObject* InputOf(vtkInformationVector** inputs, int port)
+{
+  return inputs[port]->GetNumberOfInformationObjects() > 0 ? vtkDataObject::GetData(inputs[port])
+                                                           : nullptr;
+}
+}
+
+// What was made for the inputs and settings of the last update.
+struct vtkRelievoSurfaceParticles::Internals
+{
+  std::vector<vtkMTimeType> Stamps; // what the rest was made from
+  vtkRelievoParticleMaps Maps;
+  vtkRelievoParticleField Field;
+  std::unique_ptr<vtkRelievoParticleSteps> Steps;
+  vtkSmartPointer<vtkIdTypeArray> Numbers;
+  vtkSmartPointer<vtkCellArray> Vertices;
+
+  static std::vector<vtkMTimeType> StampsOf(vtkRelievoSurfaceParticles* self,
+    vtkInformationVector** inputs, vtkIdType first, vtkIdType end);
+  std::string MakeMaps(vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs);
+  std::string MakeField(vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs);
+  void MakeSteps(
+    vtkRelievoSurfaceParticles* self, vtkDataSet* points, vtkIdType first, vtkIdType end);
+};
+
+//------------------------------------------------------------------------------
+std::vector<vtkMTimeType> vtkRelievoSurfaceParticles::Internals::StampsOf(
+  vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs, vtkIdType first, vtkIdType end)
+{
+  std::vector<vtkMTimeType> stamps{ self->GetMTime(), static_cast<vtkMTimeType>(first),
+    static_cast<vtkMTimeType>(end) };
+  for (int port = 0; port < INPUTS; ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkDataObject* data = vtkDataObject::GetData(inputs[port], i);
+      stamps.push_back(data->GetMTime());
+      stamps.push_back(data->GetUpdateTime());
+      for (vtkDataSet* leaf : vtkRelievoVoxelMeshes::GetLeaves(data))
+      {
+        stamps.push_back(leaf->GetMTime());
+      }
+    }
+    stamps.push_back(0);
+  }
+  return stamps;
+}
+
+//------------------------------------------------------------------------------
+// Returns what is wrong, or an empty text.
+std::string vtkRelievoSurfaceParticles::Internals::MakeMaps(
+  vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs)
+{
+  this->Maps.Views.clear();
+  if (inputs[IMAGES]->GetNumberOfInformationObjects() > 0)
+  {
+    std::vector<vtkImageData*> images;
+    for (int i = 0; i < inputs[IMAGES]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkRelievoVoxelDepths::Add(vtkDataObject::GetData(inputs[IMAGES], i), images);
+    }
+    return images.size() > 255
+      ? "there are " + std::to_string(images.size()) + " depth images, expected up to 255"
+      : this->Maps.SetImages(images);
+  }
+  vtkDataObject* surface = InputOf(inputs, SURFACE);
+  double box[6];
+  if (!surface)
+  {
+    return "there is no input; give a surface (input 0) or depth images (input 1)";
+  }
+  if (!vtkRelievoVoxelMeshes::GetBounds(surface, box))
+  {
+    return {};
+  }
+  vtkRelievoVoxelFit fit;
+  fit.CellSize = self->TexelSize;
+  fit.Resolution = self->Resolution;
+  const std::string problem = fit.FindProblem(box);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  const std::array<double, 3> count = fit.Count(box);
+  // A map of either side, and the two depths that are read from the surface.
+  const double bytes = (count[0] * count[1] + count[1] * count[2] + count[2] * count[0]) *
+    static_cast<double>(2 * vtkRelievoParticleView::GetBytesPerTexel() + 2 * sizeof(double));
+  const std::string lack = relievo::LackOfMemory(bytes, self->MemoryLimit);
+  if (!lack.empty())
+  {
+    return "for the maps " + lack + "; make texels larger or the limit higher";
+  }
+  this->Maps.SetSurface(surface, fit.Fit(box));
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoSurfaceParticles::Internals::MakeField(
+  vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs)
+{
+  this->Field.Velocity = glm::dvec3(self->Velocity[0], self->Velocity[1], self->Velocity[2]);
+  this->Field.NoiseSpeed = std::isfinite(self->NoiseSpeed) ? self->NoiseSpeed : 0.;
+  this->Field.NoiseSeed = static_cast<unsigned int>(self->Seed);
+  vtkDataObject* given = InputOf(inputs, FIELD);
+  vtkDataObject* data = given ? given : InputOf(inputs, SURFACE);
+  if (self->FieldArray.empty() || (!data && this->Maps.GetNumberOfSeenTexels() == 0))
+  {
+    this->Field.ClearArray();
+    return {};
+  }
+  return data ? this->Field.SetArray(data, self->FieldArray)
+              : "FieldArray '" + self->FieldArray + "' needs data that have it: input 3 or 0";
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSurfaceParticles::Internals::MakeSteps(
+  vtkRelievoSurfaceParticles* self, vtkDataSet* points, vtkIdType first, vtkIdType end)
+{
+  const bool inside = self->Place == INSIDE;
+  const vtkRelievoParticleStart start(this->Maps, inside, static_cast<unsigned int>(self->Seed));
+  glm::dvec3 low;
+  glm::dvec3 high;
+  this->Field.Near = this->Maps.GetTexelSize();
+  const bool seen = start.GetBox(low, high);
+  const glm::dvec3 size = seen ? high - low : glm::dvec3(1.);
+  const double longest = std::max({ size.x, size.y, size.z, this->Maps.GetTexelSize() });
+  this->Field.NoiseScale = self->NoiseScale > 0. ? self->NoiseScale : longest / 5.;
+  for (vtkRelievoParticleView& view : this->Maps.Views)
+  {
+    const auto texels = static_cast<vtkIdType>(view.GetNumberOfTexels());
+    vtkSMPTools::For(0, inside ? 0 : texels, 4096, [&](vtkIdType begin, vtkIdType last) {
+      vtkRelievoParticleField::Reader reader(this->Field);
+      for (auto texel = static_cast<std::size_t>(begin); texel < static_cast<std::size_t>(last);
+           ++texel)
+      {
+        if (view.IsSeen(texel))
+        {
+          const vtkRelievoParticlePlace place = view.At(texel);
+          view.SetVelocity(
+            texel, glm::vec3(reader.OnSurface(place.Position, glm::dvec3(place.Normal))));
+        }
+      }
+    });
+  }
+  this->Steps = std::make_unique<vtkRelievoParticleSteps>(this->Maps, this->Field, inside);
+  this->Steps->Begin(
+    points ? start.AtPoints(points, first, end) : start.Spread(first, end, self->NumberOfParticles),
+    self->TimeStep, self->NumberOfSteps, self->Checkpoints);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSurfaceParticles::vtkRelievoSurfaceParticles()
+  : Self(new Internals)
+{
+  this->SetNumberOfInputPorts(INPUTS);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSurfaceParticles::~vtkRelievoSurfaceParticles() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoSurfaceParticles::SetFieldArray(const char* name)
+{
+  const std::string given = name ? name : "";
+  if (this->FieldArray != given)
+  {
+    this->FieldArray = given;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSurfaceParticles::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == IMAGES ? "vtkImageData" : "vtkDataSet");
+  if (port != POINTS)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  }
+  if (port == IMAGES)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSurfaceParticles::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* output = outputs->GetInformationObject(0);
+  std::vector<double> times(static_cast<std::size_t>(this->NumberOfSteps) + 1);
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    times[i] = this->StartTime + static_cast<double>(i) * this->TimeStep;
+  }
+  const double range[2] = { times.front(), times.back() };
+  output->Set(SDDP::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+  output->Set(SDDP::TIME_RANGE(), range, 2);
+  output->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSurfaceParticles::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  for (int port = 0; port < INPUTS; ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* input = inputs[port]->GetInformationObject(i);
+      if (input->Has(SDDP::TIME_STEPS()) && input->Length(SDDP::TIME_STEPS()) > 0)
+      {
+        input->Set(SDDP::UPDATE_TIME_STEP(), input->Get(SDDP::TIME_STEPS())[0]);
+      }
+      else if (input->Has(SDDP::TIME_RANGE()))
+      {
+        input->Set(SDDP::UPDATE_TIME_STEP(), input->Get(SDDP::TIME_RANGE())[0]);
+      }
+      else
+      {
+        input->Remove(SDDP::UPDATE_TIME_STEP());
+      }
+      if (input->Has(SDDP::WHOLE_EXTENT()))
+      {
+        input->Set(SDDP::UPDATE_EXTENT(), input->Get(SDDP::WHOLE_EXTENT()), 6);
+      }
+      input->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+      input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSurfaceParticles::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkPolyData* output = vtkPolyData::GetData(info);
+  output->Initialize();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  Internals& self = *this->Self;
+
+  double steps = 0.;
+  if (info->Has(SDDP::UPDATE_TIME_STEP()))
+  {
+    steps = (info->Get(SDDP::UPDATE_TIME_STEP()) - this->StartTime) / this->TimeStep;
+    steps = steps > 0. ? std::min(steps, static_cast<double>(this->NumberOfSteps)) : 0.;
+  }
+  output->GetInformation()->Set(
+    vtkDataObject::DATA_TIME_STEP(), this->StartTime + steps * this->TimeStep);
+
+  auto* points = vtkDataSet::SafeDownCast(InputOf(inputs, POINTS));
+  const vtkIdType count = points ? points->GetNumberOfPoints() : this->NumberOfParticles;
+  const vtkIdType pieces =
+    info->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) ? info->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) : 1;
+  const vtkIdType piece =
+    info->Has(SDDP::UPDATE_PIECE_NUMBER()) ? info->Get(SDDP::UPDATE_PIECE_NUMBER()) : 0;
+  const auto cut = [&](vtkIdType i) { return count / pieces * i + std::min(count % pieces, i); };
+  const vtkIdType first = cut(piece);
+  const vtkIdType end = cut(piece + 1);
+
+  const double stored = this->Checkpoints + 3.;
+  const double bytes = static_cast<double>(end - first) *
+    (stored * static_cast<double>(vtkRelievoParticleState::GetBytesPerParticle()) + 90.);
+  std::string problem = relievo::LackOfMemory(bytes, this->MemoryLimit);
+  problem = problem.empty() ? problem
+                            : "for " + std::to_string(end - first) + " of them " + problem +
+      "; ask for fewer or a higher limit";
+  const vtkRelievoParticleState* state = nullptr;
+  const auto work = [&]() {
+    const std::vector<vtkMTimeType> stamps = Internals::StampsOf(this, inputs, first, end);
+    if (self.Stamps != stamps)
+    {
+      self.Stamps.clear();
+      self.Steps.reset();
+      self.Numbers = nullptr;
+      problem = self.MakeMaps(this, inputs);
+      problem = problem.empty() ? self.MakeField(this, inputs) : problem;
+      if (!problem.empty())
+      {
+        return;
+      }
+      self.MakeSteps(this, points, first, end);
+      self.Stamps = stamps;
+    }
+    state = self.Steps->Get(steps, [this](double done) {
+      this->UpdateProgress(0.1 + 0.8 * done);
+      return !this->GetAbortExecute();
+    });
+    if (state)
+    {
+      vtkRelievoParticleOutput{ self.Maps, self.Field, this->Place == INSIDE, this->Orientations,
+        self.Numbers, self.Vertices }
+        .Write(*state, first, points, output);
+    }
+  };
+  if (problem.empty())
+  {
+    vtkRelievoWithThreads(work);
+  }
+  if (!problem.empty())
+  {
+    // The output stays empty. Status 0 would make the pipeline say it again in its own words.
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro("No particles: " << problem << ".");
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoSurfaceParticles::GetUsedTexelSize()
+{
+  return this->Self->Maps.GetTexelSize();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSurfaceParticles::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Place: " << (this->Place == INSIDE ? "inside" : "on surface") << "\n";
+  os << indent << "NumberOfParticles: " << this->NumberOfParticles << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "TexelSize: " << this->TexelSize << "\n";
+  os << indent << "Velocity: " << this->Velocity[0] << " " << this->Velocity[1] << " "
+     << this->Velocity[2] << "\n";
+  os << indent << "NoiseSpeed: " << this->NoiseSpeed << "\n";
+  os << indent << "NoiseScale: " << this->NoiseScale << "\n";
+  os << indent << "FieldArray: " << this->FieldArray << "\n";
+  os << indent << "StartTime: " << this->StartTime << "\n";
+  os << indent << "TimeStep: " << this->TimeStep << "\n";
+  os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
+  os << indent << "Checkpoints: " << this->Checkpoints << "\n";
+  os << indent << "Orientations: " << this->Orientations << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+}

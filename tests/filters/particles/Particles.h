@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Particles.h
+ * @brief What the tests of particles share: their places, and how far these are from a surface.
+ */
+#ifndef relievoTestParticles_h
+#define relievoTestParticles_h
+
+#include <vtkPolyData.h>
+
+#include <glm/vec3.hpp>
+
+#include <functional>
+#include <vector>
+
+class vtkRelievoSurfaceParticles;
+
+namespace relievoTest
+{
+using Places = std::vector<glm::dvec3>;
+
+/** Of the particles at a time, which the filter must make. */
+Places PlacesAt(vtkRelievoSurfaceParticles* filter, double time);
+
+/** The largest distance to the mesh's nearest point, by vtkStaticCellLocator. */
+double LargestDistance(const Places& places, vtkPolyData* mesh);
+
+/** The mesh with the point array `field` (double), of which each point has its value. */
+vtkSmartPointer<vtkPolyData> WithField(
+  vtkPolyData* mesh, const std::function<glm::dvec3(const glm::dvec3&)>& field);
+
+/** A square of triangles in z = 0, from -1 to 1, so many cells each way. */
+vtkSmartPointer<vtkPolyData> Sheet(int cells = 4);
+}
+
+#endif
