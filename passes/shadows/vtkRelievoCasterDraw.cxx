@@ -220,9 +220,9 @@ bool vtkRelievoCasterDraw::Begin(vtkOpenGLRenderWindow* window, const glm::dmat4
 {
   this->WorldToNDC = worldToNDC;
   this->WorldToView = worldToView;
-  this->Program = window->GetShaderCache()->ReadyShaderProgram(
-    vtkRelievoShaderLibrary::Get(vertexShader).c_str(),
-    vtkRelievoShaderLibrary::Get(fragmentShader).c_str(), "");
+  this->Program =
+    window->GetShaderCache()->ReadyShaderProgram(vtkRelievoShaderLibrary::Get(vertexShader).c_str(),
+      vtkRelievoShaderLibrary::Get(fragmentShader).c_str(), "");
   if (!this->Program)
   {
     return false;

@@ -119,8 +119,7 @@ bool vtkRelievoSeenVerdicts::Allocate()
     const int width = i == Tiles ? CountTiles(this->Width) : this->Width;
     const int height = i == Tiles ? CountTiles(this->Height) : this->Height;
     glBindTexture(GL_TEXTURE_2D, this->Textures[i]);
-    glTexImage2D(
-      GL_TEXTURE_2D, 0, formats[i], width, height, 0, channels[i], GL_FLOAT, nullptr);
+    glTexImage2D(GL_TEXTURE_2D, 0, formats[i], width, height, 0, channels[i], GL_FLOAT, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);

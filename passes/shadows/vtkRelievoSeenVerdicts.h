@@ -79,7 +79,7 @@ private:
   unsigned int Textures[4] = { 0, 0, 0, 0 }; // surfaces, verdicts, depth, tiles
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkRelievoKeptState> Kept; // while drawing
-  std::vector<double> SurfacesDrawn; // the state of what is there; none if nothing is
+  std::vector<double> SurfacesDrawn;         // the state of what is there; none if nothing is
   std::vector<double> VerdictsDrawn;
   int Width = 0;
   int Height = 0;

@@ -98,9 +98,8 @@ void vtkRelievoShadowMethodExact::FindSurfaces(const vtkRelievoShadowWork& work)
       others.insert(actor->GetMapper());
     }
   }
-  this->Surfaces.erase(
-    std::remove_if(this->Surfaces.begin(), this->Surfaces.end(),
-      [&](vtkActor* actor) { return others.count(actor->GetMapper()) > 0; }),
+  this->Surfaces.erase(std::remove_if(this->Surfaces.begin(), this->Surfaces.end(),
+                         [&](vtkActor* actor) { return others.count(actor->GetMapper()) > 0; }),
     this->Surfaces.end());
 }
 
@@ -157,11 +156,10 @@ int vtkRelievoShadowMethodExact::Draw(vtkRelievoShadowWork& work, vtkRenderer*)
   state.insert(state.end(), &rays.Center.x, &rays.Center.x + 3);
   state.insert(state.end(), &rays.Blur.x, &rays.Blur.x + 2);
   const int calls = this->Seen.DrawSurfaces(this->Surfaces, work.PlainDraw);
-  return calls +
-    this->Seen.DrawVerdicts(rays.Sources, state, [&](vtkShaderProgram* program) {
-      this->Tell(program, rays, true);
-      program->SetUniform3f("relievoShadowCenter", &rays.Center.x);
-    });
+  return calls + this->Seen.DrawVerdicts(rays.Sources, state, [&](vtkShaderProgram* program) {
+    this->Tell(program, rays, true);
+    program->SetUniform3f("relievoShadowCenter", &rays.Center.x);
+  });
 }
 
 //------------------------------------------------------------------------------

@@ -3,12 +3,12 @@
 // Places in pixels and verdicts about them, for verdicts that are found once for each pixel.
 //
 // Pixels are counted from the middle of the viewport, so that their centres are exact in float. A
-// place that is seen at a pixel's centre is given by its eye-space z: whoever has the same z has the
-// same place, bit for bit.
+// place that is seen at a pixel's centre is given by its eye-space z: whoever has the same z has
+// the same place, bit for bit.
 
 // Local space: the world's axes, about a point amid what is seen; from eye space about the centre.
 uniform mat4 relievoShadowToLocal;
-// Texel: z, and the code of the normal towards the eye; far behind everything where nothing is seen.
+// Texel: z, far behind everything where nothing is seen, and the code of the plane's normal.
 uniform sampler2D relievoSeen;
 uniform vec2 relievoSeenSize; // of the viewport, in pixels
 // From eye space to pixels: (x * X.x + z * X.y + X.z) / (z * W.x + W.y), Y likewise; to depth:

@@ -68,10 +68,10 @@ bool relievoTileMeets(int casters, relievoTile tile, vec4 source)
       vec4 least = texelFetch(relievoShadowTree, base + 2 * node);
       vec4 most = texelFetch(relievoShadowTree, base + 2 * node + 1);
       bool within = relievoRayMeetsBox(from, inverse, last, least.xyz - room, most.xyz + room);
-      bool last4 = least.w < 0.0;
-      int slot = within && last4 ? int(-1.0 - least.w) : 0;
-      int end = within && last4 ? slot + int(most.w) : 0;
-      node = within || last4 ? node + 1 : int(least.w);
+      bool isLeaf = least.w < 0.0;
+      int slot = within && isLeaf ? int(-1.0 - least.w) : 0;
+      int end = within && isLeaf ? slot + int(most.w) : 0;
+      node = within || isLeaf ? node + 1 : int(least.w);
       while (slot < end)
       {
         bool odd = (slot & 1) != 0;
@@ -85,16 +85,16 @@ bool relievoTileMeets(int casters, relievoTile tile, vec4 source)
         vec3 normal = cross(b - a, c - a);
         float toward = ends ? dot(normal, light - a) : dot(normal, ray);
         float nearest = near * length(normal);
-        float least4 = 1e38;
+        float lowest = 1e38;
         for (int k = 0; k < 4; ++k)
         {
           vec4 corner = vec4(tile.corners[k], 1.0);
           vec3 place = vec3(dot(rowX, corner), dot(rowY, corner), dot(rowZ, corner));
-          least4 = min(least4, dot(normal, place - a) * sign(toward));
+          lowest = min(lowest, dot(normal, place - a) * sign(toward));
         }
         bool inBox = relievoRayMeetsBox(
           from, inverse, last, min(a, min(b, c)) - room, max(a, max(b, c)) + room);
-        met = met || !(least4 >= -0.5 * nearest || !inBox);
+        met = met || !(lowest >= -0.5 * nearest || !inBox);
         ++slot;
       }
     }
@@ -137,13 +137,13 @@ void main()
   tile.middle = 0.5 * low + 0.5 * high;
   tile.extent = 0.5001 * (high - low) + 1e-6 * max(abs(low), abs(high));
   tile.blur = relievoShadowBlur.x + relievoShadowBlur.y * eye;
-  bool flat4 = whole && off <= 0.4 * tile.blur;
+  bool plane = whole && off <= 0.4 * tile.blur;
   float sure = 0.0;
   float digit = 1.0;
   for (int light = 0; light < relievoSeenLights; ++light)
   {
-    bool met = relievoTileMeets(flat4 ? relievoShadowCasters : 0, tile, relievoSeenSource[light]);
-    sure += flat4 && !met ? digit : 0.0;
+    bool met = relievoTileMeets(plane ? relievoShadowCasters : 0, tile, relievoSeenSource[light]);
+    sure += plane && !met ? digit : 0.0;
     digit *= 2.0;
   }
   gl_FragData[0] = vec4(some && sure < digit - 1.0 ? sure : -1.0, 0.0, 0.0, 0.0);

@@ -6,8 +6,8 @@
 // record of five texels for each caster, then for each mesh, at a multiple of 16 texels, the nodes
 // of a tree over its triangles and the triangles, five texels for two.
 //
-// On software OpenGL branches cost what is in them, whether they are taken or not, and loops one turn
-// at least. So each loop does one thing until there is something else to do.
+// On software OpenGL branches cost what is in them, whether they are taken or not, and loops one
+// turn at least. So each loop does one thing until there is something else to do.
 uniform samplerBuffer relievoShadowTree;
 uniform int relievoShadowCasters; // nodes over them
 uniform int relievoShadowRecords; // texel of the first record

@@ -203,8 +203,8 @@ void TestLights()
         s.Frame->ShadowsOn();
         s.Frame->GetShadowPass()->SetStrength(0.8);
       });
-    Compare(std::string("exact shadows, ") + light.Name, { &light, &Surfaces[2] },
-      [](DeferredScene& s) {
+    Compare(
+      std::string("exact shadows, ") + light.Name, { &light, &Surfaces[2] }, [](DeferredScene& s) {
         s.Frame->ShadowsOn();
         s.Frame->GetShadowPass()->SetMethodToExact();
       });

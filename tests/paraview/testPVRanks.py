@@ -8,7 +8,8 @@ import subprocess
 
 import pv
 
-STEPS = "off kit sun moved-sun moved-camera warped forward exact lamp normal depth off-again".split()
+STEPS = "off kit sun moved-sun moved-camera warped forward exact lamp normal depth".split()
+STEPS.append("off-again")
 SCENE = pathlib.Path(__file__).with_name("ranksScene.py")
 
 
