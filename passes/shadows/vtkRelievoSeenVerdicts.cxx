@@ -3,11 +3,13 @@
 #include "vtkRelievoSeenVerdicts.h"
 
 #include "vtkActor.h"
+#include "vtkMapper.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkProperty.h"
 #include "vtkRelievoCasterDraw.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkShaderProgram.h"
@@ -331,10 +333,15 @@ void vtkRelievoSeenVerdicts::SetUniforms(vtkShaderProgram* program) const
 //------------------------------------------------------------------------------
 void vtkRelievoSeenVerdicts::SetActorUniforms(vtkShaderProgram* program, vtkActor* actor) const
 {
-  // Of a pixel with several samples, some may see past what is seen at its centre.
+  // Of a pixel with several samples, some may see past what is seen at its centre; lines, edges and
+  // offsets in depth are drawn over what is nearer.
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
-  const bool hides = this->Lights > 0 && samples <= 1 && actor->HasOpaqueGeometry();
+  vtkProperty* property = actor->GetProperty();
+  const bool hides = this->Lights > 0 && samples <= 1 && actor->HasOpaqueGeometry() &&
+    vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
+    property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
+    !property->GetVertexVisibility();
   program->SetUniformi("relievoSeenHides", hides ? 1 : 0);
 }
 
