@@ -116,6 +116,17 @@ vtkActor* vtkRelievoCasterDraw::GetPlainActor(vtkProp* prop) const
 }
 
 //------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoCasterDraw::GetBuildTime(vtkActor* actor) const
+{
+  vtkMTimeType time = 0;
+  for (vtkOpenGLPolyDataMapper* mapper : this->GetBuffers(actor))
+  {
+    time = std::max(time, Access::BuildTime(mapper));
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor* actor) const
 {
   // Exactly these classes, of actors and of mappers: a derived one may draw otherwise.
@@ -199,10 +210,19 @@ void vtkRelievoCasterDraw::Learn(vtkOpenGLPolyDataMapper* mapper)
 //------------------------------------------------------------------------------
 bool vtkRelievoCasterDraw::Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC)
 {
+  return this->Begin(
+    window, worldToNDC, glm::dmat4(1.0), "shadow/casterVS.glsl", "shadow/casterFS.glsl");
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC,
+  const glm::dmat4& worldToView, const std::string& vertexShader, const std::string& fragmentShader)
+{
   this->WorldToNDC = worldToNDC;
-  this->Program = window->GetShaderCache()->ReadyShaderProgram(
-    vtkRelievoShaderLibrary::Get("shadow/casterVS.glsl").c_str(),
-    vtkRelievoShaderLibrary::Get("shadow/casterFS.glsl").c_str(), "");
+  this->WorldToView = worldToView;
+  this->Program =
+    window->GetShaderCache()->ReadyShaderProgram(vtkRelievoShaderLibrary::Get(vertexShader).c_str(),
+      vtkRelievoShaderLibrary::Get(fragmentShader).c_str(), "");
   if (!this->Program)
   {
     return false;
@@ -233,13 +253,18 @@ int vtkRelievoCasterDraw::Draw(vtkActor* actor)
 int vtkRelievoCasterDraw::Draw(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
 {
   vtkOpenGLVertexBufferObject* vertices = Access::Buffers(mapper)->GetVBO("vertexMC");
-  glm::dmat4 modelToNDC = this->WorldToNDC * vtkRelievoToGlm(actor->GetMatrix());
+  glm::dmat4 modelToWorld = vtkRelievoToGlm(actor->GetMatrix());
   if (vertices->GetCoordShiftAndScaleEnabled())
   {
-    modelToNDC = modelToNDC * glm::transpose(vtkRelievoToGlm(Access::ShiftScale(mapper)));
+    modelToWorld = modelToWorld * glm::transpose(vtkRelievoToGlm(Access::ShiftScale(mapper)));
   }
-  const glm::mat4 matrix(modelToNDC);
+  const glm::mat4 matrix(this->WorldToNDC * modelToWorld);
   this->Program->SetUniformMatrix4x4("MCDCMatrix", const_cast<float*>(&matrix[0][0]));
+  if (this->Program->IsUniformUsed("MCVCMatrix"))
+  {
+    const glm::mat4 toView(this->WorldToView * modelToWorld);
+    this->Program->SetUniformMatrix4x4("MCVCMatrix", const_cast<float*>(&toView[0][0]));
+  }
   vertices->Bind();
   glVertexAttribPointer(static_cast<unsigned int>(this->Attribute), 3, GL_FLOAT, GL_FALSE,
     static_cast<GLsizei>(vertices->GetStride()), nullptr);

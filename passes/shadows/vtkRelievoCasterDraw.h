@@ -47,8 +47,16 @@ public:
   // mappers.
   vtkActor* GetPlainActor(vtkProp* prop) const;
 
+  // Changes when what it would draw is of other buffers.
+  vtkMTimeType GetBuildTime(vtkActor* actor) const;
+
   // Between Begin and End, into what is bound for drawing. False if the shader does not compile.
   bool Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC);
+
+  // Likewise with another program, which may read MCVCMatrix as well.
+  bool Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC,
+    const glm::dmat4& worldToView, const std::string& vertexShader,
+    const std::string& fragmentShader);
   int Draw(vtkActor* actor); // returns draw calls
   void End();
 
@@ -63,6 +71,7 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkShaderProgram* Program = nullptr; // the window's shader cache owns it
   glm::dmat4 WorldToNDC{ 1.0 };
+  glm::dmat4 WorldToView{ 1.0 };
   struct Known
   {
     vtkWeakPointer<vtkOpenGLPolyDataMapper> Mapper;

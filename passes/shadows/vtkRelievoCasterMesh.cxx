@@ -137,10 +137,12 @@ bool vtkRelievoCasterMesh::Follows(vtkPolyData* data)
   ForEachCell(
     data->GetPolys(), [&](vtkIdType count, const vtkIdType*) { follows = follows && count < 5; });
 #endif
-  return follows &&
-    data->GetPolys()->GetNumberOfConnectivityIds() +
-      data->GetStrips()->GetNumberOfConnectivityIds() <=
-    Most;
+  vtkIdType triangles = 0;
+  for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
+  {
+    triangles += cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells();
+  }
+  return follows && triangles <= Most;
 }
 
 //------------------------------------------------------------------------------

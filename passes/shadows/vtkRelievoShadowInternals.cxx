@@ -29,6 +29,7 @@ void vtkRelievoShadowPass::Internals::UpdateStructure()
   {
     structure.Lights.push_back({ entry.Light.ShaderIndex, !entry.Light.Positional, entry.Cube });
   }
+  structure.Found = this->Method->GetFound(structure.Lights.size());
   if (!(structure == this->Work.Structure))
   {
     this->Work.Structure = structure;

@@ -58,8 +58,10 @@ public:
   // The source with the section MethodDec that shaders/shadow/receive.glsl asks for.
   virtual std::string GetShader() const = 0;
 
-  // Whether rays decide: the section TraceImpl, after what the maps say.
+  // Whether rays decide, after what the maps say: the sections PlaceImpl and TraceDec, TraceImpl,
+  // or FoundImpl for actors whose verdicts about so many lights are found by Draw.
   virtual bool Traces() const { return false; }
+  virtual std::vector<vtkActor*> GetFound(std::size_t /*lights*/) const { return {}; }
 
   // Depth of a map that is taken off receivers for a bias in texels, before the shader's section.
   virtual double GetBias(const vtkRelievoShadowView& view, double texels) const

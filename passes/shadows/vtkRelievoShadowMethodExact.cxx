@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowMethodExact.h"
 
+#include "vtkActor.h"
+#include "vtkMapper.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkProperty.h"
 #include "vtkRelievoShadowRegion.h"
 #include "vtkRelievoShadowWork.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace
@@ -49,7 +54,9 @@ std::string vtkRelievoShadowMethodExact::Prepare(vtkRelievoShadowWork& work, vtk
   std::string fault =
     this->Tree.Update(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()),
       work.Props.TakeFollowed(), GetOrigin(work.View, center));
-  if (fault.empty() && !this->Tree.Bind())
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (fault.empty() &&
+    !(this->Tree.Bind() && this->Seen.Begin(window, work.View, this->Tree.HasTranslucent())))
   {
     fault = "all texture units of this OpenGL are taken";
   }
@@ -57,38 +64,120 @@ std::string vtkRelievoShadowMethodExact::Prepare(vtkRelievoShadowWork& work, vtk
   {
     work.Props.PutBackFollowed();
   }
+  this->Surfaces.clear();
+  if (fault.empty())
+  {
+    this->InMaps = work.Props.GetCasterBoxes().size();
+    this->FindSurfaces(work);
+    this->Alone = work.OwnSteps && window->GetMultiSamples() <= 1;
+  }
   return fault;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMethodExact::FindSurfaces(const vtkRelievoShadowWork& work)
+{
+  for (vtkProp* prop : work.Props.GetSeen())
+  {
+    vtkActor* actor = work.PlainDraw.GetPlainActor(prop);
+    vtkProperty* property = actor ? actor->GetProperty() : nullptr;
+    if (actor && actor->HasOpaqueGeometry() && !property->GetBackfaceCulling() &&
+      !property->GetFrontfaceCulling())
+    {
+      this->Surfaces.push_back(actor);
+    }
+  }
+  // A mapper has one shader for all of its actors.
+  const std::set<vtkProp*> plain(this->Surfaces.begin(), this->Surfaces.end());
+  std::set<vtkMapper*> others;
+  for (vtkProp* part : work.Props.GetParts())
+  {
+    auto* actor = vtkActor::SafeDownCast(part);
+    if (actor && plain.count(actor) == 0)
+    {
+      others.insert(actor->GetMapper());
+    }
+  }
+  this->Surfaces.erase(std::remove_if(this->Surfaces.begin(), this->Surfaces.end(),
+                         [&](vtkActor* actor) { return others.count(actor->GetMapper()) > 0; }),
+    this->Surfaces.end());
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkActor*> vtkRelievoShadowMethodExact::GetFound(std::size_t lights) const
+{
+  return this->Alone && lights <= static_cast<std::size_t>(this->Seen.GetMostLights())
+    ? this->Surfaces
+    : std::vector<vtkActor*>();
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowMethodExact::Rays vtkRelievoShadowMethodExact::GetRays(
+  const vtkRelievoShadowWork& work) const
+{
+  Rays rays;
+  // As vtkRelievoShadowUniforms hands the center to the shader.
+  const glm::dvec3& center = work.Cache.GetCenter();
+  rays.Center = glm::vec3(work.View.WorldToView * glm::dvec4(center, 1.0));
+  const glm::dmat4 viewToWorld = glm::inverse(work.View.WorldToView);
+  glm::dmat4 toLocal{ glm::dmat3(viewToWorld) };
+  toLocal[3] = glm::dvec4(
+    glm::dvec3(viewToWorld * glm::dvec4(glm::dvec3(rays.Center), 1.0)) - this->Tree.GetOrigin(),
+    1.0);
+  rays.ToLocal = glm::mat4(toLocal);
+  rays.Blur = glm::vec2(Roundings * Ulp * GetSizeInView(work.View, center), Roundings * Ulp);
+  for (const auto& entry : work.Cache.GetEntries())
+  {
+    const vtkRelievoShadowLight& light = entry.Light;
+    rays.Sources.emplace_back(light.Positional
+        ? glm::dvec4(light.Position - this->Tree.GetOrigin(), 1.0)
+        : glm::dvec4(-light.Direction, 0.0));
+  }
+  return rays;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMethodExact::Tell(
+  vtkShaderProgram* program, const Rays& rays, bool walks) const
+{
+  program->SetUniformi("relievoShadowTree", this->Tree.GetTextureUnit());
+  program->SetUniformi("relievoShadowCasters", walks ? this->Tree.GetNumberOfNodes() : 0);
+  program->SetUniformi("relievoShadowRecords", this->Tree.GetFirstRecord());
+  program->SetUniformMatrix4x4("relievoShadowToLocal", const_cast<float*>(&rays.ToLocal[0][0]));
+  program->SetUniform2f("relievoShadowBlur", &rays.Blur.x);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowMethodExact::Draw(vtkRelievoShadowWork& work, vtkRenderer*)
+{
+  const Rays rays = this->GetRays(work);
+  std::vector<double> state(1, this->Tree.GetVersion());
+  state.insert(state.end(), &rays.ToLocal[0][0], &rays.ToLocal[0][0] + 16);
+  state.insert(state.end(), &rays.Center.x, &rays.Center.x + 3);
+  state.insert(state.end(), &rays.Blur.x, &rays.Blur.x + 2);
+  const int calls = this->Seen.DrawSurfaces(this->Surfaces, work.PlainDraw);
+  return calls + this->Seen.DrawVerdicts(rays.Sources, state, [&](vtkShaderProgram* program) {
+    this->Tell(program, rays, true);
+    program->SetUniform3f("relievoShadowCenter", &rays.Center.x);
+  });
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowMethodExact::SetFrameUniforms(
   vtkShaderProgram* program, const vtkRelievoShadowWork& work) const
 {
-  // As vtkRelievoShadowUniforms hands the center to the shader.
-  const glm::dvec3& center = work.Cache.GetCenter();
-  const glm::dvec3 centerVC(glm::vec3(work.View.WorldToView * glm::dvec4(center, 1.0)));
-  const glm::dmat4 viewToWorld = glm::inverse(work.View.WorldToView);
-  glm::dmat4 toLocal{ glm::dmat3(viewToWorld) };
-  toLocal[3] =
-    glm::dvec4(glm::dvec3(viewToWorld * glm::dvec4(centerVC, 1.0)) - this->Tree.GetOrigin(), 1.0);
-  const glm::mat4 matrix(toLocal);
-  std::vector<glm::vec4> sources;
-  for (const auto& entry : work.Cache.GetEntries())
-  {
-    const vtkRelievoShadowLight& light = entry.Light;
-    sources.emplace_back(light.Positional ? glm::dvec4(light.Position - this->Tree.GetOrigin(), 1.0)
-                                          : glm::dvec4(-light.Direction, 0.0));
-  }
-  const float blur[2] = { static_cast<float>(Roundings * Ulp * GetSizeInView(work.View, center)),
-    static_cast<float>(Roundings * Ulp) };
-  program->SetUniformi("relievoShadowTree", this->Tree.GetTextureUnit());
-  program->SetUniformi(
-    "relievoShadowCasters", work.DrawingAnyMaps ? 0 : this->Tree.GetNumberOfNodes());
-  program->SetUniformi("relievoShadowRecords", this->Tree.GetFirstRecord());
-  program->SetUniformMatrix4x4("relievoShadowToLocal", const_cast<float*>(&matrix[0][0]));
-  program->SetUniform4fv("relievoShadowSource", static_cast<int>(sources.size()),
-    reinterpret_cast<const float(*)[4]>(&sources[0].x));
-  program->SetUniform2f("relievoShadowBlur", blur);
+  const Rays rays = this->GetRays(work);
+  this->Tell(program, rays, !work.DrawingAnyMaps);
+  program->SetUniform4fv("relievoShadowSource", static_cast<int>(rays.Sources.size()),
+    reinterpret_cast<const float(*)[4]>(&rays.Sources[0].x));
+  this->Seen.SetUniforms(program);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMethodExact::SetActorUniforms(
+  vtkShaderProgram* program, const vtkRelievoShadowWork&, vtkActor* actor) const
+{
+  this->Seen.SetActorUniforms(program, actor);
 }
 
 //------------------------------------------------------------------------------
@@ -107,5 +196,10 @@ std::string vtkRelievoShadowMethodExact::GetReport() const
   out << ", rays past " << this->Tree.GetNumberOfTriangles() << " triangles of "
       << this->Tree.GetNumberOfCasters()
       << (this->Tree.GetNumberOfCasters() == 1 ? " caster" : " casters");
+  if (this->InMaps > 0)
+  {
+    out << "; " << this->InMaps << (this->InMaps == 1 ? " prop" : " props")
+        << " that cannot be followed in maps";
+  }
   return out.str();
 }

@@ -6,6 +6,7 @@
 #ifndef vtkRelievoShadowMethodExact_h
 #define vtkRelievoShadowMethodExact_h
 
+#include "vtkRelievoSeenVerdicts.h"
 #include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoShadowTree.h"
 
@@ -13,17 +14,44 @@ class vtkRelievoShadowMethodExact : public vtkRelievoShadowMethod
 {
 public:
   std::string Prepare(vtkRelievoShadowWork& work, vtkRenderer* renderer) override;
-  void Unbind() override { this->Tree.Unbind(); }
+  int Draw(vtkRelievoShadowWork& work, vtkRenderer* renderer) override;
+  void Unbind() override
+  {
+    this->Tree.Unbind();
+    this->Seen.Unbind();
+  }
   std::string GetShader() const override { return "shadow/exact.glsl"; }
   bool Traces() const override { return true; }
   void SetFrameUniforms(vtkShaderProgram* program, const vtkRelievoShadowWork& work) const override;
+  std::vector<vtkActor*> GetFound(std::size_t lights) const override;
+  void SetActorUniforms(
+    vtkShaderProgram* program, const vtkRelievoShadowWork& work, vtkActor* actor) const override;
   vtkRelievoShadowEstimate Estimate(const vtkRelievoShadowDemand& demand) const override;
   std::string GetReport() const override;
-  vtkIdType GetBytes() const override { return this->Tree.GetBytes(); }
-  void Release(vtkWindow* window) override { this->Tree.Release(window); }
+  vtkIdType GetBytes() const override { return this->Tree.GetBytes() + this->Seen.GetBytes(); }
+  void Release(vtkWindow* window) override
+  {
+    this->Tree.Release(window);
+    this->Seen.Release(window);
+  }
 
 private:
+  struct Rays // what a shader is told of them
+  {
+    glm::mat4 ToLocal{ 1.f };
+    glm::vec3 Center{ 0.f }; // eye space
+    glm::vec2 Blur{ 0.f };
+    std::vector<glm::vec4> Sources;
+  };
+  void FindSurfaces(const vtkRelievoShadowWork& work);
+  Rays GetRays(const vtkRelievoShadowWork& work) const;
+  void Tell(vtkShaderProgram* program, const Rays& rays, bool walks) const;
+
   vtkRelievoShadowTree Tree;
+  vtkRelievoSeenVerdicts Seen;
+  std::size_t InMaps = 0;          // casters that cannot be followed
+  std::vector<vtkActor*> Surfaces; // of this frame, whose verdicts are found
+  bool Alone = false;              // each of their pixels shows what is seen at its centre
 };
 
 #endif

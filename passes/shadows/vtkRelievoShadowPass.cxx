@@ -296,6 +296,7 @@ void vtkRelievoShadowPass::PrepareMethod(vtkRelievoFrameContext& context)
   const bool refused = this->Method == in.MethodRefused && in.Work.Props.GetState() == in.Refused;
   in.UseMethod(refused ? METHOD_MAP : this->Method, context.Window);
   std::string fault;
+  in.Work.OwnSteps = context.OwnSteps;
   if (in.Schedule.Exchange.IsOn() && in.Method->Traces())
   {
     fault = "each process has only its own part of the casters";

@@ -35,7 +35,7 @@ bool vtkRelievoShadowPass::PostReplaceShaderValues(std::string& vertexShader,
   }
   const std::string own[3] = { vertexShader, geometryShader, fragmentShader };
   std::string missing = vtkRelievoShadowSplice::Fill(
-    vertexShader, geometryShader, fragmentShader, mapper, in.Work.Structure);
+    vertexShader, geometryShader, fragmentShader, mapper, actor, in.Work.Structure);
   std::string key = mapper->GetClassName() + missing;
   if (missing.empty())
   {
@@ -79,7 +79,8 @@ bool vtkRelievoShadowPass::SetShaderParameters(vtkShaderProgram* program,
     // A sheet blocks light from both sides.
     vtkRelievoShadowMaps::DrawBothSides(in.Window);
   }
-  if (!program->IsUniformUsed("relievoShadowMaps") && !program->IsUniformUsed("relievoShadowTree"))
+  if (!program->IsUniformUsed("relievoShadowMaps") &&
+    !program->IsUniformUsed("relievoSeenVerdicts"))
   {
     return true;
   }

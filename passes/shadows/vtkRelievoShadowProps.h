@@ -66,6 +66,12 @@ public:
   int RenderSurfaces(
     vtkRenderer* renderer, const glm::dmat4& worldToNDC, vtkRelievoCasterDraw& plainDraw);
 
+  // Of all props those that are seen.
+  const std::vector<vtkProp*>& GetSeen() const { return this->Seen; }
+
+  // All actors that draw these and the props that are not.
+  const std::set<vtkProp*>& GetParts() const { return this->Parts; }
+
   // Which sides are seen of what is seen: casting does not depend on it.
   const std::vector<bool>& GetCulling() const { return this->Culling; }
 

@@ -7,6 +7,7 @@
 #include "vtkRelievoSpliceText.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
 #include <sstream>
 
 using namespace vtkRelievoSpliceText;
@@ -48,7 +49,8 @@ void vtkRelievoShadowSplice::Mark(std::string& vertex, std::string& geometry, st
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geometry,
-  std::string& fragment, vtkOpenGLPolyDataMapper* mapper, const Structure& structure)
+  std::string& fragment, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor,
+  const Structure& structure)
 {
   const bool impostor = Has(fragment, "vertexVC.xyz =") && Has(fragment, "normalVCVSOutput");
   std::string lights;
@@ -111,13 +113,17 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
     FillWord(normal, "RELIEVO_IMPOSTOR_NORMAL", "normalVCVSOutput");
   }
   FillMark(fragment, Extensions, Section("Extensions") + GetContract());
+  const auto ofMethod = [&](const char* section) {
+    return vtkRelievoShaderLibrary::GetSection(structure.Method, section);
+  };
+  const bool found = std::count(structure.Found.begin(), structure.Found.end(), actor) > 0;
+  const bool traced = structure.Traced && !found;
   FillMark(fragment, Dec,
-    dec.str() + Section("FragmentDec") +
-      vtkRelievoShaderLibrary::GetSection(structure.Method, "MethodDec") + Section("MapsDec") +
-      lights);
+    dec.str() + Section("FragmentDec") + ofMethod("MethodDec") +
+      (traced ? ofMethod("TraceDec") : std::string()) + Section("MapsDec") + lights);
   FillMark(fragment, UniformFlow, flow);
   const std::string trace = structure.Traced
-    ? vtkRelievoShaderLibrary::GetSection(structure.Method, "TraceImpl")
+    ? ofMethod("PlaceImpl") + ofMethod(traced ? "TraceImpl" : "FoundImpl")
     : std::string();
   FillMark(fragment, Impl, normal + visibility + trace + colors);
   return std::string();

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+class vtkActor;
 class vtkOpenGLPolyDataMapper;
 
 namespace vtkRelievoShadowSplice
@@ -35,6 +36,8 @@ struct Structure
   bool WideFilter = false;   // of a radius above 1
   int Numbers = 0;           // lights of the renderer
   bool Unlit = false;        // visibility is asked for also where no light is computed
+  // Whose verdicts the method finds before the picture; for comparison only.
+  std::vector<vtkActor*> Found;
 
   int GetFaces() const
   {
@@ -50,16 +53,16 @@ struct Structure
     return this->Lights == other.Lights && this->Method == other.Method &&
       this->Maps == other.Maps && this->Traced == other.Traced &&
       this->WideFilter == other.WideFilter && this->Numbers == other.Numbers &&
-      this->Unlit == other.Unlit;
+      this->Unlit == other.Unlit && this->Found == other.Found;
   }
 };
 
 // Before VTK fills its tags in: marks that survive it.
 void Mark(std::string& vertex, std::string& geometry, std::string& fragment);
 
-// After it. Returns what is missing, in words.
+// After it, for an actor's mapper. Returns what is missing, in words.
 std::string Fill(std::string& vertex, std::string& geometry, std::string& fragment,
-  vtkOpenGLPolyDataMapper* mapper, const Structure& structure);
+  vtkOpenGLPolyDataMapper* mapper, vtkActor* actor, const Structure& structure);
 }
 
 #endif

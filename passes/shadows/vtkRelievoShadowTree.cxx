@@ -155,6 +155,7 @@ std::string vtkRelievoShadowTree::Update(vtkOpenGLRenderWindow* window,
   {
     return {};
   }
+  this->Version += 1.0;
   this->Origin = origin;
   this->Casters = casters;
   const auto count = std::count_if(casters.begin(), casters.end(), [this](const auto& caster) {
@@ -235,6 +236,13 @@ vtkIdType vtkRelievoShadowTree::GetNumberOfTriangles() const
     count += held.second->Mesh.GetNumberOfTriangles();
   }
   return count;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowTree::HasTranslucent() const
+{
+  return std::any_of(this->Casters.begin(), this->Casters.end(),
+    [](const vtkRelievoCaster& caster) { return caster.Passes > 0.0; });
 }
 
 //------------------------------------------------------------------------------

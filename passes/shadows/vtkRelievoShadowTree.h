@@ -42,6 +42,12 @@ public:
   void Unbind();
   int GetTextureUnit() const { return this->Unit; }
 
+  // Another number for each content of the buffer.
+  double GetVersion() const { return this->Version; }
+
+  // Whether a caster lets part of the light pass.
+  bool HasTranslucent() const;
+
   const glm::dvec3& GetOrigin() const { return this->Origin; }
   int GetNumberOfNodes() const { return this->Nodes; } // over the casters
   int GetFirstRecord() const { return 2 * this->Nodes; }
@@ -72,6 +78,7 @@ private:
   std::vector<glm::vec4> Front; // nodes and records of the casters
   glm::dvec3 Origin{ 0.0 };
   int Nodes = 0;
+  double Version = 0.0;
   int MeshesBuilt = 0;
   int MeshesRefitted = 0;
   std::size_t Texels = 0;

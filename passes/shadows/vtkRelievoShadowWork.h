@@ -41,6 +41,7 @@ struct vtkRelievoShadowWork
   int MapsDrawn = 0; // anew, in this frame
   bool DrawingMaps = false;
   bool DrawingDepth = false; // that the camera sees, for a method
+  bool OwnSteps = true;      // the renderer draws the picture without a pass of its own
   bool OnEverything = false; // shadows fall also on what was chosen not to receive any
 
   // Texels from a map's middle to where the filter no longer has room.

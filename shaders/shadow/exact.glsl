@@ -3,135 +3,80 @@
 // The verdict of a ray from the fragment's own place to the light against the casters' triangles;
 // what is no triangle is looked up in maps: see receive.glsl.
 //
-// The buffer, by vtkRelievoShadowTree: nodes of a tree over the casters (vtkRelievoBoxTree), a
-// record of five texels for each caster, then for each mesh, at a multiple of 16 texels, the nodes
-// of a tree over its triangles and the triangles, five texels for two.
-//
-// Branches cost what is in them, whether they are taken or not; loops do not. So each loop does one
-// thing until there is something else to do.
+// FoundImpl: of surfaces that verdictsFS.glsl has found the verdicts of, pixel by pixel; what is
+// hidden of them may be given any. TraceImpl: of all others, which take these verdicts where their
+// place is the one that is seen, and otherwise go the same way to them.
 
 //RELIEVO::Section(MethodDec)
-//RELIEVO::Include(formulas/ray.glsl)
-uniform samplerBuffer relievoShadowTree;
-uniform int relievoShadowCasters; // nodes over them
-uniform int relievoShadowRecords; // texel of the first record
-// Local space: the world's axes, about a point amid what is seen; from eye space about the centre.
-uniform mat4 relievoShadowToLocal;
+//RELIEVO::Include(shadow/seen.glsl)
 uniform vec4 relievoShadowSource[RELIEVO_SHADOW_LIGHTS]; // w = 0: the direction to it
-// How far places may be off: constant, and per distance from the eye.
-uniform vec2 relievoShadowBlur;
+uniform sampler2D relievoSeenVerdicts; // levels of the lights, as digits of a number
 
 float relievoShadowVerdict(int face, vec3 place, vec2 slope, float texel)
 {
   return relievoShadowFilter(face, place, slope, texel);
 }
 
-// What of a light passes along a ray: the product of 1 - opacity of what it meets, from where it
-// starts to where t is `last`. A surface that the start or the end lies in, within `blur`, does not
-// count.
-float relievoShadowWalk(vec3 fromLC, vec3 rayLC, float last, bool ends, float blur)
-{
-  float passes = 1.0;
-  int caster = 0;
-  int casters = relievoShadowCasters;
-  vec3 inverseLC = relievoRayInverse(rayLC);
-  while (caster < casters)
-  {
-    int found = -1;
-    while (caster < casters && found < 0)
-    {
-      vec4 low = texelFetch(relievoShadowTree, 2 * caster);
-      vec4 high = texelFetch(relievoShadowTree, 2 * caster + 1);
-      bool meets = relievoRayMeetsBox(fromLC, inverseLC, last, low.xyz, high.xyz);
-      bool leaf = low.w < 0.0;
-      found = meets && leaf ? int(-1.0 - low.w) : -1;
-      caster = meets || leaf ? caster + 1 : int(low.w);
-    }
-    int record = relievoShadowRecords + 5 * max(found, 0);
-    vec4 rowX = texelFetch(relievoShadowTree, record);
-    vec4 rowY = texelFetch(relievoShadowTree, record + 1);
-    vec4 rowZ = texelFetch(relievoShadowTree, record + 2);
-    vec4 mesh = texelFetch(relievoShadowTree, record + 3); // texel / 16, nodes, 1 - opacity
-    vec4 size = texelFetch(relievoShadowTree, record + 4); // scale, blur
-    int base = 16 * int(mesh.x);
-    int nodes = found < 0 ? 0 : int(mesh.y);
-    int triangles = base + 2 * nodes;
-    float near = size.x * blur + size.y;
-    vec4 start = vec4(fromLC, 1.0);
-    vec3 from = vec3(dot(rowX, start), dot(rowY, start), dot(rowZ, start));
-    vec3 ray = vec3(dot(rowX.xyz, rayLC), dot(rowY.xyz, rayLC), dot(rowZ.xyz, rayLC));
-    vec3 inverse = relievoRayInverse(ray);
-    vec3 right = normalize(relievoTangent(ray));
-    vec3 up = normalize(cross(ray, right));
-    int node = 0;
-    while (node < nodes)
-    {
-      int slot = 0;
-      int end = 0;
-      while (node < nodes && end == 0)
-      {
-        vec4 low = texelFetch(relievoShadowTree, base + 2 * node);
-        vec4 high = texelFetch(relievoShadowTree, base + 2 * node + 1);
-        bool meets = relievoRayMeetsBox(from, inverse, last, low.xyz, high.xyz);
-        bool leaf = low.w < 0.0;
-        slot = meets && leaf ? int(-1.0 - low.w) : 0;
-        end = meets && leaf ? slot + int(high.w) : 0;
-        node = meets || leaf ? node + 1 : int(low.w);
-      }
-      while (slot < end)
-      {
-        bool odd = (slot & 1) != 0;
-        int texel = triangles + (5 * slot) / 2;
-        vec4 p = texelFetch(relievoShadowTree, texel);
-        vec4 q = texelFetch(relievoShadowTree, texel + 1);
-        vec4 r = texelFetch(relievoShadowTree, texel + 2);
-        vec3 a = odd ? vec3(p.zw, q.x) : p.xyz;
-        vec3 b = odd ? q.yzw : vec3(p.w, q.xy);
-        vec3 c = odd ? r.xyz : vec3(q.zw, r.x);
-        vec3 normal = cross(b - a, c - a);
-        a -= from;
-        b -= from;
-        c -= from;
-        float nearest = near * length(normal);
-        float side = -dot(normal, a);
-        float along = dot(normal, ray);
-        float other = side + along;
-        bool between = abs(side) > nearest && side * along < 0.0 &&
-          (!ends || (abs(other) > nearest && side * other < 0.0));
-        bool hit = between &&
-          relievoLineMeetsTriangle(vec2(dot(right, a), dot(up, a)), vec2(dot(right, b), dot(up, b)),
-            vec2(dot(right, c), dot(up, c)));
-        passes *= hit ? mesh.z : 1.0;
-        ++slot;
-      }
-      nodes = passes > 0.0 ? nodes : 0;
-    }
-    casters = passes > 0.0 ? casters : 0;
-  }
-  return passes;
-}
+//RELIEVO::Section(TraceDec)
+//RELIEVO::Include(shadow/walk.glsl)
+uniform int relievoSeenHides; // whether what is behind it is not seen: no samples of pixels' edges
 
-// Dark where the side that is seen is turned away from the light.
-float relievoShadowTrace(int slot, vec3 placeLC, vec3 normalLC, float seen, float blur)
-{
-  vec4 source = relievoShadowSource[slot];
-  bool ends = source.w != 0.0;
-  vec3 ray = source.xyz - (ends ? placeLC : vec3(0.0));
-  bool facing = !RELIEVO_SHADOW_HAS_PLANE || dot(normalLC, ray) * seen > 0.0;
-  float passes = relievoShadowWalk(placeLC, ray, facing ? (ends ? 1.0 : 1e30) : -1.0, ends, blur);
-  return facing ? passes : 0.0;
-}
+//RELIEVO::Section(PlaceImpl)
+  vec2 relievoSeenOwn = relievoSeenAt(vertexVC.xyz);
+  vec2 relievoSeenOwnTexel =
+    clamp(relievoSeenTexel(relievoSeenOwn), vec2(0.0), relievoSeenSize - 1.0);
+  vec2 relievoSeenCenter = relievoSeenPixel(relievoSeenOwnTexel);
+  vec2 relievoSeenOff = abs(relievoSeenOwn - relievoSeenCenter);
+  bool relievoSeenCentered = max(relievoSeenOff.x, relievoSeenOff.y) < 0.004;
+  vec3 relievoShadowPlaceVC =
+    relievoSeenCentered ? relievoSeenPlace(relievoSeenCenter, vertexVC.z) : vertexVC.xyz;
+  vec4 relievoShadowOwnLC =
+    relievoShadowToLocal * vec4(relievoShadowPlaceVC - relievoShadowCenter, 1.0);
+  vec3 relievoShadowPlaceLC = RELIEVO_RECEIVER(relievoShadowToLocal, relievoShadowOwnLC).xyz;
+  vec3 relievoShadowNormalLC = mat3(relievoShadowToLocal) * relievoShadowNormalVC;
+  float relievoShadowSide = cameraParallel != 0 ? relievoShadowNormalVC.z
+                                                : -dot(relievoShadowNormalVC, vertexVC.xyz);
+  float relievoSeenDigits =
+    texelFetch(relievoSeenVerdicts, ivec2(relievoSeenOwnTexel), 0).x;
+  int relievoShadowTaken = relievoShadowInner < 0.0 ? 0 : RELIEVO_SHADOW_LIGHTS;
+
+//RELIEVO::Section(FoundImpl)
+  for (int slot = 0; slot < relievoShadowTaken; ++slot)
+  {
+    float others = floor(relievoSeenDigits / relievoSeenLevels);
+    float level = relievoSeenDigits - others * relievoSeenLevels;
+    relievoSeenDigits = others;
+    vec4 source = relievoShadowSource[slot];
+    vec3 ray = source.xyz - (source.w != 0.0 ? relievoShadowPlaceLC : vec3(0.0));
+    // Dark where the side that is seen is turned away from the light.
+    bool facing =
+      !RELIEVO_SHADOW_HAS_PLANE || dot(relievoShadowNormalLC, ray) * relievoShadowSide > 0.0;
+    relievoVisibility[slot] *= facing ? relievoSeenVerdict(level) : 0.0;
+  }
 
 //RELIEVO::Section(TraceImpl)
   {
-    vec3 place = RELIEVO_RECEIVER(
-      relievoShadowToLocal, relievoShadowToLocal * vec4(RELIEVO_SHADOW_POSITION, 1.0)).xyz;
-    vec3 normal = mat3(relievoShadowToLocal) * relievoShadowNormalVC;
-    float seen = cameraParallel != 0 ? relievoShadowNormalVC.z
-                                     : -dot(relievoShadowNormalVC, vertexVC.xyz);
-    float blur = relievoShadowBlur.x + relievoShadowBlur.y * length(vertexVC.xyz);
-    for (int slot = 0; slot < (relievoShadowInner < 0.0 ? 0 : RELIEVO_SHADOW_LIGHTS); ++slot)
+    float front = texelFetch(relievoSeen, ivec2(relievoSeenOwnTexel), 0).x;
+    bool same = relievoSeenCentered && relievoShadowPlaceLC == relievoShadowOwnLC.xyz &&
+      front == vertexVC.z;
+    // What is behind it is drawn over. The margin: steps of a depth buffer.
+    bool hidden = relievoSeenCentered && relievoSeenHides != 0 &&
+      relievoSeenDepth(vertexVC.z) - relievoSeenDepth(front) > 1e-6;
+    int found = hidden ? RELIEVO_SHADOW_LIGHTS : same ? relievoSeenLights : 0;
+    float blur = relievoShadowBlur.x + relievoShadowBlur.y * length(relievoShadowPlaceVC);
+    for (int slot = 0; slot < relievoShadowTaken; ++slot)
     {
-      relievoVisibility[slot] *= relievoShadowTrace(slot, place, normal, seen, blur);
+      float others = floor(relievoSeenDigits / relievoSeenLevels);
+      float level = relievoSeenDigits - others * relievoSeenLevels;
+      relievoSeenDigits = others;
+      vec4 source = relievoShadowSource[slot];
+      vec3 ray = source.xyz - (source.w != 0.0 ? relievoShadowPlaceLC : vec3(0.0));
+      bool facing =
+        !RELIEVO_SHADOW_HAS_PLANE || dot(relievoShadowNormalLC, ray) * relievoShadowSide > 0.0;
+      bool open = facing && slot >= found;
+      float passes = relievoShadowWalk(
+        open ? relievoShadowCasters : 0, relievoShadowPlaceLC, ray, source.w != 0.0, blur);
+      float digit = open ? relievoSeenLevel(passes) : level;
+      relievoVisibility[slot] *= facing ? relievoSeenVerdict(digit) : 0.0;
     }
   }

@@ -203,6 +203,11 @@ void TestLights()
         s.Frame->ShadowsOn();
         s.Frame->GetShadowPass()->SetStrength(0.8);
       });
+    Compare(
+      std::string("exact shadows, ") + light.Name, { &light, &Surfaces[2] }, [](DeferredScene& s) {
+        s.Frame->ShadowsOn();
+        s.Frame->GetShadowPass()->SetMethodToExact();
+      });
     Compare(std::string("PBR, shadows, ") + light.Name, { &light, &Surfaces[12] },
       [](DeferredScene& s) { s.Frame->ShadowsOn(); });
   }

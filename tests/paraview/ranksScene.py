@@ -89,6 +89,8 @@ view.RelievoShadowMethod = "Warped"
 step("warped")
 view.RelievoShadowMethod = "Forward"
 step("forward")
+view.RelievoShadowMethod = "Exact"
+step("exact")
 view.RelievoShadowMethod = "Map"
 light = simple.AddLight(view=view)
 light.Coords = "Scene"

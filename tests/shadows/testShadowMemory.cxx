@@ -114,6 +114,38 @@ void TestMasks()
   RELIEVO_CHECK_THAT(
     relievoTest::CountUnlike(masks, Picture(stage.Window)) > 0, "another size: no masks");
 }
+
+// Without room for verdicts of pixels, each fragment finds the same.
+void TestVerdicts()
+{
+  relievoTest::ShadowStage stages[2];
+  for (relievoTest::ShadowStage& stage : stages)
+  {
+    stage.AddThings();
+    relievoTest::AddTwoSuns(stage);
+    stage.GetFrame()->ShadowsOn();
+    stage.GetShadows()->SetMethodToExact();
+    for (int i = 0; i < 2; ++i)
+    {
+      stage.Window->Render();
+    }
+    stage.Window->SetSize(241, 180);
+  }
+  StandBeforeOpenGL();
+  Full = true;
+  vtkSmartPointer<vtkImageData> without;
+  for (int i = 0; i < 3; ++i)
+  {
+    without = Picture(stages[0].Window);
+  }
+  Full = false;
+  const auto bytes = stages[0].GetShadows()->GetBytesHeld();
+  for (int i = 0; i < 3; ++i)
+  {
+    SamePicture(without, Picture(stages[1].Window), "without memory for verdicts");
+  }
+  RELIEVO_CHECK(stages[1].GetShadows()->GetBytesHeld() == bytes + 16 * 241 * 180 + 4 * 31 * 23);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -122,5 +154,6 @@ int main()
   relievoTest::Session session;
   TestMaps();
   TestMasks();
+  TestVerdicts();
   return session.Result();
 }

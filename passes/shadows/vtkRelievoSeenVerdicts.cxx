@@ -1,0 +1,396 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoSeenVerdicts.h"
+
+#include "vtkActor.h"
+#include "vtkMapper.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkProperty.h"
+#include "vtkRelievoCasterDraw.h"
+#include "vtkRelievoShaderLibrary.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureUnitManager.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace
+{
+// A float counts to 2^24: that many verdicts of two levels, or three of 256.
+constexpr double Most = 16777216.0;
+constexpr double Fine = 256.0;
+constexpr float Nowhere = -1e30f; // behind everything
+enum
+{
+  Surfaces,
+  Verdicts,
+  Depth,
+  Tiles,
+  Count
+};
+
+void Append(std::vector<double>& state, const glm::dmat4& matrix)
+{
+  state.insert(state.end(), &matrix[0][0], &matrix[0][0] + 16);
+}
+
+int CountTiles(int pixels)
+{
+  return (pixels + vtkRelievoSeenVerdicts::Tile - 1) / vtkRelievoSeenVerdicts::Tile;
+}
+
+// Pixels across by x or y alone, as seen.glsl has them.
+bool IsUpright(const glm::dmat4& p)
+{
+  return p[0][1] == 0.0 && p[1][0] == 0.0 && p[0][3] == 0.0 && p[1][3] == 0.0 && p[0][0] != 0.0 &&
+    p[1][1] != 0.0;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSeenVerdicts::vtkRelievoSeenVerdicts() = default;
+
+//------------------------------------------------------------------------------
+vtkRelievoSeenVerdicts::~vtkRelievoSeenVerdicts()
+{
+  this->Release(this->Window);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoSeenVerdicts::Begin(
+  vtkOpenGLRenderWindow* window, const vtkRelievoView& view, bool translucent)
+{
+  if (this->Window != window)
+  {
+    this->Release(this->Window);
+    this->Window = window;
+  }
+  this->View = view;
+  this->Levels = translucent ? Fine : 2.0;
+  this->Lights = 0;
+  vtkTextureUnitManager* units = window->GetState()->GetTextureUnitManager();
+  for (int& unit : this->Units)
+  {
+    unit = unit < 0 ? units->Allocate() : unit;
+  }
+  const bool bound = this->Units[0] >= 0 && this->Units[1] >= 0;
+  this->Fits = bound && !this->Broken && IsUpright(view.ViewToNDC) && this->Allocate();
+  return bound;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSeenVerdicts::GetMostLights() const
+{
+  return this->Fits ? static_cast<int>(std::log(Most) / std::log(this->Levels) + 1e-6) : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoSeenVerdicts::Allocate()
+{
+  const int* size = this->View.Viewport + 2;
+  if (this->Textures[0] && this->Width == size[0] && this->Height == size[1])
+  {
+    return this->Room;
+  }
+  this->Width = size[0];
+  this->Height = size[1];
+  this->SurfacesDrawn.clear();
+  this->VerdictsDrawn.clear();
+  if (!this->Arrays)
+  {
+    glGenVertexArrays(1, &this->Arrays);
+    glGenTextures(Count, this->Textures);
+    this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
+    this->Framebuffer->SetContext(this->Window);
+  }
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+    // Others' errors: what follows is to be known.
+  }
+  const GLint formats[Count] = { GL_RG32F, GL_R32F, GL_DEPTH_COMPONENT32F, GL_R32F };
+  const GLenum channels[Count] = { GL_RG, GL_RED, GL_DEPTH_COMPONENT, GL_RED };
+  this->Window->GetState()->vtkglActiveTexture(
+    GL_TEXTURE0 + static_cast<unsigned int>(this->Units[0]));
+  for (int i = 0; i < Count; ++i)
+  {
+    const int width = i == Tiles ? CountTiles(this->Width) : this->Width;
+    const int height = i == Tiles ? CountTiles(this->Height) : this->Height;
+    glBindTexture(GL_TEXTURE_2D, this->Textures[i]);
+    glTexImage2D(GL_TEXTURE_2D, 0, formats[i], width, height, 0, channels[i], GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  }
+  glBindTexture(GL_TEXTURE_2D, 0);
+  this->Window->GetState()->vtkglActiveTexture(GL_TEXTURE0);
+  this->Room = glGetError() == GL_NO_ERROR; // else rays for each fragment
+  return this->Room;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSeenVerdicts::BeginDrawing(unsigned int target, int width, int height)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  this->Kept.reset(new vtkRelievoKeptState(state));
+  this->Framebuffer->Bind();
+  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
+  // VTK remembers the buffers of the framebuffer bound before and may think that nothing changes.
+  const unsigned int buffer = GL_COLOR_ATTACHMENT0;
+  unsigned int buffers[1] = { buffer };
+  state->vtkglDrawBuffers(1, buffers);
+  glDrawBuffers(1, buffers);
+  state->vtkglReadBuffer(buffer);
+  glReadBuffer(buffer);
+  state->vtkglViewport(0, 0, width, height);
+  state->vtkglScissor(0, 0, width, height);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_CULL_FACE);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSeenVerdicts::EndDrawing()
+{
+  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
+  this->Kept.reset();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSeenVerdicts::DrawSurfaces(
+  const std::vector<vtkActor*>& actors, vtkRelievoCasterDraw& draw)
+{
+  if (actors.empty() || !this->Fits)
+  {
+    this->SurfacesDrawn.clear();
+    return 0;
+  }
+  std::vector<double> seen;
+  Append(seen, this->View.WorldToView);
+  Append(seen, this->View.ViewToNDC);
+  for (vtkActor* actor : actors)
+  {
+    // Buffers are built anew, at a time of their own, for other data and other mappers.
+    seen.push_back(static_cast<double>(draw.GetBuildTime(actor)));
+    Append(seen, vtkRelievoToGlm(actor->GetMatrix()));
+  }
+  if (seen == this->SurfacesDrawn)
+  {
+    return 0;
+  }
+  this->SurfacesDrawn.clear();
+  this->VerdictsDrawn.clear();
+  this->BeginDrawing(this->Textures[Surfaces], this->Width, this->Height);
+  glFramebufferTexture2D(
+    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, this->Textures[Depth], 0);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_TRUE);
+  const GLfloat nothing[4] = { Nowhere, 0.f, 0.f, 0.f };
+  const GLfloat farthest = 1.f;
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  int calls = 0;
+  if (draw.Begin(this->Window, this->View.ViewToNDC * this->View.WorldToView,
+        this->View.WorldToView, "shadow/seenVS.glsl", "shadow/seenFS.glsl"))
+  {
+    for (vtkActor* actor : actors)
+    {
+      calls += draw.Draw(actor);
+    }
+    draw.End();
+    this->SurfacesDrawn = seen;
+  }
+  this->Broken = this->SurfacesDrawn.empty();
+  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, 0, 0);
+  this->EndDrawing();
+  return calls;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSeenVerdicts::DrawVerdicts(const std::vector<glm::vec4>& sources,
+  const std::vector<double>& rays, const std::function<void(vtkShaderProgram*)>& tell)
+{
+  if (this->SurfacesDrawn.empty())
+  {
+    return 0;
+  }
+  const int lights = std::min(this->GetMostLights(), static_cast<int>(sources.size()));
+  std::vector<double> found = rays;
+  found.push_back(this->Levels);
+  for (const glm::vec4& source : sources)
+  {
+    found.insert(found.end(), &source.x, &source.x + 4);
+  }
+  int calls = 0;
+  if (found != this->VerdictsDrawn)
+  {
+    this->VerdictsDrawn.clear();
+    calls = this->FindVerdicts(sources, lights, tell);
+    if (calls == 0)
+    {
+      this->Broken = true;
+      return 0;
+    }
+    this->VerdictsDrawn = found;
+  }
+  this->Bind(Surfaces, Verdicts);
+  this->Lights = lights;
+  return calls;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSeenVerdicts::FindVerdicts(const std::vector<glm::vec4>& sources, int lights,
+  const std::function<void(vtkShaderProgram*)>& tell)
+{
+  const int tiles[2] = { CountTiles(this->Width), CountTiles(this->Height) };
+  for (const bool whole : { true, false })
+  {
+    const std::string name = whole ? "shadow/tiles" : "shadow/verdicts";
+    vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(
+      vtkRelievoShaderLibrary::Get(name + "VS.glsl").c_str(),
+      vtkRelievoShaderLibrary::Get(name + "FS.glsl").c_str(), "");
+    if (!program)
+    {
+      return 0;
+    }
+    whole ? this->BeginDrawing(this->Textures[Tiles], tiles[0], tiles[1])
+          : this->BeginDrawing(this->Textures[Verdicts], this->Width, this->Height);
+    this->Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
+    tell(program);
+    this->Tell(program, lights);
+    program->SetUniform4fv(
+      "relievoSeenSource", lights, reinterpret_cast<const float(*)[4]>(sources.data()));
+    glBindVertexArray(this->Arrays);
+    if (whole)
+    {
+      this->Bind(Surfaces, -1);
+      glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    else
+    {
+      this->Bind(Surfaces, Tiles);
+      program->SetUniformi("cameraParallel", this->View.Parallel ? 1 : 0);
+      program->SetUniformi("relievoSeenTiles", this->Units[1]);
+      program->SetUniform2i("relievoSeenTileCount", tiles);
+      // Where nothing is open all lights reach what is seen.
+      const GLfloat lit[4] = { static_cast<GLfloat>(std::pow(this->Levels, lights) - 1.0), 0.f, 0.f,
+        0.f };
+      glClearBufferfv(GL_COLOR, 0, lit);
+      glDrawArrays(GL_TRIANGLES, 0, 6 * tiles[0] * tiles[1]);
+    }
+    glBindVertexArray(0);
+    this->EndDrawing();
+  }
+  return 2;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSeenVerdicts::Bind(int first, int second)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  const int bound[2] = { first, second };
+  for (int i = 0; i < 2; ++i)
+  {
+    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->Units[i]));
+    glBindTexture(GL_TEXTURE_2D, bound[i] < 0 ? 0 : this->Textures[bound[i]]);
+  }
+  state->vtkglActiveTexture(GL_TEXTURE0);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSeenVerdicts::Tell(vtkShaderProgram* program, int lights) const
+{
+  const glm::dmat4& p = this->View.ViewToNDC;
+  const glm::dvec2 size(this->View.Viewport[2], this->View.Viewport[3]);
+  const glm::vec2 pixels(size);
+  const glm::vec3 x(0.5 * size.x * glm::dvec3(p[0][0], p[2][0], p[3][0]));
+  const glm::vec3 y(0.5 * size.y * glm::dvec3(p[1][1], p[2][1], p[3][1]));
+  const glm::vec2 z(p[2][2], p[3][2]);
+  const glm::vec2 w(p[2][3], p[3][3]);
+  program->SetUniform2f("relievoSeenSize", &pixels.x);
+  program->SetUniform3f("relievoSeenX", &x.x);
+  program->SetUniform3f("relievoSeenY", &y.x);
+  program->SetUniform2f("relievoSeenZ", &z.x);
+  program->SetUniform2f("relievoSeenW", &w.x);
+  program->SetUniformf("relievoSeenLevels", static_cast<float>(this->Levels));
+  program->SetUniformi("relievoSeenLights", lights);
+  program->SetUniformi("relievoSeen", this->Units[0]);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSeenVerdicts::SetUniforms(vtkShaderProgram* program) const
+{
+  this->Tell(program, this->Lights);
+  program->SetUniformi("relievoSeenVerdicts", this->Units[1]);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSeenVerdicts::SetActorUniforms(vtkShaderProgram* program, vtkActor* actor) const
+{
+  // Of a pixel with several samples, some may see past what is seen at its centre; lines, edges and
+  // offsets in depth are drawn over what is nearer.
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  vtkProperty* property = actor->GetProperty();
+  const bool hides = this->Lights > 0 && samples <= 1 && actor->HasOpaqueGeometry() &&
+    vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF &&
+    property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
+    !property->GetVertexVisibility();
+  program->SetUniformi("relievoSeenHides", hides ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSeenVerdicts::Unbind()
+{
+  for (int& unit : this->Units)
+  {
+    if (unit >= 0 && this->Window)
+    {
+      vtkOpenGLState* state = this->Window->GetState();
+      state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(unit));
+      glBindTexture(GL_TEXTURE_2D, 0);
+      state->vtkglActiveTexture(GL_TEXTURE0);
+      state->GetTextureUnitManager()->Free(unit);
+    }
+    unit = -1;
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoSeenVerdicts::GetBytes() const
+{
+  return this->Room ? BytesPerPixel * this->Width * this->Height +
+      4 * CountTiles(this->Width) * CountTiles(this->Height)
+                    : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSeenVerdicts::Release(vtkWindow* window)
+{
+  if (window && this->Window && this->Window != window)
+  {
+    return; // what is held is another window's
+  }
+  if (window && this->Textures[0])
+  {
+    window->MakeCurrent();
+    this->Unbind();
+    glDeleteTextures(Count, this->Textures);
+    glDeleteVertexArrays(1, &this->Arrays);
+    this->Framebuffer->ReleaseGraphicsResources(window);
+  }
+  std::fill_n(this->Textures, Count, 0);
+  std::fill_n(this->Units, 2, -1);
+  this->Arrays = 0;
+  this->Framebuffer = nullptr;
+  this->Room = this->Fits = this->Broken = false;
+  this->Width = this->Height = this->Lights = 0;
+  this->SurfacesDrawn.clear();
+  this->VerdictsDrawn.clear();
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Places in pixels and verdicts about them, for verdicts that are found once for each pixel.
+//
+// Pixels are counted from the middle of the viewport, so that their centres are exact in float. A
+// place that is seen at a pixel's centre is given by its eye-space z: whoever has the same z has
+// the same place, bit for bit.
+
+// Local space: the world's axes, about a point amid what is seen; from eye space about the centre.
+uniform mat4 relievoShadowToLocal;
+// Texel: z, far behind everything where nothing is seen, and the code of the plane's normal.
+uniform sampler2D relievoSeen;
+uniform vec2 relievoSeenSize; // of the viewport, in pixels
+// From eye space to pixels: (x * X.x + z * X.y + X.z) / (z * W.x + W.y), Y likewise; to depth:
+// (z * Z.x + Z.y) / (z * W.x + W.y).
+uniform vec3 relievoSeenX;
+uniform vec3 relievoSeenY;
+uniform vec2 relievoSeenZ;
+uniform vec2 relievoSeenW;
+uniform int relievoSeenLights;   // that there are verdicts of
+uniform float relievoSeenLevels; // of a verdict, from 0, dark, to the last, lit
+
+// The pixel of a texel, and the texel of a place in pixels.
+vec2 relievoSeenPixel(vec2 texel)
+{
+  return texel + (0.5 - 0.5 * relievoSeenSize);
+}
+vec2 relievoSeenTexel(vec2 pixel)
+{
+  return floor(pixel + 0.5 * relievoSeenSize);
+}
+
+vec2 relievoSeenAt(vec3 placeVC)
+{
+  vec2 at = vec2(dot(relievoSeenX, vec3(placeVC.x, placeVC.z, 1.0)),
+    dot(relievoSeenY, vec3(placeVC.y, placeVC.z, 1.0)));
+  return at / (placeVC.z * relievoSeenW.x + relievoSeenW.y);
+}
+
+// The place that is seen at a pixel, in eye space.
+vec3 relievoSeenPlace(vec2 pixel, float z)
+{
+  float w = z * relievoSeenW.x + relievoSeenW.y;
+  return vec3((pixel.x * w - relievoSeenX.y * z - relievoSeenX.z) / relievoSeenX.x,
+    (pixel.y * w - relievoSeenY.y * z - relievoSeenY.z) / relievoSeenY.x, z);
+}
+
+// 0 at the near plane, 1 at the far one.
+float relievoSeenDepth(float z)
+{
+  return 0.5 + 0.5 * (z * relievoSeenZ.x + relievoSeenZ.y) / (z * relievoSeenW.x + relievoSeenW.y);
+}
+
+// A verdict in its levels: all that is kept of it.
+float relievoSeenLevel(float passes)
+{
+  return floor(passes * (relievoSeenLevels - 1.0) + 0.5);
+}
+float relievoSeenVerdict(float level)
+{
+  return level / (relievoSeenLevels - 1.0);
+}

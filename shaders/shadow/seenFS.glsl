@@ -1,0 +1,15 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is seen at a pixel: see seen.glsl.
+//RELIEVO::Include(formulas/octahedral.glsl)
+in vec4 vertexVCVSOutput;
+
+void main()
+{
+  vec4 vertexVC = vertexVCVSOutput;
+  vec3 normal = cross(normalize(dFdx(vertexVC.xyz)), normalize(dFdy(vertexVC.xyz)));
+  vec2 code = floor((relievoOctEncode(normal) * 0.5 + 0.5) * 4095.0 + 0.5);
+  gl_FragData[0] = vec4(vertexVC.z, code.x * 4096.0 + code.y, 0.0, 0.0);
+}

@@ -1,0 +1,14 @@
+//VTK::System::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A mesh where VTK's own shaders put it, bit for bit.
+in vec4 vertexMC;
+uniform mat4 MCDCMatrix;
+uniform mat4 MCVCMatrix;
+out vec4 vertexVCVSOutput;
+
+void main()
+{
+  vertexVCVSOutput = MCVCMatrix * vertexMC;
+  gl_Position = MCDCMatrix * vertexMC;
+}

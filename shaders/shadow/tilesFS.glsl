@@ -1,0 +1,150 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Which lights surely reach all that is seen in a tile of 8 x 8 pixels: where it is one plane, rays
+// from all of its places are followed at once. A sum of 2^light, or -1 where nothing is open.
+//
+// What every place of the tile sees lies in boxes that are larger by half of the tile's extent; and
+// a triangle that no corner of the tile has between itself and the light blocks no ray of it.
+//RELIEVO::Include(formulas/ray.glsl)
+//RELIEVO::Include(shadow/tree.glsl)
+//RELIEVO::Include(shadow/seen.glsl)
+uniform vec4 relievoSeenSource[24]; // w = 0: the direction to it
+uniform vec3 relievoShadowCenter;
+
+struct relievoTile
+{
+  vec3 middle; // local space
+  vec3 extent; // half of it
+  vec3 corners[4];
+  float blur;
+};
+
+vec3 relievoTilePlace(vec2 texel, float z)
+{
+  vec3 placeVC = relievoSeenPlace(relievoSeenPixel(texel), z);
+  return (relievoShadowToLocal * vec4(placeVC - relievoShadowCenter, 1.0)).xyz;
+}
+
+// Whether a ray from the tile may meet anything on its way to the light.
+bool relievoTileMeets(int casters, relievoTile tile, vec4 source)
+{
+  bool ends = source.w != 0.0;
+  float last = ends ? 1.0 : 1e30;
+  vec3 rayLC = source.xyz - (ends ? tile.middle : vec3(0.0));
+  vec3 inverseLC = relievoRayInverse(rayLC);
+  bool met = false;
+  int caster = 0;
+  while (caster < casters && !met)
+  {
+    vec4 low = texelFetch(relievoShadowTree, 2 * caster);
+    vec4 high = texelFetch(relievoShadowTree, 2 * caster + 1);
+    bool leaf = low.w < 0.0;
+    bool meets = relievoRayMeetsBox(
+      tile.middle, inverseLC, last, low.xyz - tile.extent, high.xyz + tile.extent);
+    caster = meets || leaf ? caster + 1 : int(low.w);
+    int record = relievoShadowRecords + 5 * (meets && leaf ? int(-1.0 - low.w) : 0);
+    vec4 rowX = texelFetch(relievoShadowTree, record);
+    vec4 rowY = texelFetch(relievoShadowTree, record + 1);
+    vec4 rowZ = texelFetch(relievoShadowTree, record + 2);
+    vec4 mesh = texelFetch(relievoShadowTree, record + 3);
+    vec4 size = texelFetch(relievoShadowTree, record + 4);
+    int base = 16 * int(mesh.x);
+    int nodes = meets && leaf ? int(mesh.y) : 0;
+    int triangles = base + 2 * int(mesh.y);
+    float near = size.x * tile.blur + size.y;
+    vec4 start = vec4(tile.middle, 1.0);
+    vec3 from = vec3(dot(rowX, start), dot(rowY, start), dot(rowZ, start));
+    vec3 ray = vec3(dot(rowX.xyz, rayLC), dot(rowY.xyz, rayLC), dot(rowZ.xyz, rayLC));
+    vec3 inverse = relievoRayInverse(ray);
+    vec3 room = vec3(dot(abs(rowX.xyz), tile.extent), dot(abs(rowY.xyz), tile.extent),
+      dot(abs(rowZ.xyz), tile.extent));
+    room = 1.0001 * room + 1e-6 * max(abs(from.x), max(abs(from.y), abs(from.z)));
+    vec3 light = vec3(dot(rowX, source), dot(rowY, source), dot(rowZ, source));
+    int node = 0;
+    while (node < nodes && !met)
+    {
+      vec4 least = texelFetch(relievoShadowTree, base + 2 * node);
+      vec4 most = texelFetch(relievoShadowTree, base + 2 * node + 1);
+      bool within = relievoRayMeetsBox(from, inverse, last, least.xyz - room, most.xyz + room);
+      bool isLeaf = least.w < 0.0;
+      int slot = within && isLeaf ? int(-1.0 - least.w) : 0;
+      int end = within && isLeaf ? slot + int(most.w) : 0;
+      node = within || isLeaf ? node + 1 : int(least.w);
+      while (slot < end)
+      {
+        bool odd = (slot & 1) != 0;
+        int texel = triangles + (5 * slot) / 2;
+        vec4 p = texelFetch(relievoShadowTree, texel);
+        vec4 q = texelFetch(relievoShadowTree, texel + 1);
+        vec4 r = texelFetch(relievoShadowTree, texel + 2);
+        vec3 a = odd ? vec3(p.zw, q.x) : p.xyz;
+        vec3 b = odd ? q.yzw : vec3(p.w, q.xy);
+        vec3 c = odd ? r.xyz : vec3(q.zw, r.x);
+        vec3 normal = cross(b - a, c - a);
+        float toward = ends ? dot(normal, light - a) : dot(normal, ray);
+        float nearest = near * length(normal);
+        float lowest = 1e38;
+        for (int k = 0; k < 4; ++k)
+        {
+          vec4 corner = vec4(tile.corners[k], 1.0);
+          vec3 place = vec3(dot(rowX, corner), dot(rowY, corner), dot(rowZ, corner));
+          lowest = min(lowest, dot(normal, place - a) * sign(toward));
+        }
+        bool inBox = relievoRayMeetsBox(
+          from, inverse, last, min(a, min(b, c)) - room, max(a, max(b, c)) + room);
+        met = met || !(lowest >= -0.5 * nearest || !inBox);
+        ++slot;
+      }
+    }
+  }
+  return met;
+}
+
+void main()
+{
+  ivec2 first = 8 * ivec2(gl_FragCoord.xy);
+  ivec2 end = ivec2(relievoSeenSize) - 1;
+  relievoTile tile;
+  ivec2 ends = min(first + 7, end);
+  for (int k = 0; k < 4; ++k)
+  {
+    ivec2 texel = ivec2((k & 1) == 0 ? first.x : ends.x, k < 2 ? first.y : ends.y);
+    tile.corners[k] = relievoTilePlace(vec2(texel), texelFetch(relievoSeen, texel, 0).x);
+  }
+  vec3 normal =
+    normalize(cross(tile.corners[1] - tile.corners[0], tile.corners[2] - tile.corners[0]));
+  vec3 low = vec3(1e30);
+  vec3 high = vec3(-1e30);
+  float off = 0.0;
+  float eye = 1e30;
+  bool whole = true;
+  bool some = false;
+  for (int i = 0; i < 64; ++i)
+  {
+    ivec2 texel = min(first + ivec2(i & 7, i >> 3), end);
+    float z = texelFetch(relievoSeen, texel, 0).x;
+    bool there = z > -1e29;
+    whole = whole && there;
+    some = some || there;
+    vec3 place = relievoTilePlace(vec2(texel), z);
+    off = max(off, abs(dot(normal, place - tile.corners[0])));
+    eye = min(eye, length(relievoSeenPlace(relievoSeenPixel(vec2(texel)), z)));
+    low = min(low, place);
+    high = max(high, place);
+  }
+  tile.middle = 0.5 * low + 0.5 * high;
+  tile.extent = 0.5001 * (high - low) + 1e-6 * max(abs(low), abs(high));
+  tile.blur = relievoShadowBlur.x + relievoShadowBlur.y * eye;
+  bool plane = whole && off <= 0.4 * tile.blur;
+  float sure = 0.0;
+  float digit = 1.0;
+  for (int light = 0; light < relievoSeenLights; ++light)
+  {
+    bool met = relievoTileMeets(plane ? relievoShadowCasters : 0, tile, relievoSeenSource[light]);
+    sure += plane && !met ? digit : 0.0;
+    digit *= 2.0;
+  }
+  gl_FragData[0] = vec4(some && sure < digit - 1.0 ? sure : -1.0, 0.0, 0.0, 0.0);
+}

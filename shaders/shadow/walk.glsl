@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Walks the casters' triangles along a ray to a light. The includer has formulas/shadow.glsl.
+//RELIEVO::Include(formulas/ray.glsl)
+//RELIEVO::Include(shadow/tree.glsl)
+
+// What of a light passes along a ray: the product of 1 - opacity of what it meets, from where it
+// starts to the light, which is at its end or infinitely far. A surface that the start or the end
+// lies in, within `blur`, does not count. casters: nodes over them, or 0 to go nowhere.
+float relievoShadowWalk(int casters, vec3 fromLC, vec3 rayLC, bool ends, float blur)
+{
+  float passes = 1.0;
+  int caster = 0;
+  float last = ends ? 1.0 : 1e30;
+  vec3 inverseLC = relievoRayInverse(rayLC);
+  while (caster < casters)
+  {
+    int found = -1;
+    while (caster < casters && found < 0)
+    {
+      vec4 low = texelFetch(relievoShadowTree, 2 * caster);
+      vec4 high = texelFetch(relievoShadowTree, 2 * caster + 1);
+      bool meets = relievoRayMeetsBox(fromLC, inverseLC, last, low.xyz, high.xyz);
+      bool leaf = low.w < 0.0;
+      found = meets && leaf ? int(-1.0 - low.w) : -1;
+      caster = meets || leaf ? caster + 1 : int(low.w);
+    }
+    int record = relievoShadowRecords + 5 * max(found, 0);
+    vec4 rowX = texelFetch(relievoShadowTree, record);
+    vec4 rowY = texelFetch(relievoShadowTree, record + 1);
+    vec4 rowZ = texelFetch(relievoShadowTree, record + 2);
+    vec4 mesh = texelFetch(relievoShadowTree, record + 3); // texel / 16, nodes, 1 - opacity
+    vec4 size = texelFetch(relievoShadowTree, record + 4); // scale, blur
+    int base = 16 * int(mesh.x);
+    int nodes = found < 0 ? 0 : int(mesh.y);
+    int triangles = base + 2 * nodes;
+    float near = size.x * blur + size.y;
+    vec4 start = vec4(fromLC, 1.0);
+    vec3 from = vec3(dot(rowX, start), dot(rowY, start), dot(rowZ, start));
+    vec3 ray = vec3(dot(rowX.xyz, rayLC), dot(rowY.xyz, rayLC), dot(rowZ.xyz, rayLC));
+    vec3 inverse = relievoRayInverse(ray);
+    vec3 right = normalize(relievoTangent(ray));
+    vec3 up = normalize(cross(ray, right));
+    int node = 0;
+    while (node < nodes)
+    {
+      int slot = 0;
+      int end = 0;
+      while (node < nodes && end == 0)
+      {
+        vec4 low = texelFetch(relievoShadowTree, base + 2 * node);
+        vec4 high = texelFetch(relievoShadowTree, base + 2 * node + 1);
+        bool meets = relievoRayMeetsBox(from, inverse, last, low.xyz, high.xyz);
+        bool leaf = low.w < 0.0;
+        slot = meets && leaf ? int(-1.0 - low.w) : 0;
+        end = meets && leaf ? slot + int(high.w) : 0;
+        node = meets || leaf ? node + 1 : int(low.w);
+      }
+      while (slot < end)
+      {
+        bool odd = (slot & 1) != 0;
+        int texel = triangles + (5 * slot) / 2;
+        vec4 p = texelFetch(relievoShadowTree, texel);
+        vec4 q = texelFetch(relievoShadowTree, texel + 1);
+        vec4 r = texelFetch(relievoShadowTree, texel + 2);
+        vec3 a = odd ? vec3(p.zw, q.x) : p.xyz;
+        vec3 b = odd ? q.yzw : vec3(p.w, q.xy);
+        vec3 c = odd ? r.xyz : vec3(q.zw, r.x);
+        vec3 normal = cross(b - a, c - a);
+        a -= from;
+        b -= from;
+        c -= from;
+        float nearest = near * length(normal);
+        float side = -dot(normal, a);
+        float along = dot(normal, ray);
+        float other = side + along;
+        bool between = abs(side) > nearest && side * along < 0.0 &&
+          (!ends || (abs(other) > nearest && side * other < 0.0));
+        bool hit = between &&
+          relievoLineMeetsTriangle(vec2(dot(right, a), dot(up, a)), vec2(dot(right, b), dot(up, b)),
+            vec2(dot(right, c), dot(up, c)));
+        passes *= hit ? mesh.z : 1.0;
+        ++slot;
+      }
+      nodes = passes > 0.0 ? nodes : 0;
+    }
+    casters = passes > 0.0 ? casters : 0;
+  }
+  return passes;
+}
