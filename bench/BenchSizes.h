@@ -87,6 +87,14 @@ struct CaveSizes
   int Seeds = 24;
 };
 
+struct SoftShadowSizes
+{
+  std::vector<std::string> Scenes = { "bunny", "buildings", "horizon" };
+  std::vector<int> Samples = { 1, 2, 4, 8, 16, 32, 64, 128, 256 };
+  int Width = 320;
+  int Height = 240;
+};
+
 struct VoxelSizes
 {
   std::vector<int> Sizes = { 25, 50, 100 }; // cells along the longest side
@@ -108,6 +116,7 @@ int BenchTone(const std::string& outDir, const ToneSizes& sizes);
 int BenchBlocks(const std::string& outDir, const BlockSizes& sizes);
 int BenchCaves(const std::string& outDir, const CaveSizes& sizes);
 int BenchVoxels(const std::string& outDir, const VoxelSizes& sizes);
+int BenchSoftShadows(const std::string& outDir, const SoftShadowSizes& sizes);
 int BenchFog(const std::string& outDir, const FogSizes& sizes);
 
 /** The part of BenchEnvironment that times frames; returns whether its file is written. */

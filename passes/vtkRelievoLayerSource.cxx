@@ -224,7 +224,10 @@ int vtkRelievoLayerSource::RequestData(
     }
   }
 
+  const bool waits = pass->GetWaitForSamples();
+  pass->SetWaitForSamples(true);
   const bool drawn = this->Draw(pass, color);
+  pass->SetWaitForSamples(waits);
   color = color && !(toned && tone->GetReasonCode() == "ran"); // the colour is what it was before
   std::vector<std::string> read = this->Layers;
   if (color)
