@@ -180,6 +180,7 @@ std::vector<std::uint64_t> vtkRelievoFrameState::Take(
   for (vtkRelievoStage* stage : stages)
   {
     state.Add(static_cast<vtkObject*>(stage));
+    state.Add(static_cast<std::uint64_t>(stage->GetDataTime()));
   }
   return state.Values;
 }

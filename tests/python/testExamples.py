@@ -44,13 +44,15 @@ WRITES = {
     "15_blocks.py": ["blocks.png"],
     "16_caves.py": ["caves.png"],
     "18_voxel_cubes.py": ["voxels.png"],
+    "19_soft_shadows.py": ["soft_shadows.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.
 BY_PARAVIEW = ["08_paraview_tour.py", "11_paraview_materials.py", "17_paraview_hall.py"]
 
 # file name: words after the folder, for examples that take long otherwise
-WORDS = {"06_sun_study.py": ["--every", "120"], "10_relief_terrain.py": ["257"]}
+WORDS = {"06_sun_study.py": ["--every", "120"], "10_relief_terrain.py": ["257"],
+    "19_soft_shadows.py": ["8"]}
 
 
 def read_png(path):

@@ -104,7 +104,7 @@ void TestEdge(int method, SceneLight kind)
 {
   constexpr double Height = 4.;
   constexpr double Up = 9.; // of lamps
-  ShadowStage stage(120, 90);
+  ShadowStage stage(80, 60);
   stage.AddGround();
   const auto mesh = relievoTest::MakePolygons(
     { { 0., Height, 20. }, { 20., Height, 20. }, { 20., Height, -20. }, { 0., Height, -20. } });
@@ -112,6 +112,7 @@ void TestEdge(int method, SceneLight kind)
   relievoTest::AddActor(stage.Renderer, mesh);
   vtkRelievoShadowPass* shadows = stage.GetShadows();
   shadows->SetMethod(method);
+  shadows->SetMapSize(256);
   shadows->SetSoftSamples(Samples);
   double radius = std::tan(10. * Pi / 180.);
   if (kind == SceneLight::Sun)
@@ -162,7 +163,7 @@ void TestEdge(int method, SceneLight kind)
   const double rms = std::sqrt(sum / count);
   std::cout << what << ": rms error " << rms << ", mean " << mean / count << " of " << count
             << " pixels in the penumbra\n";
-  RELIEVO_CHECK_THAT(count > 1000, what + ": too little is in the penumbra");
+  RELIEVO_CHECK_THAT(count > 400, what + ": too little is in the penumbra");
   RELIEVO_CHECK_AT_MOST(rms, kind == SceneLight::Point ? 1.25 * Limit : Limit, what + ": rms error");
   RELIEVO_CHECK_AT_MOST(std::abs(mean / count), 0.25 * Limit, what + ": mean error");
 }
@@ -174,10 +175,11 @@ void TestMesh(const std::string& name, SceneLight kind, double size)
   {
     return;
   }
-  auto window = relievoTest::MakeWindow(120, 90, scene.Renderer);
+  auto window = relievoTest::MakeWindow(96, 72, scene.Renderer);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
   vtkRelievoShadowPass* shadows = frame->GetShadowPass();
   shadows->SetSoftSamples(Samples);
+  shadows->SetMapSize(1024);
   shadows->SetLightSize(scene.Light, size);
   const auto truth = scene.MakeTruth();
   relievoTest::SoftShadowTruth soft;
@@ -195,7 +197,7 @@ void TestMesh(const std::string& name, SceneLight kind, double size)
       std::to_string(static_cast<int>(kind));
     std::cout << what << ": " << errors.ToString() << std::endl;
     RELIEVO_CHECK_THAT(
-      errors.Compared > 2000 && errors.Penumbra > 200, what + ": too little is compared");
+      errors.Compared > 1000 && errors.Penumbra > 60, what + ": too little is compared");
     RELIEVO_CHECK_AT_MOST(errors.Rms, Limit, what + ": rms error");
     RELIEVO_CHECK_AT_MOST(std::abs(errors.PenumbraMean), Limit, what + ": mean error");
   }
@@ -205,7 +207,7 @@ void TestMesh(const std::string& name, SceneLight kind, double size)
 // A square lamp is a square: under an edge the share is a straight line.
 void TestEdges()
 {
-  ShadowStage stage(120, 90);
+  ShadowStage stage(80, 60);
   stage.AddGround();
   const auto mesh = relievoTest::MakePolygons(
     { { 0., 2., 20. }, { 20., 2., 20. }, { 20., 2., -20. }, { 0., 2., -20. } });
@@ -232,7 +234,7 @@ void TestEdges()
       ++count;
     }
   }
-  RELIEVO_CHECK_THAT(count > 1000, "square lamp: too little is in the penumbra");
+  RELIEVO_CHECK_THAT(count > 400, "square lamp: too little is in the penumbra");
   RELIEVO_CHECK_AT_MOST(worst, 1. / Samples, "square lamp: largest error");
 }
 }
@@ -242,16 +244,11 @@ int main()
 {
   relievoTest::Session session;
   TestSamples();
-  for (const SceneLight kind : { SceneLight::Sun, SceneLight::Spot, SceneLight::Point })
-  {
-    TestEdge(vtkRelievoShadowPass::METHOD_MAP, kind);
-    TestEdge(vtkRelievoShadowPass::METHOD_EXACT, kind);
-  }
+  TestEdge(vtkRelievoShadowPass::METHOD_MAP, SceneLight::Spot);
+  TestEdge(vtkRelievoShadowPass::METHOD_EXACT, SceneLight::Point);
   TestEdge(vtkRelievoShadowPass::METHOD_WARPED, SceneLight::Sun);
   TestEdges();
-  TestMesh("bunny", SceneLight::Sun, 4.);
-  TestMesh("bunny", SceneLight::Spot, 0.3);
-  TestMesh("bunny", SceneLight::Point, 0.3);
-  TestMesh("buildings", SceneLight::Sun, 0.53);
+  TestMesh("bunny", SceneLight::Sun, 6.);
+  TestMesh("buildings", SceneLight::Spot, 0.4);
   return session.Result();
 }

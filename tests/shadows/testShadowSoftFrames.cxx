@@ -45,7 +45,7 @@ struct SoftStage : ShadowStage
   vtkSmartPointer<vtkLight> Sun;
   vtkSmartPointer<vtkLight> Lamp;
 
-  explicit SoftStage(int samples = Samples, int width = 120, int height = 90)
+  explicit SoftStage(int samples = Samples, int width = 80, int height = 60)
     : ShadowStage(width, height)
   {
     this->AddThings();
@@ -55,6 +55,7 @@ struct SoftStage : ShadowStage
     this->Lamp = this->AddLamp({ -1., 3., -1.5 }, { 0.3, 0., 0.3 }, 90.);
     this->Lamp->SetIntensity(0.5);
     this->GetFrame()->ShadowsOn();
+    this->GetShadows()->SetMapSize(256);
     this->GetShadows()->SetSunAngle(8.);
     this->GetShadows()->SetLampRadius(0.2);
     this->GetShadows()->SetSoftSamples(samples);
@@ -98,7 +99,7 @@ void TestGathering()
   }
   const auto soft = Picture(stage.Window);
   RELIEVO_CHECK(shadows->GetNumberOfMapsDrawn() == 0);
-  RELIEVO_CHECK(CountUnlike(hard, soft, 8) > 200);
+  RELIEVO_CHECK(CountUnlike(hard, soft, 8) > 100);
   SamePicture(soft, Picture(stage.Window), "a frame after the last");
   shadows->SoftAtOnceOn();
   SamePicture(soft, Picture(stage.Window), "all at once");
@@ -117,7 +118,7 @@ void TestGathering()
   RELIEVO_CHECK(frame->GetBytesHeld() == bytes);
 }
 
-// After each change the picture is that of a scene that was never anything else.
+// After each change the picture is that of a gathering that was never of anything else.
 void TestChanges()
 {
   struct Change
@@ -142,30 +143,32 @@ void TestChanges()
     { "light's intensity", [](SoftStage& s) { s.Lamp->SetIntensity(0.2); } },
     { "light's size", [](SoftStage& s) { s.GetShadows()->SetLightSize(s.Lamp, 0.4); } },
     { "strength", [](SoftStage& s) { s.GetShadows()->SetStrength(0.5); } },
-    { "method", [](SoftStage& s) { s.GetShadows()->SetMethodToExact(); } },
+    { "map's size", [](SoftStage& s) { s.GetShadows()->SetMapSize(200); } },
     { "background", [](SoftStage& s) { s.Renderer->SetBackground(0.1, 0.2, 0.3); } },
-    { "window", [](SoftStage& s) { s.Window->SetSize(90, 100); } },
-    { "samples", [](SoftStage& s) { s.GetShadows()->SetSoftSamples(4); } },
+    { "window", [](SoftStage& s) { s.Window->SetSize(70, 66); } },
   };
-  SoftStage stage;
-  std::vector<std::function<void(SoftStage&)>> made;
+  SoftStage stage(4);
   for (const Change& change : changes)
   {
-    for (int i = 0; i < 4; ++i)
-    {
-      stage.Window->Render();
-    }
+    stage.Window->Render();
+    stage.Window->Render();
+    RELIEVO_CHECK_THAT(stage.GetFrame()->GetSamplesLeft() < 3,
+      std::string("nothing is gathered before another ") + change.What);
     change.Make(stage);
-    made.push_back(change.Make);
-    SoftStage fresh;
-    for (const auto& each : made)
-    {
-      each(fresh);
-    }
-    SamePicture(Picture(fresh.Window), Picture(stage.Window),
-      std::string("the first frame after another ") + change.What);
-    SamePicture(fresh.DrawAll(), stage.DrawAll(), std::string("after another ") + change.What);
+    const auto gathered = stage.DrawAll();
+    RELIEVO_CHECK_THAT(
+      stage.GetFrame()->GetSamplesLeft() == 0, std::string("after another ") + change.What);
+    stage.GetShadows()->SetSoftSamples(0);
+    stage.Window->Render(); // what was gathered is gone
+    stage.GetShadows()->SetSoftSamples(4);
+    SamePicture(stage.DrawAll(), gathered, std::string("after another ") + change.What);
   }
+  SoftStage fresh(4);
+  for (const Change& change : changes)
+  {
+    change.Make(fresh);
+  }
+  SamePicture(fresh.DrawAll(), stage.DrawAll(), "after all changes");
 }
 
 // A capture gathers what it needs and leaves the window's picture where it was.
@@ -190,7 +193,7 @@ void TestCaptures()
   {
     between += shares->GetValue(i) > 0.1f && shares->GetValue(i) < 0.9f ? 1 : 0;
   }
-  RELIEVO_CHECK(between > 100);
+  RELIEVO_CHECK(between > 40);
 
   // Shown as the picture, the layer is gathered, and the colour is not.
   stage.GetShadows()->SoftAtOnceOff();
@@ -209,7 +212,7 @@ void TestCaptures()
 // A picture in tiles has all samples in each, and is what a larger window shows.
 void TestTiles()
 {
-  SoftStage large(Samples, 240, 180);
+  SoftStage large(Samples, 160, 120);
   const auto whole = large.DrawAll();
   SoftStage stage;
   vtkNew<vtkWindowToImageFilter> filter;
@@ -218,7 +221,7 @@ void TestTiles()
   filter->ReadFrontBufferOff();
   filter->Update();
   RELIEVO_CHECK_AT_MOST(
-    CountUnlike(whole, filter->GetOutput(), 3), 240 * 180 / 400, "pixels unlike in tiles");
+    CountUnlike(whole, filter->GetOutput(), 3), 160 * 120 / 400, "pixels unlike in tiles");
 }
 
 void TestOtherPictures()
@@ -229,19 +232,19 @@ void TestOtherPictures()
   SoftStage smooth;
   smooth.Window->SetMultiSamples(4);
   const auto multisampled = smooth.DrawAll();
-  RELIEVO_CHECK_AT_MOST(CountUnlike(plain, multisampled, 40), 500, "pixels unlike with 4 samples");
+  RELIEVO_CHECK_AT_MOST(CountUnlike(plain, multisampled, 40), 250, "pixels unlike with 4 samples");
   SoftStage deferred;
   deferred.GetFrame()->DeferredOn();
   RELIEVO_CHECK_AT_MOST(
     CountUnlike(plain, deferred.DrawAll(), 4), 30, "pixels unlike with deferred shading");
-  for (const int method : { 1, 2, 3 })
+  for (const int method : { 1, 3 })
   {
     SoftStage other;
     other.GetShadows()->SetMethod(method);
     const auto picture = other.DrawAll();
     std::cout << "method " << method << ": " << CountUnlike(plain, picture, 60)
               << " pixels far from map's\n";
-    RELIEVO_CHECK_AT_MOST(CountUnlike(plain, picture, 60), 400, "pixels unlike by another method");
+    RELIEVO_CHECK_AT_MOST(CountUnlike(plain, picture, 60), 40, "pixels unlike by another method");
   }
   // Where there is no linear colour shadows stay hard.
   SoftStage kept;

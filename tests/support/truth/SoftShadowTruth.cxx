@@ -18,6 +18,7 @@ namespace
 {
 constexpr int Cells = 32;
 constexpr int FirstCells = 8;
+constexpr double Jitter = 1e-5; // of the pixel's place
 constexpr double Pi = 3.14159265358979323846;
 
 // 0 to 1, by the number alone.
@@ -100,6 +101,11 @@ SoftShadowTruth TraceSoftShadow(
         const glm::dvec3 unit = glm::normalize(middle);
         if (!pixel.Hit || glm::dot(pixel.Normal, unit) <= 0.05 ||
           (source.Spot && glm::dot(-unit, source.Axis) < cosine + 1e-3))
+        {
+          continue;
+        }
+        const double far = source.Positional ? 1. : std::numeric_limits<double>::infinity();
+        if (!scene.Shadow(pixel, middle, far, Jitter).Stable)
         {
           continue;
         }
