@@ -91,8 +91,8 @@ struct SoftShadowSizes
 {
   std::vector<std::string> Scenes = { "bunny", "buildings", "horizon" };
   std::vector<int> Samples = { 1, 2, 4, 8, 16, 32, 64, 128, 256 };
-  int Width = 320;
-  int Height = 240;
+  int Width = 240;
+  int Height = 180;
 };
 
 struct VoxelSizes

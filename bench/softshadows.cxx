@@ -80,8 +80,8 @@ void MeasureLight(const std::string& name, vtkPolyData* mesh, const SizedLight& 
       source->Update();
       const std::chrono::duration<double, std::milli> took =
         std::chrono::steady_clock::now() - from;
-      auto* shares = vtkFloatArray::SafeDownCast(
-        source->GetOutput()->GetPointData()->GetArray("shadow_0"));
+      auto* shares =
+        vtkFloatArray::SafeDownCast(source->GetOutput()->GetPointData()->GetArray("shadow_0"));
       const auto errors = relievoTest::CompareSoftShadow(truth, shares->GetPointer(0));
       table.AddRow({ name, light.Light.Name, Number(light.Size), method.Name,
         std::to_string(samples), std::to_string(errors.Compared), std::to_string(errors.Penumbra),
@@ -120,8 +120,8 @@ int relievoBench::BenchSoftShadows(const std::string& outDir, const SoftShadowSi
       }
     }
   }
-  const bool written = table.WriteCsv(outDir + "/soft-shadows.csv") &&
-    DrawBenchCharts("soft-shadows", outDir, outDir);
+  const bool written =
+    table.WriteCsv(outDir + "/soft-shadows.csv") && DrawBenchCharts("soft-shadows", outDir, outDir);
   return written ? 0 : 1;
 }
 

@@ -48,11 +48,10 @@ vtkRelievoFrameGather::Demand vtkRelievoFrameGather::GetDemand(
     demand.Samples = std::max(demand.Samples, declaration.Samples);
     demand.AtOnce = demand.AtOnce || declaration.AtOnce || context.Waits;
     demand.Color = demand.Color ||
-      (hasColor &&
-        std::any_of(node.Asked.begin(), node.Asked.end(), [&](const std::string& asked) {
-          const auto& offers = declaration.Offers;
-          return std::find(offers.begin(), offers.end(), asked) != offers.end();
-        }));
+      (hasColor && std::any_of(node.Asked.begin(), node.Asked.end(), [&](const std::string& asked) {
+        const auto& offers = declaration.Offers;
+        return std::find(offers.begin(), offers.end(), asked) != offers.end();
+      }));
   }
   for (const auto& light : context.Lights)
   {
@@ -96,8 +95,8 @@ void vtkRelievoFrameGather::Choose(vtkRelievoFrameContext& context)
   const Demand& demand = this->Asked;
   for (auto it = this->Layers.begin(); it != this->Layers.end();)
   {
-    const bool kept = std::find(demand.Layers.begin(), demand.Layers.end(), it->first) !=
-      demand.Layers.end();
+    const bool kept =
+      std::find(demand.Layers.begin(), demand.Layers.end(), it->first) != demand.Layers.end();
     if (!kept)
     {
       it->second->Release(context.Window);

@@ -20,7 +20,8 @@
 //------------------------------------------------------------------------------
 vtkRelievoFrameRun::vtkRelievoFrameRun(vtkRelievoFrameContext& context,
   const std::vector<vtkRelievoStage*>& stages, vtkRelievoColorTarget& color,
-  vtkRelievoTranslucentLayers& translucent, vtkRelievoFrameGather& gather, vtkRelievoGpuTimer& timer)
+  vtkRelievoTranslucentLayers& translucent, vtkRelievoFrameGather& gather,
+  vtkRelievoGpuTimer& timer)
   : Context(context)
   , Stages(stages)
   , Color(color)

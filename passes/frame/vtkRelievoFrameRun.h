@@ -66,7 +66,7 @@ private:
   std::vector<bool> Dropped;                    // of Nodes: needed, and cannot run after all
   std::size_t Next = 0;                         // in the order
   bool Gathered = false;
-  bool ColorOpen = false;                       // the delegate draws into the colour target
+  bool ColorOpen = false; // the delegate draws into the colour target
 };
 
 #endif

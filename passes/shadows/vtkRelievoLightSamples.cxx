@@ -15,7 +15,7 @@ namespace
 const double GoldenAngle = vtkMath::Pi() * (3.0 - std::sqrt(5.0));
 
 // Its multiples, less their whole parts, are far apart, and not in step with the golden angle.
-constexpr double Spread = 0.5698402909980532; // of x^3 = x + 1, to the power of -2
+constexpr double Spread = 0.5698402909980532;      // of x^3 = x + 1, to the power of -2
 constexpr double OtherSpread = 0.6180339887498949; // the golden ratio's
 
 // Nearer to a spot than so many radii, the rim of its cone may be lit where it is not.

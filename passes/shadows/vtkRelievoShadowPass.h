@@ -330,9 +330,8 @@ private:
   void operator=(const vtkRelievoShadowPass&) = delete;
 
   void DescribeSoft(vtkRelievoStageDescription& description);
-  void DeclareSoft(
-    const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const;
-  std::string DescribeSamples() const; // "; WORDS"
+  void DeclareSoft(const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const;
+  std::string DescribeSamples() const;                 // "; WORDS"
   void PrepareMethod(vtkRelievoFrameContext& context); // or maps, with a warning
   void CollectLights(vtkRelievoFrameContext& context);
   void DrawLights(vtkRelievoFrameContext& context);

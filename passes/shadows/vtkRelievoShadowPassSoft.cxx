@@ -124,8 +124,7 @@ std::string vtkRelievoShadowPass::DescribeSamples() const
   {
     return {};
   }
-  return in.Samples > 1
-    ? ", " + std::to_string(in.Gathered) + " of " + std::to_string(in.Samples) +
+  return in.Samples > 1 ? ", " + std::to_string(in.Gathered) + " of " + std::to_string(in.Samples) +
       " samples of the lights' shapes gathered"
     : in.Schedule.Exchange.IsOn()
     ? ", lights are points: several processes draw together"

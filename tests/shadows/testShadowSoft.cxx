@@ -158,13 +158,14 @@ void TestEdge(int method, SceneLight kind)
       ++count;
     }
   }
-  const std::string what = std::string("edge, ") + Methods[method] + ", light " +
-    std::to_string(static_cast<int>(kind));
+  const std::string what =
+    std::string("edge, ") + Methods[method] + ", light " + std::to_string(static_cast<int>(kind));
   const double rms = std::sqrt(sum / count);
   std::cout << what << ": rms error " << rms << ", mean " << mean / count << " of " << count
             << " pixels in the penumbra\n";
   RELIEVO_CHECK_THAT(count > 400, what + ": too little is in the penumbra");
-  RELIEVO_CHECK_AT_MOST(rms, kind == SceneLight::Point ? 1.25 * Limit : Limit, what + ": rms error");
+  RELIEVO_CHECK_AT_MOST(
+    rms, kind == SceneLight::Point ? 1.25 * Limit : Limit, what + ": rms error");
   RELIEVO_CHECK_AT_MOST(std::abs(mean / count), 0.25 * Limit, what + ": mean error");
 }
 
@@ -193,8 +194,8 @@ void TestMesh(const std::string& name, SceneLight kind, double size)
         *truth, truth->Trace(relievoTest::View(scene.Renderer)), scene.Light, size);
     }
     const auto errors = relievoTest::CompareSoftShadow(soft, Visibility(layers.Image));
-    const std::string what = name + ", " + Methods[method] + ", light " +
-      std::to_string(static_cast<int>(kind));
+    const std::string what =
+      name + ", " + Methods[method] + ", light " + std::to_string(static_cast<int>(kind));
     std::cout << what << ": " << errors.ToString() << std::endl;
     RELIEVO_CHECK_THAT(
       errors.Compared > 1000 && errors.Penumbra > 60, what + ": too little is compared");

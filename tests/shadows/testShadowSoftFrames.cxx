@@ -183,11 +183,11 @@ void TestCaptures()
   RELIEVO_CHECK(stage.GetFrame()->GetSamplesLeft() == Samples - 3);
   SamePicture(all, stage.DrawAll(), "gathered around a capture");
   stage.GetShadows()->SoftAtOnceOn();
-  const Layers shared(stage.Renderer, { "shadow_0", "shadow_1", "depth" }, relievoTest::Way::Shared);
+  const Layers shared(
+    stage.Renderer, { "shadow_0", "shadow_1", "depth" }, relievoTest::Way::Shared);
   RELIEVO_CHECK(relievoTest::CountDifferent(own, shared, "shadow_0") == 0);
   RELIEVO_CHECK(relievoTest::CountDifferent(own, shared, "shadow_1") == 0);
-  auto* shares =
-    vtkFloatArray::SafeDownCast(own.Image->GetPointData()->GetArray("shadow_1"));
+  auto* shares = vtkFloatArray::SafeDownCast(own.Image->GetPointData()->GetArray("shadow_1"));
   int between = 0;
   for (vtkIdType i = 0; i < shares->GetNumberOfTuples(); ++i)
   {

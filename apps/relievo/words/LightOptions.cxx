@@ -87,8 +87,7 @@ LightChoice ParseLight(const std::string& word)
   const std::string kind = word.substr(0, colon);
   std::optional<double> size;
   const std::string numbers = TakeSize(word.substr(colon + 1), size);
-  constexpr LightChoice (*parsers[])(
-    const std::string&) = { ParseSun, ParseSpot, ParsePoint };
+  constexpr LightChoice (*parsers[])(const std::string&) = { ParseSun, ParseSpot, ParsePoint };
   LightChoice light =
     parsers[ParseChoice("--light " + word, kind, { "sun", "spot", "point" })](numbers);
   if (light.Is == LightChoice::Kind::Sun && size && *size > 90.0)

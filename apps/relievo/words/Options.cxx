@@ -260,13 +260,12 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
       [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) >= 0; });
   if (!asked && (options.ShadowSize || options.SoftShadows))
   {
-    throw WordsError(
-      std::string(options.ShadowSize ? "--shadow-size: there are no shadows to size"
-                                     : "--soft-shadows: there are no shadows") +
+    throw WordsError(std::string(options.ShadowSize ? "--shadow-size: there are no shadows to size"
+                                                    : "--soft-shadows: there are no shadows") +
       ": give --shadows map, --stage shadows:visible=on, or a layer shadow_N, as well");
   }
-  const bool sized = std::any_of(options.Lights.begin(), options.Lights.end(),
-    [](const LightChoice& light) {
+  const bool sized =
+    std::any_of(options.Lights.begin(), options.Lights.end(), [](const LightChoice& light) {
       return light.Size ? *light.Size > 0.0 : light.Is == LightChoice::Kind::Sun;
     });
   if (options.SoftShadows && !options.Lights.empty() && !sized &&
