@@ -89,8 +89,8 @@ struct CaveSizes
 
 struct SoftShadowSizes
 {
-  std::vector<std::string> Scenes = { "bunny", "buildings", "horizon" };
-  std::vector<int> Samples = { 1, 2, 4, 8, 16, 32, 64, 128, 256 };
+  std::vector<std::string> Scenes = { "bunny", "motorBike", "buildings" };
+  std::vector<int> Samples = { 1, 4, 16, 64, 256 };
   int Width = 240;
   int Height = 180;
 };

@@ -113,11 +113,7 @@ int relievoBench::BenchSoftShadows(const std::string& outDir, const SoftShadowSi
     }
     for (const SizedLight& light : Lights)
     {
-      // Poles to the horizon are lit by a sun.
-      if (name != HorizonScene || light.Light.Kind == SceneLight::Sun)
-      {
-        MeasureLight(name, mesh, light, sizes, table);
-      }
+      MeasureLight(name, mesh, light, sizes, table);
     }
   }
   const bool written =

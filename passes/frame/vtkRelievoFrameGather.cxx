@@ -260,7 +260,8 @@ int vtkRelievoFrameGather::GetLeft() const
   {
     least = std::min(least, layer.second->Count);
   }
-  if (this->Asked.Color && this->Color)
+  // The window's picture waits also while a capture is made.
+  if (this->Color && (this->Asked.Color || this->ColorOfPicture))
   {
     least = std::min(least, this->Color->Count);
   }

@@ -40,7 +40,7 @@ public:
   bool Has(const std::string& layer) const;
   std::string Read(const std::string& layer, vtkImageData* image);
 
-  // Samples that the last frame's picture and layers are still short of.
+  // Samples that the last picture, and the layers of the last frame, are still short of.
   int GetLeft() const;
 
   // Why the frame shows its first sample alone, in words; "": it does not.

@@ -179,6 +179,7 @@ void TestCaptures()
   Picture(stage.Window);
   Picture(stage.Window);
   const Layers own(stage.Renderer, { "shadow_0", "shadow_1", "depth" });
+  RELIEVO_CHECK(stage.GetFrame()->GetSamplesLeft() == Samples - 2);
   stage.Window->Render();
   RELIEVO_CHECK(stage.GetFrame()->GetSamplesLeft() == Samples - 3);
   SamePicture(all, stage.DrawAll(), "gathered around a capture");
