@@ -32,7 +32,10 @@ public:
   }
   static vtkLightKit* Kit(vtkPVRenderView* view) { return view->*(&View::LightKit); }
   // Whether what it draws is saved.
-  static bool IsSaving(vtkPVRenderView* view) { return view->*(&View::InCaptureScreenshot); }
+  static bool IsSaving(vtkPVRenderView* view)
+  {
+    return (view->*(&View::GetInCaptureScreenshot))();
+  }
 };
 
 class Surface : public vtkGeometryRepresentationWithFaces
