@@ -46,7 +46,8 @@ void pqRelievoRefiner::Watch(pqView* view)
 void pqRelievoRefiner::Refine(pqView* view)
 {
   vtkSMProxy* proxy = view->getProxy();
-  if (GetInteger(proxy, "RelievoShadowSoftSamples") <= 1 || !proxy->GetProperty("RelievoSamplesLeft"))
+  if (GetInteger(proxy, "RelievoShadowSoftSamples") <= 1 ||
+    !proxy->GetProperty("RelievoSamplesLeft"))
   {
     return;
   }

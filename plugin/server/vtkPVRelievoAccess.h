@@ -32,10 +32,7 @@ public:
   }
   static vtkLightKit* Kit(vtkPVRenderView* view) { return view->*(&View::LightKit); }
   // Whether what it draws is saved.
-  static bool IsSaving(vtkPVRenderView* view)
-  {
-    return (view->*(&View::GetInCaptureScreenshot))();
-  }
+  static bool IsSaving(vtkPVRenderView* view) { return (view->*(&View::GetInCaptureScreenshot))(); }
 };
 
 class Surface : public vtkGeometryRepresentationWithFaces
