@@ -179,7 +179,7 @@ void TestMesh(const std::string& name, SceneLight kind, double size)
   {
     return;
   }
-  auto window = relievoTest::MakeWindow(96, 72, scene.Renderer);
+  auto window = relievoTest::MakeWindow(120, 90, scene.Renderer);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
   vtkRelievoShadowPass* shadows = frame->GetShadowPass();
   shadows->SetSoftSamples(Samples);
@@ -207,7 +207,7 @@ void TestMesh(const std::string& name, SceneLight kind, double size)
       const float drawn = Visibility(layers.Image)[i];
       if (soft.Shares[i] >= 0.f && std::abs(drawn - soft.Shares[i]) > 0.5f)
       {
-        std::cout << "  pixel " << i % 96 << " " << i / 96 << ": " << drawn << ", not "
+        std::cout << "  pixel " << i % 120 << " " << i / 120 << ": " << drawn << ", not "
                   << soft.Shares[i] << std::endl;
       }
     }
