@@ -87,6 +87,14 @@ struct CaveSizes
   int Seeds = 24;
 };
 
+struct SoftShadowSizes
+{
+  std::vector<std::string> Scenes = { "bunny", "motorBike" }; // all but the first under the sun
+  std::vector<int> Samples = { 1, 4, 16, 64, 256 };
+  int Width = 240;
+  int Height = 180;
+};
+
 struct VoxelSizes
 {
   std::vector<int> Sizes = { 25, 50, 100 }; // cells along the longest side
@@ -121,6 +129,7 @@ int BenchBlocks(const std::string& outDir, const BlockSizes& sizes);
 int BenchCaves(const std::string& outDir, const CaveSizes& sizes);
 int BenchVoxels(const std::string& outDir, const VoxelSizes& sizes);
 int BenchParticles(const std::string& outDir, const ParticleSizes& sizes);
+int BenchSoftShadows(const std::string& outDir, const SoftShadowSizes& sizes);
 int BenchFog(const std::string& outDir, const FogSizes& sizes);
 
 /** The part of BenchEnvironment that times frames; returns whether its file is written. */

@@ -59,6 +59,9 @@ int RelievoBenchShadows(const std::string& outDir);
 /** Chart 5: false shadow against leak as the bias grows, three heights of the sun. Minutes. */
 int RelievoBenchBias(const std::string& outDir);
 
+/** Chart 11: error of soft shadows against samples. Some minutes. */
+int RelievoBenchSoftShadows(const std::string& outDir);
+
 /** Chart 8: error of environments against texels and angle, by the map; frames. Three minutes. */
 int RelievoBenchEnvironment(const std::string& outDir);
 

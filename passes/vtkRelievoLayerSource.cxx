@@ -11,7 +11,6 @@
 #include "vtkInformationVector.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
@@ -210,6 +209,7 @@ int vtkRelievoLayerSource::RequestData(
   const bool attached = vtkRelievoPass::SafeDownCast(this->Renderer->GetPass()) != nullptr;
   vtkSmartPointer<vtkRelievoPass> pass = vtkRelievoPass::Attach(this->Renderer);
   std::vector<std::string> added;
+  const bool waits = pass->GetWaitForSamples();
   bool color = false;
   vtkRelievoToneStage* tone = pass->GetTone();
   const bool toned = tone && tone->GetChangesPicture();
@@ -224,7 +224,9 @@ int vtkRelievoLayerSource::RequestData(
     }
   }
 
+  pass->WaitForSamplesOn();
   const bool drawn = this->Draw(pass, color);
+  pass->SetWaitForSamples(waits);
   color = color && !(toned && tone->GetReasonCode() == "ran"); // the colour is what it was before
   std::vector<std::string> read = this->Layers;
   if (color)

@@ -21,6 +21,7 @@ const std::vector<Entry>& Entries()
     { "position", { "position.csv" }, PositionCharts },
     { "gbuffer", { "gbuffer.csv" }, GBufferCharts },
     { "shadows", { "shadows.csv" }, ShadowsCharts },
+    { "soft-shadows", { "soft-shadows.csv" }, SoftShadowCharts },
     { "bias", { "bias.csv" }, BiasCharts },
     { "lights", { "lights.csv" }, LightsCharts },
     { "deferred", { "deferred.csv" }, DeferredCharts },

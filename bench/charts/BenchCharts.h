@@ -43,6 +43,7 @@ std::vector<NamedChart> DepthCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> PositionCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> GBufferCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> ShadowsCharts(const std::vector<CsvRows>& files);
+std::vector<NamedChart> SoftShadowCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> BiasCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> LightsCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> DeferredCharts(const std::vector<CsvRows>& files);

@@ -353,6 +353,17 @@ std::map<std::string, vtkVariant> vtkRelievoLampsStage::GetFacts()
 }
 
 //------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoLampsStage::GetDataTime()
+{
+  vtkMTimeType time = 0;
+  for (const auto& each : this->Internal->Sets)
+  {
+    time = std::max(time, each->GetUpdatedTime());
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkRelievoLampsStage::GetBytesHeld()
 {
   return this->Internal->Light.GetBytes() + this->Internal->Translucent->GetBytes();

@@ -111,6 +111,7 @@ public:
   vtkGetMacro(NumberCasting, int);
 
   vtkIdType GetBytesHeld() override;
+  vtkMTimeType GetDataTime() override;
   std::map<std::string, vtkVariant> GetFacts() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

@@ -298,6 +298,17 @@ std::string vtkRelievoFogStage::ReadLayers(
 }
 
 //------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoFogStage::GetDataTime()
+{
+  vtkMTimeType time = 0;
+  for (const auto& each : this->Internal->Fogs)
+  {
+    time = std::max(time, each->GetUpdatedTime());
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkRelievoFogStage::GetBytesHeld()
 {
   return this->Internal->Buffer.GetBytes() + this->Internal->Translucent.GetBytes();

@@ -222,6 +222,17 @@ std::string vtkRelievoMarkersStage::ReadLayers(
 }
 
 //------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoMarkersStage::GetDataTime()
+{
+  vtkMTimeType time = 0;
+  for (const auto& each : this->Internal->Sets)
+  {
+    time = std::max(time, each->GetUpdatedTime());
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkRelievoMarkersStage::GetBytesHeld()
 {
   return this->Internal->Buffer.GetBytes();

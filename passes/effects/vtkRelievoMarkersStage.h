@@ -52,6 +52,7 @@ public:
   vtkGetMacro(NumberDrawn, int);
 
   vtkIdType GetBytesHeld() override;
+  vtkMTimeType GetDataTime() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

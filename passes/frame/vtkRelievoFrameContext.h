@@ -55,6 +55,14 @@ public:
   // Layers that are a light's visibility, and the light's index in vtkRenderer::GetLights().
   std::map<std::string, int> Lights;
 
+  // Which sample of how many the stages draw that declare some, and whether the frame ends with
+  // it: if not, nothing is shown yet, and the next one follows. Waits: nothing is to be shown
+  // before all are there.
+  int Sample = 0;
+  int Samples = 1;
+  bool Last = true;
+  bool Waits = false;
+
   // Lamps whose shadows are wanted, as the resource `lamp shadows`; from Prepare on.
   std::vector<vtkRelievoCastingLamp> CastingLamps;
 

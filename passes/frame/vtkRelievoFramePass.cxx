@@ -1,77 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkRelievoFramePass.h"
-#include "vtkRelievoAccess.h"
+#include "vtkRelievoFrameInternals.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
-#include "vtkRelievoColorTarget.h"
-#include "vtkRelievoDelegate.h"
+#include "vtkRelievoAccess.h"
 #include "vtkRelievoFrameContext.h"
-#include "vtkRelievoFrameReader.h"
-#include "vtkRelievoFrameReport.h"
 #include "vtkRelievoFrameRun.h"
-#include "vtkRelievoGpuTimer.h"
-#include "vtkRelievoStage.h"
 #include "vtkRelievoStageRegistry.h"
-#include "vtkRelievoTranslucentLayers.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <set>
 #include <vector>
 
 vtkStandardNewMacro(vtkRelievoFramePass);
-
-class vtkRelievoFramePass::Internals
-{
-public:
-  vtkSmartPointer<vtkRenderPass> Delegate;
-  std::vector<vtkSmartPointer<vtkRelievoStage>> Registered;
-  std::vector<vtkSmartPointer<vtkRelievoStage>> Added;
-  std::set<std::string> Requested;
-  std::set<std::string> Said; // what could not be had, told once
-  vtkRelievoGpuTimer Timer;
-  vtkRelievoFrameReport Report;
-  vtkRelievoDelegate Picture;
-  vtkRelievoColorTarget Color;
-  vtkRelievoTranslucentLayers Translucent;
-  vtkRelievoFrameReader Reader{ Color };
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
-
-  std::vector<vtkRelievoStage*> GetStages()
-  {
-    std::vector<vtkRelievoStage*> stages;
-    for (auto& stage : this->Registered)
-    {
-      const std::string name = stage->GetStageName();
-      const bool replaced = std::any_of(this->Added.begin(), this->Added.end(),
-        [&name](const auto& added) { return added->GetStageName() == name; });
-      if (!replaced)
-      {
-        stages.push_back(stage);
-      }
-    }
-    for (auto& stage : this->Added)
-    {
-      stages.push_back(stage);
-    }
-    return stages;
-  }
-
-  // A stage that leaves the frame: what it holds is released, and what it wrote is read no more.
-  void Forget(vtkRelievoStage* stage)
-  {
-    if (this->Window)
-    {
-      stage->ReleaseGraphicsResources(this->Window);
-    }
-    this->Reader.Forget(stage);
-  }
-};
 
 //------------------------------------------------------------------------------
 vtkRelievoFramePass::vtkRelievoFramePass()
@@ -268,12 +211,26 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
     return;
   }
 
+  while (!this->DrawSample(s))
+  {
+    // Not shown yet: the frame has more samples.
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether it is what the frame ends with.
+bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
+{
+  Internals& in = *this->Internal;
+  auto* renderer = static_cast<vtkOpenGLRenderer*>(s->GetRenderer());
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkRelievoFrameContext context;
   context.Renderer = renderer;
   context.Window = window;
   context.State = s;
   context.View.Take(renderer, s);
   context.Picture = !this->LayersOnly;
+  context.Waits = this->WaitForSamples;
   context.Delegate = in.Delegate;
   context.OwnSteps = !in.Delegate && !s->GetFrameBuffer();
   context.Nested = renderer->GetPass() != this;
@@ -282,7 +239,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
     return in.Reader.Read(names, image);
   };
   const std::vector<vtkRelievoStage*> stages = in.GetStages();
-  vtkRelievoFrameRun run(context, stages, in.Color, in.Translucent, in.Timer);
+  vtkRelievoFrameRun run(context, stages, in.Color, in.Translucent, in.Gather, in.Timer);
   for (const std::string& wrong : run.Plan())
   {
     if (in.Said.insert(wrong).second)
@@ -310,7 +267,19 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   in.Timer.End("frame");
   in.Timer.EndFrame();
 
+  in.Gather.End(context, stages);
+  if (!in.Gather.GetFault().empty() && in.Said.insert(in.Gather.GetFault()).second)
+  {
+    vtkErrorMacro("Samples are not gathered: " << in.Gather.GetFault() << ".");
+  }
   run.Report(in.Report, in.Delegate);
+  return context.Last;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoFramePass::GetSamplesLeft()
+{
+  return this->Internal->Gather.GetLeft();
 }
 
 //------------------------------------------------------------------------------
@@ -323,7 +292,7 @@ std::string vtkRelievoFramePass::GetFrameReport()
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoFramePass::GetBytesHeld()
 {
-  vtkIdType bytes = this->Internal->Color.GetBytes();
+  vtkIdType bytes = this->Internal->Color.GetBytes() + this->Internal->Gather.GetBytes();
   for (vtkRelievoStage* stage : this->Internal->GetStages())
   {
     bytes += stage->GetBytesHeld();
@@ -343,6 +312,7 @@ void vtkRelievoFramePass::ReleaseStages(vtkWindow* window)
   }
   this->Internal->Color.Release(window);
   this->Internal->Translucent.Release(window);
+  this->Internal->Gather.Release(window);
   this->Internal->Timer.Release();
 }
 
@@ -379,4 +349,5 @@ void vtkRelievoFramePass::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << "\n";
   os << indent << "LayersOnly: " << this->LayersOnly << "\n";
+  os << indent << "WaitForSamples: " << this->WaitForSamples << "\n";
 }

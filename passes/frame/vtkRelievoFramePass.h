@@ -79,6 +79,20 @@ public:
 
   ///@{
   /**
+   * A stage may draw one sample in each frame, of a light with a size for example
+   * (vtkRelievoShadowPass::SetSoftSamples); while nothing else changes the frame shows the mean of
+   * those that it has gathered. GetSamplesLeft says how many the last frame is short of: render
+   * again until it is 0. WaitForSamples makes each frame gather all at once, for pictures that are
+   * saved. Default off; pictures in tiles, and captures by vtkRelievoLayerSource, always do.
+   */
+  int GetSamplesLeft();
+  vtkSetMacro(WaitForSamples, bool);
+  vtkGetMacro(WaitForSamples, bool);
+  vtkBooleanMacro(WaitForSamples, bool);
+  ///@}
+
+  ///@{
+  /**
    * Reads layers of the last frame into the image as point arrays of the layers' names; row 0 is
    * the bottom row. The image's dimensions are set if it has no points. Returns false, with an
    * error, at the first layer that the last frame did not make. Reading several at once is faster:
@@ -118,10 +132,13 @@ protected:
   void ReleaseStages(vtkWindow* window);
 
   bool LayersOnly = false;
+  bool WaitForSamples = false;
 
 private:
   vtkRelievoFramePass(const vtkRelievoFramePass&) = delete;
   void operator=(const vtkRelievoFramePass&) = delete;
+
+  bool DrawSample(const vtkRenderState* s);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

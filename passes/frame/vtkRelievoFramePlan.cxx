@@ -333,6 +333,10 @@ void vtkRelievoFramePlan::Mark(
       }
     }
   }
+  // A mean is made of the linear colour.
+  const bool gathers = std::any_of(nodes.begin(), nodes.end(),
+    [](const Node& node) { return node.Needed && node.Declaration.Samples > 1; });
+  this->ColorNeeded = this->ColorNeeded || (picture && gathers && this->NoColor.empty());
 }
 
 //------------------------------------------------------------------------------

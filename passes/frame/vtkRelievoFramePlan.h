@@ -44,6 +44,12 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
   // Whether it makes the picture of the colour, by vtkRelievoFrameContext::Present, in the place of
   // the sRGB curve alone. If it does not, the curve does.
   bool Presents = false;
+
+  // Samples of what it draws, of which each frame has one (vtkRelievoFrameContext::Sample) as long
+  // as nothing else changes; the frame gathers lights' visibility, and the colour if one of Offers
+  // is asked for, and shows the mean. AtOnce: all of them in every frame.
+  int Samples = 1;
+  bool AtOnce = false;
 };
 
 class VTKRELIEVOFRAME_EXPORT vtkRelievoFramePlan

@@ -3,6 +3,7 @@
 #include "vtkRelievoFrameReader.h"
 
 #include "vtkRelievoColorTarget.h"
+#include "vtkRelievoFrameGather.h"
 #include "vtkRelievoStage.h"
 
 #include <utility>
@@ -34,6 +35,12 @@ vtkRelievoStage* vtkRelievoFrameReader::FindWriter(const std::string& name) cons
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoFrameReader::IsAlone(const std::string& name) const
+{
+  return name == "color" || this->Gather.Has(name);
+}
+
+//------------------------------------------------------------------------------
 // Layers of one stage after the other, in the order of the names.
 std::string vtkRelievoFrameReader::Read(const std::vector<std::string>& names, vtkImageData* image)
 {
@@ -50,7 +57,7 @@ std::string vtkRelievoFrameReader::Read(const std::vector<std::string>& names, v
   {
     vtkRelievoStage* writer = this->FindWriter(names[from]);
     std::size_t to = from + 1;
-    while (names[from] != "color" && to < names.size() && names[to] != "color" &&
+    while (!this->IsAlone(names[from]) && to < names.size() && !this->IsAlone(names[to]) &&
       this->FindWriter(names[to]) == writer)
     {
       ++to;
@@ -59,6 +66,10 @@ std::string vtkRelievoFrameReader::Read(const std::vector<std::string>& names, v
     {
       wrong = this->Color.Read(image);
       wrong = wrong.empty() ? wrong : "The layer 'color' cannot be read: " + wrong + ".";
+    }
+    else if (this->Gather.Has(names[from]))
+    {
+      wrong = this->Gather.Read(names[from], image);
     }
     else
     {

@@ -11,13 +11,15 @@
 
 class vtkImageData;
 class vtkRelievoColorTarget;
+class vtkRelievoFrameGather;
 class vtkRelievoStage;
 
 class vtkRelievoFrameReader
 {
 public:
-  explicit vtkRelievoFrameReader(vtkRelievoColorTarget& color)
+  vtkRelievoFrameReader(vtkRelievoColorTarget& color, vtkRelievoFrameGather& gather)
     : Color(color)
+    , Gather(gather)
   {
   }
 
@@ -35,7 +37,10 @@ public:
 private:
   vtkRelievoStage* FindWriter(const std::string& name) const;
 
+  bool IsAlone(const std::string& name) const; // no stage's
+
   vtkRelievoColorTarget& Color;
+  vtkRelievoFrameGather& Gather;
   std::map<std::string, vtkRelievoStage*> Writers;
   std::map<std::string, std::string> Missing;
 };

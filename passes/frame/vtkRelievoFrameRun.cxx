@@ -8,6 +8,7 @@
 #include "vtkRelievoColorTarget.h"
 #include "vtkRelievoDelegate.h"
 #include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFrameGather.h"
 #include "vtkRelievoFrameReport.h"
 #include "vtkRelievoGpuTimer.h"
 #include "vtkRelievoStage.h"
@@ -19,11 +20,13 @@
 //------------------------------------------------------------------------------
 vtkRelievoFrameRun::vtkRelievoFrameRun(vtkRelievoFrameContext& context,
   const std::vector<vtkRelievoStage*>& stages, vtkRelievoColorTarget& color,
-  vtkRelievoTranslucentLayers& translucent, vtkRelievoGpuTimer& timer)
+  vtkRelievoTranslucentLayers& translucent, vtkRelievoFrameGather& gather,
+  vtkRelievoGpuTimer& timer)
   : Context(context)
   , Stages(stages)
   , Color(color)
   , Translucent(translucent)
+  , Gather(gather)
   , Timer(timer)
   , Nodes(stages.size() + 1)
   , Dropped(stages.size() + 1, false)
@@ -123,6 +126,7 @@ std::vector<std::string> vtkRelievoFrameRun::Plan()
       wrong = this->Order.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
     }
   }
+  this->Gather.Begin(this->Context, this->Nodes, this->Order.NeedsColor(), this->Stages);
   for (std::size_t i = 0; i < this->Stages.size(); ++i)
   {
     const vtkRelievoFramePlan::Node& node = this->Nodes[i + 1];
@@ -202,19 +206,38 @@ void vtkRelievoFrameRun::ExecuteRest()
     // What makes the picture of the colour does so itself; what shows something else as the picture
     // draws over it.
     const vtkRelievoFramePlan::Node& node = this->Nodes[order[this->Next]];
-    if (node.Slot == vtkRelievoStageDescription::DISPLAY && !node.Declaration.Presents)
+    if (node.Slot == vtkRelievoStageDescription::DISPLAY)
     {
-      this->Present();
+      this->FinishColor();
+      if (!this->Context.Last)
+      {
+        continue;
+      }
+      if (!node.Declaration.Presents)
+      {
+        this->Present();
+      }
     }
     this->ExecuteStage(order[this->Next]);
   }
+  this->FinishColor();
   this->Present();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameRun::FinishColor()
+{
+  if (!this->Gathered)
+  {
+    this->Gather.Gather(this->Context);
+    this->Gathered = true;
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoFrameRun::Present()
 {
-  if (this->Context.Picture && this->Context.Color)
+  if (this->Context.Picture && this->Context.Last && this->Context.Color)
   {
     this->Color.Present(this->Context);
   }
@@ -273,7 +296,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
       if (this->ColorOpen && this->Color.IsBound())
       {
         interrupt([&]() { this->ExecuteRest(); });
-        aside = !this->Context.Picture;
+        aside = !this->Context.Picture || !this->Context.Last;
         if (aside)
         {
           this->Color.BeginAside(this->Context);
@@ -353,7 +376,7 @@ int vtkRelievoFrameRun::Execute(vtkRelievoDelegate& delegate, vtkRenderPass* pas
 void vtkRelievoFrameRun::Report(vtkRelievoFrameReport& report, vtkRenderPass* pass) const
 {
   const bool draws = this->Nodes[0].Needed;
-  report.Begin(this->Context.Renderer, this->Color.GetBytes());
+  report.Begin(this->Context.Renderer, this->Color.GetBytes() + this->Gather.GetBytes());
   report.Add("delegate", draws, draws ? "ran" : "not_asked",
     !draws   ? "only the layers are asked for"
       : pass ? std::string("draws the picture: ") + pass->GetClassName()

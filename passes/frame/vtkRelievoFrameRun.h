@@ -14,6 +14,7 @@
 class vtkRelievoColorTarget;
 class vtkRelievoDelegate;
 class vtkRelievoFrameContext;
+class vtkRelievoFrameGather;
 class vtkRelievoFrameReport;
 class vtkRelievoGpuTimer;
 class vtkRelievoStage;
@@ -25,7 +26,7 @@ class vtkRelievoFrameRun
 public:
   vtkRelievoFrameRun(vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages,
     vtkRelievoColorTarget& color, vtkRelievoTranslucentLayers& translucent,
-    vtkRelievoGpuTimer& timer);
+    vtkRelievoFrameGather& gather, vtkRelievoGpuTimer& timer);
 
   // Works out what runs, and tells the others why not. Returns what cannot run for what it reads.
   std::vector<std::string> Plan();
@@ -50,6 +51,7 @@ private:
   void FindLights();
   void ExecuteStage(int place);
   void ExecuteRest();
+  void FinishColor();
   void Present();
   int DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass* pass);
 
@@ -57,12 +59,14 @@ private:
   const std::vector<vtkRelievoStage*>& Stages; // node i + 1 is stage i
   vtkRelievoColorTarget& Color;
   vtkRelievoTranslucentLayers& Translucent;
+  vtkRelievoFrameGather& Gather;
   vtkRelievoGpuTimer& Timer;
   vtkRelievoFramePlan Order;
   std::vector<vtkRelievoFramePlan::Node> Nodes; // the first is the delegate
   std::vector<bool> Dropped;                    // of Nodes: needed, and cannot run after all
   std::size_t Next = 0;                         // in the order
-  bool ColorOpen = false;                       // the delegate draws into the colour target
+  bool Gathered = false;
+  bool ColorOpen = false; // the delegate draws into the colour target
 };
 
 #endif

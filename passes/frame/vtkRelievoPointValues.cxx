@@ -130,6 +130,13 @@ vtkMTimeType vtkRelievoPointValues::GetMTime()
 }
 
 //------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoPointValues::GetUpdatedTime()
+{
+  this->GetNumberOfPoints();
+  return std::max(this->GetMTime(), this->GetRowsTime());
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoPointValues::Share(vtkMultiProcessController* controller)
 {
   this->GetNumberOfPoints();

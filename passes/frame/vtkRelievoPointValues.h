@@ -59,6 +59,9 @@ public:
 
   vtkMTimeType GetMTime() override;
 
+  /** Brings the points up to date; when they, or a setting, have last changed. */
+  vtkMTimeType GetUpdatedTime();
+
   /** Points that were left out, because their place or values are not finite, or have no effect. */
   vtkGetMacro(NumberLeftOut, int);
 

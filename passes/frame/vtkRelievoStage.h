@@ -92,6 +92,12 @@ public:
   }
 #endif
 
+  /** When the data that the stage works on has last changed; 0 if it works on none. */
+  virtual vtkMTimeType GetDataTime()
+  {
+    return 0;
+  }
+
   /** Draws nothing: frames call stages. */
   void Render(const vtkRenderState* s) override;
 

@@ -169,6 +169,10 @@ std::string vtkRelievoGBufferLayout::GetDefines() const
   define("SURFACE_DETAIL", this->SurfaceDetailWord);
   define("SURFACE_SPECULAR", this->SurfaceSpecularWord);
   define("SHADOW", this->ShadowWord);
+  for (std::size_t i = 0; i < this->Shadows.size(); ++i)
+  {
+    out << "#define RELIEVO_SHADOW_PLACE_" << this->Shadows[i] << " " << i << "\n";
+  }
   out << (this->SurfaceSpecular || this->SurfacePbr ? "#define RELIEVO_GLOSSY_SURFACES\n" : "");
   out << "#define RELIEVO_NORMAL_FORMAT " << this->ChosenNormalFormat << "\n";
   out << "#define RELIEVO_DEPTH_FORMAT " << this->DepthFormat << "\n";

@@ -7,6 +7,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoLampMaps.h"
+#include "vtkRelievoLightSamples.h"
 #include "vtkRelievoShadowLights.h"
 #include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoShadowPass.h"
@@ -26,6 +27,9 @@ class vtkRelievoShadowPass::Internals
 {
 public:
   vtkRelievoShadowLights Lights;
+  vtkRelievoLightSizes Sizes; // of lights
+  int Samples = 1;            // of them, in this frame
+  int Gathered = 0;
   vtkRelievoShadowCasters Casters; // of all maps
   vtkRelievoShadowWork Work{ Casters };
   vtkRelievoShadowSchedule Schedule;

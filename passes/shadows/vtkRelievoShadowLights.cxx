@@ -4,6 +4,7 @@
 
 #include "vtkLightCollection.h"
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoLightSamples.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -176,6 +177,35 @@ void vtkRelievoShadowLights::Collect(vtkRenderer* renderer, int mostMaps)
       this->Casting.push_back(light);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowLights::Move(const vtkRelievoLightSizes& sizes, int sample, int samples)
+{
+  for (vtkRelievoShadowLight& light : this->Casting)
+  {
+    if (sizes.IsSized(light.Light))
+    {
+      sizes.Move(light, sample, samples);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowLights::AreSized(
+  vtkRenderer* renderer, const vtkRelievoLightSizes& sizes) const
+{
+  vtkCollectionSimpleIterator it;
+  renderer->GetLights()->InitTraversal(it);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
+  {
+    if (light->GetSwitch() && !light->LightTypeIsHeadlight() && this->Casts(light) &&
+      sizes.IsSized(light))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+class vtkRelievoLightSizes;
 class vtkRenderer;
 
 class vtkRelievoShadowLights
@@ -37,6 +38,12 @@ public:
   void Collect(vtkRenderer* renderer, int mostMaps);
   std::vector<int> GetNumbers() const; // of those that cast
   void KeepOnly(const std::vector<int>& numbers);
+  // Those that cast, to where a sample of so many casts its shadow from.
+  void Move(const vtkRelievoLightSizes& sizes, int sample, int samples);
+
+  // Whether a light may cast that is more than a point.
+  bool AreSized(vtkRenderer* renderer, const vtkRelievoLightSizes& sizes) const;
+
   const std::vector<vtkRelievoShadowLight>& GetAll() const { return this->All; }
   const std::vector<vtkRelievoShadowLight>& GetCasting() const { return this->Casting; }
   void Clear() { this->Casting.clear(); }

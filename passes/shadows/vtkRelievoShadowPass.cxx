@@ -179,11 +179,12 @@ void vtkRelievoShadowPass::Describe(vtkRelievoStageDescription& description)
   description.AddWhole(
     "lamp_map_size", this->LampMapSize, [this](int size) { this->SetLampMapSize(size); }, 16, 16384,
     "texels", "Width and height of each map of a lamp from data; a lamp has up to six.");
+  this->DescribeSoft(description);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowPass::Declare(
-  const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
+  const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
   // The visibility is for layers, and lamps are lit by their own stage, whether shadows of lights
   // are seen or not.
@@ -193,6 +194,7 @@ void vtkRelievoShadowPass::Declare(
     declaration.Offers.emplace_back("shadow maps");
   }
   declaration.Words = this->Visible ? "" : "shadows are off";
+  this->DeclareSoft(context, declaration);
 }
 
 //------------------------------------------------------------------------------
@@ -380,6 +382,10 @@ void vtkRelievoShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FilterRadius: " << this->FilterRadius << "\n";
   os << indent << "Bias: " << this->Bias << "\n";
   os << indent << "Strength: " << this->Strength << "\n";
+  os << indent << "SoftSamples: " << this->SoftSamples << "\n";
+  os << indent << "SoftAtOnce: " << this->SoftAtOnce << "\n";
+  os << indent << "SunAngle: " << this->SunAngle << "\n";
+  os << indent << "LampRadius: " << this->LampRadius << "\n";
   os << indent << "Casting lights: " << this->GetNumberOfCastingLights() << "\n";
   os << indent << "Maps: " << this->GetNumberOfMaps() << "\n";
 }

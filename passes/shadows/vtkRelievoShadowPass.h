@@ -133,6 +133,53 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Soft shadows: samples of each light's shape, 0 to 4096; 0 (default) and 1: lights are points.
+   * Each frame draws the shadow from another sample, as long as nothing else changes, and the frame
+   * shows the mean of the linear colour: the share of the light that is not blocked. A layer
+   * shadow_N is that share. vtkRelievoFramePass::GetSamplesLeft says how many frames are missing.
+   * Lights are shaded as before: only their shadows are soft. With several processes
+   * (SetController) lights stay points.
+   */
+  vtkSetClampMacro(SoftSamples, int, 0, 4096);
+  vtkGetMacro(SoftSamples, int);
+  ///@}
+
+  ///@{
+  /** Whether each frame draws all of these samples, not one. Default off. */
+  vtkSetMacro(SoftAtOnce, bool);
+  vtkGetMacro(SoftAtOnce, bool);
+  vtkBooleanMacro(SoftAtOnce, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The angle that directional lights appear under, in degrees, 0 to 90; default 0.53, the sun's.
+   * The radius of positional lights in world units, 0 or more; default 0. A spot is a disc across
+   * its direction, a point light a ball.
+   */
+  void SetSunAngle(double degrees);
+  vtkGetMacro(SunAngle, double);
+  void SetLampRadius(double radius);
+  vtkGetMacro(LampRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * The same for one light: an angle for a directional, a radius for a positional one; -1 for the
+   * pass's (default).
+   */
+  void SetLightSize(vtkLight* light, double size);
+  double GetLightSize(vtkLight* light);
+  ///@}
+
+  /**
+   * Makes a positional light a parallelogram around its position, with these edges in world
+   * coordinates; two edges of no length make it what it was.
+   */
+  void SetLightEdges(vtkLight* light, const double first[3], const double second[3]);
+
+  ///@{
   /** Whether a light casts shadows. Default: every light does. */
   void SetLightCasts(vtkLight* light, bool casts);
   bool GetLightCasts(vtkLight* light);
@@ -232,6 +279,7 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
+   * "soft_samples", "soft_gathered": see SetSoftSamples; 1 where lights are points.
    * "expected_wrong_share": see EstimateWrongShare; null if no shadows of lights were made.
    * "lamp_maps", "lamp_maps_drawn", "lamp_maps_bytes": of lamps from data; the second were redrawn.
    */
@@ -271,12 +319,19 @@ protected:
   int FilterRadius = 1;
   double Bias = 1.5;
   double Strength = 1.0;
+  int SoftSamples = 0;
+  bool SoftAtOnce = false;
+  double SunAngle = 0.53;
+  double LampRadius = 0.0;
   int NumberOfMapsDrawn = 0;
 
 private:
   vtkRelievoShadowPass(const vtkRelievoShadowPass&) = delete;
   void operator=(const vtkRelievoShadowPass&) = delete;
 
+  void DescribeSoft(vtkRelievoStageDescription& description);
+  void DeclareSoft(const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const;
+  std::string DescribeSamples() const;                 // "; WORDS"
   void PrepareMethod(vtkRelievoFrameContext& context); // or maps, with a warning
   void CollectLights(vtkRelievoFrameContext& context);
   void DrawLights(vtkRelievoFrameContext& context);

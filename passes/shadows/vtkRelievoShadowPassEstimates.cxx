@@ -86,6 +86,8 @@ std::map<std::string, vtkVariant> vtkRelievoShadowPass::GetFacts()
   const bool ran = this->GetReasonCode() == "ran" && !in.Lights.GetCasting().empty();
   return { { "expected_wrong_share",
              ran ? vtkVariant(this->GetExpectedWrongShare()) : vtkVariant() },
+    { "soft_samples", vtkVariant(ran ? in.Samples : 1) },
+    { "soft_gathered", vtkVariant(ran ? in.Gathered : 1) },
     { "lamp_maps", vtkVariant(lamps.Cache.GetNumberOfMaps()) },
     { "lamp_maps_drawn", vtkVariant(lamps.MapsDrawn) },
     { "lamp_maps_bytes", vtkVariant(static_cast<long long>(lamps.Maps.GetBytes())) } };

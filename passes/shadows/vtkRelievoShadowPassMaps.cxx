@@ -18,6 +18,12 @@ void vtkRelievoShadowPass::CollectLights(vtkRelievoFrameContext& context)
   {
     in.Lights.KeepOnly(in.Schedule.Exchange.FindCommon(in.Lights.GetNumbers()));
   }
+  in.Samples = context.Samples;
+  in.Gathered = context.Sample + 1;
+  if (context.Samples > 1)
+  {
+    in.Lights.Move(in.Sizes, context.Sample, context.Samples);
+  }
   for (const vtkRelievoShadowLight& light : in.Lights.GetAll())
   {
     if (light.Broken && in.Said.insert(std::to_string(light.Number) + light.NoShadow).second)
@@ -95,6 +101,7 @@ std::string vtkRelievoShadowPass::DescribeMaps() const
       << " x " << in.Work.Maps.GetSize() << " texels, " << this->NumberOfMapsDrawn
       << " drawn anew, expected share of wrong pixels " << std::setprecision(2)
       << 100.0 * this->GetExpectedWrongShare() << " %" << std::setprecision(6)
-      << in.Method->GetReport() << in.Schedule.Exchange.GetReport() << in.Lights.GetReport();
+      << in.Method->GetReport() << this->DescribeSamples() << in.Schedule.Exchange.GetReport()
+      << in.Lights.GetReport();
   return out.str();
 }

@@ -7,6 +7,7 @@
 #include "pqDataRepresentation.h"
 #include "pqPropertiesPanel.h"
 #include "pqRelievoPanel.h"
+#include "pqRelievoRefiner.h"
 #include "pqRelievoToolBar.h"
 #include "vtkCommand.h"
 #include "vtkSMRelievoViews.h"
@@ -24,6 +25,7 @@ void pqRelievoStartUp::OnStartUp()
   {
     this->Connector->Connect(views, vtkCommand::UpdateEvent, this, SLOT(Refresh()));
   }
+  new pqRelievoRefiner(this);
 }
 
 //------------------------------------------------------------------------------

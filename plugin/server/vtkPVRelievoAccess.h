@@ -31,6 +31,8 @@ public:
     return view->*(&View::SynchronizedRenderers);
   }
   static vtkLightKit* Kit(vtkPVRenderView* view) { return view->*(&View::LightKit); }
+  // Whether what it draws is saved.
+  static bool IsSaving(vtkPVRenderView* view) { return (view->*(&View::GetInCaptureScreenshot))(); }
 };
 
 class Surface : public vtkGeometryRepresentationWithFaces

@@ -85,6 +85,24 @@ class Shadows(CliTest):
             with self.subTest(light=light):
                 self.check_layer(channels[f"{name}.V"], LIGHTS[light])
 
+    def test_soft_shadows_are_shares_of_the_light(self):
+        # Beside the plate's edge at x = 0.5 a sun above it leaves the share of its disc on that
+        # side. It is not quite behind the parallel camera, which would see no shadows then.
+        self.draw(
+            "--exr", "a.exr", "--layers", "shadow_0", "--shadows", "exact", "--soft-shadows", "64",
+            "--report", "a.json", lights=["sun:0,0.02,1,size=40"],
+        )  # fmt: skip
+        share = self.exr("a.exr")[1]["shadow_0.V"][SIDE // 2]
+        x = (numpy.arange(SIDE) + 0.5 - SIDE / 2) / 25
+        h = (x - 0.5) / numpy.tan(numpy.radians(20))
+        edge = numpy.clip(h, -1, 1)
+        truth = 0.5 + (edge * numpy.sqrt(1 - edge**2) + numpy.arcsin(edge)) / numpy.pi
+        seen = (x > 0.55) & (x < 1.5)  # the plate's other edges hide nothing more of the disc here
+        self.assertLess(abs(share - truth)[seen].max(), 0.06)
+        self.assertTrue((share[seen] < 0.9).sum() > 3)
+        report = json.loads((self.folder / "a.json").read_text())
+        self.assertEqual((report["soft_samples"], report["soft_gathered"]), (64, 64))
+
     def test_the_colour_of_the_exr_is_shadowed_as_the_picture(self):
         light = "sun:-1,0,1"
         for words, seen in ((["--shadows", "map"], True), ([], False)):

@@ -80,6 +80,32 @@ class Lights(pv.Test):
             truth = self.scene.verdicts(light=numpy.array(towards))
             judge.shadows(self, pictures, truth, axis + " up")
 
+    def left(self):
+        """Samples of soft shadows that the last picture lacks."""
+        self.view.UpdatePropertyInformation()
+        return self.view.GetProperty("RelievoSamplesLeft").GetElement(0)
+
+    def test_soft_shadows_refine_and_are_saved_complete(self):
+        self.scene.sun()
+        simple.Render(self.view)
+        hard = pv.picture(self.view)
+        self.assertEqual(self.left(), 0)
+        self.view.RelievoShadowSunAngle = 8.0
+        self.view.RelievoShadowSoftSamples = 4
+        for left in (3, 2, 1, 0, 0):
+            simple.Render(self.view)
+            self.assertEqual(self.left(), left)
+        soft = pv.picture(self.view)
+        between = numpy.any(numpy.abs(soft.astype(int) - hard) > 8, axis=-1)
+        self.assertTrue(between.sum() > 100, f"{between.sum()} pixels are softer")
+        # A change begins anew; what is saved does not show it.
+        self.view.RelievoShadowStrength = 0.9
+        simple.Render(self.view)
+        self.view.RelievoShadowStrength = 1.0
+        self.same(pv.picture(self.view), soft, "a saved picture after a change")
+        self.view.RelievoShadowSoftSamples = 0
+        self.same(pv.picture(self.view), hard, "hard again")
+
     def test_the_sun_by_date_and_place(self):
         self.scene.sun()
         view = self.view

@@ -25,6 +25,10 @@ PROPERTIES = {
     "RelievoShadowFilterRadius": (1, 3),
     "RelievoShadowBias": (1.5, 2.5),
     "RelievoShadowStrength": (1.0, 0.75),
+    "RelievoShadowSoftSamples": (0, 16),
+    "RelievoShadowSunAngle": (0.53, 5.0),
+    "RelievoShadowLampRadius": (0.0, 0.25),
+    "RelievoShadowSoftAtOnce": (0, 1),
     "RelievoLightKitCasts": ("Key light, without a sun", "Nothing"),
     "RelievoSun": (0, 1),
     "RelievoSunBy": ("Angles", "Date and place"),
@@ -168,7 +172,9 @@ class Scripting(pv.Test):
 
     def test_defaults_are_those_said_and_everything_has_a_text(self):
         known = [name for name in self.view.ListProperties() if name.startswith("Relievo")]
-        told = ["RelievoFrameReport", "RelievoShadowLayers", "RelievoSunAngles"]
+        told = [
+            "RelievoFrameReport", "RelievoSamplesLeft", "RelievoShadowLayers", "RelievoSunAngles",
+        ]  # fmt: skip
         self.assertEqual(sorted(known), sorted([*PROPERTIES, *told]))
         for name, (default, _) in PROPERTIES.items():
             self.assertEqual(value(self.view, name), default, name)

@@ -46,13 +46,15 @@ WRITES = {
     "18_voxel_cubes.py": ["voxels.png"],
     "19_surface_particles.py": ["particles.png"],
     "20_moving_cubes.py": ["cubes.png"],
+    "21_soft_shadows.py": ["soft_shadows.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.
 BY_PARAVIEW = ["08_paraview_tour.py", "11_paraview_materials.py", "17_paraview_hall.py"]
 
 # file name: words after the folder, for examples that take long otherwise
-WORDS = {"06_sun_study.py": ["--every", "120"], "10_relief_terrain.py": ["257"]}
+WORDS = {"06_sun_study.py": ["--every", "120"], "10_relief_terrain.py": ["257"],
+    "21_soft_shadows.py": ["8"]}
 
 
 def read_png(path):

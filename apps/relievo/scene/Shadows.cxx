@@ -49,6 +49,10 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
     // The file's lights are gone where others are asked for.
     vtkObject* light = renderer->GetLights()->GetItemAsObject(static_cast<int>(i));
     pass->GetShadowPass()->SetLightCasts(vtkLight::SafeDownCast(light), options.Lights[i].Casts);
+    if (options.Lights[i].Size)
+    {
+      pass->GetShadowPass()->SetLightSize(vtkLight::SafeDownCast(light), *options.Lights[i].Size);
+    }
   }
   if (options.ShadowSize)
   {
@@ -62,6 +66,11 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
     }
     pass->GetShadowPass()->SetMapSize(*options.ShadowSize);
   }
+  if (options.SoftShadows)
+  {
+    pass->GetShadowPass()->SetSoftSamples(*options.SoftShadows);
+  }
+  pass->WaitForSamplesOn();
   constexpr int methods[] = { vtkRelievoShadowPass::METHOD_MAP, vtkRelievoShadowPass::METHOD_MAP,
     vtkRelievoShadowPass::METHOD_FORWARD, vtkRelievoShadowPass::METHOD_WARPED,
     vtkRelievoShadowPass::METHOD_EXACT };

@@ -54,6 +54,8 @@ render draws the FILEs off screen and writes the outputs that you request.
                             sun:DX,DY,DZ                    direction towards the sun
                             spot:PX,PY,PZ,FX,FY,FZ,CONE     CONE: half the opening, degrees
                             point:PX,PY,PZ
+                          and may end with ,size=S for --soft-shadows: a sun's angle in degrees
+                          (0.53), the radius of others in world units (0)
   --lamps FILE[,radius=R][,intensity=I][,color=R/G/B][,falloff=F][,casts=C][,casting=N]
                           each point of the file is a lamp that shines up to its radius; may be
                           repeated. Values are numbers for all, or names of point arrays (the
@@ -65,6 +67,8 @@ render draws the FILEs off screen and writes the outputs that you request.
   --shadows METHOD        shadows of the lights in the picture: off, map, forward, warped or
                           exact (off)
   --shadow-size N         side of each shadow map in texels, 16 to 16384 (2048)
+  --soft-shadows N        shadows of lights with a size: the mean of N samples of each light's
+                          shape, 1 to 4096
   --normal-map F          normals from an image (.png .jpg .tif .bmp .hdr .exr; OpenGL's green),
                           placed by the meshes' texture coordinates; linear values, not sRGB
   --height-map F[,SCALE]  heights from an image; the ground lies SCALE below the mesh, in world

@@ -27,6 +27,34 @@ LightChoice ParseSun(const std::string& numbers)
 }
 
 //------------------------------------------------------------------------------
+LightChoice ParsePoint(const std::string& numbers)
+{
+  LightChoice light;
+  light.Is = LightChoice::Kind::Point;
+  light.Position = Triple(ParseNumbers("--light point", numbers, 3, "PX,PY,PZ"), 0);
+  return light;
+}
+
+//------------------------------------------------------------------------------
+// What of the numbers comes before ",size=S"; S.
+std::string TakeSize(const std::string& numbers, std::optional<double>& size)
+{
+  const std::string key = ",size=";
+  const std::string::size_type at = numbers.find(key);
+  if (at == std::string::npos)
+  {
+    return numbers;
+  }
+  const std::string word = numbers.substr(at + key.size());
+  size = ParseNumbers("--light size", word, 1, "S").front();
+  if (*size < 0.0)
+  {
+    RefuseValue("--light size", word, "0 or more");
+  }
+  return numbers.substr(0, at);
+}
+
+//------------------------------------------------------------------------------
 LightChoice ParseSpot(const std::string& numbers)
 {
   LightChoice light;
@@ -57,20 +85,16 @@ LightChoice ParseLight(const std::string& word)
     RefuseValue("--light", word, "sun:DX,DY,DZ or spot:PX,PY,PZ,FX,FY,FZ,CONE or point:PX,PY,PZ");
   }
   const std::string kind = word.substr(0, colon);
-  const std::string numbers = word.substr(colon + 1);
-  switch (ParseChoice("--light " + word, kind, { "sun", "spot", "point" }))
+  std::optional<double> size;
+  const std::string numbers = TakeSize(word.substr(colon + 1), size);
+  constexpr LightChoice (*parsers[])(const std::string&) = { ParseSun, ParseSpot, ParsePoint };
+  LightChoice light =
+    parsers[ParseChoice("--light " + word, kind, { "sun", "spot", "point" })](numbers);
+  if (light.Is == LightChoice::Kind::Sun && size && *size > 90.0)
   {
-    case 0:
-      return ParseSun(numbers);
-    case 1:
-      return ParseSpot(numbers);
-    default:
-    {
-      LightChoice light;
-      light.Is = LightChoice::Kind::Point;
-      light.Position = Triple(ParseNumbers("--light point", numbers, 3, "PX,PY,PZ"), 0);
-      return light;
-    }
+    RefuseValue("--light size", word, "a sun's angle in degrees, 0 to 90");
   }
+  light.Size = size;
+  return light;
 }
 }

@@ -7,6 +7,7 @@
 #define LightOptions_h
 
 #include <array>
+#include <optional>
 #include <string>
 
 namespace cli
@@ -25,9 +26,10 @@ struct LightChoice
   double ConeAngle = 180.0;                        ///< degrees, half the opening
   std::array<double, 3> Color = { 1.0, 1.0, 1.0 }; ///< times its intensity
   bool Casts = true;                               ///< shadows, if there are any
+  std::optional<double> Size; ///< a sun's angle in degrees, else a radius; none: as others are
 };
 
-/// "sun:DX,DY,DZ" and so on; throws WordsError.
+/// "sun:DX,DY,DZ[,size=S]" and so on; throws WordsError.
 LightChoice ParseLight(const std::string& word);
 }
 

@@ -99,6 +99,12 @@ void TakeShadowSize(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
+void TakeSoftShadows(RenderOptions& options, const std::string& word)
+{
+  options.SoftShadows = ParseWhole("--soft-shadows", word, 1, MostSoftSamples);
+}
+
+//------------------------------------------------------------------------------
 void TakeLayers(RenderOptions& options, const std::string& word)
 {
   for (const std::string& name : Split(word, ','))
@@ -180,6 +186,7 @@ const OptionRow RenderRows[] = {
   { "--lamps", TakeLamps, true },
   { "--shadows", TakeShadows, false },
   { "--shadow-size", TakeShadowSize, false },
+  { "--soft-shadows", TakeSoftShadows, false },
   { "--normal-map", TakePath<&RenderOptions::NormalMap>, false },
   { "--height-map", TakeHeightMap, false },
   { "--relief", TakeRelief, false },
@@ -231,7 +238,8 @@ bool SetsShadows(const RenderOptions& options, const std::string& parameter)
 void CheckShadowStage(const RenderOptions& options, const std::set<std::string>& given)
 {
   constexpr std::pair<const char*, const char*> same[] = { { "--shadows", "visible" },
-    { "--shadows", "method" }, { "--shadow-size", "map_size" } };
+    { "--shadows", "method" }, { "--shadow-size", "map_size" },
+    { "--soft-shadows", "soft_samples" } };
   for (const auto& [option, parameter] : same)
   {
     if (given.count(option) && SetsShadows(options, parameter))
@@ -239,6 +247,32 @@ void CheckShadowStage(const RenderOptions& options, const std::set<std::string>&
       throw WordsError(std::string(option) + " and --stage shadows:" + parameter +
         ": both set the same; give one of them");
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Options about shadows where there are none would change nothing.
+void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>& given)
+{
+  const bool asked = given.count("--shadows") != 0 || options.ShadowMethod != Shadows::Off ||
+    SetsShadows(options, "visible") ||
+    std::any_of(options.Layers.begin(), options.Layers.end(),
+      [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) >= 0; });
+  if (!asked && (options.ShadowSize || options.SoftShadows))
+  {
+    throw WordsError(std::string(options.ShadowSize ? "--shadow-size: there are no shadows to size"
+                                                    : "--soft-shadows: there are no shadows") +
+      ": give --shadows map, --stage shadows:visible=on, or a layer shadow_N, as well");
+  }
+  const bool sized =
+    std::any_of(options.Lights.begin(), options.Lights.end(), [](const LightChoice& light) {
+      return light.Size ? *light.Size > 0.0 : light.Is == LightChoice::Kind::Sun;
+    });
+  if (options.SoftShadows && !options.Lights.empty() && !sized &&
+    !SetsShadows(options, "lamp_radius"))
+  {
+    throw WordsError("--soft-shadows: no light has a size: give one, as in --light "
+                     "point:PX,PY,PZ,size=RADIUS");
   }
 }
 
@@ -277,14 +311,7 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
   }
   CheckSurfaceOptions(options, given);
   CheckShadowStage(options, given);
-  if (options.ShadowSize && given.count("--shadows") == 0 && options.ShadowMethod == Shadows::Off &&
-    !SetsShadows(options, "visible") &&
-    std::all_of(options.Layers.begin(), options.Layers.end(),
-      [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) < 0; }))
-  {
-    throw WordsError("--shadow-size: there are no shadows to size: give --shadows map, --stage "
-                     "shadows:visible=on, or a layer shadow_N, as well");
-  }
+  CheckShadowsAsked(options, given);
 }
 }
 

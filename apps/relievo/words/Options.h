@@ -60,6 +60,9 @@ enum class Mapping
 /// Width and height in texels of the smallest shadow map.
 constexpr int SmallestShadowSize = 16;
 
+/// Samples of each light's shape.
+constexpr int MostSoftSamples = 4096;
+
 /// Pixels or texels each way. OpenGL's own limit, which may be lower, is asked when there is one.
 constexpr int LargestSize = 16384;
 
@@ -85,6 +88,7 @@ struct RenderOptions
   std::vector<LampChoice> Lamps;
   Shadows ShadowMethod = Shadows::Off;
   std::optional<int> ShadowSize;     ///< of each map, texels
+  std::optional<int> SoftShadows;    ///< samples of each light's shape
   std::string NormalMap, HeightMap;  ///< files; empty: none
   std::optional<double> HeightScale; ///< depth of the relief, world units
   Relief ReliefMethod = Relief::Relief;

@@ -209,6 +209,7 @@ void vtkPVRelievoView::Prepare()
     this->ChooseCasters();
     this->ChooseProcesses();
     ++this->NumberOfFrames;
+    in.Frame->SetWaitForSamples(vtkPVRelievoAccess::View::IsSaving(in.View));
   }
   this->Internal->Surroundings.Prepare(this, this->Internal->View);
 }

@@ -171,6 +171,9 @@ public:
   /** The frame report of the last picture that this process drew, as JSON; empty before. */
   const char* GetFrameReport();
 
+  /** As of vtkRelievoFramePass. */
+  int GetSamplesLeft();
+
   /** Pictures that this process has drawn with Relievo on. */
   vtkGetMacro(NumberOfFrames, int);
 

@@ -71,6 +71,12 @@ void vtkPVRelievoView::SetShadowStrength(double strength)
 }
 
 //------------------------------------------------------------------------------
+int vtkPVRelievoView::GetSamplesLeft()
+{
+  return this->IsInPlace() ? this->GetFrame()->GetSamplesLeft() : 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkPVRelievoView::SetLightKitCasts(int casts)
 {
   const int least = KIT_CASTS_NOTHING;

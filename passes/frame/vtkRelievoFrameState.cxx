@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoFrameState.h"
+
+#include "vtkActor.h"
+#include "vtkActor2D.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkLight.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoPropParts.h"
+#include "vtkRelievoStage.h"
+#include "vtkRenderPass.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+#include "vtkSmartPointer.h"
+#include "vtkTexture.h"
+#include "vtkUniforms.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace
+{
+class State
+{
+public:
+  std::vector<std::uint64_t> Values;
+
+  void Add(std::uint64_t value) { this->Values.push_back(value); }
+  void Add(double value)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    this->Values.push_back(bits);
+  }
+  void Add(const double* values, int count)
+  {
+    std::for_each(values, values + count, [this](double value) { this->Add(value); });
+  }
+  void Add(vtkObject* object)
+  {
+    this->Add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(object)));
+    this->Add(static_cast<std::uint64_t>(object ? object->GetMTime() : 0));
+  }
+  void Add(vtkDataObject* data)
+  {
+    this->Add(static_cast<vtkObject*>(data));
+    if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+    {
+      auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+      for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+      {
+        this->Add(static_cast<vtkObject*>(it->GetCurrentDataObject()));
+      }
+    }
+  }
+  void Add(vtkTexture* texture)
+  {
+    this->Add(static_cast<vtkObject*>(texture));
+    if (texture)
+    {
+      this->Add(texture->GetInputDataObject(0, 0));
+    }
+  }
+};
+
+void AddView(State& state, const vtkRelievoFrameContext& context)
+{
+  const vtkRelievoView& view = context.View;
+  state.Add(&view.WorldToView[0][0], 16);
+  state.Add(&view.ViewToNDC[0][0], 16);
+  for (const int value : view.Viewport)
+  {
+    state.Add(static_cast<double>(value));
+  }
+  double tile[4];
+  context.Window->GetTileViewport(tile);
+  state.Add(tile, 4);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    state.Add(static_cast<double>(context.Window->GetSize()[axis]));
+  }
+  state.Add(static_cast<double>(context.Window->GetMultiSamples()));
+}
+
+void AddRenderer(State& state, vtkRenderer* renderer)
+{
+  // What is set on the renderer itself; the camera and the lights are added by their values.
+  state.Add(static_cast<std::uint64_t>(renderer->vtkViewport::GetMTime()));
+  state.Add(renderer->GetBackground(), 3);
+  state.Add(renderer->GetBackground2(), 3);
+  state.Add(renderer->GetAmbient(), 3);
+  state.Add(renderer->GetBackgroundTexture());
+  state.Add(renderer->GetEnvironmentTexture());
+  for (const vtkRelievoFrameLight& light : vtkRelievoFrameScene::FindLights(renderer))
+  {
+    double place[3];
+    state.Add(static_cast<vtkObject*>(light.Light));
+    light.Light->GetTransformedPosition(place);
+    state.Add(place, 3);
+    light.Light->GetTransformedFocalPoint(place);
+    state.Add(place, 3);
+  }
+}
+
+void AddActor(State& state, vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  state.Add(static_cast<vtkObject*>(property));
+  state.Add(static_cast<vtkObject*>(actor->GetBackfaceProperty()));
+  state.Add(actor->GetTexture());
+  for (const auto& named : property->GetAllTextures())
+  {
+    state.Add(named.second);
+  }
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  state.Add(static_cast<std::uint64_t>(shaders->GetShaderMTime()));
+  state.Add(static_cast<vtkObject*>(shaders->GetVertexCustomUniforms()));
+  state.Add(static_cast<vtkObject*>(shaders->GetGeometryCustomUniforms()));
+  state.Add(static_cast<vtkObject*>(shaders->GetFragmentCustomUniforms()));
+  vtkMapper* mapper = actor->GetMapper();
+  state.Add(static_cast<vtkObject*>(mapper));
+  for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
+    {
+      state.Add(mapper->GetInputDataObject(port, i));
+    }
+  }
+}
+
+void AddProps(State& state, vtkRenderer* renderer)
+{
+  std::vector<vtkRelievoPropParts::Part> parts;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    if (!prop->GetVisibility() || vtkActor2D::SafeDownCast(prop))
+    {
+      continue;
+    }
+    prop->GetBounds(); // brings what it draws up to date
+    state.Add(static_cast<vtkObject*>(prop));
+    state.Add(static_cast<std::uint64_t>(prop->GetRedrawMTime()));
+    vtkRelievoPropParts::Collect(prop, parts);
+    for (const vtkRelievoPropParts::Part& part : parts)
+    {
+      state.Add(static_cast<vtkObject*>(part.Prop));
+      vtkMatrix4x4* matrix = part.Matrix ? part.Matrix : part.Prop->GetMatrix();
+      if (matrix)
+      {
+        state.Add(matrix->GetData(), 16);
+      }
+      if (auto* actor = vtkActor::SafeDownCast(part.Prop))
+      {
+        AddActor(state, actor);
+      }
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint64_t> vtkRelievoFrameState::Take(
+  const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages)
+{
+  State state;
+  AddView(state, context);
+  AddRenderer(state, context.Renderer);
+  AddProps(state, context.Renderer);
+  state.Add(static_cast<vtkObject*>(context.Delegate));
+  for (vtkRelievoStage* stage : stages)
+  {
+    state.Add(static_cast<vtkObject*>(stage));
+    state.Add(static_cast<std::uint64_t>(stage->GetDataTime()));
+  }
+  return state.Values;
+}

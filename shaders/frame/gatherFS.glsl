@@ -1,0 +1,25 @@
+//VTK::System::Dec
+//RELIEVO::Include(extensions.glsl)
+//RELIEVO::Defines
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is added to a sum over samples: the linear colour, or, with RELIEVO_GATHERED_PLACE, the
+// visibility of the light at that place of those in the layers.
+#ifdef RELIEVO_GATHERED_PLACE
+//RELIEVO::Include(gbuffer/read.glsl)
+#else
+//RELIEVO::Include(frame/color.glsl)
+#endif
+in vec2 texCoord;
+uniform vec2 relievoSize;
+
+void main()
+{
+  ivec2 pixel = ivec2(floor(texCoord * relievoSize));
+#ifdef RELIEVO_GATHERED_PLACE
+  gl_FragData[0] = vec4(relievoFetchVisibility(pixel, RELIEVO_GATHERED_PLACE));
+#else
+  gl_FragData[0] = relievoFetchColor(pixel);
+#endif
+}

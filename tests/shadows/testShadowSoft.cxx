@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Lights with a size: the share of them that is seen, against the closed form under an edge and
+// against Embree's rays to all of the light, for every kind of light and method.
+#include "Check.h"
+#include "EmbreeScene.h"
+#include "Layers.h"
+#include "Props.h"
+#include "Scenes.h"
+#include "Session.h"
+#include "ShadowScenes.h"
+#include "SoftShadowTruth.h"
+#include "View.h"
+#include "Window.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkRelievoLightSamples.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoShadowPass.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+using relievoTest::Layers;
+using relievoTest::SceneLight;
+using relievoTest::ShadowStage;
+
+constexpr int Samples = 64;
+constexpr double Limit = 1. / 64.;
+constexpr double Pi = 3.14159265358979323846;
+
+const char* const Methods[] = { "map", "forward", "warped", "exact" };
+
+const float* Visibility(vtkImageData* image)
+{
+  return vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("shadow_0"))->GetPointer(0);
+}
+
+// The area of the unit disc with x below h, as a share.
+double DiscShare(double h)
+{
+  h = std::min(1., std::max(-1., h));
+  return 0.5 + (h * std::sqrt(1. - h * h) + std::asin(h)) / Pi;
+}
+
+// The share of points of the samples with x below h, in a direction, against the disc's.
+template <typename Point, typename Place>
+double GetDiscrepancy(Point makePoint, Place along, int samples)
+{
+  std::vector<decltype(makePoint(0, samples))> points;
+  for (int i = 0; i < samples; ++i)
+  {
+    points.push_back(makePoint(i, samples));
+  }
+  double sum = 0.;
+  int count = 0;
+  for (int turn = 0; turn < 36; ++turn)
+  {
+    for (double h = -0.95; h < 1.; h += 0.1)
+    {
+      int below = 0;
+      for (int i = 0; i < samples; ++i)
+      {
+        below += along(points[i], turn * Pi / 18.) < h ? 1 : 0;
+      }
+      const double error = static_cast<double>(below) / samples - DiscShare(h);
+      sum += error * error;
+      ++count;
+    }
+  }
+  return std::sqrt(sum / count);
+}
+
+void TestSamples()
+{
+  for (const int n : { 16, 64, 256 })
+  {
+    // Of random points it is 0.4 / sqrt(n).
+    const double disc = GetDiscrepancy(
+      vtkRelievoLightSamples::OnDisc,
+      [](const glm::dvec2& p, double t) { return p.x * std::cos(t) + p.y * std::sin(t); }, n);
+    const double ball = GetDiscrepancy(
+      vtkRelievoLightSamples::InBall,
+      [](const glm::dvec3& p, double t) {
+        const double z = std::sin(5. * t);
+        return std::sqrt(1. - z * z) * (p.x * std::cos(t) + p.y * std::sin(t)) + p.z * z;
+      },
+      n);
+    std::cout << n << " samples: discrepancy " << disc << " on a disc, " << ball << " in a ball\n";
+    RELIEVO_CHECK_AT_MOST(disc, 0.9 / n + 0.002, "discrepancy on a disc");
+    RELIEVO_CHECK_AT_MOST(ball, 1.2 / n + 0.003, "discrepancy in a ball");
+  }
+  RELIEVO_CHECK(vtkRelievoLightSamples::OnDisc(0, Samples) == glm::dvec2(0.));
+}
+
+// A sheet whose edge is over the middle of the ground: what is seen of the light beside it.
+void TestEdge(int method, SceneLight kind)
+{
+  constexpr double Height = 4.;
+  constexpr double Up = 9.; // of lamps
+  ShadowStage stage(80, 60);
+  stage.AddGround();
+  const auto mesh = relievoTest::MakePolygons(
+    { { 0., Height, 20. }, { 20., Height, 20. }, { 20., Height, -20. }, { 0., Height, -20. } });
+  mesh->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
+  relievoTest::AddActor(stage.Renderer, mesh);
+  vtkRelievoShadowPass* shadows = stage.GetShadows();
+  shadows->SetMethod(method);
+  shadows->SetMapSize(256);
+  shadows->SetSoftSamples(Samples);
+  double radius = std::tan(10. * Pi / 180.);
+  if (kind == SceneLight::Sun)
+  {
+    stage.AddSun(0., 5., 0.);
+    shadows->SetSunAngle(20.);
+  }
+  else
+  {
+    const auto lamp =
+      stage.AddLamp({ 0., Up, 0. }, { 0., 0., 0. }, kind == SceneLight::Spot ? 40. : 90.);
+    shadows->SetLightSize(lamp, radius = 0.8);
+  }
+  const auto image = relievoTest::CaptureShadow(stage, 0);
+  relievoTest::EmbreeScene ground;
+  const auto square = relievoTest::MakePolygons(
+    { { -3., 0., 3. }, { 3., 0., 3. }, { 3., 0., -3. }, { -3., 0., -3. } });
+  square->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
+  ground.AddActor(square);
+  const auto view = ground.Trace(relievoTest::View(stage.Renderer));
+  double sum = 0.;
+  double mean = 0.;
+  int count = 0;
+  for (std::size_t i = 0; i < view.Pixels.size(); ++i)
+  {
+    const double x = view.Pixels[i].Position.x;
+    // How far the plane through the pixel's place and the edge passes by the light's middle.
+    double by = -x / Height;
+    if (kind == SceneLight::Spot)
+    {
+      by = -x * (Up - Height) / Height; // in the plane of its disc
+    }
+    if (kind == SceneLight::Point)
+    {
+      by = -x * (Up - Height) / std::hypot(Height, x);
+    }
+    const double share = DiscShare(by / radius);
+    if (view.Pixels[i].Hit && share > 0. && share < 1.)
+    {
+      const double error = Visibility(image)[i] - share;
+      sum += error * error;
+      mean += error;
+      ++count;
+    }
+  }
+  const std::string what =
+    std::string("edge, ") + Methods[method] + ", light " + std::to_string(static_cast<int>(kind));
+  const double rms = std::sqrt(sum / count);
+  std::cout << what << ": rms error " << rms << ", mean " << mean / count << " of " << count
+            << " pixels in the penumbra\n";
+  RELIEVO_CHECK_THAT(count > 400, what + ": too little is in the penumbra");
+  RELIEVO_CHECK_AT_MOST(
+    rms, kind == SceneLight::Point ? 1.25 * Limit : Limit, what + ": rms error");
+  RELIEVO_CHECK_AT_MOST(std::abs(mean / count), 0.5 * Limit, what + ": mean error");
+}
+
+void TestMesh(const std::string& name, SceneLight kind, double size)
+{
+  const auto scene = relievoTest::MakeReferenceScene(name, kind);
+  if (!scene.IsValid())
+  {
+    return;
+  }
+  auto window = relievoTest::MakeWindow(120, 90, scene.Renderer);
+  vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
+  vtkRelievoShadowPass* shadows = frame->GetShadowPass();
+  shadows->SetSoftSamples(Samples);
+  shadows->SetMapSize(1024);
+  shadows->SetLightSize(scene.Light, size);
+  const auto truth = scene.MakeTruth();
+  relievoTest::SoftShadowTruth soft;
+  for (const int method : { 0, 3 })
+  {
+    shadows->SetMethod(method);
+    const Layers layers(scene.Renderer, { "shadow_0" });
+    if (soft.Shares.empty())
+    {
+      soft = relievoTest::TraceSoftShadow(
+        *truth, truth->Trace(relievoTest::View(scene.Renderer)), scene.Light, size);
+    }
+    const auto errors = relievoTest::CompareSoftShadow(soft, Visibility(layers.Image));
+    const std::string what =
+      name + ", " + Methods[method] + ", light " + std::to_string(static_cast<int>(kind));
+    std::cout << what << ": " << errors.ToString() << std::endl;
+    RELIEVO_CHECK_THAT(
+      errors.Compared > 1000 && errors.Penumbra > 40, what + ": too little is compared");
+    for (std::size_t i = 0; i < soft.Shares.size(); ++i)
+    {
+      const float drawn = Visibility(layers.Image)[i];
+      if (soft.Shares[i] >= 0.f && std::abs(drawn - soft.Shares[i]) > 0.5f)
+      {
+        std::cout << "  pixel " << i % 120 << " " << i / 120 << ": " << drawn << ", not "
+                  << soft.Shares[i] << std::endl;
+      }
+    }
+    RELIEVO_CHECK_AT_MOST(errors.Rms, Limit, what + ": rms error");
+    RELIEVO_CHECK_AT_MOST(std::abs(errors.PenumbraMean), Limit, what + ": mean error");
+  }
+  vtkRelievoPass::Detach(scene.Renderer);
+}
+
+// A square lamp is a square: under an edge the share is a straight line.
+void TestEdges()
+{
+  ShadowStage stage(80, 60);
+  stage.AddGround();
+  const auto mesh = relievoTest::MakePolygons(
+    { { 0., 2., 20. }, { 20., 2., 20. }, { 20., 2., -20. }, { 0., 2., -20. } });
+  mesh->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
+  relievoTest::AddActor(stage.Renderer, mesh);
+  const auto lamp = stage.AddLamp({ 0., 4., 0. }, { 0., 0., 0. }, 90.);
+  const double first[3] = { 2., 0., 0. };
+  const double second[3] = { 0., 0., 1. };
+  stage.GetShadows()->SetMethodToExact();
+  stage.GetShadows()->SetSoftSamples(Samples);
+  stage.GetShadows()->SetLightEdges(lamp, first, second);
+  const auto image = relievoTest::CaptureShadow(stage, 0);
+  relievoTest::EmbreeScene scene;
+  scene.AddActors(stage.Renderer);
+  const auto view = scene.Trace(relievoTest::View(stage.Renderer));
+  double worst = 0.;
+  int count = 0;
+  for (std::size_t i = 0; i < view.Pixels.size(); ++i)
+  {
+    const glm::dvec3& p = view.Pixels[i].Position;
+    if (view.Pixels[i].Hit && std::abs(p.y) < 1e-6 && std::abs(p.x) < 0.99)
+    {
+      worst = std::max(worst, std::abs(Visibility(image)[i] - 0.5 * (1. - p.x)));
+      ++count;
+    }
+  }
+  RELIEVO_CHECK_THAT(count > 400, "square lamp: too little is in the penumbra");
+  RELIEVO_CHECK_AT_MOST(worst, 1. / Samples, "square lamp: largest error");
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  relievoTest::Session session;
+  TestSamples();
+  TestEdge(vtkRelievoShadowPass::METHOD_MAP, SceneLight::Spot);
+  TestEdge(vtkRelievoShadowPass::METHOD_EXACT, SceneLight::Point);
+  TestEdge(vtkRelievoShadowPass::METHOD_WARPED, SceneLight::Sun);
+  TestEdges();
+  TestMesh("bunny", SceneLight::Sun, 6.);
+  TestMesh("buildings", SceneLight::Spot, 0.8);
+  return session.Result();
+}
