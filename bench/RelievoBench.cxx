@@ -34,6 +34,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
       RelievoBenchShadowFrames },
     { "shadows", "wrong shadows against map size and frame time, every method and light",
       RelievoBenchShadows },
+    { "planner", "what the planner of shadows expects and chooses against what there is",
+      RelievoBenchPlanner },
     { "bias", "false shadow against leak as the shadows' bias grows", RelievoBenchBias },
     { "lights", "what lamps cost a frame, 1 to 100 000, by the way they are found",
       RelievoBenchLights },

@@ -21,6 +21,7 @@ const std::vector<Entry>& Entries()
     { "position", { "position.csv" }, PositionCharts },
     { "gbuffer", { "gbuffer.csv" }, GBufferCharts },
     { "shadows", { "shadows.csv" }, ShadowsCharts },
+    { "planner", { "planner.csv", "planner-choices.csv", "planner-times.csv" }, PlannerCharts },
     { "bias", { "bias.csv" }, BiasCharts },
     { "lights", { "lights.csv" }, LightsCharts },
     { "deferred", { "deferred.csv" }, DeferredCharts },

@@ -36,6 +36,7 @@
 class vtkLight;
 class vtkMultiProcessController;
 class vtkProp;
+class vtkRelievoShadowCertificate;
 class vtkRenderer;
 
 class VTKRELIEVOSHADOWS_EXPORT vtkRelievoShadowPass : public vtkRelievoStage
@@ -95,6 +96,46 @@ public:
    */
   vtkSetClampMacro(MapSize, int, 16, VTK_INT_MAX);
   vtkGetMacro(MapSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * What the method and the size of the maps are chosen for, in place of SetMethod and SetMapSize:
+   * the share of the pixels facing a light that may have a wrong verdict, 0 to 1 (0.0005 is 0.05
+   * %), and the milliseconds that a frame may take. 0 (default): not chosen.
+   *
+   * With a tolerance, the cheapest of map and warped with 1024 to 8192 texels and exact whose
+   * expected share is below it: rays on the CPU at some pixels tell what each would get wrong
+   * (docs/shadows.md). The choice follows from scene, lights, camera and settings. With a time
+   * alone, the most accurate one that is expected to fit: that depends on the times of the frames
+   * before. With both, the tolerance comes first. GetPlan() says what is not met; an error if a
+   * value is negative or not a number.
+   */
+  void SetTolerance(double share);
+  vtkGetMacro(Tolerance, double);
+  void SetTimeBudget(double milliseconds);
+  vtkGetMacro(TimeBudget, double);
+  ///@}
+
+  /**
+   * As EstimateWrongShare, but for the scene, the lights and the camera of the last frame: rays on
+   * the CPU at some pixels, as for SetTolerance. Where they cannot tell, because of casters that
+   * are not followed triangle by triangle or of several processes, 2.5 times EstimateWrongShare. -1
+   * as well if no frame has made shadows of lights.
+   */
+  double EstimateWrongShareInView(int method, int size);
+
+  ///@{
+  /**
+   * Of the last frame: what was chosen and why, in words ("" without a wish); the method and map
+   * size that were used; the milliseconds that were expected of the frame and that it took, from
+   * the shadows' first work until OpenGL had finished (-1 without a wish).
+   */
+  std::string GetPlan();
+  int GetMethodUsed();
+  int GetMapSizeUsed();
+  double GetExpectedMilliseconds();
+  double GetMillisecondsTaken();
   ///@}
 
   ///@{
@@ -218,6 +259,15 @@ public:
   double EstimateWrongShare(int method, int size);
   ///@}
 
+  /**
+   * Proves the last picture: judges so many verdicts of its pixels, drawn by lot, against rays in
+   * double precision past the casters' own triangles (vtkRelievoShadowCertificate). The picture is
+   * drawn again as layers for it; the window does not change. The same seed draws the same lots.
+   * What is returned is a new object each time, held until the next call. Null, with an error, if
+   * there are no shadows of lights to judge, or `rays` is not positive.
+   */
+  vtkRelievoShadowCertificate* Certify(int rays, int seed = 0);
+
   /** Seconds taken to merge the maps of all processes, in the last frame that drew any. */
   double GetMergeSeconds();
 
@@ -233,6 +283,7 @@ public:
 #ifndef __VTK_WRAP__
   /**
    * "expected_wrong_share": see EstimateWrongShare; null if no shadows of lights were made.
+   * "shadow_plan", "expected_frame_ms", "frame_ms": see SetTolerance; null without a wish.
    * "lamp_maps", "lamp_maps_drawn", "lamp_maps_bytes": of lamps from data; the second were redrawn.
    */
   std::map<std::string, vtkVariant> GetFacts() override;
@@ -267,6 +318,8 @@ protected:
   bool Visible = false;
   int Method = METHOD_MAP;
   int MapSize = 2048;
+  double Tolerance = 0.0;
+  double TimeBudget = 0.0;
   int LampMapSize = 1024;
   int FilterRadius = 1;
   double Bias = 1.5;
@@ -277,6 +330,9 @@ private:
   vtkRelievoShadowPass(const vtkRelievoShadowPass&) = delete;
   void operator=(const vtkRelievoShadowPass&) = delete;
 
+  void MakePlan(vtkRelievoFrameContext& context);
+  void BeginTiming();
+  void EndTiming(vtkRelievoFrameContext& context);
   void PrepareMethod(vtkRelievoFrameContext& context); // or maps, with a warning
   void CollectLights(vtkRelievoFrameContext& context);
   void DrawLights(vtkRelievoFrameContext& context);

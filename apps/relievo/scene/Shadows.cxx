@@ -62,6 +62,8 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
     }
     pass->GetShadowPass()->SetMapSize(*options.ShadowSize);
   }
+  pass->GetShadowPass()->SetTolerance(options.ShadowTolerance.value_or(0.0));
+  pass->GetShadowPass()->SetTimeBudget(options.TimeBudget.value_or(0.0));
   constexpr int methods[] = { vtkRelievoShadowPass::METHOD_MAP, vtkRelievoShadowPass::METHOD_MAP,
     vtkRelievoShadowPass::METHOD_FORWARD, vtkRelievoShadowPass::METHOD_WARPED,
     vtkRelievoShadowPass::METHOD_EXACT };

@@ -6,6 +6,7 @@
 #include "Presets.h"
 #include "Readers.h"
 #include "Shadows.h"
+#include "ShadowOptions.h"
 #include "SurfaceOptions.h"
 #include "ToneOptions.h"
 #include "Triples.h"
@@ -180,6 +181,9 @@ const OptionRow RenderRows[] = {
   { "--lamps", TakeLamps, true },
   { "--shadows", TakeShadows, false },
   { "--shadow-size", TakeShadowSize, false },
+  { "--shadow-tolerance", TakeShadowTolerance, false },
+  { "--time-budget", TakeTimeBudget, false },
+  { "--certify", TakeCertify, false },
   { "--normal-map", TakePath<&RenderOptions::NormalMap>, false },
   { "--height-map", TakeHeightMap, false },
   { "--relief", TakeRelief, false },
@@ -249,9 +253,10 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
   {
     throw WordsError("render: no FILE given; see relievo --help");
   }
-  if (options.PNG.empty() && options.EXR.empty() && options.Report.empty())
+  if (options.PNG.empty() && options.EXR.empty() && options.Report.empty() && !options.Certify)
   {
-    throw WordsError("render: nothing to write: give --png F, --exr F or --report F.json");
+    throw WordsError(
+      "render: nothing to write: give --png F, --exr F, --report F.json or --certify N");
   }
   if (options.ViewAngle && options.ParallelScale)
   {
@@ -315,6 +320,7 @@ RenderOptions ParseRender(const std::vector<std::string>& words)
     },
     [&](const std::string& word) { options.Files.push_back(word); });
   ApplyPreset(options, seen);
+  CheckShadowWishes(options, seen);
   CheckTogether(options, seen);
   return options;
 }

@@ -63,6 +63,9 @@ constexpr int SmallestShadowSize = 16;
 /// Pixels or texels each way. OpenGL's own limit, which may be lower, is asked when there is one.
 constexpr int LargestSize = 16384;
 
+/// Rays of --certify.
+constexpr int MostRays = 100000000;
+
 struct CameraPlace
 {
   std::array<double, 3> Position;
@@ -85,6 +88,9 @@ struct RenderOptions
   std::vector<LampChoice> Lamps;
   Shadows ShadowMethod = Shadows::Off;
   std::optional<int> ShadowSize;     ///< of each map, texels
+  std::optional<double> ShadowTolerance; ///< share of wrong pixels, 0 to 1
+  std::optional<double> TimeBudget;      ///< of a frame, milliseconds
+  std::optional<int> Certify;            ///< rays
   std::string NormalMap, HeightMap;  ///< files; empty: none
   std::optional<double> HeightScale; ///< depth of the relief, world units
   Relief ReliefMethod = Relief::Relief;
