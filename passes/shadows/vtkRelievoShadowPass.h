@@ -330,6 +330,8 @@ private:
   vtkRelievoShadowPass(const vtkRelievoShadowPass&) = delete;
   void operator=(const vtkRelievoShadowPass&) = delete;
 
+  void UpdateProbe();
+  double GetShareInView(int method, int size);
   void MakePlan(vtkRelievoFrameContext& context);
   void BeginTiming();
   void EndTiming(vtkRelievoFrameContext& context);

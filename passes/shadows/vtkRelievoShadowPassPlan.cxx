@@ -73,30 +73,54 @@ double vtkRelievoShadowPass::EstimateWrongShareInView(int method, int size)
 {
   Internals& in = *this->Internal;
   const double law = this->EstimateWrongShare(method, size);
-  if (law < 0.0 || method == METHOD_EXACT)
+  if (law < 0.0)
   {
     return law;
   }
-  const std::vector<vtkRelievoShadowLight>& casting = in.Lights.GetCasting();
-  if (casting.empty())
+  if (in.Lights.GetCasting().empty())
   {
     vtkErrorMacro("EstimateWrongShareInView: the last frame made no shadows of lights. Switch them "
                   "on, add a light that casts, and render first.");
     return -1.0;
   }
+  this->UpdateProbe();
+  return this->GetShareInView(method, size);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::UpdateProbe()
+{
+  Internals& in = *this->Internal;
   if (!in.Schedule.Exchange.IsOn())
   {
     in.Work.Bias = this->Bias;
-    in.Probe.Update(in.Work, casting);
-    if (in.Probe.IsKnown())
-    {
-      const double share = in.Probe.GetWrongShare(size, method == METHOD_WARPED);
-      return method == METHOD_FORWARD
-        ? std::min(1.0, share * law / this->EstimateWrongShare(METHOD_MAP, size))
-        : share;
-    }
+    in.Work.Radius = this->FilterRadius;
+    in.Probe.Update(in.Work, in.Lights.GetCasting());
   }
-  return std::min(1.0, LawsFactor * law);
+}
+
+//------------------------------------------------------------------------------
+// As the probe is.
+double vtkRelievoShadowPass::GetShareInView(int method, int size)
+{
+  const Internals& in = *this->Internal;
+  const double law = this->EstimateWrongShare(method, size);
+  const bool alone = !in.Schedule.Exchange.IsOn();
+  if (method == METHOD_EXACT)
+  {
+    // What cannot be followed is looked up in maps.
+    return alone && !in.Probe.HasUnfollowed()
+      ? law
+      : std::min(1.0, LawsFactor * this->EstimateWrongShare(METHOD_MAP, this->MapSize));
+  }
+  if (!alone || !in.Probe.IsKnown())
+  {
+    return std::min(1.0, LawsFactor * law);
+  }
+  const double share = in.Probe.GetWrongShare(size, method == METHOD_WARPED);
+  return method == METHOD_FORWARD
+    ? std::min(1.0, share * law / this->EstimateWrongShare(METHOD_MAP, size))
+    : share;
 }
 
 //------------------------------------------------------------------------------
@@ -104,21 +128,26 @@ void vtkRelievoShadowPass::MakePlan(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   const vtkRelievoShadowPlanner::Way before = in.Plan.Chosen;
+  const bool planned = in.Planned;
+  // Several processes have no time in common.
+  in.Planned =
+    this->Tolerance > 0.0 || (this->TimeBudget > 0.0 && !in.Schedule.Exchange.IsOn());
+  if (planned && in.Planned && this->TimeBudget > 0.0 && !context.Picture)
+  {
+    return; // layers of a picture are made as the picture was
+  }
   in.Plan = vtkRelievoShadowPlanner::Plan();
   in.Plan.Chosen.Method = this->Method;
   in.Plan.Chosen.Size = this->MapSize;
-  in.Planned = (this->Tolerance > 0.0 || this->TimeBudget > 0.0) && !in.Lights.GetCasting().empty();
   if (!in.Planned)
   {
     return;
   }
+  this->UpdateProbe();
   const std::vector<vtkRelievoShadowLight>& casting = in.Lights.GetCasting();
   const bool together = in.Schedule.Exchange.IsOn();
-  bool suns = false;
-  for (const vtkRelievoShadowLight& light : casting)
-  {
-    suns = suns || !light.Positional;
-  }
+  const bool suns = std::any_of(casting.begin(), casting.end(),
+    [](const vtkRelievoShadowLight& light) { return !light.Positional; });
   std::vector<vtkRelievoShadowPlanner::Way> ways;
   for (const int method : { METHOD_MAP, METHOD_WARPED })
   {
@@ -126,16 +155,14 @@ void vtkRelievoShadowPass::MakePlan(vtkRelievoFrameContext& context)
     {
       if ((method == METHOD_MAP || suns) && size <= vtkRelievoShadowMaps::GetLargestSize())
       {
-        ways.push_back({ method, size,
-          this->EstimateWrongShareInView(method, size) });
+        ways.push_back({ method, size, this->GetShareInView(method, size) });
       }
     }
   }
-  const bool refused =
-    in.MethodRefused == METHOD_EXACT && in.Work.Props.GetState() == in.Refused;
+  const bool refused = in.MethodRefused == METHOD_EXACT && in.Work.Props.GetState() == in.Refused;
   if (!together && !refused)
   {
-    ways.push_back({ METHOD_EXACT, 0, this->EstimateWrongShare(METHOD_EXACT, 1) });
+    ways.push_back({ METHOD_EXACT, 0, this->GetShareInView(METHOD_EXACT, 1) });
   }
   in.Load.Pixels = static_cast<double>(context.View.Viewport[2]) * context.View.Viewport[3];
   in.Load.Lights = static_cast<double>(casting.size());
@@ -145,8 +172,7 @@ void vtkRelievoShadowPass::MakePlan(vtkRelievoFrameContext& context)
   in.Load.Software = IsSoftware();
   // Processes choose alike: by what all of them know.
   const double time = together ? 0.0 : this->TimeBudget;
-  const double tolerance = this->Tolerance > 0.0 || time > 0.0 ? this->Tolerance : 1.0;
-  in.Plan = in.Planner.Choose({ tolerance, time }, ways, in.Load);
+  in.Plan = in.Planner.Choose({ this->Tolerance, time }, ways, in.Load);
   in.Fresh = !(in.Plan.Chosen == before);
 }
 

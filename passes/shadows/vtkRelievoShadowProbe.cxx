@@ -13,15 +13,20 @@
 namespace
 {
 // Sides of the coarse maps, in texels.
-const int Levels[] = { 128, 512 };
-constexpr double Power = 0.9; // of the law
+constexpr int Sides[] = { 512, 2048 };
 
-// Wrong verdicts over pixels with an unlike texel, where both are counted at the same texel: fitted
-// to the bench of planning (docs/charts/README.md).
-constexpr double WrongOfUnlike = 0.13;
+// Powers of the law: where edges are far apart for a texel, and where they are not.
+constexpr double Power = 0.9;
+constexpr double LeastPower = 0.5;
 
-constexpr int LeastSamples = 1600;   // that face a light
-constexpr int MostPixels = 6400;     // that are looked at for them
+// Wrong verdicts of maps over those that are counted so: fitted to the bench of the planner
+// (docs/charts/README.md).
+constexpr double WrongOfCounted = 0.6;
+
+constexpr int Phases = 8;            // places of the grid that are tried
+constexpr int LeastSamples = 3000;   // that face a light
+constexpr int MostPixels = 9000;     // that are looked at for them
+constexpr double LightSteps = 32.0;  // of a light, in its distance
 constexpr int FittedSize = 2048;     // of the maps whose views are asked for
 constexpr double StepsPerView = 8.0; // of the camera, in half the height of what it sees
 
@@ -75,6 +80,23 @@ vtkRelievoView GetStep(const vtkRelievoView& view, const glm::dvec3& center)
   placed[3] = glm::dvec4(from, 1.0);
   stepped.WorldToView = glm::inverse(placed);
   SetDepths(stepped);
+  return stepped;
+}
+
+// The lights at the nearest of a few places and directions.
+std::vector<vtkRelievoShadowLight> GetStep(
+  const std::vector<vtkRelievoShadowLight>& lights, const glm::dvec3& center)
+{
+  std::vector<vtkRelievoShadowLight> stepped = lights;
+  for (vtkRelievoShadowLight& light : stepped)
+  {
+    light.Direction = glm::normalize(Round(light.Direction, 1.0 / LightSteps));
+    const double size = std::exp2(std::floor(std::log2(glm::length(light.Position - center))));
+    if (light.Positional && std::isfinite(size) && size > 0.0)
+    {
+      light.Position = Round(light.Position, size / LightSteps);
+    }
+  }
   return stepped;
 }
 
@@ -133,11 +155,12 @@ bool Project(const vtkRelievoShadowView& view, const glm::dvec3& world, glm::dve
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowProbe::Update(
-  const vtkRelievoShadowWork& work, const std::vector<vtkRelievoShadowLight>& casting)
+  const vtkRelievoShadowWork& work, const std::vector<vtkRelievoShadowLight>& lights)
 {
   const glm::dvec3 center = vtkRelievoShadowRegion::GetMiddle(vtkRelievoShadowRegion::Cut(
     work.Props.GetReceiverBoxes(), work.View.ViewToNDC * work.View.WorldToView));
   const vtkRelievoView view = GetStep(work.View, center);
+  const std::vector<vtkRelievoShadowLight> casting = GetStep(lights, center);
   std::vector<double> key = { static_cast<double>(view.Viewport[2]),
     static_cast<double>(view.Viewport[3]), work.Bias, static_cast<double>(work.Radius) };
   Add(key, view.WorldToView);
@@ -248,7 +271,11 @@ void vtkRelievoShadowProbe::TakeSamples(const vtkRelievoView& view)
 vtkRelievoShadowProbe::Count vtkRelievoShadowProbe::Ask(
   const vtkRelievoShadowCache& cache, double bias) const
 {
-  std::vector<int> unlike(this->Samples.size(), -1);
+  struct Wrong
+  {
+    double At[Levels] = { 0.0, 0.0 };
+  };
+  std::vector<Wrong> wrong(this->Samples.size());
   const glm::dvec3 center = this->Rays.GetCenter();
   vtkRelievoWithThreads([&]() {
     vtkSMPTools::For(
@@ -256,38 +283,43 @@ vtkRelievoShadowProbe::Count vtkRelievoShadowProbe::Ask(
         for (vtkIdType i = from; i < to; ++i)
         {
           const Sample& sample = this->Samples[i];
-          for (const auto& map : cache.GetEntries()[sample.Light].Maps)
-          {
+          const auto& maps = cache.GetEntries()[sample.Light].Maps;
+          // Outside of all maps nothing casts.
+          const auto map = std::find_if(maps.begin(), maps.end(), [&](const auto& each) {
             glm::dvec2 at;
-            if (unlike[i] < 0 && Project(map.View, sample.Place + center, at))
-            {
-              unlike[i] = this->CountUnlike(sample, map.View, bias);
-            }
+            return Project(each.View, sample.Place + center, at);
+          });
+          if (map != maps.end())
+          {
+            this->AddWrong(sample, map->View, bias, wrong[i].At);
           }
         }
       });
   });
   Count count;
-  for (const int each : unlike)
+  count.Asked = static_cast<double>(wrong.size());
+  for (const Wrong& each : wrong)
   {
-    count.Asked += 1;
-    count.Unlike += std::max(each, 0); // outside of all maps nothing casts
+    for (int level = 0; level < Levels; ++level)
+    {
+      count.Wrong[level] += each.At[level];
+    }
   }
   return count;
 }
 
 //------------------------------------------------------------------------------
-// At how many of the levels one of the four texels around the sample has another verdict.
-int vtkRelievoShadowProbe::CountUnlike(
-  const Sample& sample, const vtkRelievoShadowView& view, double bias) const
+// In each of the coarse maps, the share of places of its grid for which the verdict is wrong.
+void vtkRelievoShadowProbe::AddWrong(const Sample& sample, const vtkRelievoShadowView& view,
+  double bias, double (&wrong)[Levels]) const
 {
   const glm::dvec3 center = this->Rays.GetCenter();
   const glm::dvec3 world = sample.Place + center;
   const glm::dvec3 normal = glm::normalize(sample.Seen.Normal);
-  const glm::dvec3 least = glm::abs(normal);
-  const glm::dvec3 axis = least.x <= least.y && least.x <= least.z ? glm::dvec3(1, 0, 0)
-    : least.y <= least.z                                           ? glm::dvec3(0, 1, 0)
-                                                                   : glm::dvec3(0, 0, 1);
+  const glm::dvec3 size = glm::abs(normal);
+  const glm::dvec3 axis = size.x <= size.y && size.x <= size.z ? glm::dvec3(1, 0, 0)
+    : size.y <= size.z                                         ? glm::dvec3(0, 1, 0)
+                                                               : glm::dvec3(0, 0, 1);
   const glm::dvec3 right = glm::normalize(glm::cross(normal, axis));
   const glm::dvec3 up = glm::cross(normal, right);
   const double depth = -(view.WorldToView * glm::dvec4(world, 1.0)).z;
@@ -302,42 +334,58 @@ int vtkRelievoShadowProbe::CountUnlike(
   const glm::dmat2 slope((beside[0] - at) / step, (beside[1] - at) / step);
   if (!(std::abs(glm::determinant(slope)) > 0.0))
   {
-    return 0;
+    return;
   }
   const glm::dmat2 back = glm::inverse(slope);
   const vtkRelievoShadowLight& light = this->Lights[sample.Light];
-  int count = 0;
-  for (const int level : Levels)
+  for (int level = 0; level < Levels; ++level)
   {
-    const glm::dvec2 low = glm::floor(at * static_cast<double>(level) - 0.5) + 0.5;
-    bool unlike = false;
-    for (int corner = 0; corner < 4 && !unlike; ++corner)
+    const double side = Sides[level];
+    double sum = 0.0;
+    bool unlike = true;
+    for (int phase = 0; phase < Phases && unlike; ++phase)
     {
-      const glm::dvec2 middle =
-        (low + glm::dvec2(corner & 1, corner >> 1)) / static_cast<double>(level);
-      const glm::dvec2 along = back * (middle - at);
-      glm::dvec3 start = sample.Place + along.x * right + along.y * up;
-      start += glm::normalize(vtkRelievoToLight(light, start, center).Ray) *
-        (bias * texel * FittedSize / level);
-      const vtkRelievoToLight to(light, start, center);
-      const bool lit = this->Rays.Pass(start, to.Ray, to.Last, sample.Seen, sample.Blur) > 0.0;
-      unlike = lit != sample.Lit;
+      const glm::dvec2 shift = glm::fract(
+        static_cast<double>(phase) * glm::dvec2(0.7548776662466927, 0.5698402909980532));
+      const glm::dvec2 low = glm::floor(at * side - 0.5 - shift) + 0.5 + shift;
+      const glm::dvec2 within = at * side - low;
+      double lit = 0.0;
+      int count = 0;
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        const glm::dvec2 offset(corner & 1, corner >> 1);
+        const glm::dvec2 along = back * ((low + offset) / side - at);
+        glm::dvec3 start = sample.Place + along.x * right + along.y * up;
+        start += glm::normalize(vtkRelievoToLight(light, start, center).Ray) *
+          (bias * texel * FittedSize / side);
+        const vtkRelievoToLight to(light, start, center);
+        const glm::dvec2 weights = glm::mix(1.0 - within, within, offset);
+        const bool passes =
+          this->Rays.Pass(start, to.Ray, to.Last, sample.Seen, sample.Blur) > 0.0;
+        lit += passes ? weights.x * weights.y : 0.0;
+        count += passes == sample.Lit ? 1 : 0;
+      }
+      sum += (lit >= 0.5) != sample.Lit ? 1.0 : 0.0;
+      unlike = phase > 0 || count < 4;
     }
-    count += unlike ? 1 : 0;
+    wrong[level] += sum / Phases;
   }
-  return count;
 }
 
 //------------------------------------------------------------------------------
 double vtkRelievoShadowProbe::GetWrongShare(int size, bool warped) const
 {
   const Count& count = warped ? this->Warped : this->Even;
-  double sum = 0.0;
-  for (const int level : Levels)
-  {
-    sum += std::pow(static_cast<double>(level) / size, -Power);
-  }
-  const double unlike = (static_cast<double>(count.Unlike) + 0.5) /
-    (static_cast<double>(std::max(1LL, count.Asked)) * sum);
-  return std::min(1.0, WrongOfUnlike * unlike);
+  const double asked = std::max(1.0, count.Asked);
+  const double ratio = static_cast<double>(Sides[1]) / Sides[0];
+  // Half a pixel more than were seen: nothing seen is not nothing there.
+  const double coarse = (count.Wrong[0] + 0.5 * std::pow(ratio, Power)) / asked;
+  const double fine = (count.Wrong[1] + 0.5) / asked;
+  // Most of what is known comes from the coarser map, as long as the law holds.
+  const double both =
+    (count.Wrong[0] + count.Wrong[1] + 0.5) / (asked * (1.0 + std::pow(ratio, Power)));
+  const double share = std::max(both, fine);
+  const double found = std::log(coarse / fine) / std::log(ratio);
+  const double power = std::min(Power, std::max(LeastPower, found + 0.3));
+  return std::min(1.0, WrongOfCounted * share * std::pow(static_cast<double>(size) / Sides[1], -power));
 }
