@@ -54,7 +54,7 @@ struct Way
 
   std::string Name() const
   {
-    return this->Method == Pass::METHOD_MAP   ? "map"
+    return this->Method == Pass::METHOD_MAP ? "map"
       : this->Method == Pass::METHOD_WARPED ? "warped"
                                             : "exact";
   }
@@ -167,13 +167,13 @@ void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& ligh
   }
   for (const Way& way : ways)
   {
-    tables.Ways.AddRow({ name, light.Name, window, way.Name(), SizeWords(way),
-      Number(100. * way.Expected), Number(100. * way.Wrong), Number(way.Milliseconds),
-      Number(LoadAverage(), 2) });
+    tables.Ways.AddRow(
+      { name, light.Name, window, way.Name(), SizeWords(way), Number(100. * way.Expected),
+        Number(100. * way.Wrong), Number(way.Milliseconds), Number(LoadAverage(), 2) });
     std::cout << name << ", " << light.Name << ", " << window << ", " << way.Name() << " "
               << SizeWords(way) << ": " << Number(100. * way.Expected, 3) << " % expected, "
-              << Number(100. * way.Wrong, 3) << " % wrong, " << Number(way.Milliseconds, 3)
-              << " ms" << std::endl;
+              << Number(100. * way.Wrong, 3) << " % wrong, " << Number(way.Milliseconds, 3) << " ms"
+              << std::endl;
   }
   for (const double tolerance : Tolerances)
   {
@@ -181,9 +181,8 @@ void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& ligh
     verdicts.Window->Render();
     const Way used{ shadows->GetMethodUsed(),
       shadows->GetMethodUsed() == Pass::METHOD_EXACT ? 0 : shadows->GetMapSizeUsed() };
-    const auto chosen = std::find_if(ways.begin(), ways.end(), [&used](const Way& way) {
-      return way.Method == used.Method && way.Size == used.Size;
-    });
+    const auto chosen = std::find_if(ways.begin(), ways.end(),
+      [&used](const Way& way) { return way.Method == used.Method && way.Size == used.Size; });
     const Way* best = nullptr;
     for (const Way& way : ways)
     {
@@ -225,8 +224,7 @@ void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& ligh
   }
   std::sort(taken.begin(), taken.end());
   const double median = taken[taken.size() / 2];
-  tables.Times.AddRow({ name, light.Name, window,
-    Way{ moving.Shadows->GetMethodUsed(), 0 }.Name(),
+  tables.Times.AddRow({ name, light.Name, window, Way{ moving.Shadows->GetMethodUsed(), 0 }.Name(),
     std::to_string(moving.Shadows->GetMapSizeUsed()), Number(expected), Number(median),
     Number(median / expected) });
   std::cout << "  expected " << Number(expected, 3) << " ms, taken " << Number(median, 3) << " ms"

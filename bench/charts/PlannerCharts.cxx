@@ -60,15 +60,16 @@ Chart Scatter(const CsvRows& rows, const std::vector<const char*>& methods, cons
 //------------------------------------------------------------------------------
 std::vector<NamedChart> PlannerCharts(const std::vector<CsvRows>& files)
 {
-  Chart error = Scatter(
-    files[0], { "map", "warped" }, "expected wrong %", "wrong %", 0.003, 3., "as expected");
+  Chart error =
+    Scatter(files[0], { "map", "warped" }, "expected wrong %", "wrong %", 0.003, 3., "as expected");
   error.Title = "Shadows: wrong verdicts against what is expected before drawing";
-  error.Note = "Each mark is a scene, light, window and map size. Below the line: better than that.";
+  error.Note =
+    "Each mark is a scene, light, window and map size. Below the line: better than that.";
   error.X.Title = "expected, % of pixels";
   error.Y.Title = "measured, % of pixels";
   error.X.Ticks = error.Y.Ticks = Percents;
-  Chart choice = Scatter(files[1], { "map", "warped", "exact" }, "tolerance %", "wrong %", 0.003,
-    0.3, "tolerance");
+  Chart choice = Scatter(
+    files[1], { "map", "warped", "exact" }, "tolerance %", "wrong %", 0.003, 0.3, "tolerance");
   choice.Title = "Shadows: wrong verdicts of the way that is chosen for a tolerance";
   choice.Note = "Each mark is a scene, light and window. Without an error: not shown.";
   choice.X.Title = "tolerance, % of pixels";

@@ -224,8 +224,7 @@ void vtkRelievoCasterRays::SetSurfaces(const std::vector<vtkRelievoSurface>& sur
     {
       const glm::dvec3 corner(i & 1 ? mesh.High.x : mesh.Low.x, i & 2 ? mesh.High.y : mesh.Low.y,
         i & 4 ? mesh.High.z : mesh.Low.z);
-      corners.emplace_back(
-        surface.Caster.MeshToWorld * glm::dvec4(corner + mesh.Origin, 1.0));
+      corners.emplace_back(surface.Caster.MeshToWorld * glm::dvec4(corner + mesh.Origin, 1.0));
       low = glm::min(low, corners.back());
       high = glm::max(high, corners.back());
     }
@@ -288,8 +287,8 @@ void vtkRelievoCasterRays::Walk(
     const int surface = this->Tree.GetOrder()[-1 - static_cast<int>(node.Low.w)];
     const Placed& placed = this->Places[surface];
     const Mesh& mesh = *placed.Triangles;
-    const Ray inner(glm::dvec3(placed.ToMesh * glm::dvec4(from, 1.0)),
-      glm::dmat3(placed.ToMesh) * ray);
+    const Ray inner(
+      glm::dvec3(placed.ToMesh * glm::dvec4(from, 1.0)), glm::dmat3(placed.ToMesh) * ray);
     const auto& within = mesh.Tree.GetNodes();
     const int inside = static_cast<int>(within.size());
     for (int k = 0; k < inside && low <= high;)
@@ -358,8 +357,8 @@ vtkRelievoCasterRays::Meeting vtkRelievoCasterRays::FindFirst(
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoCasterRays::Pass(const glm::dvec3& from, const glm::dvec3& ray, double last,
-  const Meeting& own, double blur) const
+double vtkRelievoCasterRays::Pass(
+  const glm::dvec3& from, const glm::dvec3& ray, double last, const Meeting& own, double blur) const
 {
   double passes = 1.0;
   this->Walk(from, ray, 0.0, last, [&](int surface, int triangle, double t) {

@@ -47,8 +47,8 @@ public:
   long long GetNumberOfTriangles() const;
 
   // The meeting with what is seen that is nearest to t = `wanted`, between two others.
-  Meeting Find(const glm::dvec3& from, const glm::dvec3& ray, double low, double high,
-    double wanted) const;
+  Meeting Find(
+    const glm::dvec3& from, const glm::dvec3& ray, double low, double high, double wanted) const;
 
   // The first one.
   Meeting FindFirst(const glm::dvec3& from, const glm::dvec3& ray, double low) const;

@@ -87,9 +87,9 @@ std::string vtkRelievoShadowCertificate::GetWords()
   else
   {
     out << this->GetWrong() << " of " << this->Judged << " verdicts are wrong ("
-        << this->FalseShadow << " false shadow, " << this->FalseLight << " false light): "
-        << Percent(this->GetWrongShare()) << ", at most " << Percent(this->GetWrongShareBound())
-        << " with a confidence of 95 %";
+        << this->FalseShadow << " false shadow, " << this->FalseLight
+        << " false light): " << Percent(this->GetWrongShare()) << ", at most "
+        << Percent(this->GetWrongShareBound()) << " with a confidence of 95 %";
   }
   out << "; counted apart: " << this->Ties << " ties within a pixel's rounding, " << this->Grazing
       << " turned away from the light or grazing, " << this->Unlit << " where there is nothing to "

@@ -40,8 +40,8 @@ public:
   vtkRelievoShadowPlanner::Plan Plan; // of the frame; without a wish, what is set
   vtkRelievoShadowPlanner::Load Load;
   bool Planned = false;
-  bool Fresh = false;  // other than in the frame before
-  double Began = 0.0;  // milliseconds
+  bool Fresh = false; // other than in the frame before
+  double Began = 0.0; // milliseconds
   double Took = -1.0;
   vtkMTimeType TimedStructure = 0;
   std::unique_ptr<vtkRelievoShadowMethod> Method = vtkRelievoShadowMethod::Make(METHOD_MAP);
@@ -55,9 +55,9 @@ public:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the frame
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkRelievoShadowCertificate> Certificate;
-  std::set<vtkShaderProgram*> Told;             // programs that have this frame's uniforms
-  std::set<std::string> Said;                   // warnings and errors
-  vtkRelievoShadowStrengths Strengths;          // of the lights of this frame
+  std::set<vtkShaderProgram*> Told;    // programs that have this frame's uniforms
+  std::set<std::string> Said;          // warnings and errors
+  vtkRelievoShadowStrengths Strengths; // of the lights of this frame
   bool Spliced = false;
   bool Strayed = false; // shaders without shadows were built with this pass in their keys
 

@@ -50,8 +50,7 @@ vtkRelievoShadowJudge::Findings vtkRelievoShadowJudge::Judge(int x, int y, int l
   {
     return GRAZING;
   }
-  if (vtkRelievoMeetsAny(
-        this->Unfollowed, this->Rays.GetCenter(), place, to.Ray, to.Last))
+  if (vtkRelievoMeetsAny(this->Unfollowed, this->Rays.GetCenter(), place, to.Ray, to.Last))
   {
     return UNKNOWN;
   }
@@ -59,11 +58,9 @@ vtkRelievoShadowJudge::Findings vtkRelievoShadowJudge::Judge(int x, int y, int l
   const double truth = this->Rays.Pass(place, to.Ray, to.Last, seen, blur);
   for (int corner = 0; corner < 4; ++corner)
   {
-    const vtkRelievoPixelRay beside =
-      pixels.GetRay(x + 0.5 + (corner & 1 ? SubPixel : -SubPixel),
-        y + 0.5 + (corner & 2 ? SubPixel : -SubPixel));
-    const double t =
-      glm::dot(seen.Normal, place - beside.From) / glm::dot(seen.Normal, beside.Ray);
+    const vtkRelievoPixelRay beside = pixels.GetRay(
+      x + 0.5 + (corner & 1 ? SubPixel : -SubPixel), y + 0.5 + (corner & 2 ? SubPixel : -SubPixel));
+    const double t = glm::dot(seen.Normal, place - beside.From) / glm::dot(seen.Normal, beside.Ray);
     const glm::dvec3 at = beside.From + t * beside.Ray;
     const vtkRelievoToLight other(this->Lights[light], at, this->Rays.GetCenter());
     if (this->Rays.Pass(at, other.Ray, other.Last, seen, blur) != truth)
@@ -71,9 +68,8 @@ vtkRelievoShadowJudge::Findings vtkRelievoShadowJudge::Judge(int x, int y, int l
       return TIE;
     }
   }
-  const bool wrong = truth > 0.0 && truth < 1.0
-    ? std::abs(drawn - truth) > TransmittanceSlack
-    : (drawn >= 0.5f) != (truth >= 0.5);
+  const bool wrong = truth > 0.0 && truth < 1.0 ? std::abs(drawn - truth) > TransmittanceSlack
+                                                : (drawn >= 0.5f) != (truth >= 0.5);
   return !wrong ? RIGHT : drawn < truth ? FALSE_SHADOW : FALSE_LIGHT;
 }
 

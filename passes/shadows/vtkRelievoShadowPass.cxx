@@ -249,7 +249,8 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
     this->MakePlan(context);
     this->PrepareMethod(context);
     const int size = in.Plan.Chosen.Size > 0 ? in.Plan.Chosen.Size : this->MapSize;
-    fault = in.Schedule.Fit(work, in.Lights.GetCasting(), *in.Method, this->GetSizeHere(size), this->FilterRadius, context.Renderer);
+    fault = in.Schedule.Fit(work, in.Lights.GetCasting(), *in.Method, this->GetSizeHere(size),
+      this->FilterRadius, context.Renderer);
   }
   else
   {

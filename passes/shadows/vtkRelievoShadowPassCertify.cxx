@@ -73,8 +73,7 @@ vtkRelievoShadowCertificate* vtkRelievoShadowPass::Certify(int rays, int seed)
     return nullptr;
   }
   vtkRenderer* const renderer = in.Renderer;
-  auto* const frame =
-    vtkRelievoFramePass::SafeDownCast(renderer ? renderer->GetPass() : nullptr);
+  auto* const frame = vtkRelievoFramePass::SafeDownCast(renderer ? renderer->GetPass() : nullptr);
   if (!frame || !renderer->GetRenderWindow() || in.Lights.GetCasting().empty())
   {
     vtkErrorMacro("Certify has no picture: the last frame made no shadows of lights. Switch them "
@@ -108,8 +107,7 @@ vtkRelievoShadowCertificate* vtkRelievoShadowPass::Certify(int rays, int seed)
     judge.Visibility.push_back(read(layers[i]));
   }
   // Maps know translucent casters as opaque ones.
-  judge.Rays.SetSurfaces(
-    in.Work.Props.CollectSurfaces(in.Method->Traces(), judge.Unfollowed));
+  judge.Rays.SetSurfaces(in.Work.Props.CollectSurfaces(in.Method->Traces(), judge.Unfollowed));
   const double wider = GetWidth(in.Work.Cache);
   for (vtkRelievoBox& box : judge.Unfollowed)
   {

@@ -130,8 +130,7 @@ void vtkRelievoShadowPass::MakePlan(vtkRelievoFrameContext& context)
   const vtkRelievoShadowPlanner::Way before = in.Plan.Chosen;
   const bool planned = in.Planned;
   // Several processes have no time in common.
-  in.Planned =
-    this->Tolerance > 0.0 || (this->TimeBudget > 0.0 && !in.Schedule.Exchange.IsOn());
+  in.Planned = this->Tolerance > 0.0 || (this->TimeBudget > 0.0 && !in.Schedule.Exchange.IsOn());
   if (planned && in.Planned && this->TimeBudget > 0.0 && !context.Picture)
   {
     return; // layers of a picture are made as the picture was

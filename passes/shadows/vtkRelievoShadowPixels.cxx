@@ -29,8 +29,8 @@ vtkRelievoPixelRay vtkRelievoShadowPixels::GetRay(double x, double y) const
   const glm::dmat4& p = this->ViewToNDC;
   const int column = this->Parallel ? 3 : 2;
   const double sign = this->Parallel ? -1.0 : 1.0;
-  const glm::dvec2 at((ndc.x + sign * p[column][0]) / p[0][0],
-    (ndc.y + sign * p[column][1]) / p[1][1]);
+  const glm::dvec2 at(
+    (ndc.x + sign * p[column][0]) / p[0][0], (ndc.y + sign * p[column][1]) / p[1][1]);
   const glm::dvec3 from = this->Parallel ? glm::dvec3(at, 0.0) : glm::dvec3(0.0);
   const glm::dvec3 ray = this->Parallel ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(at, -1.0);
   return { glm::dvec3(this->ViewToScene * glm::dvec4(from, 1.0)),

@@ -41,8 +41,8 @@ private:
 // A light as a place of those coordinates sees it.
 struct vtkRelievoToLight
 {
-  glm::dvec3 Ray;    // to the light; of a sun, unit
-  double Last = 0.0; // t of the light; infinite for a sun
+  glm::dvec3 Ray;     // to the light; of a sun, unit
+  double Last = 0.0;  // t of the light; infinite for a sun
   bool Lights = true; // within its cone and reach
 
   vtkRelievoToLight(

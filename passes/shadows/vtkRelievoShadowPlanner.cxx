@@ -16,13 +16,13 @@ using Way = vtkRelievoShadowPlanner::Way;
 // Milliseconds for one of each, on software OpenGL (two cores) and on a common GPU.
 struct Costs
 {
-  double Pixel;     // shaded
-  double Triangle;  // drawn
-  double Draw;      // call
-  double Texel;     // of a map that is drawn anew
-  double Lookup;    // in a map, per pixel and light
-  double Piece;     // of a warped map, beyond the first, as a share of drawing it
-  double Trace;     // per pixel, light and halving of the triangles
+  double Pixel;    // shaded
+  double Triangle; // drawn
+  double Draw;     // call
+  double Texel;    // of a map that is drawn anew
+  double Lookup;   // in a map, per pixel and light
+  double Piece;    // of a warped map, beyond the first, as a share of drawing it
+  double Trace;    // per pixel, light and halving of the triangles
 };
 constexpr Costs Software = { 3e-5, 3e-4, 0.02, 1.9e-6, 1.5e-5, 0.1, 2.4e-5 };
 constexpr Costs Hardware = { 5e-7, 1e-6, 0.01, 4e-8, 2e-7, 0.1, 5e-7 };
@@ -74,11 +74,9 @@ double vtkRelievoShadowPlanner::Model(const Way& way, const Load& load, bool red
       costs.Trace * load.Pixels * load.Lights * std::log2(2.0 + std::max(0.0, load.Triangles));
   }
   time += costs.Lookup * load.Pixels * load.Lights;
-  const double pieces =
-    way.Method == vtkRelievoShadowPass::METHOD_WARPED ? 1.0 + costs.Piece : 1.0;
+  const double pieces = way.Method == vtkRelievoShadowPass::METHOD_WARPED ? 1.0 + costs.Piece : 1.0;
   const double texels = static_cast<double>(way.Size) * way.Size;
-  return time +
-    (redraws ? load.Maps * (pieces * geometry + costs.Texel * texels) : 0.0);
+  return time + (redraws ? load.Maps * (pieces * geometry + costs.Texel * texels) : 0.0);
 }
 
 //------------------------------------------------------------------------------

@@ -214,8 +214,7 @@ void vtkRelievoShadowProbe::TakeSamples(const vtkRelievoView& view)
   this->Samples.clear();
   long long unknown = 0;
   std::vector<std::vector<Sample>> found;
-  for (int first = 0;
-       first < MostPixels && static_cast<int>(this->Samples.size()) < LeastSamples;
+  for (int first = 0; first < MostPixels && static_cast<int>(this->Samples.size()) < LeastSamples;
        first += LeastSamples)
   {
     found.assign(LeastSamples, {});
@@ -224,10 +223,10 @@ void vtkRelievoShadowProbe::TakeSamples(const vtkRelievoView& view)
       const double x = std::fmod(0.5 + 0.7548776662466927 * (first + i), 1.0);
       const double y = std::fmod(0.5 + 0.5698402909980532 * (first + i), 1.0);
       const vtkRelievoPixelRay eye = pixels.GetRay(x * view.Viewport[2], y * view.Viewport[3]);
-      const vtkRelievoCasterRays::Meeting seen =
-        this->Rays.FindFirst(eye.From, eye.Ray, view.Parallel ? 2.0 * view.Near - view.Far : 1e-9 * view.Near);
-      lost[i] = vtkRelievoMeetsAny(this->Unfollowed, center, eye.From, eye.Ray,
-        seen.Surface < 0 ? 1e300 : seen.T);
+      const vtkRelievoCasterRays::Meeting seen = this->Rays.FindFirst(
+        eye.From, eye.Ray, view.Parallel ? 2.0 * view.Near - view.Far : 1e-9 * view.Near);
+      lost[i] = vtkRelievoMeetsAny(
+        this->Unfollowed, center, eye.From, eye.Ray, seen.Surface < 0 ? 1e300 : seen.T);
       if (seen.Surface < 0 || lost[i] || !this->Rays.GetSurfaces()[seen.Surface].Receives)
       {
         return;
@@ -345,8 +344,8 @@ void vtkRelievoShadowProbe::AddWrong(const Sample& sample, const vtkRelievoShado
     bool unlike = true;
     for (int phase = 0; phase < Phases && unlike; ++phase)
     {
-      const glm::dvec2 shift = glm::fract(
-        static_cast<double>(phase) * glm::dvec2(0.7548776662466927, 0.5698402909980532));
+      const glm::dvec2 shift =
+        glm::fract(static_cast<double>(phase) * glm::dvec2(0.7548776662466927, 0.5698402909980532));
       const glm::dvec2 low = glm::floor(at * side - 0.5 - shift) + 0.5 + shift;
       const glm::dvec2 within = at * side - low;
       double lit = 0.0;
@@ -360,8 +359,7 @@ void vtkRelievoShadowProbe::AddWrong(const Sample& sample, const vtkRelievoShado
           (bias * texel * FittedSize / side);
         const vtkRelievoToLight to(light, start, center);
         const glm::dvec2 weights = glm::mix(1.0 - within, within, offset);
-        const bool passes =
-          this->Rays.Pass(start, to.Ray, to.Last, sample.Seen, sample.Blur) > 0.0;
+        const bool passes = this->Rays.Pass(start, to.Ray, to.Last, sample.Seen, sample.Blur) > 0.0;
         lit += passes ? weights.x * weights.y : 0.0;
         count += passes == sample.Lit ? 1 : 0;
       }
@@ -387,5 +385,6 @@ double vtkRelievoShadowProbe::GetWrongShare(int size, bool warped) const
   const double share = std::max(both, fine);
   const double found = std::log(coarse / fine) / std::log(ratio);
   const double power = std::min(Power, std::max(LeastPower, found + 0.3));
-  return std::min(1.0, WrongOfCounted * share * std::pow(static_cast<double>(size) / Sides[1], -power));
+  return std::min(
+    1.0, WrongOfCounted * share * std::pow(static_cast<double>(size) / Sides[1], -power));
 }

@@ -41,11 +41,9 @@ Errors Compare(const Layers& a, const Layers& exact)
       {
         const glm::dvec3 n = glm::normalize(exact.Vector("normal", x, y));
         const glm::dvec3 m = glm::normalize(a.Vector("normal", x, y));
-        errors.Normal =
-          std::max(errors.Normal, glm::degrees(std::atan2(glm::length(glm::cross(n, m)),
-                                    glm::dot(n, m))));
-        errors.Depth =
-          std::max(errors.Depth, std::abs(a.Value("depth", x, y) - depth) / depth);
+        errors.Normal = std::max(
+          errors.Normal, glm::degrees(std::atan2(glm::length(glm::cross(n, m)), glm::dot(n, m))));
+        errors.Depth = std::max(errors.Depth, std::abs(a.Value("depth", x, y) - depth) / depth);
       }
     }
   }

@@ -83,8 +83,7 @@ void TestMesh(const std::string& mesh, SceneLight kind)
     relievoTest::TraceShadow(*truth, truth->Trace(relievoTest::View(scene.Renderer)), scene.Light);
   const relievoTest::Layers layers(scene.Renderer, { "shadow_0" });
   const auto errors = relievoTest::CompareShadow(judged,
-    vtkFloatArray::SafeDownCast(layers.Image->GetPointData()->GetArray("shadow_0"))
-      ->GetPointer(0));
+    vtkFloatArray::SafeDownCast(layers.Image->GetPointData()->GetArray("shadow_0"))->GetPointer(0));
   const vtkSmartPointer<Certificate> all = shadows->Certify(All);
   RELIEVO_CHECK(all != nullptr);
   if (!all)

@@ -141,8 +141,8 @@ void TestTimes()
   RELIEVO_CHECK(shadows->GetMethodUsed() == Pass::METHOD_EXACT);
   RELIEVO_CHECK(shadows->GetMillisecondsTaken() > 0. && shadows->GetExpectedMilliseconds() > 0.);
   const std::string report = stage.GetFrame()->GetFrameReport();
-  for (const char* words : { "exact was chosen for a time of 1e+06 ms", "\"frame_ms\": ",
-         "\"expected_frame_ms\": ", "\"shadow_plan\": \"exact was chosen" })
+  for (const char* words : { "exact was chosen for a time of 1e+06 ms",
+         "\"frame_ms\": ", "\"expected_frame_ms\": ", "\"shadow_plan\": \"exact was chosen" })
   {
     RELIEVO_CHECK_THAT(report.find(words) != std::string::npos, words);
   }

@@ -87,12 +87,12 @@ struct RenderOptions
   std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
   std::vector<LampChoice> Lamps;
   Shadows ShadowMethod = Shadows::Off;
-  std::optional<int> ShadowSize;     ///< of each map, texels
+  std::optional<int> ShadowSize;         ///< of each map, texels
   std::optional<double> ShadowTolerance; ///< share of wrong pixels, 0 to 1
   std::optional<double> TimeBudget;      ///< of a frame, milliseconds
   std::optional<int> Certify;            ///< rays
-  std::string NormalMap, HeightMap;  ///< files; empty: none
-  std::optional<double> HeightScale; ///< depth of the relief, world units
+  std::string NormalMap, HeightMap;      ///< files; empty: none
+  std::optional<double> HeightScale;     ///< depth of the relief, world units
   Relief ReliefMethod = Relief::Relief;
   std::optional<Mapping> TextureMapping; ///< none: as a box, with a note
   std::string Environment;               ///< file; empty: none
