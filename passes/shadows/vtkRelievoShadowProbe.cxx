@@ -112,7 +112,7 @@ vtkRelievoShadowScene GetScene(const vtkRelievoShadowWork& work, const vtkReliev
   request.ViewUp = glm::dvec3(viewToWorld[1]);
   request.ParallelEye = view.Parallel;
   scene.WorldToNDC = view.ViewToNDC * view.WorldToView;
-  scene.Casters = work.Props.GetCasterBoxes();
+  scene.Casters = work.Props.GetAllBoxes(); // a method may have taken casters out
   scene.Receivers = work.Props.GetReceiverBoxes();
   return scene;
 }
