@@ -81,7 +81,7 @@ void TestTolerances()
 
 void TestChoices()
 {
-  relievoTest::Stage stage;
+  relievoTest::Stage stage(40, 30);
   G* gbuffer = vtkRelievoPass::Attach(stage.Renderer)->GetGBuffer();
   gbuffer->SetDepthFormat(G::DEPTH_REVERSED_32F);
   RELIEVO_CHECK(gbuffer->GetNormalFormatUsed() == G::NORMAL_AUTO);

@@ -97,7 +97,9 @@ void TestCameraPath()
   stage.AddSun(-3., 4., -2.);
   stage.GetFrame()->ShadowsOn();
   Pass* shadows = stage.GetShadows();
-  shadows->SetTolerance(4e-4);
+  stage.Window->Render();
+  // Such that the first choice is just good enough, and others are on the way.
+  shadows->SetTolerance(1.21 * shadows->EstimateWrongShareInView(Pass::METHOD_MAP, 1024));
   vtkCamera* camera = stage.Renderer->GetActiveCamera();
   constexpr int Places = 40;
   std::vector<std::pair<int, int>> ways;
@@ -116,6 +118,7 @@ void TestCameraPath()
     flickers += i > 1 && ways[i] != ways[i - 1] && ways[i] == ways[i - 2] ? 1 : 0;
   }
   std::cout << "camera path: " << changes << " changes, " << flickers << " flickers\n";
+  RELIEVO_CHECK_THAT(changes > 0, "nothing was to be chosen on the way");
   RELIEVO_CHECK_AT_MOST(changes, 6, "changes on the way");
   RELIEVO_CHECK_AT_MOST(flickers, 0, "changes for one frame");
   int unlike = 0;
