@@ -34,7 +34,7 @@ using Pass = vtkRelievoShadowPass;
 
 const double Tolerances[] = { 2e-3, 1e-3, 5e-4, 2e-4, 5e-5 };
 constexpr double TimedTolerance = 5e-4;
-constexpr int Rounds = 3;
+constexpr int Rounds = 5;
 constexpr int FramesBefore = 10; // that the planner learns from
 
 const ShadowLight Lights[] = {

@@ -28,7 +28,7 @@ constexpr int LeastSamples = 3000;   // that face a light
 constexpr int MostPixels = 9000;     // that are looked at for them
 constexpr double LightSteps = 32.0;  // of a light, in its distance
 constexpr int FittedSize = 2048;     // of the maps whose views are asked for
-constexpr double StepsPerView = 4.0; // of the camera, in half the height of what it sees
+constexpr double StepsPerView = 8.0; // of the camera, in half the height of what it sees
 
 glm::dvec3 Round(const glm::dvec3& v, double step)
 {
