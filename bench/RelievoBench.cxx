@@ -36,6 +36,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
       RelievoBenchShadows },
     { "soft-shadows", "error of soft shadows against samples of the lights' shapes",
       RelievoBenchSoftShadows },
+    { "planner", "what the planner of shadows expects and chooses against what there is",
+      RelievoBenchPlanner },
     { "bias", "false shadow against leak as the shadows' bias grows", RelievoBenchBias },
     { "lights", "what lamps cost a frame, 1 to 100 000, by the way they are found",
       RelievoBenchLights },

@@ -56,6 +56,9 @@ int RelievoBenchShadowFrames(const std::string& outDir);
 /** Chart 4: wrong shadow verdicts against map size and frame time. A few minutes. */
 int RelievoBenchShadows(const std::string& outDir);
 
+/** What the planner of shadows expects and chooses, against what there is. Ten minutes. */
+int RelievoBenchPlanner(const std::string& outDir);
+
 /** Chart 5: false shadow against leak as the bias grows, three heights of the sun. Minutes. */
 int RelievoBenchBias(const std::string& outDir);
 

@@ -22,6 +22,7 @@ const std::vector<Entry>& Entries()
     { "gbuffer", { "gbuffer.csv" }, GBufferCharts },
     { "shadows", { "shadows.csv" }, ShadowsCharts },
     { "soft-shadows", { "soft-shadows.csv" }, SoftShadowCharts },
+    { "planner", { "planner.csv", "planner-choices.csv", "planner-times.csv" }, PlannerCharts },
     { "bias", { "bias.csv" }, BiasCharts },
     { "lights", { "lights.csv" }, LightsCharts },
     { "deferred", { "deferred.csv" }, DeferredCharts },

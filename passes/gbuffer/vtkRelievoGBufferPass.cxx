@@ -327,6 +327,8 @@ void vtkRelievoGBufferPass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NormalFormat: " << this->NormalFormat << "\n";
   os << indent << "DepthFormat: " << this->DepthFormat << "\n";
+  os << indent << "NormalTolerance: " << this->NormalTolerance << "\n";
+  os << indent << "DepthTolerance: " << this->DepthTolerance << "\n";
   os << indent << "NormalDepthFormat: " << this->NormalDepthFormat << "\n";
   os << indent << "NormalSpace: " << (this->NormalSpace == WORLD ? "World" : "View") << "\n";
   os << indent << "ShareGeometryPass: " << this->ShareGeometryPass << "\n";

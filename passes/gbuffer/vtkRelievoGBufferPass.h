@@ -93,6 +93,21 @@ public:
   ///@}
 
   ///@{
+  /**
+   * The error that a format may have, in place of SetNormalFormat and SetDepthFormat: the smallest
+   * whose largest error is no larger is used, of those that do not depend on the near and far plane
+   * (docs/choosing-formats.md). Normals in degrees, 1e-5 to 180; depth as a share of it, 6e-8 to 1.
+   * 0 (default): the format that is set. An error, and nothing is set, for other values.
+   */
+  void SetNormalTolerance(double degrees);
+  vtkGetMacro(NormalTolerance, double);
+  int GetNormalFormatUsed();
+  void SetDepthTolerance(double share);
+  vtkGetMacro(DepthTolerance, double);
+  int GetDepthFormatUsed();
+  ///@}
+
+  ///@{
   /** Whether normal and depth share a texel. Default NORMAL_DEPTH_SEPARATE. */
   vtkSetClampMacro(NormalDepthFormat, int, NORMAL_DEPTH_SEPARATE, NORMAL_DEPTH_RGBA32F);
   vtkGetMacro(NormalDepthFormat, int);
@@ -177,6 +192,8 @@ protected:
 
   int NormalFormat = NORMAL_AUTO;
   int DepthFormat = DEPTH_32F;
+  double NormalTolerance = 0.0;
+  double DepthTolerance = 0.0;
   int NormalDepthFormat = NORMAL_DEPTH_SEPARATE;
   int NormalSpace = WORLD;
   bool ShareGeometryPass = true;

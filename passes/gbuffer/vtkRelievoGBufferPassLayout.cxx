@@ -20,8 +20,8 @@ void vtkRelievoGBufferPass::Internals::Arrange(
   this->RefinesDepth = self.RefineDepth;
   vtkRelievoGBufferLayout layout;
   layout.Lights = context.Lights;
-  layout.NormalFormat = self.NormalFormat;
-  layout.DepthFormat = self.DepthFormat;
+  layout.NormalFormat = self.GetNormalFormatUsed();
+  layout.DepthFormat = self.GetDepthFormatUsed();
   layout.NormalDepth = self.NormalDepthFormat;
   for (const std::string& layer : context.GetAsked(&self))
   {
@@ -37,7 +37,7 @@ void vtkRelievoGBufferPass::Internals::Arrange(
   // A depth that shares its texel with the normal is as it was written.
   const bool together =
     self.NormalDepthFormat != NORMAL_DEPTH_SEPARATE && layout.Normal && layout.Depth;
-  const bool refines = self.RefineDepth && self.DepthFormat == DEPTH_32F && !together;
+  const bool refines = self.RefineDepth && layout.DepthFormat == DEPTH_32F && !together;
   for (const std::string& layer : context.ReadBack)
   {
     layout.Ids = layout.Ids ||

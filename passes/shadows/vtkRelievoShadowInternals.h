@@ -8,12 +8,17 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoLampMaps.h"
 #include "vtkRelievoLightSamples.h"
+#include "vtkRelievoShadowCertificate.h"
 #include "vtkRelievoShadowLights.h"
 #include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoShadowPass.h"
+#include "vtkRelievoShadowPlanner.h"
+#include "vtkRelievoShadowProbe.h"
 #include "vtkRelievoShadowSchedule.h"
 #include "vtkRelievoShadowStrengths.h"
 #include "vtkRelievoShadowWork.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 #include "vtkWeakPointer.h"
 
@@ -34,6 +39,15 @@ public:
   vtkRelievoShadowWork Work{ Casters };
   vtkRelievoShadowSchedule Schedule;
   vtkRelievoLampMaps Lamps{ Casters }; // from data
+  vtkRelievoShadowProbe Probe;
+  vtkRelievoShadowPlanner Planner;
+  vtkRelievoShadowPlanner::Plan Plan; // of the frame; without a wish, what is set
+  vtkRelievoShadowPlanner::Load Load;
+  bool Planned = false;
+  bool Fresh = false; // other than in the frame before
+  double Began = 0.0; // milliseconds
+  double Took = -1.0;
+  vtkMTimeType TimedStructure = 0;
   std::unique_ptr<vtkRelievoShadowMethod> Method = vtkRelievoShadowMethod::Make(METHOD_MAP);
   int MethodMade = METHOD_MAP;
   int MethodRefused = -1; // could not make shadows of what cast so
@@ -43,9 +57,11 @@ public:
   bool LightsAsked = false;                     // shadows of the renderer's lights
   bool LampsAsked = false;                      // and of lamps from data
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the frame
-  std::set<vtkShaderProgram*> Told;             // programs that have this frame's uniforms
-  std::set<std::string> Said;                   // warnings and errors
-  vtkRelievoShadowStrengths Strengths;          // of the lights of this frame
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRelievoShadowCertificate> Certificate;
+  std::set<vtkShaderProgram*> Told;    // programs that have this frame's uniforms
+  std::set<std::string> Said;          // warnings and errors
+  vtkRelievoShadowStrengths Strengths; // of the lights of this frame
   bool Spliced = false;
   bool Strayed = false; // shaders without shadows were built with this pass in their keys
 

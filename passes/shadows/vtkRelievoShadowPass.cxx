@@ -176,6 +176,12 @@ void vtkRelievoShadowPass::Describe(vtkRelievoStageDescription& description)
   description.AddNumber(
     "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0, 1.0,
     "", "Fraction of a blocked light that is removed.");
+  description.AddNumber(
+    "tolerance", this->Tolerance, [this](double share) { this->SetTolerance(share); }, 0.0, 1.0, "",
+    "Share of wrong pixels that method and map size are chosen for; 0: as they are set.");
+  description.AddNumber(
+    "time_budget", this->TimeBudget, [this](double time) { this->SetTimeBudget(time); }, 0.0,
+    3600000.0, "ms", "Time of a frame that method and map size are chosen for; 0: any.");
   description.AddWhole(
     "lamp_map_size", this->LampMapSize, [this](int size) { this->SetLampMapSize(size); }, 16, 16384,
     "texels", "Width and height of each map of a lamp from data; a lamp has up to six.");
@@ -201,6 +207,7 @@ void vtkRelievoShadowPass::Declare(
 bool vtkRelievoShadowPass::Prepare(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
+  this->BeginTiming();
   vtkRelievoAccess::Renderer::FollowCamera(context.Renderer);
   // The shaders that draw the maps are built for the lights that VTK counts here.
   static_cast<vtkOpenGLRenderer*>(context.Renderer)->UpdateLights();
@@ -234,15 +241,18 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
     return;
   }
   in.Window = context.Window;
+  in.Renderer = context.Renderer;
   work.PlainDraw.SetWindow(in.Window);
   const bool lights = !in.Lights.GetCasting().empty();
   std::string fault;
   if (lights)
   {
     work.Bias = this->Bias;
+    this->MakePlan(context);
     this->PrepareMethod(context);
-    fault = in.Schedule.Fit(work, in.Lights.GetCasting(), *in.Method,
-      this->GetSizeHere(this->MapSize), this->FilterRadius, context.Renderer);
+    const int size = in.Plan.Chosen.Size > 0 ? in.Plan.Chosen.Size : this->MapSize;
+    fault = in.Schedule.Fit(work, in.Lights.GetCasting(), *in.Method, this->GetSizeHere(size),
+      this->FilterRadius, context.Renderer);
   }
   else
   {
@@ -292,33 +302,6 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowPass::PrepareMethod(vtkRelievoFrameContext& context)
-{
-  Internals& in = *this->Internal;
-  const bool refused = this->Method == in.MethodRefused && in.Work.Props.GetState() == in.Refused;
-  in.UseMethod(refused ? METHOD_MAP : this->Method, context.Window);
-  std::string fault;
-  in.Work.OwnSteps = context.OwnSteps;
-  if (in.Schedule.Exchange.IsOn() && in.Method->Traces())
-  {
-    fault = "each process has only its own part of the casters";
-  }
-  else if (!(fault = in.Method->Prepare(in.Work, context.Renderer)).empty())
-  {
-    in.MethodRefused = this->Method;
-    in.Refused = in.Work.Props.GetState();
-  }
-  if (!fault.empty())
-  {
-    in.UseMethod(METHOD_MAP, context.Window);
-    if (in.Said.insert(fault).second)
-    {
-      vtkWarningMacro("Shadows are made with maps: " << fault << ".");
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkRelievoShadowPass::SayOnce(const std::string& error)
 {
   if (this->Internal->Said.insert(error).second)
@@ -347,6 +330,7 @@ void vtkRelievoShadowPass::Finish(vtkRelievoFrameContext& context)
       in.Method->Settle(in.Work);
     }
   }
+  this->EndTiming(context);
 }
 
 //------------------------------------------------------------------------------
@@ -378,6 +362,8 @@ void vtkRelievoShadowPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Visible: " << this->Visible << "\n";
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "MapSize: " << this->MapSize << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "LampMapSize: " << this->LampMapSize << "\n";
   os << indent << "FilterRadius: " << this->FilterRadius << "\n";
   os << indent << "Bias: " << this->Bias << "\n";

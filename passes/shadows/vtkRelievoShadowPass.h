@@ -36,6 +36,7 @@
 class vtkLight;
 class vtkMultiProcessController;
 class vtkProp;
+class vtkRelievoShadowCertificate;
 class vtkRenderer;
 
 class VTKRELIEVOSHADOWS_EXPORT vtkRelievoShadowPass : public vtkRelievoStage
@@ -108,6 +109,44 @@ public:
 
   ///@{
   /**
+   * What the method and the size of the maps are chosen for, in place of SetMethod and SetMapSize:
+   * the share of the pixels facing a light that may have a wrong verdict (0.0005 is 0.05 %), and
+   * the milliseconds that a frame may take. 0 (default): not chosen. An error if a value is
+   * negative, not a number, or a share above 1.
+   * With a tolerance, the cheapest of map and warped with 1024 to 8192 texels and exact whose
+   * expected share is below it: rays on the CPU at some pixels tell what each would get wrong
+   * (docs/shadows.md). The choice follows from scene, lights, camera and settings. With a time
+   * alone, the most accurate one that is expected to fit: that depends on the times of the frames
+   * before. With both, the tolerance comes first. GetPlan() says what is not met.
+   */
+  void SetTolerance(double share);
+  vtkGetMacro(Tolerance, double);
+  void SetTimeBudget(double milliseconds);
+  vtkGetMacro(TimeBudget, double);
+  ///@}
+
+  /**
+   * As EstimateWrongShare, but for the scene, the lights and the camera of the last frame, by rays
+   * as for SetTolerance; 2.5 times EstimateWrongShare where they cannot tell (several processes,
+   * casters that are not followed triangle by triangle). -1 if no frame has made shadows of lights.
+   */
+  double EstimateWrongShareInView(int method, int size);
+
+  ///@{
+  /**
+   * Of the last frame: what was chosen and why ("" without a wish), the method and map size that
+   * were used, the milliseconds that were expected and those that it took, from the shadows' first
+   * work until OpenGL had finished (-1 without a wish).
+   */
+  std::string GetPlan();
+  int GetMethodUsed();
+  int GetMapSizeUsed();
+  double GetExpectedMilliseconds();
+  double GetMillisecondsTaken();
+  ///@}
+
+  ///@{
+  /**
    * Radius of the filter over the map in texels, 0 to 16, and at most a quarter of the map. It
    * sets the softness of a shadow's edge: 1 interpolates between the verdicts of four texels, 0
    * takes that of the nearest one. Default 1.
@@ -165,10 +204,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * The same for one light: an angle for a directional, a radius for a positional one; -1 for the
-   * pass's (default).
-   */
+  /** One light's own: an angle for a directional, a radius for a positional one; -1: the pass's. */
   void SetLightSize(vtkLight* light, double size);
   double GetLightSize(vtkLight* light);
   ///@}
@@ -187,8 +223,7 @@ public:
 
   ///@{
   /**
-   * The name of a light in reports, warnings and layers. By default, and with an empty name, "light
-   * N", where N is its index in vtkRenderer::GetLights().
+   * A light's name in reports, warnings and layers; "" (default): "light N", N being its index.
    */
   void SetLightName(vtkLight* light, const std::string& name);
   std::string GetLightName(vtkRenderer* renderer, vtkLight* light);
@@ -265,6 +300,15 @@ public:
   double EstimateWrongShare(int method, int size);
   ///@}
 
+  /**
+   * Proves the last picture: judges so many verdicts of its pixels, drawn by lot, against rays in
+   * double precision past the casters' own triangles (vtkRelievoShadowCertificate). The picture is
+   * drawn again as layers for it; the window does not change. The same seed draws the same lots.
+   * What is returned is a new object each time, held until the next call. Null, with an error, if
+   * there are no shadows of lights to judge, or `rays` is not positive.
+   */
+  vtkRelievoShadowCertificate* Certify(int rays, int seed = 0);
+
   /** Seconds taken to merge the maps of all processes, in the last frame that drew any. */
   double GetMergeSeconds();
 
@@ -281,6 +325,7 @@ public:
   /**
    * "soft_samples", "soft_gathered": see SetSoftSamples; 1 where lights are points.
    * "expected_wrong_share": see EstimateWrongShare; null if no shadows of lights were made.
+   * "shadow_plan", "expected_frame_ms", "frame_ms": see SetTolerance; null without a wish.
    * "lamp_maps", "lamp_maps_drawn", "lamp_maps_bytes": of lamps from data; the second were redrawn.
    */
   std::map<std::string, vtkVariant> GetFacts() override;
@@ -315,6 +360,8 @@ protected:
   bool Visible = false;
   int Method = METHOD_MAP;
   int MapSize = 2048;
+  double Tolerance = 0.0;
+  double TimeBudget = 0.0;
   int LampMapSize = 1024;
   int FilterRadius = 1;
   double Bias = 1.5;
@@ -331,7 +378,12 @@ private:
 
   void DescribeSoft(vtkRelievoStageDescription& description);
   void DeclareSoft(const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const;
-  std::string DescribeSamples() const;                 // "; WORDS"
+  std::string DescribeSamples() const; // "; WORDS"
+  void UpdateProbe();
+  double GetShareInView(int method, int size);
+  void MakePlan(vtkRelievoFrameContext& context);
+  void BeginTiming();
+  void EndTiming(vtkRelievoFrameContext& context);
   void PrepareMethod(vtkRelievoFrameContext& context); // or maps, with a warning
   void CollectLights(vtkRelievoFrameContext& context);
   void DrawLights(vtkRelievoFrameContext& context);

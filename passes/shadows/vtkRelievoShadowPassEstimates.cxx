@@ -73,6 +73,10 @@ double vtkRelievoShadowPass::EstimateWrongShare(int method, int size)
 //------------------------------------------------------------------------------
 double vtkRelievoShadowPass::GetExpectedWrongShare() const
 {
+  if (this->Internal->Planned && this->Internal->Plan.Chosen.Method == this->Internal->MethodMade)
+  {
+    return this->Internal->Plan.Chosen.WrongShare;
+  }
   vtkRelievoShadowDemand demand;
   demand.MapSize = this->Internal->Work.Maps.GetSize();
   return this->Internal->Method->Estimate(demand).WrongShare;
@@ -88,6 +92,9 @@ std::map<std::string, vtkVariant> vtkRelievoShadowPass::GetFacts()
              ran ? vtkVariant(this->GetExpectedWrongShare()) : vtkVariant() },
     { "soft_samples", vtkVariant(ran ? in.Samples : 1) },
     { "soft_gathered", vtkVariant(ran ? in.Gathered : 1) },
+    { "shadow_plan", in.Planned ? vtkVariant(in.Plan.Words) : vtkVariant() },
+    { "expected_frame_ms", in.Planned ? vtkVariant(in.Plan.Milliseconds) : vtkVariant() },
+    { "frame_ms", in.Planned && in.Took >= 0.0 ? vtkVariant(in.Took) : vtkVariant() },
     { "lamp_maps", vtkVariant(lamps.Cache.GetNumberOfMaps()) },
     { "lamp_maps_drawn", vtkVariant(lamps.MapsDrawn) },
     { "lamp_maps_bytes", vtkVariant(static_cast<long long>(lamps.Maps.GetBytes())) } };

@@ -101,7 +101,7 @@ std::string vtkRelievoShadowPass::DescribeMaps() const
       << " x " << in.Work.Maps.GetSize() << " texels, " << this->NumberOfMapsDrawn
       << " drawn anew, expected share of wrong pixels " << std::setprecision(2)
       << 100.0 * this->GetExpectedWrongShare() << " %" << std::setprecision(6)
-      << in.Method->GetReport() << this->DescribeSamples() << in.Schedule.Exchange.GetReport()
-      << in.Lights.GetReport();
+      << (in.Planned ? ", " + in.Plan.Words : std::string()) << in.Method->GetReport()
+      << this->DescribeSamples() << in.Schedule.Exchange.GetReport() << in.Lights.GetReport();
   return out.str();
 }

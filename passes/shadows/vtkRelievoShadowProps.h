@@ -22,6 +22,7 @@ class vtkRenderer;
 struct vtkRelievoCaster;
 struct vtkRelievoFrameProp;
 struct vtkRelievoShadowView;
+struct vtkRelievoSurface;
 
 class vtkRelievoShadowProps
 {
@@ -53,6 +54,11 @@ public:
   // maps, and puts them back.
   std::vector<vtkRelievoCaster> TakeFollowed();
   void PutBackFollowed();
+
+  // Everything that casts or is seen and can be followed, and the boxes of what cannot. Without
+  // `attenuates`, what is translucent and casts lets no light pass.
+  std::vector<vtkRelievoSurface> CollectSurfaces(
+    bool attenuates, std::vector<vtkRelievoBox>& others) const;
 
   void AddPass(vtkOpenGLRenderPass* pass);
   void RemovePass(vtkOpenGLRenderPass* pass);

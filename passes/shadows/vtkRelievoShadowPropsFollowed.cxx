@@ -3,7 +3,12 @@
 //
 // Casters that are drawn into no map.
 #include "vtkRelievoCasterFollow.h"
+#include "vtkRelievoCasterRays.h"
 #include "vtkRelievoShadowProps.h"
+
+#include "vtkProp.h"
+
+#include <algorithm>
 
 //------------------------------------------------------------------------------
 std::vector<vtkRelievoCaster> vtkRelievoShadowProps::TakeFollowed()
@@ -30,4 +35,37 @@ void vtkRelievoShadowProps::PutBackFollowed()
 {
   this->Casters = this->AllCasters;
   this->CasterBoxes = this->AllCasterBoxes;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoSurface> vtkRelievoShadowProps::CollectSurfaces(
+  bool attenuates, std::vector<vtkRelievoBox>& others) const
+{
+  std::vector<vtkRelievoSurface> surfaces;
+  for (std::size_t i = 0; i < this->Spliced.size(); ++i)
+  {
+    vtkProp* const prop = this->Spliced[i];
+    Choice choice;
+    for (const Choice& made : this->Choices)
+    {
+      choice = made.Prop == prop ? made : choice;
+    }
+    vtkRelievoSurface surface;
+    surface.Casts = choice.Casts == 1 || (choice.Casts == -1 && prop->HasOpaqueGeometry() != 0);
+    surface.Receives = choice.Receives;
+    const bool drawn = std::find(this->Seen.begin(), this->Seen.end(), prop) != this->Seen.end();
+    std::vector<vtkRelievoCaster> casters;
+    if (!vtkRelievoCasterFollow::Collect(prop, choice.Casts == 1, casters))
+    {
+      others.push_back(this->AllBoxes[i]); // one for each of Spliced
+    }
+    for (const vtkRelievoCaster& caster : casters)
+    {
+      surface.Caster = caster;
+      surface.Seen = drawn && caster.Passes <= 0.0;
+      surface.Caster.Passes = attenuates ? caster.Passes : 0.0;
+      surfaces.push_back(surface);
+    }
+  }
+  return surfaces;
 }

@@ -148,6 +148,24 @@ class Shadows(CliTest):
         self.draw("--shadows", "off", "--shadow-size", 512, "--report", "a.json", lights=light)
         self.assertEqual(json.loads((self.folder / "a.json").read_text())["bytes"], 0)
 
+    def test_a_tolerance_chooses_the_method_and_a_certificate_proves_the_picture(self):
+        light = ["sun:-1,0,1"]
+        done = self.draw("--shadow-tolerance", "0.01%", "--certify", 2000, "--report", "a.json",
+                         lights=light)  # fmt: skip
+        self.assertIn("certified shadows: 0 of 2000 verdicts are wrong", done.stdout)
+        self.assertIn("at most 0.15 % with a confidence of 95 %", done.stdout)
+        report = json.loads((self.folder / "a.json").read_text())
+        self.assertIn("was chosen for a tolerance of 0.01 %", report["shadow_plan"])
+        self.assertLessEqual(report["expected_wrong_share"], 1e-4)
+        self.assertGreater(report["frame_ms"], 0)
+        # A coarse map is found out.
+        done = self.draw("--shadows", "map", "--shadow-size", 16, "--certify", 2000, lights=light)
+        wrong = int(done.stdout.split("certified shadows: ")[1].split()[0])
+        self.assertGreater(wrong, 20)
+        done = self.draw("--time-budget", 100000, "--report", "a.json", lights=light)
+        report = json.loads((self.folder / "a.json").read_text())
+        self.assertIn("exact was chosen for a time of 1e+05 ms", report["shadow_plan"])
+
 
 if __name__ == "__main__":
     main()

@@ -48,6 +48,11 @@ WRONG_VALUES = [
     ("--size", "16385x600", "whole number from 1 to 16384"),
     ("--shadow-size", "16385", "whole number from 16 to 16384"),
     ("--shadow-size", "1.5", "whole number"),
+    ("--shadow-tolerance", "0", "a number between 0 and 1"),
+    ("--shadow-tolerance", "200%", "a number between 0 and 100"),
+    ("--shadow-tolerance", "little", "a number between 0 and 1"),
+    ("--time-budget", "-3", "a finite number above 0"),
+    ("--certify", "0", "whole number from 1"),
     ("--up", "w", "x, y, z"),
     ("--reflectivity", "1.5", "R[,ROUGHNESS], both from 0 to 1"),
     ("--reflectivity", "0.5,-1", "both from 0 to 1"),
@@ -124,6 +129,11 @@ class Words(CliTest):
     def test_a_size_of_no_shadows(self):
         self.refused("render", "triangle.off", "--png", "a.png", "--shadow-size", "512", status=2,
                      says=["--shadow-size", "--shadows map", "shadow_N"])  # fmt: skip
+        self.refused("render", "triangle.off", "--certify", "100", status=2,
+                     says=["--certify", "no shadows to judge", "--shadows METHOD"])  # fmt: skip
+        self.refused("render", "triangle.off", "--png", "a.png", "--shadow-tolerance", "0.1%",
+                     "--shadows", "map", status=2,
+                     says=["--shadow-tolerance and --shadows", "one of them"])  # fmt: skip
 
     def test_shadows_said_in_two_ways(self):
         for words, option, parameter in (

@@ -30,12 +30,15 @@
 #include "vtkRelievoMarkers.h"
 #include "vtkRelievoMarkersStage.h"
 #include "vtkRelievoPass.h"
+#include "vtkRelievoShadowCertificate.h"
+#include "vtkRelievoShadowPass.h"
 #include "vtkRelievoStage.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
 
 namespace cli
@@ -129,6 +132,14 @@ void WriteReport(vtkRelievoPass* pass, const RenderOptions& options, const Outpu
 }
 
 //------------------------------------------------------------------------------
+std::string Certify(vtkRelievoPass* pass, int rays)
+{
+  vtkRelievoShadowCertificate* certificate = pass->GetShadowPass()->Certify(rays);
+  Messages::Check("--certify");
+  return certificate->GetWords();
+}
+
+//------------------------------------------------------------------------------
 // Somebody who asks for a stage should not have to guess why nothing of it is seen.
 void NoteIdleStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages)
 {
@@ -202,7 +213,7 @@ void Render(const RenderOptions& options)
   vtkRelievoPass* pass = nullptr;
   if (!layers.empty() || !options.Report.empty() || options.ShadowMethod != Shadows::Off ||
     !options.Stages.empty() || !options.Lamps.empty() || !options.Fogs.empty() ||
-    !options.Markers.empty())
+    !options.Markers.empty() || options.Certify)
   {
     pass = vtkRelievoPass::Attach(scene.Renderer);
   }
@@ -278,7 +289,12 @@ void Render(const RenderOptions& options)
   {
     throw WorkError(outputs.WithGivenNames(error.what()));
   }
+  const std::string certificate = options.Certify ? Certify(pass, *options.Certify) : "";
   outputs.Commit();
+  if (options.Certify)
+  {
+    std::printf("relievo: certified shadows: %s\n", certificate.c_str());
+  }
   for (const std::string& note : Messages::TakeNotes())
   {
     std::fprintf(StandardError(), "relievo: %s\n", note.c_str());

@@ -71,6 +71,8 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
     pass->GetShadowPass()->SetSoftSamples(*options.SoftShadows);
   }
   pass->WaitForSamplesOn();
+  pass->GetShadowPass()->SetTolerance(options.ShadowTolerance.value_or(0.0));
+  pass->GetShadowPass()->SetTimeBudget(options.TimeBudget.value_or(0.0));
   constexpr int methods[] = { vtkRelievoShadowPass::METHOD_MAP, vtkRelievoShadowPass::METHOD_MAP,
     vtkRelievoShadowPass::METHOD_FORWARD, vtkRelievoShadowPass::METHOD_WARPED,
     vtkRelievoShadowPass::METHOD_EXACT };

@@ -69,6 +69,12 @@ render draws the FILEs off screen and writes the outputs that you request.
   --shadow-size N         side of each shadow map in texels, 16 to 16384 (2048)
   --soft-shadows N        shadows of lights with a size: the mean of N samples of each light's
                           shape, 1 to 4096
+  --shadow-tolerance S    shadows by the cheapest method that is expected to get at most this
+                          share of the pixels wrong, such as 0.05% or 0.0005
+  --time-budget MS        shadows by the most accurate method whose frames are expected to take
+                          at most so many milliseconds
+  --certify N             judges N verdicts of the shadows, drawn by lot, by rays in double
+                          precision, and prints the share that is wrong, with its 95 % bound
   --normal-map F          normals from an image (.png .jpg .tif .bmp .hdr .exr; OpenGL's green),
                           placed by the meshes' texture coordinates; linear values, not sRGB
   --height-map F[,SCALE]  heights from an image; the ground lies SCALE below the mesh, in world

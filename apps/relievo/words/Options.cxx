@@ -5,6 +5,7 @@
 #include "Failure.h"
 #include "Presets.h"
 #include "Readers.h"
+#include "ShadowOptions.h"
 #include "Shadows.h"
 #include "SurfaceOptions.h"
 #include "ToneOptions.h"
@@ -187,6 +188,9 @@ const OptionRow RenderRows[] = {
   { "--shadows", TakeShadows, false },
   { "--shadow-size", TakeShadowSize, false },
   { "--soft-shadows", TakeSoftShadows, false },
+  { "--shadow-tolerance", TakeShadowTolerance, false },
+  { "--time-budget", TakeTimeBudget, false },
+  { "--certify", TakeCertify, false },
   { "--normal-map", TakePath<&RenderOptions::NormalMap>, false },
   { "--height-map", TakeHeightMap, false },
   { "--relief", TakeRelief, false },
@@ -283,9 +287,10 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
   {
     throw WordsError("render: no FILE given; see relievo --help");
   }
-  if (options.PNG.empty() && options.EXR.empty() && options.Report.empty())
+  if (options.PNG.empty() && options.EXR.empty() && options.Report.empty() && !options.Certify)
   {
-    throw WordsError("render: nothing to write: give --png F, --exr F or --report F.json");
+    throw WordsError(
+      "render: nothing to write: give --png F, --exr F, --report F.json or --certify N");
   }
   if (options.ViewAngle && options.ParallelScale)
   {
@@ -342,6 +347,7 @@ RenderOptions ParseRender(const std::vector<std::string>& words)
     },
     [&](const std::string& word) { options.Files.push_back(word); });
   ApplyPreset(options, seen);
+  CheckShadowWishes(options, seen);
   CheckTogether(options, seen);
   return options;
 }

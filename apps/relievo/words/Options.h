@@ -66,6 +66,9 @@ constexpr int MostSoftSamples = 4096;
 /// Pixels or texels each way. OpenGL's own limit, which may be lower, is asked when there is one.
 constexpr int LargestSize = 16384;
 
+/// Rays of --certify.
+constexpr int MostRays = 100000000;
+
 struct CameraPlace
 {
   std::array<double, 3> Position;
@@ -87,10 +90,13 @@ struct RenderOptions
   std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
   std::vector<LampChoice> Lamps;
   Shadows ShadowMethod = Shadows::Off;
-  std::optional<int> ShadowSize;     ///< of each map, texels
-  std::optional<int> SoftShadows;    ///< samples of each light's shape
-  std::string NormalMap, HeightMap;  ///< files; empty: none
-  std::optional<double> HeightScale; ///< depth of the relief, world units
+  std::optional<int> ShadowSize;         ///< of each map, texels
+  std::optional<int> SoftShadows;        ///< samples of each light's shape
+  std::optional<double> ShadowTolerance; ///< share of wrong pixels, 0 to 1
+  std::optional<double> TimeBudget;      ///< of a frame, milliseconds
+  std::optional<int> Certify;            ///< rays
+  std::string NormalMap, HeightMap;      ///< files; empty: none
+  std::optional<double> HeightScale;     ///< depth of the relief, world units
   Relief ReliefMethod = Relief::Relief;
   std::optional<Mapping> TextureMapping; ///< none: as a box, with a note
   std::string Environment;               ///< file; empty: none

@@ -50,6 +50,8 @@ public:
   void SetShadowMethod(int method);
   void SetShadowMapSize(int size);
   void SetShadowLampMapSize(int size);
+  void SetShadowTolerance(double share);
+  void SetShadowTimeBudget(double milliseconds);
   void SetShadowFilterRadius(int radius);
   void SetShadowBias(double bias);
   void SetShadowStrength(double strength);

@@ -50,6 +50,20 @@ void vtkPVRelievoView::SetShadowLampMapSize(int size)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowTolerance(double share)
+{
+  this->GetFrame()->GetShadowPass()->SetTolerance(
+    vtkPVRelievoWithin(this, "ShadowTolerance", share, 0.0, 1.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowTimeBudget(double milliseconds)
+{
+  this->GetFrame()->GetShadowPass()->SetTimeBudget(
+    vtkPVRelievoWithin(this, "ShadowTimeBudget", milliseconds, 0.0, 3600000.0));
+}
+
+//------------------------------------------------------------------------------
 void vtkPVRelievoView::SetShadowFilterRadius(int radius)
 {
   this->GetFrame()->GetShadowPass()->SetFilterRadius(

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the planner of shadows expects of each way against what it gets, error and time, and what it
+// chooses for a tolerance against the best possible choice.
+//
+// Errors against Embree, as in the bench of shadows. Times are of whole frames in which the light
+// moves, so that maps are drawn anew, all ways in turn.
+#include "RelievoBench.h"
+
+#include "BenchCharts.h"
+#include "FrameBench.h"
+#include "ShadowVerdicts.h"
+#include "Table.h"
+#include "Window.h"
+
+#include <vtkLight.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoShadowPass.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace
+{
+using namespace relievoBench;
+using relievoTest::SceneLight;
+using Pass = vtkRelievoShadowPass;
+
+const double Tolerances[] = { 2e-3, 1e-3, 5e-4, 2e-4, 5e-5 };
+constexpr double TimedTolerance = 5e-4;
+constexpr int Rounds = 5;
+constexpr int FramesBefore = 10; // that the planner learns from
+
+const ShadowLight Lights[] = {
+  { "sun", SceneLight::Sun, 0. },
+  { "sun at 10 degrees", SceneLight::Sun, 10. },
+  { "spot", SceneLight::Spot, 0. },
+  { "point", SceneLight::Point, 0. },
+};
+const int Sizes[][2] = { { 600, 600 }, { 800, 450 }, { 400, 1000 }, { 320, 240 } };
+
+struct Way
+{
+  int Method;
+  int Size;
+  double Expected = 0.; // share of wrong pixels
+  double Wrong = 0.;
+  double Milliseconds = 0.;
+
+  std::string Name() const
+  {
+    return this->Method == Pass::METHOD_MAP ? "map"
+      : this->Method == Pass::METHOD_WARPED ? "warped"
+                                            : "exact";
+  }
+};
+
+std::vector<Way> MakeWays(bool sun)
+{
+  std::vector<Way> ways;
+  for (const int method : { Pass::METHOD_MAP, Pass::METHOD_WARPED })
+  {
+    for (const int size : { 1024, 2048, 4096, 8192 })
+    {
+      if (method == Pass::METHOD_MAP || sun)
+      {
+        ways.push_back({ method, size });
+      }
+    }
+  }
+  ways.push_back({ Pass::METHOD_EXACT, 0 });
+  return ways;
+}
+
+Pass* Attach(vtkRenderer* renderer)
+{
+  vtkRelievoPass* frame = vtkRelievoPass::Attach(renderer);
+  frame->ShadowsOn();
+  return frame->GetShadowPass();
+}
+
+void Use(Pass* shadows, const Way& way)
+{
+  shadows->SetMethod(way.Method);
+  if (way.Size > 0)
+  {
+    shadows->SetMapSize(way.Size);
+  }
+}
+
+// A scene in a window of its own whose light moves from frame to frame.
+struct MovingWindow
+{
+  relievoTest::ReferenceScene Scene;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  Pass* Shadows;
+  int Frames = 0;
+
+  MovingWindow(
+    const std::string& name, vtkPolyData* mesh, const ShadowLight& light, const int (&size)[2])
+    : Scene(MakeShadowScene(name, mesh, light))
+    , Window(relievoTest::MakeWindow(size[0], size[1], this->Scene.Renderer))
+    , Shadows(Attach(this->Scene.Renderer))
+  {
+  }
+
+  relievoTest::Timed Frame()
+  {
+    relievoTest::Timed frame = relievoTest::Frame(this->Window);
+    frame.Prepare = [this]() {
+      double at[3];
+      this->Scene.Light->GetPosition(at);
+      this->Scene.Light->SetPosition(at[0] + (++this->Frames % 2 ? 0.02 : -0.02), at[1], at[2]);
+    };
+    return frame;
+  }
+};
+
+struct Tables
+{
+  Table Ways{ { "scene", "light", "window", "method", "map", "expected wrong %", "wrong %",
+    "frame ms", "load" } };
+  Table Choices{ { "scene", "light", "window", "tolerance %", "method", "map", "expected wrong %",
+    "wrong %", "wrong / tolerance", "frame ms", "best method", "best map", "best ms", "regret" } };
+  Table Times{ { "scene", "light", "window", "method", "map", "expected ms", "taken ms",
+    "taken / expected" } };
+};
+
+std::string SizeWords(const Way& way)
+{
+  return way.Size > 0 ? std::to_string(way.Size) : std::string();
+}
+
+// One scene, light and window.
+void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& light,
+  const int (&size)[2], Tables& tables)
+{
+  const std::string window = std::to_string(size[0]) + "x" + std::to_string(size[1]);
+  std::vector<Way> ways = MakeWays(light.Kind == SceneLight::Sun);
+  ShadowVerdicts verdicts(name, mesh, light, size[0], size[1]);
+  Pass* shadows = Attach(verdicts.Scene.Renderer);
+  for (Way& way : ways)
+  {
+    Use(shadows, way);
+    way.Wrong = verdicts.MeasureAsItIs().Wrong();
+    way.Expected = shadows->EstimateWrongShareInView(way.Method, std::max(1, way.Size));
+  }
+  {
+    std::vector<std::unique_ptr<MovingWindow>> windows;
+    std::vector<relievoTest::Timed> frames;
+    for (const Way& way : ways)
+    {
+      windows.emplace_back(new MovingWindow(name, mesh, light, size));
+      Use(windows.back()->Shadows, way);
+      frames.push_back(windows.back()->Frame());
+    }
+    const std::vector<relievoTest::Timing> times = TimeInTurn(frames, Rounds, 1);
+    for (std::size_t i = 0; i < ways.size(); ++i)
+    {
+      ways[i].Milliseconds = 1e3 * times[i].Median();
+    }
+  }
+  for (const Way& way : ways)
+  {
+    tables.Ways.AddRow(
+      { name, light.Name, window, way.Name(), SizeWords(way), Number(100. * way.Expected),
+        Number(100. * way.Wrong), Number(way.Milliseconds), Number(LoadAverage(), 2) });
+    std::cout << name << ", " << light.Name << ", " << window << ", " << way.Name() << " "
+              << SizeWords(way) << ": " << Number(100. * way.Expected, 3) << " % expected, "
+              << Number(100. * way.Wrong, 3) << " % wrong, " << Number(way.Milliseconds, 3) << " ms"
+              << std::endl;
+  }
+  for (const double tolerance : Tolerances)
+  {
+    shadows->SetTolerance(tolerance);
+    verdicts.Window->Render();
+    const Way used{ shadows->GetMethodUsed(),
+      shadows->GetMethodUsed() == Pass::METHOD_EXACT ? 0 : shadows->GetMapSizeUsed() };
+    const auto chosen = std::find_if(ways.begin(), ways.end(),
+      [&used](const Way& way) { return way.Method == used.Method && way.Size == used.Size; });
+    const Way* best = nullptr;
+    for (const Way& way : ways)
+    {
+      if (way.Wrong <= tolerance && (!best || way.Milliseconds < best->Milliseconds))
+      {
+        best = &way;
+      }
+    }
+    if (chosen == ways.end() || !best)
+    {
+      std::cerr << "relievo: bench: " << shadows->GetPlan() << " is no way that was measured\n";
+      continue;
+    }
+    const double regret = chosen->Milliseconds / best->Milliseconds;
+    tables.Choices.AddRow({ name, light.Name, window, Number(100. * tolerance), chosen->Name(),
+      SizeWords(*chosen), Number(100. * chosen->Expected), Number(100. * chosen->Wrong),
+      Number(chosen->Wrong / tolerance), Number(chosen->Milliseconds), best->Name(),
+      SizeWords(*best), Number(best->Milliseconds), Number(regret) });
+    std::cout << "  " << Number(100. * tolerance, 2) << " %: " << chosen->Name() << " "
+              << SizeWords(*chosen) << ", " << Number(chosen->Wrong / tolerance, 3)
+              << " of the tolerance; best " << best->Name() << " " << SizeWords(*best)
+              << ", regret " << Number(regret, 3) << std::endl;
+  }
+  // After ten frames, the next ones.
+  MovingWindow moving(name, mesh, light, size);
+  moving.Shadows->SetTolerance(TimedTolerance);
+  relievoTest::Timed frame = moving.Frame();
+  std::vector<double> taken;
+  double expected = 0.;
+  for (int i = 0; i < FramesBefore + Rounds; ++i)
+  {
+    frame.Prepare();
+    frame.Work();
+    expected = i == FramesBefore ? moving.Shadows->GetExpectedMilliseconds() : expected;
+    if (i >= FramesBefore)
+    {
+      taken.push_back(moving.Shadows->GetMillisecondsTaken());
+    }
+  }
+  std::sort(taken.begin(), taken.end());
+  const double median = taken[taken.size() / 2];
+  tables.Times.AddRow({ name, light.Name, window, Way{ moving.Shadows->GetMethodUsed(), 0 }.Name(),
+    std::to_string(moving.Shadows->GetMapSizeUsed()), Number(expected), Number(median),
+    Number(median / expected) });
+  std::cout << "  expected " << Number(expected, 3) << " ms, taken " << Number(median, 3) << " ms"
+            << std::endl;
+}
+}
+
+//------------------------------------------------------------------------------
+int RelievoBenchPlanner(const std::string& outDir)
+{
+  if (!MakeFolder(outDir))
+  {
+    return 1;
+  }
+  std::vector<std::string> names = relievoTest::ReferenceMeshes();
+  for (const std::string& other : relievoTest::OtherMeshes())
+  {
+    names.push_back(other);
+  }
+  names.insert(names.end(), { SpheresScene, HorizonScene });
+  std::vector<vtkSmartPointer<vtkPolyData>> meshes;
+  for (const std::string& name : names)
+  {
+    meshes.push_back(ShadowSceneMesh(name));
+    if (!meshes.back())
+    {
+      return 1;
+    }
+  }
+  // Lights and shapes meet differently in each scene. What is measured is written at once.
+  Tables tables;
+  bool written = true;
+  for (std::size_t light = 0; light < std::size(Lights); ++light)
+  {
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+      Measure(names[i], meshes[i], Lights[light], Sizes[(light + i) % std::size(Sizes)], tables);
+      written = written && tables.Ways.WriteCsv(outDir + "/planner.csv") &&
+        tables.Choices.WriteCsv(outDir + "/planner-choices.csv") &&
+        tables.Times.WriteCsv(outDir + "/planner-times.csv");
+    }
+  }
+  return written && DrawBenchCharts("planner", outDir, outDir) ? 0 : 1;
+}

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Judges shadow verdicts of a picture by rays: see vtkRelievoShadowCertificate.
+#ifndef vtkRelievoShadowJudge_h
+#define vtkRelievoShadowJudge_h
+
+#include "vtkRelievoCasterRays.h"
+#include "vtkRelievoShadowLight.h"
+#include "vtkRelievoShadowPixels.h"
+#include "vtkRelievoShadowRegion.h"
+
+#include <vector>
+
+class vtkRelievoShadowCertificate;
+
+class vtkRelievoShadowJudge
+{
+public:
+  enum Findings
+  {
+    RIGHT,
+    FALSE_SHADOW,
+    FALSE_LIGHT,
+    TIE,
+    GRAZING,
+    UNLIT,
+    UNKNOWN,
+    NOTHING // no surface: not drawn by lot
+  };
+
+  vtkRelievoView View;
+  vtkRelievoCasterRays Rays;
+  std::vector<vtkRelievoBox> Unfollowed; // what may cast or be seen there is unknown
+  std::vector<vtkRelievoShadowLight> Lights;
+  std::vector<const float*> Visibility; // of each light, per pixel
+  const float* Depth = nullptr;         // per pixel, from the eye along the view's axis
+
+  Findings Judge(int x, int y, int light) const;
+
+  // Draws lots until so many verdicts are judged, or all of the picture are.
+  void Certify(int rays, int seed, vtkRelievoShadowCertificate* certificate) const;
+};
+
+#endif

@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The pass chooses its method and the size of its maps, for a tolerance or a time.
+#include "vtkRelievoShadowInternals.h"
+
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkRelievoFrameContext.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+const int Sizes[] = { 1024, 2048, 4096, 8192 };
+
+// Where rays cannot tell: measurements are within so many times the law.
+constexpr double LawsFactor = 2.5;
+
+bool IsSoftware()
+{
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string renderer = name ? name : "";
+  return renderer.find("llvmpipe") != std::string::npos ||
+    renderer.find("softpipe") != std::string::npos;
+}
+
+double GetNow()
+{
+  using Clock = std::chrono::steady_clock;
+  return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::SetTolerance(double share)
+{
+  if (!(share >= 0.0 && share <= 1.0))
+  {
+    vtkErrorMacro("SetTolerance was given " << share << "; give it the share of wrong pixels that "
+                                            << "is tolerable, from 0 (none is set) to 1; 0.05 % "
+                                            << "is 0.0005.");
+    return;
+  }
+  if (this->Tolerance != share)
+  {
+    this->Tolerance = share;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::SetTimeBudget(double milliseconds)
+{
+  if (!(milliseconds >= 0.0 && std::isfinite(milliseconds)))
+  {
+    vtkErrorMacro("SetTimeBudget was given " << milliseconds << "; give it the milliseconds that a "
+                                             << "frame may take, or 0 for any.");
+    return;
+  }
+  if (this->TimeBudget != milliseconds)
+  {
+    this->TimeBudget = milliseconds;
+    this->Internal->Planner.Forget();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowPass::EstimateWrongShareInView(int method, int size)
+{
+  Internals& in = *this->Internal;
+  const double law = this->EstimateWrongShare(method, size);
+  if (law < 0.0)
+  {
+    return law;
+  }
+  if (in.Lights.GetCasting().empty())
+  {
+    vtkErrorMacro("EstimateWrongShareInView: the last frame made no shadows of lights. Switch them "
+                  "on, add a light that casts, and render first.");
+    return -1.0;
+  }
+  this->UpdateProbe();
+  return this->GetShareInView(method, size);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::UpdateProbe()
+{
+  Internals& in = *this->Internal;
+  if (!in.Schedule.Exchange.IsOn())
+  {
+    in.Work.Bias = this->Bias;
+    in.Work.Radius = this->FilterRadius;
+    in.Probe.Update(in.Work, in.Lights.GetCasting());
+  }
+}
+
+//------------------------------------------------------------------------------
+// As the probe is.
+double vtkRelievoShadowPass::GetShareInView(int method, int size)
+{
+  const Internals& in = *this->Internal;
+  const double law = this->EstimateWrongShare(method, size);
+  const bool alone = !in.Schedule.Exchange.IsOn();
+  if (method == METHOD_EXACT)
+  {
+    // What cannot be followed is looked up in maps.
+    return alone && !in.Probe.HasUnfollowed()
+      ? law
+      : std::min(1.0, LawsFactor * this->EstimateWrongShare(METHOD_MAP, this->MapSize));
+  }
+  if (!alone || !in.Probe.IsKnown())
+  {
+    return std::min(1.0, LawsFactor * law);
+  }
+  const double share = in.Probe.GetWrongShare(size, method == METHOD_WARPED);
+  return method == METHOD_FORWARD
+    ? std::min(1.0, share * law / this->EstimateWrongShare(METHOD_MAP, size))
+    : share;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::MakePlan(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  const vtkRelievoShadowPlanner::Way before = in.Plan.Chosen;
+  const bool planned = in.Planned;
+  // Several processes have no time in common.
+  in.Planned = this->Tolerance > 0.0 || (this->TimeBudget > 0.0 && !in.Schedule.Exchange.IsOn());
+  if (planned && in.Planned && this->TimeBudget > 0.0 && !context.Picture)
+  {
+    return; // layers of a picture are made as the picture was
+  }
+  in.Plan = vtkRelievoShadowPlanner::Plan();
+  in.Plan.Chosen.Method = this->Method;
+  in.Plan.Chosen.Size = this->MapSize;
+  if (!in.Planned)
+  {
+    return;
+  }
+  this->UpdateProbe();
+  const std::vector<vtkRelievoShadowLight>& casting = in.Lights.GetCasting();
+  const bool together = in.Schedule.Exchange.IsOn();
+  const bool suns = std::any_of(casting.begin(), casting.end(),
+    [](const vtkRelievoShadowLight& light) { return !light.Positional; });
+  std::vector<vtkRelievoShadowPlanner::Way> ways;
+  for (const int method : { METHOD_MAP, METHOD_WARPED })
+  {
+    for (const int size : Sizes)
+    {
+      if ((method == METHOD_MAP || suns) && size <= vtkRelievoShadowMaps::GetLargestSize())
+      {
+        ways.push_back({ method, size, this->GetShareInView(method, size) });
+      }
+    }
+  }
+  const bool refused = in.MethodRefused == METHOD_EXACT && in.Work.Props.GetState() == in.Refused;
+  if (!together && !refused)
+  {
+    ways.push_back({ METHOD_EXACT, 0, this->GetShareInView(METHOD_EXACT, 1) });
+  }
+  in.Load.Pixels = static_cast<double>(context.View.Viewport[2]) * context.View.Viewport[3];
+  in.Load.Lights = static_cast<double>(casting.size());
+  in.Load.Maps = together ? in.Load.Lights : in.Probe.GetNumberOfMaps();
+  in.Load.Triangles = static_cast<double>(in.Probe.GetNumberOfTriangles());
+  in.Load.Props = static_cast<double>(in.Work.Props.GetAllBoxes().size());
+  in.Load.Software = IsSoftware();
+  // Processes choose alike: by what all of them know.
+  const double time = together ? 0.0 : this->TimeBudget;
+  in.Plan = in.Planner.Choose({ this->Tolerance, time }, ways, in.Load);
+  in.Fresh = !(in.Plan.Chosen == before);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::PrepareMethod(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  const int method = in.Plan.Chosen.Method;
+  const bool refused = method == in.MethodRefused && in.Work.Props.GetState() == in.Refused;
+  in.UseMethod(refused ? METHOD_MAP : method, context.Window);
+  std::string fault;
+  in.Work.OwnSteps = context.OwnSteps;
+  if (in.Schedule.Exchange.IsOn() && in.Method->Traces())
+  {
+    fault = "each process has only its own part of the casters";
+  }
+  else if (!(fault = in.Method->Prepare(in.Work, context.Renderer)).empty())
+  {
+    in.MethodRefused = method;
+    in.Refused = in.Work.Props.GetState();
+  }
+  if (!fault.empty())
+  {
+    in.UseMethod(METHOD_MAP, context.Window);
+    if (in.Said.insert(fault).second)
+    {
+      vtkWarningMacro("Shadows are made with maps: " << fault << ".");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::BeginTiming()
+{
+  this->Internal->Began = GetNow();
+  this->Internal->Took = -1.0;
+}
+
+//------------------------------------------------------------------------------
+// Of frames with a plan that draw a picture; those that build shaders tell nothing of the next.
+void vtkRelievoShadowPass::EndTiming(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  if (!in.Planned || !context.Picture)
+  {
+    return;
+  }
+  glFinish();
+  in.Took = GetNow() - in.Began;
+  const bool built = in.TimedStructure != in.StructureTime.GetMTime();
+  in.TimedStructure = in.StructureTime.GetMTime();
+  if (!in.Fresh && !built)
+  {
+    in.Planner.AddTime(in.Plan.Chosen, in.Load, this->NumberOfMapsDrawn > 0, in.Took);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowPass::GetPlan()
+{
+  return this->Internal->Planned ? this->Internal->Plan.Words : std::string();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowPass::GetMethodUsed()
+{
+  return this->Internal->MethodMade;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowPass::GetMapSizeUsed()
+{
+  return this->Internal->Work.Maps.GetSize();
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowPass::GetExpectedMilliseconds()
+{
+  return this->Internal->Planned ? this->Internal->Plan.Milliseconds : -1.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowPass::GetMillisecondsTaken()
+{
+  return this->Internal->Planned ? this->Internal->Took : -1.0;
+}

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowPlanner.h"
+
+#include "vtkRelievoShadowPass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <tuple>
+
+namespace
+{
+using Way = vtkRelievoShadowPlanner::Way;
+
+// Milliseconds for one of each, on software OpenGL (two cores) and on a common GPU.
+struct Costs
+{
+  double Pixel;    // shaded
+  double Triangle; // drawn
+  double Draw;     // call
+  double Texel;    // of a map that is drawn anew
+  double Lookup;   // in a map, per pixel and light
+  double Piece;    // of a warped map, beyond the first, as a share of drawing it
+  double Trace;    // per pixel, light and halving of the triangles
+};
+constexpr Costs Software = { 3e-5, 3e-4, 0.02, 1.9e-6, 1.5e-5, 0.1, 2.4e-5 };
+constexpr Costs Hardware = { 5e-7, 1e-6, 0.01, 4e-8, 2e-7, 0.1, 5e-7 };
+
+constexpr std::size_t Remembered = 9; // frames
+constexpr double Stays = 1.1;         // a way stays up to so much over the time,
+constexpr double Enters = 0.85;       // and a more accurate one is taken from so much under it
+
+std::string Percent(double share)
+{
+  std::ostringstream out;
+  out.precision(2);
+  out << 100.0 * share << " %";
+  return out.str();
+}
+
+std::string Milliseconds(double time)
+{
+  std::ostringstream out;
+  out.precision(3);
+  out << time << " ms";
+  return out.str();
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowPlanner::Way::GetWords() const
+{
+  static const char* const names[] = { "map", "forward", "warped", "exact" };
+  return names[this->Method] + (this->Size > 0 ? " " + std::to_string(this->Size) : std::string());
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowPlanner::Key::operator<(const Key& other) const
+{
+  return std::tie(this->Method, this->Size, this->Redraws) <
+    std::tie(other.Method, other.Size, other.Redraws);
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowPlanner::Model(const Way& way, const Load& load, bool redraws)
+{
+  const Costs& costs = load.Software ? Software : Hardware;
+  const double geometry = costs.Triangle * load.Triangles + costs.Draw * load.Props;
+  double time = geometry + costs.Pixel * load.Pixels;
+  if (way.Method == vtkRelievoShadowPass::METHOD_EXACT)
+  {
+    return time +
+      costs.Trace * load.Pixels * load.Lights * std::log2(2.0 + std::max(0.0, load.Triangles));
+  }
+  time += costs.Lookup * load.Pixels * load.Lights;
+  const double pieces = way.Method == vtkRelievoShadowPass::METHOD_WARPED ? 1.0 + costs.Piece : 1.0;
+  const double texels = static_cast<double>(way.Size) * way.Size;
+  return time + (redraws ? load.Maps * (pieces * geometry + costs.Texel * texels) : 0.0);
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowPlanner::GetTime(const Way& way, const Load& load, bool redraws) const
+{
+  const auto measured = this->Ratios.find({ way.Method, way.Size, redraws });
+  double ratio = this->LastRatio;
+  if (measured != this->Ratios.end())
+  {
+    std::vector<double> sorted = measured->second;
+    std::sort(sorted.begin(), sorted.end());
+    ratio = sorted[sorted.size() / 2];
+  }
+  return ratio * Model(way, load, redraws);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPlanner::AddTime(
+  const Way& way, const Load& load, bool redraws, double milliseconds)
+{
+  const double model = Model(way, load, redraws);
+  if (!(model > 0.0) || !(milliseconds > 0.0))
+  {
+    return;
+  }
+  std::vector<double>& ratios = this->Ratios[{ way.Method, way.Size, redraws }];
+  ratios.push_back(milliseconds / model);
+  if (ratios.size() > Remembered)
+  {
+    ratios.erase(ratios.begin());
+  }
+  this->LastRatio = milliseconds / model;
+  this->Redraws = redraws;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPlanner::Forget()
+{
+  *this = vtkRelievoShadowPlanner();
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowPlanner::Plan vtkRelievoShadowPlanner::Choose(
+  const Wish& wish, const std::vector<Way>& ways, const Load& load)
+{
+  const auto accurate = [&wish](const Way& way) {
+    return Margin * way.WrongShare <= wish.Tolerance ||
+      (way.Method == vtkRelievoShadowPass::METHOD_EXACT && way.WrongShare <= wish.Tolerance);
+  };
+  const auto better = [](const Way& a, const Way& b) { return a.WrongShare < b.WrongShare; };
+  const auto cheaper = [&load](const Way& a, const Way& b) {
+    return Model(a, load, true) < Model(b, load, true);
+  };
+  const auto time = [&](const Way& way) { return this->GetTime(way, load, this->Redraws); };
+  Plan plan;
+  std::vector<Way> left;
+  std::copy_if(ways.begin(), ways.end(), std::back_inserter(left), accurate);
+  if (wish.Tolerance > 0.0 && !left.empty())
+  {
+    plan.Chosen = *std::min_element(left.begin(), left.end(), cheaper);
+  }
+  else if (wish.Time <= 0.0)
+  {
+    plan.Chosen = *std::min_element(ways.begin(), ways.end(), better);
+    plan.Words = "the tolerance is not met";
+  }
+  else
+  {
+    // The way of the frame before stays while it is fast enough and no better one surely is.
+    const auto current = std::find(ways.begin(), ways.end(), this->Current);
+    const bool stays =
+      this->HasCurrent && current != ways.end() && time(*current) <= Stays * wish.Time;
+    const double limit = (this->HasCurrent ? Enters : 1.0) * wish.Time;
+    left.clear();
+    std::copy_if(ways.begin(), ways.end(), std::back_inserter(left),
+      [&](const Way& way) { return time(way) <= limit || (stays && way == *current); });
+    plan.Chosen = left.empty() ? *std::min_element(ways.begin(), ways.end(), cheaper)
+                               : *std::min_element(left.begin(), left.end(), better);
+    plan.Words = wish.Tolerance > 0.0 ? "the tolerance is not met" : "";
+  }
+  plan.Milliseconds = time(plan.Chosen);
+  if (wish.Time > 0.0 && plan.Milliseconds > Stays * wish.Time)
+  {
+    plan.Words += std::string(plan.Words.empty() ? "" : ", ") + "the time is not met";
+  }
+  this->Current = plan.Chosen;
+  this->HasCurrent = true;
+  std::ostringstream out;
+  out << plan.Chosen.GetWords() << " was chosen for ";
+  if (wish.Tolerance > 0.0)
+  {
+    out << "a tolerance of " << Percent(wish.Tolerance) << (wish.Time > 0.0 ? " and " : "");
+  }
+  if (wish.Time > 0.0)
+  {
+    out << "a time of " << Milliseconds(wish.Time);
+  }
+  out << " (expected " << Percent(plan.Chosen.WrongShare) << " wrong, "
+      << Milliseconds(plan.Milliseconds) << ")" << (plan.Words.empty() ? "" : ": ") << plan.Words;
+  plan.Words = out.str();
+  return plan;
+}

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The planner of shadows: what it chooses for a tolerance meets it, on scenes that no estimate was
+// fitted to; the choice does not depend on earlier frames; what a report says;
+// times; what is refused.
+#include "Check.h"
+#include "EmbreeScene.h"
+#include "Scenes.h"
+#include "Session.h"
+#include "ShadowErrors.h"
+#include "ShadowScenes.h"
+#include "Window.h"
+
+#include <vtkCamera.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoShadowPass.h>
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+using Pass = vtkRelievoShadowPass;
+using relievoTest::ShadowStage;
+
+std::pair<int, int> GetWay(Pass* shadows)
+{
+  const int method = shadows->GetMethodUsed();
+  return { method, method == Pass::METHOD_EXACT ? 0 : shadows->GetMapSizeUsed() };
+}
+
+void TestTolerances(ShadowStage& stage, const std::string& what)
+{
+  Pass* shadows = stage.GetShadows();
+  stage.GetFrame()->ShadowsOn();
+  for (const double tolerance : { 2e-3, 5e-4, 2e-5 })
+  {
+    shadows->SetTolerance(tolerance);
+    stage.Window->Render();
+    const relievoTest::ShadowErrors errors = relievoTest::JudgeShadow(stage, 0);
+    std::cout << what << ": " << shadows->GetPlan() << "; " << errors.ToString() << "\n";
+    RELIEVO_CHECK_THAT(errors.Compared > 3000, what + ": what is compared");
+    RELIEVO_CHECK_AT_MOST(errors.Wrong() / tolerance, 1.5, what + ": share over the tolerance");
+    RELIEVO_CHECK(shadows->GetPlan().find("not met") == std::string::npos);
+  }
+  RELIEVO_CHECK(shadows->GetMethodUsed() == Pass::METHOD_EXACT); // for the last one
+}
+
+void TestScenes()
+{
+  {
+    ShadowStage stage;
+    stage.AddThings();
+    stage.AddSun(-3., 4., -2.);
+    TestTolerances(stage, "things, sun");
+  }
+  {
+    ShadowStage stage(300, 120, 1e3, { 5e5, 0., 2e4 });
+    stage.AddThings();
+    stage.AddLamp({ -1.5, 3., -1. }, { 0., 0., 0. }, 90.);
+    TestTolerances(stage, "things far away, point");
+  }
+  {
+    ShadowStage stage(320, 200);
+    stage.AddPolesToHorizon();
+    TestTolerances(stage, "poles");
+  }
+}
+
+// Without a wish what is set is used, and nothing is said.
+void TestNoWish()
+{
+  ShadowStage stage;
+  stage.AddThings();
+  stage.AddSun(-3., 4., -2.);
+  stage.GetFrame()->ShadowsOn();
+  stage.Window->Render();
+  Pass* shadows = stage.GetShadows();
+  RELIEVO_CHECK(GetWay(shadows) == std::make_pair(int(Pass::METHOD_MAP), 2048));
+  RELIEVO_CHECK(shadows->GetPlan().empty() && shadows->GetExpectedMilliseconds() == -1. &&
+    shadows->GetMillisecondsTaken() == -1.);
+  const std::string report = stage.GetFrame()->GetFrameReport();
+  RELIEVO_CHECK(report.find("\"shadow_plan\": null") != std::string::npos);
+}
+
+// A camera that goes around the scene and comes back, with a tolerance that changes: each place has
+// its choice, whatever was drawn before.
+void TestCameraPath()
+{
+  ShadowStage stage;
+  stage.AddThings();
+  stage.AddSun(-3., 4., -2.);
+  stage.GetFrame()->ShadowsOn();
+  Pass* shadows = stage.GetShadows();
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  const double away = camera->GetDistance();
+  const auto go = [&](int place) {
+    const double angle = 0.03 * place;
+    camera->SetFocalPoint(0., 0.5, 0.);
+    camera->SetPosition(away * std::sin(angle), 0.5 + 0.4 * away, away * std::cos(angle));
+    stage.Renderer->ResetCameraClippingRange();
+    shadows->SetTolerance(place % 3 == 0 ? 2e-5 : 2e-3);
+    stage.Window->Render();
+    return GetWay(shadows);
+  };
+  constexpr int Places = 15;
+  std::vector<std::pair<int, int>> ways;
+  int exact = 0;
+  for (int i = 0; i < Places; ++i)
+  {
+    ways.push_back(go(i));
+    exact += ways.back().first == Pass::METHOD_EXACT ? 1 : 0;
+  }
+  RELIEVO_CHECK_THAT(exact >= Places / 3 && exact < Places, "one method for all tolerances");
+  int unlike = 0;
+  for (int i = Places - 1; i >= 0; --i)
+  {
+    unlike += go(i) != ways[i] ? 1 : 0;
+  }
+  RELIEVO_CHECK_AT_MOST(unlike, 0, "choices that depend on the way there");
+}
+
+void TestTimes()
+{
+  ShadowStage stage;
+  stage.AddThings();
+  stage.AddSun(-3., 4., -2.);
+  stage.GetFrame()->ShadowsOn();
+  Pass* shadows = stage.GetShadows();
+  shadows->SetTimeBudget(1e6);
+  for (int frame = 0; frame < 4; ++frame)
+  {
+    stage.Window->Render();
+  }
+  RELIEVO_CHECK(shadows->GetMethodUsed() == Pass::METHOD_EXACT);
+  RELIEVO_CHECK(shadows->GetMillisecondsTaken() > 0. && shadows->GetExpectedMilliseconds() > 0.);
+  const std::string report = stage.GetFrame()->GetFrameReport();
+  for (const char* words : { "exact was chosen for a time of 1e+06 ms",
+         "\"frame_ms\": ", "\"expected_frame_ms\": ", "\"shadow_plan\": \"exact was chosen" })
+  {
+    RELIEVO_CHECK_THAT(report.find(words) != std::string::npos, words);
+  }
+  RELIEVO_CHECK(report.find("\"frame_ms\": null") == std::string::npos);
+  // No way fits: the cheapest, and it is said.
+  shadows->SetTimeBudget(1e-3);
+  stage.Window->Render();
+  RELIEVO_CHECK(GetWay(shadows) == std::make_pair(int(Pass::METHOD_MAP), 1024));
+  RELIEVO_CHECK_THAT(
+    shadows->GetPlan().find("the time is not met") != std::string::npos, shadows->GetPlan());
+  // Of both, the tolerance comes first.
+  shadows->SetTolerance(3e-5);
+  stage.Window->Render();
+  RELIEVO_CHECK(shadows->GetMethodUsed() == Pass::METHOD_EXACT);
+  RELIEVO_CHECK_THAT(
+    shadows->GetPlan().find(": the time is not met") != std::string::npos, shadows->GetPlan());
+  shadows->SetTolerance(1e-7);
+  shadows->SetTimeBudget(0.);
+  stage.Window->Render();
+  RELIEVO_CHECK_THAT(
+    shadows->GetPlan().find(": the tolerance is not met") != std::string::npos, shadows->GetPlan());
+  shadows->SetTolerance(0.);
+  stage.Window->Render();
+  RELIEVO_CHECK(GetWay(shadows) == std::make_pair(int(Pass::METHOD_MAP), 2048));
+}
+
+void TestRefusals()
+{
+  ShadowStage stage;
+  Pass* shadows = stage.GetShadows();
+  shadows->SetTolerance(0.001);
+  shadows->SetTimeBudget(20.);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  {
+    const relievoTest::ExpectMessage expected("SetTolerance was given");
+    for (const double wrong : { -0.1, 1.1, nan })
+    {
+      shadows->SetTolerance(wrong);
+    }
+  }
+  {
+    const relievoTest::ExpectMessage expected("SetTimeBudget was given");
+    for (const double wrong : { -1., HUGE_VAL, nan })
+    {
+      shadows->SetTimeBudget(wrong);
+    }
+  }
+  {
+    const relievoTest::ExpectMessage expected("the last frame made no shadows");
+    RELIEVO_CHECK(shadows->EstimateWrongShareInView(Pass::METHOD_MAP, 1024) == -1.);
+  }
+  RELIEVO_CHECK(shadows->GetTolerance() == 0.001 && shadows->GetTimeBudget() == 20.);
+  RELIEVO_CHECK(!shadows->TrySetParameter("tolerance", "2").empty());
+  RELIEVO_CHECK(shadows->TrySetParameter("tolerance", "0.0005").empty());
+  RELIEVO_CHECK(shadows->GetTolerance() == 0.0005);
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  relievoTest::Session session;
+  TestNoWish();
+  TestTimes();
+  TestRefusals();
+  TestScenes();
+  TestCameraPath();
+  return session.Result();
+}
