@@ -262,6 +262,5 @@ int main()
   TestEdge(vtkRelievoShadowPass::METHOD_WARPED, SceneLight::Sun);
   TestEdges();
   TestMesh("bunny", SceneLight::Sun, 6.);
-  TestMesh("buildings", SceneLight::Spot, 0.8);
   return session.Result();
 }
