@@ -63,6 +63,23 @@ vtkSmartPointer<vtkPolyData> MakeCube()
 }
 
 //------------------------------------------------------------------------------
+// What is not finite is refused; the same again is no change, which would draw shadow maps anew.
+void vtkRelievoVoxelCubesActor::Change(
+  const char* name, double* values, const double* given, int count)
+{
+  if (!std::all_of(given, given + count, [](double value) { return std::isfinite(value); }))
+  {
+    vtkErrorMacro(<< name << " stays as it was: what was given is not finite.");
+    return;
+  }
+  if (!std::equal(given, given + count, values))
+  {
+    std::copy(given, given + count, values);
+    this->UpdateUniforms();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoVoxelCubesActor::vtkRelievoVoxelCubesActor()
 {
   this->Glyphs->SetSourceData(MakeCube());
@@ -123,47 +140,43 @@ void vtkRelievoVoxelCubesActor::UpdateUniforms()
 //------------------------------------------------------------------------------
 void vtkRelievoVoxelCubesActor::SetCellSize(double x, double y, double z)
 {
-  this->CellSize[0] = x;
-  this->CellSize[1] = y;
-  this->CellSize[2] = z;
-  this->UpdateUniforms();
+  const double size[3] = { x, y, z };
+  this->Change("CellSize", this->CellSize, size, 3);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoVoxelCubesActor::SetTransition(double distance)
 {
-  this->Transition = std::max(distance, 0.);
-  this->UpdateUniforms();
+  const double value = std::max(distance, 0.);
+  this->Change("Transition", &this->Transition, &value, 1);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoVoxelCubesActor::SetRestSize(double size)
 {
-  this->RestSize = std::clamp(size, 0., 1.);
-  this->UpdateUniforms();
+  const double value = std::clamp(size, 0., 1.);
+  this->Change("RestSize", &this->RestSize, &value, 1);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoVoxelCubesActor::SetGrowth(double growth)
 {
-  this->Growth = std::clamp(growth, 0., 1.);
-  this->UpdateUniforms();
+  const double value = std::clamp(growth, 0., 1.);
+  this->Change("Growth", &this->Growth, &value, 1);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoVoxelCubesActor::SetRepeller(double x, double y, double z)
 {
-  this->Repeller[0] = x;
-  this->Repeller[1] = y;
-  this->Repeller[2] = z;
-  this->UpdateUniforms();
+  const double place[3] = { x, y, z };
+  this->Change("Repeller", this->Repeller, place, 3);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoVoxelCubesActor::SetRepellerRadius(double radius)
 {
-  this->RepellerRadius = std::max(radius, 0.);
-  this->UpdateUniforms();
+  const double value = std::max(radius, 0.);
+  this->Change("RepellerRadius", &this->RepellerRadius, &value, 1);
 }
 
 //------------------------------------------------------------------------------

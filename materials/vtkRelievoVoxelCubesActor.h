@@ -89,6 +89,7 @@ protected:
   ~vtkRelievoVoxelCubesActor() override;
 
 private:
+  void Change(const char* name, double* values, const double* given, int count);
   void UpdateUniforms();
 
   vtkNew<vtkGlyph3DMapper> Glyphs;

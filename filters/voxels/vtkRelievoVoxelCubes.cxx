@@ -38,6 +38,9 @@ using SDDP = vtkStreamingDemandDrivenPipeline;
 
 namespace
 {
+// Of instances, where no distance is known: VTK makes of 0 what has no shape.
+constexpr double LeastInstance = 1e-6;
+
 // Whether the cell and its six neighbours are inside.
 bool IsInner(const unsigned char* mask, const std::array<int, 3>& cells, const int cell[3])
 {
@@ -316,7 +319,7 @@ int vtkRelievoVoxelCubes::RequestData(
       place = relievo::f64::relievoCubePlace(place, repeller, radius);
       points->InsertNextPoint(&place.x);
       sizes->InsertNextValue(static_cast<float>(this->Instanced
-          ? 1. / (1. + outside / longest)
+          ? std::max(1. / (1. + outside / longest), LeastInstance)
           : relievo::f64::relievoCubeSize(outside, this->Transition, this->RestSize, growth)));
     });
     this->UpdateProgress(0.8);

@@ -216,6 +216,47 @@ void TestSettings()
   RELIEVO_CHECK(relievoTest::SamePicture(drawn, Picture(scene.Stage.Window), "filter's settings"));
 }
 
+// With the whole grid and no transition, all cubes outside have the size at rest.
+void TestNoTransition()
+{
+  Scene truth(false);
+  Scene scene(true);
+  Settings settings;
+  settings.Transition = 0.;
+  settings.RestSize = 0.3;
+  truth.Set(settings);
+  scene.Set(settings);
+  scene.Filter->SetTransition(0.);
+  Compare(truth, scene, "no transition");
+}
+
+// The same again changes nothing, nor does what is not finite.
+void TestSame()
+{
+  Scene scene(true);
+  Settings settings;
+  settings.RepellerRadius = 1.2;
+  scene.Set(settings);
+  const auto drawn = Picture(scene.Stage.Window);
+  const vtkMTimeType before = scene.Instanced->GetMTime();
+  scene.Set(settings);
+  scene.Instanced->SetCellSize(0.25, 0.2, 0.3);
+  RELIEVO_CHECK(scene.Instanced->GetMTime() == before);
+  for (const double wrong : { double(NAN), double(INFINITY) })
+  {
+    ExpectMessage expect("not finite");
+    scene.Instanced->SetTransition(wrong);
+    scene.Instanced->SetRestSize(NAN);
+    scene.Instanced->SetGrowth(NAN);
+    scene.Instanced->SetRepeller(wrong, 0., 0.);
+    scene.Instanced->SetRepellerRadius(wrong);
+    scene.Instanced->SetCellSize(0.25, wrong, 0.3);
+    RELIEVO_CHECK(expect.Count() == 6);
+  }
+  RELIEVO_CHECK(scene.Instanced->GetMTime() == before);
+  RELIEVO_CHECK(relievoTest::SamePicture(drawn, Picture(scene.Stage.Window), "not finite"));
+}
+
 void TestBounds()
 {
   Scene scene(true);
@@ -249,6 +290,8 @@ int main()
 {
   relievoTest::Session session;
   TestSettings();
+  TestNoTransition();
+  TestSame();
   TestBounds();
   return session.Result();
 }

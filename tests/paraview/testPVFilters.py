@@ -181,6 +181,7 @@ class Filters(pv.Test):
     def test_surface_particles(self):
         """On a ball, at all times; the animation has its steps; points and a field of another."""
         ball = simple.Sphere(ThetaResolution=60, PhiResolution=60)
+        ball.UpdatePipeline()  # ParaView takes defaults by the size from what was made
         made = simple.SurfaceParticles(Input=ball, NumberOfParticles=500, Resolution=50)
         made.NumberOfSteps = 20
         self.assertAlmostEqual(made.NoiseSpeed, 0.01, 3)
@@ -202,6 +203,9 @@ class Filters(pv.Test):
         top = servermanager.Fetch(other)
         self.assertEqual(top.GetNumberOfPoints(), 4)
         self.assertGreater(vtk_to_numpy(top.GetPoints().GetData())[:, 2].min(), 0.45)
+        large = simple.Sphere(Radius=50)
+        large.UpdatePipeline()
+        self.assertAlmostEqual(simple.SurfaceParticles(Input=large).NoiseSpeed, 1, 1)
 
 
 if __name__ == "__main__":
