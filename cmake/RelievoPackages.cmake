@@ -73,8 +73,6 @@ endfunction ()
 
 if (RELIEVO_USE_PARAVIEW)
   # ParaView looks for this file beside its programs, and Debian's package has none.
-  set(relievo_paraview "${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}")
-  math(EXPR relievo_paraview_next "${ParaView_VERSION_MINOR} + 1")
   file(RELATIVE_PATH relievo_plugins_file "/${CMAKE_INSTALL_BINDIR}"
     "/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/relievo.plugins.xml")
   file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/debian/paraview.conf" "${relievo_plugins_file}\n")
@@ -85,8 +83,6 @@ if (RELIEVO_USE_PARAVIEW)
     SECTION science
     SUMMARY "shadows, layers and materials in ParaView"
     CONTAINS "This package has the plugin, which every ParaView program loads when it\nstarts."
-    DEPENDS "paraview (>= ${relievo_paraview})"
-      "paraview (<< ${ParaView_VERSION_MAJOR}.${relievo_paraview_next}~)"
     RECOMMENDS python3-paraview libqt5svg5)
 else ()
   set(relievo_vtk_major "${VTK_MAJOR_VERSION}")

@@ -68,6 +68,7 @@ paraview_plugin_build(
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
   PLUGINS_COMPONENT plugin
+  TARGET_COMPONENT plugin # of the .xml file
   ADD_INSTALL_RPATHS OFF)
 set(CMAKE_INSTALL_RPATH "${relievo_install_rpath}")
 # Where people look for it in a build folder: build/NAME/plugin/Relievo.
