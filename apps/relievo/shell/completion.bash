@@ -1,6 +1,8 @@
 # bash completion for relievo                                        -*- shell-script -*-
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
+#
+# The options are those of `relievo --help`, which is asked once in a shell.
 
 _relievo()
 {
@@ -9,17 +11,29 @@ _relievo()
     local split
     _init_completion -s || return
 
+    if ((cword == 1)); then
+        mapfile -t COMPREPLY < <(compgen -W 'render cave stages bench --help --version' -- "$cur")
+        return
+    fi
+
+    [[ ${_relievo_help-} ]] || _relievo_help=$("$1" --help 2>/dev/null)
+    local line part="" options="" wants_value=""
+    while IFS= read -r line; do
+        case $line in
+            'render '* | 'cave '* | 'stages '* | 'bench '* | 'Options '*) part=${line%% *} ;;
+            '  -'*)
+                if [[ $part == "${words[1]}" ]]; then
+                    line=${line#  }
+                    options+=" ${line%% *}"
+                    [[ $line == "$prev "[^\ ]* ]] && wants_value=1
+                fi
+                ;;
+        esac
+    done <<<"$_relievo_help"
+
     local meshes='@(vt[puirsk]|vtm|vtmb|pvt[puirs]|stl|ply|obj|off|gltf|glb)'
     local images='@(png|jpg|jpeg|tif|tiff|bmp|hdr|exr)'
-    local render='--size --camera --view-angle --parallel-scale --clip --shading --preset --color-by
-        --range --colormap --scalar-bar --color --opacity --edges --background --light --lamps --shadows
-        --shadow-size --normal-map --height-map --relief --texture-coordinates --environment
-        --reflectivity --skybox --up --fog --markers --deferred --stage --tone --exposure --layers --png
-        --exr --hdr --report'
-    local cave='-o --size --seed --width --scale --vertical-scale --up --origin --spacing --content'
-    local bench='--out --redraw'
-
-    local values=
+    local values=""
     case $prev in
         --shading) values='flat gouraud phong pbr' ;;
         --preset) values='studio town print' ;;
@@ -42,27 +56,12 @@ _relievo()
         --normal-map | --height-map | --environment) _filedir "$images"; return ;;
         --lamps | --fog | --markers) _filedir "$meshes"; return ;;
         --out | --redraw) _filedir -d; return ;;
-        --size | --camera | --view-angle | --parallel-scale | --clip | --color-by | --range | --color | \
-            --opacity | --background | --shadow-size | --reflectivity | --stage | --layers | --seed | \
-            --width | --scale | --vertical-scale | --origin | --spacing)
-            return
-            ;;
+        *) [[ $wants_value ]] && return ;;
     esac
+    [[ ! $values && ($cur == -* || ${words[1]} != render) ]] && values=$options
     if [[ $values ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$values" -- "$cur")
-        __ltrim_colon_completions "$cur"
-        return
-    fi
-
-    case ${words[1]} in
-        render) [[ $cur == -* ]] && values=$render ;;
-        cave) values=$cave ;;
-        bench) [[ $cur == -* ]] && values=$bench ;;
-        stages) return ;;
-        *) ((cword == 1)) && values='render cave stages bench --help --version' ;;
-    esac
-    if [[ $values ]]; then
-        mapfile -t COMPREPLY < <(compgen -W "$values" -- "$cur")
+        [[ $cur != *:* ]] || __ltrim_colon_completions "$cur"
     elif [[ ${words[1]} == render ]]; then
         _filedir "$meshes"
     fi
