@@ -101,7 +101,8 @@ else ()
     SECTION libdevel
     SUMMARY "render passes and filters for VTK (development files)"
     CONTAINS "This package has the headers and the files for CMake's\nfind_package(Relievo)."
-    DEPENDS "relievo (= ${relievo_debian_version})" "libvtk${relievo_vtk_major}-dev")
+    # GLM: public headers include it.
+    DEPENDS "relievo (= ${relievo_debian_version})" "libvtk${relievo_vtk_major}-dev" libglm-dev)
   if (RELIEVO_WRAP_PYTHON)
     math(EXPR relievo_python_next "${Python3_VERSION_MINOR} + 1")
     relievo_package(python3-relievo
