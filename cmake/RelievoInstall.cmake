@@ -17,6 +17,12 @@ list(SORT relievo_needed_vtk)
 string(REPLACE "Relievo::" "" relievo_component_names "${relievo_modules}")
 list(JOIN relievo_component_names " " relievo_component_names)
 
+# A package is used on another machine, where VTK is in the system's folders.
+set(relievo_vtk_hint)
+if (NOT RELIEVO_DEBIAN)
+  set(relievo_vtk_hint "HINTS \"${VTK_DIR}\"")
+endif ()
+
 set(relievo_cmake "${CMAKE_INSTALL_LIBDIR}/cmake/relievo")
 configure_package_config_file(cmake/RelievoConfig.cmake.in
   "${CMAKE_BINARY_DIR}/${relievo_cmake}/RelievoConfig.cmake"
@@ -29,8 +35,10 @@ write_basic_package_version_file(
 install(FILES
   "${CMAKE_BINARY_DIR}/${relievo_cmake}/RelievoConfig.cmake"
   "${CMAKE_BINARY_DIR}/${relievo_cmake}/RelievoConfigVersion.cmake"
-  DESTINATION "${relievo_cmake}")
-install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+  DESTINATION "${relievo_cmake}" COMPONENT development)
+if (NOT RELIEVO_DEBIAN)
+  install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT runtime)
+endif ()
 
 # Programs find the libraries of their own prefix, wherever it is moved.
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}" ${relievo_vtk_rpath})

@@ -19,6 +19,13 @@ vtk_module_scan(
   REQUEST_MODULES ${relievo_requested}
   PROVIDES_MODULES relievo_modules
   ENABLE_TESTS OFF)
+# Packages of both builds can be installed side by side: the libraries on ParaView's VTK have the names of
+# those on the stand-alone VTK, and lie in a folder of their own.
+set(relievo_library_folder "${CMAKE_INSTALL_LIBDIR}")
+if (RELIEVO_DEBIAN AND RELIEVO_USE_PARAVIEW)
+  set(relievo_library_folder "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/../relievo")
+  cmake_path(NORMAL_PATH relievo_library_folder)
+endif ()
 vtk_module_build(
   MODULES ${relievo_modules}
   PACKAGE Relievo
@@ -26,7 +33,7 @@ vtk_module_build(
   INSTALL_HEADERS ON
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/relievo"
   CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/relievo"
-  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  LIBRARY_DESTINATION "${relievo_library_folder}"
   HIERARCHY_DESTINATION "${CMAKE_INSTALL_LIBDIR}/relievo/hierarchy"
   TEST_DIRECTORY_NAME NONE
   VERSION "${PROJECT_VERSION}"

@@ -56,13 +56,21 @@ paraview_plugin_scan(
   PLUGIN_FILES "${PROJECT_SOURCE_DIR}/plugin/paraview.plugin"
   ENABLE_BY_DEFAULT ON
   PROVIDES_PLUGINS relievo_plugins)
+set(relievo_install_rpath "${CMAKE_INSTALL_RPATH}")
+file(RELATIVE_PATH relievo_from_plugin
+  "/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/Relievo" "/${relievo_library_folder}")
+set(CMAKE_INSTALL_RPATH "$ORIGIN/${relievo_from_plugin}" ${relievo_vtk_rpath})
 paraview_plugin_build(
   PLUGINS ${relievo_plugins}
   AUTOLOAD ${relievo_plugins}
   PLUGINS_FILE_NAME relievo.plugins.xml
   RUNTIME_DESTINATION "${CMAKE_INSTALL_BINDIR}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-  LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}")
+  LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
+  PLUGINS_COMPONENT plugin
+  TARGET_COMPONENT plugin # of the .xml file
+  ADD_INSTALL_RPATHS OFF)
+set(CMAKE_INSTALL_RPATH "${relievo_install_rpath}")
 # Where people look for it in a build folder: build/NAME/plugin/Relievo.
 set(relievo_plugin_folder "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/Relievo")
 file(MAKE_DIRECTORY "${relievo_plugin_folder}")

@@ -1,0 +1,68 @@
+# bash completion for relievo                                        -*- shell-script -*-
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The options are those of `relievo --help`, which is asked once in a shell.
+
+_relievo()
+{
+    local cur prev words cword
+    # shellcheck disable=SC2034 # set by _init_completion
+    local split
+    _init_completion -s || return
+
+    if ((cword == 1)); then
+        mapfile -t COMPREPLY < <(compgen -W 'render cave stages bench --help --version' -- "$cur")
+        return
+    fi
+
+    [[ ${_relievo_help-} ]] || _relievo_help=$("$1" --help 2>/dev/null)
+    local line part="" options="" wants_value=""
+    while IFS= read -r line; do
+        case $line in
+            'render '* | 'cave '* | 'stages '* | 'bench '* | 'Options '*) part=${line%% *} ;;
+            '  -'*)
+                if [[ $part == "${words[1]}" ]]; then
+                    line=${line#  }
+                    options+=" ${line%% *}"
+                    [[ $line == "$prev "[^\ ]* ]] && wants_value=1
+                fi
+                ;;
+        esac
+    done <<<"$_relievo_help"
+
+    local meshes='@(vt[puirsk]|vtm|vtmb|pvt[puirs]|stl|ply|obj|off|gltf|glb)'
+    local images='@(png|jpg|jpeg|tif|tiff|bmp|hdr|exr)'
+    local values=""
+    case $prev in
+        --shading) values='flat gouraud phong pbr' ;;
+        --preset) values='studio town print' ;;
+        --colormap) values='viridis cool-warm grey hot rainbow' ;;
+        --shadows) values='off map forward warped exact' ;;
+        --relief) values='off parallax steep occlusion relief' ;;
+        --texture-coordinates) values='box plane sphere' ;;
+        --tone) values='clamp simple reinhard reinhard-rgb' ;;
+        --exposure) values='auto' ;;
+        --up) values='x y z' ;;
+        --content) values='mask density labels' ;;
+        --light)
+            values='sun: spot: point:'
+            compopt -o nospace
+            ;;
+        --png) _filedir png; return ;;
+        --exr) _filedir exr; return ;;
+        --report) _filedir json; return ;;
+        -o) _filedir vti; return ;;
+        --normal-map | --height-map | --environment) _filedir "$images"; return ;;
+        --lamps | --fog | --markers) _filedir "$meshes"; return ;;
+        --out | --redraw) _filedir -d; return ;;
+        *) [[ $wants_value ]] && return ;;
+    esac
+    [[ ! $values && ($cur == -* || ${words[1]} != render) ]] && values=$options
+    if [[ $values ]]; then
+        mapfile -t COMPREPLY < <(compgen -W "$values" -- "$cur")
+        [[ $cur != *:* ]] || __ltrim_colon_completions "$cur"
+    elif [[ ${words[1]} == render ]]; then
+        _filedir "$meshes"
+    fi
+} && complete -F _relievo relievo

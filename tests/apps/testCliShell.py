@@ -1,0 +1,128 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a shell knows of the command agrees with the command's own help: completion, manual page."""
+
+import os
+import pathlib
+import re
+import subprocess
+import unittest
+
+COMPLETION = os.environ["COMPLETION"]
+MANUAL = os.environ["MANUAL"]  # empty where none is made
+RELIEVO = os.environ["RELIEVO"]
+HELP = subprocess.run(
+    [RELIEVO, "--help"], stdout=subprocess.PIPE, text=True, check=True
+).stdout
+VERBS = ("render", "cave", "bench")
+
+# What bash-completion brings, in so far as the completion of files and colons goes.
+STUBS = """
+_init_completion() { words=("${COMP_WORDS[@]}") cword=$COMP_CWORD
+  cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]}; }
+_filedir() { COMPREPLY=("FILE ${1-}"); }
+__ltrim_colon_completions() { :; }
+compopt() { :; }
+"""
+
+
+def options_of(verb):
+    """Each option of that part of the help, with what is said of it."""
+    part = re.search(rf"^{verb} (?:.|\n)*?(?=^(?:cave|stages|bench|Options) )", HELP, re.M).group()
+    found = re.split(r"^  (--?[a-z][a-z-]*)", part, flags=re.M)[1:]
+    return dict(zip(found[::2], found[1::2]))
+
+
+def complete(*words, known=HELP):
+    """What bash offers for the last word; `known` is the help that the completion has asked for
+    before, so that these tests do not start the command each time."""
+    script = f"""{STUBS}
+source {COMPLETION}
+COMP_WORDS=(relievo "$@") COMP_CWORD=$#
+_relievo {RELIEVO}
+printf '%s\\n' "${{COMPREPLY[@]}}"
+"""
+    done = subprocess.run(
+        ["bash", "-c", script, "bash", *words],
+        env={**os.environ, "_relievo_help": known},
+        stdout=subprocess.PIPE,
+        text=True,
+        check=True,
+    )
+    return done.stdout.splitlines() if done.stdout.strip() else []
+
+
+class Completion(unittest.TestCase):
+    def test_the_parts_of_the_help_are_found(self):
+        self.assertGreater(len(options_of("render")), 30)
+        self.assertEqual(set(options_of("bench")), {"--out", "--redraw"})
+
+    def test_options_are_those_of_the_help(self):
+        for verb in VERBS:
+            offered = complete(verb, "-", known="")
+            self.assertEqual(sorted(offered), sorted(options_of(verb)))
+
+    def test_the_beginning_of_an_option(self):
+        offered = complete("render", "a.off", "--sha")
+        self.assertLessEqual({"--shading", "--shadow-size", "--shadows"}, set(offered))
+        self.assertTrue(all(option.startswith("--sha") for option in offered), offered)
+
+    def test_values_are_those_of_the_help(self):
+        for verb in VERBS:
+            for option, text in options_of(verb).items():
+                values = complete(verb, option, "")
+                for value in values:
+                    if not value.startswith("FILE"):
+                        self.assertRegex(text, rf"(?<![\w-]){re.escape(value)}(?:(?<=:)|(?![\w-]))")
+
+    def test_all_values_are_offered(self):
+        # Where the help lists values as "a, b or c", the completion has every one.
+        for option in ("--shading", "--preset", "--colormap", "--shadows"):
+            text = " ".join(options_of("render")[option].split())
+            listed = re.search(r"((?:[a-z-]+, )+[a-z-]+ or [a-z-]+)", text).group()
+            offered = complete("render", option, "")
+            self.assertEqual(sorted(re.split(r", | or ", listed)), sorted(offered))
+
+    def test_files(self):
+        pattern = complete("render", "")[0]
+        listed = re.search(r"FILE  ((?:\.\w+\s+)+)", HELP).group(1).split()
+        self.assertGreater(len(listed), 15)
+        script = 'for f in "${@:2}"; do [[ ${f#.} == $1 ]] || echo $f; done'
+        left_out = subprocess.run(
+            ["bash", "-O", "extglob", "-c", script, "bash", pattern.split()[1], *listed],
+            stdout=subprocess.PIPE,
+            text=True,
+            check=True,
+        ).stdout
+        self.assertEqual(left_out, "")
+        self.assertEqual(complete("render", "a.off", "--png", ""), ["FILE png"])
+
+    def test_first_word(self):
+        self.assertEqual(complete("re"), ["render"])
+        self.assertEqual(complete("stages", ""), [])
+
+    def test_nothing_is_offered_for_a_number(self):
+        self.assertEqual(complete("render", "--size", ""), [])
+        self.assertEqual(complete("cave", "--seed", ""), [])
+        self.assertEqual(complete("render", "--edges", ""), complete("render", ""))
+
+
+class Manual(unittest.TestCase):
+    def test_it_has_each_option_and_each_word(self):
+        if not MANUAL:
+            self.skipTest("this build makes no manual page")
+        page = pathlib.Path(MANUAL).read_text(encoding="utf-8")
+        self.assertTrue(page.startswith(".TH RELIEVO 1 "))
+        plain = re.sub(r"^\.\w\w? ?", "", page, flags=re.M).replace("\\-", "-").replace("\\e", "\\")
+        plain = plain.replace("\\&", "")
+        missing = [word for word in HELP.replace("\nExamples\n", "\n").split()
+                   if word not in plain.split()]  # fmt: skip
+        self.assertEqual(missing, [])
+        named = re.findall(r"^\.TP\n\.B (\\-\S+)", page, re.M)
+        for verb in VERBS:
+            for option in options_of(verb):
+                self.assertIn(option.replace("-", "\\-"), named)
+
+
+if __name__ == "__main__":
+    unittest.main()
