@@ -158,7 +158,7 @@ void AddInfluences(
 void ReadBones(const aiMesh* mesh, int node, const glm::dmat4& place, const NodeNumbers& numbers,
   int weights, vtkPolyData* output, Model& model)
 {
-  const std::string name = mesh->mName.C_Str();
+  const std::string name = GetMeshName(mesh, node, model);
   // The points are in their place at rest, so what bones expect lies behind its inverse. A place
   // that flattens has none: the points, all the same, stay.
   const bool flat = std::abs(glm::determinant(glm::dmat3(place))) < 1e-30;

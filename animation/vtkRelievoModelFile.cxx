@@ -10,8 +10,12 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
+#include <map>
+#include <numeric>
+#include <utility>
 
 namespace relievo
 {
@@ -44,43 +48,100 @@ bool IsFinite(const glm::dmat4& m)
   return finite;
 }
 
-// Parents first. Returns what is wrong, or "".
-std::string ReadNodes(
-  const aiScene* scene, NodeNumbers& numbers, std::vector<const aiNode*>& sources, Model& model)
+// A node as the tree is walked: roots before what hangs below them.
+struct Visit
 {
-  struct Entry
+  const aiNode* Node;
+  int Parent; // among the visits; the root's is -1
+  int Depth;
+};
+
+// Where the node hangs, by its own word: some readers of Assimp's list bones side by side and let
+// each name its parent. A word that leads nowhere, or around, does not count.
+void SetParents(std::vector<Visit>& visits)
+{
+  std::map<const aiNode*, int> places;
+  for (std::size_t i = 0; i < visits.size(); ++i)
   {
-    const aiNode* Node;
-    int Parent;
-    int Depth;
+    places.emplace(visits[i].Node, static_cast<int>(i));
+  }
+  const auto named = [&](int i) {
+    const Visit& visit = visits[static_cast<std::size_t>(i)];
+    const auto found = places.find(visit.Node->mParent);
+    return found == places.end() ? visit.Parent : found->second;
   };
-  std::vector<Entry> stack = { { scene->mRootNode, -1, 0 } };
-  int unfit = 0;
+  std::vector<int> parents(visits.size(), -1);
+  std::vector<int> depths(visits.size(), 0);
+  for (std::size_t i = 1; i < visits.size(); ++i)
+  {
+    parents[i] = named(static_cast<int>(i));
+    for (int at = parents[i]; at > 0 && depths[i] <= DeepestTree; at = named(at))
+    {
+      ++depths[i];
+    }
+    if (depths[i] > DeepestTree)
+    {
+      return; // around: the tree itself holds for all
+    }
+  }
+  for (std::size_t i = 1; i < visits.size(); ++i)
+  {
+    visits[i].Parent = parents[i];
+    visits[i].Depth = depths[i] + 1;
+  }
+}
+
+// Returns what is wrong, or "". `hung`: nodes with the numbers that they get, in the tree's order.
+std::string ReadNodes(const aiScene* scene, NodeNumbers& numbers,
+  std::vector<std::pair<const aiNode*, int>>& hung, Model& model)
+{
+  std::vector<Visit> stack = { { scene->mRootNode, -1, 0 } };
+  std::vector<Visit> visits;
   while (!stack.empty())
   {
-    const Entry entry = stack.back();
+    const Visit visit = stack.back();
     stack.pop_back();
-    if (entry.Depth > DeepestTree)
+    if (visit.Depth > DeepestTree)
     {
       return "its nodes are nested more than " + std::to_string(DeepestTree) + " deep";
     }
-    const int number = static_cast<int>(model.Nodes.size());
+    const int number = static_cast<int>(visits.size());
+    visits.push_back(visit);
+    for (unsigned int i = visit.Node->mNumChildren; i > 0; --i)
+    {
+      stack.push_back({ visit.Node->mChildren[i - 1], number, visit.Depth + 1 });
+    }
+  }
+  SetParents(visits);
+  // Parents get lower numbers than their children.
+  std::vector<std::size_t> order(visits.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+    [&visits](std::size_t a, std::size_t b) { return visits[a].Depth < visits[b].Depth; });
+  std::vector<int> numberOf(visits.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    numberOf[order[i]] = static_cast<int>(i);
+  }
+  int unfit = 0;
+  for (const std::size_t i : order)
+  {
+    const Visit& visit = visits[i];
     ModelNode node;
-    node.Name = entry.Node->mName.C_Str();
-    node.Parent = entry.Parent;
-    node.Rest = ToMatrix(entry.Node->mTransformation);
+    node.Name = visit.Node->mName.C_Str();
+    node.Parent = visit.Parent < 0 ? -1 : numberOf[static_cast<std::size_t>(visit.Parent)];
+    node.Rest = ToMatrix(visit.Node->mTransformation);
     if (!IsFinite(node.Rest))
     {
       node.Rest = glm::dmat4(1.);
       ++unfit;
     }
-    numbers.emplace(node.Name, number);
     model.Nodes.push_back(node);
-    sources.push_back(entry.Node);
-    for (unsigned int i = entry.Node->mNumChildren; i > 0; --i)
-    {
-      stack.push_back({ entry.Node->mChildren[i - 1], number, entry.Depth + 1 });
-    }
+  }
+  for (std::size_t i = 0; i < visits.size(); ++i)
+  {
+    numbers.emplace(visits[i].Node->mName.C_Str(), numberOf[i]);
+    hung.emplace_back(visits[i].Node, numberOf[i]);
   }
   if (unfit > 0)
   {
@@ -110,8 +171,8 @@ std::string Import(
     return "it holds no meshes and no animations";
   }
   NodeNumbers numbers;
-  std::vector<const aiNode*> sources;
-  const std::string wrong = ReadNodes(scene, numbers, sources, model);
+  std::vector<std::pair<const aiNode*, int>> hung;
+  const std::string wrong = ReadNodes(scene, numbers, hung, model);
   if (!wrong.empty())
   {
     return wrong;
@@ -122,18 +183,18 @@ std::string Import(
     locals.push_back(node.Rest);
   }
   const std::vector<glm::dmat4> worlds = GetWorldMatrices(model.Nodes, locals);
-  for (std::size_t i = 0; i < sources.size(); ++i)
+  for (std::size_t i = 0; i < hung.size(); ++i)
   {
-    for (unsigned int j = 0; j < sources[i]->mNumMeshes; ++j)
+    const auto [node, number] = hung[i];
+    for (unsigned int j = 0; j < node->mNumMeshes; ++j)
     {
-      const unsigned int mesh = sources[i]->mMeshes[j];
-      if (mesh < scene->mNumMeshes)
+      if (node->mMeshes[j] < scene->mNumMeshes)
       {
-        ReadMesh(
-          scene, scene->mMeshes[mesh], static_cast<int>(i), worlds[i], numbers, weights, model);
+        ReadMesh(scene, scene->mMeshes[node->mMeshes[j]], number,
+          worlds[static_cast<std::size_t>(number)], numbers, weights, model);
       }
     }
-    progress(0.9 + 0.1 * static_cast<double>(i) / static_cast<double>(sources.size()));
+    progress(0.9 + 0.1 * static_cast<double>(i) / static_cast<double>(hung.size()));
   }
   ReadAnimations(scene, numbers, model);
   return "";

@@ -27,7 +27,8 @@ bool IsFinite(const aiVector3D& v)
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-void ReadPoints(const aiMesh* mesh, const glm::dmat4& place, vtkPolyData* output, Model& model)
+void ReadPoints(const aiMesh* mesh, const std::string& name, const glm::dmat4& place,
+  vtkPolyData* output, Model& model)
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(VTK_FLOAT);
@@ -43,8 +44,8 @@ void ReadPoints(const aiMesh* mesh, const glm::dmat4& place, vtkPolyData* output
   }
   if (unfit > 0)
   {
-    model.Notes.push_back("mesh '" + std::string(mesh->mName.C_Str()) +
-      "': " + std::to_string(unfit) + " points are not finite, and lie at its origin");
+    model.Notes.push_back("mesh '" + name + "': " + std::to_string(unfit) +
+      " points are not finite, and lie at its origin");
   }
   output->SetPoints(points);
 }
@@ -104,7 +105,7 @@ void ReadCoordinatesAndColors(const aiMesh* mesh, vtkPolyData* output)
 }
 
 // Faces by kind; those that name points which are not there are left out.
-void ReadFaces(const aiMesh* mesh, vtkPolyData* output, Model& model)
+void ReadFaces(const aiMesh* mesh, const std::string& name, vtkPolyData* output, Model& model)
 {
   vtkNew<vtkCellArray> cells[3];
   int wrong = 0;
@@ -131,8 +132,8 @@ void ReadFaces(const aiMesh* mesh, vtkPolyData* output, Model& model)
   output->SetPolys(cells[2]);
   if (wrong > 0)
   {
-    model.Notes.push_back("mesh '" + std::string(mesh->mName.C_Str()) +
-      "': " + std::to_string(wrong) + " faces name points that are not there, and are left out");
+    model.Notes.push_back("mesh '" + name + "': " + std::to_string(wrong) +
+      " faces name points that are not there, and are left out");
   }
 }
 
@@ -179,16 +180,15 @@ void ReadMesh(const aiScene* scene, const aiMesh* mesh, int node, const glm::dma
     return;
   }
   ModelMesh result;
-  result.Name =
-    mesh->mName.length > 0 ? mesh->mName.C_Str() : model.Nodes[static_cast<std::size_t>(node)].Name;
+  result.Name = GetMeshName(mesh, node, model);
   result.Data = vtkSmartPointer<vtkPolyData>::New();
-  ReadPoints(mesh, place, result.Data, model);
+  ReadPoints(mesh, result.Name, place, result.Data, model);
   if (mesh->HasNormals())
   {
     ReadNormals(mesh, place, result.Data);
   }
   ReadCoordinatesAndColors(mesh, result.Data);
-  ReadFaces(mesh, result.Data, model);
+  ReadFaces(mesh, result.Name, result.Data, model);
   if (scene->mMaterials && mesh->mMaterialIndex < scene->mNumMaterials)
   {
     ReadMaterial(scene->mMaterials[mesh->mMaterialIndex], result.Data);

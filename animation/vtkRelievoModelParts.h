@@ -25,6 +25,13 @@ inline glm::dmat4 ToMatrix(const aiMatrix4x4& m)
 /// Nodes by name; of several with one name the first, as Assimp's own search has it.
 using NodeNumbers = std::map<std::string, int>;
 
+/// The mesh's name, or its node's.
+inline std::string GetMeshName(const aiMesh* mesh, int node, const Model& model)
+{
+  return mesh->mName.length > 0 ? mesh->mName.C_Str()
+                                : model.Nodes[static_cast<std::size_t>(node)].Name;
+}
+
 /// The animations of the scene, with keys in order and finite; adds notes.
 void ReadAnimations(const aiScene* scene, const NodeNumbers& numbers, Model& model);
 

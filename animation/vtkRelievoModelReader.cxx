@@ -72,14 +72,7 @@ bool vtkRelievoModelReader::Read()
 {
   Internals& self = *this->Self;
   const std::string path = this->FileName ? this->FileName : "";
-  if (path.empty())
-  {
-    self = Internals();
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro("no file name is set: call SetFileName");
-    return false;
-  }
-  const long int modified = vtksys::SystemTools::ModifiedTime(path);
+  const long int modified = path.empty() ? 0 : vtksys::SystemTools::ModifiedTime(path);
   const bool same =
     path == self.Path && modified == self.Modified && this->WeightsPerPoint == self.Weights;
   if (same)
@@ -90,6 +83,12 @@ bool vtkRelievoModelReader::Read()
   self.Path = path;
   self.Modified = modified;
   self.Weights = this->WeightsPerPoint;
+  if (path.empty())
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("no file name is set: call SetFileName");
+    return false;
+  }
   this->SetErrorCode(vtkErrorCode::NoError);
   const auto progress = [this](double share) {
     this->UpdateProgress(share);

@@ -67,7 +67,7 @@ void TestNoModel()
   const ExpectMessage expect("no file name is set");
   vtkNew<vtkRelievoModelReader> reader;
   reader->Update();
-  RELIEVO_CHECK(expect.Count() >= 1);
+  RELIEVO_CHECK(expect.Count() == 1);
 }
 
 // Cut anywhere, a file is refused with its name or read as far as its format says.
@@ -127,11 +127,10 @@ int main()
   relievoTest::Session session;
   TestNoModel();
   TestReadAgain();
-  for (const char* name :
-    { "FBX/huesitos.fbx", "IQM/mrfixit.iqm", "X/test_cube_binary.x", "MS3D/Wuson.ms3d",
-      "MDL/MDL (HL1)/man.mdl", "SMD/triangle.smd", "Collada/box_nested_animation.dae",
-      "glTF2/simple_skin/simple_skin.gltf", "B3D/WusonBlitz.b3d", "MD5/SimpleCube.md5mesh",
-      "LWS/move_xz_hermite.lws", "3DS/RotatingCube.3DS" })
+  for (const char* name : { "FBX/huesitos.fbx", "IQM/mrfixit.iqm", "X/test_cube_binary.x",
+         "MS3D/Wuson.ms3d", "MDL/MDL (HL1)/man.mdl", "Collada/box_nested_animation.dae",
+         "glTF2/simple_skin/simple_skin.gltf", "B3D/WusonBlitz.b3d", "LWS/move_xz_hermite.lws",
+         "3DS/RotatingCube.3DS" })
   {
     TestCut(name);
   }

@@ -256,7 +256,7 @@ void TestBadWeights()
   RELIEVO_CHECK(HasNote(reader, "1 points have more than 2 bones"));
   RELIEVO_CHECK(HasNote(reader, "at most 10"));
   RELIEVO_CHECK(HasNote(reader, "'ghost' has no node"));
-  RELIEVO_CHECK(HasNote(reader, "2 weights are not finite"));
+  RELIEVO_CHECK(HasNote(reader, "weights are not finite"));
   RELIEVO_CHECK(HasNote(reader, "1 points have no bone"));
   RELIEVO_CHECK(HasNote(reader, "do not sum to 1"));
 }

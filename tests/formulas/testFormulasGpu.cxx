@@ -362,7 +362,7 @@ int main()
       TestTone(gpu);
       TestFog(gpu);
       TestNoise(gpu);
-  TestSkin(gpu);
+      TestSkin(gpu);
     }
   }
   return session.Result();

@@ -54,13 +54,13 @@ void TestBetweenKeys()
       // Quaternions of either sign, of either end.
       for (const double sign : { 1., -1. })
       {
-        arc = std::max(arc,
-          DegreesBetween(f64::relievoQuaternionSlerp(from, to * sign, share), truth));
-        chord = std::max(chord,
-          DegreesBetween(f64::relievoQuaternionNlerp(from * sign, to, share), truth));
+        arc =
+          std::max(arc, DegreesBetween(f64::relievoQuaternionSlerp(from, to * sign, share), truth));
+        chord = std::max(
+          chord, DegreesBetween(f64::relievoQuaternionNlerp(from * sign, to, share), truth));
         rounded = std::max(rounded,
-          DegreesBetween(glm::dvec4(f32::relievoQuaternionSlerp(glm::vec4(from),
-                           glm::vec4(to * sign), static_cast<float>(share))),
+          DegreesBetween(glm::dvec4(f32::relievoQuaternionSlerp(
+                           glm::vec4(from), glm::vec4(to * sign), static_cast<float>(share))),
             truth));
       }
     }
@@ -120,8 +120,8 @@ void TestNormals()
   }
   // Flattened along z: normals are along z.
   const glm::dmat3 flat(glm::dvec3(1., 0., 0.), glm::dvec3(0., 1., 0.), glm::dvec3(0.));
-  RELIEVO_CHECK(f64::relievoNormalMatrix(flat) * glm::dvec3(0.6, 0., 0.8) ==
-    glm::dvec3(0., 0., 0.8));
+  RELIEVO_CHECK(
+    f64::relievoNormalMatrix(flat) * glm::dvec3(0.6, 0., 0.8) == glm::dvec3(0., 0., 0.8));
 }
 }
 

@@ -68,9 +68,7 @@ const ReaderRow Rows[] = {
   { ".dae", nullptr },
   { ".fbx", nullptr },
   { ".iqm", nullptr },
-  { ".md5mesh", nullptr },
   { ".ms3d", nullptr },
-  { ".smd", nullptr },
   { ".x", nullptr },
 };
 

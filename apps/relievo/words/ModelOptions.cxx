@@ -43,7 +43,7 @@ void CheckModelOptions(const RenderOptions& options)
       [](const std::string& path) { return IsModel(path) || IsGLTF(path); }))
   {
     throw WordsError("--time, --animation and --skin: no FILE can have bones; expected one of "
-                     ".bvh .dae .fbx .glb .gltf .iqm .md5mesh .ms3d .smd .x");
+                     ".bvh .dae .fbx .glb .gltf .iqm .ms3d .x");
   }
 }
 }
