@@ -31,10 +31,8 @@ class Models(CliTest):
 
     def test_times_of_a_bent_strip(self):
         """glTF's simple skin, a strip in the plane z = 0, bends left and right and comes back."""
-        rest = numpy.isfinite(self.depths(SKIN, "--skin", "off"))
-        start = numpy.isfinite(self.depths(SKIN, "--time", "0"))
+        rest = numpy.isfinite(self.depths(SKIN, "--time", "0"))
         self.assertGreater(rest.sum(), 100)
-        self.assertTrue((rest == start).all())
         left = numpy.isfinite(self.depths(SKIN, "--time", "1.5"))
         right = numpy.isfinite(self.depths(SKIN, "--time", "3.5"))
         self.assertGreater((left != rest).sum(), 100)
@@ -48,6 +46,7 @@ class Models(CliTest):
     def test_notes_and_default_time(self):
         done = self.relievo("render", WALK, "--size", "64x64", "--png", "walk.png")
         self.assertEqual(done.stderr, "")
+        self.before = self.names()
         self.refused("render", TUBE, "--animation", "fly", "--png", "a.png", status=1,
                      says=[TUBE, "no animation 'fly'; it has '"])  # fmt: skip
 
