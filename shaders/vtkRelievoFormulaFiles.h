@@ -53,3 +53,5 @@
 #include "formulas/noise.glsl"
 
 #include "formulas/cube.glsl"
+
+#include "formulas/skin.glsl"

@@ -57,7 +57,8 @@ std::string FragmentShader()
       vtkRelievoShaderLibrary::Get("formulas/fresnel.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/prefilter.glsl") +
       vtkRelievoShaderLibrary::Get("formulas/fog.glsl") +
-      vtkRelievoShaderLibrary::Get("formulas/noise.glsl"));
+      vtkRelievoShaderLibrary::Get("formulas/noise.glsl") +
+      vtkRelievoShaderLibrary::Get("formulas/skin.glsl"));
   vtkShaderProgram::Substitute(shader, "//RELIEVO::Cases", ReadTestShader("cases.glsl"));
   return shader;
 }

@@ -315,6 +315,38 @@ uvec4 relievoTestNoise(uvec4 a, uvec4 b)
     floatBitsToUint(relievoSimplexNoise(near, part, a.w)));
 }
 
+// Skin: quaternions from the directions a.xyz and b.xyz, with real parts between -1 and 1.
+uvec4 relievoTestSkin(int which, uvec4 a, uvec4 b)
+{
+  vec3 v = relievoTestVector(a);
+  vec3 w = relievoTestVector(b);
+  vec4 p = normalize(vec4(v.x, v.y, v.z, w.x));
+  vec4 q = normalize(vec4(w.x, w.y, w.z, v.z));
+  if (which == 80)
+  {
+    return relievoTestBits(relievoQuaternionNlerp(p, q, float(0.3)));
+  }
+  if (which == 81)
+  {
+    return relievoTestBits(relievoQuaternionSlerp(p, q, float(0.3)));
+  }
+  if (which == 82)
+  {
+    return relievoTestBits3(relievoQuaternionRotate(p, w));
+  }
+  if (which == 83)
+  {
+    mat3 turn = relievoQuaternionMatrix(p);
+    return relievoTestBits(relievoQuaternionNear(relievoQuaternionOf(turn), p));
+  }
+  if (which == 84)
+  {
+    vec4 real = p * float(0.7);
+    return relievoTestBits3(relievoDualTranslation(real, relievoDualOf(real, w)));
+  }
+  return relievoTestBits3(relievoNormalMatrix(mat3(v, w, vec3(v.y, w.z, v.x))) * w);
+}
+
 uvec4 relievoTestCase(int which, uvec4 a, uvec4 b)
 {
   if (which < 10)
@@ -345,5 +377,9 @@ uvec4 relievoTestCase(int which, uvec4 a, uvec4 b)
   {
     return relievoTestFog(which, a, b);
   }
-  return relievoTestNoise(a, b);
+  if (which < 80)
+  {
+    return relievoTestNoise(a, b);
+  }
+  return relievoTestSkin(which, a, b);
 }

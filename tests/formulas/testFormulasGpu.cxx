@@ -327,6 +327,26 @@ void TestNoise(relievoTest::GpuCases& gpu)
   Compare(gpu, { 70, "noise", { Same, Same, noise, noise } }, inputs);
 }
 
+void TestSkin(relievoTest::GpuCases& gpu)
+{
+  std::vector<CaseInput> inputs;
+  const std::vector<glm::dvec3> directions = relievoTest::Directions(20000);
+  for (std::size_t i = 0; i + 1 < directions.size(); ++i)
+  {
+    const glm::dvec3& w = directions[(7 * i + 3) % directions.size()];
+    const glm::uvec4 second(FromFloat(static_cast<float>(w.x)), FromFloat(static_cast<float>(w.y)),
+      FromFloat(static_cast<float>(w.z)), 0u);
+    inputs.push_back(Input(directions[i].x, directions[i].y, directions[i].z, second));
+  }
+  const Rule unit = Number(0., 2e-6);
+  const char* names[] = { "nlerp", "slerp", "rotation", "quaternion of a matrix",
+    "move of a dual quaternion", "normal matrix" };
+  for (int i = 0; i < 6; ++i)
+  {
+    Compare(gpu, { 80 + i, names[i], { unit, unit, unit, unit } }, inputs);
+  }
+}
+
 //------------------------------------------------------------------------------
 int main()
 {
@@ -342,6 +362,7 @@ int main()
       TestTone(gpu);
       TestFog(gpu);
       TestNoise(gpu);
+      TestSkin(gpu);
     }
   }
   return session.Result();

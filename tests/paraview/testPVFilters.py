@@ -21,6 +21,7 @@ FILTERS = {
     "SmoothBlocks": ["Surface", "Normals", "Up", "NoiseDimensions", "OutputPointsPrecision"],
     "VoxelShell": ["Method", "Axis"],
     "VoxelCubes": [],
+    "Skin": ["Method"],
     "SurfaceParticles": ["Place"],
 }
 SOURCES = ["Caves"]

@@ -39,7 +39,8 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& path)
 struct ReaderRow
 {
   const char* Extension;
-  vtkSmartPointer<vtkAlgorithm> (*Make)(const std::string& path); // nullptr: glTF
+  vtkSmartPointer<vtkAlgorithm> (*Make)(
+    const std::string& path); // nullptr: glTF, and models with bones
 };
 
 constexpr auto XML = Open<vtkXMLGenericDataObjectReader>;
@@ -63,6 +64,12 @@ const ReaderRow Rows[] = {
   { ".off", Open<vtkRelievoOFFReader> },
   { ".gltf", nullptr },
   { ".glb", nullptr },
+  { ".bvh", nullptr },
+  { ".dae", nullptr },
+  { ".fbx", nullptr },
+  { ".iqm", nullptr },
+  { ".ms3d", nullptr },
+  { ".x", nullptr },
 };
 
 const ReaderRow* FindRow(const std::string& path)
@@ -100,8 +107,15 @@ void CheckExtension(const std::string& path)
 //------------------------------------------------------------------------------
 bool IsGLTF(const std::string& path)
 {
+  const std::string extension = ExtensionOf(path);
+  return extension == ".gltf" || extension == ".glb";
+}
+
+//------------------------------------------------------------------------------
+bool IsModel(const std::string& path)
+{
   const ReaderRow* row = FindRow(path);
-  return row && !row->Make;
+  return row && !row->Make && !IsGLTF(path);
 }
 
 //------------------------------------------------------------------------------

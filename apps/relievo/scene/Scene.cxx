@@ -8,6 +8,7 @@
 #include "FinitePoints.h"
 #include "Look.h"
 #include "Messages.h"
+#include "Models.h"
 #include "ObjMaterials.h"
 #include "Options.h"
 #include "Progress.h"
@@ -176,7 +177,14 @@ Scene BuildScene(const RenderOptions& options, Progress& progress)
   for (const std::string& path : options.Files)
   {
     const int before = scene.Renderer->GetActors()->GetNumberOfItems();
-    if (IsGLTF(path))
+    if (IsModel(path) || (IsGLTF(path) && options.Model.Given))
+    {
+      for (vtkActor* part : ReadModel(path, options.Model, smooth, progress))
+      {
+        scene.Renderer->AddActor(part);
+      }
+    }
+    else if (IsGLTF(path))
     {
       ImportGLTF(path, scene, progress);
     }

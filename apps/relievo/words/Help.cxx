@@ -23,7 +23,8 @@ const char* const Page = R"(relievo - pictures and measurable layers of meshes a
 
 render draws the FILEs off screen and writes the outputs that you request.
   FILE  .vtp .vtu .vti .vtr .vts .vtm .vtmb .pvtp .pvtu .pvti .pvtr .pvts .vtk
-        .stl .ply .obj .off .gltf .glb
+        .stl .ply .obj .off .gltf .glb, and models with bones: .bvh .dae .fbx .iqm .ms3d
+        .x
         Grids and images are drawn by their outer surface. Active scalars give the colour. OBJ
         and glTF bring their materials and textures.
 
@@ -56,6 +57,11 @@ render draws the FILEs off screen and writes the outputs that you request.
                             point:PX,PY,PZ
                           and may end with ,size=S for --soft-shadows: a sun's angle in degrees
                           (0.53), the radius of others in world units (0)
+  --time T                the time of models with bones, in seconds (the animation's start)
+  --animation NAME        which of their animations (the first)
+  --skin METHOD           how their bones move points: linear, dual-quaternion, key-matrix, or off
+                          for the mesh at rest (linear). With any of these three, glTF is read as
+                          a model with bones, without lights and normal textures
   --lamps FILE[,radius=R][,intensity=I][,color=R/G/B][,falloff=F][,casts=C][,casting=N]
                           each point of the file is a lamp that shines up to its radius; may be
                           repeated. Values are numbers for all, or names of point arrays (the

@@ -184,6 +184,9 @@ const OptionRow RenderRows[] = {
     true },
   { "--background", TakeBackground, false },
   { "--light", TakeNext<&RenderOptions::Lights, ParseLight>, true },
+  { "--time", TakeTime, false },
+  { "--animation", TakeAnimation, false },
+  { "--skin", TakeSkin, false },
   { "--lamps", TakeLamps, true },
   { "--shadows", TakeShadows, false },
   { "--shadow-size", TakeShadowSize, false },
@@ -305,6 +308,7 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
   {
     throw WordsError("--hdr: unclamped colour is written to OpenEXR: give --exr F as well");
   }
+  CheckModelOptions(options);
   CheckLookOptions(options, given);
   CheckToneOptions(options);
   CheckFogs(options.Fogs);

@@ -12,6 +12,7 @@
 #include "LightOptions.h"
 #include "LookOptions.h"
 #include "MarkerOptions.h"
+#include "ModelOptions.h"
 #include "Stages.h"
 
 #include <array>
@@ -87,6 +88,7 @@ struct RenderOptions
   Shading ShadingKind = Shading::FromFile;
   std::string Preset; ///< of lights, shadows and background; empty: none
   LookChoice Look;
+  ModelChoice Model;               ///< what models with bones show
   std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
   std::vector<LampChoice> Lamps;
   Shadows ShadowMethod = Shadows::Off;

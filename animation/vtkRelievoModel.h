@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A model with bones as it comes out of a file: nodes, meshes, animations. All in double.
+ */
+#ifndef vtkRelievoModel_h
+#define vtkRelievoModel_h
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <string>
+#include <vector>
+
+namespace relievo
+{
+/// A node of the tree. Parents stand before their children; the root's parent is -1.
+struct ModelNode
+{
+  std::string Name;
+  int Parent = -1;
+  glm::dmat4 Rest = glm::dmat4(1.); ///< to the parent
+  bool IsBone = false;              ///< of a mesh
+};
+
+/// A value at times in seconds, which ascend.
+template <typename Value>
+struct ModelTrack
+{
+  std::vector<double> Times;
+  std::vector<Value> Values;
+};
+
+/// What moves one node. A track without keys leaves what the node has at rest.
+struct ModelChannel
+{
+  int Node = 0;
+  ModelTrack<glm::dvec3> Position;
+  ModelTrack<glm::dvec4> Rotation; ///< unit quaternions x, y, z, w
+  ModelTrack<glm::dvec3> Scale;
+};
+
+struct ModelAnimation
+{
+  std::string Name; ///< no two alike in a model
+  double Start = 0.;
+  double End = 0.;
+  std::vector<ModelChannel> Channels;
+  std::vector<double> KeyTimes; ///< of all channels, each once
+};
+
+/// A mesh in the model's rest space, with all that the filter wants.
+struct ModelMesh
+{
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> Data;
+};
+
+struct Model
+{
+  std::vector<ModelNode> Nodes;
+  std::vector<ModelMesh> Meshes;
+  std::vector<ModelAnimation> Animations;
+  std::vector<std::string> Notes; ///< what was left out or mended, a sentence each
+};
+
+/// Node to world, for every node, from node to parent.
+std::vector<glm::dmat4> GetWorldMatrices(
+  const std::vector<ModelNode>& nodes, const std::vector<glm::dmat4>& locals);
+}
+
+#endif

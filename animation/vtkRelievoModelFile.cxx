@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoModelFile.h"
+
+#include "vtkRelievoModelParts.h"
+
+#include <assimp/Importer.hpp>
+#include <assimp/ProgressHandler.hpp>
+#include <assimp/postprocess.h>
+
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace relievo
+{
+namespace
+{
+// Deeper trees than any tool writes overflow the stacks of those that walk them by calls.
+constexpr int DeepestTree = 2000;
+
+class Handler : public Assimp::ProgressHandler
+{
+public:
+  explicit Handler(const std::function<bool(double)>& progress)
+    : Progress(progress)
+  {
+  }
+
+  bool Update(float share) override { return this->Progress(share < 0.f ? 0. : 0.9 * share); }
+
+private:
+  const std::function<bool(double)>& Progress;
+};
+
+bool IsFinite(const glm::dmat4& m)
+{
+  bool finite = true;
+  for (int i = 0; i < 16; ++i)
+  {
+    finite = finite && std::isfinite(m[i / 4][i % 4]);
+  }
+  return finite;
+}
+
+// A node as the tree is walked: roots before what hangs below them.
+struct Visit
+{
+  const aiNode* Node;
+  int Parent; // among the visits; the root's is -1
+  int Depth;
+};
+
+// Where the node hangs, by its own word: some readers of Assimp's list bones side by side and let
+// each name its parent. A word that leads nowhere, or around, does not count.
+void SetParents(std::vector<Visit>& visits)
+{
+  std::map<const aiNode*, int> places;
+  for (std::size_t i = 0; i < visits.size(); ++i)
+  {
+    places.emplace(visits[i].Node, static_cast<int>(i));
+  }
+  const auto named = [&](int i) {
+    const Visit& visit = visits[static_cast<std::size_t>(i)];
+    const auto found = places.find(visit.Node->mParent);
+    return found == places.end() ? visit.Parent : found->second;
+  };
+  std::vector<int> parents(visits.size(), -1);
+  std::vector<int> depths(visits.size(), 0);
+  for (std::size_t i = 1; i < visits.size(); ++i)
+  {
+    parents[i] = named(static_cast<int>(i));
+    for (int at = parents[i]; at > 0 && depths[i] <= DeepestTree; at = named(at))
+    {
+      ++depths[i];
+    }
+    if (depths[i] > DeepestTree)
+    {
+      return; // around: the tree itself holds for all
+    }
+  }
+  for (std::size_t i = 1; i < visits.size(); ++i)
+  {
+    visits[i].Parent = parents[i];
+    visits[i].Depth = depths[i] + 1;
+  }
+}
+
+// Returns what is wrong, or "". `hung`: nodes with the numbers that they get, in the tree's order.
+std::string ReadNodes(const aiScene* scene, NodeNumbers& numbers,
+  std::vector<std::pair<const aiNode*, int>>& hung, Model& model)
+{
+  std::vector<Visit> stack = { { scene->mRootNode, -1, 0 } };
+  std::vector<Visit> visits;
+  while (!stack.empty())
+  {
+    const Visit visit = stack.back();
+    stack.pop_back();
+    if (visit.Depth > DeepestTree)
+    {
+      return "its nodes are nested more than " + std::to_string(DeepestTree) + " deep";
+    }
+    const int number = static_cast<int>(visits.size());
+    visits.push_back(visit);
+    for (unsigned int i = visit.Node->mNumChildren; i > 0; --i)
+    {
+      stack.push_back({ visit.Node->mChildren[i - 1], number, visit.Depth + 1 });
+    }
+  }
+  SetParents(visits);
+  // Parents get lower numbers than their children.
+  std::vector<std::size_t> order(visits.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+    [&visits](std::size_t a, std::size_t b) { return visits[a].Depth < visits[b].Depth; });
+  std::vector<int> numberOf(visits.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    numberOf[order[i]] = static_cast<int>(i);
+  }
+  int unfit = 0;
+  for (const std::size_t i : order)
+  {
+    const Visit& visit = visits[i];
+    ModelNode node;
+    node.Name = visit.Node->mName.C_Str();
+    node.Parent = visit.Parent < 0 ? -1 : numberOf[static_cast<std::size_t>(visit.Parent)];
+    node.Rest = ToMatrix(visit.Node->mTransformation);
+    if (!IsFinite(node.Rest))
+    {
+      node.Rest = glm::dmat4(1.);
+      ++unfit;
+    }
+    model.Nodes.push_back(node);
+  }
+  for (std::size_t i = 0; i < visits.size(); ++i)
+  {
+    numbers.emplace(visits[i].Node->mName.C_Str(), numberOf[i]);
+    hung.emplace_back(visits[i].Node, numberOf[i]);
+  }
+  if (unfit > 0)
+  {
+    model.Notes.push_back(
+      std::to_string(unfit) + " nodes have a matrix that is not finite; they stay in place");
+  }
+  return "";
+}
+
+std::string Import(
+  const std::string& path, int weights, const std::function<bool(double)>& progress, Model& model)
+{
+  // Declared before the importer, which lets go of it last.
+  Handler handler(progress);
+  Assimp::Importer importer;
+  importer.SetProgressHandler(&handler);
+  const aiScene* scene = importer.ReadFile(
+    path, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_ImproveCacheLocality);
+  importer.SetProgressHandler(nullptr);
+  if (!scene || !scene->mRootNode)
+  {
+    const std::string why = importer.GetErrorString();
+    return why.empty() ? "Assimp does not read it" : why;
+  }
+  if (scene->mNumMeshes == 0 && scene->mNumAnimations == 0)
+  {
+    return "it holds no meshes and no animations";
+  }
+  NodeNumbers numbers;
+  std::vector<std::pair<const aiNode*, int>> hung;
+  const std::string wrong = ReadNodes(scene, numbers, hung, model);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  std::vector<glm::dmat4> locals;
+  for (const ModelNode& node : model.Nodes)
+  {
+    locals.push_back(node.Rest);
+  }
+  const std::vector<glm::dmat4> worlds = GetWorldMatrices(model.Nodes, locals);
+  for (std::size_t i = 0; i < hung.size(); ++i)
+  {
+    const auto [node, number] = hung[i];
+    for (unsigned int j = 0; j < node->mNumMeshes; ++j)
+    {
+      if (node->mMeshes[j] < scene->mNumMeshes)
+      {
+        ReadMesh(scene, scene->mMeshes[node->mMeshes[j]], number,
+          worlds[static_cast<std::size_t>(number)], numbers, weights, model);
+      }
+    }
+    progress(0.9 + 0.1 * static_cast<double>(i) / static_cast<double>(hung.size()));
+  }
+  ReadAnimations(scene, numbers, model);
+  return "";
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dmat4> GetWorldMatrices(
+  const std::vector<ModelNode>& nodes, const std::vector<glm::dmat4>& locals)
+{
+  std::vector<glm::dmat4> worlds(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    const int parent = nodes[i].Parent;
+    worlds[i] = parent < 0 ? locals[i] : worlds[static_cast<std::size_t>(parent)] * locals[i];
+  }
+  return worlds;
+}
+
+//------------------------------------------------------------------------------
+std::string ReadModel(
+  const std::string& path, int weights, const std::function<bool(double)>& progress, Model& model)
+{
+  model = Model();
+  std::string wrong;
+  try
+  {
+    if (!vtksys::SystemTools::FileExists(path, true))
+    {
+      wrong = "there is no such file";
+    }
+    else
+    {
+      wrong = Import(path, weights, progress, model);
+    }
+  }
+  catch (const std::exception& error) // of Assimp, and memory
+  {
+    wrong = error.what();
+  }
+  if (!wrong.empty())
+  {
+    model = Model();
+  }
+  return wrong;
+}
+
+//------------------------------------------------------------------------------
+bool GetIsModelExtension(const std::string& path)
+{
+  const std::string extension = vtksys::SystemTools::GetFilenameLastExtension(path);
+  try
+  {
+    return extension.size() > 1 && Assimp::Importer().IsExtensionSupported(extension);
+  }
+  catch (const std::exception&)
+  {
+    return false;
+  }
+}
+}

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * From a file to a model, through Assimp.
+ */
+#ifndef vtkRelievoModelFile_h
+#define vtkRelievoModelFile_h
+
+#include "vtkRelievoModel.h"
+
+#include <functional>
+#include <string>
+
+namespace relievo
+{
+/// Fills the model and returns "", or returns what is wrong and leaves the model empty. `weights`:
+/// most bones of a point. `progress` gets 0 to 1 and returns whether to go on.
+std::string ReadModel(
+  const std::string& path, int weights, const std::function<bool(double)>& progress, Model& model);
+
+/// Whether the extension is one that Assimp reads.
+bool GetIsModelExtension(const std::string& path);
+}
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Where the nodes of a model are at a time of an animation.
+ */
+#ifndef vtkRelievoModelPose_h
+#define vtkRelievoModelPose_h
+
+#include "vtkRelievoModel.h"
+
+namespace relievo
+{
+/// A node's place in three parts; what does not fit in (shear) is lost.
+struct NodeParts
+{
+  glm::dvec3 Position;
+  glm::dvec4 Rotation;
+  glm::dvec3 Scale;
+};
+
+NodeParts GetParts(const glm::dmat4& m);
+
+/// Node to parent for every node. Before the first key and after the last these hold. `slerp`:
+/// rotations at constant speed, otherwise along the chord.
+std::vector<glm::dmat4> GetLocalMatrices(
+  const Model& model, const ModelAnimation& animation, double time, bool slerp);
+
+/// The whole keys around a time: those of any track, or `rate` a second from the start when that is
+/// above 0.
+struct KeySpan
+{
+  double Before;
+  double After;
+  double Share; ///< of the way from before to after
+};
+
+KeySpan GetKeySpan(const ModelAnimation& animation, double time, double rate);
+
+/// The time within the animation: `loop` starts anew after the end, otherwise the ends hold.
+double GetAnimationTime(const ModelAnimation& animation, double time, bool loop);
+}
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoSkin.h"
+
+#include "vtkRelievoSkinPoints.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkRelievoSkin);
+
+//------------------------------------------------------------------------------
+vtkRelievoSkin::vtkRelievoSkin()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSkin::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSkin::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* skeleton = vtkPolyData::GetData(inputVector[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  const std::string wrong =
+    relievo::SkinMesh(mesh, skeleton, static_cast<relievo::SkinMethod>(this->Method), output);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro("" << wrong);
+  }
+  // Never 0: the pipeline would add an error of its own.
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkin::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n";
+}

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Models.h"
+
+#include "Actors.h"
+#include "CrashGuard.h"
+#include "DataSets.h"
+#include "Failure.h"
+#include "Images.h"
+#include "Messages.h"
+#include "ModelOptions.h"
+#include "Progress.h"
+#include "Readers.h"
+
+#include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkRelievoModelReader.h"
+#include "vtkStringArray.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace cli
+{
+namespace
+{
+const std::vector<std::string> TextureExtensions = { ".png", ".jpg", ".jpeg", ".tif", ".tiff",
+  ".bmp" };
+
+// Files name textures by paths of the machine that wrote them: the name alone is looked for too.
+std::string FindTexture(std::string name, const std::string& path)
+{
+  std::replace(name.begin(), name.end(), '\\', '/');
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  for (const std::filesystem::path& candidate :
+    { folder / name, folder / std::filesystem::path(name).filename() })
+  {
+    std::error_code trouble;
+    if (std::filesystem::is_regular_file(candidate, trouble))
+    {
+      return candidate.string();
+    }
+  }
+  return "";
+}
+
+void SetTexture(vtkActor* actor, vtkDataSet* mesh, const std::string& path, Progress& progress)
+{
+  auto* names =
+    vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("base_color_texture"));
+  if (!names || names->GetNumberOfValues() == 0 || !mesh->GetPointData()->GetTCoords())
+  {
+    return;
+  }
+  const std::string name = names->GetValue(0);
+  const std::string file = FindTexture(name, path);
+  try
+  {
+    if (file.empty())
+    {
+      throw WorkError("there is no such file");
+    }
+    CheckImage("texture", file, TextureExtensions);
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(ReadImage(file, progress));
+    texture->InterpolateOn();
+    texture->MipmapOn();
+    actor->SetTexture(texture);
+    actor->GetProperty()->SetColor(1., 1., 1.); // the texture's colours are the whole
+  }
+  catch (const std::exception& error)
+  {
+    Messages::Note(path + ": drawn without the texture " + name + ": " + error.what());
+  }
+}
+
+void SetColor(vtkActor* actor, vtkDataSet* mesh)
+{
+  vtkDataArray* color = mesh->GetFieldData()->GetArray("base_color");
+  if (color && color->GetNumberOfComponents() == 4)
+  {
+    double c[4];
+    color->GetTuple(0, c);
+    for (double& part : c)
+    {
+      part = std::clamp(part, 0., 1.);
+    }
+    actor->GetProperty()->SetColor(c);
+    if (c[3] > 0.) // some writers leave it at none
+    {
+      actor->GetProperty()->SetOpacity(c[3]);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkActor>> ReadModel(
+  const std::string& path, const ModelChoice& choice, bool smooth, Progress& progress)
+{
+  progress.Begin("reading " + path);
+  vtkNew<vtkRelievoModelReader> reader;
+  {
+    const CrashGuard guard(path);
+    reader->SetFileName(path.c_str());
+    reader->SetAnimation(choice.Animation.c_str());
+    if (choice.Skin == SkinChoice::Off)
+    {
+      reader->SetPose(vtkRelievoModelReader::POSE_REST);
+    }
+    else
+    {
+      reader->SetMethod(static_cast<int>(choice.Skin) - static_cast<int>(SkinChoice::Linear));
+    }
+    progress.Observe(reader);
+    if (choice.Time)
+    {
+      reader->UpdateTimeStep(*choice.Time);
+    }
+    else
+    {
+      reader->Update();
+    }
+  }
+  progress.End();
+  Messages::Check(path, reader->GetErrorCode() != 0, NotAsNamed(path));
+  for (int i = 0; i < reader->GetNumberOfNotes(); ++i)
+  {
+    Messages::Note(path + ": " + reader->GetNote(i));
+  }
+  if (choice.Time && reader->GetNumberOfAnimations() == 0)
+  {
+    Messages::Note(path + ": --time changed nothing: the file has no animation");
+  }
+  std::vector<vtkSmartPointer<vtkActor>> actors;
+  ForEachDataSet(reader->GetOutput(), [&](vtkDataSet* mesh) {
+    if (mesh->GetNumberOfCells() > 0)
+    {
+      const vtkSmartPointer<vtkActor> actor = MakeActor(mesh, smooth, path, progress);
+      SetColor(actor, mesh);
+      SetTexture(actor, mesh, path, progress);
+      actors.push_back(actor);
+    }
+  });
+  return actors;
+}
+}
