@@ -12,6 +12,7 @@
 #include "vtkGenericCell.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStaticCellLocator.h"
 
 #include <glm/common.hpp>
@@ -39,9 +40,9 @@ bool IsFinite(const glm::dvec3& v)
 //------------------------------------------------------------------------------
 struct vtkRelievoParticleField::Leaf
 {
-  vtkDataSet* Data = nullptr;
-  vtkImageData* Image = nullptr; // with the array on its points
-  vtkDataArray* Array = nullptr;
+  vtkSmartPointer<vtkDataSet> Data; // as it was, whatever the input becomes
+  vtkImageData* Image = nullptr;    // with the array on its points
+  vtkSmartPointer<vtkDataArray> Array;
   bool OnCells = false;
   vtkNew<vtkStaticCellLocator> Locator; // where there is no image
 };
@@ -76,13 +77,14 @@ std::string vtkRelievoParticleField::SetArray(vtkDataObject* data, const std::st
       continue;
     }
     auto leaf = std::make_unique<Leaf>();
-    leaf->Data = set;
+    leaf->Data = vtk::TakeSmartPointer(set->NewInstance());
+    leaf->Data->ShallowCopy(set);
     leaf->Array = array;
     leaf->OnCells = !ofPoints;
-    leaf->Image = ofPoints ? vtkImageData::SafeDownCast(set) : nullptr;
+    leaf->Image = ofPoints ? vtkImageData::SafeDownCast(leaf->Data) : nullptr;
     if (!leaf->Image)
     {
-      leaf->Locator->SetDataSet(set);
+      leaf->Locator->SetDataSet(leaf->Data);
       leaf->Locator->BuildLocator();
     }
     this->Leaves.push_back(std::move(leaf));
@@ -112,6 +114,10 @@ glm::dvec3 vtkRelievoParticleField::Reader::Gradient(
 {
   // The two noises lie a part of a cell apart: all noises are 0 at the corners of their lattice.
   const glm::dvec3 cells = position / this->Field.NoiseScale + 0.375 * which;
+  if (!IsFinite(cells))
+  {
+    return glm::dvec3(0.); // cells that are too narrow to be told apart
+  }
   const NoisePlace x = NoisePlace::Of(cells.x);
   const NoisePlace y = NoisePlace::Of(cells.y);
   const NoisePlace z = NoisePlace::Of(cells.z);

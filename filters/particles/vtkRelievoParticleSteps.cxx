@@ -15,6 +15,12 @@ namespace
 {
 // Long ways are taken in parts, so that none leads past a texel: at most so many in a step.
 constexpr int Parts = 512;
+
+// The longest time up to `time` in which this speed leads half a texel at most.
+double Limit(double time, double texel, double speed)
+{
+  return speed * time > 0.5 * texel ? 0.5 * texel / speed : time;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -111,7 +117,7 @@ void vtkRelievoParticleSteps::Advance(vtkRelievoParticleState& state, double tim
 }
 
 //------------------------------------------------------------------------------
-// By the midpoint rule, in parts of half a texel.
+// By the midpoint rule, in parts of half a texel by the speed here and halfway.
 void vtkRelievoParticleSteps::AdvanceOnSurface(
   glm::dvec3& position, unsigned char& view, double time) const
 {
@@ -129,7 +135,8 @@ void vtkRelievoParticleSteps::AdvanceOnSurface(
     {
       return;
     }
-    const double step = std::min(rest, 0.5 * this->Maps.Views[view].GetTexelSize() / speed);
+    const double texel = this->Maps.Views[view].GetTexelSize();
+    double step = Limit(rest, texel, speed);
     glm::dvec3 velocity = here.Velocity;
     int held = view;
     const glm::dvec3 middle = here.Position + 0.5 * step * velocity;
@@ -142,6 +149,7 @@ void vtkRelievoParticleSteps::AdvanceOnSurface(
     {
       velocity = next.Velocity;
     }
+    step = Limit(step, texel, glm::length(velocity));
     held = view;
     if (!this->Maps.Hold(here.Position + step * velocity, here, held, next))
     {
@@ -168,11 +176,12 @@ void vtkRelievoParticleSteps::AdvanceInside(
     {
       return;
     }
-    const double step = std::min(rest, 0.5 * texel / speed);
+    double step = Limit(rest, texel, speed);
     const glm::dvec3 middle = position + 0.5 * step * velocity;
     if (!this->Field.IsUniform() && this->Maps.IsInside(middle))
     {
       velocity = field.InSpace(middle);
+      step = Limit(step, texel, glm::length(velocity));
     }
     glm::dvec3 to = position + step * velocity;
     if (!this->Maps.IsInside(to) && !this->Maps.PushInside(to, 2. * texel))

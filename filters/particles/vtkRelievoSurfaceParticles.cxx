@@ -3,6 +3,7 @@
 #include "vtkRelievoSurfaceParticles.h"
 
 #include "vtkRelievoMemory.h"
+#include "vtkRelievoParticleInputs.h"
 #include "vtkRelievoParticleOutput.h"
 #include "vtkRelievoParticleStart.h"
 #include "vtkRelievoParticleSteps.h"
@@ -33,36 +34,23 @@ vtkStandardNewMacro(vtkRelievoSurfaceParticles);
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
-namespace
-{
-enum InputType
-{
-  SURFACE,
-  IMAGES,
-  POINTS,
-  FIELD,
-  INPUTS
-};
-
-vtkDataObject* InputOf(vtkInformationVector** inputs, int port)
-{
-  return inputs[port]->GetNumberOfInformationObjects() > 0 ? vtkDataObject::GetData(inputs[port])
-                                                           : nullptr;
-}
-}
+namespace Inputs = vtkRelievoParticleInputs;
 
 // What was made for the inputs and settings of the last update.
 struct vtkRelievoSurfaceParticles::Internals
 {
-  std::vector<vtkMTimeType> Stamps; // what the rest was made from
+  std::vector<vtkMTimeType> Stamps; // of the last update
+  Inputs::Key MapsKey;              // what they were made from
+  Inputs::Key FieldKey;
+  Inputs::Key StepsKey;
   vtkRelievoParticleMaps Maps;
   vtkRelievoParticleField Field;
   std::unique_ptr<vtkRelievoParticleSteps> Steps;
   vtkSmartPointer<vtkIdTypeArray> Numbers;
   vtkSmartPointer<vtkCellArray> Vertices;
 
-  static std::vector<vtkMTimeType> StampsOf(vtkRelievoSurfaceParticles* self,
-    vtkInformationVector** inputs, vtkIdType first, vtkIdType end);
+  std::string Update(vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs,
+    vtkIdType first, vtkIdType end);
   std::string MakeMaps(vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs);
   std::string MakeField(vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs);
   void MakeSteps(
@@ -70,26 +58,53 @@ struct vtkRelievoSurfaceParticles::Internals
 };
 
 //------------------------------------------------------------------------------
-std::vector<vtkMTimeType> vtkRelievoSurfaceParticles::Internals::StampsOf(
+// Makes anew what inputs and settings have changed. Returns what is wrong, or an empty text.
+std::string vtkRelievoSurfaceParticles::Internals::Update(
   vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs, vtkIdType first, vtkIdType end)
 {
-  std::vector<vtkMTimeType> stamps{ self->GetMTime(), static_cast<vtkMTimeType>(first),
-    static_cast<vtkMTimeType>(end) };
-  for (int port = 0; port < INPUTS; ++port)
+  auto* points = vtkDataSet::SafeDownCast(Inputs::Get(inputs, Inputs::POINTS));
+  vtkDataObject* surface = Inputs::Get(inputs, Inputs::SURFACE);
+  Inputs::Key maps;
+  maps.AddImages(inputs[Inputs::IMAGES]).Add(self->MemoryLimit);
+  maps.Add(inputs[Inputs::IMAGES]->GetNumberOfInformationObjects());
+  maps.Add(self->TexelSize).Add(self->Resolution).AddData(surface, {});
+  vtkDataObject* given = Inputs::Get(inputs, Inputs::FIELD);
+  Inputs::Key field = maps;
+  field.Add(self->FieldArray).Add(given ? 1. : 0.);
+  if (!self->FieldArray.empty())
   {
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      vtkDataObject* data = vtkDataObject::GetData(inputs[port], i);
-      stamps.push_back(data->GetMTime());
-      stamps.push_back(data->GetUpdateTime());
-      for (vtkDataSet* leaf : vtkRelievoVoxelMeshes::GetLeaves(data))
-      {
-        stamps.push_back(leaf->GetMTime());
-      }
-    }
-    stamps.push_back(0);
+    field.AddData(given ? given : surface, self->FieldArray);
   }
-  return stamps;
+  Inputs::Key steps = field;
+  steps.Add(self->Place).Add(self->Seed).Add(self->NoiseSpeed).Add(self->NoiseScale);
+  steps.Add(self->Velocity[0]).Add(self->Velocity[1]).Add(self->Velocity[2]);
+  steps.Add(self->TimeStep).Add(self->NumberOfSteps).Add(self->Checkpoints);
+  steps.Add(static_cast<double>(self->NumberOfParticles)).AddData(points, {});
+  steps.Add(static_cast<double>(first)).Add(static_cast<double>(end));
+  if (this->StepsKey == steps)
+  {
+    return {};
+  }
+  this->Steps.reset();
+  this->Numbers = nullptr;
+  this->StepsKey = {};
+  std::string problem;
+  if (!(this->MapsKey == maps))
+  {
+    problem = this->MakeMaps(self, inputs);
+    this->MapsKey = problem.empty() ? maps : Inputs::Key();
+  }
+  if (problem.empty() && !(this->FieldKey == field))
+  {
+    problem = this->MakeField(self, inputs);
+    this->FieldKey = problem.empty() ? field : Inputs::Key();
+  }
+  if (problem.empty())
+  {
+    this->MakeSteps(self, points, first, end);
+    this->StepsKey = steps;
+  }
+  return problem;
 }
 
 //------------------------------------------------------------------------------
@@ -98,18 +113,18 @@ std::string vtkRelievoSurfaceParticles::Internals::MakeMaps(
   vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs)
 {
   this->Maps.Views.clear();
-  if (inputs[IMAGES]->GetNumberOfInformationObjects() > 0)
+  if (inputs[Inputs::IMAGES]->GetNumberOfInformationObjects() > 0)
   {
     std::vector<vtkImageData*> images;
-    for (int i = 0; i < inputs[IMAGES]->GetNumberOfInformationObjects(); ++i)
+    for (int i = 0; i < inputs[Inputs::IMAGES]->GetNumberOfInformationObjects(); ++i)
     {
-      vtkRelievoVoxelDepths::Add(vtkDataObject::GetData(inputs[IMAGES], i), images);
+      vtkRelievoVoxelDepths::Add(vtkDataObject::GetData(inputs[Inputs::IMAGES], i), images);
     }
     return images.size() > 255
       ? "there are " + std::to_string(images.size()) + " depth images, expected up to 255"
       : this->Maps.SetImages(images);
   }
-  vtkDataObject* surface = InputOf(inputs, SURFACE);
+  vtkDataObject* surface = Inputs::Get(inputs, Inputs::SURFACE);
   double box[6];
   if (!surface)
   {
@@ -144,11 +159,8 @@ std::string vtkRelievoSurfaceParticles::Internals::MakeMaps(
 std::string vtkRelievoSurfaceParticles::Internals::MakeField(
   vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs)
 {
-  this->Field.Velocity = glm::dvec3(self->Velocity[0], self->Velocity[1], self->Velocity[2]);
-  this->Field.NoiseSpeed = std::isfinite(self->NoiseSpeed) ? self->NoiseSpeed : 0.;
-  this->Field.NoiseSeed = static_cast<unsigned int>(self->Seed);
-  vtkDataObject* given = InputOf(inputs, FIELD);
-  vtkDataObject* data = given ? given : InputOf(inputs, SURFACE);
+  vtkDataObject* given = Inputs::Get(inputs, Inputs::FIELD);
+  vtkDataObject* data = given ? given : Inputs::Get(inputs, Inputs::SURFACE);
   if (self->FieldArray.empty() || (!data && this->Maps.GetNumberOfSeenTexels() == 0))
   {
     this->Field.ClearArray();
@@ -166,6 +178,9 @@ void vtkRelievoSurfaceParticles::Internals::MakeSteps(
   const vtkRelievoParticleStart start(this->Maps, inside, static_cast<unsigned int>(self->Seed));
   glm::dvec3 low;
   glm::dvec3 high;
+  this->Field.Velocity = glm::dvec3(self->Velocity[0], self->Velocity[1], self->Velocity[2]);
+  this->Field.NoiseSpeed = std::isfinite(self->NoiseSpeed) ? self->NoiseSpeed : 0.;
+  this->Field.NoiseSeed = static_cast<unsigned int>(self->Seed);
   this->Field.Near = this->Maps.GetTexelSize();
   const bool seen = start.GetBox(low, high);
   const glm::dvec3 size = seen ? high - low : glm::dvec3(1.);
@@ -198,7 +213,7 @@ void vtkRelievoSurfaceParticles::Internals::MakeSteps(
 vtkRelievoSurfaceParticles::vtkRelievoSurfaceParticles()
   : Self(new Internals)
 {
-  this->SetNumberOfInputPorts(INPUTS);
+  this->SetNumberOfInputPorts(Inputs::PORTS);
 }
 
 //------------------------------------------------------------------------------
@@ -220,13 +235,13 @@ int vtkRelievoSurfaceParticles::FillInputPortInformation(int port, vtkInformatio
 {
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(
-    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == IMAGES ? "vtkImageData" : "vtkDataSet");
-  if (port != POINTS)
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
+    port == Inputs::IMAGES ? "vtkImageData" : "vtkDataSet");
+  if (port != Inputs::POINTS)
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   }
-  if (port == IMAGES)
+  if (port == Inputs::IMAGES)
   {
     info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   }
@@ -254,30 +269,11 @@ int vtkRelievoSurfaceParticles::RequestInformation(
 int vtkRelievoSurfaceParticles::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  for (int port = 0; port < INPUTS; ++port)
+  for (int port = 0; port < Inputs::PORTS; ++port)
   {
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
     {
-      vtkInformation* input = inputs[port]->GetInformationObject(i);
-      if (input->Has(SDDP::TIME_STEPS()) && input->Length(SDDP::TIME_STEPS()) > 0)
-      {
-        input->Set(SDDP::UPDATE_TIME_STEP(), input->Get(SDDP::TIME_STEPS())[0]);
-      }
-      else if (input->Has(SDDP::TIME_RANGE()))
-      {
-        input->Set(SDDP::UPDATE_TIME_STEP(), input->Get(SDDP::TIME_RANGE())[0]);
-      }
-      else
-      {
-        input->Remove(SDDP::UPDATE_TIME_STEP());
-      }
-      if (input->Has(SDDP::WHOLE_EXTENT()))
-      {
-        input->Set(SDDP::UPDATE_EXTENT(), input->Get(SDDP::WHOLE_EXTENT()), 6);
-      }
-      input->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
-      input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
-      input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      Inputs::RequestWhole(inputs[port]->GetInformationObject(i));
     }
   }
   return 1;
@@ -290,6 +286,7 @@ int vtkRelievoSurfaceParticles::RequestData(
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(info);
   output->Initialize();
+  info->Remove(SDDP::DATA_NOT_GENERATED());
   this->SetErrorCode(vtkErrorCode::NoError);
   Internals& self = *this->Self;
 
@@ -302,7 +299,7 @@ int vtkRelievoSurfaceParticles::RequestData(
   output->GetInformation()->Set(
     vtkDataObject::DATA_TIME_STEP(), this->StartTime + steps * this->TimeStep);
 
-  auto* points = vtkDataSet::SafeDownCast(InputOf(inputs, POINTS));
+  auto* points = vtkDataSet::SafeDownCast(Inputs::Get(inputs, Inputs::POINTS));
   const vtkIdType count = points ? points->GetNumberOfPoints() : this->NumberOfParticles;
   const vtkIdType pieces =
     info->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) ? info->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) : 1;
@@ -312,7 +309,8 @@ int vtkRelievoSurfaceParticles::RequestData(
   const vtkIdType first = cut(piece);
   const vtkIdType end = cut(piece + 1);
 
-  const double stored = this->Checkpoints + 3.;
+  // Beside those that are kept: the first, the last, the one that moves, and a part of a step.
+  const double stored = std::min(this->Checkpoints, this->NumberOfSteps) + 4.;
   const double bytes = static_cast<double>(end - first) *
     (stored * static_cast<double>(vtkRelievoParticleState::GetBytesPerParticle()) + 90.);
   std::string problem = relievo::LackOfMemory(bytes, this->MemoryLimit);
@@ -321,19 +319,17 @@ int vtkRelievoSurfaceParticles::RequestData(
       "; ask for fewer or a higher limit";
   const vtkRelievoParticleState* state = nullptr;
   const auto work = [&]() {
-    const std::vector<vtkMTimeType> stamps = Internals::StampsOf(this, inputs, first, end);
+    std::vector<vtkMTimeType> stamps = Inputs::GetStamps(inputs);
+    stamps.insert(stamps.end(),
+      { this->GetMTime(), static_cast<vtkMTimeType>(first), static_cast<vtkMTimeType>(end) });
     if (self.Stamps != stamps)
     {
       self.Stamps.clear();
-      self.Steps.reset();
-      self.Numbers = nullptr;
-      problem = self.MakeMaps(this, inputs);
-      problem = problem.empty() ? self.MakeField(this, inputs) : problem;
+      problem = self.Update(this, inputs, first, end);
       if (!problem.empty())
       {
         return;
       }
-      self.MakeSteps(this, points, first, end);
       self.Stamps = stamps;
     }
     state = self.Steps->Get(steps, [this](double done) {
@@ -356,6 +352,12 @@ int vtkRelievoSurfaceParticles::RequestData(
     // The output stays empty. Status 0 would make the pipeline say it again in its own words.
     this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro("No particles: " << problem << ".");
+  }
+  else if (!state)
+  {
+    // Cut short: the next update, of this time too, is not to take it for done.
+    output->ReleaseData();
+    info->Set(SDDP::DATA_NOT_GENERATED(), 1);
   }
   return 1;
 }

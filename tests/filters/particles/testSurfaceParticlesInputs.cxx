@@ -1,0 +1,360 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Fields and inputs: arrays whose speed jumps, arrays in blocks and by several threads, inputs that
+// change in time, an end before the end.
+#include "Check.h"
+#include "Particles.h"
+#include "Session.h"
+#include "Solids.h"
+#include "vtkRelievoSurfaceParticles.h"
+
+#include <vtkAppendPolyData.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkDoubleArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataAlgorithm.h>
+#include <vtkSMPTools.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace
+{
+using relievoTest::Places;
+using relievoTest::PlacesAt;
+using Particles = vtkRelievoSurfaceParticles;
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* mesh, const glm::dvec3& by)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    glm::dvec3 place;
+    mesh->GetPoint(i, &place.x);
+    place += by;
+    points->InsertNextPoint(&place.x);
+  }
+  auto moved = vtkSmartPointer<vtkPolyData>::New();
+  moved->ShallowCopy(mesh);
+  moved->SetPoints(points);
+  return moved;
+}
+
+void SetUp(Particles* filter, vtkDataObject* surface, int place, int count = 400)
+{
+  filter->SetInputDataObject(surface);
+  filter->SetPlace(place);
+  filter->SetNumberOfParticles(count);
+  filter->SetResolution(80);
+}
+
+// Two boxes, 0.2 apart. Before the gap, from one cell of the field to the next, particles are 200
+// times as fast: none may get to the other box.
+void TestSpeedJumps()
+{
+  const relievoTest::Solid box = relievoTest::MakeBox();
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(Moved(box.Mesh, { -1., 0., 0. }));
+  both->AddInputData(Moved(box.Mesh, { 1., 0., 0. }));
+  both->Update();
+  constexpr double Texel = 3.8 / 80.;
+  vtkNew<vtkImageData> grid;
+  grid->SetDimensions(81, 2, 2);
+  grid->SetSpacing(Texel, 4., 4.);
+  grid->SetOrigin(-1.9, -2., -2.);
+  vtkNew<vtkDoubleArray> field;
+  field->SetName("field");
+  field->SetNumberOfComponents(3);
+  for (int cell = 0; cell < 80; ++cell)
+  {
+    const double end = -1.9 + (cell + 1) * Texel;
+    field->InsertNextTuple3((end > -0.15 && end < 0.15 ? 100. : 0.5) * Texel, 0., 0.);
+  }
+  grid->GetCellData()->AddArray(field);
+  for (const int place : { Particles::ON_SURFACE, Particles::INSIDE })
+  {
+    vtkNew<Particles> filter;
+    SetUp(filter, both->GetOutput(), place);
+    filter->SetInputDataObject(3, grid);
+    filter->SetFieldArray("field");
+    filter->SetNumberOfSteps(40);
+    const Places start = PlacesAt(filter, 0.);
+    const Places end = PlacesAt(filter, 40.);
+    double gone = 0.;
+    double moved = 0.;
+    for (std::size_t i = 0; i < start.size(); ++i)
+    {
+      gone += start[i].x < 0. && end[i].x > 0. ? 1. : 0.;
+      moved += end[i].x > start[i].x + Texel ? 1. : 0.;
+    }
+    RELIEVO_CHECK(start.size() == 400 && moved > 200.);
+    RELIEVO_CHECK_AT_MOST(gone, 0., "particles that jump, place " + std::to_string(place));
+  }
+}
+
+// Whirls that no coordinate can tell apart are none; the rest of the field still counts.
+void TestNarrowestNoise()
+{
+  const relievoTest::Solid box = relievoTest::MakeBox();
+  for (const int place : { Particles::ON_SURFACE, Particles::INSIDE })
+  {
+    Places ends[2];
+    for (const double speed : { 0., 0.3 })
+    {
+      vtkNew<Particles> filter;
+      SetUp(filter, box.Mesh, place);
+      filter->SetVelocity(0.02, 0., 0.);
+      filter->SetNoiseSpeed(speed);
+      filter->SetNoiseScale(1e-320);
+      ends[speed > 0. ? 1 : 0] = PlacesAt(filter, 5.);
+    }
+    RELIEVO_CHECK(ends[0] == ends[1]);
+  }
+}
+
+// A field in blocks, of which some have nothing: as in one piece, and by any number of threads.
+void TestBlocksAndThreads()
+{
+  const relievoTest::Solid ball = relievoTest::MakeBall();
+  const auto around = [](const glm::dvec3& place) {
+    return 0.05 * glm::cross(glm::dvec3(0.3, -0.5, 0.8), place);
+  };
+  const auto left = relievoTest::WithField(Moved(ball.Mesh, { -1.5, 0., 0. }), around);
+  const auto right = relievoTest::WithField(Moved(ball.Mesh, { 1.5, 0., 0. }), around);
+  vtkNew<vtkAppendPolyData> append;
+  append->AddInputData(left);
+  append->AddInputData(right);
+  append->Update();
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, right);
+  inner->SetBlock(1, vtkSmartPointer<vtkPolyData>::New());
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, left);
+  blocks->SetBlock(2, inner);
+  {
+    // Inside, the nearest place of the array jumps halfway between walls.
+    const int place = Particles::ON_SURFACE;
+    vtkNew<Particles> whole;
+    SetUp(whole, append->GetOutput(), place);
+    whole->SetFieldArray("field");
+    const Places places = PlacesAt(whole, 20.);
+    RELIEVO_CHECK(places != PlacesAt(whole, 0.) && places.size() == 400);
+    for (const int threads : { 1, 2, 7 })
+    {
+      vtkSMPTools::Initialize(threads);
+      vtkNew<Particles> filter;
+      SetUp(filter, blocks, place);
+      filter->SetFieldArray("field");
+      const Places ends = PlacesAt(filter, 20.);
+      double apart = ends.size() == places.size() ? 0. : 1.;
+      for (std::size_t i = 0; i < std::min(ends.size(), places.size()); ++i)
+      {
+        apart = std::max(apart, glm::distance(ends[i], places[i]));
+      }
+      // VTK's locators of other boxes may find other cells of those that are nearly as near.
+      RELIEVO_CHECK_AT_MOST(apart / filter->GetUsedTexelSize(), 0.01,
+        "blocks, " + std::to_string(threads) + " threads, texels");
+    }
+    vtkSMPTools::Initialize(0);
+  }
+}
+
+// A ball at x = time, at times from 3 to 5.
+class MovingBall : public vtkPolyDataAlgorithm
+{
+public:
+  static MovingBall* New();
+  vtkTypeMacro(MovingBall, vtkPolyDataAlgorithm);
+  int Executions = 0;
+
+protected:
+  MovingBall() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    const double times[3] = { 3., 4., 5. };
+    vtkInformation* info = outputs->GetInformationObject(0);
+    info->Set(SDDP::TIME_STEPS(), times, 3);
+    const double range[2] = { 3., 5. };
+    info->Set(SDDP::TIME_RANGE(), range, 2);
+    return 1;
+  }
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    vtkInformation* info = outputs->GetInformationObject(0);
+    const double time =
+      info->Has(SDDP::UPDATE_TIME_STEP()) ? info->Get(SDDP::UPDATE_TIME_STEP()) : 5.;
+    vtkPolyData* output = vtkPolyData::GetData(info);
+    output->ShallowCopy(Moved(relievoTest::MakeBall().Mesh, { time, 0., 0. }));
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    ++this->Executions;
+    return 1;
+  }
+};
+vtkStandardNewMacro(MovingBall);
+
+void TestMovingInput()
+{
+  vtkNew<MovingBall> source;
+  vtkNew<Particles> still;
+  SetUp(still, Moved(relievoTest::MakeBall().Mesh, { 3., 0., 0. }), Particles::ON_SURFACE);
+  vtkNew<Particles> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetNumberOfParticles(400);
+  filter->SetResolution(80);
+  for (Particles* each : { still.Get(), filter.Get() })
+  {
+    each->SetNoiseSpeed(0.02);
+  }
+  for (const double time : { 0., 4., 5., 30., 2. })
+  {
+    RELIEVO_CHECK_THAT(
+      PlacesAt(filter, time) == PlacesAt(still, time), "time " + std::to_string(time));
+  }
+  RELIEVO_CHECK(source->Executions == 1);
+}
+
+// An input that another consumer moves through time, or that executes again, costs no step anew;
+// one that differs does, also where not its array but the mesh says that it was modified.
+void TestSameInputAgain()
+{
+  vtkNew<MovingBall> source;
+  vtkNew<Particles> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetNumberOfParticles(50);
+  filter->SetResolution(40);
+  filter->SetNoiseSpeed(0.02);
+  int steps = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&steps);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* sum, void*) { ++*static_cast<int*>(sum); });
+  PlacesAt(filter, 40.);
+  filter->AddObserver(vtkCommand::ProgressEvent, count);
+  const auto costs = [&](double time) {
+    steps = 0;
+    PlacesAt(filter, time);
+    return steps;
+  };
+  // One step, and what the pipeline says at the end.
+  RELIEVO_CHECK(costs(41.) <= 3);
+  source->UpdateTimeStep(5.);
+  RELIEVO_CHECK(costs(42.) <= 3);
+  source->Modified();
+  RELIEVO_CHECK(costs(43.) <= 3);
+  filter->OrientationsOn();
+  RELIEVO_CHECK(costs(44.) <= 3);
+  RELIEVO_CHECK(source->Executions == 4);
+  filter->SetVelocity(0.01, 0., 0.);
+  RELIEVO_CHECK(costs(45.) >= 45);
+
+  const auto mesh = relievoTest::WithField(Moved(relievoTest::MakeBall().Mesh, { 0., 0., 0. }),
+    [](const glm::dvec3& place) { return 0.02 * glm::dvec3(place.y, -place.x, 0.); });
+  filter->SetInputData(mesh);
+  filter->SetFieldArray("field");
+  const Places before = PlacesAt(filter, 20.);
+  mesh->Modified();
+  RELIEVO_CHECK(costs(21.) <= 3);
+  auto* field = vtkDoubleArray::SafeDownCast(mesh->GetPointData()->GetArray("field"));
+  for (vtkIdType i = 0; i < field->GetNumberOfValues(); ++i)
+  {
+    field->SetValue(i, -field->GetValue(i));
+  }
+  mesh->Modified();
+  const Places turned = PlacesAt(filter, 20.);
+  RELIEVO_CHECK(turned != before);
+  auto* points = vtkDoubleArray::SafeDownCast(mesh->GetPoints()->GetData());
+  for (vtkIdType i = 0; i < points->GetNumberOfValues(); ++i)
+  {
+    points->SetValue(i, 2. * points->GetValue(i));
+  }
+  mesh->GetPoints()->Modified();
+  vtkNew<Particles> fresh;
+  fresh->SetInputData(mesh);
+  fresh->SetNumberOfParticles(50);
+  fresh->SetResolution(40);
+  fresh->SetNoiseSpeed(0.02);
+  fresh->SetVelocity(0.01, 0., 0.);
+  fresh->SetFieldArray("field");
+  RELIEVO_CHECK(PlacesAt(filter, 20.) == PlacesAt(fresh, 20.));
+}
+
+// What was cut short is no picture of any time: the next update computes it, unasked.
+void TestAbort()
+{
+  const relievoTest::Solid ball = relievoTest::MakeBall();
+  vtkNew<Particles> whole;
+  SetUp(whole, ball.Mesh, Particles::ON_SURFACE);
+  whole->SetNoiseSpeed(0.02);
+  const Places truth = PlacesAt(whole, 50.);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
+    vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+  });
+  for (const bool timed : { true, false })
+  {
+    vtkNew<Particles> filter;
+    SetUp(filter, ball.Mesh, Particles::ON_SURFACE);
+    filter->SetNoiseSpeed(0.02);
+    RELIEVO_CHECK(PlacesAt(filter, 10.).size() == 400);
+    const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, abort);
+    filter->UpdateTimeStep(50.);
+    vtkPolyData* output = filter->GetOutput();
+    RELIEVO_CHECK(output->GetNumberOfPoints() == 0);
+    RELIEVO_CHECK(!output->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()));
+    filter->RemoveObserver(tag);
+    filter->SetAbortExecute(0);
+    if (timed)
+    {
+      RELIEVO_CHECK(PlacesAt(filter, 50.) == truth);
+    }
+    else
+    {
+      filter->Update();
+      RELIEVO_CHECK(output->GetNumberOfPoints() == 400);
+    }
+  }
+}
+
+// Steps that there are not take no memory.
+void TestMemoryOfSteps()
+{
+  vtkNew<Particles> filter;
+  SetUp(filter, relievoTest::MakeBall().Mesh, Particles::ON_SURFACE, 10000);
+  filter->SetMemoryLimit(20e6);
+  filter->SetCheckpoints(10000);
+  filter->SetNumberOfSteps(3);
+  RELIEVO_CHECK(PlacesAt(filter, 3.).size() == 10000);
+}
+}
+
+//------------------------------------------------------------------------------
+int main()
+{
+  relievoTest::Session session;
+  TestSpeedJumps();
+  TestNarrowestNoise();
+  TestBlocksAndThreads();
+  TestMovingInput();
+  TestSameInputAgain();
+  TestAbort();
+  TestMemoryOfSteps();
+  return session.Result();
+}
