@@ -11,16 +11,35 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFrameState.h"
 #include "vtkRelievoKeptState.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
 
 namespace
 {
-// A picture in tiles is drawn once for each: none is drawn again to refine it.
-bool IsTiled(vtkRenderWindow* window)
+// A picture in tiles is drawn once for each, one of several views in turn with the others: none is
+// followed by a second of the same.
+bool IsOneOfSeveral(const vtkRelievoFrameContext& context)
 {
-  return window->GetTileScale()[0] > 1 || window->GetTileScale()[1] > 1;
+  vtkRenderWindow* window = context.Window;
+  if (window->GetTileScale()[0] > 1 || window->GetTileScale()[1] > 1 || window->GetStereoRender())
+  {
+    return true;
+  }
+  vtkRendererCollection* renderers = window->GetRenderers();
+  vtkCollectionSimpleIterator it;
+  renderers->InitTraversal(it);
+  while (vtkRenderer* other = renderers->GetNextRenderer(it))
+  {
+    if (other != context.Renderer && other->GetDraw() && other->GetPass() &&
+      other->GetPass() == context.Renderer->GetPass())
+    {
+      return true;
+    }
+  }
+  return false;
 }
 }
 
@@ -68,23 +87,28 @@ void vtkRelievoFrameGather::Begin(vtkRelievoFrameContext& context,
   context.Samples = 1;
   context.Sample = 0;
   context.Last = true;
-  const int before = this->Asked.Samples;
+  const int before = this->Before;
+  ++this->Turns;
   this->Asked = GetDemand(context, nodes, hasColor);
+  this->Before = this->Asked.Samples;
   const bool nothing = !this->Asked.Color && this->Asked.Layers.empty();
   if (this->Asked.Samples == 1 || nothing)
   {
     this->Asked.Samples = 1;
+    this->Before = 1;
     this->Release(context.Window);
     return;
+  }
+  // Within a frame only once: what changes whenever it is drawn would never be gathered.
+  if (this->Turns == 1 &&
+    (this->Asked.Samples != before || vtkRelievoFrameState::Take(context, stages) != this->State))
+  {
+    this->Release(context.Window);
   }
   if (!this->Fault.empty())
   {
-    this->Asked.Samples = 1; // until something releases it
+    this->Asked.Samples = 1; // until something changes
     return;
-  }
-  if (this->Asked.Samples != before || vtkRelievoFrameState::Take(context, stages) != this->State)
-  {
-    this->Release(context.Window);
   }
   this->Choose(context);
 }
@@ -130,7 +154,8 @@ void vtkRelievoFrameGather::Choose(vtkRelievoFrameContext& context)
   // When all are there the last one stays, and nothing that depends on it is made anew.
   context.Samples = demand.Samples;
   context.Sample = std::min(next, demand.Samples - 1);
-  context.Last = !(demand.AtOnce || IsTiled(context.Window)) || next + 1 >= demand.Samples;
+  const bool atOnce = demand.AtOnce || IsOneOfSeveral(context);
+  context.Last = !atOnce || next + 1 >= demand.Samples || this->Turns >= demand.Samples;
 }
 
 //------------------------------------------------------------------------------
@@ -214,14 +239,22 @@ void vtkRelievoFrameGather::Gather(vtkRelievoFrameContext& context)
   {
     this->Fault = this->GatherColor(context);
   }
-  context.Last = context.Last || !this->Fault.empty();
+  if (!this->Fault.empty())
+  {
+    this->ReleaseSums(context.Window);
+    context.Last = context.Sample == 0; // or once more, with that
+  }
+  else if (!context.Last && context.Window->CheckAbortStatus())
+  {
+    context.Last = true; // the mean of those so far
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoFrameGather::End(
   const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages)
 {
-  if (context.Samples > 1)
+  if (context.Last && (context.Samples > 1 || !this->Fault.empty()))
   {
     this->State = vtkRelievoFrameState::Take(context, stages);
   }
@@ -280,7 +313,7 @@ vtkIdType vtkRelievoFrameGather::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoFrameGather::Release(vtkWindow* window)
+void vtkRelievoFrameGather::ReleaseSums(vtkWindow* window)
 {
   for (auto& layer : this->Layers)
   {
@@ -293,6 +326,12 @@ void vtkRelievoFrameGather::Release(vtkWindow* window)
     this->Color.reset();
   }
   this->Mean.Release(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameGather::Release(vtkWindow* window)
+{
+  this->ReleaseSums(window);
   this->State.clear();
   this->Fault.clear();
 }

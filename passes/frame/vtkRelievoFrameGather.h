@@ -26,6 +26,9 @@ class vtkWindow;
 class vtkRelievoFrameGather
 {
 public:
+  // A picture begins, of one sample or of many: what it shows is compared once.
+  void BeginFrame() { this->Turns = 0; }
+
   // Chooses the context's sample, for what the planned nodes need.
   void Begin(vtkRelievoFrameContext& context, const std::vector<vtkRelievoFramePlan::Node>& nodes,
     bool hasColor, const std::vector<vtkRelievoStage*>& stages);
@@ -70,11 +73,14 @@ private:
   static Demand GetDemand(const vtkRelievoFrameContext& context,
     const std::vector<vtkRelievoFramePlan::Node>& nodes, bool hasColor);
   void Choose(vtkRelievoFrameContext& context);
+  void ReleaseSums(vtkWindow* window);
   std::string GatherColor(vtkRelievoFrameContext& context);
   std::string Add(vtkRelievoFrameContext& context, Sum& sum, const std::string& resource,
     const std::string& defines, int channels);
 
   Demand Asked;
+  int Before = 1; // samples that the frame before was asked for
+  int Turns = 0;  // of this frame, this one included
   std::string Fault;
   std::vector<std::uint64_t> State;
   std::unique_ptr<Sum> Color;

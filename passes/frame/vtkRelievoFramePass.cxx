@@ -211,6 +211,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
     return;
   }
 
+  in.Gather.BeginFrame();
   while (!this->DrawSample(s))
   {
     // Not shown yet: the frame has more samples.

@@ -4,21 +4,28 @@
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
+#include "vtkCameraPass.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositePolyDataMapper2.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkImageProcessingPass.h"
 #include "vtkLight.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
+#include "vtkRelievoDrawnTime.h"
 #include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePass.h"
 #include "vtkRelievoPropParts.h"
 #include "vtkRelievoStage.h"
 #include "vtkRenderPass.h"
+#include "vtkRenderPassCollection.h"
 #include "vtkRenderer.h"
+#include "vtkSequencePass.h"
 #include "vtkShaderProperty.h"
-#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 #include "vtkUniforms.h"
 
@@ -48,25 +55,10 @@ public:
     this->Add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(object)));
     this->Add(static_cast<std::uint64_t>(object ? object->GetMTime() : 0));
   }
-  void Add(vtkDataObject* data)
-  {
-    this->Add(static_cast<vtkObject*>(data));
-    if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-    {
-      auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-      for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-      {
-        this->Add(static_cast<vtkObject*>(it->GetCurrentDataObject()));
-      }
-    }
-  }
   void Add(vtkTexture* texture)
   {
     this->Add(static_cast<vtkObject*>(texture));
-    if (texture)
-    {
-      this->Add(texture->GetInputDataObject(0, 0));
-    }
+    this->Add(static_cast<std::uint64_t>(vtkRelievoDrawnTime::OfTexture(texture)));
   }
 };
 
@@ -87,6 +79,50 @@ void AddView(State& state, const vtkRelievoFrameContext& context)
     state.Add(static_cast<double>(context.Window->GetSize()[axis]));
   }
   state.Add(static_cast<double>(context.Window->GetMultiSamples()));
+  state.Add(context.Window->GetUseSRGBColorSpace() ? 1.0 : 0.0);
+}
+
+// VTK's offsets in depth, of the process.
+void AddOffsets(State& state)
+{
+  double values[5];
+  vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(values[0], values[1]);
+  vtkMapper::GetResolveCoincidentTopologyLineOffsetParameters(values[2], values[3]);
+  vtkMapper::GetResolveCoincidentTopologyPointOffsetParameter(values[4]);
+  state.Add(values, 5);
+  state.Add(static_cast<double>(vtkMapper::GetResolveCoincidentTopology()));
+  state.Add(static_cast<double>(vtkMapper::GetResolveCoincidentTopologyPolygonOffsetFaces()));
+}
+
+// With what it hands on to, and what that does.
+void AddPass(State& state, vtkRenderPass* pass)
+{
+  state.Add(static_cast<vtkObject*>(pass));
+  if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
+  {
+    vtkRenderPassCollection* passes = sequence->GetPasses();
+    vtkCollectionSimpleIterator it;
+    if (passes)
+    {
+      passes->InitTraversal(it);
+      while (vtkRenderPass* each = passes->GetNextRenderPass(it))
+      {
+        AddPass(state, each);
+      }
+    }
+  }
+  else if (auto* camera = vtkCameraPass::SafeDownCast(pass))
+  {
+    AddPass(state, camera->GetDelegatePass());
+  }
+  else if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
+  {
+    AddPass(state, image->GetDelegatePass());
+  }
+  else if (auto* frame = vtkRelievoFramePass::SafeDownCast(pass))
+  {
+    AddPass(state, frame->GetDelegatePass());
+  }
 }
 
 void AddRenderer(State& state, vtkRenderer* renderer)
@@ -126,12 +162,17 @@ void AddActor(State& state, vtkActor* actor)
   state.Add(static_cast<vtkObject*>(shaders->GetFragmentCustomUniforms()));
   vtkMapper* mapper = actor->GetMapper();
   state.Add(static_cast<vtkObject*>(mapper));
-  for (int port = 0; mapper && port < mapper->GetNumberOfInputPorts(); ++port)
+  if (mapper)
   {
-    for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
-    {
-      state.Add(mapper->GetInputDataObject(port, i));
-    }
+    state.Add(static_cast<std::uint64_t>(vtkRelievoDrawnTime::OfInputs(mapper)));
+  }
+  if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
+  {
+    state.Add(static_cast<vtkObject*>(glyphs->GetBlockAttributes()));
+  }
+  else if (auto* blocks = vtkCompositePolyDataMapper2::SafeDownCast(mapper))
+  {
+    state.Add(static_cast<vtkObject*>(blocks->GetCompositeDataDisplayAttributes()));
   }
 }
 
@@ -162,6 +203,20 @@ void AddProps(State& state, vtkRenderer* renderer)
       if (auto* actor = vtkActor::SafeDownCast(part.Prop))
       {
         AddActor(state, actor);
+        continue;
+      }
+      // What annotations are made of.
+      vtkNew<vtkPropCollection> inner;
+      part.Prop->GetActors(inner);
+      vtkCollectionSimpleIterator each;
+      inner->InitTraversal(each);
+      while (vtkProp* piece = inner->GetNextProp(each))
+      {
+        state.Add(static_cast<vtkObject*>(piece));
+        if (auto* actor = vtkActor::SafeDownCast(piece))
+        {
+          AddActor(state, actor);
+        }
       }
     }
   }
@@ -176,7 +231,8 @@ std::vector<std::uint64_t> vtkRelievoFrameState::Take(
   AddView(state, context);
   AddRenderer(state, context.Renderer);
   AddProps(state, context.Renderer);
-  state.Add(static_cast<vtkObject*>(context.Delegate));
+  AddOffsets(state);
+  AddPass(state, context.Delegate);
   for (vtkRelievoStage* stage : stages)
   {
     state.Add(static_cast<vtkObject*>(stage));

@@ -21,12 +21,16 @@ constexpr double OtherSpread = 0.6180339887498949; // the golden ratio's
 // Nearer to a spot than so many radii, the rim of its cone may be lit where it is not.
 constexpr double RadiiOff = 8.0;
 
-// The samples in the order of these multiples: a permutation.
-std::vector<int> GetOrder(int samples, double spread)
+// The samples in the order of these multiples, counted from one of them, which is the first: a
+// permutation.
+std::vector<int> GetOrder(int samples, double spread, int first = 0)
 {
   std::vector<int> order(static_cast<std::size_t>(samples));
   std::iota(order.begin(), order.end(), 0);
-  const auto key = [spread](int i) { return i * spread - std::floor(i * spread); };
+  const auto key = [spread, first](int i) {
+    const double multiple = (i - first) * spread;
+    return multiple - std::floor(multiple);
+  };
   std::stable_sort(order.begin(), order.end(), [&key](int a, int b) { return key(a) < key(b); });
   return order;
 }
@@ -60,7 +64,7 @@ glm::dvec3 vtkRelievoLightSamples::InBall(int sample, int samples)
   const int i = GetOrder(samples, OtherSpread)[static_cast<std::size_t>(sample)];
   const std::vector<int> order = GetOrder(samples, Spread);
   const auto rank = std::find(order.begin(), order.end(), i) - order.begin();
-  const double r = GetBallRadius((static_cast<double>(rank) + 0.5) / samples);
+  const double r = rank == 0 ? 0.0 : GetBallRadius((static_cast<double>(rank) + 0.5) / samples);
   const double z = 1.0 - 2.0 * (i + 0.5) / samples;
   const double s = std::sqrt(1.0 - z * z);
   return r * glm::dvec3(s * std::cos(i * GoldenAngle), s * std::sin(i * GoldenAngle), z);
@@ -69,8 +73,9 @@ glm::dvec3 vtkRelievoLightSamples::InBall(int sample, int samples)
 //------------------------------------------------------------------------------
 glm::dvec2 vtkRelievoLightSamples::OnSquare(int sample, int samples)
 {
-  const int i = GetOrder(samples, OtherSpread)[static_cast<std::size_t>(sample)];
-  const double y = i * Spread + 0.5;
+  const int middle = samples / 2;
+  const int i = GetOrder(samples, OtherSpread, middle)[static_cast<std::size_t>(sample)];
+  const double y = (i - middle) * Spread + 0.5;
   return glm::dvec2(2.0 * (i + 0.5) / samples - 1.0, 2.0 * (y - std::floor(y)) - 1.0);
 }
 
@@ -143,9 +148,14 @@ void vtkRelievoLightSizes::Move(vtkRelievoShadowLight& light, int sample, int sa
   glm::dvec3 offset(0.0);
   if (!light.Positional)
   {
-    const glm::dvec2 place =
-      std::tan(0.5 * vtkMath::RadiansFromDegrees(size)) * OnDisc(sample, samples);
-    light.Direction = glm::normalize(light.Direction + place.x * right + place.y * up);
+    // Evenly over the solid angle of its cone.
+    const glm::dvec2 place = OnDisc(sample, samples);
+    const double r = glm::length(place);
+    const double half = std::sin(0.25 * vtkMath::RadiansFromDegrees(size));
+    const double off = 2.0 * half * half * r * r; // 1 - cosine
+    const double sine = 2.0 * half * std::sqrt(1.0 - half * half * r * r);
+    light.Direction =
+      glm::normalize((1.0 - off) * light.Direction + sine * (place.x * right + place.y * up));
     return;
   }
   if (shape && shape->IsFlat())
@@ -163,7 +173,7 @@ void vtkRelievoLightSizes::Move(vtkRelievoShadowLight& light, int sample, int sa
     offset = size * InBall(sample, samples);
   }
   light.Position += offset;
-  if (light.IsSpot() && offset != glm::dvec3(0.0))
+  if (light.IsSpot())
   {
     // The cone of the light itself, which stays where it is, is within that of its map.
     const double tangent = std::tan(vtkMath::RadiansFromDegrees(light.ConeAngle));

@@ -24,10 +24,10 @@ namespace vtkRelievoLightSamples
 VTKRELIEVOSHADOWS_EXPORT glm::dvec2 OnDisc(int sample, int samples);
 
 // Of the unit ball, denser towards its surface as 1 / sqrt(1 - r^2): from every side it is seen as
-// an evenly covered disc, as a glowing ball is.
+// an evenly covered disc, as a glowing ball is. The first is the centre.
 VTKRELIEVOSHADOWS_EXPORT glm::dvec3 InBall(int sample, int samples);
 
-// Of the square from -1 to 1.
+// Of the square from -1 to 1; the first is within 1 / samples of its middle.
 VTKRELIEVOSHADOWS_EXPORT glm::dvec2 OnSquare(int sample, int samples);
 }
 

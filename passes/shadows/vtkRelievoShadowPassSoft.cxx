@@ -21,6 +21,12 @@ constexpr double LargestLamp = 1e9;
 //------------------------------------------------------------------------------
 void vtkRelievoShadowPass::SetSunAngle(double degrees)
 {
+  if (!std::isfinite(degrees))
+  {
+    vtkErrorMacro(
+      "SetSunAngle was given " << degrees << "; give it 0 to " << WidestSun << " degrees.");
+    return;
+  }
   degrees = std::min(std::max(degrees, 0.0), WidestSun);
   if (this->SunAngle != degrees)
   {
@@ -32,6 +38,12 @@ void vtkRelievoShadowPass::SetSunAngle(double degrees)
 //------------------------------------------------------------------------------
 void vtkRelievoShadowPass::SetLampRadius(double radius)
 {
+  if (!std::isfinite(radius))
+  {
+    vtkErrorMacro(
+      "SetLampRadius was given " << radius << "; give it 0 to " << LargestLamp << " world units.");
+    return;
+  }
   radius = std::min(std::max(radius, 0.0), LargestLamp);
   if (this->LampRadius != radius)
   {

@@ -4,17 +4,14 @@
 
 #include "vtkActor.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPlane.h"
-#include "vtkPlaneCollection.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCasterDraw.h"
+#include "vtkRelievoDrawnTime.h"
 #include "vtkRelievoFrameScene.h"
 #include "vtkRelievoPropParts.h"
 #include "vtkRelievoShadowFit.h"
@@ -28,26 +25,6 @@
 
 namespace
 {
-vtkMTimeType GetDataTime(vtkDataObject* data)
-{
-  vtkMTimeType time = data ? data->GetMTime() : 0;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-    {
-      time = std::max(time, it->GetCurrentDataObject()->GetMTime());
-    }
-  }
-  return time;
-}
-
-vtkMTimeType GetTextureTime(vtkTexture* texture)
-{
-  return texture ? std::max(texture->GetMTime(), GetDataTime(texture->GetInputDataObject(0, 0)))
-                 : 0;
-}
-
 bool IsPlain(vtkMapper* mapper)
 {
   return std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
@@ -56,24 +33,7 @@ bool IsPlain(vtkMapper* mapper)
 // Of what a mapper draws, not of how it colours it.
 vtkMTimeType GetMapperTime(vtkMapper* mapper)
 {
-  vtkMTimeType time = 0;
-  for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
-    {
-      time = std::max(time, GetDataTime(mapper->GetInputDataObject(port, i)));
-    }
-  }
-  if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
-  {
-    time = std::max(time, planes->GetMTime());
-    vtkCollectionSimpleIterator it;
-    planes->InitTraversal(it);
-    while (vtkPlane* plane = planes->GetNextPlane(it))
-    {
-      time = std::max(time, plane->GetMTime());
-    }
-  }
+  const vtkMTimeType time = vtkRelievoDrawnTime::OfInputs(mapper);
   // A plain mapper's own settings are about colour; others' may be sizes, blocks, orientations.
   return IsPlain(mapper) ? time : std::max(time, mapper->GetMTime());
 }
@@ -256,10 +216,10 @@ void vtkRelievoShadowProps::AddState(vtkActor* actor)
   this->AddDouble(property->GetPointSize());
   this->AddDouble(property->GetLineWidth());
   // Cut-outs: what is not there casts nothing.
-  this->State.push_back(GetTextureTime(actor->GetTexture()));
+  this->State.push_back(vtkRelievoDrawnTime::OfTexture(actor->GetTexture()));
   for (const auto& named : property->GetAllTextures())
   {
-    this->State.push_back(GetTextureTime(named.second));
+    this->State.push_back(vtkRelievoDrawnTime::OfTexture(named.second));
   }
   if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
   {

@@ -99,7 +99,35 @@ void TestSamples()
     RELIEVO_CHECK_AT_MOST(disc, 0.9 / n + 0.002, "discrepancy on a disc");
     RELIEVO_CHECK_AT_MOST(ball, 1.2 / n + 0.003, "discrepancy in a ball");
   }
-  RELIEVO_CHECK(vtkRelievoLightSamples::OnDisc(0, Samples) == glm::dvec2(0.));
+  for (const int n : { 2, 5, 16, Samples })
+  {
+    RELIEVO_CHECK(vtkRelievoLightSamples::OnDisc(0, n) == glm::dvec2(0.));
+    RELIEVO_CHECK(vtkRelievoLightSamples::InBall(0, n) == glm::dvec3(0.));
+    RELIEVO_CHECK_AT_MOST(glm::length(vtkRelievoLightSamples::OnSquare(0, n)), 1.001 / n,
+      "first sample's distance from the middle of a square");
+  }
+  // The share of the square's samples in a corner's box, against its area.
+  for (const int n : { 16, 64, 256 })
+  {
+    double worst = 0.;
+    for (double right = -0.9; right <= 1.; right += 0.1)
+    {
+      for (double top = -0.9; top <= 1.; top += 0.1)
+      {
+        int within = 0;
+        for (int i = 0; i < n; ++i)
+        {
+          const glm::dvec2 p = vtkRelievoLightSamples::OnSquare(i, n);
+          within += p.x < right && p.y < top ? 1 : 0;
+        }
+        worst = std::max(
+          worst, std::abs(static_cast<double>(within) / n - (right + 1.) * (top + 1.) / 4.));
+      }
+    }
+    std::cout << n << " samples: largest discrepancy " << worst << " on a square\n";
+    // As a lattice's, log(n) / n; of random points it is about 0.5 / sqrt(n).
+    RELIEVO_CHECK_AT_MOST(worst, (1. + 0.5 * std::log2(n)) / n, "discrepancy on a square");
+  }
 }
 
 // A sheet whose edge is over the middle of the ground: what is seen of the light beside it.
@@ -201,7 +229,7 @@ void TestMesh(const std::string& name, SceneLight kind, double size)
       name + ", " + Methods[method] + ", light " + std::to_string(static_cast<int>(kind));
     std::cout << what << ": " << errors.ToString() << std::endl;
     RELIEVO_CHECK_THAT(
-      errors.Compared > 1000 && errors.Penumbra > 40, what + ": too little is compared");
+      errors.Compared > 1000 && errors.Penumbra > 100, what + ": too little is compared");
     for (std::size_t i = 0; i < soft.Shares.size(); ++i)
     {
       const float drawn = Visibility(layers.Image)[i];
@@ -211,6 +239,9 @@ void TestMesh(const std::string& name, SceneLight kind, double size)
                   << soft.Shares[i] << std::endl;
       }
     }
+    // A map keeps its own error at edges, however many samples there are.
+    RELIEVO_CHECK_AT_MOST(
+      errors.PenumbraRms, method == 0 ? 0.06 : Limit, what + ": rms error in the penumbra");
     RELIEVO_CHECK_AT_MOST(errors.Rms, Limit, what + ": rms error");
     RELIEVO_CHECK_AT_MOST(std::abs(errors.PenumbraMean), Limit, what + ": mean error");
   }

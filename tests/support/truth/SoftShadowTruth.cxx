@@ -7,6 +7,7 @@
 #include <vtkLight.h>
 #include <vtkSMPTools.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -38,7 +39,7 @@ struct Source
   bool Spot;
   glm::dvec3 Position;
   glm::dvec3 Axis;
-  double Size; // radius, or tangent of half the angle
+  double Size; // radius, or half the angle in radians
 
   // Towards a place of the unit disc, as far as the light is; to infinity along it for a sun.
   glm::dvec3 Toward(const glm::dvec3& from, double x, double y) const
@@ -48,8 +49,15 @@ struct Source
     const glm::dvec3 any = std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 right = glm::normalize(glm::cross(axis, any));
     const glm::dvec3 up = glm::cross(axis, right);
-    const glm::dvec3 off = this->Size * (x * right + y * up);
-    return this->Positional ? this->Position + off - from : off - axis;
+    if (!this->Positional)
+    {
+      // Equal areas of the disc to equal solid angles: 1 - cosine grows as the area does.
+      const double cosine = 1. - (x * x + y * y) * (1. - std::cos(this->Size));
+      const double turn = std::atan2(y, x);
+      const double sine = std::sqrt(std::max(0., 1. - cosine * cosine));
+      return sine * (std::cos(turn) * right + std::sin(turn) * up) - cosine * axis;
+    }
+    return this->Position + this->Size * (x * right + y * up) - from;
   }
 };
 
@@ -86,7 +94,7 @@ SoftShadowTruth TraceSoftShadow(
   source.Axis = glm::normalize(focus - source.Position);
   source.Positional = light->GetPositional() != 0;
   source.Spot = source.Positional && light->GetConeAngle() < 90.;
-  source.Size = source.Positional ? size : std::tan(0.5 * glm::radians(size));
+  source.Size = source.Positional ? size : 0.5 * glm::radians(size);
   const double cosine = std::cos(glm::radians(light->GetConeAngle()));
 
   SoftShadowTruth truth;

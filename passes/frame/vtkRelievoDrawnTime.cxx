@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoDrawnTime.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkMapper.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkSmartPointer.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoDrawnTime::OfData(vtkDataObject* data)
+{
+  vtkMTimeType time = data ? data->GetMTime() : 0;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      time = std::max(time, it->GetCurrentDataObject()->GetMTime());
+    }
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoDrawnTime::OfTexture(vtkTexture* texture)
+{
+  vtkMTimeType time = texture ? texture->GetMTime() : 0;
+  for (int port = 0; texture && port < texture->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < texture->GetNumberOfInputConnections(port); ++i)
+    {
+      texture->GetInputAlgorithm(port, i)->Update();
+      time = std::max(time, OfData(texture->GetInputDataObject(port, i)));
+    }
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoDrawnTime::OfInputs(vtkMapper* mapper)
+{
+  vtkMTimeType time = 0;
+  for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
+    {
+      time = std::max(time, OfData(mapper->GetInputDataObject(port, i)));
+    }
+  }
+  if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
+  {
+    time = std::max(time, planes->GetMTime());
+    vtkCollectionSimpleIterator it;
+    planes->InitTraversal(it);
+    while (vtkPlane* plane = planes->GetNextPlane(it))
+    {
+      time = std::max(time, plane->GetMTime());
+    }
+  }
+  return time;
+}
