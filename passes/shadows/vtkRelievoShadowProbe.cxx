@@ -6,9 +6,11 @@
 #include "vtkRelievoShadowPass.h"
 #include "vtkRelievoShadowWork.h"
 #include "vtkRelievoThreads.h"
+#include "vtkRelievoTiles.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -35,19 +37,58 @@ glm::dvec3 Round(const glm::dvec3& v, double step)
   return step * glm::round(v / step);
 }
 
-// Near and far by powers of two, as most cameras' follow the scene; only what is in view by its
-// sides matters.
+// Near and far in steps, as most cameras' follow the scene; only what is in view by its sides
+// matters.
 void SetDepths(vtkRelievoView& view)
 {
-  const double n = std::exp2(std::floor(std::log2(std::max(view.Near, 1e-300))));
-  const double f = std::exp2(std::ceil(std::log2(std::max(view.Far, 1e-300))));
+  double& n = view.Near;
+  double& f = view.Far;
   glm::dmat4& p = view.ViewToNDC;
-  if (view.Parallel || !(view.Near > 0.0) || !(f > n))
+  if (!(f > n) || !(view.Parallel || n > 0.0))
   {
     return;
   }
+  if (view.Parallel)
+  {
+    const double step = 0.5 * std::exp2(std::ceil(std::log2(f - n)));
+    n = step * std::floor(n / step);
+    f = step * std::ceil(f / step);
+    p[2][2] = -2.0 / (f - n);
+    p[3][2] = -(f + n) / (f - n);
+    return;
+  }
+  n = std::exp2(std::floor(std::log2(n)));
+  f = std::exp2(std::ceil(std::log2(f)));
   p[2][2] = -(f + n) / (f - n);
   p[3][2] = -2.0 * f * n / (f - n);
+}
+
+// The depth from which on surfaces are seen, in steps: the near plane's if it cuts something.
+double GetFirst(const vtkRelievoView& view, const std::vector<vtkRelievoBox>& boxes)
+{
+  const auto cut = [&view](const vtkRelievoBox& box) {
+    double low = 1e300;
+    double high = -1e300;
+    for (int i = 0; i < 8; ++i)
+    {
+      const glm::dvec4 corner(i & 1 ? box.Max.x : box.Min.x, i & 2 ? box.Max.y : box.Min.y,
+        i & 4 ? box.Max.z : box.Min.z, 1.0);
+      const double depth = -(view.WorldToView * corner).z;
+      low = std::min(low, depth);
+      high = std::max(high, depth);
+    }
+    return low < view.Near && high > (view.Parallel ? -1e300 : 0.0);
+  };
+  if (!(view.Far > view.Near) || std::none_of(boxes.begin(), boxes.end(), cut))
+  {
+    return std::numeric_limits<double>::lowest();
+  }
+  if (view.Parallel)
+  {
+    const double step = std::exp2(std::floor(std::log2(view.Far - view.Near))) / 64.0;
+    return step * std::floor(view.Near / step);
+  }
+  return view.Near > 0.0 ? std::exp2(std::floor(8.0 * std::log2(view.Near)) / 8.0) : 0.0;
 }
 
 // The camera at the nearest of a few places and directions.
@@ -117,6 +158,28 @@ vtkRelievoShadowScene GetScene(const vtkRelievoShadowWork& work, const vtkReliev
   return scene;
 }
 
+// The part of the window that boxes are seen in.
+glm::dvec4 GetPart(const std::vector<vtkRelievoBox>& boxes, const glm::dmat4& worldToNDC)
+{
+  glm::dvec2 low(1.0);
+  glm::dvec2 high(-1.0);
+  for (const glm::dvec3& point :
+    vtkRelievoShadowRegion::GetPoints(vtkRelievoShadowRegion::Cut(boxes, worldToNDC)))
+  {
+    const glm::dvec4 clip = worldToNDC * glm::dvec4(point, 1.0);
+    if (!(clip.w > 0.0))
+    {
+      return glm::dvec4(0.0, 0.0, 1.0, 1.0);
+    }
+    low = glm::min(low, glm::dvec2(clip) / clip.w);
+    high = glm::max(high, glm::dvec2(clip) / clip.w);
+  }
+  low = glm::clamp(low, -1.0, 1.0);
+  high = glm::clamp(high, -1.0, 1.0);
+  return high.x > low.x && high.y > low.y ? glm::dvec4(0.5 * low + 0.5, 0.5 * (high - low))
+                                          : glm::dvec4(0.0, 0.0, 1.0, 1.0);
+}
+
 void Add(std::vector<double>& key, const glm::dvec3& v)
 {
   key.insert(key.end(), { v.x, v.y, v.z });
@@ -154,15 +217,50 @@ bool Project(const vtkRelievoShadowView& view, const glm::dvec3& world, glm::dve
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowProbe::Update(
-  const vtkRelievoShadowWork& work, const std::vector<vtkRelievoShadowLight>& lights)
+vtkRelievoView vtkRelievoShadowProbe::GetPicture(const vtkRelievoView& view, vtkRenderer* renderer)
+{
+  vtkRelievoView picture = view;
+  const glm::dmat4 toPicture = vtkRelievoGetTileToPicture(renderer);
+  picture.ViewToNDC = toPicture * view.ViewToNDC;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    int& pixels = picture.Viewport[2 + axis];
+    pixels = static_cast<int>(std::lround(pixels / toPicture[axis][axis]));
+  }
+  return picture;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowProbe::HasScene(const vtkRelievoShadowProps& props) const
+{
+  return props.GetSceneState() == this->Scene;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProbe::Settle(const vtkRelievoShadowProps& props)
+{
+  this->Scene = props.GetSceneState();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProbe::Release()
+{
+  const int updates = this->Updates;
+  *this = vtkRelievoShadowProbe();
+  this->Updates = updates;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProbe::Update(const vtkRelievoShadowWork& work,
+  const std::vector<vtkRelievoShadowLight>& lights, const vtkRelievoView& picture)
 {
   const glm::dvec3 center = vtkRelievoShadowRegion::GetMiddle(vtkRelievoShadowRegion::Cut(
-    work.Props.GetReceiverBoxes(), work.View.ViewToNDC * work.View.WorldToView));
-  const vtkRelievoView view = GetStep(work.View, center);
+    work.Props.GetReceiverBoxes(), picture.ViewToNDC * picture.WorldToView));
+  const vtkRelievoView view = GetStep(picture, center);
+  const double first = GetFirst(picture, work.Props.GetAllBoxes());
   const std::vector<vtkRelievoShadowLight> casting = GetStep(lights, center);
   std::vector<double> key = { static_cast<double>(view.Viewport[2]),
-    static_cast<double>(view.Viewport[3]), work.Bias, static_cast<double>(work.Radius) };
+    static_cast<double>(view.Viewport[3]), first, work.Bias, static_cast<double>(work.Radius) };
   Add(key, view.WorldToView);
   Add(key, view.ViewToNDC);
   for (const vtkRelievoShadowLight& light : casting)
@@ -171,24 +269,25 @@ void vtkRelievoShadowProbe::Update(
     Add(key, light.Direction);
     key.insert(key.end(), { light.Positional ? 1.0 : 0.0, light.ConeAngle, light.Reach });
   }
-  for (const vtkRelievoBox& box : work.Props.GetAllBoxes()) // who receives, and what is seen
+  for (const vtkRelievoBox& box : work.Props.GetAllBoxes())
   {
     Add(key, box.Min);
     Add(key, box.Max);
   }
-  key.push_back(static_cast<double>(work.Props.GetReceiverBoxes().size()));
-  if (key == this->Key && work.Props.GetState() == this->Casters)
+  if (key == this->Key && this->HasScene(work.Props))
   {
     return;
   }
   this->Key = key;
-  this->Casters = work.Props.GetState();
+  this->Settle(work.Props);
   ++this->Updates;
   this->Lights = casting;
   this->Unfollowed.clear();
   this->Rays.SetSurfaces(work.Props.CollectSurfaces(false, this->Unfollowed));
-  this->TakeSamples(view);
   const vtkRelievoShadowScene scene = GetScene(work, view);
+  this->TakeSamples(view,
+    std::max(first, view.Parallel ? 2.0 * view.Near - view.Far : 1e-9 * view.Near),
+    GetPart(scene.Receivers, scene.WorldToNDC));
   vtkRelievoShadowCache even;
   even.Update(casting, scene, *vtkRelievoShadowMethod::Make(vtkRelievoShadowPass::METHOD_MAP));
   this->Maps = even.GetNumberOfMaps();
@@ -205,9 +304,10 @@ void vtkRelievoShadowProbe::Update(
 }
 
 //------------------------------------------------------------------------------
-// Places that face a light, at pixels that fill the window evenly (M. Roberts, The unreasonable
+// Places that face a light, at pixels that fill the part evenly (M. Roberts, The unreasonable
 // effectiveness of quasirandom sequences, 2018).
-void vtkRelievoShadowProbe::TakeSamples(const vtkRelievoView& view)
+void vtkRelievoShadowProbe::TakeSamples(
+  const vtkRelievoView& view, double nearest, const glm::dvec4& part)
 {
   const vtkRelievoShadowPixels pixels(view, this->Rays.GetCenter());
   const glm::dvec3 center = this->Rays.GetCenter();
@@ -220,11 +320,11 @@ void vtkRelievoShadowProbe::TakeSamples(const vtkRelievoView& view)
     found.assign(LeastSamples, {});
     std::vector<char> lost(LeastSamples, 0);
     const auto look = [&](int i) {
-      const double x = std::fmod(0.5 + 0.7548776662466927 * (first + i), 1.0);
-      const double y = std::fmod(0.5 + 0.5698402909980532 * (first + i), 1.0);
+      const double x = part.x + part.z * std::fmod(0.5 + 0.7548776662466927 * (first + i), 1.0);
+      const double y = part.y + part.w * std::fmod(0.5 + 0.5698402909980532 * (first + i), 1.0);
       const vtkRelievoPixelRay eye = pixels.GetRay(x * view.Viewport[2], y * view.Viewport[3]);
       const vtkRelievoCasterRays::Meeting seen = this->Rays.FindFirst(
-        eye.From, eye.Ray, view.Parallel ? 2.0 * view.Near - view.Far : 1e-9 * view.Near);
+        eye.From, eye.Ray, nearest);
       lost[i] = vtkRelievoMeetsAny(
         this->Unfollowed, center, eye.From, eye.Ray, seen.Surface < 0 ? 1e300 : seen.T);
       if (seen.Surface < 0 || lost[i] || !this->Rays.GetSurfaces()[seen.Surface].Receives)
@@ -263,7 +363,8 @@ void vtkRelievoShadowProbe::TakeSamples(const vtkRelievoView& view)
       }
     }
   }
-  this->Known = unknown <= static_cast<long long>(this->Samples.size());
+  this->Known =
+    !this->Samples.empty() && unknown <= static_cast<long long>(this->Samples.size());
 }
 
 //------------------------------------------------------------------------------
