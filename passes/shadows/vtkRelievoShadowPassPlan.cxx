@@ -6,6 +6,7 @@
 
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkRelievoFrameContext.h"
+#include "vtkRelievoProbeView.h"
 
 #include <algorithm>
 #include <chrono>
@@ -109,7 +110,7 @@ void vtkRelievoShadowPass::UpdateProbe()
     in.Work.Bias = this->Bias;
     in.Work.Radius = this->FilterRadius;
     in.Probe.Update(in.Work, in.Lights.GetCasting(),
-      vtkRelievoShadowProbe::GetPicture(in.Work.View, in.Renderer));
+      vtkRelievoProbeView::GetPicture(in.Work.View, in.Renderer));
   }
 }
 
@@ -150,7 +151,7 @@ void vtkRelievoShadowPass::MakePlan(vtkRelievoFrameContext& context)
     const double texels = static_cast<double>(size) * size * in.Load.Maps;
     return in.RoomRefused == 0.0 || texels < in.RoomRefused;
   };
-  const vtkRelievoView picture = vtkRelievoShadowProbe::GetPicture(context.View, context.Renderer);
+  const vtkRelievoView picture = vtkRelievoProbeView::GetPicture(context.View, context.Renderer);
   const bool tiled = picture.Viewport[2] != context.View.Viewport[2] ||
     picture.Viewport[3] != context.View.Viewport[3];
   const int updates = in.Probe.GetUpdates();

@@ -20,15 +20,11 @@
 
 class vtkRelievoShadowMethod;
 class vtkRelievoShadowProps;
-class vtkRenderer;
 struct vtkRelievoShadowWork;
 
 class vtkRelievoShadowProbe
 {
 public:
-  // The view of the whole picture, of which the frame's may be a tile.
-  static vtkRelievoView GetPicture(const vtkRelievoView& view, vtkRenderer* renderer);
-
   // Brings the probe up to date with the frame's casters and lights, and the picture's view.
   void Update(const vtkRelievoShadowWork& work, const std::vector<vtkRelievoShadowLight>& lights,
     const vtkRelievoView& picture);
