@@ -204,12 +204,12 @@ void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& ligh
     const std::string regret = best ? Number(chosen->Milliseconds / best->Milliseconds) : "-";
     tables.Choices.AddRow({ name, light.Name, window, Number(100. * tolerance), chosen->Name(),
       SizeWords(*chosen), Number(100. * chosen->Expected), Number(100. * chosen->Wrong),
-      Number(chosen->Wrong / tolerance), Number(chosen->Milliseconds), bestName,
-      bestSize, bestTime, regret });
+      Number(chosen->Wrong / tolerance), Number(chosen->Milliseconds), bestName, bestSize, bestTime,
+      regret });
     std::cout << "  " << Number(100. * tolerance, 2) << " %: " << chosen->Name() << " "
               << SizeWords(*chosen) << ", " << Number(chosen->Wrong / tolerance, 3)
-              << " of the tolerance; best " << bestName << " " << bestSize << ", regret "
-              << regret << std::endl;
+              << " of the tolerance; best " << bestName << " " << bestSize << ", regret " << regret
+              << std::endl;
   }
   // After ten frames, the next ones.
   MovingWindow moving(name, mesh, light, size);

@@ -344,8 +344,8 @@ vtkRelievoCasterRays::Meeting vtkRelievoCasterRays::Find(
     {
       glm::dvec3 corner;
       const bool culls = caster.CullsFront || caster.CullsBack;
-      const bool front = culls &&
-        glm::dot(this->GetNormal({ surface, triangle, t, {} }, corner), ray) < 0.0;
+      const bool front =
+        culls && glm::dot(this->GetNormal({ surface, triangle, t, {} }, corner), ray) < 0.0;
       if (!culls || !(front ? caster.CullsFront : caster.CullsBack))
       {
         found = { surface, triangle, t, glm::dvec3(0.0) };

@@ -96,7 +96,8 @@ std::vector<vtkRelievoShadowLight> vtkRelievoProbeView::GetStep(
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoProbeView::GetFirst(const vtkRelievoView& view, const std::vector<vtkRelievoBox>& boxes)
+double vtkRelievoProbeView::GetFirst(
+  const vtkRelievoView& view, const std::vector<vtkRelievoBox>& boxes)
 {
   const auto cut = [&view](const vtkRelievoBox& box) {
     double low = 1e300;
@@ -124,7 +125,8 @@ double vtkRelievoProbeView::GetFirst(const vtkRelievoView& view, const std::vect
 }
 
 //------------------------------------------------------------------------------
-glm::dvec4 vtkRelievoProbeView::GetPart(const std::vector<vtkRelievoBox>& boxes, const glm::dmat4& worldToNDC)
+glm::dvec4 vtkRelievoProbeView::GetPart(
+  const std::vector<vtkRelievoBox>& boxes, const glm::dmat4& worldToNDC)
 {
   glm::dvec2 low(1.0);
   glm::dvec2 high(-1.0);

@@ -46,8 +46,8 @@ public:
   vtkRelievoShadowPlanner::Load Load;
   bool Planned = false;
   double RoomRefused = 0.0; // texels of maps that OpenGL had no memory for; 0: none
-  bool Fresh = false; // other than in the frame before
-  bool Failed = false; // what was chosen could not be made
+  bool Fresh = false;       // other than in the frame before
+  bool Failed = false;      // what was chosen could not be made
   int ProbesBefore = 0;
   double Began = 0.0; // milliseconds
   double Took = -1.0;

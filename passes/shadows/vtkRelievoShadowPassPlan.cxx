@@ -109,8 +109,8 @@ void vtkRelievoShadowPass::UpdateProbe()
   {
     in.Work.Bias = this->Bias;
     in.Work.Radius = this->FilterRadius;
-    in.Probe.Update(in.Work, in.Lights.GetCasting(),
-      vtkRelievoProbeView::GetPicture(in.Work.View, in.Renderer));
+    in.Probe.Update(
+      in.Work, in.Lights.GetCasting(), vtkRelievoProbeView::GetPicture(in.Work.View, in.Renderer));
   }
 }
 
@@ -160,8 +160,8 @@ void vtkRelievoShadowPass::MakePlan(vtkRelievoFrameContext& context)
     this->UpdateProbe();
   }
   if (planned && in.Planned && this->TimeBudget > 0.0 && (!context.Picture || tiled) &&
-    updates == in.Probe.GetUpdates() &&
-    !(refused && before.Method == METHOD_EXACT) && hasRoom(before.Size))
+    updates == in.Probe.GetUpdates() && !(refused && before.Method == METHOD_EXACT) &&
+    hasRoom(before.Size))
   {
     return; // layers and tiles of a picture are made as the picture was
   }

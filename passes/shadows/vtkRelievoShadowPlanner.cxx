@@ -131,8 +131,8 @@ void vtkRelievoShadowPlanner::AddTime(
     }
   };
   ++this->Frame;
-  add(this->Ratios[{ way.Method, way.Size, redraws }],
-    Measured{ milliseconds / model, this->Frame });
+  add(
+    this->Ratios[{ way.Method, way.Size, redraws }], Measured{ milliseconds / model, this->Frame });
   add(this->AllRatios, milliseconds / model);
   this->Redraws = redraws;
 }

@@ -24,10 +24,10 @@ constexpr double LeastPower = 0.5;
 // (docs/charts/README.md).
 constexpr double WrongOfCounted = 0.6;
 
-constexpr int Phases = 8;            // places of the grid that are tried
-constexpr int LeastSamples = 3000;   // that face a light
-constexpr int MostPixels = 9000;     // that are looked at for them
-constexpr int FittedSize = 2048;     // of the maps whose views are asked for
+constexpr int Phases = 8;          // places of the grid that are tried
+constexpr int LeastSamples = 3000; // that face a light
+constexpr int MostPixels = 9000;   // that are looked at for them
+constexpr int FittedSize = 2048;   // of the maps whose views are asked for
 
 vtkRelievoShadowScene GetScene(const vtkRelievoShadowWork& work, const vtkRelievoView& view)
 {
@@ -175,8 +175,7 @@ void vtkRelievoShadowProbe::TakeSamples(
       const double x = part.x + part.z * std::fmod(0.5 + 0.7548776662466927 * (first + i), 1.0);
       const double y = part.y + part.w * std::fmod(0.5 + 0.5698402909980532 * (first + i), 1.0);
       const vtkRelievoPixelRay eye = pixels.GetRay(x * view.Viewport[2], y * view.Viewport[3]);
-      const vtkRelievoCasterRays::Meeting seen = this->Rays.FindFirst(
-        eye.From, eye.Ray, nearest);
+      const vtkRelievoCasterRays::Meeting seen = this->Rays.FindFirst(eye.From, eye.Ray, nearest);
       lost[i] = vtkRelievoMeetsAny(
         this->Unfollowed, center, eye.From, eye.Ray, seen.Surface < 0 ? 1e300 : seen.T);
       if (seen.Surface < 0 || lost[i] || !this->Rays.GetSurfaces()[seen.Surface].Receives)
@@ -215,8 +214,7 @@ void vtkRelievoShadowProbe::TakeSamples(
       }
     }
   }
-  this->Known =
-    !this->Samples.empty() && unknown <= static_cast<long long>(this->Samples.size());
+  this->Known = !this->Samples.empty() && unknown <= static_cast<long long>(this->Samples.size());
 }
 
 //------------------------------------------------------------------------------

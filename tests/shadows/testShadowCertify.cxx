@@ -68,8 +68,8 @@ void TestBound()
   RELIEVO_CHECK_NEAR(Certificate::GetBound(0, 1, 0.1), 0.1, 1e-9, "a confidence of 10 %");
   RELIEVO_CHECK_NEAR(Certificate::GetBound(1, 2, 0.1), std::sqrt(0.1), 1e-9, "one of two, 10 %");
   // Many wrong: the normal distribution's 1.645 sigma.
-  RELIEVO_CHECK_NEAR(Certificate::GetBound(5000000, 10000000), 0.5 + 1.645 * 0.5e-3 / std::sqrt(10.),
-    1e-6, "half of many");
+  RELIEVO_CHECK_NEAR(Certificate::GetBound(5000000, 10000000),
+    0.5 + 1.645 * 0.5e-3 / std::sqrt(10.), 1e-6, "half of many");
 }
 
 // All verdicts of a coarse map: the share that Embree finds; a part of them by lot: a bound that
@@ -192,8 +192,7 @@ void TestForcedOpaque()
 void TestThinPlate()
 {
   long long grazing[2];
-  for (const int format :
-    { vtkRelievoGBufferPass::DEPTH_32F, vtkRelievoGBufferPass::DEPTH_16F })
+  for (const int format : { vtkRelievoGBufferPass::DEPTH_32F, vtkRelievoGBufferPass::DEPTH_16F })
   {
     ShadowStage stage(120, 90);
     stage.AddBox({ 0., 1., 0. }, { 1.5, 0.0005, 1.5 });

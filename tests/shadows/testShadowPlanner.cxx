@@ -149,9 +149,8 @@ void TestTiles()
   using Note = decltype(note);
   vtkNew<vtkCallbackCommand> drawn;
   drawn->SetClientData(const_cast<Note*>(&note));
-  drawn->SetCallback([](vtkObject*, unsigned long, void* data, void*) {
-    (*static_cast<const Note*>(data))();
-  });
+  drawn->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { (*static_cast<const Note*>(data))(); });
   for (const double tolerance : { 2e-3, 1e-3, 7e-4, 5e-4, 3e-4 })
   {
     shadows->SetTolerance(tolerance);
