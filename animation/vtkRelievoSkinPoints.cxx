@@ -305,7 +305,7 @@ std::string SkinMesh(
   {
     points->SetDataType(VTK_DOUBLE);
     points->SetNumberOfPoints(count);
-    auto* to = static_cast<double*>(points->GetVoidPointer(0));
+    double* to = vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0);
     MoveAll<double>(method, matrices, influences,
       { wide->GetPointer(0), to, normalsOut, tangentsOut, components }, count);
   }
@@ -314,7 +314,7 @@ std::string SkinMesh(
     const auto from = As<vtkFloatArray>(input->GetPoints()->GetData());
     points->SetDataType(VTK_FLOAT);
     points->SetNumberOfPoints(count);
-    auto* to = static_cast<float*>(points->GetVoidPointer(0));
+    float* to = vtkFloatArray::SafeDownCast(points->GetData())->GetPointer(0);
     MoveAll<float>(method, matrices, influences,
       { from->GetPointer(0), to, normalsOut, tangentsOut, components }, count);
   }

@@ -192,20 +192,24 @@ void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& ligh
         best = &way;
       }
     }
-    if (chosen == ways.end() || !best)
+    if (chosen == ways.end())
     {
       std::cerr << "relievo: bench: " << shadows->GetPlan() << " is no way that was measured\n";
       continue;
     }
-    const double regret = chosen->Milliseconds / best->Milliseconds;
+    // Where no way meets the tolerance there is no best.
+    const std::string bestName = best ? best->Name() : "none";
+    const std::string bestSize = best ? SizeWords(*best) : "-";
+    const std::string bestTime = best ? Number(best->Milliseconds) : "-";
+    const std::string regret = best ? Number(chosen->Milliseconds / best->Milliseconds) : "-";
     tables.Choices.AddRow({ name, light.Name, window, Number(100. * tolerance), chosen->Name(),
       SizeWords(*chosen), Number(100. * chosen->Expected), Number(100. * chosen->Wrong),
-      Number(chosen->Wrong / tolerance), Number(chosen->Milliseconds), best->Name(),
-      SizeWords(*best), Number(best->Milliseconds), Number(regret) });
+      Number(chosen->Wrong / tolerance), Number(chosen->Milliseconds), bestName, bestSize, bestTime,
+      regret });
     std::cout << "  " << Number(100. * tolerance, 2) << " %: " << chosen->Name() << " "
               << SizeWords(*chosen) << ", " << Number(chosen->Wrong / tolerance, 3)
-              << " of the tolerance; best " << best->Name() << " " << SizeWords(*best)
-              << ", regret " << Number(regret, 3) << std::endl;
+              << " of the tolerance; best " << bestName << " " << bestSize << ", regret " << regret
+              << std::endl;
   }
   // After ten frames, the next ones.
   MovingWindow moving(name, mesh, light, size);

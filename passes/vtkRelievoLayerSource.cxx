@@ -21,7 +21,6 @@
 #include "vtkRelievoShadowPass.h"
 #include "vtkRelievoToneStage.h"
 #include "vtkRelievoView.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
@@ -306,6 +305,7 @@ bool vtkRelievoLayerSource::Draw(vtkRelievoPass* pass, bool color)
     this->Renderer->ResetCamera();     // as windows do in their first frame
   }
   this->Renderer->Render();
+  window->End();
   pass->SetLayersOnly(layersOnly);
   return true;
 }

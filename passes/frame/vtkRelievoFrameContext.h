@@ -19,6 +19,7 @@
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkRelievoColorTarget;
+class vtkRelievoFramePass;
 class vtkRelievoResource;
 class vtkRelievoScreenQuad;
 class vtkRelievoScreenTarget;
@@ -31,6 +32,7 @@ class vtkRenderer;
 class VTKRELIEVOFRAME_EXPORT vtkRelievoFrameContext
 {
 public:
+  vtkRelievoFramePass* Frame = nullptr;
   vtkRenderer* Renderer = nullptr;
   vtkOpenGLRenderWindow* Window = nullptr;
   const vtkRenderState* State = nullptr;

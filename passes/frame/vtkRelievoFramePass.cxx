@@ -234,6 +234,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   context.Waits = this->WaitForSamples;
   context.Delegate = in.Delegate;
   context.OwnSteps = !in.Delegate && !s->GetFrameBuffer();
+  context.Frame = this;
   context.Nested = renderer->GetPass() != this;
   context.ReadBack.assign(in.Requested.begin(), in.Requested.end());
   context.ReadLayers = [&in](const std::vector<std::string>& names, vtkImageData* image) {

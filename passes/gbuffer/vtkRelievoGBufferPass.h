@@ -97,7 +97,8 @@ public:
    * The error that a format may have, in place of SetNormalFormat and SetDepthFormat: the smallest
    * whose largest error is no larger is used, of those that do not depend on the near and far plane
    * (docs/choosing-formats.md). Normals in degrees, 1e-5 to 180; depth as a share of it, 6e-8 to 1.
-   * 0 (default): the format that is set. An error, and nothing is set, for other values.
+   * 0 (default): the format that is set. An error, and nothing is set, for other values. With a
+   * tolerance, normal and depth do not share a texel, whatever SetNormalDepthFormat says.
    */
   void SetNormalTolerance(double degrees);
   vtkGetMacro(NormalTolerance, double);

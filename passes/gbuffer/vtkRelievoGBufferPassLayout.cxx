@@ -22,7 +22,8 @@ void vtkRelievoGBufferPass::Internals::Arrange(
   layout.Lights = context.Lights;
   layout.NormalFormat = self.GetNormalFormatUsed();
   layout.DepthFormat = self.GetDepthFormatUsed();
-  layout.NormalDepth = self.NormalDepthFormat;
+  const bool separate = self.NormalTolerance > 0.0 || self.DepthTolerance > 0.0;
+  layout.NormalDepth = separate ? static_cast<int>(NORMAL_DEPTH_SEPARATE) : self.NormalDepthFormat;
   for (const std::string& layer : context.GetAsked(&self))
   {
     if (layer == "surface" || layer == "shading")
@@ -36,7 +37,7 @@ void vtkRelievoGBufferPass::Internals::Arrange(
   }
   // A depth that shares its texel with the normal is as it was written.
   const bool together =
-    self.NormalDepthFormat != NORMAL_DEPTH_SEPARATE && layout.Normal && layout.Depth;
+    layout.NormalDepth != NORMAL_DEPTH_SEPARATE && layout.Normal && layout.Depth;
   const bool refines = self.RefineDepth && layout.DepthFormat == DEPTH_32F && !together;
   for (const std::string& layer : context.ReadBack)
   {

@@ -34,6 +34,8 @@ struct Manner
   double Opacity = 1.0;
   bool Visible = true;
   bool Translucent = false; // what is translucent casts as well
+  bool CullsFront = false;
+  bool CullsBack = false;
 };
 
 bool IsOpaque(vtkTexture* texture)
@@ -81,7 +83,8 @@ bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoCast
   {
     return false;
   }
-  casters.push_back({ mesh, manner.MeshToWorld, 1.0 - manner.Opacity });
+  casters.push_back(
+    { mesh, manner.MeshToWorld, 1.0 - manner.Opacity, manner.CullsFront, manner.CullsBack });
   return true;
 }
 
@@ -131,7 +134,10 @@ bool AddActor(
   }
   Manner manner;
   manner.MeshToWorld = vtkRelievoToGlm(matrix ? matrix : actor->GetMatrix());
-  manner.Opacity = actor->GetProperty()->GetOpacity();
+  // VTK draws what is forced to be opaque as such, whatever its opacity.
+  manner.Opacity = actor->GetForceOpaque() ? 1.0 : actor->GetProperty()->GetOpacity();
+  manner.CullsFront = actor->GetProperty()->GetFrontfaceCulling() != 0;
+  manner.CullsBack = actor->GetProperty()->GetBackfaceCulling() != 0;
   manner.Translucent = translucent;
   if (!(std::abs(glm::determinant(manner.MeshToWorld)) > 0.0))
   {
@@ -139,6 +145,10 @@ bool AddActor(
   }
   if (auto* composite = vtkRelievoCompositeMapper::SafeDownCast(mapper))
   {
+    if (actor->GetForceOpaque())
+    {
+      return false; // blocks have opacities of their own
+    }
     return AddBlocks(composite->GetInputDataObject(0, 0),
       composite->GetCompositeDataDisplayAttributes(), manner, casters);
   }

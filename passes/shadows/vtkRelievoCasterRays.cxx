@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -126,7 +127,11 @@ void vtkRelievoCasterRays::Mesh::AddCells(vtkCellArray* cells, bool strips)
     it->GetCurrentCell(count, ids);
     for (vtkIdType i = 2; i < count; ++i)
     {
-      const vtkIdType corners[3] = { ids[strips ? i - 2 : 0], ids[i - 1], ids[i] };
+      vtkIdType corners[3] = { ids[strips ? i - 2 : 0], ids[i - 1], ids[i] };
+      if (strips && i % 2 == 1)
+      {
+        std::swap(corners[0], corners[1]);
+      }
       if (std::all_of(corners, corners + 3, [this](vtkIdType id) {
             return std::isfinite(this->Points[static_cast<std::size_t>(id)].x);
           }))
@@ -333,10 +338,18 @@ vtkRelievoCasterRays::Meeting vtkRelievoCasterRays::Find(
 {
   Meeting found;
   this->Walk(from, ray, low, high, [&](int surface, int triangle, double t) {
+    const vtkRelievoCaster& caster = this->Surfaces[surface].Caster;
     if (this->Surfaces[surface].Seen &&
       (found.Surface < 0 || std::abs(t - wanted) < std::abs(found.T - wanted)))
     {
-      found = { surface, triangle, t, glm::dvec3(0.0) };
+      glm::dvec3 corner;
+      const bool culls = caster.CullsFront || caster.CullsBack;
+      const bool front =
+        culls && glm::dot(this->GetNormal({ surface, triangle, t, {} }, corner), ray) < 0.0;
+      if (!culls || !(front ? caster.CullsFront : caster.CullsBack))
+      {
+        found = { surface, triangle, t, glm::dvec3(0.0) };
+      }
     }
     return found.Surface < 0 ? high : std::min(high, wanted + std::abs(found.T - wanted));
   });

@@ -5,6 +5,7 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -17,12 +18,18 @@ double AtMost(long long k, long long n, double p)
 {
   double sum = 0.0;
   const double all = static_cast<double>(n);
-  for (long long i = 0; i <= k; ++i)
+  // Downwards: below the mean terms fall, so that the rest is soon nothing.
+  for (long long i = k; i >= 0; --i)
   {
     const double some = static_cast<double>(i);
     const double ways =
       std::lgamma(all + 1.0) - std::lgamma(some + 1.0) - std::lgamma(all - some + 1.0);
-    sum += std::exp(ways + some * std::log(p) + (all - some) * std::log1p(-p));
+    const double term = std::exp(ways + some * std::log(p) + (all - some) * std::log1p(-p));
+    sum += term;
+    if (some < all * p && term <= 1e-17 * sum)
+    {
+      break;
+    }
   }
   return sum;
 }
@@ -52,7 +59,9 @@ double vtkRelievoShadowCertificate::GetBound(long long wrong, long long judged, 
   {
     return 1.0;
   }
-  double low = static_cast<double>(wrong) / static_cast<double>(judged);
+  // A bound with a confidence below 0.5 is below the share.
+  const double some = static_cast<double>(wrong);
+  double low = std::max(0.0, some - 40.0 * std::sqrt(some + 1.0)) / static_cast<double>(judged);
   double high = 1.0;
   for (int i = 0; i < 100; ++i)
   {

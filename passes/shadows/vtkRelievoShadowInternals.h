@@ -6,6 +6,7 @@
 #define vtkRelievoShadowInternals_h
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkRelievoFramePass.h"
 #include "vtkRelievoLampMaps.h"
 #include "vtkRelievoLightSamples.h"
 #include "vtkRelievoShadowCertificate.h"
@@ -44,10 +45,14 @@ public:
   vtkRelievoShadowPlanner::Plan Plan; // of the frame; without a wish, what is set
   vtkRelievoShadowPlanner::Load Load;
   bool Planned = false;
-  bool Fresh = false; // other than in the frame before
+  double RoomRefused = 0.0; // texels of maps that OpenGL had no memory for; 0: none
+  bool Fresh = false;       // other than in the frame before
+  bool Failed = false;      // what was chosen could not be made
+  int ProbesBefore = 0;
   double Began = 0.0; // milliseconds
   double Took = -1.0;
   vtkMTimeType TimedStructure = 0;
+  glm::dmat4 TimedView{ 0.0 };
   std::unique_ptr<vtkRelievoShadowMethod> Method = vtkRelievoShadowMethod::Make(METHOD_MAP);
   int MethodMade = METHOD_MAP;
   int MethodRefused = -1; // could not make shadows of what cast so
@@ -58,6 +63,7 @@ public:
   bool LampsAsked = false;                      // and of lamps from data
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the frame
   vtkWeakPointer<vtkRenderer> Renderer;
+  vtkWeakPointer<vtkRelievoFramePass> Frame;
   vtkSmartPointer<vtkRelievoShadowCertificate> Certificate;
   std::set<vtkShaderProgram*> Told;    // programs that have this frame's uniforms
   std::set<std::string> Said;          // warnings and errors
@@ -67,6 +73,8 @@ public:
 
   // Makes the method, if it is another one than in the frame before. The context is current.
   void UseMethod(int method, vtkOpenGLRenderWindow* window);
+
+  void BeginTiming();
 
   // Whether a map is being drawn: notes the program that draws into it.
   bool IsDrawingMaps(vtkShaderProgram* program);

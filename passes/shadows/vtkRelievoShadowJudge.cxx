@@ -14,7 +14,8 @@ namespace
 // Steps in which OpenGL places edges in a pixel.
 constexpr double SubPixel = 1.0 / 256.0;
 
-// Surfaces are looked for where the layer depth has one, within a share of it.
+// Surfaces are looked for where the layer depth has one, within a share of it; in parallel
+// projection, of the whole depth.
 constexpr double DepthWindow = 1e-3;
 
 constexpr double TransmittanceSlack = 0.02;
@@ -30,10 +31,12 @@ vtkRelievoShadowJudge::Findings vtkRelievoShadowJudge::Judge(int x, int y, int l
   {
     return NOTHING;
   }
+  const double window = DepthWindow *
+    (this->View.Parallel ? std::max(std::abs(depth), this->View.Far - this->View.Near) : depth);
   const vtkRelievoShadowPixels pixels(this->View, this->Rays.GetCenter());
   const vtkRelievoPixelRay eye = pixels.GetRay(x + 0.5, y + 0.5);
   const vtkRelievoCasterRays::Meeting seen = this->Rays.Find(
-    eye.From, eye.Ray, depth * (1.0 - DepthWindow), depth * (1.0 + DepthWindow), depth);
+    eye.From, eye.Ray, depth - window, depth + window, this->CoarseDepth ? depth - window : depth);
   const float drawn = this->Visibility[light][pixel];
   if (seen.Surface < 0 || !std::isfinite(drawn))
   {
@@ -68,8 +71,8 @@ vtkRelievoShadowJudge::Findings vtkRelievoShadowJudge::Judge(int x, int y, int l
       return TIE;
     }
   }
-  const bool wrong = truth > 0.0 && truth < 1.0 ? std::abs(drawn - truth) > TransmittanceSlack
-                                                : (drawn >= 0.5f) != (truth >= 0.5);
+  const bool wrong = this->Attenuates ? std::abs(drawn - truth) > TransmittanceSlack
+                                      : (drawn >= 0.5f) != (truth >= 0.5);
   return !wrong ? RIGHT : drawn < truth ? FALSE_SHADOW : FALSE_LIGHT;
 }
 
@@ -79,8 +82,8 @@ void vtkRelievoShadowJudge::Certify(
 {
   const std::size_t width = static_cast<std::size_t>(this->View.Viewport[2]);
   const std::size_t pixels = width * static_cast<std::size_t>(this->View.Viewport[3]);
-  std::vector<std::uint32_t> order(pixels * this->Lights.size());
-  std::iota(order.begin(), order.end(), 0u);
+  std::vector<std::size_t> order(pixels * this->Lights.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
   vtkRelievoLots lots(static_cast<std::uint64_t>(seed));
   std::vector<Findings> findings;
   for (std::size_t from = 0; from < order.size() && certificate->Judged < rays;)

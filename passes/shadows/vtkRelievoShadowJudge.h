@@ -34,6 +34,8 @@ public:
   std::vector<vtkRelievoBox> Unfollowed; // what may cast or be seen there is unknown
   std::vector<vtkRelievoShadowLight> Lights;
   std::vector<const float*> Visibility; // of each light, per pixel
+  bool CoarseDepth = false;             // it does not tell the sides of a thin plate apart
+  bool Attenuates = false;              // what was drawn is a transmittance, not a verdict
   const float* Depth = nullptr;         // per pixel, from the eye along the view's axis
 
   Findings Judge(int x, int y, int light) const;

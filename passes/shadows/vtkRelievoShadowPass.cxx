@@ -207,7 +207,7 @@ void vtkRelievoShadowPass::Declare(
 bool vtkRelievoShadowPass::Prepare(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  this->BeginTiming();
+  in.BeginTiming();
   vtkRelievoAccess::Renderer::FollowCamera(context.Renderer);
   // The shaders that draw the maps are built for the lights that VTK counts here.
   static_cast<vtkOpenGLRenderer*>(context.Renderer)->UpdateLights();
@@ -217,6 +217,7 @@ bool vtkRelievoShadowPass::Prepare(vtkRelievoFrameContext& context)
   lights ? this->CollectLights(context) : in.Lights.Clear();
   if (in.Lights.GetCasting().empty() && !in.LampsAsked)
   {
+    in.Planned = false;
     this->Explain("no_lights", "no light casts" + in.Lights.GetReport());
     return false;
   }
@@ -242,20 +243,18 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
   }
   in.Window = context.Window;
   in.Renderer = context.Renderer;
+  in.Frame = context.Frame;
   work.PlainDraw.SetWindow(in.Window);
   const bool lights = !in.Lights.GetCasting().empty();
   std::string fault;
   if (lights)
   {
     work.Bias = this->Bias;
-    this->MakePlan(context);
-    this->PrepareMethod(context);
-    const int size = in.Plan.Chosen.Size > 0 ? in.Plan.Chosen.Size : this->MapSize;
-    fault = in.Schedule.Fit(work, in.Lights.GetCasting(), *in.Method, this->GetSizeHere(size),
-      this->FilterRadius, context.Renderer);
+    fault = this->MakeMaps(context);
   }
   else
   {
+    in.Planned = false;
     in.UseMethod(METHOD_MAP, context.Window);
     work.Maps.Release(context.Window);
     work.Cache.Clear();
@@ -324,10 +323,15 @@ void vtkRelievoShadowPass::Finish(vtkRelievoFrameContext& context)
     if (in.Work.Props.ChangesByDrawing())
     {
       // Some mappers count themselves as modified when they draw.
+      const bool probed = in.Probe.HasScene(in.Work.Props);
       in.Work.Props.Collect(context.Renderer, context.Scene.Props);
       in.Work.Cache.SetCasters(in.Work.Props);
       in.Lamps.Work.Cache.SetCasters(in.Work.Props);
       in.Method->Settle(in.Work);
+      if (probed)
+      {
+        in.Probe.Settle(in.Work.Props);
+      }
     }
   }
   this->EndTiming(context);
@@ -350,6 +354,8 @@ void vtkRelievoShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Work.Cache.Clear();
   this->Internal->Lights.Clear();
   this->Internal->MethodRefused = -1; // another window's OpenGL may hold what this one did not
+  this->Internal->RoomRefused = 0.0;
+  this->Internal->Probe.Release();
   this->NumberOfMapsDrawn = 0;
   this->DrawCalls = 0;
   this->Superclass::ReleaseGraphicsResources(window);

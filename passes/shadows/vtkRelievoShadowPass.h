@@ -382,7 +382,7 @@ private:
   void UpdateProbe();
   double GetShareInView(int method, int size);
   void MakePlan(vtkRelievoFrameContext& context);
-  void BeginTiming();
+  std::string MakeMaps(vtkRelievoFrameContext& context); // as planned, or why there are none
   void EndTiming(vtkRelievoFrameContext& context);
   void PrepareMethod(vtkRelievoFrameContext& context); // or maps, with a warning
   void CollectLights(vtkRelievoFrameContext& context);

@@ -8,17 +8,27 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkRelievoFramePass.h"
 #include "vtkRelievoShadowCertificate.h"
 #include "vtkRelievoShadowJudge.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
 const char* const Depth = "depth";
 constexpr double MostTexels = 8.0;
+
+// Whether all of them have a half float's 11 bits.
+bool AreHalf(const float* depths, vtkIdType count)
+{
+  return std::all_of(depths, depths + count, [](float depth) {
+    int power = 0;
+    const float bits = std::ldexp(std::frexp(depth, &power), 11);
+    return !std::isfinite(depth) || bits == std::floor(bits);
+  });
+}
 
 // The renderer alone draws the layers, into a framebuffer of the frame's own; "" or what is wrong.
 std::string DrawLayers(vtkRenderer* renderer, vtkRelievoFramePass* frame,
@@ -39,6 +49,7 @@ std::string DrawLayers(vtkRenderer* renderer, vtkRelievoFramePass* frame,
   renderer->Render();
   frame->SetLayersOnly(layersOnly);
   std::string fault = frame->TryReadLayers(layers, image);
+  renderer->GetRenderWindow()->End();
   for (const std::string& layer : added)
   {
     frame->ReleaseLayer(layer);
@@ -72,9 +83,15 @@ vtkRelievoShadowCertificate* vtkRelievoShadowPass::Certify(int rays, int seed)
                                        << "prove a share of wrong verdicts below 0.05 %.");
     return nullptr;
   }
+  if (this->SoftSamples > 1 && !in.Schedule.Exchange.IsOn())
+  {
+    vtkErrorMacro("Certify judges verdicts of lights that are points, and SoftSamples is "
+      << this->SoftSamples << "; set it to 0 and render first.");
+    return nullptr;
+  }
   vtkRenderer* const renderer = in.Renderer;
-  auto* const frame = vtkRelievoFramePass::SafeDownCast(renderer ? renderer->GetPass() : nullptr);
-  if (!frame || !renderer->GetRenderWindow() || in.Lights.GetCasting().empty())
+  vtkRelievoFramePass* const frame = in.Frame;
+  if (!frame || !renderer || !renderer->GetRenderWindow() || in.Lights.GetCasting().empty())
   {
     vtkErrorMacro("Certify has no picture: the last frame made no shadows of lights. Switch them "
                   "on, add a light that casts, and render first.");
@@ -100,8 +117,10 @@ vtkRelievoShadowCertificate* vtkRelievoShadowPass::Certify(int rays, int seed)
   };
   vtkRelievoShadowJudge judge;
   judge.View = in.Work.View;
+  judge.Attenuates = in.Method->Traces();
   judge.Lights = in.Lights.GetCasting();
   judge.Depth = read(Depth);
+  judge.CoarseDepth = AreHalf(judge.Depth, image->GetNumberOfPoints());
   for (std::size_t i = 0; i < casting; ++i)
   {
     judge.Visibility.push_back(read(layers[i]));

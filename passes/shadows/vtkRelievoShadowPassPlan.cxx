@@ -6,6 +6,7 @@
 
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkRelievoFrameContext.h"
+#include "vtkRelievoProbeView.h"
 
 #include <algorithm>
 #include <chrono>
@@ -18,6 +19,9 @@ const int Sizes[] = { 1024, 2048, 4096, 8192 };
 
 // Where rays cannot tell: measurements are within so many times the law.
 constexpr double LawsFactor = 2.5;
+
+// Maps of more bytes are not chosen.
+constexpr vtkIdType MostBytes = vtkIdType(1) << 31;
 
 bool IsSoftware()
 {
@@ -47,6 +51,11 @@ void vtkRelievoShadowPass::SetTolerance(double share)
   if (this->Tolerance != share)
   {
     this->Tolerance = share;
+    this->Internal->RoomRefused = 0.0;
+    if (this->Tolerance + this->TimeBudget == 0.0)
+    {
+      this->Internal->Probe.Release();
+    }
     this->Modified();
   }
 }
@@ -63,6 +72,11 @@ void vtkRelievoShadowPass::SetTimeBudget(double milliseconds)
   if (this->TimeBudget != milliseconds)
   {
     this->TimeBudget = milliseconds;
+    this->Internal->RoomRefused = 0.0;
+    if (this->Tolerance + this->TimeBudget == 0.0)
+    {
+      this->Internal->Probe.Release();
+    }
     this->Internal->Planner.Forget();
     this->Modified();
   }
@@ -77,7 +91,7 @@ double vtkRelievoShadowPass::EstimateWrongShareInView(int method, int size)
   {
     return law;
   }
-  if (in.Lights.GetCasting().empty())
+  if (in.Lights.GetCasting().empty() || !in.Renderer)
   {
     vtkErrorMacro("EstimateWrongShareInView: the last frame made no shadows of lights. Switch them "
                   "on, add a light that casts, and render first.");
@@ -95,7 +109,8 @@ void vtkRelievoShadowPass::UpdateProbe()
   {
     in.Work.Bias = this->Bias;
     in.Work.Radius = this->FilterRadius;
-    in.Probe.Update(in.Work, in.Lights.GetCasting());
+    in.Probe.Update(
+      in.Work, in.Lights.GetCasting(), vtkRelievoProbeView::GetPicture(in.Work.View, in.Renderer));
   }
 }
 
@@ -131,9 +146,24 @@ void vtkRelievoShadowPass::MakePlan(vtkRelievoFrameContext& context)
   const bool planned = in.Planned;
   // Several processes have no time in common.
   in.Planned = this->Tolerance > 0.0 || (this->TimeBudget > 0.0 && !in.Schedule.Exchange.IsOn());
-  if (planned && in.Planned && this->TimeBudget > 0.0 && !context.Picture)
+  const bool refused = in.MethodRefused == METHOD_EXACT && in.Work.Props.GetState() == in.Refused;
+  const auto hasRoom = [&](int size) {
+    const double texels = static_cast<double>(size) * size * in.Load.Maps;
+    return in.RoomRefused == 0.0 || texels < in.RoomRefused;
+  };
+  const vtkRelievoView picture = vtkRelievoProbeView::GetPicture(context.View, context.Renderer);
+  const bool tiled = picture.Viewport[2] != context.View.Viewport[2] ||
+    picture.Viewport[3] != context.View.Viewport[3];
+  const int updates = in.Probe.GetUpdates();
+  if (in.Planned)
   {
-    return; // layers of a picture are made as the picture was
+    this->UpdateProbe();
+  }
+  if (planned && in.Planned && this->TimeBudget > 0.0 && (!context.Picture || tiled) &&
+    updates == in.Probe.GetUpdates() && !(refused && before.Method == METHOD_EXACT) &&
+    hasRoom(before.Size))
+  {
+    return; // layers and tiles of a picture are made as the picture was
   }
   in.Plan = vtkRelievoShadowPlanner::Plan();
   in.Plan.Chosen.Method = this->Method;
@@ -142,36 +172,45 @@ void vtkRelievoShadowPass::MakePlan(vtkRelievoFrameContext& context)
   {
     return;
   }
-  this->UpdateProbe();
   const std::vector<vtkRelievoShadowLight>& casting = in.Lights.GetCasting();
   const bool together = in.Schedule.Exchange.IsOn();
   const bool suns = std::any_of(casting.begin(), casting.end(),
     [](const vtkRelievoShadowLight& light) { return !light.Positional; });
+  in.Load.Pixels = static_cast<double>(picture.Viewport[2]) * picture.Viewport[3];
+  in.Load.Lights = static_cast<double>(casting.size());
+  // Processes choose alike: by what all of them know.
+  const auto own = [together](double load) { return together ? 0.0 : load; };
+  in.Load.Maps = together ? in.Load.Lights : in.Probe.GetNumberOfMaps();
+  in.Load.Triangles = own(static_cast<double>(in.Probe.GetNumberOfTriangles()));
+  in.Load.Props = own(static_cast<double>(in.Work.Props.GetAllBoxes().size()));
+  in.Load.Software = !together && IsSoftware();
+  const auto fits = [&](int method, int size) {
+    const int maps = static_cast<int>(in.Load.Maps);
+    return size <= vtkRelievoShadowMaps::GetLargestSize() && hasRoom(size) &&
+      this->EstimateBytes(method, size, maps, static_cast<int>(casting.size()), 0, 0) <= MostBytes;
+  };
   std::vector<vtkRelievoShadowPlanner::Way> ways;
   for (const int method : { METHOD_MAP, METHOD_WARPED })
   {
     for (const int size : Sizes)
     {
-      if ((method == METHOD_MAP || suns) && size <= vtkRelievoShadowMaps::GetLargestSize())
+      if ((method == METHOD_MAP || suns) && fits(method, size))
       {
         ways.push_back({ method, size, this->GetShareInView(method, size) });
       }
     }
   }
-  const bool refused = in.MethodRefused == METHOD_EXACT && in.Work.Props.GetState() == in.Refused;
-  if (!together && !refused)
+  // What cannot be followed by rays needs maps.
+  if (!together && !refused && (!in.Probe.HasUnfollowed() || hasRoom(this->MapSize)))
   {
     ways.push_back({ METHOD_EXACT, 0, this->GetShareInView(METHOD_EXACT, 1) });
   }
-  in.Load.Pixels = static_cast<double>(context.View.Viewport[2]) * context.View.Viewport[3];
-  in.Load.Lights = static_cast<double>(casting.size());
-  in.Load.Maps = together ? in.Load.Lights : in.Probe.GetNumberOfMaps();
-  in.Load.Triangles = static_cast<double>(in.Probe.GetNumberOfTriangles());
-  in.Load.Props = static_cast<double>(in.Work.Props.GetAllBoxes().size());
-  in.Load.Software = IsSoftware();
-  // Processes choose alike: by what all of them know.
-  const double time = together ? 0.0 : this->TimeBudget;
-  in.Plan = in.Planner.Choose({ this->Tolerance, time }, ways, in.Load);
+  if (ways.empty())
+  {
+    in.Plan.Words = "nothing was chosen: no maps fit in the memory";
+    return;
+  }
+  in.Plan = in.Planner.Choose({ this->Tolerance, own(this->TimeBudget) }, ways, in.Load);
   in.Fresh = !(in.Plan.Chosen == before);
 }
 
@@ -204,10 +243,45 @@ void vtkRelievoShadowPass::PrepareMethod(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowPass::BeginTiming()
+// Ways that OpenGL has no memory for are remembered, and the choice is made among the others.
+std::string vtkRelievoShadowPass::MakeMaps(vtkRelievoFrameContext& context)
 {
-  this->Internal->Began = GetNow();
-  this->Internal->Took = -1.0;
+  Internals& in = *this->Internal;
+  for (;;)
+  {
+    this->MakePlan(context);
+    this->PrepareMethod(context);
+    const vtkRelievoShadowPlanner::Way& chosen = in.Plan.Chosen;
+    const bool planned = in.Planned && in.Plan.Milliseconds > 0.0;
+    if (planned && chosen.Method == METHOD_EXACT && in.MethodMade != METHOD_EXACT)
+    {
+      continue;
+    }
+    const int size = chosen.Size > 0 ? chosen.Size : this->MapSize;
+    std::string fault = in.Schedule.Fit(in.Work, in.Lights.GetCasting(), *in.Method,
+      this->GetSizeHere(size), this->FilterRadius, context.Renderer);
+    if (fault.empty() || !planned)
+    {
+      in.Failed = !fault.empty() || in.MethodMade != chosen.Method;
+      return fault;
+    }
+    if (chosen.Method == METHOD_EXACT)
+    {
+      in.MethodRefused = METHOD_EXACT;
+      in.Refused = in.Work.Props.GetState();
+      continue;
+    }
+    const double texels = static_cast<double>(size) * size * in.Load.Maps;
+    in.RoomRefused = in.RoomRefused > 0.0 ? std::min(in.RoomRefused, texels) : texels;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPass::Internals::BeginTiming()
+{
+  this->Began = GetNow();
+  this->Took = -1.0;
+  this->ProbesBefore = this->Probe.GetUpdates();
 }
 
 //------------------------------------------------------------------------------
@@ -223,9 +297,15 @@ void vtkRelievoShadowPass::EndTiming(vtkRelievoFrameContext& context)
   in.Took = GetNow() - in.Began;
   const bool built = in.TimedStructure != in.StructureTime.GetMTime();
   in.TimedStructure = in.StructureTime.GetMTime();
-  if (!in.Fresh && !built)
+  const glm::dmat4 view = context.View.ViewToNDC * context.View.WorldToView;
+  const bool moved = view != in.TimedView;
+  in.TimedView = view;
+  const bool probed = in.ProbesBefore != in.Probe.GetUpdates();
+  if (!in.Fresh && !built && !probed && !in.Failed)
   {
-    in.Planner.AddTime(in.Plan.Chosen, in.Load, this->NumberOfMapsDrawn > 0, in.Took);
+    // Exact verdicts are kept while nothing moves.
+    const bool redraws = in.Method->Traces() ? moved : this->NumberOfMapsDrawn > 0;
+    in.Planner.AddTime(in.Plan.Chosen, in.Load, redraws, in.Took);
   }
 }
 

@@ -17,7 +17,6 @@ vtkRelievoShadowPixels::vtkRelievoShadowPixels(const vtkRelievoView& view, const
   : ViewToScene(glm::inverse(view.WorldToView))
   , ViewToNDC(view.ViewToNDC)
   , Size(view.Viewport[2], view.Viewport[3])
-  , Parallel(view.Parallel)
 {
   this->ViewToScene[3] -= glm::dvec4(center, 0.0);
 }
@@ -27,12 +26,20 @@ vtkRelievoPixelRay vtkRelievoShadowPixels::GetRay(double x, double y) const
 {
   const glm::dvec2 ndc = 2.0 * glm::dvec2(x, y) / this->Size - 1.0;
   const glm::dmat4& p = this->ViewToNDC;
-  const int column = this->Parallel ? 3 : 2;
-  const double sign = this->Parallel ? -1.0 : 1.0;
-  const glm::dvec2 at(
-    (ndc.x + sign * p[column][0]) / p[0][0], (ndc.y + sign * p[column][1]) / p[1][1]);
-  const glm::dvec3 from = this->Parallel ? glm::dvec3(at, 0.0) : glm::dvec3(0.0);
-  const glm::dvec3 ray = this->Parallel ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(at, -1.0);
+  // x and y of the view that are seen there, as a linear function of z; projections may be sheared.
+  glm::dmat2 slope;
+  glm::dvec2 constant;
+  glm::dvec2 alongZ;
+  for (int row = 0; row < 2; ++row)
+  {
+    slope[0][row] = p[0][row] - ndc[row] * p[0][3];
+    slope[1][row] = p[1][row] - ndc[row] * p[1][3];
+    alongZ[row] = ndc[row] * p[2][3] - p[2][row];
+    constant[row] = ndc[row] * p[3][3] - p[3][row];
+  }
+  const glm::dmat2 back = glm::inverse(slope);
+  const glm::dvec3 from(back * constant, 0.0);
+  const glm::dvec3 ray(-(back * alongZ), -1.0);
   return { glm::dvec3(this->ViewToScene * glm::dvec4(from, 1.0)),
     glm::dmat3(this->ViewToScene) * ray };
 }

@@ -35,7 +35,6 @@ private:
   glm::dmat4 ViewToScene;
   glm::dmat4 ViewToNDC;
   glm::dvec2 Size;
-  bool Parallel;
 };
 
 // A light as a place of those coordinates sees it.

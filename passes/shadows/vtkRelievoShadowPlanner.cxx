@@ -27,7 +27,11 @@ struct Costs
 constexpr Costs Software = { 3e-5, 3e-4, 0.02, 1.9e-6, 1.5e-5, 0.1, 2.4e-5 };
 constexpr Costs Hardware = { 5e-7, 1e-6, 0.01, 4e-8, 2e-7, 0.1, 5e-7 };
 
+constexpr double Kept = 0.1; // of tracing, while neither view nor casters move
+
 constexpr std::size_t Remembered = 9; // frames
+constexpr std::size_t Enough = 3;     // frames of a way; before, others' stand in
+constexpr long long Old = 300;        // a way's frames so long ago tell nothing
 constexpr double Stays = 1.1;         // a way stays up to so much over the time,
 constexpr double Enters = 0.85;       // and a more accurate one is taken from so much under it
 
@@ -71,7 +75,8 @@ double vtkRelievoShadowPlanner::Model(const Way& way, const Load& load, bool red
   if (way.Method == vtkRelievoShadowPass::METHOD_EXACT)
   {
     return time +
-      costs.Trace * load.Pixels * load.Lights * std::log2(2.0 + std::max(0.0, load.Triangles));
+      (redraws ? 1.0 : Kept) * costs.Trace * load.Pixels * load.Lights *
+      std::log2(2.0 + std::max(0.0, load.Triangles));
   }
   time += costs.Lookup * load.Pixels * load.Lights;
   const double pieces = way.Method == vtkRelievoShadowPass::METHOD_WARPED ? 1.0 + costs.Piece : 1.0;
@@ -83,14 +88,30 @@ double vtkRelievoShadowPlanner::Model(const Way& way, const Load& load, bool red
 double vtkRelievoShadowPlanner::GetTime(const Way& way, const Load& load, bool redraws) const
 {
   const auto measured = this->Ratios.find({ way.Method, way.Size, redraws });
-  double ratio = this->LastRatio;
+  std::vector<double> own;
   if (measured != this->Ratios.end())
   {
-    std::vector<double> sorted = measured->second;
-    std::sort(sorted.begin(), sorted.end());
-    ratio = sorted[sorted.size() / 2];
+    for (const Measured& each : measured->second)
+    {
+      if (each.Frame + Old > this->Frame)
+      {
+        own.push_back(each.Ratio);
+      }
+    }
   }
-  return ratio * Model(way, load, redraws);
+  const double others = GetMedian(this->AllRatios);
+  while (own.size() < Enough)
+  {
+    own.push_back(others);
+  }
+  return GetMedian(own) * Model(way, load, redraws);
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowPlanner::GetMedian(std::vector<double> ratios)
+{
+  std::sort(ratios.begin(), ratios.end());
+  return ratios.empty() ? 1.0 : ratios[ratios.size() / 2];
 }
 
 //------------------------------------------------------------------------------
@@ -102,13 +123,17 @@ void vtkRelievoShadowPlanner::AddTime(
   {
     return;
   }
-  std::vector<double>& ratios = this->Ratios[{ way.Method, way.Size, redraws }];
-  ratios.push_back(milliseconds / model);
-  if (ratios.size() > Remembered)
-  {
-    ratios.erase(ratios.begin());
-  }
-  this->LastRatio = milliseconds / model;
+  const auto add = [](auto& ratios, const auto& ratio) {
+    ratios.push_back(ratio);
+    if (ratios.size() > Remembered)
+    {
+      ratios.erase(ratios.begin());
+    }
+  };
+  ++this->Frame;
+  add(
+    this->Ratios[{ way.Method, way.Size, redraws }], Measured{ milliseconds / model, this->Frame });
+  add(this->AllRatios, milliseconds / model);
   this->Redraws = redraws;
 }
 

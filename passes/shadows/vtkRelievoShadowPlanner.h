@@ -80,8 +80,16 @@ private:
     bool Redraws;
     bool operator<(const Key& other) const;
   };
-  std::map<Key, std::vector<double>> Ratios;
-  double LastRatio = 1.0;
+  struct Measured
+  {
+    double Ratio;
+    long long Frame;
+  };
+  static double GetMedian(std::vector<double> ratios);
+
+  std::map<Key, std::vector<Measured>> Ratios;
+  std::vector<double> AllRatios; // of the latest frames, whatever their way
+  long long Frame = 0;
   bool Redraws = true; // in the latest frame
   Way Current;
   bool HasCurrent = false;

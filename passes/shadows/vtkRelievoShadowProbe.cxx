@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowProbe.h"
 
+#include "vtkRelievoProbeView.h"
 #include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoShadowPass.h"
 #include "vtkRelievoShadowWork.h"
@@ -23,82 +24,10 @@ constexpr double LeastPower = 0.5;
 // (docs/charts/README.md).
 constexpr double WrongOfCounted = 0.6;
 
-constexpr int Phases = 8;            // places of the grid that are tried
-constexpr int LeastSamples = 3000;   // that face a light
-constexpr int MostPixels = 9000;     // that are looked at for them
-constexpr double LightSteps = 32.0;  // of a light, in its distance
-constexpr int FittedSize = 2048;     // of the maps whose views are asked for
-constexpr double StepsPerView = 8.0; // of the camera, in half the height of what it sees
-
-glm::dvec3 Round(const glm::dvec3& v, double step)
-{
-  return step * glm::round(v / step);
-}
-
-// Near and far by powers of two, as most cameras' follow the scene; only what is in view by its
-// sides matters.
-void SetDepths(vtkRelievoView& view)
-{
-  const double n = std::exp2(std::floor(std::log2(std::max(view.Near, 1e-300))));
-  const double f = std::exp2(std::ceil(std::log2(std::max(view.Far, 1e-300))));
-  glm::dmat4& p = view.ViewToNDC;
-  if (view.Parallel || !(view.Near > 0.0) || !(f > n))
-  {
-    return;
-  }
-  p[2][2] = -(f + n) / (f - n);
-  p[3][2] = -2.0 * f * n / (f - n);
-}
-
-// The camera at the nearest of a few places and directions.
-vtkRelievoView GetStep(const vtkRelievoView& view, const glm::dvec3& center)
-{
-  vtkRelievoView stepped = view;
-  const glm::dmat4 viewToWorld = glm::inverse(view.WorldToView);
-  const glm::dvec3 eye(viewToWorld[3]);
-  const double half = 1.0 / std::abs(view.ViewToNDC[1][1]); // at unit distance
-  const double away = std::max(glm::length(center - eye), 1e-300);
-  const double size = std::exp2(std::floor(std::log2(view.Parallel ? half : half * away)));
-  if (!std::isfinite(size) || !(size > 0.0))
-  {
-    return view;
-  }
-  const double turn = (view.Parallel ? 0.25 : half) / StepsPerView;
-  const glm::dvec3 back = glm::normalize(Round(glm::normalize(glm::dvec3(viewToWorld[2])), turn));
-  glm::dvec3 up = Round(glm::normalize(glm::dvec3(viewToWorld[1])), 0.25 / StepsPerView);
-  const glm::dvec3 right = glm::normalize(glm::cross(up, back));
-  up = glm::cross(back, right);
-  const glm::dvec3 from = Round(eye, size / StepsPerView);
-  if (!(glm::length(right) > 0.5) || !(glm::length(back) > 0.5))
-  {
-    return view;
-  }
-  glm::dmat4 placed(1.0);
-  placed[0] = glm::dvec4(right, 0.0);
-  placed[1] = glm::dvec4(up, 0.0);
-  placed[2] = glm::dvec4(back, 0.0);
-  placed[3] = glm::dvec4(from, 1.0);
-  stepped.WorldToView = glm::inverse(placed);
-  SetDepths(stepped);
-  return stepped;
-}
-
-// The lights at the nearest of a few places and directions.
-std::vector<vtkRelievoShadowLight> GetStep(
-  const std::vector<vtkRelievoShadowLight>& lights, const glm::dvec3& center)
-{
-  std::vector<vtkRelievoShadowLight> stepped = lights;
-  for (vtkRelievoShadowLight& light : stepped)
-  {
-    light.Direction = glm::normalize(Round(light.Direction, 1.0 / LightSteps));
-    const double size = std::exp2(std::floor(std::log2(glm::length(light.Position - center))));
-    if (light.Positional && std::isfinite(size) && size > 0.0)
-    {
-      light.Position = Round(light.Position, size / LightSteps);
-    }
-  }
-  return stepped;
-}
+constexpr int Phases = 8;          // places of the grid that are tried
+constexpr int LeastSamples = 3000; // that face a light
+constexpr int MostPixels = 9000;   // that are looked at for them
+constexpr int FittedSize = 2048;   // of the maps whose views are asked for
 
 vtkRelievoShadowScene GetScene(const vtkRelievoShadowWork& work, const vtkRelievoView& view)
 {
@@ -154,15 +83,36 @@ bool Project(const vtkRelievoShadowView& view, const glm::dvec3& world, glm::dve
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowProbe::Update(
-  const vtkRelievoShadowWork& work, const std::vector<vtkRelievoShadowLight>& lights)
+bool vtkRelievoShadowProbe::HasScene(const vtkRelievoShadowProps& props) const
+{
+  return props.GetSceneState() == this->Scene;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProbe::Settle(const vtkRelievoShadowProps& props)
+{
+  this->Scene = props.GetSceneState();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProbe::Release()
+{
+  const int updates = this->Updates;
+  *this = vtkRelievoShadowProbe();
+  this->Updates = updates;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProbe::Update(const vtkRelievoShadowWork& work,
+  const std::vector<vtkRelievoShadowLight>& lights, const vtkRelievoView& picture)
 {
   const glm::dvec3 center = vtkRelievoShadowRegion::GetMiddle(vtkRelievoShadowRegion::Cut(
-    work.Props.GetReceiverBoxes(), work.View.ViewToNDC * work.View.WorldToView));
-  const vtkRelievoView view = GetStep(work.View, center);
-  const std::vector<vtkRelievoShadowLight> casting = GetStep(lights, center);
+    work.Props.GetReceiverBoxes(), picture.ViewToNDC * picture.WorldToView));
+  const vtkRelievoView view = vtkRelievoProbeView::GetStep(picture, center);
+  const double first = vtkRelievoProbeView::GetFirst(picture, work.Props.GetAllBoxes());
+  const std::vector<vtkRelievoShadowLight> casting = vtkRelievoProbeView::GetStep(lights, center);
   std::vector<double> key = { static_cast<double>(view.Viewport[2]),
-    static_cast<double>(view.Viewport[3]), work.Bias, static_cast<double>(work.Radius) };
+    static_cast<double>(view.Viewport[3]), first, work.Bias, static_cast<double>(work.Radius) };
   Add(key, view.WorldToView);
   Add(key, view.ViewToNDC);
   for (const vtkRelievoShadowLight& light : casting)
@@ -171,24 +121,25 @@ void vtkRelievoShadowProbe::Update(
     Add(key, light.Direction);
     key.insert(key.end(), { light.Positional ? 1.0 : 0.0, light.ConeAngle, light.Reach });
   }
-  for (const vtkRelievoBox& box : work.Props.GetAllBoxes()) // who receives, and what is seen
+  for (const vtkRelievoBox& box : work.Props.GetAllBoxes())
   {
     Add(key, box.Min);
     Add(key, box.Max);
   }
-  key.push_back(static_cast<double>(work.Props.GetReceiverBoxes().size()));
-  if (key == this->Key && work.Props.GetState() == this->Casters)
+  if (key == this->Key && this->HasScene(work.Props))
   {
     return;
   }
   this->Key = key;
-  this->Casters = work.Props.GetState();
+  this->Settle(work.Props);
   ++this->Updates;
   this->Lights = casting;
   this->Unfollowed.clear();
   this->Rays.SetSurfaces(work.Props.CollectSurfaces(false, this->Unfollowed));
-  this->TakeSamples(view);
   const vtkRelievoShadowScene scene = GetScene(work, view);
+  this->TakeSamples(view,
+    std::max(first, view.Parallel ? 2.0 * view.Near - view.Far : 1e-9 * view.Near),
+    vtkRelievoProbeView::GetPart(scene.Receivers, scene.WorldToNDC));
   vtkRelievoShadowCache even;
   even.Update(casting, scene, *vtkRelievoShadowMethod::Make(vtkRelievoShadowPass::METHOD_MAP));
   this->Maps = even.GetNumberOfMaps();
@@ -205,9 +156,10 @@ void vtkRelievoShadowProbe::Update(
 }
 
 //------------------------------------------------------------------------------
-// Places that face a light, at pixels that fill the window evenly (M. Roberts, The unreasonable
+// Places that face a light, at pixels that fill the part evenly (M. Roberts, The unreasonable
 // effectiveness of quasirandom sequences, 2018).
-void vtkRelievoShadowProbe::TakeSamples(const vtkRelievoView& view)
+void vtkRelievoShadowProbe::TakeSamples(
+  const vtkRelievoView& view, double nearest, const glm::dvec4& part)
 {
   const vtkRelievoShadowPixels pixels(view, this->Rays.GetCenter());
   const glm::dvec3 center = this->Rays.GetCenter();
@@ -220,11 +172,10 @@ void vtkRelievoShadowProbe::TakeSamples(const vtkRelievoView& view)
     found.assign(LeastSamples, {});
     std::vector<char> lost(LeastSamples, 0);
     const auto look = [&](int i) {
-      const double x = std::fmod(0.5 + 0.7548776662466927 * (first + i), 1.0);
-      const double y = std::fmod(0.5 + 0.5698402909980532 * (first + i), 1.0);
+      const double x = part.x + part.z * std::fmod(0.5 + 0.7548776662466927 * (first + i), 1.0);
+      const double y = part.y + part.w * std::fmod(0.5 + 0.5698402909980532 * (first + i), 1.0);
       const vtkRelievoPixelRay eye = pixels.GetRay(x * view.Viewport[2], y * view.Viewport[3]);
-      const vtkRelievoCasterRays::Meeting seen = this->Rays.FindFirst(
-        eye.From, eye.Ray, view.Parallel ? 2.0 * view.Near - view.Far : 1e-9 * view.Near);
+      const vtkRelievoCasterRays::Meeting seen = this->Rays.FindFirst(eye.From, eye.Ray, nearest);
       lost[i] = vtkRelievoMeetsAny(
         this->Unfollowed, center, eye.From, eye.Ray, seen.Surface < 0 ? 1e300 : seen.T);
       if (seen.Surface < 0 || lost[i] || !this->Rays.GetSurfaces()[seen.Surface].Receives)
@@ -263,7 +214,7 @@ void vtkRelievoShadowProbe::TakeSamples(const vtkRelievoView& view)
       }
     }
   }
-  this->Known = unknown <= static_cast<long long>(this->Samples.size());
+  this->Known = !this->Samples.empty() && unknown <= static_cast<long long>(this->Samples.size());
 }
 
 //------------------------------------------------------------------------------

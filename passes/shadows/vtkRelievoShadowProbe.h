@@ -19,13 +19,23 @@
 #include <vector>
 
 class vtkRelievoShadowMethod;
+class vtkRelievoShadowProps;
 struct vtkRelievoShadowWork;
 
 class vtkRelievoShadowProbe
 {
 public:
-  // Brings the probe up to date with the frame's casters, lights and camera.
-  void Update(const vtkRelievoShadowWork& work, const std::vector<vtkRelievoShadowLight>& lights);
+  // Brings the probe up to date with the frame's casters and lights, and the picture's view.
+  void Update(const vtkRelievoShadowWork& work, const std::vector<vtkRelievoShadowLight>& lights,
+    const vtkRelievoView& picture);
+
+  // Drawing alone has changed the state of what is drawn: whether the probe is up to date with it,
+  // and that it is.
+  bool HasScene(const vtkRelievoShadowProps& props) const;
+  void Settle(const vtkRelievoShadowProps& props);
+
+  // Forgets all, trees as well.
+  void Release();
 
   // Whether rays can tell: not if casters that cannot be followed may matter at most pixels.
   bool IsKnown() const { return this->Known; }
@@ -58,7 +68,8 @@ private:
     double Wrong[Levels] = { 0.0, 0.0 };
   };
 
-  void TakeSamples(const vtkRelievoView& view);
+  // At pixels of a part of the window, its low corner and its size as shares of it.
+  void TakeSamples(const vtkRelievoView& view, double nearest, const glm::dvec4& part);
   Count Ask(const vtkRelievoShadowCache& cache, double bias) const;
   void AddWrong(const Sample& sample, const vtkRelievoShadowView& view, double bias,
     double (&wrong)[Levels]) const;
@@ -68,7 +79,7 @@ private:
   std::vector<vtkRelievoShadowLight> Lights;
   std::vector<Sample> Samples;
   std::vector<double> Key; // what the rays were sent for
-  std::vector<std::uint64_t> Casters;
+  std::vector<std::uint64_t> Scene;
   Count Even;
   Count Warped;
   bool Known = false;

@@ -85,6 +85,7 @@ void vtkRelievoShadowProps::Collect(
   this->Parts.clear();
   this->NotReceiving.clear();
   this->State.clear();
+  this->SceneState.clear();
   this->Culling.clear();
   this->Unsteady = false;
   std::set<vtkProp*> drawn;
@@ -152,13 +153,21 @@ void vtkRelievoShadowProps::Collect(
       {
         this->NotReceiving.insert(actor);
       }
+      this->Part.clear();
+      vtkMatrix4x4* matrix = part.Matrix ? part.Matrix : actor->GetMatrix();
+      std::for_each(&matrix->Element[0][0], &matrix->Element[0][0] + 16,
+        [this](double value) { this->AddDouble(value); });
+      this->AddState(actor);
       if (casts)
       {
-        vtkMatrix4x4* matrix = part.Matrix ? part.Matrix : actor->GetMatrix();
-        std::for_each(&matrix->Element[0][0], &matrix->Element[0][0] + 16,
-          [this](double value) { this->AddDouble(value); });
-        this->AddState(actor);
+        this->State.insert(this->State.end(), this->Part.begin(), this->Part.end());
       }
+      vtkProperty* property = actor->GetProperty();
+      this->Part.push_back((property->GetBackfaceCulling() ? 1 : 0) +
+        (property->GetFrontfaceCulling() ? 2 : 0) + (casts ? 4 : 0) + (choice.Receives ? 8 : 0) +
+        (choice.Casts == 1 ? 16 : 0));
+      this->AddDouble(property->GetOpacity());
+      this->SceneState.insert(this->SceneState.end(), this->Part.begin(), this->Part.end());
     }
   }
 }
@@ -182,7 +191,7 @@ void vtkRelievoShadowProps::AddDouble(double value)
 {
   std::uint64_t bits;
   std::memcpy(&bits, &value, sizeof(bits));
-  this->State.push_back(bits);
+  this->Part.push_back(bits);
 }
 
 //------------------------------------------------------------------------------
@@ -190,22 +199,22 @@ void vtkRelievoShadowProps::AddState(vtkActor* actor)
 {
   vtkMapper* mapper = actor->GetMapper();
   this->Unsteady = this->Unsteady || !IsPlain(mapper);
-  this->State.push_back(reinterpret_cast<std::uintptr_t>(actor));
-  this->State.push_back(reinterpret_cast<std::uintptr_t>(mapper));
-  this->State.push_back(reinterpret_cast<std::uintptr_t>(mapper->GetInputDataObject(0, 0)));
-  this->State.push_back(GetMapperTime(mapper));
-  this->State.push_back(actor->GetVisibility() ? 1 : 0);
-  this->State.push_back(actor->HasOpaqueGeometry() ? 1 : 0);
+  this->Part.push_back(reinterpret_cast<std::uintptr_t>(actor));
+  this->Part.push_back(reinterpret_cast<std::uintptr_t>(mapper));
+  this->Part.push_back(reinterpret_cast<std::uintptr_t>(mapper->GetInputDataObject(0, 0)));
+  this->Part.push_back(GetMapperTime(mapper));
+  this->Part.push_back(actor->GetVisibility() ? 1 : 0);
+  this->Part.push_back(actor->HasOpaqueGeometry() ? 1 : 0);
   vtkProperty* property = actor->GetProperty();
-  this->State.push_back(property->GetRepresentation());
-  this->State.push_back((property->GetVertexVisibility() ? 1 : 0) +
+  this->Part.push_back(property->GetRepresentation());
+  this->Part.push_back((property->GetVertexVisibility() ? 1 : 0) +
     (property->GetRenderPointsAsSpheres() ? 2 : 0) + (property->GetRenderLinesAsTubes() ? 4 : 0) +
     (property->GetEdgeVisibility() ? 8 : 0));
   // VTK's offsets in depth, of the process and of the mapper.
   double factor = 0.0;
   double units = 0.0;
   mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
-  this->State.push_back(vtkMapper::GetResolveCoincidentTopology());
+  this->Part.push_back(vtkMapper::GetResolveCoincidentTopology());
   this->AddDouble(factor);
   this->AddDouble(units);
   mapper->GetCoincidentTopologyLineOffsetParameters(factor, units);
@@ -216,26 +225,26 @@ void vtkRelievoShadowProps::AddState(vtkActor* actor)
   this->AddDouble(property->GetPointSize());
   this->AddDouble(property->GetLineWidth());
   // Cut-outs: what is not there casts nothing.
-  this->State.push_back(vtkRelievoDrawnTime::OfTexture(actor->GetTexture()));
+  this->Part.push_back(vtkRelievoDrawnTime::OfTexture(actor->GetTexture()));
   for (const auto& named : property->GetAllTextures())
   {
-    this->State.push_back(vtkRelievoDrawnTime::OfTexture(named.second));
+    this->Part.push_back(vtkRelievoDrawnTime::OfTexture(named.second));
   }
   if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
   {
     vtkObject* blocks = glyphs->GetBlockAttributes();
-    this->State.push_back(blocks ? blocks->GetMTime() : 0);
+    this->Part.push_back(blocks ? blocks->GetMTime() : 0);
   }
   // Replacements and uniforms of a user may move vertices, by arrays that the mapper hands on.
   vtkShaderProperty* shaders = actor->GetShaderProperty();
-  this->State.push_back(
+  this->Part.push_back(
     shaders->HasVertexShaderCode() || shaders->GetNumberOfShaderReplacements() > 0
       ? mapper->GetMTime()
       : 0);
-  this->State.push_back(shaders->GetShaderMTime());
-  this->State.push_back(shaders->GetVertexCustomUniforms()->GetMTime());
-  this->State.push_back(shaders->GetGeometryCustomUniforms()->GetMTime());
-  this->State.push_back(shaders->GetFragmentCustomUniforms()->GetMTime());
+  this->Part.push_back(shaders->GetShaderMTime());
+  this->Part.push_back(shaders->GetVertexCustomUniforms()->GetMTime());
+  this->Part.push_back(shaders->GetGeometryCustomUniforms()->GetMTime());
+  this->Part.push_back(shaders->GetFragmentCustomUniforms()->GetMTime());
 }
 
 //------------------------------------------------------------------------------

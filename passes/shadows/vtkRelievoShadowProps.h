@@ -42,6 +42,9 @@ public:
   // The state of what casts, for comparison.
   const std::vector<std::uint64_t>& GetState() const { return this->State; }
 
+  // The same of everything that casts or is seen, and who receives.
+  const std::vector<std::uint64_t>& GetSceneState() const { return this->SceneState; }
+
   // Whether drawing alone may change the state: to be collected again after it.
   bool ChangesByDrawing() const { return this->Unsteady; }
 
@@ -89,7 +92,7 @@ private:
     const glm::dmat4& worldToNDC, vtkRelievoCasterDraw& plainDraw);
   void Render(vtkProp* prop, bool translucent, vtkRenderer* renderer);
   void AddState(vtkActor* actor);
-  void AddDouble(double value);
+  void AddDouble(double value); // to Part
 
   struct Caster
   {
@@ -111,6 +114,8 @@ private:
   std::set<vtkProp*> NotReceiving;     // of Parts
   vtkRelievoSplicedKeys Keys;
   std::vector<std::uint64_t> State;
+  std::vector<std::uint64_t> SceneState;
+  std::vector<std::uint64_t> Part; // of both, while it is made
   std::vector<bool> Culling;
   bool Unsteady = false;
 };

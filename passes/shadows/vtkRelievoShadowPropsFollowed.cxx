@@ -8,8 +8,6 @@
 
 #include "vtkProp.h"
 
-#include <algorithm>
-
 //------------------------------------------------------------------------------
 std::vector<vtkRelievoCaster> vtkRelievoShadowProps::TakeFollowed()
 {
@@ -53,7 +51,6 @@ std::vector<vtkRelievoSurface> vtkRelievoShadowProps::CollectSurfaces(
     vtkRelievoSurface surface;
     surface.Casts = choice.Casts == 1 || (choice.Casts == -1 && prop->HasOpaqueGeometry() != 0);
     surface.Receives = choice.Receives;
-    const bool drawn = std::find(this->Seen.begin(), this->Seen.end(), prop) != this->Seen.end();
     std::vector<vtkRelievoCaster> casters;
     if (!vtkRelievoCasterFollow::Collect(prop, choice.Casts == 1, casters))
     {
@@ -62,7 +59,7 @@ std::vector<vtkRelievoSurface> vtkRelievoShadowProps::CollectSurfaces(
     for (const vtkRelievoCaster& caster : casters)
     {
       surface.Caster = caster;
-      surface.Seen = drawn && caster.Passes <= 0.0;
+      surface.Seen = caster.Passes <= 0.0; // also outside the view, which may be stepped
       surface.Caster.Passes = attenuates ? caster.Passes : 0.0;
       surfaces.push_back(surface);
     }

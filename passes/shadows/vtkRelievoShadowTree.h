@@ -23,7 +23,9 @@ struct vtkRelievoCaster
 {
   vtkPolyData* Mesh = nullptr;
   glm::dmat4 MeshToWorld{ 1.0 };
-  double Passes = 0.0; // of the light: 1 - opacity
+  double Passes = 0.0;     // of the light: 1 - opacity
+  bool CullsFront = false; // to the eye; it casts from both sides
+  bool CullsBack = false;
 };
 
 class vtkRelievoShadowTree

@@ -4,6 +4,7 @@
 // Formats by tolerance: what is read is within it of the full floats, and no smaller format would
 // be.
 #include "Check.h"
+#include "EmbreeScene.h"
 #include "Layers.h"
 #include "Props.h"
 #include "Session.h"
@@ -60,6 +61,26 @@ void TestTolerances()
     gbuffer->SetRefineDepth(false);
   });
   RELIEVO_CHECK(exact.Covered() > 3000);
+  // The full floats are those of the mesh.
+  relievoTest::EmbreeScene mesh;
+  mesh.AddActors(stage.Renderer);
+  const relievoTest::TruthImage truth = mesh.Trace(relievoTest::View(stage.Renderer));
+  double off = 0.;
+  long long compared = 0;
+  for (int y = 0; y < exact.Height; ++y)
+  {
+    for (int x = 0; x < exact.Width; ++x)
+    {
+      const relievoTest::PixelTruth& pixel = truth.At(x, y);
+      if (pixel.Inner)
+      {
+        ++compared;
+        off = std::max(off, std::abs(exact.Value("depth", x, y) / pixel.Depth - 1.));
+      }
+    }
+  }
+  RELIEVO_CHECK(compared > 2000);
+  RELIEVO_CHECK_AT_MOST(off, 1e-5, "full floats");
   double before = 0.; // the error of the next smaller format
   for (const double tolerance : { 2., 0.7, 0.5, 0.2, 0.01, 0.003, 1e-4 })
   {
@@ -67,6 +88,7 @@ void TestTolerances()
       gbuffer->SetNormalTolerance(tolerance);
       gbuffer->SetDepthTolerance(1e-3 * tolerance);
       gbuffer->SetRefineDepth(false);
+      gbuffer->SetNormalDepthFormat(G::NORMAL_DEPTH_RGBA8); // void with a tolerance
     });
     const Errors errors = Compare(layers, exact);
     const std::string what = "tolerance " + std::to_string(tolerance);

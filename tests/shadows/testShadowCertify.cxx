@@ -14,11 +14,14 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCameraPass.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
+#include <vtkRelievoGBufferPass.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowCertificate.h>
 #include <vtkRelievoShadowPass.h>
@@ -61,6 +64,12 @@ void TestBound()
   RELIEVO_CHECK(std::isnan(Certificate::GetBound(3, 2)));
   RELIEVO_CHECK(std::isnan(Certificate::GetBound(-1, 2)));
   RELIEVO_CHECK(std::isnan(Certificate::GetBound(1, 2, 1.)));
+  // With a confidence below one half the bound may be below the share.
+  RELIEVO_CHECK_NEAR(Certificate::GetBound(0, 1, 0.1), 0.1, 1e-9, "a confidence of 10 %");
+  RELIEVO_CHECK_NEAR(Certificate::GetBound(1, 2, 0.1), std::sqrt(0.1), 1e-9, "one of two, 10 %");
+  // Many wrong: the normal distribution's 1.645 sigma.
+  RELIEVO_CHECK_NEAR(Certificate::GetBound(5000000, 10000000),
+    0.5 + 1.645 * 0.5e-3 / std::sqrt(10.), 1e-6, "half of many");
 }
 
 // All verdicts of a coarse map: the share that Embree finds; a part of them by lot: a bound that
@@ -72,7 +81,7 @@ void TestMesh(const std::string& mesh, SceneLight kind)
   {
     return;
   }
-  auto window = relievoTest::MakeWindow(160, 140, scene.Renderer);
+  auto window = relievoTest::MakeWindow(110, 96, scene.Renderer);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
   vtkRelievoShadowPass* shadows = frame->GetShadowPass();
   frame->ShadowsOn();
@@ -160,6 +169,84 @@ void TestSpot()
   RELIEVO_CHECK_THAT(exact->GetWrong() == 0, exact->GetWords());
 }
 
+// What is drawn opaque casts as such, whatever its opacity.
+void TestForcedOpaque()
+{
+  ShadowStage stage(120, 90);
+  stage.AddGround();
+  const auto box = stage.AddBox({ 0., 1., 0. }, { 0.6, 0.6, 0.6 });
+  box->GetProperty()->SetOpacity(0.5);
+  box->ForceOpaqueOn();
+  stage.AddSun(-3., 4., -2.);
+  stage.GetFrame()->ShadowsOn();
+  stage.GetShadows()->SetMethodToExact();
+  stage.Window->Render();
+  const relievoTest::ShadowErrors errors = relievoTest::JudgeShadow(stage, 0);
+  RELIEVO_CHECK_THAT(errors.Compared > 3000, "forced to be opaque: what is compared");
+  RELIEVO_CHECK_AT_MOST(errors.Wrong(), 1e-3, "forced to be opaque");
+  const vtkSmartPointer<Certificate> all = stage.GetShadows()->Certify(All);
+  RELIEVO_CHECK_THAT(all->GetWrong() == 0 && all->GetUnknown() == 0, all->GetWords());
+}
+
+// A plate thinner than the steps of half floats: its front is judged, not its back.
+void TestThinPlate()
+{
+  long long grazing[2];
+  for (const int format : { vtkRelievoGBufferPass::DEPTH_32F, vtkRelievoGBufferPass::DEPTH_16F })
+  {
+    ShadowStage stage(120, 90);
+    stage.AddBox({ 0., 1., 0. }, { 1.5, 0.0005, 1.5 });
+    stage.AddBox({ 0., 1.5, 0. }, { 0.3, 0.3, 0.3 });
+    stage.AddSun(-1., -4., -2.);
+    stage.AddSun(-3., 4., -2.);
+    stage.GetFrame()->ShadowsOn();
+    stage.GetFrame()->GetGBuffer()->SetDepthFormat(format);
+    stage.GetShadows()->SetMethodToExact();
+    stage.Window->Render();
+    const vtkSmartPointer<Certificate> all = stage.GetShadows()->Certify(All);
+    grazing[format == vtkRelievoGBufferPass::DEPTH_16F ? 1 : 0] = all->GetGrazing();
+    RELIEVO_CHECK(all->GetJudged() > 300);
+  }
+  RELIEVO_CHECK_NEAR(static_cast<double>(grazing[1]) / static_cast<double>(grazing[0]), 1., 0.02,
+    "thin plate: turned away");
+}
+
+// Oblique projections, of both kinds.
+void TestSheared()
+{
+  for (const int parallel : { 0, 1 })
+  {
+    ShadowStage stage(120, 90);
+    stage.AddThings();
+    stage.AddSun(-3., 4., -2.);
+    vtkCamera* camera = stage.Renderer->GetActiveCamera();
+    camera->SetParallelProjection(parallel);
+    camera->SetViewShear(0.2, 0.1, 1.);
+    stage.GetFrame()->ShadowsOn();
+    stage.GetShadows()->SetMethodToExact();
+    stage.Window->Render();
+    const vtkSmartPointer<Certificate> all = stage.GetShadows()->Certify(All);
+    RELIEVO_CHECK_THAT(all->GetWrong() == 0 && all->GetJudged() > 2000, all->GetWords());
+    RELIEVO_CHECK_AT_MOST(all->GetUnknown(), 20, "sheared: " + all->GetWords());
+  }
+}
+
+// Under a pass of others, as ParaView has one.
+void TestNested()
+{
+  ShadowStage stage(120, 90);
+  stage.AddThings();
+  stage.AddSun(-3., 4., -2.);
+  stage.GetFrame()->ShadowsOn();
+  vtkRelievoShadowPass* shadows = stage.GetShadows();
+  vtkNew<vtkCameraPass> around;
+  around->SetDelegatePass(stage.GetFrame());
+  stage.Renderer->SetPass(around);
+  stage.Window->Render();
+  const vtkSmartPointer<Certificate> some = shadows->Certify(1000);
+  RELIEVO_CHECK(some && some->GetJudged() == 1000);
+}
+
 void TestRefusals()
 {
   ShadowStage stage;
@@ -171,8 +258,13 @@ void TestRefusals()
   }
   stage.GetFrame()->ShadowsOn();
   stage.Window->Render();
-  const relievoTest::ExpectMessage expected("Certify was given 0 rays");
-  RELIEVO_CHECK(!stage.GetShadows()->Certify(0));
+  {
+    const relievoTest::ExpectMessage expected("Certify was given 0 rays");
+    RELIEVO_CHECK(!stage.GetShadows()->Certify(0));
+  }
+  stage.GetShadows()->SetSoftSamples(8);
+  const relievoTest::ExpectMessage expected("SoftSamples is 8");
+  RELIEVO_CHECK(!stage.GetShadows()->Certify(100));
 }
 }
 
@@ -184,7 +276,10 @@ int main()
   TestCountedApart();
   TestSpot();
   TestRefusals();
-  TestMesh("bunny", SceneLight::Sun);
-  TestMesh("buildings", SceneLight::Point);
+  TestForcedOpaque();
+  TestThinPlate();
+  TestSheared();
+  TestNested();
+  TestMesh("bunny", SceneLight::Point);
   return session.Result();
 }

@@ -24,6 +24,7 @@
 namespace
 {
 bool Full = false;
+int FailuresLeft = -1; // fails so many times; -1: always
 }
 
 // VTK asks for errors as well, after work that has gone right.
@@ -43,6 +44,11 @@ extern "C" __attribute__((visibility("default"))) unsigned int glGetError()
   Dl_info from;
   const bool fails = Full && dladdr(__builtin_return_address(0), &from) != 0 && from.dli_fname &&
     std::string(from.dli_fname).find("RelievoShadows") != std::string::npos;
+  if (fails && FailuresLeft > 0 && --FailuresLeft == 0)
+  {
+    Full = false;
+    FailuresLeft = -1;
+  }
   return fails ? outOfMemory : next();
 }
 
@@ -115,6 +121,52 @@ void TestMasks()
     relievoTest::CountUnlike(masks, Picture(stage.Window)) > 0, "another size: no masks");
 }
 
+// What a tolerance chooses, and OpenGL has no memory for, is not chosen again; what fits is.
+void TestPlanned()
+{
+  relievoTest::ShadowStage stage;
+  stage.AddThings();
+  relievoTest::AddTwoSuns(stage);
+  const auto plain = Picture(stage.Window);
+  vtkRelievoShadowPass* shadows = stage.GetShadows();
+  stage.GetFrame()->ShadowsOn();
+  shadows->SetTolerance(2e-3);
+  (void)Picture(stage.Window);
+  const int size = shadows->GetMapSizeUsed();
+  RELIEVO_CHECK_THAT(shadows->GetMethodUsed() != vtkRelievoShadowPass::METHOD_EXACT, "no maps");
+  shadows->ReleaseGraphicsResources(stage.Window);
+  StandBeforeOpenGL();
+  Full = true;
+  FailuresLeft = 17; // of the first array: 16 for others' errors, one for its own
+  for (int i = 0; i < 3; ++i)
+  {
+    RELIEVO_CHECK_THAT(
+      relievoTest::CountUnlike(plain, Picture(stage.Window)) > 1000, "another choice: no shadows");
+    RELIEVO_CHECK_THAT(shadows->GetMethodUsed() == vtkRelievoShadowPass::METHOD_EXACT ||
+        shadows->GetMapSizeUsed() < size,
+      shadows->GetPlan());
+  }
+  RELIEVO_CHECK(!Full);
+  // No maps at all: as without a choice, and it is said.
+  shadows->ReleaseGraphicsResources(stage.Window);
+  shadows->SetTimeBudget(1e-3);
+  shadows->SetTolerance(0.);
+  Full = true;
+  {
+    ExpectMessage expect("no memory for 1 map of 2048 x 2048");
+    const ExpectMessage exact("Shadows are made with maps");
+    SamePicture(plain, Picture(stage.Window), "without memory for any choice");
+    SamePicture(plain, Picture(stage.Window), "without memory for any choice, again");
+    RELIEVO_CHECK_THAT(expect.Count() == 1, "choices: not said once");
+  }
+  RELIEVO_CHECK_THAT(
+    shadows->GetPlan().find("nothing was chosen") != std::string::npos, shadows->GetPlan());
+  Full = false;
+  shadows->SetTimeBudget(2e-3);
+  RELIEVO_CHECK_THAT(
+    relievoTest::CountUnlike(plain, Picture(stage.Window)) > 1000, "memory again: no shadows");
+}
+
 // Without room for verdicts of pixels, each fragment finds the same.
 void TestVerdicts()
 {
@@ -155,5 +207,6 @@ int main()
   TestMaps();
   TestMasks();
   TestVerdicts();
+  TestPlanned();
   return session.Result();
 }

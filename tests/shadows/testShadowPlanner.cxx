@@ -12,9 +12,15 @@
 #include "ShadowScenes.h"
 #include "Window.h"
 
+#include <vtkActor.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkProperty.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowPass.h>
+#include <vtkWindowToImageFilter.h>
 
 #include <cmath>
 #include <iostream>
@@ -125,6 +131,114 @@ void TestCameraPath()
   RELIEVO_CHECK_AT_MOST(unlike, 0, "choices that depend on the way there");
 }
 
+// Tiles of a large picture are made as the picture is.
+void TestTiles()
+{
+  ShadowStage stage;
+  stage.AddThings();
+  stage.AddBox({ 2.2, 0.2, 1.8 }, { 0.05, 0.2, 0.05 });
+  stage.AddSun(-3., 4., -2.);
+  stage.GetFrame()->ShadowsOn();
+  Pass* shadows = stage.GetShadows();
+  std::vector<std::pair<int, int>> ways;
+  std::vector<double> shares;
+  const auto note = [&]() {
+    ways.push_back(GetWay(shadows));
+    shares.push_back(shadows->EstimateWrongShareInView(Pass::METHOD_MAP, 1024));
+  };
+  using Note = decltype(note);
+  vtkNew<vtkCallbackCommand> drawn;
+  drawn->SetClientData(const_cast<Note*>(&note));
+  drawn->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { (*static_cast<const Note*>(data))(); });
+  for (const double tolerance : { 2e-3, 1e-3, 7e-4, 5e-4, 3e-4 })
+  {
+    shadows->SetTolerance(tolerance);
+    ways.clear();
+    shares.clear();
+    const unsigned long observer = stage.Window->AddObserver(vtkCommand::EndEvent, drawn);
+    vtkNew<vtkWindowToImageFilter> tiles;
+    tiles->SetInput(stage.Window);
+    tiles->SetScale(2);
+    tiles->Update();
+    stage.Window->RemoveObserver(observer);
+    stage.Window->SetSize(480, 360);
+    stage.Window->Render();
+    const double whole = shadows->EstimateWrongShareInView(Pass::METHOD_MAP, 1024);
+    RELIEVO_CHECK(ways.size() >= 4);
+    for (std::size_t tile = 0; tile < ways.size(); ++tile)
+    {
+      RELIEVO_CHECK_THAT(ways[tile] == GetWay(shadows), "a tile of another choice");
+      RELIEVO_CHECK_NEAR(shares[tile] / whole, 1., 0.02, "a tile's share");
+    }
+    stage.Window->SetSize(240, 180);
+  }
+}
+
+// Props that enter the view, and the way back: what is expected at a place is the same. It follows
+// what merely receives, and what is culled.
+void TestEntering()
+{
+  ShadowStage stage;
+  const auto ground = stage.AddGround();
+  const auto box = stage.AddBox({ 0.8, 0.5, 0. }, { 0.2, 0.5, 0.2 });
+  stage.AddBox({ 2.4, 0.5, 0.5 }, { 0.2, 0.5, 0.2 });
+  stage.AddSun(-3., 4., -2.);
+  stage.GetFrame()->ShadowsOn();
+  Pass* shadows = stage.GetShadows();
+  shadows->SetTolerance(1e-3);
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  const auto go = [&](int place) {
+    const double x = 0.01 * place;
+    camera->SetFocalPoint(x, 0.3, 0.);
+    camera->SetPosition(x, 1.5, 3.);
+    camera->SetClippingRange(0.1, 20.);
+    stage.Window->Render();
+    return shadows->EstimateWrongShareInView(Pass::METHOD_MAP, 1024);
+  };
+  constexpr int Places = 40;
+  std::vector<double> shares;
+  for (int i = 0; i < Places; ++i)
+  {
+    shares.push_back(go(i));
+  }
+  int unlike = 0;
+  for (int i = Places - 1; i >= 0; --i)
+  {
+    unlike += go(i) != shares[i] ? 1 : 0;
+  }
+  RELIEVO_CHECK_AT_MOST(unlike, 0, "shares that depend on the way there");
+  const double before = go(0);
+  shadows->SetPropReceives(ground, false);
+  RELIEVO_CHECK_THAT(go(0) != before, "what receives: nothing new");
+  shadows->SetPropReceives(ground, true);
+  RELIEVO_CHECK_THAT(go(0) == before, "what receives: not as before");
+  shadows->SetPropCasts(ground, Pass::CASTS_NEVER);
+  const double receives = go(0);
+  ground->SetPosition(0., -0.4, 0.);
+  RELIEVO_CHECK_THAT(go(0) != receives, "what merely receives has moved: nothing new");
+  box->GetProperty()->SetFrontfaceCulling(1);
+  const double moved = go(0);
+  box->GetProperty()->SetFrontfaceCulling(0);
+  RELIEVO_CHECK_THAT(go(0) != moved, "what is culled: nothing new");
+}
+
+// Without lights nothing is planned, nor said.
+void TestLightsGone()
+{
+  ShadowStage stage;
+  stage.AddThings();
+  const auto sun = stage.AddSun(-3., 4., -2.);
+  stage.GetFrame()->ShadowsOn();
+  Pass* shadows = stage.GetShadows();
+  shadows->SetTolerance(1e-3);
+  stage.Window->Render();
+  RELIEVO_CHECK(!shadows->GetPlan().empty());
+  sun->SwitchOff();
+  stage.Window->Render();
+  RELIEVO_CHECK(shadows->GetPlan().empty() && shadows->GetMillisecondsTaken() == -1.);
+}
+
 void TestTimes()
 {
   ShadowStage stage;
@@ -209,5 +323,8 @@ int main()
   TestRefusals();
   TestScenes();
   TestCameraPath();
+  TestTiles();
+  TestEntering();
+  TestLightsGone();
   return session.Result();
 }

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a probe of shadows looks at: view and lights in steps, so that most of their moves need no
+// new rays.
+#ifndef vtkRelievoProbeView_h
+#define vtkRelievoProbeView_h
+
+#include "vtkRelievoShadowLight.h"
+#include "vtkRelievoShadowRegion.h"
+#include "vtkRelievoView.h"
+
+#include <vector>
+
+class vtkRenderer;
+
+namespace vtkRelievoProbeView
+{
+// The view of the whole picture, of which the frame's may be a tile.
+vtkRelievoView GetPicture(const vtkRelievoView& view, vtkRenderer* renderer);
+
+// The camera at the nearest of a few places and directions.
+vtkRelievoView GetStep(const vtkRelievoView& view, const glm::dvec3& center);
+
+// The lights, likewise.
+std::vector<vtkRelievoShadowLight> GetStep(
+  const std::vector<vtkRelievoShadowLight>& lights, const glm::dvec3& center);
+
+// The depth from which on surfaces are seen, in steps: the near plane's if it cuts something.
+double GetFirst(const vtkRelievoView& view, const std::vector<vtkRelievoBox>& boxes);
+
+// The part of the window that boxes are seen in: its low corner and its size, as shares of it.
+glm::dvec4 GetPart(const std::vector<vtkRelievoBox>& boxes, const glm::dmat4& worldToNDC);
+}
+
+#endif
