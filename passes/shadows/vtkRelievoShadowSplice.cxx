@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowSplice.h"
 
+#include "vtkActor.h"
+#include "vtkMapper.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
@@ -116,8 +118,13 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   const auto ofMethod = [&](const char* section) {
     return vtkRelievoShaderLibrary::GetSection(structure.Method, section);
   };
-  const bool found = std::count(structure.Found.begin(), structure.Found.end(), actor) > 0;
+  const std::pair<vtkActor*, vtkMapper*> drawn(actor, actor->GetMapper());
+  const bool found = std::count(structure.Found.begin(), structure.Found.end(), drawn) > 0;
   const bool traced = structure.Traced && !found;
+  if (found) // what is seen of it is drawn by another program
+  {
+    vtkShaderProgram::Substitute(vertex, "void main", "invariant gl_Position;\n\nvoid main", false);
+  }
   FillMark(fragment, Dec,
     dec.str() + Section("FragmentDec") + ofMethod("MethodDec") +
       (traced ? ofMethod("TraceDec") : std::string()) + Section("MapsDec") + lights);
