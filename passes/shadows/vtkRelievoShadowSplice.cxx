@@ -17,6 +17,7 @@ using namespace vtkRelievoSpliceText;
 namespace
 {
 const char* const Dec = "//RELIEVO::Shadow::Dec";
+const char* const VertexDec = "//RELIEVO::Shadow::VertexDec";
 const char* const Impl = "//RELIEVO::Shadow::Impl";
 const char* const Extensions = "//RELIEVO::Shadow::Extensions";
 const char* const UniformFlow = "//RELIEVO::Shadow::UniformFlow";
@@ -41,6 +42,7 @@ std::string Numbered(
 void vtkRelievoShadowSplice::Mark(std::string& vertex, std::string& geometry, std::string& fragment)
 {
   MarkVaryings(vertex, geometry, fragment);
+  MarkBehind(vertex, "//VTK::Camera::Dec", VertexDec);
   MarkBehind(fragment, "//VTK::System::Dec", Extensions);
   MarkBehind(fragment, "//VTK::Light::Dec", Dec);
   vtkShaderProgram::Substitute(
@@ -123,7 +125,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   const bool traced = structure.Traced && !found;
   if (found) // what is seen of it is drawn by another program
   {
-    vtkShaderProgram::Substitute(vertex, "void main", "invariant gl_Position;\n\nvoid main", false);
+    FillMark(vertex, VertexDec, ofMethod("FoundVertexDec"));
   }
   FillMark(fragment, Dec,
     dec.str() + Section("FragmentDec") + ofMethod("MethodDec") +

@@ -150,9 +150,8 @@ void UseBlocks(Scene& s)
 // Of two boxes with back faces away from one, the mappers change places.
 void UseCulled(Scene& s)
 {
-  const auto other = s.AddBox({ -0.9, 0.7, 0.6 }, { 0.5, 1.4, 0.5 });
-  other->GetProperty()->BackfaceCullingOn();
-  s.Other = other;
+  s.Other = s.AddBox({ -0.9, 0.7, 0.6 }, { 0.5, 1.4, 0.5 });
+  s.Other->GetProperty()->BackfaceCullingOn();
 }
 
 void UseGlyphs(Scene& s)
@@ -201,7 +200,6 @@ const Case Cases[] = {
       const vtkSmartPointer<vtkMapper> mapper = s.Thing->GetMapper();
       s.Thing->SetMapper(s.Other->GetMapper());
       s.Other->SetMapper(mapper);
-      s.Thing->SetPosition(0., 0., 0.3);
     },
     UseCulled },
   { "an actor is hidden", 3, true, [](Scene& s) { s.Thing->VisibilityOff(); } },
