@@ -31,7 +31,6 @@
 #include <vtkUniforms.h>
 
 #include <functional>
-#include <iostream>
 #include <set>
 
 namespace
@@ -152,6 +151,7 @@ void UseCulled(Scene& s)
 {
   s.Other = s.AddBox({ -0.9, 0.7, 0.6 }, { 0.5, 1.4, 0.5 });
   s.Other->GetProperty()->BackfaceCullingOn();
+  s.Other->GetProperty()->SetColor(0.3, 0.5, 0.8);
 }
 
 void UseGlyphs(Scene& s)
@@ -167,8 +167,7 @@ void MoveBlock(Scene& s)
 {
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(s.Thing->GetMapper()->GetInputDataObject(0, 0));
   MovePoints(vtkPolyData::SafeDownCast(blocks->GetBlock(1)));
-  // Without this VTK's own mapper keeps the old bounds.
-  blocks->Modified();
+  blocks->Modified(); // or VTK's own mapper keeps the old bounds
 }
 
 const Case Cases[] = {
