@@ -74,6 +74,12 @@ vtkRelievoColorBuffers::~vtkRelievoColorBuffers()
 }
 
 //------------------------------------------------------------------------------
+unsigned int vtkRelievoColorBuffers::GetBoundDepthFormat()
+{
+  return GetInternalFormat(GetBoundDepth());
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkTextureObject> vtkRelievoColorBuffers::MakeTexture(
   vtkOpenGLRenderWindow* window, unsigned int format, int width, int height)
 {

@@ -39,6 +39,9 @@ struct vtkRelievoColorBuffers
   // For drawing, or for reading.
   static int GetBoundFramebuffer(bool reading = false);
 
+  // OpenGL's format for depths as what is bound for drawing has them.
+  static unsigned int GetBoundDepthFormat();
+
   vtkIdType GetBytes() const;
   void Release(vtkWindow* window);
 

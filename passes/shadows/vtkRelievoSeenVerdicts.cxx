@@ -25,23 +25,10 @@ namespace
 constexpr double Most = 16777216.0;
 constexpr double Fine = 256.0;
 constexpr float Nowhere = -1e30f; // behind everything
-enum
-{
-  Surfaces,
-  Verdicts,
-  Depth,
-  Tiles,
-  Count
-};
 
 void Append(std::vector<double>& state, const glm::dmat4& matrix)
 {
   state.insert(state.end(), &matrix[0][0], &matrix[0][0] + 16);
-}
-
-int CountTiles(int pixels)
-{
-  return (pixels + vtkRelievoSeenVerdicts::Tile - 1) / vtkRelievoSeenVerdicts::Tile;
 }
 
 // Pixels across by x or y alone, as seen.glsl has them.
@@ -69,6 +56,7 @@ bool vtkRelievoSeenVerdicts::Begin(
   {
     this->Release(this->Window);
     this->Window = window;
+    this->Owner = window;
   }
   this->View = view;
   this->Levels = translucent ? Fine : 2.0;
@@ -79,7 +67,8 @@ bool vtkRelievoSeenVerdicts::Begin(
     unit = unit < 0 ? units->Allocate() : unit;
   }
   const bool bound = this->Units[0] >= 0 && this->Units[1] >= 0;
-  this->Fits = bound && !this->Broken && IsUpright(view.ViewToNDC) && this->Allocate();
+  this->Fits =
+    bound && !this->Broken && IsUpright(view.ViewToNDC) && this->Allocate() && this->IsReady();
   return bound;
 }
 
@@ -87,49 +76,6 @@ bool vtkRelievoSeenVerdicts::Begin(
 int vtkRelievoSeenVerdicts::GetMostLights() const
 {
   return this->Fits ? static_cast<int>(std::log(Most) / std::log(this->Levels) + 1e-6) : 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkRelievoSeenVerdicts::Allocate()
-{
-  const int* size = this->View.Viewport + 2;
-  if (this->Textures[0] && this->Width == size[0] && this->Height == size[1])
-  {
-    return this->Room;
-  }
-  this->Width = size[0];
-  this->Height = size[1];
-  this->SurfacesDrawn.clear();
-  this->VerdictsDrawn.clear();
-  if (!this->Arrays)
-  {
-    glGenVertexArrays(1, &this->Arrays);
-    glGenTextures(Count, this->Textures);
-    this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
-    this->Framebuffer->SetContext(this->Window);
-  }
-  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
-  {
-    // Others' errors: what follows is to be known.
-  }
-  const GLint formats[Count] = { GL_RG32F, GL_R32F, GL_DEPTH_COMPONENT32F, GL_R32F };
-  const GLenum channels[Count] = { GL_RG, GL_RED, GL_DEPTH_COMPONENT, GL_RED };
-  this->Window->GetState()->vtkglActiveTexture(
-    GL_TEXTURE0 + static_cast<unsigned int>(this->Units[0]));
-  for (int i = 0; i < Count; ++i)
-  {
-    const int width = i == Tiles ? CountTiles(this->Width) : this->Width;
-    const int height = i == Tiles ? CountTiles(this->Height) : this->Height;
-    glBindTexture(GL_TEXTURE_2D, this->Textures[i]);
-    glTexImage2D(GL_TEXTURE_2D, 0, formats[i], width, height, 0, channels[i], GL_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  }
-  glBindTexture(GL_TEXTURE_2D, 0);
-  this->Window->GetState()->vtkglActiveTexture(GL_TEXTURE0);
-  this->Room = glGetError() == GL_NO_ERROR; // else rays for each fragment
-  return this->Room;
 }
 
 //------------------------------------------------------------------------------
@@ -360,37 +306,4 @@ void vtkRelievoSeenVerdicts::Unbind()
     }
     unit = -1;
   }
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkRelievoSeenVerdicts::GetBytes() const
-{
-  return this->Room ? BytesPerPixel * this->Width * this->Height +
-      4 * CountTiles(this->Width) * CountTiles(this->Height)
-                    : 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoSeenVerdicts::Release(vtkWindow* window)
-{
-  if (window && this->Window && this->Window != window)
-  {
-    return; // what is held is another window's
-  }
-  if (window && this->Textures[0])
-  {
-    window->MakeCurrent();
-    this->Unbind();
-    glDeleteTextures(Count, this->Textures);
-    glDeleteVertexArrays(1, &this->Arrays);
-    this->Framebuffer->ReleaseGraphicsResources(window);
-  }
-  std::fill_n(this->Textures, Count, 0);
-  std::fill_n(this->Units, 2, -1);
-  this->Arrays = 0;
-  this->Framebuffer = nullptr;
-  this->Room = this->Fits = this->Broken = false;
-  this->Width = this->Height = this->Lights = 0;
-  this->SurfacesDrawn.clear();
-  this->VerdictsDrawn.clear();
 }

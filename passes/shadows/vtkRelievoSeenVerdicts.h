@@ -58,10 +58,21 @@ public:
 
   void Unbind();
   vtkIdType GetBytes() const;
+  static vtkIdType GetBytes(int width, int height);
   void Release(vtkWindow* window);
 
 private:
+  enum Texture
+  {
+    Surfaces,
+    Verdicts,
+    Depth,
+    Tiles,
+    Count
+  };
+  static int CountTiles(int pixels) { return (pixels + Tile - 1) / Tile; }
   bool Allocate();
+  bool IsReady();
   void Bind(int first, int second);
   void BeginDrawing(unsigned int target, int width, int height);
   int FindVerdicts(const std::vector<glm::vec4>& sources, int lights,
@@ -70,17 +81,20 @@ private:
   void Tell(vtkShaderProgram* program, int lights) const;
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  const vtkWindow* Owner = nullptr; // the same, known also in its destructor; for comparison only
   vtkRelievoView View;
   double Levels = 2.0; // of a verdict
   int Lights = 0;      // whose verdicts are there
   bool Room = false;   // OpenGL has the memory
   bool Fits = false;   // there is room, and a way from a pixel and its depth to a place
-  bool Broken = false; // the shaders do not compile
-  unsigned int Textures[4] = { 0, 0, 0, 0 }; // surfaces, verdicts, depth, tiles
+  bool Broken = false; // the shaders do not compile, or cannot draw
+  bool Checked = false;
+  unsigned int Textures[Count] = { 0, 0, 0, 0 };
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkRelievoKeptState> Kept; // while drawing
   std::vector<double> SurfacesDrawn;         // the state of what is there; none if nothing is
   std::vector<double> VerdictsDrawn;
+  unsigned int DepthFormat = 0;
   int Width = 0;
   int Height = 0;
   int Units[2] = { -1, -1 };

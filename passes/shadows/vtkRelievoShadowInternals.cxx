@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowInternals.h"
 
+#include "vtkActor.h"
+
 //------------------------------------------------------------------------------
 void vtkRelievoShadowPass::Internals::UseMethod(int method, vtkOpenGLRenderWindow* window)
 {
@@ -29,7 +31,10 @@ void vtkRelievoShadowPass::Internals::UpdateStructure()
   {
     structure.Lights.push_back({ entry.Light.ShaderIndex, !entry.Light.Positional, entry.Cube });
   }
-  structure.Found = this->Method->GetFound(structure.Lights.size());
+  for (vtkActor* actor : this->Method->GetFound(structure.Lights.size()))
+  {
+    structure.Found.emplace_back(actor, actor->GetMapper());
+  }
   if (!(structure == this->Work.Structure))
   {
     this->Work.Structure = structure;

@@ -185,6 +185,8 @@ vtkRelievoShadowEstimate vtkRelievoShadowMethodExact::Estimate(
   const vtkRelievoShadowDemand& demand) const
 {
   vtkRelievoShadowEstimate estimate;
+  // The triangles, 56 bytes each, come to it.
+  estimate.Bytes = vtkRelievoSeenVerdicts::GetBytes(demand.Width, demand.Height);
   estimate.WrongShare = Law.GetShare(demand.MapSize);
   return estimate;
 }

@@ -268,6 +268,7 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
     this->SayOnce("No shadows: " + fault);
     words.push_back(fault);
     work.Cache.Clear();
+    in.Method->Unbind(); // what it took in Prepare
   }
   in.UpdateStructure();
   if (!lamps)

@@ -287,7 +287,7 @@ public:
    *
    * Bytes: GPU memory for maps of size x size texels (one for a sun or a narrow lamp, up to six for
    * other lamps), so many casting lights and a picture of width x height pixels. METHOD_EXACT holds
-   * 56 bytes for each triangle instead, which are not in it.
+   * 16 bytes for each pixel instead, and 56 for each triangle, which are not in it.
    *
    * Draw calls: at most, in a frame that redraws all maps, with props of one draw call each.
    *

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowSplice.h"
 
+#include "vtkActor.h"
+#include "vtkMapper.h"
 #include "vtkRelievoAccess.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
@@ -15,6 +17,7 @@ using namespace vtkRelievoSpliceText;
 namespace
 {
 const char* const Dec = "//RELIEVO::Shadow::Dec";
+const char* const VertexDec = "//RELIEVO::Shadow::VertexDec";
 const char* const Impl = "//RELIEVO::Shadow::Impl";
 const char* const Extensions = "//RELIEVO::Shadow::Extensions";
 const char* const UniformFlow = "//RELIEVO::Shadow::UniformFlow";
@@ -39,6 +42,7 @@ std::string Numbered(
 void vtkRelievoShadowSplice::Mark(std::string& vertex, std::string& geometry, std::string& fragment)
 {
   MarkVaryings(vertex, geometry, fragment);
+  MarkBehind(vertex, "//VTK::Camera::Dec", VertexDec);
   MarkBehind(fragment, "//VTK::System::Dec", Extensions);
   MarkBehind(fragment, "//VTK::Light::Dec", Dec);
   vtkShaderProgram::Substitute(
@@ -116,8 +120,13 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   const auto ofMethod = [&](const char* section) {
     return vtkRelievoShaderLibrary::GetSection(structure.Method, section);
   };
-  const bool found = std::count(structure.Found.begin(), structure.Found.end(), actor) > 0;
+  const std::pair<vtkActor*, vtkMapper*> drawn(actor, actor->GetMapper());
+  const bool found = std::count(structure.Found.begin(), structure.Found.end(), drawn) > 0;
   const bool traced = structure.Traced && !found;
+  if (found) // what is seen of it is drawn by another program
+  {
+    FillMark(vertex, VertexDec, ofMethod("FoundVertexDec"));
+  }
   FillMark(fragment, Dec,
     dec.str() + Section("FragmentDec") + ofMethod("MethodDec") +
       (traced ? ofMethod("TraceDec") : std::string()) + Section("MapsDec") + lights);

@@ -6,9 +6,11 @@
 #define vtkRelievoShadowSplice_h
 
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkActor;
+class vtkMapper;
 class vtkOpenGLPolyDataMapper;
 
 namespace vtkRelievoShadowSplice
@@ -36,8 +38,9 @@ struct Structure
   bool WideFilter = false;   // of a radius above 1
   int Numbers = 0;           // lights of the renderer
   bool Unlit = false;        // visibility is asked for also where no light is computed
-  // Whose verdicts the method finds before the picture; for comparison only.
-  std::vector<vtkActor*> Found;
+  // Whose verdicts the method finds before the picture, with their mappers, which have the shaders;
+  // for comparison only.
+  std::vector<std::pair<vtkActor*, vtkMapper*>> Found;
 
   int GetFaces() const
   {

@@ -40,6 +40,9 @@ uniform int relievoSeenHides; // whether what is behind it is not seen: no sampl
     texelFetch(relievoSeenVerdicts, ivec2(relievoSeenOwnTexel), 0).x;
   int relievoShadowTaken = relievoShadowInner < 0.0 ? 0 : RELIEVO_SHADOW_LIGHTS;
 
+//RELIEVO::Section(FoundVertexDec)
+invariant gl_Position; // seenVS.glsl has the same
+
 //RELIEVO::Section(FoundImpl)
   for (int slot = 0; slot < relievoShadowTaken; ++slot)
   {

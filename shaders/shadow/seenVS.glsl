@@ -6,6 +6,7 @@ in vec4 vertexMC;
 uniform mat4 MCDCMatrix;
 uniform mat4 MCVCMatrix;
 out vec4 vertexVCVSOutput;
+invariant gl_Position;
 
 void main()
 {

@@ -113,8 +113,10 @@ void main()
     ivec2 texel = ivec2((k & 1) == 0 ? first.x : ends.x, k < 2 ? first.y : ends.y);
     tile.corners[k] = relievoTilePlace(vec2(texel), texelFetch(relievoSeen, texel, 0).x);
   }
-  vec3 normal =
-    normalize(cross(tile.corners[1] - tile.corners[0], tile.corners[2] - tile.corners[0]));
+  // None, and NaN, in a row or a column of pixels: the rest of a tile at the viewport's rim.
+  vec3 normal = normalize(cross(normalize(tile.corners[1] - tile.corners[0]),
+    normalize(tile.corners[2] - tile.corners[0])));
+  bool wide = ends.x > first.x && ends.y > first.y && dot(normal, normal) > 0.5;
   vec3 low = vec3(1e30);
   vec3 high = vec3(-1e30);
   float off = 0.0;
@@ -137,7 +139,7 @@ void main()
   tile.middle = 0.5 * low + 0.5 * high;
   tile.extent = 0.5001 * (high - low) + 1e-6 * max(abs(low), abs(high));
   tile.blur = relievoShadowBlur.x + relievoShadowBlur.y * eye;
-  bool plane = whole && off <= 0.4 * tile.blur;
+  bool plane = whole && wide && off <= 0.4 * tile.blur;
   float sure = 0.0;
   float digit = 1.0;
   for (int light = 0; light < relievoSeenLights; ++light)

@@ -22,7 +22,7 @@ void main()
   float row = floor(seen.y / 4096.0);
   vec3 normalVC = relievoOctDecode(vec2(row, seen.y - 4096.0 * row) / 2047.5 - 1.0);
   float side = cameraParallel != 0 ? normalVC.z : -dot(normalVC, placeVC);
-  bool edgeOn = abs(side) < 0.02 * (cameraParallel != 0 ? 1.0 : length(placeVC));
+  bool plain = abs(side) >= 0.02 * (cameraParallel != 0 ? 1.0 : length(placeVC));
   vec3 normalLC = mat3(relievoShadowToLocal) * normalVC * sign(side);
   float blur = relievoShadowBlur.x + relievoShadowBlur.y * length(placeVC);
   float sure = texelFetch(relievoSeenTiles, texel / 8, 0).x;
@@ -32,11 +32,13 @@ void main()
   {
     vec4 source = relievoSeenSource[light];
     vec3 ray = source.xyz - (source.w != 0.0 ? placeLC : vec3(0.0));
-    // What is turned away is dark, by the fragment's own normal, whatever is written here.
+    // What is turned away is dark, by the fragment's own normal, whatever is written here. A normal
+    // that is none, NaN, turns nothing away.
     float others = floor(0.5 * sure);
     bool open = sure - 2.0 * others < 0.5;
     sure = others;
-    bool facing = there && (edgeOn || dot(normalLC, ray) > -0.02 * length(ray));
+    bool away = plain && dot(normalLC, ray) <= -0.02 * length(ray);
+    bool facing = there && !away;
     float passes = relievoShadowWalk(
       facing && open ? relievoShadowCasters : 0, placeLC, ray, source.w != 0.0, blur);
     levels += digit * (facing ? relievoSeenLevel(passes) : 0.0);

@@ -31,7 +31,6 @@
 #include <vtkUniforms.h>
 
 #include <functional>
-#include <iostream>
 #include <set>
 
 namespace
@@ -44,6 +43,7 @@ bool Exact = false; // the method
 struct Scene : relievoTest::ShadowStage
 {
   Scene()
+    : ShadowStage(Exact ? 120 : 240, Exact ? 90 : 180)
   {
     this->AddGround();
     this->Thing = this->AddBox({ 0.2, 0.8, -0.3 }, { 0.5, 1.6, 0.5 });
@@ -70,6 +70,7 @@ struct Scene : relievoTest::ShadowStage
   }
 
   vtkSmartPointer<vtkActor> Thing;
+  vtkSmartPointer<vtkActor> Other;
   vtkSmartPointer<vtkLight> Sun;
 };
 
@@ -145,6 +146,14 @@ void UseBlocks(Scene& s)
   s.Thing->SetMapper(mapper);
 }
 
+// Of two boxes with back faces away from one, the mappers change places.
+void UseCulled(Scene& s)
+{
+  s.Other = s.AddBox({ -0.9, 0.7, 0.6 }, { 0.5, 1.4, 0.5 });
+  s.Other->GetProperty()->BackfaceCullingOn();
+  s.Other->GetProperty()->SetColor(0.3, 0.5, 0.8);
+}
+
 void UseGlyphs(Scene& s)
 {
   vtkNew<vtkGlyph3DMapper> mapper;
@@ -158,8 +167,7 @@ void MoveBlock(Scene& s)
 {
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(s.Thing->GetMapper()->GetInputDataObject(0, 0));
   MovePoints(vtkPolyData::SafeDownCast(blocks->GetBlock(1)));
-  // Without this VTK's own mapper keeps the old bounds.
-  blocks->Modified();
+  blocks->Modified(); // or VTK's own mapper keeps the old bounds
 }
 
 const Case Cases[] = {
@@ -186,6 +194,13 @@ const Case Cases[] = {
         relievoTest::Moved(relievoTest::MakeBall(0.5), 0., 1., 0.));
     } },
   { "another mapper", 3, true, UseGlyphs },
+  { "two mappers change places", 3, true,
+    [](Scene& s) {
+      const vtkSmartPointer<vtkMapper> mapper = s.Thing->GetMapper();
+      s.Thing->SetMapper(s.Other->GetMapper());
+      s.Other->SetMapper(mapper);
+    },
+    UseCulled },
   { "an actor is hidden", 3, true, [](Scene& s) { s.Thing->VisibilityOff(); } },
   { "an actor comes", 3, true,
     [](Scene& s) {

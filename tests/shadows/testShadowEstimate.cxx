@@ -165,6 +165,9 @@ void TestWrongQuestions()
   RELIEVO_CHECK(pass->EstimateWrongShare(Pass::METHOD_MAP, 0) == -1.);
   RELIEVO_CHECK(pass->EstimateBytes(-1, 512, 1, 1, 10, 10) == -1);
   RELIEVO_CHECK(pass->EstimateBytes(Pass::METHOD_FORWARD, 512, 1, 1, -10, 10) == -1);
+  // 16 bytes a pixel, and 4 a tile of 8 x 8; triangles are not in it.
+  RELIEVO_CHECK(
+    pass->EstimateBytes(Pass::METHOD_EXACT, 512, 1, 1, 600, 604) == 16 * 600 * 604 + 4 * 75 * 76);
   RELIEVO_CHECK(pass->EstimateDrawCalls(Pass::METHOD_WARPED, -1, 2) == -1);
   RELIEVO_CHECK(pass->EstimateWrongShare(Pass::METHOD_EXACT, 1) == 2e-5); // whatever the size
   RELIEVO_CHECK(pass->EstimateWrongShare(Pass::METHOD_FORWARD, 1) == 1.); // a share, in any case
