@@ -188,7 +188,18 @@ void TestWatertight()
   RELIEVO_CHECK_AT_MOST(lit, 0, "watertight: pixels that a ray slips through to");
 }
 
-// Bumps of a few pixels, to the rims of pictures whose last tiles are rows and columns of pixels.
+long long CountUnlike(vtkImageData* first, vtkImageData* second)
+{
+  long long unlike = 0;
+  for (vtkIdType i = 0; i < first->GetNumberOfPoints(); ++i)
+  {
+    unlike += Visibility(first)[i] != Visibility(second)[i] ? 1 : 0;
+  }
+  return unlike;
+}
+
+// Bumps of a few pixels, to the rims of pictures whose last tiles are rows and columns of pixels:
+// verdicts by tiles are those that each fragment of the mesh finds by itself in the first frame.
 void TestBumps()
 {
   for (const auto& size : { std::array<int, 2>{ 241, 177 }, std::array<int, 2>{ 121, 240 },
@@ -218,14 +229,18 @@ void TestBumps()
     stage.Renderer->GetActiveCamera()->SetPosition(0.5, 6., 3.);
     stage.AddSun(-4., 2., -1.);
     stage.GetShadows()->SetMethodToExact();
-    relievoTest::CaptureShadow(stage, 0); // by the mesh's own fragments
-    relievoTest::CheckShadow(
-      stage, 0, Limit, "bumps, " + std::to_string(size[0]) + " x " + std::to_string(size[1]));
+    const auto first = relievoTest::CaptureShadow(stage, 0);
+    relievoTest::CaptureShadow(stage, 0);
+    const auto kept = relievoTest::CaptureShadow(stage, 0);
+    RELIEVO_CHECK_AT_MOST(CountUnlike(first, kept), 0,
+      "bumps, " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + ": pixels unlike");
+    relievoTest::CheckShadow(stage, 0, 1e-3, "bumps"); // edges everywhere, at 1/256 of a pixel
   }
 }
 
-// Sheets that a depth buffer of 24 bits cannot tell apart: the verdicts that are kept are those of
-// the sheet that the picture shows, as each fragment finds them by itself in the first frame.
+// Sheets that a depth buffer of 24 bits can hardly tell apart: the verdicts that are kept are those
+// of the sheet that the picture shows, as each fragment finds them by itself in the first frame,
+// but for a pixel in which the two fight.
 void TestCoarseDepth()
 {
   ShadowStage stage;
@@ -243,12 +258,7 @@ void TestCoarseDepth()
   const auto first = relievoTest::CaptureShadow(stage, 0);
   relievoTest::CaptureShadow(stage, 0);
   const auto kept = relievoTest::CaptureShadow(stage, 0);
-  long long unlike = 0;
-  for (vtkIdType i = 0; i < kept->GetNumberOfPoints(); ++i)
-  {
-    unlike += Visibility(first)[i] != Visibility(kept)[i] ? 1 : 0;
-  }
-  RELIEVO_CHECK_AT_MOST(unlike, 0, "coarse depth: pixels unlike the first frame's");
+  RELIEVO_CHECK_AT_MOST(CountUnlike(first, kept), 1, "coarse depth: pixels unlike the first's");
 }
 
 // Slivers, triangles without area or place, surfaces twice in one place; then all moves and hides.
@@ -335,17 +345,6 @@ int main(int argc, char* argv[])
     TestTroubles();
     return session.Result();
   }
-  if (argc > 1 && std::string(argv[1]) == "small")
-  {
-    for (int w = 90; w < 104; ++w)
-    {
-      TestMesh("bunny", SceneLight::Sun, w, w * 3 / 4);
-      TestMesh("bunny", SceneLight::Spot, w, w * 3 / 4);
-      TestMesh("bunny", SceneLight::Point, w, w * 3 / 4);
-    }
-    return session.Result();
-  }
-  TestMesh("bunny", SceneLight::Sun, 96, 72);
   TestMesh("bunny", SceneLight::Sun, 300, 300);
   TestMesh("bunny", SceneLight::Spot, 400, 225);
   TestMesh("motorBike", SceneLight::Sun, 300, 300);

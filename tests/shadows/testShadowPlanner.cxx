@@ -142,15 +142,15 @@ void TestTiles()
   Pass* shadows = stage.GetShadows();
   std::vector<std::pair<int, int>> ways;
   std::vector<double> shares;
-  const auto note = [&]() {
+  auto note = [&]() {
     ways.push_back(GetWay(shadows));
     shares.push_back(shadows->EstimateWrongShareInView(Pass::METHOD_MAP, 1024));
   };
   using Note = decltype(note);
   vtkNew<vtkCallbackCommand> drawn;
-  drawn->SetClientData(const_cast<Note*>(&note));
+  drawn->SetClientData(&note);
   drawn->SetCallback(
-    [](vtkObject*, unsigned long, void* data, void*) { (*static_cast<const Note*>(data))(); });
+    [](vtkObject*, unsigned long, void* data, void*) { (*static_cast<Note*>(data))(); });
   for (const double tolerance : { 2e-3, 1e-3, 7e-4, 5e-4, 3e-4 })
   {
     shadows->SetTolerance(tolerance);
