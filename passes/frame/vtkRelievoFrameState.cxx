@@ -6,7 +6,6 @@
 #include "vtkActor2D.h"
 #include "vtkCameraPass.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkLight.h"
@@ -16,6 +15,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
+#include "vtkRelievoCompositeMapper.h"
 #include "vtkRelievoDrawnTime.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePass.h"
@@ -170,7 +170,7 @@ void AddActor(State& state, vtkActor* actor)
   {
     state.Add(static_cast<vtkObject*>(glyphs->GetBlockAttributes()));
   }
-  else if (auto* blocks = vtkCompositePolyDataMapper2::SafeDownCast(mapper))
+  else if (auto* blocks = vtkRelievoCompositeMapper::SafeDownCast(mapper))
   {
     state.Add(static_cast<vtkObject*>(blocks->GetCompositeDataDisplayAttributes()));
   }
