@@ -49,7 +49,7 @@ WRONG_VALUES = [
     ("--shadow-size", "16385", "whole number from 16 to 16384"),
     ("--shadow-size", "1.5", "whole number"),
     ("--shadow-tolerance", "0", "a number between 0 and 1"),
-    ("--shadow-tolerance", "200%", "a number between 0 and 100"),
+    ("--shadow-tolerance", "2", "a number between 0 and 1"),
     ("--shadow-tolerance", "little", "a number between 0 and 1"),
     ("--time-budget", "-3", "a finite number above 0"),
     ("--certify", "0", "whole number from 1"),

@@ -23,7 +23,7 @@ const char* const Page = R"(relievo - pictures and measurable layers of meshes a
 
 render draws the FILEs off screen and writes the outputs that you request.
   FILE  .vtp .vtu .vti .vtr .vts .vtm .vtmb .pvtp .pvtu .pvti .pvtr .pvts .vtk
-        .stl .ply .obj .off .gltf .glb, and models with bones: .bvh .dae .fbx .iqm .ms3d
+        .stl .ply .obj .off .gltf .glb and models with bones: .bvh .dae .fbx .iqm .ms3d
         .x
         Grids and images are drawn by their outer surface. Active scalars give the colour. OBJ
         and glTF bring their materials and textures.
