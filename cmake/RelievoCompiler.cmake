@@ -5,7 +5,9 @@ mark_as_advanced(RELIEVO_CCACHE)
 if (RELIEVO_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   # Relative to the source, so that a copy of the tree finds what this one compiled.
   set(CMAKE_CXX_COMPILER_LAUNCHER
-    "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" "${RELIEVO_CCACHE}")
+    "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}"
+    "CCACHE_SLOPPINESS=pch_defines,time_macros" # or it keeps nothing that uses precompiled headers
+    "${RELIEVO_CCACHE}")
 endif ()
 
 # What an interpreter that is not instrumented needs in its environment to load what is. Python

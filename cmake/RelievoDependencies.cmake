@@ -21,7 +21,7 @@ if (RELIEVO_USE_PARAVIEW)
 endif ()
 # After ParaView, VTK_DIR is ParaView's own VTK.
 find_package(VTK 9.1 REQUIRED COMPONENTS ${relievo_vtk_components}
-  OPTIONAL_COMPONENTS ImagingStencil WrappingPythonCore Python)
+  OPTIONAL_COMPONENTS GUISupportQt ImagingStencil WrappingPythonCore Python)
 
 option(RELIEVO_WRAP_PYTHON "Build the Python package; needs a VTK that is wrapped" "${VTK_WRAP_PYTHON}")
 if (RELIEVO_WRAP_PYTHON AND NOT VTK_WRAP_PYTHON)
@@ -30,7 +30,11 @@ if (RELIEVO_WRAP_PYTHON AND NOT VTK_WRAP_PYTHON)
 endif ()
 if (RELIEVO_WRAP_PYTHON)
   # VTK's Python modules are built for one interpreter, which need not be the first on PATH.
-  find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
+  set(relievo_python_development Development)
+  if (SKBUILD) # where wheels are built there is no library of Python
+    set(relievo_python_development Development.Module)
+  endif ()
+  find_package(Python3 REQUIRED COMPONENTS Interpreter ${relievo_python_development})
 elseif (RELIEVO_BUILD_TESTS)
   find_package(Python3 REQUIRED COMPONENTS Interpreter) # runs the tests of the command line
 endif ()

@@ -36,7 +36,7 @@ install(FILES
   "${CMAKE_BINARY_DIR}/${relievo_cmake}/RelievoConfig.cmake"
   "${CMAKE_BINARY_DIR}/${relievo_cmake}/RelievoConfigVersion.cmake"
   DESTINATION "${relievo_cmake}" COMPONENT development)
-if (NOT RELIEVO_DEBIAN)
+if (NOT RELIEVO_DEBIAN AND NOT SKBUILD)
   install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT runtime)
 endif ()
 

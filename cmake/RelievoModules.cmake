@@ -26,6 +26,12 @@ if (RELIEVO_DEBIAN AND RELIEVO_USE_PARAVIEW)
   set(relievo_library_folder "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/../relievo")
   cmake_path(NORMAL_PATH relievo_library_folder)
 endif ()
+set(relievo_library_version
+  VERSION "${PROJECT_VERSION}"
+  SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+if (SKBUILD) # a wheel holds no links, but would hold three copies
+  set(relievo_library_version)
+endif ()
 vtk_module_build(
   MODULES ${relievo_modules}
   PACKAGE Relievo
@@ -36,6 +42,9 @@ vtk_module_build(
   LIBRARY_DESTINATION "${relievo_library_folder}"
   HIERARCHY_DESTINATION "${CMAKE_INSTALL_LIBDIR}/relievo/hierarchy"
   TEST_DIRECTORY_NAME NONE
-  VERSION "${PROJECT_VERSION}"
-  SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+  ${relievo_library_version})
 list(REMOVE_ITEM relievo_modules ${relievo_plugin_modules})
+# Not the two that know nothing of VTK's data: their macros differ.
+set(relievo_of_data ${relievo_modules})
+list(REMOVE_ITEM relievo_of_data Relievo::Shaders Relievo::Layers)
+relievo_precompile_headers(${relievo_of_data})

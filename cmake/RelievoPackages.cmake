@@ -90,11 +90,17 @@ else ()
   set(CPACK_DEBIAN_RELIEVO_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_BINARY_DIR}/debian/triggers")
   set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
   set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY "=")
+  set(relievo_programs command)
+  set(relievo_program_words "the command `relievo`")
+  if (TARGET relievo-viewer)
+    list(APPEND relievo_programs viewer)
+    string(APPEND relievo_program_words ", the window `relievo-viewer`")
+  endif ()
   relievo_package(relievo
-    COMPONENTS command runtime
+    COMPONENTS ${relievo_programs} runtime
     SECTION science
     SUMMARY "pictures and measurable layers of meshes and grids"
-    CONTAINS "This package has the command `relievo` and the libraries."
+    CONTAINS "This package has ${relievo_program_words}\nand the libraries."
     RECOMMENDS xvfb xauth libgl1-mesa-dri)
   relievo_package(libvtkrelievo-dev
     COMPONENTS development

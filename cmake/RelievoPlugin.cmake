@@ -8,10 +8,15 @@ set(RELIEVO_PLUGIN_GUI AUTO CACHE STRING
   "The plugin's panel, tool bar and help in ParaView's window: ON, OFF, or AUTO (where Qt is)")
 set_property(CACHE RELIEVO_PLUGIN_GUI PROPERTY STRINGS AUTO ON OFF)
 set(relievo_plugin_gui OFF)
+# What differs between ParaView 5.11 and 6 is Qt's major version, which ParaView names since 5.12.
+set(relievo_qt_version 5)
+if (PARAVIEW_QT_MAJOR_VERSION)
+  set(relievo_qt_version "${PARAVIEW_QT_MAJOR_VERSION}")
+endif ()
 if (RELIEVO_PLUGIN_GUI)
   set(relievo_qt Core Gui Widgets OpenGL)
-  find_package(Qt5 5.15 QUIET COMPONENTS ${relievo_qt})
-  if (Qt5_FOUND AND TARGET ParaView::pqComponents)
+  find_package("Qt${relievo_qt_version}" QUIET COMPONENTS ${relievo_qt})
+  if (Qt${relievo_qt_version}_FOUND AND TARGET ParaView::pqComponents)
     set(relievo_plugin_gui ON)
     # What these libraries use inside is the linker's to find, not CMake's: it would ask for all
     # readers again.
@@ -25,16 +30,16 @@ if (RELIEVO_PLUGIN_GUI)
   elseif (RELIEVO_PLUGIN_GUI STREQUAL "AUTO")
     message(STATUS "ParaView plugin: for servers and scripts only (no developer files of Qt)")
   else ()
-    message(FATAL_ERROR "RELIEVO_PLUGIN_GUI is ON, but Qt 5.15's developer files (${relievo_qt}) or "
-      "ParaView's Qt libraries were not found. On Debian install qtbase5-dev and libqt5opengl5-dev; "
-      "or set RELIEVO_PLUGIN_GUI=OFF.")
+    message(FATAL_ERROR "RELIEVO_PLUGIN_GUI is ON, but the developer files of Qt ${relievo_qt_version} "
+      "(${relievo_qt}) or ParaView's Qt libraries were not found. On Debian install qtbase5-dev and "
+      "libqt5opengl5-dev, or qt6-base-dev; or set RELIEVO_PLUGIN_GUI=OFF.")
   endif ()
 endif ()
 
-# Its pages in ParaView's help need Qt's help generator, and xmlpatterns to make them from the XML. On
-# Debian xmlpatterns may be a link that leads nowhere.
+# Its pages in ParaView's help need Qt's help generator, and xmlpatterns to make them from the XML, which
+# Qt 6 has not. On Debian xmlpatterns may be a link that leads nowhere.
 set(relievo_plugin_help OFF)
-if (relievo_plugin_gui)
+if (relievo_plugin_gui AND relievo_qt_version EQUAL 5)
   find_package(Qt5Help 5.15 QUIET)
   find_program(qt_xmlpatterns_executable NAMES xmlpatterns-qt5 xmlpatterns
     HINTS "${Qt5_DIR}/../../../bin" DOC "Path to xmlpatterns")

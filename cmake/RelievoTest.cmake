@@ -38,6 +38,7 @@ function (relievo_add_test)
   if (test_SOURCES)
     add_executable("${test_NAME}" ${test_SOURCES})
     target_link_libraries("${test_NAME}" PRIVATE relievoTestSupport ${test_LIBRARIES})
+    relievo_precompile_headers("${test_NAME}")
     target_include_directories("${test_NAME}" PRIVATE ${test_PRIVATE_INCLUDES})
     set_target_properties("${test_NAME}" PROPERTIES
       RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests/bin")

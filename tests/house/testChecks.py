@@ -35,6 +35,8 @@ MISTAKES = {
     "tab": ("python/relievo/c.py", CLEAN["python/relievo/a.py"] + "\tx = 1\n", "tab"),
     "wide": ("shaders/c.glsl", LICENCE + "// " + "x" * 100 + "\n", "100 columns"),
     "long": ("shaders/d.glsl", LICENCE + "float d;\n" * 400, "over 400"),
+    "version": ("io/vtkV.h", LICENCE + "#if VTK_VERSION_NUMBER > 1\n#endif\n",
+                "vtkRelievoVTKVersions.h"),
     "ParaView": ("passes/vtkC.h", LICENCE + "class vtkPVView;\n", "plugin/ only"),
     "ParaView module": ("io/vtk.module", "NAME\n  Relievo::IO\nDEPENDS\n  ParaView::Core\n",
                         "plugin/ only"),
