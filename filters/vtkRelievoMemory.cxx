@@ -48,9 +48,9 @@ std::string Words(double bytes)
 }
 
 //------------------------------------------------------------------------------
-std::string LackOfMemory(double bytes, double limit)
+std::string LackOfMemory(double bytes, double limit, double held)
 {
-  const double room = limit > 0. ? limit : FreeBytes();
+  const double room = limit > 0. ? limit : FreeBytes() + held;
   if (bytes <= room)
   {
     return "";

@@ -13,9 +13,10 @@ namespace relievo
 {
 /**
  * Empty if so many bytes fit under the limit, or, with a limit of 0, into the memory that the
- * machine and its limits for this process leave; else words for the message, with both numbers.
+ * machine and its limits for this process leave; else words for the message, with both numbers. Of
+ * these bytes, the caller may hold some already: they are not to be found again.
  */
-std::string LackOfMemory(double bytes, double limit);
+std::string LackOfMemory(double bytes, double limit, double held = 0.);
 }
 
 #endif

@@ -19,6 +19,7 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <cstring>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
@@ -75,6 +76,17 @@ void RequestWhole(vtkInformation* input)
   input->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
   input->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
   input->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+}
+
+//------------------------------------------------------------------------------
+std::pair<vtkIdType, vtkIdType> GetPiece(vtkInformation* output, vtkIdType count)
+{
+  const vtkIdType pieces =
+    output->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) ? output->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) : 1;
+  const vtkIdType piece =
+    output->Has(SDDP::UPDATE_PIECE_NUMBER()) ? output->Get(SDDP::UPDATE_PIECE_NUMBER()) : 0;
+  const auto cut = [&](vtkIdType i) { return count / pieces * i + std::min(count % pieces, i); };
+  return { cut(piece), cut(piece + 1) };
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkDataArray;
@@ -38,6 +39,9 @@ std::vector<vtkMTimeType> GetStamps(vtkInformationVector** inputs);
 
 // Asks for all of an input, at its first time.
 void RequestWhole(vtkInformation* input);
+
+// The first and the one after the last of so many particles that an output is asked for.
+std::pair<vtkIdType, vtkIdType> GetPiece(vtkInformation* output, vtkIdType count);
 
 // A hash of 64 bits over all that was added, in order.
 class Key

@@ -40,6 +40,7 @@ glm::dmat3 Rows(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z)
 void vtkRelievoParticleMaps::SetSurface(vtkDataObject* data, const vtkRelievoVoxelGrid& grid)
 {
   this->Views.clear();
+  this->Pairs = true;
   vtkRelievoVoxelSurface surface;
   for (vtkDataSet* leaf : vtkRelievoVoxelMeshes::GetLeaves(data))
   {
@@ -74,6 +75,7 @@ void vtkRelievoParticleMaps::SetSurface(vtkDataObject* data, const vtkRelievoVox
 std::string vtkRelievoParticleMaps::SetImages(const std::vector<vtkImageData*>& images)
 {
   this->Views.clear();
+  this->Pairs = false;
   for (std::size_t index = 0; index < images.size(); ++index)
   {
     const std::string which = "depth image " + std::to_string(index) + ": ";

@@ -27,6 +27,8 @@ public:
   std::string SetImages(const std::vector<vtkImageData*>& images);
 
   std::vector<vtkRelievoParticleView> Views;
+  // Whether the views are pairs that look at each other, each pair with the same texels.
+  bool Pairs = false;
 
   // The side of the largest texel, in world units; 0 without views.
   double GetTexelSize() const;

@@ -66,6 +66,29 @@ void vtkRelievoParticleOutput::Number(vtkIdType first, vtkIdType count) const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkRelievoParticleOutput::FindReplaced(vtkDataSet* start) const
+{
+  std::string names;
+  const auto look = [&](const char* name) {
+    if (start && start->GetPointData()->HasArray(name))
+    {
+      names += (names.empty() ? "'" : ", '") + std::string(name) + "'";
+    }
+  };
+  look("particle");
+  look("velocity");
+  if (!this->Inside)
+  {
+    look("normal");
+  }
+  if (this->Orientations && !this->Inside)
+  {
+    look("orientation");
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoParticleOutput::Write(const vtkRelievoParticleState& state, vtkIdType first,
   vtkDataSet* start, vtkPolyData* output) const
 {

@@ -12,6 +12,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <string>
+
 class vtkCellArray;
 class vtkDataSet;
 class vtkIdTypeArray;
@@ -26,6 +28,9 @@ struct vtkRelievoParticleOutput
   // The same at all times, and shared by their outputs; made where they are not there.
   vtkSmartPointer<vtkIdTypeArray>& Numbers;
   vtkSmartPointer<vtkCellArray>& Vertices;
+
+  // The names of the point data that do not go along, as particles have their own; or nothing.
+  std::string FindReplaced(vtkDataSet* start) const;
 
   // Particles, the first of which has this number; their start's point data go along.
   void Write(const vtkRelievoParticleState& state, vtkIdType first, vtkDataSet* start,

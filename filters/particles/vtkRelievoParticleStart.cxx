@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoParticleStart.h"
 
-#include "vtkRelievoFormulas.h"
-
 #include "vtkDataSet.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -60,6 +58,10 @@ vtkRelievoParticleStart::vtkRelievoParticleStart(
       }
     }
   }
+  if (inside && !this->Parts.empty())
+  {
+    this->Space = std::make_unique<vtkRelievoParticleSpace>(maps, this->Low, this->High, seed);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -71,41 +73,27 @@ bool vtkRelievoParticleStart::GetBox(glm::dvec3& low, glm::dvec3& high) const
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoParticleStart::Random(vtkIdType i, unsigned int which) const
-{
-  const auto index = static_cast<std::uint64_t>(i);
-  return relievo::f64::relievoNoiseHash(static_cast<std::uint32_t>(index),
-           static_cast<std::uint32_t>(index >> 32), which, this->Seed) /
-    4294967296.;
-}
-
-//------------------------------------------------------------------------------
 void vtkRelievoParticleStart::SpreadOne(
   vtkIdType i, vtkIdType count, glm::dvec3& position, int& view) const
 {
-  constexpr unsigned int Tries = 64;
   view = 0;
-  for (unsigned int t = 0; this->Inside && t < Tries; ++t)
+  if (this->Space && this->Space->Find(i, position))
   {
-    const glm::dvec3 part(
-      this->Random(i, 3 * t + 8), this->Random(i, 3 * t + 9), this->Random(i, 3 * t + 10));
-    position = glm::mix(this->Low, this->High, part);
-    if (this->Maps.IsInside(position))
-    {
-      return;
-    }
+    return;
   }
-  const double share = (static_cast<double>(i) + this->Random(i, 0)) / static_cast<double>(count);
+  const auto random = [&](unsigned int which) {
+    return vtkRelievoParticleRandom(i, which, this->Seed);
+  };
+  const double share = (static_cast<double>(i) + random(0)) / static_cast<double>(count);
   const auto found =
     std::upper_bound(this->Shares.begin(), this->Shares.end(), share * this->Shares.back());
   const auto index = std::min<std::ptrdiff_t>(
     found - this->Shares.begin(), static_cast<std::ptrdiff_t>(this->Parts.size()) - 1);
   const Part& part = this->Parts[static_cast<std::size_t>(index)];
   view = part.View;
-  position =
-    this->Maps.Views[static_cast<std::size_t>(view)]
-      .At(part.Texel, 0.998 * (this->Random(i, 1) - 0.5), 0.998 * (this->Random(i, 2) - 0.5))
-      .Position;
+  position = this->Maps.Views[static_cast<std::size_t>(view)]
+               .At(part.Texel, 0.998 * (random(1) - 0.5), 0.998 * (random(2) - 0.5))
+               .Position;
   if (this->Inside)
   {
     this->Maps.PushInside(position, 4. * this->Maps.GetTexelSize());

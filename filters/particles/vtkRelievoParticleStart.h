@@ -6,9 +6,13 @@
 #define vtkRelievoParticleStart_h
 
 #include "vtkRelievoParticleMaps.h"
+#include "vtkRelievoParticleSpace.h"
 #include "vtkRelievoParticleState.h"
 
 #include "vtkType.h"
+
+#include <memory>
+#include <vector>
 
 class vtkDataSet;
 
@@ -35,7 +39,6 @@ private:
     std::size_t Texel;
   };
   void SpreadOne(vtkIdType i, vtkIdType count, glm::dvec3& position, int& view) const;
-  double Random(vtkIdType i, unsigned int which) const;
 
   const vtkRelievoParticleMaps& Maps;
   bool Inside;
@@ -44,6 +47,7 @@ private:
   std::vector<double> Shares; // area of the parts up to each
   glm::dvec3 Low;
   glm::dvec3 High;
+  std::unique_ptr<vtkRelievoParticleSpace> Space; // where particles are inside
 };
 
 #endif

@@ -24,6 +24,29 @@ double Limit(double time, double texel, double speed)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoParticleSteps::SetVelocities(
+  vtkRelievoParticleMaps& maps, const vtkRelievoParticleField& field)
+{
+  for (vtkRelievoParticleView& view : maps.Views)
+  {
+    const auto texels = static_cast<vtkIdType>(view.GetNumberOfTexels());
+    vtkSMPTools::For(0, texels, 4096, [&](vtkIdType begin, vtkIdType end) {
+      vtkRelievoParticleField::Reader reader(field);
+      for (auto texel = static_cast<std::size_t>(begin); texel < static_cast<std::size_t>(end);
+           ++texel)
+      {
+        if (view.IsSeen(texel))
+        {
+          const vtkRelievoParticlePlace place = view.At(texel);
+          view.SetVelocity(
+            texel, glm::vec3(reader.OnSurface(place.Position, glm::dvec3(place.Normal))));
+        }
+      }
+    });
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoParticleSteps::vtkRelievoParticleSteps(
   const vtkRelievoParticleMaps& maps, const vtkRelievoParticleField& field, bool inside)
   : Maps(maps)
@@ -94,6 +117,27 @@ const vtkRelievoParticleState* vtkRelievoParticleSteps::Get(
   this->Between = before->second;
   this->Advance(this->Between, part * this->TimeStep);
   return &this->Between;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoParticleSteps::GetBytesHeld() const
+{
+  auto particles = static_cast<double>(this->Between.Positions.size());
+  for (const auto& kept : this->Kept)
+  {
+    particles += static_cast<double>(kept.second.Positions.size());
+  }
+  return particles * static_cast<double>(vtkRelievoParticleState::GetBytesPerParticle());
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoParticleSteps::EstimateBytes(
+  vtkIdType particles, int numberOfSteps, int checkpoints)
+{
+  // Beside those that are kept: the first, the last, the one that moves, and a part of a step.
+  const double stored = std::min(checkpoints, numberOfSteps) + 4.;
+  return static_cast<double>(particles) *
+    (stored * static_cast<double>(vtkRelievoParticleState::GetBytesPerParticle()) + 90.);
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include "vtkRelievoParticleField.h"
 #include "vtkRelievoParticleMaps.h"
 #include "vtkRelievoParticleState.h"
+#include "vtkType.h"
 
 #include <functional>
 #include <map>
@@ -16,6 +17,9 @@
 class vtkRelievoParticleSteps
 {
 public:
+  // Gives all that the maps see its velocity.
+  static void SetVelocities(vtkRelievoParticleMaps& maps, const vtkRelievoParticleField& field);
+
   // Held on what the maps see, whose texels have velocities, or inside.
   vtkRelievoParticleSteps(
     const vtkRelievoParticleMaps& maps, const vtkRelievoParticleField& field, bool inside);
@@ -26,6 +30,10 @@ public:
   // The particles after so many steps, a part of one included. Between steps, goesOn is asked with
   // the share that is done; nullptr if it says no.
   const vtkRelievoParticleState* Get(double steps, const std::function<bool(double)>& goesOn);
+
+  // What is held now, and what so many particles of so many steps take, output included.
+  double GetBytesHeld() const;
+  static double EstimateBytes(vtkIdType particles, int numberOfSteps, int checkpoints);
 
 private:
   void Advance(vtkRelievoParticleState& state, double time) const;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoSurfaceParticles.h"
 
+#include "vtkRelievoAbort.h"
 #include "vtkRelievoMemory.h"
 #include "vtkRelievoParticleInputs.h"
 #include "vtkRelievoParticleOutput.h"
@@ -21,7 +22,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <glm/common.hpp>
@@ -49,6 +49,8 @@ struct vtkRelievoSurfaceParticles::Internals
   vtkSmartPointer<vtkIdTypeArray> Numbers;
   vtkSmartPointer<vtkCellArray> Vertices;
 
+  // Of particles: they are used again, or given back before others are made.
+  double GetBytesHeld() const;
   std::string Update(vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs,
     vtkIdType first, vtkIdType end);
   std::string MakeMaps(vtkRelievoSurfaceParticles* self, vtkInformationVector** inputs);
@@ -56,6 +58,14 @@ struct vtkRelievoSurfaceParticles::Internals
   void MakeSteps(
     vtkRelievoSurfaceParticles* self, vtkDataSet* points, vtkIdType first, vtkIdType end);
 };
+
+//------------------------------------------------------------------------------
+double vtkRelievoSurfaceParticles::Internals::GetBytesHeld() const
+{
+  const double numbers =
+    this->Numbers ? static_cast<double>(this->Numbers->GetNumberOfValues()) : 0.;
+  return numbers * 3. * sizeof(vtkIdType) + (this->Steps ? this->Steps->GetBytesHeld() : 0.);
+}
 
 //------------------------------------------------------------------------------
 // Makes anew what inputs and settings have changed. Returns what is wrong, or an empty text.
@@ -179,29 +189,20 @@ void vtkRelievoSurfaceParticles::Internals::MakeSteps(
   glm::dvec3 low;
   glm::dvec3 high;
   this->Field.Velocity = glm::dvec3(self->Velocity[0], self->Velocity[1], self->Velocity[2]);
-  this->Field.NoiseSpeed = std::isfinite(self->NoiseSpeed) ? self->NoiseSpeed : 0.;
   this->Field.NoiseSeed = static_cast<unsigned int>(self->Seed);
   this->Field.Near = this->Maps.GetTexelSize();
   const bool seen = start.GetBox(low, high);
   const glm::dvec3 size = seen ? high - low : glm::dvec3(1.);
   const double longest = std::max({ size.x, size.y, size.z, this->Maps.GetTexelSize() });
   this->Field.NoiseScale = self->NoiseScale > 0. ? self->NoiseScale : longest / 5.;
-  for (vtkRelievoParticleView& view : this->Maps.Views)
+  this->Field.NoiseSpeed = self->NoiseSpeed < 0. ? longest / 100. : self->NoiseSpeed;
+  if (!std::isfinite(this->Field.NoiseSpeed))
   {
-    const auto texels = static_cast<vtkIdType>(view.GetNumberOfTexels());
-    vtkSMPTools::For(0, inside ? 0 : texels, 4096, [&](vtkIdType begin, vtkIdType last) {
-      vtkRelievoParticleField::Reader reader(this->Field);
-      for (auto texel = static_cast<std::size_t>(begin); texel < static_cast<std::size_t>(last);
-           ++texel)
-      {
-        if (view.IsSeen(texel))
-        {
-          const vtkRelievoParticlePlace place = view.At(texel);
-          view.SetVelocity(
-            texel, glm::vec3(reader.OnSurface(place.Position, glm::dvec3(place.Normal))));
-        }
-      }
-    });
+    this->Field.NoiseSpeed = 0.;
+  }
+  if (!inside)
+  {
+    vtkRelievoParticleSteps::SetVelocities(this->Maps, this->Field);
   }
   this->Steps = std::make_unique<vtkRelievoParticleSteps>(this->Maps, this->Field, inside);
   this->Steps->Begin(
@@ -286,7 +287,7 @@ int vtkRelievoSurfaceParticles::RequestData(
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(info);
   output->Initialize();
-  info->Remove(SDDP::DATA_NOT_GENERATED());
+  relievo::Begin(outputs);
   this->SetErrorCode(vtkErrorCode::NoError);
   Internals& self = *this->Self;
 
@@ -301,23 +302,20 @@ int vtkRelievoSurfaceParticles::RequestData(
 
   auto* points = vtkDataSet::SafeDownCast(Inputs::Get(inputs, Inputs::POINTS));
   const vtkIdType count = points ? points->GetNumberOfPoints() : this->NumberOfParticles;
-  const vtkIdType pieces =
-    info->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) ? info->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) : 1;
-  const vtkIdType piece =
-    info->Has(SDDP::UPDATE_PIECE_NUMBER()) ? info->Get(SDDP::UPDATE_PIECE_NUMBER()) : 0;
-  const auto cut = [&](vtkIdType i) { return count / pieces * i + std::min(count % pieces, i); };
-  const vtkIdType first = cut(piece);
-  const vtkIdType end = cut(piece + 1);
+  const std::pair<vtkIdType, vtkIdType> piece = Inputs::GetPiece(info, count);
+  const vtkIdType first = piece.first;
+  const vtkIdType end = piece.second;
 
-  // Beside those that are kept: the first, the last, the one that moves, and a part of a step.
-  const double stored = std::min(this->Checkpoints, this->NumberOfSteps) + 4.;
-  const double bytes = static_cast<double>(end - first) *
-    (stored * static_cast<double>(vtkRelievoParticleState::GetBytesPerParticle()) + 90.);
-  std::string problem = relievo::LackOfMemory(bytes, this->MemoryLimit);
+  const double bytes =
+    vtkRelievoParticleSteps::EstimateBytes(end - first, this->NumberOfSteps, this->Checkpoints);
+  std::string problem = relievo::LackOfMemory(bytes, this->MemoryLimit, self.GetBytesHeld());
   problem = problem.empty() ? problem
                             : "for " + std::to_string(end - first) + " of them " + problem +
       "; ask for fewer or a higher limit";
   const vtkRelievoParticleState* state = nullptr;
+  const vtkRelievoParticleOutput out{ self.Maps, self.Field, this->Place == INSIDE,
+    this->Orientations, self.Numbers, self.Vertices };
+  std::string replaced;
   const auto work = [&]() {
     std::vector<vtkMTimeType> stamps = Inputs::GetStamps(inputs);
     stamps.insert(stamps.end(),
@@ -331,21 +329,26 @@ int vtkRelievoSurfaceParticles::RequestData(
         return;
       }
       self.Stamps = stamps;
+      replaced = out.FindReplaced(points);
     }
     state = self.Steps->Get(steps, [this](double done) {
       this->UpdateProgress(0.1 + 0.8 * done);
-      return !this->GetAbortExecute();
+      return !relievo::IsStopped(this);
     });
     if (state)
     {
-      vtkRelievoParticleOutput{ self.Maps, self.Field, this->Place == INSIDE, this->Orientations,
-        self.Numbers, self.Vertices }
-        .Write(*state, first, points, output);
+      out.Write(*state, first, points, output);
     }
   };
   if (problem.empty())
   {
     vtkRelievoWithThreads(work);
+  }
+  if (!replaced.empty())
+  {
+    vtkWarningMacro("The point data " << replaced << " of the starting points are left out: "
+                                      << "particles have their own of this name. Rename them to "
+                                      << "have both.");
   }
   if (!problem.empty())
   {
@@ -355,9 +358,7 @@ int vtkRelievoSurfaceParticles::RequestData(
   }
   else if (!state)
   {
-    // Cut short: the next update, of this time too, is not to take it for done.
-    output->ReleaseData();
-    info->Set(SDDP::DATA_NOT_GENERATED(), 1);
+    relievo::Discard(outputs);
   }
   return 1;
 }

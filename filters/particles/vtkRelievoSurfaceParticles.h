@@ -5,14 +5,15 @@
  * @brief Particles that a field moves, and that depth maps hold on a surface or inside it.
  *
  * Input 0: the surface: a data set or a composite of them; of what is not a vtkPolyData, the outer
- * surface counts. It is seen from six sides. Of one that changes in time, the first time counts.
+ * surface counts. It is seen from six sides. Of inputs that change in time, the first time counts.
  *
  * Input 1, optional: depth images of parallel projection, from any sides, with the layer `depth`
  * and the field data of captures (vtkRelievoLayerSource, vtkRelievoDepthViews). They then take the
  * place of the surface.
  *
  * Input 2, optional: points where particles start, each at the nearest place that is seen. Their
- * point data go along. Without them particles are spread evenly.
+ * point data go along; arrays with the names of the output's own are left out, with a warning.
+ * Without them particles are spread evenly.
  *
  * Input 3, optional: the data that have FieldArray; without it, they are those of input 0.
  *
@@ -97,7 +98,7 @@ public:
   ///@{
   /**
    * Speed (rms) by the curl of simplex noise, which has no sources and sinks, in world units per
-   * unit of time. Default is 0.
+   * unit of time. Negative: a hundredth of the longest side. Default is 0.
    */
   vtkSetMacro(NoiseSpeed, double);
   vtkGetMacro(NoiseSpeed, double);

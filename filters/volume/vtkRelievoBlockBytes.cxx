@@ -2,13 +2,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoBlockBytes.h"
 
+#include "vtkDataArray.h"
+#include "vtkSetGet.h"
+
 #include <algorithm>
+#include <set>
 
 namespace relievo
 {
+namespace
+{
+// How many labels can have weights: those that there are, as far as they are not too many.
+double CountWeights(const BlockMeshSettings& mesh, vtkDataArray* labels)
+{
+  if (!mesh.WeightedLabels.empty())
+  {
+    return static_cast<double>(mesh.WeightedLabels.size());
+  }
+  std::set<vtkTypeInt64> found;
+  const auto count = [&found](const auto* values, vtkIdType size) {
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      if (i == 0 || values[i] != values[i - 1])
+      {
+        found.insert(static_cast<vtkTypeInt64>(values[i]));
+        if (static_cast<vtkIdType>(found.size()) >= BlockMeshSettings::MostWeights)
+        {
+          return;
+        }
+      }
+    }
+  };
+  switch (labels->GetDataType())
+  {
+    vtkTemplateMacro(
+      count(static_cast<VTK_TT*>(labels->GetVoidPointer(0)), labels->GetNumberOfTuples()));
+  }
+  return static_cast<double>(found.size());
+}
+}
+
 //------------------------------------------------------------------------------
 double BytesOfBlocks(vtkIdType vertices, vtkIdType faces, const BlockSettings& settings,
-  const BlockMeshSettings& mesh, int labelBytes)
+  const BlockMeshSettings& mesh, vtkDataArray* labels)
 {
   constexpr double Id = sizeof(vtkIdType);
   constexpr double Triple = 3. * sizeof(float);
@@ -19,8 +55,8 @@ double BytesOfBlocks(vtkIdType vertices, vtkIdType faces, const BlockSettings& s
   const double place = (settings.DoublePoints ? 2. : 1.) * Triple;
   const double normal = settings.Normals ? Triple : 0.;
   const double texture = mesh.TextureCoordinates ? Pair : 0.;
-  const auto chosen = static_cast<double>(mesh.WeightedLabels.size());
-  const double weights = mesh.Weights ? sizeof(float) * (chosen > 0. ? chosen : 8.) : 0.;
+  const double weights = mesh.Weights ? sizeof(float) * CountWeights(mesh, labels) : 0.;
+  const int labelBytes = labels->GetDataTypeSize();
   const bool own = mesh.SplitMaterials || mesh.TextureCoordinates || mesh.Weights;
   const double points = mesh.TextureCoordinates ? corners : count;
 
@@ -33,6 +69,8 @@ double BytesOfBlocks(vtkIdType vertices, vtkIdType faces, const BlockSettings& s
   {
     around = 3. * Id * count + Id * corners;
     around += mesh.TextureCoordinates ? count * (Id + normal) : 0.;
+    // The labels on one or both sides of each face, and all of them in order.
+    around += mesh.Weights ? quads * Id * (settings.Faces.BetweenLabels ? 4. : 2.) : 0.;
     kept = corners * (Id + texture) + points * (Id + normal) + count * weights;
   }
   const double cellsPerFace = mesh.Triangles ? 2. : 1.;
@@ -50,5 +88,15 @@ double BytesOfBlocks(vtkIdType vertices, vtkIdType faces, const BlockSettings& s
     polygons += quads * (Id + cellsPerFace) + points * 2. * Id;
   }
   return surface + kept + std::max(around, polygons);
+}
+
+//------------------------------------------------------------------------------
+double BytesOfSeams(vtkIdType seams, const BlockSettings& settings)
+{
+  const double place = settings.DoublePoints ? 3. * sizeof(double) : 3. * sizeof(float);
+  // Lists of slabs have room to grow while their seams are put into one.
+  const double listed = 3. * sizeof(BlockSeam);
+  const double line = 2. * place + 3. * sizeof(vtkIdType) + sizeof(int);
+  return static_cast<double>(seams) * (listed + line);
 }
 }

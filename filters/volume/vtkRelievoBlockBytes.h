@@ -12,12 +12,14 @@
 namespace relievo
 {
 /**
- * The bytes of a surface with so many vertices and faces, and of its polygons, while they are made.
- * `labelBytes` is the size of a label. Two cases take more: normals that cancel out everywhere, and
- * weights of more than 8 labels that were not chosen.
+ * The bytes of a surface with so many vertices and faces, and of its polygons, while they are made
+ * of these labels. Normals that cancel out everywhere take more.
  */
 double BytesOfBlocks(vtkIdType vertices, vtkIdType faces, const BlockSettings& settings,
-  const BlockMeshSettings& mesh, int labelBytes);
+  const BlockMeshSettings& mesh, vtkDataArray* labels);
+
+/** The bytes of so many seams, and of their lines. */
+double BytesOfSeams(vtkIdType seams, const BlockSettings& settings);
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include "vtkRelievoThreads.h"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <utility>
 
@@ -174,15 +175,28 @@ void ForAll(vtkIdType count, Work&& work)
   });
 }
 
+// Half of a face belongs to the label on either side of it, and all of it to one beside air.
 void MakeWeights(const BlockSurface& surface, const BlockLabels& labels, const Around& around,
-  std::vector<vtkTypeInt64> weighted, BlockCorners& result)
+  const BlockSettings& settings, std::vector<vtkTypeInt64> weighted, BlockCorners& result)
 {
-  std::vector<vtkTypeInt64> materials(surface.Faces.GetSize());
-  ForAll(static_cast<vtkIdType>(materials.size()),
-    [&](vtkIdType i) { materials[i] = labels.LabelAt(surface.Faces[i].Owner); });
+  const vtkTypeInt64 air = labels.LabelAt(-1);
+  const vtkIdType faces = surface.Faces.GetSize();
+  std::vector<vtkTypeInt64> materials(faces);
+  std::vector<vtkTypeInt64> beyond(settings.Faces.BetweenLabels ? faces : 0);
+  ForAll(faces, [&](vtkIdType i) {
+    const BlockFace& face = surface.Faces[i];
+    materials[i] = labels.LabelAt(face.Owner);
+    if (!beyond.empty())
+    {
+      const vtkTypeInt64 other = labels.LabelAt(labels.Beside(face.Owner, face.Axis, face.Low));
+      beyond[i] = other == air ? materials[i] : other;
+    }
+  });
+  const std::vector<vtkTypeInt64>& others = beyond.empty() ? materials : beyond;
   if (weighted.empty())
   {
     weighted = materials;
+    weighted.insert(weighted.end(), beyond.begin(), beyond.end());
   }
   std::sort(weighted.begin(), weighted.end());
   weighted.erase(std::unique(weighted.begin(), weighted.end()), weighted.end());
@@ -202,13 +216,14 @@ void MakeWeights(const BlockSurface& surface, const BlockLabels& labels, const A
     const vtkIdType end = around.Starts[vertex + 1];
     for (std::size_t i = 0; i < count; ++i)
     {
-      int faces = 0;
+      int halves = 0;
       for (vtkIdType corner = begin; corner < end; ++corner)
       {
-        faces += materials[around.Corners[corner] / 4] == weighted[i];
+        const vtkIdType face = around.Corners[corner] / 4;
+        halves += (materials[face] == weighted[i]) + (others[face] == weighted[i]);
       }
       result.Weights[count * vertex + i] =
-        static_cast<float>(faces) / static_cast<float>(std::max<vtkIdType>(end - begin, 1));
+        static_cast<float>(halves) / static_cast<float>(2 * std::max<vtkIdType>(end - begin, 1));
     }
   });
 }
@@ -312,7 +327,7 @@ BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& la
   });
   if (mesh.Weights)
   {
-    MakeWeights(surface, labels, around, mesh.WeightedLabels, result);
+    MakeWeights(surface, labels, around, settings, mesh.WeightedLabels, result);
   }
   if (!mesh.TextureCoordinates)
   {
@@ -322,10 +337,14 @@ BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& la
   const auto corners = static_cast<vtkIdType>(around.Corners.size());
   result.Texture.resize(corners);
   std::vector<vtkIdType> ofCorners(corners);
+  std::atomic<double> tileSize{ 0. };
   std::vector<std::array<float, 3>> normals(settings.Normals ? corners : 0);
   ForAll(corners / 4, [&](vtkIdType face) {
-    const std::array<std::array<float, 2>, 4> texture =
-      TextureOf(surface.Faces[face], surface, labels, settings, mesh);
+    const FaceTexture texture = TextureOf(surface.Faces[face], surface, labels, settings, mesh);
+    double largest = tileSize;
+    while (texture.TileSize > largest && !tileSize.compare_exchange_weak(largest, texture.TileSize))
+    {
+    }
     for (vtkIdType corner = 4 * face; corner < 4 * face + 4; ++corner)
     {
       const vtkIdType point = result.Points[corner];
@@ -334,10 +353,11 @@ BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& la
       {
         normals[corner] = result.Normals[point];
       }
-      result.Texture[corner] = texture[corner - 4 * face];
+      result.Texture[corner] = texture.Places[corner - 4 * face];
       result.Points[corner] = corner;
     }
   });
+  result.TileSize = tileSize;
   result.Vertices.swap(ofCorners);
   result.Normals.swap(normals);
   return result;

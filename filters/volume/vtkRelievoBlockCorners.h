@@ -23,6 +23,7 @@ struct BlockCorners
   std::vector<std::array<float, 2>> Texture;
   std::vector<std::string> WeightNames;
   std::vector<float> Weights; // as many a vertex as there are names
+  double TileSize = 0.;       // that the largest face needs; 0 without an atlas
 };
 
 BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& labels,
@@ -35,9 +36,15 @@ BlockCorners MakeBlockCorners(const BlockSurface& surface, const BlockLabels& la
 void SplitNullNormals(BlockSurface& surface, const BlockLabels& labels,
   const BlockSettings& settings, const BlockMeshSettings& mesh);
 
-/** The texture coordinates of a face's corners, in the order of its points. */
-std::array<std::array<float, 2>, 4> TextureOf(const BlockFace& face, const BlockSurface& surface,
-  const BlockLabels& labels, const BlockSettings& settings, const BlockMeshSettings& mesh);
+/** The texture of a face: coordinates of its corners, in the order of its points. */
+struct FaceTexture
+{
+  std::array<std::array<float, 2>, 4> Places;
+  double TileSize = 0.; // that the face needs; 0 without an atlas
+};
+
+FaceTexture TextureOf(const BlockFace& face, const BlockSurface& surface, const BlockLabels& labels,
+  const BlockSettings& settings, const BlockMeshSettings& mesh);
 }
 
 #endif

@@ -69,6 +69,38 @@ inline BitSlice::Word NextBits(const BitSlice::Word* row, int word, int words)
   return row[word] >> 1 | (word + 1 < words ? row[word + 1] << 63 : 0);
 }
 
+/**
+ * Calls each(axis, j, word, bits of four faces) for every word of the edges between slices k - 1
+ * and k, and of those along z in slice k: bit i is the edge at block i of row j.
+ */
+template <typename Each>
+void ForEachEdges(const FaceSlice& lower, const FaceSlice& upper, int lastRow, Each&& each)
+{
+  using Word = BitSlice::Word;
+  const int words = upper.X.Words;
+  const auto run = [&](int axis, int j, const Word* a, const Word* b, const Word* c, bool shifted,
+                     const Word* d) {
+    for (int word = 0; word < words; ++word)
+    {
+      // The fourth of the faces is that of the next block where the edge is along y or z.
+      const Word fourth = shifted ? NextBits(d, word, words) : d[word];
+      each(axis, j, word, std::array<Word, 4>{ { a[word], b[word], c[word], fourth } });
+    }
+  };
+  for (int j = 0; j <= lastRow; ++j)
+  {
+    run(0, j, lower.Y.Row(j), upper.Y.Row(j), upper.Z.Row(j), false, upper.Z.Row(j + 1));
+    run(1, j, lower.X.Row(j), upper.X.Row(j), upper.Z.Row(j), true, upper.Z.Row(j));
+    run(2, j, upper.X.Row(j), upper.X.Row(j + 1), upper.Y.Row(j), true, upper.Y.Row(j));
+  }
+}
+
+/** The edges of a word that are used other than twice, or not at all. */
+inline BitSlice::Word SeamsOf(const std::array<BitSlice::Word, 4>& faces)
+{
+  return (faces[0] ^ faces[1] ^ faces[2] ^ faces[3]) | (faces[0] & faces[1] & faces[2] & faces[3]);
+}
+
 /** Calls each(i) for every bit that is set in a row, in order. */
 template <typename Each>
 void ForEachBit(const BitSlice::Word* row, int words, Each&& each)

@@ -13,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRelievoReserve.h"
 #include "vtkRelievoThreads.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
@@ -216,7 +217,7 @@ void MarkGhosts(const BlockSurface& surface, const BlockLabels& labels,
 }
 
 //------------------------------------------------------------------------------
-vtkIdType MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, vtkDataArray* array,
+BlockMeshReport MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, vtkDataArray* array,
   const BlockSettings& settings, const BlockMeshSettings& mesh, vtkPolyData* output)
 {
   const Kept faces = KeptFaces(surface, labels, mesh);
@@ -310,7 +311,7 @@ vtkIdType MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, vtkDat
   {
     MarkGhosts(surface, labels, mesh, faces, cellsPerFace, output);
   }
-  return static_cast<vtkIdType>(corners.WeightNames.size());
+  return { static_cast<vtkIdType>(corners.WeightNames.size()), corners.TileSize };
 }
 
 //------------------------------------------------------------------------------
@@ -322,6 +323,11 @@ void MakeBlockSeams(const BlockSurface& surface, const std::array<int, 6>& owned
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkIntArray> uses;
   uses->SetName("uses");
+  // At once, as growing takes twice the room.
+  const auto most = static_cast<vtkIdType>(surface.Seams.size());
+  Reserve(points, 2 * most);
+  lines->AllocateExact(most, 2 * most);
+  Reserve(uses, most);
   for (const BlockSeam& seam : surface.Seams)
   {
     bool mine = true;

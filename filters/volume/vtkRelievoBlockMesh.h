@@ -35,11 +35,15 @@ struct BlockMeshSettings
   bool HasGhosts = false; // some faces are to be dropped or marked
 };
 
-/**
- * Makes the polygons; returns how many labels weights were asked of, which are left out when there
- * are more than MostWeights.
- */
-vtkIdType MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, vtkDataArray* array,
+struct BlockMeshReport
+{
+  // Of how many labels weights were asked; they are left out when there are more than MostWeights.
+  vtkIdType WeightedLabels = 0;
+  // The tile of the atlas that the largest face needs, in world units; 0 without an atlas.
+  double TileSize = 0.;
+};
+
+BlockMeshReport MakeBlockMesh(BlockSurface& surface, const BlockLabels& labels, vtkDataArray* array,
   const BlockSettings& settings, const BlockMeshSettings& mesh, vtkPolyData* output);
 
 /** Makes lines of the seams whose lower end belongs to this piece. */

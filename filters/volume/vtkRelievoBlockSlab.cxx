@@ -274,32 +274,19 @@ void BlockSlab::MakeFace(int axis, int i, int j, int k, bool low, bool write, vt
 //------------------------------------------------------------------------------
 void BlockSlab::MakeSeams(int k)
 {
-  const FaceSlice& lower = this->Faces[0];
-  const FaceSlice& upper = this->Faces[1];
-  const BlockBox& box = this->Labels.GetBox();
-  using Word = BitSlice::Word;
-  const auto find = [&](int axis, int j, const Word* a, const Word* b, const Word* c, bool shifted,
-                      const Word* d) {
-    for (int word = 0; word < upper.X.Words; ++word)
-    {
-      // The fourth of the faces is that of the next block where the edge is along y or z.
-      const Word fourth = shifted ? NextBits(d, word, upper.X.Words) : d[word];
-      const Word odd = a[word] ^ b[word] ^ c[word] ^ fourth;
-      const Word all = a[word] & b[word] & c[word] & fourth;
-      const Word seams = odd | all;
+  const int lastRow = this->Labels.GetBox().Size[1];
+  ForEachEdges(this->Faces[0], this->Faces[1], lastRow,
+    [&](int axis, int j, int word, const std::array<BitSlice::Word, 4>& faces) {
+      const BitSlice::Word seams = SeamsOf(faces);
       ForEachBit(&seams, 1, [&](int bit) {
-        const auto has = [bit](Word bits) { return static_cast<int>(bits >> bit & 1u); };
-        this->AddSeam(
-          axis, 64 * word + bit, j, k, has(a[word]) + has(b[word]) + has(c[word]) + has(fourth));
+        int uses = 0;
+        for (const BitSlice::Word face : faces)
+        {
+          uses += static_cast<int>(face >> bit & 1u);
+        }
+        this->AddSeam(axis, 64 * word + bit, j, k, uses);
       });
-    }
-  };
-  for (int j = 0; j <= box.Size[1]; ++j)
-  {
-    find(0, j, lower.Y.Row(j), upper.Y.Row(j), upper.Z.Row(j), false, upper.Z.Row(j + 1));
-    find(1, j, lower.X.Row(j), upper.X.Row(j), upper.Z.Row(j), true, upper.Z.Row(j));
-    find(2, j, upper.X.Row(j), upper.X.Row(j + 1), upper.Y.Row(j), true, upper.Y.Row(j));
-  }
+    });
 }
 
 //------------------------------------------------------------------------------

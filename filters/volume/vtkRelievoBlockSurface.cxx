@@ -9,6 +9,7 @@
 #include "vtkRelievoThreads.h"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 
 namespace relievo
@@ -65,10 +66,12 @@ Made MakeBlockSurface(
   const int slices = box.Size[2] + 1;
   std::vector<vtkIdType> vertices(slices + 1, 0);
   std::vector<vtkIdType> faces(slices + 1, 0);
+  std::atomic<vtkIdType> seamCount{ 0 };
   bool goOn = ForSlabs(slices, settings, 0., 0.3, [&](int, int first, int end) {
     FaceSlice lower;
     FaceSlice upper;
     VertexSlice used;
+    vtkIdType edges = 0;
     lower.Make(labels, settings.Faces, first - 1, nullptr);
     for (int k = first; k < end; ++k)
     {
@@ -76,8 +79,16 @@ Made MakeBlockSurface(
       used.Make(box, lower, upper);
       vertices[k] = used.Count;
       faces[k] = upper.Count();
+      if (settings.Seams)
+      {
+        ForEachEdges(
+          lower, upper, box.Size[1], [&](int, int, int, const std::array<BitSlice::Word, 4>& of) {
+            edges += static_cast<vtkIdType>(VertexSlice::CountBits(SeamsOf(of)));
+          });
+      }
       std::swap(lower, upper);
     }
+    seamCount += edges;
   });
   const vtkIdType vertexCount = AddUp(vertices);
   const vtkIdType faceCount = AddUp(faces);
@@ -85,7 +96,7 @@ Made MakeBlockSurface(
   {
     return goOn ? Made::TooLarge : Made::Stopped;
   }
-  if (settings.HasRoom && !settings.HasRoom(vertexCount, faceCount))
+  if (settings.HasRoom && !settings.HasRoom(vertexCount, faceCount, seamCount))
   {
     return Made::Stopped;
   }
@@ -127,9 +138,11 @@ Made MakeBlockSurface(
     nulls[number] = slab.NullNormals;
   });
   surface.NullNormals = std::accumulate(nulls.begin(), nulls.end(), vtkIdType(0));
-  for (const std::vector<BlockSeam>& slab : seams)
+  surface.Seams.reserve(static_cast<std::size_t>(seamCount.load()));
+  for (std::vector<BlockSeam>& slab : seams)
   {
     surface.Seams.insert(surface.Seams.end(), slab.begin(), slab.end());
+    std::vector<BlockSeam>().swap(slab);
   }
   return goOn ? Made::Done : Made::Stopped;
 }

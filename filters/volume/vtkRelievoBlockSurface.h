@@ -52,8 +52,8 @@ struct BlockSettings
   double Axes[3][3] = {}; // [row][column]
   // Called from the thread of the caller with the part that is done; false stops.
   std::function<bool(double)> GoOn;
-  // Called with the numbers of vertices and faces before they are made; false stops.
-  std::function<bool(vtkIdType, vtkIdType)> HasRoom;
+  // Called with the numbers of vertices, faces and seams before they are made; false stops.
+  std::function<bool(vtkIdType, vtkIdType, vtkIdType)> HasRoom;
 };
 
 /** An edge that is used other than twice; corners are vertices of the surface. */

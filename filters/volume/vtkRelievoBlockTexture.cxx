@@ -64,8 +64,8 @@ void Straighten(std::array<Vec2, 4>& flat)
 }
 
 //------------------------------------------------------------------------------
-std::array<std::array<float, 2>, 4> TextureOf(const BlockFace& face, const BlockSurface& surface,
-  const BlockLabels& labels, const BlockSettings& settings, const BlockMeshSettings& mesh)
+FaceTexture TextureOf(const BlockFace& face, const BlockSurface& surface, const BlockLabels& labels,
+  const BlockSettings& settings, const BlockMeshSettings& mesh)
 {
   const int u = (face.Axis + 1) % 3;
   const int v = (face.Axis + 2) % 3;
@@ -118,7 +118,7 @@ std::array<std::array<float, 2>, 4> TextureOf(const BlockFace& face, const Block
     tile[0] = number % tiles[0];
     tile[1] = number / tiles[0];
   }
-  std::array<std::array<float, 2>, 4> texture;
+  FaceTexture texture;
   for (int point = 0; point < 4; ++point)
   {
     const Vec2 corner = turn(flat[order[point]]);
@@ -128,13 +128,14 @@ std::array<std::array<float, 2>, 4> TextureOf(const BlockFace& face, const Block
       double value = corner[c] / mesh.TileSize;
       if (atlas)
       {
+        texture.TileSize = std::max(texture.TileSize, 2. * std::abs(corner[c]));
         value = (static_cast<double>(tile[c]) + std::min(std::max(value + 0.5, 0.), 1.)) / tiles[c];
       }
       else
       {
         value += start - std::floor(start);
       }
-      texture[point][c] = static_cast<float>(value);
+      texture.Places[point][c] = static_cast<float>(value);
     }
   }
   return texture;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoCaves.h"
 
+#include "vtkRelievoAbort.h"
 #include "vtkRelievoCaveFunction.h"
 #include "vtkRelievoCaveImage.h"
 #include "vtkRelievoMemory.h"
@@ -127,6 +128,7 @@ int vtkRelievoCaves::RequestData(
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
   image->Initialize(); // of the last update
+  relievo::Begin(outputs);
   this->NumberOfEvaluations = 0;
   this->NumberOfAirSamples = 0;
   this->SetErrorCode(vtkErrorCode::NoError);
@@ -139,7 +141,7 @@ int vtkRelievoCaves::RequestData(
   settings.Skipping = this->Skipping;
   settings.GoOn = [this](double progress) {
     this->UpdateProgress(progress);
-    return !this->GetAbortExecute();
+    return !relievo::IsStopped(this);
   };
   std::string problem = FindProblem(this, settings.Field);
   double samples = 1.;
@@ -190,7 +192,7 @@ int vtkRelievoCaves::RequestData(
   }
   if (counts.Stopped)
   {
-    image->Initialize();
+    relievo::Discard(outputs);
     return 1;
   }
   this->NumberOfEvaluations = counts.Evaluations;

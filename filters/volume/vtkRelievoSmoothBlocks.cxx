@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoSmoothBlocks.h"
 
+#include "vtkRelievoAbort.h"
 #include "vtkRelievoBlockBytes.h"
 #include "vtkRelievoBlockInput.h"
 #include "vtkRelievoBlockMesh.h"
 #include "vtkRelievoMemory.h"
+#include "vtkRelievoPrecision.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
@@ -94,6 +96,7 @@ int vtkRelievoSmoothBlocks::RequestData(
   vtkImageData* image = vtkImageData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   this->SetErrorCode(vtkErrorCode::NoError);
+  relievo::Begin(outputs);
   if (image->GetNumberOfPoints() == 0)
   {
     return 1;
@@ -200,15 +203,18 @@ int vtkRelievoSmoothBlocks::RequestData(
   settings.Noise.Solid = this->NoiseDimensions == 3;
   settings.Normals = this->Normals != NO_NORMALS;
   settings.Seams = this->Seams;
-  settings.DoublePoints = this->OutputPointsPrecision == DOUBLE_PRECISION;
+  settings.DoublePoints = this->OutputPointsPrecision == DEFAULT_PRECISION
+    ? relievo::NeedsDouble(image, whole)
+    : this->OutputPointsPrecision == DOUBLE_PRECISION;
   settings.GoOn = [this](double progress) {
     this->UpdateProgress(progress);
-    return !this->GetAbortExecute();
+    return !relievo::IsStopped(this);
   };
-  settings.HasRoom = [&](vtkIdType vertices, vtkIdType faces) {
-    const std::string lack = relievo::LackOfMemory(
-      relievo::BytesOfBlocks(vertices, faces, settings, mesh, array->GetDataTypeSize()),
-      this->MemoryLimit);
+  settings.HasRoom = [&](vtkIdType vertices, vtkIdType faces, vtkIdType seams) {
+    const std::string lack =
+      relievo::LackOfMemory(relievo::BytesOfBlocks(vertices, faces, settings, mesh, array) +
+          relievo::BytesOfSeams(seams, settings),
+        this->MemoryLimit);
     if (!lack.empty())
     {
       this->SetErrorCode(vtkErrorCode::UserError);
@@ -226,17 +232,27 @@ int vtkRelievoSmoothBlocks::RequestData(
     this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro("No surface of blocks: it would have 2^32 points or more; make it in pieces.");
   }
+  if (made == relievo::Made::Stopped && this->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    relievo::Discard(outputs);
+  }
   if (made != relievo::Made::Done)
   {
     return 1;
   }
-  const vtkIdType weighted =
+  const relievo::BlockMeshReport report =
     relievo::MakeBlockMesh(surface, *labels, array, settings, mesh, output);
-  if (weighted > relievo::BlockMeshSettings::MostWeights)
+  if (report.TileSize > mesh.TileSize * (1. + 1e-6))
+  {
+    vtkWarningMacro("Some faces are larger than the tiles of the atlas, and textures are stretched "
+                    "at their borders: TileSize is "
+      << mesh.TileSize << ", and these faces need " << report.TileSize << ".");
+  }
+  if (report.WeightedLabels > relievo::BlockMeshSettings::MostWeights)
   {
     this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro("No weights of materials: there are "
-      << weighted << " labels, and at most " << relievo::BlockMeshSettings::MostWeights
+      << report.WeightedLabels << " labels, and at most " << relievo::BlockMeshSettings::MostWeights
       << " can have weights; choose some with AddWeightedLabel.");
   }
   if (this->Seams)

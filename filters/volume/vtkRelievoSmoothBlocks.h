@@ -184,8 +184,9 @@ public:
   ///@{
   /**
    * Columns and rows of an atlas, a texture with a tile for each material: label 1 has the one in
-   * the lower left corner, label 2 the next to its right. Faces are in the middle of their tile. 0
-   * 0, the default: no atlas, textures repeat.
+   * the lower left corner, label 2 the next to its right. Faces are in the middle of their tile;
+   * what is larger than TileSize, as by noise, is stretched at its border, with a warning. 0 0, the
+   * default: no atlas, textures repeat.
    */
   vtkSetVector2Macro(Atlas, int);
   vtkGetVector2Macro(Atlas, int);
@@ -194,8 +195,8 @@ public:
   ///@{
   /**
    * Whether points have the array "weights", for soft borders between materials: a component for
-   * each label, named after it, with its share of the faces at the point. Their sum is 1 where all
-   * labels are weighted. Default is off.
+   * each label, named after it, with its share of the faces at the point. A face between two labels
+   * is half of either's. The sum is 1 where all labels are weighted. Default is off.
    */
   vtkSetMacro(MaterialWeights, bool);
   vtkGetMacro(MaterialWeights, bool);
@@ -221,8 +222,9 @@ public:
 
   ///@{
   /**
-   * Type of the points' coordinates, as in vtkAlgorithm: DEFAULT_PRECISION, the default, and
-   * SINGLE_PRECISION are float.
+   * Type of the points' coordinates, as in vtkAlgorithm. DEFAULT_PRECISION, the default, is double
+   * where float would move points of the whole image by more than a thousandth of a block's
+   * shortest side, and else float.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);

@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoVoxelCubes.h"
 
+#include "vtkRelievoAbort.h"
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoMemory.h"
+#include "vtkRelievoPrecision.h"
+#include "vtkRelievoReserve.h"
 #include "vtkRelievoThreads.h"
 #include "vtkRelievoVoxelDistance.h"
+#include "vtkRelievoVoxelNearest.h"
 #include "vtkRelievoVoxelPieces.h"
+#include "vtkRelievoVoxelTurn.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -21,8 +25,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-#include "vtkStaticPointLocator.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -60,60 +62,6 @@ bool IsInner(const unsigned char* mask, const std::array<int, 3>& cells, const i
     stride *= cells[axis];
   }
   return inner;
-}
-
-// The data of the nearest point, for each of the points. Returns the names of arrays that are left
-// out, as cubes have their own of these names.
-std::string AddNearest(vtkDataSet* model, vtkPoints* points, vtkPointData* output)
-{
-  std::string left;
-  if (!model || model->GetNumberOfPoints() == 0 || points->GetNumberOfPoints() == 0)
-  {
-    return left;
-  }
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(model);
-  locator->BuildLocator();
-  vtkNew<vtkIdList> nearest;
-  nearest->SetNumberOfIds(points->GetNumberOfPoints());
-  vtkSMPTools::For(0, points->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
-    double place[3];
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      points->GetPoint(i, place);
-      nearest->SetId(i, locator->FindClosestPoint(place));
-    }
-  });
-  vtkPointData* data = model->GetPointData();
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = data->GetAbstractArray(i);
-    const std::string name = array->GetName() ? array->GetName() : "";
-    if (name == vtkDataSetAttributes::GhostArrayName())
-    {
-      continue; // the model's ghosts are not the cubes'
-    }
-    if (name == "size" || name == "scale" || name == "instance")
-    {
-      left += (left.empty() ? "'" : ", '") + name + "'";
-      continue;
-    }
-    auto copy = vtk::TakeSmartPointer(array->NewInstance());
-    copy->SetName(array->GetName());
-    copy->SetNumberOfComponents(array->GetNumberOfComponents());
-    copy->SetNumberOfTuples(nearest->GetNumberOfIds());
-    array->GetTuples(nearest, copy);
-    const int active = data->GetScalars() == array ? output->AddArray(copy) : -1;
-    if (active >= 0)
-    {
-      output->SetActiveAttribute(active, vtkDataSetAttributes::SCALARS);
-    }
-    else
-    {
-      output->AddArray(copy);
-    }
-  }
-  return left;
 }
 }
 
@@ -184,6 +132,7 @@ int vtkRelievoVoxelCubes::RequestData(
   vtkImageData* image = vtkImageData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   this->SetErrorCode(vtkErrorCode::NoError);
+  relievo::Begin(outputs);
   auto* mask = vtkUnsignedCharArray::SafeDownCast(image->GetCellData()->GetArray("mask"));
   if (image->GetNumberOfCells() == 0)
   {
@@ -195,6 +144,15 @@ int vtkRelievoVoxelCubes::RequestData(
     this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro("No cubes: the image has no cell array 'mask' of unsigned char, as Voxel Shell "
                   "(vtkRelievoVoxelShell) makes.");
+    return 1;
+  }
+  const vtkRelievoVoxelTurn turn(image);
+  if (turn.IsSkewed())
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro(
+      "No cubes: the cells are no boxes, as the columns of the image's direction matrix "
+      "are not perpendicular and of length 1.");
     return 1;
   }
   const int* extent = image->GetExtent();
@@ -241,7 +199,11 @@ int vtkRelievoVoxelCubes::RequestData(
     }
     return is;
   };
+  vtkInformation* info = inputs[0]->GetInformationObject(0);
+  const bool inDouble = relievo::NeedsDouble(
+    image, info->Has(SDDP::WHOLE_EXTENT()) ? info->Get(SDDP::WHOLE_EXTENT()) : extent);
   vtkNew<vtkPoints> points;
+  points->SetDataType(inDouble ? VTK_DOUBLE : VTK_FLOAT);
   vtkNew<vtkFloatArray> sizes;
   sizes->SetName("size");
   const double radius = this->Instanced ? 0. : this->RepellerRadius;
@@ -249,13 +211,14 @@ int vtkRelievoVoxelCubes::RequestData(
   const double longest =
     std::max({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
   const relievo::f64::vec3 repeller(this->Repeller[0], this->Repeller[1], this->Repeller[2]);
+  vtkDataSet* model = vtkDataSet::GetData(inputs[1]);
   std::string left;
   std::string lack;
   const auto work = [&]() {
     std::vector<float> squares;
     const auto count = static_cast<double>(mask->GetNumberOfValues());
-    const double distances = this->Transition > 0. ? count * sizeof(float) : 0.;
-    lack = relievo::LackOfMemory(distances, this->MemoryLimit);
+    double bytes = this->Transition > 0. ? count * sizeof(float) : 0.;
+    lack = relievo::LackOfMemory(bytes, this->MemoryLimit);
     if (!lack.empty())
     {
       return;
@@ -269,7 +232,7 @@ int vtkRelievoVoxelCubes::RequestData(
     const auto forEachCell = [&](const auto& visit) {
       vtkIdType at = 0;
       int cell[3];
-      for (cell[2] = 0; cell[2] < cells[2] && !this->GetAbortExecute(); ++cell[2])
+      for (cell[2] = 0; cell[2] < cells[2] && !relievo::IsStopped(this); ++cell[2])
       {
         for (cell[1] = 0; cell[1] < cells[1]; ++cell[1])
         {
@@ -287,12 +250,18 @@ int vtkRelievoVoxelCubes::RequestData(
     };
     double cubes = 0.;
     forEachCell([&](vtkIdType, const int*) { cubes += 1.; });
-    // The place, the size and three scales.
-    lack = relievo::LackOfMemory(distances + cubes * 7. * sizeof(float), this->MemoryLimit);
+    // The place, the size and three scales, and the four numbers of a turn.
+    bytes += cubes * (inDouble ? 3. * sizeof(double) : 3. * sizeof(float)) +
+      cubes * (turn.IsTurned() ? 8. : 4.) * sizeof(float) +
+      vtkRelievoVoxelNearest::EstimateBytes(model, cubes);
+    lack = relievo::LackOfMemory(bytes, this->MemoryLimit);
     if (!lack.empty())
     {
       return;
     }
+    // At once, as growing takes twice the room.
+    relievo::Reserve(points, static_cast<vtkIdType>(cubes));
+    relievo::Reserve(sizes, static_cast<vtkIdType>(cubes));
     this->UpdateProgress(0.5);
     forEachCell([&](vtkIdType at, const int* cell) {
       double outside = inside[at] ? 0. : std::numeric_limits<double>::infinity();
@@ -323,11 +292,11 @@ int vtkRelievoVoxelCubes::RequestData(
           : relievo::f64::relievoCubeSize(outside, this->Transition, this->RestSize, growth)));
     });
     this->UpdateProgress(0.8);
-    if (this->GetAbortExecute())
+    if (relievo::IsStopped(this))
     {
       return;
     }
-    left = AddNearest(vtkDataSet::GetData(inputs[1]), points, output->GetPointData());
+    left = vtkRelievoVoxelNearest::Add(model, points, output->GetPointData());
   };
   vtkRelievoWithThreads(work);
   if (!lack.empty())
@@ -336,9 +305,9 @@ int vtkRelievoVoxelCubes::RequestData(
     vtkErrorMacro("No cubes: " << lack << "; make cells larger or the limit higher.");
     return 1;
   }
-  if (this->GetAbortExecute())
+  if (relievo::IsStopped(this))
   {
-    output->Initialize();
+    relievo::Discard(outputs);
     return 1;
   }
   if (!left.empty())
@@ -364,6 +333,10 @@ int vtkRelievoVoxelCubes::RequestData(
     output->GetPointData()->AddArray(sizes);
   }
   output->GetPointData()->AddArray(scales);
+  if (turn.IsTurned())
+  {
+    output->GetPointData()->AddArray(turn.MakeArray("orientation", points->GetNumberOfPoints()));
+  }
   return 1;
 }
 

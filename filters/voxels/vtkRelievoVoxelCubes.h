@@ -10,7 +10,12 @@
  * Output: a point at the centre of each cell that has a cube, with the point arrays
  * - size (float): 1 inside, falling to RestSize over Transition outside;
  * - scale (3 float): size times the cell's sides, for vtkGlyph3DMapper's scaling by vector
- *   components with a unit cube.
+ *   components with a unit cube;
+ * - orientation (4 float): only where the image has a direction matrix that turns, the quaternion
+ *   w x y z by which cubes are turned (SetOrientationModeToQuaternion). The matrix must be one of
+ *   rotation, or of one and a mirror.
+ * Places are double where float would move them by more than a thousandth of a cell's shortest
+ * side, and else float.
  * Inner cells, whose six neighbours are inside, are left out: they are not seen.
  *
  * With Instanced, sizes and places are left to vtkRelievoVoxelCubesActor, which computes them as
@@ -20,9 +25,9 @@
  *
  * In pieces, each cell has its cube in one of them. Cells that are ghosts or blanked have none, and
  * blanked ones are outside. Ghost arrays of the second input are left out, and so, with a warning,
- * are arrays called `size`, `scale` or `instance`.
+ * are arrays called `size`, `scale`, `orientation` or `instance`.
  *
- * Errors: an image without `mask`, more memory than MemoryLimit.
+ * Errors: an image without `mask` or with cells that are no boxes, more memory than MemoryLimit.
  */
 #ifndef vtkRelievoVoxelCubes_h
 #define vtkRelievoVoxelCubes_h

@@ -57,7 +57,9 @@ void vtkRelievoVoxelReport::Describe(bool parity, int axis,
   out << ": " << this->Inside << " of " << grid.GetNumberOfCells() << " cells inside";
   if (!fromImages)
   {
-    out << (this->Closed ? "; the surface is closed" : "; the surface is open");
+    out << (this->Triangles == 0 ? "; there is no surface"
+        : this->Closed           ? "; the surface is closed"
+                                 : "; the surface is open");
   }
   for (std::size_t a = 0; a < 3; ++a)
   {

@@ -18,6 +18,7 @@ class vtkFieldData;
 struct vtkRelievoVoxelReport
 {
   vtkIdType Inside = 0;
+  vtkIdType Triangles = 0; // that are looked at
   bool Closed = false;
   std::array<vtkIdType, 3> Open{};
   std::array<vtkIdType, 3> Columns{};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoVoxelShell.h"
 
+#include "vtkRelievoAbort.h"
 #include "vtkRelievoMemory.h"
 #include "vtkRelievoThreads.h"
 #include "vtkRelievoVoxelDepths.h"
@@ -193,6 +194,7 @@ int vtkRelievoVoxelShell::RequestData(
 {
   vtkImageData* output = vtkImageData::GetData(outputs);
   output->Initialize();
+  relievo::Begin(outputs);
   this->SetErrorCode(vtkErrorCode::NoError);
   Internals& self = *this->Self;
   self = Internals();
@@ -242,18 +244,19 @@ int vtkRelievoVoxelShell::RequestData(
         fromImages ? std::vector<vtkDataSet*>() : vtkRelievoVoxelMeshes::GetLeaves(surfaceData))
       {
         surface.Add(vtkRelievoVoxelMeshes::GetSurface(leaf), grid);
-        if (this->GetAbortExecute())
+        if (relievo::IsStopped(this))
         {
           return;
         }
       }
       invalid = surface.GetNumberOfInvalid();
+      self.Report.Triangles = surface.GetNumberOfTriangles();
       self.Report.Closed = !fromImages && surface.IsClosed();
       this->UpdateProgress(0.3);
       const bool parity = this->Method == PARITY && !fromImages;
       for (int axis = 0; axis < 3 && !fromImages && (!parity || this->Distances); ++axis)
       {
-        if (this->GetAbortExecute())
+        if (relievo::IsStopped(this))
         {
           return;
         }
@@ -263,7 +266,7 @@ int vtkRelievoVoxelShell::RequestData(
         }
       }
       this->UpdateProgress(0.6);
-      if (this->GetAbortExecute())
+      if (relievo::IsStopped(this))
       {
         return;
       }
@@ -284,7 +287,7 @@ int vtkRelievoVoxelShell::RequestData(
         for (int axis = 0; axis < 3; ++axis)
         {
           this->UpdateProgress(0.6 + 0.1 * axis);
-          if (this->GetAbortExecute())
+          if (relievo::IsStopped(this))
           {
             return;
           }
@@ -297,9 +300,9 @@ int vtkRelievoVoxelShell::RequestData(
     vtkRelievoWithThreads(work);
   }
   this->UpdateProgress(0.9);
-  if (this->GetAbortExecute())
+  if (relievo::IsStopped(this))
   {
-    output->Initialize();
+    relievo::Discard(outputs);
     self = Internals();
     return 1;
   }

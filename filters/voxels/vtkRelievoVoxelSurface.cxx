@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoVoxelSurface.h"
 
+#include "vtkRelievoVTKVersions.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -13,7 +15,6 @@
 #include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVersion.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -93,7 +94,7 @@ public:
       this->Polygon->Points->SetPoint(i, this->Places + 3 * ids[i]);
     }
     this->Corners->Reset();
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#ifdef RELIEVO_VTK_TRIANGULATE_LOCAL_IDS
     const int cut = this->Polygon->TriangulateLocalIds(0, this->Corners);
 #else
     const int cut = this->Polygon->Triangulate(this->Corners);

@@ -23,9 +23,9 @@ public:
   // left out.
   void Add(vtkPolyData* mesh, const vtkRelievoVoxelGrid& grid);
 
-  // Whether each edge is used an even number of times, by places: the exclusive or of a hash of all
-  // edges is 0. Wrongly so with a probability of 2^-64.
-  bool IsClosed() const { return this->EdgeHash == 0; }
+  // Whether there are triangles, and each edge is used an even number of times, by places: the
+  // exclusive or of a hash of all edges is 0. Wrongly so with a probability of 2^-64.
+  bool IsClosed() const { return !this->Triangles.empty() && this->EdgeHash == 0; }
 
   vtkIdType GetNumberOfTriangles() const
   {

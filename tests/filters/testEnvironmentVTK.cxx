@@ -19,11 +19,11 @@
 #include <vtkOpenGLTexture.h>
 #include <vtkPixelBufferObject.h>
 #include <vtkPointData.h>
+#include <vtkRelievoVTKVersions.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSkybox.h>
 #include <vtkTextureObject.h>
-#include <vtkVersion.h>
 
 #include <glm/geometric.hpp>
 
@@ -147,8 +147,7 @@ void TestSkybox()
 
   vtkNew<vtkRelievoEnvironmentConvert> filter;
   filter->SetInputData(MakeEnvironment(Shade, Equirectangular, 256));
-  // VTK 9.1 looked cubes up by the world's directions, later ones turn z.
-  filter->SetOutputMirrored(VTK_VERSION_NUMBER > VTK_VERSION_CHECK(9, 1, 0));
+  filter->SetOutputMirrored(RELIEVO_VTK_MIRRORED_CUBES);
   filter->Update();
   const int n = filter->GetOutput()->GetDimensions()[0];
   vtkDataArray* texels = filter->GetOutput()->GetPointData()->GetScalars();

@@ -74,6 +74,24 @@ vtkSmartPointer<vtkPolyData> WithField(
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* mesh, const glm::dvec3& by)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    glm::dvec3 place;
+    mesh->GetPoint(i, &place.x);
+    place += by;
+    points->InsertNextPoint(&place.x);
+  }
+  auto moved = vtkSmartPointer<vtkPolyData>::New();
+  moved->ShallowCopy(mesh);
+  moved->SetPoints(points);
+  return moved;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> Sheet(int cells)
 {
   vtkNew<vtkPoints> points;

@@ -30,6 +30,9 @@ double LargestDistance(const Places& places, vtkPolyData* mesh);
 vtkSmartPointer<vtkPolyData> WithField(
   vtkPolyData* mesh, const std::function<glm::dvec3(const glm::dvec3&)>& field);
 
+/** A copy moved in double. */
+vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* mesh, const glm::dvec3& by);
+
 /** A square of triangles in z = 0, from -1 to 1, so many cells each way. */
 vtkSmartPointer<vtkPolyData> Sheet(int cells = 4);
 }

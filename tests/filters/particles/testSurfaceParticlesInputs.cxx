@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Fields and inputs: arrays whose speed jumps, arrays in blocks and by several threads, inputs that
-// change in time, an end before the end.
+// Fields and inputs: arrays whose speed jumps, arrays in blocks and by several threads, an end
+// before the end.
 #include "Check.h"
 #include "Particles.h"
 #include "Session.h"
@@ -16,15 +16,10 @@
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
-#include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyDataAlgorithm.h>
 #include <vtkSMPTools.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <glm/geometric.hpp>
 
@@ -34,27 +29,10 @@
 
 namespace
 {
+using relievoTest::Moved;
 using relievoTest::Places;
 using relievoTest::PlacesAt;
 using Particles = vtkRelievoSurfaceParticles;
-using SDDP = vtkStreamingDemandDrivenPipeline;
-
-vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* mesh, const glm::dvec3& by)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    glm::dvec3 place;
-    mesh->GetPoint(i, &place.x);
-    place += by;
-    points->InsertNextPoint(&place.x);
-  }
-  auto moved = vtkSmartPointer<vtkPolyData>::New();
-  moved->ShallowCopy(mesh);
-  moved->SetPoints(points);
-  return moved;
-}
 
 void SetUp(Particles* filter, vtkDataObject* surface, int place, int count = 400)
 {
@@ -175,127 +153,6 @@ void TestBlocksAndThreads()
   }
 }
 
-// A ball at x = time, at times from 3 to 5.
-class MovingBall : public vtkPolyDataAlgorithm
-{
-public:
-  static MovingBall* New();
-  vtkTypeMacro(MovingBall, vtkPolyDataAlgorithm);
-  int Executions = 0;
-
-protected:
-  MovingBall() { this->SetNumberOfInputPorts(0); }
-
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    const double times[3] = { 3., 4., 5. };
-    vtkInformation* info = outputs->GetInformationObject(0);
-    info->Set(SDDP::TIME_STEPS(), times, 3);
-    const double range[2] = { 3., 5. };
-    info->Set(SDDP::TIME_RANGE(), range, 2);
-    return 1;
-  }
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    vtkInformation* info = outputs->GetInformationObject(0);
-    const double time =
-      info->Has(SDDP::UPDATE_TIME_STEP()) ? info->Get(SDDP::UPDATE_TIME_STEP()) : 5.;
-    vtkPolyData* output = vtkPolyData::GetData(info);
-    output->ShallowCopy(Moved(relievoTest::MakeBall().Mesh, { time, 0., 0. }));
-    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-    ++this->Executions;
-    return 1;
-  }
-};
-vtkStandardNewMacro(MovingBall);
-
-void TestMovingInput()
-{
-  vtkNew<MovingBall> source;
-  vtkNew<Particles> still;
-  SetUp(still, Moved(relievoTest::MakeBall().Mesh, { 3., 0., 0. }), Particles::ON_SURFACE);
-  vtkNew<Particles> filter;
-  filter->SetInputConnection(source->GetOutputPort());
-  filter->SetNumberOfParticles(400);
-  filter->SetResolution(80);
-  for (Particles* each : { still.Get(), filter.Get() })
-  {
-    each->SetNoiseSpeed(0.02);
-  }
-  for (const double time : { 0., 4., 5., 30., 2. })
-  {
-    RELIEVO_CHECK_THAT(
-      PlacesAt(filter, time) == PlacesAt(still, time), "time " + std::to_string(time));
-  }
-  RELIEVO_CHECK(source->Executions == 1);
-}
-
-// An input that another consumer moves through time, or that executes again, costs no step anew;
-// one that differs does, also where not its array but the mesh says that it was modified.
-void TestSameInputAgain()
-{
-  vtkNew<MovingBall> source;
-  vtkNew<Particles> filter;
-  filter->SetInputConnection(source->GetOutputPort());
-  filter->SetNumberOfParticles(50);
-  filter->SetResolution(40);
-  filter->SetNoiseSpeed(0.02);
-  int steps = 0;
-  vtkNew<vtkCallbackCommand> count;
-  count->SetClientData(&steps);
-  count->SetCallback(
-    [](vtkObject*, unsigned long, void* sum, void*) { ++*static_cast<int*>(sum); });
-  PlacesAt(filter, 40.);
-  filter->AddObserver(vtkCommand::ProgressEvent, count);
-  const auto costs = [&](double time) {
-    steps = 0;
-    PlacesAt(filter, time);
-    return steps;
-  };
-  // One step, and what the pipeline says at the end.
-  RELIEVO_CHECK(costs(41.) <= 3);
-  source->UpdateTimeStep(5.);
-  RELIEVO_CHECK(costs(42.) <= 3);
-  source->Modified();
-  RELIEVO_CHECK(costs(43.) <= 3);
-  filter->OrientationsOn();
-  RELIEVO_CHECK(costs(44.) <= 3);
-  RELIEVO_CHECK(source->Executions == 4);
-  filter->SetVelocity(0.01, 0., 0.);
-  RELIEVO_CHECK(costs(45.) >= 45);
-
-  const auto mesh = relievoTest::WithField(Moved(relievoTest::MakeBall().Mesh, { 0., 0., 0. }),
-    [](const glm::dvec3& place) { return 0.02 * glm::dvec3(place.y, -place.x, 0.); });
-  filter->SetInputData(mesh);
-  filter->SetFieldArray("field");
-  const Places before = PlacesAt(filter, 20.);
-  mesh->Modified();
-  RELIEVO_CHECK(costs(21.) <= 3);
-  auto* field = vtkDoubleArray::SafeDownCast(mesh->GetPointData()->GetArray("field"));
-  for (vtkIdType i = 0; i < field->GetNumberOfValues(); ++i)
-  {
-    field->SetValue(i, -field->GetValue(i));
-  }
-  mesh->Modified();
-  const Places turned = PlacesAt(filter, 20.);
-  RELIEVO_CHECK(turned != before);
-  auto* points = vtkDoubleArray::SafeDownCast(mesh->GetPoints()->GetData());
-  for (vtkIdType i = 0; i < points->GetNumberOfValues(); ++i)
-  {
-    points->SetValue(i, 2. * points->GetValue(i));
-  }
-  mesh->GetPoints()->Modified();
-  vtkNew<Particles> fresh;
-  fresh->SetInputData(mesh);
-  fresh->SetNumberOfParticles(50);
-  fresh->SetResolution(40);
-  fresh->SetNoiseSpeed(0.02);
-  fresh->SetVelocity(0.01, 0., 0.);
-  fresh->SetFieldArray("field");
-  RELIEVO_CHECK(PlacesAt(filter, 20.) == PlacesAt(fresh, 20.));
-}
-
 // What was cut short is no picture of any time: the next update computes it, unasked.
 void TestAbort()
 {
@@ -352,8 +209,6 @@ int main()
   TestSpeedJumps();
   TestNarrowestNoise();
   TestBlocksAndThreads();
-  TestMovingInput();
-  TestSameInputAgain();
   TestAbort();
   TestMemoryOfSteps();
   return session.Result();

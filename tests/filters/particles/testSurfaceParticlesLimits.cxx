@@ -16,7 +16,6 @@
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 
@@ -189,33 +188,33 @@ void TestNothing()
   RELIEVO_CHECK(PlacesAt(none, 5.).empty());
 }
 
-void CheckRefused(Particles* filter, const std::string& what)
+void CheckRefused(Particles* filter, const std::string& words)
 {
-  vtkObject::GlobalWarningDisplayOff();
+  relievoTest::ExpectMessage expect("No particles: " + words);
   filter->Update();
-  vtkObject::GlobalWarningDisplayOn();
-  RELIEVO_CHECK_THAT(filter->GetErrorCode() == vtkErrorCode::UserError, what);
-  RELIEVO_CHECK_THAT(filter->GetOutput()->GetNumberOfPoints() == 0, what);
+  RELIEVO_CHECK_THAT(expect.Count() == 1, words);
+  RELIEVO_CHECK_THAT(filter->GetErrorCode() == vtkErrorCode::UserError, words);
+  RELIEVO_CHECK_THAT(filter->GetOutput()->GetNumberOfPoints() == 0, words);
 }
 
 void TestRefused()
 {
   vtkNew<Particles> filter;
-  CheckRefused(filter, "no input");
+  CheckRefused(filter, "there is no input; give a surface");
   SetUp(filter, relievoTest::Sheet());
   filter->SetFieldArray("no such");
-  CheckRefused(filter, "no array");
+  CheckRefused(filter, "the field has no array 'no such' of vectors");
   filter->SetFieldArray("");
   filter->SetMemoryLimit(1000.);
-  CheckRefused(filter, "memory");
+  CheckRefused(filter, "for 400 of them it would take");
   filter->SetMemoryLimit(0.);
   filter->SetTexelSize(1e-12);
-  CheckRefused(filter, "texels");
+  CheckRefused(filter, "2e+12 x 2e+12 x ");
   filter->SetTexelSize(0.);
   vtkNew<vtkImageData> image;
   image->SetDimensions(4, 4, 1);
   filter->SetInputDataObject(1, image);
-  CheckRefused(filter, "an image without depth");
+  CheckRefused(filter, "depth image 0: it has no layer 'depth'");
   filter->SetInputConnection(1, nullptr);
   RELIEVO_CHECK(PlacesAt(filter, 0.).size() == 400);
 }

@@ -121,7 +121,6 @@ void TestAbort()
   RELIEVO_CHECK(caves->GetOutput()->GetNumberOfPoints() == 0);
   caves->RemoveObserver(tag);
   caves->AbortExecuteOff();
-  caves->Modified();
   caves->Update();
   RELIEVO_CHECK(caves->GetOutput()->GetNumberOfPoints() == 1728000);
   RELIEVO_CHECK(caves->GetProgress() == 1.);

@@ -5,9 +5,13 @@
 #include "BlockScenes.h"
 #include "Check.h"
 #include "Session.h"
+#include "vtkRelievoCaves.h"
 #include "vtkRelievoSmoothBlocks.h"
+#include "vtkRelievoVTKVersions.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
+#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkErrorCode.h>
@@ -16,9 +20,12 @@
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 
@@ -133,6 +140,121 @@ void TestMemory()
   }
 }
 
+// A checkerboard is all seams; and weights of forty labels.
+void TestMemoryOfMany()
+{
+  for (const bool seams : { true, false })
+  {
+    vtkNew<Filter> filter;
+    filter->SetSeams(seams);
+    filter->SetNormals(Filter::NO_NORMALS);
+    filter->SetMaterialWeights(!seams);
+    filter->SetInputData(MakeBlocks({ 40, 40, 40 }, [&](int i, int j, int k) {
+      return vtkTypeInt64((i + j + k) % 2 ? 0 : seams ? 1 : 1 + (i * 3 + j * 5 + k * 7) % 40);
+    }));
+    filter->SetMemoryLimit(1e5);
+    double bytes = 0.;
+    {
+      ExpectMessage expect("MemoryLimit is 100000 bytes");
+      filter->Update();
+      RELIEVO_CHECK(expect.Count() == 1);
+      const std::string before = "it would take ";
+      const std::string said = expect.Messages().empty() ? before : expect.Messages().front();
+      bytes = std::atof(said.c_str() + said.find(before) + before.size());
+    }
+    filter->SetMemoryLimit(0.);
+    filter->Update();
+    // What is made, and what it is made from: faces of 48 bytes, and lists of seams of 32 bytes, or
+    // the weights of all vertices.
+    const auto lines = static_cast<double>(filter->GetOutput(1)->GetNumberOfLines());
+    const auto faces = static_cast<double>(filter->GetOutput()->GetNumberOfPolys()) / 2.;
+    RELIEVO_CHECK(seams == (lines > 100000.));
+    const double from = 32. * faces + (seams ? 32. * lines : 4. * 40. * 41. * 41. * 41.);
+    const double made = from +
+      1024. *
+        static_cast<double>(
+          filter->GetOutput()->GetActualMemorySize() + filter->GetOutput(1)->GetActualMemorySize());
+    RELIEVO_CHECK_AT_MOST(made, bytes, seams ? "bytes of seams" : "bytes of weights");
+    RELIEVO_CHECK_AT_MOST(bytes, 3. * made, "bytes expected, against those that were made");
+  }
+}
+
+// Where float would round by more than a thousandth of a block, points are double; a choice of
+// precision counts first.
+void TestFarAway()
+{
+  vtkSmartPointer<vtkImageData> image = MakeBlocks({ 6, 6, 6 }, BallOf(2.5, { 3., 3., 3. }));
+  vtkNew<Filter> near;
+  near->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  vtkPolyData* truth = Run(near, image);
+  vtkNew<vtkImageData> far;
+  far->ShallowCopy(image);
+  far->SetOrigin(5e5, 5e6, 0.);
+  far->SetSpacing(0.1, 0.1, 0.1);
+  vtkNew<Filter> filter;
+  vtkPolyData* surface = Run(filter, far);
+  RELIEVO_CHECK(surface->GetPoints()->GetDataType() == VTK_DOUBLE);
+  RELIEVO_CHECK(filter->GetOutput(1)->GetPoints()->GetDataType() == VTK_DOUBLE);
+  double worst = 0.;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    Place place;
+    Place own;
+    surface->GetPoint(i, place.data());
+    truth->GetPoint(i, own.data());
+    for (int c = 0; c < 3; ++c)
+    {
+      worst = std::max(worst, std::abs(place[c] - far->GetOrigin()[c] - 0.1 * own[c]));
+    }
+  }
+  RELIEVO_CHECK_AT_MOST(worst, 1e-8, "places far from the origin");
+  filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  RELIEVO_CHECK(Run(filter, far)->GetPoints()->GetDataType() == VTK_FLOAT);
+  vtkNew<Filter> plain;
+  RELIEVO_CHECK(Run(plain, image)->GetPoints()->GetDataType() == VTK_FLOAT);
+}
+
+// What was cut short is made by the next update, though nothing changed.
+void TestAbort()
+{
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
+    vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+  });
+  vtkNew<Filter> filter;
+  filter->SetInputData(MakeBlocks({ 20, 20, 20 }, AnyOf(3, 3)));
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  filter->Update();
+  RELIEVO_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+  RELIEVO_CHECK(filter->GetOutput(1)->GetNumberOfPoints() == 0);
+  filter->RemoveObserver(tag);
+  filter->SetAbortExecute(0);
+  filter->Update();
+  RELIEVO_CHECK(filter->GetOutput()->GetNumberOfPoints() > 1000);
+  RELIEVO_CHECK(filter->GetOutput(1)->GetNumberOfPoints() > 1000);
+}
+
+#ifdef RELIEVO_VTK_CHECK_ABORT
+// An end of what is before ends this too.
+void TestAbortBefore()
+{
+  vtkNew<vtkRelievoCaves> caves;
+  caves->SetSize(40, 40, 40);
+  caves->SetScale(20.);
+  caves->SetContent(vtkRelievoCaves::LABELS);
+  vtkNew<Filter> filter;
+  filter->SetInputConnection(caves->GetOutputPort());
+  const unsigned long tag = filter->AddObserver(
+    vtkCommand::ProgressEvent, caves.Get(), &vtkAlgorithm::SetAbortExecuteAndUpdateTime);
+  filter->Update();
+  RELIEVO_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+  filter->RemoveObserver(tag);
+  caves->SetAbortExecute(0);
+  filter->Update();
+  RELIEVO_CHECK(filter->GetOutput()->GetNumberOfPoints() > 1000);
+}
+#endif
+
 void TestMessages()
 {
   const LabelOf label = AnyOf(8, 3);
@@ -180,6 +302,12 @@ int main()
   TestTypes();
   TestBlanking();
   TestMemory();
+  TestMemoryOfMany();
+  TestFarAway();
+  TestAbort();
+#ifdef RELIEVO_VTK_CHECK_ABORT
+  TestAbortBefore();
+#endif
   TestMessages();
   return session.Result();
 }

@@ -223,6 +223,41 @@ void TestNoise()
   RELIEVO_CHECK(heights[0] != heights[1] && heights[0] != heights[2]);
 }
 
+// Weights do not depend on which side of a face is the lower one: the mirror image has the same.
+void TestMirroredWeights()
+{
+  const LabelOf any = AnyOf(11, 4);
+  std::map<Place, Place> weights[2];
+  for (const bool mirrored : { false, true })
+  {
+    vtkNew<Filter> filter;
+    filter->MaterialWeightsOn();
+    filter->SetSurface(Filter::BETWEEN_LABELS);
+    filter->SetNormals(Filter::NO_NORMALS);
+    filter->SetStrength(0.);
+    vtkPolyData* surface = Run(filter, MakeBlocks({ 7, 6, 5 }, [&](int i, int j, int k) {
+      return mirrored ? any(6 - i, 5 - j, 4 - k) : any(i, j, k);
+    }));
+    vtkDataArray* array = surface->GetPointData()->GetArray("weights");
+    RELIEVO_CHECK(array && array->GetNumberOfComponents() == 3);
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      Place place;
+      surface->GetPoint(i, place.data());
+      if (mirrored)
+      {
+        place = { 7. - place[0], 6. - place[1], 5. - place[2] };
+      }
+      Place found;
+      array->GetTuple(i, found.data());
+      RELIEVO_CHECK_NEAR(found[0] + found[1] + found[2], 1., 1e-6, "sum of weights");
+      weights[mirrored][place] = found;
+    }
+  }
+  RELIEVO_CHECK(weights[0].size() > 200);
+  RELIEVO_CHECK_THAT(weights[0] == weights[1], "weights of the mirror image differ");
+}
+
 void TestWeights()
 {
   vtkNew<Filter> filter;
@@ -277,5 +312,6 @@ int main()
   TestRigidAndLevel();
   TestNoise();
   TestWeights();
+  TestMirroredWeights();
   return session.Result();
 }

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 #include <string>
 
@@ -163,6 +164,48 @@ void TestAtlas()
   RELIEVO_CHECK_THAT(outside == 0, std::to_string(outside) + " corners are outside their tile");
   RELIEVO_CHECK(seen.size() == 8);
 }
+
+// Faces that noise makes larger than their tile are told with the size that they need; with that
+// size all fit, and keep their lengths.
+void TestAtlasOfNoise()
+{
+  vtkNew<Filter> filter;
+  filter->TextureCoordinatesOn();
+  filter->SetAtlas(2, 1);
+  filter->SetNoiseAmplitude(2.);
+  filter->SetNoiseScale(2.);
+  filter->SetInputData(MakeBlocks(
+    { 20, 20, 4 }, [](int i, int, int k) { return vtkTypeInt64(k < 2 ? 1 + i % 2 : 0); }));
+  double needed = 0.;
+  {
+    const std::string before = "these faces need ";
+    ExpectMessage expect("larger than the tiles of the atlas");
+    filter->Update();
+    RELIEVO_CHECK(expect.Count() == 1);
+    const std::string said = expect.Messages().empty() ? before : expect.Messages().front();
+    needed = std::atof(said.c_str() + said.find(before) + before.size());
+  }
+  RELIEVO_CHECK_THAT(needed > 2. && needed < 8., std::to_string(needed));
+  const double tile = 1.001 * needed;
+  filter->SetTileSize(tile);
+  filter->Update();
+  vtkPolyData* surface = filter->GetOutput();
+  double worst = 0.;
+  ForEachTriangle(surface, [&](vtkIdType, vtkIdList* ids, const Place* corners) {
+    for (int c = 0; c < 3; ++c)
+    {
+      const int next = (c + 1) % 3;
+      double at[2][2];
+      surface->GetPointData()->GetTCoords()->GetTuple(ids->GetId(c), at[0]);
+      surface->GetPointData()->GetTCoords()->GetTuple(ids->GetId(next), at[1]);
+      const double inTexture = tile * std::hypot(2. * (at[1][0] - at[0][0]), at[1][1] - at[0][1]);
+      const double inSpace =
+        std::sqrt(vtkMath::Distance2BetweenPoints(corners[c].data(), corners[next].data()));
+      worst = std::max(worst, std::abs(inTexture - inSpace));
+    }
+  });
+  RELIEVO_CHECK_AT_MOST(worst, 1e-5, "lengths in an atlas, blocks");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -171,5 +214,6 @@ int main()
   relievoTest::Session session;
   TestTextureLengths();
   TestAtlas();
+  TestAtlasOfNoise();
   return session.Result();
 }

@@ -18,6 +18,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
@@ -205,6 +206,96 @@ void TestColors()
   RELIEVO_CHECK(output->GetPointData()->GetArray("scale")->GetNumberOfComponents() == 3);
 }
 
+// Far from the origin, as of maps in metres: places are double, and exact.
+void TestFarAway()
+{
+  const vtkSmartPointer<vtkImageData> image = Image();
+  vtkNew<vtkRelievoVoxelCubes> cubes;
+  cubes->SetInputData(image);
+  cubes->WholeGridOn();
+  cubes->SetGrowth(0.5);
+  cubes->Update();
+  RELIEVO_CHECK(cubes->GetOutput()->GetPoints()->GetDataType() == VTK_FLOAT);
+  image->SetOrigin(5e5, 5e6, 0.);
+  image->SetSpacing(0.1, 0.1, 0.1);
+  cubes->Update();
+  vtkPolyData* output = cubes->GetOutput();
+  RELIEVO_CHECK(output->GetPoints()->GetDataType() == VTK_DOUBLE);
+  double largest = 0.;
+  for (vtkIdType cell = 0; cell < output->GetNumberOfPoints(); ++cell)
+  {
+    const glm::dvec3 index = (CenterOf(static_cast<int>(cell)) - Origin) / Spacing;
+    glm::dvec3 place;
+    output->GetPoint(cell, &place[0]);
+    largest = std::max(largest, glm::distance(place, glm::dvec3(5e5, 5e6, 0.) + 0.1 * index));
+  }
+  RELIEVO_CHECK_AT_MOST(largest, 1e-8, "places far from the origin");
+}
+
+// With a direction matrix, the corners of each cube are those of its cell.
+void TestTurned()
+{
+  const vtkSmartPointer<vtkImageData> image = Image();
+  vtkNew<vtkRelievoVoxelCubes> cubes;
+  cubes->SetInputData(image);
+  cubes->WholeGridOn();
+  cubes->SetGrowth(0.999);
+  cubes->SetTransition(1.7);
+  cubes->Update();
+  RELIEVO_CHECK(!cubes->GetOutput()->GetPointData()->HasArray("orientation"));
+  vtkNew<vtkFloatArray> sizes;
+  sizes->DeepCopy(cubes->GetOutput()->GetPointData()->GetArray("size"));
+  const double c = std::cos(0.6);
+  const double s = std::sin(0.6);
+  const double turned[9] = { c, 0., s, 0.6 * s, 0.8, -0.6 * c, -0.8 * s, 0.6, 0.8 * c };
+  for (const double sign : { 1., -1. })
+  {
+    double matrix[9];
+    std::transform(turned, turned + 9, matrix, [sign](double value) { return sign * value; });
+    image->SetDirectionMatrix(matrix);
+    cubes->Update();
+    vtkPolyData* output = cubes->GetOutput();
+    RELIEVO_CHECK(output->GetNumberOfPoints() == image->GetNumberOfCells());
+    vtkDataArray* turns = output->GetPointData()->GetArray("orientation");
+    vtkDataArray* scales = output->GetPointData()->GetArray("scale");
+    double largest = turns ? 0. : 1.;
+    for (vtkIdType cell = 0; turns && cell < output->GetNumberOfPoints(); cell += 7)
+    {
+      double wxyz[4];
+      turns->GetTuple(cell, wxyz);
+      glm::dvec3 size;
+      scales->GetTuple(cell, &size[0]);
+      const glm::dquat turn(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+      glm::dvec3 place;
+      output->GetPoint(cell, &place[0]);
+      const double share = sizes->GetValue(cell);
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const glm::dvec3 at((corner & 1) - 0.5, (corner >> 1 & 1) - 0.5, (corner >> 2) - 0.5);
+        const glm::dvec3 drawn = place + turn * (at * size);
+        // The cell's nearest corner, as a mirrored cube has them in another order.
+        double nearest = std::numeric_limits<double>::infinity();
+        for (int other = 0; other < 8; ++other)
+        {
+          const glm::dvec3 from((other & 1) - 0.5, (other >> 1 & 1) - 0.5, (other >> 2) - 0.5);
+          const glm::dvec3 index =
+            (CenterOf(static_cast<int>(cell)) - Origin) / Spacing + share * from;
+          glm::dvec3 truth;
+          image->TransformContinuousIndexToPhysicalPoint(&index[0], &truth[0]);
+          nearest = std::min(nearest, glm::distance(truth, drawn));
+        }
+        largest = std::max(largest, nearest);
+      }
+    }
+    RELIEVO_CHECK_AT_MOST(largest, 1e-5, "corners of turned cubes");
+  }
+  image->SetDirectionMatrix(1., 0.5, 0., 0., 1., 0., 0., 0., 1.);
+  relievoTest::ExpectMessage expect("the cells are no boxes");
+  cubes->Update();
+  RELIEVO_CHECK(expect.Count() == 1 && cubes->GetErrorCode() == vtkErrorCode::UserError);
+  RELIEVO_CHECK(cubes->GetOutput()->GetNumberOfPoints() == 0);
+}
+
 void TestNoMask()
 {
   vtkNew<vtkRelievoVoxelCubes> cubes;
@@ -227,6 +318,8 @@ int main()
   TestSizes();
   TestRepeller();
   TestColors();
+  TestFarAway();
+  TestTurned();
   TestNoMask();
   return session.Result();
 }

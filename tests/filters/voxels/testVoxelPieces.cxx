@@ -11,6 +11,7 @@
 #include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
@@ -18,6 +19,7 @@
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataAlgorithm.h>
 #include <vtkRelievoVoxelCubes.h>
@@ -245,7 +247,6 @@ void TestAbort()
     RELIEVO_CHECK(shell->GetNumberOfCellsInside() == 0);
     shell->RemoveObserver(tag);
     shell->SetAbortExecute(0);
-    shell->Modified();
     shell->Update();
     RELIEVO_CHECK(shell->GetNumberOfCellsInside() > 1000);
   }
@@ -254,7 +255,6 @@ void TestAbort()
   RELIEVO_CHECK(cubes->GetOutput()->GetNumberOfPoints() == 0);
   cubes->RemoveObserver(tag);
   cubes->SetAbortExecute(0);
-  cubes->Modified();
   cubes->Update();
   RELIEVO_CHECK(cubes->GetOutput()->GetNumberOfPoints() > 1000);
 }
@@ -276,7 +276,28 @@ void TestMemoryOfCubes()
   }
   cubes->SetMemoryLimit(bytes);
   cubes->Update();
-  RELIEVO_CHECK(cubes->GetOutput()->GetNumberOfPoints() > 1000);
+  const vtkIdType count = cubes->GetOutput()->GetNumberOfPoints();
+  RELIEVO_CHECK(count > 1000);
+  // With the arrays of a model it takes as much more as there then is.
+  const auto model = relievoTest::MakeTorus().Mesh;
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("values");
+  values->SetNumberOfComponents(6);
+  values->SetNumberOfTuples(model->GetNumberOfPoints());
+  values->Fill(1.);
+  model->GetPointData()->AddArray(values);
+  cubes->SetInputData(1, model);
+  cubes->SetMemoryLimit(static_cast<double>(count) * (28. + 48.));
+  {
+    relievoTest::ExpectMessage expect("No cubes: it would take");
+    cubes->Update();
+    RELIEVO_CHECK(expect.Count() == 1);
+  }
+  cubes->SetMemoryLimit(static_cast<double>(count) * (28. + 48. + 8.) +
+    20. * static_cast<double>(model->GetNumberOfPoints()));
+  cubes->Update();
+  vtkDataArray* copied = cubes->GetOutput()->GetPointData()->GetArray("values");
+  RELIEVO_CHECK(copied && copied->GetNumberOfTuples() == count);
 }
 }
 

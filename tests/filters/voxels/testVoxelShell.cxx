@@ -197,11 +197,12 @@ void TestExcess()
   };
   const glm::dmat3 onEdge = Turn({ 1., 0., 0. }, 90.);
   const glm::dmat3 tilted = Turn({ 1., 1., 0. }, 30.);
-  // Slices of the torus on edge are rings, seen as discs.
+  // Slices of the torus on edge are rings, seen as discs. The bowl's have no short formula: they
+  // are those of the filter, whose cells TestViews compares with views of the formula.
   const double torus =
     (0.8 - glm::pi<double>() * 0.16 + 4. / 3. * 0.064) / (2. * glm::pi<double>() * 0.16);
   const Case cases[] = { { MakeBall(), 0., 0. }, { MakeTorus(1e-3, onEdge), torus, 0. },
-    { MakeHollowBall(), 1. / 7., 1. / 7. }, { MakeBowl(1e-3, tilted), -1., -1. } };
+    { MakeHollowBall(), 1. / 7., 1. / 7. }, { MakeBowl(1e-3, tilted), 0.061, 0.011 } };
   for (const Case& each : cases)
   {
     double inside[3];
@@ -218,11 +219,8 @@ void TestExcess()
     const double six = inside[1] / inside[2] - 1.;
     std::printf("%s: excess of two views %.1f %%, of six %.1f %%\n", each.Body.Name.c_str(),
       100. * two, 100. * six);
-    if (each.Two >= 0.)
-    {
-      RELIEVO_CHECK_NEAR(two, each.Two, 0.004, each.Body.Name + ": excess of two views");
-      RELIEVO_CHECK_NEAR(six, each.Six, 0.004, each.Body.Name + ": excess of six views");
-    }
+    RELIEVO_CHECK_NEAR(two, each.Two, 0.004, each.Body.Name + ": excess of two views");
+    RELIEVO_CHECK_NEAR(six, each.Six, 0.004, each.Body.Name + ": excess of six views");
     RELIEVO_CHECK_NEAR(inside[2] * 8e-6 / each.Body.Volume, 1., 3e-3, each.Body.Name + ": volume");
     RELIEVO_CHECK(six <= two && inside[2] <= inside[1]); // they never miss what is solid
   }

@@ -119,6 +119,31 @@ void TestSheets()
   RELIEVO_CHECK(std::count(cells.begin(), cells.end(), 1) == 0);
 }
 
+// What has no triangles is not closed.
+void TestNoSurface()
+{
+  vtkNew<vtkPolyData> nothing;
+  vtkNew<vtkPolyData> line;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(-1., 0., 0.);
+  points->InsertNextPoint(1., 1., 0.5);
+  line->SetPoints(points);
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell({ 0, 1 });
+  line->SetLines(cells);
+  for (vtkPolyData* mesh : { nothing.Get(), line.Get() })
+  {
+    vtkNew<Filter> filter;
+    filter->SetInputData(mesh);
+    SetGrid(filter);
+    const Cells found = CellsOf(filter);
+    RELIEVO_CHECK(std::count(found.begin(), found.end(), 1) == 0);
+    RELIEVO_CHECK(!filter->IsClosed());
+    RELIEVO_CHECK_THAT(
+      filter->GetReport().find("; there is no surface") != std::string::npos, filter->GetReport());
+  }
+}
+
 void TestOddTriangles()
 {
   const Solid torus = MakeTorus(1e-3, Turn({ 1., 0.3, 0.2 }, 37.));
@@ -309,6 +334,7 @@ int main()
   relievoTest::Session session;
   TestHoles();
   TestSheets();
+  TestNoSurface();
   TestOddTriangles();
   TestKindsOfData();
   TestConcavePolygons();
