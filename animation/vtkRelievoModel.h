@@ -27,12 +27,23 @@ struct ModelNode
   bool IsBone = false;              ///< of a mesh
 };
 
-/// A value at times in seconds, which ascend.
+/// What lies between keys.
+enum class KeyMode
+{
+  Linear, ///< rotations: slerp or nlerp
+  Step,   ///< the key before
+  Cubic   ///< Hermite splines
+};
+
+/// A value at times in seconds, which ascend; two keys at one time are a jump.
 template <typename Value>
 struct ModelTrack
 {
   std::vector<double> Times;
   std::vector<Value> Values;
+  KeyMode Mode = KeyMode::Linear;
+  std::vector<Value> Before; ///< Cubic only: slope a second on the way to the key
+  std::vector<Value> After;  ///< and from it on
 };
 
 /// What moves one node. A track without keys leaves what the node has at rest.
@@ -47,6 +58,7 @@ struct ModelChannel
 struct ModelAnimation
 {
   std::string Name; ///< no two alike in a model
+  int Number = 0;   ///< among those of the file
   double Start = 0.;
   double End = 0.;
   std::vector<ModelChannel> Channels;

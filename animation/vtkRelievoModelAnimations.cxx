@@ -62,7 +62,8 @@ ModelTrack<Value> ReadTrack(const Key* keys, unsigned int count, double ticks, K
     }
   }
   const auto earlier = [](const auto& a, const auto& b) { return a.first < b.first; };
-  if (!std::is_sorted(good.begin(), good.end(), earlier))
+  const bool ordered = std::is_sorted(good.begin(), good.end(), earlier);
+  if (!ordered)
   {
     ++faults.Disordered;
     std::stable_sort(good.begin(), good.end(), earlier);
@@ -70,10 +71,14 @@ ModelTrack<Value> ReadTrack(const Key* keys, unsigned int count, double ticks, K
   ModelTrack<Value> track;
   for (const auto& [time, value] : good)
   {
-    if (!track.Times.empty() && track.Times.back() == time)
+    // Two keys at one time are a jump: the first is what the track comes to, the last where it goes
+    // on from. Keys between them are never seen. Without order nothing tells which comes first.
+    const std::size_t kept = track.Times.size();
+    const std::size_t most = ordered ? 2 : 1;
+    if (kept >= most && track.Times[kept - 1] == time && track.Times[kept - most] == time)
     {
       ++faults.Doubled;
-      track.Values.back() = value; // the later one holds from here on
+      track.Values.back() = value;
       continue;
     }
     track.Times.push_back(time);
@@ -125,6 +130,7 @@ void ReadAnimations(const aiScene* scene, const NodeNumbers& numbers, Model& mod
     const aiAnimation* source = scene->mAnimations[i];
     ModelAnimation animation;
     animation.Name = GetFreeName(source->mName.C_Str(), model.Animations);
+    animation.Number = static_cast<int>(i);
     double ticks = source->mTicksPerSecond;
     if (!std::isfinite(ticks) || ticks <= 0.)
     {

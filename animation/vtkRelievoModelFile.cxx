@@ -4,6 +4,7 @@
 
 #include "vtkRelievoModelParts.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 #include <assimp/postprocess.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -36,6 +38,31 @@ public:
 
 private:
   const std::function<bool(double)>& Progress;
+};
+
+// Files as Assimp looks for them.
+class Files : public Assimp::DefaultIOSystem
+{
+public:
+  explicit Files(ModelSources& sources)
+    : Sources(sources)
+  {
+  }
+
+  bool Exists(const char* path) const override
+  {
+    this->Sources.Add(path);
+    return this->DefaultIOSystem::Exists(path);
+  }
+
+  Assimp::IOStream* Open(const char* path, const char* mode) override
+  {
+    this->Sources.Add(path);
+    return this->DefaultIOSystem::Open(path, mode);
+  }
+
+private:
+  ModelSources& Sources;
 };
 
 bool IsFinite(const glm::dmat4& m)
@@ -151,16 +178,57 @@ std::string ReadNodes(const aiScene* scene, NodeNumbers& numbers,
   return "";
 }
 
-std::string Import(
-  const std::string& path, int weights, const std::function<bool(double)>& progress, Model& model)
+// Assimp's steps after reading trust every number of a point. Returns what is wrong, or "". Weights
+// of points that are not there lose their value, and are counted with those.
+std::string CheckMeshes(const aiScene* scene)
 {
-  // Declared before the importer, which lets go of it last.
-  Handler handler(progress);
+  for (unsigned int i = 0; i < scene->mNumMeshes; ++i)
+  {
+    const aiMesh* mesh = scene->mMeshes[i];
+    const unsigned int count = mesh->mNumVertices;
+    for (unsigned int j = 0; j < mesh->mNumFaces; ++j)
+    {
+      const aiFace& face = mesh->mFaces[j];
+      const auto strange = std::find_if(face.mIndices, face.mIndices + face.mNumIndices,
+        [count](unsigned int point) { return point >= count; });
+      if (strange != face.mIndices + face.mNumIndices)
+      {
+        return "mesh " + std::to_string(i) + " has a face of point " + std::to_string(*strange) +
+          ", and only " + std::to_string(count) + " points";
+      }
+    }
+    for (unsigned int j = 0; j < mesh->mNumBones; ++j)
+    {
+      aiBone* bone = mesh->mBones[j];
+      for (unsigned int k = 0; k < bone->mNumWeights; ++k)
+      {
+        if (bone->mWeights[k].mVertexId >= count)
+        {
+          bone->mWeights[k] = aiVertexWeight(0, std::numeric_limits<float>::quiet_NaN());
+        }
+      }
+    }
+  }
+  return "";
+}
+
+std::string Import(const std::string& path, int weights,
+  const std::function<bool(double)>& progress, ModelSources& sources, Model& model)
+{
   Assimp::Importer importer;
-  importer.SetProgressHandler(&handler);
-  const aiScene* scene = importer.ReadFile(
-    path, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_ImproveCacheLocality);
-  importer.SetProgressHandler(nullptr);
+  importer.SetIOHandler(new Files(sources)); // both of which the importer deletes
+  importer.SetProgressHandler(new Handler(progress));
+  const aiScene* scene = importer.ReadFile(path, 0);
+  if (scene)
+  {
+    const std::string unfit = CheckMeshes(scene);
+    if (!unfit.empty())
+    {
+      return unfit;
+    }
+    scene = importer.ApplyPostProcessing(
+      aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_ImproveCacheLocality);
+  }
   if (!scene || !scene->mRootNode)
   {
     const std::string why = importer.GetErrorString();
@@ -197,6 +265,7 @@ std::string Import(
     progress(0.9 + 0.1 * static_cast<double>(i) / static_cast<double>(hung.size()));
   }
   ReadAnimations(scene, numbers, model);
+  ReadKeyModes(path, numbers, model);
   return "";
 }
 }
@@ -215,10 +284,12 @@ std::vector<glm::dmat4> GetWorldMatrices(
 }
 
 //------------------------------------------------------------------------------
-std::string ReadModel(
-  const std::string& path, int weights, const std::function<bool(double)>& progress, Model& model)
+std::string ReadModel(const std::string& path, int weights,
+  const std::function<bool(double)>& progress, ModelSources& sources, Model& model)
 {
   model = Model();
+  sources = ModelSources();
+  sources.Add(path);
   std::string wrong;
   try
   {
@@ -228,7 +299,7 @@ std::string ReadModel(
     }
     else
     {
-      wrong = Import(path, weights, progress, model);
+      wrong = Import(path, weights, progress, sources, model);
     }
   }
   catch (const std::exception& error) // of Assimp, and memory

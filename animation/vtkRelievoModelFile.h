@@ -7,6 +7,7 @@
 #define vtkRelievoModelFile_h
 
 #include "vtkRelievoModel.h"
+#include "vtkRelievoModelSources.h"
 
 #include <functional>
 #include <string>
@@ -14,9 +15,10 @@
 namespace relievo
 {
 /// Fills the model and returns "", or returns what is wrong and leaves the model empty. `weights`:
-/// most bones of a point. `progress` gets 0 to 1 and returns whether to go on.
-std::string ReadModel(
-  const std::string& path, int weights, const std::function<bool(double)>& progress, Model& model);
+/// most bones of a point. `progress` gets 0 to 1 and returns whether to go on. `sources` gets the
+/// files that were looked for, as they were before they were read.
+std::string ReadModel(const std::string& path, int weights,
+  const std::function<bool(double)>& progress, ModelSources& sources, Model& model);
 
 /// Whether the extension is one that Assimp reads.
 bool GetIsModelExtension(const std::string& path);

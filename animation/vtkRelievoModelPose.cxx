@@ -3,9 +3,16 @@
 #include "vtkRelievoModelPose.h"
 
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoSkinNames.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace relievo
 {
@@ -32,28 +39,63 @@ Place Find(const std::vector<double>& times, double time)
   return { next - 1, next, (time - before) / (times[next] - before) };
 }
 
-glm::dvec3 Sample(const ModelTrack<glm::dvec3>& track, double time, const glm::dvec3& atRest)
+// A Hermite spline through the keys, as glTF has them: slopes are of values a second.
+template <typename Value>
+Value GetSpline(const ModelTrack<Value>& track, const Place& place)
 {
-  if (track.Times.empty())
-  {
-    return atRest;
-  }
-  const Place place = Find(track.Times, time);
-  return track.Values[place.Before] * (1. - place.Share) + track.Values[place.After] * place.Share;
+  const double length = track.Times[place.After] - track.Times[place.Before];
+  const double s = place.Share;
+  const double s2 = s * s;
+  const double s3 = s2 * s;
+  return track.Values[place.Before] * (2. * s3 - 3. * s2 + 1.) +
+    track.After[place.Before] * (length * (s3 - 2. * s2 + s)) +
+    track.Values[place.After] * (3. * s2 - 2. * s3) +
+    track.Before[place.After] * (length * (s3 - s2));
 }
 
-glm::dvec4 Sample(
-  const ModelTrack<glm::dvec4>& track, double time, const glm::dvec4& atRest, bool slerp)
+template <typename Value, typename Between>
+Value Sample(const ModelTrack<Value>& track, double time, const Value& atRest, Between&& between)
 {
   if (track.Times.empty())
   {
     return atRest;
   }
   const Place place = Find(track.Times, time);
-  const glm::dvec4& a = track.Values[place.Before];
-  const glm::dvec4& b = track.Values[place.After];
-  return slerp ? f64::relievoQuaternionSlerp(a, b, place.Share)
-               : f64::relievoQuaternionNlerp(a, b, place.Share);
+  if (track.Mode == KeyMode::Step || place.Before == place.After)
+  {
+    return track.Values[place.Before];
+  }
+  return track.Mode == KeyMode::Cubic
+    ? GetSpline(track, place)
+    : between(track.Values[place.Before], track.Values[place.After], place.Share);
+}
+
+glm::dvec3 Mix(const glm::dvec3& a, const glm::dvec3& b, double share)
+{
+  return a * (1. - share) + b * share;
+}
+
+// A spline of quaternions that opposite keys lead through none has no direction there.
+glm::dvec4 ToUnit(const glm::dvec4& q)
+{
+  const double length = glm::length(q);
+  return length > 1e-12 ? q / length : glm::dvec4(0., 0., 0., 1.);
+}
+
+NodeParts Sample(const ModelChannel& channel, double time, const NodeParts& rest, bool slerp)
+{
+  const auto turn = slerp ? f64::relievoQuaternionSlerp : f64::relievoQuaternionNlerp;
+  NodeParts parts;
+  parts.Position = Sample(channel.Position, time, rest.Position, Mix);
+  parts.Rotation = ToUnit(Sample(channel.Rotation, time, rest.Rotation, turn));
+  parts.Scale = Sample(channel.Scale, time, rest.Scale, Mix);
+  return parts;
+}
+
+bool MovesAll(const ModelChannel& channel)
+{
+  return !channel.Position.Times.empty() && !channel.Rotation.Times.empty() &&
+    !channel.Scale.Times.empty();
 }
 
 glm::dmat4 GetMatrix(const NodeParts& parts)
@@ -96,16 +138,86 @@ std::vector<glm::dmat4> GetLocalMatrices(
   for (const ModelChannel& channel : animation.Channels)
   {
     glm::dmat4& local = locals[static_cast<std::size_t>(channel.Node)];
-    const bool whole = !channel.Position.Times.empty() && !channel.Rotation.Times.empty() &&
-      !channel.Scale.Times.empty();
-    const NodeParts rest = whole ? NodeParts() : GetParts(local);
-    NodeParts parts;
-    parts.Position = Sample(channel.Position, time, rest.Position);
-    parts.Rotation = Sample(channel.Rotation, time, rest.Rotation, slerp);
-    parts.Scale = Sample(channel.Scale, time, rest.Scale);
-    local = GetMatrix(parts);
+    const NodeParts rest = MovesAll(channel) ? NodeParts() : GetParts(local);
+    local = GetMatrix(Sample(channel, time, rest, slerp));
   }
   return locals;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dmat4> GetBlendedMatrices(const Model& model, const ModelAnimation& first,
+  double firstTime, const ModelAnimation& second, double secondTime, double weight, bool slerp)
+{
+  // The parts of nodes that either moves.
+  std::vector<std::optional<NodeParts>> parts[2];
+  const ModelAnimation* const animations[2] = { &first, &second };
+  const double times[2] = { firstTime, secondTime };
+  for (int i = 0; i < 2; ++i)
+  {
+    parts[i].resize(model.Nodes.size());
+    for (const ModelChannel& channel : animations[i]->Channels)
+    {
+      const auto node = static_cast<std::size_t>(channel.Node);
+      // What the channel leaves alone is as a channel before it put it.
+      const NodeParts rest = parts[i][node] ? *parts[i][node]
+        : MovesAll(channel)                 ? NodeParts()
+                                            : GetParts(model.Nodes[node].Rest);
+      parts[i][node] = Sample(channel, times[i], rest, slerp);
+    }
+  }
+  std::vector<glm::dmat4> locals;
+  locals.reserve(model.Nodes.size());
+  for (std::size_t i = 0; i < model.Nodes.size(); ++i)
+  {
+    const glm::dmat4& rest = model.Nodes[i].Rest;
+    if (!parts[0][i] && !parts[1][i])
+    {
+      locals.push_back(rest);
+      continue;
+    }
+    const NodeParts a = parts[0][i] ? *parts[0][i] : GetParts(rest);
+    const NodeParts b = parts[1][i] ? *parts[1][i] : GetParts(rest);
+    NodeParts mixed;
+    mixed.Position = Mix(a.Position, b.Position, weight);
+    mixed.Rotation = slerp ? f64::relievoQuaternionSlerp(a.Rotation, b.Rotation, weight)
+                           : f64::relievoQuaternionNlerp(a.Rotation, b.Rotation, weight);
+    mixed.Scale = Mix(a.Scale, b.Scale, weight);
+    locals.push_back(GetMatrix(mixed));
+  }
+  return locals;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dmat4> GetBindMatrices(const Model& model)
+{
+  std::vector<std::optional<glm::dmat4>> bound(model.Nodes.size());
+  for (const ModelMesh& mesh : model.Meshes)
+  {
+    vtkDataArray* nodes = mesh.Data->GetFieldData()->GetArray(BoneNodeArray);
+    vtkDataArray* offsets = mesh.Data->GetFieldData()->GetArray(BoneOffsetArray);
+    for (vtkIdType i = 0; i < nodes->GetNumberOfTuples(); ++i)
+    {
+      const auto node = static_cast<std::size_t>(nodes->GetComponent(i, 0));
+      glm::dmat4 offset;
+      for (int j = 0; j < 16; ++j)
+      {
+        offset[j % 4][j / 4] = offsets->GetComponent(i, j);
+      }
+      if (!bound[node] && std::abs(glm::determinant(glm::dmat3(offset))) > 1e-30)
+      {
+        bound[node] = glm::inverse(offset);
+      }
+    }
+  }
+  std::vector<glm::dmat4> worlds;
+  for (std::size_t i = 0; i < model.Nodes.size(); ++i)
+  {
+    const ModelNode& node = model.Nodes[i];
+    const glm::dmat4 parent =
+      node.Parent < 0 ? glm::dmat4(1.) : worlds[static_cast<std::size_t>(node.Parent)];
+    worlds.push_back(bound[i] ? *bound[i] : parent * node.Rest);
+  }
+  return worlds;
 }
 
 //------------------------------------------------------------------------------
@@ -113,13 +225,17 @@ KeySpan GetKeySpan(const ModelAnimation& animation, double time, double rate)
 {
   if (rate > 0.)
   {
+    // The end is a whole key, wherever it lies between the others.
     const double key = std::floor((time - animation.Start) * rate);
-    const double before = animation.Start + key / rate;
-    return { before, animation.Start + (key + 1.) / rate,
-      std::clamp((time - before) * rate, 0., 1.) };
+    const double before = std::min(animation.Start + key / rate, animation.End);
+    const double after = std::min(animation.Start + (key + 1.) / rate, animation.End);
+    const double share = after > before ? (time - before) / (after - before) : 0.;
+    return { before, after, std::clamp(share, 0., 1.) };
   }
   const Place place = Find(animation.KeyTimes, time);
-  return { animation.KeyTimes[place.Before], animation.KeyTimes[place.After], place.Share };
+  const double before = animation.KeyTimes[place.Before];
+  // Where tracks jump, what they come to, and not where they go on from.
+  return { before, std::nextafter(animation.KeyTimes[place.After], before), place.Share };
 }
 
 //------------------------------------------------------------------------------

@@ -25,8 +25,17 @@ NodeParts GetParts(const glm::dmat4& m);
 std::vector<glm::dmat4> GetLocalMatrices(
   const Model& model, const ModelAnimation& animation, double time, bool slerp);
 
-/// The whole keys around a time: those of any track, or `rate` a second from the start when that is
-/// above 0.
+/// The same of two animations, each at a time of its own: `weight` of the way from the first to the
+/// second. Parts that one of them leaves alone are as at rest there.
+std::vector<glm::dmat4> GetBlendedMatrices(const Model& model, const ModelAnimation& first,
+  double firstTime, const ModelAnimation& second, double secondTime, double weight, bool slerp);
+
+/// The bones' matrices for which no mesh moves, node to world; nodes that are no bones follow their
+/// parents.
+std::vector<glm::dmat4> GetBindMatrices(const Model& model);
+
+/// The whole keys around a time: those of any track, or, when `rate` is above 0, as many a second
+/// from the start on, and the end.
 struct KeySpan
 {
   double Before;

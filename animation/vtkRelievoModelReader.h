@@ -20,14 +20,15 @@
  * `pose_before`, `pose_after` (16 components, by rows: node to world), `parent`, `is_bone`, `name`,
  * the field data `key_share`, and lines between joints.
  *
- * Between keys, positions and scales are linear, rotations take the shorter arc; before the first
- * key and after the last these hold. What was mended or left out while reading is in GetNote().
+ * Between keys, positions and scales are linear, rotations take the shorter arc; glTF's STEP holds
+ * the key before, its CUBICSPLINE follows the splines. Before the first key and after the last
+ * these hold. What was mended or left out while reading is in GetNote().
  *
- * Limits: the up axis and unit are those that Assimp gives; morph targets are not played; keys of
- * glTF's CUBICSPLINE and STEP are played as linear.
+ * Limits: the up axis and unit are those that Assimp gives; morph targets are not played.
  *
  * Errors: one error event names the file and what is wrong; GetErrorCode() is set and the output is
- * empty. A file is read again only when it or its name has changed, not when the time has.
+ * empty. A file is read again only when it, a file that it names, or its name has changed, not when
+ * the time has.
  */
 #ifndef vtkRelievoModelReader_h
 #define vtkRelievoModelReader_h
@@ -63,11 +64,28 @@ public:
   vtkGetStringMacro(Animation);
   ///@}
 
+  ///@{
+  /** Name of an animation to blend in, BlendWeight of the way; empty: none. Default: empty. */
+  vtkSetStringMacro(BlendAnimation);
+  vtkGetStringMacro(BlendAnimation);
+  ///@}
+
+  ///@{
+  /**
+   * 0 shows Animation alone, 1 BlendAnimation alone. Positions and scales are mixed, rotations take
+   * the shorter arc; each animation is at the same pipeline time, and loops or holds by its own
+   * range. KEY_MATRIX takes the keys of Animation. 0 to 1. Default: 0.5.
+   */
+  vtkSetClampMacro(BlendWeight, double, 0., 1.);
+  vtkGetMacro(BlendWeight, double);
+  ///@}
+
   enum Poses
   {
     POSE_REST = 0,      ///< meshes as the file holds them, each in its node's place
     POSE_NODES = 1,     ///< bones where the nodes' own matrices put them, without an animation
     POSE_ANIMATION = 2, ///< bones where the animation puts them
+    POSE_BIND = 3,      ///< meshes as at POSE_REST, and the bones where these were bound to them
   };
 
   ///@{
@@ -75,7 +93,7 @@ public:
    * What the bones do. Without an animation POSE_ANIMATION is POSE_NODES. The skeleton at POSE_REST
    * is that of POSE_ANIMATION, which vtkRelievoSkin then applies. Default: POSE_ANIMATION.
    */
-  vtkSetClampMacro(Pose, int, POSE_REST, POSE_ANIMATION);
+  vtkSetClampMacro(Pose, int, POSE_REST, POSE_BIND);
   vtkGetMacro(Pose, int);
   ///@}
 
@@ -121,6 +139,44 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Whether the skeleton has the axes of its joints too: lines with the cell arrays `axis` (0
+   * between joints, 1 to 3 along x, y, z) and `axis_color` (red, green, blue). Default: off.
+   */
+  vtkSetMacro(SkeletonAxes, bool);
+  vtkGetMacro(SkeletonAxes, bool);
+  vtkBooleanMacro(SkeletonAxes, bool);
+  ///@}
+
+  ///@{
+  /** Length of these axes in world units; 0: 3 % of the model's diagonal at rest. Default: 0. */
+  vtkSetClampMacro(AxisLength, double, 0., VTK_DOUBLE_MAX);
+  vtkGetMacro(AxisLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether points have the array `first_bone`, as scalars: the skeleton's point of the strongest
+   * bone, -1 without one. Default: off.
+   */
+  vtkSetMacro(FirstBone, bool);
+  vtkGetMacro(FirstBone, bool);
+  vtkBooleanMacro(FirstBone, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a bone whose weight points have in the array `bone_weight`, as scalars; empty: none.
+   * GetBoneNames lists them. Default: empty.
+   */
+  vtkSetStringMacro(WeightsOf);
+  vtkGetStringMacro(WeightsOf);
+  ///@}
+
+  /** The bones of all meshes, after UpdateInformation(). */
+  vtkStringArray* GetBoneNames();
+
+  ///@{
   /** The animations of the file, after UpdateInformation(). */
   int GetNumberOfAnimations();
   const char* GetAnimationName(int index); ///< null when there is none
@@ -147,13 +203,22 @@ private:
 
   // Whether there is a model; reads it when what it depends on has changed.
   bool Read();
-  // The place of the chosen animation, or -1 without one.
-  int FindAnimation();
+  // The place of the animation of this name, or -1 without one, which is said once.
+  int FindAnimation(const char* name);
+  // The node of the bone of WeightsOf, or -1.
+  int FindBone();
   // The skeleton at a pipeline time.
   void MakeSkeleton(double time, vtkPolyData* skeleton);
+  void MakeMesh(std::size_t place, vtkPolyData* skeleton, vtkPolyData* mesh);
 
   char* FileName = nullptr;
   char* Animation = nullptr;
+  char* BlendAnimation = nullptr;
+  double BlendWeight = 0.5;
+  char* WeightsOf = nullptr;
+  bool FirstBone = false;
+  bool SkeletonAxes = false;
+  double AxisLength = 0.;
   int Pose = POSE_ANIMATION;
   int Method = 0;
   int WeightsPerPoint = 4;

@@ -20,8 +20,14 @@ struct SkeletonPose
 };
 
 /// Points where the nodes are, with `pose`, `pose_before`, `pose_after`, `parent`, `is_bone` and
-/// `name`; a line from each bone or moved node to its parent, when that is one too.
-void MakeSkeleton(const Model& model, const SkeletonPose& pose, vtkPolyData* output);
+/// `name`; a line from each bone or moved node to its parent, when that is one too. `axes`: length
+/// of lines along the axes of bones and moved nodes, 0 for none; then cells have `axis` (0 between
+/// joints, 1 to 3 along x, y, z) and its colours `axis_color`, and the ends of the axes follow the
+/// nodes' points.
+void MakeSkeleton(const Model& model, const SkeletonPose& pose, double axes, vtkPolyData* output);
+
+/// Length of axes that suits the model: a share of the diagonal of its bones and meshes at rest.
+double GetAxisLength(const Model& model);
 }
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoSkin.h"
 
+#include "vtkRelievoErrorOnce.h"
 #include "vtkRelievoSkinPoints.h"
 
 #include "vtkInformation.h"
@@ -15,9 +16,13 @@ vtkStandardNewMacro(vtkRelievoSkin);
 
 //------------------------------------------------------------------------------
 vtkRelievoSkin::vtkRelievoSkin()
+  : Errors(new relievo::ErrorOnce(this))
 {
   this->SetNumberOfInputPorts(2);
 }
+
+//------------------------------------------------------------------------------
+vtkRelievoSkin::~vtkRelievoSkin() = default;
 
 //------------------------------------------------------------------------------
 int vtkRelievoSkin::FillInputPortInformation(int, vtkInformation* info)
@@ -35,7 +40,7 @@ int vtkRelievoSkin::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const std::string wrong =
     relievo::SkinMesh(mesh, skeleton, static_cast<relievo::SkinMethod>(this->Method), output);
-  if (!wrong.empty())
+  if (!wrong.empty() && this->Errors->IsNew(wrong))
   {
     vtkErrorMacro("" << wrong);
   }

@@ -32,6 +32,13 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkRelievoAnimationModule.h" // for the export macro
 
+#include <memory> // for what was said
+
+namespace relievo
+{
+class ErrorOnce;
+}
+
 class VTKRELIEVOANIMATION_EXPORT vtkRelievoSkin : public vtkPolyDataAlgorithm
 {
 public:
@@ -66,7 +73,7 @@ public:
 
 protected:
   vtkRelievoSkin();
-  ~vtkRelievoSkin() override = default;
+  ~vtkRelievoSkin() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -76,6 +83,7 @@ private:
   void operator=(const vtkRelievoSkin&) = delete;
 
   int Method = LINEAR;
+  std::unique_ptr<relievo::ErrorOnce> Errors;
 };
 
 #endif

@@ -124,7 +124,9 @@ std::string GetBoneMatrices(
 glm::dmat3 GetClosestRotation(const glm::dmat3& m)
 {
   // Newton's iteration for the polar decomposition, after N. Higham (1986): quadratic convergence.
-  glm::dmat3 q = m;
+  // Far from a size of 1 a turn only halves it.
+  const double size = GetLargest(m);
+  glm::dmat3 q = size > 0. && std::isfinite(size) ? m / size : m;
   for (int i = 0; i < 40; ++i)
   {
     const double det = glm::determinant(q);

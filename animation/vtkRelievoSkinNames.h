@@ -26,6 +26,10 @@ constexpr const char* PoseAfterArray = "pose_after";
 
 /// Of the skeleton's field data: where between these keys the time lies, 0 to 1.
 constexpr const char* KeyShareArray = "key_share";
+
+/// Of a mesh's points, to look inside: the node of the strongest bone; the weight of a chosen one.
+constexpr const char* FirstBoneArray = "first_bone";
+constexpr const char* BoneWeightArray = "bone_weight";
 }
 
 #endif

@@ -3,217 +3,109 @@
 #include "vtkRelievoSkinPoints.h"
 
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoSkinBlend.h"
 #include "vtkRelievoSkinBones.h"
 #include "vtkRelievoSkinNames.h"
+#include "vtkRelievoSkinWeights.h"
 #include "vtkRelievoThreads.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <cmath>
 #include <vector>
 
 namespace relievo
 {
 namespace
 {
-// Of either number type.
-using f32::relievoDualTranslation;
-using f32::relievoNormalMatrix;
-using f32::relievoQuaternionMatrix;
-using f64::relievoDualTranslation;
-using f64::relievoNormalMatrix;
-using f64::relievoQuaternionMatrix;
-
-// What is done to the surroundings of one point.
-template <typename Real>
-struct Change
+// Directions that follow the points, of three or four components; null where there are none.
+struct Directions
 {
-  glm::mat<3, 3, Real> Linear;
-  glm::vec<3, Real> Move;
+  const float* From = nullptr;
+  float* To = nullptr;
+  int Components = 3;
 };
 
-// The joints and weights of the points, as whole numbers and floats.
-struct Influences
-{
-  const int* Joints;
-  const float* Weights;
-  int Count; // of each point
-};
-
-template <typename Real>
-class MatrixBlend
-{
-public:
-  explicit MatrixBlend(const std::vector<glm::dmat4>& matrices)
-  {
-    for (const glm::dmat4& m : matrices)
-    {
-      this->Bones.push_back(
-        { glm::mat<3, 3, Real>(glm::dmat3(m)), glm::vec<3, Real>(glm::dvec3(m[3])) });
-    }
-  }
-
-  // Whether the point has any bone.
-  bool Get(const int* joints, const float* weights, int count, Change<Real>& change) const
-  {
-    change = { glm::mat<3, 3, Real>(Real(0)), glm::vec<3, Real>(Real(0)) };
-    Real whole = 0;
-    for (int i = 0; i < count; ++i)
-    {
-      const auto bone = static_cast<std::size_t>(joints[i]);
-      const auto weight = static_cast<Real>(weights[i]);
-      if (weight > Real(0) && bone < this->Bones.size())
-      {
-        change.Linear += this->Bones[bone].Linear * weight;
-        change.Move += this->Bones[bone].Move * weight;
-        whole += weight;
-      }
-    }
-    if (whole != Real(1) && whole > Real(0))
-    {
-      change.Linear /= whole;
-      change.Move /= whole;
-    }
-    return whole > Real(0);
-  }
-
-private:
-  std::vector<Change<Real>> Bones;
-};
-
-template <typename Real>
-class DualBlend
-{
-public:
-  explicit DualBlend(const std::vector<glm::dmat4>& matrices)
-  {
-    for (const glm::dmat4& m : matrices)
-    {
-      this->Bones.push_back(GetMotion<Real>(m));
-    }
-  }
-
-  bool Get(const int* joints, const float* weights, int count, Change<Real>& change) const
-  {
-    const BoneMotion<Real>* strongest = nullptr;
-    Real most = 0;
-    for (int i = 0; i < count; ++i)
-    {
-      const auto bone = static_cast<std::size_t>(joints[i]);
-      if (static_cast<Real>(weights[i]) > most && bone < this->Bones.size())
-      {
-        most = static_cast<Real>(weights[i]);
-        strongest = &this->Bones[bone];
-      }
-    }
-    if (!strongest)
-    {
-      return false;
-    }
-    BoneMotion<Real> sum = { glm::mat<3, 3, Real>(Real(0)), glm::vec<4, Real>(Real(0)),
-      glm::vec<4, Real>(Real(0)) };
-    Real whole = 0;
-    for (int i = 0; i < count; ++i)
-    {
-      const auto bone = static_cast<std::size_t>(joints[i]);
-      const auto weight = static_cast<Real>(weights[i]);
-      if (weight > Real(0) && bone < this->Bones.size())
-      {
-        const BoneMotion<Real>& motion = this->Bones[bone];
-        // A quaternion and its negative are one rotation: those of the strongest bone's half.
-        const Real side =
-          glm::dot(motion.Rotation, strongest->Rotation) < Real(0) ? -weight : weight;
-        sum.Rotation += motion.Rotation * side;
-        sum.Dual += motion.Dual * side;
-        sum.Stretch += motion.Stretch * weight;
-        whole += weight;
-      }
-    }
-    if (glm::dot(sum.Rotation, sum.Rotation) < Real(1e-12) * whole * whole)
-    {
-      sum.Rotation = strongest->Rotation; // turns that cancel have no mean
-      sum.Dual = strongest->Dual;
-    }
-    change.Linear = relievoQuaternionMatrix(glm::normalize(sum.Rotation)) * (sum.Stretch / whole);
-    change.Move = relievoDualTranslation(sum.Rotation, sum.Dual);
-    return true;
-  }
-
-private:
-  std::vector<BoneMotion<Real>> Bones;
-};
-
-// Arrays of three or four components that follow the points; null where there are none.
 template <typename Real>
 struct Arrays
 {
-  const Real* Points;
-  Real* PointsOut;
-  float* Normals;
-  float* Tangents;
-  int TangentComponents;
+  const Real* From;
+  Real* To;
+  Directions Normals;
+  Directions Tangents;
 };
 
+// Points without a bone keep their directions.
 template <typename Real>
-void Turn(const glm::mat<3, 3, Real>& m, float* v)
+void Turn(const glm::mat<3, 3, Real>& m, const Directions& directions, vtkIdType i, bool normals,
+  bool moved)
 {
-  const glm::vec<3, Real> turned = m * glm::vec<3, Real>(v[0], v[1], v[2]);
-  const Real square = glm::dot(turned, turned);
-  // What a flattening takes away keeps its direction.
-  if (square > Real(0) && std::isfinite(square))
+  // Of either number type.
+  using f32::relievoTurnDirection;
+  using f32::relievoTurnNormal;
+  using f64::relievoTurnDirection;
+  using f64::relievoTurnNormal;
+  const float* from = directions.From + directions.Components * i;
+  float* to = directions.To + directions.Components * i;
+  const glm::vec<3, Real> own(from[0], from[1], from[2]);
+  const glm::vec<3, Real> turned =
+    normals ? relievoTurnNormal(m, own) : relievoTurnDirection(m, own);
+  for (int j = 0; j < 3; ++j)
   {
-    const Real length = std::sqrt(square);
-    v[0] = static_cast<float>(turned.x / length);
-    v[1] = static_cast<float>(turned.y / length);
-    v[2] = static_cast<float>(turned.z / length);
+    to[j] = static_cast<float>(moved ? turned[j] : own[j]);
+  }
+  if (directions.Components == 4)
+  {
+    to[3] = from[3];
   }
 }
 
+// All that it calls is part of it: calls for each point take as long as their work.
 template <typename Real, typename Blend>
-void Move(const Blend& blend, const Influences& influences, const Arrays<Real>& arrays,
-  vtkIdType begin, vtkIdType end)
+[[gnu::flatten]] void Move(const Blend& blend, const SkinWeights& weights,
+  const Arrays<Real>& arrays, vtkIdType begin, vtkIdType end)
 {
   for (vtkIdType i = begin; i < end; ++i)
   {
-    Change<Real> change;
-    const glm::vec<3, Real> p(
-      arrays.Points[3 * i], arrays.Points[3 * i + 1], arrays.Points[3 * i + 2]);
-    const vtkIdType first = i * influences.Count;
+    SkinChange<Real> change;
+    const Real* p = arrays.From + 3 * i;
     const bool moved =
-      blend.Get(influences.Joints + first, influences.Weights + first, influences.Count, change);
-    const glm::vec<3, Real> at = moved ? change.Linear * p + change.Move : p;
+      blend.Get(weights.GetJoints(i), weights.GetWeights(i), weights.GetCount(), change);
+    Four<Real> at = change.Columns[3];
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      at.Add(change.Columns[j], p[j]);
+    }
     for (int j = 0; j < 3; ++j)
     {
-      arrays.PointsOut[3 * i + j] = at[j];
+      arrays.To[3 * i + j] = moved ? at.V[j] : p[j];
     }
-    if (moved && arrays.Normals)
+    if (arrays.Normals.To)
     {
-      Turn(relievoNormalMatrix(change.Linear), arrays.Normals + 3 * i);
+      Turn(change.GetLinear(), arrays.Normals, i, true, moved);
     }
-    if (moved && arrays.Tangents)
+    if (arrays.Tangents.To)
     {
-      Turn(change.Linear, arrays.Tangents + arrays.TangentComponents * i);
+      Turn(change.GetLinear(), arrays.Tangents, i, false, moved);
     }
   }
 }
 
 template <typename Real>
-void MoveAll(SkinMethod method, const std::vector<glm::dmat4>& matrices,
-  const Influences& influences, const Arrays<Real>& arrays, vtkIdType count)
+void MoveAll(SkinMethod method, const std::vector<glm::dmat4>& matrices, const SkinWeights& weights,
+  const Arrays<Real>& arrays, vtkIdType count)
 {
   const auto run = [&](const auto& blend) {
     vtkRelievoWithThreads([&]() {
       vtkSMPTools::For(0, count, 4096,
-        [&](vtkIdType begin, vtkIdType end) { Move(blend, influences, arrays, begin, end); });
+        [&](vtkIdType begin, vtkIdType end) { Move(blend, weights, arrays, begin, end); });
     });
   };
   if (method == SkinMethod::DualQuaternion)
@@ -238,14 +130,27 @@ vtkSmartPointer<Array> As(vtkDataArray* array)
   return typed;
 }
 
-// A copy to be turned in place; the array that was there is shared with the input.
-float* CopyDirections(vtkDataArray* array, vtkPointData* data, int attribute)
+// Directions of the input, and a new array in place of them in the output. `held` keeps what is
+// read.
+Directions MakeDirections(vtkDataArray* array, int attribute, vtkIdType count, vtkPointData* data,
+  std::vector<vtkSmartPointer<vtkFloatArray>>& held)
 {
-  vtkNew<vtkFloatArray> copy;
-  copy->DeepCopy(array);
-  copy->SetName(array->GetName());
-  data->SetAttribute(copy, attribute);
-  return copy->GetPointer(0);
+  Directions directions;
+  if (!array || (array->GetNumberOfComponents() != 3 && array->GetNumberOfComponents() != 4) ||
+    (attribute == vtkDataSetAttributes::NORMALS && array->GetNumberOfComponents() != 3))
+  {
+    return directions;
+  }
+  held.push_back(As<vtkFloatArray>(array));
+  vtkNew<vtkFloatArray> moved;
+  moved->SetName(array->GetName());
+  moved->SetNumberOfComponents(array->GetNumberOfComponents());
+  moved->SetNumberOfTuples(count);
+  directions.From = held.back()->GetPointer(0);
+  directions.To = moved->GetPointer(0);
+  directions.Components = array->GetNumberOfComponents();
+  data->SetAttribute(moved, attribute);
+  return directions;
 }
 }
 
@@ -267,11 +172,11 @@ std::string SkinMesh(
   {
     return wrong;
   }
-  vtkDataArray* joints = input->GetPointData()->GetArray(JointsArray);
-  vtkDataArray* weights = input->GetPointData()->GetArray(WeightsArray);
-  if (!joints || !weights || joints->GetNumberOfComponents() != weights->GetNumberOfComponents())
+  SkinWeights weights;
+  const std::string missing = weights.Read(input);
+  if (!missing.empty())
   {
-    return "the mesh has no point arrays joints and weights with as many components each";
+    return missing;
   }
   output->ShallowCopy(input);
   // Skinned once: without these it is refused a second time.
@@ -285,20 +190,12 @@ std::string SkinMesh(
     output->GetCellData()->RemoveArray(normals->GetName());
   }
 
-  const auto wholes = As<vtkIntArray>(joints);
-  const auto shares = As<vtkFloatArray>(weights);
-  const Influences influences = { wholes->GetPointer(0), shares->GetPointer(0),
-    joints->GetNumberOfComponents() };
   vtkPointData* data = output->GetPointData();
-  vtkDataArray* normals = data->GetNormals();
-  float* normalsOut = normals && normals->GetNumberOfComponents() == 3
-    ? CopyDirections(normals, data, vtkDataSetAttributes::NORMALS)
-    : nullptr;
-  vtkDataArray* tangents = data->GetTangents();
-  const int components = tangents ? tangents->GetNumberOfComponents() : 0;
-  float* tangentsOut = components == 3 || components == 4
-    ? CopyDirections(tangents, data, vtkDataSetAttributes::TANGENTS)
-    : nullptr;
+  std::vector<vtkSmartPointer<vtkFloatArray>> held;
+  const Directions normals = MakeDirections(
+    input->GetPointData()->GetNormals(), vtkDataSetAttributes::NORMALS, count, data, held);
+  const Directions tangents = MakeDirections(
+    input->GetPointData()->GetTangents(), vtkDataSetAttributes::TANGENTS, count, data, held);
 
   vtkNew<vtkPoints> points;
   if (auto* wide = vtkDoubleArray::SafeDownCast(input->GetPoints()->GetData()))
@@ -306,8 +203,8 @@ std::string SkinMesh(
     points->SetDataType(VTK_DOUBLE);
     points->SetNumberOfPoints(count);
     double* to = vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0);
-    MoveAll<double>(method, matrices, influences,
-      { wide->GetPointer(0), to, normalsOut, tangentsOut, components }, count);
+    MoveAll<double>(
+      method, matrices, weights, { wide->GetPointer(0), to, normals, tangents }, count);
   }
   else
   {
@@ -315,8 +212,8 @@ std::string SkinMesh(
     points->SetDataType(VTK_FLOAT);
     points->SetNumberOfPoints(count);
     float* to = vtkFloatArray::SafeDownCast(points->GetData())->GetPointer(0);
-    MoveAll<float>(method, matrices, influences,
-      { from->GetPointer(0), to, normalsOut, tangentsOut, components }, count);
+    MoveAll<float>(
+      method, matrices, weights, { from->GetPointer(0), to, normals, tangents }, count);
   }
   output->SetPoints(points);
   return "";

@@ -104,7 +104,7 @@ vtkSmartPointer<vtkPolyData> MakeTube(int rings, int sides, bool wide)
       {
         const vtkIdType next = (j + 1) % sides;
         const vtkIdType row = static_cast<vtkIdType>(i) * sides;
-        const vtkIdType quad[4] = { row - sides + j, row + j, row + next, row - sides + next };
+        const vtkIdType quad[4] = { row - sides + j, row - sides + next, row + next, row + j };
         polys->InsertNextCell(4, quad);
       }
     }

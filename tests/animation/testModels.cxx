@@ -27,10 +27,21 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <set>
+#include <string>
 
 namespace
 {
 using namespace relievoTest;
+
+// Files that tools/unpack-data writes, a buffer of glTF among them.
+constexpr std::size_t NumberOfModels = 61;
+
+// What Assimp 5.2.5 refuses: a number that begins with a space, Irrlicht's XML in two bytes a
+// character, a binary format that has moved on, animations and textures of other files, the buffer.
+const std::set<std::string> Refused = { "library_animation_clips.dae", "animMesh.irr",
+  "multipleAnimators.irr", "scenegraphAnim.irr", "WusonBlitz2.m3d", "man01.mdl", "manT.mdl",
+  "AnimatedMorphCube.bin" };
 
 // The numbers of a scene's animations, or -1 without any.
 std::vector<int> AnimationsOf(const aiScene* scene)
@@ -63,8 +74,6 @@ double SizeOf(const std::vector<std::vector<glm::dvec3>>& meshes)
     {
       low = glm::min(low, p);
       high = glm::max(high, p);
-      // Far from the origin, floats are coarser.
-      low = glm::min(low, -glm::abs(p));
     }
   }
   return glm::length(high - low);
@@ -90,7 +99,7 @@ double Compare(
     {
       double p[3];
       meshes[i]->GetPoint(static_cast<vtkIdType>(j), p);
-      off = std::max(off, glm::length(glm::dvec3(p[0], p[1], p[2]) - truth[i][j]));
+      off = Larger(off, glm::length(glm::dvec3(p[0], p[1], p[2]) - truth[i][j]));
     }
   }
   return off / std::max(size, 1e-30); // one of the models is a single point
@@ -149,7 +158,7 @@ void TestPose(vtkRelievoModelReader* reader, const aiScene* scene, const std::st
                                    : first + (last - first) * (1.02 * i / 99. - 0.01);
       reader->UpdateTimeStep(at / ticks);
       const double held = std::clamp(at, first, last);
-      off = std::max(off, Compare(reader, PosedPoints(scene, animation, held), size));
+      off = Larger(off, Compare(reader, PosedPoints(scene, animation, held), size));
     }
     RELIEVO_CHECK_AT_MOST(
       off, 1e-5, name + ": '" + reader->GetAnimation() + "' at 100 times, of its size");
@@ -216,7 +225,7 @@ void TestIdentity(vtkRelievoModelReader* reader, const std::string& name)
         mesh->GetPoint(i, p);
         skin->GetOutput()->GetPoint(i, q);
         off =
-          std::max(off, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) / std::max(size, 1e-30));
+          Larger(off, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) / std::max(size, 1e-30));
       }
     }
   }
@@ -237,6 +246,7 @@ void TestModel(const std::filesystem::path& path)
     const ExpectMessage expect(name);
     reader->Update();
     std::cout << name << ": refused\n";
+    RELIEVO_CHECK_THAT(Refused.count(name) == 1, name + " is refused");
     RELIEVO_CHECK(expect.Count() == 1 && reader->GetErrorCode() != 0);
     RELIEVO_CHECK(reader->GetOutput()->GetNumberOfBlocks() == 0);
     return;
@@ -269,7 +279,10 @@ int main()
     }
   }
   std::sort(paths.begin(), paths.end());
-  RELIEVO_CHECK(paths.size() > 30);
+  RELIEVO_CHECK_THAT(paths.size() == NumberOfModels,
+    std::to_string(paths.size()) +
+      " models are there, expected all that tools/unpack-data writes: " +
+      std::to_string(NumberOfModels));
   for (const std::filesystem::path& path : paths)
   {
     TestModel(path);

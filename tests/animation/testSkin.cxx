@@ -11,6 +11,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkRelievoSkin.h>
+#include <vtkSMPTools.h>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -18,6 +19,8 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -55,10 +58,10 @@ void TestTwist()
     double across = 0.;
     for (vtkIdType i = 0; i < tube->GetNumberOfPoints(); ++i)
     {
-      off = std::max(off, std::abs(Radius(PointOf(dual, i)) - 1.));
+      off = Larger(off, std::abs(Radius(PointOf(dual, i)) - 1.));
       const glm::dvec3 p = PointOf(dual, i);
       across =
-        std::max(across, glm::length(NormalOf(dual, i) - glm::dvec3(0., p.y, p.z) / Radius(p)));
+        Larger(across, glm::length(NormalOf(dual, i) - glm::dvec3(0., p.y, p.z) / Radius(p)));
     }
     RELIEVO_CHECK_AT_MOST(off, degrees == 180. ? 0.01 : 1e-5, "radius by dual quaternions");
     RELIEVO_CHECK_AT_MOST(across, 1e-5, "normals by dual quaternions");
@@ -91,7 +94,7 @@ void TestHalves()
     for (vtkIdType j = 0; j < tube->GetNumberOfPoints(); ++j)
     {
       const glm::dvec3 p = back * PointOf(dual, j);
-      off = std::max({ off, std::abs(Radius(p) - 1.), std::abs(p.x - PointOf(tube, j).x) });
+      off = Larger(off, Larger(std::abs(Radius(p) - 1.), std::abs(p.x - PointOf(tube, j).x)));
     }
     RELIEVO_CHECK_AT_MOST(off, 1e-4, "radius where quaternions change sign");
   }
@@ -125,12 +128,37 @@ void TestOneBone(bool wide)
       for (vtkIdType i = 0; i < tube->GetNumberOfPoints(); ++i)
       {
         const glm::dvec3 expected(whole * glm::dvec4(PointOf(tube, i), 1.));
-        off = std::max(off, glm::length(PointOf(moved, i) - expected));
-        turned = std::max(
+        off = Larger(off, glm::length(PointOf(moved, i) - expected));
+        turned = Larger(
           turned, glm::length(NormalOf(moved, i) - glm::normalize(normal * NormalOf(tube, i))));
       }
       RELIEVO_CHECK_AT_MOST(off, wide ? 1e-13 : 1e-5, "a bone of any matrix, points");
       RELIEVO_CHECK_AT_MOST(turned, 2e-6, "a bone of any matrix, normals");
+    }
+  }
+}
+
+// Bones of any size turn normals, as far as floats have numbers for points.
+void TestSizes()
+{
+  const vtkSmartPointer<vtkPolyData> tube = MakeTwoBoneTube(3, 8);
+  for (const double size : { 1e-20, 1e-12, 1e-6, 1., 1e6, 1e12, 1e20 })
+  {
+    glm::dmat4 pose = TurnAbout(glm::dvec3(1., 2., 3.), 1.);
+    const glm::dmat3 turn(pose);
+    pose[0] *= size;
+    pose[1] *= size;
+    pose[2] *= size;
+    for (const int method : Methods)
+    {
+      const auto moved = Skin(tube, MakeSkeleton({ pose, pose }), method);
+      double turned = 0.;
+      for (vtkIdType i = 0; i < tube->GetNumberOfPoints(); ++i)
+      {
+        turned = Larger(turned, glm::length(NormalOf(moved, i) - turn * NormalOf(tube, i)));
+      }
+      RELIEVO_CHECK_AT_MOST(
+        turned, 2e-6, "normals of bones of the size " + std::to_string(std::log10(size)));
     }
   }
 }
@@ -151,7 +179,7 @@ void TestMean()
       const glm::dvec3 p = PointOf(tube, i);
       const double share = p.x / 4.;
       const glm::dvec3 expected(p.x, p.y * (1. + 2. * share) + 2. * share, p.z);
-      off = std::max(off, glm::length(PointOf(moved, i) - expected));
+      off = Larger(off, glm::length(PointOf(moved, i) - expected));
     }
     RELIEVO_CHECK_AT_MOST(off, 2e-6, "blended move and stretch");
   }
@@ -167,6 +195,33 @@ void TestKeyMatrices()
   for (vtkIdType i = 0; i < tube->GetNumberOfPoints(); ++i)
   {
     RELIEVO_CHECK_NEAR(Radius(PointOf(moved, i)), std::sqrt(0.5), 1e-6, "radius between keys");
+  }
+}
+
+// As many threads as one likes: the same bits.
+void TestThreads()
+{
+  const vtkSmartPointer<vtkPolyData> tube = MakeTwoBoneTube(1001, 40); // several shares of the work
+  const auto skeleton =
+    MakeSkeleton({ MoveBy(glm::dvec3(0.1, 0.2, 0.3)), TurnAbout(glm::dvec3(1., 2., 3.), 1.) });
+  for (const int method : Methods)
+  {
+    std::vector<vtkSmartPointer<vtkPolyData>> made;
+    for (const int threads : { 1, 2, 5 })
+    {
+      vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
+        [&]() { made.push_back(Skin(tube, skeleton, method)); });
+    }
+    int differ = 0;
+    for (std::size_t i = 1; i < made.size(); ++i)
+    {
+      for (vtkIdType j = 0; j < tube->GetNumberOfPoints(); ++j)
+      {
+        differ += PointOf(made[0], j) != PointOf(made[i], j);
+        differ += NormalOf(made[0], j) != NormalOf(made[i], j);
+      }
+    }
+    RELIEVO_CHECK(differ == 0);
   }
 }
 
@@ -204,8 +259,10 @@ int main()
   TestHalves();
   TestOneBone(false);
   TestOneBone(true);
+  TestSizes();
   TestMean();
   TestKeyMatrices();
+  TestThreads();
   TestInputStays();
   return session.Result();
 }

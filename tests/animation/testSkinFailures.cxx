@@ -8,6 +8,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -126,6 +127,17 @@ void TestMissing()
   ExpectRefusal(mesh, bare, vtkRelievoSkin::KEY_MATRIX, "no whole keys");
   bare->GetPointData()->RemoveArray("pose");
   ExpectRefusal(mesh, bare, vtkRelievoSkin::LINEAR, "no point array pose");
+  for (const bool tangents : { false, true })
+  {
+    const vtkSmartPointer<vtkPolyData> few = MakeTwoBoneTube(3, 6);
+    vtkNew<vtkFloatArray> directions;
+    directions->SetName("few");
+    directions->SetNumberOfComponents(3);
+    directions->InsertNextTuple3(0., 0., 1.);
+    vtkPointData* data = few->GetPointData();
+    tangents ? data->SetTangents(directions) : data->SetNormals(directions);
+    ExpectRefusal(few, skeleton, 0, "the point array few has 1 tuples, for 18 points");
+  }
   // Moved once, a mesh is refused: it would be moved from where it is.
   const auto once = Skin(mesh, skeleton, 0);
   ExpectRefusal(once, skeleton, 0, "the mesh has no bones");

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoModelSources.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+namespace relievo
+{
+//------------------------------------------------------------------------------
+void ModelSources::Add(const std::string& path)
+{
+  this->States.emplace(path, Look(path));
+}
+
+//------------------------------------------------------------------------------
+bool ModelSources::AreSame() const
+{
+  return std::all_of(this->States.begin(), this->States.end(), [](const auto& each) {
+    const State now = Look(each.first);
+    return now.Time == each.second.Time && now.Size == each.second.Size &&
+      now.IsThere == each.second.IsThere;
+  });
+}
+
+//------------------------------------------------------------------------------
+ModelSources::State ModelSources::Look(const std::string& path)
+{
+  State state;
+  std::error_code wrong;
+  const auto time = std::filesystem::last_write_time(path, wrong);
+  state.IsThere = !wrong;
+  if (state.IsThere)
+  {
+    state.Time = static_cast<std::int64_t>(time.time_since_epoch().count());
+    const std::uintmax_t size = std::filesystem::file_size(path, wrong);
+    state.Size = wrong ? 0 : size; // a folder has none
+  }
+  return state;
+}
+}

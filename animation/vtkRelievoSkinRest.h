@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Prepares a mesh with bones for the vertex shader: its joints and weights as arrays of four
+ * components, strongest first, of sum 1, without joints that are not there. Where points lose
+ * influences, `joints` and `weights` lose them too.
+ */
+#ifndef vtkRelievoSkinRest_h
+#define vtkRelievoSkinRest_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkRelievoSkinBounds.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+
+namespace relievo
+{
+class SkinWeights;
+}
+
+class vtkRelievoSkinRest : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkRelievoSkinRest* New();
+  vtkTypeMacro(vtkRelievoSkinRest, vtkPolyDataAlgorithm);
+
+  enum : int
+  {
+    MostInfluences = 8
+  };
+
+  static const char* GetJointsName(int four);
+  static const char* GetWeightsName(int four);
+
+  int GetInfluences() const { return this->Influences; } ///< most of a point; 0: nothing moves
+  const std::string& GetWrong() const { return this->Wrong; }
+  const relievo::SkinBounds& GetSkinBounds() const { return this->PointBounds; }
+  /// Another number when what a pose moves is another: points, directions, joints, weights, bones;
+  /// colours are not. Above 0.
+  vtkMTimeType GetVersion() const { return this->Version; }
+  vtkIdType GetNumberOfCut() const { return this->Cut; } ///< points that lost influences
+
+protected:
+  vtkRelievoSkinRest() = default;
+  ~vtkRelievoSkinRest() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkRelievoSkinRest(const vtkRelievoSkinRest&) = delete;
+  void operator=(const vtkRelievoSkinRest&) = delete;
+
+  void Prepare(vtkPolyData* input, const relievo::SkinWeights& weights, std::size_t bones);
+  void Count(const relievo::SkinWeights& weights, std::size_t bones, vtkIdType count);
+
+  int Influences = 0;
+  std::string Wrong;
+  relievo::SkinBounds PointBounds;
+  vtkIdType Cut = 0;
+  std::vector<vtkMTimeType> Times;      // of what it was made of
+  std::vector<vtkMTimeType> Directions; // of normals and tangents
+  vtkMTimeType Version = 1;
+  std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
+};
+
+#endif
