@@ -25,7 +25,7 @@ vtkStandardNewMacro(vtkRelievoDepthViews);
 
 namespace
 {
-// The camera, the viewport and the pass that a renderer had.
+// The camera, the viewport and the pass that a renderer had, and the tile that its window draws.
 class KeptView
 {
 public:
@@ -38,10 +38,18 @@ public:
       this->Camera = renderer->GetActiveCamera();
     }
     renderer->GetViewport(this->Viewport);
+    vtkRenderWindow* window = renderer->GetRenderWindow();
+    window->GetTileScale(this->TileScale);
+    window->GetTileViewport(this->TileViewport);
+    window->SetTileScale(1, 1);
+    window->SetTileViewport(0., 0., 1., 1.);
     vtkRelievoPass::Attach(renderer);
   }
   ~KeptView()
   {
+    vtkRenderWindow* window = this->Renderer->GetRenderWindow();
+    window->SetTileScale(this->TileScale);
+    window->SetTileViewport(this->TileViewport);
     this->Renderer->SetViewport(this->Viewport);
     this->Renderer->SetActiveCamera(this->Camera);
     if (!this->Attached)
@@ -57,6 +65,8 @@ private:
   bool Attached;
   vtkSmartPointer<vtkCamera> Camera;
   double Viewport[4];
+  int TileScale[2];
+  double TileViewport[4];
 };
 }
 

@@ -6,7 +6,7 @@
  *
  * Every Update() draws the layer depth again, by the frame and with the scene's own mappers and
  * buffers; no other renderer or window is made. The window's picture does not change, and the
- * renderer has its own camera and viewport afterwards.
+ * renderer has its own camera and viewport afterwards, the window its tile, if it draws in tiles.
  *
  * Output: vtkMultiBlockDataSet of a vtkImageData per side, as vtkRelievoLayerSource makes them: the
  * float point array `depth`, +infinity where nothing is, and the field data of captures. The blocks

@@ -8,6 +8,18 @@
 
 #include "vtkVersionMacros.h"
 
+// Shaders look environment cubes up with z turned; in 9.1 by the world's directions.
+#if VTK_VERSION_NUMBER > VTK_VERSION_CHECK(9, 1, 0)
+#define RELIEVO_VTK_MIRRORED_CUBES true
+#else
+#define RELIEVO_VTK_MIRRORED_CUBES false
+#endif
+
+// The shader of edges as tubes does not compile without a light.
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+#define RELIEVO_VTK_TUBES_NEED_LIGHT 1
+#endif
+
 // Blocks of composite data are drawn by vtkCompositeMapperHelper2, one for each kind of block;
 // since 9.3 by vtkOpenGLBatchedPolyDataMapper.
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)
@@ -44,6 +56,22 @@
 // Where some lights are lamps, PBR takes a sun among them for a lamp at its place.
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 5, 0)
 #define RELIEVO_VTK_PBR_SUNS_AT_PLACES 1
+#endif
+
+// vtkAlgorithm::CheckAbort() says whether the filter or one before it is to stop, and lets those
+// behind know.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230101)
+#define RELIEVO_VTK_CHECK_ABORT 1
+#endif
+
+// vtkPolygon::Triangulate(ids) is called TriangulateLocalIds(0, ids).
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#define RELIEVO_VTK_TRIANGULATE_LOCAL_IDS 1
+#endif
+
+// vtkAbstractArray::Allocate(values) is called ReserveValues.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+#define RELIEVO_VTK_RESERVE 1
 #endif
 
 // vtkProp::GeneralTextureTransform() is called GENERAL_TEXTURE_TRANSFORM().

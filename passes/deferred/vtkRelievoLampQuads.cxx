@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoLampQuads.h"
 
+#include "vtkObject.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -10,6 +11,7 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoLampList.h"
 #include "vtkRelievoLampShadows.h"
+#include "vtkRelievoPushedContext.h"
 #include "vtkRelievoScreenTarget.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkShaderProgram.h"
@@ -124,6 +126,7 @@ void vtkRelievoLampQuads::Release(vtkWindow* window)
   this->Rectangles.Release(window);
   if (this->Nothing)
   {
+    const vtkRelievoPushedContext context(window);
     this->Nothing->ReleaseGraphicsResources();
     this->Nothing = nullptr;
   }

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoFogBuffer.h"
 
+#include "vtkObject.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkRelievoFogSpheres.h"
 #include "vtkRelievoFrameContext.h"
+#include "vtkRelievoPushedContext.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSphereRays.h"
 #include "vtkShaderProgram.h"
@@ -196,7 +198,7 @@ void vtkRelievoFogBuffer::Release(vtkWindow* window)
 {
   if (this->Arrays && window)
   {
-    window->MakeCurrent();
+    const vtkRelievoPushedContext context(window);
     glDeleteVertexArrays(1, &this->Arrays);
   }
   this->Arrays = 0;

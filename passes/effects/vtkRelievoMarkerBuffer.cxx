@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoMarkerBuffer.h"
 
+#include "vtkObject.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -9,6 +10,7 @@
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoMarkerList.h"
+#include "vtkRelievoPushedContext.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkShaderProgram.h"
 
@@ -125,6 +127,7 @@ void vtkRelievoMarkerBuffer::Release(vtkWindow* window)
 {
   if (this->Nothing)
   {
+    const vtkRelievoPushedContext context(window);
     this->Nothing->ReleaseGraphicsResources();
     this->Nothing = nullptr;
   }

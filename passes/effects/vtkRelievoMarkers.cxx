@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoMarkers.h"
 
+#include "vtkRelievoMovedMesh.h"
+
 #include "vtkActor.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
@@ -39,6 +41,19 @@ bool IsBox(const double bounds[6])
 {
   return std::all_of(bounds, bounds + 6, [](double v) { return std::isfinite(v); }) &&
     bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
+}
+
+// Before the prop's matrix, if it is an actor; of a mesh that its shader moves, where it is drawn:
+// the mapper's is at rest.
+const double* GetOwnBounds(vtkProp3D* prop, double moved[6])
+{
+  if (auto* mover = dynamic_cast<vtkRelievoMovedMesh*>(prop))
+  {
+    mover->GetMovedBounds(moved);
+    return moved;
+  }
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor && actor->GetMapper() ? actor->GetMapper()->GetBounds() : prop->GetBounds();
 }
 
 // The box of bounds under a matrix; false if it leaves none.
@@ -196,8 +211,8 @@ std::vector<vtkRelievoMarkers::Box> vtkRelievoMarkers::GetBoxes()
     }
     Box box;
     auto* actor = vtkActor::SafeDownCast(prop);
-    const double* bounds =
-      actor && actor->GetMapper() ? actor->GetMapper()->GetBounds() : prop->GetBounds();
+    double moved[6];
+    const double* bounds = GetOwnBounds(prop, moved);
     if (!bounds || !IsBox(bounds))
     {
       continue;

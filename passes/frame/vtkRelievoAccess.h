@@ -203,6 +203,14 @@ public:
   {
     return (mapper->*(&GlyphMapper::GetSourceIndexArray))(input);
   }
+  static vtkDataArray* OrientationArray(vtkGlyph3DMapper* mapper, vtkDataSet* input)
+  {
+    return (mapper->*(&GlyphMapper::GetOrientationArray))(input);
+  }
+  static vtkDataArray* ScaleArray(vtkGlyph3DMapper* mapper, vtkDataSet* input)
+  {
+    return (mapper->*(&GlyphMapper::GetScaleArray))(input);
+  }
 };
 
 #ifdef RELIEVO_VTK_COMPOSITE_HELPERS

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoColorBuffers.h"
 
+#include "vtkObject.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"

@@ -5,6 +5,8 @@
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkMapper.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
@@ -17,7 +19,17 @@
 vtkMTimeType vtkRelievoDrawnTime::OfData(vtkDataObject* data)
 {
   vtkMTimeType time = data ? data->GetMTime() : 0;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
+  {
+    // Also of what has blocks within: they may be exchanged there for older ones.
+    auto it = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+    it->VisitOnlyLeavesOff();
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      time = std::max(time, it->GetCurrentDataObject()->GetMTime());
+    }
+  }
+  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
   {
     auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
     for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())

@@ -68,6 +68,10 @@ public:
   // Lamps whose shadows are wanted, as the resource `lamp shadows`; from Prepare on.
   std::vector<vtkRelievoCastingLamp> CastingLamps;
 
+  // Whether lights may come through what colours them: verdicts of a light are then not all that is
+  // known of its shadows. From Prepare on.
+  bool ColorsLight = false;
+
   // What is requested of the things that a stage writes; sorted. Empty if the stage is not needed.
   const std::vector<std::string>& GetAsked(const vtkRelievoStage* stage) const;
   bool IsAsked(const vtkRelievoStage* stage, const std::string& resource) const;

@@ -162,9 +162,9 @@ void vtkRelievoFrameGather::Choose(vtkRelievoFrameContext& context)
 std::string vtkRelievoFrameGather::Add(vtkRelievoFrameContext& context, Sum& sum,
   const std::string& resource, const std::string& defines, int channels)
 {
-  if (sum.Count != context.Sample)
+  if (sum.Count != context.Sample || context.Window->GetAbortRender())
   {
-    return {}; // it has this sample
+    return {}; // it has this sample, or not all of this was drawn
   }
   vtkRelievoScreenTarget::Format format;
   format.Channels = channels;
@@ -197,7 +197,8 @@ std::string vtkRelievoFrameGather::GatherColor(vtkRelievoFrameContext& context)
     return "the frame has made no linear colour";
   }
   std::string wrong = this->Add(context, *this->Color, "color", "", 4);
-  if (!wrong.empty() || this->Color->Count == 1)
+  const bool own = this->Color->Count == 1 && !context.Window->GetAbortRender();
+  if (!wrong.empty() || this->Color->Count == 0 || own)
   {
     return wrong; // one is its own mean
   }
@@ -244,7 +245,8 @@ void vtkRelievoFrameGather::Gather(vtkRelievoFrameContext& context)
     this->ReleaseSums(context.Window);
     context.Last = context.Sample == 0; // or once more, with that
   }
-  else if (!context.Last && context.Window->CheckAbortStatus())
+  else if (!context.Last &&
+    (context.Window->GetAbortRender() || context.Window->CheckAbortStatus()))
   {
     context.Last = true; // the mean of those so far
   }

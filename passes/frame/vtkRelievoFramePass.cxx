@@ -212,10 +212,12 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   }
 
   in.Gather.BeginFrame();
+  in.Timer.BeginFrame(window);
   while (!this->DrawSample(s))
   {
     // Not shown yet: the frame has more samples.
   }
+  in.Timer.EndFrame();
 }
 
 //------------------------------------------------------------------------------
@@ -263,11 +265,9 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   }
   in.Reader.SetFrame(run.GetWriters(), run.GetMissing());
 
-  in.Timer.BeginFrame(window);
   in.Timer.Begin("frame");
   this->NumberOfRenderedProps = run.Execute(in.Picture, in.Delegate);
   in.Timer.End("frame");
-  in.Timer.EndFrame();
 
   in.Gather.End(context, stages);
   if (!in.Gather.GetFault().empty() && in.Said.insert(in.Gather.GetFault()).second)

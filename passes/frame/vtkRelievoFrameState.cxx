@@ -4,15 +4,22 @@
 
 #include "vtkActor.h"
 #include "vtkActor2D.h"
+#include "vtkBillboardTextActor3D.h"
 #include "vtkCameraPass.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkFloatArray.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkImageProcessingPass.h"
+#include "vtkLODProp3D.h"
 #include "vtkLight.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPBRIrradianceTexture.h"
+#include "vtkPBRLUTTexture.h"
+#include "vtkPBRPrefilterTexture.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCompositeMapper.h"
@@ -26,6 +33,8 @@
 #include "vtkRenderer.h"
 #include "vtkSequencePass.h"
 #include "vtkShaderProperty.h"
+#include "vtkTextActor3D.h"
+#include "vtkTextProperty.h"
 #include "vtkTexture.h"
 #include "vtkUniforms.h"
 
@@ -125,6 +134,18 @@ void AddPass(State& state, vtkRenderPass* pass)
   }
 }
 
+// What VTK makes of the environment texture, by settings of its own.
+void AddEnvironment(State& state, vtkOpenGLRenderer* renderer)
+{
+  if (renderer && renderer->GetUseImageBasedLighting())
+  {
+    state.Add(static_cast<vtkObject*>(renderer->GetEnvMapLookupTable()));
+    state.Add(static_cast<vtkObject*>(renderer->GetEnvMapIrradiance()));
+    state.Add(static_cast<vtkObject*>(renderer->GetEnvMapPrefiltered()));
+    state.Add(static_cast<vtkObject*>(renderer->GetSphericalHarmonics()));
+  }
+}
+
 void AddRenderer(State& state, vtkRenderer* renderer)
 {
   // What is set on the renderer itself; the camera and the lights are added by their values.
@@ -134,6 +155,7 @@ void AddRenderer(State& state, vtkRenderer* renderer)
   state.Add(renderer->GetAmbient(), 3);
   state.Add(renderer->GetBackgroundTexture());
   state.Add(renderer->GetEnvironmentTexture());
+  AddEnvironment(state, vtkOpenGLRenderer::SafeDownCast(renderer));
   for (const vtkRelievoFrameLight& light : vtkRelievoFrameScene::FindLights(renderer))
   {
     double place[3];
@@ -176,6 +198,29 @@ void AddActor(State& state, vtkActor* actor)
   }
 }
 
+// Texts in the scene, whose settings tell nobody that they have changed.
+void AddText(State& state, vtkProp* prop)
+{
+  if (auto* text = vtkTextActor3D::SafeDownCast(prop))
+  {
+    state.Add(static_cast<vtkObject*>(text->GetTextProperty()));
+  }
+  else if (auto* billboard = vtkBillboardTextActor3D::SafeDownCast(prop))
+  {
+    state.Add(static_cast<vtkObject*>(billboard->GetTextProperty()));
+  }
+}
+
+// Which of its levels of detail a prop shows: chosen by time, before the frame. Actors that choose
+// while they draw do so in the time that is set on the renderer.
+void AddLevel(State& state, vtkProp* prop)
+{
+  if (auto* levels = vtkLODProp3D::SafeDownCast(prop))
+  {
+    state.Add(static_cast<double>(levels->GetLastRenderedLODID()));
+  }
+}
+
 void AddProps(State& state, vtkRenderer* renderer)
 {
   std::vector<vtkRelievoPropParts::Part> parts;
@@ -191,10 +236,12 @@ void AddProps(State& state, vtkRenderer* renderer)
     prop->GetBounds(); // brings what it draws up to date
     state.Add(static_cast<vtkObject*>(prop));
     state.Add(static_cast<std::uint64_t>(prop->GetRedrawMTime()));
+    AddLevel(state, prop);
     vtkRelievoPropParts::Collect(prop, parts);
     for (const vtkRelievoPropParts::Part& part : parts)
     {
       state.Add(static_cast<vtkObject*>(part.Prop));
+      AddText(state, part.Prop);
       vtkMatrix4x4* matrix = part.Matrix ? part.Matrix : part.Prop->GetMatrix();
       if (matrix)
       {

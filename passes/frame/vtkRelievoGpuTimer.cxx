@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoGpuTimer.h"
 
+#include "vtkObject.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkRelievoPushedContext.h"
 
 namespace
 {
@@ -193,9 +195,8 @@ void vtkRelievoGpuTimer::Release()
   if (this->Window && !this->FreeQueries.empty())
   {
     // Another window may be drawing now: its context comes back.
-    this->Window->PushContext();
+    const vtkRelievoPushedContext context(this->Window);
     glDeleteQueries(static_cast<GLsizei>(this->FreeQueries.size()), this->FreeQueries.data());
-    this->Window->PopContext();
   }
   this->FreeQueries.clear();
   this->Milliseconds.clear();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoScreenQuad.h"
 
+#include "vtkObject.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"

@@ -60,7 +60,8 @@ void vtkRelievoGBufferPass::Internals::Arrange(
   {
     this->Textures.WhyNot = this->Stray
       ? "something has been drawn by a shader that takes no splice, or not in one go"
-      : vtkRelievoSurfaces::WhyAllLit(context.Scene, context.Window);
+      : context.ColorsLight ? "translucent surfaces colour the light that passes them"
+                            : vtkRelievoSurfaces::WhyAllLit(context.Scene, context.Window);
   }
   this->Shading = this->ShadingAsked && this->Textures.WhyNot.empty();
   if (this->Shading)

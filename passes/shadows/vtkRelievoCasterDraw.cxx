@@ -3,6 +3,8 @@
 #include "vtkRelievoCasterDraw.h"
 
 #include "vtkActor.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLIndexBufferObject.h"
@@ -14,10 +16,12 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
+#include "vtkRelievoPushedContext.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoView.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
+#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 
 #include <algorithm>
@@ -28,19 +32,6 @@
 namespace
 {
 using Access = vtkRelievoAccess::Mapper;
-
-// Whether VTK moves polygons in depth: in its own shaders.
-bool IsOffset(vtkMapper* mapper)
-{
-  double factor = 0.0;
-  double units = 0.0;
-  if (vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_POLYGON_OFFSET)
-  {
-    mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
-  }
-  return factor != 0.0 || units != 0.0 ||
-    vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_SHIFT_ZBUFFER;
-}
 
 std::set<std::string>& GetActorClasses()
 {
@@ -56,6 +47,37 @@ std::vector<vtkOpenGLPolyDataMapper*> GetHelpers(
   using Composite = vtkRelievoAccess::CompositeMapper;
   using Helper = vtkRelievoAccess::CompositeHelper;
   if (!Composite::AreHelpersOf(mapper, actor))
+  {
+    return {};
+  }
+  // The helpers' may be gone, where blocks within blocks have changed.
+  std::set<vtkPolyData*> leaves;
+  std::size_t drawn = 0;
+  auto* tree = vtkCompositeDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  if (!tree)
+  {
+    return {};
+  }
+  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    auto* leaf = vtkPolyData::SafeDownCast(it->GetCurrentDataObject());
+    drawn += leaf && leaf->GetNumberOfCells() > 0 ? 1 : 0;
+    leaves.insert(leaf);
+  }
+  std::size_t blocks = 0;
+  for (const auto& named : Composite::GetHelpers(mapper))
+  {
+    for (const auto& block : Helper::Blocks(named.second))
+    {
+      ++blocks;
+      if (leaves.count(block.first) == 0)
+      {
+        return {};
+      }
+    }
+  }
+  if (blocks < drawn)
   {
     return {};
   }
@@ -109,7 +131,32 @@ bool vtkRelievoCasterDraw::HasOwnShaders(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
+glm::vec2 vtkRelievoCasterDraw::GetOffset(vtkActor* actor)
+{
+  double factor = 0.0;
+  double units = 0.0;
+  if (actor->GetMapper() && vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_POLYGON_OFFSET)
+  {
+    actor->GetMapper()->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+  }
+  return glm::vec2(factor, units);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::IsOffset(vtkActor* actor)
+{
+  return GetOffset(actor) != glm::vec2(0.f);
+}
+
+//------------------------------------------------------------------------------
 vtkActor* vtkRelievoCasterDraw::GetPlainActor(vtkProp* prop) const
+{
+  vtkActor* actor = this->GetSurface(prop);
+  return actor && !IsOffset(actor) ? actor : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkRelievoCasterDraw::GetSurface(vtkProp* prop) const
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   return actor && !this->GetBuffers(actor).empty() ? actor : nullptr;
@@ -138,7 +185,8 @@ std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor*
   vtkProperty* property = actor->GetProperty();
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   if (property->GetRepresentation() != VTK_SURFACE || property->GetVertexVisibility() ||
-    property->GetEdgeVisibility() || IsOffset(mapper) || actor->GetTexture() ||
+    property->GetEdgeVisibility() || actor->GetTexture() ||
+    vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_SHIFT_ZBUFFER ||
     property->GetNumberOfTextures() > 0 || HasOwnShaders(actor) ||
     (planes && planes->GetNumberOfItems() > 0))
   {
@@ -216,13 +264,16 @@ bool vtkRelievoCasterDraw::Begin(vtkOpenGLRenderWindow* window, const glm::dmat4
 
 //------------------------------------------------------------------------------
 bool vtkRelievoCasterDraw::Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC,
-  const glm::dmat4& worldToView, const std::string& vertexShader, const std::string& fragmentShader)
+  const glm::dmat4& worldToView, const std::string& vertexShader, const std::string& fragmentShader,
+  const std::string& defines)
 {
+  std::string fragment = vtkRelievoShaderLibrary::Get(fragmentShader);
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::System::Dec", "//VTK::System::Dec\n" + defines, false);
   this->WorldToNDC = worldToNDC;
   this->WorldToView = worldToView;
-  this->Program =
-    window->GetShaderCache()->ReadyShaderProgram(vtkRelievoShaderLibrary::Get(vertexShader).c_str(),
-      vtkRelievoShaderLibrary::Get(fragmentShader).c_str(), "");
+  this->Program = window->GetShaderCache()->ReadyShaderProgram(
+    vtkRelievoShaderLibrary::Get(vertexShader).c_str(), fragment.c_str(), "");
   if (!this->Program)
   {
     return false;
@@ -265,6 +316,11 @@ int vtkRelievoCasterDraw::Draw(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
     const glm::mat4 toView(this->WorldToView * modelToWorld);
     this->Program->SetUniformMatrix4x4("MCVCMatrix", const_cast<float*>(&toView[0][0]));
   }
+  if (this->Program->IsUniformUsed("relievoSeenOffset"))
+  {
+    const glm::vec2 offset = GetOffset(actor);
+    this->Program->SetUniform2f("relievoSeenOffset", &offset.x);
+  }
   vertices->Bind();
   glVertexAttribPointer(static_cast<unsigned int>(this->Attribute), 3, GL_FLOAT, GL_FALSE,
     static_cast<GLsizei>(vertices->GetStride()), nullptr);
@@ -301,7 +357,7 @@ void vtkRelievoCasterDraw::Release(vtkWindow* window)
   }
   if (window && this->Arrays)
   {
-    window->MakeCurrent();
+    const vtkRelievoPushedContext context(window);
     glDeleteVertexArrays(1, &this->Arrays);
   }
   this->Arrays = 0;

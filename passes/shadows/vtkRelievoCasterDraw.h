@@ -47,16 +47,21 @@ public:
   // mappers.
   vtkActor* GetPlainActor(vtkProp* prop) const;
 
+  // Likewise, though VTK may move its depths by a little.
+  vtkActor* GetSurface(vtkProp* prop) const;
+  static bool IsOffset(vtkActor* actor);
+  static glm::vec2 GetOffset(vtkActor* actor); // by slope, and constant
+
   // Changes when what it would draw is of other buffers.
   vtkMTimeType GetBuildTime(vtkActor* actor) const;
 
   // Between Begin and End, into what is bound for drawing. False if the shader does not compile.
   bool Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC);
 
-  // Likewise with another program, which may read MCVCMatrix as well.
+  // Likewise with another program, which may read MCVCMatrix and relievoSeenOffset as well.
   bool Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC,
     const glm::dmat4& worldToView, const std::string& vertexShader,
-    const std::string& fragmentShader);
+    const std::string& fragmentShader, const std::string& defines = std::string());
   int Draw(vtkActor* actor); // returns draw calls
   void End();
 

@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoCasterFollow.h"
 
+#include "vtkAbstractMapper.h"
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetMapper.h"
+#include "vtkGlyph3DMapper.h"
 #include "vtkImageData.h"
 #include "vtkLODProp3D.h"
 #include "vtkMatrix4x4.h"
@@ -17,10 +23,14 @@
 #include "vtkProperty.h"
 #include "vtkRelievoCasterDraw.h"
 #include "vtkRelievoCompositeMapper.h"
+#include "vtkRelievoGlyphPlaces.h"
+#include "vtkRelievoMovedMesh.h"
 #include "vtkRelievoPropParts.h"
 #include "vtkRelievoView.h"
 #include "vtkScalarsToColors.h"
+#include "vtkShaderProperty.h"
 #include "vtkTexture.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 #include <cstring>
@@ -32,26 +42,56 @@ struct Manner
 {
   glm::dmat4 MeshToWorld{ 1.0 };
   double Opacity = 1.0;
+  glm::dvec3 Color{ 1.0 };
+  vtkMapper* Mapper = nullptr;
+  bool Textured = false;    // a texture gives the colours
+  bool Overrides = false;   // Color is a block's: it wins over arrays
+  bool ArraysKnown = false; // Color is right whatever the mesh has
   bool Visible = true;
+  double Reach = 0.0;       // of vtkRelievoCaster
   bool Translucent = false; // what is translucent casts as well
   bool CullsFront = false;
   bool CullsBack = false;
 };
 
+// Numbers that the texture maps to colours have the opacity of these.
 bool IsOpaque(vtkTexture* texture)
 {
   vtkImageData* image = texture ? texture->GetInput() : nullptr;
-  return !texture || (image && image->GetNumberOfScalarComponents() % 2 == 1);
+  if (!texture || !image)
+  {
+    return !texture;
+  }
+  const int mode = texture->GetColorMode();
+  if (mode == VTK_COLOR_MODE_MAP_SCALARS ||
+    (mode == VTK_COLOR_MODE_DEFAULT && image->GetScalarType() != VTK_UNSIGNED_CHAR))
+  {
+    vtkScalarsToColors* table = texture->GetLookupTable();
+    return !table || table->IsOpaque() != 0;
+  }
+  return image->GetNumberOfScalarComponents() % 2 == 1;
 }
 
-// Whether the actor draws its mapper's triangles as they are, all of one opacity.
+// Of an actor that knows what its vertex shader makes of the mesh, and has no other shader code.
+vtkRelievoMovedMesh* GetMoved(vtkActor* actor)
+{
+  auto* moved = dynamic_cast<vtkRelievoMovedMesh*>(actor);
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  const bool all = moved && !shaders->HasVertexShaderCode() && !shaders->HasGeometryShaderCode() &&
+    !shaders->HasFragmentShaderCode() &&
+    shaders->GetNumberOfShaderReplacements() == moved->GetNumberOfMovingReplacements();
+  return all ? moved : nullptr;
+}
+
+// Whether the actor draws triangles that are known here, all of one opacity.
 bool IsSurface(vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
   vtkMapper* mapper = actor->GetMapper();
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
-  bool surface = vtkRelievoCasterDraw::IsPlainClass(actor) &&
-    !vtkRelievoCasterDraw::HasOwnShaders(actor) && property->GetRepresentation() == VTK_SURFACE &&
+  const bool plain =
+    vtkRelievoCasterDraw::IsPlainClass(actor) && !vtkRelievoCasterDraw::HasOwnShaders(actor);
+  bool surface = (plain || GetMoved(actor)) && property->GetRepresentation() == VTK_SURFACE &&
     !property->GetVertexVisibility() && (!planes || planes->GetNumberOfItems() == 0) &&
     IsOpaque(actor->GetTexture());
   for (const auto& named : property->GetAllTextures())
@@ -72,9 +112,33 @@ bool HasOpaqueColors(vtkMapper* mapper)
   return !table || table->IsOpaque() != 0;
 }
 
+// The array of the data that gives the colours.
+vtkAbstractArray* GetColors(vtkMapper* mapper, vtkDataObject* data)
+{
+  auto* set = vtkDataSet::SafeDownCast(data);
+  int cells = 0;
+  return set && mapper->GetScalarVisibility()
+    ? vtkAbstractMapper::GetAbstractScalars(set, mapper->GetScalarMode(),
+        mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cells)
+    : nullptr;
+}
+
+// Whether the array is taken for colours as it is, some of them translucent. Mappers of blocks do
+// not look.
+bool HasAlpha(vtkMapper* mapper, vtkDataObject* data)
+{
+  auto* colors = vtkDataArray::SafeDownCast(GetColors(mapper, data));
+  const int last = colors ? colors->GetNumberOfComponents() - 1 : 0;
+  const bool bytes = vtkUnsignedCharArray::SafeDownCast(colors) != nullptr;
+  const bool taken = mapper->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS ||
+    (mapper->GetColorMode() == VTK_COLOR_MODE_DEFAULT && bytes);
+  return taken && (last == 1 || last == 3) && colors->GetRange(last)[0] < (bytes ? 255.0 : 1.0);
+}
+
 bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoCaster>& casters)
 {
-  if (!mesh || !manner.Visible || (manner.Opacity < 1.0 && !manner.Translucent))
+  if (!mesh || !manner.Visible || !(manner.Opacity > 0.0) ||
+    (manner.Opacity < 1.0 && !manner.Translucent))
   {
     return true;
   }
@@ -83,8 +147,19 @@ bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoCast
   {
     return false;
   }
-  casters.push_back(
-    { mesh, manner.MeshToWorld, 1.0 - manner.Opacity, manner.CullsFront, manner.CullsBack });
+  casters.emplace_back();
+  vtkRelievoCaster& caster = casters.back();
+  caster.Mesh = mesh;
+  caster.MeshToWorld = manner.MeshToWorld;
+  caster.Passes = 1.0 - manner.Opacity;
+  const bool plain = manner.ArraysKnown || manner.Overrides || !GetColors(manner.Mapper, mesh);
+  if (plain && !manner.Textured)
+  {
+    caster.Color = glm::clamp(manner.Color, 0.0, 1.0);
+  }
+  caster.Reach = manner.Reach;
+  caster.CullsFront = manner.CullsFront;
+  caster.CullsBack = manner.CullsBack;
   return true;
 }
 
@@ -104,6 +179,11 @@ bool AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attribute
   {
     manner.Opacity = attributes->GetBlockOpacity(data);
   }
+  if (attributes && attributes->HasBlockColor(data))
+  {
+    attributes->GetBlockColor(data, &manner.Color.x);
+    manner.Overrides = true;
+  }
   if (auto* tree = vtkDataObjectTree::SafeDownCast(data))
   {
     bool followed = true;
@@ -117,11 +197,66 @@ bool AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attribute
     return followed;
   }
   auto* mesh = vtkPolyData::SafeDownCast(data);
-  return mesh && AddMesh(mesh, manner, casters);
+  return mesh && !HasAlpha(manner.Mapper, mesh) && AddMesh(mesh, manner, casters);
 }
 
-bool AddActor(
-  vtkActor* actor, vtkMatrix4x4* matrix, bool translucent, std::vector<vtkRelievoCaster>& casters)
+// What the points' data have of colours. False if some are translucent by themselves.
+bool FindGlyphColor(vtkGlyph3DMapper* mapper, vtkProperty* property, Manner& manner)
+{
+  bool colored = false;
+  bool opaque = true;
+  const auto look = [&](vtkDataObject* points) {
+    colored = colored || GetColors(mapper, points);
+    opaque = opaque && !HasAlpha(mapper, points);
+  };
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    vtkCompositeDataDisplayAttributes* attributes = mapper->GetBlockAttributes();
+    colored = attributes && attributes->HasBlockColors();
+    auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      look(it->GetCurrentDataObject());
+    }
+  }
+  else
+  {
+    look(input);
+  }
+  manner.ArraysKnown = true;
+  manner.Color = glm::dvec3(1.0);
+  if (!colored)
+  {
+    property->GetColor(&manner.Color.x); // of glyphs VTK has one colour for all kinds of light
+  }
+  return opaque;
+}
+
+bool AddGlyphs(const std::vector<vtkRelievoGlyphPlaces::Group>& groups, const Manner& manner,
+  std::vector<vtkRelievoCaster>& casters)
+{
+  for (const vtkRelievoGlyphPlaces::Group& group : groups)
+  {
+    const std::size_t before = casters.size();
+    if (group.Places->empty())
+    {
+      continue;
+    }
+    if (!AddMesh(group.Mesh, manner, casters))
+    {
+      return false;
+    }
+    for (std::size_t i = before; i < casters.size(); ++i)
+    {
+      casters[i].Places = group.Places;
+    }
+  }
+  return true;
+}
+
+bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, bool translucent,
+  vtkRelievoGlyphPlaces& glyphs, std::vector<vtkRelievoCaster>& casters)
 {
   vtkMapper* mapper = actor->GetMapper();
   if (!actor->GetVisibility())
@@ -136,6 +271,9 @@ bool AddActor(
   manner.MeshToWorld = vtkRelievoToGlm(matrix ? matrix : actor->GetMatrix());
   // VTK draws what is forced to be opaque as such, whatever its opacity.
   manner.Opacity = actor->GetForceOpaque() ? 1.0 : actor->GetProperty()->GetOpacity();
+  actor->GetProperty()->GetDiffuseColor(&manner.Color.x);
+  manner.Textured = actor->GetTexture() || actor->GetProperty()->GetNumberOfTextures() > 0;
+  manner.Mapper = mapper;
   manner.CullsFront = actor->GetProperty()->GetFrontfaceCulling() != 0;
   manner.CullsBack = actor->GetProperty()->GetBackfaceCulling() != 0;
   manner.Translucent = translucent;
@@ -157,19 +295,40 @@ bool AddActor(
     auto* mesh = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
     return mesh && AddMesh(mesh, manner, casters);
   }
+  // Colours with an opacity of their own, by an array or a table.
+  if (manner.Opacity >= 1.0 && !actor->GetForceOpaque() && !actor->HasOpaqueGeometry())
+  {
+    return false;
+  }
+  if (std::strcmp(mapper->GetClassName(), "vtkOpenGLGlyph3DMapper") == 0)
+  {
+    auto* glyphMapper = static_cast<vtkGlyph3DMapper*>(mapper);
+    const auto* groups = glyphs.Find(glyphMapper);
+    return groups && FindGlyphColor(glyphMapper, actor->GetProperty(), manner) &&
+      AddGlyphs(*groups, manner, casters);
+  }
   if (std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") != 0)
   {
     return false;
   }
-  // Colours with an opacity of their own, by an array or a table.
-  const bool own = manner.Opacity >= 1.0 && !actor->GetForceOpaque() && !actor->HasOpaqueGeometry();
-  return !own && AddMesh(static_cast<vtkPolyDataMapper*>(mapper)->GetInput(), manner, casters);
+  vtkPolyData* mesh = static_cast<vtkPolyDataMapper*>(mapper)->GetInput();
+  vtkRelievoMovedMesh* moved = GetMoved(actor);
+  if (moved && mesh && mesh->GetNumberOfPoints() > 0)
+  {
+    mesh = moved->GetMovedMesh();
+    manner.Reach = moved->GetRoundedReach();
+    if (!mesh)
+    {
+      return false;
+    }
+  }
+  return AddMesh(mesh, manner, casters);
 }
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoCasterFollow::Collect(
-  vtkProp* prop, bool translucent, std::vector<vtkRelievoCaster>& casters)
+bool vtkRelievoCasterFollow::Collect(vtkProp* prop, bool translucent, vtkRelievoGlyphPlaces& glyphs,
+  std::vector<vtkRelievoCaster>& casters)
 {
   if (vtkLODProp3D::SafeDownCast(prop))
   {
@@ -181,7 +340,7 @@ bool vtkRelievoCasterFollow::Collect(
   for (const vtkRelievoPropParts::Part& part : parts)
   {
     vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
-    if (actor && !AddActor(actor, part.Matrix, translucent, own))
+    if (actor && !AddActor(actor, part.Matrix, translucent, glyphs, own))
     {
       return false;
     }

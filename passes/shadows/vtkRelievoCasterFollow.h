@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What casts as triangles that can be followed: surfaces of vtkPolyDataMapper and composite meshes.
+// What casts as triangles that can be followed: surfaces of vtkPolyDataMapper, composite meshes and
+// glyphs.
 #ifndef vtkRelievoCasterFollow_h
 #define vtkRelievoCasterFollow_h
 
@@ -10,14 +11,16 @@
 #include <vector>
 
 class vtkProp;
+class vtkRelievoGlyphPlaces;
 
 namespace vtkRelievoCasterFollow
 {
 // Appends the meshes that a prop casts with; `translucent`: also those that are translucent. False,
 // and nothing appended, if any of it is no triangles, or not those of its data: points, lines,
-// wireframes, glyphs, impostors, cut-outs, clipping planes, own shaders, colours of their own
-// opacity, other mappers.
-bool Collect(vtkProp* prop, bool translucent, std::vector<vtkRelievoCaster>& casters);
+// wireframes, impostors, cut-outs, clipping planes, own shaders, colours of their own opacity,
+// glyphs whose places are not known, other mappers.
+bool Collect(vtkProp* prop, bool translucent, vtkRelievoGlyphPlaces& glyphs,
+  std::vector<vtkRelievoCaster>& casters);
 }
 
 #endif

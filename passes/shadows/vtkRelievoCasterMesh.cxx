@@ -3,12 +3,10 @@
 #include "vtkRelievoCasterMesh.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRelievoPolygonCut.h"
 #include "vtkRelievoThreads.h"
-#include "vtkRelievoVTKVersions.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,35 +17,12 @@ constexpr int LeafSize = 4;
 constexpr vtkIdType Most = 1 << 24; // that a float counts
 constexpr double Worn = 1.5;        // times what the tree cost when it was built
 
-template <typename Work>
-void ForEachCell(vtkCellArray* cells, Work work)
-{
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(count, ids);
-    work(count, ids);
-  }
-}
-
-// Points of triangles: polygons as fans, strips.
 std::vector<vtkIdType> GetTriangles(vtkPolyData* data)
 {
   std::vector<vtkIdType> triangles;
   triangles.reserve(static_cast<std::size_t>(3 * data->GetNumberOfPolys()));
-  ForEachCell(data->GetPolys(), [&](vtkIdType count, const vtkIdType* ids) {
-    for (vtkIdType i = 2; i < count; ++i)
-    {
-      triangles.insert(triangles.end(), { ids[0], ids[i - 1], ids[i] });
-    }
-  });
-  ForEachCell(data->GetStrips(), [&](vtkIdType count, const vtkIdType* ids) {
-    for (vtkIdType i = 2; i < count; ++i)
-    {
-      triangles.insert(triangles.end(), { ids[i - 2], ids[i - 1], ids[i] });
-    }
+  vtkRelievoPolygonCut::ForEachTriangle(data, [&](vtkIdType a, vtkIdType b, vtkIdType c) {
+    triangles.insert(triangles.end(), { a, b, c });
   });
   return triangles;
 }
@@ -85,8 +60,8 @@ std::vector<glm::vec3> GetCorners(
   return corners;
 }
 
-// The middle of what has a place; and the largest coordinate that is rounded to a float, here or in
-// VTK's buffer: that keeps floats as they are, and shifts what lies 10^4 times its size away.
+// The middle of what has a place; and the largest coordinate that is rounded to a float, here, in
+// VTK's buffer, or by its shader's matrices: it shifts what lies 10^4 times its size away.
 glm::dvec3 GetMiddle(vtkPolyData* data, const std::vector<vtkIdType>& triangles, double& reach)
 {
   glm::dvec3 low(1e300);
@@ -110,20 +85,25 @@ glm::dvec3 GetMiddle(vtkPolyData* data, const std::vector<vtkIdType>& triangles,
   const glm::dvec3 most = glm::max(glm::abs(low), glm::abs(high));
   reach = std::max({ half.x, half.y, half.z });
   const double farthest = std::max({ most.x, most.y, most.z });
-  if (data->GetPoints()->GetDataType() != VTK_FLOAT && farthest <= 2e4 * reach)
+  if (farthest <= 2e4 * reach)
   {
     reach = farthest;
   }
   return 0.5 * (low + high);
 }
 
+// With room for rounding: a ray along an axis, in a side of two boxes, meets both.
 std::vector<vtkRelievoBoxTree::Box> GetBoxes(const std::vector<glm::vec3>& corners)
 {
   std::vector<vtkRelievoBoxTree::Box> boxes(corners.size() / 3);
   for (std::size_t i = 0; i < boxes.size(); ++i)
   {
     const glm::vec3* p = corners.data() + 3 * i;
-    boxes[i] = { glm::min(glm::min(p[0], p[1]), p[2]), glm::max(glm::max(p[0], p[1]), p[2]) };
+    const glm::vec3 low = glm::min(glm::min(p[0], p[1]), p[2]);
+    const glm::vec3 high = glm::max(glm::max(p[0], p[1]), p[2]);
+    const glm::vec3 reach = glm::max(glm::abs(low), glm::abs(high));
+    const float room = 2.5e-7f * std::max({ reach.x, reach.y, reach.z });
+    boxes[i] = { low - room, high + room };
   }
   return boxes;
 }
@@ -132,17 +112,12 @@ std::vector<vtkRelievoBoxTree::Box> GetBoxes(const std::vector<glm::vec3>& corne
 //------------------------------------------------------------------------------
 bool vtkRelievoCasterMesh::Follows(vtkPolyData* data)
 {
-  bool follows = true;
-#ifdef RELIEVO_VTK_EAR_CLIPPING
-  ForEachCell(
-    data->GetPolys(), [&](vtkIdType count, const vtkIdType*) { follows = follows && count < 5; });
-#endif
   vtkIdType triangles = 0;
   for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
   {
     triangles += cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells();
   }
-  return follows && triangles <= Most;
+  return triangles <= Most;
 }
 
 //------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ class vtkPolyData;
 class vtkRelievoCasterMesh
 {
 public:
-  // Whether its polygons are cut into triangles here as VTK cuts them, and there are not too many.
+  // Whether there are not too many triangles.
   static bool Follows(vtkPolyData* data);
 
   // Makes what has changed. Returns whether anything has.

@@ -3,11 +3,11 @@
 #include "vtkRelievoCasterRays.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkMath.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
+#include "vtkRelievoCasterRay.h"
+#include "vtkRelievoPolygonCut.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,69 +27,6 @@ Box Around(const glm::dvec3& low, const glm::dvec3& high)
   const double pad = 2.5e-7 * std::max({ reach.x, reach.y, reach.z });
   return { glm::vec3(low - pad), glm::vec3(high + pad) };
 }
-
-// A ray as boxes and triangles are asked for it (S. Woop, C. Benthin, I. Wald, Watertight
-// ray/triangle intersection, 2013).
-struct Ray
-{
-  glm::dvec3 From;
-  glm::dvec3 Inverse;
-  int X = 0;
-  int Y = 1;
-  int Z = 2;
-  glm::dvec3 Shear{ 0.0 };
-
-  Ray(const glm::dvec3& from, const glm::dvec3& ray)
-    : From(from)
-  {
-    const glm::dvec3 size = glm::abs(ray);
-    this->Z = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
-    this->X = (this->Z + 1) % 3;
-    this->Y = (this->Z + 2) % 3;
-    this->Shear =
-      glm::dvec3(ray[this->X] / ray[this->Z], ray[this->Y] / ray[this->Z], 1.0 / ray[this->Z]);
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Inverse[i] = std::abs(ray[i]) > 1e-290 ? 1.0 / ray[i] : std::copysign(1e290, ray[i]);
-    }
-  }
-
-  bool Meets(const vtkRelievoBoxTree::Node& node, double low, double high) const
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      const double a = (static_cast<double>(node.Low[i]) - this->From[i]) * this->Inverse[i];
-      const double b = (static_cast<double>(node.High[i]) - this->From[i]) * this->Inverse[i];
-      low = std::max(low, std::min(a, b));
-      high = std::min(high, std::max(a, b));
-    }
-    return low <= high;
-  }
-
-  bool Meets(const glm::dvec3* corners, double& t) const
-  {
-    double x[3];
-    double y[3];
-    double z[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      const glm::dvec3 p = corners[i] - this->From;
-      x[i] = p[this->X] - this->Shear.x * p[this->Z];
-      y[i] = p[this->Y] - this->Shear.y * p[this->Z];
-      z[i] = p[this->Z] * this->Shear.z;
-    }
-    const double u = x[2] * y[1] - y[2] * x[1];
-    const double v = x[0] * y[2] - y[0] * x[2];
-    const double w = x[1] * y[0] - y[1] * x[0];
-    const double sum = u + v + w;
-    if ((std::min({ u, v, w }) < 0.0 && std::max({ u, v, w }) > 0.0) || sum == 0.0)
-    {
-      return false;
-    }
-    t = (u * z[0] + v * z[1] + w * z[2]) / sum;
-    return true;
-  }
-};
 }
 
 //------------------------------------------------------------------------------
@@ -105,7 +42,6 @@ struct vtkRelievoCasterRays::Mesh
   vtkRelievoBoxTree Tree;
 
   void Update(vtkPolyData* data);
-  void AddCells(vtkCellArray* cells, bool strips);
   void GetCorners(int triangle, glm::dvec3 corners[3]) const
   {
     for (int i = 0; i < 3; ++i)
@@ -114,33 +50,6 @@ struct vtkRelievoCasterRays::Mesh
     }
   }
 };
-
-//------------------------------------------------------------------------------
-// As VTK's mapper cuts them: polygons as fans. Without what has a corner nowhere, or no area.
-void vtkRelievoCasterRays::Mesh::AddCells(vtkCellArray* cells, bool strips)
-{
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(count, ids);
-    for (vtkIdType i = 2; i < count; ++i)
-    {
-      vtkIdType corners[3] = { ids[strips ? i - 2 : 0], ids[i - 1], ids[i] };
-      if (strips && i % 2 == 1)
-      {
-        std::swap(corners[0], corners[1]);
-      }
-      if (std::all_of(corners, corners + 3, [this](vtkIdType id) {
-            return std::isfinite(this->Points[static_cast<std::size_t>(id)].x);
-          }))
-      {
-        this->Corners.insert(this->Corners.end(), corners, corners + 3);
-      }
-    }
-  }
-}
 
 //------------------------------------------------------------------------------
 void vtkRelievoCasterRays::Mesh::Update(vtkPolyData* data)
@@ -170,8 +79,15 @@ void vtkRelievoCasterRays::Mesh::Update(vtkPolyData* data)
       p = glm::dvec3(vtkMath::Nan());
     }
   }
-  this->AddCells(data->GetPolys(), false);
-  this->AddCells(data->GetStrips(), true);
+  vtkRelievoPolygonCut::ForEachTriangle(data, [this](vtkIdType a, vtkIdType b, vtkIdType c) {
+    const vtkIdType corners[3] = { a, b, c };
+    if (std::all_of(corners, corners + 3, [this](vtkIdType id) {
+          return std::isfinite(this->Points[static_cast<std::size_t>(id)].x);
+        }))
+    {
+      this->Corners.insert(this->Corners.end(), corners, corners + 3);
+    }
+  });
   this->Origin = 0.5 * (this->Low + this->High);
   this->Low -= this->Origin;
   this->High -= this->Origin;
@@ -224,27 +140,30 @@ void vtkRelievoCasterRays::SetSurfaces(const std::vector<vtkRelievoSurface>& sur
       continue;
     }
     Placed placed;
+    placed.Surface = static_cast<int>(this->Surfaces.size());
     placed.Triangles = &mesh;
-    for (int i = 0; i < 8; ++i)
+    for (std::size_t place = 0; place < surface.Caster.GetNumberOfPlaces(); ++place)
     {
-      const glm::dvec3 corner(i & 1 ? mesh.High.x : mesh.Low.x, i & 2 ? mesh.High.y : mesh.Low.y,
-        i & 4 ? mesh.High.z : mesh.Low.z);
-      corners.emplace_back(surface.Caster.MeshToWorld * glm::dvec4(corner + mesh.Origin, 1.0));
-      low = glm::min(low, corners.back());
-      high = glm::max(high, corners.back());
+      placed.ToScene = surface.Caster.GetPlace(place);
+      for (int i = 0; i < 8; ++i)
+      {
+        const glm::dvec3 corner(i & 1 ? mesh.High.x : mesh.Low.x, i & 2 ? mesh.High.y : mesh.Low.y,
+          i & 4 ? mesh.High.z : mesh.Low.z);
+        corners.emplace_back(placed.ToScene * glm::dvec4(corner + mesh.Origin, 1.0));
+        low = glm::min(low, corners.back());
+        high = glm::max(high, corners.back());
+      }
+      this->Places.push_back(placed);
     }
     this->Surfaces.push_back(surface);
-    this->Places.push_back(placed);
   }
   this->Center = this->Places.empty() ? glm::dvec3(0.0) : 0.5 * (low + high);
   std::vector<Box> boxes;
   for (std::size_t i = 0; i < this->Places.size(); ++i)
   {
     Placed& placed = this->Places[i];
-    const glm::dmat4& matrix = this->Surfaces[i].Caster.MeshToWorld;
-    placed.ToScene = matrix;
     placed.ToScene[3] = glm::dvec4(
-      glm::dvec3(matrix * glm::dvec4(placed.Triangles->Origin, 1.0)) - this->Center, 1.0);
+      glm::dvec3(placed.ToScene * glm::dvec4(placed.Triangles->Origin, 1.0)) - this->Center, 1.0);
     placed.ToMesh = glm::inverse(placed.ToScene);
     glm::dvec3 least(Endless);
     glm::dvec3 most(-Endless);
@@ -270,13 +189,13 @@ long long vtkRelievoCasterRays::GetNumberOfTriangles() const
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(surface, triangle, t) for every meeting, in no order; it returns the t up to which
-// more are of interest.
+// Calls visit(place, triangle, t, owns) for every meeting, in no order; it returns the t up
+// to which more are of interest. owns: see vtkRelievoCasterRay::Meets.
 template <typename Visit>
 void vtkRelievoCasterRays::Walk(
   const glm::dvec3& from, const glm::dvec3& ray, double low, double high, Visit visit) const
 {
-  const Ray outer(from, ray);
+  const vtkRelievoCasterRay outer(from, ray);
   const auto& nodes = this->Tree.GetNodes();
   const int count = static_cast<int>(nodes.size());
   for (int n = 0; n < count && low <= high;)
@@ -289,10 +208,10 @@ void vtkRelievoCasterRays::Walk(
     {
       continue;
     }
-    const int surface = this->Tree.GetOrder()[-1 - static_cast<int>(node.Low.w)];
-    const Placed& placed = this->Places[surface];
+    const int place = this->Tree.GetOrder()[-1 - static_cast<int>(node.Low.w)];
+    const Placed& placed = this->Places[place];
     const Mesh& mesh = *placed.Triangles;
-    const Ray inner(
+    const vtkRelievoCasterRay inner(
       glm::dvec3(placed.ToMesh * glm::dvec4(from, 1.0)), glm::dmat3(placed.ToMesh) * ray);
     const auto& within = mesh.Tree.GetNodes();
     const int inside = static_cast<int>(within.size());
@@ -309,9 +228,10 @@ void vtkRelievoCasterRays::Walk(
         glm::dvec3 corners[3];
         mesh.GetCorners(triangle, corners);
         double t = 0.0;
-        if (inner.Meets(corners, t) && t >= low && t <= high)
+        bool owns = false;
+        if (inner.Meets(corners, t, owns) && t >= low && t <= high)
         {
-          high = visit(surface, triangle, t);
+          high = visit(place, triangle, t, owns);
         }
       }
     }
@@ -321,7 +241,7 @@ void vtkRelievoCasterRays::Walk(
 //------------------------------------------------------------------------------
 glm::dvec3 vtkRelievoCasterRays::GetNormal(const Meeting& meeting, glm::dvec3& corner) const
 {
-  const Placed& placed = this->Places[meeting.Surface];
+  const Placed& placed = this->Places[meeting.Place];
   glm::dvec3 p[3];
   placed.Triangles->GetCorners(meeting.Triangle, p);
   for (glm::dvec3& each : p)
@@ -337,7 +257,8 @@ vtkRelievoCasterRays::Meeting vtkRelievoCasterRays::Find(
   const glm::dvec3& from, const glm::dvec3& ray, double low, double high, double wanted) const
 {
   Meeting found;
-  this->Walk(from, ray, low, high, [&](int surface, int triangle, double t) {
+  this->Walk(from, ray, low, high, [&](int place, int triangle, double t, bool) {
+    const int surface = this->Places[place].Surface;
     const vtkRelievoCaster& caster = this->Surfaces[surface].Caster;
     if (this->Surfaces[surface].Seen &&
       (found.Surface < 0 || std::abs(t - wanted) < std::abs(found.T - wanted)))
@@ -345,10 +266,10 @@ vtkRelievoCasterRays::Meeting vtkRelievoCasterRays::Find(
       glm::dvec3 corner;
       const bool culls = caster.CullsFront || caster.CullsBack;
       const bool front =
-        culls && glm::dot(this->GetNormal({ surface, triangle, t, {} }, corner), ray) < 0.0;
+        culls && glm::dot(this->GetNormal({ surface, place, triangle, t, {} }, corner), ray) < 0.0;
       if (!culls || !(front ? caster.CullsFront : caster.CullsBack))
       {
-        found = { surface, triangle, t, glm::dvec3(0.0) };
+        found = { surface, place, triangle, t, glm::dvec3(0.0) };
       }
     }
     return found.Surface < 0 ? high : std::min(high, wanted + std::abs(found.T - wanted));
@@ -374,13 +295,15 @@ double vtkRelievoCasterRays::Pass(
   const glm::dvec3& from, const glm::dvec3& ray, double last, const Meeting& own, double blur) const
 {
   double passes = 1.0;
-  this->Walk(from, ray, 0.0, last, [&](int surface, int triangle, double t) {
+  this->Walk(from, ray, 0.0, last, [&](int place, int triangle, double t, bool owns) {
+    const int surface = this->Places[place].Surface;
     const vtkRelievoSurface& caster = this->Surfaces[surface];
-    if (caster.Casts && (surface != own.Surface || triangle != own.Triangle))
+    const bool counts = caster.Casts && (owns || caster.Caster.Passes == 0.0);
+    if (counts && (place != own.Place || triangle != own.Triangle))
     {
       glm::dvec3 corner;
       const glm::dvec3 normal =
-        glm::normalize(this->GetNormal({ surface, triangle, t, {} }, corner));
+        glm::normalize(this->GetNormal({ surface, place, triangle, t, {} }, corner));
       const bool ends = std::isfinite(last);
       if (std::abs(glm::dot(normal, corner - from)) > blur &&
         (!ends || std::abs(glm::dot(normal, corner - from - last * ray)) > blur))

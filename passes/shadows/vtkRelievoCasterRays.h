@@ -35,6 +35,7 @@ public:
   struct Meeting
   {
     int Surface = -1; // none
+    int Place = -1;   // of a mesh of glyphs, of all surfaces' places
     int Triangle = -1;
     double T = 0.0;
     glm::dvec3 Normal{ 0.0 }; // of the plane, towards the ray's start; not unit
@@ -54,8 +55,9 @@ public:
   Meeting FindFirst(const glm::dvec3& from, const glm::dvec3& ray, double low) const;
 
   // What of the light passes from t = 0 to `last`: the product of what the casters between let
-  // pass. A triangle does not count if it is `own`, or if the ray's start, or its end where it has
-  // one, lies in its plane within `blur`.
+  // pass; translucent triangles that share an edge count once there. A triangle does not count if
+  // it is `own`, or if the ray's start, or its end where it has one, lies in its plane within
+  // `blur`.
   double Pass(const glm::dvec3& from, const glm::dvec3& ray, double last, const Meeting& own,
     double blur) const;
 
@@ -63,6 +65,7 @@ private:
   struct Mesh;
   struct Placed
   {
+    int Surface = 0;
     const Mesh* Triangles = nullptr;
     glm::dmat4 ToScene{ 1.0 };
     glm::dmat4 ToMesh{ 1.0 };
@@ -80,7 +83,7 @@ private:
 
   std::map<vtkPolyData*, Held> Meshes;
   std::vector<vtkRelievoSurface> Surfaces;
-  std::vector<Placed> Places; // of Surfaces
+  std::vector<Placed> Places; // of Surfaces, one or more each
   vtkRelievoBoxTree Tree;     // over Places
   glm::dvec3 Center{ 0.0 };
 };

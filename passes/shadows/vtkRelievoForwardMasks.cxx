@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoForwardMasks.h"
 
+#include "vtkObject.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkRelievoPushedContext.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoShadowMaps.h"
 #include "vtkRelievoView.h"
@@ -230,7 +232,7 @@ void vtkRelievoForwardMasks::Release(vtkWindow* window)
   }
   if (window && this->Masks)
   {
-    window->MakeCurrent();
+    const vtkRelievoPushedContext context(window);
     this->Unbind();
     glDeleteTextures(1, &this->Masks);
     glDeleteVertexArrays(1, &this->Arrays);

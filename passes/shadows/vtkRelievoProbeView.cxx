@@ -10,12 +10,18 @@
 
 namespace
 {
-constexpr double LightSteps = 32.0;  // of a light, in its distance
-constexpr double StepsPerView = 8.0; // of the camera, in half the height of what it sees
+constexpr double LightSteps = 32.0;      // of a light, in its distance
+constexpr double StepsPerView = 8.0;     // of the camera, in half the height of what it sees
+constexpr double LeastAway = 1.0 / 64.0; // of the distance to the middle: the camera is in a box
 
 glm::dvec3 Round(const glm::dvec3& v, double step)
 {
   return step * glm::round(v / step);
+}
+
+double GetDistance(const vtkRelievoBox& box, const glm::dvec3& place)
+{
+  return glm::length(place - glm::clamp(place, box.Min, box.Max));
 }
 
 // Near and far in steps, as most cameras' follow the scene; only what is in view by its sides
@@ -46,13 +52,19 @@ void SetDepths(vtkRelievoView& view)
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoView vtkRelievoProbeView::GetStep(const vtkRelievoView& view, const glm::dvec3& center)
+vtkRelievoView vtkRelievoProbeView::GetStep(
+  const vtkRelievoView& view, const glm::dvec3& center, const std::vector<vtkRelievoBox>& boxes)
 {
   vtkRelievoView stepped = view;
   const glm::dmat4 viewToWorld = glm::inverse(view.WorldToView);
   const glm::dvec3 eye(viewToWorld[3]);
   const double half = 1.0 / std::abs(view.ViewToNDC[1][1]); // at unit distance
-  const double away = std::max(glm::length(center - eye), 1e-300);
+  const double middle = std::max(glm::length(center - eye), 1e-300);
+  double away = middle;
+  for (const vtkRelievoBox& box : boxes)
+  {
+    away = std::min(away, std::max(GetDistance(box, eye), LeastAway * middle));
+  }
   const double size = std::exp2(std::floor(std::log2(view.Parallel ? half : half * away)));
   if (!std::isfinite(size) || !(size > 0.0))
   {

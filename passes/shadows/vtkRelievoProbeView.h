@@ -19,8 +19,10 @@ namespace vtkRelievoProbeView
 // The view of the whole picture, of which the frame's may be a tile.
 vtkRelievoView GetPicture(const vtkRelievoView& view, vtkRenderer* renderer);
 
-// The camera at the nearest of a few places and directions.
-vtkRelievoView GetStep(const vtkRelievoView& view, const glm::dvec3& center);
+// The camera at the nearest of a few places and directions: places a share of its distance to the
+// boxes apart, and of that to what it sees, the middle of which is given.
+vtkRelievoView GetStep(
+  const vtkRelievoView& view, const glm::dvec3& center, const std::vector<vtkRelievoBox>& boxes);
 
 // The lights, likewise.
 std::vector<vtkRelievoShadowLight> GetStep(

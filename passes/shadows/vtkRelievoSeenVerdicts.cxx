@@ -4,6 +4,7 @@
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
+#include "vtkObject.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -50,7 +51,7 @@ vtkRelievoSeenVerdicts::~vtkRelievoSeenVerdicts()
 
 //------------------------------------------------------------------------------
 bool vtkRelievoSeenVerdicts::Begin(
-  vtkOpenGLRenderWindow* window, const vtkRelievoView& view, bool translucent)
+  vtkOpenGLRenderWindow* window, const vtkRelievoView& view, Kind kind)
 {
   if (this->Window != window)
   {
@@ -59,7 +60,8 @@ bool vtkRelievoSeenVerdicts::Begin(
     this->Owner = window;
   }
   this->View = view;
-  this->Levels = translucent ? Fine : 2.0;
+  this->Levels = kind == Whole ? 2.0 : Fine;
+  this->Colored = kind == Colors;
   this->Lights = 0;
   vtkTextureUnitManager* units = window->GetState()->GetTextureUnitManager();
   for (int& unit : this->Units)
@@ -115,6 +117,7 @@ int vtkRelievoSeenVerdicts::DrawSurfaces(
     this->SurfacesDrawn.clear();
     return 0;
   }
+  bool offset = false;
   std::vector<double> seen;
   Append(seen, this->View.WorldToView);
   Append(seen, this->View.ViewToNDC);
@@ -123,6 +126,9 @@ int vtkRelievoSeenVerdicts::DrawSurfaces(
     // Buffers are built anew, at a time of their own, for other data and other mappers.
     seen.push_back(static_cast<double>(draw.GetBuildTime(actor)));
     Append(seen, vtkRelievoToGlm(actor->GetMatrix()));
+    const glm::vec2 moved = vtkRelievoCasterDraw::GetOffset(actor);
+    seen.insert(seen.end(), { moved.x, moved.y });
+    offset = offset || moved != glm::vec2(0.f);
   }
   if (seen == this->SurfacesDrawn)
   {
@@ -143,7 +149,8 @@ int vtkRelievoSeenVerdicts::DrawSurfaces(
   glClearBufferfv(GL_DEPTH, 0, &farthest);
   int calls = 0;
   if (draw.Begin(this->Window, this->View.ViewToNDC * this->View.WorldToView,
-        this->View.WorldToView, "shadow/seenVS.glsl", "shadow/seenFS.glsl"))
+        this->View.WorldToView, "shadow/seenVS.glsl", "shadow/seenFS.glsl",
+        offset ? "#define RELIEVO_SEEN_OFFSET" : ""))
   {
     for (vtkActor* actor : actors)
     {
@@ -199,8 +206,7 @@ int vtkRelievoSeenVerdicts::FindVerdicts(const std::vector<glm::vec4>& sources, 
   {
     const std::string name = whole ? "shadow/tiles" : "shadow/verdicts";
     vtkShaderProgram* program = this->Window->GetShaderCache()->ReadyShaderProgram(
-      vtkRelievoShaderLibrary::Get(name + "VS.glsl").c_str(),
-      vtkRelievoShaderLibrary::Get(name + "FS.glsl").c_str(), "");
+      this->GetSource(name + "VS.glsl").c_str(), this->GetSource(name + "FS.glsl").c_str(), "");
     if (!program)
     {
       return 0;
@@ -225,9 +231,8 @@ int vtkRelievoSeenVerdicts::FindVerdicts(const std::vector<glm::vec4>& sources, 
       program->SetUniformi("relievoSeenTiles", this->Units[1]);
       program->SetUniform2i("relievoSeenTileCount", tiles);
       // Where nothing is open all lights reach what is seen.
-      const GLfloat lit[4] = { static_cast<GLfloat>(std::pow(this->Levels, lights) - 1.0), 0.f, 0.f,
-        0.f };
-      glClearBufferfv(GL_COLOR, 0, lit);
+      const std::vector<GLfloat> lit(4, static_cast<GLfloat>(std::pow(this->Levels, lights) - 1.0));
+      glClearBufferfv(GL_COLOR, 0, lit.data());
       glDrawArrays(GL_TRIANGLES, 0, 6 * tiles[0] * tiles[1]);
     }
     glBindVertexArray(0);

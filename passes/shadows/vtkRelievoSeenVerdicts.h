@@ -18,6 +18,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkActor;
@@ -31,7 +32,15 @@ class vtkRelievoSeenVerdicts
 {
 public:
   static constexpr vtkIdType BytesPerPixel = 16; // what is seen, its depth, verdicts
+  static constexpr vtkIdType BytesOfColors = 12; // beside
   static constexpr int Tile = 8;                 // pixels: as in shaders/shadow/tilesFS.glsl
+
+  enum Kind // what verdicts are
+  {
+    Whole,  // all or nothing
+    Shares, // of a light
+    Colors  // shares of its red, green and blue, and of the whole
+  };
 
   vtkRelievoSeenVerdicts();
   ~vtkRelievoSeenVerdicts();
@@ -39,7 +48,7 @@ public:
   void operator=(const vtkRelievoSeenVerdicts&) = delete;
 
   // Takes texture units for the frame; nothing is known in it yet. False if there are none left.
-  bool Begin(vtkOpenGLRenderWindow* window, const vtkRelievoView& view, bool translucent);
+  bool Begin(vtkOpenGLRenderWindow* window, const vtkRelievoView& view, Kind kind);
 
   // How many lights' verdicts can be found in it; 0: of none.
   int GetMostLights() const;
@@ -59,6 +68,11 @@ public:
   void Unbind();
   vtkIdType GetBytes() const;
   static vtkIdType GetBytes(int width, int height);
+  void Forget()
+  {
+    this->SurfacesDrawn.clear();
+    this->VerdictsDrawn.clear();
+  }
   void Release(vtkWindow* window);
 
 private:
@@ -72,6 +86,7 @@ private:
   };
   static int CountTiles(int pixels) { return (pixels + Tile - 1) / Tile; }
   bool Allocate();
+  std::string GetSource(const std::string& name) const;
   bool IsReady();
   void Bind(int first, int second);
   void BeginDrawing(unsigned int target, int width, int height);
@@ -83,11 +98,13 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   const vtkWindow* Owner = nullptr; // the same, known also in its destructor; for comparison only
   vtkRelievoView View;
-  double Levels = 2.0; // of a verdict
-  int Lights = 0;      // whose verdicts are there
-  bool Room = false;   // OpenGL has the memory
-  bool Fits = false;   // there is room, and a way from a pixel and its depth to a place
-  bool Broken = false; // the shaders do not compile, or cannot draw
+  double Levels = 2.0;    // of a verdict
+  bool Colored = false;   // verdicts of colours
+  bool RoomIsFor = false; // the same of the texture that there is
+  int Lights = 0;         // whose verdicts are there
+  bool Room = false;      // OpenGL has the memory
+  bool Fits = false;      // there is room, and a way from a pixel and its depth to a place
+  bool Broken = false;    // the shaders do not compile, or cannot draw
   bool Checked = false;
   unsigned int Textures[Count] = { 0, 0, 0, 0 };
   vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;

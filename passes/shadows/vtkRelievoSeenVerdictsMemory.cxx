@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the verdicts take of OpenGL.
+#include "vtkObject.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkRelievoColorBuffers.h"
+#include "vtkRelievoPushedContext.h"
 #include "vtkRelievoSeenVerdicts.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkShaderProgram.h"
@@ -21,11 +23,12 @@ bool vtkRelievoSeenVerdicts::Allocate()
   const int* size = this->View.Viewport + 2;
   const unsigned int depths = vtkRelievoColorBuffers::GetBoundDepthFormat();
   if (this->Textures[0] && this->Width == size[0] && this->Height == size[1] &&
-    this->DepthFormat == depths)
+    this->DepthFormat == depths && this->RoomIsFor == this->Colored)
   {
     return this->Room;
   }
   this->DepthFormat = depths;
+  this->RoomIsFor = this->Colored;
   this->Width = size[0];
   this->Height = size[1];
   this->SurfacesDrawn.clear();
@@ -44,8 +47,9 @@ bool vtkRelievoSeenVerdicts::Allocate()
   }
   // What lies within one step of the picture's depths hides what it hides there.
   const bool stencil = depths == GL_DEPTH24_STENCIL8;
-  const GLint formats[Count] = { GL_RG32F, GL_R32F, static_cast<GLint>(depths), GL_R32F };
-  const GLenum channels[Count] = { GL_RG, GL_RED,
+  const GLint formats[Count] = { GL_RG32F, this->Colored ? GL_RGBA32F : GL_R32F,
+    static_cast<GLint>(depths), GL_R32F };
+  const GLenum channels[Count] = { GL_RG, static_cast<GLenum>(this->Colored ? GL_RGBA : GL_RED),
     static_cast<GLenum>(stencil ? GL_DEPTH_STENCIL : GL_DEPTH_COMPONENT), GL_RED };
   this->Window->GetState()->vtkglActiveTexture(
     GL_TEXTURE0 + static_cast<unsigned int>(this->Units[0]));
@@ -67,6 +71,18 @@ bool vtkRelievoSeenVerdicts::Allocate()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkRelievoSeenVerdicts::GetSource(const std::string& name) const
+{
+  std::string source = vtkRelievoShaderLibrary::Get(name);
+  if (this->Colored)
+  {
+    vtkShaderProgram::Substitute(
+      source, "//VTK::System::Dec", "//VTK::System::Dec\n#define RELIEVO_SHADOW_COLORED", false);
+  }
+  return source;
+}
+
+//------------------------------------------------------------------------------
 // Before shaders are built that look verdicts up.
 bool vtkRelievoSeenVerdicts::IsReady()
 {
@@ -79,8 +95,7 @@ bool vtkRelievoSeenVerdicts::IsReady()
   for (const std::string name : { "shadow/seen", "shadow/tiles", "shadow/verdicts" })
   {
     const bool compiles = this->Window->GetShaderCache()->ReadyShaderProgram(
-      vtkRelievoShaderLibrary::Get(name + "VS.glsl").c_str(),
-      vtkRelievoShaderLibrary::Get(name + "FS.glsl").c_str(), "");
+      this->GetSource(name + "VS.glsl").c_str(), this->GetSource(name + "FS.glsl").c_str(), "");
     fault = compiles ? fault : "the shader " + name + " does not compile";
   }
   for (const int target : { Surfaces, Verdicts, Tiles })
@@ -105,7 +120,8 @@ bool vtkRelievoSeenVerdicts::IsReady()
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoSeenVerdicts::GetBytes() const
 {
-  return this->Room ? GetBytes(this->Width, this->Height) : 0;
+  const vtkIdType colors = this->Colored ? BytesOfColors * this->Width * this->Height : 0;
+  return this->Room ? GetBytes(this->Width, this->Height) + colors : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -122,9 +138,9 @@ void vtkRelievoSeenVerdicts::Release(vtkWindow* window)
   {
     return; // what is held is another window's
   }
+  const vtkRelievoPushedContext context(window);
   if (window)
   {
-    window->MakeCurrent();
     this->Unbind(); // also units without textures
   }
   if (window && window == this->Owner && this->Textures[0])

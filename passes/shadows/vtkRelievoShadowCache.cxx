@@ -187,15 +187,16 @@ void vtkRelievoShadowCache::SetEntries(std::vector<Entry> entries, const glm::dv
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowCache::SetCasters(const vtkRelievoShadowProps& props)
+void vtkRelievoShadowCache::SetCasters(const vtkRelievoShadowProps& props, bool withoutFollowed)
 {
-  this->Casters = props.GetState();
+  this->Casters = props.GetState(withoutFollowed);
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoShadowCache::HasCasters(const vtkRelievoShadowProps& props) const
+bool vtkRelievoShadowCache::HasCasters(
+  const vtkRelievoShadowProps& props, bool withoutFollowed) const
 {
-  return this->Casters == props.GetState();
+  return this->Casters == props.GetState(withoutFollowed);
 }
 
 //------------------------------------------------------------------------------

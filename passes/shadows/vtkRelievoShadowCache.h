@@ -60,8 +60,8 @@ public:
   void SetEntries(std::vector<Entry> entries, const glm::dvec3& center);
 
   // What casts as the maps are drawn, or what it looks like now without having changed.
-  void SetCasters(const vtkRelievoShadowProps& props);
-  bool HasCasters(const vtkRelievoShadowProps& props) const;
+  void SetCasters(const vtkRelievoShadowProps& props, bool withoutFollowed);
+  bool HasCasters(const vtkRelievoShadowProps& props, bool withoutFollowed) const;
 
   // What the layers held is lost.
   void Invalidate();

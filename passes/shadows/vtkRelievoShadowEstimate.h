@@ -17,6 +17,7 @@ struct vtkRelievoShadowDemand
   int Props = 0;  // that cast or receive, with one draw call each
   int Width = 0;  // of the picture in pixels
   int Height = 0;
+  double Farness = 0.0; // how far casters and eye are, in halves of the view's height at the scene
 };
 
 struct vtkRelievoShadowEstimate

@@ -23,6 +23,7 @@ void vtkRelievoShadowPass::Internals::UpdateStructure()
   vtkRelievoShadowSplice::Structure structure;
   structure.Method = this->Method->GetShader();
   structure.Traced = this->Method->Traces();
+  structure.Colored = this->Method->Colors();
   structure.Maps = !structure.Traced || this->Work.Cache.GetNumberOfMaps() > 0;
   structure.Numbers = static_cast<int>(this->Lights.GetAll().size());
   structure.Unlit = this->LayersAsked;

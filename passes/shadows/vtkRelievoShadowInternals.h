@@ -48,11 +48,14 @@ public:
   double RoomRefused = 0.0; // texels of maps that OpenGL had no memory for; 0: none
   bool Fresh = false;       // other than in the frame before
   bool Failed = false;      // what was chosen could not be made
-  int ProbesBefore = 0;
-  double Began = 0.0; // milliseconds
-  double Took = -1.0;
+  double Began = 0.0;       // milliseconds
+  double Took = -1.0;       // the last picture
+  double Planning = 0.0;    // of this frame
   vtkMTimeType TimedStructure = 0;
   glm::dmat4 TimedView{ 0.0 };
+  std::vector<std::uint64_t> TimedCasters;
+  std::vector<double> TimedLights;
+  vtkRelievoShadowPlanner::Anew Moves; // since the frame before
   std::unique_ptr<vtkRelievoShadowMethod> Method = vtkRelievoShadowMethod::Make(METHOD_MAP);
   int MethodMade = METHOD_MAP;
   int MethodRefused = -1; // could not make shadows of what cast so
@@ -74,7 +77,8 @@ public:
   // Makes the method, if it is another one than in the frame before. The context is current.
   void UseMethod(int method, vtkOpenGLRenderWindow* window);
 
-  void BeginTiming();
+  void BeginTiming(bool picture);
+  void FindMoves(const vtkRelievoView& view);
 
   // Whether a map is being drawn: notes the program that draws into it.
   bool IsDrawingMaps(vtkShaderProgram* program);

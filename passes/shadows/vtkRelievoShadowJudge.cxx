@@ -31,12 +31,12 @@ vtkRelievoShadowJudge::Findings vtkRelievoShadowJudge::Judge(int x, int y, int l
   {
     return NOTHING;
   }
-  const double window = DepthWindow *
-    (this->View.Parallel ? std::max(std::abs(depth), this->View.Far - this->View.Near) : depth);
+  const double window = this->GetDepthWindow(depth);
+  const double wanted = this->CoarseDepth ? depth - window : depth;
   const vtkRelievoShadowPixels pixels(this->View, this->Rays.GetCenter());
   const vtkRelievoPixelRay eye = pixels.GetRay(x + 0.5, y + 0.5);
-  const vtkRelievoCasterRays::Meeting seen = this->Rays.Find(
-    eye.From, eye.Ray, depth - window, depth + window, this->CoarseDepth ? depth - window : depth);
+  const vtkRelievoCasterRays::Meeting seen =
+    this->Rays.Find(eye.From, eye.Ray, depth - window, depth + window, wanted);
   const float drawn = this->Visibility[light][pixel];
   if (seen.Surface < 0 || !std::isfinite(drawn))
   {
@@ -59,6 +59,7 @@ vtkRelievoShadowJudge::Findings vtkRelievoShadowJudge::Judge(int x, int y, int l
   }
   const double blur = vtkRelievoPlaceBlur * glm::length(seen.T * eye.Ray);
   const double truth = this->Rays.Pass(place, to.Ray, to.Last, seen, blur);
+  // Before it is known what was drawn: it must not decide what is counted.
   for (int corner = 0; corner < 4; ++corner)
   {
     const vtkRelievoPixelRay beside = pixels.GetRay(
@@ -66,14 +67,49 @@ vtkRelievoShadowJudge::Findings vtkRelievoShadowJudge::Judge(int x, int y, int l
     const double t = glm::dot(seen.Normal, place - beside.From) / glm::dot(seen.Normal, beside.Ray);
     const glm::dvec3 at = beside.From + t * beside.Ray;
     const vtkRelievoToLight other(this->Lights[light], at, this->Rays.GetCenter());
-    if (this->Rays.Pass(at, other.Ray, other.Last, seen, blur) != truth)
+    if (this->Rays.Pass(at, other.Ray, other.Last, seen, blur) != truth ||
+      this->HasOtherNeighbour(
+        beside, light, wanted + glm::clamp(t - seen.T, -window, window), seen, truth))
     {
       return TIE;
     }
   }
-  const bool wrong = this->Attenuates ? std::abs(drawn - truth) > TransmittanceSlack
-                                      : (drawn >= 0.5f) != (truth >= 0.5);
-  return !wrong ? RIGHT : drawn < truth ? FALSE_SHADOW : FALSE_LIGHT;
+  return this->IsAlike(drawn, truth) ? RIGHT : drawn < truth ? FALSE_SHADOW : FALSE_LIGHT;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowJudge::IsAlike(double a, double b) const
+{
+  return this->Attenuates ? std::abs(a - b) <= TransmittanceSlack : (a >= 0.5) == (b >= 0.5);
+}
+
+//------------------------------------------------------------------------------
+// Whether a ray beside the pixel's centre meets another triangle, which has another verdict: OpenGL
+// may draw either.
+bool vtkRelievoShadowJudge::HasOtherNeighbour(const vtkRelievoPixelRay& beside, int light,
+  double wanted, const vtkRelievoCasterRays::Meeting& seen, double truth) const
+{
+  const double window = this->GetDepthWindow(wanted);
+  const vtkRelievoCasterRays::Meeting found =
+    this->Rays.Find(beside.From, beside.Ray, wanted - window, wanted + window, wanted);
+  if (found.Surface < 0 || (found.Place == seen.Place && found.Triangle == seen.Triangle))
+  {
+    return false;
+  }
+  const glm::dvec3 place = beside.From + found.T * beside.Ray;
+  const vtkRelievoToLight to(this->Lights[light], place, this->Rays.GetCenter());
+  const double blur = vtkRelievoPlaceBlur * glm::length(found.T * beside.Ray);
+  const double passes = glm::dot(found.Normal, to.Ray) > 0.0
+    ? this->Rays.Pass(place, to.Ray, to.Last, found, blur)
+    : 0.0;
+  return !this->IsAlike(passes, truth);
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowJudge::GetDepthWindow(double depth) const
+{
+  return DepthWindow *
+    (this->View.Parallel ? std::max(std::abs(depth), this->View.Far - this->View.Near) : depth);
 }
 
 //------------------------------------------------------------------------------

@@ -42,6 +42,12 @@ public:
 
   // Draws lots until so many verdicts are judged, or all of the picture are.
   void Certify(int rays, int seed, vtkRelievoShadowCertificate* certificate) const;
+
+private:
+  double GetDepthWindow(double depth) const;
+  bool IsAlike(double a, double b) const; // verdicts
+  bool HasOtherNeighbour(const vtkRelievoPixelRay& beside, int light, double wanted,
+    const vtkRelievoCasterRays::Meeting& seen, double truth) const;
 };
 
 #endif

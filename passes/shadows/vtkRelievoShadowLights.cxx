@@ -158,6 +158,7 @@ void vtkRelievoShadowLights::Collect(vtkRenderer* renderer, int mostMaps)
 {
   this->All = vtkRelievoShadowLight::Collect(renderer);
   this->Casting.clear();
+  this->Unmoved.clear();
   int maps = 0;
   for (vtkRelievoShadowLight& light : this->All)
   {
@@ -182,6 +183,7 @@ void vtkRelievoShadowLights::Collect(vtkRenderer* renderer, int mostMaps)
 //------------------------------------------------------------------------------
 void vtkRelievoShadowLights::Move(const vtkRelievoLightSizes& sizes, int sample, int samples)
 {
+  this->Unmoved = this->Casting;
   for (vtkRelievoShadowLight& light : this->Casting)
   {
     if (sizes.IsSized(light.Light))

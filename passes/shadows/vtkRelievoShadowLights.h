@@ -46,7 +46,16 @@ public:
 
   const std::vector<vtkRelievoShadowLight>& GetAll() const { return this->All; }
   const std::vector<vtkRelievoShadowLight>& GetCasting() const { return this->Casting; }
-  void Clear() { this->Casting.clear(); }
+  // These, where they are by themselves, whatever sample of them is drawn.
+  const std::vector<vtkRelievoShadowLight>& GetUnmoved() const
+  {
+    return this->Unmoved.empty() ? this->Casting : this->Unmoved;
+  }
+  void Clear()
+  {
+    this->Casting.clear();
+    this->Unmoved.clear();
+  }
 
   // Of the others, as a part of a sentence: "; NAME casts none: WHY".
   std::string GetReport() const;
@@ -56,6 +65,7 @@ private:
   std::vector<std::pair<vtkWeakPointer<vtkLight>, std::string>> Names;
   std::vector<vtkRelievoShadowLight> All;
   std::vector<vtkRelievoShadowLight> Casting; // those with a place in the shaders
+  std::vector<vtkRelievoShadowLight> Unmoved; // before Move; empty if there was none
 };
 
 #endif

@@ -4,11 +4,13 @@
 
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
+#include "vtkObject.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRelievoAccess.h"
+#include "vtkRelievoPushedContext.h"
 #include "vtkRelievoView.h"
 #include "vtkRenderer.h"
 #include "vtkTextureUnitManager.h"
@@ -277,7 +279,7 @@ void vtkRelievoShadowMaps::Release(vtkWindow* window)
   if (window && this->Texture)
   {
     // Not by the weak pointer: in the window's own destructor it points nowhere.
-    window->MakeCurrent();
+    const vtkRelievoPushedContext context(window);
     this->Unbind();
     glDeleteTextures(1, &this->Texture);
     glDeleteTextures(1, &this->Empty);

@@ -52,6 +52,9 @@ public:
   // After the picture, if drawing has changed what the casters' state says: nothing moved.
   virtual void Settle(const vtkRelievoShadowWork&) {}
 
+  // What was drawn was not all of it: nothing of it is kept.
+  virtual void Forget() {}
+
   // After the picture: texture units are given back.
   virtual void Unbind() {}
 
@@ -61,6 +64,7 @@ public:
   // Whether rays decide, after what the maps say: the sections PlaceImpl and TraceDec, TraceImpl,
   // or FoundImpl for actors whose verdicts about so many lights are found by Draw.
   virtual bool Traces() const { return false; }
+  virtual bool Colors() const { return false; } // what passes surfaces has their colours
   virtual std::vector<vtkActor*> GetFound(std::size_t /*lights*/) const { return {}; }
 
   // Depth of a map that is taken off receivers for a bias in texels, before the shader's section.

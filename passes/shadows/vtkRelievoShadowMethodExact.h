@@ -22,13 +22,19 @@ public:
   }
   std::string GetShader() const override { return "shadow/exact.glsl"; }
   bool Traces() const override { return true; }
+  bool Colors() const override { return this->Colored; }
   void SetFrameUniforms(vtkShaderProgram* program, const vtkRelievoShadowWork& work) const override;
   std::vector<vtkActor*> GetFound(std::size_t lights) const override;
   void SetActorUniforms(
     vtkShaderProgram* program, const vtkRelievoShadowWork& work, vtkActor* actor) const override;
+  // Of the frame's scene, as a vtkRelievoShadowDemand has it: how many times more than the view
+  // shows is rounded.
+  static double GetFarness(const vtkRelievoShadowWork& work);
+
   vtkRelievoShadowEstimate Estimate(const vtkRelievoShadowDemand& demand) const override;
   std::string GetReport() const override;
   vtkIdType GetBytes() const override { return this->Tree.GetBytes() + this->Seen.GetBytes(); }
+  void Forget() override { this->Seen.Forget(); }
   void Release(vtkWindow* window) override
   {
     this->Tree.Release(window);
@@ -51,6 +57,7 @@ private:
   vtkRelievoSeenVerdicts Seen;
   std::size_t InMaps = 0;          // casters that cannot be followed
   std::vector<vtkActor*> Surfaces; // of this frame, whose verdicts are found
+  bool Colored = false;            // some of them colour what passes
   bool Alone = false;              // each of their pixels shows what is seen at its centre
 };
 

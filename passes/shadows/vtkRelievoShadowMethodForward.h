@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Carries the maps' samples into the camera's view (H. Zhang, Forward shadow mapping, 1998); see
-// vtkRelievoForwardMasks.
+// vtkRelievoForwardMasks. What they do not reach is looked up in the maps.
 #ifndef vtkRelievoShadowMethodForward_h
 #define vtkRelievoShadowMethodForward_h
 
@@ -19,6 +19,7 @@ public:
   int Draw(vtkRelievoShadowWork& work, vtkRenderer* renderer) override;
   std::string GetFault() const override { return this->Fault; }
   void Settle(const vtkRelievoShadowWork& work) override;
+  void Forget() override { this->Drawn = {}; }
   void Unbind() override { this->Masks.Unbind(); }
   std::string GetShader() const override { return "shadow/forward.glsl"; }
   void SetFrameUniforms(vtkShaderProgram* program, const vtkRelievoShadowWork& work) const override;

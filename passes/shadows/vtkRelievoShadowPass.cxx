@@ -151,63 +151,10 @@ int vtkRelievoShadowPass::GetNumberOfMaps()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowPass::Describe(vtkRelievoStageDescription& description)
-{
-  description.Name = "shadows";
-  description.Help = "Shadows of lights (suns, spots and points) and of lamps from data.";
-  description.Slot = vtkRelievoStageDescription::LIGHT_MAPS;
-  description.Writes = { "shadow maps", "visibility", "lamp shadows" };
-  description.OnByDefault = true;
-  description.AddFlag(
-    "visible", this->Visible, [this](bool on) { this->SetVisible(on); },
-    "Whether shadows are seen in the picture.");
-  description.AddChoice(
-    "method", this->Method, [this](int method) { this->SetMethod(method); },
-    { "map", "forward", "warped", "exact" }, "How shadows are computed.");
-  description.AddWhole(
-    "map_size", this->MapSize, [this](int size) { this->SetMapSize(size); }, 16, 16384, "texels",
-    "Width and height of each light's map.");
-  description.AddWhole(
-    "filter_radius", this->FilterRadius, [this](int radius) { this->SetFilterRadius(radius); }, 0,
-    16, "texels", "How soft the edges of shadows are.");
-  description.AddNumber(
-    "bias", this->Bias, [this](double bias) { this->SetBias(bias); }, 0.0, 100.0, "texels",
-    "Distance by which receivers are moved towards the light before the comparison.");
-  description.AddNumber(
-    "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0, 1.0,
-    "", "Fraction of a blocked light that is removed.");
-  description.AddNumber(
-    "tolerance", this->Tolerance, [this](double share) { this->SetTolerance(share); }, 0.0, 1.0, "",
-    "Share of wrong pixels that method and map size are chosen for; 0: as they are set.");
-  description.AddNumber(
-    "time_budget", this->TimeBudget, [this](double time) { this->SetTimeBudget(time); }, 0.0,
-    3600000.0, "ms", "Time of a frame that method and map size are chosen for; 0: any.");
-  description.AddWhole(
-    "lamp_map_size", this->LampMapSize, [this](int size) { this->SetLampMapSize(size); }, 16, 16384,
-    "texels", "Width and height of each map of a lamp from data; a lamp has up to six.");
-  this->DescribeSoft(description);
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoShadowPass::Declare(
-  const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
-{
-  // The visibility is for layers, and lamps are lit by their own stage, whether shadows of lights
-  // are seen or not.
-  declaration.Offers.clear();
-  if (this->Visible)
-  {
-    declaration.Offers.emplace_back("shadow maps");
-  }
-  declaration.Words = this->Visible ? "" : "shadows are off";
-  this->DeclareSoft(context, declaration);
-}
-
-//------------------------------------------------------------------------------
 bool vtkRelievoShadowPass::Prepare(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  in.BeginTiming();
+  in.BeginTiming(context.Picture);
   vtkRelievoAccess::Renderer::FollowCamera(context.Renderer);
   // The shaders that draw the maps are built for the lights that VTK counts here.
   static_cast<vtkOpenGLRenderer*>(context.Renderer)->UpdateLights();
@@ -228,7 +175,12 @@ bool vtkRelievoShadowPass::Prepare(vtkRelievoFrameContext& context)
   this->DrawCalls = 0;
   this->NumberOfMapsDrawn = 0;
   in.Work.View = context.View;
+  in.Work.Props.SetAttenuates(this->ColoredShadows);
   in.Work.Props.Collect(context.Renderer, context.Scene.Props);
+  const bool traces =
+    this->Method == METHOD_EXACT || this->Tolerance > 0.0 || this->TimeBudget > 0.0;
+  context.ColorsLight = this->Visible && this->ColoredShadows && traces &&
+    !in.Lights.GetCasting().empty() && in.Work.Props.HasTranslucentCasters();
   return true;
 }
 
@@ -250,12 +202,18 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
   if (lights)
   {
     work.Bias = this->Bias;
+    work.ColoredShadows = this->ColoredShadows;
     fault = this->MakeMaps(context);
+    if (!in.Planned && !in.Method->Traces())
+    {
+      work.Props.ForgetGlyphs();
+    }
   }
   else
   {
     in.Planned = false;
     in.UseMethod(METHOD_MAP, context.Window);
+    work.WithoutFollowed = false;
     work.Maps.Release(context.Window);
     work.Cache.Clear();
   }
@@ -326,8 +284,8 @@ void vtkRelievoShadowPass::Finish(vtkRelievoFrameContext& context)
       // Some mappers count themselves as modified when they draw.
       const bool probed = in.Probe.HasScene(in.Work.Props);
       in.Work.Props.Collect(context.Renderer, context.Scene.Props);
-      in.Work.Cache.SetCasters(in.Work.Props);
-      in.Lamps.Work.Cache.SetCasters(in.Work.Props);
+      in.Work.Cache.SetCasters(in.Work.Props, in.Work.WithoutFollowed);
+      in.Lamps.Work.Cache.SetCasters(in.Work.Props, false);
       in.Method->Settle(in.Work);
       if (probed)
       {
@@ -335,7 +293,18 @@ void vtkRelievoShadowPass::Finish(vtkRelievoFrameContext& context)
       }
     }
   }
-  this->EndTiming(context);
+  if (context.Window->GetAbortRender())
+  {
+    // Mappers draw nothing from there on: what maps and masks hold is not all that casts.
+    in.Work.Cache.Invalidate();
+    in.Lamps.Work.Cache.Invalidate();
+    in.Method->Forget();
+    in.TimedView = glm::dmat4(0.0); // the next frame finds everything anew
+  }
+  else
+  {
+    this->EndTiming(context); // of an aborted frame the time tells nothing
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -352,6 +321,7 @@ void vtkRelievoShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Method->Release(window);
   this->Internal->Lamps.Release(window);
   this->Internal->Work.PlainDraw.Release(window);
+  this->Internal->Work.Props.ForgetGlyphs();
   this->Internal->Work.Cache.Clear();
   this->Internal->Lights.Clear();
   this->Internal->MethodRefused = -1; // another window's OpenGL may hold what this one did not
@@ -360,25 +330,4 @@ void vtkRelievoShadowPass::ReleaseGraphicsResources(vtkWindow* window)
   this->NumberOfMapsDrawn = 0;
   this->DrawCalls = 0;
   this->Superclass::ReleaseGraphicsResources(window);
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoShadowPass::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Visible: " << this->Visible << "\n";
-  os << indent << "Method: " << this->Method << "\n";
-  os << indent << "MapSize: " << this->MapSize << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
-  os << indent << "LampMapSize: " << this->LampMapSize << "\n";
-  os << indent << "FilterRadius: " << this->FilterRadius << "\n";
-  os << indent << "Bias: " << this->Bias << "\n";
-  os << indent << "Strength: " << this->Strength << "\n";
-  os << indent << "SoftSamples: " << this->SoftSamples << "\n";
-  os << indent << "SoftAtOnce: " << this->SoftAtOnce << "\n";
-  os << indent << "SunAngle: " << this->SunAngle << "\n";
-  os << indent << "LampRadius: " << this->LampRadius << "\n";
-  os << indent << "Casting lights: " << this->GetNumberOfCastingLights() << "\n";
-  os << indent << "Maps: " << this->GetNumberOfMaps() << "\n";
 }

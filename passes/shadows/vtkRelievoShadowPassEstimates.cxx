@@ -4,6 +4,8 @@
 // What the pass says that shadows will cost and err.
 #include "vtkRelievoShadowInternals.h"
 
+#include "vtkRelievoShadowMethodExact.h"
+
 #include <algorithm>
 
 namespace
@@ -79,6 +81,7 @@ double vtkRelievoShadowPass::GetExpectedWrongShare() const
   }
   vtkRelievoShadowDemand demand;
   demand.MapSize = this->Internal->Work.Maps.GetSize();
+  demand.Farness = vtkRelievoShadowMethodExact::GetFarness(this->Internal->Work);
   return this->Internal->Method->Estimate(demand).WrongShare;
 }
 

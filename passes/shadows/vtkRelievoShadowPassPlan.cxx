@@ -7,6 +7,7 @@
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoProbeView.h"
+#include "vtkRelievoShadowMethodExact.h"
 
 #include <algorithm>
 #include <chrono>
@@ -110,7 +111,7 @@ void vtkRelievoShadowPass::UpdateProbe()
     in.Work.Bias = this->Bias;
     in.Work.Radius = this->FilterRadius;
     in.Probe.Update(
-      in.Work, in.Lights.GetCasting(), vtkRelievoProbeView::GetPicture(in.Work.View, in.Renderer));
+      in.Work, in.Lights.GetUnmoved(), vtkRelievoProbeView::GetPicture(in.Work.View, in.Renderer));
   }
 }
 
@@ -123,9 +124,11 @@ double vtkRelievoShadowPass::GetShareInView(int method, int size)
   const bool alone = !in.Schedule.Exchange.IsOn();
   if (method == METHOD_EXACT)
   {
+    vtkRelievoShadowDemand demand;
+    demand.Farness = vtkRelievoShadowMethodExact::GetFarness(in.Work);
     // What cannot be followed is looked up in maps.
     return alone && !in.Probe.HasUnfollowed()
-      ? law
+      ? vtkRelievoShadowMethod::Make(METHOD_EXACT)->Estimate(demand).WrongShare
       : std::min(1.0, LawsFactor * this->EstimateWrongShare(METHOD_MAP, this->MapSize));
   }
   if (!alone || !in.Probe.IsKnown())
@@ -157,13 +160,15 @@ void vtkRelievoShadowPass::MakePlan(vtkRelievoFrameContext& context)
   const int updates = in.Probe.GetUpdates();
   if (in.Planned)
   {
+    const double began = GetNow();
     this->UpdateProbe();
+    in.Planning += GetNow() - began;
   }
-  if (planned && in.Planned && this->TimeBudget > 0.0 && (!context.Picture || tiled) &&
-    updates == in.Probe.GetUpdates() && !(refused && before.Method == METHOD_EXACT) &&
-    hasRoom(before.Size))
+  const bool part = !context.Picture || tiled || context.Sample > 0;
+  if (planned && in.Planned && this->TimeBudget > 0.0 && part && updates == in.Probe.GetUpdates() &&
+    !(refused && before.Method == METHOD_EXACT) && hasRoom(before.Size))
   {
-    return; // layers and tiles of a picture are made as the picture was
+    return; // layers, tiles and samples of a picture are made as the picture was
   }
   in.Plan = vtkRelievoShadowPlanner::Plan();
   in.Plan.Chosen.Method = this->Method;
@@ -203,6 +208,10 @@ void vtkRelievoShadowPass::MakePlan(vtkRelievoFrameContext& context)
   // What cannot be followed by rays needs maps.
   if (!together && !refused && (!in.Probe.HasUnfollowed() || hasRoom(this->MapSize)))
   {
+    if (this->ColoredShadows && in.Work.Props.HasTranslucentCasters())
+    {
+      ways.clear(); // maps have neither shares nor colours: the picture would be another
+    }
     ways.push_back({ METHOD_EXACT, 0, this->GetShareInView(METHOD_EXACT, 1) });
   }
   if (ways.empty())
@@ -221,6 +230,7 @@ void vtkRelievoShadowPass::PrepareMethod(vtkRelievoFrameContext& context)
   const int method = in.Plan.Chosen.Method;
   const bool refused = method == in.MethodRefused && in.Work.Props.GetState() == in.Refused;
   in.UseMethod(refused ? METHOD_MAP : method, context.Window);
+  in.Work.WithoutFollowed = false;
   std::string fault;
   in.Work.OwnSteps = context.OwnSteps;
   if (in.Schedule.Exchange.IsOn() && in.Method->Traces())
@@ -247,6 +257,7 @@ void vtkRelievoShadowPass::PrepareMethod(vtkRelievoFrameContext& context)
 std::string vtkRelievoShadowPass::MakeMaps(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
+  in.FindMoves(context.View);
   for (;;)
   {
     this->MakePlan(context);
@@ -277,11 +288,12 @@ std::string vtkRelievoShadowPass::MakeMaps(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowPass::Internals::BeginTiming()
+// Frames of layers alone leave what the picture took.
+void vtkRelievoShadowPass::Internals::BeginTiming(bool picture)
 {
   this->Began = GetNow();
-  this->Took = -1.0;
-  this->ProbesBefore = this->Probe.GetUpdates();
+  this->Took = picture ? -1.0 : this->Took;
+  this->Planning = 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -289,6 +301,7 @@ void vtkRelievoShadowPass::Internals::BeginTiming()
 void vtkRelievoShadowPass::EndTiming(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
+  in.TimedCasters = in.Work.Props.GetState(); // some have changed by being drawn
   if (!in.Planned || !context.Picture)
   {
     return;
@@ -297,16 +310,40 @@ void vtkRelievoShadowPass::EndTiming(vtkRelievoFrameContext& context)
   in.Took = GetNow() - in.Began;
   const bool built = in.TimedStructure != in.StructureTime.GetMTime();
   in.TimedStructure = in.StructureTime.GetMTime();
-  const glm::dmat4 view = context.View.ViewToNDC * context.View.WorldToView;
-  const bool moved = view != in.TimedView;
-  in.TimedView = view;
-  const bool probed = in.ProbesBefore != in.Probe.GetUpdates();
-  if (!in.Fresh && !built && !probed && !in.Failed)
+  if (in.Fresh || built)
   {
-    // Exact verdicts are kept while nothing moves.
-    const bool redraws = in.Method->Traces() ? moved : this->NumberOfMapsDrawn > 0;
-    in.Planner.AddTime(in.Plan.Chosen, in.Load, redraws, in.Took);
+    return; // what is drawn anew for that tells nothing either
   }
+  const bool maps = this->NumberOfMapsDrawn > 0;
+  in.Planner.AddFrame({ in.Moves.Maps || maps, in.Moves.Rays });
+  if (!in.Failed)
+  {
+    in.Planner.AddTime(in.Plan.Chosen, in.Load, { maps, in.Moves.Rays }, in.Took, in.Planning);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What has moved since the frame before, for every method: maps are drawn anew when casters or
+// lights move, and verdicts of rays are kept only while the view stays as well.
+void vtkRelievoShadowPass::Internals::FindMoves(const vtkRelievoView& view)
+{
+  const glm::dmat4 seen = view.ViewToNDC * view.WorldToView;
+  std::vector<double> lights;
+  for (const vtkRelievoShadowLight& light : this->Lights.GetCasting())
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lights.push_back(light.Positional ? light.Position[axis] : 0.0);
+      lights.push_back(light.Direction[axis]);
+    }
+    lights.push_back(light.ConeAngle);
+  }
+  const bool first = this->TimedLights.empty();
+  const bool moved =
+    !first && (lights != this->TimedLights || this->Work.Props.GetState() != this->TimedCasters);
+  this->Moves = { moved, moved || (!first && seen != this->TimedView) };
+  this->TimedView = seen;
+  this->TimedLights = lights;
 }
 
 //------------------------------------------------------------------------------

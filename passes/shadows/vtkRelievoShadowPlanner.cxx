@@ -30,8 +30,9 @@ constexpr Costs Hardware = { 5e-7, 1e-6, 0.01, 4e-8, 2e-7, 0.1, 5e-7 };
 constexpr double Kept = 0.1; // of tracing, while neither view nor casters move
 
 constexpr std::size_t Remembered = 9; // frames
-constexpr std::size_t Enough = 3;     // frames of a way; before, others' stand in
+constexpr std::size_t Enough = 5;     // frames of a way; before, others' stand in
 constexpr long long Old = 300;        // a way's frames so long ago tell nothing
+constexpr long long Settles = 20;     // frames after which what moved is expected to stay
 constexpr double Stays = 1.1;         // a way stays up to so much over the time,
 constexpr double Enters = 0.85;       // and a more accurate one is taken from so much under it
 
@@ -99,27 +100,44 @@ double vtkRelievoShadowPlanner::GetTime(const Way& way, const Load& load, bool r
       }
     }
   }
-  const double others = GetMedian(this->AllRatios);
+  const double others = GetMedian(this->AllRatios, 1.0);
   while (own.size() < Enough)
   {
     own.push_back(others);
   }
-  return GetMedian(own) * Model(way, load, redraws);
+  return GetMedian(own, 1.0) * Model(way, load, redraws);
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoShadowPlanner::GetMedian(std::vector<double> ratios)
+double vtkRelievoShadowPlanner::GetMedian(std::vector<double> numbers, double none)
 {
-  std::sort(ratios.begin(), ratios.end());
-  return ratios.empty() ? 1.0 : ratios[ratios.size() / 2];
+  std::sort(numbers.begin(), numbers.end());
+  return numbers.empty() ? none : numbers[numbers.size() / 2];
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowPlanner::Redraws(const Way& way, const Anew& anew)
+{
+  return way.Method == vtkRelievoShadowPass::METHOD_EXACT ? anew.Rays : anew.Maps;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPlanner::AddFrame(const Anew& anew)
+{
+  ++this->Frames;
+  this->Latest = anew;
+  this->MapsMoved = anew.Maps ? this->Frames : this->MapsMoved;
+  this->RaysMoved = anew.Rays ? this->Frames : this->RaysMoved;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowPlanner::AddTime(
-  const Way& way, const Load& load, bool redraws, double milliseconds)
+  const Way& way, const Load& load, const Anew& anew, double milliseconds, double planning)
 {
+  const bool redraws = Redraws(way, anew);
   const double model = Model(way, load, redraws);
-  if (!(model > 0.0) || !(milliseconds > 0.0))
+  const double drawing = milliseconds - planning;
+  if (!(model > 0.0) || !(drawing > 0.0))
   {
     return;
   }
@@ -131,10 +149,9 @@ void vtkRelievoShadowPlanner::AddTime(
     }
   };
   ++this->Frame;
-  add(
-    this->Ratios[{ way.Method, way.Size, redraws }], Measured{ milliseconds / model, this->Frame });
-  add(this->AllRatios, milliseconds / model);
-  this->Redraws = redraws;
+  add(this->Ratios[{ way.Method, way.Size, redraws }], Measured{ drawing / model, this->Frame });
+  add(this->AllRatios, drawing / model);
+  add(this->Plannings, planning);
 }
 
 //------------------------------------------------------------------------------
@@ -155,7 +172,17 @@ vtkRelievoShadowPlanner::Plan vtkRelievoShadowPlanner::Choose(
   const auto cheaper = [&load](const Way& a, const Way& b) {
     return Model(a, load, true) < Model(b, load, true);
   };
-  const auto time = [&](const Way& way) { return this->GetTime(way, load, this->Redraws); };
+  // Ways are compared by the frames that are likely to come, not by the latest alone: a camera that
+  // stops and goes would change the way each time.
+  const auto moves = [this](long long last) {
+    return this->Frames == 0 || (last > 0 && last + Settles > this->Frames);
+  };
+  const Anew likely{ moves(this->MapsMoved), moves(this->RaysMoved) };
+  // Casters that change in most frames have most of them planned anew.
+  const double planning = GetMedian(this->Plannings, 0.0);
+  const auto time = [&](const Way& way) {
+    return planning + this->GetTime(way, load, Redraws(way, likely));
+  };
   Plan plan;
   std::vector<Way> left;
   std::copy_if(ways.begin(), ways.end(), std::back_inserter(left), accurate);
@@ -182,7 +209,8 @@ vtkRelievoShadowPlanner::Plan vtkRelievoShadowPlanner::Choose(
                                : *std::min_element(left.begin(), left.end(), better);
     plan.Words = wish.Tolerance > 0.0 ? "the tolerance is not met" : "";
   }
-  plan.Milliseconds = time(plan.Chosen);
+  plan.Milliseconds =
+    planning + this->GetTime(plan.Chosen, load, Redraws(plan.Chosen, this->Latest));
   if (wish.Time > 0.0 && plan.Milliseconds > Stays * wish.Time)
   {
     plan.Words += std::string(plan.Words.empty() ? "" : ", ") + "the time is not met";

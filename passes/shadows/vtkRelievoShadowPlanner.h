@@ -41,6 +41,13 @@ public:
     bool Software = false;
   };
 
+  // What a frame has to find anew, whatever its way: the depths in maps, the verdicts of rays.
+  struct Anew
+  {
+    bool Maps = false;
+    bool Rays = false;
+  };
+
   // Shares of wrong pixels, 0: any; milliseconds of a frame, 0: any.
   struct Wish
   {
@@ -57,12 +64,16 @@ public:
   };
   Plan Choose(const Wish& wish, const std::vector<Way>& ways, const Load& load);
 
-  // The time of a frame: expected from earlier ones, or from figures of common machines. `redraws`:
-  // it draws its maps anew.
+  // The time of a frame, without that of planning: expected from earlier ones, or from figures of
+  // common machines. `redraws`: it draws its maps anew.
   double GetTime(const Way& way, const Load& load, bool redraws) const;
 
-  // A frame took so long.
-  void AddTime(const Way& way, const Load& load, bool redraws, double milliseconds);
+  // A frame was drawn in which this moved. What moves now and then is expected to go on.
+  void AddFrame(const Anew& anew);
+
+  // It took so long; of that, `planning` to plan, which it would have taken with every way.
+  void AddTime(
+    const Way& way, const Load& load, const Anew& anew, double milliseconds, double planning = 0.0);
 
   void Forget();
 
@@ -71,6 +82,7 @@ public:
 
 private:
   static double Model(const Way& way, const Load& load, bool redraws);
+  static bool Redraws(const Way& way, const Anew& anew);
 
   // Measured times over the model's, the latest last, by method, size and whether maps were drawn.
   struct Key
@@ -85,12 +97,16 @@ private:
     double Ratio;
     long long Frame;
   };
-  static double GetMedian(std::vector<double> ratios);
+  static double GetMedian(std::vector<double> numbers, double none);
 
   std::map<Key, std::vector<Measured>> Ratios;
   std::vector<double> AllRatios; // of the latest frames, whatever their way
-  long long Frame = 0;
-  bool Redraws = true; // in the latest frame
+  std::vector<double> Plannings; // of these frames, milliseconds
+  long long Frame = 0;           // of those with a time
+  Anew Latest{ true, true };     // before there is a frame, everything is new
+  long long Frames = 0;
+  long long MapsMoved = 0; // the latest of these frames in which they did
+  long long RaysMoved = 0;
   Way Current;
   bool HasCurrent = false;
 };

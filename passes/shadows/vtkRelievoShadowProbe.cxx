@@ -108,7 +108,8 @@ void vtkRelievoShadowProbe::Update(const vtkRelievoShadowWork& work,
 {
   const glm::dvec3 center = vtkRelievoShadowRegion::GetMiddle(vtkRelievoShadowRegion::Cut(
     work.Props.GetReceiverBoxes(), picture.ViewToNDC * picture.WorldToView));
-  const vtkRelievoView view = vtkRelievoProbeView::GetStep(picture, center);
+  const vtkRelievoView view =
+    vtkRelievoProbeView::GetStep(picture, center, work.Props.GetReceiverBoxes());
   const double first = vtkRelievoProbeView::GetFirst(picture, work.Props.GetAllBoxes());
   const std::vector<vtkRelievoShadowLight> casting = vtkRelievoProbeView::GetStep(lights, center);
   std::vector<double> key = { static_cast<double>(view.Viewport[2]),

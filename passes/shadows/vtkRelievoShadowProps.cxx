@@ -78,6 +78,7 @@ void vtkRelievoShadowProps::Collect(
   this->Seen.clear();
   this->Mixed.clear();
   this->MereReceivers = false;
+  this->TranslucentCasters = false;
   this->Casters.clear();
   this->CasterBoxes.clear();
   this->ReceiverBoxes.clear();
@@ -120,15 +121,20 @@ void vtkRelievoShadowProps::Collect(
     {
       this->Mixed.insert(prop);
     }
-    const bool translucent = choice.Casts == 1;
-    const bool casts = choice.Casts == 1 || (choice.Casts == -1 && prop->HasOpaqueGeometry() != 0);
+    const Caster caster = this->GetCaster(prop, choice);
+    const bool casts = caster.InMaps;
+    if (casts || caster.Attenuates)
+    {
+      this->Casters.push_back(caster);
+      this->CasterBoxes.push_back(box);
+    }
     if (casts)
     {
-      this->Casters.push_back({ prop, translucent });
-      this->CasterBoxes.push_back(box);
       this->State.push_back(reinterpret_cast<std::uintptr_t>(prop));
-      this->State.push_back(translucent ? 1 : 0);
+      this->State.push_back(caster.Translucent ? 1 : 0);
     }
+    this->TranslucentCasters = this->TranslucentCasters ||
+      (caster.Attenuates && prop->HasTranslucentPolygonalGeometry() != 0);
     this->AllBoxes.push_back(box);
     if (choice.Receives)
     {
@@ -165,7 +171,7 @@ void vtkRelievoShadowProps::Collect(
       vtkProperty* property = actor->GetProperty();
       this->Part.push_back((property->GetBackfaceCulling() ? 1 : 0) +
         (property->GetFrontfaceCulling() ? 2 : 0) + (casts ? 4 : 0) + (choice.Receives ? 8 : 0) +
-        (choice.Casts == 1 ? 16 : 0));
+        (caster.Translucent ? 16 : 0) + (caster.Attenuates ? 32 : 0));
       this->AddDouble(property->GetOpacity());
       this->SceneState.insert(this->SceneState.end(), this->Part.begin(), this->Part.end());
     }
@@ -280,14 +286,14 @@ void vtkRelievoShadowProps::Render(vtkProp* prop, bool translucent, vtkRenderer*
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoShadowProps::RenderCasters(
-  vtkRenderer* renderer, const vtkRelievoShadowView& view, vtkRelievoCasterDraw& plainDraw)
+int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
+  vtkRelievoCasterDraw& plainDraw, bool withoutFollowed)
 {
   std::vector<vtkActor*> plain;
   for (std::size_t i = 0; i < this->Casters.size(); ++i)
   {
     const Caster& caster = this->Casters[i];
-    if (!view.Sees(this->CasterBoxes[i]))
+    if (!this->IsInMaps(caster, withoutFollowed) || !view.Sees(this->CasterBoxes[i]))
     {
       continue;
     }

@@ -6,6 +6,7 @@
 #ifndef vtkRelievoShadowProps_h
 #define vtkRelievoShadowProps_h
 
+#include "vtkRelievoGlyphPlaces.h"
 #include "vtkRelievoShadowRegion.h"
 #include "vtkRelievoSplicedKeys.h"
 #include "vtkWeakPointer.h"
@@ -39,8 +40,18 @@ public:
   // Casters and receivers are all visible props of the renderer, also outside the view.
   void Collect(vtkRenderer* renderer, const std::vector<vtkRelievoFrameProp>& drawnProps);
 
-  // The state of what casts, for comparison.
+  // What is translucent and was not chosen to cast or not casts where rays follow it, and so lets
+  // part of the light pass; never into maps.
+  void SetAttenuates(bool attenuates) { this->Attenuates = attenuates; }
+
+  // Whether something translucent casts where rays follow it.
+  bool HasTranslucentCasters() const { return this->TranslucentCasters; }
+
+  // The state of what casts into maps, for comparison.
   const std::vector<std::uint64_t>& GetState() const { return this->State; }
+
+  // The same, with what is left out of them.
+  std::vector<std::uint64_t> GetState(bool withoutFollowed) const;
 
   // The same of everything that casts or is seen, and who receives.
   const std::vector<std::uint64_t>& GetSceneState() const { return this->SceneState; }
@@ -48,15 +59,14 @@ public:
   // Whether drawing alone may change the state: to be collected again after it.
   bool ChangesByDrawing() const { return this->Unsteady; }
 
-  const std::vector<vtkRelievoBox>& GetCasterBoxes() const { return this->CasterBoxes; }
+  // Of what casts into maps; or of what of it Follow has left.
+  std::vector<vtkRelievoBox> GetCasterBoxes(bool withoutFollowed) const;
   const std::vector<vtkRelievoBox>& GetReceiverBoxes() const { return this->ReceiverBoxes; }
   const std::vector<vtkRelievoBox>& GetAllBoxes() const { return this->AllBoxes; }
   bool Receives(vtkProp* part) const;
 
-  // Takes the casters that can be followed triangle by triangle out of those that are drawn into
-  // maps, and puts them back.
-  std::vector<vtkRelievoCaster> TakeFollowed();
-  void PutBackFollowed();
+  // What casts and can be followed triangle by triangle.
+  std::vector<vtkRelievoCaster> Follow();
 
   // Everything that casts or is seen and can be followed, and the boxes of what cannot. Without
   // `attenuates`, what is translucent and casts lets no light pass.
@@ -67,9 +77,12 @@ public:
   void RemovePass(vtkOpenGLRenderPass* pass);
 
   // Draws the depth of what may cast into the view, plain meshes from their buffers, the rest as
-  // it draws itself. Returns the draw calls of the first.
-  int RenderCasters(
-    vtkRenderer* renderer, const vtkRelievoShadowView& view, vtkRelievoCasterDraw& plainDraw);
+  // it draws itself; or of what of it Follow has left. Returns the draw calls of the first.
+  int RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
+    vtkRelievoCasterDraw& plainDraw, bool withoutFollowed);
+
+  // What is known of glyphs is calculated again when it is needed.
+  void ForgetGlyphs() { this->Glyphs = vtkRelievoGlyphPlaces(); }
 
   // Draws the depth of the opaque geometry that is seen, likewise.
   int RenderSurfaces(
@@ -98,21 +111,28 @@ private:
   {
     vtkProp* Prop;
     bool Translucent; // draws its translucent geometry as well
+    bool Attenuates;  // the same where rays follow it
+    bool InMaps;      // not only there
   };
+  // As which of these a prop casts.
+  Caster GetCaster(vtkProp* prop, const Choice& choice) const;
+  bool IsInMaps(const Caster& caster, bool withoutFollowed) const;
   std::vector<Choice> Choices;
   std::vector<vtkProp*> Spliced;
   std::vector<vtkProp*> Seen; // of Spliced
   std::set<vtkProp*> Mixed;   // of Spliced: assemblies of which only the meshes cast
   bool MereReceivers = false;
+  bool Attenuates = false;
+  bool TranslucentCasters = false;
   std::vector<Caster> Casters;
-  std::vector<vtkRelievoBox> CasterBoxes;    // of Casters, one each
-  std::vector<Caster> AllCasters;            // while some are taken out
-  std::vector<vtkRelievoBox> AllCasterBoxes; // of these
+  std::vector<vtkRelievoBox> CasterBoxes; // of Casters, one each
+  std::set<vtkProp*> Followed;            // of Casters
   std::vector<vtkRelievoBox> ReceiverBoxes;
   std::vector<vtkRelievoBox> AllBoxes; // of what was chosen to receive and what was not
   std::set<vtkProp*> Parts;            // that draw themselves
   std::set<vtkProp*> NotReceiving;     // of Parts
   vtkRelievoSplicedKeys Keys;
+  mutable vtkRelievoGlyphPlaces Glyphs; // what is known of them from before
   std::vector<std::uint64_t> State;
   std::vector<std::uint64_t> SceneState;
   std::vector<std::uint64_t> Part; // of both, while it is made

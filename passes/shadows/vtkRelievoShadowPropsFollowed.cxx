@@ -9,30 +9,62 @@
 #include "vtkProp.h"
 
 //------------------------------------------------------------------------------
-std::vector<vtkRelievoCaster> vtkRelievoShadowProps::TakeFollowed()
+vtkRelievoShadowProps::Caster vtkRelievoShadowProps::GetCaster(
+  vtkProp* prop, const Choice& choice) const
 {
-  this->AllCasters.swap(this->Casters);
-  this->AllCasterBoxes.swap(this->CasterBoxes);
-  this->Casters.clear();
-  this->CasterBoxes.clear();
+  const bool always = choice.Casts == 1;
+  const bool bySight = choice.Casts == -1;
+  return { prop, always, always || (bySight && this->Attenuates),
+    always || (bySight && prop->HasOpaqueGeometry() != 0) };
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowProps::IsInMaps(const Caster& caster, bool withoutFollowed) const
+{
+  return caster.InMaps && !(withoutFollowed && this->Followed.count(caster.Prop) > 0);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoCaster> vtkRelievoShadowProps::Follow()
+{
   std::vector<vtkRelievoCaster> followed;
-  for (std::size_t i = 0; i < this->AllCasters.size(); ++i)
+  this->Followed.clear();
+  for (const Caster& caster : this->Casters)
   {
-    const Caster& caster = this->AllCasters[i];
-    if (!vtkRelievoCasterFollow::Collect(caster.Prop, caster.Translucent, followed))
+    if (vtkRelievoCasterFollow::Collect(caster.Prop, caster.Attenuates, this->Glyphs, followed))
     {
-      this->Casters.push_back(caster);
-      this->CasterBoxes.push_back(this->AllCasterBoxes[i]);
+      this->Followed.insert(caster.Prop);
     }
   }
   return followed;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowProps::PutBackFollowed()
+std::vector<std::uint64_t> vtkRelievoShadowProps::GetState(bool withoutFollowed) const
 {
-  this->Casters = this->AllCasters;
-  this->CasterBoxes = this->AllCasterBoxes;
+  std::vector<std::uint64_t> state = this->State;
+  for (const Caster& caster : this->Casters)
+  {
+    if (caster.InMaps)
+    {
+      state.push_back(this->IsInMaps(caster, withoutFollowed) ? 1 : 0);
+    }
+  }
+  return state;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoBox> vtkRelievoShadowProps::GetCasterBoxes(bool withoutFollowed) const
+{
+  std::vector<vtkRelievoBox> boxes;
+  for (std::size_t i = 0; i < this->Casters.size(); ++i)
+  {
+    if (this->IsInMaps(this->Casters[i], withoutFollowed))
+    {
+      boxes.push_back(this->CasterBoxes[i]);
+    }
+  }
+  return boxes;
 }
 
 //------------------------------------------------------------------------------
@@ -49,10 +81,12 @@ std::vector<vtkRelievoSurface> vtkRelievoShadowProps::CollectSurfaces(
       choice = made.Prop == prop ? made : choice;
     }
     vtkRelievoSurface surface;
-    surface.Casts = choice.Casts == 1 || (choice.Casts == -1 && prop->HasOpaqueGeometry() != 0);
+    const Caster kind = this->GetCaster(prop, choice);
+    const bool translucent = attenuates ? kind.Attenuates : kind.Translucent;
+    surface.Casts = kind.InMaps || translucent;
     surface.Receives = choice.Receives;
     std::vector<vtkRelievoCaster> casters;
-    if (!vtkRelievoCasterFollow::Collect(prop, choice.Casts == 1, casters))
+    if (!vtkRelievoCasterFollow::Collect(prop, translucent, this->Glyphs, casters))
     {
       others.push_back(this->AllBoxes[i]); // one for each of Spliced
     }

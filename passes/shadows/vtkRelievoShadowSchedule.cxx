@@ -30,10 +30,10 @@ std::string vtkRelievoShadowSchedule::Fit(vtkRelievoShadowWork& work,
   request.ParallelEye = work.View.Parallel;
   scene.WorldToNDC =
     vtkRelievoGetTileToPicture(renderer) * work.View.ViewToNDC * work.View.WorldToView;
-  scene.Casters = work.Props.GetCasterBoxes();
+  scene.Casters = work.Props.GetCasterBoxes(work.WithoutFollowed);
   scene.Receivers = work.OnEverything ? work.Props.GetAllBoxes() : work.Props.GetReceiverBoxes();
-  scene.SameCasters = work.Cache.HasCasters(work.Props);
-  work.Cache.SetCasters(work.Props);
+  scene.SameCasters = work.Cache.HasCasters(work.Props, work.WithoutFollowed);
+  work.Cache.SetCasters(work.Props, work.WithoutFollowed);
   const bool together = this->Exchange.IsOn();
   if (together)
   {
@@ -96,7 +96,7 @@ int vtkRelievoShadowSchedule::Draw(vtkRelievoShadowWork& work, vtkRenderer* rend
         work.Maps.Begin();
       }
       work.Maps.Draw(map.Layer, map.View, renderer, [&](const vtkRelievoShadowView& view) {
-        draws += work.Props.RenderCasters(renderer, view, work.PlainDraw);
+        draws += work.Props.RenderCasters(renderer, view, work.PlainDraw, work.WithoutFollowed);
       });
       if (this->Exchange.IsOn())
       {

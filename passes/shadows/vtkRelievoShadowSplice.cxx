@@ -109,6 +109,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   dec << "#define RELIEVO_SHADOW_FACES " << structure.GetFaces() << "\n";
   dec << "#define RELIEVO_SHADOW_NUMBERS " << structure.Numbers << "\n";
   dec << (structure.WideFilter ? "#define RELIEVO_SHADOW_WIDE\n" : "");
+  dec << (structure.Colored ? "#define RELIEVO_SHADOW_COLORED\n" : "");
   dec << (impostor ? "#define RELIEVO_SHADOW_IMPOSTOR\n" : "");
   dec << (triangles ? "#define RELIEVO_SHADOW_TRIANGLES\n" : "");
   std::string normal = Section("FragmentImpl");

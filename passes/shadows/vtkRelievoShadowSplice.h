@@ -35,6 +35,7 @@ struct Structure
   std::string Method;        // the file of the method's own section
   bool Maps = true;          // are looked up
   bool Traced = false;       // rays decide, after the maps
+  bool Colored = false;      // what passes surfaces has their colours
   bool WideFilter = false;   // of a radius above 1
   int Numbers = 0;           // lights of the renderer
   bool Unlit = false;        // visibility is asked for also where no light is computed
@@ -54,7 +55,7 @@ struct Structure
   bool operator==(const Structure& other) const
   {
     return this->Lights == other.Lights && this->Method == other.Method &&
-      this->Maps == other.Maps && this->Traced == other.Traced &&
+      this->Maps == other.Maps && this->Traced == other.Traced && this->Colored == other.Colored &&
       this->WideFilter == other.WideFilter && this->Numbers == other.Numbers &&
       this->Unlit == other.Unlit && this->Found == other.Found;
   }

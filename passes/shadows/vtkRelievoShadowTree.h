@@ -7,6 +7,7 @@
 #define vtkRelievoShadowTree_h
 
 #include "vtkRelievoCasterMesh.h"
+#include "vtkRelievoTextureBuffer.h"
 #include "vtkWeakPointer.h"
 
 #include <map>
@@ -18,14 +19,24 @@ class vtkOpenGLRenderWindow;
 class vtkPolyData;
 class vtkWindow;
 
-// A mesh at a place of the world.
+// A mesh at a place of the world, or at many.
 struct vtkRelievoCaster
 {
   vtkPolyData* Mesh = nullptr;
   glm::dmat4 MeshToWorld{ 1.0 };
+  // Of glyphs: from the mesh to the coordinates of MeshToWorld. Null: it is there once.
+  std::shared_ptr<const std::vector<glm::mat4>> Places;
   double Passes = 0.0;     // of the light: 1 - opacity
+  glm::dvec3 Color{ 1.0 }; // of what passes
+  double Reach = 0.0;      // largest coordinate that was rounded before the mesh knew it
   bool CullsFront = false; // to the eye; it casts from both sides
   bool CullsBack = false;
+
+  std::size_t GetNumberOfPlaces() const { return this->Places ? this->Places->size() : 1; }
+  glm::dmat4 GetPlace(std::size_t i) const // to the world
+  {
+    return this->Places ? this->MeshToWorld * glm::dmat4((*this->Places)[i]) : this->MeshToWorld;
+  }
 };
 
 class vtkRelievoShadowTree
@@ -41,29 +52,35 @@ public:
     const glm::dvec3& origin);
 
   bool Bind(); // false if there is no texture unit left
-  void Unbind();
-  int GetTextureUnit() const { return this->Unit; }
+  void Unbind() { this->Buffer.Deactivate(); }
+  int GetTextureUnit() const { return this->Buffer.GetTextureUnit(); }
 
   // Another number for each content of the buffer.
   double GetVersion() const { return this->Version; }
 
   // Whether a caster lets part of the light pass.
   bool HasTranslucent() const;
+  bool HasColors() const; // and colours it
 
   const glm::dvec3& GetOrigin() const { return this->Origin; }
   int GetNumberOfNodes() const { return this->Nodes; } // over the casters
   int GetFirstRecord() const { return 2 * this->Nodes; }
   vtkIdType GetNumberOfTriangles() const;
   int GetNumberOfCasters() const { return static_cast<int>(this->Casters.size()); }
+  vtkIdType GetNumberOfGlyphs() const; // of all of the casters
 
   // In the last update: meshes whose trees were built, and those that were fitted to moved points.
   int GetMeshesBuilt() const { return this->MeshesBuilt; }
   int GetMeshesRefitted() const { return this->MeshesRefitted; }
 
-  vtkIdType GetBytes() const { return this->Bytes; }
+  vtkIdType GetBytes() const { return this->Buffer.GetBytes(); }
   void Release(vtkWindow* window);
 
 private:
+  static constexpr std::size_t Grain = 16; // texels: where meshes begin
+  static constexpr int RecordTexels = 5;
+  static std::size_t RoundUp(std::size_t texels) { return (texels + Grain - 1) / Grain * Grain; }
+
   struct Held
   {
     vtkWeakPointer<vtkPolyData> Data;
@@ -71,23 +88,23 @@ private:
     std::size_t Texel = 0;
   };
   bool UpdateMeshes(const std::vector<vtkRelievoCaster>& casters);
-  std::vector<glm::vec4> MakeRecords();
-  std::string Upload(bool all);
+  std::size_t CountRecords() const;
+  // Nodes and records of the casters.
+  std::vector<glm::vec4> MakeFront();
+  std::string FindFault(std::size_t records) const;
+  std::string Upload(bool all, const std::vector<glm::vec4>& front);
+  void ReleaseBuffer(vtkWindow* window);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::map<vtkPolyData*, std::unique_ptr<Held>> Meshes;
   std::vector<vtkRelievoCaster> Casters;
-  std::vector<glm::vec4> Front; // nodes and records of the casters
   glm::dvec3 Origin{ 0.0 };
   int Nodes = 0;
   double Version = 0.0;
   int MeshesBuilt = 0;
   int MeshesRefitted = 0;
   std::size_t Texels = 0;
-  vtkIdType Bytes = 0;
-  unsigned int Buffer = 0;
-  unsigned int Texture = 0;
-  int Unit = -1;
+  vtkRelievoTextureBuffer Buffer;
 };
 
 #endif

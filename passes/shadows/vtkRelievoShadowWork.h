@@ -41,8 +41,10 @@ struct vtkRelievoShadowWork
   int MapsDrawn = 0; // anew, in this frame
   bool DrawingMaps = false;
   bool DrawingDepth = false; // that the camera sees, for a method
-  bool OwnSteps = true;      // the renderer draws the picture without a pass of its own
-  bool OnEverything = false; // shadows fall also on what was chosen not to receive any
+  bool ColoredShadows = false;
+  bool WithoutFollowed = false; // in these maps: the method sends rays past what can be followed
+  bool OwnSteps = true;         // the renderer draws the picture without a pass of its own
+  bool OnEverything = false;    // shadows fall also on what was chosen not to receive any
 
   // Texels from a map's middle to where the filter no longer has room.
   float GetInner() const { return 0.5f * (this->Maps.GetSize() - 1) - this->Radius; }

@@ -3,6 +3,11 @@
 // Simplex noise in three dimensions (K. Perlin 2001; the kernel of radius sqrt(0.5), which has no
 // jumps), with a hash of integers, so that nothing is lost far from the origin: a point is a whole
 // cell and the part of a cell beyond it. Repeats after 2^32 cells of the skewed lattice.
+//
+// A seed is one noise, whoever asks for it. Caves and particles with the setting Seed = s both take
+// the seeds 2 s and 2 s + 1, the second moved by 0.375 of a cell along each axis, and smooth blocks
+// with NoiseSeed = s the seed s: with equal cells, whirls follow tunnels. Other seeds are not
+// related.
 
 // A word for a corner of the lattice: every bit depends on all of them.
 uint relievoNoiseHash(uint x, uint y, uint z, uint seed)

@@ -3,7 +3,8 @@
 // Whether a ray meets a box or a triangle: from + t * ray, t from 0 to a last one.
 //
 // Triangles are watertight (after S. Woop, C. Benthin, I. Wald, Watertight ray/triangle
-// intersection, 2013): a ray that passes an edge meets one of the triangles that share it, or both.
+// intersection, 2013): a ray that passes an edge meets one of the triangles that share it, and both
+// if that is asked for.
 
 // 1 / ray by component, without infinities.
 vec3 relievoRayInverse(vec3 ray)
@@ -35,14 +36,27 @@ float relievoEdgeSide(vec2 a, vec2 b)
   return turned ? -side : side;
 }
 
-// Whether the line along z through the origin passes the triangle that has these corners across it.
-// Edges belong to it; what is seen edge-on is not met.
-bool relievoLineMeetsTriangle(vec2 a, vec2 b, vec2 c)
+// Whether it is on the left if the origin is moved by next to nothing along y, and by next to
+// nothing of that against x, so that it is on no line (H. Edelsbrunner, E. P. Muecke, Simulation of
+// simplicity, 1990): then it is on the left of all lines that lead to a larger x, or else y.
+bool relievoEdgeIsLeft(vec2 a, vec2 b, float side)
+{
+  bool turned = a.x > b.x || (a.x == b.x && a.y > b.y);
+  return turned ? side > float(0.0) : side >= float(0.0);
+}
+
+// Whether the line along z through the origin passes the triangle that has these corners across it;
+// what is seen edge-on is not met. closed: all edges belong to it; otherwise an edge that triangles
+// on both of its sides share is one of these's, and so is a corner that they surround.
+bool relievoLineMeetsTriangle(vec2 a, vec2 b, vec2 c, bool closed)
 {
   float ab = relievoEdgeSide(a, b);
   float bc = relievoEdgeSide(b, c);
   float ca = relievoEdgeSide(c, a);
   float least = min(min(ab, bc), ca);
   float most = max(max(ab, bc), ca);
-  return least < most ? least >= float(0.0) || most <= float(0.0) : least != float(0.0);
+  bool within = least < most ? least >= float(0.0) || most <= float(0.0) : least != float(0.0);
+  bool left = relievoEdgeIsLeft(a, b, ab);
+  bool same = left == relievoEdgeIsLeft(b, c, bc) && left == relievoEdgeIsLeft(c, a, ca);
+  return within && (closed || same);
 }

@@ -99,3 +99,33 @@ mat3 relievoNormalMatrix(mat3 m)
   mat3 cofactors = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
   return dot(m[0], cofactors[0]) < float(0.0) ? cofactors * float(-1.0) : cofactors;
 }
+
+// The direction, of unit length, that m makes of a direction. What m takes away keeps its own.
+vec3 relievoTurnDirection(mat3 m, vec3 v)
+{
+  vec3 turned = m * v;
+  float size = max(abs(turned.x), max(abs(turned.y), abs(turned.z)));
+  return size > float(1e-30) && size < float(1e30) ? normalize(turned / size) : v;
+}
+
+// The same for a normal, where points follow m. Without its size m has cofactors that are numbers.
+vec3 relievoTurnNormal(mat3 m, vec3 normal)
+{
+  vec3 most = max(abs(m[0]), max(abs(m[1]), abs(m[2])));
+  float size = max(most.x, max(most.y, most.z));
+  mat3 unsized = size > float(1e-30) && size < float(1e30) ? m * (float(1.0) / size) : m;
+  return relievoTurnDirection(relievoNormalMatrix(unsized), normal);
+}
+
+// The weight of a motion's quaternions among others': negative for one that lies in the other half
+// than the strongest's, as a quaternion and its negative are one rotation.
+float relievoDualWeight(vec4 q, vec4 strongest, float weight)
+{
+  return dot(q, strongest) < float(0.0) ? -weight : weight;
+}
+
+// Whether weighted quaternions cancel, so that their turns have no mean.
+bool relievoDualCancels(vec4 real, float weights)
+{
+  return dot(real, real) < float(1e-12) * weights * weights;
+}

@@ -17,6 +17,15 @@ float relievoShadowVerdict(int face, vec3 place, vec2 slope, float texel)
   return relievoShadowFilter(face, place, slope, texel);
 }
 
+// What passes is all that a light has left.
+void relievoShadowTake(int slot, RELIEVO_PASSES passes)
+{
+#ifdef RELIEVO_SHADOW_COLORED
+  relievoShadowColors[slot] *= passes.rgb;
+#endif
+  relievoVisibility[slot] *= RELIEVO_PASSES_WHOLE(passes);
+}
+
 //RELIEVO::Section(TraceDec)
 //RELIEVO::Include(shadow/walk.glsl)
 uniform int relievoSeenHides; // whether what is behind it is not seen: no samples of pixels' edges
@@ -36,9 +45,15 @@ uniform int relievoSeenHides; // whether what is behind it is not seen: no sampl
   vec3 relievoShadowNormalLC = mat3(relievoShadowToLocal) * relievoShadowNormalVC;
   float relievoShadowSide = cameraParallel != 0 ? relievoShadowNormalVC.z
                                                 : -dot(relievoShadowNormalVC, vertexVC.xyz);
-  float relievoSeenDigits =
-    texelFetch(relievoSeenVerdicts, ivec2(relievoSeenOwnTexel), 0).x;
+  RELIEVO_PASSES relievoSeenDigits =
+    RELIEVO_PASSES_OF_TEXEL(texelFetch(relievoSeenVerdicts, ivec2(relievoSeenOwnTexel), 0));
   int relievoShadowTaken = relievoShadowInner < 0.0 ? 0 : RELIEVO_SHADOW_LIGHTS;
+#ifdef RELIEVO_SHADOW_COLORED
+  for (int slot = 0; slot < RELIEVO_SHADOW_LIGHTS; ++slot)
+  {
+    relievoShadowColors[slot] = vec3(relievoVisibility[slot]);
+  }
+#endif
 
 //RELIEVO::Section(FoundVertexDec)
 invariant gl_Position; // seenVS.glsl has the same
@@ -46,15 +61,12 @@ invariant gl_Position; // seenVS.glsl has the same
 //RELIEVO::Section(FoundImpl)
   for (int slot = 0; slot < relievoShadowTaken; ++slot)
   {
-    float others = floor(relievoSeenDigits / relievoSeenLevels);
-    float level = relievoSeenDigits - others * relievoSeenLevels;
-    relievoSeenDigits = others;
-    vec4 source = relievoShadowSource[slot];
-    vec3 ray = source.xyz - (source.w != 0.0 ? relievoShadowPlaceLC : vec3(0.0));
+    RELIEVO_PASSES level = relievoSeenNextLevel(relievoSeenDigits);
+    vec3 ray = relievoSeenToLight(relievoShadowSource[slot], relievoShadowPlaceLC);
     // Dark where the side that is seen is turned away from the light.
     bool facing =
       !RELIEVO_SHADOW_HAS_PLANE || dot(relievoShadowNormalLC, ray) * relievoShadowSide > 0.0;
-    relievoVisibility[slot] *= facing ? relievoSeenVerdict(level) : 0.0;
+    relievoShadowTake(slot, facing ? relievoSeenVerdict(level) : RELIEVO_PASSES(0.0));
   }
 
 //RELIEVO::Section(TraceImpl)
@@ -69,17 +81,15 @@ invariant gl_Position; // seenVS.glsl has the same
     float blur = relievoShadowBlur.x + relievoShadowBlur.y * length(relievoShadowPlaceVC);
     for (int slot = 0; slot < relievoShadowTaken; ++slot)
     {
-      float others = floor(relievoSeenDigits / relievoSeenLevels);
-      float level = relievoSeenDigits - others * relievoSeenLevels;
-      relievoSeenDigits = others;
+      RELIEVO_PASSES level = relievoSeenNextLevel(relievoSeenDigits);
       vec4 source = relievoShadowSource[slot];
-      vec3 ray = source.xyz - (source.w != 0.0 ? relievoShadowPlaceLC : vec3(0.0));
+      vec3 ray = relievoSeenToLight(source, relievoShadowPlaceLC);
       bool facing =
         !RELIEVO_SHADOW_HAS_PLANE || dot(relievoShadowNormalLC, ray) * relievoShadowSide > 0.0;
       bool open = facing && slot >= found;
-      float passes = relievoShadowWalk(
+      RELIEVO_PASSES passes = relievoShadowWalk(
         open ? relievoShadowCasters : 0, relievoShadowPlaceLC, ray, source.w != 0.0, blur);
-      float digit = open ? relievoSeenLevel(passes) : level;
-      relievoVisibility[slot] *= facing ? relievoSeenVerdict(digit) : 0.0;
+      RELIEVO_PASSES digit = open ? relievoSeenLevel(passes) : level;
+      relievoShadowTake(slot, facing ? relievoSeenVerdict(digit) : RELIEVO_PASSES(0.0));
     }
   }

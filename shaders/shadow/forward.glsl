@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The verdict of a mask in the camera's view where there is one, else of the map: see
-// receive.glsl.
+// Lit is what a sample of the mask in the camera's view reaches. The map decides the rest: samples
+// are cut off where depth steps, and none lies on what is narrower than a texel. See receive.glsl.
 
 //RELIEVO::Section(MethodDec)
 uniform sampler2DArray relievoShadowMasks;
@@ -11,10 +11,11 @@ uniform int relievoShadowMasked;   // whether the masks hold for what is drawn
 
 float relievoShadowVerdict(int face, vec3 place, vec2 slope, float texel)
 {
+  float reached = 0.0;
   if (relievoShadowMasked != 0)
   {
     ivec2 pixel = ivec2(gl_FragCoord.xy) - relievoShadowOrigin;
-    return texelFetch(relievoShadowMasks, ivec3(pixel, relievoShadowMask[face]), 0).r;
+    reached = texelFetch(relievoShadowMasks, ivec3(pixel, relievoShadowMask[face]), 0).r;
   }
-  return relievoShadowFilter(face, place, slope, texel);
+  return max(reached, relievoShadowFilter(face, place, slope, texel));
 }

@@ -5,9 +5,10 @@
 //
 // Defines, by vtkRelievoShadowSplice: RELIEVO_SHADOW_LIGHTS (casting lights), RELIEVO_SHADOW_FACES
 // (room for their maps), RELIEVO_SHADOW_NUMBERS (lights of the renderer), RELIEVO_SHADOW_WIDE (the
-// filter's radius is above 1), and of the mapper's shader: RELIEVO_SHADOW_TRIANGLES (planes come
-// from derivatives), RELIEVO_SHADOW_IMPOSTOR (VTK moved vertexVC to the impostor, normalVCVSOutput
-// is exact). What it shares with other splices: splice/contract.glsl.
+// filter's radius is above 1), RELIEVO_SHADOW_COLORED (surfaces colour what passes them), and of
+// the mapper's shader: RELIEVO_SHADOW_TRIANGLES (planes come from derivatives),
+// RELIEVO_SHADOW_IMPOSTOR (VTK moved vertexVC to the impostor, normalVCVSOutput is exact). What it
+// shares with other splices: splice/contract.glsl.
 //
 // Between the sections FragmentDec and MapsDec stands the section MethodDec of the method's own
 // file, which declares its uniforms and defines
@@ -38,6 +39,12 @@ uniform int relievoShadowFaces; // whether faces are drawn, not their edges or c
 #endif
 //RELIEVO::Include(shadow/lookup.glsl)
 float relievoVisibility[RELIEVO_SHADOW_LIGHTS];
+#ifdef RELIEVO_SHADOW_COLORED
+vec3 relievoShadowColors[RELIEVO_SHADOW_LIGHTS]; // the same of a light's colours
+#define RELIEVO_SHADOW_LEFT(slot) relievoShadowColors[slot]
+#else
+#define RELIEVO_SHADOW_LEFT(slot) relievoVisibility[slot]
+#endif
 #undef RELIEVO_VISIBILITY
 #define RELIEVO_VISIBILITY(number) relievoVisibilityOf(number)
 
@@ -131,4 +138,4 @@ vec3 relievoUnshadowedColorRELIEVO_NUMBER()
 
 //RELIEVO::Section(LightImpl)
   relievoShadowedColorRELIEVO_NUMBER = relievoUnshadowedColorRELIEVO_NUMBER() *
-    (1.0 - relievoShadowStrength[RELIEVO_SLOT] * (1.0 - relievoVisibility[RELIEVO_SLOT]));
+    (1.0 - relievoShadowStrength[RELIEVO_SLOT] * (1.0 - RELIEVO_SHADOW_LEFT(RELIEVO_SLOT)));

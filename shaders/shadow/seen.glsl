@@ -5,6 +5,7 @@
 // Pixels are counted from the middle of the viewport, so that their centres are exact in float. A
 // place that is seen at a pixel's centre is given by its eye-space z: whoever has the same z has
 // the same place, bit for bit.
+//RELIEVO::Include(shadow/passes.glsl)
 
 // Local space: the world's axes, about a point amid what is seen; from eye space about the centre.
 uniform mat4 relievoShadowToLocal;
@@ -52,11 +53,26 @@ float relievoSeenDepth(float z)
 }
 
 // A verdict in its levels: all that is kept of it.
-float relievoSeenLevel(float passes)
+RELIEVO_PASSES relievoSeenLevel(RELIEVO_PASSES passes)
 {
   return floor(passes * (relievoSeenLevels - 1.0) + 0.5);
 }
-float relievoSeenVerdict(float level)
+RELIEVO_PASSES relievoSeenVerdict(RELIEVO_PASSES level)
 {
   return level / (relievoSeenLevels - 1.0);
+}
+
+// The level of the next light, of those that are digits of a number.
+RELIEVO_PASSES relievoSeenNextLevel(inout RELIEVO_PASSES digits)
+{
+  RELIEVO_PASSES others = floor(digits / relievoSeenLevels);
+  RELIEVO_PASSES level = digits - others * relievoSeenLevels;
+  digits = others;
+  return level;
+}
+
+// From a place to a light, or along its direction.
+vec3 relievoSeenToLight(vec4 source, vec3 place)
+{
+  return source.xyz - (source.w != 0.0 ? place : vec3(0.0));
 }

@@ -5,9 +5,16 @@
 // What is seen at a pixel: see seen.glsl.
 //RELIEVO::Include(formulas/octahedral.glsl)
 in vec4 vertexVCVSOutput;
+#ifdef RELIEVO_SEEN_OFFSET
+uniform vec2 relievoSeenOffset; // of depths, as VTK's mappers move them: by slope, and constant
+#endif
 
 void main()
 {
+#ifdef RELIEVO_SEEN_OFFSET
+  float slope = length(vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)));
+  gl_FragDepth = gl_FragCoord.z + relievoSeenOffset.x * slope + 1.0 * relievoSeenOffset.y / 65000.0;
+#endif
   vec4 vertexVC = vertexVCVSOutput;
   vec3 normal = cross(normalize(dFdx(vertexVC.xyz)), normalize(dFdy(vertexVC.xyz)));
   vec2 code = floor((relievoOctEncode(normal) * 0.5 + 0.5) * 4095.0 + 0.5);

@@ -32,7 +32,7 @@ bool relievoTileMeets(int casters, relievoTile tile, vec4 source)
 {
   bool ends = source.w != 0.0;
   float last = ends ? 1.0 : 1e30;
-  vec3 rayLC = source.xyz - (ends ? tile.middle : vec3(0.0));
+  vec3 rayLC = relievoSeenToLight(source, tile.middle);
   vec3 inverseLC = relievoRayInverse(rayLC);
   bool met = false;
   int caster = 0;
@@ -74,14 +74,10 @@ bool relievoTileMeets(int casters, relievoTile tile, vec4 source)
       node = within || isLeaf ? node + 1 : int(least.w);
       while (slot < end)
       {
-        bool odd = (slot & 1) != 0;
-        int texel = triangles + (5 * slot) / 2;
-        vec4 p = texelFetch(relievoShadowTree, texel);
-        vec4 q = texelFetch(relievoShadowTree, texel + 1);
-        vec4 r = texelFetch(relievoShadowTree, texel + 2);
-        vec3 a = odd ? vec3(p.zw, q.x) : p.xyz;
-        vec3 b = odd ? q.yzw : vec3(p.w, q.xy);
-        vec3 c = odd ? r.xyz : vec3(q.zw, r.x);
+        vec3 a;
+        vec3 b;
+        vec3 c;
+        relievoShadowTriangle(triangles, slot, a, b, c);
         vec3 normal = cross(b - a, c - a);
         float toward = ends ? dot(normal, light - a) : dot(normal, ray);
         float nearest = near * length(normal);

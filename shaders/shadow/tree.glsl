@@ -13,3 +13,16 @@ uniform int relievoShadowCasters; // nodes over them
 uniform int relievoShadowRecords; // texel of the first record
 // How far places may be off: constant, and per distance from the eye.
 uniform vec2 relievoShadowBlur;
+
+// The corners of a mesh's triangle; `triangles`: texel of the mesh's first.
+void relievoShadowTriangle(int triangles, int slot, out vec3 a, out vec3 b, out vec3 c)
+{
+  bool odd = (slot & 1) != 0;
+  int texel = triangles + (5 * slot) / 2;
+  vec4 p = texelFetch(relievoShadowTree, texel);
+  vec4 q = texelFetch(relievoShadowTree, texel + 1);
+  vec4 r = texelFetch(relievoShadowTree, texel + 2);
+  a = odd ? vec3(p.zw, q.x) : p.xyz;
+  b = odd ? q.yzw : vec3(p.w, q.xy);
+  c = odd ? r.xyz : vec3(q.zw, r.x);
+}

@@ -5,8 +5,8 @@
 // The verdicts of all lights about what is seen at a pixel.
 //RELIEVO::Include(formulas/octahedral.glsl)
 //RELIEVO::Include(formulas/shadow.glsl)
-//RELIEVO::Include(shadow/walk.glsl)
 //RELIEVO::Include(shadow/seen.glsl)
+//RELIEVO::Include(shadow/walk.glsl)
 uniform vec4 relievoSeenSource[24]; // w = 0: the direction to it
 uniform vec3 relievoShadowCenter;
 uniform int cameraParallel;
@@ -26,12 +26,12 @@ void main()
   vec3 normalLC = mat3(relievoShadowToLocal) * normalVC * sign(side);
   float blur = relievoShadowBlur.x + relievoShadowBlur.y * length(placeVC);
   float sure = texelFetch(relievoSeenTiles, texel / 8, 0).x;
-  float levels = 0.0;
+  RELIEVO_PASSES levels = RELIEVO_PASSES(0.0);
   float digit = 1.0;
   for (int light = 0; light < relievoSeenLights; ++light)
   {
     vec4 source = relievoSeenSource[light];
-    vec3 ray = source.xyz - (source.w != 0.0 ? placeLC : vec3(0.0));
+    vec3 ray = relievoSeenToLight(source, placeLC);
     // What is turned away is dark, by the fragment's own normal, whatever is written here. A normal
     // that is none, NaN, turns nothing away.
     float others = floor(0.5 * sure);
@@ -39,10 +39,10 @@ void main()
     sure = others;
     bool away = plain && dot(normalLC, ray) <= -0.02 * length(ray);
     bool facing = there && !away;
-    float passes = relievoShadowWalk(
+    RELIEVO_PASSES passes = relievoShadowWalk(
       facing && open ? relievoShadowCasters : 0, placeLC, ray, source.w != 0.0, blur);
-    levels += digit * (facing ? relievoSeenLevel(passes) : 0.0);
+    levels += digit * (facing ? relievoSeenLevel(passes) : RELIEVO_PASSES(0.0));
     digit *= relievoSeenLevels;
   }
-  gl_FragData[0] = vec4(levels, 0.0, 0.0, 0.0);
+  gl_FragData[0] = RELIEVO_PASSES_TEXEL(levels);
 }

@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Walks the casters' triangles along a ray to a light. The includer has formulas/shadow.glsl.
+// Walks the casters' triangles along a ray to a light. The includer has formulas/shadow.glsl and
+// shadow/passes.glsl.
 //RELIEVO::Include(formulas/ray.glsl)
 //RELIEVO::Include(shadow/tree.glsl)
 
-// What of a light passes along a ray: the product of 1 - opacity of what it meets, from where it
-// starts to the light, which is at its end or infinitely far. A surface that the start or the end
-// lies in, within `blur`, does not count. casters: nodes over them, or 0 to go nowhere.
-float relievoShadowWalk(int casters, vec3 fromLC, vec3 rayLC, bool ends, float blur)
+// What of a light passes along a ray: the product of 1 - opacity of what it meets, and of its
+// colours, from where it starts to the light, which is at its end or infinitely far. A surface that
+// the start or the end lies in, within `blur`, does not count. casters: nodes over them, or 0 to go
+// nowhere.
+RELIEVO_PASSES relievoShadowWalk(int casters, vec3 fromLC, vec3 rayLC, bool ends, float blur)
 {
-  float passes = 1.0;
+  RELIEVO_PASSES passes = RELIEVO_PASSES(1.0);
   int caster = 0;
   float last = ends ? 1.0 : 1e30;
   vec3 inverseLC = relievoRayInverse(rayLC);
@@ -31,6 +33,13 @@ float relievoShadowWalk(int casters, vec3 fromLC, vec3 rayLC, bool ends, float b
     vec4 rowZ = texelFetch(relievoShadowTree, record + 2);
     vec4 mesh = texelFetch(relievoShadowTree, record + 3); // texel / 16, nodes, 1 - opacity
     vec4 size = texelFetch(relievoShadowTree, record + 4); // scale, blur
+#ifdef RELIEVO_SHADOW_COLORED
+    vec4 share = vec4(mesh.w, size.zw, mesh.z); // of the colours, less what is blocked
+#else
+    float share = mesh.z;
+#endif
+    // What blocks all may count twice, and so has no gaps, whatever it is next to.
+    bool blocks = mesh.z == 0.0;
     int base = 16 * int(mesh.x);
     int nodes = found < 0 ? 0 : int(mesh.y);
     int triangles = base + 2 * nodes;
@@ -58,14 +67,10 @@ float relievoShadowWalk(int casters, vec3 fromLC, vec3 rayLC, bool ends, float b
       }
       while (slot < end)
       {
-        bool odd = (slot & 1) != 0;
-        int texel = triangles + (5 * slot) / 2;
-        vec4 p = texelFetch(relievoShadowTree, texel);
-        vec4 q = texelFetch(relievoShadowTree, texel + 1);
-        vec4 r = texelFetch(relievoShadowTree, texel + 2);
-        vec3 a = odd ? vec3(p.zw, q.x) : p.xyz;
-        vec3 b = odd ? q.yzw : vec3(p.w, q.xy);
-        vec3 c = odd ? r.xyz : vec3(q.zw, r.x);
+        vec3 a;
+        vec3 b;
+        vec3 c;
+        relievoShadowTriangle(triangles, slot, a, b, c);
         vec3 normal = cross(b - a, c - a);
         a -= from;
         b -= from;
@@ -78,13 +83,13 @@ float relievoShadowWalk(int casters, vec3 fromLC, vec3 rayLC, bool ends, float b
           (!ends || (abs(other) > nearest && side * other < 0.0));
         bool hit = between &&
           relievoLineMeetsTriangle(vec2(dot(right, a), dot(up, a)), vec2(dot(right, b), dot(up, b)),
-            vec2(dot(right, c), dot(up, c)));
-        passes *= hit ? mesh.z : 1.0;
+            vec2(dot(right, c), dot(up, c)), blocks);
+        passes *= hit ? share : RELIEVO_PASSES(1.0);
         ++slot;
       }
-      nodes = passes > 0.0 ? nodes : 0;
+      nodes = RELIEVO_PASSES_WHOLE(passes) > 0.0 ? nodes : 0;
     }
-    casters = passes > 0.0 ? casters : 0;
+    casters = RELIEVO_PASSES_WHOLE(passes) > 0.0 ? casters : 0;
   }
   return passes;
 }

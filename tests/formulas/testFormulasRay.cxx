@@ -30,7 +30,7 @@ double Area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
   return 0.5 * std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
 }
 
-void TestTriangles()
+void TestTriangles(bool closed)
 {
   long long met = 0;
   long long wrong = 0;
@@ -45,36 +45,53 @@ void TestTriangles()
     {
       met += more < 1e-12 ? 1 : 0;
       wrong +=
-        f64::relievoLineMeetsTriangle(a, b, c) != (more < 1e-12) && Area(a, b, c) > 1e-3 ? 1 : 0;
+        f64::relievoLineMeetsTriangle(a, b, c, closed) != (more < 1e-12) && Area(a, b, c) > 1e-3
+        ? 1
+        : 0;
       continue;
     }
-    wrong += f64::relievoLineMeetsTriangle(a, b, c) ? 1 : 0;
+    wrong += f64::relievoLineMeetsTriangle(a, b, c, closed) ? 1 : 0;
   }
   RELIEVO_CHECK(met > 1000);
   RELIEVO_CHECK_AT_MOST(wrong, 0, "lines at triangles");
   const glm::dvec2 p(0.3, 0.4);
-  RELIEVO_CHECK(!f64::relievoLineMeetsTriangle(p, p, p));
-  RELIEVO_CHECK(!f64::relievoLineMeetsTriangle(-p, p, 2. * p)); // edge-on
+  RELIEVO_CHECK(!f64::relievoLineMeetsTriangle(p, p, p, closed));
+  RELIEVO_CHECK(!f64::relievoLineMeetsTriangle(-p, p, 2. * p, closed)); // edge-on
 }
 
-// Four triangles around a corner that is all but on the line.
+// Four triangles, turned either way, around a corner that is on the line, or all but on it, or with
+// an edge on it: of triangles that are not closed, it passes one.
 void TestSharedEdges()
 {
   long long missed = 0;
-  for (int i = 0; i < 20000; ++i)
+  long long counted = 0;
+  for (int i = 0; i < 40000; ++i)
   {
-    const glm::vec2 middle(Place(i % 3 ? 1e-8 : 0.));
-    const glm::vec2 corners[4] = { glm::vec2(1.f, 0.1f) + glm::vec2(Place(0.3)),
+    glm::vec2 middle(Place(i % 3 ? 1e-8 : 0.));
+    glm::vec2 corners[4] = { glm::vec2(1.f, 0.1f) + glm::vec2(Place(0.3)),
       glm::vec2(0.f, 1.f) + glm::vec2(Place(0.3)), glm::vec2(-1.f, 0.f) + glm::vec2(Place(0.3)),
       glm::vec2(0.1f, -1.f) + glm::vec2(Place(0.3)) };
-    bool met = false;
+    if (i % 2)
+    {
+      const int k = i / 4 % 4;
+      corners[k] *= i % 4 == 1 ? glm::vec2(1.f) : glm::vec2(k % 2 ? 0.f : 1.f, k % 2 ? 1.f : 0.f);
+      middle = -0.125f * corners[k];
+    }
+    int closed = 0;
+    int open = 0;
     for (int k = 0; k < 4; ++k)
     {
-      met = met || f32::relievoLineMeetsTriangle(middle, corners[k], corners[(k + 1) % 4]);
+      const glm::vec2& p = corners[k];
+      const glm::vec2& q = corners[(k + 1) % 4];
+      closed += f32::relievoLineMeetsTriangle(middle, p, q, true) ? 1 : 0;
+      open += (k + i / 16) % 2 ? f32::relievoLineMeetsTriangle(p, middle, q, false)
+                               : f32::relievoLineMeetsTriangle(q, p, middle, false);
     }
-    missed += met ? 0 : 1;
+    missed += closed == 0 ? 1 : 0;
+    counted += open == 1 ? 0 : 1;
   }
   RELIEVO_CHECK_AT_MOST(missed, 0, "lines that slip through a shared corner");
+  RELIEVO_CHECK_AT_MOST(counted, 0, "lines that a shared edge counts twice, or not at all");
 }
 
 // A box that a point of the ray is in must be met; one that none of many points is near, need not.
@@ -111,7 +128,8 @@ void TestBoxes()
 int main()
 {
   relievoTest::Session session;
-  TestTriangles();
+  TestTriangles(true);
+  TestTriangles(false);
   TestSharedEdges();
   TestBoxes();
   return session.Result();

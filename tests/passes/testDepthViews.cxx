@@ -231,6 +231,19 @@ void TestStays()
   RELIEVO_CHECK(!fresh.Renderer->IsActiveCameraCreated());
 }
 
+// While its window draws a picture in tiles, the views are whole, and the tile is as it was.
+void TestTiles()
+{
+  Scene scene;
+  const Cells whole = Seen(scene.Renderer, true, 0.1, 0.1);
+  scene.Window->SetTileScale(2, 3);
+  scene.Window->SetTileViewport(0.5, 1. / 3., 1., 2. / 3.);
+  RELIEVO_CHECK(Seen(scene.Renderer, true, 0.1, 0.1) == whole);
+  RELIEVO_CHECK(scene.Window->GetTileScale()[0] == 2 && scene.Window->GetTileScale()[1] == 3);
+  const double* tile = scene.Window->GetTileViewport();
+  RELIEVO_CHECK(tile[0] == 0.5 && tile[1] == 1. / 3. && tile[2] == 1. && tile[3] == 2. / 3.);
+}
+
 void TestRefusals()
 {
   vtkNew<vtkRelievoDepthViews> views;
@@ -285,6 +298,7 @@ int main()
   TestAgainstDouble();
   TestSides();
   TestStays();
+  TestTiles();
   TestRefusals();
   TestAbort();
   return session.Result();

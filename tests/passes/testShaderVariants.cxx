@@ -31,10 +31,10 @@
 #include <vtkProperty.h>
 #include <vtkRelievoCompositeMapper.h>
 #include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoVTKVersions.h>
 #include <vtkTexture.h>
 #include <vtkTriangleFilter.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtkVersion.h>
 
 #include <functional>
 #include <iostream>
@@ -355,8 +355,7 @@ int main()
     // No light at all, a sun, a lamp, a spot.
     for (const int kind : { 4, 1, 2, 3, 0 })
     {
-#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
-      // VTK 9.1's own shader of edges as tubes does not compile without a light.
+#ifdef RELIEVO_VTK_TUBES_NEED_LIGHT
       for (vtkActor* actor : actors)
       {
         vtkProperty* property = actor->GetProperty();

@@ -123,6 +123,7 @@ void TestMesh(const std::string& mesh, SceneLight kind)
   const vtkSmartPointer<Certificate> exact = shadows->Certify(All);
   std::cout << "  exact: " << exact->GetWords() << "\n";
   RELIEVO_CHECK_AT_MOST(exact->GetWrongShare(), 2e-5, mesh + ": exact");
+  RELIEVO_CHECK(exact->GetTies() == all->GetTies() && exact->GetJudged() == all->GetJudged());
   vtkRelievoPass::Detach(scene.Renderer);
 }
 
@@ -247,6 +248,28 @@ void TestNested()
   RELIEVO_CHECK(some && some->GetJudged() == 1000);
 }
 
+// What is a tie depends on the surfaces, not on what was drawn.
+void TestTies()
+{
+  ShadowStage stage;
+  stage.AddThings();
+  stage.AddSun(-3., 4., -2.);
+  stage.GetFrame()->ShadowsOn();
+  stage.GetShadows()->SetMethodToExact();
+  stage.Window->Render();
+  const vtkSmartPointer<Certificate> right = stage.GetShadows()->Certify(All);
+  stage.GetShadows()->SetMethodToMap();
+  stage.GetShadows()->SetMapSize(16);
+  stage.GetShadows()->SetBias(100.); // no shadows at all
+  stage.Window->Render();
+  const vtkSmartPointer<Certificate> wrong = stage.GetShadows()->Certify(All);
+  std::cout << "right: " << right->GetWords() << "\nwrong: " << wrong->GetWords() << "\n";
+  RELIEVO_CHECK(right->GetWrong() == 0 && right->GetTies() > 0);
+  RELIEVO_CHECK(wrong->GetWrongShare() > 0.05);
+  RELIEVO_CHECK(right->GetTies() == wrong->GetTies());
+  RELIEVO_CHECK(right->GetJudged() == wrong->GetJudged());
+}
+
 void TestRefusals()
 {
   ShadowStage stage;
@@ -275,6 +298,7 @@ int main()
   TestBound();
   TestCountedApart();
   TestSpot();
+  TestTies();
   TestRefusals();
   TestForcedOpaque();
   TestThinPlate();

@@ -14,6 +14,7 @@
 #include "ShadowScenes.h"
 #include "Window.h"
 
+#include <vtkCamera.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -21,6 +22,7 @@
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowPass.h>
 #include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -132,6 +134,30 @@ void TestMesh(const std::string& mesh, SceneLight kind, const std::string& name)
   }
 }
 
+// A camera close above a ground that extends to the horizon: its place and what it sees are far
+// apart, and the estimate by rays is that of the picture all the same.
+void TestHorizon()
+{
+  relievoTest::ShadowStage stage(320, 240);
+  stage.AddPolesToHorizon();
+  Pass* shadows = stage.GetShadows();
+  for (const double height : { 0.8, 0.3 })
+  {
+    stage.Renderer->GetActiveCamera()->SetPosition(0., height, 4.);
+    for (const int size : { 512, 1024, 2048 })
+    {
+      const std::string what =
+        "eye " + std::to_string(height) + " over the ground, map of " + std::to_string(size);
+      shadows->SetMapSize(size);
+      const auto errors = relievoTest::JudgeShadow(stage, 0);
+      const double expected = shadows->EstimateWrongShareInView(Pass::METHOD_MAP, size);
+      std::cout << what << ": " << errors.Wrong() << " wrong, " << expected << " expected\n";
+      RELIEVO_CHECK_AT_MOST(errors.Wrong() / expected, 3., what + ": more wrong than expected");
+      RELIEVO_CHECK_AT_MOST(expected / errors.Wrong(), 3., what + ": less wrong than expected");
+    }
+  }
+}
+
 // The report has the share that belongs to the maps, and none if there are no shadows.
 void TestReport()
 {
@@ -180,6 +206,7 @@ int main(int argc, char* argv[])
   relievoTest::Session session;
   RELIEVO_CHECK(argc == 2);
   TestLaws(argc > 1 ? argv[1] : "");
+  TestHorizon();
   TestReport();
   TestWrongQuestions();
   for (const std::string& mesh : relievoTest::ReferenceMeshes())

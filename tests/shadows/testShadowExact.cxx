@@ -19,11 +19,13 @@
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkLight.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowPass.h>
+#include <vtkSphereSource.h>
 
 #include <array>
 #include <cmath>
@@ -82,6 +84,29 @@ void TestMesh(const std::string& mesh, SceneLight kind, int width, int height)
   vtkRelievoPass::Detach(scene.Renderer);
 }
 
+// Triangles smaller than pixels: what is judged is what OpenGL draws there.
+void TestSmall(SceneLight kind)
+{
+  const auto scene = relievoTest::MakeReferenceScene("bunny", kind);
+  if (!scene.IsValid())
+  {
+    return;
+  }
+  auto window = relievoTest::MakeWindow(96, 72, scene.Renderer);
+  vtkRelievoPass::Attach(scene.Renderer)->GetShadowPass()->SetMethodToExact();
+  const auto truth = scene.MakeTruth();
+  window->Render();
+  const auto seen = truth->Trace(relievoTest::View(scene.Renderer));
+  const auto shadow =
+    relievoTest::WithoutEdges(relievoTest::TraceShadow(*truth, seen, scene.Light), seen);
+  const Layers layers(scene.Renderer, { "shadow_0" });
+  const auto errors = relievoTest::CompareShadow(shadow, Visibility(layers.Image));
+  std::cout << "small: " << errors.ToString() << std::endl;
+  RELIEVO_CHECK_THAT(errors.Compared > 3500 && errors.Dark > 100, "small: what is compared");
+  RELIEVO_CHECK_AT_MOST(errors.Wrong(), 0., "small: share of wrong verdicts");
+  vtkRelievoPass::Detach(scene.Renderer);
+}
+
 void TestHorizon()
 {
   ShadowStage stage(400, 300);
@@ -131,10 +156,8 @@ void TestPanes()
     for (int k = 0; k < 2; ++k)
     {
       const double x = -1.5 + 0.8 * k;
-      // The edges, and the diagonals between a pane's two triangles, which count twice.
-      const double diagonal = (p.x - x) / 1.6 - (p.z + 1.) / 2.;
       tie = tie || std::abs(p.x - x) < 1e-5 || std::abs(p.x - x - 1.6) < 1e-5 ||
-        std::abs(std::abs(p.z) - 1.) < 1e-5 || std::abs(diagonal) < 1e-5;
+        std::abs(std::abs(p.z) - 1.) < 1e-5;
       if (p.x > x && p.x < x + 1.6 && std::abs(p.z) < 1.)
       {
         passes *= 1. - opacity[k];
@@ -148,117 +171,42 @@ void TestPanes()
   RELIEVO_CHECK_AT_MOST(wrong, 0, "panes: pixels that pass another share");
 }
 
-// A finely cut sheet over all that is seen: no ray slips through between its triangles.
-void TestWatertight()
+// Balls of float points away from the origin, which VTK's shader places by float matrices: their
+// sides that face the light are lit.
+void TestFarFloats()
 {
-  ShadowStage stage;
-  stage.AddGround();
-  constexpr int Cells = 40;
-  std::vector<glm::dvec3> points;
-  for (int i = 0; i <= Cells; ++i)
+  for (const double away : { 0., 100., 300., 1000., 3000. })
   {
-    for (int j = 0; j <= Cells; ++j)
-    {
-      points.emplace_back(-8. + 16. * i / Cells, 6. + 0.3 * std::sin(i * 7.) * std::cos(j * 3.),
-        -8. + 16. * j / Cells);
-    }
-  }
-  const auto mesh = relievoTest::MakePolygons(points);
-  for (int i = 0; i < Cells; ++i)
-  {
-    for (int j = 0; j < Cells; ++j)
-    {
-      const vtkIdType p = i * (Cells + 1) + j;
-      mesh->GetPolys()->InsertNextCell({ p, p + 1, p + Cells + 2, p + Cells + 1 });
-    }
-  }
-  relievoTest::AddActor(stage.Renderer, mesh);
-  stage.AddSun(0., 5., 0.); // right through the lattice's edges
-  stage.GetShadows()->SetMethodToExact();
-  double range[2];
-  const auto image = relievoTest::CaptureShadow(stage, 0);
-  long long lit = 0;
-  const auto truth = relievoTest::TraceStage(stage, 0);
-  for (std::size_t i = 0; i < truth.Verdicts.size(); ++i)
-  {
-    lit += truth.Verdicts[i] != relievoTest::ShadowTruth::Unjudged && Visibility(image)[i] > 0.f;
-  }
-  image->GetPointData()->GetArray("shadow_0")->GetRange(range);
-  RELIEVO_CHECK_THAT(range[0] == 0., "watertight: nothing is dark");
-  RELIEVO_CHECK_AT_MOST(lit, 0, "watertight: pixels that a ray slips through to");
-}
-
-long long CountUnlike(vtkImageData* first, vtkImageData* second)
-{
-  long long unlike = 0;
-  for (vtkIdType i = 0; i < first->GetNumberOfPoints(); ++i)
-  {
-    unlike += Visibility(first)[i] != Visibility(second)[i] ? 1 : 0;
-  }
-  return unlike;
-}
-
-// Bumps of a few pixels, to the rims of pictures whose last tiles are rows and columns of pixels:
-// verdicts by tiles are those that each fragment of the mesh finds by itself in the first frame.
-void TestBumps()
-{
-  for (const auto& size : { std::array<int, 2>{ 241, 177 }, std::array<int, 2>{ 121, 240 },
-         std::array<int, 2>{ 97, 97 } })
-  {
-    ShadowStage stage(size[0], size[1]);
-    constexpr int Cells = 300;
-    std::vector<glm::dvec3> points;
-    for (int i = 0; i <= Cells; ++i)
-    {
-      for (int j = 0; j <= Cells; ++j)
-      {
-        points.emplace_back(-9. + 18. * i / Cells, 0.06 * std::sin(i * 1.7) * std::cos(j * 1.1),
-          -9. + 18. * j / Cells);
-      }
-    }
-    const auto mesh = relievoTest::MakePolygons(points);
-    for (int i = 0; i < Cells; ++i)
-    {
-      for (int j = 0; j < Cells; ++j)
-      {
-        const vtkIdType p = i * (Cells + 1) + j;
-        mesh->GetPolys()->InsertNextCell({ p, p + 1, p + Cells + 2, p + Cells + 1 });
-      }
-    }
-    relievoTest::AddActor(stage.Renderer, mesh);
-    stage.Renderer->GetActiveCamera()->SetPosition(0.5, 6., 3.);
-    stage.AddSun(-4., 2., -1.);
+    ShadowStage stage;
+    vtkNew<vtkSphereSource> ball; // its points are floats
+    ball->SetCenter(away, 0.37 * away, 0.11 * away);
+    ball->SetRadius(0.5);
+    ball->SetThetaResolution(64);
+    ball->SetPhiResolution(64);
+    ball->Update();
+    relievoTest::AddActor(stage.Renderer, ball->GetOutput());
+    const double* center = ball->GetCenter();
+    vtkCamera* camera = stage.Renderer->GetActiveCamera();
+    camera->SetFocalPoint(center);
+    camera->SetPosition(center[0] + 0.4, center[1] + 0.6, center[2] + 2.);
+    camera->SetClippingRange(0.5, 10.);
+    const auto light = stage.AddSun(0., 0., 0.);
+    light->SetFocalPoint(0., 0., 0.);
+    light->SetPosition(3., 5., 2.);
     stage.GetShadows()->SetMethodToExact();
-    const auto first = relievoTest::CaptureShadow(stage, 0);
-    relievoTest::CaptureShadow(stage, 0);
-    const auto kept = relievoTest::CaptureShadow(stage, 0);
-    RELIEVO_CHECK_AT_MOST(CountUnlike(first, kept), 0,
-      "bumps, " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + ": pixels unlike");
-    relievoTest::CheckShadow(stage, 0, 1e-3, "bumps"); // edges everywhere, at 1/256 of a pixel
+    const auto truth = relievoTest::TraceStage(stage, 0);
+    const auto image = relievoTest::CaptureShadow(stage, 0);
+    long long dark = 0;
+    long long lit = 0;
+    for (std::size_t i = 0; i < truth.Verdicts.size(); ++i)
+    {
+      lit += truth.Verdicts[i] == relievoTest::ShadowTruth::Lit ? 1 : 0;
+      dark += truth.Verdicts[i] == relievoTest::ShadowTruth::Lit && Visibility(image)[i] < 1.f;
+    }
+    const std::string what = "ball " + std::to_string(away) + " from the origin";
+    RELIEVO_CHECK_THAT(lit > 5000, what + ": pixels that face the light");
+    RELIEVO_CHECK_AT_MOST(dark, 0, what + ": of these, dark");
   }
-}
-
-// Sheets that a depth buffer of 24 bits can hardly tell apart: the verdicts that are kept are those
-// of the sheet that the picture shows, as each fragment finds them by itself in the first frame,
-// but for a pixel in which the two fight.
-void TestCoarseDepth()
-{
-  ShadowStage stage;
-  stage.AddThings();
-  for (int i = 0; i < 2; ++i)
-  {
-    const auto sheet = stage.AddGround();
-    sheet->SetPosition(0., 0.02 * (i + 1), 0.);
-    sheet->SetScale(0.8 - 0.2 * i, 1., 0.8);
-    sheet->RotateZ(0.1 * i);
-  }
-  stage.AddSun(-3., 4., -2.);
-  stage.Renderer->GetActiveCamera()->SetClippingRange(1e-3, 1e3);
-  stage.GetShadows()->SetMethodToExact();
-  const auto first = relievoTest::CaptureShadow(stage, 0);
-  relievoTest::CaptureShadow(stage, 0);
-  const auto kept = relievoTest::CaptureShadow(stage, 0);
-  RELIEVO_CHECK_AT_MOST(CountUnlike(first, kept), 1, "coarse depth: pixels unlike the first's");
 }
 
 // Slivers, triangles without area or place, surfaces twice in one place; then all moves and hides.
@@ -349,11 +297,12 @@ int main(int argc, char* argv[])
   TestMesh("bunny", SceneLight::Spot, 400, 225);
   TestMesh("motorBike", SceneLight::Sun, 300, 300);
   TestMesh("buildings", SceneLight::Point, 200, 600);
+  TestSmall(SceneLight::Sun);
+  TestSmall(SceneLight::Spot);
+  TestSmall(SceneLight::Point);
   TestHorizon();
   TestPanes();
-  TestWatertight();
-  TestBumps();
-  TestCoarseDepth();
+  TestFarFloats();
   TestTroubles();
   TestOthers();
   return session.Result();

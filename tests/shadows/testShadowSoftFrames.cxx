@@ -8,20 +8,28 @@
 #include "Layers.h"
 #include "Session.h"
 #include "ShadowPictures.h"
+#include "SoftStage.h"
 #include "Window.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCompositeDataDisplayAttributes.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkImageFlip.h>
 #include <vtkLight.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowPass.h>
 #include <vtkRenderWindow.h>
+#include <vtkSSAOPass.h>
+#include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <functional>
@@ -33,46 +41,7 @@ namespace
 {
 using relievoTest::CountUnlike;
 using relievoTest::Layers;
-using relievoTest::Picture;
 using relievoTest::SamePicture;
-using relievoTest::ShadowStage;
-
-constexpr int Samples = 6;
-
-struct SoftStage : ShadowStage
-{
-  vtkSmartPointer<vtkActor> Box;
-  vtkSmartPointer<vtkLight> Sun;
-  vtkSmartPointer<vtkLight> Lamp;
-
-  explicit SoftStage(int samples = Samples, int width = 80, int height = 60)
-    : ShadowStage(width, height)
-  {
-    this->AddThings();
-    this->Box = this->AddBox({ 1.4, 1.5, 0.8 }, { 0.6, 0.1, 0.6 });
-    this->Sun = this->AddSun(-3., 4., -2.);
-    this->Sun->SetIntensity(0.5);
-    this->Lamp = this->AddLamp({ -1., 3., -1.5 }, { 0.3, 0., 0.3 }, 90.);
-    this->Lamp->SetIntensity(0.5);
-    this->GetFrame()->ShadowsOn();
-    this->GetShadows()->SetMapSize(256);
-    this->GetShadows()->SetSunAngle(8.);
-    this->GetShadows()->SetLampRadius(0.2);
-    this->GetShadows()->SetSoftSamples(samples);
-  }
-
-  vtkSmartPointer<vtkImageData> DrawAll()
-  {
-    vtkSmartPointer<vtkImageData> picture;
-    int frames = 0;
-    do
-    {
-      picture = Picture(this->Window);
-    } while (this->GetFrame()->GetSamplesLeft() > 0 && ++frames < 100);
-    RELIEVO_CHECK_THAT(frames < 100, "the gathering does not end");
-    return picture;
-  }
-};
 
 void TestGathering()
 {
@@ -146,8 +115,17 @@ void TestChanges()
     { "map's size", [](SoftStage& s) { s.GetShadows()->SetMapSize(200); } },
     { "background", [](SoftStage& s) { s.Renderer->SetBackground(0.1, 0.2, 0.3); } },
     { "window", [](SoftStage& s) { s.Window->SetSize(70, 66); } },
+    { "clipping plane", [](SoftStage& s) { s.Plane->SetOrigin(0.3, 0., 0.); } },
+    { "image of a texture", [](SoftStage& s) { s.Image->SetFilteredAxis(1); } },
+    { "uniform",
+      [](SoftStage& s) {
+        s.Sheet->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf("shade", 0.2f);
+      } },
+    { "glyphs' block", [](SoftStage& s) { s.Blocks->SetBlockVisibility(s.Block, false); } },
+    { "setting of a delegate", [](SoftStage& s) { s.Occlusion->SetRadius(0.1); } },
   };
   SoftStage stage(4);
+  stage.AddSubObjects();
   for (const Change& change : changes)
   {
     stage.Window->Render();
@@ -164,6 +142,7 @@ void TestChanges()
     SamePicture(stage.DrawAll(), gathered, std::string("after another ") + change.What);
   }
   SoftStage fresh(4);
+  fresh.AddSubObjects();
   for (const Change& change : changes)
   {
     change.Make(fresh);

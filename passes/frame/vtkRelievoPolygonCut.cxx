@@ -15,12 +15,23 @@
 #include "vtkRelievoFormulas.h" // for GLM
 
 //------------------------------------------------------------------------------
+bool vtkRelievoPolygonCut::IsFan(vtkIdType count)
+{
+#ifdef RELIEVO_VTK_EAR_CLIPPING
+  return count < 5;
+#else
+  (void)count;
+  return true;
+#endif
+}
+
+//------------------------------------------------------------------------------
 const std::vector<vtkRelievoPolygonCut::Triangle>& vtkRelievoPolygonCut::Cut(
   vtkPolyData* mesh, const vtkIdType* points, vtkIdType count)
 {
   this->Triangles.clear();
 #ifdef RELIEVO_VTK_EAR_CLIPPING
-  if (count >= 5)
+  if (!vtkRelievoPolygonCut::IsFan(count))
   {
     auto add = [this](int a, int b, int c, int) { this->Triangles.push_back({ a, b, c }); };
     auto clip = [&](auto* array) {

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where a vtkGlyph3DMapper puts its sources: the matrices that VTK hands to OpenGL and to nobody
+// else, by its rules for masks, sources, orientations and scales.
+#ifndef vtkRelievoGlyphPlaces_h
+#define vtkRelievoGlyphPlaces_h
+
+#include "vtkRelievoFormulas.h" // for GLM
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+class vtkDataSet;
+class vtkGlyph3DMapper;
+class vtkPolyData;
+
+class vtkRelievoGlyphPlaces
+{
+public:
+  // From a source to the actor: floats, as VTK has them.
+  using Matrices = std::vector<glm::mat4>;
+
+  // A mesh of a source, and all of its places. Good until the mapper's pipeline changes.
+  struct Group
+  {
+    vtkPolyData* Mesh = nullptr;
+    std::shared_ptr<const Matrices> Places;
+  };
+
+  // Calculated when the mapper, its points or its sources have changed. Null if they are not to be
+  // had: glyphs that OpenGL culls, blocks with a visibility or an opacity of their own, flattened
+  // ones, input that VTK does not draw.
+  const std::vector<Group>* Find(vtkGlyph3DMapper* mapper);
+
+private:
+  struct Held
+  {
+    vtkWeakPointer<vtkGlyph3DMapper> Mapper;
+    std::vector<std::uint64_t> State;
+    bool Known = false;
+    std::vector<Group> Groups;
+  };
+  std::map<vtkGlyph3DMapper*, Held> Mappers;
+};
+
+#endif
