@@ -117,6 +117,13 @@ struct ParticleSizes
   std::vector<int> Steps = { 1, 10, 100, 1000 };
 };
 
+struct SkinSizes
+{
+  int Points = 1000000;
+  int Rounds = 9;
+  std::vector<int> Bones = { 4, 32, 100, 1000 };
+};
+
 /** The benches of the same names, smaller or larger; as RelievoBenchEnvironment and so on. */
 int BenchEnvironment(const std::string& outDir, const EnvironmentSizes& sizes);
 int BenchRelief(const std::string& outDir, const ReliefSizes& sizes);
@@ -128,6 +135,7 @@ int BenchTone(const std::string& outDir, const ToneSizes& sizes);
 int BenchBlocks(const std::string& outDir, const BlockSizes& sizes);
 int BenchCaves(const std::string& outDir, const CaveSizes& sizes);
 int BenchVoxels(const std::string& outDir, const VoxelSizes& sizes);
+int BenchSkin(const std::string& outDir, const SkinSizes& sizes);
 int BenchParticles(const std::string& outDir, const ParticleSizes& sizes);
 int BenchSoftShadows(const std::string& outDir, const SoftShadowSizes& sizes);
 int BenchFog(const std::string& outDir, const FogSizes& sizes);

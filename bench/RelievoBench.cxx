@@ -63,6 +63,8 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries()
       RelievoBenchCaves },
     { "voxels", "cells inside bodies: excess and missed against time, beside VTK's own",
       RelievoBenchVoxels },
+    { "skin", "error of bones by keys per second; volume of twist and bend; time of points",
+      RelievoBenchSkin },
     { "particles", "particles on surfaces: time of a step by number, and drift by steps",
       RelievoBenchParticles },
   };

@@ -95,6 +95,9 @@ int RelievoBenchCaves(const std::string& outDir);
 /** Chart 10: cells inside bodies: excess and missed against time, with peers. A minute. */
 int RelievoBenchVoxels(const std::string& outDir);
 
+/** Bones: error by keys, volume of twist and bend, time of a million points. Half a minute. */
+int RelievoBenchSkin(const std::string& outDir);
+
 /** Particles on surfaces: time of a step, distance by steps, with a peer. Two minutes. */
 int RelievoBenchParticles(const std::string& outDir);
 

@@ -107,29 +107,41 @@ double NumberIn(const CsvRow& row, const std::string& column)
 }
 
 //------------------------------------------------------------------------------
-bool ReadCsv(const std::string& path, std::vector<CsvRow>& rows)
+bool ReadRows(const std::string& path, std::vector<std::vector<std::string>>& rows)
 {
   std::ifstream file(path, std::ios::binary);
   std::string line;
-  if (!std::getline(file, line))
-  {
-    std::cerr << "relievo: bench: cannot read " << path << "\n";
-    return false;
-  }
-  const std::vector<std::string> columns = FieldsOf(line);
   while (std::getline(file, line))
   {
-    const std::vector<std::string> fields = FieldsOf(line);
-    if (fields.size() != columns.size())
+    rows.push_back(FieldsOf(line));
+    if (rows.back().size() != rows.front().size())
     {
-      std::cerr << "relievo: bench: " << path << ", line " << rows.size() + 2 << ": "
-                << fields.size() << " fields, expected " << columns.size() << "\n";
+      std::cerr << "relievo: bench: " << path << ", line " << rows.size() << ": "
+                << rows.back().size() << " fields, expected " << rows.front().size() << "\n";
       return false;
     }
+  }
+  if (rows.empty())
+  {
+    std::cerr << "relievo: bench: cannot read " << path << "\n";
+  }
+  return !rows.empty();
+}
+
+//------------------------------------------------------------------------------
+bool ReadCsv(const std::string& path, std::vector<CsvRow>& rows)
+{
+  std::vector<std::vector<std::string>> read;
+  if (!ReadRows(path, read))
+  {
+    return false;
+  }
+  for (std::size_t i = 1; i < read.size(); ++i)
+  {
     CsvRow& row = rows.emplace_back();
-    for (std::size_t i = 0; i < columns.size(); ++i)
+    for (std::size_t column = 0; column < read[i].size(); ++column)
     {
-      row[columns[i]] = fields[i];
+      row[read.front()[column]] = read[i][column];
     }
   }
   return true;

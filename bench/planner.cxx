@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the planner of shadows expects of each way against what it gets, error and time, and what it
-// chooses for a tolerance against the best possible choice.
+// chooses for a tolerance or for a time against the best possible choice.
 //
 // Errors against Embree, as in the bench of shadows. Times are of whole frames in which the light
 // moves, so that maps are drawn anew, all ways in turn.
@@ -34,6 +34,7 @@ using Pass = vtkRelievoShadowPass;
 
 const double Tolerances[] = { 2e-3, 1e-3, 5e-4, 2e-4, 5e-5 };
 constexpr double TimedTolerance = 5e-4;
+const double Budgets[] = { 1.2, 2., 4. }; // times what the fastest way takes
 constexpr int Rounds = 5;
 constexpr int FramesBefore = 10; // that the planner learns from
 
@@ -120,6 +121,26 @@ struct MovingWindow
     };
     return frame;
   }
+
+  // After ten frames that it learns from: what the planner expects of the next ones, and what they
+  // take in the median.
+  double Learn(double& expected)
+  {
+    relievoTest::Timed frame = this->Frame();
+    std::vector<double> taken;
+    for (int i = 0; i < FramesBefore + Rounds; ++i)
+    {
+      frame.Prepare();
+      frame.Work();
+      expected = i == FramesBefore ? this->Shadows->GetExpectedMilliseconds() : expected;
+      if (i >= FramesBefore)
+      {
+        taken.push_back(this->Shadows->GetMillisecondsTaken());
+      }
+    }
+    std::sort(taken.begin(), taken.end());
+    return taken[taken.size() / 2];
+  }
 };
 
 struct Tables
@@ -128,6 +149,8 @@ struct Tables
     "frame ms", "load" } };
   Table Choices{ { "scene", "light", "window", "tolerance %", "method", "map", "expected wrong %",
     "wrong %", "wrong / tolerance", "frame ms", "best method", "best map", "best ms", "regret" } };
+  Table Budgets{ { "scene", "light", "window", "budget ms", "method", "map", "taken ms",
+    "taken / budget", "wrong %", "best method", "best map", "best ms", "best wrong %" } };
   Table Times{ { "scene", "light", "window", "method", "map", "expected ms", "taken ms",
     "taken / expected" } };
 };
@@ -135,6 +158,53 @@ struct Tables
 std::string SizeWords(const Way& way)
 {
   return way.Size > 0 ? std::to_string(way.Size) : std::string();
+}
+
+const Way* FindUsed(const std::vector<Way>& ways, Pass* shadows)
+{
+  const int method = shadows->GetMethodUsed();
+  const int size = method == Pass::METHOD_EXACT ? 0 : shadows->GetMapSizeUsed();
+  const auto used = std::find_if(ways.begin(), ways.end(),
+    [=](const Way& way) { return way.Method == method && way.Size == size; });
+  if (used == ways.end())
+  {
+    std::cerr << "relievo: bench: " << shadows->GetPlan() << " is no way that was measured\n";
+    return nullptr;
+  }
+  return &*used;
+}
+
+// The most accurate for a time, against the most accurate of those whose measured time fits.
+void MeasureBudget(const std::string& name, vtkPolyData* mesh, const ShadowLight& light,
+  const int (&size)[2], double times, const std::vector<Way>& ways, Table& table)
+{
+  const auto sooner = [](const Way& a, const Way& b) { return a.Milliseconds < b.Milliseconds; };
+  const double budget = times * std::min_element(ways.begin(), ways.end(), sooner)->Milliseconds;
+  MovingWindow moving(name, mesh, light, size);
+  moving.Shadows->SetTimeBudget(budget);
+  double expected = 0.;
+  const double taken = moving.Learn(expected);
+  const Way* used = FindUsed(ways, moving.Shadows);
+  const Way* best = nullptr;
+  for (const Way& way : ways)
+  {
+    if (way.Milliseconds <= budget && (!best || way.Wrong < best->Wrong))
+    {
+      best = &way;
+    }
+  }
+  if (!used)
+  {
+    return;
+  }
+  table.AddRow({ name, light.Name, std::to_string(size[0]) + "x" + std::to_string(size[1]),
+    Number(budget), used->Name(), SizeWords(*used), Number(taken), Number(taken / budget),
+    Number(100. * used->Wrong), best->Name(), SizeWords(*best), Number(best->Milliseconds),
+    Number(100. * best->Wrong) });
+  std::cout << "  " << Number(budget, 3) << " ms: " << used->Name() << " " << SizeWords(*used)
+            << ", " << Number(taken, 3) << " ms, " << Number(100. * used->Wrong, 3)
+            << " % wrong; best " << best->Name() << " " << SizeWords(*best) << ", "
+            << Number(100. * best->Wrong, 3) << " %" << std::endl;
 }
 
 // One scene, light and window.
@@ -180,10 +250,7 @@ void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& ligh
   {
     shadows->SetTolerance(tolerance);
     verdicts.Window->Render();
-    const Way used{ shadows->GetMethodUsed(),
-      shadows->GetMethodUsed() == Pass::METHOD_EXACT ? 0 : shadows->GetMapSizeUsed() };
-    const auto chosen = std::find_if(ways.begin(), ways.end(),
-      [&used](const Way& way) { return way.Method == used.Method && way.Size == used.Size; });
+    const Way* chosen = FindUsed(ways, shadows);
     const Way* best = nullptr;
     for (const Way& way : ways)
     {
@@ -192,9 +259,8 @@ void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& ligh
         best = &way;
       }
     }
-    if (chosen == ways.end())
+    if (!chosen)
     {
-      std::cerr << "relievo: bench: " << shadows->GetPlan() << " is no way that was measured\n";
       continue;
     }
     // Where no way meets the tolerance there is no best.
@@ -211,24 +277,14 @@ void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& ligh
               << " of the tolerance; best " << bestName << " " << bestSize << ", regret " << regret
               << std::endl;
   }
-  // After ten frames, the next ones.
+  for (const double times : Budgets)
+  {
+    MeasureBudget(name, mesh, light, size, times, ways, tables.Budgets);
+  }
   MovingWindow moving(name, mesh, light, size);
   moving.Shadows->SetTolerance(TimedTolerance);
-  relievoTest::Timed frame = moving.Frame();
-  std::vector<double> taken;
   double expected = 0.;
-  for (int i = 0; i < FramesBefore + Rounds; ++i)
-  {
-    frame.Prepare();
-    frame.Work();
-    expected = i == FramesBefore ? moving.Shadows->GetExpectedMilliseconds() : expected;
-    if (i >= FramesBefore)
-    {
-      taken.push_back(moving.Shadows->GetMillisecondsTaken());
-    }
-  }
-  std::sort(taken.begin(), taken.end());
-  const double median = taken[taken.size() / 2];
+  const double median = moving.Learn(expected);
   tables.Times.AddRow({ name, light.Name, window, Way{ moving.Shadows->GetMethodUsed(), 0 }.Name(),
     std::to_string(moving.Shadows->GetMapSizeUsed()), Number(expected), Number(median),
     Number(median / expected) });
@@ -269,6 +325,7 @@ int RelievoBenchPlanner(const std::string& outDir)
       Measure(names[i], meshes[i], Lights[light], Sizes[(light + i) % std::size(Sizes)], tables);
       written = written && tables.Ways.WriteCsv(outDir + "/planner.csv") &&
         tables.Choices.WriteCsv(outDir + "/planner-choices.csv") &&
+        tables.Budgets.WriteCsv(outDir + "/planner-budgets.csv") &&
         tables.Times.WriteCsv(outDir + "/planner-times.csv");
     }
   }

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchCharts.h"
 
+#include <iostream>
+#include <stdexcept>
+
 namespace relievoBench
 {
 namespace
@@ -32,6 +35,7 @@ const std::vector<Entry>& Entries()
     { "blocks", { "blocks.csv" }, BlockCharts },
     { "caves", { "caves.csv", "caves-width.csv" }, CaveCharts },
     { "voxels", { "voxels.csv" }, VoxelCharts },
+    { "skin", { "skin-keys.csv", "skin-volume.csv", "skin.csv" }, SkinCharts },
     { "particles", { "particles.csv", "particles-drift.csv" }, ParticleCharts },
     { "fog", { "fog.csv", "fog-frames.csv" }, FogCharts },
   };
@@ -68,7 +72,20 @@ bool ChartsOfBench(
         return false;
       }
     }
-    charts = entry.Make(files);
+    try
+    {
+      charts = entry.Make(files);
+    }
+    catch (const std::out_of_range&)
+    {
+      std::cerr << "relievo: bench: " << csvFolder << ":";
+      for (const std::string& file : entry.Files)
+      {
+        std::cerr << " " << file;
+      }
+      std::cerr << " without a column that the charts of " << bench << " show; measure it again\n";
+      return false;
+    }
   }
   return true;
 }

@@ -55,6 +55,7 @@ std::vector<NamedChart> CaveCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> VoxelCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> ParticleCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> PlannerCharts(const std::vector<CsvRows>& files);
+std::vector<NamedChart> SkinCharts(const std::vector<CsvRows>& files);
 std::vector<NamedChart> FogCharts(const std::vector<CsvRows>& files);
 }
 

@@ -32,18 +32,11 @@ Chart ErrorAgainstTime(
     {
       continue;
     }
-    if (chart.Panels.empty() || chart.Panels.back().Title != row.at("shape"))
-    {
-      chart.Panels.emplace_back();
-      chart.Panels.back().Title = row.at("shape");
-    }
-    ChartSeries series;
-    series.Method = row.at("method");
+    ChartSeries& series = SeriesOf(PanelOf(chart, row.at("shape")), row.at("method"));
     series.X = { NumberIn(row, "ms per million blocks") };
     series.Y = { NumberIn(row, column) };
     series.Line = false;
     series.Default = series.Method == "smooth blocks" ? 0 : -1;
-    chart.Panels.back().Series.push_back(series);
   }
   chart.Columns = static_cast<int>(chart.Panels.size());
   return chart;

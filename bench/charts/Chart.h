@@ -68,6 +68,12 @@ struct Chart
   int Columns = 1;
 };
 
+/** The panel with a title: the first of them, or a new one after the others. */
+ChartPanel& PanelOf(Chart& chart, const std::string& title);
+
+/** The series of a method in a panel: the first of them, or a new one after the others. */
+ChartSeries& SeriesOf(ChartPanel& panel, const std::string& method);
+
 /**
  * Writes STEM.png and STEM.svg; the folder must be there. Needs a display. False, with a message
  * on the standard error, when a file cannot be written or a method is not in ChartMethods.h.

@@ -99,6 +99,16 @@ const std::vector<ChartMethod>& ChartMethods()
     { "depth maps", "depth maps", C::Blue, M::Circle, D::Solid },
     { "closest point", "closest point", C::Grey, M::Cross, D::Dashed },
     { "not held", "not held", C::Black, M::Square, D::Dotted },
+    // Bones
+    { "slerp", "slerp", C::Blue, M::Circle, D::Solid },
+    { "nlerp", "nlerp", C::Green, M::Diamond, D::Dashed },
+    { "key-matrix", "key-matrix", C::Vermillion, M::Square, D::DashDotted },
+    { "linear", "linear", C::Blue, M::Circle, D::Solid },
+    { "dual quaternion", "dual quaternion", C::Green, M::Diamond, D::Dashed },
+    { "rigid, GPU", "rigid, GPU", C::Grey, M::Circle, D::Solid },
+    { "linear, GPU", "linear, GPU", C::Orange, M::Square, D::Solid },
+    { "dual quaternion, GPU", "dual quaternion, GPU", C::Vermillion, M::Square, D::Dashed },
+    { "VTK's glTF reader", "VTK's glTF reader", C::Grey, M::Cross, D::Dashed },
     // Fog
     { "pairs of floats", "pairs of floats", C::Blue, M::Circle, D::Solid },
     { "textbook, double", "textbook, double", C::Grey, M::Cross, D::Dashed },

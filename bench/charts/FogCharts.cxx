@@ -4,8 +4,6 @@
 // Fog: errors of a sphere's chord by distance, and frames by the number of spheres.
 #include "BenchCharts.h"
 
-#include <algorithm>
-
 namespace relievoBench
 {
 namespace
@@ -20,20 +18,11 @@ Chart ChordErrors(const CsvRows& rows)
   chart.Y.Title = "error, in radii";
   chart.Y.Log = true;
   chart.Panels.resize(1);
-  std::vector<ChartSeries>& all = chart.Panels[0].Series;
   for (const CsvRow& row : rows)
   {
-    const std::string& method = row.at("method");
-    auto at = std::find_if(all.begin(), all.end(),
-      [&method](const ChartSeries& series) { return series.Method == method; });
-    if (at == all.end())
-    {
-      all.emplace_back();
-      all.back().Method = method;
-      at = all.end() - 1;
-    }
-    at->X.push_back(NumberIn(row, "distance / radius"));
-    at->Y.push_back(NumberIn(row, "max"));
+    ChartSeries& series = SeriesOf(chart.Panels[0], row.at("method"));
+    series.X.push_back(NumberIn(row, "distance / radius"));
+    series.Y.push_back(NumberIn(row, "max"));
   }
   return chart;
 }
@@ -49,17 +38,10 @@ Chart FogFrames(const CsvRows& rows)
   chart.Y.Title = "times a plain frame";
   for (const CsvRow& row : rows)
   {
-    if (chart.Panels.empty() || chart.Panels.back().Title != row.at("scene"))
-    {
-      chart.Panels.emplace_back();
-      chart.Panels.back().Title = row.at("scene");
-      chart.Panels.back().Series.resize(1);
-      chart.Panels.back().Series[0].Method = "pairs of floats";
-      chart.Panels.back().Series[0].Name = "fog";
-    }
+    ChartSeries& series = SeriesOf(PanelOf(chart, row.at("scene")), "pairs of floats");
+    series.Name = "fog";
     if (NumberIn(row, "share of the picture each") == 0.01)
     {
-      ChartSeries& series = chart.Panels.back().Series[0];
       series.X.push_back(NumberIn(row, "spheres"));
       series.Y.push_back(NumberIn(row, "times a plain frame"));
     }

@@ -19,20 +19,6 @@ void TickAt(ChartAxis& axis, const std::vector<double>& values)
   }
 }
 
-// The series of a method in a panel, made when it is not there.
-ChartSeries& SeriesOf(ChartPanel& panel, const std::string& method)
-{
-  const auto at = std::find_if(panel.Series.begin(), panel.Series.end(),
-    [&method](const ChartSeries& series) { return series.Method == method; });
-  if (at != panel.Series.end())
-  {
-    return *at;
-  }
-  panel.Series.emplace_back();
-  panel.Series.back().Method = method;
-  return panel.Series.back();
-}
-
 // The format without its bits: "octahedral precise 2x16".
 std::string NormalFamily(const std::string& format)
 {
@@ -197,12 +183,8 @@ std::vector<NamedChart> GBufferCharts(const std::vector<CsvRows>& files)
     {
       continue;
     }
-    if (chart.Panels.empty() || chart.Panels.back().Title != row.at("scene"))
-    {
-      chart.Panels.emplace_back();
-      chart.Panels.back().Title = row.at("scene");
-    }
-    SeriesOf(chart.Panels.back(), row.at("frame")).X = { NumberIn(row, "times a plain frame") };
+    ChartPanel& panel = PanelOf(chart, row.at("scene"));
+    SeriesOf(panel, row.at("frame")).X = { NumberIn(row, "times a plain frame") };
   }
   chart.Columns = static_cast<int>(chart.Panels.size());
   TickAt(chart.X, { 0., 1., 2., 3. });

@@ -4,7 +4,6 @@
 // Charts 7 and 8: methods of relief, and maps of environments.
 #include "BenchCharts.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace relievoBench
@@ -125,21 +124,11 @@ Chart EnvironmentChart(const CsvRows& rows, const std::string& x)
   chart.Y.Log = true;
   for (const CsvRow& row : rows)
   {
-    if (chart.Panels.empty() || chart.Panels.back().Title != row.at("environment"))
-    {
-      chart.Panels.emplace_back();
-      chart.Panels.back().Title = row.at("environment");
-    }
-    std::vector<ChartSeries>& all = chart.Panels.back().Series;
     const std::string method = MapMethod(row.at("map"));
-    if (all.empty() || all.back().Method != method)
-    {
-      all.emplace_back();
-      all.back().Method = method;
-    }
-    all.back().Default = method == "cube" ? static_cast<int>(all.back().X.size()) : -1;
-    all.back().X.push_back(NumberIn(row, x));
-    all.back().Y.push_back(NumberIn(row, "RMS error / mean light"));
+    ChartSeries& series = SeriesOf(PanelOf(chart, row.at("environment")), method);
+    series.Default = method == "cube" ? static_cast<int>(series.X.size()) : -1;
+    series.X.push_back(NumberIn(row, x));
+    series.Y.push_back(NumberIn(row, "RMS error / mean light"));
   }
   chart.Columns = static_cast<int>(chart.Panels.size());
   return chart;

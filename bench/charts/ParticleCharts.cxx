@@ -20,22 +20,9 @@ Chart PerBody(const CsvRows& rows, const std::string& x, const std::string& y)
     {
       continue; // on the surface itself: not on a logarithmic scale
     }
-    const std::string& body = row.at("body");
-    if (chart.Panels.empty() || chart.Panels.back().Title != body)
-    {
-      chart.Panels.emplace_back();
-      chart.Panels.back().Title = body;
-    }
-    std::vector<ChartSeries>& all = chart.Panels.back().Series;
-    auto series = std::find_if(all.begin(), all.end(),
-      [&row](const ChartSeries& each) { return each.Method == row.at("method"); });
-    if (series == all.end())
-    {
-      series = all.emplace(all.end());
-      series->Method = row.at("method");
-    }
-    series->X.push_back(NumberIn(row, x));
-    series->Y.push_back(NumberIn(row, y));
+    ChartSeries& series = SeriesOf(PanelOf(chart, row.at("body")), row.at("method"));
+    series.X.push_back(NumberIn(row, x));
+    series.Y.push_back(NumberIn(row, y));
   }
   chart.X.Log = true;
   chart.Y.Log = true;

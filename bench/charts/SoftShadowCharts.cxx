@@ -20,27 +20,11 @@ std::vector<NamedChart> SoftShadowCharts(const std::vector<CsvRows>& files)
   chart.Y.Log = true;
   for (const CsvRow& row : files[0])
   {
-    const std::string title = row.at("scene") + ", " + row.at("light");
-    auto panel = std::find_if(chart.Panels.begin(), chart.Panels.end(),
-      [&title](const ChartPanel& each) { return each.Title == title; });
-    if (panel == chart.Panels.end())
-    {
-      chart.Panels.emplace_back();
-      panel = chart.Panels.end() - 1;
-      panel->Title = title;
-    }
-    const std::string& method = row.at("method");
-    auto series = std::find_if(panel->Series.begin(), panel->Series.end(),
-      [&method](const ChartSeries& each) { return each.Method == method; });
-    if (series == panel->Series.end())
-    {
-      panel->Series.emplace_back();
-      series = panel->Series.end() - 1;
-      series->Method = method;
-    }
+    ChartPanel& panel = PanelOf(chart, row.at("scene") + ", " + row.at("light"));
+    ChartSeries& series = SeriesOf(panel, row.at("method"));
     const double samples = NumberIn(row, "samples");
-    series->X.push_back(samples);
-    series->Y.push_back(NumberIn(row, "penumbra rms"));
+    series.X.push_back(samples);
+    series.Y.push_back(NumberIn(row, "penumbra rms"));
     const auto isThis = [samples](const auto& tick) { return tick.first == samples; };
     if (std::none_of(chart.X.Ticks.begin(), chart.X.Ticks.end(), isThis))
     {

@@ -16,13 +16,9 @@ ChartPanel MakePanel(const CsvRows& rows, const std::string& method, const std::
   panel.Title = title;
   for (const CsvRow& row : rows)
   {
-    if (panel.Series.empty() || panel.Series.back().Method != row.at(method))
-    {
-      panel.Series.emplace_back();
-      panel.Series.back().Method = row.at(method);
-    }
-    panel.Series.back().X.push_back(NumberIn(row, x));
-    panel.Series.back().Y.push_back(NumberIn(row, y));
+    ChartSeries& series = SeriesOf(panel, row.at(method));
+    series.X.push_back(NumberIn(row, x));
+    series.Y.push_back(NumberIn(row, y));
   }
   return panel;
 }

@@ -10,28 +10,6 @@ namespace relievoBench
 {
 namespace
 {
-// The series of a method in the panel of a body; made where it is not there.
-ChartSeries& SeriesOf(Chart& chart, const std::string& body, const std::string& method)
-{
-  auto panel = std::find_if(chart.Panels.begin(), chart.Panels.end(),
-    [&body](const ChartPanel& each) { return each.Title == body; });
-  if (panel == chart.Panels.end())
-  {
-    chart.Panels.emplace_back();
-    panel = chart.Panels.end() - 1;
-    panel->Title = body;
-  }
-  auto series = std::find_if(panel->Series.begin(), panel->Series.end(),
-    [&method](const ChartSeries& each) { return each.Method == method; });
-  if (series == panel->Series.end())
-  {
-    panel->Series.emplace_back();
-    series = panel->Series.end() - 1;
-    series->Method = method;
-  }
-  return *series;
-}
-
 Chart WrongAgainstTime(const CsvRows& rows)
 {
   Chart chart;
@@ -46,7 +24,7 @@ Chart WrongAgainstTime(const CsvRows& rows)
     {
       continue;
     }
-    ChartSeries& series = SeriesOf(chart, row.at("body"), row.at("method"));
+    ChartSeries& series = SeriesOf(PanelOf(chart, row.at("body")), row.at("method"));
     series.X.push_back(NumberIn(row, "milliseconds"));
     series.Y.push_back(NumberIn(row, "excess percent") + NumberIn(row, "missed percent"));
     series.Default = series.Method == "parity" ? static_cast<int>(series.X.size()) - 1 : -1;
@@ -78,7 +56,7 @@ Chart TimeAgainstSize(const CsvRows& rows)
     {
       chart.X.Ticks.emplace_back(cells, std::to_string(static_cast<int>(cells)));
     }
-    ChartSeries& series = SeriesOf(chart, row.at("body"), row.at("method"));
+    ChartSeries& series = SeriesOf(PanelOf(chart, row.at("body")), row.at("method"));
     series.X.push_back(cells);
     series.Y.push_back(NumberIn(row, "milliseconds"));
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Tables and charts of the benches hold what was put in, and say when they cannot be written.
+#include "BenchCharts.h"
 #include "Chart.h"
 #include "ChartLayout.h"
 #include "ChartScale.h"
@@ -171,6 +172,18 @@ void TestBars()
   RELIEVO_CHECK(Count(SvgOf(DrawChart(chart)), ">infinite<") == 1);
 }
 
+// A table of something else under a bench's name.
+void TestOtherColumns()
+{
+  const std::string folder = relievoTest::OutputFolder() + "/other";
+  Table table({ "name", "value" });
+  table.AddRow({ "a", "1" });
+  RELIEVO_CHECK(MakeFolder(folder) && table.WriteCsv(folder + "/depth.csv"));
+  std::vector<NamedChart> charts;
+  RELIEVO_CHECK(!ChartsOfBench("depth", folder, charts));
+  RELIEVO_CHECK(charts.empty());
+}
+
 void TestNames()
 {
   RELIEVO_CHECK(RelievoBench("no such bench", relievoTest::OutputFolder()) == 2);
@@ -189,6 +202,7 @@ int main()
   TestSvg();
   TestFiles();
   TestBars();
+  TestOtherColumns();
   TestNames();
   text.Release();
   return session.Result();
