@@ -15,17 +15,12 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkGlyph3DMapper,
-    vtkLight,
     vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
 )
 
 import demo_sheet
 import scene
-from knot import knot
-
-SIZE = (420, 420)
+from knot import knot, room
 
 
 def cubes_of(shell, model, **settings):
@@ -48,32 +43,9 @@ def cubes_of(shell, model, **settings):
     return actor, cubes.GetOutput().GetNumberOfPoints()
 
 
-def picture(actor):
-    renderer = vtkRenderer()
-    renderer.SetBackground(0.09, 0.1, 0.13)
-    renderer.AddActor(actor)
-    sun = vtkLight()
-    sun.SetLightTypeToSceneLight()
-    sun.SetPosition(-3, 4, 7)
-    renderer.AddLight(sun)
-    fill = vtkLight()
-    fill.SetLightTypeToHeadlight()
-    fill.SetIntensity(0.35)
-    renderer.AddLight(fill)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(-4, -9, 13)
-    camera.SetFocalPoint(0, 0.1, -0.2)
-    camera.SetViewAngle(30)
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(0)
-    window.SetSize(*SIZE)
-    window.AddRenderer(renderer)
-    renderer.ResetCameraClippingRange()
-    frame = relievo.attach(renderer)
-    frame.ShadowsOn()
-    image = relievo.capture(renderer, ["color"])
-    return demo_sheet.picture_of("color", relievo.layer(image, "color"))[0]
+def picture_of(actor):
+    renderer, _window = room(actor)
+    return scene.picture(renderer)
 
 
 def main():
@@ -95,7 +67,7 @@ def main():
     pushed, _ = cubes_of(
         shell, model, Repeller=(-2.2, 0.2, 1.0), RepellerRadius=1.8
     )
-    pictures = [picture(actor) for actor in (smooth, plain, falling, pushed)]
+    pictures = [picture_of(actor) for actor in (smooth, plain, falling, pushed)]
     demo_sheet.write_png(folder / "voxels.png", numpy.concatenate(pictures, axis=1))
     print(folder / "voxels.png")
 

@@ -16,17 +16,13 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkColorTransferFunction,
     vtkGlyph3DMapper,
-    vtkLight,
     vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
 )
 
 import demo_sheet
 import scene
-from knot import knot
+from knot import knot, room
 
-SIZE = (420, 420)
 COLORS = ((0.0, 0.20, 0.45, 0.95), (0.4, 0.98, 0.62, 0.18), (1.0, 1.0, 0.97, 0.75))
 
 
@@ -67,35 +63,6 @@ def glyphs(particles, length, width):
     return actor
 
 
-def picture(*actors):
-    renderer = vtkRenderer()
-    renderer.SetBackground(0.09, 0.1, 0.13)
-    for actor in actors:
-        renderer.AddActor(actor)
-    sun = vtkLight()
-    sun.SetLightTypeToSceneLight()
-    sun.SetPosition(-3, 4, 7)
-    renderer.AddLight(sun)
-    fill = vtkLight()
-    fill.SetLightTypeToHeadlight()
-    fill.SetIntensity(0.35)
-    renderer.AddLight(fill)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(-4, -9, 13)
-    camera.SetFocalPoint(0, 0.1, -0.2)
-    camera.SetViewAngle(30)
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(0)
-    window.SetSize(*SIZE)
-    window.AddRenderer(renderer)
-    renderer.ResetCameraClippingRange()
-    frame = relievo.attach(renderer)
-    frame.ShadowsOn()
-    image = relievo.capture(renderer, ["color"])
-    return demo_sheet.picture_of("color", relievo.layer(image, "color"))[0]
-
-
 def main():
     folder = scene.folder()
     model = knot()
@@ -111,7 +78,8 @@ def main():
         particles = particles_on(model, count)
         particles.UpdateTimeStep(time)
         print(f"{particles.GetOutput().GetNumberOfPoints()} particles at time {time}")
-        pictures.append(picture(body, glyphs(particles, length, width)))
+        renderer, _window = room(body, glyphs(particles, length, width))
+        pictures.append(scene.picture(renderer))
     demo_sheet.write_png(folder / "particles.png", numpy.concatenate(pictures, axis=1))
     print(folder / "particles.png")
 

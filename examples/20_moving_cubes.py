@@ -13,13 +13,10 @@ import time
 
 import numpy
 import relievo
-from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow
 
 import demo_sheet
 import scene
-from knot import knot
-
-SIZE = (420, 420)
+from knot import knot, room
 
 
 def cubes_of(model):
@@ -44,28 +41,7 @@ def cubes_of(model):
 def main():
     folder = scene.folder()
     cubes = cubes_of(knot())
-    renderer = vtkRenderer()
-    renderer.SetBackground(0.09, 0.1, 0.13)
-    renderer.AddActor(cubes)
-    sun = vtkLight()
-    sun.SetLightTypeToSceneLight()
-    sun.SetPosition(-3, 4, 7)
-    renderer.AddLight(sun)
-    fill = vtkLight()
-    fill.SetLightTypeToHeadlight()
-    fill.SetIntensity(0.35)
-    renderer.AddLight(fill)
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(-4, -9, 13)
-    camera.SetFocalPoint(0, 0.1, -0.2)
-    camera.SetViewAngle(30)
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(0)
-    window.SetSize(*SIZE)
-    window.AddRenderer(renderer)
-    frame = relievo.attach(renderer)
-    frame.ShadowsOn()
+    renderer, _window = room(cubes)
     pictures = []
     for growth, radius, x in ((0.15, 0, 0), (0.6, 0, 0), (1, 1.8, -2.2), (1, 1.8, 1.8)):
         start = time.perf_counter()
@@ -73,9 +49,7 @@ def main():
         cubes.SetRepeller(x, 0.2, 1.0)
         cubes.SetRepellerRadius(radius)
         print(f"set in {1e3 * (time.perf_counter() - start):.2f} ms")
-        renderer.ResetCameraClippingRange()
-        image = relievo.capture(renderer, ["color"])
-        pictures.append(demo_sheet.picture_of("color", relievo.layer(image, "color"))[0])
+        pictures.append(scene.picture(renderer))
     demo_sheet.write_png(folder / "cubes.png", numpy.concatenate(pictures, axis=1))
     print(folder / "cubes.png")
 

@@ -1,11 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A tube along a trefoil knot, which several examples share."""
+"""A tube along a trefoil knot and the room that it is seen in, which several examples share."""
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+import scene
+
+SIZE = (420, 420)
 
 
 def knot(around=360, across=48, radius=0.62):
@@ -43,3 +47,12 @@ def knot(around=360, across=48, radius=0.62):
     array.SetName("color")
     mesh.GetPointData().SetScalars(array)
     return mesh
+
+
+def room(*actors):
+    """scene.room() with the knot in the middle of its picture."""
+    renderer, window = scene.room(actors, SIZE, (-3, 4, 7), (0.09, 0.1, 0.13))
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(-4, -9, 13)
+    camera.SetFocalPoint(0, 0.1, -0.2)
+    return renderer, window

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A small scene that the examples share: three shapes on a floor, one with an array to look at."""
+"""What the examples share: where files are, three shapes on a floor, a sunny room."""
 
 import os
 import pathlib
@@ -25,6 +25,8 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderWindow,
     vtkTexture,
 )
+
+import demo_sheet
 
 
 def folder():
@@ -114,17 +116,54 @@ def make(columns=640, rows=480):
         actor.GetProperty().SetColor(*colour)
         actor.GetProperty().SetInterpolationToPhong()
         renderer.AddActor(actor)
-    light = vtkLight()
-    light.SetLightTypeToSceneLight()
-    light.SetPosition(3, 5, 2)
-    renderer.AddLight(light)
+    add_sun(renderer, (3, 5, 2))
     camera = renderer.GetActiveCamera()
     camera.SetPosition(2.5, 3, 6)
     camera.SetFocalPoint(0, 0.5, 0)
     camera.SetClippingRange(2, 14)
+    return renderer, window_of(renderer, (columns, rows))
+
+
+def room(actors, size, sun, background):
+    """A renderer of the actors under a sun that casts shadows, lit a little by the camera as well,
+    and its off-screen window; keep the window as long as the renderer is drawn."""
+    renderer = vtkRenderer()
+    renderer.SetBackground(*background)
+    for actor in actors:
+        renderer.AddActor(actor)
+    add_sun(renderer, sun)
+    fill = vtkLight()
+    fill.SetLightTypeToHeadlight()
+    fill.SetIntensity(0.35)
+    renderer.AddLight(fill)
+    import relievo  # not before: ParaView's own Python, which has none, reads this file as well
+
+    relievo.attach(renderer).ShadowsOn()
+    return renderer, window_of(renderer, size)
+
+
+def picture(renderer):
+    """The renderer's picture as rows of colours, the first row at the top."""
+    import relievo
+
+    renderer.ResetCameraClippingRange()
+    image = relievo.capture(renderer, ["color"])
+    return demo_sheet.picture_of("color", relievo.layer(image, "color"))[0]
+
+
+def add_sun(renderer, position):
+    """White light from there, towards the origin."""
+    sun = vtkLight()
+    sun.SetLightTypeToSceneLight()
+    sun.SetPosition(*position)
+    renderer.AddLight(sun)
+
+
+def window_of(renderer, size):
+    """An off-screen window of the size (columns, rows)."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
-    window.SetSize(columns, rows)
+    window.SetSize(*size)
     window.AddRenderer(renderer)
-    return renderer, window
+    return window

@@ -85,7 +85,9 @@ vtkRelievoVoxelCubesActor::vtkRelievoVoxelCubesActor()
   this->Glyphs->SetSourceData(MakeCube());
   this->Glyphs->SetScaleModeToScaleByVectorComponents();
   this->Glyphs->SetScaleArray("instance");
-  this->Glyphs->OrientOff();
+  // Where the filter says so; an array that is not there turns nothing.
+  this->Glyphs->SetOrientationModeToQuaternion();
+  this->Glyphs->SetOrientationArray("orientation");
   this->SetMapper(this->Glyphs);
   // Before VTK's own, which replaces the tag that is left with the instance's matrix.
   const std::string text = vtkRelievoShaderLibrary::Get("cubes/cubes.glsl");

@@ -2,20 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqRelievoRefiner.h"
 
+#include "pqAnimationScene.h"
 #include "pqApplicationCore.h"
 #include "pqServerManagerModel.h"
 #include "pqView.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 
 #include <QApplication>
-#include <QPointer>
 #include <QTimer>
+
+#include <memory>
 
 namespace
 {
 // Milliseconds between pictures: time to begin working.
 constexpr int Pause = 20;
+
+// Pictures in a row that bring no sample.
+constexpr int MostVain = 3;
 
 int GetInteger(vtkSMProxy* proxy, const char* property)
 {
@@ -34,32 +40,65 @@ pqRelievoRefiner::pqRelievoRefiner(QObject* parent)
   }
   QObject::connect(
     model, &pqServerManagerModel::viewAdded, this, [this](pqView* view) { this->Watch(view); });
+  for (pqAnimationScene* scene : model->findItems<pqAnimationScene*>())
+  {
+    this->Follow(scene);
+  }
+  QObject::connect(model, &pqServerManagerModel::proxyAdded, this, [this](pqProxy* proxy) {
+    if (auto* scene = qobject_cast<pqAnimationScene*>(proxy))
+    {
+      this->Follow(scene);
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoRefiner::Follow(pqAnimationScene* scene)
+{
+  using Signal = void (pqAnimationScene::*)(vtkObject*, unsigned long, void*, void*);
+  const Signal begin = &pqAnimationScene::beginPlay;
+  const Signal end = &pqAnimationScene::endPlay;
+  QObject::connect(scene, begin, this, [this]() { this->Playing = true; });
+  QObject::connect(scene, end, this, [this]() { this->Playing = false; });
 }
 
 //------------------------------------------------------------------------------
 void pqRelievoRefiner::Watch(pqView* view)
 {
-  QObject::connect(view, &pqView::endRender, this, [this, view]() { this->Refine(view); });
+  // One for each view: it goes with it.
+  auto* timer = new QTimer(view);
+  timer->setSingleShot(true);
+  timer->setInterval(Pause);
+  const auto progress = std::make_shared<Progress>();
+  QObject::connect(timer, &QTimer::timeout, this, [this, view, progress]() {
+    if (QApplication::mouseButtons() == Qt::NoButton && !this->Playing)
+    {
+      progress->Own = true;
+      view->render();
+    }
+  });
+  QObject::connect(
+    view, &pqView::endRender, timer, [view, timer, progress]() { Refine(view, timer, *progress); });
 }
 
 //------------------------------------------------------------------------------
-void pqRelievoRefiner::Refine(pqView* view)
+void pqRelievoRefiner::Refine(pqView* view, QTimer* timer, Progress& progress)
 {
   vtkSMProxy* proxy = view->getProxy();
-  if (GetInteger(proxy, "RelievoShadowSoftSamples") <= 1 ||
-    !proxy->GetProperty("RelievoSamplesLeft"))
+  vtkSMProperty* left = proxy->GetProperty("RelievoSamplesLeft");
+  int missing = 0;
+  if (left && GetInteger(proxy, "RelievoShadowSoftSamples") > 1)
   {
-    return;
+    proxy->UpdatePropertyInformation(left);
+    missing = GetInteger(proxy, "RelievoSamplesLeft");
   }
-  proxy->UpdatePropertyInformation(proxy->GetProperty("RelievoSamplesLeft"));
-  if (GetInteger(proxy, "RelievoSamplesLeft") > 0)
+  // Pictures that bring no sample end it, until somebody changes something: another process draws
+  // them, or what is drawn changes by itself.
+  progress.Vain = progress.Own && missing >= progress.Missing ? progress.Vain + 1 : 0;
+  progress.Missing = missing;
+  progress.Own = false;
+  if (missing > 0 && progress.Vain < MostVain)
   {
-    const QPointer<pqView> guarded(view);
-    QTimer::singleShot(Pause, this, [guarded]() {
-      if (guarded && QApplication::mouseButtons() == Qt::NoButton)
-      {
-        guarded->render();
-      }
-    });
+    timer->start();
   }
 }

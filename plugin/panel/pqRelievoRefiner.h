@@ -9,6 +9,8 @@
 
 #include <QObject>
 
+class QTimer;
+class pqAnimationScene;
 class pqView;
 
 class pqRelievoRefiner : public QObject
@@ -21,7 +23,16 @@ public:
 
 private:
   void Watch(pqView* view);
-  void Refine(pqView* view);
+  void Follow(pqAnimationScene* scene);
+  struct Progress
+  {
+    int Missing = 0;  // samples, after the last picture
+    int Vain = 0;     // pictures of ours in a row that brought no sample
+    bool Own = false; // the picture that is being drawn is ours
+  };
+  static void Refine(pqView* view, QTimer* timer, Progress& progress);
+
+  bool Playing = false; // an animation
 };
 
 #endif

@@ -28,12 +28,12 @@ void Push(vtkSMProxy* proxy, const QVector<pqRelievoViewSettings::Change>& chang
     vtkSMPropertyHelper property(proxy, change.first);
     const bool isDouble =
       vtkSMDoubleVectorProperty::SafeDownCast(proxy->GetProperty(change.first)) != nullptr;
-    const QVariantList values = change.second.type() == QVariant::List
+    const QVariantList values = change.second.userType() == QMetaType::QVariantList
       ? change.second.toList()
       : QVariantList{ change.second };
     for (int i = 0; i < values.size(); ++i)
     {
-      if (values[i].type() == QVariant::String)
+      if (values[i].userType() == QMetaType::QString)
       {
         property.Set(i, qUtf8Printable(values[i].toString()));
       }

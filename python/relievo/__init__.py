@@ -7,6 +7,10 @@
     depth = relievo.layer(image, "depth")      # numpy, (rows, columns), no copy
     relievo.write_exr("frame.exr", image)
 
+    relievo.environment(renderer, "forest.exr")           # light, mirrors and sky
+
+Rows of numpy arrays run downwards, VTK's upwards: layer(), from_image() and to_image() turn them.
+
 Layers, one sample per pixel, at its centre; layers() lists them for scripts:
 
 =================  ==========  ====================================================  ==========
@@ -62,10 +66,11 @@ except ImportError as error:
 from ._wrapped import *  # noqa: F401,F403
 
 from ._capture import capture
+from ._environment import environment
 from ._exr import read_exr, write_exr
 from ._fog import fog
 from ._frame import attach, detach, report, vtkRelievoPass
-from ._image import attributes, layer, layer_names
+from ._image import attributes, from_image, layer, layer_names, to_image
 from ._lamps import lamps
 from ._layers import layers
 from ._markers import markers
@@ -78,7 +83,9 @@ __all__ = [
     "capture",
     "depth_to_points",
     "detach",
+    "environment",
     "fog",
+    "from_image",
     "lamps",
     "layer",
     "layer_names",
@@ -88,6 +95,7 @@ __all__ = [
     "report",
     "stage",
     "stages",
+    "to_image",
     "vtkRelievoPass",
     "write_exr",
 ]

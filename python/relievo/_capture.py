@@ -21,7 +21,8 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
     """Draws the renderer once and returns the layers of what is visible.
 
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter). Its camera,
-        lights, passes and window stay unchanged. A renderer without a window is drawn in an
+        lights, passes and window stay unchanged; but PyVista's plotter gets the camera that it
+        would be shown with, if nobody has set it. A renderer without a window is drawn in an
         off-screen one, and `size` is needed. Or a dataset (also composite), or a filter that makes
         one: its surface is drawn, seen along -z with y up, fitted to the picture.
     layers: names of layers, or one name; see help(relievo). Repeated names count once.

@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A captured image as numpy arrays."""
+"""Images as numpy arrays, and back: numpy's rows run downwards, VTK's upwards."""
 
-from vtkmodules.util.numpy_support import vtk_to_numpy
+import numpy
+from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from ._errors import require
 
@@ -32,7 +34,101 @@ def layer(image, name):
     if array is None:
         known = ", ".join(layer_names(image)) or "none"
         raise ValueError(f"layer {name!r}: the image holds {known}")
-    columns, rows, _ = image.GetDimensions()
+    return _rows_of(image, array)
+
+
+def from_image(image):
+    """Returns the scalars of any image of VTK as a numpy array, ROW 0 AT THE TOP.
+
+    image: vtkImageData of (columns, rows, 1) points, of a reader (vtkPNGReader), a
+    vtkWindowToImageFilter, a vtkTexture, or to_image(). Point data only.
+
+    Returns an array as layer() does, a view. Layers have names: layer() gives these.
+
+    Raises ValueError for an image of more than one slice or without scalars.
+    """
+    require(image, "vtkImageData", "image")
+    array = image.GetPointData().GetScalars()
+    if array is None:
+        raise ValueError("from_image: the image has no scalars; layer(image, name) takes a name")
+    return _rows_of(image, array)
+
+
+def to_image(values, name="scalars"):
+    """Returns a numpy array as an image of VTK, with what is at the top in the array at the top.
+
+        texture.SetInputData(relievo.to_image(picture))
+        material.SetHeightMap(relievo.to_image(heights))
+        relievo.write_exr("maps.exr", relievo.to_image({"depth": depth, "normal": normal}))
+
+    values: array of (rows, columns) or (rows, columns, components), ROW 0 AT THE TOP, as numpy,
+    matplotlib, Pillow and OpenEXR have them; bool becomes uint8 and float16 float32, masked floats
+    NaN. Or a dict of such arrays by their names, all of the same rows and columns; the first one is
+    the scalars.
+    name: of the array, if it is one.
+
+    Returns vtkImageData of (columns, rows, 1) points with copies of the arrays, VTK's row 0 at the
+    BOTTOM: what all of VTK that takes images expects. from_image() and layer() turn it back.
+
+    Raises ValueError for other shapes, types that VTK has not (such as complex), masked whole
+    numbers, and no rows.
+    """
+    arrays = values if isinstance(values, dict) else {name: values}
+    if not arrays:
+        raise ValueError("to_image: got no arrays")
+    image = vtkImageData()
+    first = None
+    for each, given in arrays.items():
+        array = _unmasked(each, given)
+        if not isinstance(each, str) or not each:
+            raise ValueError(f"to_image: got the name {each!r}, expected a text")
+        if array.ndim not in (2, 3) or array.size == 0:
+            raise ValueError(f"to_image: {each}: got shape {array.shape}, expected (rows, columns) "
+                             f"or (rows, columns, components)")
+        if first is None:
+            first = array.shape[:2]
+            image.SetDimensions(first[1], first[0], 1)
+        elif array.shape[:2] != first:
+            raise ValueError(f"to_image: {each}: got shape {array.shape}, expected {first} as of "
+                             f"the first array")
+        made = _copied(each, array)
+        made.SetName(each)
+        image.GetPointData().AddArray(made)
+    image.GetPointData().SetActiveScalars(next(iter(arrays)))
+    return image
+
+
+def _unmasked(name, given):
+    if not numpy.ma.is_masked(given):
+        return numpy.asarray(given)
+    if given.dtype.kind != "f":
+        raise ValueError(f"to_image: {name}: got masked values of type {given.dtype}, for which "
+                         f"there is no value; give it filled(...)")
+    return given.filled(numpy.nan)
+
+
+def _copied(name, array):
+    """An array of VTK with its tuples from the lower left, row by row."""
+    kept = {"bool": numpy.uint8, "float16": numpy.float32}.get(array.dtype.name, array.dtype)
+    try:
+        if array.dtype.kind not in "biuf":
+            raise TypeError
+        made = create_vtk_array(get_vtk_array_type(numpy.dtype(kept).newbyteorder("=")))
+    except TypeError:
+        raise ValueError(f"to_image: {name}: got values of type {array.dtype}, expected whole "
+                         f"numbers, floats or bool") from None
+    rows = array[::-1] if array.ndim == 3 else array[::-1, :, None]
+    made.SetNumberOfComponents(rows.shape[2])
+    made.SetNumberOfTuples(rows.shape[0] * rows.shape[1])
+    vtk_to_numpy(made).reshape(rows.shape)[...] = rows
+    return made
+
+
+def _rows_of(image, array):
+    columns, rows, slices = image.GetDimensions()
+    if slices != 1 or array.GetNumberOfTuples() != rows * columns:
+        raise ValueError(f"image: got {columns} x {rows} x {slices} points, expected one slice of "
+                         f"(columns, rows, 1)")
     components = array.GetNumberOfComponents()
     shape = (rows, columns) if components == 1 else (rows, columns, components)
     return vtk_to_numpy(array).reshape(shape)[::-1]

@@ -9,13 +9,20 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 _EXPECTED = "a vtkRenderer, something with a .renderer, a dataset, or a filter that makes one"
 
 
+def inner_renderer(thing):
+    """The thing itself if it is a renderer, or its attribute `renderer` if that is one, or None."""
+    inner = thing if _is(thing, "vtkRenderer") else getattr(thing, "renderer", None)
+    return inner if _is(inner, "vtkRenderer") else None
+
+
 def renderer_of(thing):
     """The renderer, and whether it was made here, for data.
 
     Data is drawn by its outer surface and seen along -z with y up; polygons as they are.
     """
-    inner = thing if _is(thing, "vtkRenderer") else getattr(thing, "renderer", None)
-    if _is(inner, "vtkRenderer"):
+    inner = inner_renderer(thing)
+    if inner is not None:
+        _place_camera(inner)
         return inner, False
     if _is(thing, "vtkAlgorithm"):
         thing.Update()
@@ -40,6 +47,13 @@ def renderer_of(thing):
     renderer.AddActor(actor)
     renderer.ResetCamera()
     return renderer, True
+
+
+def _place_camera(renderer):
+    """PyVista's plotters place their cameras when they are first shown: so it is done before."""
+    if getattr(renderer, "camera_set", True) is False and hasattr(renderer, "get_default_cam_pos"):
+        renderer.camera_position = renderer.get_default_cam_pos()
+        renderer.ResetCamera()
 
 
 def _is(thing, name):

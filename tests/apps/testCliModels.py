@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Models with bones: --time, --animation and --skin, notes, and words refused."""
+"""Models with bones: times, frames, blends, looks inside, notes, and words refused."""
 
 import os
 import pathlib
@@ -49,6 +49,65 @@ class Models(CliTest):
         self.before = self.names()
         self.refused("render", TUBE, "--animation", "fly", "--png", "a.png", status=1,
                      says=[TUBE, "no animation 'fly'; it has '"])  # fmt: skip
+
+    def test_sequence(self):
+        """Frames are those that --time draws, and each is whole."""
+        words = ("--size", "80x60", "--camera", "0,1,6,0,1,0,0,1,0", "--clip", "0.1,100")
+        self.relievo("render", SKIN, *words, "--times", "0.5:2.5:0.5", "--exr", "f%02d.exr",
+                     "--png", "f%d.png", "--report", "f%d.json")  # fmt: skip
+        made = [f"f{i}.{end}" for i in range(5) for end in ("json", "png")]
+        made += [f"f0{i}.exr" for i in range(5)]
+        self.assertEqual(set(self.names()) - set(self.before), set(made))
+        seen = [self.exr(f"f0{i}.exr")[1]["depth.Z"] for i in range(5)]
+        for i in (0, 2, 4):
+            alone = self.depths(SKIN, "--time", str(0.5 + 0.5 * i))
+            self.assertTrue((alone == seen[i]).all(), i)
+        self.assertGreater((seen[0] != seen[2]).sum(), 50)
+
+    def test_sequence_fits_all_frames(self):
+        """The camera stays, and sees the strip that leans to both sides."""
+        self.relievo("render", SKIN, "--size", "80x60", "--times", "0:4:1", "--exr", "f%d.exr")
+        for i in range(5):
+            seen = numpy.isfinite(self.exr(f"f{i}.exr")[1]["depth.Z"])
+            self.assertGreater(seen.sum(), 50)
+            for edge in (seen[0], seen[-1], seen[:, 0], seen[:, -1]):
+                self.assertFalse(edge.any(), i)
+
+    def test_look_inside(self):
+        bare = self.depths(TUBE, "--time", "0.5", "--color-by", "first_bone")
+        lines = self.depths(TUBE, "--time", "0.5", "--skeleton", "--skin", "off")
+        self.assertEqual(bare.shape, lines.shape)
+        self.relievo("render", SKIN, "--size", "80x60", "--layers", "bone_weight",
+                     "--bone-weight", "nodes[1]", "--exr", "w.exr")  # fmt: skip
+        layers = self.exr("w.exr")[1]
+        (weights,) = [layers[name] for name in layers if name.startswith("bone_weight")]
+        weights = weights[numpy.isfinite(weights)]
+        self.assertGreaterEqual(weights.min(), 0)
+        self.assertLess(weights.min(), 0.1)
+        self.assertGreater(weights.max(), 0.9)
+        self.assertLess(weights.max(), 1.001)
+        self.before = self.names()
+        self.refused("render", SKIN, "--bone-weight", "tail", "--png", "a.png", status=1,
+                     says=[SKIN, "no bone 'tail'; it has '"])  # fmt: skip
+
+    def test_blend(self):
+        self.refused("render", SKIN, "--blend", "x=0.5", "--png", "a.png", status=1,
+                     says="no animation 'x'; it has '")  # fmt: skip
+        for word in ("walk", "walk=2", "=0.5", "walk=much"):
+            self.refused("render", WALK, "--blend", word, "--png", "a.png", status=2,
+                         says="--blend")  # fmt: skip
+
+    def test_refused_sequences(self):
+        for word in ("1", "0:1", "0:1:0", "1:0:0.1", "0:1:-1", "0:1e9:1e-9", "a:b:c"):
+            self.refused("render", WALK, "--times", word, "--png", "a%d.png", status=2,
+                         says="--times")  # fmt: skip
+        for name in ("a.png", "a%d%d.png", "a%s.png", "a%4d.png"):
+            self.refused("render", WALK, "--times", "0:1:0.5", "--png", name, status=2,
+                         says=["--png", "%04d"])  # fmt: skip
+        self.refused("render", WALK, "--times", "0:1:0.5", "--time", "1", "--png", "a%d.png",
+                     status=2, says="--time and --times")  # fmt: skip
+        self.refused("render", WALK, "--times", "0:1:0.5", "--png", "no/a%d.png", status=1,
+                     says=["no/a0.png", "no folder"])  # fmt: skip
 
     def test_refused(self):
         self.refused("render", "triangle.off", "--time", "1", "--png", "a.png", status=2,

@@ -317,6 +317,27 @@ class Bench(CliTest):
             self.assertIn(name.replace(".png", ".svg"), names)
             self.assertGreater(min(read_png(self.folder / "charts" / "new" / name).shape[:2]), 100)
 
+    def test_several(self):
+        """One fails for want of meshes, the other is done, and is not run again; the summary tells
+        both, and puts times beside those of a folder."""
+        words = ("bench", "capture", "depth", "--out", "here", "--beside", "there")
+        self.refused(*words, status=2, says=["--beside", "'there'"])
+        (self.folder / "there").mkdir()
+        (self.folder / "there" / "other.csv").write_text("scene,ms\nbunny,1\n")
+        done = self.relievo(*words, status=1, environment={"RELIEVO_DATA": ""})
+        self.assertIn("capture ... failed, status 1: relievo: bench:", done.stdout)
+        self.assertRegex(done.stdout, r"depth ... done, [\d.]+ s")
+        here = self.folder / "here"
+        self.assertIn("RELIEVO_DATA", (here / "logs" / "capture.txt").read_text())
+        self.assertTrue((here / "depth.csv").exists())
+        summary = (here / "summary.md").read_text()
+        for words_of in ("renderer ", "| capture | failed", "| depth | done"):
+            self.assertIn(words_of, summary)
+        written = (here / "depth.csv").stat().st_mtime_ns
+        again = self.relievo(*words, status=1, environment={"RELIEVO_DATA": ""})
+        self.assertIn("depth ... done before", again.stdout)
+        self.assertEqual((here / "depth.csv").stat().st_mtime_ns, written)
+
 
 if __name__ == "__main__":
     main()

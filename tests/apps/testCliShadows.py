@@ -103,6 +103,32 @@ class Shadows(CliTest):
         report = json.loads((self.folder / "a.json").read_text())
         self.assertEqual((report["soft_samples"], report["soft_gathered"]), (64, 64))
 
+    def test_glass_colours_the_light(self):
+        (self.folder / "glass.mtl").write_text(
+            "newmtl glass\nKd 1 0.25 0\nd 0.4\nnewmtl floor\nKd 1 1 1\n"
+        )
+        (self.folder / "glass.obj").write_text(
+            "mtllib glass.mtl\nv -0.5 -0.5 1\nv 0.5 -0.5 1\nv 0.5 0.5 1\nv -0.5 0.5 1\n"
+            "v -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0\n"
+            "usemtl glass\nf 1 2 3 4\nusemtl floor\nf 5 6 7 8\n"
+        )
+        self.before = self.names()
+        words = ["render", "glass.obj", *LOOK, "--light", "sun:-1,0,1", "--png", "a.png"]
+        for more in ([], ["--stage", "shadows:method=map"]):
+            self.refused(*words, "--colored-shadows", *more, status=2, says="give --shadows exact")
+        colors = {}
+        stage = "shadows:colored_shadows=on"
+        ways = ("", "--colored-shadows", "--colored-shadows --deferred", f"--stage {stage}")
+        for more in ways:
+            self.relievo(*words, "--shadows", "exact", *more.split())
+            picture = read_png(self.folder / "a.png")[..., :3].astype(int)
+            colors[more] = (picture[50, 75], picture[90, 10])  # behind the glass, beside it
+        self.assertEqual(colors[""][0].tolist(), colors[""][1].tolist())
+        for more in ways[1:]:
+            passed, whole = colors[more]
+            self.assertEqual(whole.tolist(), colors[""][1].tolist(), more)
+            numpy.testing.assert_allclose(passed / whole, [0.6, 0.15, 0.0], atol=0.01, err_msg=more)
+
     def test_the_colour_of_the_exr_is_shadowed_as_the_picture(self):
         light = "sun:-1,0,1"
         for words, seen in ((["--shadows", "map"], True), ([], False)):

@@ -33,13 +33,13 @@ def options_of(verb):
     return dict(zip(found[::2], found[1::2]))
 
 
-def complete(*words, known=HELP):
+def complete(*words, known=HELP, program=RELIEVO):
     """What bash offers for the last word; `known` is the help that the completion has asked for
     before, so that these tests do not start the command each time."""
     script = f"""{STUBS}
 source {COMPLETION}
-COMP_WORDS=(relievo "$@") COMP_CWORD=$#
-_relievo {RELIEVO}
+COMP_WORDS=({pathlib.Path(program).name} "$@") COMP_CWORD=$#
+_relievo {program}
 printf '%s\\n' "${{COMPREPLY[@]}}"
 """
     done = subprocess.run(
@@ -55,12 +55,22 @@ printf '%s\\n' "${{COMPREPLY[@]}}"
 class Completion(unittest.TestCase):
     def test_the_parts_of_the_help_are_found(self):
         self.assertGreater(len(options_of("render")), 30)
-        self.assertEqual(set(options_of("bench")), {"--out", "--redraw"})
+        self.assertEqual(set(options_of("bench")), {"--beside", "--out", "--redraw"})
 
     def test_options_are_those_of_the_help(self):
         for verb in VERBS:
             offered = complete(verb, "-", known="")
             self.assertEqual(sorted(offered), sorted(options_of(verb)))
+
+    def test_the_viewer_takes_the_words_of_render(self):
+        viewer = RELIEVO + "-viewer"
+        offered = complete("-", known="", program=viewer)  # asks the command beside it
+        self.assertEqual(sorted(offered), sorted(options_of("render")))
+        self.assertEqual(
+            complete("a.off", "--preset", "", program=viewer),
+            complete("render", "a.off", "--preset", ""),
+        )
+        self.assertEqual(complete("", program=viewer), complete("render", ""))
 
     def test_the_beginning_of_an_option(self):
         offered = complete("render", "a.off", "--sha")

@@ -50,6 +50,8 @@ WRONG_VALUES = [
     ("--shadow-size", "1.5", "whole number"),
     ("--shadow-tolerance", "0", "a number between 0 and 1"),
     ("--shadow-tolerance", "2", "a number between 0 and 1"),
+    ("--shadow-tolerance", "200%", "a percentage between 0% and 100%"),
+    ("--shadow-tolerance", "%", "a percentage between 0% and 100%"),
     ("--shadow-tolerance", "little", "a number between 0 and 1"),
     ("--time-budget", "-3", "a finite number above 0"),
     ("--certify", "0", "whole number from 1"),
@@ -168,11 +170,15 @@ class Words(CliTest):
             return
         self.refused("bench", "speed", status=2, says=["'speed'", "normals", "depth", "position"])
         self.refused("bench", status=2, says=["NAME", "normals"])
-        self.refused("bench", "normals", "depth", status=2, says=["normals", "depth", "one NAME"])
+        self.refused("bench", "depth", "speed", status=2, says=["'speed'", "normals", "all"])
 
     def test_redraw(self):
         if not BENCHES:
             self.skipTest("built without benches")
+        self.refused("bench", "normals", "depth", "--redraw", "x", status=2,
+                     says=["normals", "depth", "one NAME"])  # fmt: skip
+        self.refused("bench", "all", "--redraw", "x", status=2, says=["'all'", "normals"])
+        self.refused("bench", "--redraw", "x", "--beside", "y", status=2, says=["--beside"])
         self.refused("bench", "--redraw=", status=2, says=["--redraw", "empty"])
         self.refused("bench", "depth", "--redraw", "nowhere", status=1, says=["nowhere/depth.csv"])
 

@@ -10,6 +10,7 @@ import unittest
 
 BUILD = os.environ["RELIEVO_BUILD"]
 PARAVIEW = os.environ["PARAVIEW"] == "1"
+VIEWER = os.environ["VIEWER"] == "1"
 PYTHON = os.environ["PYTHON_PACKAGE"]  # where it is installed, or empty
 OUTPUT = pathlib.Path(os.environ["RELIEVO_TEST_OUTPUT"])
 
@@ -18,16 +19,21 @@ LIBRARY = r"lib(/[^/]+)*/libvtkRelievo\w+\.so"
 MAY = {
     "runtime": rf"{LIBRARY}\.\d.*|share/doc/.*/LICENSE",
     "command": r"bin/relievo|share/man/man1/relievo\.1|share/bash-completion/completions/relievo",
+    "viewer": r"bin/relievo-viewer|share/man/man1/relievo-viewer\.1"
+    r"|share/(applications|icons/hicolor/scalable/apps)/relievo-viewer\.(desktop|svg)"
+    r"|share/bash-completion/completions/relievo-viewer",
     "development": rf"{LIBRARY}|include/relievo/.*|lib/.*/?(cmake/relievo|relievo/hierarchy)/.*"
     r"|lib(/[^/]+)*/libvtkRelievo\w+CS\.a",
-    "python": rf"{re.escape(PYTHON)}/relievo/[^/]+",
+    "python": rf"{re.escape(PYTHON)}/relievo(-[\d.]+\.dist-info)?/[^/]+",
     "plugin": r"lib/.*plugins/(Relievo/Relievo\.so|relievo\.plugins\.xml)",
 }
 MUST = {
     "runtime": ["libvtkRelievoPasses.so."],
     "command": ["bin/relievo", "bash-completion/completions/relievo"],
+    "viewer": ["bin/relievo-viewer", "relievo-viewer.desktop"],
     "development": ["libvtkRelievoPasses.so", "RelievoConfig.cmake", "vtkRelievoPass.h"],
-    "python": ["relievo/__init__.py", "relievo/_wrapped.py", "relievo/vtkRelievoPasses"],
+    "python": ["relievo/__init__.py", "relievo/_wrapped.py", "relievo/vtkRelievoPasses",
+               ".dist-info/entry_points.txt"],  # fmt: skip
     "plugin": ["Relievo/Relievo.so", "relievo.plugins.xml"],
 }
 
@@ -46,7 +52,7 @@ def install(*words):
 
 class Components(unittest.TestCase):
     def test_each_file_is_where_it_belongs(self):
-        absent = {"python": not PYTHON, "plugin": not PARAVIEW}
+        absent = {"python": not PYTHON, "viewer": not VIEWER, "plugin": not PARAVIEW}
         names = [name for name in MAY if not absent.get(name)]
         left = install()
         for name in names:

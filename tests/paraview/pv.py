@@ -182,10 +182,22 @@ def run(script, *words, tool="pvpython", status=0, timeout=600, launcher=()):
         errors="replace",
         timeout=timeout,
         cwd=OUTPUT,
+        env=environment(),
     )
     if status is not None and done.returncode != status:
         raise AssertionError(f"{tool} {script}: exit {done.returncode}\n{done.stdout}")
     return done.stdout
+
+
+def mpirun(ranks):
+    """The words that start a tool on so many ranks."""
+    return ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(ranks)]
+
+
+def environment():
+    """For other processes: without the variables that say that pvpython is a rank itself."""
+    mpi = ("OMPI_", "PMIX_", "ORTE_")
+    return {name: value for name, value in os.environ.items() if not name.startswith(mpi)}
 
 
 class Server:
@@ -203,12 +215,7 @@ class Server:
                 ["timeout", str(self.limit), *self.words, "--server-port=0"],
                 stdout=log,
                 stderr=subprocess.STDOUT,
-                # pvpython is a rank itself, and says so in variables that mpirun would believe.
-                env={
-                    name: value
-                    for name, value in os.environ.items()
-                    if not name.startswith(("OMPI_", "PMIX_", "ORTE_"))
-                },
+                env=environment(),
             )
         try:
             self.port = self._wait_for_port()

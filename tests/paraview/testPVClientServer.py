@@ -95,8 +95,7 @@ class ClientServer(pv.Test):
         self.compare(pv.Server())
 
     def test_a_server_of_two_ranks(self):
-        mpi = ("mpirun", "--allow-run-as-root", "--oversubscribe", "-np", "2")
-        self.compare(pv.Server(launcher=mpi), count="3")
+        self.compare(pv.Server(launcher=pv.mpirun(2)), count="3")
 
     def test_one_side_without_the_plugin(self):
         for missing in ("server", "client"):

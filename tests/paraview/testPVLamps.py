@@ -2,9 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Points of a representation as lamps: what they add, their properties, states, and ranks."""
 
-import os
 import pathlib
-import subprocess
 
 import lampScene
 import numpy
@@ -14,7 +12,6 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SCENE = pathlib.Path(__file__).with_name("lampScene.py")
 STEPS = ("off", "on", "far", "cast", "hidden", "fog", "markers")
-MPIRUN = ("mpirun", "--allow-run-as-root", "--oversubscribe", "-np")
 
 # Every property of a representation: default, another value as a script gives it.
 PROPERTIES = {
@@ -164,14 +161,9 @@ class Lamps(pv.Test):
     def test_ranks(self):
         """Each rank has some of the lamps and some of the floor; servers and their clients."""
 
-        def draw(name, *words, launcher=(), tool="pvpython"):
-            done = subprocess.run(
-                [*launcher, str(pv.TOOLS / tool), *map(str, (SCENE, pv.OUTPUT, name, *words))],
-                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
-                timeout=600,
-                env={n: v for n, v in os.environ.items()
-                     if not n.startswith(("OMPI_", "PMIX_", "ORTE_"))})  # fmt: skip
-            self.assertEqual((done.returncode, pv.messages(done.stdout)), (0, []), done.stdout)
+        def draw(name, *words, **how):
+            said = pv.run(SCENE, pv.OUTPUT, name, *words, **how)
+            self.assertEqual(pv.messages(said), [], said)
             return {step: pv.read(pv.OUTPUT / f"{name}-{step}.png") for step in STEPS}
 
         alone = draw("alone")
@@ -190,9 +182,9 @@ class Lamps(pv.Test):
                 self.near(alone[step] * seen, pictures[step] * seen, f"{step} {where}", level=1)
 
         for ranks in (2, 3):
-            compare(draw(f"of{ranks}", launcher=(*MPIRUN, str(ranks)), tool="pvbatch"),
+            compare(draw(f"of{ranks}", launcher=pv.mpirun(ranks), tool="pvbatch"),
                     f"on {ranks} ranks", True)  # fmt: skip
-        for launcher, threshold, where in (((), 0, "server"), ((*MPIRUN, "2"), 0, "two"),
+        for launcher, threshold, where in (((), 0, "server"), (pv.mpirun(2), 0, "two"),
                                            ((), 1e9, "client")):  # fmt: skip
             with self.subTest(where), pv.Server(launcher=launcher) as server:
                 compare(draw(where, server.port, threshold), f"by {where}", where == "two")

@@ -3,7 +3,6 @@
 """A view's layers are the same wherever its picture is drawn: by ParaView alone, by a pvserver or
 its client, by one rank or several, each with a part of the scene."""
 
-import os
 import pathlib
 
 import layers
@@ -15,16 +14,9 @@ SCENE = pathlib.Path(__file__).with_name("layersScene.py")
 ROUNDED = {"normal": 3e-4, "geometric_normal": 1e-3}
 
 
-def mpirun(ranks):
-    return ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(ranks)]
-
-
 class Anywhere(pv.Test):
     @classmethod
     def setUpClass(cls):
-        # pvpython is a rank of its own, and tells so in variables that its children inherit.
-        for name in [each for each in os.environ if each.startswith(("OMPI_", "PMIX_", "ORTE_"))]:
-            del os.environ[name]
         cls.said = pv.run(SCENE, pv.OUTPUT, "alone")
         cls.alone = numpy.load(pv.OUTPUT / "alone.npz")
 
@@ -73,11 +65,11 @@ class Anywhere(pv.Test):
         self.check("remote-client", cells=True)
 
     def test_a_server_of_two(self):
-        self.server("server", launcher=mpirun(2))
+        self.server("server", launcher=pv.mpirun(2))
         self.check("remote-server", parts=2, edges=10)
 
     def test_three_ranks(self):
-        said = pv.run(SCENE, pv.OUTPUT, "ranks", launcher=mpirun(3), tool="pvbatch")
+        said = pv.run(SCENE, pv.OUTPUT, "ranks", launcher=pv.mpirun(3), tool="pvbatch")
         self.assertEqual(pv.messages(said), [])
         self.check("ranks", parts=3, edges=10)
 

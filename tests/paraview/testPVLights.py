@@ -106,6 +106,27 @@ class Lights(pv.Test):
         self.view.RelievoShadowSoftSamples = 0
         self.same(pv.picture(self.view), hard, "hard again")
 
+    def test_glass_colours_the_light(self):
+        self.scene.ball_shown.Opacity = 0.4
+        self.scene.ball_shown.DiffuseColor = [1.0, 0.5, 0.0]
+        self.view.RelievoSunFill = 0.0
+        pictures = {}
+        for name, shadows, intensity in (("lit", 0, 0.4), ("dark", 0, 0.0), ("on", 1, 0.4)):
+            self.scene.sun(shadows=shadows, intensity=intensity)
+            pictures[name] = pv.picture(self.view).astype(float)
+        self.view.RelievoShadowColored = 1
+        self.same(pv.picture(self.view), pictures["on"], "maps know no colours")
+        self.view.RelievoShadowMethod = "Exact"
+        found = pv.picture(self.view).astype(float)
+        ball = numpy.isfinite(self.scene.sphere_hit(*self.scene.rays(stage.SIZE)))
+        whole = pictures["lit"] - pictures["dark"]
+        dark = (self.scene.verdicts() == stage.DARK) & ~ball & (pictures["lit"].max(axis=2) < 255)
+        self.assertGreater(dark.sum(), 300)
+        # Without it what is translucent casts nothing.
+        numpy.testing.assert_array_equal(pictures["on"][dark], pictures["lit"][dark])
+        passed = pictures["dark"] + 0.36 * numpy.array([1.0, 0.25, 0.0]) * whole  # two walls
+        self.assertLess(abs(found - passed)[dark].max(), 3.0)
+
     def test_the_sun_by_date_and_place(self):
         self.scene.sun()
         view = self.view

@@ -2,9 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Materials of data that are spread over ranks."""
 
-import os
 import pathlib
-import subprocess
 
 import pv
 
@@ -12,24 +10,11 @@ SCENE = pathlib.Path(__file__).with_name("materialScene.py")
 STEPS = ("off", "relief", "normals", "sky", "glass", "off-again")
 
 
-MPIRUN = ("mpirun", "--allow-run-as-root", "--oversubscribe", "-np")
-
-
-def draw(name, *words, tool=("pvpython",)):
+def draw(name, *words, **how):
     """All steps' pictures."""
-    *launcher, tool = tool
-    done = subprocess.run(
-        [*launcher, str(pv.TOOLS / tool), *map(str, (SCENE, "ranks", pv.OUTPUT, name, *words))],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        errors="replace",
-        timeout=600,
-        # pvpython is a rank of its own already; variables that its children inherit say so.
-        env={n: v for n, v in os.environ.items() if not n.startswith(("OMPI_", "PMIX_", "ORTE_"))},
-    )
-    if done.returncode or pv.messages(done.stdout):
-        raise AssertionError(f"{name}: exit {done.returncode}\n{done.stdout}")
+    said = pv.run(SCENE, "ranks", pv.OUTPUT, name, *words, **how)
+    if pv.messages(said):
+        raise AssertionError(f"{name}: {said}")
     return {step: pv.read(pv.OUTPUT / f"{name}-{step}.png") for step in STEPS}
 
 
@@ -53,13 +38,13 @@ class MaterialRanks(pv.Test):
 
     def test_two_ranks(self):
         """A square in two parts."""
-        self.compare(draw("two", tool=(*MPIRUN, "2", "pvbatch")), "on two ranks")
+        self.compare(draw("two", tool="pvbatch", launcher=pv.mpirun(2)), "on two ranks")
 
     def test_servers(self):
         """Drawn by a server of one rank, of two, and by their client."""
         for words, threshold, where in (
             ((), 0, "server"),
-            ((*MPIRUN, "2"), 0, "two"),
+            (pv.mpirun(2), 0, "two"),
             ((), 1e9, "client"),
         ):
             with self.subTest(where), pv.Server(launcher=words) as server:

@@ -2,9 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Several ranks, with what casts and what receives on different ones, draw what one rank draws."""
 
-import os
 import pathlib
-import subprocess
 
 import pv
 
@@ -15,22 +13,9 @@ SCENE = pathlib.Path(__file__).with_name("ranksScene.py")
 
 def draw(ranks):
     """All steps' pictures with so many ranks, and what ParaView wrote."""
-    launcher = []
-    if ranks > 1:
-        launcher = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(ranks)]
-    done = subprocess.run(
-        [*launcher, str(pv.TOOLS / "pvbatch"), str(SCENE), str(pv.OUTPUT), str(ranks)],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        errors="replace",
-        timeout=600,
-        # pvpython is a rank of its own already; variables that its children inherit say so.
-        env={n: v for n, v in os.environ.items() if not n.startswith(("OMPI_", "PMIX_", "ORTE_"))},
-    )
-    if done.returncode:
-        raise AssertionError(f"{ranks} ranks: exit {done.returncode}\n{done.stdout}")
-    return {name: pv.read(pv.OUTPUT / f"{name}-{ranks}.png") for name in STEPS}, done.stdout
+    launcher = pv.mpirun(ranks) if ranks > 1 else ()
+    said = pv.run(SCENE, pv.OUTPUT, ranks, tool="pvbatch", launcher=launcher)
+    return {name: pv.read(pv.OUTPUT / f"{name}-{ranks}.png") for name in STEPS}, said
 
 
 class Ranks(pv.Test):

@@ -31,6 +31,7 @@ PROPERTIES = {
     "RelievoShadowSunAngle": (0.53, 5.0),
     "RelievoShadowLampRadius": (0.0, 0.25),
     "RelievoShadowSoftAtOnce": (0, 1),
+    "RelievoShadowColored": (0, 1),
     "RelievoLightKitCasts": ("Key light, without a sun", "Nothing"),
     "RelievoSun": (0, 1),
     "RelievoSunBy": ("Angles", "Date and place"),

@@ -47,6 +47,11 @@ WRITES = {
     "19_surface_particles.py": ["particles.png"],
     "20_moving_cubes.py": ["cubes.png"],
     "21_soft_shadows.py": ["soft_shadows.png"],
+    "22_animation.py": ["animation.png"],
+    "23_animation_series.py": [
+        "animation.vtp.series", "frame_0000.vtp", "frame_0001.vtp", "frame_0002.vtp",
+    ],
+    "24_soft_borders.py": ["soft_borders.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.
@@ -54,7 +59,7 @@ BY_PARAVIEW = ["08_paraview_tour.py", "11_paraview_materials.py", "17_paraview_h
 
 # file name: words after the folder, for examples that take long otherwise
 WORDS = {"06_sun_study.py": ["--every", "120"], "10_relief_terrain.py": ["257"],
-    "21_soft_shadows.py": ["8"]}
+    "21_soft_shadows.py": ["8"], "23_animation_series.py": ["--rate", "3"]}
 
 
 def read_png(path):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Images as numpy arrays, OpenEXR round trips, points from depth; errors as exceptions."""
+"""Images as numpy arrays, OpenEXR round trips; errors as exceptions."""
 
 import errno
 import json
@@ -9,13 +9,17 @@ import pathlib
 import resource
 import signal
 import tempfile
+import tracemalloc
 import unittest
+import zlib
 
 import numpy
 import scenes
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkLight
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkWindowToImageFilter
 
 import relievo
 
@@ -32,6 +36,141 @@ def image_of(**arrays):
         array.SetName(name)
         image.GetPointData().AddArray(array)
     return image
+
+
+class Rows(unittest.TestCase):
+    """numpy's row 0 is the top, VTK's the bottom: a value is where it is seen."""
+
+    def test_top_is_top(self):
+        values = numpy.arange(12).reshape(3, 4)
+        image = relievo.to_image(values)
+        self.assertEqual(image.GetDimensions(), (4, 3, 1))
+        # VTK's own places: (column, row from the bottom).
+        for row in range(3):
+            for column in range(4):
+                self.assertEqual(
+                    image.GetScalarComponentAsDouble(column, 2 - row, 0, 0), values[row, column])
+        numpy.testing.assert_array_equal(relievo.from_image(image), values)
+
+    def test_as_vtk_sees_it(self):
+        """A texture's upper edge is what is at v = 1, and a PNG's first row is the top."""
+        picture = numpy.zeros((6, 4, 3), numpy.uint8)
+        picture[0] = (255, 0, 0)
+        with tempfile.TemporaryDirectory() as folder:
+            path = str(pathlib.Path(folder) / "top.png")
+            writer = vtkPNGWriter()
+            writer.SetInputData(relievo.to_image(picture))
+            writer.SetFileName(path)
+            writer.Write()
+            with open(path, "rb") as file:
+                rows = png_rows(file.read(), 4 * 3)
+            self.assertEqual(rows[0], bytes((255, 0, 0)) * 4)
+            self.assertEqual(rows[5], bytes(12))
+            reader = vtkPNGReader()
+            reader.SetFileName(path)
+            reader.Update()
+            numpy.testing.assert_array_equal(relievo.from_image(reader.GetOutput()), picture)
+
+    def test_a_captured_picture(self):
+        """What is above in the world is in the upper rows."""
+        renderer = vtkRenderer()
+        above = vtkSphereSource()
+        above.SetCenter(0, 0.8, 0)
+        above.SetRadius(0.1)
+        scenes.add(renderer, above)
+        renderer.GetActiveCamera().SetPosition(0, 0, 5)
+        window = scenes.window_of(renderer, 60, 60)
+        image = relievo.capture(renderer, "depth")
+        rows = numpy.nonzero(numpy.isfinite(relievo.layer(image, "depth")).any(axis=1))[0]
+        self.assertLess(rows.max(), 30)
+        window.Render()
+        grab = vtkWindowToImageFilter()
+        grab.SetInput(window)
+        grab.Update()
+        shown = relievo.from_image(grab.GetOutput()).any(axis=(1, 2))
+        numpy.testing.assert_array_equal(numpy.nonzero(shown)[0], rows)
+
+    def test_kinds(self):
+        for kind in ("bool", "uint8", "int16", "int32", "int64", "float16", "float32", ">f8"):
+            values = (numpy.arange(6).reshape(2, 3) % 2).astype(kind)
+            numpy.testing.assert_array_equal(
+                relievo.from_image(relievo.to_image(values)), values.astype(float))
+        values = numpy.arange(24.0).reshape(4, 6)
+        image = relievo.to_image(values[:, ::2])
+        values[:] = 0  # a copy was taken
+        numpy.testing.assert_array_equal(relievo.from_image(image)[0], (0, 2, 4))
+        two = {"a": numpy.ones((2, 3)), "b": numpy.ones((2, 3, 2))}
+        image = relievo.to_image(two)
+        self.assertEqual(relievo.layer_names(image), ["a", "b"])
+        self.assertEqual(relievo.from_image(image).shape, (2, 3))
+        self.assertEqual(relievo.layer(image, "b").shape, (2, 3, 2))
+
+    def test_masked(self):
+        values = numpy.array([[1.5, 2], [3, 4]])
+        masked = numpy.ma.masked_greater(values, 3)
+        back = relievo.from_image(relievo.to_image(masked))
+        numpy.testing.assert_array_equal(back, [[1.5, 2], [3, numpy.nan]])
+        nothing = numpy.ma.masked_array(values.astype(int))
+        numpy.testing.assert_array_equal(
+            relievo.from_image(relievo.to_image(nothing)), values.astype(int))
+        with self.assertRaisesRegex(ValueError, r"ids: got masked values of type int64.*filled"):
+            relievo.to_image({"ids": numpy.ma.masked_greater(values.astype(int), 3)})
+
+    def test_copied_once(self):
+        """Into VTK's memory, without a copy for numpy, whatever the type; the values are kept."""
+        for given in (numpy.float32, numpy.float16, bool, ">f8"):
+            values = (numpy.arange(360000) % 199).reshape(300, 400, 3).astype(given)
+            tracemalloc.start()
+            image = relievo.to_image(values)
+            peak = tracemalloc.get_traced_memory()[1]
+            tracemalloc.stop()
+            self.assertLess(peak, values.nbytes / 3)
+            kept = values.copy()
+            values[...] = 0
+            numpy.testing.assert_array_equal(relievo.from_image(image), kept)
+
+    def test_refusals(self):
+        flat = numpy.ones((2, 3))
+        for wrong, says in (
+            (numpy.ones(3), r"got shape \(3,\)"),
+            (numpy.ones((2, 0)), "shape"),
+            (numpy.ones((2, 2, 2, 2)), "shape"),
+            (numpy.ones((2, 2), complex), "complex"),
+            (numpy.array([["a"]]), "<U1"),
+            ({}, "no arrays"),
+            ({"a": flat, "b": flat.T}, "b: got shape"),
+            ({"": flat}, "name"),
+        ):
+            with self.assertRaisesRegex(ValueError, says):
+                relievo.to_image(wrong)
+        solid = vtkImageData()
+        solid.SetDimensions(2, 2, 2)
+        with self.assertRaisesRegex(ValueError, "no scalars"):
+            relievo.from_image(solid)
+        solid.AllocateScalars(10, 1)
+        with self.assertRaisesRegex(ValueError, "2 x 2 x 2"):
+            relievo.from_image(solid)
+        with self.assertRaisesRegex(ValueError, "expected a vtkImageData"):
+            relievo.from_image(flat)
+
+
+def png_rows(data, width):
+    """The rows of a PNG file of bytes without interlacing, as PNG's filters leave them."""
+    packed, at = b"", 8
+    while at < len(data):
+        size, kind = int.from_bytes(data[at : at + 4], "big"), data[at + 4 : at + 8]
+        packed += data[at + 8 : at + 8 + size] if kind == b"IDAT" else b""
+        at += size + 12
+    raw, rows = zlib.decompress(packed), []
+    for start in range(0, len(raw), width + 1):
+        line, before = bytearray(raw[start + 1 : start + 1 + width]), (rows or [bytes(width)])[-1]
+        for i in range(width):
+            left, up = line[i - 3] if i >= 3 else 0, before[i]
+            corner = before[i - 3] if i >= 3 else 0
+            near = min((left, up, corner), key=lambda each: abs(left + up - corner - each))
+            line[i] = (line[i] + (0, left, up, (left + up) // 2, near)[raw[start]]) % 256
+        rows.append(bytes(line))
+    return rows
 
 
 class FolderTest(unittest.TestCase):
@@ -225,48 +364,6 @@ class ReadErrors(FolderTest):
                 with self.assertRaises(ValueError) as caught:
                     relievo.read_exr(path)
                 self.assertIn(str(path), str(caught.exception))
-
-
-class Points(unittest.TestCase):
-    def check(self, renderer, limit):
-        image = relievo.capture(renderer, ["depth", "actor"], size=(90, 60))
-        cloud = relievo.depth_to_points(image)
-        finite = numpy.isfinite(relievo.layer(image, "depth"))
-        self.assertEqual(cloud.GetNumberOfPoints(), finite.sum())
-        self.assertEqual(cloud.GetNumberOfVerts(), finite.sum())
-        from vtkmodules.util.numpy_support import vtk_to_numpy
-
-        points = vtk_to_numpy(cloud.GetPoints().GetData())
-        self.assertEqual(points.dtype, numpy.float64)
-        # The points of actor 0 lie in its plane, whose corners are known in double.
-        plane = vtk_to_numpy(
-            renderer.GetActors().GetItemAsObject(0).GetMapper().GetInput().GetPoints().GetData()
-        )
-        normal = numpy.cross(plane[1] - plane[0], plane[2] - plane[0])
-        normal /= numpy.linalg.norm(normal)
-        on_plane = vtk_to_numpy(cloud.GetPointData().GetArray("actor")) == 0
-        self.assertGreater(on_plane.sum(), 1000)
-        off = numpy.abs((points[on_plane] - plane[0]) @ normal)
-        self.assertLessEqual(off.max(), limit)
-
-    def test_perspective(self):
-        self.check(scenes.plane_and_sphere(), 2e-5)
-
-    def test_parallel(self):
-        self.check(scenes.plane_and_sphere(parallel=True), 2e-5)
-
-    def test_far_from_the_origin(self):
-        self.check(scenes.plane_and_sphere(far_from_origin=(5e5, 5e6, 0)), 2e-4)
-
-    def test_errors(self):
-        with self.assertRaises(ValueError) as caught:
-            relievo.depth_to_points(image_of(v=numpy.zeros((2, 2), numpy.float32)))
-        self.assertIn("depth", str(caught.exception))
-        with self.assertRaises(ValueError):
-            relievo.depth_to_points("image")
-        with self.assertRaises(ValueError) as caught:
-            relievo.depth_to_points(vtkImageData())
-        self.assertIn("'depth'", str(caught.exception))
 
 
 if __name__ == "__main__":

@@ -6,18 +6,49 @@
 #include "Options.h"
 
 #ifdef RELIEVO_HAVE_BENCH
+#include "BenchRuns.h"
 #include "Display.h"
 #include "RelievoBench.h"
 #include "Values.h"
+#include "Version.h"
 
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
 #endif
 
 namespace cli
 {
+#ifdef RELIEVO_HAVE_BENCH
+namespace
+{
+constexpr char All[] = "all";
+
+int RunSeveral(const BenchOptions& options, const std::vector<std::string>& names)
+{
+  std::vector<std::string> asked = options.Names;
+  if (std::find(asked.begin(), asked.end(), All) != asked.end())
+  {
+    asked = names;
+  }
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error)
+  {
+    throw WorkError("bench: cannot find its own program: " + error.message());
+  }
+  std::vector<std::string> machine = Split(DescribeVersions(), '\n');
+  machine.erase(std::remove(machine.begin(), machine.end(), ""), machine.end());
+  return relievoBench::RunBenches(program.string(), asked, options.Folder, options.Beside, machine);
+}
+}
+#endif
+
 //------------------------------------------------------------------------------
 int Bench(const BenchOptions& options)
 {
@@ -27,18 +58,32 @@ int Bench(const BenchOptions& options)
   {
     names.emplace_back(entry.Name);
   }
-  if (options.Name.empty() && options.Redraw.empty())
+  const bool several = options.Names.size() > 1 || !options.Beside.empty() ||
+    (options.Names.size() == 1 && options.Names.front() == All);
+  const std::string expected = "one of " + Join(names, ", ") + ", or all";
+  if (options.Names.empty() && options.Redraw.empty())
   {
-    throw WordsError("bench: no NAME given, expected one of " + Join(names, ", "));
+    throw WordsError("bench: no NAME given, expected " + expected);
   }
-  if (!options.Name.empty() && std::find(names.begin(), names.end(), options.Name) == names.end())
+  for (const std::string& name : options.Names)
   {
-    RefuseValue("bench", options.Name, "one of " + Join(names, ", "));
+    if (std::find(names.begin(), names.end(), name) == names.end() &&
+      (name != All || !options.Redraw.empty()))
+    {
+      RefuseValue("bench", name, expected);
+    }
   }
-  vtkNew<vtkRenderWindow> probe; // the charts are drawn in windows that the bench makes itself
-  CheckDisplay(probe);
-  return options.Redraw.empty() ? RelievoBench(options.Name, options.Folder)
-                                : RelievoBenchRedraw(options.Name, options.Redraw, options.Folder);
+  {
+    vtkNew<vtkRenderWindow> probe; // the charts are drawn in windows that the bench makes itself
+    CheckDisplay(probe);
+  }
+  if (several)
+  {
+    return RunSeveral(options, names);
+  }
+  const std::string name = options.Names.empty() ? "" : options.Names.front();
+  return options.Redraw.empty() ? RelievoBench(name, options.Folder)
+                                : RelievoBenchRedraw(name, options.Redraw, options.Folder);
 #else
   (void)options;
   throw WordsError("bench: this relievo was built without its benches (RELIEVO_BUILD_BENCH=OFF)");

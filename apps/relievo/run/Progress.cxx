@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Progress.h"
 
+#include "Failure.h"
 #include "StandardError.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
@@ -24,8 +26,9 @@ constexpr std::chrono::seconds LogPause(5);
 }
 
 //------------------------------------------------------------------------------
-Progress::Progress()
-  : OnTerminal(isatty(fileno(StandardError())) != 0)
+Progress::Progress(ProgressListener* listener)
+  : Listener(listener)
+  , OnTerminal(!listener && isatty(fileno(StandardError())) != 0)
 {
 }
 
@@ -39,10 +42,14 @@ Progress::~Progress()
 void Progress::Begin(const std::string& what)
 {
   this->End();
+  if (this->Listener && this->Listener->IsStopped())
+  {
+    throw WorkError(what + ": stopped");
+  }
   this->What = what;
   this->Began = Clock::now();
   this->LastShown = Clock::time_point();
-  if (this->OnTerminal)
+  if (this->OnTerminal || this->Listener)
   {
     this->Update(0.0);
   }
@@ -51,6 +58,11 @@ void Progress::Begin(const std::string& what)
 //------------------------------------------------------------------------------
 void Progress::Update(double share)
 {
+  if (this->Listener)
+  {
+    this->Listener->Say(this->What, std::clamp(share, 0.0, 1.0));
+    return;
+  }
   const Clock::time_point now = Clock::now();
   const bool due = this->OnTerminal
     ? now - this->LastShown >= TerminalPause
@@ -83,10 +95,16 @@ void Progress::Observe(vtkObject* algorithm)
 {
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(this);
-  command->SetCallback([](vtkObject*, unsigned long, void* self, void* share) {
+  command->SetCallback([](vtkObject* caller, unsigned long, void* client, void* share) {
+    auto* self = static_cast<Progress*>(client);
     if (share)
     {
-      static_cast<Progress*>(self)->Update(*static_cast<double*>(share));
+      self->Update(*static_cast<double*>(share));
+    }
+    vtkAlgorithm* working = vtkAlgorithm::SafeDownCast(caller);
+    if (working && self->Listener && self->Listener->IsStopped())
+    {
+      working->SetAbortExecute(1);
     }
   });
   algorithm->AddObserver(vtkCommand::ProgressEvent, command);

@@ -4,15 +4,11 @@
 
 #include "Display.h"
 #include "Failure.h"
-#include "Fog.h"
-#include "Lamps.h"
-#include "Markers.h"
+#include "Frame.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Outputs.h"
-#include "Points.h"
 #include "Progress.h"
-#include "Readers.h"
 #include "Scene.h"
 #include "Shadows.h"
 #include "StandardError.h"
@@ -23,12 +19,8 @@
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkRelievoEXRWriter.h"
-#include "vtkRelievoLamps.h"
-#include "vtkRelievoLampsStage.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
-#include "vtkRelievoMarkers.h"
-#include "vtkRelievoMarkersStage.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowCertificate.h"
 #include "vtkRelievoShadowPass.h"
@@ -40,6 +32,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <memory>
 
 namespace cli
 {
@@ -154,37 +147,11 @@ void NoteIdleStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages
     }
   }
 }
-}
 
 //------------------------------------------------------------------------------
-void Render(const RenderOptions& options)
+void AddOutputs(
+  const RenderOptions& options, const std::vector<std::string>& inputs, Outputs& outputs)
 {
-  // What can be refused at once is refused before the long work.
-  for (const std::string& path : options.Files)
-  {
-    CheckExtension(path);
-    CheckReadable(path);
-  }
-  CheckSurface(options);
-  std::vector<std::string> inputs = options.Files;
-  for (const LampChoice& choice : options.Lamps)
-  {
-    CheckPointFile("--lamps", choice.File);
-    inputs.push_back(choice.File);
-  }
-  for (const FogChoice& choice : options.Fogs)
-  {
-    CheckPointFile("--fog", choice.File);
-    inputs.push_back(choice.File);
-  }
-  for (const MarkerChoice& choice : options.Markers)
-  {
-    CheckPointFile("--markers", choice.File);
-    inputs.push_back(choice.File);
-  }
-  inputs.insert(inputs.end(), { options.NormalMap, options.HeightMap, options.Environment });
-  inputs.erase(std::remove(inputs.begin(), inputs.end(), std::string()), inputs.end());
-  Outputs outputs;
   const std::pair<const char*, const std::string&> places[] = { { "--png", options.PNG },
     { "--exr", options.EXR }, { "--report", options.Report } };
   for (const auto& [option, path] : places)
@@ -194,53 +161,28 @@ void Render(const RenderOptions& options)
       outputs.Add(option, path, inputs);
     }
   }
+}
 
-  Messages::Collect();
-  Progress progress;
-  const Scene scene = BuildScene(options, progress);
-  SetSurface(scene.Renderer, options, progress);
-  const auto lamps = ReadLamps(options.Lamps, progress);
-  const auto fogs = ReadFogs(options.Fogs, progress);
-  const auto markers = ReadMarkers(options.Markers, options.UpAxis, progress);
-  const std::vector<std::string> layers = LayersToCapture(options, scene);
-  const int lights = CountLights(scene.Renderer);
-  CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
-  CheckDisplay(scene.Window);
+//------------------------------------------------------------------------------
+// The options of one frame of a sequence: its time, and the names of its files.
+RenderOptions FrameOptions(const RenderOptions& options, int frame)
+{
+  RenderOptions own = options;
+  own.Model.Time = options.Model.Times[static_cast<std::size_t>(frame)];
+  for (std::string RenderOptions::*name :
+    { &RenderOptions::PNG, &RenderOptions::EXR, &RenderOptions::Report })
+  {
+    own.*name = (own.*name).empty() ? "" : GetFrameName(own.*name, frame);
+  }
+  return own;
+}
 
-  const std::string size = std::to_string(options.Size[0]) + "x" + std::to_string(options.Size[1]);
-  progress.Begin("rendering " + size);
-  // A plain picture is VTK's own: nothing of Relievo is attached that nobody asked for.
-  vtkRelievoPass* pass = nullptr;
-  if (!layers.empty() || !options.Report.empty() || options.ShadowMethod != Shadows::Off ||
-    !options.Stages.empty() || !options.Lamps.empty() || !options.Fogs.empty() ||
-    !options.Markers.empty() || options.Certify)
-  {
-    pass = vtkRelievoPass::Attach(scene.Renderer);
-  }
-  for (const std::string& name : layers)
-  {
-    if (name !=
-      vtkRelievoLayerCatalogue::GetPicture()
-        .Name) // the source's own: the picture as it is drawn anyway
-    {
-      pass->RequestLayer(name);
-    }
-  }
-  CheckSize(scene.Window, options.Size);
-  if (pass)
-  {
-    SetShadows(pass, scene.Renderer, options);
-    for (vtkRelievoLamps* each : lamps)
-    {
-      vtkRelievoLampsStage::SafeDownCast(pass->GetStage("lamps"))->AddLamps(each);
-    }
-    SetStages(pass, options.Stages);
-    AddFogs(pass, options.Fogs, fogs);
-    for (vtkRelievoMarkers* each : markers)
-    {
-      pass->GetMarkers()->AddMarkers(each);
-    }
-  }
+//------------------------------------------------------------------------------
+// Draws the scene as it is and writes what is asked for, whole.
+void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::string>& layers,
+  const RenderOptions& options, Outputs& outputs, Progress& progress, const std::string& what)
+{
+  progress.Begin(what);
   if (!options.Report.empty())
   {
     pass->GetFrameReport(); // from now on frames are timed, whatever the OpenGL
@@ -266,7 +208,7 @@ void Render(const RenderOptions& options)
     scene.Window->Render();
   }
   progress.End();
-  Messages::Check("rendering " + size);
+  Messages::Check(what);
   NoteIdleStages(pass, options.Stages);
 
   try
@@ -289,8 +231,74 @@ void Render(const RenderOptions& options)
   {
     throw WorkError(outputs.WithGivenNames(error.what()));
   }
+}
+}
+
+//------------------------------------------------------------------------------
+void Render(const RenderOptions& options)
+{
+  // What can be refused at once is refused before the long work.
+  const std::vector<std::string> inputs = CheckInputs(options);
+  const int frames = static_cast<int>(options.Model.Times.size());
+  auto outputs = std::make_unique<Outputs>();
+  AddOutputs(frames > 0 ? FrameOptions(options, 0) : options, inputs, *outputs);
+
+  Messages::Collect();
+  Progress progress;
+  Scene scene = BuildScene(options, progress);
+  SetSurface(scene.Renderer, options, progress);
+  const FramePoints points = ReadFramePoints(options, progress);
+  const std::vector<std::string> layers = LayersToCapture(options, scene);
+  const int lights = CountLights(scene.Renderer);
+  CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
+  CheckDisplay(scene.Window);
+
+  const std::string size = std::to_string(options.Size[0]) + "x" + std::to_string(options.Size[1]);
+  progress.Begin("rendering " + size);
+  vtkRelievoPass* pass = nullptr;
+  if (NeedsFrame(options) || !layers.empty() || !options.Report.empty() || options.Certify)
+  {
+    pass = vtkRelievoPass::Attach(scene.Renderer);
+  }
+  for (const std::string& name : layers)
+  {
+    if (name !=
+      vtkRelievoLayerCatalogue::GetPicture()
+        .Name) // the source's own: the picture as it is drawn anyway
+    {
+      pass->RequestLayer(name);
+    }
+  }
+  CheckSize(scene.Window, options.Size);
+  if (pass)
+  {
+    SetFrame(pass, scene.Renderer, options, points);
+  }
+  if (frames == 0)
+  {
+    DrawFrame(scene, pass, layers, options, *outputs, progress, "rendering " + size);
+  }
   const std::string certificate = options.Certify ? Certify(pass, *options.Certify) : "";
-  outputs.Commit();
+  if (frames == 0)
+  {
+    outputs->Commit();
+  }
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    const RenderOptions own = FrameOptions(options, frame);
+    if (frame > 0)
+    {
+      outputs.reset(); // before the next one, which may have the same temporary names
+      outputs = std::make_unique<Outputs>();
+      AddOutputs(own, inputs, *outputs);
+      PlayScene(scene, options, *own.Model.Time, progress);
+    }
+    DrawFrame(scene, pass, layers, own, *outputs, progress,
+      "rendering " + size + ", frame " + std::to_string(frame + 1) + " of " +
+        std::to_string(frames));
+    outputs->Commit();
+  }
+
   if (options.Certify)
   {
     std::printf("relievo: certified shadows: %s\n", certificate.c_str());

@@ -73,7 +73,7 @@ vtkSmartPointer<vtkDataObject> WithNormals(vtkDataObject* data, Progress& progre
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkActor> MakeActor(
+vtkSmartPointer<vtkDataObject> MakeSurface(
   vtkDataObject* data, bool smooth, const std::string& path, Progress& progress)
 {
   if (!vtkDataSet::SafeDownCast(data) && !vtkCompositeDataSet::SafeDownCast(data))
@@ -87,7 +87,14 @@ vtkSmartPointer<vtkActor> MakeActor(
     surface = WithNormals(surface, progress);
   }
   Messages::Check(path);
+  return surface;
+}
 
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkActor> MakeActor(
+  vtkDataObject* data, bool smooth, const std::string& path, Progress& progress)
+{
+  const vtkSmartPointer<vtkDataObject> surface = MakeSurface(data, smooth, path, progress);
   vtkSmartPointer<vtkMapper> mapper;
   if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(surface))
   {

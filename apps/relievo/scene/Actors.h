@@ -25,6 +25,10 @@ class Progress;
 vtkSmartPointer<vtkActor> MakeActor(
   vtkDataObject* data, bool smooth, const std::string& path, Progress& progress);
 
+/// What MakeActor draws of the data: polygons, finite, with normals if `smooth`.
+vtkSmartPointer<vtkDataObject> MakeSurface(
+  vtkDataObject* data, bool smooth, const std::string& path, Progress& progress);
+
 /// Adds the names of the numeric point and cell arrays that the actor's mapper draws from.
 void AddArrayNames(vtkActor* actor, std::set<std::string>& names);
 }

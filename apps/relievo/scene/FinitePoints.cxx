@@ -12,6 +12,7 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProp3D.h"
@@ -122,6 +123,17 @@ std::string Plural(vtkIdType count, const char* noun)
 {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
+}
+
+//------------------------------------------------------------------------------
+bool HasInfinite(vtkDataObject* data)
+{
+  bool found = false;
+  ForEachDataSet(data, [&found](vtkDataSet* block) {
+    vtkPointSet* mesh = vtkPointSet::SafeDownCast(block);
+    found = found || (mesh && !FindInfinite(mesh->GetPoints()).empty());
+  });
+  return found;
 }
 
 //------------------------------------------------------------------------------

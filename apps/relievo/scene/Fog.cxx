@@ -66,12 +66,15 @@ void AddFogs(vtkRelievoPass* pass, const std::vector<FogChoice>& choices,
   const std::vector<vtkSmartPointer<vtkRelievoFogSpheres>>& fogs)
 {
   vtkRelievoFogStage* stage = pass->GetFog();
-  for (std::size_t i = 0; i < fogs.size(); ++i)
+  for (vtkRelievoFogSpheres* fog : fogs)
   {
-    stage->AddFog(fogs[i]);
-    if (!choices[i].Mode.empty())
+    stage->AddFog(fog);
+  }
+  for (const FogChoice& choice : choices) // also where the fog itself comes later, as in the viewer
+  {
+    if (!choice.Mode.empty())
     {
-      stage->SetParameter("mode", choices[i].Mode);
+      stage->SetParameter("mode", choice.Mode);
     }
   }
 }

@@ -4,7 +4,6 @@
 
 #include "Actors.h"
 #include "CrashGuard.h"
-#include "DataSets.h"
 #include "Failure.h"
 #include "Images.h"
 #include "Messages.h"
@@ -20,6 +19,8 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRelievoModelReader.h"
 #include "vtkStringArray.h"
@@ -100,21 +101,51 @@ void SetColor(vtkActor* actor, vtkDataSet* mesh)
     }
   }
 }
+
+vtkSmartPointer<vtkPolyData> CopySkeleton(vtkRelievoModelReader* reader)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(reader->GetOutputDataObject(1));
+  return copy;
+}
+
+// Lines as they are, not lit, with the colours of their axes.
+vtkSmartPointer<vtkActor> MakeSkeletonActor(vtkRelievoModelReader* reader)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(CopySkeleton(reader));
+  mapper->SetScalarModeToUseCellData();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetLineWidth(2.f);
+  return actor;
+}
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkSmartPointer<vtkActor>> ReadModel(
+PosedModel ReadModel(
   const std::string& path, const ModelChoice& choice, bool smooth, Progress& progress)
 {
   progress.Begin("reading " + path);
-  vtkNew<vtkRelievoModelReader> reader;
+  PosedModel model;
+  model.Path = path;
+  model.Smooth = smooth;
+  model.Reader = vtkSmartPointer<vtkRelievoModelReader>::New();
+  vtkRelievoModelReader* reader = model.Reader;
   {
     const CrashGuard guard(path);
     reader->SetFileName(path.c_str());
     reader->SetAnimation(choice.Animation.c_str());
+    reader->SetBlendAnimation(choice.Blend.c_str());
+    reader->SetBlendWeight(choice.BlendWeight);
+    reader->SetLoop(choice.Loop);
+    reader->SetSkeletonAxes(choice.Skeleton);
+    reader->SetFirstBone(choice.FirstBone);
+    reader->SetWeightsOf(choice.BoneWeight.c_str());
     if (choice.Skin == SkinChoice::Off)
     {
-      reader->SetPose(vtkRelievoModelReader::POSE_REST);
+      reader->SetPose(vtkRelievoModelReader::POSE_BIND);
     }
     else
     {
@@ -138,18 +169,39 @@ std::vector<vtkSmartPointer<vtkActor>> ReadModel(
   }
   if (choice.Time && reader->GetNumberOfAnimations() == 0)
   {
-    Messages::Note(path + ": --time changed nothing: the file has no animation");
+    Messages::Note(path + (choice.Times.empty() ? ": --time" : ": --times") +
+      " changed nothing: the file has no animation");
   }
-  std::vector<vtkSmartPointer<vtkActor>> actors;
-  ForEachDataSet(reader->GetOutput(), [&](vtkDataSet* mesh) {
-    if (mesh->GetNumberOfCells() > 0)
+  vtkMultiBlockDataSet* output = reader->GetOutput();
+  for (unsigned int i = 0; i < output->GetNumberOfBlocks(); ++i)
+  {
+    vtkDataSet* mesh = vtkDataSet::SafeDownCast(output->GetBlock(i));
+    if (mesh && mesh->GetNumberOfCells() > 0)
     {
       const vtkSmartPointer<vtkActor> actor = MakeActor(mesh, smooth, path, progress);
       SetColor(actor, mesh);
       SetTexture(actor, mesh, path, progress);
-      actors.push_back(actor);
+      model.Parts.push_back({ i, actor });
     }
-  });
-  return actors;
+  }
+  model.Skeleton = choice.Skeleton ? MakeSkeletonActor(reader) : nullptr;
+  return model;
+}
+
+//------------------------------------------------------------------------------
+void PlayModel(PosedModel& model, double time, Progress& progress)
+{
+  model.Reader->UpdateTimeStep(time);
+  Messages::Check(model.Path, model.Reader->GetErrorCode() != 0, NotAsNamed(model.Path));
+  for (const PosedModel::Part& part : model.Parts)
+  {
+    const vtkSmartPointer<vtkDataObject> surface = MakeSurface(
+      model.Reader->GetOutput()->GetBlock(part.Block), model.Smooth, model.Path, progress);
+    part.Actor->GetMapper()->SetInputDataObject(surface);
+  }
+  if (model.Skeleton)
+  {
+    model.Skeleton->GetMapper()->SetInputDataObject(CopySkeleton(model.Reader));
+  }
 }
 }

@@ -15,20 +15,22 @@
 #include "Readers.h"
 #include "TextureCoordinates.h"
 
-#include "vtkActor.h"
 #include "vtkActorCollection.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkDataObject.h"
 #include "vtkGLTFImporter.h"
+#include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkProperty.h"
 #include "vtkRelievoNullLight.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTexture.h"
+
+#include <algorithm>
 
 namespace cli
 {
@@ -124,6 +126,7 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
     renderer->AddLight(light);
   }
 }
+}
 
 //------------------------------------------------------------------------------
 void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options)
@@ -159,10 +162,56 @@ void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options)
     camera->SetClippingRange((*options.Clip)[0], (*options.Clip)[1]);
   }
 }
+
+namespace
+{
+//------------------------------------------------------------------------------
+bool IsMapped(const RenderOptions& options)
+{
+  return !options.NormalMap.empty() || !options.HeightMap.empty();
 }
 
 //------------------------------------------------------------------------------
-Scene BuildScene(const RenderOptions& options, Progress& progress)
+// By what the last model's animation lasts.
+void WidenTimes(Scene& scene)
+{
+  vtkInformation* information = scene.Models.back().Reader->GetOutputInformation(0);
+  if (information->Has(vtkStreamingDemandDrivenPipeline::TIME_RANGE()))
+  {
+    const double* own = information->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+    const std::array<double, 2> all = scene.Times.value_or(std::array<double, 2>{ own[0], own[1] });
+    scene.Times = { std::min(all[0], own[0]), std::max(all[1], own[1]) };
+  }
+}
+
+//------------------------------------------------------------------------------
+// The fitted camera sees every frame of a sequence, from one place.
+void FitTimes(Scene& scene, const RenderOptions& options, Progress& progress)
+{
+  progress.Begin("fitting the camera");
+  const std::vector<double>& times = options.Model.Times;
+  vtkBoundingBox box;
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    PlayScene(scene, options, times[i], progress);
+    box.AddBounds(scene.Renderer->ComputeVisiblePropBounds());
+    progress.Update(static_cast<double>(i + 1) / static_cast<double>(times.size()));
+  }
+  progress.End();
+  double bounds[6];
+  box.GetBounds(bounds);
+  const double scale = scene.Renderer->GetActiveCamera()->GetParallelScale();
+  scene.Renderer->ResetCamera(bounds);
+  if (options.ParallelScale)
+  {
+    scene.Renderer->GetActiveCamera()->SetParallelScale(scale);
+  }
+  PlayScene(scene, options, times.front(), progress);
+}
+}
+
+//------------------------------------------------------------------------------
+Scene ReadScene(const RenderOptions& options, Progress& progress)
 {
   Scene scene;
   scene.Window = vtkSmartPointer<vtkRenderWindow>::New();
@@ -172,16 +221,17 @@ Scene BuildScene(const RenderOptions& options, Progress& progress)
   scene.Renderer = vtkSmartPointer<vtkRenderer>::New();
   scene.Window->AddRenderer(scene.Renderer);
 
-  const bool mapped = !options.NormalMap.empty() || !options.HeightMap.empty();
   const bool smooth = options.ShadingKind != Shading::Flat;
   for (const std::string& path : options.Files)
   {
     const int before = scene.Renderer->GetActors()->GetNumberOfItems();
     if (IsModel(path) || (IsGLTF(path) && options.Model.Given))
     {
-      for (vtkActor* part : ReadModel(path, options.Model, smooth, progress))
+      scene.Models.push_back(ReadModel(path, options.Model, smooth, progress));
+      WidenTimes(scene);
+      for (const PosedModel::Part& part : scene.Models.back().Parts)
       {
-        scene.Renderer->AddActor(part);
+        scene.Renderer->AddActor(part.Actor);
       }
     }
     else if (IsGLTF(path))
@@ -192,6 +242,10 @@ Scene BuildScene(const RenderOptions& options, Progress& progress)
     {
       const vtkSmartPointer<vtkDataObject> data = ReadData(path, progress);
       progress.Begin("preparing " + path);
+      if (HasInfinite(data))
+      {
+        scene.Incomplete.insert(path);
+      }
       const vtkSmartPointer<vtkActor> actor = MakeActor(data, smooth, path, progress);
       const auto parts = SplitByMaterials(actor, path, progress);
       for (vtkActor* part : parts)
@@ -206,7 +260,7 @@ Scene BuildScene(const RenderOptions& options, Progress& progress)
     {
       vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
       AddArrayNames(actor, scene.Arrays);
-      if (mapped)
+      if (IsMapped(options))
       {
         TurnTextureCoordinates(actor);
         AddTextureCoordinates(actor, options, path);
@@ -216,10 +270,56 @@ Scene BuildScene(const RenderOptions& options, Progress& progress)
     }
     Messages::Check(path, !shows, "holds nothing that can be drawn: no points, or no cells");
   }
+  return scene;
+}
+
+//------------------------------------------------------------------------------
+void DressScene(Scene& scene, const RenderOptions& options)
+{
   SetShading(scene.Renderer, options.ShadingKind);
   SetLook(scene, options.Look);
+  for (const PosedModel& model : scene.Models)
+  {
+    if (model.Skeleton)
+    {
+      scene.Renderer->AddActor(model.Skeleton); // which looks as it does
+    }
+  }
   AddLights(scene.Renderer, options);
   PlaceCamera(scene.Renderer, options);
+}
+
+//------------------------------------------------------------------------------
+Scene BuildScene(const RenderOptions& options, Progress& progress)
+{
+  Scene scene = ReadScene(options, progress);
+  DressScene(scene, options);
+  if (!options.Camera && options.Model.Times.size() > 1)
+  {
+    FitTimes(scene, options, progress);
+  }
   return scene;
+}
+
+//------------------------------------------------------------------------------
+void PlayScene(Scene& scene, const RenderOptions& options, double time, Progress& progress)
+{
+  for (PosedModel& model : scene.Models)
+  {
+    PlayModel(model, time, progress);
+    for (const PosedModel::Part& part : model.Parts)
+    {
+      if (IsMapped(options))
+      {
+        TurnTextureCoordinates(part.Actor);
+        AddTextureCoordinates(part.Actor, options, model.Path);
+      }
+      CheckReach(part.Actor, model.Path);
+    }
+  }
+  if (!options.Clip)
+  {
+    scene.Renderer->ResetCameraClippingRange();
+  }
 }
 }

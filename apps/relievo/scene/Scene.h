@@ -6,13 +6,17 @@
 #ifndef Scene_h
 #define Scene_h
 
+#include "Models.h"
+
+#include "vtkRenderWindow.h" // for the scene's own
+#include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
+#include <optional>
 #include <set>
 #include <string>
-
-class vtkRenderer;
-class vtkRenderWindow;
+#include <vector>
 
 namespace cli
 {
@@ -23,12 +27,27 @@ struct Scene
 {
   vtkSmartPointer<vtkRenderWindow> Window; ///< off screen, single sample, of the asked size
   vtkSmartPointer<vtkRenderer> Renderer;
-  std::set<std::string> Arrays; ///< names of the point and cell arrays that can be layers
+  std::vector<PosedModel> Models;
+  std::set<std::string> Arrays;     ///< names of the point and cell arrays that can be layers
+  std::set<std::string> Incomplete; ///< files of which cells with infinite points are left out
+  std::optional<std::array<double, 2>> Times; ///< seconds that animations last; none: nothing moves
 };
 
 /// Reads every file. Throws WorkError with the name of the file that cannot be read or shows
 /// nothing.
+Scene ReadScene(const RenderOptions& options, Progress& progress);
+
+/// Shading, colours and lights of what was read, and the camera.
+void DressScene(Scene& scene, const RenderOptions& options);
+
+/// The camera alone.
+void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options);
+
+/// Both: reads and dresses.
 Scene BuildScene(const RenderOptions& options, Progress& progress);
+
+/// Moves the models to a time in seconds; the camera stays.
+void PlayScene(Scene& scene, const RenderOptions& options, double time, Progress& progress);
 }
 
 #endif

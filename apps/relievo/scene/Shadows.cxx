@@ -41,9 +41,8 @@ int CountLights(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options)
+void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options)
 {
-  pass->SetShadows(options.ShadowMethod != Shadows::Off);
   for (std::size_t i = 0; i < options.Lights.size(); ++i)
   {
     // The file's lights are gone where others are asked for.
@@ -54,6 +53,19 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
       pass->GetShadowPass()->SetLightSize(vtkLight::SafeDownCast(light), *options.Lights[i].Size);
     }
   }
+  vtkPropCollection* props = renderer->GetViewProps();
+  for (int i = 0; options.ColoredShadows && i < props->GetNumberOfItems(); ++i)
+  {
+    pass->GetShadowPass()->SetPropCasts(
+      vtkProp::SafeDownCast(props->GetItemAsObject(i)), vtkRelievoShadowPass::CASTS_ALWAYS);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options)
+{
+  pass->SetShadows(options.ShadowMethod != Shadows::Off);
+  SetCasters(pass, renderer, options);
   if (options.ShadowSize)
   {
     vtkOpenGLRenderWindow* gl = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -70,6 +82,7 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
   {
     pass->GetShadowPass()->SetSoftSamples(*options.SoftShadows);
   }
+  pass->GetShadowPass()->SetColoredShadows(options.ColoredShadows);
   pass->WaitForSamplesOn();
   pass->GetShadowPass()->SetTolerance(options.ShadowTolerance.value_or(0.0));
   pass->GetShadowPass()->SetTimeBudget(options.TimeBudget.value_or(0.0));

@@ -23,7 +23,11 @@ void CheckShadowLayers(const RenderOptions& options, int lights, const std::stri
 /// Lights that the renderer will draw with: VTK makes a headlight where there are none.
 int CountLights(vtkRenderer* renderer);
 
-/// Sets the pass as asked. Throws WordsError if the maps are larger than the window's OpenGL makes.
+/// Which lights and props cast, and how large lights are.
+void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options);
+
+/// Sets the pass as asked, lights too. Throws WordsError if the maps are larger than the window's
+/// OpenGL makes.
 void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options);
 }
 

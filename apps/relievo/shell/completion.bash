@@ -1,4 +1,4 @@
-# bash completion for relievo                                        -*- shell-script -*-
+# bash completion for relievo and relievo-viewer                                        -*- shell-script -*-
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
@@ -11,12 +11,17 @@ _relievo()
     local split
     _init_completion -s || return
 
-    if ((cword == 1)); then
+    # The viewer's words are those of `relievo render`, which lies beside it.
+    local program=$1
+    if [[ ${program##*/} == relievo-viewer ]]; then
+        program=${program%-viewer}
+        words=("$program" render "${words[@]:1}")
+    elif ((cword == 1)); then
         mapfile -t COMPREPLY < <(compgen -W 'render cave stages bench --help --version' -- "$cur")
         return
     fi
 
-    [[ ${_relievo_help-} ]] || _relievo_help=$("$1" --help 2>/dev/null)
+    [[ ${_relievo_help-} ]] || _relievo_help=$("$program" --help 2>/dev/null)
     local line part="" options="" wants_value=""
     while IFS= read -r line; do
         case $line in
@@ -31,7 +36,7 @@ _relievo()
         esac
     done <<<"$_relievo_help"
 
-    local meshes='@(vt[puirsk]|vtm|vtmb|pvt[puirs]|stl|ply|obj|off|gltf|glb)'
+    local meshes='@(vt[puirsk]|vtm|vtmb|pvt[puirs]|stl|ply|obj|off|gltf|glb|bvh|dae|fbx|iqm|ms3d|x)'
     local images='@(png|jpg|jpeg|tif|tiff|bmp|hdr|exr)'
     local values=""
     case $prev in
@@ -39,6 +44,7 @@ _relievo()
         --preset) values='studio town print' ;;
         --colormap) values='viridis cool-warm grey hot rainbow' ;;
         --shadows) values='off map forward warped exact' ;;
+        --skin) values='linear dual-quaternion key-matrix off' ;;
         --relief) values='off parallax steep occlusion relief' ;;
         --texture-coordinates) values='box plane sphere' ;;
         --tone) values='clamp simple reinhard reinhard-rgb' ;;
@@ -55,7 +61,7 @@ _relievo()
         -o) _filedir vti; return ;;
         --normal-map | --height-map | --environment) _filedir "$images"; return ;;
         --lamps | --fog | --markers) _filedir "$meshes"; return ;;
-        --out | --redraw) _filedir -d; return ;;
+        --beside | --out | --redraw) _filedir -d; return ;;
         *) [[ $wants_value ]] && return ;;
     esac
     [[ ! $values && ($cur == -* || ${words[1]} != render) ]] && values=$options
@@ -65,4 +71,4 @@ _relievo()
     elif [[ ${words[1]} == render ]]; then
         _filedir "$meshes"
     fi
-} && complete -F _relievo relievo
+} && complete -F _relievo relievo relievo-viewer

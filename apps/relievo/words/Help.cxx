@@ -18,7 +18,7 @@ const char* const Page = R"(relievo - pictures and measurable layers of meshes a
   relievo render FILE... [options] --png F | --exr F | --report F
   relievo cave [options] -o FILE.vti
   relievo stages
-  relievo bench NAME [--out DIR] [--redraw DIR]
+  relievo bench NAME... [--out DIR] [--beside DIR] [--redraw DIR]
   relievo --help | --version
 
 render draws the FILEs off screen and writes the outputs that you request.
@@ -58,10 +58,20 @@ render draws the FILEs off screen and writes the outputs that you request.
                           and may end with ,size=S for --soft-shadows: a sun's angle in degrees
                           (0.53), the radius of others in world units (0)
   --time T                the time of models with bones, in seconds (the animation's start)
+  --times START:END:STEP  a frame for each of these times, the end included; the names of --png,
+                          --exr and --report hold %d or %04d, the frame's number from 0. The
+                          fitted camera sees all of them, and each frame's files are written
+                          whole before the next frame
   --animation NAME        which of their animations (the first)
+  --blend NAME=W          blends in another animation, W of the way, 0 to 1
+  --loop                  times after an animation's end start anew (the end holds)
   --skin METHOD           how their bones move points: linear, dual-quaternion, key-matrix, or off
-                          for the mesh at rest (linear). With any of these three, glTF is read as
-                          a model with bones, without lights and normal textures
+                          for the mesh at rest (linear)
+  --skeleton              draws the bones, and the axes of their joints in red, green and blue;
+                          --opacity makes the mesh see-through, not them
+  --bone-weight BONE      colours by the weight of one bone; --color-by first_bone by the
+                          strongest. With any of these from --time on, glTF is read as a model
+                          with bones, without lights and normal textures
   --lamps FILE[,radius=R][,intensity=I][,color=R/G/B][,falloff=F][,casts=C][,casting=N]
                           each point of the file is a lamp that shines up to its radius; may be
                           repeated. Values are numbers for all, or names of point arrays (the
@@ -75,6 +85,8 @@ render draws the FILEs off screen and writes the outputs that you request.
   --shadow-size N         side of each shadow map in texels, 16 to 16384 (2048)
   --soft-shadows N        shadows of lights with a size: the mean of N samples of each light's
                           shape, 1 to 4096
+  --colored-shadows       translucent meshes cast as well, and colour the light that passes
+                          them, as stained glass does; needs --shadows exact
   --shadow-tolerance S    shadows by the cheapest method that is expected to get at most this
                           share of the pixels wrong, such as 0.05% or 0.0005
   --time-budget MS        shadows by the most accurate method whose frames are expected to take
@@ -148,16 +160,20 @@ cave makes winding caves from a seed and writes them as an image.
 stages lists the stages of the frame, and the values that their parameters take.
 
 bench measures, prints what it found, and writes CSV, PNG and SVG to a folder. Without a known
-  NAME it lists them.
+  NAME it lists them. Several NAMEs, or all, run in processes of their own: none stops another,
+  what they print is in DIR/logs, and DIR/summary.md says how they ended and how long they took.
+  The same call again runs those that are not done.
 
   --out DIR               where to write (the current folder)
+  --beside DIR            writes the summary, also for one NAME, with figures beside those of the
+                          CSV files in DIR, such as docs/charts
   --redraw DIR            draws the charts from the CSV files in DIR, without measuring; without
                           NAME, all of them
 
-Options are written --name value or --name=value; --scalar-bar, --edges, --skybox, --deferred and
---hdr alone; -- ends them.
-Either all requested files are written, or none. VTK before 9.4 needs an X display, which
-xvfb-run provides.
+Options are written --name value or --name=value; --scalar-bar, --edges, --loop, --skeleton,
+--skybox, --deferred and --hdr alone; -- ends them.
+Either all requested files are written, or none; of a sequence, those of each frame.
+VTK before 9.4 needs an X display, which xvfb-run provides.
 Exit status: 0 done, 1 the work failed, 2 the arguments were wrong.
 
 Examples
@@ -171,8 +187,10 @@ Examples
   relievo render bunny.off --environment forest.exr,90 --skybox --png bunny.png
   relievo render buildings.obj --fog mist.vtp,density=0.01 --layers depth,fog --exr mist.exr
   relievo render buildings.obj --up z --markers sites.vtp,radius=30,shape=glow --png sites.png
+  relievo render walk.fbx --times 0:2:0.04 --shadows map --png walk_%03d.png
   relievo cave --size 256x128x256 --seed 7 -o cave.vti
   relievo bench normals --out charts
+  relievo bench all --out here --beside docs/charts
 )";
 }
 

@@ -36,6 +36,16 @@ public:
     return taken;
   }
 
+  void Add(std::vector<std::string> MessageCollector::*list, const std::string& text)
+  {
+    const std::lock_guard<std::mutex> guard(this->Lock);
+    std::vector<std::string>& all = this->*list;
+    if (!text.empty() && std::find(all.begin(), all.end(), text) == all.end())
+    {
+      all.push_back(text);
+    }
+  }
+
   std::vector<std::string> Errors, Warnings;
   std::vector<std::string> Named; // warnings that have been given their subject
   std::vector<std::string> Notes;
@@ -51,13 +61,9 @@ private:
       return;
     }
     // Readers of legacy files call a file that ends too early a warning, "Error reading ...".
-    std::vector<std::string>& list =
-      error || line.compare(0, 5, "Error") == 0 ? this->Errors : this->Warnings;
-    const std::lock_guard<std::mutex> guard(this->Lock);
-    if (!line.empty() && std::find(list.begin(), list.end(), line) == list.end())
-    {
-      list.push_back(line);
-    }
+    this->Add(error || line.compare(0, 5, "Error") == 0 ? &MessageCollector::Errors
+                                                        : &MessageCollector::Warnings,
+      line);
   }
 
   // "ERROR: In a.cxx, line 1\nvtkThing (0x1): text" becomes "text", on one line.
@@ -110,11 +116,7 @@ void Messages::Collect()
 //------------------------------------------------------------------------------
 void Messages::Note(const std::string& text)
 {
-  std::vector<std::string>& notes = Collector()->Notes;
-  if (std::find(notes.begin(), notes.end(), text) == notes.end())
-  {
-    notes.push_back(text);
-  }
+  Collector()->Add(&MessageCollector::Notes, text);
 }
 
 //------------------------------------------------------------------------------
@@ -142,7 +144,7 @@ void Messages::Check(const std::string& subject, bool failed, const std::string&
   };
   for (const std::string& warning : Collector()->Take(&MessageCollector::Warnings))
   {
-    Collector()->Named.push_back(named(warning));
+    Collector()->Add(&MessageCollector::Named, named(warning));
   }
   const std::vector<std::string> errors = Collector()->Take(&MessageCollector::Errors);
   for (const std::string& error : errors)

@@ -11,7 +11,6 @@
 #include "ToneOptions.h"
 #include "Triples.h"
 #include "Values.h"
-#include "Words.h"
 
 #include "vtkRelievoLayerCatalogue.h"
 
@@ -185,12 +184,20 @@ const OptionRow RenderRows[] = {
   { "--background", TakeBackground, false },
   { "--light", TakeNext<&RenderOptions::Lights, ParseLight>, true },
   { "--time", TakeTime, false },
+  { "--times", TakeTimes, false },
   { "--animation", TakeAnimation, false },
+  { "--blend", TakeBlend, false },
+  { "--loop", TakeLoop, false, true },
+  { "--skeleton", TakeSkeleton, false, true },
+  { "--bone-weight", TakeBoneWeight, false },
   { "--skin", TakeSkin, false },
   { "--lamps", TakeLamps, true },
   { "--shadows", TakeShadows, false },
   { "--shadow-size", TakeShadowSize, false },
   { "--soft-shadows", TakeSoftShadows, false },
+  { "--colored-shadows",
+    [](RenderOptions& options, const std::string&) { options.ColoredShadows = true; }, false,
+    true },
   { "--shadow-tolerance", TakeShadowTolerance, false },
   { "--time-budget", TakeTimeBudget, false },
   { "--certify", TakeCertify, false },
@@ -229,15 +236,16 @@ const OptionRow RenderRows[] = {
 };
 
 //------------------------------------------------------------------------------
-// Whether --stage sets a parameter of the shadows.
-bool SetsShadows(const RenderOptions& options, const std::string& parameter)
+// Whether --stage sets a parameter of the shadows, to this value if there is one.
+bool SetsShadows(
+  const RenderOptions& options, const std::string& parameter, const std::string& value = {})
 {
-  return std::any_of(
-    options.Stages.begin(), options.Stages.end(), [&parameter](const StageChoice& stage) {
-      return stage.Name == "shadows" &&
-        std::any_of(stage.Parameters.begin(), stage.Parameters.end(),
-          [&parameter](const auto& given) { return given.first == parameter; });
-    });
+  return std::any_of(options.Stages.begin(), options.Stages.end(), [&](const StageChoice& stage) {
+    return stage.Name == "shadows" &&
+      std::any_of(stage.Parameters.begin(), stage.Parameters.end(), [&](const auto& given) {
+        return given.first == parameter && (value.empty() || given.second == value);
+      });
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -246,7 +254,7 @@ void CheckShadowStage(const RenderOptions& options, const std::set<std::string>&
 {
   constexpr std::pair<const char*, const char*> same[] = { { "--shadows", "visible" },
     { "--shadows", "method" }, { "--shadow-size", "map_size" },
-    { "--soft-shadows", "soft_samples" } };
+    { "--soft-shadows", "soft_samples" }, { "--colored-shadows", "colored_shadows" } };
   for (const auto& [option, parameter] : same)
   {
     if (given.count(option) && SetsShadows(options, parameter))
@@ -271,6 +279,11 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
                                                     : "--soft-shadows: there are no shadows") +
       ": give --shadows map, --stage shadows:visible=on, or a layer shadow_N, as well");
   }
+  if (options.ColoredShadows && options.ShadowMethod != Shadows::Exact &&
+    !SetsShadows(options, "method", "exact"))
+  {
+    throw WordsError("--colored-shadows: maps know no colours: give --shadows exact as well");
+  }
   const bool sized =
     std::any_of(options.Lights.begin(), options.Lights.end(), [](const LightChoice& light) {
       return light.Size ? *light.Size > 0.0 : light.Is == LightChoice::Kind::Sun;
@@ -284,7 +297,7 @@ void CheckShadowsAsked(const RenderOptions& options, const std::set<std::string>
 }
 
 //------------------------------------------------------------------------------
-void CheckTogether(const RenderOptions& options, const std::set<std::string>& given)
+void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
 {
   if (options.Files.empty())
   {
@@ -325,17 +338,23 @@ void CheckTogether(const RenderOptions& options, const std::set<std::string>& gi
 }
 
 //------------------------------------------------------------------------------
+std::vector<KnownOption> GetRenderOptions()
+{
+  std::vector<KnownOption> known;
+  for (const OptionRow& row : RenderRows)
+  {
+    known.push_back({ row.Name, row.IsFlag, row.Repeats });
+  }
+  return known;
+}
+
+//------------------------------------------------------------------------------
 RenderOptions ParseRender(const std::vector<std::string>& words)
 {
   RenderOptions options;
   std::set<std::string> seen;
-  std::vector<KnownOption> known;
-  for (const OptionRow& row : RenderRows)
-  {
-    known.push_back({ row.Name, row.IsFlag });
-  }
   WalkWords(
-    words, "render", known,
+    words, "render", GetRenderOptions(),
     [&](const std::string& name, const std::string& value) {
       const auto row = std::find_if(std::begin(RenderRows), std::end(RenderRows),
         [&name](const OptionRow& candidate) { return name == candidate.Name; });
@@ -353,29 +372,6 @@ RenderOptions ParseRender(const std::vector<std::string>& words)
   ApplyPreset(options, seen);
   CheckShadowWishes(options, seen);
   CheckTogether(options, seen);
-  return options;
-}
-
-//------------------------------------------------------------------------------
-BenchOptions ParseBench(const std::vector<std::string>& words)
-{
-  BenchOptions options;
-  WalkWords(
-    words, "bench", { { "--out", false }, { "--redraw", false } },
-    [&](const std::string& name, const std::string& value) {
-      if (value.empty())
-      {
-        throw WordsError(name + ": its value is empty; give a folder");
-      }
-      (name == "--out" ? options.Folder : options.Redraw) = value;
-    },
-    [&](const std::string& word) {
-      if (!options.Name.empty())
-      {
-        throw WordsError("bench: got '" + options.Name + "' and '" + word + "', expected one NAME");
-      }
-      options.Name = word;
-    });
   return options;
 }
 }

@@ -14,6 +14,7 @@
 #include "MarkerOptions.h"
 #include "ModelOptions.h"
 #include "Stages.h"
+#include "Words.h"
 
 #include <array>
 #include <optional>
@@ -94,6 +95,7 @@ struct RenderOptions
   Shadows ShadowMethod = Shadows::Off;
   std::optional<int> ShadowSize;         ///< of each map, texels
   std::optional<int> SoftShadows;        ///< samples of each light's shape
+  bool ColoredShadows = false;           ///< what is translucent casts, and colours the light
   std::optional<double> ShadowTolerance; ///< share of wrong pixels, 0 to 1
   std::optional<double> TimeBudget;      ///< of a frame, milliseconds
   std::optional<int> Certify;            ///< rays
@@ -117,10 +119,14 @@ struct RenderOptions
 
 struct BenchOptions
 {
-  std::string Name; ///< may be empty with Redraw: all that have charts
+  std::vector<std::string> Names; ///< may be empty with Redraw: all that have charts
   std::string Folder = ".";
   std::string Redraw; ///< folder of CSV files; empty: measure
+  std::string Beside; ///< folder of CSV files that the summary compares with; may be empty
 };
+
+/// Every option of render.
+std::vector<KnownOption> GetRenderOptions();
 
 /// The words after "render", as said.
 RenderOptions ParseRender(const std::vector<std::string>& words);

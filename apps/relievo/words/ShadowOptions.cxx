@@ -25,11 +25,7 @@ bool SetsShadows(const RenderOptions& options)
 //------------------------------------------------------------------------------
 void TakeShadowTolerance(RenderOptions& options, const std::string& word)
 {
-  const bool percent = !word.empty() && word.back() == '%';
-  const double most = percent ? 100.0 : 1.0;
-  options.ShadowTolerance = ParseNumberBetween("--shadow-tolerance",
-                              percent ? word.substr(0, word.size() - 1) : word, 0.0, most) /
-    most;
+  options.ShadowTolerance = ParseShare("--shadow-tolerance", word);
 }
 
 //------------------------------------------------------------------------------

@@ -104,6 +104,20 @@ double ParseNumberBetween(
 }
 
 //------------------------------------------------------------------------------
+double ParseShare(const std::string& option, const std::string& word)
+{
+  const bool percent = !word.empty() && word.back() == '%';
+  const double whole = percent ? 100.0 : 1.0;
+  double number = 0.0;
+  if (!ReadFinite(percent ? word.substr(0, word.size() - 1) : word, number) || number <= 0.0 ||
+    number >= whole)
+  {
+    RefuseValue(option, word, "a number between 0 and 1, or a percentage between 0% and 100%");
+  }
+  return number / whole;
+}
+
+//------------------------------------------------------------------------------
 int ParseWhole(const std::string& option, const std::string& word, int low, int high)
 {
   int number = 0;

@@ -30,6 +30,9 @@ std::vector<double> ParseNumbers(
 double ParseNumberBetween(
   const std::string& option, const std::string& word, double low, double high);
 
+/// A share: a number between 0 and 1, or a percentage such as 0.05%.
+double ParseShare(const std::string& option, const std::string& word);
+
 /// One whole number with low <= number <= high.
 int ParseWhole(const std::string& option, const std::string& word, int low, int high);
 

@@ -16,6 +16,7 @@ struct KnownOption
 {
   std::string Name;
   bool IsFlag; ///< stands alone; any other takes one value
+  bool Repeats = false;
 };
 
 /// Calls option(name, value) for "--name value" and "--name=value", option(name, "") for a flag,

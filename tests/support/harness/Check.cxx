@@ -71,6 +71,12 @@ bool CheckNear(double value, double expected, double tolerance, const char* file
 }
 
 //------------------------------------------------------------------------------
+double Larger(double a, double b)
+{
+  return std::isnan(a) || a >= b ? a : b;
+}
+
+//------------------------------------------------------------------------------
 std::string OutputFolder()
 {
   std::string folder;

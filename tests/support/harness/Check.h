@@ -44,6 +44,12 @@ bool CheckNear(double value, double expected, double tolerance, const char* file
   const std::string& what);
 
 /**
+ * The larger one; NaN if either is NaN, where std::max may forget it, so that the worst of many is
+ * no number when one of them is none.
+ */
+double Larger(double a, double b);
+
+/**
  * The folder of this test's own files: RELIEVO_TEST_OUTPUT, else the current folder.
  * Made when it is not there.
  */

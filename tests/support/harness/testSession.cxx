@@ -32,7 +32,16 @@ void TestChecks()
   MustFail(1, "far", [] { RELIEVO_CHECK_NEAR(2., 1., 0.5, "two"); });
   MustFail(1, "NaN is near nothing",
     [] { RELIEVO_CHECK_NEAR(std::numeric_limits<double>::quiet_NaN(), 1., 0.5, "nan"); });
+  MustFail(1, "NaN is the worst of many", [] {
+    double worst = 0.;
+    for (const double each : { 0.5, std::numeric_limits<double>::quiet_NaN(), 0.2 })
+    {
+      worst = relievoTest::Larger(worst, each);
+    }
+    RELIEVO_CHECK_AT_MOST(worst, 1., "worst");
+  });
   MustFail(0, "all well", [] {
+    RELIEVO_CHECK(relievoTest::Larger(1., 2.) == 2. && relievoTest::Larger(2., 1.) == 2.);
     RELIEVO_CHECK(true);
     RELIEVO_CHECK_AT_MOST(1., 1., "one");
     RELIEVO_CHECK_NEAR(1.5, 1., 0.5, "near");

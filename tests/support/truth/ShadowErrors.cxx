@@ -73,6 +73,20 @@ ShadowTruth TraceShadow(
 }
 
 //------------------------------------------------------------------------------
+ShadowTruth WithoutEdges(const ShadowTruth& truth, const TruthImage& view)
+{
+  ShadowTruth inner = truth;
+  for (std::size_t i = 0; i < inner.Verdicts.size(); ++i)
+  {
+    if (!(view.Pixels[i].EdgeDistance > 1. / 256.))
+    {
+      inner.Verdicts[i] = ShadowTruth::Unjudged;
+    }
+  }
+  return inner;
+}
+
+//------------------------------------------------------------------------------
 ShadowErrors CompareShadow(const ShadowTruth& truth, const float* visibility)
 {
   ShadowErrors errors;

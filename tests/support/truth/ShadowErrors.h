@@ -59,6 +59,12 @@ struct ShadowErrors
 ShadowTruth TraceShadow(
   const EmbreeScene& scene, const TruthImage& view, vtkLight* light, double jitter = 1e-5);
 
+/**
+ * Without the pixels whose centre lies within 1/256 of a pixel of an edge of the triangle that is
+ * there: OpenGL, which places corners in such steps, may show the triangle beside it.
+ */
+ShadowTruth WithoutEdges(const ShadowTruth& truth, const TruthImage& view);
+
 /** `visibility`: 1 lit, 0 dark, per pixel of the truth, row 0 at the bottom; 0.5 divides. */
 ShadowErrors CompareShadow(const ShadowTruth& truth, const float* visibility);
 }

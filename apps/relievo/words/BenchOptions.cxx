@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Failure.h"
+#include "Options.h"
+
+namespace cli
+{
+//------------------------------------------------------------------------------
+BenchOptions ParseBench(const std::vector<std::string>& words)
+{
+  BenchOptions options;
+  WalkWords(
+    words, "bench", { { "--out", false }, { "--redraw", false }, { "--beside", false } },
+    [&](const std::string& name, const std::string& value) {
+      if (value.empty())
+      {
+        throw WordsError(name + ": its value is empty; give a folder");
+      }
+      (name == "--out"         ? options.Folder
+          : name == "--redraw" ? options.Redraw
+                               : options.Beside) = value;
+    },
+    [&](const std::string& word) { options.Names.push_back(word); });
+  if (options.Names.size() > 1 && !options.Redraw.empty())
+  {
+    throw WordsError("bench: got '" + options.Names[0] + "' and '" + options.Names[1] +
+      "', expected one NAME with --redraw");
+  }
+  if (!options.Redraw.empty() && !options.Beside.empty())
+  {
+    throw WordsError("--beside: compares what is measured, expected without --redraw");
+  }
+  return options;
+}
+}

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ColorButton.h"
+
+#include <QColorDialog>
+#include <QPixmap>
+
+namespace viewer
+{
+//------------------------------------------------------------------------------
+ColorButton::ColorButton(QWidget* parent)
+  : QPushButton(parent)
+{
+  QObject::connect(this, &QPushButton::clicked, this, [this] {
+    const QColor color = QColorDialog::getColor(this->Color, this, "Colour");
+    if (color.isValid())
+    {
+      this->SetColor(color);
+      Q_EMIT this->edited(color);
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+void ColorButton::SetColor(const QColor& color)
+{
+  this->Color = color;
+  QPixmap swatch(this->iconSize());
+  swatch.fill(color);
+  this->setIcon(swatch);
+  this->setText(color.name());
+}
+}

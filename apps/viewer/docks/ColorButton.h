@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A colour as a button that opens Qt's dialog.
+ */
+#ifndef ColorButton_h
+#define ColorButton_h
+
+#include <QColor>
+#include <QPushButton>
+
+namespace viewer
+{
+class ColorButton : public QPushButton
+{
+  Q_OBJECT
+
+public:
+  explicit ColorButton(QWidget* parent = nullptr);
+
+  /// Sends no signal.
+  void SetColor(const QColor& color);
+  QColor GetColor() const { return this->Color; }
+
+Q_SIGNALS:
+  void edited(const QColor& color);
+
+private:
+  QColor Color;
+};
+}
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What the panels of the window have in common: rows in a column that scrolls, and a document.
+ */
+#ifndef Panel_h
+#define Panel_h
+
+#include "Document.h"
+
+#include <QScrollArea>
+
+class QFormLayout;
+class QGroupBox;
+class QVBoxLayout;
+
+namespace viewer
+{
+class Panel : public QScrollArea
+{
+  Q_OBJECT
+
+public:
+  Panel(Document* document, QWidget* parent);
+
+protected:
+  /// A group of rows, below the others.
+  QGroupBox* AddGroup(const QString& title, const QString& name);
+  static QFormLayout* GetRows(QGroupBox* group);
+
+  /// An empty column, below the others.
+  QVBoxLayout* GetColumn() { return this->Column; }
+
+  Document* Edited;
+
+private:
+  QVBoxLayout* Column;
+};
+}
+
+#endif

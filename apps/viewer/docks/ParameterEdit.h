@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A parameter of a stage in a widget, made from the parameter's own description.
+ */
+#ifndef ParameterEdit_h
+#define ParameterEdit_h
+
+#include <QString>
+#include <QWidget>
+
+#include <functional>
+
+struct vtkRelievoParameter;
+
+namespace viewer
+{
+class ParameterEdit : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit ParameterEdit(const vtkRelievoParameter& parameter, QWidget* parent = nullptr);
+
+  /// The value in the words of the description. Sends no signal.
+  void SetValue(const QString& words) { this->Show(words); }
+
+Q_SIGNALS:
+  void edited(const QString& words);
+
+private:
+  QWidget* MakeFlag();
+  QWidget* MakeNumber(const vtkRelievoParameter& parameter);
+  QWidget* MakeChoice(const vtkRelievoParameter& parameter);
+  QWidget* MakeColor();
+  QWidget* MakeText();
+
+  std::function<void(const QString&)> Show;
+};
+}
+
+#endif

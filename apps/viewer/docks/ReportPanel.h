@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The frame report as a chart and a table that follow the picture while it is seen.
+ */
+#ifndef ReportPanel_h
+#define ReportPanel_h
+
+#include <QTimer>
+#include <QWidget>
+
+#include <functional>
+#include <string>
+
+class QLabel;
+class QTableWidget;
+
+namespace viewer
+{
+class StageChart;
+
+class ReportPanel : public QWidget
+{
+  Q_OBJECT
+
+public:
+  /// `read` gives the report of the last frame as JSON, "" if there was none.
+  ReportPanel(std::function<std::string()> read, QWidget* parent = nullptr);
+
+  /// The picture was drawn: chart and table follow soon, if they are seen.
+  void Follow();
+
+protected:
+  void showEvent(QShowEvent* event) override;
+
+private:
+  void Refresh();
+
+  std::function<std::string()> Read;
+  QTableWidget* Table;
+  QLabel* Total;
+  StageChart* Chart;
+  QTimer Timer;
+};
+}
+
+#endif

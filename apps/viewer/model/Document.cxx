@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Document.h"
+
+#include "Options.h"
+
+#include <exception>
+
+namespace viewer
+{
+//------------------------------------------------------------------------------
+void Document::Set(const Settings& settings)
+{
+  if (settings == this->Now)
+  {
+    return;
+  }
+  try
+  {
+    settings.Parse();
+  }
+  catch (const std::exception& error)
+  {
+    this->Refuse(this->Now, QString::fromStdString(error.what()));
+    return;
+  }
+  this->Now = settings;
+  Q_EMIT this->changed();
+}
+
+//------------------------------------------------------------------------------
+void Document::Change(const std::function<void(Settings&)>& edit)
+{
+  Settings settings = this->Now;
+  edit(settings);
+  this->Set(settings);
+}
+
+//------------------------------------------------------------------------------
+void Document::Refuse(const Settings& good, const QString& why)
+{
+  this->Now = good;
+  Q_EMIT this->changed();
+  Q_EMIT this->refused(why);
+}
+
+//------------------------------------------------------------------------------
+void Document::SetArrays(const std::set<std::string>& arrays)
+{
+  this->Arrays = arrays;
+  Q_EMIT this->arraysChanged();
+}
+
+//------------------------------------------------------------------------------
+void Document::SetTimes(const std::array<double, 2>& times)
+{
+  this->Times = times;
+  Q_EMIT this->timesChanged();
+}
+}

@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Settings.h"
+
+#include "Options.h"
+
+#include "vtkNew.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoStage.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+namespace viewer
+{
+namespace
+{
+// A command line is refused without an output; the window is the output here.
+const char* const AnyPicture = "picture.png";
+
+const std::set<std::string> Outputs = { "--png", "--exr", "--report", "--certify", "--hdr",
+  "--layers" };
+
+// Said as parameters of stages instead.
+const std::set<std::string> SaidByStages = { "--stage", "--shadow-size", "--soft-shadows",
+  "--shadow-tolerance", "--time-budget", "--deferred", "--tone", "--exposure" };
+
+constexpr const char* BeginWithPath[] = { "--normal-map", "--height-map", "--environment",
+  "--lamps", "--fog", "--markers" };
+
+vtkRelievoPass* GetNewFrame()
+{
+  static const vtkNew<vtkRelievoPass> frame;
+  return frame;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string WriteNumber(double value)
+{
+  char digits[64];
+  const double size = std::abs(value);
+  const std::chars_format format = value == 0.0 || (size >= 1e-6 && size < 1e15)
+    ? std::chars_format::fixed
+    : std::chars_format::general;
+  const std::to_chars_result result = std::to_chars(digits, digits + sizeof(digits), value, format);
+  return std::string(digits, result.ptr);
+}
+
+//------------------------------------------------------------------------------
+std::string WriteNumbers(const std::vector<double>& values)
+{
+  std::string words;
+  for (const double value : values)
+  {
+    words += (words.empty() ? "" : ",") + WriteNumber(value);
+  }
+  return words;
+}
+
+//------------------------------------------------------------------------------
+Settings Settings::FromWords(const std::vector<std::string>& words)
+{
+  Settings settings;
+  cli::WalkWords(
+    words, "render", cli::GetRenderOptions(),
+    [&settings](const std::string& name, const std::string& value) {
+      if (Outputs.count(name) == 0)
+      {
+        settings.Values[name].push_back(value);
+      }
+    },
+    [&settings](const std::string& word) { settings.Files.push_back(word); });
+  if (!settings.Files.empty() || !settings.Values.empty())
+  {
+    settings.TakeStages(settings.Parse());
+  }
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+void Settings::TakeStages(const cli::RenderOptions& options)
+{
+  if (this->Has("--shadow-tolerance") || this->Has("--time-budget"))
+  {
+    this->Set("--shadows", "map");
+  }
+  if (options.ShadowSize)
+  {
+    this->SetParameter("shadows", "map_size", std::to_string(*options.ShadowSize));
+  }
+  if (options.SoftShadows)
+  {
+    this->SetParameter("shadows", "soft_samples", std::to_string(*options.SoftShadows));
+  }
+  if (options.ShadowTolerance)
+  {
+    this->SetParameter("shadows", "tolerance", WriteNumber(*options.ShadowTolerance));
+  }
+  if (options.TimeBudget)
+  {
+    this->SetParameter("shadows", "time_budget", WriteNumber(*options.TimeBudget));
+  }
+  for (const std::string& option : SaidByStages)
+  {
+    this->Remove(option);
+  }
+  for (const cli::StageChoice& choice : options.Stages)
+  {
+    this->AskStage(choice.Name, true);
+    for (const auto& [name, value] : choice.Parameters)
+    {
+      this->SetParameter(choice.Name, name, value);
+    }
+  }
+  for (const cli::FogChoice& fog : options.Fogs)
+  {
+    if (!fog.Mode.empty())
+    {
+      this->SetParameter("fog", "mode", fog.Mode);
+    }
+  }
+  for (std::string& word : this->Values["--fog"])
+  {
+    const std::size_t at = word.find(",mode=");
+    if (at != std::string::npos)
+    {
+      word.erase(at, word.find(',', at + 1) - at);
+    }
+  }
+  this->SetAll("--fog", this->GetAll("--fog"));
+  for (auto stage = this->Stages.begin(); stage != this->Stages.end();)
+  {
+    const bool idle =
+      stage->second.empty() && GetNewFrame()->GetStage(stage->first)->GetDescription().OnByDefault;
+    stage = idle ? this->Stages.erase(stage) : std::next(stage);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Settings::MakePathsAbsolute(const std::string& folder)
+{
+  const auto complete = [&folder](std::string& path) {
+    if (!path.empty())
+    {
+      path = (std::filesystem::path(folder) / path).string(); // as it is, if it is absolute
+    }
+  };
+  std::for_each(this->Files.begin(), this->Files.end(), complete);
+  for (const char* option : BeginWithPath)
+  {
+    std::vector<std::string> words = this->GetAll(option);
+    std::for_each(words.begin(), words.end(), complete);
+    this->SetAll(option, words);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Settings::GetWords() const
+{
+  std::vector<std::string> words;
+  for (const cli::KnownOption& option : cli::GetRenderOptions())
+  {
+    const auto found = this->Values.find(option.Name);
+    for (const std::string& value :
+      found == this->Values.end() ? std::vector<std::string>() : found->second)
+    {
+      words.push_back(option.Name);
+      if (!option.IsFlag)
+      {
+        words.push_back(value);
+      }
+    }
+  }
+  for (const auto& [name, parameters] : this->Stages)
+  {
+    std::string word = name;
+    for (const auto& [parameter, value] : parameters)
+    {
+      word += (word == name ? ":" : ",") + parameter + "=" + value;
+    }
+    words.insert(words.end(), { "--stage", word });
+  }
+  const bool dashed = std::any_of(this->Files.begin(), this->Files.end(),
+    [](const std::string& file) { return !file.empty() && file[0] == '-'; });
+  if (dashed)
+  {
+    words.emplace_back("--");
+  }
+  words.insert(words.end(), this->Files.begin(), this->Files.end());
+  return words;
+}
+
+//------------------------------------------------------------------------------
+cli::RenderOptions Settings::Parse() const
+{
+  std::vector<std::string> words = { "--png", AnyPicture };
+  const std::vector<std::string> own = this->GetWords();
+  words.insert(words.end(), own.begin(), own.end());
+  if (!this->Files.empty())
+  {
+    return cli::ParseRender(words);
+  }
+  words.emplace_back("nothing.vtp"); // what is said before there is a file must be right as well
+  cli::RenderOptions options = cli::ParseRender(words);
+  options.Files.clear();
+  return options;
+}
+
+//------------------------------------------------------------------------------
+std::string Settings::Get(const std::string& option) const
+{
+  const auto found = this->Values.find(option);
+  return found == this->Values.end() || found->second.empty() ? "" : found->second.front();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Settings::GetAll(const std::string& option) const
+{
+  const auto found = this->Values.find(option);
+  return found == this->Values.end() ? std::vector<std::string>() : found->second;
+}
+
+//------------------------------------------------------------------------------
+void Settings::Set(const std::string& option, const std::string& value)
+{
+  this->Values[option] = { value };
+}
+
+//------------------------------------------------------------------------------
+void Settings::SetAll(const std::string& option, const std::vector<std::string>& values)
+{
+  values.empty() ? this->Remove(option) : void(this->Values[option] = values);
+}
+
+//------------------------------------------------------------------------------
+void Settings::AskStage(const std::string& stage, bool asked)
+{
+  asked ? void(this->Stages[stage]) : void(this->Stages.erase(stage));
+}
+
+//------------------------------------------------------------------------------
+const std::string* Settings::Find(const std::string& stage, const std::string& parameter) const
+{
+  const auto found = this->Stages.find(stage);
+  if (found != this->Stages.end())
+  {
+    for (const auto& [name, value] : found->second)
+    {
+      if (name == parameter)
+      {
+        return &value;
+      }
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool Settings::ShowsShadows() const
+{
+  if (!this->Has("--preset") || this->Has("--shadows"))
+  {
+    return this->Has("--shadows") && this->Get("--shadows") != "off";
+  }
+  return this->Parse().ShadowMethod != cli::Shadows::Off;
+}
+
+//------------------------------------------------------------------------------
+std::string Settings::GetParameter(const std::string& stage, const std::string& parameter) const
+{
+  if (stage == "shadows" && parameter == "visible")
+  {
+    return this->ShowsShadows() ? "on" : "off";
+  }
+  if (stage == "shadows" && parameter == "method" && this->Has("--shadows") && this->ShowsShadows())
+  {
+    return this->Get("--shadows");
+  }
+  const std::string* value = this->Find(stage, parameter);
+  return value ? *value : GetNewFrame()->GetStage(stage)->GetParameterDefault(parameter);
+}
+
+//------------------------------------------------------------------------------
+void Settings::SetShadows(bool visible, const std::string& method)
+{
+  this->SetGiven("shadows", "method", "map"); // which is the default
+  if (!visible || method != "exact")
+  {
+    this->Remove("--colored-shadows"); // which others refuse
+  }
+  if (visible)
+  {
+    this->Set("--shadows", method);
+  }
+  else if (this->Has("--preset")) // which may show them
+  {
+    this->Set("--shadows", "off");
+  }
+  else
+  {
+    this->Remove("--shadows");
+    this->SetGiven("shadows", "method", method);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Settings::SetParameter(
+  const std::string& stage, const std::string& parameter, const std::string& value)
+{
+  if (stage == "shadows" && parameter == "visible")
+  {
+    this->SetShadows(value == "on", this->GetParameter(stage, "method"));
+  }
+  else if (stage == "shadows" && parameter == "method")
+  {
+    this->SetShadows(this->ShowsShadows(), value);
+  }
+  else
+  {
+    this->SetGiven(stage, parameter, value);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Settings::SetGiven(
+  const std::string& stage, const std::string& parameter, const std::string& value)
+{
+  vtkRelievoStage* fresh = GetNewFrame()->GetStage(stage);
+  Parameters& given = this->Stages[stage];
+  given.erase(std::remove_if(given.begin(), given.end(),
+                [&parameter](const auto& each) { return each.first == parameter; }),
+    given.end());
+  if (value != fresh->GetParameterDefault(parameter))
+  {
+    given.emplace_back(parameter, value);
+  }
+  else if (given.empty() && fresh->GetDescription().OnByDefault)
+  {
+    this->Stages.erase(stage);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Settings::operator==(const Settings& other) const
+{
+  return this->Files == other.Files && this->Values == other.Values && this->Stages == other.Stages;
+}
+}

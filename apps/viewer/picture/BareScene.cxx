@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BareScene.h"
+
+#include "Options.h"
+#include "Progress.h"
+#include "Surface.h"
+
+#include "vtkActorCollection.h"
+#include "vtkLightCollection.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkPropCollection.h"
+#include "vtkRelievoMaterial.h"
+
+#include <algorithm>
+
+namespace viewer
+{
+namespace
+{
+vtkSmartPointer<vtkProperty> Copy(vtkProperty* property)
+{
+  auto copy = vtkSmartPointer<vtkProperty>::New();
+  copy->DeepCopy(property);
+  return copy;
+}
+
+std::vector<vtkSmartPointer<vtkProp>> GetProps(vtkRenderer* renderer)
+{
+  std::vector<vtkSmartPointer<vtkProp>> props;
+  vtkPropCollection* all = renderer->GetViewProps();
+  for (int i = 0; i < all->GetNumberOfItems(); ++i)
+  {
+    props.emplace_back(vtkProp::SafeDownCast(all->GetItemAsObject(i)));
+  }
+  return props;
+}
+}
+
+//------------------------------------------------------------------------------
+BareScene::BareScene(const cli::Scene& scene)
+  : Scene(scene)
+{
+  vtkRenderer* renderer = this->Scene.Renderer;
+  this->Scene.Window->RemoveRenderer(renderer);
+  this->Scene.Window = nullptr;
+  this->Props = this->Kept = GetProps(renderer);
+  for (vtkProp* prop : this->Props)
+  {
+    vtkActor* actor = vtkActor::SafeDownCast(prop);
+    vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+    if (!mapper)
+    {
+      continue;
+    }
+    const char* name = mapper->GetArrayName();
+    this->Parts.push_back(
+      { actor, Copy(actor->GetProperty()), actor->GetTexture(), mapper->GetScalarVisibility() != 0,
+        mapper->GetScalarMode(), mapper->GetColorMode(), mapper->GetArrayAccessMode(),
+        mapper->GetArrayId(), name ? name : "", mapper->GetUseLookupTableScalarRange() != 0 });
+  }
+  vtkLightCollection* lights = renderer->GetLights();
+  for (int i = 0; i < lights->GetNumberOfItems(); ++i)
+  {
+    this->Lights.emplace_back(vtkLight::SafeDownCast(lights->GetItemAsObject(i)));
+  }
+}
+
+//------------------------------------------------------------------------------
+void BareScene::Restore(const Part& part)
+{
+  part.Actor->SetProperty(Copy(part.Property));
+  part.Actor->SetTexture(part.Texture);
+  vtkMapper* mapper = part.Actor->GetMapper();
+  mapper->SetScalarVisibility(part.Colored);
+  mapper->SetScalarMode(part.ScalarMode);
+  mapper->SetColorMode(part.ColorMode);
+  mapper->SetUseLookupTableScalarRange(part.OwnRange);
+  mapper->SetLookupTable(nullptr);
+  mapper->SetArrayName(part.ArrayName.c_str());
+  mapper->SetArrayId(part.ArrayId);
+  mapper->SetArrayAccessMode(part.ArrayAccess);
+}
+
+//------------------------------------------------------------------------------
+cli::Scene& BareScene::Undress()
+{
+  vtkRenderer* renderer = this->Scene.Renderer;
+  for (const vtkSmartPointer<vtkProp>& prop : GetProps(renderer))
+  {
+    if (std::find(this->Kept.begin(), this->Kept.end(), prop) == this->Kept.end())
+    {
+      renderer->RemoveViewProp(prop);
+    }
+  }
+  for (const Part& part : this->Parts)
+  {
+    this->Restore(part);
+  }
+  renderer->RemoveAllLights();
+  renderer->AutomaticLightCreationOn();
+  for (vtkLight* light : this->Lights)
+  {
+    renderer->AddLight(light);
+  }
+  renderer->SetBackground(0.0, 0.0, 0.0);
+  renderer->GradientBackgroundOff();
+  renderer->UseDepthPeelingOff();
+  return this->Scene;
+}
+
+//------------------------------------------------------------------------------
+void BareScene::TakeOff()
+{
+  for (const Part& part : this->Parts)
+  {
+    if (vtkRelievoMaterial* material = vtkRelievoMaterial::Get(part.Actor))
+    {
+      material->Detach(part.Actor);
+    }
+  }
+  for (const vtkSmartPointer<vtkProp>& prop : this->Kept)
+  {
+    if (std::find(this->Props.begin(), this->Props.end(), prop) == this->Props.end())
+    {
+      this->Scene.Renderer->RemoveViewProp(prop);
+    }
+  }
+  this->Kept = this->Props;
+}
+
+//------------------------------------------------------------------------------
+void BareScene::Wear(const cli::RenderOptions& options)
+{
+  this->TakeOff();
+  const std::vector<vtkSmartPointer<vtkProp>> before = GetProps(this->Scene.Renderer);
+  cli::Progress progress;
+  cli::SetSurface(this->Scene.Renderer, options, progress);
+  for (const vtkSmartPointer<vtkProp>& prop : GetProps(this->Scene.Renderer))
+  {
+    if (std::find(before.begin(), before.end(), prop) == before.end())
+    {
+      this->Kept.push_back(prop);
+    }
+  }
+}
+}

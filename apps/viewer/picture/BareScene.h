@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A scene as it was read, and the way back to it from whatever it was dressed in.
+ */
+#ifndef BareScene_h
+#define BareScene_h
+
+#include "Scene.h"
+
+#include "vtkActor.h" // for the parts
+#include "vtkLight.h"
+#include "vtkProperty.h"
+#include "vtkSmartPointer.h"
+#include "vtkTexture.h"
+
+#include <string>
+#include <vector>
+
+namespace viewer
+{
+class BareScene
+{
+public:
+  BareScene() = default;
+
+  /// The scene's renderer leaves its window.
+  explicit BareScene(const cli::Scene& scene);
+
+  /// As it was read; what surfaces wear stays, and the sky.
+  cli::Scene& Undress();
+
+  /// Sets what surfaces wear, and the sky, instead of what there was.
+  void Wear(const cli::RenderOptions& options);
+  void TakeOff();
+
+  cli::Scene& Get() { return this->Scene; }
+
+private:
+  struct Part
+  {
+    vtkSmartPointer<vtkActor> Actor;
+    vtkSmartPointer<vtkProperty> Property;
+    vtkSmartPointer<vtkTexture> Texture;
+    bool Colored;
+    int ScalarMode, ColorMode, ArrayAccess, ArrayId;
+    std::string ArrayName;
+    bool OwnRange;
+  };
+  void Restore(const Part& part);
+
+  cli::Scene Scene;
+  std::vector<Part> Parts;
+  std::vector<vtkSmartPointer<vtkProp>> Props, Kept;
+  std::vector<vtkSmartPointer<vtkLight>> Lights;
+};
+}
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Reads files in a thread of its own. One at a time, for readers' messages are the program's: what
+ * is stopped ends when its reader looks up, which may take long, and the next begins after it.
+ */
+#ifndef Loader_h
+#define Loader_h
+
+#include "Frame.h"
+#include "Progress.h"
+#include "Scene.h"
+#include "Settings.h"
+
+#include <QObject>
+#include <QString>
+
+#include <atomic>
+#include <thread>
+
+namespace viewer
+{
+class Loader
+  : public QObject
+  , private cli::ProgressListener
+{
+  Q_OBJECT
+
+public:
+  explicit Loader(QObject* parent = nullptr);
+  ~Loader() override;
+
+  /// Returns at once; ended() follows.
+  void Start(const Settings& settings);
+
+  /// Ends the reading, without a signal. Returns at once.
+  void Stop();
+
+  bool IsReading() const { return this->Wanted; }
+
+  /// Whether the thread runs, be it for what is not wanted any more.
+  bool IsBusy() const { return this->Thread.joinable(); }
+
+  /// What was read is given away.
+  cli::Scene TakeScene();
+  cli::FramePoints TakePoints();
+
+Q_SIGNALS:
+  void progressed(const QString& what, int percent);
+
+  /// `trouble` is empty if all was read.
+  void ended(const QString& trouble);
+
+private:
+  void Begin();
+  void Read(const Settings& settings);
+  void Say(const std::string& what, double share) override;
+  bool IsStopped() override { return this->Stopped; }
+  void End(const QString& trouble);
+
+  std::thread Thread;
+  std::atomic<bool> Stopped{ false };
+  std::atomic<int> Percent{ -1 };
+  bool Wanted = false;
+  Settings Asked;
+  cli::Scene Scene;
+  cli::FramePoints Points;
+};
+}
+
+#endif

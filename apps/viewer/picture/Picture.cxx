@@ -1,0 +1,377 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Picture.h"
+
+#include "Failure.h"
+#include "Shadows.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkRelievoFogStage.h"
+#include "vtkRelievoLampsStage.h"
+#include "vtkRelievoMarkersStage.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoStage.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace viewer
+{
+namespace
+{
+constexpr const char* Reading[] = { "--time", "--times", "--animation", "--blend", "--loop",
+  "--skeleton", "--bone-weight", "--skin", "--normal-map", "--height-map", "--texture-coordinates",
+  "--lamps", "--fog", "--markers", "--up" };
+constexpr const char* Wearing[] = { "--normal-map", "--height-map", "--relief",
+  "--texture-coordinates", "--environment", "--reflectivity", "--skybox", "--up" };
+constexpr const char* NoDress[] = { "--camera", "--clip", "--size", "--shadows" };
+
+template <typename Names>
+std::string MakeKey(const Settings& settings, const Names& names)
+{
+  std::string key;
+  for (const char* name : names)
+  {
+    for (const std::string& value : settings.GetAll(name))
+    {
+      key += std::string(name) + '\n' + value + '\n';
+    }
+  }
+  return key;
+}
+
+// Everything but stages, the camera and the files.
+std::string MakeDressKey(const Settings& settings)
+{
+  std::vector<const char*> names;
+  const std::vector<cli::KnownOption> known = cli::GetRenderOptions();
+  for (const cli::KnownOption& option : known)
+  {
+    const auto is = [&option](const char* name) { return option.Name == name; };
+    if (std::none_of(std::begin(NoDress), std::end(NoDress), is))
+    {
+      names.push_back(option.Name.c_str());
+    }
+  }
+  return MakeKey(settings, names);
+}
+
+std::array<double, 3> Three(const double* values)
+{
+  return { values[0], values[1], values[2] };
+}
+
+cli::CameraPlace GetPlace(vtkCamera* camera)
+{
+  return { Three(camera->GetPosition()), Three(camera->GetFocalPoint()),
+    Three(camera->GetViewUp()) };
+}
+}
+
+//------------------------------------------------------------------------------
+std::string GetReadingKey(const Settings& settings)
+{
+  std::string key = MakeKey(settings, Reading);
+  key += settings.Get("--shading") == "flat" ? "flat\n" : "";
+  for (const std::string& file : settings.Files)
+  {
+    key += file + '\n';
+  }
+  return key;
+}
+
+//------------------------------------------------------------------------------
+Picture::Picture(vtkRenderWindow* window)
+  : Window(window)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(this);
+  command->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+    static_cast<Picture*>(self)->FitClipping();
+  });
+  this->Observer = window->AddObserver(vtkCommand::StartEvent, command);
+}
+
+//------------------------------------------------------------------------------
+Picture::~Picture()
+{
+  this->Window->RemoveObserver(this->Observer);
+  this->Clear();
+}
+
+//------------------------------------------------------------------------------
+void Picture::Remove(const Contents& contents)
+{
+  if (contents.Renderer)
+  {
+    vtkRelievoPass::Detach(contents.Renderer);
+    this->Window->RemoveRenderer(contents.Renderer);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Picture::Clear()
+{
+  this->Remove(this->Now);
+  this->Now = Contents();
+}
+
+//------------------------------------------------------------------------------
+void Picture::CheckShown(const std::string& what) const
+{
+  if (this->IsEmpty())
+  {
+    throw cli::WorkError(what + ": nothing is shown; open a file first");
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoPass* Picture::GetFrame()
+{
+  return this->Now.Renderer ? vtkRelievoPass::SafeDownCast(this->Now.Renderer->GetPass()) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void Picture::Show(const cli::Scene& scene, const cli::FramePoints& points,
+  const Settings& settings, bool keepCamera)
+{
+  const Contents before = this->Now;
+  const bool keep = keepCamera && before.Renderer;
+  this->Now = Contents();
+  this->Now.Bare = BareScene(scene);
+  this->Now.Points = points;
+  this->Now.Renderer = this->Now.Bare.Get().Renderer;
+  this->Window->AddRenderer(this->Now.Renderer);
+  if (keep)
+  {
+    this->Now.Renderer->GetActiveCamera()->DeepCopy(before.Renderer->GetActiveCamera());
+  }
+  try
+  {
+    this->Apply(settings, keep);
+  }
+  catch (...)
+  {
+    this->Remove(this->Now);
+    this->Now = before;
+    throw;
+  }
+  this->Remove(before);
+}
+
+//------------------------------------------------------------------------------
+void Picture::Update(const Settings& settings)
+{
+  const Settings before = this->Now.Shown;
+  try
+  {
+    this->Apply(settings, true);
+  }
+  catch (...)
+  {
+    this->Now.Dress = this->Now.Surface = "\n";
+    this->Apply(before, true);
+    throw;
+  }
+}
+
+//------------------------------------------------------------------------------
+void Picture::Apply(const Settings& settings, bool keepCamera)
+{
+  cli::RenderOptions options = settings.Parse();
+  if (keepCamera)
+  {
+    vtkCamera* camera = this->Now.Renderer->GetActiveCamera();
+    options.Camera = GetPlace(camera);
+    options.ParallelScale.reset();
+    if (camera->GetParallelProjection())
+    {
+      options.ParallelScale = camera->GetParallelScale();
+      options.ViewAngle.reset();
+    }
+  }
+  std::string surface = MakeKey(settings, Wearing);
+  if (!options.HeightMap.empty() && options.ShadowMethod != cli::Shadows::Off)
+  {
+    surface += "in its own shadow";
+  }
+  const std::string dress = MakeDressKey(settings);
+  const bool wears = surface != this->Now.Surface;
+  const int height = this->Window->GetSize()[1];
+  const bool bar = options.Look.ScalarBar && height != this->Now.BarHeight;
+  if (wears || bar || dress != this->Now.Dress)
+  {
+    this->Now.Dress = "\n";
+    this->Now.Renderer->GetActiveCamera()->SetViewAngle(30.0); // VTK's
+    cli::DressScene(this->Now.Bare.Undress(), options);
+    this->Now.Renderer->ComputeVisiblePropBounds(this->Now.Bounds);
+    this->Now.BarHeight = height;
+  }
+  if (wears)
+  {
+    this->Now.Surface = "\n";
+    this->Now.Bare.Wear(options);
+  }
+  this->Now.Surface = surface;
+  this->Now.Dress = dress;
+  this->SetFrame(options);
+  this->Now.Options = options;
+  this->Now.Shown = settings;
+}
+
+//------------------------------------------------------------------------------
+// Stages that stay as they were keep what they hold.
+void Picture::SetFrame(const cli::RenderOptions& options)
+{
+  if (!cli::NeedsFrame(options))
+  {
+    vtkRelievoPass::Detach(this->Now.Renderer);
+    return;
+  }
+  vtkNew<vtkRelievoPass> wanted;
+  cli::SetFrame(wanted, this->Now.Renderer, options, cli::FramePoints());
+  if (options.ColoredShadows != this->Now.Options.ColoredShadows)
+  {
+    vtkRelievoPass::Detach(this->Now.Renderer); // for it says of props that they cast
+  }
+  const bool isNew = !this->GetFrame();
+  vtkRelievoPass* frame = vtkRelievoPass::Attach(this->Now.Renderer);
+  for (int i = 0; i < wanted->GetNumberOfStages(); ++i)
+  {
+    vtkRelievoStage* from = wanted->GetStage(i);
+    vtkRelievoStage* to = frame->GetStage(from->GetStageName());
+    to->SetEnabled(from->GetEnabled());
+    for (int k = 0; k < from->GetNumberOfParameters(); ++k)
+    {
+      const std::string name = from->GetParameterName(k);
+      const std::string value = from->GetParameter(name);
+      if (to->GetParameter(name) != value)
+      {
+        to->SetParameter(name, value);
+      }
+    }
+  }
+  cli::SetCasters(frame, this->Now.Renderer, options);
+  if (isNew)
+  {
+    cli::AddFramePoints(frame, options, this->Now.Points);
+  }
+}
+
+//------------------------------------------------------------------------------
+// As the command line does before its frame.
+void Picture::FitClipping()
+{
+  if (!this->Now.Renderer)
+  {
+    return;
+  }
+  if (this->Now.Options.Look.ScalarBar && this->Window->GetSize()[1] != this->Now.BarHeight)
+  {
+    this->Apply(Settings(this->Now.Shown), true);
+  }
+  if (this->Now.Options.Clip)
+  {
+    this->Now.Renderer->GetActiveCamera()->SetClippingRange(this->Now.Options.Clip->data());
+  }
+  else
+  {
+    this->Now.Renderer->ResetCameraClippingRange(this->Now.Bounds);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Picture::ResetCamera()
+{
+  if (this->Now.Renderer)
+  {
+    this->Now.Renderer->ResetCamera(this->Now.Bounds);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Picture::LookAlong(const std::array<double, 3>& direction, const std::array<double, 3>& up)
+{
+  if (this->Now.Renderer)
+  {
+    vtkCamera* camera = this->Now.Renderer->GetActiveCamera();
+    const std::array<double, 3> at = Three(camera->GetFocalPoint());
+    camera->SetPosition(at[0] - direction[0], at[1] - direction[1], at[2] - direction[2]);
+    camera->SetViewUp(up.data());
+    this->ResetCamera();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Picture::SetParallel(bool on)
+{
+  if (this->Now.Renderer)
+  {
+    vtkCamera* camera = this->Now.Renderer->GetActiveCamera();
+    if (on && !camera->GetParallelProjection())
+    {
+      const double half = vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle());
+      camera->SetParallelScale(camera->GetDistance() * std::tan(half));
+    }
+    camera->SetParallelProjection(on);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Picture::IsParallel() const
+{
+  return this->Now.Renderer && this->Now.Renderer->GetActiveCamera()->GetParallelProjection();
+}
+
+//------------------------------------------------------------------------------
+Settings Picture::GetView(const Settings& settings) const
+{
+  Settings view = settings;
+  const int* size = this->Window->GetSize();
+  view.Set("--size", std::to_string(size[0]) + "x" + std::to_string(size[1]));
+  if (this->Now.Renderer)
+  {
+    vtkCamera* camera = this->Now.Renderer->GetActiveCamera();
+    const cli::CameraPlace place = GetPlace(camera);
+    std::vector<double> numbers;
+    for (const std::array<double, 3>& each : { place.Position, place.FocalPoint, place.ViewUp })
+    {
+      numbers.insert(numbers.end(), each.begin(), each.end());
+    }
+    view.Set("--camera", WriteNumbers(numbers));
+    view.Remove("--parallel-scale");
+    if (camera->GetParallelProjection())
+    {
+      view.Set("--parallel-scale", WriteNumber(camera->GetParallelScale()));
+      view.Remove("--view-angle");
+    }
+  }
+  return view;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> Picture::Grab()
+{
+  vtkRelievoPass* frame = this->GetFrame();
+  if (frame)
+  {
+    frame->WaitForSamplesOn();
+  }
+  this->Window->Render();
+  if (frame)
+  {
+    frame->WaitForSamplesOff();
+  }
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(this->Window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  grab->Update();
+  return grab->GetOutput();
+}
+}

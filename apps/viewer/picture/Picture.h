@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The picture of a scene in a render window, kept as `relievo render` would draw it: only what
+ * changed is set anew.
+ */
+#ifndef Picture_h
+#define Picture_h
+
+#include "BareScene.h"
+#include "Frame.h"
+#include "Options.h"
+#include "Settings.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkRelievoPass;
+
+namespace viewer
+{
+/// What of the settings a reader needs: when this changes, files are read again.
+std::string GetReadingKey(const Settings& settings);
+
+class Picture
+{
+public:
+  explicit Picture(vtkRenderWindow* window);
+  ~Picture();
+  Picture(const Picture&) = delete;
+  void operator=(const Picture&) = delete;
+
+  /// Shows another scene. The camera stays if `keepCamera`, else it is fitted or as the settings
+  /// say. Throws what Update throws; what was shown then still is.
+  void Show(const cli::Scene& scene, const cli::FramePoints& points, const Settings& settings,
+    bool keepCamera);
+
+  /// Nothing is shown.
+  void Clear();
+
+  bool IsEmpty() const { return !this->Now.Renderer; }
+
+  /// Throws cli::WorkError if it is empty.
+  void CheckShown(const std::string& what) const;
+
+  /// The settings of the scene that is shown, or of what is given to it. Throws cli::WordsError or
+  /// cli::WorkError; the picture is then as it was before.
+  void Update(const Settings& settings);
+
+  /// Fits the camera to the scene.
+  void ResetCamera();
+
+  /// Looks along a direction at what is shown.
+  void LookAlong(const std::array<double, 3>& direction, const std::array<double, 3>& up);
+
+  /// What is in the middle keeps its size.
+  void SetParallel(bool on);
+  bool IsParallel() const;
+
+  /// The camera and the window's size, as words of the command line.
+  Settings GetView(const Settings& settings) const;
+
+  /// Renders, every sample of every light gathered, and returns the window's pixels.
+  vtkSmartPointer<vtkImageData> Grab();
+
+  vtkRenderer* GetRenderer() { return this->Now.Renderer; }
+  vtkRelievoPass* GetFrame();
+  const std::set<std::string>& GetArrays() { return this->Now.Bare.Get().Arrays; }
+  const std::set<std::string>& GetIncomplete() { return this->Now.Bare.Get().Incomplete; }
+  std::array<double, 2> GetTimes()
+  {
+    return this->Now.Bare.Get().Times.value_or(std::array<double, 2>{ 0.0, 0.0 });
+  }
+
+private:
+  void Apply(const Settings& settings, bool keepCamera);
+  void SetFrame(const cli::RenderOptions& options);
+  void FitClipping();
+
+  // All that belongs to one scene.
+  struct Contents
+  {
+    BareScene Bare;
+    cli::FramePoints Points;
+    vtkSmartPointer<vtkRenderer> Renderer;
+    Settings Shown;
+    cli::RenderOptions Options;
+    std::string Dress = "\n", Surface = "\n"; // the words it was made of; at first like no words
+    double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+    int BarHeight = 0; // of the window that texts were made for
+  };
+  void Remove(const Contents& contents);
+
+  vtkRenderWindow* Window;
+  unsigned long Observer;
+  Contents Now;
+};
+}
+
+#endif

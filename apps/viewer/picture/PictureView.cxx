@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PictureView.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkGenericOpenGLRenderWindow.h"
+#include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkObjectFactory.h"
+#include "vtkRelievoPass.h"
+#include "vtkRenderWindowInteractor.h"
+
+#include <QMouseEvent>
+
+namespace viewer
+{
+namespace
+{
+// The keys are the program's, and the clipping planes the picture's.
+class MouseStyle : public vtkInteractorStyleTrackballCamera
+{
+public:
+  static MouseStyle* New();
+  vtkTypeMacro(MouseStyle, vtkInteractorStyleTrackballCamera);
+  void OnChar() override {}
+
+protected:
+  MouseStyle() { this->AutoAdjustCameraClippingRangeOff(); }
+};
+vtkStandardNewMacro(MouseStyle);
+}
+
+//------------------------------------------------------------------------------
+PictureView::PictureView(QWidget* parent)
+  : QVTKOpenGLNativeWidget(parent)
+{
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  window->SetMultiSamples(0);
+  this->setEnableHiDPI(false); // sizes of texts follow from the picture's height
+  this->setRenderWindow(window);
+  this->setAcceptDrops(false); // the program's window takes them
+  this->setFocusPolicy(Qt::StrongFocus);
+  this->setMouseTracking(true);
+  this->setMinimumSize(200, 150);
+  window->GetInteractor()->SetInteractorStyle(vtkNew<MouseStyle>());
+  this->Shown = std::make_unique<Picture>(window);
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(this);
+  command->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+    static_cast<PictureView*>(self)->OnDrawn();
+  });
+  window->AddObserver(vtkCommand::EndEvent, command);
+  this->Soon.setSingleShot(true);
+  QObject::connect(&this->Soon, &QTimer::timeout, this, [this] { this->renderWindow()->Render(); });
+}
+
+//------------------------------------------------------------------------------
+PictureView::~PictureView()
+{
+  this->renderWindow()->RemoveObservers(vtkCommand::EndEvent);
+  this->makeCurrent();
+  this->Shown.reset();
+  this->doneCurrent();
+}
+
+//------------------------------------------------------------------------------
+void PictureView::Draw()
+{
+  if (!this->Soon.isActive())
+  {
+    this->Soon.start(0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PictureView::OnDrawn()
+{
+  vtkRelievoPass* frame = this->Shown ? this->Shown->GetFrame() : nullptr;
+  if (frame && frame->GetSamplesLeft() > 0)
+  {
+    this->Draw();
+  }
+  Q_EMIT this->drawn();
+}
+
+//------------------------------------------------------------------------------
+void PictureView::mouseMoveEvent(QMouseEvent* event)
+{
+  this->QVTKOpenGLNativeWidget::mouseMoveEvent(event);
+  const double ratio = this->effectiveDevicePixelRatio();
+  const int* size = this->renderWindow()->GetSize();
+  const int x = static_cast<int>(ratio * event->pos().x());
+  const int y = size[1] - 1 - static_cast<int>(ratio * event->pos().y());
+  Q_EMIT this->pointed(x, y);
+}
+
+//------------------------------------------------------------------------------
+void PictureView::leaveEvent(QEvent* event)
+{
+  this->QVTKOpenGLNativeWidget::leaveEvent(event);
+  Q_EMIT this->pointed(-1, -1);
+}
+
+//------------------------------------------------------------------------------
+void PictureView::resizeEvent(QResizeEvent* event)
+{
+  this->QVTKOpenGLNativeWidget::resizeEvent(event);
+  this->Draw();
+}
+}

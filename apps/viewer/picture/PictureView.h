@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The picture in a widget: the mouse turns, moves and zooms it; soft shadows gather while it rests.
+ */
+#ifndef PictureView_h
+#define PictureView_h
+
+#include "Picture.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <QTimer>
+
+#include <memory>
+
+namespace viewer
+{
+class PictureView : public QVTKOpenGLNativeWidget
+{
+  Q_OBJECT
+
+public:
+  explicit PictureView(QWidget* parent = nullptr);
+  ~PictureView() override;
+
+  Picture& GetPicture() { return *this->Shown; }
+
+  /// Draws soon; several calls draw once.
+  void Draw();
+
+Q_SIGNALS:
+  void drawn();
+
+  /// The mouse is over a pixel of the window, from the lower left; -1 when it has left.
+  void pointed(int x, int y);
+
+protected:
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+private:
+  void OnDrawn();
+
+  std::unique_ptr<Picture> Shown;
+  QTimer Soon;
+};
+}
+
+#endif

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Actions.h"
+
+#include "MainWindow.h"
+#include "Picture.h"
+#include "PictureView.h"
+#include "PythonScript.h"
+#include "RecentFiles.h"
+#include "Scripts.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QMenuBar>
+#include <QSignalBlocker>
+
+#include <exception>
+#include <functional>
+
+namespace viewer
+{
+namespace
+{
+QAction* Add(QMenu* menu, MainWindow* window, const QString& text, const QKeySequence& key,
+  const QString& name, const std::function<void()>& run)
+{
+  QAction* action = menu->addAction(text);
+  action->setObjectName(name);
+  action->setShortcut(key);
+  QObject::connect(action, &QAction::triggered, window, [window, run] {
+    try
+    {
+      run();
+    }
+    catch (const std::exception& error)
+    {
+      window->Say(QString::fromStdString(error.what()), true);
+    }
+  });
+  return action;
+}
+
+//------------------------------------------------------------------------------
+QString AskPlace(MainWindow* window, const QString& title, const QString& suffix)
+{
+  QString path = QFileDialog::getSaveFileName(window, title, QString(), "*" + suffix);
+  if (!path.isEmpty() && !path.endsWith(suffix))
+  {
+    path += suffix;
+  }
+  return path;
+}
+
+//------------------------------------------------------------------------------
+void AddFileMenu(MainWindow* window, RecentFiles* recent)
+{
+  QMenu* menu = window->menuBar()->addMenu("&File");
+  Add(menu, window, "&Open...", QKeySequence::Open, "open", [window] {
+    const QStringList paths = QFileDialog::getOpenFileNames(window, "Open");
+    if (!paths.isEmpty())
+    {
+      window->OpenFiles(paths);
+    }
+  });
+  Add(menu, window, "Open &beside...", QKeySequence("Ctrl+Shift+O"), "openBeside", [window] {
+    const QStringList paths = QFileDialog::getOpenFileNames(window, "Open beside what is shown");
+    if (!paths.isEmpty())
+    {
+      window->OpenFiles(paths, true);
+    }
+  });
+  menu->addMenu(recent);
+  menu->addSeparator();
+  Add(menu, window, "&Save session...", QKeySequence::Save, "saveSession", [window] {
+    const QString path = AskPlace(window, "Save session", ".json");
+    if (!path.isEmpty())
+    {
+      window->SaveSession(path);
+    }
+  });
+  Add(menu, window, "Save &picture...", QKeySequence("Ctrl+P"), "savePicture", [window] {
+    const QString path = AskPlace(window, "Save picture", ".png");
+    if (!path.isEmpty())
+    {
+      window->SavePicture(path);
+    }
+  });
+  Add(menu, window, "Save &layers...", QKeySequence("Ctrl+E"), "saveLayers", [window] {
+    const QString path = AskPlace(window, "Save colour, depth, position, normal and ids", ".exr");
+    if (!path.isEmpty())
+    {
+      window->SaveLayers(
+        path, { "color", "depth", "position", "normal", "actor", "block", "cell" });
+    }
+  });
+  menu->addSeparator();
+  Add(menu, window, "&Quit", QKeySequence::Quit, "quit", [window] { window->close(); });
+}
+
+//------------------------------------------------------------------------------
+void AddEditMenu(MainWindow* window)
+{
+  QMenu* menu = window->menuBar()->addMenu("&Edit");
+  Add(menu, window, "Copy as &command line", QKeySequence("Ctrl+Shift+C"), "copyCommand", [window] {
+    window->GetView()->GetPicture().CheckShown("Copy as command line");
+    QApplication::clipboard()->setText(
+      QString::fromStdString(WriteCommand(window->GetViewSettings(), "picture.png")));
+    window->Say("Copied: the command that makes this picture");
+  });
+  Add(menu, window, "Copy as &Python", QKeySequence("Ctrl+Shift+P"), "copyPython", [window] {
+    QApplication::clipboard()->setText(QString::fromStdString(
+      WritePython(window->GetView()->GetPicture(), window->GetViewSettings(), "picture.png")));
+    window->Say("Copied: the Python program that makes this picture");
+  });
+}
+
+//------------------------------------------------------------------------------
+void AddViewMenu(MainWindow* window)
+{
+  QMenu* menu = window->menuBar()->addMenu("&View");
+  const auto draw = [window](const std::function<void(Picture&)>& change) {
+    return [window, change] {
+      change(window->GetView()->GetPicture());
+      window->GetView()->Draw();
+    };
+  };
+  Add(menu, window, "&Fit", QKeySequence("R"), "fit",
+    draw([](Picture& picture) { picture.ResetCamera(); }));
+  struct
+  {
+    const char* Text;
+    const char* Key;
+    std::array<double, 3> Along, Up;
+  } const sides[] = { { "From &right", "1", { -1, 0, 0 }, { 0, 1, 0 } },
+    { "From l&eft", "Ctrl+1", { 1, 0, 0 }, { 0, 1, 0 } },
+    { "From &above", "2", { 0, -1, 0 }, { 0, 0, -1 } },
+    { "From &below", "Ctrl+2", { 0, 1, 0 }, { 0, 0, 1 } },
+    { "From the &front", "3", { 0, 0, -1 }, { 0, 1, 0 } },
+    { "From the bac&k", "Ctrl+3", { 0, 0, 1 }, { 0, 1, 0 } } };
+  for (const auto& side : sides)
+  {
+    Add(menu, window, side.Text, QKeySequence(side.Key), QString("look") + side.Key,
+      [window, along = side.Along, up = side.Up] {
+        const std::string axis = window->GetDocument()->Get().Get("--up");
+        // The sides are named for y up; other axes turn them as the fitted camera is turned.
+        const auto turn = [&axis](const std::array<double, 3>& v) {
+          return axis == "z" ? std::array<double, 3>{ v[0], -v[2], v[1] }
+            : axis == "x"    ? std::array<double, 3>{ v[1], -v[0], v[2] }
+                             : v;
+        };
+        window->GetView()->GetPicture().LookAlong(turn(along), turn(up));
+        window->GetView()->Draw();
+      });
+  }
+  QAction* parallel = menu->addAction("&Parallel projection");
+  parallel->setObjectName("parallel");
+  parallel->setShortcut(QKeySequence("P"));
+  parallel->setCheckable(true);
+  QObject::connect(parallel, &QAction::toggled, window, [window](bool on) {
+    window->GetView()->GetPicture().SetParallel(on);
+    window->GetView()->Draw();
+  });
+  // Files and sessions may bring it as well.
+  QObject::connect(window->GetView(), &PictureView::drawn, parallel, [window, parallel] {
+    const QSignalBlocker quiet(parallel);
+    parallel->setChecked(window->GetView()->GetPicture().IsParallel());
+  });
+  menu->addSeparator();
+  QAction* full = menu->addAction("F&ull screen");
+  full->setShortcut(QKeySequence::FullScreen);
+  QObject::connect(full, &QAction::triggered, window,
+    [window] { window->setWindowState(window->windowState() ^ Qt::WindowFullScreen); });
+  for (QDockWidget* dock : window->findChildren<QDockWidget*>())
+  {
+    menu->addAction(dock->toggleViewAction());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void AddActions(MainWindow* window, RecentFiles* recent)
+{
+  AddFileMenu(window, recent);
+  AddEditMenu(window);
+  AddViewMenu(window);
+}
+}

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The program's window: the picture, panels around it, files in and out.
+ */
+#ifndef MainWindow_h
+#define MainWindow_h
+
+#include "Document.h"
+#include "Loader.h"
+#include "Probe.h"
+
+#include <QMainWindow>
+#include <QTimer>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QStackedWidget;
+
+namespace viewer
+{
+class LayersPanel;
+class LightPanel;
+class RecentFiles;
+class StagesPanel;
+class ReportPanel;
+class PictureView;
+
+class MainWindow : public QMainWindow
+{
+  Q_OBJECT
+
+public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  Document* GetDocument() { return this->Edited; }
+  PictureView* GetView() { return this->Shown; }
+
+  /// Shows these settings; files are read in the background.
+  void Open(const Settings& settings);
+
+  /// Files, of which a session is opened alone, instead of those shown or `beside` them.
+  void OpenFiles(const QStringList& paths, bool beside = false);
+
+  ///@{
+  /// Each throws cli::WorkError or cli::WordsError.
+  void OpenSession(const QString& path);
+  void SaveSession(const QString& path);
+  void SavePicture(const QString& path);
+  void SaveLayers(const QString& path, const std::vector<std::string>& layers);
+  ///@}
+
+  /// What is shown with its camera and size.
+  Settings GetViewSettings();
+
+  /// A line that stays until the next.
+  void Say(const QString& text, bool isTrouble = false);
+
+  /// What went wrong last; empty if all went well since.
+  QString GetTrouble() const { return this->Trouble; }
+
+  bool IsReading() const { return this->Reader->IsReading(); }
+
+Q_SIGNALS:
+  /// All that was asked for has been read, or has failed.
+  void ready();
+
+protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+private:
+  void AddPanels();
+  void AddStatus();
+  void Connect();
+  void Follow();
+  void Read(const Settings& settings, bool keepCamera);
+  void Begin();
+  void OnRead(const QString& trouble);
+  void OnDrawn();
+  void PointAt(int x, int y);
+  void ShowProbe();
+  void TellMessages();
+  void SetViewSize(const std::string& words);
+
+  Document* Edited;
+  PictureView* Shown;
+  Loader* Reader;
+  LightPanel* Light;
+  StagesPanel* Stages;
+  LayersPanel* Layers;
+  ReportPanel* Report;
+  RecentFiles* Recent;
+  QStackedWidget* Pages;
+  QLabel *Words, *Values, *Hint;
+  QProgressBar* Bar;
+  QPushButton* Cancel;
+  QString Trouble;
+  Settings Good;           // what is shown
+  Settings Wanted;         // what is being read
+  std::string ReadingKey;  // of what is shown, or being read
+  Settings Place;          // camera and size of what is being read
+  bool KeepCamera = false; // instead
+  Probe Reading;
+  QTimer Pause;
+  int Pointed[2] = { -1, -1 };
+};
+}
+
+#endif

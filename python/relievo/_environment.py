@@ -1,0 +1,210 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The light of a picture of all directions, in one line."""
+
+import os
+
+import vtkmodules.vtkIOImage  # noqa: F401  (the readers' factory knows its formats)
+from vtkmodules.vtkCommonCore import vtkWeakReference
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkImageReader2Factory
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+from ._errors import Watch, require
+from ._exr import read_exr
+from ._renderers import inner_renderer
+from ._values import number
+from .vtkRelievoFilters import vtkRelievoEnvironmentIrradiance, vtkRelievoEnvironmentPrefilter
+from .vtkRelievoMaterials import vtkRelievoEnvironment, vtkRelievoMaterial, vtkRelievoSkybox
+
+_NO_SURFACES = ("vtkAxisActor", "vtkCubeAxesActor", "vtkSkybox")
+_MAKE_SURFACES = ("vtkGlyph3DMapper", "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper")  # of points
+_AXES = {"x": 0, "y": 1, "z": 2}
+_SHARPEST = 128  # texels across a face of the sharpest level
+_TOLERANCE = 2e-3  # what the levels' sums may err by, as the command line has it
+
+
+def environment(renderer, path, rotation=0, up="y", intensity=1, reflectivity=0.04, roughness=0.2,
+                sky=True):
+    """Lights and mirrors a picture of all directions on all actors, and shows it as the sky.
+
+        relievo.environment(renderer, "forest.exr")
+        relievo.environment(renderer, None)                     # as it was before
+
+    renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter); its actors
+        at the time of the call, except those that are no lit surfaces: without lighting, of lines
+        or points alone, cube axes, VTK's skies. An actor's own vtkRelievoMaterial stays and gets
+        the environment; None gives its former one back.
+    path: a file (exr, hdr, png, jpg, tif, bmp), or a vtkImageData with row 0 at the bottom, as
+        to_image() makes it; twice as wide as high (all directions) or square (a mirror ball). Whole
+        numbers are decoded from sRGB, floats are linear light. None takes the environment away.
+    rotation: degrees about the up axis, counter-clockwise seen from above. up: the world's axis
+        that is up: "x", "y" or "z". intensity: factor of the light, 0 or more.
+    reflectivity: share that is mirrored at normal incidence, 0 to 1. roughness: of the mirror, 0 to
+        1. They are those of actors without a material of their own.
+    sky: whether the picture is shown behind everything.
+
+    Returns the vtkRelievoEnvironment, None for None. Another call replaces it. Colours are encoded
+    for displays (GammaCorrect), as by `relievo render --environment`. Roughness above 0 takes a
+    second.
+
+    Raises ValueError for a wrong argument or an image of another shape, OSError (FileNotFoundError)
+    if the file cannot be read; then nothing is changed.
+    """
+    inner = inner_renderer(renderer)
+    require(renderer if inner is None else inner, "vtkRenderer", "renderer")
+    if path is None:
+        _remove(inner)
+        return None
+    if up not in _AXES:
+        raise ValueError(f"environment: up: got {up!r}, expected 'x', 'y' or 'z'")
+    rotation = number("environment", "rotation", rotation)
+    intensity = number("environment", "intensity", intensity, 0)
+    reflectivity = number("environment", "reflectivity", reflectivity, 0, 1)
+    roughness = number("environment", "roughness", roughness, 0, 1)
+    actors = _actors(inner)
+    there = [vtkRelievoMaterial.Get(actor) for actor in actors]
+    rough = roughness > 0 or any(each is not None and each.GetRoughness() > 0 for each in there)
+    made = _make(path, rough)
+    made.SetRotation(rotation)
+    made.SetUpAxis(_AXES[up])
+    made.SetIntensity(intensity)
+    made.GammaCorrectOn()
+    made.relievo_own = True  # VTK keeps attributes as long as the object lives
+    _remove(inner)
+    if sky:
+        shown = vtkRelievoSkybox()
+        shown.SetEnvironment(made)
+        # The first frame fits a camera that nobody has asked for.
+        camera = inner.GetActiveCamera() if inner.IsActiveCameraCreated() else vtkCamera()
+        shown.SetParallelViewAngle(camera.GetViewAngle())
+        shown.relievo_own = True
+        inner.AddViewProp(shown)
+    own = vtkRelievoMaterial()
+    own.SetEnvironment(made)
+    own.SetReflectivity(reflectivity)
+    own.SetRoughness(roughness)
+    own.relievo_own = True
+    for actor in actors:
+        _placed.append(_Placed(inner, actor, made, own))
+    return made
+
+
+class _Placed:
+    """An environment on an actor, until it is taken away again. Keeps none of them alive."""
+
+    def __init__(self, renderer, actor, environment, own):
+        material = vtkRelievoMaterial.Get(actor)
+        if material is None or _is_own(material):
+            own.Attach(actor)
+            material = own
+        else:
+            if not _is_own(material.GetEnvironment()):
+                material.relievo_before = material.GetEnvironment()
+            material.SetEnvironment(environment)
+        self._weak = []
+        for each in (renderer, actor, environment, material):
+            self._weak.append(vtkWeakReference())
+            self._weak[-1].Set(each)
+
+    def renderer(self):
+        """The renderer, None if it is gone."""
+        return self._weak[0].Get()
+
+    def take_away(self):
+        """Unless somebody has replaced the material or the environment meanwhile."""
+        _, actor, environment, material = [each.Get() for each in self._weak]
+        if actor is None or material is None or vtkRelievoMaterial.Get(actor) is not material:
+            return
+        if _is_own(material):
+            material.Detach(actor)
+        elif environment is not None and material.GetEnvironment() is environment:
+            material.SetEnvironment(getattr(material, "relievo_before", None))
+            material.relievo_before = None
+
+
+_placed = []  # by all calls
+
+
+def _is_own(thing):
+    return getattr(thing, "relievo_own", False)
+
+
+def _remove(renderer):
+    for prop in list(renderer.GetViewProps()):
+        if _is_own(prop) and prop.IsA("vtkRelievoSkybox"):
+            renderer.RemoveViewProp(prop)
+    # Actors that have been removed from the renderer are among them.
+    for each in [each for each in _placed if each.renderer() in (renderer, None)]:
+        each.take_away()
+        _placed.remove(each)
+
+
+def _actors(renderer):
+    return [actor for actor in renderer.GetActors()
+            if vtkRelievoMaterial.Get(actor) is not None or _is_lit_surface(actor)]
+
+
+def _is_lit_surface(actor):
+    shown = actor.GetProperty()
+    if not shown.GetLighting() or any(actor.IsA(each) for each in _NO_SURFACES):
+        return False
+    if shown.GetRenderLinesAsTubes() or shown.GetRenderPointsAsSpheres():
+        return True
+    mapper = actor.GetMapper()
+    if mapper is None or any(mapper.IsA(each) for each in _MAKE_SURFACES):
+        return True
+    data = mapper.GetInputDataObject(0, 0)
+    return (data is None or not data.IsA("vtkPolyData") or data.GetNumberOfCells() == 0
+            or data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0)
+
+
+def _make(path, rough):
+    image = path if hasattr(path, "IsA") and path.IsA("vtkImageData") else _read(os.fspath(path))
+    name = "image" if image is path else os.fspath(path)
+    columns, rows, slices = image.GetDimensions()
+    if image.GetPointData().GetScalars() is None:
+        raise ValueError(f"environment: {name}: expected an image with scalars")
+    if slices != 1 or columns not in (rows, 2 * rows):
+        raise ValueError(f"environment: {name}: got {columns} x {rows} x {slices} pixels, expected "
+                         f"an image twice as wide as high (all directions) or square (a mirror "
+                         f"ball)")
+    kind = image.GetPointData().GetScalars().GetDataTypeAsString()
+    srgb = kind not in ("float", "double")
+    irradiance = vtkRelievoEnvironmentIrradiance()
+    levels = vtkRelievoEnvironmentPrefilter()
+    levels.SetSize(_SHARPEST)
+    levels.SetTolerance(_TOLERANCE)
+    with Watch(irradiance, levels) as watch:
+        for each in (irradiance, levels) if rough else (irradiance,):
+            each.SetInputData(image)
+            each.SetInputSRGB(srgb)
+            each.Update()
+    watch.raise_as(ValueError, f"environment: {name}")
+    made = vtkRelievoEnvironment()
+    made.SetImage(image)
+    made.SetSRGB(srgb)
+    made.SetLevels(levels.GetOutput() if rough else None)
+    made.SetIrradiance(irradiance.GetOutput().GetColumnByName("radiance"))
+    return made
+
+
+def _read(path):
+    with open(path, "rb") as file:  # Python's own errors for what is missing or forbidden
+        start = file.read(4)
+    if start == b"\x76\x2f\x31\x01":
+        image = read_exr(path)
+        data = image.GetPointData()
+        data.SetActiveScalars("color" if data.HasArray("color") else data.GetArrayName(0))
+        return image
+    reader = vtkImageReader2Factory.CreateImageReader2FromExtension(
+        os.path.splitext(path)[1].lower())
+    if reader is None or not reader.CanReadFile(path):
+        raise ValueError(f"environment: {path}: expected an image (exr, hdr, png, jpg, tif, bmp)")
+    reader.SetFileName(path)
+    with Watch(reader) as watch:
+        reader.Update()
+    watch.raise_as(ValueError, f"environment: {path}")
+    image = vtkImageData()
+    image.ShallowCopy(reader.GetOutput())
+    return image

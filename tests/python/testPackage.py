@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""pyproject.toml against what it names: it cannot be built with where these tests run."""
+
+import configparser
+import importlib
+import pathlib
+import re
+import sys
+import tomllib
+import unittest
+from importlib.metadata import metadata, version
+
+ROOT = pathlib.Path(__file__).parents[2]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
+CMAKE = (ROOT / "CMakeLists.txt").read_text()
+
+
+class Pyproject(unittest.TestCase):
+    def test_version(self):
+        """scikit-build-core's regex finds the version that CMake and the installed package have."""
+        settings = PROJECT["tool"]["scikit-build"]["metadata"]["version"]
+        self.assertIn("version", PROJECT["project"]["dynamic"])
+        found = re.search(settings["regex"], (ROOT / settings["input"]).read_text())
+        self.assertEqual(found["value"], re.search(r"VERSION (\d+\.\d+\.\d+)", CMAKE)[1])
+        self.assertEqual(found["value"], version("relievo"))
+        self.assertEqual(PROJECT["project"]["description"], metadata("relievo")["Summary"])
+        self.assertEqual(PROJECT["project"]["name"], metadata("relievo")["Name"])
+
+    def test_entry_points(self):
+        """Those of an installation by CMake, and each is there."""
+        installed = configparser.ConfigParser(delimiters="=")
+        installed.optionxform = str
+        installed.read(ROOT / "python" / "entry_points.txt")
+        self.assertEqual(PROJECT["project"]["entry-points"],
+                         {name: dict(group) for name, group in installed.items() if group})
+        sys.path.insert(0, str(pathlib.Path(__file__).parent / "standin"))
+        for group in PROJECT["project"]["entry-points"].values():
+            for value in group.values():
+                module, _, name = value.partition(":")
+                loaded = importlib.import_module(module)
+                self.assertTrue(not name or callable(getattr(loaded, name)))
+
+    def test_build(self):
+        """One version of VTK to build and to run with; files, components and options that are."""
+        built = [each for each in PROJECT["build-system"]["requires"] if each.startswith("vtk")]
+        runs = [each for each in PROJECT["project"]["dependencies"] if each.startswith("vtk")]
+        self.assertRegex(runs[0], r"^vtk==\d+\.\d+\.\d+$")
+        self.assertEqual(built, [runs[0].replace("vtk==", "vtk-sdk==")])
+        for name in (PROJECT["project"]["readme"], PROJECT["project"]["license"]["file"]):
+            self.assertTrue((ROOT / name).is_file(), name)
+        settings = PROJECT["tool"]["scikit-build"]
+        for name in settings["cmake"]["define"]:
+            text = CMAKE + (ROOT / "cmake" / "RelievoDependencies.cmake").read_text()
+            self.assertRegex(text, rf"option\({name} ")
+        used = "".join(path.read_text() for folder in ("python", "cmake")
+                       for path in (ROOT / folder).rglob("*") if path.suffix in (".txt", ".cmake"))
+        for component in settings["install"]["components"]:
+            self.assertIn(f"COMPONENT {component}", used)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,149 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""PyVista finds Relievo by its metadata: against a stand-in of the documented protocol."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+from importlib.metadata import entry_points, version
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent / "standin"))
+
+import numpy
+import pyvista
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkLight
+
+# Not imported: relievo. PyVista alone is to find it.
+
+
+def ball(radius=1.0, at=(0, 0, 0)):
+    source = vtkSphereSource()
+    source.SetRadius(radius)
+    source.SetCenter(*at)
+    source.SetThetaResolution(40)
+    source.SetPhiResolution(40)
+    return source
+
+
+def floor(height=-1.0):
+    source = vtkPlaneSource()
+    source.SetOrigin(-4, -4, height)
+    source.SetPoint1(4, -4, height)
+    source.SetPoint2(-4, 4, height)
+    return source
+
+
+def lit_scene(**size):
+    """A ball over a floor, the sun straight above."""
+    plotter = pyvista.Plotter(**size)
+    plotter.add_mesh(ball())
+    plotter.add_mesh(floor())
+    sun = vtkLight()
+    sun.SetLightTypeToSceneLight()
+    sun.SetPosition(0, 0, 10)
+    plotter.renderer.AutomaticLightCreationOff()
+    plotter.renderer.AddLight(sun)
+    return plotter
+
+
+class Metadata(unittest.TestCase):
+    def test_found_without_import(self):
+        groups = {"pyvista.plotter_components": "relievo", "pyvista.readers": ".exr",
+                  "pyvista.writers": ".exr"}  # fmt: skip
+        for group, name in groups.items():
+            self.assertEqual([each.name for each in entry_points(group=group)], [name])
+        self.assertRegex(version("relievo"), r"^\d+\.\d+\.\d+$")
+
+
+class Component(unittest.TestCase):
+    def test_shadows(self):
+        """What lies in the ball's shadow, which is as wide as the ball, loses the sun's light."""
+        plotter = lit_scene()
+        plotter.show()
+        plotter.relievo.shadows()
+        self.assertIs(plotter.relievo, plotter.relievo)
+        place = plotter.relievo.layer("position")
+        lit = plotter.relievo.layer("shadow_0")
+        on_floor = numpy.abs(place[..., 2] + 1) < 1e-5
+        away = numpy.hypot(place[..., 0], place[..., 1])
+        seen = on_floor & (away < 5) & (numpy.isfinite(plotter.relievo.layer("depth")))
+        self.assertTrue((lit[seen & (away > 1.05)] == 1).all())
+        self.assertTrue((lit[seen & (away < 0.95)] == 0).all())
+        self.assertGreater((seen & (away < 0.95)).sum(), 50)
+        dark = plotter.relievo.layer("color")[..., :3].sum(axis=-1)
+        plotter.relievo.shadows(False)
+        bright = plotter.relievo.layer("color")[..., :3].sum(axis=-1)
+        hidden = seen & (away < 0.95)
+        self.assertTrue((dark[hidden] < 0.01).all() and (bright[hidden] > 0.1).all())
+
+    def test_camera_before_the_first_show(self):
+        """A capture before show() sees what PyVista would show."""
+        early, shown = lit_scene(), lit_scene()
+        shown.show()
+        numpy.testing.assert_array_equal(
+            early.relievo.layer("depth"), shown.relievo.layer("depth"))
+        placed = lit_scene()
+        placed.renderer.camera_position = [(0, 0, 9), (0, 0, 0), (0, 1, 0)]
+        self.assertAlmostEqual(float(placed.relievo.layer("depth")[100, 150]), 8, delta=0.01)
+
+    def test_active_renderer_and_close(self):
+        plotter = pyvista.Plotter(shape=2)
+        for i in range(2):
+            plotter.subplot(i)
+            plotter.add_mesh(ball())
+        plotter.relievo.shadows()
+        left, right = plotter.renderers
+        self.assertIsNone(left.GetPass())
+        self.assertTrue(right.GetPass().IsA("vtkRelievoPass"))
+        plotter.subplot(0)
+        plotter.relievo.show("normal")
+        self.assertEqual(left.GetPass().GetDisplayLayer(), "normal")
+        plotter.relievo.off()
+        self.assertIsNone(left.GetPass())
+        plotter.close()
+        self.assertIsNone(right.GetPass())
+
+    def test_stages_and_data(self):
+        plotter = lit_scene()
+        plotter.show()
+        source = ball()
+        plotter.relievo.fog(source, radius=0.1, density=0.1)
+        plotter.relievo.lamps(source, radius=0.1)
+        plotter.relievo.markers(source, radius=0.1)
+        plotter.relievo.stage("shadows", visible=True, bias=2)
+        image = plotter.relievo.capture(["depth", "fog"], size=(60, 40))
+        self.assertIn("shadows", [each["name"] for each in plotter.relievo.report()["stages"]])
+        self.assertIsInstance(image, pyvista.ImageData)
+        self.assertEqual(image.GetDimensions(), (60, 40, 1))
+        with self.assertRaisesRegex(ValueError, "got 'shadow'"):
+            plotter.relievo.stage("shadow")
+
+
+class Files(unittest.TestCase):
+    def test_exr_there_and_back(self):
+        plotter = lit_scene()
+        plotter.show()
+        image = plotter.relievo.capture(["depth", "normal"])
+        with tempfile.TemporaryDirectory() as folder:
+            path = str(pathlib.Path(folder) / "frame.EXR")
+            image.save(path, compression="piz")
+            again = pyvista.read(path)
+            address = "https://somewhere.example/frame.exr"
+            pyvista.FETCHED[address] = path
+            self.assertEqual(pyvista.read(address).GetDimensions(), image.GetDimensions())
+            with self.assertRaises(FileNotFoundError):
+                pyvista.read(pathlib.Path(folder) / "other.exr")
+            with self.assertRaisesRegex(TypeError, "progress_bar"):
+                pyvista.read(path, progress_bar=True)
+            with self.assertRaisesRegex(ValueError, "compression"):
+                image.save(path, compression="best")
+        self.assertIsInstance(again, pyvista.ImageData)
+        for name in ("depth", "normal"):
+            arrays = [each.GetPointData().GetArray(name) for each in (image, again)]
+            numpy.testing.assert_array_equal(*[numpy.array(memoryview(a)) for a in arrays])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewerTest.h"
+
+#include "Messages.h"
+#include "PythonScript.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellData.h"
+#include "vtkElevationFilter.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPNGReader.h"
+#include "vtkPNGWriter.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QMouseEvent>
+#include <QProcess>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSurfaceFormat>
+#include <QtTest>
+
+#include <cmath>
+#include <cstring>
+
+namespace viewerTest
+{
+namespace
+{
+void Write(vtkPolyData* data, const std::string& path)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(path.c_str());
+  QVERIFY(writer->Write() == 1);
+}
+}
+
+//------------------------------------------------------------------------------
+static vtkSmartPointer<vtkImageData> ReadPNG(const std::string& path)
+{
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+void ViewerTest::init()
+{
+  this->Folder = std::make_unique<QTemporaryDir>();
+}
+
+//------------------------------------------------------------------------------
+void ViewerTest::cleanup()
+{
+  this->Window.reset();
+  this->Folder.reset();
+}
+
+//------------------------------------------------------------------------------
+std::string ViewerTest::Path(const std::string& name) const
+{
+  return this->Folder->filePath(QString::fromStdString(name)).toStdString();
+}
+
+//------------------------------------------------------------------------------
+std::string ViewerTest::WriteScene(const std::string& name) const
+{
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(0.0, 0.8, 0.0);
+  ball->SetRadius(0.6);
+  ball->SetThetaResolution(24);
+  ball->SetPhiResolution(16);
+  vtkNew<vtkPlaneSource> ground;
+  ground->SetOrigin(-1.5, 0.0, 1.5);
+  ground->SetPoint1(1.5, 0.0, 1.5);
+  ground->SetPoint2(-1.5, 0.0, -1.5);
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputConnection(ball->GetOutputPort());
+  both->AddInputConnection(ground->GetOutputPort());
+  vtkNew<vtkElevationFilter> height;
+  height->SetInputConnection(both->GetOutputPort());
+  height->SetLowPoint(0.0, 0.0, 0.0);
+  height->SetHighPoint(0.0, 1.0, 0.0);
+  height->SetScalarRange(0.0, 1.0);
+  height->Update();
+  vtkPolyData* data = height->GetPolyDataOutput();
+  data->GetPointData()->GetScalars()->SetName("height");
+  vtkNew<vtkIntArray> part;
+  part->SetName("part");
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    part->InsertNextValue(static_cast<int>(cell) + 100);
+  }
+  data->GetCellData()->AddArray(part);
+  Write(data, this->Path(name));
+  return this->Path(name);
+}
+
+//------------------------------------------------------------------------------
+std::string ViewerTest::WritePoints() const
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.9, 0.5, 0.6);
+  points->InsertNextPoint(-0.8, 0.3, 0.4);
+  vtkNew<vtkFloatArray> radius;
+  radius->SetName("radius");
+  radius->InsertNextValue(1.2F);
+  radius->InsertNextValue(0.9F);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->GetPointData()->AddArray(radius);
+  Write(data, this->Path("points.vtp"));
+  return this->Path("points.vtp");
+}
+
+//------------------------------------------------------------------------------
+std::string ViewerTest::WriteImage() const
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(32, 16, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int y = 0; y < 16; ++y)
+  {
+    for (int x = 0; x < 32; ++x)
+    {
+      auto* texel = static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0));
+      texel[0] = static_cast<unsigned char>(128.0 + 60.0 * std::sin(0.6 * x));
+      texel[1] = static_cast<unsigned char>(128.0 + 60.0 * std::cos(0.9 * y));
+      texel[2] = 230;
+    }
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(this->Path("waves.png").c_str());
+  writer->Write();
+  return this->Path("waves.png");
+}
+
+//------------------------------------------------------------------------------
+void ViewerTest::WriteText(const std::string& name, const std::string& text) const
+{
+  QFile file(QString::fromStdString(this->Path(name)));
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(QByteArray::fromStdString(text));
+}
+
+//------------------------------------------------------------------------------
+std::string ViewerTest::WriteOBJ(bool both) const
+{
+  this->WriteText("two.mtl",
+    "newmtl shining\nKd 0.8 0.3 0.2\nKs 0.9 0.9 0.7\nNs 12\nillum 2\n"
+    "newmtl glass\nKd 0.2 0.4 0.8\nd 0.5\n");
+  this->WriteText("two.obj",
+    "mtllib two.mtl\nv 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 0.5\nusemtl shining\nf 1 2 3\n" +
+      std::string(both ? "usemtl glass\n" : "") + "f 2 4 3\n");
+  return this->Path("two.obj");
+}
+
+//------------------------------------------------------------------------------
+void ViewerTest::Open(const std::vector<std::string>& words)
+{
+  this->Window = std::make_unique<viewer::MainWindow>();
+  this->Window->resize(800, 480);
+  this->Window->show();
+  QVERIFY(QTest::qWaitForWindowExposed(this->Window.get()));
+  QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
+  this->Window->Open(viewer::Settings::FromWords(words));
+  QVERIFY(ready.wait(60000));
+}
+
+//------------------------------------------------------------------------------
+void ViewerTest::WaitUntilRead()
+{
+  QTRY_VERIFY_WITH_TIMEOUT(!this->Window->IsReading(), 60000);
+}
+
+//------------------------------------------------------------------------------
+void ViewerTest::Change(const std::function<void(viewer::Settings&)>& edit)
+{
+  this->Window->GetDocument()->Change(edit);
+  this->WaitUntilRead();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ViewerTest::Grab()
+{
+  return this->Window->GetView()->GetPicture().Grab();
+}
+
+//------------------------------------------------------------------------------
+void ViewerTest::SendMouse(QEvent::Type type, const QPoint& place, Qt::MouseButton pressed)
+{
+  viewer::PictureView* view = this->Window->GetView();
+  const Qt::MouseButton changed = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+  QMouseEvent event(type, place, view->mapToGlobal(place), changed, pressed, Qt::NoModifier);
+  QApplication::sendEvent(view, &event);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ViewerTest::RenderCommand()
+{
+  QStringList words = { "render", "--png", QString::fromStdString(this->Path("command.png")) };
+  for (const std::string& word : this->Window->GetViewSettings().GetWords())
+  {
+    words += QString::fromStdString(word);
+  }
+  QProcess command;
+  command.start(qEnvironmentVariable("RELIEVO"), words);
+  if (!command.waitForFinished(60000) || command.exitCode() != 0)
+  {
+    qWarning() << words << command.readAllStandardError();
+    return nullptr;
+  }
+  return ReadPNG(this->Path("command.png"));
+}
+
+//------------------------------------------------------------------------------
+void ViewerTest::Compare(const char* what)
+{
+  const vtkSmartPointer<vtkImageData> shown = this->Grab();
+  const int different = CountDifferent(shown, this->RenderCommand());
+  QVERIFY2(different == 0,
+    qPrintable(QString("%1: %2 pixels differ; %3")
+                 .arg(what)
+                 .arg(different)
+                 .arg(this->Window->GetTrouble())));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ViewerTest::RunPython()
+{
+  const std::string script = viewer::WritePython(this->Window->GetView()->GetPicture(),
+    this->Window->GetViewSettings(), this->Path("python.png"));
+  QProcess python;
+  python.start(qEnvironmentVariable("PYTHON"), { "-c", QString::fromStdString(script) });
+  if (!python.waitForFinished(60000) || python.exitCode() != 0)
+  {
+    qWarning() << script.c_str() << python.readAllStandardError();
+    return nullptr;
+  }
+  return ReadPNG(this->Path("python.png"));
+}
+
+//------------------------------------------------------------------------------
+int ViewerTest::CountDifferent(vtkImageData* a, vtkImageData* b)
+{
+  auto* first = a ? vtkUnsignedCharArray::SafeDownCast(a->GetPointData()->GetScalars()) : nullptr;
+  auto* second = b ? vtkUnsignedCharArray::SafeDownCast(b->GetPointData()->GetScalars()) : nullptr;
+  if (!first || !second || first->GetNumberOfTuples() != second->GetNumberOfTuples() ||
+    first->GetNumberOfComponents() != 3 || second->GetNumberOfComponents() != 3 ||
+    a->GetDimensions()[0] != b->GetDimensions()[0])
+  {
+    return -1;
+  }
+  int different = 0;
+  for (vtkIdType pixel = 0; pixel < first->GetNumberOfTuples(); ++pixel)
+  {
+    different += std::memcmp(first->GetPointer(3 * pixel), second->GetPointer(3 * pixel), 3) != 0;
+  }
+  return different;
+}
+
+//------------------------------------------------------------------------------
+int Run(QObject& tests, int argc, char* argv[])
+{
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QCoreApplication::setOrganizationName("Relievo");
+  QCoreApplication::setApplicationName("tests");
+  QSettings::setPath(
+    QSettings::NativeFormat, QSettings::UserScope, qEnvironmentVariable("RELIEVO_TEST_OUTPUT"));
+  QApplication application(argc, argv);
+  cli::Messages::Collect();
+  return QTest::qExec(&tests, argc, argv);
+}
+}

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What the tests of the viewer share: its window, scenes, and what the command line makes of them.
+ */
+#ifndef ViewerTest_h
+#define ViewerTest_h
+
+#include "MainWindow.h"
+#include "PictureView.h"
+#include "Settings.h"
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <QEvent>
+#include <QObject>
+#include <QPoint>
+#include <QString>
+#include <QTemporaryDir>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace viewerTest
+{
+class ViewerTest : public QObject
+{
+  Q_OBJECT
+
+protected:
+  /// A file in the test's folder.
+  std::string Path(const std::string& name) const;
+
+  /// A ball above a square ground, with a point array `height` and a cell array `part`.
+  std::string WriteScene(const std::string& name = "scene.vtp") const;
+
+  /// Points with radii for lamps, fog and markers.
+  std::string WritePoints() const;
+
+  /// An image of waves: heights, colours of a sky, or slopes of a normal map.
+  std::string WriteImage() const;
+
+  /// Two triangles of OBJ, with a shining and a translucent material, or the shining one alone.
+  std::string WriteOBJ(bool both = true) const;
+
+  void WriteText(const std::string& name, const std::string& text) const;
+
+  /// Opens a window with these words and waits until it shows them.
+  void Open(const std::vector<std::string>& words);
+
+  /// The window changes its settings and has read what it needs.
+  void Change(const std::function<void(viewer::Settings&)>& edit);
+  void WaitUntilRead();
+
+  /// What the window shows, and what `relievo render` makes of the words that the window copies.
+  vtkSmartPointer<vtkImageData> Grab();
+  vtkSmartPointer<vtkImageData> RenderCommand();
+
+  /// The test fails unless both are the same.
+  void Compare(const char* what);
+
+  /**
+   * The view gets an event of the mouse at a place of its own, with the left button's state told:
+   * QTest moves the display's pointer, whose events come late and without buttons on a busy machine.
+   */
+  void SendMouse(QEvent::Type type, const QPoint& place, Qt::MouseButton pressed);
+
+  /// What the Python program that the window copies writes.
+  vtkSmartPointer<vtkImageData> RunPython();
+
+  /// Pixels that differ between the two; -1 if their sizes do.
+  static int CountDifferent(vtkImageData* a, vtkImageData* b);
+
+  std::unique_ptr<viewer::MainWindow> Window;
+
+private Q_SLOTS:
+  void init();
+  void cleanup();
+
+private:
+  std::unique_ptr<QTemporaryDir> Folder;
+};
+
+/// Runs the tests of an object as a program.
+int Run(QObject& tests, int argc, char* argv[]);
+}
+
+#endif

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Keys, the time bar, the sun's controls, and the values under the mouse of arrays of any width.
+#include "ViewerTest.h"
+
+#include "Options.h"
+#include "Probe.h"
+#include "StageChart.h"
+#include "Sun.h"
+#include "SunGroup.h"
+
+#include "vtkCamera.h"
+#include "vtkDoubleArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRelievoPass.h"
+#include "vtkRenderer.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QSlider>
+#include <QTableWidget>
+#include <QToolBar>
+#include <QtTest>
+
+#include <cmath>
+#include <map>
+
+using viewer::Settings;
+
+class TestViewerControls : public viewerTest::ViewerTest
+{
+  Q_OBJECT
+
+private:
+  vtkCamera* GetCamera()
+  {
+    return this->Window->GetView()->GetPicture().GetRenderer()->GetActiveCamera();
+  }
+
+  void Press(Qt::Key key, Qt::KeyboardModifiers with = Qt::NoModifier)
+  {
+    this->Window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(this->Window.get()));
+    QTest::keyClick(this->Window->GetView(), key, with);
+  }
+
+private Q_SLOTS:
+  void parallelKey()
+  {
+    this->Open({ this->WriteScene(), "--parallel-scale", "1.2" });
+    this->Grab();
+    this->Press(Qt::Key_P);
+    QVERIFY(!this->GetCamera()->GetParallelProjection()); // by the first press
+    this->Press(Qt::Key_P);
+    QVERIFY(this->GetCamera()->GetParallelProjection());
+    // What is in the middle keeps its size.
+    this->Open({ this->WriteScene(), "--camera", "0,0.5,7,0,0.5,0,0,1,0" });
+    this->Grab();
+    this->Press(Qt::Key_P);
+    QVERIFY(this->GetCamera()->GetParallelProjection());
+    const double half = 7.0 * std::tan(vtkMath::RadiansFromDegrees(15.0));
+    QVERIFY(std::abs(this->GetCamera()->GetParallelScale() - half) < 1e-9);
+    this->Compare("parallel");
+  }
+
+  void viewKeys()
+  {
+    this->Open({ this->WriteScene(), "--up", "z" });
+    this->Grab();
+    const auto looks = [this](double x, double y, double z) {
+      const double* d = this->GetCamera()->GetDirectionOfProjection();
+      return std::abs(d[0] - x) + std::abs(d[1] - y) + std::abs(d[2] - z) < 1e-9;
+    };
+    this->Press(Qt::Key_1);
+    QVERIFY(looks(-1, 0, 0));
+    this->Press(Qt::Key_1, Qt::ControlModifier);
+    QVERIFY(looks(1, 0, 0));
+    this->Press(Qt::Key_2);
+    QVERIFY(looks(0, 0, -1));
+    this->Press(Qt::Key_2, Qt::ControlModifier);
+    QVERIFY(looks(0, 0, 1));
+    this->Press(Qt::Key_3);
+    QVERIFY(looks(0, 1, 0));
+    this->Press(Qt::Key_3, Qt::ControlModifier);
+    QVERIFY(looks(0, -1, 0));
+    const double fitted = this->GetCamera()->GetDistance();
+    this->GetCamera()->Dolly(3.0);
+    this->Press(Qt::Key_R);
+    QVERIFY(std::abs(this->GetCamera()->GetDistance() - fitted) < 1e-9);
+    this->Compare("from the back");
+  }
+
+  // A sun by date and place stands in the sky: its direction in the data follows the axis.
+  void sunFollowsUp()
+  {
+    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6,size=2" });
+    auto* sun = this->Window->findChild<viewer::SunGroup*>("sun");
+    viewer::SunTime time;
+    time.Hour = 15.5;
+    time.Latitude = 48.0;
+    sun->SetTime(time, true);
+    auto* up = this->Window->findChild<QComboBox*>("up");
+    for (const int axis : { 2, 0, 1 })
+    {
+      up->setCurrentIndex(axis);
+      this->WaitUntilRead();
+      const std::array<double, 3> wanted =
+        viewer::GetSunDirection(viewer::GetSunAngles(time), axis);
+      QCOMPARE(
+        this->Window->GetDocument()->Get().Get("--light"), viewer::WriteSun(wanted) + ",size=2");
+    }
+  }
+
+  void timeSlider()
+  {
+    const std::string models = qgetenv("RELIEVO_DATA").toStdString() + "/models/glTF2/";
+    this->Open({ models + "simple_skin/simple_skin.gltf", "--time", "0" });
+    auto* slider = this->Window->findChild<QToolBar*>("time")->findChild<QSlider*>("slider");
+    QVERIFY(slider && slider->isVisible());
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    const std::array<double, 2> times = this->Window->GetDocument()->GetTimes();
+    slider->setValue(slider->maximum() / 4);
+    this->WaitUntilRead();
+    const double time = this->Window->GetDocument()->Get().Parse().Model.Time.value_or(-1.0);
+    QVERIFY2(std::abs(time - (times[0] + 0.25 * (times[1] - times[0]))) < 1e-9,
+      qPrintable(QString("%1 of %2 to %3").arg(time).arg(times[0]).arg(times[1])));
+    QVERIFY(CountDifferent(before, this->Grab()) > 100);
+    this->Compare("at a quarter");
+    slider->setValue(0);
+    this->WaitUntilRead();
+    QCOMPARE(CountDifferent(before, this->Grab()), 0);
+  }
+
+  // Bars as long as the table's numbers say, in the palette's colour.
+  void chart()
+  {
+    this->Open(
+      { this->WriteScene(), "--light", "sun:0.4,1,0.6", "--shadows", "map", "--tone", "reinhard" });
+    auto* dock = this->Window->findChild<QDockWidget*>("report");
+    auto* chart = this->Window->findChild<viewer::StageChart*>("chart");
+    auto* table = dock->findChild<QTableWidget*>("stages");
+    dock->raise();
+    for (int i = 0; i < 20 && chart->GetBars().size() < 2; ++i)
+    {
+      this->Grab(); // times arrive some frames later
+      QTest::qWait(300);
+    }
+    QVERIFY2(chart->isVisible() && chart->GetBars().size() > 1,
+      this->Window->GetView()->GetPicture().GetFrame()->GetFrameReport().c_str());
+    QTest::qWait(600); // until what was drawn last is in the table
+    std::map<QString, QString> cells;
+    for (int row = 0; row < table->rowCount(); ++row)
+    {
+      cells[table->item(row, 0)->text()] = table->item(row, 1)->text();
+    }
+    double longest = 0.0;
+    int widest = 0;
+    const std::vector<viewer::StageChart::Bar>& bars = chart->GetBars();
+    for (std::size_t i = 0; i < bars.size(); ++i)
+    {
+      QCOMPARE(cells[bars[i].Label], QString::number(bars[i].Milliseconds, 'f', 2));
+      longest = std::max(longest, bars[i].Milliseconds);
+      widest = std::max(widest, chart->GetPlace(i).width());
+    }
+    QVERIFY(longest > 0.0 && widest > 20);
+    const QImage image = chart->grab().toImage();
+    const QRgb color = chart->palette().color(QPalette::Highlight).rgb();
+    for (std::size_t i = 0; i < bars.size(); ++i)
+    {
+      const int y = chart->GetPlace(i).center().y();
+      int painted = 0;
+      for (int x = 0; x < image.width(); ++x)
+      {
+        painted += image.pixel(x, y) == color;
+      }
+      QVERIFY(std::abs(painted - widest * bars[i].Milliseconds / longest) <= 1.0);
+    }
+  }
+
+  // An array that is too wide for a layer takes no other value with it.
+  void wideArrays()
+  {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(this->WriteScene().c_str());
+    reader->Update();
+    vtkNew<vtkDoubleArray> wide;
+    wide->SetName("wide");
+    wide->SetNumberOfComponents(17);
+    wide->SetNumberOfTuples(reader->GetOutput()->GetNumberOfPoints());
+    wide->Fill(1.0);
+    reader->GetOutput()->GetPointData()->AddArray(wide);
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetInputData(reader->GetOutput());
+    writer->SetFileName(this->Path("wide.vtp").c_str());
+    writer->Write();
+    this->Open({ this->Path("wide.vtp") });
+    this->Grab();
+    viewer::Picture& picture = this->Window->GetView()->GetPicture();
+    QVERIFY(picture.GetArrays().count("wide") == 1);
+    const int* size = this->Window->GetView()->renderWindow()->GetSize();
+    viewer::Probe probe;
+    std::set<std::string> found;
+    for (const viewer::ProbeValue& value :
+      probe.Read(picture.GetRenderer(), picture.GetArrays(), size[0] / 2, size[1] / 2))
+    {
+      found.insert(value.Layer);
+    }
+    QVERIFY(found.count("depth") == 1 && found.count("height") == 1 && found.count("wide") == 0);
+    this->Grab();
+    QCOMPARE(this->Window->GetTrouble(), QString());
+  }
+};
+
+int main(int argc, char* argv[])
+{
+  TestViewerControls tests;
+  return viewerTest::Run(tests, argc, argv);
+}
+
+#include "testViewerControls.moc"

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Files that cannot be shown, that are slow, that follow one another, and none at all.
+#include "ViewerTest.h"
+
+#include "Failure.h"
+
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRelievoEXRReader.h"
+#include "vtkRelievoLayerSource.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QMenu>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using viewer::Settings;
+
+namespace
+{
+// A file whose readers wait until something writes to it, and then find it empty.
+class SlowFile
+{
+public:
+  explicit SlowFile(const std::string& path)
+    : Path(path)
+  {
+    QVERIFY(mkfifo(path.c_str(), 0600) == 0);
+  }
+
+  ~SlowFile() { this->End(); }
+
+  /// From now on each reader that waits goes on.
+  void LetGo()
+  {
+    this->Thread = std::thread([this] {
+      while (!this->Done)
+      {
+        const int file = open(this->Path.c_str(), O_WRONLY | O_NONBLOCK);
+        if (file >= 0)
+        {
+          close(file);
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      }
+    });
+  }
+
+  void End()
+  {
+    if (this->Thread.joinable())
+    {
+      this->Done = true;
+      this->Thread.join();
+    }
+  }
+
+private:
+  std::string Path;
+  std::thread Thread;
+  std::atomic<bool> Done{ false };
+};
+}
+
+class TestViewerFiles : public viewerTest::ViewerTest
+{
+  Q_OBJECT
+
+private Q_SLOTS:
+  // A file that is read well, and of which no picture can be made beside the other.
+  void whatWasShownStays()
+  {
+    const std::string scene = this->WriteScene();
+    this->WriteText("other.vtk",
+      "# vtk DataFile Version 3.0\nother\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+      "0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\nPOINT_DATA 3\nSCALARS warmth float 1\n"
+      "LOOKUP_TABLE default\n1 2 3\n");
+    this->Open({ scene, "--scalar-bar", "--light", "sun:0.4,1,0.6", "--shadows", "map" });
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    const std::vector<std::string> words = this->Window->GetViewSettings().GetWords();
+    this->Window->OpenFiles({ QString::fromStdString(this->Path("other.vtk")) }, true);
+    this->WaitUntilRead();
+    QVERIFY2(
+      this->Window->GetTrouble().contains("--scalar-bar"), qPrintable(this->Window->GetTrouble()));
+    QCOMPARE(this->Window->GetViewSettings().GetWords(), words);
+    QCOMPARE(CountDifferent(before, this->Grab()), 0);
+    this->Change([](Settings& settings) { settings.SetParameter("tone", "exposure", "1"); });
+    this->Compare("after it");
+  }
+
+  // The window goes on at once, whatever the reader waits for, and takes the next file after it.
+  void cancelDoesNotWait()
+  {
+    this->Open({ this->WriteScene() });
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    const std::string next = this->WriteScene("next.vtp");
+    SlowFile slow(this->Path("slow.stl"));
+    this->Window->OpenFiles({ QString::fromStdString(this->Path("slow.stl")) });
+    QVERIFY(this->Window->IsReading());
+    QTest::qWait(50);
+    this->Window->findChild<QPushButton*>("cancel")->click();
+    QVERIFY(!this->Window->IsReading()); // though nothing let the reader go
+    QCOMPARE(CountDifferent(before, this->Grab()), 0);
+    QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
+    this->Window->OpenFiles({ QString::fromStdString(next) });
+    QTest::qWait(50);
+    QVERIFY(this->Window->IsReading() && ready.isEmpty());
+    slow.LetGo();
+    QVERIFY(ready.wait(60000));
+    slow.End();
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QCOMPARE(this->Window->GetDocument()->Get().Files, std::vector<std::string>{ next });
+  }
+
+  void nothingIsOpen()
+  {
+    this->Window = std::make_unique<viewer::MainWindow>();
+    this->Window->show();
+    const QString png = QString::fromStdString(this->Path("none.png"));
+    QVERIFY_EXCEPTION_THROWN(this->Window->SavePicture(png), cli::WorkError);
+    QVERIFY_EXCEPTION_THROWN(this->Window->SaveLayers(png, { "depth" }), cli::WorkError);
+    for (const char* name : { "copyCommand", "copyPython" })
+    {
+      QGuiApplication::clipboard()->setText("before");
+      this->Window->Say("");
+      this->Window->findChild<QAction*>(name)->trigger();
+      QVERIFY(this->Window->GetTrouble().contains("nothing is shown"));
+      QCOMPARE(QGuiApplication::clipboard()->text(), QString("before"));
+    }
+  }
+
+  // An array of the file before is no layer of the next; a layer of the catalogue is.
+  void layersOfTheFileBefore()
+  {
+    const std::string plain = this->WriteOBJ();
+    for (const char* layer : { "height", "depth" })
+    {
+      this->Open({ this->WriteScene(), "--stage", std::string("display:layer=") + layer });
+      QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
+      this->Window->OpenFiles({ QString::fromStdString(plain) });
+      QVERIFY(ready.wait(60000));
+      this->Grab();
+      QCOMPARE(this->Window->GetTrouble(), QString());
+      QCOMPARE(this->Window->GetDocument()->Get().GetParameter("display", "layer"),
+        std::string(layer == std::string("depth") ? "depth" : ""));
+    }
+  }
+
+  void recentFiles()
+  {
+    QSettings().clear();
+    this->Open({ this->WriteScene() });
+    const QString other = QString::fromStdString(this->WriteScene("other.vtp"));
+    const QString third = QString::fromStdString(this->WriteScene("third.vtp"));
+    for (const QString& path : { other, third })
+    {
+      this->Window->OpenFiles({ path });
+      this->WaitUntilRead();
+    }
+    const std::string scene = this->Path("scene.vtp");
+    this->Open({ scene }); // another window has the list too
+    QAction* found = nullptr;
+    for (QMenu* menu : this->Window->findChildren<QMenu*>())
+    {
+      for (QAction* action : menu->actions())
+      {
+        found = action->text().contains("other.vtp") ? action : found;
+      }
+    }
+    QVERIFY(found);
+    QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
+    found->trigger();
+    QVERIFY(ready.wait(60000));
+    QCOMPARE(
+      this->Window->GetDocument()->Get().Files, std::vector<std::string>{ other.toStdString() });
+  }
+
+  // What was saved is what the layers hold, number by number.
+  void savesLayers()
+  {
+    this->Open({ this->WriteScene(), "--shadows", "map", "--light", "sun:0.4,1,0.6" });
+    this->Grab();
+    const std::vector<std::string> layers = { "color", "depth", "normal", "cell" };
+    this->Window->SaveLayers(QString::fromStdString(this->Path("saved.exr")), layers);
+    vtkNew<vtkRelievoEXRReader> reader;
+    reader->SetFileName(this->Path("saved.exr").c_str());
+    reader->Update();
+    vtkNew<vtkRelievoLayerSource> source;
+    source->SetRenderer(this->Window->GetView()->GetPicture().GetRenderer());
+    for (const std::string& layer : layers)
+    {
+      source->AddLayer(layer);
+    }
+    source->Update();
+    for (const char* layer : { "depth", "normal", "cell" })
+    {
+      vtkDataArray* saved = reader->GetOutput()->GetPointData()->GetArray(layer);
+      vtkDataArray* held = source->GetOutput()->GetPointData()->GetArray(layer);
+      QVERIFY2(saved && held, layer);
+      QCOMPARE(saved->GetNumberOfTuples(), held->GetNumberOfTuples());
+      int different = 0, finite = 0;
+      for (vtkIdType i = 0; i < held->GetNumberOfTuples(); ++i)
+      {
+        for (int k = 0; k < held->GetNumberOfComponents(); ++k)
+        {
+          const double a = saved->GetComponent(i, k), b = held->GetComponent(i, k);
+          different += a != b && !(std::isnan(a) && std::isnan(b));
+          finite += std::isfinite(b);
+        }
+      }
+      QCOMPARE(different, 0);
+      QVERIFY(finite > 1000);
+    }
+  }
+};
+
+int main(int argc, char* argv[])
+{
+  TestViewerFiles tests;
+  return viewerTest::Run(tests, argc, argv);
+}
+
+#include "testViewerFiles.moc"

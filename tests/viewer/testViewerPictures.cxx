@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The picture of every switch equals that of the command line, byte for byte; so does what is left
+// when it is switched off again.
+#include "ViewerTest.h"
+
+#include <QGroupBox>
+#include <QtTest>
+
+using viewer::Settings;
+
+class TestViewerPictures : public viewerTest::ViewerTest
+{
+  Q_OBJECT
+
+private Q_SLOTS:
+  void switches_data()
+  {
+    QTest::addColumn<QStringList>("words");
+    const auto row = [](const char* name, const QStringList& words) {
+      QTest::newRow(name) << words;
+    };
+    row("plain", {});
+    row("shadows", { "--shadows", "map" });
+    row("exact shadows", { "--shadows", "exact" });
+    row("soft shadows", { "--shadows", "map", "--soft-shadows", "8" });
+    row("tone", { "--tone", "reinhard,white=2", "--exposure", "1" });
+    row("deferred", { "--deferred" });
+    row("layer", { "--stage", "display:layer=depth" });
+    row("array as layer", { "--stage", "display:layer=height" });
+    row("look", { "--color-by", "height", "--scalar-bar", "--edges", "--background", "white" });
+    row("opacity", { "--color", "#3366cc", "--opacity", "0.5" });
+    row("shading", { "--shading", "pbr" });
+    row("flat", { "--shading", "flat" });
+    row("preset", { "--preset", "town" });
+    row("preset without shadows", { "--preset", "studio", "--shadows", "off" });
+    row("lamps", { "--lamps", "POINTS,intensity=2" });
+    row("fog", { "--fog", "POINTS,density=0.8,color=0.6/0.7/0.8" });
+    row("fog by chords", { "--fog", "POINTS,density=0.8,mode=chord", "--tone", "simple" });
+    row("environment", { "--environment", "IMAGE,30", "--reflectivity", "0.4,0.3" });
+    row("sky", { "--environment", "IMAGE", "--skybox", "--shadows", "map" });
+    row("normal map", { "--normal-map", "IMAGE", "--texture-coordinates", "sphere" });
+    row("height map", { "--height-map", "IMAGE,0.1", "--shadows", "map" });
+    row("blend", { "--opacity", "0.5", "--lamps", "POINTS", "--fog", "POINTS" });
+    row("markers", { "--markers", "POINTS,shape=ring,radius=0.4" });
+    row("up", { "--preset", "town", "--up", "z" });
+    row("parallel", { "--parallel-scale", "1.2" });
+    row("two lights", { "--light", "sun:1,1,1", "--light", "point:-2,2,1", "--shadows", "map" });
+  }
+
+  // On at a window that shows the scene plainly, and off again.
+  void switches()
+  {
+    QFETCH(QStringList, words);
+    const std::string scene = this->WriteScene();
+    const std::string points = this->WritePoints();
+    const std::string image = this->WriteImage();
+    std::vector<std::string> own = { scene, "--light", "sun:0.4,1,0.6" };
+    const bool light = words.contains("--light") || words.contains("--preset");
+    own.resize(light ? 1 : 3);
+    this->Open({ scene, "--light", "sun:0.4,1,0.6" });
+    const vtkSmartPointer<vtkImageData> plain = this->Grab();
+    for (const QString& word : words)
+    {
+      QString whole = word;
+      whole.replace("POINTS", QString::fromStdString(points));
+      own.push_back(whole.replace("IMAGE", QString::fromStdString(image)).toStdString());
+    }
+    const Settings before = this->Window->GetDocument()->Get();
+    Settings wanted = Settings::FromWords(own);
+    wanted.Remove("--parallel-scale"); // which is the camera's
+    this->Window->GetView()->GetPicture().SetParallel(words.contains("--parallel-scale"));
+    this->Window->GetDocument()->Set(wanted);
+    this->WaitUntilRead();
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    this->Compare(QTest::currentDataTag());
+    if (!words.isEmpty())
+    {
+      QVERIFY(CountDifferent(this->Grab(), plain) != 0);
+    }
+    this->Window->GetView()->GetPicture().SetParallel(false);
+    this->Window->GetDocument()->Set(before);
+    this->WaitUntilRead();
+    QCOMPARE(CountDifferent(this->Grab(), plain), 0);
+  }
+
+  void opensWithTheWords()
+  {
+    this->Open({ this->WriteScene(), "--camera", "2,2,4,0,0.5,0,0,1,0", "--view-angle", "40",
+      "--light", "spot:2,4,2,0,0,0,25", "--shadows", "warped", "--tone", "simple" });
+    this->Compare("words");
+  }
+
+  void afterTheMouse()
+  {
+    this->Open({ this->WriteScene(), "--shadows", "map", "--light", "sun:0.4,1,0.6" });
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    const QPoint middle = this->Window->GetView()->rect().center();
+    const QPoint aside = middle + QPoint(40, 25);
+    this->SendMouse(QEvent::MouseButtonPress, middle, Qt::LeftButton);
+    this->SendMouse(QEvent::MouseMove, aside, Qt::LeftButton);
+    this->SendMouse(QEvent::MouseButtonRelease, aside, Qt::NoButton);
+    QVERIFY(CountDifferent(before, this->Grab()) > 100);
+    this->Compare("orbit");
+  }
+};
+
+int main(int argc, char* argv[])
+{
+  TestViewerPictures tests;
+  return viewerTest::Run(tests, argc, argv);
+}
+
+#include "testViewerPictures.moc"

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The picture of the Python program that the window copies equals the window's, byte for byte.
+#include "ViewerTest.h"
+
+#include "PythonScript.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+class TestViewerPython : public viewerTest::ViewerTest
+{
+  Q_OBJECT
+
+private:
+  void CompareProgram(std::vector<std::string> words)
+  {
+    words.push_back(this->WriteScene());
+    this->Open(words);
+    const vtkSmartPointer<vtkImageData> shown = this->Grab();
+    QCOMPARE(CountDifferent(shown, this->RunPython()), 0);
+  }
+
+private Q_SLOTS:
+  void plain() { this->CompareProgram({}); }
+
+  void shadowsAndTone()
+  {
+    this->CompareProgram({ "--light", "sun:0.4,1,0.6", "--light", "point:2,2,2", "--shadows",
+      "exact", "--tone", "reinhard,white=2", "--camera", "2,2,4,0,0.5,0,0,1,0" });
+  }
+
+  void look()
+  {
+    this->CompareProgram({ "--color-by", "height", "--colormap", "rainbow", "--edges", "--opacity",
+      "0.6", "--background", "white,#8899aa", "--shading", "flat", "--parallel-scale", "1.5" });
+  }
+
+  // Also what the material says of highlights.
+  void oneMaterial()
+  {
+    this->Open(
+      { this->WriteOBJ(false), "--light", "sun:0.2,0.1,1", "--camera", "1,1,5,1,1,0,0,1,0" });
+    const vtkSmartPointer<vtkImageData> shown = this->Grab();
+    QCOMPARE(CountDifferent(shown, this->RunPython()), 0);
+  }
+
+  void refuses()
+  {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(this->WriteScene().c_str());
+    reader->Update();
+    reader->GetOutput()->GetPoints()->SetPoint(3, 0.0, std::nan(""), 0.0);
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetInputData(reader->GetOutput());
+    writer->SetFileName(this->Path("holed.vtp").c_str());
+    writer->Write();
+    this->Open({ this->Path("holed.vtp") });
+    QVERIFY_EXCEPTION_THROWN(viewer::WritePython(this->Window->GetView()->GetPicture(),
+                               this->Window->GetViewSettings(), this->Path("python.png")),
+      std::exception);
+    this->Open({ this->WriteOBJ() });
+    QVERIFY_EXCEPTION_THROWN(viewer::WritePython(this->Window->GetView()->GetPicture(),
+                               this->Window->GetViewSettings(), this->Path("python.png")),
+      std::exception);
+    this->Open({ this->WriteScene(), "--lamps", this->WritePoints() });
+    QVERIFY_EXCEPTION_THROWN(viewer::WritePython(this->Window->GetView()->GetPicture(),
+                               this->Window->GetViewSettings(), this->Path("python.png")),
+      std::exception);
+  }
+};
+
+int main(int argc, char* argv[])
+{
+  TestViewerPython tests;
+  return viewerTest::Run(tests, argc, argv);
+}
+
+#include "testViewerPython.moc"

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Settings say what the words said, in words again.
+#include "ViewerTest.h"
+
+#include "Failure.h"
+#include "Options.h"
+
+#include <QtTest>
+
+using viewer::Settings;
+using Words = std::vector<std::string>;
+
+class TestViewerSettings : public QObject
+{
+  Q_OBJECT
+
+private Q_SLOTS:
+  void words()
+  {
+    const auto words = [](const Words& given) { return Settings::FromWords(given).GetWords(); };
+    QCOMPARE(words({ "a.vtp", "--edges", "--opacity=0.5" }),
+      (Words{ "--opacity", "0.5", "--edges", "a.vtp" }));
+    QCOMPARE(words({ "a.vtp", "--deferred" }), (Words{ "--stage", "deferred", "a.vtp" }));
+    QCOMPARE(words({ "a.vtp", "--tone", "reinhard-rgb,white=2", "--exposure", "-1" }),
+      (Words{ "--stage", "tone:operator=reinhard_rgb,white=2,exposure=-1", "a.vtp" }));
+    QCOMPARE(words({ "a.vtp", "--shadows", "exact", "--soft-shadows", "16" }),
+      (Words{ "--shadows", "exact", "--stage", "shadows:soft_samples=16", "a.vtp" }));
+    QCOMPARE(words({ "a.vtp", "--shadow-tolerance", "0.05%" }),
+      (Words{ "--shadows", "map", "--stage", "shadows:tolerance=0.0005", "a.vtp" }));
+    QCOMPARE(words({ "a.vtp", "--stage", "shadows:visible=on,method=exact" }),
+      (Words{ "--shadows", "exact", "a.vtp" }));
+    QCOMPARE(words({ "a.vtp", "--png", "a.png" }), Words{ "a.vtp" });
+    QCOMPARE(words({ "--", "-a.vtp" }), (Words{ "--", "-a.vtp" }));
+    QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--wrong", "1" }), cli::WordsError);
+    QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--opacity", "2" }), cli::WordsError);
+  }
+
+  // What is said again is the same.
+  void again()
+  {
+    const Settings once = Settings::FromWords({ "a.vtp", "b.vtp", "--tone", "simple", "--light",
+      "sun:1,2,3", "--light", "point:0.1,0.2,0.3,size=0.5", "--shadows", "warped", "--shadow-size",
+      "512", "--preset", "town", "--fog", "f.vtp,density=2" });
+    QVERIFY(Settings::FromWords(once.GetWords()) == once);
+    QVERIFY(once != Settings());
+  }
+
+  void shadows()
+  {
+    Settings settings = Settings::FromWords({ "a.vtp" });
+    settings.SetParameter("shadows", "method", "exact");
+    QCOMPARE(settings.GetParameter("shadows", "visible"), std::string("off"));
+    QVERIFY(settings.Parse().ShadowMethod == cli::Shadows::Off);
+    settings.SetParameter("shadows", "visible", "on");
+    QVERIFY(settings.Parse().ShadowMethod == cli::Shadows::Exact);
+    QCOMPARE(settings.GetParameter("shadows", "method"), std::string("exact"));
+    settings.SetParameter("shadows", "visible", "off");
+    QVERIFY(settings.Parse().ShadowMethod == cli::Shadows::Off);
+    QCOMPARE(settings.GetParameter("shadows", "method"), std::string("exact"));
+    settings.SetParameter("shadows", "method", "map");
+    QCOMPARE(settings.GetWords(), Words{ "a.vtp" });
+    settings.Set("--preset", "studio"); // which shows them
+    QCOMPARE(settings.GetParameter("shadows", "visible"), std::string("on"));
+    settings.SetParameter("shadows", "visible", "off");
+    QVERIFY(settings.Parse().ShadowMethod == cli::Shadows::Off);
+  }
+
+  // The mode is the stage's, and said once; the last word counts, as in the command line.
+  void fogMode()
+  {
+    const Settings settings = Settings::FromWords(
+      { "a.vtp", "--fog", "f.vtp,mode=chord,density=2", "--stage", "fog:mode=beer" });
+    QCOMPARE(settings.GetWords(),
+      (Words{ "--fog", "f.vtp,density=2", "--stage", "fog:mode=chord", "a.vtp" }));
+    QCOMPARE(Settings::FromWords({ "a.vtp", "--fog", "f.vtp,mode=beer" }).GetWords(),
+      (Words{ "--fog", "f.vtp", "a.vtp" }));
+  }
+
+  void absolutePaths()
+  {
+    Settings settings =
+      Settings::FromWords({ "a.vtp", "/there/b.vtp", "--environment", "sky.exr,90", "--normal-map",
+        "n.png", "--height-map", "h.png,0.5", "--lamps", "l.vtp,color=1/0.5/0", "--fog",
+        "/there/f.vtp", "--fog", "f.vtp", "--markers", "m.vtp", "--color-by", "a" });
+    settings.MakePathsAbsolute("/here");
+    QCOMPARE(settings.GetWords(),
+      (Words{ "--color-by", "a", "--lamps", "/here/l.vtp,color=1/0.5/0", "--normal-map",
+        "/here/n.png", "--height-map", "/here/h.png,0.5", "--environment", "/here/sky.exr,90",
+        "--fog", "/there/f.vtp", "--fog", "/here/f.vtp", "--markers", "/here/m.vtp", "/here/a.vtp",
+        "/there/b.vtp" }));
+  }
+
+  void numbers()
+  {
+    QCOMPARE(
+      viewer::WriteNumbers({ 0.1, 100.0, 1.0 / 3.0 }), std::string("0.1,100,0.3333333333333333"));
+  }
+};
+
+int main(int argc, char* argv[])
+{
+  TestViewerSettings tests;
+  return viewerTest::Run(tests, argc, argv);
+}
+
+#include "testViewerSettings.moc"

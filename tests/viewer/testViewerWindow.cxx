@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Files in by every way, switches by mouse, the probe, sessions, memory.
+#include "ViewerTest.h"
+
+#include "Probe.h"
+#include "Scripts.h"
+
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRelievoLayerSource.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoStage.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QDropEvent>
+#include <QFile>
+#include <QGroupBox>
+#include <QLabel>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include <malloc.h>
+#include <unistd.h>
+
+using viewer::Settings;
+
+namespace
+{
+struct Memory
+{
+  long Allocated; // by malloc, of every thread, and not freed
+  long Resident;  // of the process: also what drivers map by themselves, and compile
+};
+
+// In kilobytes.
+Memory GetMemory()
+{
+  malloc_trim(0); // what was freed does not count
+  QFile file("/proc/self/statm");
+  const long pages = file.open(QIODevice::ReadOnly) ? file.readAll().split(' ')[1].toLong() : 0;
+  char* text = nullptr;
+  std::size_t size = 0;
+  FILE* stream = open_memstream(&text, &size);
+  malloc_info(0, stream);
+  std::fclose(stream);
+  // The last elements are the sums: free in small and in other blocks, mapped, and all from the
+  // system but what is mapped.
+  const QString words = QString::fromUtf8(text);
+  std::free(text);
+  const auto sum = [&words](const char* element) {
+    return words.mid(words.lastIndexOf(element))
+      .section("size=\"", 1, 1)
+      .section('"', 0, 0)
+      .toLong();
+  };
+  const long allocated = sum("<system type=\"current\"") + sum("<total type=\"mmap\"") -
+    sum("<total type=\"fast\"") - sum("<total type=\"rest\"");
+  return { allocated / 1024, pages * (sysconf(_SC_PAGESIZE) / 1024) };
+}
+}
+
+class TestViewerWindow : public viewerTest::ViewerTest
+{
+  Q_OBJECT
+
+private Q_SLOTS:
+  void badFiles()
+  {
+    const std::string scene = this->WriteScene();
+    this->Open({ scene });
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    QFile cut(QString::fromStdString(this->Path("cut.stl")));
+    QVERIFY(cut.open(QIODevice::WriteOnly));
+    cut.write("solid and no more");
+    cut.close();
+    for (const char* name : { "missing.vtp", "cut.stl", "unknown.xyz" })
+    {
+      const QString path = QString::fromStdString(this->Path(name));
+      this->Window->OpenFiles({ path });
+      this->WaitUntilRead();
+      QVERIFY2(this->Window->GetTrouble().contains(name), qPrintable(this->Window->GetTrouble()));
+      // What was shown still is.
+      QCOMPARE(CountDifferent(before, this->Grab()), 0);
+      QCOMPARE(this->Window->GetDocument()->Get().Files, std::vector<std::string>{ scene });
+    }
+  }
+
+  void settingsThatFail()
+  {
+    this->Open({ this->WriteScene() });
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    this->Change([](Settings& settings) { settings.Set("--color-by", "nothing"); });
+    QVERIFY(this->Window->GetTrouble().contains("--color-by"));
+    this->Change([](Settings& settings) { settings.SetParameter("tone", "white", "none"); });
+    QVERIFY(this->Window->GetTrouble().contains("white"));
+    this->Change([](Settings& settings) { settings.Set("--lamps", "missing.vtp"); });
+    QVERIFY(this->Window->GetTrouble().contains("missing.vtp"));
+    QVERIFY(!this->Window->GetDocument()->Get().Has("--color-by"));
+    QCOMPARE(CountDifferent(before, this->Grab()), 0);
+  }
+
+  void dragAndDrop()
+  {
+    this->Open({ this->WriteScene() });
+    const std::string other = this->WriteScene("other.vtp");
+    QMimeData files;
+    files.setUrls({ QUrl::fromLocalFile(QString::fromStdString(other)) });
+    QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(this->Window.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
+    QDropEvent drop(QPoint(200, 200), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(this->Window.get(), &drop);
+    QVERIFY(ready.wait(60000));
+    QCOMPARE(this->Window->GetDocument()->Get().Files, std::vector<std::string>{ other });
+    QMimeData words;
+    words.setText("no file");
+    QDragEnterEvent text(QPoint(200, 200), Qt::CopyAction, &words, Qt::LeftButton, Qt::NoModifier);
+    text.ignore();
+    QApplication::sendEvent(this->Window.get(), &text);
+    QVERIFY(!text.isAccepted());
+  }
+
+  // Every group that is a switch, on and off by its widget: the settings follow.
+  void widgets()
+  {
+    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6" });
+    for (const char* stage : { "shadows", "tone", "deferred" })
+    {
+      auto* group = this->Window->findChild<QGroupBox*>(stage);
+      QVERIFY2(group && group->isCheckable(), stage);
+      const vtkSmartPointer<vtkImageData> before = this->Grab();
+      group->setChecked(true);
+      const Settings& on = this->Window->GetDocument()->Get();
+      QVERIFY(QString(stage) == "shadows" ? on.Has("--shadows") : on.IsStageAsked(stage));
+      vtkRelievoPass* frame = this->Window->GetView()->GetPicture().GetFrame();
+      QVERIFY(frame);
+      this->Grab();
+      QVERIFY2(frame->GetStage(stage)->GetReasonCode() == "ran",
+        frame->GetStage(stage)->GetReason().c_str());
+      group->setChecked(false);
+      QVERIFY(!this->Window->GetView()->GetPicture().GetFrame());
+      QCOMPARE(CountDifferent(before, this->Grab()), 0);
+    }
+  }
+
+  // What is left behind adds up. What is held for a while does not: Mesa's rasterizer keeps a
+  // shadow map that was deleted for as long as a frame in its queue names it, now and then. So the
+  // least counts that is held after any of some rounds, each of which switches all off again.
+  void memoryIsFlat()
+  {
+    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6" });
+    const auto getLeast = [this](int rounds) {
+      Memory least = GetMemory();
+      for (int i = 0; i < rounds; ++i)
+      {
+        for (const char* stage : { "shadows", "tone", "shadows", "tone", "deferred", "deferred" })
+        {
+          auto* group = this->Window->findChild<QGroupBox*>(stage);
+          group->setChecked(!group->isChecked());
+          this->Grab();
+        }
+        const Memory now = GetMemory();
+        least = { std::min(least.Allocated, now.Allocated),
+          std::min(least.Resident, now.Resident) };
+      }
+      return least;
+    };
+    getLeast(13);
+    const Memory before = getLeast(12);
+    getLeast(22); // with the next, 204 switches
+    const Memory after = getLeast(12);
+    const long allocated = after.Allocated - before.Allocated;
+    const long resident = after.Resident - before.Resident;
+    // A buffer of the picture's size that is left each time would be 100 MB and more.
+    const int* size = this->Window->GetView()->renderWindow()->GetSize();
+    const long buffers = 204L * size[0] * size[1] * 4 / 1024;
+    qInfo() << allocated << "kB more allocated," << resident << "kB more held after 204 switches";
+    QVERIFY(before.Allocated > 1000 && buffers > 50000);
+    QVERIFY2(allocated < 256, qPrintable(QString::number(allocated))); // 1.3 kB a switch
+    QVERIFY2(resident < buffers / 10, qPrintable(QString::number(resident)));
+  }
+
+  // The values under the mouse are those that the layers hold there, and known from the scene.
+  void probe()
+  {
+    this->Open({ this->WriteScene(), "--camera", "0,0.8,5,0,0.8,0,0,1,0" });
+    viewer::PictureView* view = this->Window->GetView();
+    view->GetPicture().Grab();
+    auto* probing = this->Window->findChild<QCheckBox*>("probing");
+    auto* table = this->Window->findChild<QTableWidget*>("values");
+    QVERIFY(probing && table);
+    probing->setChecked(true);
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    const int* size = view->renderWindow()->GetSize();
+    viewer::Probe reading;
+    const auto& arrays = view->GetPicture().GetArrays();
+    QVERIFY(arrays.count("height") == 1 && arrays.count("part") == 1);
+    const std::vector<viewer::ProbeValue> values =
+      reading.Read(view->GetPicture().GetRenderer(), arrays, size[0] / 2, size[1] / 2);
+    std::map<std::string, std::vector<double>> found;
+    for (const viewer::ProbeValue& value : values)
+    {
+      QVERIFY(!value.IsBackground);
+      found[value.Layer] = value.Values;
+    }
+    QVERIFY(std::abs(found["depth"][0] - 4.4) < 0.01); // the ball's front, 0.6 before its middle
+    QVERIFY(std::abs(found["position"][2] - 0.6) < 0.01);
+    QVERIFY(std::abs(found["height"][0] - found["position"][1]) < 1e-4);
+    QVERIFY(found["normal"][2] > 0.99);
+    QCOMPARE(found["part"][0], found["cell"][0] + 100.0);
+    this->SendMouse(QEvent::MouseMove, view->rect().center(), Qt::NoButton);
+    QTRY_VERIFY_WITH_TIMEOUT(table->rowCount() == static_cast<int>(values.size()), 20000);
+    QVERIFY(table->item(0, 1)->text().startsWith("4.4"));
+    this->SendMouse(QEvent::MouseMove, QPoint(1, 1), Qt::NoButton);
+    QTRY_COMPARE_WITH_TIMEOUT(table->item(0, 1)->text(), QString("background"), 20000);
+    // Looking changes nothing.
+    QCOMPARE(CountDifferent(before, this->Grab()), 0);
+  }
+
+  void session()
+  {
+    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6", "--shadows", "exact", "--tone",
+      "reinhard,white=3", "--camera", "2,2,4,0,0.5,0,0,1,0", "--color-by", "height" });
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    const std::vector<std::string> words = this->Window->GetViewSettings().GetWords();
+    const QString path = QString::fromStdString(this->Path("session.json"));
+    this->Window->SaveSession(path);
+    this->Open({ this->WriteScene("other.vtp") });
+    QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
+    this->Window->OpenFiles({ path });
+    QVERIFY(ready.wait(60000));
+    QTRY_COMPARE(this->Window->GetViewSettings().GetWords(), words);
+    QCOMPARE(CountDifferent(before, this->Grab()), 0);
+    QFile broken(path);
+    QVERIFY(broken.open(QIODevice::WriteOnly));
+    broken.write("{\"relievo-viewer\": 1");
+    broken.close();
+    this->Window->OpenFiles({ path });
+    QVERIFY(this->Window->GetTrouble().contains("session.json"));
+  }
+
+  void savesPictures()
+  {
+    this->Open({ this->WriteScene(), "--shadows", "map", "--light", "sun:0.4,1,0.6" });
+    const QString png = QString::fromStdString(this->Path("saved.png"));
+    this->Window->SavePicture(png);
+    const vtkSmartPointer<vtkImageData> command = this->RenderCommand();
+    QVERIFY(command);
+    QFile saved(png), made(QString::fromStdString(this->Path("command.png")));
+    QVERIFY(saved.open(QIODevice::ReadOnly) && made.open(QIODevice::ReadOnly));
+    QCOMPARE(saved.readAll(), made.readAll());
+    this->Window->SaveLayers(
+      QString::fromStdString(this->Path("saved.exr")), { "color", "depth", "cell" });
+    QVERIFY(QFile(QString::fromStdString(this->Path("saved.exr"))).size() > 1000);
+    QVERIFY_EXCEPTION_THROWN(
+      this->Window->SavePicture(QString::fromStdString(this->Path("no/such/place.png"))),
+      std::exception);
+  }
+
+  void copiesTheCommand()
+  {
+    this->Open({ this->WriteScene("it's a scene.vtp"), "--shadows", "map" });
+    QCOMPARE(viewer::WriteCommand(Settings::FromWords({ "it's.vtp" }), "a b.png"),
+      std::string("relievo render --png 'a b.png' 'it'\\''s.vtp'"));
+    auto* copy = this->Window->findChild<QAction*>("copyCommand");
+    QVERIFY(copy);
+    copy->trigger();
+    const QString text = QApplication::clipboard()->text();
+    QVERIFY2(text.startsWith("relievo render") && text.contains("--shadows map"), qPrintable(text));
+  }
+};
+
+int main(int argc, char* argv[])
+{
+  TestViewerWindow tests;
+  return viewerTest::Run(tests, argc, argv);
+}
+
+#include "testViewerWindow.moc"
