@@ -8,6 +8,7 @@
 #define relievoBenchSizes_h
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace relievoBench
@@ -89,10 +90,21 @@ struct CaveSizes
 
 struct SoftShadowSizes
 {
-  std::vector<std::string> Scenes = { "bunny", "motorBike" }; // all but the first under the sun
+  // All but the first under the sun alone.
+  std::vector<std::string> Scenes = { "bunny", "motorBike", "buildings", "spheres", "horizon" };
   std::vector<int> Samples = { 1, 4, 16, 64, 256 };
   int Width = 240;
   int Height = 180;
+};
+
+struct PlannerSizes
+{
+  std::vector<std::string> Scenes; // none: all
+  std::vector<int> Maps = { 1024, 2048, 4096, 8192 };
+  std::vector<std::pair<int, int>> Windows = { { 600, 600 }, { 800, 450 }, { 400, 1000 },
+    { 320, 240 } };
+  int Lights = 4; // of sun, low sun, spot, point
+  int Rounds = 5;
 };
 
 struct VoxelSizes
@@ -138,6 +150,7 @@ int BenchVoxels(const std::string& outDir, const VoxelSizes& sizes);
 int BenchSkin(const std::string& outDir, const SkinSizes& sizes);
 int BenchParticles(const std::string& outDir, const ParticleSizes& sizes);
 int BenchSoftShadows(const std::string& outDir, const SoftShadowSizes& sizes);
+int BenchPlanner(const std::string& outDir, const PlannerSizes& sizes);
 int BenchFog(const std::string& outDir, const FogSizes& sizes);
 
 /** The part of BenchEnvironment that times frames; returns whether its file is written. */

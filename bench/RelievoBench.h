@@ -56,7 +56,7 @@ int RelievoBenchShadowFrames(const std::string& outDir);
 /** Chart 4: wrong shadow verdicts against map size and frame time. A few minutes. */
 int RelievoBenchShadows(const std::string& outDir);
 
-/** What the planner of shadows expects and chooses, against what there is. Ten minutes. */
+/** What the planner of shadows expects and chooses, against what there is. A quarter of an hour. */
 int RelievoBenchPlanner(const std::string& outDir);
 
 /** Chart 5: false shadow against leak as the bias grows, three heights of the sun. Minutes. */

@@ -9,6 +9,7 @@
 #include "RelievoBench.h"
 
 #include "BenchCharts.h"
+#include "BenchSizes.h"
 #include "FrameBench.h"
 #include "ShadowVerdicts.h"
 #include "Table.h"
@@ -35,8 +36,7 @@ using Pass = vtkRelievoShadowPass;
 const double Tolerances[] = { 2e-3, 1e-3, 5e-4, 2e-4, 5e-5 };
 constexpr double TimedTolerance = 5e-4;
 const double Budgets[] = { 1.2, 2., 4. }; // times what the fastest way takes
-constexpr int Rounds = 5;
-constexpr int FramesBefore = 10; // that the planner learns from
+constexpr int FramesBefore = 10;          // that the planner learns from
 
 const ShadowLight Lights[] = {
   { "sun", SceneLight::Sun, 0. },
@@ -44,7 +44,6 @@ const ShadowLight Lights[] = {
   { "spot", SceneLight::Spot, 0. },
   { "point", SceneLight::Point, 0. },
 };
-const int Sizes[][2] = { { 600, 600 }, { 800, 450 }, { 400, 1000 }, { 320, 240 } };
 
 struct Way
 {
@@ -62,12 +61,12 @@ struct Way
   }
 };
 
-std::vector<Way> MakeWays(bool sun)
+std::vector<Way> MakeWays(bool sun, const std::vector<int>& maps)
 {
   std::vector<Way> ways;
   for (const int method : { Pass::METHOD_MAP, Pass::METHOD_WARPED })
   {
-    for (const int size : { 1024, 2048, 4096, 8192 })
+    for (const int size : maps)
     {
       if (method == Pass::METHOD_MAP || sun)
       {
@@ -95,6 +94,22 @@ void Use(Pass* shadows, const Way& way)
   }
 }
 
+// What is measured at a time.
+struct Case
+{
+  std::string Scene;
+  vtkPolyData* Mesh;
+  ShadowLight Light;
+  int Width;
+  int Height;
+  int Rounds;
+
+  std::string Window() const
+  {
+    return std::to_string(this->Width) + "x" + std::to_string(this->Height);
+  }
+};
+
 // A scene in a window of its own whose light moves from frame to frame.
 struct MovingWindow
 {
@@ -103,10 +118,9 @@ struct MovingWindow
   Pass* Shadows;
   int Frames = 0;
 
-  MovingWindow(
-    const std::string& name, vtkPolyData* mesh, const ShadowLight& light, const int (&size)[2])
-    : Scene(MakeShadowScene(name, mesh, light))
-    , Window(relievoTest::MakeWindow(size[0], size[1], this->Scene.Renderer))
+  explicit MovingWindow(const Case& of)
+    : Scene(MakeShadowScene(of.Scene, of.Mesh, of.Light))
+    , Window(relievoTest::MakeWindow(of.Width, of.Height, this->Scene.Renderer))
     , Shadows(Attach(this->Scene.Renderer))
   {
   }
@@ -124,11 +138,11 @@ struct MovingWindow
 
   // After ten frames that it learns from: what the planner expects of the next ones, and what they
   // take in the median.
-  double Learn(double& expected)
+  double Learn(double& expected, int rounds)
   {
     relievoTest::Timed frame = this->Frame();
     std::vector<double> taken;
-    for (int i = 0; i < FramesBefore + Rounds; ++i)
+    for (int i = 0; i < FramesBefore + rounds; ++i)
     {
       frame.Prepare();
       frame.Work();
@@ -175,15 +189,14 @@ const Way* FindUsed(const std::vector<Way>& ways, Pass* shadows)
 }
 
 // The most accurate for a time, against the most accurate of those whose measured time fits.
-void MeasureBudget(const std::string& name, vtkPolyData* mesh, const ShadowLight& light,
-  const int (&size)[2], double times, const std::vector<Way>& ways, Table& table)
+void MeasureBudget(const Case& of, double times, const std::vector<Way>& ways, Table& table)
 {
   const auto sooner = [](const Way& a, const Way& b) { return a.Milliseconds < b.Milliseconds; };
   const double budget = times * std::min_element(ways.begin(), ways.end(), sooner)->Milliseconds;
-  MovingWindow moving(name, mesh, light, size);
+  MovingWindow moving(of);
   moving.Shadows->SetTimeBudget(budget);
   double expected = 0.;
-  const double taken = moving.Learn(expected);
+  const double taken = moving.Learn(expected, of.Rounds);
   const Way* used = FindUsed(ways, moving.Shadows);
   const Way* best = nullptr;
   for (const Way& way : ways)
@@ -197,23 +210,22 @@ void MeasureBudget(const std::string& name, vtkPolyData* mesh, const ShadowLight
   {
     return;
   }
-  table.AddRow({ name, light.Name, std::to_string(size[0]) + "x" + std::to_string(size[1]),
-    Number(budget), used->Name(), SizeWords(*used), Number(taken), Number(taken / budget),
-    Number(100. * used->Wrong), best->Name(), SizeWords(*best), Number(best->Milliseconds),
-    Number(100. * best->Wrong) });
+  table.AddRow({ of.Scene, of.Light.Name, of.Window(), Number(budget), used->Name(),
+    SizeWords(*used), Number(taken), Number(taken / budget), Number(100. * used->Wrong),
+    best->Name(), SizeWords(*best), Number(best->Milliseconds), Number(100. * best->Wrong) });
   std::cout << "  " << Number(budget, 3) << " ms: " << used->Name() << " " << SizeWords(*used)
             << ", " << Number(taken, 3) << " ms, " << Number(100. * used->Wrong, 3)
             << " % wrong; best " << best->Name() << " " << SizeWords(*best) << ", "
             << Number(100. * best->Wrong, 3) << " %" << std::endl;
 }
 
-// One scene, light and window.
-void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& light,
-  const int (&size)[2], Tables& tables)
+void Measure(const Case& of, const std::vector<int>& maps, Tables& tables)
 {
-  const std::string window = std::to_string(size[0]) + "x" + std::to_string(size[1]);
-  std::vector<Way> ways = MakeWays(light.Kind == SceneLight::Sun);
-  ShadowVerdicts verdicts(name, mesh, light, size[0], size[1]);
+  const std::string& name = of.Scene;
+  const ShadowLight& light = of.Light;
+  const std::string window = of.Window();
+  std::vector<Way> ways = MakeWays(light.Kind == SceneLight::Sun, maps);
+  ShadowVerdicts verdicts(name, of.Mesh, light, of.Width, of.Height);
   Pass* shadows = Attach(verdicts.Scene.Renderer);
   for (Way& way : ways)
   {
@@ -226,11 +238,11 @@ void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& ligh
     std::vector<relievoTest::Timed> frames;
     for (const Way& way : ways)
     {
-      windows.emplace_back(new MovingWindow(name, mesh, light, size));
+      windows.push_back(std::make_unique<MovingWindow>(of));
       Use(windows.back()->Shadows, way);
       frames.push_back(windows.back()->Frame());
     }
-    const std::vector<relievoTest::Timing> times = TimeInTurn(frames, Rounds, 1);
+    const std::vector<relievoTest::Timing> times = TimeInTurn(frames, of.Rounds, 1);
     for (std::size_t i = 0; i < ways.size(); ++i)
     {
       ways[i].Milliseconds = 1e3 * times[i].Median();
@@ -279,12 +291,12 @@ void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& ligh
   }
   for (const double times : Budgets)
   {
-    MeasureBudget(name, mesh, light, size, times, ways, tables.Budgets);
+    MeasureBudget(of, times, ways, tables.Budgets);
   }
-  MovingWindow moving(name, mesh, light, size);
+  MovingWindow moving(of);
   moving.Shadows->SetTolerance(TimedTolerance);
   double expected = 0.;
-  const double median = moving.Learn(expected);
+  const double median = moving.Learn(expected, of.Rounds);
   tables.Times.AddRow({ name, light.Name, window, Way{ moving.Shadows->GetMethodUsed(), 0 }.Name(),
     std::to_string(moving.Shadows->GetMapSizeUsed()), Number(expected), Number(median),
     Number(median / expected) });
@@ -294,18 +306,22 @@ void Measure(const std::string& name, vtkPolyData* mesh, const ShadowLight& ligh
 }
 
 //------------------------------------------------------------------------------
-int RelievoBenchPlanner(const std::string& outDir)
+int relievoBench::BenchPlanner(const std::string& outDir, const PlannerSizes& sizes)
 {
   if (!MakeFolder(outDir))
   {
     return 1;
   }
-  std::vector<std::string> names = relievoTest::ReferenceMeshes();
-  for (const std::string& other : relievoTest::OtherMeshes())
+  std::vector<std::string> names = sizes.Scenes;
+  if (names.empty())
   {
-    names.push_back(other);
+    names = relievoTest::ReferenceMeshes();
+    for (const std::string& other : relievoTest::OtherMeshes())
+    {
+      names.push_back(other);
+    }
+    names.insert(names.end(), { SpheresScene, HorizonScene });
   }
-  names.insert(names.end(), { SpheresScene, HorizonScene });
   std::vector<vtkSmartPointer<vtkPolyData>> meshes;
   for (const std::string& name : names)
   {
@@ -318,11 +334,14 @@ int RelievoBenchPlanner(const std::string& outDir)
   // Lights and shapes meet differently in each scene. What is measured is written at once.
   Tables tables;
   bool written = true;
-  for (std::size_t light = 0; light < std::size(Lights); ++light)
+  for (int light = 0; light < sizes.Lights; ++light)
   {
     for (std::size_t i = 0; i < names.size(); ++i)
     {
-      Measure(names[i], meshes[i], Lights[light], Sizes[(light + i) % std::size(Sizes)], tables);
+      const auto& window =
+        sizes.Windows[(static_cast<std::size_t>(light) + i) % sizes.Windows.size()];
+      Measure({ names[i], meshes[i], Lights[light], window.first, window.second, sizes.Rounds },
+        sizes.Maps, tables);
       written = written && tables.Ways.WriteCsv(outDir + "/planner.csv") &&
         tables.Choices.WriteCsv(outDir + "/planner-choices.csv") &&
         tables.Budgets.WriteCsv(outDir + "/planner-budgets.csv") &&
@@ -330,4 +349,10 @@ int RelievoBenchPlanner(const std::string& outDir)
     }
   }
   return written && DrawBenchCharts("planner", outDir, outDir) ? 0 : 1;
+}
+
+//------------------------------------------------------------------------------
+int RelievoBenchPlanner(const std::string& outDir)
+{
+  return relievoBench::BenchPlanner(outDir, {});
 }

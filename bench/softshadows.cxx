@@ -39,12 +39,15 @@ struct SizedLight
 {
   ShadowLight Light;
   double Size; // degrees, or a radius; scenes are 6 wide, their lamps 6 away
+  bool HasEdges;
 };
 const SizedLight Lights[] = {
-  { { "sun", SceneLight::Sun, 0. }, 0.53 },
-  { { "spot", SceneLight::Spot, 0. }, 0.2 },
-  { { "point", SceneLight::Point, 0. }, 0.2 },
+  { { "sun", SceneLight::Sun, 0. }, 0.53, false },
+  { { "spot", SceneLight::Spot, 0. }, 0.2, false },
+  { { "point", SceneLight::Point, 0. }, 0.2, false },
+  { { "rectangle", SceneLight::Spot, 0. }, 0., true },
 };
+const relievoTest::LightEdges Edges = { { 0.8, 0., 0. }, { 0., 0.1, 0.2 } };
 
 const struct
 {
@@ -62,10 +65,15 @@ void MeasureLight(const std::string& name, vtkPolyData* mesh, const SizedLight& 
   const auto window = relievoTest::MakeWindow(sizes.Width, sizes.Height, scene.Renderer);
   window->Render();
   const auto rays = scene.MakeTruth();
-  const auto truth = relievoTest::TraceSoftShadow(
-    *rays, rays->Trace(relievoTest::View(scene.Renderer)), scene.Light, light.Size);
+  const auto truth =
+    relievoTest::TraceSoftShadow(*rays, rays->Trace(relievoTest::View(scene.Renderer)), scene.Light,
+      light.Size, light.HasEdges ? &Edges : nullptr);
   vtkRelievoShadowPass* shadows = vtkRelievoPass::Attach(scene.Renderer)->GetShadowPass();
   shadows->SetLightSize(scene.Light, light.Size);
+  if (light.HasEdges)
+  {
+    shadows->SetLightEdges(scene.Light, &Edges.First.x, &Edges.Second.x);
+  }
   vtkNew<vtkRelievoLayerSource> source;
   source->SetRenderer(scene.Renderer);
   source->AddLayer("shadow_0");

@@ -40,10 +40,19 @@ struct Source
   glm::dvec3 Position;
   glm::dvec3 Axis;
   double Size; // radius, or half the angle in radians
+  const LightEdges* Edges;
 
-  // Towards a place of the unit disc, as far as the light is; to infinity along it for a sun.
-  glm::dvec3 Toward(const glm::dvec3& from, double x, double y) const
+  // Towards a place of the light, as far as it is; to infinity for a sun. Equal areas of the unit
+  // square are equal areas of the light.
+  glm::dvec3 Toward(const glm::dvec3& from, double u, double v) const
   {
+    if (this->Edges)
+    {
+      return this->Position + (u - 0.5) * this->Edges->First + (v - 0.5) * this->Edges->Second -
+        from;
+    }
+    const double x = std::sqrt(u) * std::cos(2. * Pi * v);
+    const double y = std::sqrt(u) * std::sin(2. * Pi * v);
     const glm::dvec3 axis =
       this->Spot || !this->Positional ? this->Axis : glm::normalize(from - this->Position);
     const glm::dvec3 any = std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -68,10 +77,9 @@ double GetShare(const EmbreeScene& scene, const SurfacePoint& point, const Sourc
   int lit = 0;
   for (int i = 0; i < cells * cells; ++i)
   {
-    // Equal areas: rings, cut alike.
-    const double r = std::sqrt((i / cells + Hash(seed + 2u * i)) / cells);
-    const double t = 2. * Pi * (i % cells + Hash(seed + 2u * i + 1u)) / cells;
-    const glm::dvec3 way = source.Toward(point.Position, r * std::cos(t), r * std::sin(t));
+    const double u = (i / cells + Hash(seed + 2u * i)) / cells;
+    const double v = (i % cells + Hash(seed + 2u * i + 1u)) / cells;
+    const glm::dvec3 way = source.Toward(point.Position, u, v);
     if (glm::dot(way, point.Normal) > 0.)
     {
       const Ray ray{ point.Position, way };
@@ -84,10 +92,11 @@ double GetShare(const EmbreeScene& scene, const SurfacePoint& point, const Sourc
 }
 
 //------------------------------------------------------------------------------
-SoftShadowTruth TraceSoftShadow(
-  const EmbreeScene& scene, const TruthImage& view, vtkLight* light, double size)
+SoftShadowTruth TraceSoftShadow(const EmbreeScene& scene, const TruthImage& view, vtkLight* light,
+  double size, const LightEdges* edges)
 {
   Source source;
+  source.Edges = edges;
   glm::dvec3 focus;
   light->GetTransformedPosition(source.Position.x, source.Position.y, source.Position.z);
   light->GetTransformedFocalPoint(focus.x, focus.y, focus.z);
