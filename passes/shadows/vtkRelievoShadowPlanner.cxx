@@ -13,7 +13,8 @@ namespace
 {
 using Way = vtkRelievoShadowPlanner::Way;
 
-// Milliseconds for one of each, on software OpenGL (two cores) and on a common GPU.
+// Milliseconds for one of each: on software OpenGL, fitted to the frames of `relievo bench planner`
+// and of small scenes on two cores; on a common GPU, not measured.
 struct Costs
 {
   double Pixel;    // shaded
@@ -23,9 +24,11 @@ struct Costs
   double Lookup;   // in a map, per pixel and light
   double Piece;    // of a warped map, beyond the first, as a share of drawing it
   double Trace;    // per pixel, light and halving of the triangles
+  double Start;    // per pixel: what rays start from
+  double Passes;   // over the picture, before and between rays
 };
-constexpr Costs Software = { 3e-5, 3e-4, 0.02, 1.9e-6, 1.5e-5, 0.1, 2.4e-5 };
-constexpr Costs Hardware = { 5e-7, 1e-6, 0.01, 4e-8, 2e-7, 0.1, 5e-7 };
+constexpr Costs Software = { 6e-5, 1.3e-4, 0.02, 1.8e-6, 5e-6, 0.3, 3.5e-6, 1.2e-5, 1.5 };
+constexpr Costs Hardware = { 5e-7, 1e-6, 0.01, 4e-8, 2e-7, 0.1, 5e-7, 2e-7, 0.1 };
 
 constexpr double Kept = 0.1; // of tracing, while neither view nor casters move
 
@@ -75,9 +78,8 @@ double vtkRelievoShadowPlanner::Model(const Way& way, const Load& load, bool red
   double time = geometry + costs.Pixel * load.Pixels;
   if (way.Method == vtkRelievoShadowPass::METHOD_EXACT)
   {
-    return time +
-      (redraws ? 1.0 : Kept) * costs.Trace * load.Pixels * load.Lights *
-      std::log2(2.0 + std::max(0.0, load.Triangles));
+    const double trace = costs.Trace * load.Lights * std::log2(2.0 + std::max(0.0, load.Triangles));
+    return time + (redraws ? 1.0 : Kept) * (costs.Passes + (costs.Start + trace) * load.Pixels);
   }
   time += costs.Lookup * load.Pixels * load.Lights;
   const double pieces = way.Method == vtkRelievoShadowPass::METHOD_WARPED ? 1.0 + costs.Piece : 1.0;

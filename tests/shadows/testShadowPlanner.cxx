@@ -241,7 +241,7 @@ void TestLightsGone()
 
 void TestTimes()
 {
-  ShadowStage stage;
+  ShadowStage stage(480, 360); // in smaller pictures rays are the fastest
   stage.AddThings();
   stage.AddSun(-3., 4., -2.);
   stage.GetFrame()->ShadowsOn();

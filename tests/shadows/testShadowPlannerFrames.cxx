@@ -32,6 +32,7 @@ struct Things : ShadowStage
   vtkSmartPointer<vtkActor> Box;
 
   Things()
+    : ShadowStage(480, 360) // in smaller pictures rays are the fastest
   {
     this->AddThings();
     this->Box = this->AddBox({ 1.4, 1.5, 0.8 }, { 0.6, 0.1, 0.6 });
