@@ -75,7 +75,8 @@ struct BlockSizes
 {
   std::vector<int> Sizes = { 32, 64, 128 }; // blocks each way; charts show the last
   int Rounds = 11;
-  std::vector<std::string> Data = { "aal.nii.gz", "liver.inr" };
+  std::vector<std::string> Data = { "aal.nii.gz", "inia19-NeuroMaps.nii.gz", "liver.inr",
+    "skull_2.9.inr" };
 };
 
 struct CaveSizes

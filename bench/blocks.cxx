@@ -19,6 +19,7 @@
 #include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkImageReader2.h>
+#include <vtkImageThreshold.h>
 #include <vtkMath.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
@@ -36,6 +37,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -208,7 +210,21 @@ std::vector<Timed> Works(std::vector<Way>& ways)
   return works;
 }
 
-// The image of a brain atlas or of labels of a liver; null where the file is not there.
+// INRIA's images: 256 bytes of text, then the voxels.
+vtkSmartPointer<vtkImageReader2> InriaReader(
+  const std::array<int, 3>& size, const std::array<double, 3>& spacing, int type)
+{
+  auto reader = vtkSmartPointer<vtkImageReader2>::New();
+  reader->SetFileDimensionality(3);
+  reader->SetDataExtent(0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1);
+  reader->SetDataSpacing(spacing[0], spacing[1], spacing[2]);
+  reader->SetDataScalarType(type);
+  reader->SetDataByteOrderToLittleEndian();
+  reader->SetHeaderSize(256);
+  return reader;
+}
+
+// Labels of a brain atlas, a liver or a skull; null where the file is not there.
 vtkSmartPointer<vtkImageData> RealLabels(const std::string& name)
 {
   const char* folder = std::getenv("RELIEVO_DATA");
@@ -221,13 +237,21 @@ vtkSmartPointer<vtkImageData> RealLabels(const std::string& name)
   vtkSmartPointer<vtkImageReader2> reader;
   if (name == "liver.inr")
   {
-    // 256 bytes of text, then 438 x 353 x 165 labels of a byte.
-    reader = vtkSmartPointer<vtkImageReader2>::New();
-    reader->SetFileDimensionality(3);
-    reader->SetDataExtent(0, 437, 0, 352, 0, 164);
-    reader->SetDataSpacing(0.617, 0.617, 1.333);
-    reader->SetDataScalarTypeToUnsignedChar();
-    reader->SetHeaderSize(256);
+    reader = InriaReader({ 438, 353, 165 }, { 0.617, 0.617, 1.333 }, VTK_UNSIGNED_CHAR);
+  }
+  else if (name == "skull_2.9.inr")
+  {
+    // Densities: bone begins at what the file's name says.
+    reader = InriaReader({ 64, 64, 64 }, { 3.94305, 3.94305, 3.65079 }, VTK_FLOAT);
+    reader->SetFileName(path.c_str());
+    vtkNew<vtkImageThreshold> bone;
+    bone->SetInputConnection(reader->GetOutputPort());
+    bone->ThresholdByUpper(2.9);
+    bone->SetInValue(1.);
+    bone->SetOutValue(0.);
+    bone->SetOutputScalarTypeToUnsignedChar();
+    bone->Update();
+    return bone->GetOutput();
   }
   else
   {
