@@ -52,6 +52,37 @@ private Q_SLOTS:
     QCOMPARE(CountDifferent(shown, this->RunPython()), 0);
   }
 
+  void points()
+  {
+    const std::string file = this->WritePoints();
+    this->CompareProgram({ "--lamps", file + ",intensity=2,color=1/0.6/0.3", "--fog",
+      file + ",density=0.8,mode=chord", "--markers", file + ",shape=disc,radius=0.4" });
+    this->CompareProgram({ "--markers", file + ",shape=shadow,radius=0.5,color=0/0/0", "--lamps",
+      file + ",falloff=inverse-square,casts=1", "--up", "z" });
+  }
+
+  void surfaces()
+  {
+    const std::string picture = this->WriteImage();
+    this->CompareProgram({ "--environment", picture + ",30", "--reflectivity", "0.4,0.3" });
+    this->CompareProgram(
+      { "--environment", picture, "--skybox", "--shadows", "map", "--light", "sun:0.4,1,0.6" });
+    this->CompareProgram({ "--normal-map", picture, "--texture-coordinates", "sphere" });
+    this->CompareProgram({ "--height-map", picture + ",0.1", "--shadows", "map", "--light",
+      "sun:0.4,1,0.6", "--environment", picture });
+  }
+
+  void colorScale()
+  {
+    this->CompareProgram({ "--color-by", "height", "--scalar-bar", "--background", "white" });
+  }
+
+  void coloredShadows()
+  {
+    this->CompareProgram({ "--color", "#3366cc", "--opacity", "0.5", "--shadows", "exact",
+      "--colored-shadows", "--light", "sun:0.4,1,0.6" });
+  }
+
   void refuses()
   {
     vtkNew<vtkXMLPolyDataReader> reader;
@@ -70,7 +101,7 @@ private Q_SLOTS:
     QVERIFY_EXCEPTION_THROWN(viewer::WritePython(this->Window->GetView()->GetPicture(),
                                this->Window->GetViewSettings(), this->Path("python.png")),
       std::exception);
-    this->Open({ this->WriteScene(), "--lamps", this->WritePoints() });
+    this->Open({ this->WriteScene(), "--skin", "linear" });
     QVERIFY_EXCEPTION_THROWN(viewer::WritePython(this->Window->GetView()->GetPicture(),
                                this->Window->GetViewSettings(), this->Path("python.png")),
       std::exception);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PythonScript.h"
 
-#include "Failure.h"
-#include "Readers.h"
+#include "PythonPoints.h"
+#include "PythonSurface.h"
+#include "PythonWords.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -28,23 +29,36 @@ namespace
 {
 const char* const Head = R"(import relievo
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkImageReader2Factory, vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
     vtkWindowToImageFilter)
 
 
-def surface(reader, path, smooth):
-    """The polygons to draw of a file, with normals."""
+def data(reader, path):
+    """What a file holds."""
     reader.SetFileName(path)
     reader.Update()
-    data = reader.GetOutputDataObject(0)
+    return reader.GetOutputDataObject(0)
+
+
+def image(path):
+    """An image, such as a map of normals."""
+    ending = path[path.rfind("."):].lower()
+    reader = (relievo.vtkRelievoEXRReader() if ending == ".exr" else
+              vtkImageReader2Factory.CreateImageReader2FromExtension(ending))
+    return data(reader, path)
+
+
+def surface(data, smooth):
+    """The polygons to draw, with normals."""
     if not isinstance(data, vtkPolyData):
         outside = vtkGeometryFilter()
         outside.PassThroughCellIdsOn()
@@ -59,53 +73,9 @@ def surface(reader, path, smooth):
         normals.Update()
         data = normals.GetOutput()
     return data
-
-
-renderer = vtkRenderer()
 )";
 
-constexpr const char* Unsaid[] = { "--lamps", "--fog", "--markers", "--environment", "--normal-map",
-  "--height-map", "--scalar-bar", "--colored-shadows", "--skeleton", "--time", "--animation",
-  "--skin" };
-
-[[noreturn]] void Refuse(const std::string& what)
-{
-  throw cli::WorkError(
-    "Copy as Python: " + what + " cannot be said there yet; Copy as command line says it");
-}
-
-std::string Quote(const std::string& text)
-{
-  std::string quoted = "\"";
-  for (const char letter : text)
-  {
-    quoted +=
-      letter == '"' || letter == '\\' ? std::string(1, '\\') + letter : std::string(1, letter);
-  }
-  return quoted + "\"";
-}
-
-std::string Three(const double* values)
-{
-  return WriteNumbers({ values[0], values[1], values[2] });
-}
-
-const char* GetReader(const std::string& path)
-{
-  const std::string extension = cli::ExtensionOf(path);
-  const bool refused =
-    cli::IsGLTF(path) || cli::IsModel(path) || extension == ".vtm" || extension == ".vtmb";
-  if (refused)
-  {
-    Refuse(path);
-  }
-  return extension == ".stl" ? "vtkSTLReader"
-    : extension == ".ply"    ? "vtkPLYReader"
-    : extension == ".obj"    ? "vtkOBJReader"
-    : extension == ".off"    ? "relievo.vtkRelievoOFFReader"
-    : extension == ".vtk"    ? "vtkGenericDataObjectReader"
-                             : "vtkXMLGenericDataObjectReader";
-}
+constexpr const char* Unsaid[] = { "--skeleton", "--time", "--animation", "--skin" };
 
 //------------------------------------------------------------------------------
 void WriteColors(std::ostream& out, vtkMapper* mapper)
@@ -149,8 +119,8 @@ void WriteProperty(std::ostream& out, vtkProperty* property)
       << property->GetInterpolation() << ")\nproperty.SetOpacity("
       << WriteNumber(property->GetOpacity()) << ")\n";
   const auto write = [&](const char* name, double* (vtkProperty::*get)()) {
-    const std::string value = Three((property->*get)());
-    if (value != Three((fresh->*get)()))
+    const std::string value = WriteThree((property->*get)());
+    if (value != WriteThree((fresh->*get)()))
     {
       out << "property.Set" << name << "(" << value << ")\n";
     }
@@ -168,20 +138,19 @@ void WriteProperty(std::ostream& out, vtkProperty* property)
   writeNumber("SpecularPower", &vtkProperty::GetSpecularPower);
   if (property->GetEdgeVisibility())
   {
-    out << "property.EdgeVisibilityOn()\nproperty.SetEdgeColor(" << Three(property->GetEdgeColor())
-        << ")\n";
+    out << "property.EdgeVisibilityOn()\nproperty.SetEdgeColor("
+        << WriteThree(property->GetEdgeColor()) << ")\n";
   }
 }
 
 //------------------------------------------------------------------------------
-void WriteActors(std::ostream& out, vtkRenderer* renderer, const Settings& settings,
+void WriteActors(std::ostream& out, vtkRenderer* renderer, const Settings& settings, bool mapped,
   const std::set<std::string>& incomplete)
 {
   vtkActorCollection* actors = renderer->GetActors();
-  if (actors->GetNumberOfItems() != static_cast<int>(settings.Files.size()) ||
-    renderer->GetViewProps()->GetNumberOfItems() != actors->GetNumberOfItems())
+  if (actors->GetNumberOfItems() != static_cast<int>(settings.Files.size()))
   {
-    Refuse("a file with materials");
+    RefusePython("a file with materials");
   }
   const char* smooth = settings.Get("--shading") == "flat" ? "False" : "True";
   for (int i = 0; i < actors->GetNumberOfItems(); ++i)
@@ -190,14 +159,15 @@ void WriteActors(std::ostream& out, vtkRenderer* renderer, const Settings& setti
     const std::string& path = settings.Files[static_cast<std::size_t>(i)];
     if (incomplete.count(path) != 0)
     {
-      Refuse(path + " with points that are not finite");
+      RefusePython(path + " with points that are not finite");
     }
     if (actor->GetTexture() || !vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput()))
     {
-      Refuse(path);
+      RefusePython(path);
     }
-    out << "\nmapper = vtkPolyDataMapper()\nmapper.SetInputData(surface(" << GetReader(path)
-        << "(), " << Quote(path) << ", " << smooth << "))\n";
+    out << "\nmapper = vtkPolyDataMapper()\nmapper.SetInputData(" << (mapped ? "mapped(" : "")
+        << "surface(data(" << GetReader(path) << "(), " << Quote(path) << "), " << smooth << ")"
+        << (mapped ? "))\n" : ")\n");
     WriteColors(out, actor->GetMapper());
     out << "actor = vtkActor()\nactor.SetMapper(mapper)\n";
     WriteProperty(out, actor->GetProperty());
@@ -218,11 +188,11 @@ void WriteLights(std::ostream& out, vtkRenderer* renderer, const cli::RenderOpti
   {
     vtkLight* light = vtkLight::SafeDownCast(lights->GetItemAsObject(i));
     out << "light = vtkLight()\nlight.SetLightTypeToSceneLight()\n"
-        << "light.SetPosition(" << Three(light->GetPosition()) << ")\n"
-        << "light.SetFocalPoint(" << Three(light->GetFocalPoint()) << ")\n"
+        << "light.SetPosition(" << WriteThree(light->GetPosition()) << ")\n"
+        << "light.SetFocalPoint(" << WriteThree(light->GetFocalPoint()) << ")\n"
         << "light.SetPositional(" << light->GetPositional() << ")\n"
         << "light.SetConeAngle(" << WriteNumber(light->GetConeAngle()) << ")\n"
-        << "light.SetColor(" << Three(light->GetDiffuseColor()) << ")\n"
+        << "light.SetColor(" << WriteThree(light->GetDiffuseColor()) << ")\n"
         << "renderer.AddLight(light)\nlights.append(light)\n";
   }
 }
@@ -267,10 +237,10 @@ void WriteFrame(std::ostream& out, vtkRelievoPass* frame, const cli::RenderOptio
 //------------------------------------------------------------------------------
 void WriteView(std::ostream& out, vtkRenderer* renderer, const cli::RenderOptions& options)
 {
-  out << "\nrenderer.SetBackground(" << Three(renderer->GetBackground()) << ")\n";
+  out << "\nrenderer.SetBackground(" << WriteThree(renderer->GetBackground()) << ")\n";
   if (renderer->GetGradientBackground())
   {
-    out << "renderer.SetBackground2(" << Three(renderer->GetBackground2())
+    out << "renderer.SetBackground2(" << WriteThree(renderer->GetBackground2())
         << ")\nrenderer.GradientBackgroundOn()\n";
   }
   if (renderer->GetUseDepthPeeling())
@@ -284,9 +254,9 @@ void WriteView(std::ostream& out, vtkRenderer* renderer, const cli::RenderOption
       << "camera = renderer.GetActiveCamera()\n"
       << "camera.SetParallelProjection(" << camera->GetParallelProjection() << ")\n"
       << "camera.SetViewAngle(" << WriteNumber(camera->GetViewAngle()) << ")\n"
-      << "camera.SetPosition(" << Three(camera->GetPosition()) << ")\n"
-      << "camera.SetFocalPoint(" << Three(camera->GetFocalPoint()) << ")\n"
-      << "camera.SetViewUp(" << Three(camera->GetViewUp()) << ")\n"
+      << "camera.SetPosition(" << WriteThree(camera->GetPosition()) << ")\n"
+      << "camera.SetFocalPoint(" << WriteThree(camera->GetFocalPoint()) << ")\n"
+      << "camera.SetViewUp(" << WriteThree(camera->GetViewUp()) << ")\n"
       << "renderer.ResetCameraClippingRange()\n"
       << "camera.SetParallelScale(" << WriteNumber(camera->GetParallelScale()) << ")\n";
   if (options.Clip)
@@ -305,7 +275,7 @@ std::string WritePython(Picture& picture, const Settings& settings, const std::s
   {
     if (settings.Has(option))
     {
-      Refuse(option);
+      RefusePython(option);
     }
   }
   const cli::RenderOptions options = settings.Parse();
@@ -313,13 +283,22 @@ std::string WritePython(Picture& picture, const Settings& settings, const std::s
   std::ostringstream out;
   out.imbue(std::locale::classic());
   out << Head;
-  WriteActors(out, renderer, settings, picture.GetIncomplete());
+  const bool mapped = IsMapped(options);
+  if (mapped)
+  {
+    WriteMapped(out, options);
+  }
+  out << "\n\nrenderer = vtkRenderer()\n";
+  WriteActors(out, renderer, settings, mapped, picture.GetIncomplete());
   WriteLights(out, renderer, options);
   WriteView(out, renderer, options);
+  WriteScalarBar(out, renderer);
+  WriteSurface(out, renderer, options);
   if (vtkRelievoPass* frame = picture.GetFrame())
   {
     WriteFrame(out, frame, options);
   }
+  WritePoints(out, options);
   out << R"(
 window.Render()
 grab = vtkWindowToImageFilter()
