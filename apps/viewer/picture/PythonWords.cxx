@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PythonWords.h"
+
+#include "Failure.h"
+#include "Readers.h"
+#include "Settings.h"
+
+namespace viewer
+{
+//------------------------------------------------------------------------------
+void RefusePython(const std::string& what)
+{
+  throw cli::WorkError(
+    "Copy as Python: " + what + " cannot be said there yet; Copy as command line says it");
+}
+
+//------------------------------------------------------------------------------
+std::string Quote(const std::string& text)
+{
+  std::string quoted = "\"";
+  for (const char letter : text)
+  {
+    quoted +=
+      letter == '"' || letter == '\\' ? std::string(1, '\\') + letter : std::string(1, letter);
+  }
+  return quoted + "\"";
+}
+
+//------------------------------------------------------------------------------
+std::string WriteThree(const double* values)
+{
+  return WriteNumbers({ values[0], values[1], values[2] });
+}
+
+//------------------------------------------------------------------------------
+const char* GetReader(const std::string& path)
+{
+  const std::string extension = cli::ExtensionOf(path);
+  const bool refused =
+    cli::IsGLTF(path) || cli::IsModel(path) || extension == ".vtm" || extension == ".vtmb";
+  if (refused)
+  {
+    RefusePython(path);
+  }
+  return extension == ".stl" ? "vtkSTLReader"
+    : extension == ".ply"    ? "vtkPLYReader"
+    : extension == ".obj"    ? "vtkOBJReader"
+    : extension == ".off"    ? "relievo.vtkRelievoOFFReader"
+    : extension == ".vtk"    ? "vtkGenericDataObjectReader"
+                             : "vtkXMLGenericDataObjectReader";
+}
+}
