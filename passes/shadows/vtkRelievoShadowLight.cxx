@@ -4,6 +4,9 @@
 
 #include "vtkCamera.h"
 #include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkRelievoFrameScene.h"
 #include "vtkRenderer.h"
 
@@ -11,18 +14,43 @@
 
 namespace
 {
-bool IsAtEye(const vtkRelievoShadowLight& light, vtkCamera* camera)
+// Whether the near plane cuts something away: its shadow is seen, though it is not.
+bool IsCut(vtkRenderer* renderer, const glm::dvec3& eye, const glm::dvec3& gaze)
 {
+  const double nearest = renderer->GetActiveCamera()->GetClippingRange()[0];
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    const double* b = prop->GetVisibility() && prop->GetUseBounds() ? prop->GetBounds() : nullptr;
+    if (b && vtkMath::AreBoundsInitialized(b))
+    {
+      const glm::dvec3 low(b[0], b[2], b[4]);
+      const glm::dvec3 high(b[1], b[3], b[5]);
+      const double middle = glm::dot(0.5 * (low + high) - eye, gaze);
+      if (middle - glm::dot(0.5 * (high - low), glm::abs(gaze)) < nearest)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool IsAtEye(const vtkRelievoShadowLight& light, vtkRenderer* renderer)
+{
+  vtkCamera* camera = renderer->GetActiveCamera();
   glm::dvec3 eye(0.0);
   glm::dvec3 gaze(0.0);
   camera->GetPosition(eye.x, eye.y, eye.z);
   camera->GetDirectionOfProjection(gaze.x, gaze.y, gaze.z);
   // A light of parallel rays casts no shadow that is seen along them, which only a parallel camera
-  // does; the eye's own place is that for a lamp.
+  // does, but that of what is before the near plane; the eye's own place is that for a lamp.
   const bool along = glm::length(light.Direction - gaze) < 1e-6;
   return light.Positional ? glm::length(light.Position - eye) <= 1e-6 * camera->GetDistance() &&
       !camera->GetParallelProjection()
-                          : along && camera->GetParallelProjection();
+                          : along && camera->GetParallelProjection() && !IsCut(renderer, eye, gaze);
 }
 }
 
@@ -57,7 +85,7 @@ std::vector<vtkRelievoShadowLight> vtkRelievoShadowLight::Collect(vtkRenderer* r
       light.NoShadow = "it is switched off";
       light.Broken = false;
     }
-    else if (source->LightTypeIsHeadlight() || IsAtEye(light, renderer->GetActiveCamera()))
+    else if (source->LightTypeIsHeadlight() || IsAtEye(light, renderer))
     {
       light.NoShadow = "a light at the eye hides its own shadows";
       light.Broken = false;

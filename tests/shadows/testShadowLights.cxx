@@ -108,6 +108,43 @@ void TestCameraLights()
   }
 }
 
+// A sun along the gaze of a parallel camera hides its shadows, but that of what the near plane cuts
+// away: here a box above the eye.
+void TestAlongTheView()
+{
+  ShadowStage stage(200, 150);
+  stage.AddGround();
+  const auto box = stage.AddBox({ 0.3, 7., 0.2 }, { 0.5, 0.2, 0.3 });
+  stage.AddSun(0., 1., 0.);
+  stage.GetFrame()->ShadowsOn();
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(1.);
+  camera->SetPosition(0., 5., 0.);
+  camera->SetFocalPoint(0., 0., 0.);
+  camera->SetViewUp(0., 0., -1.);
+  camera->SetClippingRange(1., 10.);
+  const auto image = relievoTest::CaptureShadow(stage, 0);
+  auto* lit = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("shadow_0"));
+  int wrong = 0;
+  int dark = 0;
+  for (int i = 0; i < 200 * 150; ++i)
+  {
+    const double x = (i % 200 + 0.5) / 75. - 200. / 150.;
+    const double z = 1. - (i / 200 + 0.5) / 75.;
+    const bool under = std::abs(x - 0.3) < 0.25 && std::abs(z - 0.2) < 0.15;
+    const bool edge =
+      std::abs(std::abs(x - 0.3) - 0.25) < 0.01 || std::abs(std::abs(z - 0.2) - 0.15) < 0.01;
+    dark += under ? 1 : 0;
+    wrong += !edge && (lit->GetValue(i) < 0.5) != under ? 1 : 0;
+  }
+  RELIEVO_CHECK(dark > 500);
+  RELIEVO_CHECK_AT_MOST(wrong, 0, "above the eye: wrong verdicts");
+  box->SetPosition(0., -6., 0.); // before the near plane no more
+  stage.Window->Render();
+  RELIEVO_CHECK(stage.GetShadows()->GetNumberOfCastingLights() == 0);
+}
+
 void TestLightKit()
 {
   ShadowStage stage;
@@ -346,6 +383,7 @@ int main()
   TestKinds();
   TestInTheMiddle();
   TestCameraLights();
+  TestAlongTheView();
   TestLightKit();
   TestEight();
   TestWarnings();

@@ -58,7 +58,7 @@ private Q_SLOTS:
     this->CompareProgram({ "--lamps", file + ",intensity=2,color=1/0.6/0.3", "--fog",
       file + ",density=0.8,mode=chord", "--markers", file + ",shape=disc,radius=0.4" });
     this->CompareProgram({ "--markers", file + ",shape=shadow,radius=0.5,color=0/0/0", "--lamps",
-      file + ",falloff=inverse-square,casts=1", "--up", "z" });
+      file + ",falloff=inverse-square,casts=always", "--up", "z" });
   }
 
   void surfaces()
@@ -98,10 +98,6 @@ private Q_SLOTS:
                                this->Window->GetViewSettings(), this->Path("python.png")),
       std::exception);
     this->Open({ this->WriteOBJ() });
-    QVERIFY_EXCEPTION_THROWN(viewer::WritePython(this->Window->GetView()->GetPicture(),
-                               this->Window->GetViewSettings(), this->Path("python.png")),
-      std::exception);
-    this->Open({ this->WriteScene(), "--skin", "linear" });
     QVERIFY_EXCEPTION_THROWN(viewer::WritePython(this->Window->GetView()->GetPicture(),
                                this->Window->GetViewSettings(), this->Path("python.png")),
       std::exception);
