@@ -13,9 +13,13 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QSurfaceFormat>
+#include <QTimer>
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -26,20 +30,23 @@ const char* const Help =
   "  relievo-viewer SESSION.json\n"
   "\n"
   "Files and options are those of `relievo render`; see relievo --help. Outputs are not written:\n"
-  "save them from the window.\n";
-
+  "save them from the window. --once ends the program after its first picture, to be timed.\n";
 }
 
 int main(int argc, char* argv[])
 {
-  const std::vector<std::string> words(argv + 1, argv + argc);
+  std::vector<std::string> words(argv + 1, argv + argc);
   if (std::find(words.begin(), words.end(), "--help") != words.end() ||
     std::find(words.begin(), words.end(), "-h") != words.end())
   {
     std::fputs(Help, stdout);
     return 0;
   }
-  const bool isSession = words.size() == 1 && QFileInfo(argv[1]).suffix().toLower() == "json";
+  const auto timed = std::remove(words.begin(), words.end(), "--once");
+  const bool once = timed != words.end();
+  words.erase(timed, words.end());
+  const bool isSession =
+    words.size() == 1 && QFileInfo(QString::fromStdString(words[0])).suffix().toLower() == "json";
   viewer::Settings settings;
   try
   {
@@ -66,9 +73,19 @@ int main(int argc, char* argv[])
   window.restoreGeometry(kept.value("geometry").toByteArray());
   window.restoreState(kept.value("state").toByteArray());
   window.show();
+  if (once)
+  {
+    viewer::PictureView* view = window.GetView();
+    QObject::connect(view, &viewer::PictureView::drawn, &application, [view] {
+      if (!view->GetPicture().IsEmpty())
+      {
+        QTimer::singleShot(0, qApp, [] { std::_Exit(0); }); // closing the window is not timed
+      }
+    });
+  }
   if (isSession)
   {
-    window.OpenFiles({ argv[1] });
+    window.OpenFiles({ QString::fromStdString(words[0]) });
   }
   else if (!words.empty())
   {
