@@ -168,8 +168,8 @@ void TestAgainstDouble()
   }
 }
 
-// A body around the camera, in its rock, in its air, and one of which nothing is seen: the cells are
-// those that are found from outside.
+// A body around the camera, in its rock, in its air, and one of which nothing is seen: the cells
+// are those that are found from outside.
 void TestCameraInside()
 {
   Scene scene;

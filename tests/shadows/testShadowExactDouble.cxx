@@ -116,8 +116,8 @@ Verdict Judge(
   return hit.IsThere() ? Judge(scene, source, eye, hit) : Unjudged;
 }
 
-// OpenGL places corners in steps of 1/256 of a pixel, and depths have steps as well: where
-// triangles meet, it may show any of them. Whether one of these has another verdict.
+// OpenGL places corners in steps of 1/256 of a pixel, which moves the depth of what is seen nearly
+// edge-on: where triangles meet, it may show any of them. Whether one has another verdict.
 bool IsTie(const BruteScene& scene, const Source& source, const relievoTest::View& view, double x,
   double y, Verdict truth)
 {
@@ -125,7 +125,7 @@ bool IsTie(const BruteScene& scene, const Source& source, const relievoTest::Vie
   {
     const double off = 1. / 256.;
     const Ray eye = view.PixelRay(x + off * (i % 3 - 1), y + off * (i / 3 - 1));
-    const auto hits = scene.CastNear(eye, view.Near, view.Far, 1e-5);
+    const auto hits = scene.CastNear(eye, view.Near, view.Far, 5e-4);
     const bool same = std::all_of(hits.begin(), hits.end(),
       [&](const BruteScene::Hit& hit) { return Judge(scene, source, eye, hit) == truth; });
     if (hits.empty() || !same)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The planner's promise over many cases: scenes, lights, windows and tolerances. In at least 95 % of
-// them the share of wrong pixels, against Embree, is at most 1.5 times the tolerance; in none is it
-// more than 3 times. The windows are small, so that this takes half a minute.
+// The planner's promise over many cases: scenes, lights, windows and tolerances. In at least 95 %
+// of them the share of wrong pixels, against Embree, is at most 1.5 times the tolerance; in none is
+// it more than 3 times. The windows are small, so that this takes half a minute.
 #include "Check.h"
 #include "EmbreeScene.h"
 #include "Layers.h"

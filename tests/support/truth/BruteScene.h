@@ -42,8 +42,8 @@ public:
   Hit Cast(const Ray& ray, double tMin, double tMax) const;
 
   /**
-   * The first meeting, and all others up to (1 + share) times its t: where triangles touch, rounding
-   * decides which of them is seen.
+   * The first meeting, and all others up to (1 + share) times its t: where triangles touch,
+   * rounding decides which of them is seen.
    */
   std::vector<Hit> CastNear(const Ray& ray, double tMin, double tMax, double share) const;
 
