@@ -242,6 +242,10 @@ void vtkRelievoShadowPass::PrepareMethod(vtkRelievoFrameContext& context)
     in.MethodRefused = method;
     in.Refused = in.Work.Props.GetState();
   }
+  else if (method == in.MethodRefused && !refused)
+  {
+    in.MethodRefused = -1; // what was refused once may fit by now
+  }
   if (!fault.empty())
   {
     in.UseMethod(METHOD_MAP, context.Window);

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Depth images from two and six sides: the cells that they say are inside are those of the same
-// views in double, but for cells that a hundredth of a cell decides; the renderer and its picture
-// stay as they were; moving actors.
+// views in double, but for cells that a hundredth of a cell decides, also around the camera; the
+// renderer and its picture stay as they were; moving actors.
 #include "Check.h"
 #include "GLCheck.h"
+#include "Layers.h"
 #include "Session.h"
 #include "Solids.h"
 #include "Window.h"
@@ -167,6 +168,34 @@ void TestAgainstDouble()
   }
 }
 
+// A body around the camera, in its rock, in its air, and one of which nothing is seen: the cells
+// are those that are found from outside.
+void TestCameraInside()
+{
+  Scene scene;
+  const double cell = 0.04;
+  const Cells outside = Seen(scene.Renderer, true, cell, cell);
+  const auto found = std::find(outside.begin(), outside.end(), 1);
+  const auto first = static_cast<int>(found - outside.begin());
+  const double inRock[3] = { Box[0] + (first % 110 + 0.5) * cell,
+    Box[2] + (first / 110 % 80 + 0.5) * cell, Box[4] + (first / 110 / 80 + 0.5) * cell };
+  const double inHole[3] = { -0.5, 0.1, 0. }; // of the torus
+  for (const double* eye : { inRock, inHole })
+  {
+    for (const double far : { 10., 0.02 })
+    {
+      vtkCamera* camera = scene.Renderer->GetActiveCamera();
+      camera->SetPosition(eye);
+      camera->SetFocalPoint(eye[0] + 1., eye[1] + 0.2, eye[2]);
+      camera->SetClippingRange(1e-3, far);
+      const auto before = Picture(scene.Window);
+      RELIEVO_CHECK_THAT(Seen(scene.Renderer, true, cell, cell) == outside,
+        "cells that depend on the camera in the body");
+      RELIEVO_CHECK(SamePicture(before, Picture(scene.Window), "a camera in the body"));
+    }
+  }
+}
+
 void TestSides()
 {
   Scene scene;
@@ -296,6 +325,7 @@ int main()
 {
   relievoTest::Session session;
   TestAgainstDouble();
+  TestCameraInside();
   TestSides();
   TestStays();
   TestTiles();

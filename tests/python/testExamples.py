@@ -52,6 +52,7 @@ WRITES = {
         "animation.vtp.series", "frame_0000.vtp", "frame_0001.vtp", "frame_0002.vtp",
     ],
     "24_soft_borders.py": ["soft_borders.png"],
+    "25_certified_shadows.py": ["certified_shadows.png"],
 }  # fmt: skip
 
 # ParaView's own interpreter runs these: tests/paraview.
@@ -129,6 +130,23 @@ class Examples(unittest.TestCase):
         self.assertEqual(early.shape, (540, 960, 3))
         self.assertLess(early.mean(), 0.8 * noon.mean())
         self.assertGreater(early[100:].std(), 10)
+
+    def test_certified_shadows(self):
+        # Three ways, each with its plan and its bound; what is exact has no error.
+        said = self.run_example("25_certified_shadows.py")
+        ways = {}
+        for line in said.splitlines():
+            if not line.startswith(" "):
+                ways[line.split(":")[0]] = found = []
+            found.append(line)
+        bounds = {}
+        for name in ("map of 512", "tolerance", "exact"):
+            bounds[name] = float(ways[name][3].split("at most ")[1].split(" %")[0])
+        self.assertIn("was chosen for a tolerance of", ways["tolerance"][0])
+        self.assertLess(bounds["tolerance"], 0.15)
+        self.assertLess(bounds["exact"], 0.03)
+        self.assertGreater(bounds["map of 512"], bounds["tolerance"])
+        self.assertIn("found: 0 of", ways["exact"][2])
 
     def test_three_spots(self):
         self.run_example("07_three_spots.py")

@@ -2,17 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The buffer of casters' triangles by itself: trees that are fitted to points that move and built
-// anew for other cells, and more casters than it can count, which are refused in words.
+// anew for other cells, and more casters than it can count or than OpenGL's buffers hold, which are
+// refused in words; and the maps that a picture then has.
 #include "vtkRelievoShadowTree.h" // before all of GLM, whose functions it has of its own
 
 #include "Check.h"
+#include "Layers.h"
 #include "Session.h"
+#include "ShadowScenes.h"
 #include "Stage.h"
+#include "vtkRelievoTextureBuffer.h"
 
+#include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkPoints.h>
+#include <vtkRelievoPass.h>
+#include <vtkRelievoShadowPass.h>
 #include <vtkSphereSource.h>
 
 #include <memory>
@@ -101,6 +108,89 @@ void TestTooMany(vtkOpenGLRenderWindow* window)
   tree.Release(window);
   RELIEVO_CHECK(tree.GetBytes() == 0);
 }
+
+// An OpenGL whose buffers are too small.
+void TestSmallBuffers(vtkOpenGLRenderWindow* window)
+{
+  const auto ball = MakeBall();
+  vtkRelievoCaster caster;
+  caster.Mesh = ball;
+  vtkRelievoShadowTree tree;
+  RELIEVO_CHECK(tree.Update(window, { caster }, glm::dvec3(0.)).empty());
+  const vtkIdType texels = tree.GetBytes() / 16;
+  vtkRelievoTextureBuffer::SetMostTexels(static_cast<int>(texels) - 1);
+  // What is there already stays until something changes.
+  RELIEVO_CHECK(tree.Update(window, { caster }, glm::dvec3(0.)).empty());
+  const std::string fault = tree.Update(window, { caster }, glm::dvec3(1.));
+  RELIEVO_CHECK_THAT(fault ==
+      "the casters' triangles take " + std::to_string(texels) +
+        " texels, and this OpenGL has buffers of at most " + std::to_string(texels - 1),
+    fault);
+  RELIEVO_CHECK(tree.GetBytes() == 0);
+  vtkRelievoTextureBuffer::SetMostTexels(static_cast<int>(texels));
+  RELIEVO_CHECK(tree.Update(window, { caster }, glm::dvec3(1.)).empty());
+  RELIEVO_CHECK(tree.GetBytes() == 16 * texels);
+  vtkRelievoTextureBuffer::SetMostTexels(0);
+}
+
+// A picture by such an OpenGL has the shadows of maps, and one warning, however many frames are
+// drawn; once what casts has changed, and fits, the rays are back.
+void TestFallback(bool planned)
+{
+  constexpr int Exact = vtkRelievoShadowPass::METHOD_EXACT;
+  relievoTest::ShadowStage stage;
+  stage.AddThings();
+  const auto box = stage.AddBox({ 1.4, 1.5, 0.8 }, { 0.6, 0.1, 0.6 });
+  stage.AddSun(-3., 4., -2.);
+  stage.GetFrame()->ShadowsOn();
+  vtkRelievoShadowPass* shadows = stage.GetShadows();
+  const std::string what = planned ? "planned" : "chosen";
+  const auto capture = [&stage]() {
+    return relievoTest::Layers(relievoTest::CaptureShadow(stage, 0));
+  };
+  const auto checkSame = [&](const relievoTest::Layers& a, const relievoTest::Layers& b) {
+    RELIEVO_CHECK_AT_MOST(
+      relievoTest::CountDifferent(a, b, "shadow_0"), 0, what + ": pixels unlike");
+  };
+  shadows->SetMapSize(256); // unlike exact ones
+  const relievoTest::Layers map = capture();
+  shadows->SetMethodToExact();
+  shadows->SetTolerance(planned ? 2e-5 : 0.);
+  const relievoTest::Layers exact = capture();
+  RELIEVO_CHECK_THAT(shadows->GetMethodUsed() == Exact, what + ": not exact");
+  RELIEVO_CHECK(relievoTest::CountDifferent(map, exact, "shadow_0") > 100);
+  vtkRelievoTextureBuffer::SetMostTexels(64);
+  checkSame(exact, capture()); // what is in a buffer stays there
+  {
+    const relievoTest::ExpectMessage expected("buffers of at most 64");
+    for (int frame = 0; frame < 4; ++frame)
+    {
+      box->SetPosition(0., 0.1 * ((frame + 1) % 2), 0.);
+      stage.Window->Render();
+      const relievoTest::Layers fallback = capture();
+      RELIEVO_CHECK_THAT(shadows->GetMethodUsed() != Exact, what + ": exact all the same");
+      if (!planned && frame % 2 == 1)
+      {
+        RELIEVO_CHECK(shadows->GetMethodUsed() == vtkRelievoShadowPass::METHOD_MAP);
+        checkSame(map, fallback);
+      }
+    }
+    RELIEVO_CHECK_AT_MOST(expected.Count(), 1, what + ": warnings");
+    const std::string said = expected.Messages().empty() ? std::string() : expected.Messages()[0];
+    RELIEVO_CHECK_THAT(
+      said.find("Shadows are made with maps: the casters' triangles take ") != std::string::npos,
+      what + ": " + said);
+    const std::string plan = shadows->GetPlan();
+    RELIEVO_CHECK_THAT(!planned || plan.find("not met") != std::string::npos, plan);
+  }
+  vtkRelievoTextureBuffer::SetMostTexels(0);
+  box->SetPosition(0., 0.1, 0.);
+  capture();
+  RELIEVO_CHECK_THAT(shadows->GetMethodUsed() == Exact, what + ": no rays again");
+  box->SetPosition(0., 0., 0.); // where they were refused at last
+  checkSame(exact, capture());
+  RELIEVO_CHECK_THAT(shadows->GetMethodUsed() == Exact, what + ": rays are refused for ever");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -113,6 +203,9 @@ int main()
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(stage.Window);
     TestRefit(window);
     TestTooMany(window);
+    TestSmallBuffers(window);
   }
+  TestFallback(false);
+  TestFallback(true);
   return session.Result();
 }
