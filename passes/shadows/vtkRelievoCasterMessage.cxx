@@ -3,13 +3,13 @@
 #include "vtkRelievoCasterMessage.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRelievoOwnCells.h"
 #include "vtkRelievoPolygonCut.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkUnsignedCharArray.h"
@@ -92,60 +92,11 @@ bool IsSame(const std::vector<vtkRelievoBox>& a, const std::vector<vtkRelievoBox
     });
 }
 
-// Which cells are copies of another process's; null: none.
-vtkUnsignedCharArray* GetGhosts(vtkPolyData* mesh)
-{
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-    mesh->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  return ghosts && ghosts->GetNumberOfValues() == mesh->GetNumberOfCells() ? ghosts : nullptr;
-}
-
 std::vector<vtkMTimeType> GetTimes(vtkPolyData* mesh)
 {
-  vtkUnsignedCharArray* ghosts = GetGhosts(mesh);
+  vtkUnsignedCharArray* ghosts = vtkRelievoOwnCells::GetGhosts(mesh);
   return { mesh->GetPoints() ? mesh->GetPoints()->GetMTime() : 0, mesh->GetPolys()->GetMTime(),
     mesh->GetStrips()->GetMTime(), ghosts ? ghosts->GetMTime() : 0 };
-}
-
-// The mesh itself if it has no copies of other processes' cells. What can be followed has neither
-// vertices nor lines, so that polygons are the first cells.
-vtkSmartPointer<vtkPolyData> WithoutCopies(vtkPolyData* mesh)
-{
-  vtkUnsignedCharArray* ghosts = GetGhosts(mesh);
-  const auto isCopy = [ghosts](vtkIdType cell) {
-    return (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0;
-  };
-  bool any = false;
-  for (vtkIdType cell = 0; ghosts && !any && cell < ghosts->GetNumberOfValues(); ++cell)
-  {
-    any = isCopy(cell);
-  }
-  if (!any)
-  {
-    return mesh;
-  }
-  vtkNew<vtkCellArray> kept[2];
-  vtkCellArray* const all[2] = { mesh->GetPolys(), mesh->GetStrips() };
-  vtkIdType cell = 0;
-  for (int i = 0; i < 2; ++i)
-  {
-    auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(all[i]->NewIterator());
-    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
-    {
-      vtkIdType count = 0;
-      const vtkIdType* ids = nullptr;
-      it->GetCurrentCell(count, ids);
-      if (!isCopy(cell++))
-      {
-        kept[i]->InsertNextCell(count, ids);
-      }
-    }
-  }
-  auto own = vtkSmartPointer<vtkPolyData>::New();
-  own->SetPoints(mesh->GetPoints());
-  own->SetPolys(kept[0]);
-  own->SetStrips(kept[1]);
-  return own;
 }
 
 template <typename T>
@@ -168,18 +119,24 @@ bool IsFloat(vtkPolyData* mesh)
   return mesh->GetPoints() && mesh->GetPoints()->GetDataType() == VTK_FLOAT;
 }
 
+template <typename Array>
+vtkSmartPointer<vtkDataArray> TakePoints(Reader& from, std::size_t count)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  from.Take(array->GetPointer(0), 3 * count);
+  return array;
+}
+
 void ReadMesh(Reader& from, vtkPolyData* mesh)
 {
   const bool same = from.Take<int>() != 0;
-  vtkNew<vtkPoints> points;
-  points->SetDataType(from.Take<int>() != 0 ? VTK_FLOAT : VTK_DOUBLE);
+  const bool floats = from.Take<int>() != 0;
   const auto size = from.Take<std::size_t>();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(size));
-  const auto width = static_cast<std::size_t>(points->GetData()->GetDataTypeSize());
-  if (size > 0)
-  {
-    from.Take(static_cast<unsigned char*>(points->GetVoidPointer(0)), 3 * size * width);
-  }
+  vtkNew<vtkPoints> points;
+  points->SetData(
+    floats ? TakePoints<vtkFloatArray>(from, size) : TakePoints<vtkDoubleArray>(from, size));
   mesh->SetPoints(points); // the tree over it is fitted to them if its cells stay
   if (!same)
   {
@@ -233,7 +190,7 @@ int vtkRelievoCasterSender::WriteMesh(Sent& sent, vtkPolyData* mesh, vtkRelievoB
   sent.Id = known ? sent.Id : this->NextId++;
   sent.Data = mesh;
   sent.Times = times;
-  sent.Casting = WithoutCopies(mesh);
+  sent.Casting = vtkRelievoOwnCells::Find(mesh);
   std::vector<int> places(static_cast<std::size_t>(mesh->GetNumberOfPoints()), -1);
   std::vector<vtkIdType> ids;
   std::vector<int> triangles;

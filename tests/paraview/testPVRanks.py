@@ -6,8 +6,8 @@ import pathlib
 
 import pv
 
-STEPS = "off kit sun moved-sun moved-camera warped forward exact exact-moved lamp normal depth".split()
-STEPS.append("off-again")
+STEPS = "off kit sun moved-sun moved-camera warped forward exact exact-moved lamp normal".split()
+STEPS += ["depth", "off-again"]
 SCENE = pathlib.Path(__file__).with_name("ranksScene.py")
 
 
