@@ -73,6 +73,20 @@ const std::vector<Step> Steps = {
         Part::GetMesh(part.Low)->Modified();
       }
     } },
+  { "points moved within their bounds", Same,
+    [](Part& part) {
+      vtkPoints* points = Part::GetMesh(part.Low)->GetPoints();
+      for (vtkIdType i = 0; points && i < points->GetNumberOfPoints(); ++i)
+      {
+        const double* p = points->GetPoint(i);
+        points->SetPoint(i, p[0], p[1], p[0] > -1. && p[2] > 1. ? 0.6 : p[2]);
+      }
+      if (points)
+      {
+        points->Modified();
+        Part::GetMesh(part.Low)->Modified();
+      }
+    } },
   { "hidden", Same, [](Part& part) { part.Tall->VisibilityOff(); } },
   { "shown", Same, [](Part& part) { part.Tall->VisibilityOn(); } },
   { "glyphs", Same, [](Part& part) { part.Glyphs->VisibilityOn(); } },
