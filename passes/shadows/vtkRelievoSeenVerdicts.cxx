@@ -50,8 +50,7 @@ vtkRelievoSeenVerdicts::~vtkRelievoSeenVerdicts()
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoSeenVerdicts::Begin(
-  vtkOpenGLRenderWindow* window, const vtkRelievoView& view, Kind kind)
+bool vtkRelievoSeenVerdicts::TakeUnits(vtkOpenGLRenderWindow* window)
 {
   if (this->Window != window)
   {
@@ -59,16 +58,23 @@ bool vtkRelievoSeenVerdicts::Begin(
     this->Window = window;
     this->Owner = window;
   }
-  this->View = view;
-  this->Levels = kind == Whole ? 2.0 : Fine;
-  this->Colored = kind == Colors;
-  this->Lights = 0;
   vtkTextureUnitManager* units = window->GetState()->GetTextureUnitManager();
   for (int& unit : this->Units)
   {
     unit = unit < 0 ? units->Allocate() : unit;
   }
-  const bool bound = this->Units[0] >= 0 && this->Units[1] >= 0;
+  return this->Units[0] >= 0 && this->Units[1] >= 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoSeenVerdicts::Begin(
+  vtkOpenGLRenderWindow* window, const vtkRelievoView& view, Kind kind)
+{
+  const bool bound = this->TakeUnits(window);
+  this->View = view;
+  this->Levels = kind == Whole ? 2.0 : Fine;
+  this->Colored = kind == Colors;
+  this->Lights = 0;
   this->Fits =
     bound && !this->Broken && IsUpright(view.ViewToNDC) && this->Allocate() && this->IsReady();
   return bound;

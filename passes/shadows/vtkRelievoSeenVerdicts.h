@@ -47,7 +47,10 @@ public:
   vtkRelievoSeenVerdicts(const vtkRelievoSeenVerdicts&) = delete;
   void operator=(const vtkRelievoSeenVerdicts&) = delete;
 
-  // Takes texture units for the frame; nothing is known in it yet. False if there are none left.
+  // Takes texture units for the frame. False if there are none left.
+  bool TakeUnits(vtkOpenGLRenderWindow* window);
+
+  // The same; nothing is known in the frame yet.
   bool Begin(vtkOpenGLRenderWindow* window, const vtkRelievoView& view, Kind kind);
 
   // How many lights' verdicts can be found in it; 0: of none.

@@ -4,6 +4,7 @@
 
 #include "vtkCommunicator.h"
 #include "vtkRelievoShadowMaps.h"
+#include "vtkRelievoShadowRegion.h"
 #include "vtkTimerLog.h"
 
 #include <algorithm>
@@ -24,8 +25,6 @@ void Put(std::vector<double>& numbers, const std::vector<vtkRelievoBox>& boxes)
   }
 }
 
-// The processes' parts of one prop make the box that the whole prop has: maps do not depend on how
-// many share the work.
 const double* Take(const double* from, std::vector<vtkRelievoBox>& boxes)
 {
   const auto count = static_cast<std::size_t>(*from++);
@@ -35,17 +34,7 @@ const double* Take(const double* from, std::vector<vtkRelievoBox>& boxes)
     box.Number = static_cast<int>(from[0]);
     box.Min = glm::dvec3(from[1], from[2], from[3]);
     box.Max = glm::dvec3(from[4], from[5], from[6]);
-    const auto known = std::lower_bound(boxes.begin(), boxes.end(), box,
-      [](const vtkRelievoBox& a, const vtkRelievoBox& b) { return a.Number < b.Number; });
-    if (known != boxes.end() && known->Number == box.Number)
-    {
-      known->Min = glm::min(known->Min, box.Min);
-      known->Max = glm::max(known->Max, box.Max);
-    }
-    else
-    {
-      boxes.insert(known, box);
-    }
+    vtkRelievoShadowRegion::Join(box, boxes);
   }
   return from;
 }

@@ -209,6 +209,7 @@ void vtkRelievoShadowMaps::Write(int layer, const std::vector<float>& depths)
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   this->BindTexture(this->Texture);
+  state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<unsigned int>(this->Unit));
   glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, this->Size, this->Size, 1,
     GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
   this->BindTexture(this->Empty);

@@ -4,8 +4,11 @@
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
+#include "vtkObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProperty.h"
+#include "vtkRelievoCasterExchange.h"
+#include "vtkRelievoCasterMessage.h"
 #include "vtkRelievoShadowRegion.h"
 #include "vtkRelievoShadowWork.h"
 #include "vtkRenderer.h"
@@ -36,10 +39,17 @@ double GetSizeInView(const vtkRelievoView& view, const glm::dvec3& center)
   return (view.Parallel ? 1.0 : std::abs(away)) / std::abs(view.ViewToNDC[1][1]);
 }
 
-// A point near the center, of a grid about as wide as the view: few moves of the camera take
-// another.
-glm::dvec3 GetOrigin(const vtkRelievoView& view, const glm::dvec3& center)
+// The middle of what the view shows of the receivers.
+glm::dvec3 GetCenter(const vtkRelievoView& view, const std::vector<vtkRelievoBox>& receivers)
 {
+  return vtkRelievoShadowRegion::GetMiddle(
+    vtkRelievoShadowRegion::Cut(receivers, view.ViewToNDC * view.WorldToView));
+}
+
+// A point near it, of a grid about as wide as the view: few moves of the camera take another.
+glm::dvec3 GetOrigin(const vtkRelievoView& view, const std::vector<vtkRelievoBox>& receivers)
+{
+  const glm::dvec3 center = GetCenter(view, receivers);
   const double size = GetSizeInView(view, center);
   if (!(size > 0.0) || !std::isfinite(size))
   {
@@ -53,13 +63,18 @@ glm::dvec3 GetOrigin(const vtkRelievoView& view, const glm::dvec3& center)
 //------------------------------------------------------------------------------
 double vtkRelievoShadowMethodExact::GetFarness(const vtkRelievoShadowWork& work)
 {
-  const glm::dvec3 center = vtkRelievoShadowRegion::GetMiddle(vtkRelievoShadowRegion::Cut(
-    work.Props.GetReceiverBoxes(), work.View.ViewToNDC * work.View.WorldToView));
+  // With several processes, what all of them receive on.
+  const std::vector<vtkRelievoBox>& others = work.Others.GetWhole().Receivers;
+  const glm::dvec3 center =
+    GetCenter(work.View, others.empty() ? work.Props.GetReceiverBoxes() : others);
   const double size = GetSizeInView(work.View, center);
   double away = glm::length(glm::dvec3(work.View.WorldToView * glm::dvec4(center, 1.0)));
-  for (const vtkRelievoBox& box : work.Props.GetAllBoxes())
+  for (const auto* boxes : { &work.Props.GetAllBoxes(), &others })
   {
-    away = std::max(away, glm::length(glm::clamp(center, box.Min, box.Max) - center));
+    for (const vtkRelievoBox& box : *boxes)
+    {
+      away = std::max(away, glm::length(glm::clamp(center, box.Min, box.Max) - center));
+    }
   }
   return size > 0.0 && std::isfinite(away / size) ? away / size : 0.0;
 }
@@ -67,12 +82,26 @@ double vtkRelievoShadowMethodExact::GetFarness(const vtkRelievoShadowWork& work)
 //------------------------------------------------------------------------------
 std::string vtkRelievoShadowMethodExact::Prepare(vtkRelievoShadowWork& work, vtkRenderer* renderer)
 {
-  const glm::dvec3 center = vtkRelievoShadowRegion::GetMiddle(vtkRelievoShadowRegion::Cut(
-    work.Props.GetReceiverBoxes(), work.View.ViewToNDC * work.View.WorldToView));
-  std::string fault =
-    this->Tree.Update(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()),
-      work.Props.Follow(), GetOrigin(work.View, center));
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkRelievoCasterPart part;
+  part.Casters = work.Props.Follow();
+  part.Receivers = work.Props.GetReceiverBoxes();
+  part.InMaps = work.Props.GetCasterBoxes(true);
+  this->InMaps = part.InMaps.size();
+  std::string fault;
+  if (work.Others.IsOn())
+  {
+    const glm::dvec3 origin = GetOrigin(work.View, work.Others.GetWhole().Receivers);
+    const bool ready =
+      this->Tree.IsIn(window, origin) && this->Tree.Bind() && this->Seen.TakeUnits(window);
+    fault = work.Others.Share(part, ready);
+    if (!fault.empty())
+    {
+      return fault;
+    }
+    part = work.Others.GetWhole();
+  }
+  fault = this->Tree.Update(window, part.Casters, GetOrigin(work.View, part.Receivers));
   this->Colored = fault.empty() && work.ColoredShadows && this->Tree.HasColors();
   const vtkRelievoSeenVerdicts::Kind kind = this->Colored ? vtkRelievoSeenVerdicts::Colors
     : this->Tree.HasTranslucent()                         ? vtkRelievoSeenVerdicts::Shares
@@ -81,11 +110,14 @@ std::string vtkRelievoShadowMethodExact::Prepare(vtkRelievoShadowWork& work, vtk
   {
     fault = "all texture units of this OpenGL are taken";
   }
+  if (work.Others.IsOn())
+  {
+    fault = work.Others.Confirm(fault);
+  }
   work.WithoutFollowed = fault.empty();
   this->Surfaces.clear();
   if (fault.empty())
   {
-    this->InMaps = work.Props.GetCasterBoxes(true).size();
     this->Alone = work.OwnSteps && window->GetMultiSamples() <= 1;
     this->FindSurfaces(work);
   }

@@ -120,6 +120,7 @@ void vtkRelievoShadowPass::SetController(vtkMultiProcessController* controller)
   {
     this->Internal->Schedule.Exchange.SetController(controller);
     this->Internal->Lamps.Schedule.Exchange.SetController(controller);
+    this->Internal->Work.Others.SetController(controller);
     this->Internal->Lamps.Work.Cache.Clear();
     this->Internal->Work.Cache.Clear(); // maps of this process alone, or of others that are gone
     this->Modified();
@@ -179,8 +180,10 @@ bool vtkRelievoShadowPass::Prepare(vtkRelievoFrameContext& context)
   in.Work.Props.Collect(context.Renderer, context.Scene.Props);
   const bool traces =
     this->Method == METHOD_EXACT || this->Tolerance > 0.0 || this->TimeBudget > 0.0;
+  // What is translucent may be another process's.
   context.ColorsLight = this->Visible && this->ColoredShadows && traces &&
-    !in.Lights.GetCasting().empty() && in.Work.Props.HasTranslucentCasters();
+    !in.Lights.GetCasting().empty() &&
+    (in.Work.Others.IsOn() || in.Work.Props.HasTranslucentCasters());
   return true;
 }
 
@@ -216,6 +219,7 @@ void vtkRelievoShadowPass::Execute(vtkRelievoFrameContext& context)
     work.WithoutFollowed = false;
     work.Maps.Release(context.Window);
     work.Cache.Clear();
+    work.Others.Clear();
   }
   // Processes that draw together fit their maps together, though there be none.
   const bool lamps =

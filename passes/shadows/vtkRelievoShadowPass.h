@@ -78,8 +78,8 @@ public:
    * follows the surfaces of vtkPolyDataMapper, of composite meshes and of vtkGlyph3DMapper; other
    * casters (points, lines, wireframes, impostors, cut-out textures, clipping planes, shaders of
    * their own) are drawn into maps as with METHOD_MAP, whose settings then hold for them. Where
-   * OpenGL has no buffer that holds the triangles, and with several processes (SetController), all
-   * of them are, with a warning.
+   * OpenGL has no buffer that holds the triangles, all of them are, with a warning. With several
+   * processes (SetController) each holds all triangles, or all use maps.
    */
   vtkSetClampMacro(Method, int, METHOD_MAP, METHOD_EXACT);
   vtkGetMacro(Method, int);
@@ -263,9 +263,9 @@ public:
   ///@{
   /**
    * The processes that draw one picture together, each its own part of the scene. Every light's map
-   * then contains the casters of all processes (the smallest depth, texel by texel), so that
-   * casters and receivers may be on different ones. Every process must draw every frame, with the
-   * same lights. Default nullptr, which means this process alone.
+   * then has the casters of all (the smallest depth, texel by texel), and METHOD_EXACT brings their
+   * triangles to all, so that casters and receivers may be on different ones. Every process must
+   * draw every frame, with the same lights and method. Default nullptr: this process alone.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();

@@ -8,6 +8,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkRelievoCasterRays.h"
 #include "vtkRelievoShadowCertificate.h"
 #include "vtkRelievoShadowJudge.h"
 #include "vtkRenderer.h"
@@ -126,7 +127,15 @@ vtkRelievoShadowCertificate* vtkRelievoShadowPass::Certify(int rays, int seed)
     judge.Visibility.push_back(read(layers[i]));
   }
   // Maps know translucent casters as opaque ones.
-  judge.Rays.SetSurfaces(in.Work.Props.CollectSurfaces(in.Method->Traces(), judge.Unfollowed));
+  std::vector<vtkRelievoSurface> surfaces =
+    in.Work.Props.CollectSurfaces(in.Method->Traces(), judge.Unfollowed);
+  if (in.Method->Traces() && in.Work.Others.IsOn())
+  {
+    in.Work.Others.AddTo(surfaces);
+    const std::vector<vtkRelievoBox>& others = in.Work.Others.GetWhole().InMaps;
+    judge.Unfollowed.insert(judge.Unfollowed.end(), others.begin(), others.end());
+  }
+  judge.Rays.SetSurfaces(surfaces);
   const double wider = GetWidth(in.Work.Cache);
   for (vtkRelievoBox& box : judge.Unfollowed)
   {

@@ -102,6 +102,7 @@ std::string vtkRelievoShadowPass::DescribeMaps() const
       << " drawn anew, expected share of wrong pixels " << std::setprecision(2)
       << 100.0 * this->GetExpectedWrongShare() << " %" << std::setprecision(6)
       << (in.Planned ? ", " + in.Plan.Words : std::string()) << in.Method->GetReport()
-      << this->DescribeSamples() << in.Schedule.Exchange.GetReport() << in.Lights.GetReport();
+      << in.Work.Others.GetReport() << this->DescribeSamples() << in.Schedule.Exchange.GetReport()
+      << in.Lights.GetReport();
   return out.str();
 }

@@ -228,19 +228,20 @@ void vtkRelievoShadowPass::PrepareMethod(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   const int method = in.Plan.Chosen.Method;
-  const bool refused = method == in.MethodRefused && in.Work.Props.GetState() == in.Refused;
+  bool refused = method == in.MethodRefused && in.Work.Props.GetState() == in.Refused;
+  const bool together = in.Schedule.Exchange.IsOn();
+  if (together && (refused || method != METHOD_EXACT))
+  {
+    const bool again = in.Work.Others.Decline(refused && method == METHOD_EXACT);
+    refused = refused && !again;
+  }
   in.UseMethod(refused ? METHOD_MAP : method, context.Window);
   in.Work.WithoutFollowed = false;
-  std::string fault;
   in.Work.OwnSteps = context.OwnSteps;
-  if (in.Schedule.Exchange.IsOn() && in.Method->Traces())
+  const std::string fault = in.Method->Prepare(in.Work, context.Renderer);
+  if (fault.empty() && !refused && method == in.MethodRefused)
   {
-    fault = "each process has only its own part of the casters";
-  }
-  else if (!(fault = in.Method->Prepare(in.Work, context.Renderer)).empty())
-  {
-    in.MethodRefused = method;
-    in.Refused = in.Work.Props.GetState();
+    in.MethodRefused = -1; // it can be done now
   }
   else if (method == in.MethodRefused && !refused)
   {
@@ -248,8 +249,11 @@ void vtkRelievoShadowPass::PrepareMethod(vtkRelievoFrameContext& context)
   }
   if (!fault.empty())
   {
+    in.MethodRefused = in.Work.Others.IsDeclined() ? -1 : method;
+    in.Refused = in.Work.Props.GetState();
     in.UseMethod(METHOD_MAP, context.Window);
-    if (in.Said.insert(fault).second)
+    // One process speaks for all.
+    if ((!together || in.Schedule.Exchange.IsRoot()) && in.Said.insert(fault).second)
     {
       vtkWarningMacro("Shadows are made with maps: " << fault << ".");
     }

@@ -137,6 +137,22 @@ std::vector<glm::dvec3> vtkRelievoShadowRegion::GetPoints(const std::vector<Poly
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoShadowRegion::Join(const vtkRelievoBox& box, std::vector<vtkRelievoBox>& boxes)
+{
+  const auto known = std::lower_bound(boxes.begin(), boxes.end(), box,
+    [](const vtkRelievoBox& a, const vtkRelievoBox& b) { return a.Number < b.Number; });
+  if (known != boxes.end() && known->Number == box.Number)
+  {
+    known->Min = glm::min(known->Min, box.Min);
+    known->Max = glm::max(known->Max, box.Max);
+  }
+  else
+  {
+    boxes.insert(known, box);
+  }
+}
+
+//------------------------------------------------------------------------------
 glm::dvec3 vtkRelievoShadowRegion::GetMiddle(const std::vector<Polygon>& polygons)
 {
   glm::dvec3 low(1e300);

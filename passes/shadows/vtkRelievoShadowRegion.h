@@ -37,6 +37,10 @@ std::vector<Polygon> Cut(const std::vector<vtkRelievoBox>& boxes, const glm::dma
 // The corners of all of them.
 std::vector<glm::dvec3> GetPoints(const std::vector<Polygon>& polygons);
 
+// Adds a box to boxes in the order of their props' numbers. The processes' parts of one prop make
+// the box that the whole prop has: what follows from boxes does not depend on how many share it.
+void Join(const vtkRelievoBox& box, std::vector<vtkRelievoBox>& boxes);
+
 // The middle of the polygons' extent.
 glm::dvec3 GetMiddle(const std::vector<Polygon>& polygons);
 

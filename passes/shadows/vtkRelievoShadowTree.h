@@ -51,6 +51,12 @@ public:
   std::string Update(vtkOpenGLRenderWindow* window, const std::vector<vtkRelievoCaster>& casters,
     const glm::dvec3& origin);
 
+  // Whether it is in a window, about that origin.
+  bool IsIn(vtkOpenGLRenderWindow* window, const glm::dvec3& origin) const
+  {
+    return this->Buffer.IsIn(window) && this->Origin == origin;
+  }
+
   bool Bind(); // false if there is no texture unit left
   void Unbind() { this->Buffer.Deactivate(); }
   int GetTextureUnit() const { return this->Buffer.GetTextureUnit(); }

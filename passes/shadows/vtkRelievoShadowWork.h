@@ -6,6 +6,7 @@
 #define vtkRelievoShadowWork_h
 
 #include "vtkRelievoCasterDraw.h"
+#include "vtkRelievoCasterExchange.h"
 #include "vtkRelievoShadowCache.h"
 #include "vtkRelievoShadowMaps.h"
 #include "vtkRelievoShadowProps.h"
@@ -32,7 +33,8 @@ struct vtkRelievoShadowWork
   vtkRelievoView View; // the camera's
   vtkRelievoShadowProps& Props;
   vtkRelievoCasterDraw& PlainDraw;
-  bool& DrawingAnyMaps; // these or others of the same casters
+  bool& DrawingAnyMaps;            // these or others of the same casters
+  vtkRelievoCasterExchange Others; // that draw together with this process
   vtkRelievoShadowCache Cache;
   vtkRelievoShadowMaps Maps;
   vtkRelievoShadowSplice::Structure Structure;

@@ -91,6 +91,10 @@ view.RelievoShadowMethod = "Forward"
 step("forward")
 view.RelievoShadowMethod = "Exact"
 step("exact")
+print("rays:", view.SMProxy.UpdatePropertyInformation(), view.GetProperty("RelievoFrameReport"))
+view.RelievoSunAzimuth = 70
+step("exact-moved")
+view.RelievoSunAzimuth = 60
 view.RelievoShadowMethod = "Map"
 light = simple.AddLight(view=view)
 light.Coords = "Scene"

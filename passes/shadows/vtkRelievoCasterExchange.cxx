@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoCasterExchange.h"
+
+#include "vtkCommunicator.h"
+#include "vtkPolyData.h"
+#include "vtkRelievoCasterRays.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace
+{
+constexpr vtkIdType MostAtOnce = vtkIdType(1) << 28; // bytes: MPI counts them in an int
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterExchange::SetController(vtkMultiProcessController* controller)
+{
+  this->Controller = controller;
+  this->Clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterExchange::Clear()
+{
+  this->Sender.Clear();
+  this->Others.clear();
+  this->Whole = vtkRelievoCasterPart();
+  this->Lost = true;
+  this->Changed = false;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoCasterExchange::Answer vtkRelievoCasterExchange::Ask(Voice voice, bool changed)
+{
+  const int own[4] = { voice, -voice, changed ? 0 : 1, this->Lost ? 0 : 1 };
+  int all[4] = { Never, Never, 0, 0 };
+  this->Controller->AllReduce(own, all, 4, vtkCommunicator::MIN_OP);
+  return { all[0], -all[1], all[2] == 0, all[3] == 0 };
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterExchange::Decline(bool refused)
+{
+  this->Clear();
+  const Answer answer = this->Ask(refused ? Refused : Never, true);
+  return answer.Least == Refused && answer.Most == Ready;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoCasterExchange::Share(const vtkRelievoCasterPart& own, bool ready)
+{
+  const bool changed = !ready || this->Lost || this->Sender.IsNews(own);
+  Answer answer = this->Ask(Ready, changed);
+  if (answer.Least == Refused)
+  {
+    answer = this->Ask(Ready, changed); // who refused tries again, for things have changed
+  }
+  this->Declined = answer.Least != Ready;
+  if (this->Declined)
+  {
+    this->Clear();
+    return "not all processes that draw together are set to send rays";
+  }
+  this->Changed = answer.Changed;
+  if (!this->Changed)
+  {
+    return {};
+  }
+  const double start = vtkTimerLog::GetUniversalTime();
+  if (answer.Lost)
+  {
+    this->Clear();
+    this->Changed = true;
+  }
+  vtkRelievoCasterPart casting = own;
+  const std::vector<vtkRelievoBytes> all = this->Gather(this->Sender.Write(casting));
+  this->Others.resize(all.size());
+  this->Bytes = 0.0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    this->Others[i].Read(all[i]);
+    this->Bytes += static_cast<double>(all[i].size());
+  }
+  this->MakeWhole(casting);
+  this->Lost = false;
+  this->Seconds = vtkTimerLog::GetUniversalTime() - start;
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterExchange::MakeWhole(const vtkRelievoCasterPart& own)
+{
+  const auto here = static_cast<std::size_t>(this->Controller->GetLocalProcessId());
+  this->Whole = vtkRelievoCasterPart();
+  for (std::size_t i = 0; i < this->Others.size(); ++i)
+  {
+    const vtkRelievoCasterPart& part = i == here ? own : this->Others[i].GetPart();
+    this->Whole.Casters.insert(this->Whole.Casters.end(), part.Casters.begin(), part.Casters.end());
+    for (const vtkRelievoBox& box : part.Receivers)
+    {
+      vtkRelievoShadowRegion::Join(box, this->Whole.Receivers);
+    }
+    if (i != here)
+    {
+      this->Whole.InMaps.insert(this->Whole.InMaps.end(), part.InMaps.begin(), part.InMaps.end());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The bytes of every process, but for its own.
+std::vector<vtkRelievoBytes> vtkRelievoCasterExchange::Gather(const vtkRelievoBytes& own)
+{
+  const int processes = this->Controller->GetNumberOfProcesses();
+  const int here = this->Controller->GetLocalProcessId();
+  const auto length = static_cast<vtkIdType>(own.size());
+  std::vector<vtkIdType> lengths(processes);
+  this->Controller->AllGather(&length, lengths.data(), 1);
+  const vtkIdType longest = *std::max_element(lengths.begin(), lengths.end());
+  const vtkIdType step = MostAtOnce / processes;
+  std::vector<vtkRelievoBytes> all(processes);
+  std::vector<vtkIdType> counts(processes);
+  std::vector<vtkIdType> offsets(processes + 1, 0);
+  for (vtkIdType from = 0; from < longest; from += step)
+  {
+    for (int i = 0; i < processes; ++i)
+    {
+      counts[i] = std::min(std::max<vtkIdType>(lengths[i] - from, 0), step);
+      offsets[i + 1] = offsets[i] + counts[i];
+    }
+    vtkRelievoBytes part(static_cast<std::size_t>(offsets[processes]));
+    const unsigned char nothing = 0;
+    this->Controller->AllGatherV(counts[here] > 0 ? own.data() + from : &nothing, part.data(),
+      counts[here], counts.data(), offsets.data());
+    for (int i = 0; i < processes; ++i)
+    {
+      if (i != here)
+      {
+        all[i].insert(all[i].end(), part.begin() + offsets[i], part.begin() + offsets[i + 1]);
+      }
+    }
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoCasterExchange::Confirm(const std::string& fault)
+{
+  if (!this->Changed)
+  {
+    return fault; // none: everything is as it was when all agreed
+  }
+  const int own = fault.empty() ? 1 : 0;
+  int all = 0;
+  this->Controller->AllReduce(&own, &all, 1, vtkCommunicator::MIN_OP);
+  if (all != 0)
+  {
+    return {};
+  }
+  std::string words = fault;
+  const std::vector<vtkRelievoBytes> others =
+    this->Gather(vtkRelievoBytes(fault.begin(), fault.end()));
+  for (std::size_t i = 0; i < others.size() && words.empty(); ++i)
+  {
+    words.assign(others[i].begin(), others[i].end());
+  }
+  this->Clear();
+  return words;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterExchange::AddTo(std::vector<vtkRelievoSurface>& surfaces) const
+{
+  for (std::size_t i = 0, own = surfaces.size(); i < own; ++i)
+  {
+    vtkRelievoSurface casting = surfaces[i];
+    casting.Caster.Mesh = this->Sender.GetCasting(casting.Caster.Mesh);
+    if (casting.Casts && casting.Caster.Mesh != surfaces[i].Caster.Mesh)
+    {
+      surfaces[i].Casts = false;
+      casting.Seen = casting.Receives = false;
+      surfaces.push_back(casting);
+    }
+  }
+  for (const vtkRelievoCasterReceiver& other : this->Others)
+  {
+    for (const vtkRelievoCaster& caster : other.GetPart().Casters)
+    {
+      vtkRelievoSurface surface;
+      surface.Caster = caster;
+      surface.Seen = surface.Receives = false;
+      surfaces.push_back(surface);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoCasterExchange::GetReport() const
+{
+  if (this->Others.empty())
+  {
+    return {};
+  }
+  vtkIdType triangles = 0;
+  for (const vtkRelievoCasterReceiver& other : this->Others)
+  {
+    triangles += other.GetNumberOfTriangles();
+  }
+  std::ostringstream out;
+  out << ", " << triangles << " of them from other processes (" << 1000.0 * this->Seconds
+      << " ms for the last " << this->Bytes << " bytes)";
+  return out.str();
+}

@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Exact shadows of several processes that each hold a part of the scene: what is nearest of their
+// pictures and layers is what one process draws, whatever moves, leaves or has no room.
+#include "Check.h"
+#include "RankScene.h"
+#include "Ranks.h"
+#include "Session.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkMultiProcessController.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkRelievoShadowCertificate.h>
+#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoTextureBuffer.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace
+{
+using relievoTest::Pixels;
+using relievoTest::Values;
+using Part = relievoTest::RankScene;
+
+// How a step's picture equals that of one process.
+enum Likeness
+{
+  Same,    // in every bit
+  Rounded, // where a mesh is shared, or what passes several surfaces is multiplied
+  Mapped   // maps are merged, not their every bit
+};
+
+struct Step
+{
+  std::string Name;
+  Likeness Like;
+  std::function<void(Part&)> Do;
+  bool Exact = true; // by rays, in all processes
+  int Message = 0;   // that the first process says: 1 always, 2 if there are others
+};
+
+bool IsLast(const Part& part)
+{
+  return part.Rank == part.Ranks - 1;
+}
+
+const std::vector<Step> Steps = {
+  { "first", Same, [](Part&) {} },
+  { "still", Same, [](Part&) {} },
+  { "an actor turned", Same, [](Part& part) { part.Tall->RotateY(25.); } },
+  { "points moved", Same,
+    [](Part& part) {
+      vtkPoints* points = Part::GetMesh(part.Low)->GetPoints();
+      for (vtkIdType i = 0; points && i < points->GetNumberOfPoints(); ++i)
+      {
+        const double* p = points->GetPoint(i);
+        points->SetPoint(i, p[0] + 0.3, p[1] + 0.2 * p[0], p[2]);
+      }
+      if (points)
+      {
+        points->Modified();
+        Part::GetMesh(part.Low)->Modified();
+      }
+    } },
+  { "points moved within their bounds", Same,
+    [](Part& part) {
+      vtkPoints* points = Part::GetMesh(part.Low)->GetPoints();
+      for (vtkIdType i = 0; points && i < points->GetNumberOfPoints(); ++i)
+      {
+        const double* p = points->GetPoint(i);
+        points->SetPoint(i, p[0], p[1], p[0] > -1. && p[2] > 1. ? 0.6 : p[2]);
+      }
+      if (points)
+      {
+        points->Modified();
+        Part::GetMesh(part.Low)->Modified();
+      }
+    } },
+  { "hidden", Same, [](Part& part) { part.Tall->VisibilityOff(); } },
+  { "shown", Same, [](Part& part) { part.Tall->VisibilityOn(); } },
+  { "glyphs", Same, [](Part& part) { part.Glyphs->VisibilityOn(); } },
+  { "camera", Same,
+    [](Part& part) { part.Stage.Renderer->GetActiveCamera()->SetPosition(1.5, 3.2, 6.2); } },
+  { "far camera", Same,
+    [](Part& part) {
+      part.Stage.Renderer->GetActiveCamera()->SetPosition(4., 6., 9.);
+      part.Stage.Renderer->GetActiveCamera()->SetClippingRange(4., 20.);
+    } },
+  { "a shared ball", Rounded, [](Part& part) { part.Ball->VisibilityOn(); } },
+  { "panes", Rounded,
+    [](Part& part) {
+      part.Ball->VisibilityOff();
+      part.Stage.Renderer->GetActiveCamera()->SetPosition(2.5, 3., 6.);
+      part.Stage.Renderer->GetActiveCamera()->SetClippingRange(2., 14.);
+      for (const auto& pane : part.Panes)
+      {
+        pane->VisibilityOn();
+      }
+    } },
+  { "colours", Rounded, [](Part& part) { part.Shadows->ColoredShadowsOn(); } },
+  { "no colours", Rounded, [](Part& part) { part.Shadows->ColoredShadowsOff(); } },
+  { "no panes", Same,
+    [](Part& part) {
+      for (const auto& pane : part.Panes)
+      {
+        pane->VisibilityOff();
+      }
+    } },
+  { "wires", Mapped, [](Part& part) { part.Tall->GetProperty()->SetRepresentationToWireframe(); } },
+  { "no wires", Same, [](Part& part) { part.Tall->GetProperty()->SetRepresentationToSurface(); } },
+  { "released", Same,
+    [](Part& part) {
+      if (part.Rank == 0)
+      {
+        part.Shadows->ReleaseGraphicsResources(part.Stage.Window);
+      }
+    } },
+  { "no room on the last", Mapped,
+    [](Part& part) {
+      if (IsLast(part))
+      {
+        vtkRelievoTextureBuffer::SetMostTexels(64);
+      }
+      part.Tall->RotateY(10.);
+    },
+    false, 1 },
+  { "still none", Mapped, [](Part&) {}, false },
+  { "room, and something has changed on the first", Same,
+    [](Part& part) {
+      vtkRelievoTextureBuffer::SetMostTexels(0);
+      if (part.Rank == 0)
+      {
+        part.Tall->RotateY(10.);
+      }
+    } },
+  { "another method on the last", Mapped,
+    [](Part& part) {
+      if (IsLast(part))
+      {
+        part.Shadows->SetMethodToMap();
+      }
+    },
+    false, 2 },
+  { "the same method again", Same, [](Part& part) { part.Shadows->SetMethodToExact(); } },
+};
+
+std::vector<float> DrawAll(vtkMultiProcessController* controller)
+{
+  std::vector<float> numbers;
+  Part part(controller);
+  for (const Step& step : Steps)
+  {
+    step.Do(part);
+    const bool says =
+      part.Rank == 0 && (step.Message == 1 || (step.Message == 2 && part.Ranks > 1));
+    std::unique_ptr<relievoTest::ExpectMessage> expected(
+      says ? new relievoTest::ExpectMessage("Shadows are made with maps") : nullptr);
+    const long long before = relievoTest::GetBytesSent();
+    part.Record(numbers);
+    const long long sent = relievoTest::GetBytesSent() - before;
+    RELIEVO_CHECK_THAT(!says || expected->Count() == 1, step.Name + ": one message");
+    const int method = part.Shadows->GetMethodUsed();
+    RELIEVO_CHECK_THAT((method == vtkRelievoShadowPass::METHOD_EXACT) == step.Exact,
+      step.Name + ": method " + std::to_string(method));
+    if (step.Name == "still")
+    {
+      std::cout << "bytes sent for two frames in which nothing moves: " << sent << "\n";
+      RELIEVO_CHECK_AT_MOST(sent, part.Ranks > 1 ? 20000 : 0, "bytes of still frames");
+    }
+  }
+  vtkRelievoShadowCertificate* proof = part.Shadows->Certify(400);
+  if (RELIEVO_CHECK(proof))
+  {
+    std::cout << "judged by process " << part.Rank << ": " << proof->GetJudged() << ", wrong "
+              << proof->GetWrong() << "\n";
+    RELIEVO_CHECK(proof->GetWrong() == 0);
+    RELIEVO_CHECK(proof->GetJudged() > 0 || (part.Ranks == 4 && part.Rank == 2));
+  }
+  return numbers;
+}
+
+// Of each pixel the values of the process that sees the nearest surface.
+std::vector<float> Compose(const std::vector<std::vector<float>>& parts)
+{
+  std::vector<float> all = parts[0];
+  for (const std::vector<float>& part : parts)
+  {
+    for (std::size_t i = 0; i + Values <= std::min(all.size(), part.size()); i += Values)
+    {
+      if (part[i] < all[i])
+      {
+        std::copy_n(part.begin() + static_cast<std::ptrdiff_t>(i), Values,
+          all.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+    }
+  }
+  return all;
+}
+
+std::string Describe(const float* pixel)
+{
+  std::string words;
+  for (int i = 0; i < Values; ++i)
+  {
+    words += (i ? " " : "(") + std::to_string(pixel[i]);
+  }
+  return words + ")";
+}
+
+// Whether two pixels differ, but for rounding: of a verdict's 256 levels, and the picture's.
+bool AreUnlike(const float* a, const float* b, Likeness like)
+{
+  const float level = like == Same ? 0.f : 1.01f / 255.f;
+  bool unlike = a[0] != b[0] && !(std::isinf(a[0]) && std::isinf(b[0]));
+  for (int i = 1; i < Values; ++i)
+  {
+    const bool none = std::isnan(a[i]) && std::isnan(b[i]);
+    unlike = unlike || (!none && !(std::abs(a[i] - b[i]) <= (i < 3 ? level : 255.f * level)));
+  }
+  return unlike;
+}
+}
+
+int main()
+{
+  relievoTest::Session session;
+  const std::vector<float> one = Compose(relievoTest::RunRanks(1, DrawAll));
+  const std::size_t expected = Steps.size() * Pixels * Values;
+  RELIEVO_CHECK(one.size() == expected);
+  for (const int ranks : { 2, 4 })
+  {
+    const std::vector<float> several = Compose(relievoTest::RunRanks(ranks, DrawAll));
+    if (one.size() != expected || !RELIEVO_CHECK(several.size() == expected))
+    {
+      continue;
+    }
+    for (std::size_t step = 0; step < Steps.size(); ++step)
+    {
+      const float* a = one.data() + step * Pixels * Values;
+      const float* b = several.data() + step * Pixels * Values;
+      int unlike = 0;
+      std::string first;
+      int dark = 0;
+      int covered = 0;
+      for (int i = 0; i < Pixels * Values; i += Values)
+      {
+        if (AreUnlike(a + i, b + i, Steps[step].Like) && unlike++ == 0)
+        {
+          first = Describe(a + i) + " and " + Describe(b + i);
+        }
+        covered += std::isfinite(a[i]) ? 1 : 0;
+        dark += a[i + 1] < 1.f || a[i + 2] < 1.f ? 1 : 0;
+      }
+      const std::string what = Steps[step].Name + ", " + std::to_string(ranks) + " processes";
+      RELIEVO_CHECK_AT_MOST(unlike, Steps[step].Like == Same ? 0 : 2e-4 * Pixels,
+        what + ": pixels that differ " + first);
+      RELIEVO_CHECK_THAT(covered > Pixels / 4 && dark > covered / 20,
+        what + ": " + std::to_string(covered) + " pixels, " + std::to_string(dark) + " dark");
+    }
+  }
+  return session.Result();
+}

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Ranks.h
+ * @brief Several processes that draw together, without MPI: each a fork of the test.
+ */
+#ifndef relievoTestRanks_h
+#define relievoTestRanks_h
+
+#include <functional>
+#include <vector>
+
+class vtkMultiProcessController;
+
+namespace relievoTest
+{
+/**
+ * Runs `work` in so many new processes, and returns what each of them returns. Call it before
+ * anything is drawn or any thread started. Checks count as everywhere; the test also fails if a
+ * process ends otherwise, or if two of them meet in different collective calls: what the one sends
+ * is not what the other expects.
+ */
+std::vector<std::vector<float>> RunRanks(
+  int ranks, const std::function<std::vector<float>(vtkMultiProcessController*)>& work);
+
+/** Bytes that this process has sent to others, in all. */
+long long GetBytesSent();
+}
+
+#endif
