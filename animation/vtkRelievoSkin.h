@@ -15,10 +15,10 @@
  * `key_share`, 0 to 1. vtkRelievoModelReader (Pose REST, Skin off) gives all of these.
  *
  * The output has the mesh's cells and arrays; points (float or double, as they were or as
- * OutputPointsPrecision says), active normals and tangents are moved. Normals follow the inverse transpose of the blended matrix, so
- * they are right under non-uniform scale. Normals of cells are left out. Weights that do not sum to
- * 1 are rescaled; points without weight stay. The bones' field data is left out: a second skin
- * would start from moved points. Runs in threads.
+ * OutputPointsPrecision says), active normals and tangents are moved. Normals follow the inverse
+ * transpose of the blended matrix, so they are right under non-uniform scale. Normals of cells are
+ * left out. Weights that do not sum to 1 are rescaled; points without weight stay. The bones' field
+ * data is left out: a second skin would start from moved points. Runs in threads.
  *
  * Errors: one error event says what is missing; the output is empty.
  *

@@ -25,8 +25,8 @@ struct SkinBox
 
   void Add(const glm::dvec3& point); ///< what is not a number is left out
   void Add(const SkinBox& box);
-  /// Another box moved by a matrix, or only its turn about the origin, and larger by `reach`, and by
-  /// what `rounding` makes of its numbers: by default floats, with some to spare.
+  /// Another box moved by a matrix, or only its turn about the origin, and larger by `reach`, and
+  /// by what `rounding` makes of its numbers: by default floats, with some to spare.
   void Add(const SkinBox& box, const glm::dmat4& matrix, double reach, double rounding = 1e-6);
   void Move(const glm::dvec3& by); ///< an empty one stays empty
   bool IsEmpty() const { return !(this->Low.x <= this->High.x); }

@@ -20,8 +20,8 @@ namespace relievo
 /// Around all points of a mesh, also those of no cell.
 SkinBox GetBox(vtkPolyData* mesh);
 
-/// The middle of a box that lies farther from the origin than so many times its size (so near as 16,
-/// floats lose no more than four bits), in numbers that floats have; of other boxes the origin.
+/// The middle of a box that lies farther from the origin than so many times its size (so near as
+/// 16, floats lose no more than four bits), in numbers that floats have; of other boxes the origin.
 glm::dvec3 GetFarMiddle(const SkinBox& box, double sizes = 16.);
 
 /// Matrices that take points about the place `rest` to points about the place `moved`.

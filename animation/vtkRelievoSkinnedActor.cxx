@@ -18,6 +18,7 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <utility>
 
 vtkStandardNewMacro(vtkRelievoSkinnedActor);
 
@@ -219,9 +220,12 @@ int vtkRelievoSkinnedActor::GetIsIdentity()
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::GetKeyMatrices(vtkMatrix4x4*& toWorld, vtkMatrix3x3*& normals)
 {
-  this->Superclass::GetKeyMatrices(toWorld, normals);
+  // VTK keeps what it computes, from GetMatrix.
   Internals& in = *this->Inside;
-  if (!in.Draws)
+  const bool draws = std::exchange(in.Draws, false);
+  this->Superclass::GetKeyMatrices(toWorld, normals);
+  in.Draws = draws;
+  if (!draws)
   {
     return;
   }

@@ -147,7 +147,8 @@ std::string GetName(vtkPolyData* mesh, const char* array)
   return names ? names->GetValue(0) : "";
 }
 
-double LargestOff(vtkImageData* image)
+// Of all pixels, or of those in the fields.
+double LargestOff(vtkImageData* image, bool all)
 {
   double off = 0.;
   for (int y = 0; y < 24; ++y)
@@ -156,7 +157,8 @@ double LargestOff(vtkImageData* image)
     {
       int color[3];
       ColorOf(x, y, color);
-      for (int i = 0; i < 3; ++i)
+      const bool inner = x % 8 > 1 && x % 8 < 6 && y % 8 > 1 && y % 8 < 6;
+      for (int i = 0; i < 3 && (all || inner); ++i)
       {
         off = Larger(off, std::abs(image->GetScalarComponentAsDouble(x, y, 0, i) - color[i]));
       }
@@ -198,7 +200,8 @@ void TestWritten()
             image && image->GetDimensions()[0] == 16 && image->GetDimensions()[1] == 24))
       {
         // The lowest row first, at v = 0: Assimp turns glTF's coordinates over.
-        RELIEVO_CHECK_AT_MOST(LargestOff(image), each.Slack, std::string(each.Path) + ": colours");
+        RELIEVO_CHECK_AT_MOST(
+          LargestOff(image, each.Slack == 0.), each.Slack, std::string(each.Path) + ": colours");
       }
       RELIEVO_CHECK(reader->GetEmbeddedTexture(name.c_str()) == image);
     }
