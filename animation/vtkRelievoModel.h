@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -72,12 +73,21 @@ struct ModelMesh
   vtkSmartPointer<vtkPolyData> Data;
 };
 
+/// An image in the model's file: of an image's file the bytes, or texels.
+struct ModelImage
+{
+  std::vector<unsigned char> Bytes;
+  int Width = 0; ///< 0: a file; otherwise each texel has red, green, blue, alpha, the top row first
+  int Height = 0;
+};
+
 struct Model
 {
   std::vector<ModelNode> Nodes;
   std::vector<ModelMesh> Meshes;
   std::vector<ModelAnimation> Animations;
-  std::vector<std::string> Notes; ///< what was left out or mended, a sentence each
+  std::map<std::string, ModelImage> Images; ///< by the names that meshes have for them
+  std::vector<std::string> Notes;           ///< what was left out or mended, a sentence each
 };
 
 /// Node to world, for every node, from node to parent.

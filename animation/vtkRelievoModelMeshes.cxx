@@ -3,17 +3,14 @@
 #include "vtkRelievoModelParts.h"
 
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoSkinMiddle.h"
 
 #include "vtkCellArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
-
-#include <assimp/material.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,11 +24,26 @@ bool IsFinite(const aiVector3D& v)
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+// Where the node puts the mesh far from the origin, floats would lose what the file has.
+bool IsFar(const aiMesh* mesh, const glm::dmat4& place)
+{
+  SkinBox box;
+  for (unsigned int i = 0; i < mesh->mNumVertices; ++i)
+  {
+    const aiVector3D& v = mesh->mVertices[i];
+    if (IsFinite(v))
+    {
+      box.Add(glm::dvec3(place * glm::dvec4(v.x, v.y, v.z, 1.)));
+    }
+  }
+  return GetFarMiddle(box, 1000.) != glm::dvec3(0.);
+}
+
 void ReadPoints(const aiMesh* mesh, const std::string& name, const glm::dmat4& place,
   vtkPolyData* output, Model& model)
 {
   vtkNew<vtkPoints> points;
-  points->SetDataType(VTK_FLOAT);
+  points->SetDataType(IsFar(mesh, place) ? VTK_DOUBLE : VTK_FLOAT);
   points->SetNumberOfPoints(mesh->mNumVertices);
   unsigned int unfit = 0;
   for (unsigned int i = 0; i < mesh->mNumVertices; ++i)
@@ -136,39 +148,6 @@ void ReadFaces(const aiMesh* mesh, const std::string& name, vtkPolyData* output,
       " faces name points that are not there, and are left out");
   }
 }
-
-void AddText(const char* name, const std::string& text, vtkPolyData* output)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  array->InsertNextValue(text);
-  output->GetFieldData()->AddArray(array);
-}
-
-// What a picture needs, for programs that draw: colours as the file has them, sRGB.
-void ReadMaterial(const aiMaterial* material, vtkPolyData* output)
-{
-  aiColor4D color(1.f, 1.f, 1.f, 1.f);
-  if (material->Get(AI_MATKEY_BASE_COLOR, color) == aiReturn_SUCCESS ||
-    material->Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS)
-  {
-    vtkNew<vtkFloatArray> base;
-    base->SetName("base_color");
-    base->SetNumberOfComponents(4);
-    base->InsertNextTuple4(color.r, color.g, color.b, color.a);
-    output->GetFieldData()->AddArray(base);
-  }
-  aiString path;
-  if (material->GetTexture(aiTextureType_BASE_COLOR, 0, &path) == aiReturn_SUCCESS ||
-    material->GetTexture(aiTextureType_DIFFUSE, 0, &path) == aiReturn_SUCCESS)
-  {
-    AddText("base_color_texture", path.C_Str(), output);
-  }
-  if (material->GetTexture(aiTextureType_NORMALS, 0, &path) == aiReturn_SUCCESS)
-  {
-    AddText("normal_texture", path.C_Str(), output);
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -191,7 +170,7 @@ void ReadMesh(const aiScene* scene, const aiMesh* mesh, int node, const glm::dma
   ReadFaces(mesh, result.Name, result.Data, model);
   if (scene->mMaterials && mesh->mMaterialIndex < scene->mNumMaterials)
   {
-    ReadMaterial(scene->mMaterials[mesh->mMaterialIndex], result.Data);
+    ReadMaterial(scene, scene->mMaterials[mesh->mMaterialIndex], result.Data, model);
   }
   ReadBones(mesh, node, place, numbers, weights, result.Data, model);
   model.Meshes.push_back(result);

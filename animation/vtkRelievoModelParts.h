@@ -42,6 +42,11 @@ void ReadKeyModes(const std::string& path, const NodeNumbers& numbers, Model& mo
 void ReadMesh(const aiScene* scene, const aiMesh* mesh, int node, const glm::dmat4& place,
   const NodeNumbers& numbers, int weights, Model& model);
 
+/// Gives the mesh's polydata its colour and the names of its textures, and the model the images
+/// that are in the file.
+void ReadMaterial(
+  const aiScene* scene, const aiMaterial* material, vtkPolyData* output, Model& model);
+
 /// Gives the mesh's polydata `joints`, `weights` and the bones' field data. A mesh without bones
 /// follows its node.
 void ReadBones(const aiMesh* mesh, int node, const glm::dmat4& place, const NodeNumbers& numbers,

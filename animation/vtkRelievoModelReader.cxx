@@ -124,8 +124,8 @@ void vtkRelievoModelReader::MakeMesh(std::size_t place, vtkPolyData* skeleton, v
   }
   else
   {
-    const std::string wrong = relievo::SkinMesh(
-      source.Data, skeleton, static_cast<relievo::SkinMethod>(this->Method), mesh);
+    const std::string wrong = relievo::SkinMesh(source.Data, skeleton,
+      static_cast<relievo::SkinMethod>(this->Method), vtkAlgorithm::DEFAULT_PRECISION, mesh);
     if (!wrong.empty())
     {
       vtkErrorMacro("mesh '" << source.Name << "': " << wrong);

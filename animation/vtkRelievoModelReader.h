@@ -13,7 +13,8 @@
  * the file, in world coordinates. Point arrays: `joints` (int; places in the mesh's list of bones,
  * the strongest first, -1 for none), `weights` (float, sum 1), `Normals`, `TextureCoordinates` and
  * `RGBA` where the file has them. Field data: `base_color`, `base_color_texture`, `normal_texture`
- * (names as in the file), and, at rest only, the bones for vtkRelievoSkin. A mesh without bones
+ * (names as in the file; GetEmbeddedTexture() has those that are in it), `normal_strength` (glTF's
+ * scale of the normal map), and, at rest only, the bones for vtkRelievoSkin. A mesh without bones
  * follows its node: one bone, weight 1.
  *
  * Port 1 is the skeleton: a point for each node of the file's tree, with the point arrays `pose`,
@@ -39,6 +40,7 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for what was read
 
+class vtkImageData;
 class vtkPolyData;
 class vtkStringArray;
 
@@ -181,6 +183,16 @@ public:
   int GetNumberOfAnimations();
   const char* GetAnimationName(int index); ///< null when there is none
   vtkStringArray* GetAnimationNames();     ///< all of them
+  ///@}
+
+  ///@{
+  /**
+   * An image in the file itself, by the name that a mesh has for it (`base_color_texture`,
+   * `normal_texture`), the lowest row first; nullptr if there is none of this name, or if it is
+   * damaged, or neither PNG, JPEG nor bare texels, which is said once. After Update().
+   */
+  vtkImageData* GetEmbeddedTexture(const char* name);
+  bool HasEmbeddedTexture(const char* name);
   ///@}
 
   ///@{

@@ -5,6 +5,7 @@
 #include "vtkRelievoModelReaderInternals.h"
 
 #include "vtkRelievoModelFile.h"
+#include "vtkRelievoModelImages.h"
 
 #include "vtkErrorCode.h"
 
@@ -156,6 +157,34 @@ vtkStringArray* vtkRelievoModelReader::GetBoneNames()
     }
   }
   return this->Self->Bones;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkRelievoModelReader::GetEmbeddedTexture(const char* name)
+{
+  Internals& self = *this->Self;
+  const auto found = self.Model.Images.find(name ? name : "");
+  if (found == self.Model.Images.end())
+  {
+    return nullptr;
+  }
+  const auto [known, isNew] = self.Images.emplace(found->first, nullptr);
+  if (isNew)
+  {
+    std::string wrong;
+    known->second = relievo::DecodeImage(found->second, wrong);
+    if (!wrong.empty())
+    {
+      vtkErrorMacro(<< self.Path << ": the image '" << found->first << "' in it: " << wrong);
+    }
+  }
+  return known->second;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoModelReader::HasEmbeddedTexture(const char* name)
+{
+  return this->Self->Model.Images.count(name ? name : "") > 0;
 }
 
 //------------------------------------------------------------------------------

@@ -11,9 +11,11 @@
 #include "vtkRelievoModelReader.h"
 #include "vtkRelievoModelSources.h"
 
+#include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
+#include <map>
 #include <set>
 #include <string>
 
@@ -25,7 +27,8 @@ struct vtkRelievoModelReader::Internals
   relievo::ModelSources Sources;
   int Weights = 0;
   bool Stands = false;
-  std::set<std::string> Refused; // which names were complained about
+  std::set<std::string> Refused;                               // which names were complained about
+  std::map<std::string, vtkSmartPointer<vtkImageData>> Images; // those that were asked for
   vtkSmartPointer<vtkStringArray> Names = vtkSmartPointer<vtkStringArray>::New();
   vtkSmartPointer<vtkStringArray> Bones = vtkSmartPointer<vtkStringArray>::New();
 

@@ -38,8 +38,8 @@ int vtkRelievoSkin::RequestData(
   vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* skeleton = vtkPolyData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const std::string wrong =
-    relievo::SkinMesh(mesh, skeleton, static_cast<relievo::SkinMethod>(this->Method), output);
+  const std::string wrong = relievo::SkinMesh(mesh, skeleton,
+    static_cast<relievo::SkinMethod>(this->Method), this->OutputPointsPrecision, output);
   if (!wrong.empty() && this->Errors->IsNew(wrong))
   {
     vtkErrorMacro("" << wrong);
@@ -53,4 +53,5 @@ void vtkRelievoSkin::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << this->Method << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

@@ -14,11 +14,11 @@
  * bone to the world). KEY_MATRIX takes `pose_before` and `pose_after` instead, and the field data
  * `key_share`, 0 to 1. vtkRelievoModelReader (Pose REST, Skin off) gives all of these.
  *
- * The output has the mesh's cells and arrays; points (float or double, as they were), active
- * normals and tangents are moved. Normals follow the inverse transpose of the blended matrix, so
- * they are right under non-uniform scale. Normals of cells are left out. Weights that do not sum to
- * 1 are rescaled; points without weight stay. The bones' field data is left out: a second skin
- * would start from moved points. Runs in threads.
+ * The output has the mesh's cells and arrays; points (float or double, as they were or as
+ * OutputPointsPrecision says), active normals and tangents are moved. Normals follow the inverse
+ * transpose of the blended matrix, so they are right under non-uniform scale. Normals of cells are
+ * left out. Weights that do not sum to 1 are rescaled; points without weight stay. The bones' field
+ * data is left out: a second skin would start from moved points. Runs in threads.
  *
  * Errors: one error event says what is missing; the output is empty.
  *
@@ -65,6 +65,15 @@ public:
   vtkGetMacro(Method, int);
   ///@}
 
+  ///@{
+  /**
+   * Of the points: SINGLE_PRECISION, DOUBLE_PRECISION (computed so as well, for poses far from the
+   * origin, where floats have few digits), or as they were. Default: DEFAULT_PRECISION.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
   /** The skeleton (port 1). */
   void SetSkeletonConnection(vtkAlgorithmOutput* skeleton)
   {
@@ -83,6 +92,7 @@ private:
   void operator=(const vtkRelievoSkin&) = delete;
 
   int Method = LINEAR;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
   std::unique_ptr<relievo::ErrorOnce> Errors;
 };
 

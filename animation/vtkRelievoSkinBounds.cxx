@@ -14,8 +14,6 @@ namespace relievo
 {
 namespace
 {
-constexpr double Rounding = 1e-6; // of floats, with some to spare
-
 glm::dvec3 GetMiddle(const SkinBox& box)
 {
   return (box.Low + box.High) * 0.5;
@@ -51,7 +49,7 @@ void SkinBox::Add(const SkinBox& box)
 }
 
 //------------------------------------------------------------------------------
-void SkinBox::Add(const SkinBox& box, const glm::dmat4& matrix, double reach)
+void SkinBox::Add(const SkinBox& box, const glm::dmat4& matrix, double reach, double rounding)
 {
   if (box.IsEmpty())
   {
@@ -59,9 +57,16 @@ void SkinBox::Add(const SkinBox& box, const glm::dmat4& matrix, double reach)
   }
   const glm::dvec3 middle(matrix * glm::dvec4(GetMiddle(box), 1.));
   const glm::dvec3 half = Spread(glm::dmat3(matrix), GetHalf(box)) + glm::dvec3(reach);
-  const glm::dvec3 rounding = (glm::abs(middle) + half) * Rounding;
-  this->Add(middle - half - rounding);
-  this->Add(middle + half + rounding);
+  const glm::dvec3 room = (glm::abs(middle) + half) * rounding;
+  this->Add(middle - half - room);
+  this->Add(middle + half + room);
+}
+
+//------------------------------------------------------------------------------
+void SkinBox::Move(const glm::dvec3& by)
+{
+  this->Low += by;
+  this->High += by;
 }
 
 //------------------------------------------------------------------------------
@@ -110,9 +115,11 @@ void SkinBounds::Add(const SkinBounds& other)
 }
 
 //------------------------------------------------------------------------------
-SkinBox SkinBounds::GetOfMatrices(const std::vector<glm::dmat4>& matrices) const
+SkinBox SkinBounds::GetOfMatrices(
+  const std::vector<glm::dmat4>& matrices, const glm::dvec3& unmovedBy) const
 {
   SkinBox all = this->Unmoved;
+  all.Move(unmovedBy);
   for (const auto& [bones, pair] : this->Pairs)
   {
     all.Add(pair.Box, matrices[static_cast<std::size_t>(bones.first)], 0.);
@@ -129,7 +136,8 @@ SkinBox SkinBounds::GetOfMatrices(const std::vector<glm::dmat4>& matrices) const
 // point as s stretches it, the blended turns put that to the sum of w_i x_i times q_i conj(q), by
 // |q|^2, which is no farther than the sum of w_i |x_i| / |q|, and |q| is at least the sum of
 // w_i q_i.q_s. The blended stretches differ from that of s by the sum of w_i (S_i - S_s).
-SkinBox SkinBounds::GetOfMotions(const std::vector<glm::dmat4>& matrices) const
+SkinBox SkinBounds::GetOfMotions(
+  const std::vector<glm::dmat4>& matrices, const glm::dvec3& unmovedBy) const
 {
   std::vector<BoneMotion<double>> motions;
   std::vector<glm::dmat4> rigid;
@@ -144,6 +152,7 @@ SkinBox SkinBounds::GetOfMotions(const std::vector<glm::dmat4>& matrices) const
     return glm::length(glm::abs(middle) + Spread(glm::dmat3(m), GetHalf(box)));
   };
   SkinBox all = this->Unmoved;
+  all.Move(unmovedBy);
   for (const auto& [bones, pair] : this->Pairs)
   {
     const auto strongest = static_cast<std::size_t>(bones.first);

@@ -25,8 +25,10 @@ struct SkinBox
 
   void Add(const glm::dvec3& point); ///< what is not a number is left out
   void Add(const SkinBox& box);
-  /// Another box moved by a matrix, or only its turn about the origin, and larger by `reach`.
-  void Add(const SkinBox& box, const glm::dmat4& matrix, double reach);
+  /// Another box moved by a matrix, or only its turn about the origin, and larger by `reach`, and
+  /// by what `rounding` makes of its numbers: by default floats, with some to spare.
+  void Add(const SkinBox& box, const glm::dmat4& matrix, double reach, double rounding = 1e-6);
+  void Move(const glm::dvec3& by); ///< an empty one stays empty
   bool IsEmpty() const { return !(this->Low.x <= this->High.x); }
 };
 
@@ -39,12 +41,15 @@ public:
   /// All that another has.
   void Add(const SkinBounds& other);
 
-  /// Around all points, blended by matrices: between the places where their bones alone put them.
-  SkinBox GetOfMatrices(const std::vector<glm::dmat4>& matrices) const;
+  /// Around all points, blended by matrices: between the places where their bones alone put them;
+  /// those of no bone are moved by `unmovedBy`.
+  SkinBox GetOfMatrices(
+    const std::vector<glm::dmat4>& matrices, const glm::dvec3& unmovedBy = glm::dvec3(0.)) const;
 
   /// Around all points, blended by dual quaternions: near the place where the strongest bone alone
   /// puts them, by as much as the others disagree.
-  SkinBox GetOfMotions(const std::vector<glm::dmat4>& matrices) const;
+  SkinBox GetOfMotions(
+    const std::vector<glm::dmat4>& matrices, const glm::dvec3& unmovedBy = glm::dvec3(0.)) const;
 
 private:
   // Of the points with this strongest bone and that other one; the bone itself where it is alone.

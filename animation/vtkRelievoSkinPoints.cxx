@@ -5,10 +5,12 @@
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoSkinBlend.h"
 #include "vtkRelievoSkinBones.h"
+#include "vtkRelievoSkinMiddle.h"
 #include "vtkRelievoSkinNames.h"
 #include "vtkRelievoSkinWeights.h"
 #include "vtkRelievoThreads.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -38,6 +40,7 @@ struct Arrays
 {
   const Real* From;
   Real* To;
+  glm::vec<3, Real> Middle; // of the points at rest, about which the matrices take them
   Directions Normals;
   Directions Tangents;
 };
@@ -81,7 +84,7 @@ template <typename Real, typename Blend>
     Four<Real> at = change.Columns[3];
     for (std::size_t j = 0; j < 3; ++j)
     {
-      at.Add(change.Columns[j], p[j]);
+      at.Add(change.Columns[j], p[j] - arrays.Middle[static_cast<int>(j)]);
     }
     for (int j = 0; j < 3; ++j)
     {
@@ -156,7 +159,7 @@ Directions MakeDirections(vtkDataArray* array, int attribute, vtkIdType count, v
 
 //------------------------------------------------------------------------------
 std::string SkinMesh(
-  vtkPolyData* input, vtkPolyData* skeleton, SkinMethod method, vtkPolyData* output)
+  vtkPolyData* input, vtkPolyData* skeleton, SkinMethod method, int precision, vtkPolyData* output)
 {
   output->Initialize();
   const vtkIdType count = input->GetNumberOfPoints();
@@ -197,23 +200,36 @@ std::string SkinMesh(
   const Directions tangents = MakeDirections(
     input->GetPointData()->GetTangents(), vtkDataSetAttributes::TANGENTS, count, data, held);
 
+  // Far from the origin, bones whose matrices cancel there lose nothing about the mesh's middle.
+  const glm::dvec3 middle = GetFarMiddle(GetBox(input));
+  matrices = GetMatricesAbout(matrices, middle, glm::dvec3(0.));
+  vtkDataArray* rest = input->GetPoints()->GetData();
   vtkNew<vtkPoints> points;
-  if (auto* wide = vtkDoubleArray::SafeDownCast(input->GetPoints()->GetData()))
+  if (rest->GetDataType() == VTK_DOUBLE || precision == vtkAlgorithm::DOUBLE_PRECISION)
   {
+    const auto from = As<vtkDoubleArray>(rest);
     points->SetDataType(VTK_DOUBLE);
     points->SetNumberOfPoints(count);
     double* to = vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0);
     MoveAll<double>(
-      method, matrices, weights, { wide->GetPointer(0), to, normals, tangents }, count);
+      method, matrices, weights, { from->GetPointer(0), to, middle, normals, tangents }, count);
   }
   else
   {
-    const auto from = As<vtkFloatArray>(input->GetPoints()->GetData());
+    const auto from = As<vtkFloatArray>(rest);
     points->SetDataType(VTK_FLOAT);
     points->SetNumberOfPoints(count);
     float* to = vtkFloatArray::SafeDownCast(points->GetData())->GetPointer(0);
-    MoveAll<float>(
-      method, matrices, weights, { from->GetPointer(0), to, normals, tangents }, count);
+    MoveAll<float>(method, matrices, weights,
+      { from->GetPointer(0), to, glm::vec3(middle), normals, tangents }, count);
+  }
+  if (precision == vtkAlgorithm::SINGLE_PRECISION && points->GetDataType() == VTK_DOUBLE)
+  {
+    vtkNew<vtkPoints> single;
+    single->SetDataType(VTK_FLOAT);
+    single->DeepCopy(points);
+    output->SetPoints(single);
+    return "";
   }
   output->SetPoints(points);
   return "";

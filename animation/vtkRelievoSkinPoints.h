@@ -20,9 +20,10 @@ enum class SkinMethod
 };
 
 /// The output is the input with other points, normals and tangents, and without the bones' field
-/// data. Points without weight stay. Returns "", or what is missing, and then the output is empty.
+/// data. Points without weight stay. `precision`: of the points, as vtkAlgorithm names it. Returns
+/// "", or what is missing, and then the output is empty.
 std::string SkinMesh(
-  vtkPolyData* input, vtkPolyData* skeleton, SkinMethod method, vtkPolyData* output);
+  vtkPolyData* input, vtkPolyData* skeleton, SkinMethod method, int precision, vtkPolyData* output);
 }
 
 #endif

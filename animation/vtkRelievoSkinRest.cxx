@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoSkinRest.h"
 
+#include "vtkRelievoSkinMiddle.h"
 #include "vtkRelievoSkinNames.h"
 #include "vtkRelievoSkinWeights.h"
 #include "vtkRelievoThreads.h"
@@ -128,13 +129,17 @@ int vtkRelievoSkinRest::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  vtkPolyData* about = vtkPolyData::GetData(outputVector, 1);
   output->ShallowCopy(input);
+  about->ShallowCopy(input);
   relievo::SkinWeights weights;
   this->Wrong = input->GetNumberOfPoints() > 0 ? weights.Read(input) : std::string();
   if (input->GetNumberOfPoints() == 0 || !this->Wrong.empty())
   {
     this->Influences = 0;
     this->PointBounds = relievo::SkinBounds();
+    this->Middle = glm::dvec3(0.);
+    this->About = nullptr;
     this->Cut = 0;
     this->Times.clear();
     this->Arrays.clear();
@@ -169,6 +174,11 @@ int vtkRelievoSkinRest::RequestData(
   if (vtkDataArray* normals = output->GetCellData()->GetNormals())
   {
     output->GetCellData()->RemoveArray(normals->GetName());
+  }
+  about->ShallowCopy(output);
+  if (this->About)
+  {
+    about->SetPoints(this->About);
   }
   return 1;
 }
@@ -212,6 +222,16 @@ void vtkRelievoSkinRest::Prepare(
   const vtkIdType count = input->GetNumberOfPoints();
   this->Count(weights, bones, count);
   this->Arrays.clear();
+  this->Middle = relievo::GetFarMiddle(relievo::GetBox(input));
+  this->About = nullptr;
+  float* abouts = nullptr;
+  if (this->Middle != glm::dvec3(0.))
+  {
+    this->About = vtkSmartPointer<vtkPoints>::New();
+    this->About->SetDataType(VTK_FLOAT);
+    this->About->SetNumberOfPoints(count);
+    abouts = vtkFloatArray::SafeDownCast(this->About->GetData())->GetPointer(0);
+  }
   float* places[2] = {};
   float* shares[2] = {};
   for (int four = 0; 4 * four < this->Influences; ++four)
@@ -258,7 +278,12 @@ void vtkRelievoSkinRest::Prepare(
       }
       double p[3];
       input->GetPoint(i, p);
-      own.Add(glm::dvec3(p[0], p[1], p[2]), point.Joints, point.Weights, kept);
+      const glm::dvec3 at = glm::dvec3(p[0], p[1], p[2]) - this->Middle;
+      own.Add(at, point.Joints, point.Weights, kept);
+      for (int axis = 0; axis < 3 && abouts; ++axis)
+      {
+        abouts[3 * i + axis] = static_cast<float>(at[axis]);
+      }
     }
   };
   this->PointBounds = relievo::SkinBounds();

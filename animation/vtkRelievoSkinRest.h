@@ -3,7 +3,8 @@
 /**
  * Prepares a mesh with bones for the vertex shader: its joints and weights as arrays of four
  * components, strongest first, of sum 1, without joints that are not there. Where points lose
- * influences, `joints` and `weights` lose them too.
+ * influences, `joints` and `weights` lose them too. Port 1 has the same with points about
+ * GetMiddle(), for the floats of the graphics card.
  */
 #ifndef vtkRelievoSkinRest_h
 #define vtkRelievoSkinRest_h
@@ -12,10 +13,13 @@
 #include "vtkRelievoSkinBounds.h"
 #include "vtkSmartPointer.h"
 
+#include <glm/vec3.hpp>
+
 #include <string>
 #include <vector>
 
 class vtkDataArray;
+class vtkPoints;
 
 namespace relievo
 {
@@ -38,14 +42,17 @@ public:
 
   int GetInfluences() const { return this->Influences; } ///< most of a point; 0: nothing moves
   const std::string& GetWrong() const { return this->Wrong; }
+  /// Of the points about GetMiddle().
   const relievo::SkinBounds& GetSkinBounds() const { return this->PointBounds; }
+  /// Of a mesh far from the origin, otherwise the origin.
+  const glm::dvec3& GetMiddle() const { return this->Middle; }
   /// Another number when what a pose moves is another: points, directions, joints, weights, bones;
   /// colours are not. Above 0.
   vtkMTimeType GetVersion() const { return this->Version; }
   vtkIdType GetNumberOfCut() const { return this->Cut; } ///< points that lost influences
 
 protected:
-  vtkRelievoSkinRest() = default;
+  vtkRelievoSkinRest() { this->SetNumberOfOutputPorts(2); }
   ~vtkRelievoSkinRest() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -60,6 +67,8 @@ private:
   int Influences = 0;
   std::string Wrong;
   relievo::SkinBounds PointBounds;
+  glm::dvec3 Middle{ 0. };
+  vtkSmartPointer<vtkPoints> About; // null at the origin
   vtkIdType Cut = 0;
   std::vector<vtkMTimeType> Times;      // of what it was made of
   std::vector<vtkMTimeType> Directions; // of normals and tangents

@@ -18,6 +18,7 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <utility>
 
 vtkStandardNewMacro(vtkRelievoSkinnedActor);
 
@@ -108,14 +109,16 @@ double* vtkRelievoSkinnedActor::GetBounds()
     CopyBox(box, this->Bounds);
     return this->Bounds;
   }
-  vtkMatrix4x4* matrix = this->GetMatrix();
+  vtkMatrix4x4* matrix = this->Superclass::GetMatrix();
   glm::dmat4 toWorld;
   for (int i = 0; i < 16; ++i)
   {
     toWorld[i % 4][i / 4] = matrix->GetElement(i / 4, i % 4);
   }
   relievo::SkinBox placed;
-  placed.Add(box, toWorld, 0.);
+  // Far from the origin VTK places it in double; the box has room for the shader's floats.
+  const bool far = this->Inside->Middle != glm::dvec3(0.);
+  placed.Add(box, toWorld, 0., far ? 1e-14 : 1e-6);
   CopyBox(placed, this->Bounds);
   return this->Bounds;
 }
@@ -172,20 +175,82 @@ void vtkRelievoSkinnedActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
       this->Refuse(wrong);
     }
   }
-  if (!in.Shader.Moves())
+  if (in.Middle != glm::dvec3(0.))
   {
-    this->Superclass::Render(renderer, mapper);
+    const double middle[4] = { in.Middle.x, in.Middle.y, in.Middle.z, 1. };
+    double place[4];
+    in.Placed->DeepCopy(this->Superclass::GetMatrix());
+    in.Placed->MultiplyPoint(middle, place);
+    for (int i = 0; i < 4; ++i)
+    {
+      in.Placed->SetElement(i, 3, place[i]);
+    }
+    in.Draws = true;
+  }
+  if (in.Shader.Moves())
+  {
+    in.Bones.Activate();
+  }
+  this->Superclass::Render(renderer, mapper);
+  in.Draws = false;
+  if (in.Shader.Moves())
+  {
+    in.Bones.Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMatrix4x4* vtkRelievoSkinnedActor::GetMatrix()
+{
+  return this->Inside->Draws ? this->Inside->Placed : this->Superclass::GetMatrix();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::GetMatrix(vtkMatrix4x4* result)
+{
+  result->DeepCopy(this->GetMatrix());
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSkinnedActor::GetIsIdentity()
+{
+  return this->Inside->Draws ? 0 : this->Superclass::GetIsIdentity();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::GetKeyMatrices(vtkMatrix4x4*& toWorld, vtkMatrix3x3*& normals)
+{
+  // VTK keeps what it computes, from GetMatrix.
+  Internals& in = *this->Inside;
+  const bool draws = std::exchange(in.Draws, false);
+  this->Superclass::GetKeyMatrices(toWorld, normals);
+  in.Draws = draws;
+  if (!draws)
+  {
     return;
   }
-  in.Bones.Activate();
-  this->Superclass::Render(renderer, mapper);
-  in.Bones.Deactivate();
+  // As OpenGL has matrices: the move is the last row.
+  in.PlacedTransposed->DeepCopy(toWorld);
+  for (int i = 0; i < 4; ++i)
+  {
+    const double place = in.Middle.x * toWorld->GetElement(0, i) +
+      in.Middle.y * toWorld->GetElement(1, i) + in.Middle.z * toWorld->GetElement(2, i) +
+      toWorld->GetElement(3, i);
+    in.PlacedTransposed->SetElement(3, i, place);
+  }
+  toWorld = in.PlacedTransposed;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::SetUniforms(vtkObject*, unsigned long, void* program)
 {
-  this->Inside->Bones.SetUniform(static_cast<vtkShaderProgram*>(program));
+  auto* shaders = static_cast<vtkShaderProgram*>(program);
+  this->Inside->Bones.SetUniform(shaders);
+  if (shaders->IsUniformUsed("relievoUnmovedBy"))
+  {
+    const glm::vec3 by(this->Inside->UnmovedBy);
+    shaders->SetUniform3f("relievoUnmovedBy", &by.x);
+  }
 }
 
 //------------------------------------------------------------------------------

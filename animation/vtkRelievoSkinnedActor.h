@@ -21,9 +21,11 @@
  * The skeleton is brought up to date with each frame. Only a pose that differs from the one before
  * counts as a change, and draws shadow maps anew.
  *
- * Limits: floats are all that the graphics card computes with, so a model far from the origin loses
- * digits there (vtkRelievoSkin computes in double where points are double). At most 8 bones move a
- * point; the weaker ones are left out, with a warning.
+ * Far from the origin, where floats have few digits, points and bones are about the middle of the
+ * mesh and of the pose, and VTK's matrices have the rest in double; GetMovedMesh() then has points
+ * in double. The mapper's own input is about that middle, too: take the mesh from where it came.
+ *
+ * Limits: at most 8 bones move a point; the weaker ones are left out, with a warning.
  *
  * Errors: one error event says what is missing; the mesh is then drawn at rest.
  */
@@ -97,6 +99,17 @@ public:
   double GetRoundedReach() override;
   int GetNumberOfMovingReplacements() const override;
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
+  ///@{
+  /**
+   * The actor's, but for VTK's mapper while it draws a mesh far from the origin: then from where
+   * the shader has its points.
+   */
+  using vtkOpenGLActor::GetMatrix;
+  vtkMatrix4x4* GetMatrix() override;
+  void GetMatrix(vtkMatrix4x4* result) override;
+  int GetIsIdentity() override;
+  void GetKeyMatrices(vtkMatrix4x4*& toWorld, vtkMatrix3x3*& normals) override;
+  ///@}
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

@@ -13,10 +13,13 @@
 #include "vtkRelievoSkinShader.h"
 #include "vtkRelievoSkinnedActor.h"
 
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkTimeStamp.h"
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 
 #include <string>
 #include <vector>
@@ -38,6 +41,11 @@ struct vtkRelievoSkinnedActor::Internals
 
   std::vector<glm::dmat4> Matrices;
   relievo::SkinBox Box;
+  glm::dvec3 Middle{ 0. };    // about which the shader has its moved points
+  glm::dvec3 UnmovedBy{ 0. }; // of points without a bone: from about one middle to about the other
+  bool Draws = false;         // VTK asks where these points are, not the mesh's own
+  vtkNew<vtkMatrix4x4> Placed;
+  vtkNew<vtkMatrix4x4> PlacedTransposed;
   double Reach = 0.;     // what the shader rounds
   std::size_t Unfit = 0; // texels of bones that the window refused; 0: none yet
   std::string WhyUnfit;
@@ -47,6 +55,9 @@ struct vtkRelievoSkinnedActor::Internals
   vtkTimeStamp PoseTime;
   std::string Said; // what is wrong, for the last time
   relievo::SkinShader Shader;
+
+  void SetAtRest();
+  void SetMoved(const std::vector<glm::dmat4>& matrices, bool dual);
 };
 
 #endif

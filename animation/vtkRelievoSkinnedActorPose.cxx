@@ -5,6 +5,7 @@
 #include "vtkRelievoSkinnedActorInternals.h"
 
 #include "vtkRelievoSkinBones.h"
+#include "vtkRelievoSkinMiddle.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkPointData.h"
@@ -31,18 +32,6 @@ double GetLargest(const relievo::SkinBox& box, const std::vector<glm::dmat4>& ma
   }
   return largest;
 }
-
-relievo::SkinBox GetBox(vtkPolyData* mesh)
-{
-  relievo::SkinBox box;
-  const double* b = mesh->GetBounds();
-  if (mesh->GetNumberOfPoints() > 0)
-  {
-    box.Add(glm::dvec3(b[0], b[2], b[4]));
-    box.Add(glm::dvec3(b[1], b[3], b[5]));
-  }
-  return box;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -63,9 +52,57 @@ void vtkRelievoSkinnedActor::Refuse(const std::string& wrong)
   this->Complain(wrong + ". The mesh is drawn at rest.");
   in.Matrices.clear();
   in.Reach = 0.;
-  in.Box = GetBox(in.Rest->GetOutput());
+  in.SetAtRest();
   in.PoseTime.Modified();
   in.Shader.Set(this->GetShaderProperty(), this->Mesh, 0, false);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::Internals::SetAtRest()
+{
+  this->Box = relievo::GetBox(this->Rest->GetOutput());
+  this->Middle = this->Rest->GetMiddle();
+}
+
+//------------------------------------------------------------------------------
+// Far from the origin the shader has points and bones about a middle, of the mesh and of the pose;
+// what lies between these and the world is in VTK's matrices, in double.
+void vtkRelievoSkinnedActor::Internals::SetMoved(const std::vector<glm::dmat4>& matrices, bool dual)
+{
+  const relievo::SkinBounds& bounds = this->Rest->GetSkinBounds();
+  const glm::dvec3 rest = this->Rest->GetMiddle();
+  std::vector<glm::dmat4> about = relievo::GetMatricesAbout(matrices, rest, glm::dvec3(0.));
+  const auto getBox = [&]() {
+    return dual ? bounds.GetOfMotions(about, this->UnmovedBy)
+                : bounds.GetOfMatrices(about, this->UnmovedBy);
+  };
+  this->UnmovedBy = rest;
+  this->Box = getBox();
+  this->Middle = relievo::GetFarMiddle(this->Box);
+  if (this->Middle != glm::dvec3(0.))
+  {
+    // Once more, as its rounding is much there.
+    about = relievo::GetMatricesAbout(matrices, rest, this->Middle);
+    this->UnmovedBy = rest - this->Middle;
+    this->Box = getBox();
+    this->Box.Move(this->Middle);
+  }
+  if (dual)
+  {
+    this->Bones.SetMotions(about);
+  }
+  else
+  {
+    this->Bones.SetMatrices(about);
+  }
+  // Floats would lose what the pose moves so far.
+  this->Skin->SetOutputPointsPrecision(this->Middle != glm::dvec3(0.)
+      ? vtkAlgorithm::DOUBLE_PRECISION
+      : vtkAlgorithm::DEFAULT_PRECISION);
+  relievo::SkinBox box = relievo::GetBox(this->Rest->GetOutput());
+  box.Move(-rest);
+  // Roundings in a row, here and in vtkRelievoSkin, which the shader is compared with.
+  this->Reach = (dual ? 8. : 4.) * GetLargest(box, about);
 }
 
 //------------------------------------------------------------------------------
@@ -80,6 +117,7 @@ void vtkRelievoSkinnedActor::Disconnect()
   in.MeshTime = 0;
   in.RestVersion = 0;
   in.Box = relievo::SkinBox();
+  in.Middle = glm::dvec3(0.);
 }
 
 //------------------------------------------------------------------------------
@@ -94,7 +132,7 @@ vtkPolyData* vtkRelievoSkinnedActor::UpdateMesh()
   }
   if (vtkPolyData::SafeDownCast(given))
   {
-    this->Mesh->SetInputConnection(in.Rest->GetOutputPort());
+    this->Mesh->SetInputConnection(in.Rest->GetOutputPort(1));
     in.Rest->Update();
     return in.Rest->GetOutput();
   }
@@ -175,20 +213,13 @@ void vtkRelievoSkinnedActor::UpdatePose()
   in.Matrices = matrices;
   if (!in.Shader.Moves())
   {
-    in.Box = GetBox(mesh);
-  }
-  else if (!dual)
-  {
-    in.Bones.SetMatrices(matrices);
-    in.Box = in.Rest->GetSkinBounds().GetOfMatrices(matrices);
+    in.SetAtRest();
+    in.Reach = 0.;
   }
   else
   {
-    in.Bones.SetMotions(matrices);
-    in.Box = in.Rest->GetSkinBounds().GetOfMotions(matrices);
+    in.SetMoved(matrices, dual);
   }
-  // Roundings in a row, here and in vtkRelievoSkin, which the shader is compared with.
-  in.Reach = (dual ? 8. : 4.) * GetLargest(GetBox(mesh), matrices);
   in.PoseTime.Modified();
   // What draws this actor anew: shadow maps, kept frames.
   this->GetShaderProperty()->GetVertexCustomUniforms()->Modified();

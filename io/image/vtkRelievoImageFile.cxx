@@ -11,11 +11,10 @@
 #include "vtkPointData.h"
 #include "vtkRelievoEXRReader.h"
 #include "vtkRelievoMessageText.h"
+#include "vtkRelievoPngDamage.h"
 #include "vtkWeakPointer.h"
 
-#include <array>
 #include <cerrno>
-#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -23,7 +22,6 @@
 #include <map>
 #include <system_error>
 #include <utility>
-#include <vector>
 #include <vtksys/SystemTools.hxx>
 
 namespace
@@ -47,63 +45,11 @@ void Keep(vtkObject*, unsigned long, void* words, void* text)
   }
 }
 
-// As of PNG's chunks: ISO 3309.
-std::uint32_t Checksum(const std::vector<char>& bytes)
-{
-  static const auto table = [] {
-    std::array<std::uint32_t, 256> made{};
-    for (std::uint32_t i = 0; i < 256; ++i)
-    {
-      made[i] = i;
-      for (int bit = 0; bit < 8; ++bit)
-      {
-        made[i] = (made[i] >> 1) ^ (made[i] & 1 ? 0xEDB88320U : 0U);
-      }
-    }
-    return made;
-  }();
-  std::uint32_t sum = ~0U;
-  for (const char byte : bytes)
-  {
-    sum = table[(sum ^ static_cast<unsigned char>(byte)) & 0xFF] ^ (sum >> 8);
-  }
-  return ~sum;
-}
-
-// What is wrong with a PNG file's chunks, empty if nothing is: VTK's reader crashes on such files.
+// What is wrong with a PNG file, empty if nothing is.
 std::string FindDamage(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
-  file.seekg(0, std::ios::end);
-  const auto size = static_cast<std::uint64_t>(file.tellg());
-  file.seekg(8);
-  auto number = [&file] {
-    unsigned char bytes[4] = {};
-    file.read(reinterpret_cast<char*>(bytes), 4);
-    return (static_cast<std::uint32_t>(bytes[0]) << 24) | (bytes[1] << 16) | (bytes[2] << 8) |
-      bytes[3];
-  };
-  for (std::uint64_t at = 8; at + 12 <= size;)
-  {
-    const std::uint64_t length = number();
-    at += length + 12;
-    if (at > size)
-    {
-      break;
-    }
-    std::vector<char> bytes(length + 4);
-    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    const std::uint32_t sum = number();
-    if (sum != Checksum(bytes))
-    {
-      return "it is damaged";
-    }
-    if (std::string(bytes.data(), 4) == "IEND")
-    {
-      return {};
-    }
-  }
-  return "it ends too early";
+  return vtkRelievoFindPngDamage(file);
 }
 
 vtkSmartPointer<vtkImageAlgorithm> MakeReader(const std::string& path)

@@ -21,6 +21,7 @@ in vec4 relievoWeights1;
 // A bone's matrix by rows, 3 texels; with dual quaternions its stretch by columns, its turn and the
 // dual part, 5 texels.
 uniform samplerBuffer relievoBones;
+uniform vec3 relievoUnmovedBy; // far from the origin: from the mesh's middle to that of the pose
 
 mat3 relievoSkinLinear = mat3(0.0);
 vec4 relievoSkinnedMC = vec4(0.0);
@@ -99,7 +100,7 @@ void relievoSkin()
   if (!(relievoWeights0.x > 0.0))
   {
     relievoSkinLinear = mat3(1.0);
-    relievoSkinnedMC = vertexMC;
+    relievoSkinnedMC = vec4(vertexMC.xyz + relievoUnmovedBy, vertexMC.w);
   }
 }
 #define vertexMC relievoSkinnedMC

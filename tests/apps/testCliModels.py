@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Models with bones: times, frames, blends, looks inside, notes, and words refused."""
 
+import json
 import os
 import pathlib
 import shutil
+import struct
+import zlib
 
 import numpy
 
@@ -14,6 +17,54 @@ MODELS = pathlib.Path(os.environ["RELIEVO_DATA"]) / "models"
 SKIN = "simple_skin.gltf"
 WALK = "01_01.bvh"
 TUBE = "animation_with_skeleton.fbx"
+
+
+def png(texels):
+    """A PNG of bytes (rows, columns, 3), the top row first."""
+    rows, columns, _ = texels.shape
+
+    def chunk(name, data):
+        named = name + data
+        return struct.pack(">I", len(data)) + named + struct.pack(">I", zlib.crc32(named))
+
+    lines = b"".join(b"\0" + row.tobytes() for row in texels)
+    header = struct.pack(">IIBBBBB", columns, rows, 8, 2, 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(lines))
+            + chunk(b"IEND", b""))  # fmt: skip
+
+
+def square_glb(colors, normals):
+    """A square from -1 to 1 that looks along z, with these images in the file, as glTF places them:
+    the top row at its upper edge."""
+    places = numpy.float32([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
+    coordinates = numpy.float32([[0, 1], [1, 1], [1, 0], [0, 0]])
+    facing = numpy.float32([[0, 0, 1]] * 4)
+    corners = numpy.uint16([0, 1, 2, 0, 2, 3])
+    data, views = b"", []
+    for part in (*(each.tobytes() for each in (places, facing, coordinates, corners)),
+                 png(colors), png(normals)):  # fmt: skip
+        views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(part)})
+        data += part + b"\0" * (-len(part) % 4)
+    kinds = (("VEC3", 5126, 4), ("VEC3", 5126, 4), ("VEC2", 5126, 4), ("SCALAR", 5123, 6))
+    accessors = [{"bufferView": i, "type": kind, "componentType": of, "count": count}
+                 for i, (kind, of, count) in enumerate(kinds)]  # fmt: skip
+    accessors[0].update(min=[-1, -1, 0], max=[1, 1, 0])
+    material = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}},
+                "normalTexture": {"index": 1}}  # fmt: skip
+    primitive = {"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}, "indices": 3,
+                 "material": 0}  # fmt: skip
+    text = json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}], "meshes": [{"primitives": [primitive]}], "materials": [material],
+        "samplers": [{"magFilter": 9728, "minFilter": 9728}],
+        "textures": [{"source": i, "sampler": 0} for i in range(2)],
+        "images": [{"bufferView": i, "mimeType": "image/png"} for i in (4, 5)],
+        "buffers": [{"byteLength": len(data)}], "bufferViews": views, "accessors": accessors,
+    }).encode()  # fmt: skip
+    text += b" " * (-len(text) % 4)
+    size = 12 + 8 + len(text) + 8 + len(data)
+    return (struct.pack("<4sIII4s", b"glTF", 2, size, len(text), b"JSON") + text
+            + struct.pack("<I4s", len(data), b"BIN\0") + data)  # fmt: skip
 
 
 class Models(CliTest):
@@ -49,6 +100,43 @@ class Models(CliTest):
         self.before = self.names()
         self.refused("render", TUBE, "--animation", "fly", "--png", "a.png", status=1,
                      says=[TUBE, "no animation 'fly'; it has '"])  # fmt: skip
+
+    def test_images_in_the_file(self):
+        """Its colours and its normals are drawn where the file has them, and still in a later frame
+        and under an environment's material."""
+        colors = numpy.zeros((32, 32, 3), numpy.uint8)
+        colors[:16, :16], colors[:16, 16:] = (250, 10, 20), (30, 240, 50)
+        colors[16:, :16], colors[16:, 16:] = (60, 70, 230), (200, 200, 40)
+        normals = numpy.zeros((32, 32, 3), numpy.uint8)
+        normals[:, :16], normals[:, 16:] = (204, 128, 230), (128, 204, 230)  # to the right; up
+        path = self.folder / "square.glb"
+        path.write_bytes(square_glb(colors, normals))
+        view = ("--size", "64x64", "--camera", "0,0,3,0,0,0,0,1,0", "--parallel-scale", "1")
+        self.before = self.names()
+        for words in (("--time", "0"), ("--time", "0", "--height-map", "flat.png,0.01")):
+            (self.folder / "flat.png").write_bytes(png(numpy.full((4, 4, 3), 255, numpy.uint8)))
+            done = self.relievo("render", "square.glb", *view, *words, "--layers", "albedo,normal",
+                                "--exr", "a.exr", "--png", "a.png")  # fmt: skip
+            self.assertNotIn("drawn without", done.stderr)
+            layers = self.exr("a.exr")[1]
+            albedo = numpy.stack([layers[f"albedo.{c}"] for c in "RGB"], axis=-1)
+            normal = numpy.stack([layers[f"normal.{c}"] for c in "XYZ"], axis=-1)
+            for row, column in ((16, 16), (16, 48), (48, 16), (48, 48)):
+                expected = colors[row // 2, column // 2] / 255
+                self.assertLess(abs(albedo[row, column] - expected).max(), 1.6 / 255, (row, column))
+                expected = normals[row // 2, column // 2] / 127.5 - 1
+                expected /= numpy.linalg.norm(expected)
+                self.assertLess(abs(normal[row, column] - expected).max(), 0.01, (row, column))
+
+    def test_damaged_images_in_the_file(self):
+        texels = numpy.full((8, 8, 3), 200, numpy.uint8)
+        whole = square_glb(texels, texels)
+        at = whole.index(b"IDAT") + 6
+        (self.folder / "bad.glb").write_bytes(whole[:at] + b"????" + whole[at + 4 :])
+        done = self.relievo("render", "bad.glb", "--time", "0", "--size", "64x64", "--png", "a.png")
+        self.assertIn("bad.glb: drawn without the texture *0", done.stderr)
+        self.assertIn("damaged", done.stderr)
+        self.assertEqual(done.stderr.count("drawn without"), 1)
 
     def test_sequence(self):
         """Frames are those that --time draws, and each is whole."""

@@ -5,9 +5,9 @@
 #include "Actors.h"
 #include "CrashGuard.h"
 #include "Failure.h"
-#include "Images.h"
 #include "Messages.h"
 #include "ModelOptions.h"
+#include "ModelTextures.h"
 #include "Progress.h"
 #include "Readers.h"
 
@@ -15,74 +15,19 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRelievoModelReader.h"
-#include "vtkStringArray.h"
-#include "vtkTexture.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace cli
 {
 namespace
 {
-const std::vector<std::string> TextureExtensions = { ".png", ".jpg", ".jpeg", ".tif", ".tiff",
-  ".bmp" };
-
-// Files name textures by paths of the machine that wrote them: the name alone is looked for too.
-std::string FindTexture(std::string name, const std::string& path)
-{
-  std::replace(name.begin(), name.end(), '\\', '/');
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  for (const std::filesystem::path& candidate :
-    { folder / name, folder / std::filesystem::path(name).filename() })
-  {
-    std::error_code trouble;
-    if (std::filesystem::is_regular_file(candidate, trouble))
-    {
-      return candidate.string();
-    }
-  }
-  return "";
-}
-
-void SetTexture(vtkActor* actor, vtkDataSet* mesh, const std::string& path, Progress& progress)
-{
-  auto* names =
-    vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("base_color_texture"));
-  if (!names || names->GetNumberOfValues() == 0 || !mesh->GetPointData()->GetTCoords())
-  {
-    return;
-  }
-  const std::string name = names->GetValue(0);
-  const std::string file = FindTexture(name, path);
-  try
-  {
-    if (file.empty())
-    {
-      throw WorkError("there is no such file");
-    }
-    CheckImage("texture", file, TextureExtensions);
-    vtkNew<vtkTexture> texture;
-    texture->SetInputData(ReadImage(file, progress));
-    texture->InterpolateOn();
-    texture->MipmapOn();
-    actor->SetTexture(texture);
-    actor->GetProperty()->SetColor(1., 1., 1.); // the texture's colours are the whole
-  }
-  catch (const std::exception& error)
-  {
-    Messages::Note(path + ": drawn without the texture " + name + ": " + error.what());
-  }
-}
-
 void SetColor(vtkActor* actor, vtkDataSet* mesh)
 {
   vtkDataArray* color = mesh->GetFieldData()->GetArray("base_color");
@@ -173,6 +118,7 @@ PosedModel ReadModel(
       " changed nothing: the file has no animation");
   }
   vtkMultiBlockDataSet* output = reader->GetOutput();
+  ModelTextures textures(reader, path);
   for (unsigned int i = 0; i < output->GetNumberOfBlocks(); ++i)
   {
     vtkDataSet* mesh = vtkDataSet::SafeDownCast(output->GetBlock(i));
@@ -180,7 +126,7 @@ PosedModel ReadModel(
     {
       const vtkSmartPointer<vtkActor> actor = MakeActor(mesh, smooth, path, progress);
       SetColor(actor, mesh);
-      SetTexture(actor, mesh, path, progress);
+      textures.Put(actor, mesh, progress);
       model.Parts.push_back({ i, actor });
     }
   }

@@ -9,12 +9,13 @@
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkImageData.h"
-#include "vtkNew.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoMaterial.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +47,35 @@ void SetHeights(vtkRelievoMaterial* material, vtkRenderer* renderer, const Rende
   material->SetDepthCorrection(options.ReliefMethod != Relief::Off);
   material->SetSelfShadow(options.ShadowMethod != Shadows::Off);
 }
+
+//------------------------------------------------------------------------------
+// `own`: of a model that brings a normal map, which stays where the words name none; or null.
+vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
+  vtkRelievoEnvironment* environment, vtkRenderer* renderer, const RenderOptions& options,
+  Progress& progress)
+{
+  auto material = vtkSmartPointer<vtkRelievoMaterial>::New();
+  if (!options.NormalMap.empty())
+  {
+    material->SetNormalMap(ReadImage(options.NormalMap, progress));
+  }
+  else if (own)
+  {
+    material->SetNormalMap(own->GetNormalMap());
+    material->SetNormalStrength(own->GetNormalStrength());
+  }
+  if (!options.HeightMap.empty())
+  {
+    SetHeights(material, renderer, options, progress);
+  }
+  if (environment)
+  {
+    material->SetEnvironment(environment);
+    material->SetReflectivity(options.Reflectivity);
+    material->SetRoughness(options.Roughness);
+  }
+  return material;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -70,31 +100,27 @@ void SetSurface(vtkRenderer* renderer, const RenderOptions& options, Progress& p
   {
     return;
   }
-  vtkNew<vtkRelievoMaterial> material;
-  if (!options.NormalMap.empty())
-  {
-    material->SetNormalMap(ReadImage(options.NormalMap, progress));
-  }
-  if (!options.HeightMap.empty())
-  {
-    SetHeights(material, renderer, options, progress);
-  }
+  vtkSmartPointer<vtkRelievoEnvironment> environment;
   if (!options.Environment.empty())
   {
-    const vtkSmartPointer<vtkRelievoEnvironment> environment = ReadEnvironment(options, progress);
-    material->SetEnvironment(environment);
-    material->SetReflectivity(options.Reflectivity);
-    material->SetRoughness(options.Roughness);
+    environment = ReadEnvironment(options, progress);
     if (options.Skybox)
     {
       ShowSky(renderer, environment);
     }
   }
+  std::map<vtkRelievoMaterial*, vtkSmartPointer<vtkRelievoMaterial>> materials;
   vtkActorCollection* actors = renderer->GetActors();
   vtkCollectionSimpleIterator it;
   actors->InitTraversal(it);
   while (vtkActor* actor = actors->GetNextActor(it))
   {
+    vtkRelievoMaterial* own = vtkRelievoMaterial::Get(actor);
+    vtkSmartPointer<vtkRelievoMaterial>& material = materials[own];
+    if (!material)
+    {
+      material = MakeMaterial(own, environment, renderer, options, progress);
+    }
     material->Attach(actor);
   }
 }

@@ -71,7 +71,7 @@ render draws the FILEs off screen and writes the outputs that you request.
                           --opacity makes the mesh see-through, not them
   --bone-weight BONE      colours by the weight of one bone; --color-by first_bone by the
                           strongest. With any of these from --time on, glTF is read as a model
-                          with bones, without lights and normal textures
+                          with bones, without lights
   --lamps FILE[,radius=R][,intensity=I][,color=R/G/B][,falloff=F][,casts=C][,casting=N]
                           each point of the file is a lamp that shines up to its radius; may be
                           repeated. Values are numbers for all, or names of point arrays (the

@@ -11,7 +11,6 @@
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkPropCollection.h"
-#include "vtkRelievoMaterial.h"
 
 #include <algorithm>
 
@@ -55,10 +54,10 @@ BareScene::BareScene(const cli::Scene& scene)
       continue;
     }
     const char* name = mapper->GetArrayName();
-    this->Parts.push_back(
-      { actor, Copy(actor->GetProperty()), actor->GetTexture(), mapper->GetScalarVisibility() != 0,
-        mapper->GetScalarMode(), mapper->GetColorMode(), mapper->GetArrayAccessMode(),
-        mapper->GetArrayId(), name ? name : "", mapper->GetUseLookupTableScalarRange() != 0 });
+    this->Parts.push_back({ actor, Copy(actor->GetProperty()), actor->GetTexture(),
+      vtkRelievoMaterial::Get(actor), mapper->GetScalarVisibility() != 0, mapper->GetScalarMode(),
+      mapper->GetColorMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(), name ? name : "",
+      mapper->GetUseLookupTableScalarRange() != 0 });
   }
   vtkLightCollection* lights = renderer->GetLights();
   for (int i = 0; i < lights->GetNumberOfItems(); ++i)
@@ -118,6 +117,10 @@ void BareScene::TakeOff()
     if (vtkRelievoMaterial* material = vtkRelievoMaterial::Get(part.Actor))
     {
       material->Detach(part.Actor);
+    }
+    if (part.Material)
+    {
+      part.Material->Attach(part.Actor);
     }
   }
   for (const vtkSmartPointer<vtkProp>& prop : this->Kept)

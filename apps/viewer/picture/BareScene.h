@@ -11,6 +11,7 @@
 #include "vtkActor.h" // for the parts
 #include "vtkLight.h"
 #include "vtkProperty.h"
+#include "vtkRelievoMaterial.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 
@@ -42,6 +43,7 @@ private:
     vtkSmartPointer<vtkActor> Actor;
     vtkSmartPointer<vtkProperty> Property;
     vtkSmartPointer<vtkTexture> Texture;
+    vtkSmartPointer<vtkRelievoMaterial> Material; // of a model that brings one
     bool Colored;
     int ScalarMode, ColorMode, ArrayAccess, ArrayId;
     std::string ArrayName;

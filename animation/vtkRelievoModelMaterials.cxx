@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a picture needs, for programs that draw: colours as the file has them, sRGB; textures by
+// their names, and images that are in the file.
+#include "vtkRelievoModelParts.h"
+
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+
+#include <assimp/GltfMaterial.h>
+#include <assimp/material.h>
+#include <assimp/texture.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+
+namespace relievo
+{
+namespace
+{
+// Larger ones, of damaged files, no graphics card takes.
+constexpr unsigned int WidestImage = 65536;
+
+void AddNumbers(const char* name, std::initializer_list<float> numbers, vtkPolyData* output)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(numbers.size()));
+  array->InsertNextTuple(numbers.begin());
+  output->GetFieldData()->AddArray(array);
+}
+
+void AddText(const char* name, const std::string& text, vtkPolyData* output)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(text);
+  output->GetFieldData()->AddArray(array);
+}
+
+void ReadImage(const aiTexture* texture, const std::string& name, Model& model)
+{
+  if (!texture || !texture->pcData || texture->mWidth == 0 || model.Images.count(name))
+  {
+    return;
+  }
+  ModelImage image;
+  if (texture->mHeight == 0)
+  {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(texture->pcData);
+    image.Bytes.assign(bytes, bytes + texture->mWidth);
+  }
+  else if (std::max(texture->mWidth, texture->mHeight) <= WidestImage)
+  {
+    image.Width = static_cast<int>(texture->mWidth);
+    image.Height = static_cast<int>(texture->mHeight);
+    const std::size_t count = static_cast<std::size_t>(texture->mWidth) * texture->mHeight;
+    image.Bytes.reserve(4 * count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const aiTexel& texel = texture->pcData[i];
+      image.Bytes.insert(image.Bytes.end(), { texel.r, texel.g, texel.b, texel.a });
+    }
+  }
+  model.Images.emplace(name, image);
+}
+
+// The first texture of these kinds that the material has. Returns its kind, or NONE.
+aiTextureType ReadTexture(const aiScene* scene, const aiMaterial* material,
+  std::initializer_list<aiTextureType> kinds, const char* array, vtkPolyData* output, Model& model)
+{
+  for (const aiTextureType kind : kinds)
+  {
+    aiString path;
+    if (material->GetTexture(kind, 0, &path) == aiReturn_SUCCESS && path.length > 0)
+    {
+      AddText(array, path.C_Str(), output);
+      ReadImage(scene->GetEmbeddedTexture(path.C_Str()), path.C_Str(), model);
+      return kind;
+    }
+  }
+  return aiTextureType_NONE;
+}
+}
+
+//------------------------------------------------------------------------------
+void ReadMaterial(
+  const aiScene* scene, const aiMaterial* material, vtkPolyData* output, Model& model)
+{
+  aiColor4D color(1.f, 1.f, 1.f, 1.f);
+  if (material->Get(AI_MATKEY_BASE_COLOR, color) == aiReturn_SUCCESS ||
+    material->Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS)
+  {
+    AddNumbers("base_color", { color.r, color.g, color.b, color.a }, output);
+  }
+  ReadTexture(scene, material, { aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE },
+    "base_color_texture", output, model);
+  const aiTextureType kind = ReadTexture(scene, material,
+    { aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA }, "normal_texture", output, model);
+  float strength = 1.f;
+  if (kind != aiTextureType_NONE &&
+    material->Get(AI_MATKEY_GLTF_TEXTURE_SCALE(kind, 0), strength) == aiReturn_SUCCESS &&
+    std::isfinite(strength))
+  {
+    AddNumbers("normal_strength", { strength }, output);
+  }
+}
+}
