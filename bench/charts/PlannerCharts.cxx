@@ -81,8 +81,8 @@ std::vector<NamedChart> PlannerCharts(const std::vector<CsvRows>& files)
   time.Note = "Each mark is a scene, light and window; the light moves.";
   time.X.Title = "expected, milliseconds";
   time.Y.Title = "taken, milliseconds";
-  Chart budget = Scatter(
-    files[3], { "map", "warped", "exact" }, "budget ms", "taken ms", 10., 1000., "budget");
+  Chart budget =
+    Scatter(files[3], { "map", "warped", "exact" }, "budget ms", "taken ms", 10., 1000., "budget");
   budget.Title = "Shadows: time of the way that is chosen for a time, after ten frames";
   budget.Note = "Each mark is a scene, light, window and time; the light moves. Below: in time.";
   budget.X.Title = "time to spend, milliseconds";

@@ -63,7 +63,8 @@ protected:
 
   /**
    * The view gets an event of the mouse at a place of its own, with the left button's state told:
-   * QTest moves the display's pointer, whose events come late and without buttons on a busy machine.
+   * QTest moves the display's pointer, whose events come late and without buttons on a busy
+   * machine.
    */
   void SendMouse(QEvent::Type type, const QPoint& place, Qt::MouseButton pressed);
 
