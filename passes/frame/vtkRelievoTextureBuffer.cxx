@@ -90,9 +90,11 @@ std::string vtkRelievoTextureBuffer::Allocate(
   glBufferData(GL_TEXTURE_BUFFER, this->Bytes, nullptr, GL_STATIC_DRAW);
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
   window->GetState()->vtkglActiveTexture(GL_TEXTURE0);
+  GLint others = 0; // what somebody reads by this unit, in the midst of a frame
+  glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &others);
   glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
   glTexBuffer(GL_TEXTURE_BUFFER, GetFormat(channels), this->Buffer);
-  glBindTexture(GL_TEXTURE_BUFFER, 0);
+  glBindTexture(GL_TEXTURE_BUFFER, static_cast<GLuint>(others));
   return {};
 }
 
