@@ -35,20 +35,22 @@ struct Buffer
     return this->Count++;
   }
 };
+}
 
+//------------------------------------------------------------------------------
 void AppendNumber(std::string& to, std::size_t value)
 {
   const auto number = static_cast<std::uint32_t>(value);
   to.append(reinterpret_cast<const char*>(&number), 4);
 }
 
-std::string Encode(const std::string& bytes)
+//------------------------------------------------------------------------------
+std::string EncodeBytes(const std::string& bytes)
 {
   std::vector<unsigned char> text(4 * (bytes.size() / 3 + 2));
   const std::size_t length = vtksysBase64_Encode(
     reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), text.data(), 0);
   return std::string(reinterpret_cast<const char*>(text.data()), length);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -71,8 +73,9 @@ void WriteGltf(const std::string& path, const std::vector<GltfTrack>& tracks, bo
              << track.Path << "\"}}";
   }
   const bool binary = path.size() > 4 && path.substr(path.size() - 4) == ".glb";
-  const std::string uri =
-    binary ? "" : R"(,"uri":"data:application/octet-stream;base64,)" + Encode(buffer.Bytes) + "\"";
+  const std::string uri = binary
+    ? ""
+    : R"(,"uri":"data:application/octet-stream;base64,)" + EncodeBytes(buffer.Bytes) + "\"";
   std::string text = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{)" +
     std::string(named ? R"("name":"arm",)" : "") +
     R"("mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)" +

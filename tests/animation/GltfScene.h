@@ -7,6 +7,7 @@
 #ifndef GltfScene_h
 #define GltfScene_h
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,12 @@ struct GltfTrack
  * an animation "move" of these tracks. A path that ends in .glb is written in binary.
  */
 void WriteGltf(const std::string& path, const std::vector<GltfTrack>& tracks, bool named = true);
+
+/** Four bytes, as .glb has its lengths. */
+void AppendNumber(std::string& to, std::size_t value);
+
+/** In base 64. */
+std::string EncodeBytes(const std::string& bytes);
 }
 
 #endif

@@ -14,6 +14,7 @@
 #include <vtkActor.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkRelievoShadowPass.h>
 #include <vtkRelievoSkin.h>
 #include <vtkRelievoSkinnedActor.h>
 
@@ -25,6 +26,17 @@ namespace relievoTest
 {
 /** Of the methods of vtkRelievoSkin. */
 std::string MethodName(int method);
+
+/** Of the methods of vtkRelievoShadowPass. */
+struct ShadowMethod
+{
+  const char* Name;
+  int Value;
+};
+constexpr ShadowMethod ShadowMethods[] = { { "map", vtkRelievoShadowPass::METHOD_MAP },
+  { "forward", vtkRelievoShadowPass::METHOD_FORWARD },
+  { "warped", vtkRelievoShadowPass::METHOD_WARPED },
+  { "exact", vtkRelievoShadowPass::METHOD_EXACT } };
 
 /** The mesh by either, in a window of its own. */
 struct SkinnedSide

@@ -4,6 +4,7 @@
 // Images inside of models' files, against the colours that were written into them: glTF with bytes
 // of PNG and JPEG, in its binary form and as text; damaged ones; those of FBX, and bare texels.
 #include "Check.h"
+#include "GltfScene.h"
 #include "ReaderErrors.h"
 #include "Session.h"
 
@@ -21,11 +22,8 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <vtksys/Base64.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -69,20 +67,6 @@ std::string MakeBytes()
     reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
 }
 
-void AppendNumber(std::string& to, std::size_t value)
-{
-  const auto number = static_cast<std::uint32_t>(value);
-  to.append(reinterpret_cast<const char*>(&number), 4);
-}
-
-std::string Encode(const std::string& bytes)
-{
-  std::vector<unsigned char> text(4 * (bytes.size() / 3 + 2));
-  const std::size_t length = vtksysBase64_Encode(
-    reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), text.data(), 0);
-  return std::string(reinterpret_cast<const char*>(text.data()), length);
-}
-
 // A triangle whose colour and whose normals are of this image; a path that ends in .glb has the
 // image's bytes in its own, another one as text.
 void WriteModel(const std::string& path, const std::string& image, const std::string& type)
@@ -101,11 +85,11 @@ void WriteModel(const std::string& path, const std::string& image, const std::st
   }
   else
   {
-    source = R"("uri":"data:image/)" + type + ";base64," + Encode(image) + "\"";
+    source = R"("uri":"data:image/)" + type + ";base64," + EncodeBytes(image) + "\"";
   }
   bytes.append((4 - bytes.size() % 4) % 4, '\0');
   const std::string uri =
-    binary ? "" : R"(,"uri":"data:application/octet-stream;base64,)" + Encode(bytes) + "\"";
+    binary ? "" : R"(,"uri":"data:application/octet-stream;base64,)" + EncodeBytes(bytes) + "\"";
   std::string text =
     R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
     R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0}]}],)"

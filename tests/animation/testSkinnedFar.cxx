@@ -321,16 +321,6 @@ void TestUse()
   RELIEVO_CHECK_AT_MOST(wrong, 3, "cells that the selector picks");
 }
 
-struct Method
-{
-  const char* Name;
-  int Value;
-};
-const Method ShadowMethods[] = { { "map", vtkRelievoShadowPass::METHOD_MAP },
-  { "forward", vtkRelievoShadowPass::METHOD_FORWARD },
-  { "warped", vtkRelievoShadowPass::METHOD_WARPED },
-  { "exact", vtkRelievoShadowPass::METHOD_EXACT } };
-
 void TestShadows()
 {
   const Rig near(glm::dvec3(0.));
@@ -338,7 +328,7 @@ void TestShadows()
   {
     const glm::dvec3 above(-0.4, 0.7, 0.2);
     const auto moved = Skin(near.Mesh, MakePose(above), skin);
-    for (const Method& method : ShadowMethods)
+    for (const ShadowMethod& method : ShadowMethods)
     {
       if (skin != vtkRelievoSkin::LINEAR && method.Value != vtkRelievoShadowPass::METHOD_EXACT)
       {

@@ -51,23 +51,13 @@ vtkSmartPointer<vtkPolyData> MakePose(double turn)
   return MakeSkeleton({ place, second, third });
 }
 
-struct Method
-{
-  const char* Name;
-  int Value;
-};
-const Method ShadowMethods[] = { { "map", vtkRelievoShadowPass::METHOD_MAP },
-  { "forward", vtkRelievoShadowPass::METHOD_FORWARD },
-  { "warped", vtkRelievoShadowPass::METHOD_WARPED },
-  { "exact", vtkRelievoShadowPass::METHOD_EXACT } };
-
 void TestAgainstRays()
 {
   const auto tube = MakeThreeBoneTube(121, 90);
   for (const int skin : { vtkRelievoSkin::LINEAR, vtkRelievoSkin::DUAL_QUATERNION })
   {
     const auto pose = MakePose(0.7);
-    for (const Method& method : ShadowMethods)
+    for (const ShadowMethod& method : ShadowMethods)
     {
       // Maps of all kinds draw with the mapper's shaders, whichever they are.
       if (skin == vtkRelievoSkin::LINEAR && method.Value != vtkRelievoShadowPass::METHOD_EXACT)
