@@ -27,7 +27,7 @@ using Pass = vtkRelievoShadowPass;
 Planner::Load MakeLoad()
 {
   Planner::Load load;
-  load.Pixels = 360000.;
+  load.Pixels = 1200000.;
   load.Lights = 1.;
   load.Maps = 1.;
   load.Triangles = 50000.;
@@ -58,8 +58,8 @@ struct Machine
 
   double Time(const Way& way, bool redraws) const
   {
-    const double plain = 12.;
-    const double map = 1. + 2e-6 * way.Size * way.Size * (redraws ? 1. : 0.);
+    const double plain = 40.;
+    const double map = 3. + 2e-6 * way.Size * way.Size * (redraws ? 1. : 0.);
     const double rays = (redraws ? 100. : 9.) * this->ExactFactor;
     return this->Speed * (plain + (way.Method == Pass::METHOD_EXACT ? rays : map));
   }
@@ -217,7 +217,7 @@ void TestMovingCamera()
       const bool exact = way.Method == Pass::METHOD_EXACT;
       return Anew{ !exact && frame % one.Redraw == one.Redraw - 1, moves };
     };
-    for (const double budget : { 15., 25., 40., 70., 100., 150. })
+    for (const double budget : { 45., 55., 70., 100., 130., 190. })
     {
       Planner planner;
       Machine machine;
@@ -232,7 +232,7 @@ void TestMovingCamera()
   // When it has stopped, what is kept is used.
   Planner planner;
   Machine machine;
-  const auto drawn = Draw(planner, machine, 30., 200, [](int frame, const Way&) {
+  const auto drawn = Draw(planner, machine, 70., 200, [](int frame, const Way&) {
     return Anew{ false, frame < 100 };
   });
   RELIEVO_CHECK(drawn[99].Method == Pass::METHOD_MAP);
@@ -270,7 +270,7 @@ void TestPlanning()
   Planner planner;
   Machine machine;
   Draw(planner, machine, 100., 50, LightMoves, 80.);
-  RELIEVO_CHECK(Draw(planner, machine, 130., 50, LightMoves).back().Method == Pass::METHOD_EXACT);
+  RELIEVO_CHECK(Draw(planner, machine, 175., 50, LightMoves).back().Method == Pass::METHOD_EXACT);
 }
 
 // Exact shadows that take twice what the model says are tried, left, and not soon tried again.

@@ -37,7 +37,7 @@ using relievoTest::SceneLight;
 using relievoTest::ShadowStage;
 
 const double Tolerances[] = { 4e-3, 2e-3, 1e-3, 4e-4, 5e-5 };
-const std::array<int, 2> Windows[] = { { 320, 240 }, { 400, 225 }, { 200, 360 } };
+const std::array<int, 2> Windows[] = { { 560, 420 }, { 700, 394 }, { 350, 630 } };
 
 struct Cases
 {
@@ -129,7 +129,7 @@ void JudgeStages(Cases& cases)
     }
     cases.Judge(stage.Renderer, "things, light " + std::to_string(light));
   }
-  ShadowStage poles(400, 225);
+  ShadowStage poles(700, 394);
   poles.AddPolesToHorizon();
   cases.Judge(poles.Renderer, "poles");
 }
