@@ -3,12 +3,16 @@
 #include "vtkRelievoModelImages.h"
 
 #include "vtkRelievoPngDamage.h"
+#include "vtkRelievoVTKVersions.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
 #include "vtkImageReader2.h"
 #include "vtkJPEGReader.h"
+#ifdef RELIEVO_VTK_IMAGE_STREAMS
+#include "vtkMemoryResourceStream.h"
+#endif
 #include "vtkNew.h"
 #include "vtkPNGReader.h"
 #include "vtkPointData.h"
@@ -46,8 +50,14 @@ vtkSmartPointer<vtkImageData> Read(
   {
     speaker->AddObserver(vtkCommand::ErrorEvent, hear);
   }
+#ifdef RELIEVO_VTK_IMAGE_STREAMS
+  vtkNew<vtkMemoryResourceStream> stream;
+  stream->SetBuffer(bytes.data(), bytes.size());
+  reader->SetStream(stream);
+#else
   reader->SetMemoryBuffer(bytes.data());
   reader->SetMemoryBufferLength(static_cast<vtkIdType>(bytes.size()));
+#endif
   try
   {
     reader->Update();

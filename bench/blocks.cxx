@@ -19,7 +19,6 @@
 #include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkImageReader2.h>
-#include <vtkImageThreshold.h>
 #include <vtkMath.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
@@ -244,14 +243,17 @@ vtkSmartPointer<vtkImageData> RealLabels(const std::string& name)
     // Densities: bone begins at what the file's name says.
     reader = InriaReader({ 64, 64, 64 }, { 3.94305, 3.94305, 3.65079 }, VTK_FLOAT);
     reader->SetFileName(path.c_str());
-    vtkNew<vtkImageThreshold> bone;
-    bone->SetInputConnection(reader->GetOutputPort());
-    bone->ThresholdByUpper(2.9);
-    bone->SetInValue(1.);
-    bone->SetOutValue(0.);
-    bone->SetOutputScalarTypeToUnsignedChar();
-    bone->Update();
-    return bone->GetOutput();
+    reader->Update();
+    auto bone = vtkSmartPointer<vtkImageData>::New();
+    bone->CopyStructure(reader->GetOutput());
+    bone->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    const auto* density = static_cast<float*>(reader->GetOutput()->GetScalarPointer());
+    auto* label = static_cast<unsigned char*>(bone->GetScalarPointer());
+    for (vtkIdType i = 0; i < bone->GetNumberOfPoints(); ++i)
+    {
+      label[i] = density[i] >= 2.9f ? 1 : 0;
+    }
+    return bone;
   }
   else
   {

@@ -74,6 +74,11 @@
 #define RELIEVO_VTK_RESERVE 1
 #endif
 
+// Image readers read bytes in memory from a vtkMemoryResourceStream, not from SetMemoryBuffer.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+#define RELIEVO_VTK_IMAGE_STREAMS 1
+#endif
+
 // vtkProp::GeneralTextureTransform() is called GENERAL_TEXTURE_TRANSFORM().
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 #define RELIEVO_VTK_TEXTURE_TRANSFORM GENERAL_TEXTURE_TRANSFORM
