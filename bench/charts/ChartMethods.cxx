@@ -105,7 +105,7 @@ const std::vector<ChartMethod>& ChartMethods()
     { "key-matrix", "key-matrix", C::Vermillion, M::Square, D::DashDotted },
     { "linear", "linear", C::Blue, M::Circle, D::Solid },
     { "dual quaternion", "dual quaternion", C::Green, M::Diamond, D::Dashed },
-    { "rigid, GPU", "rigid, GPU", C::Grey, M::Circle, D::Solid },
+    { "rigid, GPU", "rigid, GPU", C::Grey, M::Up, D::Dotted },
     { "linear, GPU", "linear, GPU", C::Orange, M::Square, D::Solid },
     { "dual quaternion, GPU", "dual quaternion, GPU", C::Vermillion, M::Square, D::Dashed },
     { "VTK's glTF reader", "VTK's glTF reader", C::Grey, M::Cross, D::Dashed },

@@ -40,6 +40,7 @@ namespace
 void Write(vtkPolyData* data, const std::string& path)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetDataModeToBinary(); // newer expats make Python's VTK refuse appended data
   writer->SetInputData(data);
   writer->SetFileName(path.c_str());
   QVERIFY(writer->Write() == 1);

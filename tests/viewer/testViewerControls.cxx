@@ -197,6 +197,7 @@ private Q_SLOTS:
     wide->Fill(1.0);
     reader->GetOutput()->GetPointData()->AddArray(wide);
     vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetDataModeToBinary(); // newer expats make Python's VTK refuse appended data
     writer->SetInputData(reader->GetOutput());
     writer->SetFileName(this->Path("wide.vtp").c_str());
     writer->Write();
