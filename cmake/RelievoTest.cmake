@@ -22,6 +22,8 @@ include_guard(GLOBAL)
 
 set(RELIEVO_DATA "${PROJECT_SOURCE_DIR}/build/data" CACHE PATH
   "Folder of the real meshes, filled by tools/unpack-data")
+set(RELIEVO_TEST_LABELS_NOT_BUILT "" CACHE STRING
+  "Labels of tests whose programs are built by their names only")
 set(RELIEVO_TEST_OUTPUT "${PROJECT_BINARY_DIR}/Testing/output")
 set(RELIEVO_BASELINES "${PROJECT_SOURCE_DIR}/tests/baselines")
 
@@ -64,6 +66,11 @@ function (relievo_add_test)
   if (NOT test_TIMEOUT)
     set(test_TIMEOUT 600)
   endif ()
+  foreach (label IN LISTS test_LABELS)
+    if (test_SOURCES AND label IN_LIST RELIEVO_TEST_LABELS_NOT_BUILT)
+      set_target_properties("${test_NAME}" PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif ()
+  endforeach ()
 
   set(folder "${RELIEVO_TEST_OUTPUT}/${test_NAME}")
   file(MAKE_DIRECTORY "${folder}")
