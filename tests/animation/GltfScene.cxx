@@ -4,6 +4,7 @@
 
 #include <vtksys/Base64.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -35,13 +36,12 @@ struct Buffer
     return this->Count++;
   }
 };
-}
 
-//------------------------------------------------------------------------------
 void AppendNumber(std::string& to, std::size_t value)
 {
   const auto number = static_cast<std::uint32_t>(value);
   to.append(reinterpret_cast<const char*>(&number), 4);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -51,6 +51,40 @@ std::string EncodeBytes(const std::string& bytes)
   const std::size_t length = vtksysBase64_Encode(
     reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), text.data(), 0);
   return std::string(reinterpret_cast<const char*>(text.data()), length);
+}
+
+//------------------------------------------------------------------------------
+bool IsGlb(const std::string& path)
+{
+  return path.size() > 4 && path.substr(path.size() - 4) == ".glb";
+}
+
+//------------------------------------------------------------------------------
+std::string WriteGltfUri(const std::string& path, const std::string& bytes)
+{
+  return IsGlb(path)
+    ? ""
+    : R"(,"uri":"data:application/octet-stream;base64,)" + EncodeBytes(bytes) + "\"";
+}
+
+//------------------------------------------------------------------------------
+void WriteGltfFile(const std::string& path, std::string text, const std::string& bytes)
+{
+  std::ofstream file(path, std::ios::binary);
+  if (!IsGlb(path))
+  {
+    file << text;
+    return;
+  }
+  text.append((4 - text.size() % 4) % 4, ' ');
+  std::string whole = "glTF";
+  AppendNumber(whole, 2);
+  AppendNumber(whole, 12 + 8 + text.size() + 8 + bytes.size());
+  AppendNumber(whole, text.size());
+  whole += "JSON" + text;
+  AppendNumber(whole, bytes.size());
+  whole += std::string("BIN\0", 4) + bytes;
+  file << whole;
 }
 
 //------------------------------------------------------------------------------
@@ -72,31 +106,15 @@ void WriteGltf(const std::string& path, const std::vector<GltfTrack>& tracks, bo
     channels << (i ? "," : "") << R"({"sampler":)" << i << R"(,"target":{"node":0,"path":")"
              << track.Path << "\"}}";
   }
-  const bool binary = path.size() > 4 && path.substr(path.size() - 4) == ".glb";
-  const std::string uri = binary
-    ? ""
-    : R"(,"uri":"data:application/octet-stream;base64,)" + EncodeBytes(buffer.Bytes) + "\"";
-  std::string text = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{)" +
+  const std::string text =
+    R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{)" +
     std::string(named ? R"("name":"arm",)" : "") +
     R"("mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)" +
-    R"("buffers":[{"byteLength":)" + std::to_string(buffer.Bytes.size()) + uri + "}]," +
-    R"("bufferViews":[)" + buffer.Views.str() + R"(],"accessors":[)" + buffer.Accessors.str() +
+    R"("buffers":[{"byteLength":)" + std::to_string(buffer.Bytes.size()) +
+    WriteGltfUri(path, buffer.Bytes) + "}]," + R"("bufferViews":[)" + buffer.Views.str() +
+    R"(],"accessors":[)" + buffer.Accessors.str() +
     R"(],"animations":[{"name":"move","samplers":[)" + samplers.str() + R"(],"channels":[)" +
     channels.str() + "]}]}";
-  std::ofstream file(path, std::ios::binary);
-  if (!binary)
-  {
-    file << text;
-    return;
-  }
-  text.append((4 - text.size() % 4) % 4, ' ');
-  std::string whole = "glTF";
-  AppendNumber(whole, 2);
-  AppendNumber(whole, 12 + 8 + text.size() + 8 + buffer.Bytes.size());
-  AppendNumber(whole, text.size());
-  whole += "JSON" + text;
-  AppendNumber(whole, buffer.Bytes.size());
-  whole += std::string("BIN\0", 4) + buffer.Bytes;
-  file << whole;
+  WriteGltfFile(path, text, buffer.Bytes);
 }
 }

@@ -7,7 +7,6 @@
 #ifndef GltfScene_h
 #define GltfScene_h
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -28,8 +27,14 @@ struct GltfTrack
  */
 void WriteGltf(const std::string& path, const std::vector<GltfTrack>& tracks, bool named = true);
 
-/** Four bytes, as .glb has its lengths. */
-void AppendNumber(std::string& to, std::size_t value);
+/** Whether a path is that of the binary form. */
+bool IsGlb(const std::string& path);
+
+/** What a buffer of these bytes has after its length: nothing in binary, else the bytes as text. */
+std::string WriteGltfUri(const std::string& path, const std::string& bytes);
+
+/** The JSON, and in binary the bytes of its first buffer, of a multiple of four. */
+void WriteGltfFile(const std::string& path, std::string text, const std::string& bytes);
 
 /** In base 64. */
 std::string EncodeBytes(const std::string& bytes);

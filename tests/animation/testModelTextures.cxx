@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -74,7 +73,7 @@ void WriteModel(const std::string& path, const std::string& image, const std::st
   const std::vector<float> numbers = { 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, // places
     0.f, 1.f, 1.f, 1.f, 0.f, 0.f };                                                 // coordinates
   std::string bytes(reinterpret_cast<const char*>(numbers.data()), 4 * numbers.size());
-  const bool binary = path.substr(path.size() - 4) == ".glb";
+  const bool binary = IsGlb(path);
   std::string more;
   std::string source;
   if (binary)
@@ -88,36 +87,21 @@ void WriteModel(const std::string& path, const std::string& image, const std::st
     source = R"("uri":"data:image/)" + type + ";base64," + EncodeBytes(image) + "\"";
   }
   bytes.append((4 - bytes.size() % 4) % 4, '\0');
-  const std::string uri =
-    binary ? "" : R"(,"uri":"data:application/octet-stream;base64,)" + EncodeBytes(bytes) + "\"";
-  std::string text =
+  const std::string text =
     R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
     R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0}]}],)"
     R"("materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}},)"
     R"("normalTexture":{"index":0,"scale":0.25}}],)"
     R"("textures":[{"source":0}],"images":[{)" +
-    source + R"(}],"buffers":[{"byteLength":)" + std::to_string(bytes.size()) + uri +
+    source + R"(}],"buffers":[{"byteLength":)" + std::to_string(bytes.size()) +
+    WriteGltfUri(path, bytes) +
     R"(}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36},)"
     R"({"buffer":0,"byteOffset":36,"byteLength":24})" +
     more +
     R"(],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",)"
     R"("min":[0,0,0],"max":[1,1,0]},)"
     R"({"bufferView":1,"componentType":5126,"count":3,"type":"VEC2"}]})";
-  std::ofstream file(path, std::ios::binary);
-  if (!binary)
-  {
-    file << text;
-    return;
-  }
-  text.append((4 - text.size() % 4) % 4, ' ');
-  std::string whole = "glTF";
-  AppendNumber(whole, 2);
-  AppendNumber(whole, 12 + 8 + text.size() + 8 + bytes.size());
-  AppendNumber(whole, text.size());
-  whole += "JSON" + text;
-  AppendNumber(whole, bytes.size());
-  whole += std::string("BIN\0", 4) + bytes;
-  file << whole;
+  WriteGltfFile(path, text, bytes);
 }
 
 vtkPolyData* GetMesh(vtkRelievoModelReader* reader, unsigned int block = 0)
