@@ -42,6 +42,12 @@
 #define RELIEVO_VTK_GLAD 1
 #endif
 
+// Where neither X nor EGL opens a window, VTK takes one of OSMesa, whose library it loads when it
+// runs; before, VTK was built for one kind of window.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+#define RELIEVO_VTK_LOADS_OSMESA 1
+#endif
+
 // vtkGLTFReader::GetTexture gives a texture as an object; before, GetGLTFTexture gave a struct.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 #define RELIEVO_VTK_GLTF_TEXTURE_OBJECTS 1
@@ -77,6 +83,11 @@
 // Image readers read bytes in memory from a vtkMemoryResourceStream, not from SetMemoryBuffer.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 #define RELIEVO_VTK_IMAGE_STREAMS 1
+#endif
+
+// The mapper of composite data leaves a texture active.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+#define RELIEVO_VTK_STRAY_TEXTURES 1
 #endif
 
 // vtkProp::GeneralTextureTransform() is called GENERAL_TEXTURE_TRANSFORM().

@@ -16,12 +16,14 @@
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkStateStorage.h"
 #include "vtkTexture.h"
 
+#include <map>
 #include <vector>
 
 #ifdef RELIEVO_VTK_COMPOSITE_HELPERS
@@ -37,6 +39,16 @@
 
 namespace vtkRelievoAccess
 {
+class State : public vtkOpenGLState
+{
+public:
+  // The textures that are active, and their units.
+  static const std::map<const vtkTextureObject*, int>& TextureUnits(vtkOpenGLState* state)
+  {
+    return state->*(&State::TextureResourceIds);
+  }
+};
+
 class Renderer : public vtkOpenGLRenderer
 {
 public:

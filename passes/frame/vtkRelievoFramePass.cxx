@@ -8,6 +8,7 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFrameRun.h"
 #include "vtkRelievoStageRegistry.h"
+#include "vtkRelievoStrayTextures.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 
@@ -211,6 +212,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
     return;
   }
 
+  vtkRelievoStrayTextures::Release(window);
   in.Gather.BeginFrame();
   in.Timer.BeginFrame(window);
   while (!this->DrawSample(s))

@@ -12,6 +12,7 @@
 #include "vtkRelievoFrameReport.h"
 #include "vtkRelievoGpuTimer.h"
 #include "vtkRelievoStage.h"
+#include "vtkRelievoStrayTextures.h"
 #include "vtkRelievoTranslucentLayers.h"
 #include "vtkRenderPass.h"
 
@@ -187,6 +188,7 @@ void vtkRelievoFrameRun::ExecuteStage(int place)
     vtkRelievoStage* stage = this->Stages[place - 1];
     this->Timer.Begin(stage->GetStageName());
     stage->Execute(this->Context);
+    vtkRelievoStrayTextures::Release(this->Context.Window);
     this->Timer.End(stage->GetStageName());
   }
 }
@@ -194,6 +196,7 @@ void vtkRelievoFrameRun::ExecuteStage(int place)
 //------------------------------------------------------------------------------
 void vtkRelievoFrameRun::ExecuteRest()
 {
+  vtkRelievoStrayTextures::Release(this->Context.Window);
   const std::vector<int>& order = this->Order.GetOrder();
   if (this->ColorOpen)
   {
@@ -273,7 +276,10 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
   if (!along.empty())
   {
     moments.OpaqueBegins = [&]() { interrupt([&]() { forEach(&vtkRelievoStage::BeginOpaque); }); };
-    moments.OpaqueEnds = [&]() { interrupt([&]() { forEach(&vtkRelievoStage::EndOpaque); }); };
+    moments.OpaqueEnds = [&]() {
+      vtkRelievoStrayTextures::Release(this->Context.Window);
+      interrupt([&]() { forEach(&vtkRelievoStage::EndOpaque); });
+    };
   }
   bool aside = false;
   if (this->Order.NeedsColor())
