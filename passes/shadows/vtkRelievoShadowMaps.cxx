@@ -43,6 +43,8 @@ unsigned int vtkRelievoShadowMaps::MakeArray(unsigned int format, int width, int
   {
     // Others' errors: what follows is to be known.
   }
+  GLint others = 0; // such as the maps of lights, when those of lamps are made
+  glGetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &others);
   unsigned int texture = 0;
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
@@ -55,7 +57,7 @@ unsigned int vtkRelievoShadowMaps::MakeArray(unsigned int format, int width, int
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
   glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_NONE);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, static_cast<GLuint>(others));
   if (!there)
   {
     glDeleteTextures(1, &texture);

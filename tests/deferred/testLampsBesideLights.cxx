@@ -6,11 +6,13 @@
 #include "LampScenes.h"
 #include "Layers.h"
 #include "Session.h"
+#include "Window.h"
 
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkRelievoShadowPass.h>
+#include <vtkSmartPointer.h>
 
 #include <string>
 #include <vector>
@@ -29,26 +31,45 @@ vtkSmartPointer<vtkRelievoLamps> Add(LampScene& scene, const std::vector<Lamp>& 
   return set;
 }
 
+void AddSun(LampScene& scene)
+{
+  vtkNew<vtkLight> light;
+  light->SetPosition(-2.0, 4.0, 3.0);
+  scene.Renderer->AddLight(light);
+  scene.Frame->ShadowsOn();
+}
+
+// The frame that makes the lamps' maps keeps the sun's: what the sun lights is as in the next one.
+void TestFirstFrame()
+{
+  LampScene scene(120, 90);
+  AddSun(scene);
+  Add(scene, { { glm::dvec3(0.2, 2.4, 0.3), 6.0, 1.0, glm::dvec3(1.0) } });
+  scene.Stage->SetCasting(1);
+  const vtkSmartPointer<vtkImageData> first = Picture(scene.Window);
+  SamePicture(Picture(scene.Window), first, "the first frame of lamps' maps beside a sun's");
+  for (const int size : { 256, 512 })
+  {
+    scene.Frame->GetShadowPass()->SetLampMapSize(size);
+    const vtkSmartPointer<vtkImageData> anew = Picture(scene.Window);
+    SamePicture(Picture(scene.Window), anew, "maps of another size");
+  }
+}
+
 // Lamps have maps of all that casts, whatever way the lights' own shadows take.
 void TestBesideLights()
 {
   const std::vector<Lamp> lamps{ { glm::dvec3(-2.0, 1.6, 2.0), 6.0, 1.0, glm::dvec3(1.0) },
     { glm::dvec3(0.2, 2.4, 0.3), 6.0, 1.0, glm::dvec3(1.0) } };
-  const auto addSun = [](LampScene& scene) {
-    vtkNew<vtkLight> light;
-    light->SetPosition(-2.0, 4.0, 3.0);
-    scene.Renderer->AddLight(light);
-    scene.Frame->ShadowsOn();
-  };
   LampScene scene(120, 90);
-  addSun(scene);
+  AddSun(scene);
   Add(scene, lamps);
   const Layers open(scene.Read(Light));
   scene.Stage->SetCasting(8);
   const Layers cast(scene.Read(Light));
   RELIEVO_CHECK(CountDifferent(open, cast, "light") > 200);
   LampScene other(120, 90);
-  addSun(other);
+  AddSun(other);
   Add(other, lamps);
   other.Stage->SetCasting(8);
   vtkRelievoShadowPass* shadows = other.Frame->GetShadowPass();
@@ -66,6 +87,7 @@ void TestBesideLights()
 int main()
 {
   Session session;
+  TestFirstFrame();
   TestBesideLights();
   return session.Result();
 }
