@@ -3,9 +3,14 @@
 #include "vtkRelievoDisplay.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkRelievoVTKVersions.h"
 #include "vtkRenderWindow.h"
 
 #include <cstdlib>
+
+#ifdef RELIEVO_VTK_LOADS_OSMESA
+#include "vtkDynamicLoader.h"
+#endif
 
 #ifdef RELIEVO_HAVE_X11
 #include <chrono>
@@ -38,9 +43,36 @@ bool Answers(const std::string& name)
 }
 #endif
 
+#ifdef RELIEVO_VTK_LOADS_OSMESA
+namespace
+{
+// Under the names that VTK tries.
+bool HasOSMesa()
+{
+  for (const char* name : { "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so" })
+  {
+    vtkLibHandle library = vtkDynamicLoader::OpenLibrary(name);
+    if (library)
+    {
+      vtkDynamicLoader::CloseLibrary(library);
+      return true;
+    }
+  }
+  return false;
+}
+}
+#endif
+
 //------------------------------------------------------------------------------
 std::string vtkRelievoDisplay::Check(vtkRenderWindow* window)
 {
+#ifdef RELIEVO_VTK_LOADS_OSMESA
+  if (window && window->IsA("vtkOSOpenGLRenderWindow") && !HasOSMesa())
+  {
+    return "no OpenGL: VTK found neither an X display, nor a driver for EGL, nor OSMesa; install a "
+           "driver (without a graphics card Mesa's: libegl1 and libgl1-mesa-dri)";
+  }
+#endif
 #ifdef RELIEVO_HAVE_X11
   if (!window || !window->IsA("vtkXOpenGLRenderWindow") || window->GetGenericDisplayId())
   {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoDisplay
- * @brief Whether a render window can open: without a display VTK ends the process by abort().
+ * @brief Whether a render window can open: without a display VTK ends the process by abort(), and
+ * without any OpenGL VTK 9.4 and later crash.
  */
 #ifndef vtkRelievoDisplay_h
 #define vtkRelievoDisplay_h
@@ -22,7 +23,8 @@ public:
 
   /**
    * Connects to the display on which the window will open, before VTK does. Returns what is wrong,
-   * in words; empty if nothing is, and for windows that need no display. The connection stays open
+   * in words; empty if nothing is, and for windows that need no display. A window of OSMesa, which
+   * VTK 9.4 and later take where nothing else opens, needs that library. The connection stays open
    * until the process ends: an X server without -noreset restarts when its last client leaves, and
    * does not answer meanwhile.
    */

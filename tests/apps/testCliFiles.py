@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files that cannot be read or written: exit status 1, one line with the name, nothing left."""
 
+import ctypes.util
 import os
 import pathlib
 import pty
@@ -235,6 +236,14 @@ class Display(CliTest):
                 )
                 self.assertEqual(done.stderr, "")
                 self.assertEqual((self.folder / "a.png").read_bytes(), with_display)
+
+    @unittest.skipIf(NEEDS_DISPLAY, "VTK before 9.4 opens one kind of window")
+    @unittest.skipIf(ctypes.util.find_library("OSMesa"), "this machine has OSMesa")
+    def test_no_opengl(self):
+        # What VTK takes where neither X nor EGL works, and what crashes without its library.
+        only = {"VTK_DEFAULT_OPENGL_WINDOW": "vtkOSOpenGLRenderWindow"}
+        self.refused("render", "triangle.off", *OUTPUTS, status=1, says=["no OpenGL", "driver"],
+                     environment=only)  # fmt: skip
 
     def test_several_runs_on_one_server(self):
         # An X server without -noreset starts anew when its last client leaves, and answers nobody

@@ -338,6 +338,19 @@ class Bench(CliTest):
         self.assertIn("depth ... done before", again.stdout)
         self.assertEqual((here / "depth.csv").stat().st_mtime_ns, written)
 
+    def test_quick(self):
+        """A quick run is done for a quick call, and measured again by one that is not."""
+        (self.folder / "there").mkdir()
+        (self.folder / "there" / "other.csv").write_text("scene,ms\nbunny,1\n")
+        words = ("bench", "depth", "--out", "here", "--beside", "there")
+        quick, before = (*words, "--quick"), "depth ... done before"
+        self.assertIn("depth ... done quickly,", self.relievo(*quick).stdout)
+        self.assertIn(before, self.relievo(*quick).stdout)
+        self.assertIn("depth ... done, ", self.relievo(*words).stdout)
+        self.assertIn(before, self.relievo(*quick).stdout)
+        self.assertIn("renderer", (self.folder / "here" / "summary.md").read_text())
+        self.assertTrue((self.folder / "here" / "renderer.txt").read_text().strip())
+
 
 if __name__ == "__main__":
     main()

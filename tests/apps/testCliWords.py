@@ -179,6 +179,7 @@ class Words(CliTest):
                      says=["normals", "depth", "one NAME"])  # fmt: skip
         self.refused("bench", "all", "--redraw", "x", status=2, says=["'all'", "normals"])
         self.refused("bench", "--redraw", "x", "--beside", "y", status=2, says=["--beside"])
+        self.refused("bench", "--redraw", "x", "--quick", status=2, says=["--quick"])
         self.refused("bench", "--redraw=", status=2, says=["--redraw", "empty"])
         self.refused("bench", "depth", "--redraw", "nowhere", status=1, says=["nowhere/depth.csv"])
 

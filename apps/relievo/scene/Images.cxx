@@ -11,12 +11,23 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkRelievoImageFile.h"
 
 #include <algorithm>
 
 namespace cli
 {
+namespace
+{
+vtkInformationStringKey* FileKey()
+{
+  static vtkInformationStringKey* const key = vtkInformationStringKey::MakeKey("FILE", "cliImages");
+  return key;
+}
+}
+
 //------------------------------------------------------------------------------
 void CheckImage(
   const std::string& option, const std::string& path, const std::vector<std::string>& extensions)
@@ -41,6 +52,14 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, Progress& progr
   }
   progress.End();
   Messages::Check(path, !image, "expected " + failure);
+  image->GetInformation()->Set(FileKey(), path);
   return image;
+}
+
+//------------------------------------------------------------------------------
+std::string GetImageFile(vtkImageData* image)
+{
+  const char* path = image ? image->GetInformation()->Get(FileKey()) : nullptr;
+  return path ? path : "";
 }
 }

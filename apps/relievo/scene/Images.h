@@ -24,6 +24,9 @@ void CheckImage(
 
 /// The image, row 0 lowest, its numbers as they are in the file. Throws WorkError with the path.
 vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, Progress& progress);
+
+/// The file that ReadImage has an image from; "" for any other image.
+std::string GetImageFile(vtkImageData* image);
 }
 
 #endif

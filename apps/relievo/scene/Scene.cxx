@@ -255,6 +255,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
       progress.End();
     }
     vtkActorCollection* actors = scene.Renderer->GetActors();
+    scene.Counts.push_back(actors->GetNumberOfItems() - before);
     bool shows = false;
     for (int i = before; i < actors->GetNumberOfItems(); ++i)
     {
