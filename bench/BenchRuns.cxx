@@ -21,6 +21,7 @@ namespace
 {
 constexpr double TooLong = 7200.; // seconds of one bench: it hangs
 constexpr char Done[] = "done";
+constexpr char DoneQuickly[] = "done quickly"; // fewer rounds
 
 std::string RunsFile(const std::string& folder)
 {
@@ -65,8 +66,14 @@ bool WriteRuns(const std::string& folder, const std::vector<BenchRun>& runs)
   return table.WriteCsv(RunsFile(folder));
 }
 
+bool IsDone(const std::string& status, bool quick)
+{
+  return status == Done || (quick && status == DoneQuickly);
+}
+
 // How it ended. The last line of the log says why it failed.
-std::string RunOne(const std::string& program, const std::string& name, const std::string& folder)
+std::string RunOne(
+  const std::string& program, const std::string& name, const std::string& folder, bool quick)
 {
   const std::string path = folder + "/logs/" + name + ".txt";
   std::ofstream log(path, std::ios::binary);
@@ -75,7 +82,7 @@ std::string RunOne(const std::string& program, const std::string& name, const st
     return "no log: cannot write " + path;
   }
   const char* const command[] = { program.c_str(), "bench", name.c_str(), "--out", folder.c_str(),
-    nullptr };
+    quick ? "--quick" : nullptr, nullptr };
   vtksysProcess* process = vtksysProcess_New();
   vtksysProcess_SetCommand(process, command);
   vtksysProcess_SetTimeout(process, TooLong);
@@ -97,7 +104,7 @@ std::string RunOne(const std::string& program, const std::string& name, const st
     case vtksysProcess_State_Exited:
     {
       const int value = vtksysProcess_GetExitValue(process);
-      status = value == 0 ? Done : "failed, status " + std::to_string(value);
+      status = value != 0 ? "failed, status " + std::to_string(value) : quick ? DoneQuickly : Done;
       break;
     }
     case vtksysProcess_State_Exception:
@@ -110,7 +117,7 @@ std::string RunOne(const std::string& program, const std::string& name, const st
       status = std::string("did not start: ") + vtksysProcess_GetErrorString(process);
   }
   vtksysProcess_Delete(process);
-  if (status != Done)
+  if (!IsDone(status, true))
   {
     last.erase(last.find_last_not_of("\n") + 1);
     const std::string line = last.substr(last.find_last_of('\n') + 1);
@@ -122,7 +129,8 @@ std::string RunOne(const std::string& program, const std::string& name, const st
 
 //------------------------------------------------------------------------------
 int RunBenches(const std::string& program, const std::vector<std::string>& names,
-  const std::string& folder, const std::string& beside, std::vector<std::string> machine)
+  const std::string& folder, const std::string& beside, std::vector<std::string> machine,
+  bool quick)
 {
   if (!beside.empty() && !HasTables(beside))
   {
@@ -150,7 +158,7 @@ int RunBenches(const std::string& program, const std::vector<std::string>& names
     auto run = std::find_if(
       runs.begin(), runs.end(), [&name](const BenchRun& each) { return each.Name == name; });
     std::cout << name << " ... " << std::flush;
-    if (run != runs.end() && run->Status == Done)
+    if (run != runs.end() && IsDone(run->Status, quick))
     {
       std::cout << "done before; without " << RunsFile(folder) << " it is measured again\n";
       continue;
@@ -161,9 +169,9 @@ int RunBenches(const std::string& program, const std::vector<std::string>& names
       run = runs.end() - 1;
     }
     const auto start = std::chrono::steady_clock::now();
-    run->Status = RunOne(program, name, folder);
+    run->Status = RunOne(program, name, folder, quick);
     run->Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    good = good && run->Status == Done;
+    good = good && IsDone(run->Status, quick);
     std::cout << run->Status << ", " << Number(run->Seconds, 3) << " s\n" << std::flush;
     if (!WriteRuns(folder, runs) || !WriteSummary(folder, beside, machine, runs))
     {

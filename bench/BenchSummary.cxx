@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchSummary.h"
 
+#include "Renderer.h"
 #include "Table.h"
 
 #include <vtksys/Directory.hxx>
@@ -242,8 +243,8 @@ bool WriteSummary(const std::string& here, const std::string& there,
   }
   if (!there.empty())
   {
-    out << "\nBeside the tables in `" << there
-        << "`, row by row; *here* and *there* are geometric means of the rows in which both are "
+    out << "\nBeside the tables in `" << there << "`, of " << ReadRenderer(there)
+        << ", row by row; *here* and *there* are geometric means of the rows in which both are "
            "above 0, and so is their ratio, with the least and the most of a row.\n\n## Times\n\n"
            "*there / here* is how many times as fast it is here.\n\n";
     WriteColumns(out, columns, true);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameBench.h"
 
+#include "Rounds.h"
 #include "Window.h"
 
 #include <vtksys/SystemInformation.hxx>
@@ -39,6 +40,8 @@ std::vector<relievoTest::Timing> TimeInTurn(
   const std::vector<relievoTest::Timed>& ways, int rounds, int warmUp)
 {
   std::vector<relievoTest::Timing> timings(ways.size());
+  rounds = GetRounds(rounds);
+  warmUp = GetWarmUp(warmUp);
   for (int round = -warmUp; round < rounds; ++round)
   {
     for (std::size_t i = 0; i < ways.size(); ++i)

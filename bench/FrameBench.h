@@ -37,8 +37,9 @@ struct SceneWindow
 vtkSmartPointer<vtkPolyData> SceneMesh(const std::string& name);
 
 /**
- * Runs every way `rounds` times, in turn, after `warmUp` rounds that do not count. The way that
- * begins changes from round to round, so that none always follows the same other.
+ * Runs every way `rounds` times, in turn, after `warmUp` rounds that do not count; less where
+ * SetMostRounds (Rounds.h) says so. The way that begins changes from round to round, so that none
+ * always follows the same other.
  */
 std::vector<relievoTest::Timing> TimeInTurn(
   const std::vector<relievoTest::Timed>& ways, int rounds, int warmUp = 3);

@@ -3,6 +3,7 @@
 #include "RelievoBench.h"
 
 #include "BenchCharts.h"
+#include "Renderer.h"
 
 #include <algorithm>
 #include <iostream>
@@ -78,7 +79,9 @@ int RelievoBench(const std::string& name, const std::string& outDir)
   {
     if (name == entry.Name)
     {
-      return entry.Run(outDir);
+      return relievoBench::MakeFolder(outDir) && relievoBench::WriteRenderer(outDir)
+        ? entry.Run(outDir)
+        : 1;
     }
   }
   return RefuseName(name);

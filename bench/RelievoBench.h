@@ -22,9 +22,10 @@ struct RelievoBenchEntry
 const std::vector<RelievoBenchEntry>& RelievoBenchEntries();
 
 /**
- * Runs one bench; its files are written into outDir, which is made when it is not there. Progress
- * and measured values go to the standard output, errors to the standard error. Charts need a
- * display. Returns 0 when done, 1 when the work failed, 2 when there is no bench of that name.
+ * Runs one bench; its files, and what has drawn (Renderer.h), are written into outDir, which is
+ * made when it is not there. Progress and measured values go to the standard output, errors to the
+ * standard error. Charts need a display. Returns 0 when done, 1 when the work failed, 2 when there
+ * is no bench of that name.
  */
 int RelievoBench(const std::string& name, const std::string& outDir);
 

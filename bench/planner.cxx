@@ -11,6 +11,7 @@
 #include "BenchCharts.h"
 #include "BenchSizes.h"
 #include "FrameBench.h"
+#include "Rounds.h"
 #include "ShadowVerdicts.h"
 #include "Table.h"
 #include "Window.h"
@@ -141,6 +142,7 @@ struct MovingWindow
   double Learn(double& expected, int rounds)
   {
     relievoTest::Timed frame = this->Frame();
+    rounds = GetRounds(rounds);
     std::vector<double> taken;
     for (int i = 0; i < FramesBefore + rounds; ++i)
     {

@@ -7,6 +7,7 @@
 
 #include "BenchCharts.h"
 #include "BenchSizes.h"
+#include "Rounds.h"
 #include "SkinFrames.h"
 #include "SkinKeys.h"
 #include "SkinPeer.h"
@@ -305,14 +306,14 @@ bool MeasureTime(const std::string& outDir, const SkinSizes& sizes)
     WriteSkinned(file, points);
     // Each method in turn, so that what else the machine does meets all of them.
     std::vector<double> times[3];
-    for (int round = 0; round < sizes.Rounds; ++round)
+    for (int round = 0; round < GetRounds(sizes.Rounds); ++round)
     {
       for (int method = 0; method < 2; ++method)
       {
         times[method].push_back(TimeSkin(mesh, skeleton, method));
       }
     }
-    times[2] = TimeVtkReader(file, std::max(1, sizes.Rounds / 3));
+    times[2] = TimeVtkReader(file, std::max(1, GetRounds(sizes.Rounds) / 3));
     if (times[2].empty())
     {
       std::cerr << "VTK's reader sees no animation in " << file << std::endl;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchCharts.h"
 
+#include "Renderer.h"
+
 #include <iostream>
 #include <stdexcept>
 
@@ -43,6 +45,15 @@ const std::vector<Entry>& Entries()
   };
   return entries;
 }
+
+// Where the charts say what has drawn.
+void NameRenderer(Chart& chart, const std::string& renderer)
+{
+  for (std::string* text : { &chart.Title, &chart.Note, &chart.X.Title, &chart.Y.Title })
+  {
+    *text = relievoBench::NameRenderer(*text, renderer);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -77,6 +88,10 @@ bool ChartsOfBench(
     try
     {
       charts = entry.Make(files);
+      for (NamedChart& chart : charts)
+      {
+        NameRenderer(chart.What, ReadRenderer(csvFolder));
+      }
     }
     catch (const std::out_of_range&)
     {

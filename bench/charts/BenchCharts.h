@@ -27,7 +27,8 @@ std::vector<std::string> BenchesWithCharts();
 
 /**
  * The charts of a bench, from NAME.csv in the folder and what else it writes; none of a bench
- * without charts. False, with a message on the standard error, when a file cannot be read.
+ * without charts. They name what has drawn (Renderer.h). False, with a message on the standard
+ * error, when a file cannot be read.
  */
 bool ChartsOfBench(
   const std::string& bench, const std::string& csvFolder, std::vector<NamedChart>& charts);

@@ -9,6 +9,7 @@
 #include "ChartSvg.h"
 #include "Check.h"
 #include "RelievoBench.h"
+#include "Renderer.h"
 #include "Session.h"
 #include "SmallChart.h"
 #include "Table.h"
@@ -184,6 +185,42 @@ void TestOtherColumns()
   RELIEVO_CHECK(charts.empty());
 }
 
+// Charts say which renderer their folder was measured on.
+void TestRenderer(const std::string& chartsFolder)
+{
+  const std::string folder = relievoTest::OutputFolder() + "/renderer";
+  RELIEVO_CHECK(RelievoBench("depth", folder) == 0);
+  RELIEVO_CHECK(std::ifstream(folder + "/renderer.txt").good());
+  const auto write = [&folder](const std::string& name) {
+    std::ofstream(folder + "/renderer.txt") << name << "\n";
+  };
+  write("llvmpipe (LLVM 15.0.6, 256 bits)");
+  RELIEVO_CHECK(ReadRenderer(folder) == "software OpenGL");
+  write("NVIDIA H200/PCIe/SSE2");
+  RELIEVO_CHECK(ReadRenderer(folder) == "NVIDIA H200/PCIe/SSE2");
+  RELIEVO_CHECK(ReadRenderer(folder + "/none") == "software OpenGL");
+  RELIEVO_CHECK(FindRenderer("OpenGL vendor string:  A\nOpenGL renderer string:  B C\nD") == "B C");
+  RELIEVO_CHECK(FindRenderer("OpenGL renderer string:\nD").empty() && FindRenderer("").empty());
+  RELIEVO_CHECK(NameRenderer("ms, software OpenGL", "B") == "ms, B");
+  RELIEVO_CHECK(NameRenderer("Software OpenGL. Grey", "B") == "B. Grey");
+  RELIEVO_CHECK(
+    NameRenderer("Software OpenGL. Grey", "software OpenGL") == "Software OpenGL. Grey");
+  // Of charts that do say it.
+  std::vector<NamedChart> charts;
+  const std::string real = relievoTest::OutputFolder() + "/position";
+  RELIEVO_CHECK(MakeFolder(real));
+  std::ifstream from(chartsFolder + "/position.csv", std::ios::binary);
+  std::ofstream(real + "/position.csv", std::ios::binary) << from.rdbuf();
+  std::ofstream(real + "/renderer.txt") << "Some GPU\n";
+  RELIEVO_CHECK(ChartsOfBench("position", real, charts));
+  bool named = false;
+  for (const NamedChart& chart : charts)
+  {
+    named = named || chart.What.X.Title == "times a plain frame, Some GPU";
+  }
+  RELIEVO_CHECK_THAT(named, "a chart of times names the GPU");
+}
+
 void TestNames()
 {
   RELIEVO_CHECK(RelievoBench("no such bench", relievoTest::OutputFolder()) == 2);
@@ -193,11 +230,12 @@ void TestNames()
 }
 
 //------------------------------------------------------------------------------
-int main()
+int main(int argc, char* argv[])
 {
   relievoTest::TextTools text;
   relievoTest::Session session;
   TestTable();
+  TestRenderer(argc > 1 ? argv[1] : "docs/charts");
   TestScales();
   TestSvg();
   TestFiles();

@@ -9,6 +9,7 @@
 #include "BenchRuns.h"
 #include "Display.h"
 #include "RelievoBench.h"
+#include "Rounds.h"
 #include "Values.h"
 #include "Version.h"
 
@@ -28,6 +29,7 @@ namespace cli
 namespace
 {
 constexpr char All[] = "all";
+constexpr int QuickRounds = 3;
 
 int RunSeveral(const BenchOptions& options, const std::vector<std::string>& names)
 {
@@ -44,7 +46,8 @@ int RunSeveral(const BenchOptions& options, const std::vector<std::string>& name
   }
   std::vector<std::string> machine = Split(DescribeVersions(), '\n');
   machine.erase(std::remove(machine.begin(), machine.end(), ""), machine.end());
-  return relievoBench::RunBenches(program.string(), asked, options.Folder, options.Beside, machine);
+  return relievoBench::RunBenches(
+    program.string(), asked, options.Folder, options.Beside, machine, options.Quick);
 }
 }
 #endif
@@ -81,6 +84,7 @@ int Bench(const BenchOptions& options)
   {
     return RunSeveral(options, names);
   }
+  relievoBench::SetMostRounds(options.Quick ? QuickRounds : 0);
   const std::string name = options.Names.empty() ? "" : options.Names.front();
   return options.Redraw.empty() ? RelievoBench(name, options.Folder)
                                 : RelievoBenchRedraw(name, options.Redraw, options.Folder);

@@ -10,8 +10,14 @@ BenchOptions ParseBench(const std::vector<std::string>& words)
 {
   BenchOptions options;
   WalkWords(
-    words, "bench", { { "--out", false }, { "--redraw", false }, { "--beside", false } },
+    words, "bench",
+    { { "--out", false }, { "--redraw", false }, { "--beside", false }, { "--quick", true } },
     [&](const std::string& name, const std::string& value) {
+      if (name == "--quick")
+      {
+        options.Quick = true;
+        return;
+      }
       if (value.empty())
       {
         throw WordsError(name + ": its value is empty; give a folder");
@@ -29,6 +35,10 @@ BenchOptions ParseBench(const std::vector<std::string>& words)
   if (!options.Redraw.empty() && !options.Beside.empty())
   {
     throw WordsError("--beside: compares what is measured, expected without --redraw");
+  }
+  if (!options.Redraw.empty() && options.Quick)
+  {
+    throw WordsError("--quick: of what is measured, expected without --redraw");
   }
   return options;
 }

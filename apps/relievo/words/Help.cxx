@@ -18,7 +18,7 @@ const char* const Page = R"(relievo - pictures and measurable layers of meshes a
   relievo render FILE... [options] --png F | --exr F | --report F
   relievo cave [options] -o FILE.vti
   relievo stages
-  relievo bench NAME... [--out DIR] [--beside DIR] [--redraw DIR]
+  relievo bench NAME... [--out DIR] [--beside DIR] [--quick] [--redraw DIR]
   relievo --help | --version
 
 render draws the FILEs off screen and writes the outputs that you request.
@@ -167,11 +167,13 @@ bench measures, prints what it found, and writes CSV, PNG and SVG to a folder. W
   --out DIR               where to write (the current folder)
   --beside DIR            writes the summary, also for one NAME, with figures beside those of the
                           CSV files in DIR, such as docs/charts
+  --quick                 three rounds of what is timed, where else there are up to 31: a first
+                          look; the same call without it measures again
   --redraw DIR            draws the charts from the CSV files in DIR, without measuring; without
                           NAME, all of them
 
 Options are written --name value or --name=value; --scalar-bar, --edges, --loop, --skeleton,
---skybox, --deferred and --hdr alone; -- ends them.
+--skybox, --deferred, --hdr and --quick alone; -- ends them.
 Either all requested files are written, or none; of a sequence, those of each frame.
 VTK before 9.4 needs an X display, which xvfb-run provides.
 Exit status: 0 done, 1 the work failed, 2 the arguments were wrong.

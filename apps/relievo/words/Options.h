@@ -123,6 +123,7 @@ struct BenchOptions
   std::string Folder = ".";
   std::string Redraw; ///< folder of CSV files; empty: measure
   std::string Beside; ///< folder of CSV files that the summary compares with; may be empty
+  bool Quick = false; ///< fewer rounds of what is timed
 };
 
 /// Every option of render.

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Renderer.h
+ * @brief What has drawn what a folder of tables measures: charts and summaries name it.
+ */
+#ifndef relievoBenchRenderer_h
+#define relievoBenchRenderer_h
+
+#include <string>
+
+namespace relievoBench
+{
+/**
+ * Writes the name that OpenGL gives its renderer into FOLDER/renderer.txt. Needs a display. False,
+ * with a message on the standard error, if that cannot be written.
+ */
+bool WriteRenderer(const std::string& folder);
+
+/**
+ * What FOLDER/renderer.txt says; "software OpenGL" if there is none, and for the names of renderers
+ * without a graphics card.
+ */
+std::string ReadRenderer(const std::string& folder);
+
+/** The name in a report of VTK's (vtkRenderWindow::ReportCapabilities); empty: it has none. */
+std::string FindRenderer(const std::string& report);
+
+/** The text about software OpenGL with the renderer's name in that place. */
+std::string NameRenderer(std::string text, const std::string& renderer);
+}
+
+#endif
