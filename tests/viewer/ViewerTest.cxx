@@ -276,7 +276,7 @@ int ViewerTest::CountDifferent(vtkImageData* a, vtkImageData* b)
 //------------------------------------------------------------------------------
 int Run(QObject& tests, int argc, char* argv[])
 {
-  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QSurfaceFormat::setDefaultFormat(viewer::PictureView::GetFormat());
   QCoreApplication::setOrganizationName("Relievo");
   QCoreApplication::setApplicationName("tests");
   QSettings::setPath(

@@ -4,16 +4,7 @@
 // The picture of the Python program that the window copies equals the window's, byte for byte.
 #include "ViewerTest.h"
 
-#include "PythonScript.h"
-
-#include "vtkNew.h"
-#include "vtkPolyData.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLPolyDataWriter.h"
-
 #include <QtTest>
-
-#include <cmath>
 
 class TestViewerPython : public viewerTest::ViewerTest
 {
@@ -81,27 +72,6 @@ private Q_SLOTS:
   {
     this->CompareProgram({ "--color", "#3366cc", "--opacity", "0.5", "--shadows", "exact",
       "--colored-shadows", "--light", "sun:0.4,1,0.6" });
-  }
-
-  void refuses()
-  {
-    vtkNew<vtkXMLPolyDataReader> reader;
-    reader->SetFileName(this->WriteScene().c_str());
-    reader->Update();
-    reader->GetOutput()->GetPoints()->SetPoint(3, 0.0, std::nan(""), 0.0);
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    writer->SetDataModeToBinary(); // newer expats make Python's VTK refuse appended data
-    writer->SetInputData(reader->GetOutput());
-    writer->SetFileName(this->Path("holed.vtp").c_str());
-    writer->Write();
-    this->Open({ this->Path("holed.vtp") });
-    QVERIFY_EXCEPTION_THROWN(viewer::WritePython(this->Window->GetView()->GetPicture(),
-                               this->Window->GetViewSettings(), this->Path("python.png")),
-      std::exception);
-    this->Open({ this->WriteOBJ() });
-    QVERIFY_EXCEPTION_THROWN(viewer::WritePython(this->Window->GetView()->GetPicture(),
-                               this->Window->GetViewSettings(), this->Path("python.png")),
-      std::exception);
   }
 };
 

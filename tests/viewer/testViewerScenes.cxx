@@ -53,6 +53,19 @@ private Q_SLOTS:
     this->Change([](Settings& settings) { settings.Set("--time", "1.5"); });
     this->Compare("at a time");
     QVERIFY(CountDifferent(rest, this->Grab()) > 100);
+    this->Change([](Settings& settings) { settings.Set("--skeleton", ""); });
+    this->Compare("with its bones");
+  }
+
+  // Wide lines take the same pixels, at their ends too.
+  void bones()
+  {
+    const std::string models = qgetenv("RELIEVO_DATA").toStdString() + "/models/";
+    for (const char* name : { "BVH/01_01.bvh", "X/Testwuson.X", "MS3D/Wuson.ms3d" })
+    {
+      this->Open({ models + name, "--skeleton" });
+      this->Compare(name);
+    }
   }
 };
 

@@ -24,7 +24,7 @@ int main(int argc, char* argv[])
     std::fputs("usage: viewerScreenshot OUT.png WxH PANEL WORD...\n", stderr);
     return 2;
   }
-  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QSurfaceFormat::setDefaultFormat(viewer::PictureView::GetFormat());
   const QTemporaryDir folder;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
   int ours = 1;

@@ -13,15 +13,29 @@
 #include "vtkPropCollection.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace viewer
 {
 namespace
 {
+// VTK's copy of a property gives its textures back without having taken them.
 vtkSmartPointer<vtkProperty> Copy(vtkProperty* property)
 {
+  std::vector<std::pair<vtkTexture*, int>> uses;
+  for (const auto& named : property->GetAllTextures())
+  {
+    uses.emplace_back(named.second, named.second->GetReferenceCount());
+  }
   auto copy = vtkSmartPointer<vtkProperty>::New();
   copy->DeepCopy(property);
+  for (const auto& [texture, count] : uses)
+  {
+    if (texture->GetReferenceCount() == count)
+    {
+      texture->Register(copy);
+    }
+  }
   return copy;
 }
 
@@ -54,10 +68,12 @@ BareScene::BareScene(const cli::Scene& scene)
       continue;
     }
     const char* name = mapper->GetArrayName();
-    this->Parts.push_back({ actor, Copy(actor->GetProperty()), actor->GetTexture(),
-      vtkRelievoMaterial::Get(actor), mapper->GetScalarVisibility() != 0, mapper->GetScalarMode(),
-      mapper->GetColorMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(), name ? name : "",
-      mapper->GetUseLookupTableScalarRange() != 0 });
+    vtkTexture* texture = actor->GetTexture();
+    this->Parts.push_back(
+      { actor, Copy(actor->GetProperty()), texture, texture && texture->GetUseSRGBColorSpace(),
+        vtkRelievoMaterial::Get(actor), mapper->GetScalarVisibility() != 0, mapper->GetScalarMode(),
+        mapper->GetColorMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
+        name ? name : "", mapper->GetUseLookupTableScalarRange() != 0 });
   }
   vtkLightCollection* lights = renderer->GetLights();
   for (int i = 0; i < lights->GetNumberOfItems(); ++i)
@@ -67,10 +83,22 @@ BareScene::BareScene(const cli::Scene& scene)
 }
 
 //------------------------------------------------------------------------------
+const BareScene::Part* BareScene::Find(vtkActor* actor) const
+{
+  const auto found = std::find_if(this->Parts.begin(), this->Parts.end(),
+    [actor](const Part& part) { return part.Actor == actor; });
+  return found == this->Parts.end() ? nullptr : &*found;
+}
+
+//------------------------------------------------------------------------------
 void BareScene::Restore(const Part& part)
 {
   part.Actor->SetProperty(Copy(part.Property));
   part.Actor->SetTexture(part.Texture);
+  if (part.Texture)
+  {
+    part.Texture->SetUseSRGBColorSpace(part.SRGB);
+  }
   vtkMapper* mapper = part.Actor->GetMapper();
   mapper->SetScalarVisibility(part.Colored);
   mapper->SetScalarMode(part.ScalarMode);

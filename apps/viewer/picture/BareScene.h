@@ -36,19 +36,26 @@ public:
   void TakeOff();
 
   cli::Scene& Get() { return this->Scene; }
+  const cli::Scene& Get() const { return this->Scene; }
 
-private:
+  /// What an actor was before it was dressed.
   struct Part
   {
     vtkSmartPointer<vtkActor> Actor;
     vtkSmartPointer<vtkProperty> Property;
     vtkSmartPointer<vtkTexture> Texture;
+    bool SRGB;                                    // of the texture
     vtkSmartPointer<vtkRelievoMaterial> Material; // of a model that brings one
     bool Colored;
     int ScalarMode, ColorMode, ArrayAccess, ArrayId;
     std::string ArrayName;
     bool OwnRange;
   };
+
+  /// Null for an actor that was not read, such as a skeleton.
+  const Part* Find(vtkActor* actor) const;
+
+private:
   void Restore(const Part& part);
 
   cli::Scene Scene;

@@ -70,7 +70,7 @@ public:
   vtkRenderer* GetRenderer() { return this->Now.Renderer; }
   vtkRelievoPass* GetFrame();
   const std::set<std::string>& GetArrays() { return this->Now.Bare.Get().Arrays; }
-  const std::set<std::string>& GetIncomplete() { return this->Now.Bare.Get().Incomplete; }
+  const BareScene& GetBare() const { return this->Now.Bare; }
   std::array<double, 2> GetTimes()
   {
     return this->Now.Bare.Get().Times.value_or(std::array<double, 2>{ 0.0, 0.0 });

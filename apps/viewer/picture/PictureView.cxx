@@ -30,6 +30,14 @@ vtkStandardNewMacro(MouseStyle);
 }
 
 //------------------------------------------------------------------------------
+QSurfaceFormat PictureView::GetFormat()
+{
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setOption(QSurfaceFormat::DeprecatedFunctions); // of which wide lines are one
+  return format;
+}
+
+//------------------------------------------------------------------------------
 PictureView::PictureView(QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
 {
@@ -49,6 +57,12 @@ PictureView::PictureView(QWidget* parent)
     static_cast<PictureView*>(self)->OnDrawn();
   });
   window->AddObserver(vtkCommand::EndEvent, command);
+  vtkNew<vtkCallbackCommand> begin;
+  begin->SetClientData(this);
+  begin->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+    static_cast<PictureView*>(self)->LetLinesBeWide();
+  });
+  this->Beginning = window->AddObserver(vtkCommand::StartEvent, begin);
   this->Soon.setSingleShot(true);
   QObject::connect(&this->Soon, &QTimer::timeout, this, [this] { this->renderWindow()->Render(); });
 }
@@ -57,6 +71,7 @@ PictureView::PictureView(QWidget* parent)
 PictureView::~PictureView()
 {
   this->renderWindow()->RemoveObservers(vtkCommand::EndEvent);
+  this->renderWindow()->RemoveObserver(this->Beginning);
   this->makeCurrent();
   this->Shown.reset();
   this->doneCurrent();
@@ -69,6 +84,16 @@ void PictureView::Draw()
   {
     this->Soon.start(0);
   }
+}
+
+//------------------------------------------------------------------------------
+// VTK's widget has wide lines drawn as quadrilaterals, for OpenGL may refuse them to Qt's contexts.
+// The command line's window leaves them to OpenGL, which takes other pixels at their ends.
+void PictureView::LetLinesBeWide()
+{
+  vtkGenericOpenGLRenderWindow::SafeDownCast(this->renderWindow())
+    ->SetForceMaximumHardwareLineWidth(
+      this->format().testOption(QSurfaceFormat::DeprecatedFunctions) ? 0.0F : 1.0F);
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <QSurfaceFormat>
 #include <QTimer>
 
 #include <memory>
@@ -21,6 +22,9 @@ class PictureView : public QVTKOpenGLNativeWidget
   Q_OBJECT
 
 public:
+  /// Programs make it their default before there is a view.
+  static QSurfaceFormat GetFormat();
+
   explicit PictureView(QWidget* parent = nullptr);
   ~PictureView() override;
 
@@ -41,9 +45,11 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
+  void LetLinesBeWide();
   void OnDrawn();
 
   std::unique_ptr<Picture> Shown;
+  unsigned long Beginning;
   QTimer Soon;
 };
 }

@@ -3,33 +3,60 @@
 #include "PythonSurface.h"
 
 #include "Options.h"
+#include "PythonActors.h"
 #include "PythonWords.h"
+#include "Scene.h"
 #include "Settings.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMapper.h"
+#include "vtkPolyData.h"
 #include "vtkPropCollection.h"
 #include "vtkRelievoMaterial.h"
+#include "vtkRelievoTextureCoordinates.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
 #include "vtkTextProperty.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace viewer
 {
 namespace
 {
-void WriteMaterial(std::ostream& out, vtkRenderer* renderer, const cli::RenderOptions& options)
+// What relievo.environment gives a material of its own, as the command line does.
+bool IsPlain(const cli::Scene& scene, vtkActor* actor)
 {
+  const auto isOwn = [actor](const cli::PosedModel& model) { return model.Skeleton == actor; };
+  auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  return mesh && mesh->GetNumberOfPolys() > 0 &&
+    std::none_of(scene.Models.begin(), scene.Models.end(), isOwn);
+}
+
+//------------------------------------------------------------------------------
+void WriteMaterial(std::ostream& out, const cli::Scene& scene, vtkRelievoMaterial* material,
+  const std::vector<int>& actors, const cli::RenderOptions& options)
+{
+  auto* first =
+    vtkActor::SafeDownCast(scene.Renderer->GetActors()->GetItemAsObject(actors.front()));
   out << "\nmaterial = relievo.vtkRelievoMaterial()\n";
-  if (!options.NormalMap.empty())
+  if (vtkImageData* map = material->GetNormalMap())
   {
-    out << "material.SetNormalMap(image(" << Quote(options.NormalMap) << "))\n";
+    out << "material.SetNormalMap(" << WriteImage(scene, first, map, "normal_texture") << ")\n";
+    if (material->GetNormalStrength() != 1.0)
+    {
+      out << "material.SetNormalStrength(" << WriteNumber(material->GetNormalStrength()) << ")\n";
+    }
   }
   if (!options.HeightMap.empty())
   {
     // The depth of the relief may follow from the scene's size: it is that of what is shown.
-    vtkRelievoMaterial* material =
-      vtkRelievoMaterial::Get(vtkActor::SafeDownCast(renderer->GetActors()->GetItemAsObject(0)));
     out << "material.SetHeightMap(image(" << Quote(options.HeightMap) << "))\n"
         << "material.SetHeightScale(" << WriteNumber(material->GetHeightScale()) << ")\n"
         << "material.SetMethod(" << material->GetMethod() << ")\n"
@@ -41,7 +68,63 @@ void WriteMaterial(std::ostream& out, vtkRenderer* renderer, const cli::RenderOp
     out << "material.SetReflectivity(" << WriteNumber(options.Reflectivity)
         << ")\nmaterial.SetRoughness(" << WriteNumber(options.Roughness) << ")\n";
   }
-  out << "for actor in renderer.GetActors():\n    material.Attach(actor)\n";
+  if (static_cast<int>(actors.size()) == scene.Renderer->GetActors()->GetNumberOfItems())
+  {
+    out << "for actor in renderer.GetActors():\n    material.Attach(actor)\n";
+    return;
+  }
+  out << "actors = list(renderer.GetActors())\n";
+  for (const int actor : actors)
+  {
+    out << "material.Attach(actors[" << actor << "])\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteMaterials(std::ostream& out, const cli::Scene& scene, const cli::RenderOptions& options)
+{
+  std::vector<std::pair<vtkRelievoMaterial*, std::vector<int>>> materials;
+  vtkActorCollection* actors = scene.Renderer->GetActors();
+  bool plain = !IsMapped(options);
+  for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+  {
+    vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
+    vtkRelievoMaterial* material = vtkRelievoMaterial::Get(actor);
+    plain = plain && IsPlain(scene, actor) && (!material || !material->GetNormalMap());
+    if (!material)
+    {
+      continue;
+    }
+    const auto known = std::find_if(materials.begin(), materials.end(),
+      [material](const auto& each) { return each.first == material; });
+    auto& users = known == materials.end()
+      ? materials.emplace_back(material, std::vector<int>()).second
+      : known->second;
+    users.push_back(i);
+  }
+  for (const auto& [material, users] : materials)
+  {
+    if (!plain)
+    {
+      WriteMaterial(out, scene, material, users, options);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Somebody's environment lights alone: no headlight.
+bool HasNullLight(vtkRenderer* renderer)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  for (int i = 0; i < lights->GetNumberOfItems(); ++i)
+  {
+    vtkLight* light = vtkLight::SafeDownCast(lights->GetItemAsObject(i));
+    if (light->LightTypeIsHeadlight() && light->GetIntensity() == 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 }
 
@@ -52,46 +135,24 @@ bool IsMapped(const cli::RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
-void WriteMapped(std::ostream& out, const cli::RenderOptions& options)
+std::string WriteMapped(const std::string& data, const cli::RenderOptions& options)
 {
-  static const char* const mappings[] = { "Box", "Plane", "Sphere" };
+  constexpr int mappings[] = { vtkRelievoTextureCoordinates::BOX,
+    vtkRelievoTextureCoordinates::PLANE, vtkRelievoTextureCoordinates::SPHERE };
   const auto mapping = options.TextureMapping.value_or(cli::Mapping::Box);
-  out << R"(
-
-def mapped(data):
-    """With texture coordinates, where there are none."""
-    if data.GetPointData().GetTCoords() or data.GetNumberOfPolys() + data.GetNumberOfStrips() == 0:
-        return data
-    if data.GetNumberOfStrips() > 0:
-        triangles = vtkTriangleFilter()
-        triangles.SetInputData(data)
-        triangles.Update()
-        data = triangles.GetOutput()
-    coordinates = relievo.vtkRelievoTextureCoordinates()
-    coordinates.SetInputData(data)
-    coordinates.SetMappingTo)"
-      << mappings[static_cast<int>(mapping)] << "()\n    coordinates.SetUp(" << options.UpAxis
-      << R"()
-    coordinates.Update()
-    data = coordinates.GetOutput()
-    data.GetPointData().RemoveArray("vtkOriginalPointIds")
-    return data
-
-)";
+  return "mapped(" + data + ", " + std::to_string(mappings[static_cast<int>(mapping)]) + ", " +
+    std::to_string(options.UpAxis) + ")";
 }
 
 //------------------------------------------------------------------------------
-void WriteSurface(std::ostream& out, vtkRenderer* renderer, const cli::RenderOptions& options)
+void WriteSurface(std::ostream& out, const cli::Scene& scene, const cli::RenderOptions& options)
 {
-  if (IsMapped(options))
-  {
-    WriteMaterial(out, renderer, options);
-  }
+  WriteMaterials(out, scene, options);
   if (options.Environment.empty())
   {
     return;
   }
-  if (options.Lights.empty())
+  if (HasNullLight(scene.Renderer))
   {
     out << "\nlight = vtkLight()\nlight.SetLightTypeToHeadlight()\nlight.SetIntensity(0)\n"
         << "renderer.AddLight(light)  # the environment lights\n";

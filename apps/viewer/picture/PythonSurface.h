@@ -7,12 +7,14 @@
 #define PythonSurface_h
 
 #include <ostream>
+#include <string>
 
 class vtkRenderer;
 
 namespace cli
 {
 struct RenderOptions;
+struct Scene;
 }
 
 namespace viewer
@@ -20,11 +22,11 @@ namespace viewer
 /// Whether surfaces need texture coordinates.
 bool IsMapped(const cli::RenderOptions& options);
 
-/// The function mapped(data), which gives a mesh texture coordinates where it has none.
-void WriteMapped(std::ostream& out, const cli::RenderOptions& options);
+/// Data with texture coordinates on every mesh.
+std::string WriteMapped(const std::string& data, const cli::RenderOptions& options);
 
-/// The material of all actors and what it reflects, with image(path), which the program has.
-void WriteSurface(std::ostream& out, vtkRenderer* renderer, const cli::RenderOptions& options);
+/// The materials of all actors, and the environment.
+void WriteSurface(std::ostream& out, const cli::Scene& scene, const cli::RenderOptions& options);
 
 /// The colour scale, of the last actor's `colors`, if the renderer shows one.
 void WriteScalarBar(std::ostream& out, vtkRenderer* renderer);

@@ -37,9 +37,7 @@ std::string WriteThree(const double* values)
 const char* GetReader(const std::string& path)
 {
   const std::string extension = cli::ExtensionOf(path);
-  const bool refused =
-    cli::IsGLTF(path) || cli::IsModel(path) || extension == ".vtm" || extension == ".vtmb";
-  if (refused)
+  if (cli::IsGLTF(path) || cli::IsModel(path))
   {
     RefusePython(path);
   }

@@ -1,0 +1,342 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PythonActors.h"
+
+#include "BareScene.h"
+#include "Images.h"
+#include "Options.h"
+#include "PythonProperty.h"
+#include "PythonSurface.h"
+#include "PythonWords.h"
+#include "Readers.h"
+#include "Scene.h"
+#include "Settings.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkMapper.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRelievoModelReader.h"
+#include "vtkRelievoVTKVersions.h"
+#include "vtkStringArray.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <vector>
+
+namespace viewer
+{
+namespace
+{
+#ifdef RELIEVO_VTK_COMPOSITE_HELPERS
+constexpr const char* CompositeMapper = "vtkCompositePolyDataMapper2";
+#else
+constexpr const char* CompositeMapper = "vtkCompositePolyDataMapper";
+#endif
+constexpr std::size_t MostRanges = 2000; // of a material's faces, which a program lists
+
+std::string NameReader(std::size_t model)
+{
+  return "model" + std::to_string(model);
+}
+
+//------------------------------------------------------------------------------
+// The cells of the file that a mesh has: the first and the last of each range.
+std::string WriteRanges(vtkPolyData* mesh, const std::string& path)
+{
+  auto* ids = vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetArray("vtkOriginalCellIds"));
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  std::size_t ranges = 0;
+  for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
+  {
+    const vtkIdType first = ids->GetValue(i);
+    while (i + 1 < ids->GetNumberOfValues() && ids->GetValue(i + 1) == ids->GetValue(i) + 1)
+    {
+      ++i;
+    }
+    text << (ranges++ == 0 ? "" : ", ") << "(" << first << ", " << ids->GetValue(i) << ")";
+  }
+  if (ranges > MostRanges)
+  {
+    RefusePython(
+      path + " with faces that change their material " + std::to_string(ranges) + " times");
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+class ActorWriter
+{
+public:
+  ActorWriter(std::ostream& out, const BareScene& bare, const cli::RenderOptions& options)
+    : Out(out)
+    , Bare(bare)
+    , Scene(bare.Get())
+    , Options(options)
+  {
+    vtkActorCollection* actors = this->Scene.Renderer->GetActors();
+    for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+    {
+      this->Actors.push_back(vtkActor::SafeDownCast(actors->GetItemAsObject(i)));
+    }
+  }
+
+  void WriteFiles()
+  {
+    for (std::size_t i = 0; i < this->Options.Files.size(); ++i)
+    {
+      const std::string& path = this->Options.Files[i];
+      const auto count = static_cast<std::size_t>(this->Scene.Counts[i]);
+      if (cli::IsModel(path) || (cli::IsGLTF(path) && this->Options.Model.Given))
+      {
+        this->WriteModel(this->Scene.Models[this->Model]);
+      }
+      else if (cli::IsGLTF(path))
+      {
+        this->WriteGLTF(path, count);
+      }
+      else
+      {
+        this->WriteData(path, count);
+      }
+      this->Next += count;
+    }
+    this->WriteSkeletons();
+  }
+
+private:
+  std::string Smooth(const std::string& data) const
+  {
+    return this->Options.ShadingKind == cli::Shading::Flat ? data : "smooth(" + data + ")";
+  }
+
+  std::string Map(const std::string& mesh) const
+  {
+    return IsMapped(this->Options) ? WriteMapped(mesh, this->Options) : mesh;
+  }
+
+  //----------------------------------------------------------------------------
+  void WriteActor(vtkActor* actor, const std::string& mesh)
+  {
+    vtkMapper* mapper = actor->GetMapper();
+    const bool single = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+    this->Out << "mapper = " << (single ? "vtkPolyDataMapper" : CompositeMapper)
+              << "()\nmapper.SetInputDataObject(" << this->Map(mesh) << ")\n";
+    WriteColors(this->Out, mapper, true);
+    this->Out << "actor = vtkActor()\nactor.SetMapper(mapper)\nproperty = actor.GetProperty()\n";
+    WriteProperty(this->Out, actor->GetProperty(), vtkNew<vtkProperty>());
+    this->WriteTexture(actor);
+    this->Out << "renderer.AddActor(actor)\n";
+  }
+
+  //----------------------------------------------------------------------------
+  // Actors share textures.
+  void WriteTexture(vtkActor* actor)
+  {
+    vtkTexture* texture = actor->GetTexture();
+    if (!texture)
+    {
+      return;
+    }
+    std::string& name = this->Textures[texture];
+    if (name.empty())
+    {
+      name = "texture" + std::to_string(this->Textures.size() - 1);
+      this->Out << name << " = vtkTexture()\n"
+                << name << ".SetInputData("
+                << WriteImage(this->Scene, actor, texture->GetInput(), "base_color_texture")
+                << ")\n"
+                << name << ".InterpolateOn()\n"
+                << name << ".MipmapOn()\n"
+                << (texture->GetUseSRGBColorSpace() ? name + ".UseSRGBColorSpaceOn()\n" : "");
+    }
+    this->Out << "actor.SetTexture(" << name << ")\n";
+    if (actor->GetProperty()->GetTexture("albedoTex") == texture)
+    {
+      this->Out << "property.SetBaseColorTexture(" << name << ")\n";
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  void WriteData(const std::string& path, std::size_t count)
+  {
+    const bool incomplete = this->Scene.Incomplete.count(path) != 0;
+    std::string mesh = std::string("surface(data(") + GetReader(path) + "(), " + Quote(path) + "))";
+    mesh = this->Smooth(incomplete ? "finite(" + mesh + ")" : mesh);
+    const auto cells = [](vtkActor* actor) {
+      vtkPolyData* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+      return data && data->GetCellData()->HasArray("vtkOriginalCellIds") ? data : nullptr;
+    };
+    const bool split = cli::ExtensionOf(path) == ".obj" &&
+      (count > 1 || (!incomplete && cells(this->Actors[this->Next])));
+    this->Out << "\n";
+    if (!split)
+    {
+      this->WriteActor(this->Actors[this->Next], mesh);
+      return;
+    }
+    if (incomplete)
+    {
+      RefusePython(path + " with materials and points that are not finite");
+    }
+    this->Out << "mesh = " << mesh << "\n";
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      vtkActor* actor = this->Actors[this->Next + i];
+      vtkPolyData* data = cells(actor);
+      vtkDataArray* coordinates = data->GetPointData()->GetTCoords();
+      const char* name = coordinates ? coordinates->GetName() : nullptr;
+      this->WriteActor(
+        actor, "part(mesh, [" + WriteRanges(data, path) + "], " + Quote(name ? name : "") + ")");
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  // What the file's own actors have is not said again.
+  void WriteGLTF(const std::string& path, std::size_t count)
+  {
+    this->Out << "\nscene = vtkGLTFImporter()\nscene.SetFileName(" << Quote(path)
+              << ")\nscene.SetRenderWindow(window)\nscene.Update()\n"
+              << "actors = list(renderer.GetActors())\n";
+    for (std::size_t i = this->Next; i < this->Next + count; ++i)
+    {
+      vtkActor* actor = this->Actors[i];
+      const BareScene::Part* part = this->Bare.Find(actor);
+      if (!part)
+      {
+        continue;
+      }
+      std::ostringstream lines;
+      lines.imbue(std::locale::classic());
+      if (IsMapped(this->Options))
+      {
+        lines << "turn(actor)\nmapper.Update()\nmapper.SetInputDataObject("
+              << this->Map("mapper.GetInputDataObject(0, 0)") << ")\n";
+      }
+      if (!actor->GetMapper()->GetScalarVisibility() || !part->Colored ||
+        actor->GetMapper()->GetUseLookupTableScalarRange())
+      {
+        WriteColors(lines, actor->GetMapper(), part->Colored);
+      }
+      WriteProperty(lines, actor->GetProperty(), part->Property);
+      if (part->Texture && !actor->GetTexture())
+      {
+        lines << "actor.SetTexture(None)\n";
+      }
+      if (!lines.str().empty())
+      {
+        this->Out << "actor = actors[" << i << "]\nmapper = actor.GetMapper()\n"
+                  << "property = actor.GetProperty()\n"
+                  << lines.str();
+      }
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  void WriteModel(const cli::PosedModel& model)
+  {
+    const std::string name = NameReader(this->Model);
+    const vtkNew<vtkRelievoModelReader> fresh;
+    vtkRelievoModelReader* reader = model.Reader;
+    this->Out << "\n"
+              << name << " = relievo.vtkRelievoModelReader()\n"
+              << name << ".SetFileName(" << Quote(model.Path) << ")\n";
+    const auto write = [&](const char* what, const std::string& value, bool differs) {
+      this->Out << (differs ? name + ".Set" + what + "(" + value + ")\n" : "");
+    };
+    const auto writeText = [&](const char* what, const char* text) {
+      write(what, Quote(text ? text : ""), text && *text);
+    };
+    const auto writeSwitch = [&](const char* what, bool on) { write(what, "True", on); };
+    writeText("Animation", reader->GetAnimation());
+    writeText("BlendAnimation", reader->GetBlendAnimation());
+    write("BlendWeight", WriteNumber(reader->GetBlendWeight()), reader->GetBlendWeight() != 0.);
+    writeText("WeightsOf", reader->GetWeightsOf());
+    writeSwitch("Loop", reader->GetLoop());
+    writeSwitch("SkeletonAxes", reader->GetSkeletonAxes());
+    writeSwitch("FirstBone", reader->GetFirstBone());
+    write("Pose", std::to_string(reader->GetPose()), reader->GetPose() != fresh->GetPose());
+    write("Method", std::to_string(reader->GetMethod()), reader->GetMethod() != fresh->GetMethod());
+    const std::optional<double> time = this->Options.Model.Time;
+    this->Out << name << (time ? ".UpdateTimeStep(" + WriteNumber(*time) : ".Update(") << ")\n";
+    for (std::size_t i = 0; i < model.Parts.size(); ++i)
+    {
+      this->WriteActor(this->Actors[this->Next + i],
+        this->Smooth("surface(" + name + ".GetOutput().GetBlock(" +
+          std::to_string(model.Parts[i].Block) + "))"));
+    }
+    ++this->Model;
+  }
+
+  //----------------------------------------------------------------------------
+  void WriteSkeletons()
+  {
+    for (std::size_t i = 0; i < this->Scene.Models.size(); ++i)
+    {
+      if (vtkActor* actor = this->Scene.Models[i].Skeleton)
+      {
+        this->Out << "\nmapper = vtkPolyDataMapper()\nmapper.SetInputDataObject(" << NameReader(i)
+                  << ".GetOutputDataObject(1))\nmapper.SetScalarModeToUseCellData()\n"
+                  << "bones = vtkActor()\nbones.SetMapper(mapper)\n"
+                  << "bones.GetProperty().LightingOff()\nbones.GetProperty().SetLineWidth("
+                  << actor->GetProperty()->GetLineWidth() << ")\nrenderer.AddActor(bones)\n";
+      }
+    }
+  }
+
+  std::ostream& Out;
+  const BareScene& Bare;
+  const cli::Scene& Scene;
+  const cli::RenderOptions& Options;
+  std::vector<vtkActor*> Actors;
+  std::map<vtkTexture*, std::string> Textures;
+  std::size_t Next = 0;  // the first actor of the next file
+  std::size_t Model = 0; // the next one with bones
+};
+}
+
+//------------------------------------------------------------------------------
+void WriteActors(std::ostream& out, const BareScene& bare, const cli::RenderOptions& options)
+{
+  ActorWriter(out, bare, options).WriteFiles();
+}
+
+//------------------------------------------------------------------------------
+std::string WriteImage(
+  const cli::Scene& scene, vtkActor* actor, vtkImageData* image, const char* array)
+{
+  const std::string file = cli::GetImageFile(image);
+  if (!file.empty())
+  {
+    return "image(" + Quote(file) + ")";
+  }
+  for (std::size_t i = 0; i < scene.Models.size(); ++i)
+  {
+    for (const cli::PosedModel::Part& part : scene.Models[i].Parts)
+    {
+      auto* block =
+        vtkDataSet::SafeDownCast(scene.Models[i].Reader->GetOutput()->GetBlock(part.Block));
+      auto* names = part.Actor == actor && block
+        ? vtkStringArray::SafeDownCast(block->GetFieldData()->GetAbstractArray(array))
+        : nullptr;
+      if (names && names->GetNumberOfValues() > 0)
+      {
+        return NameReader(i) + ".GetEmbeddedTexture(" + Quote(names->GetValue(0)) + ")";
+      }
+    }
+  }
+  RefusePython("an image that is of no file");
+}
+}

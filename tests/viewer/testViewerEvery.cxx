@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Every option, every parameter of every stage and every layer: the window's picture equals that of
+// the command line, byte for byte, and where Python is wrapped that of the copied program too.
+#include "ViewerTest.h"
+
+#include "Options.h"
+#include "Words.h"
+
+#include "vtkNew.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoParameter.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoStage.h"
+#include "vtkRelievoStageDescription.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+using viewer::Settings;
+
+namespace
+{
+// What options take, where it is not in other tests: of switches in testViewerPictures, of models
+// in testViewerPythonFiles. Words that others need stand in front.
+const std::vector<QStringList> Rows = {
+  { "--clip", "0.5,40" },
+  { "--view-angle", "47" },
+  { "--shading", "gouraud" },
+  { "--shading", "phong" },
+  { "--preset", "print" },
+  { "--color-by", "part", "--range", "100,300", "--colormap", "cool-warm" },
+  { "--color-by", "height", "--colormap", "grey" },
+  { "--color-by", "height", "--colormap", "hot" },
+  { "--color-by", "Normals,1", "--scalar-bar" },
+  { "--background", "#102030,gray" },
+  { "--shadows", "forward" },
+  { "--shadows", "warped" },
+  { "--shadows", "exact", "--colored-shadows" },
+  { "--height-map", "IMAGE,0.1", "--relief", "parallax" },
+  { "--height-map", "IMAGE,0.1", "--relief", "steep" },
+  { "--height-map", "IMAGE,0.1", "--relief", "occlusion", "--texture-coordinates", "plane" },
+  { "--height-map", "IMAGE,0.1", "--relief", "off", "--up", "x" },
+  { "--lamps", "POINTS,falloff=vtk,attenuation=1/0.5/0.1,casts=always" },
+  { "--markers", "POINTS,shape=glow,radius=0.5,opacity=0.5,color=1/0/0" },
+  { "--light", "point:1,2,2,size=0.3", "--light", "spot:0,3,2,0,0,0,30", "--shadows", "map" },
+};
+
+const std::set<std::string> Elsewhere = { "--size", "--camera", "--parallel-scale", "--color",
+  "--opacity", "--edges", "--time", "--times", "--animation", "--blend", "--loop", "--skeleton",
+  "--bone-weight", "--skin", "--normal-map", "--environment", "--reflectivity", "--skybox",
+  "--fog" };
+
+// Said as parameters of stages, or no part of a picture.
+const std::set<std::string> OfStages = { "--shadow-size", "--soft-shadows", "--shadow-tolerance",
+  "--time-budget", "--stage", "--deferred", "--tone", "--exposure", "--certify", "--layers",
+  "--hdr", "--png", "--exr", "--report" };
+
+// What it comes to follows from times that are measured.
+const std::string Measured = "time_budget";
+
+// Other values than the default.
+std::vector<std::string> GetValues(const vtkRelievoParameter& parameter)
+{
+  std::vector<std::string> values;
+  switch (parameter.Type)
+  {
+    case vtkRelievoParameter::FLAG:
+      return { parameter.Default == "on" ? "off" : "on" };
+    case vtkRelievoParameter::CHOICE:
+      std::copy_if(parameter.Choices.begin(), parameter.Choices.end(), std::back_inserter(values),
+        [&parameter](const std::string& choice) { return choice != parameter.Default; });
+      return values;
+    case vtkRelievoParameter::TEXT:
+      return {};
+    default:
+    {
+      const double before = std::stod(parameter.Default);
+      const bool whole = parameter.Type == vtkRelievoParameter::WHOLE;
+      double value = whole ? std::floor(before / 2.0) : before / 2.0;
+      if (value == before || value < parameter.Least)
+      {
+        value = before + (whole ? 1.0 : std::min(1.0, 0.1 * (parameter.Most - before)));
+      }
+      return { viewer::WriteNumber(value) };
+    }
+  }
+}
+}
+
+class TestViewerEvery : public viewerTest::ViewerTest
+{
+  Q_OBJECT
+
+private:
+  void CompareAll(const std::string& what)
+  {
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    this->Compare(what.c_str());
+#ifdef RELIEVO_TEST_PYTHON
+    const vtkSmartPointer<vtkImageData> shown = this->Grab();
+    const int different = CountDifferent(shown, this->RunPython());
+    QVERIFY2(different == 0,
+      qPrintable(QString("%1: %2 pixels of Python's differ").arg(what.c_str()).arg(different)));
+#endif
+  }
+
+private Q_SLOTS:
+  // A new option gets a row in this test, or is named with those that others have.
+  void knowsAllOptions()
+  {
+    std::set<std::string> covered = Elsewhere;
+    covered.insert(OfStages.begin(), OfStages.end());
+    for (const QStringList& row : Rows)
+    {
+      for (const QString& word : row)
+      {
+        covered.insert(word.toStdString());
+      }
+    }
+    for (const cli::KnownOption& option : cli::GetRenderOptions())
+    {
+      QVERIFY2(covered.count(option.Name) != 0, option.Name.c_str());
+    }
+  }
+
+  void options_data()
+  {
+    QTest::addColumn<QStringList>("words");
+    for (const QStringList& row : Rows)
+    {
+      QTest::newRow(qPrintable(row.join(' '))) << row;
+    }
+  }
+
+  void options()
+  {
+    QFETCH(QStringList, words);
+    std::vector<std::string> own = { this->WriteScene(), this->WriteOBJ() };
+    if (!words.contains("--light") && !words.contains("--preset"))
+    {
+      own.insert(own.end(), { "--light", "sun:0.4,1,0.6" });
+    }
+    this->Open(own);
+    for (QString word : words)
+    {
+      word.replace("POINTS", QString::fromStdString(this->WritePoints()));
+      own.push_back(
+        word.replace("IMAGE", QString::fromStdString(this->WriteImage())).toStdString());
+    }
+    this->Window->GetDocument()->Set(Settings::FromWords(own));
+    this->WaitUntilRead();
+    this->CompareAll(QTest::currentDataTag());
+  }
+
+  void stages_data()
+  {
+    QTest::addColumn<QString>("stage");
+    const vtkNew<vtkRelievoPass> frame;
+    for (int i = 0; i < frame->GetNumberOfStages(); ++i)
+    {
+      const QString name = QString::fromStdString(frame->GetStage(i)->GetStageName());
+      QTest::newRow(qPrintable(name)) << name;
+    }
+  }
+
+  // Each value alone; then in Python too.
+  void stages()
+  {
+    QFETCH(QString, stage);
+    const std::string points = this->WritePoints();
+    this->Open({ this->WriteScene(), this->WriteOBJ(), "--light", "sun:0.4,1,0.6", "--shadows",
+      "map", "--lamps", points, "--fog", points + ",density=0.4", "--markers", points, "--stage",
+      "display:layer=" });
+    const Settings before = this->Window->GetDocument()->Get();
+    const std::string name = stage.toStdString();
+    const vtkNew<vtkRelievoPass> frame;
+    this->Change([&name](Settings& settings) { settings.AskStage(name, true); });
+    this->CompareAll(name);
+    for (const vtkRelievoParameter& parameter : frame->GetStage(name)->GetDescription().Parameters)
+    {
+      for (const std::string& value : GetValues(parameter))
+      {
+        if (parameter.Name == Measured)
+        {
+          continue;
+        }
+        this->Window->GetDocument()->Set(before);
+        this->Change([&](Settings& settings) {
+          settings.AskStage(name, true);
+          settings.SetParameter(name, parameter.Name, value);
+        });
+        this->CompareAll(name + ":" + parameter.Name + "=" + value);
+      }
+    }
+  }
+
+  void layers()
+  {
+    const std::string points = this->WritePoints();
+    this->Open({ this->WriteScene(), this->WriteOBJ(), "--light", "sun:0.4,1,0.6", "--lamps",
+      points, "--fog", points, "--markers", points });
+    for (int i = 0; i < vtkRelievoLayerCatalogue::GetNumberOfLayers(); ++i)
+    {
+      const std::string given = vtkRelievoLayerCatalogue::GetLayerName(i);
+      const std::string name = vtkRelievoLayerCatalogue::GetIsLayer(given) ? given : "shadow_0";
+      this->Change(
+        [&name](Settings& settings) { settings.SetParameter("display", "layer", name); });
+      this->Compare(name.c_str());
+    }
+  }
+};
+
+int main(int argc, char* argv[])
+{
+  TestViewerEvery tests;
+  return viewerTest::Run(tests, argc, argv);
+}
+
+#include "testViewerEvery.moc"
