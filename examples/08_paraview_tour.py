@@ -99,11 +99,13 @@ def bike(folder, data):
     spot.Position, spot.FocalPoint, spot.ConeAngle = [3.6, 1.2, 3.0], [0.7, 0.0, 0.4], 75
     spot.Intensity = 0.4
     colours = simple.GetColorTransferFunction("Elevation")
-    colours.ApplyPreset("Viridis (matplotlib)", True)
+    newer = simple.GetParaViewVersion() >= (6, 1)
+    colours.ApplyPreset("Viridis" if newer else "Viridis (matplotlib)", True)
     bar = simple.GetScalarBar(colours, shadows)
     bar.Title, bar.ComponentTitle = "height (m)", ""
     bar.TitleColor = bar.LabelColor = [0.1, 0.1, 0.1]
-    bar.RangeLabelFormat, bar.WindowLocation = "%.1f", "Upper Right Corner"
+    bar.RangeLabelFormat = "{:.1f}" if newer else "%.1f"
+    bar.WindowLocation = "Upper Right Corner"
     simple.GetDisplayProperties(height, shadows).SetScalarBarVisibility(shadows, True)
     layer.RelievoDisplayLayer = "normal"
     paraview_sheet.save(folder / "paraview_bike.png", views)

@@ -149,7 +149,7 @@ class Walk:
                     {"Representation": choose(["Surface", "Surface", "Wireframe", "Points"])},
                     {"Opacity": choose([1.0, 1.0, 0.5])},
                     {"Pickable": choose([0, 1])},
-                    {"Position": [self.between(-0.5, 0.5), self.between(-0.5, 0.5), 0.1]},
+                    {pv.TRANSLATION: [self.between(-0.5, 0.5), self.between(-0.5, 0.5), 0.1]},
                     {"DiffuseColor": [self.between(0, 1), self.between(0, 1), 0.5]},
                 ]
             ),

@@ -61,7 +61,7 @@ class Lamps(pv.Test):
         """The layer is the sum over the points, wherever the representation is moved."""
         self.lamps.RelievoLamps = 1
         for move in ((0, 0, 0), (0.3, 0.2, 0.1)):
-            self.lamps.Position = list(move)
+            setattr(self.lamps, pv.TRANSLATION, list(move))
             light, place, normal, depth = self.layers("light", "position", "normal", "depth")
             there = numpy.isfinite(depth)
             truth = lampScene.light(place, normal, numpy.array(lampScene.PLACES) + move)
@@ -150,7 +150,7 @@ class Lamps(pv.Test):
         self.lamps.RelievoLampIntensity = 2.0
         item.finalize()
         del item
-        self.assertIn("RelievoLampIntensity = 2.0", smtrace.stop_trace())
+        self.traced(smtrace.stop_trace(), "RelievoLampIntensity", 2.0)
         state = pv.OUTPUT / "lamps.pvsm"
         picture = pv.picture(self.view)
         simple.SaveState(str(state))

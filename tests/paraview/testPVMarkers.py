@@ -71,7 +71,7 @@ class Markers(pv.Test):
         """Discs on floor and ball, wherever the representation is moved."""
         self.shown.RelievoMarkers, self.shown.RelievoMarkerShape = 1, "Disc"
         for move in ((0, 0, 0), (0.3, 0.2, 0.1)):
-            self.shown.Position = list(move)
+            setattr(self.shown, pv.TRANSLATION, list(move))
             self.check(numpy.array(lampScene.PLACES) + move, lampScene.RADII, 0.8, move)
 
     def test_shadow(self):
@@ -128,9 +128,9 @@ class Markers(pv.Test):
         marked = pv.picture(self.view)
         self.differ(off, marked, "points", share=0.03)
         self.check(points[[20, 42]], [0.4, 0.4], 0.8, "points")
-        floor.Position = [0.5, 0.3, 0.2]
+        setattr(floor, pv.TRANSLATION, [0.5, 0.3, 0.2])
         self.check(points[[20, 42]] + (0.5, 0.3, 0.2), [0.4, 0.4], 0.8, "moved")
-        floor.Position = [0, 0, 0]
+        setattr(floor, pv.TRANSLATION, [0, 0, 0])
         self.view.RelievoMarkSelectionColor = [0.0, 1.0, 0.0]
         self.differ(marked, pv.picture(self.view), "colour", share=0.02)
         self.view.RelievoMarkSelectionColor = [1.0, 0.5, 0.0]

@@ -282,7 +282,7 @@ class Materials(pv.Test):
         for name, (_, other) in PROPERTIES.items():
             if name != "RelievoClipAtBorders":
                 wanted = str(pv.OUTPUT / other) if other == "map.png" else other
-                self.assertIn(f".{name} = {wanted!r}", trace)
+                self.traced(trace, name, wanted)
 
     def test_undo(self):
         stack = pv.UndoStack(self)

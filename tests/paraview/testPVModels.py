@@ -231,7 +231,7 @@ class Models(pv.Test):
         del item
         trace = smtrace.stop_trace()
         for name, value in settings.items():
-            self.assertIn(f".{name} = {value!r}", trace)
+            self.traced(trace, name, value)
 
     def test_ranks(self):
         """Two ranks together have each mesh once, where one alone has it."""

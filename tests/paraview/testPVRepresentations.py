@@ -37,7 +37,8 @@ def make():
     block = simple.Wavelet(WholeExtent=[-8, 8, -8, 8, -8, 8])
     vectors = simple.Calculator(Input=block, ResultArrayName="flow", Function="coordsY*iHat+jHat")
     shown = simple.Show(vectors, scene.view)
-    shown.Scale, shown.Position = [0.08] * 3, [-0.2, -0.2, 1.2]
+    shown.Scale = [0.08] * 3
+    setattr(shown, pv.TRANSLATION, [-0.2, -0.2, 1.2])
     shown.GaussianRadius, shown.ScaleFactor = 0.4, 1.0
     simple.ColorBy(shown, ("POINTS", "RTData"))
     return scene, shown

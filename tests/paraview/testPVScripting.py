@@ -202,8 +202,8 @@ class Scripting(pv.Test):
             del item
         trace = smtrace.stop_trace()
         for name, (_, other) in PROPERTIES.items():
-            self.assertIn(f".{name} = {other!r}", trace)
-        self.assertIn("light1.RelievoShadowStrength = 0.25", trace)
+            self.traced(trace, name, other)
+        self.traced(trace, "RelievoShadowStrength", 0.25)
 
     def test_states_restore_the_picture_in_fresh_processes(self):
         self.scene.sun()
@@ -229,8 +229,13 @@ class Scripting(pv.Test):
         said = pv.run(__file__, "restore", "none", pvsm, found)
         self.assertIn("restored []", said)
         self.differ(numpy.load(found), plain, "neither sun nor shadows")
-        said = pv.run(__file__, "restore", "none", python, found, status=1)
-        self.assertIn("AttributeError: Attribute RelievoShadow", said)
+        said = pv.run(__file__, "restore", "none", python, found, status=None)
+        self.assertRegex(
+            said,
+            "AttributeError: Attribute RelievoShadow"
+            if pv.VERSION < (6, 0)
+            else r'WARN\| Property "RelievoShadows=1" is not available on Render View',
+        )
 
     def test_undo_and_redo(self):
         stack = pv.UndoStack(self, len(PROPERTIES))
