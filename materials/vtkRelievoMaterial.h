@@ -67,8 +67,9 @@ public:
   ///@{
   /**
    * Tangent-space normals, 3 or 4 components: x along u, y along v, z out of the surface. Integers,
-   * as 0 to 1, stand for -1 to 1; floats are used directly. nullptr (default): no normals, or those
-   * of the heights.
+   * as 0 to 1, stand for -1 to 1; floats are used directly. They replace those of a normal texture
+   * of the actor's own (vtkProperty::SetNormalTexture). nullptr (default): no normals, or those of
+   * the heights.
    */
   void SetNormalMap(vtkImageData* image);
   vtkImageData* GetNormalMap();

@@ -135,6 +135,7 @@ std::string vtkRelievoMaterialSplice::Fill(std::string& vertex, std::string& geo
   define(structure.HeightMap, ("RELIEVO_METHOD " + std::to_string(structure.Method)).c_str());
   define(corrects, "RELIEVO_DEPTH_CORRECTION");
   define(structure.NormalMap && tangents, "RELIEVO_TANGENTS");
+  define(structure.NormalMap && Has(fragment, "mat3 tbn ="), "RELIEVO_NORMAL_TEXTURE");
   for (std::string* source : { &vertex, &geometry, &fragment })
   {
     FillMark(*source, Defines, GetContract() + defines.str());
@@ -143,6 +144,10 @@ std::string vtkRelievoMaterialSplice::Fill(std::string& vertex, std::string& geo
   if (!Has(vertex, "in vec2 tcoord;"))
   {
     MarkBehind(vertex, "//RELIEVO::Position::Dec", Section("TCoordDec"));
+  }
+  if (structure.NormalMap && tangents && !Has(vertex, "in vec3 tangentMC;"))
+  {
+    MarkBehind(vertex, "//RELIEVO::Position::Dec", Section("TangentDec"));
   }
   FillVarying(vertex, geometry, fragment, File, false);
   std::string extra;

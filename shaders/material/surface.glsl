@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Spliced into VTK's shaders by vtkRelievoMaterial: normals from a map, relief from heights.
 //
-// Defines: RELIEVO_NORMAL_MAP, RELIEVO_HEIGHT_MAP, RELIEVO_TANGENTS (the mesh brings tangents), and
-// with heights RELIEVO_METHOD (a code of codes.glsl), RELIEVO_DEPTH_CORRECTION.
+// Defines: RELIEVO_NORMAL_MAP, RELIEVO_HEIGHT_MAP; with normals RELIEVO_TANGENTS (the mesh brings
+// tangents), RELIEVO_NORMAL_TEXTURE (VTK's shader maps normals of its own, by a frame `tbn`); with
+// heights RELIEVO_METHOD (a code of codes.glsl), RELIEVO_DEPTH_CORRECTION.
 // What it shares with other splices: splice/contract.glsl.
 //
 // Heights are from 0 to 1, the mesh itself being at 1; below, depth is 1 - height.
@@ -11,10 +12,12 @@
 //RELIEVO::Section(TCoordDec)
 in vec2 tcoord;
 
+//RELIEVO::Section(TangentDec)
+in vec3 tangentMC;
+
 //RELIEVO::Section(VertexDec)
 out vec2 relievoTCoordVSOutput;
 #ifdef RELIEVO_TANGENTS
-in vec3 tangentMC;
 out vec3 relievoTangentVSOutput;
 #endif
 
@@ -273,6 +276,9 @@ uniform mat4 MCDCMatrix;
 //RELIEVO::Section(Normal)
   if (relievoFramed)
   {
+#ifdef RELIEVO_NORMAL_TEXTURE
+    normalVCVSOutput = tbn[2]; // as it was before VTK's normal texture, which the map replaces
+#endif
     // VTK turns normals by the winding, which a mirroring actor inverts: map on the side that is
     // seen, and leave it turned as VTK has it.
     float relievoSide = dot(normalVCVSOutput, relievoFaceVC) < 0.0 ? -1.0 : 1.0;

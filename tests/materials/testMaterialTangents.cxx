@@ -143,10 +143,14 @@ struct Scene
   }
 };
 
-Errors WithMaterial(vtkPolyData* mesh, int interpolation)
+Errors WithMaterial(vtkPolyData* mesh, int interpolation, vtkTexture* own = nullptr)
 {
   Scene scene(mesh);
   scene.Actor->GetProperty()->SetInterpolation(interpolation);
+  if (own)
+  {
+    scene.Actor->GetProperty()->SetNormalTexture(own);
+  }
   vtkNew<vtkRelievoMaterial> material;
   material->SetNormalMap(EvenMap<vtkFloatArray>(1., 0.));
   material->Attach(scene.Actor);
@@ -203,6 +207,19 @@ void TestMaterial()
   }
 }
 
+// A model that brings a normal texture, as many glTF files do: the material's map is seen instead.
+void TestOwnTexture()
+{
+  vtkNew<vtkRelievoTangents> filter;
+  filter->SetInputData(BentPlane(32));
+  filter->Update();
+  vtkNew<vtkTexture> own;
+  own->SetInputData(EvenMap<vtkUnsignedCharArray>(-127.5, 128.));
+  const Errors alone = WithMaterial(filter->GetOutput(), VTK_PBR);
+  const Errors errors = WithMaterial(filter->GetOutput(), VTK_PBR, own);
+  RELIEVO_CHECK(errors.Left == alone.Left && errors.Right == alone.Right);
+}
+
 // VTK's own normal map, in bytes: right where the texture is not mirrored.
 void TestPBR()
 {
@@ -227,6 +244,7 @@ int main()
 {
   relievoTest::Session session;
   TestMaterial();
+  TestOwnTexture();
   TestPBR();
   return session.Result();
 }
