@@ -36,24 +36,34 @@ if (RELIEVO_PLUGIN_GUI)
   endif ()
 endif ()
 
-# Its pages in ParaView's help need Qt's help generator, and xmlpatterns to make them from the XML, which
-# Qt 6 has not. On Debian xmlpatterns may be a link that leads nowhere.
+# Its pages in ParaView's help need Qt's help generator, and what ParaView makes them with from the XML:
+# xmlpatterns in 5, xsltproc in 6.
 set(relievo_plugin_help OFF)
-if (relievo_plugin_gui AND relievo_qt_version EQUAL 5)
-  find_package(Qt5Help 5.15 QUIET)
-  find_program(qt_xmlpatterns_executable NAMES xmlpatterns-qt5 xmlpatterns
-    HINTS "${Qt5_DIR}/../../../bin" DOC "Path to xmlpatterns")
-  mark_as_advanced(qt_xmlpatterns_executable)
-  set(relievo_no_xmlpatterns 1)
-  if (qt_xmlpatterns_executable)
-    execute_process(COMMAND "${qt_xmlpatterns_executable}" -version
-      RESULT_VARIABLE relievo_no_xmlpatterns OUTPUT_QUIET ERROR_QUIET)
+if (relievo_plugin_gui)
+  if (relievo_qt_version EQUAL 5)
+    set(relievo_help_packages "qttools5-dev, qtxmlpatterns5-dev-tools")
+    find_package(Qt5Help 5.15 QUIET)
+    find_program(qt_xmlpatterns_executable NAMES xmlpatterns-qt5 xmlpatterns
+      HINTS "${Qt5_DIR}/../../../bin" DOC "Path to xmlpatterns")
+    mark_as_advanced(qt_xmlpatterns_executable)
+    set(relievo_xml_to_help "${qt_xmlpatterns_executable}")
+  else ()
+    set(relievo_help_packages "qt6-tools-dev, qt6-documentation-tools, xsltproc")
+    find_package(Qt6Tools QUIET)
+    find_program(ParaViewClient_xsltproc_executable xsltproc DOC "Path to xsltproc")
+    mark_as_advanced(ParaViewClient_xsltproc_executable)
+    set(relievo_xml_to_help "${ParaViewClient_xsltproc_executable}")
   endif ()
-  if (TARGET Qt5::qhelpgenerator AND NOT relievo_no_xmlpatterns)
+  set(relievo_xml_to_help_fails 1)
+  if (relievo_xml_to_help) # on Debian xmlpatterns may be a link that leads nowhere
+    execute_process(COMMAND "${relievo_xml_to_help}" -version
+      RESULT_VARIABLE relievo_xml_to_help_fails OUTPUT_QUIET ERROR_QUIET)
+  endif ()
+  if (TARGET Qt${relievo_qt_version}::qhelpgenerator AND NOT relievo_xml_to_help_fails)
     set(relievo_plugin_help ON)
   else ()
     message(STATUS "ParaView plugin: without pages in ParaView's help, which need qhelpgenerator and "
-      "xmlpatterns (Debian: qttools5-dev, qtxmlpatterns5-dev-tools)")
+      "xmlpatterns or, for ParaView 6, xsltproc (Debian: ${relievo_help_packages})")
   endif ()
 endif ()
 
