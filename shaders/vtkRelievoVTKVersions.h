@@ -85,6 +85,12 @@
 #define RELIEVO_VTK_IMAGE_STREAMS 1
 #endif
 
+// Blocks of composite data follow each other in the numbers of primitives only as far as colours of
+// cells or edges are looked up by them; before, always.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 1)
+#define RELIEVO_VTK_OVERLAPPING_BLOCKS 1
+#endif
+
 // The mapper of composite data leaves a texture active.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
 #define RELIEVO_VTK_STRAY_TEXTURES 1

@@ -82,7 +82,7 @@ vtkIdType CountPrimitives(vtkActor* actor, vtkOpenGLPolyDataMapper* mapper, int 
                               : 1;
 }
 
-// VTK 9.3 and later let blocks' numbers overlap where its own shaders look nothing up by them.
+// VTK 9.6.1 and later let blocks' numbers overlap where its own shaders look nothing up by them.
 void NumberBlocks(vtkOpenGLPolyDataMapper* mapper)
 {
   if (Composites::NumbersPrimitives(mapper))

@@ -20,6 +20,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkRelievoCompositeMapper.h>
+#include <vtkRelievoVTKVersions.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -82,7 +83,7 @@ void TestCellData(CellData data)
   stage.Renderer->AddActor(actor);
   const TruthImage truth = scene.Trace(View(stage.Renderer));
   bool told = true;
-#ifndef RELIEVO_VTK_COMPOSITE_HELPERS
+#ifdef RELIEVO_VTK_OVERLAPPING_BLOCKS
   told = data != CellData::Normals;
 #endif
   const auto ask = [&](Way way) {
