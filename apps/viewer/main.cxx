@@ -5,6 +5,7 @@
 #include "Messages.h"
 #include "Outputs.h"
 #include "PictureView.h"
+#include "QtVersions.h"
 #include "Settings.h"
 #include "StandardError.h"
 
@@ -60,8 +61,7 @@ int main(int argc, char* argv[])
   }
 
   QSurfaceFormat::setDefaultFormat(viewer::PictureView::GetFormat());
-  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
-  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  viewer::UseHighDpi();
   QCoreApplication::setOrganizationName("Relievo");
   QCoreApplication::setApplicationName("relievo-viewer");
   int ours = 1; // Qt has options of its own, which ours might be taken for

@@ -8,6 +8,7 @@
 #include "Messages.h"
 #include "Outputs.h"
 #include "PictureView.h"
+#include "QtVersions.h"
 #include "RecentFiles.h"
 #include "SessionFile.h"
 #include "SunGroup.h"
@@ -166,7 +167,7 @@ void MainWindow::dropEvent(QDropEvent* event)
   if (!paths.isEmpty())
   {
     event->acceptProposedAction();
-    this->OpenFiles(paths, event->keyboardModifiers().testFlag(Qt::ShiftModifier));
+    this->OpenFiles(paths, GetModifiers(*event).testFlag(Qt::ShiftModifier));
   }
 }
 
