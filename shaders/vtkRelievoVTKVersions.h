@@ -75,6 +75,13 @@
 #define RELIEVO_VTK_TRIANGULATE_LOCAL_IDS 1
 #endif
 
+// The shader of lines wider than 1 turns normals to the eye. It is kept for all actors of a mapper.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+#define RELIEVO_VTK_WIDE_LINE_NORMALS true
+#else
+#define RELIEVO_VTK_WIDE_LINE_NORMALS false
+#endif
+
 // vtkAbstractArray::Allocate(values) is called ReserveValues.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
 #define RELIEVO_VTK_RESERVE 1

@@ -50,6 +50,7 @@ public:
   std::map<vtkShaderProgram*, std::string> LeftOut; // the same of this frame's programs
   bool Stray = false;   // something is drawn that writes no layers, and cannot be told apart
   bool Strayed = false; // shaders without layers were built with this pass in their keys
+  bool Mixed = false;   // shaders of one actor are wrong for others that share its mapper
   bool Valid = false;   // the textures hold the last frame's layers
 
   // The layout for what is asked of the stage.

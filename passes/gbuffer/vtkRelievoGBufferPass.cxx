@@ -10,6 +10,7 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerReader.h"
 #include "vtkRelievoSurfaces.h"
+#include "vtkRelievoVTKVersions.h"
 
 #include <algorithm>
 
@@ -80,6 +81,7 @@ bool vtkRelievoGBufferPass::Prepare(vtkRelievoFrameContext& context)
     in.Lit = lit;
     in.StructureTime.Modified();
   }
+  in.Mixed = RELIEVO_VTK_WIDE_LINE_NORMALS && vtkRelievoSurfaces::MixesWideLines(context.Scene);
   in.PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
   if (in.Layout.IdWord >= 0)
   {

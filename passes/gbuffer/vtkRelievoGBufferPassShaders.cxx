@@ -184,7 +184,8 @@ vtkMTimeType vtkRelievoGBufferPass::GetShaderStageMTime()
 {
   // Asked outside of its own drawing by keys that were copied meanwhile: there it splices nothing.
   Internals& in = *this->Internal;
-  if (!in.Writing || in.Strayed)
+  // And for each actor, where it would be drawn with the shaders of another.
+  if (!in.Writing || in.Strayed || in.Mixed)
   {
     in.StructureTime.Modified();
     in.Strayed = !in.Writing;

@@ -149,6 +149,18 @@ std::map<vtkMapper*, std::string> vtkRelievoSurfaces::FindLit(
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoSurfaces::MixesWideLines(const vtkRelievoFrameScene& scene)
+{
+  bool mixes = false;
+  std::map<vtkMapper*, bool> known;
+  ForEachMesh(scene, [&](vtkActor* actor, vtkMatrix4x4*) {
+    const bool wide = DrawsLines(actor) && actor->GetProperty()->GetLineWidth() > 1.0F;
+    mixes = mixes || known.emplace(actor->GetMapper(), wide).first->second != wide;
+  });
+  return mixes;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkRelievoSurfaces::WhyAllLit(
   const vtkRelievoFrameScene& scene, vtkRenderWindow* window)
 {

@@ -44,6 +44,9 @@ struct vtkRelievoSurfaces
   // The same of what a mapper draws now with this fragment shader.
   static std::string WhyLit(vtkOpenGLPolyDataMapper* mapper, const std::string& fragment);
 
+  // Some mapper draws lines wider than 1 for one visible actor, and for another something else.
+  static bool MixesWideLines(const vtkRelievoFrameScene& scene);
+
   static void SetUniforms(vtkShaderProgram* program, vtkActor* actor);
 };
 
