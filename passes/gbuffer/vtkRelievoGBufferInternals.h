@@ -43,14 +43,15 @@ public:
   std::string NotShared;      // why the delegate's geometry pass cannot be shared
   vtkRelievoPrimitiveIds::Route PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
   bool Writing = false;
-  bool RefinesDepth = true;                         // of the last frame
-  bool ShadingAsked = false;                        // surfaces are to be lit by a later stage
-  bool Shading = false;                             // and can be
+  bool RefinesDepth = true;              // of the last frame
+  bool ShadingAsked = false;             // surfaces are to be lit by a later stage
+  bool Shading = false;                  // and can be
+  std::map<vtkMapper*, int> LineShaders; // vtkRelievoSurfaces::LineShaders, where VTK has several
+  bool Alternating = false; // an actor's shaders are wrong for another that shares its mapper
   std::map<vtkMapper*, std::string> Lit;            // then: why VTK has to light what they draw
   std::map<vtkShaderProgram*, std::string> LeftOut; // the same of this frame's programs
   bool Stray = false;   // something is drawn that writes no layers, and cannot be told apart
   bool Strayed = false; // shaders without layers were built with this pass in their keys
-  bool Mixed = false;   // shaders of one actor are wrong for others that share its mapper
   bool Valid = false;   // the textures hold the last frame's layers
 
   // The layout for what is asked of the stage.

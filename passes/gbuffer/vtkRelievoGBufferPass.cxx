@@ -13,6 +13,7 @@
 #include "vtkRelievoVTKVersions.h"
 
 #include <algorithm>
+#include <utility>
 
 vtkStandardNewMacro(vtkRelievoGBufferPass);
 
@@ -81,7 +82,18 @@ bool vtkRelievoGBufferPass::Prepare(vtkRelievoFrameContext& context)
     in.Lit = lit;
     in.StructureTime.Modified();
   }
-  in.Mixed = RELIEVO_VTK_WIDE_LINE_NORMALS && vtkRelievoSurfaces::MixesWideLines(context.Scene);
+  if (RELIEVO_VTK_WIDE_LINE_NORMALS)
+  {
+    // After a change a mapper may still have the shaders of an actor that is hidden now.
+    std::map<vtkMapper*, int> lines = vtkRelievoSurfaces::FindLineShaders(context.Scene);
+    if (lines != in.LineShaders)
+    {
+      in.LineShaders = std::move(lines);
+      in.StructureTime.Modified();
+      in.Alternating = std::any_of(in.LineShaders.begin(), in.LineShaders.end(),
+        [](const auto& each) { return each.second == vtkRelievoSurfaces::BothKinds; });
+    }
+  }
   in.PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
   if (in.Layout.IdWord >= 0)
   {

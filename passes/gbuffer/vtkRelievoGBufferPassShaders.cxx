@@ -183,9 +183,9 @@ std::string vtkRelievoGBufferPass::Internals::WhyLit(vtkActor* actor) const
 vtkMTimeType vtkRelievoGBufferPass::GetShaderStageMTime()
 {
   // Asked outside of its own drawing by keys that were copied meanwhile: there it splices nothing.
+  // Where actors take turns in a mapper's shaders, each needs its own.
   Internals& in = *this->Internal;
-  // And for each actor, where it would be drawn with the shaders of another.
-  if (!in.Writing || in.Strayed || in.Mixed)
+  if (!in.Writing || in.Strayed || in.Alternating)
   {
     in.StructureTime.Modified();
     in.Strayed = !in.Writing;

@@ -149,15 +149,14 @@ std::map<vtkMapper*, std::string> vtkRelievoSurfaces::FindLit(
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoSurfaces::MixesWideLines(const vtkRelievoFrameScene& scene)
+std::map<vtkMapper*, int> vtkRelievoSurfaces::FindLineShaders(const vtkRelievoFrameScene& scene)
 {
-  bool mixes = false;
-  std::map<vtkMapper*, bool> known;
-  ForEachMesh(scene, [&](vtkActor* actor, vtkMatrix4x4*) {
+  std::map<vtkMapper*, int> found;
+  ForEachMesh(scene, [&found](vtkActor* actor, vtkMatrix4x4*) {
     const bool wide = DrawsLines(actor) && actor->GetProperty()->GetLineWidth() > 1.0F;
-    mixes = mixes || known.emplace(actor->GetMapper(), wide).first->second != wide;
+    found[actor->GetMapper()] |= wide ? WideLines : NoWideLines;
   });
-  return mixes;
+  return found;
 }
 
 //------------------------------------------------------------------------------

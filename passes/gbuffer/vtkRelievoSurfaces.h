@@ -44,8 +44,14 @@ struct vtkRelievoSurfaces
   // The same of what a mapper draws now with this fragment shader.
   static std::string WhyLit(vtkOpenGLPolyDataMapper* mapper, const std::string& fragment);
 
-  // Some mapper draws lines wider than 1 for one visible actor, and for another something else.
-  static bool MixesWideLines(const vtkRelievoFrameScene& scene);
+  // What each mapper draws for the visible actors: lines wider than 1, something else, or both.
+  enum LineShaders
+  {
+    WideLines = 1,
+    NoWideLines = 2,
+    BothKinds = WideLines | NoWideLines
+  };
+  static std::map<vtkMapper*, int> FindLineShaders(const vtkRelievoFrameScene& scene);
 
   static void SetUniforms(vtkShaderProgram* program, vtkActor* actor);
 };
