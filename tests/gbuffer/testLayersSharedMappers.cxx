@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A surface and its wire frame that share a mapper have the layers of a mapper each, in whichever order
-// they are drawn, and whatever was drawn before: both, one of them, lines of another width.
+// A surface and its wire frame that share a mapper have the same layers as with a mapper each, in
+// whichever order they are drawn, and whatever was drawn before: both, one of them, other widths.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"
