@@ -255,21 +255,25 @@ vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* mesh, const std::vector<vtkIdT
 }
 
 //------------------------------------------------------------------------------
-// Of each cell of the mesh; empty if the mesh has other faces than the file.
-std::vector<int> FindMaterials(vtkPolyData* mesh, const std::vector<int>& ofFace)
+// Of each cell of the mesh, which may lack some of the file's; empty if VTK reads other faces than
+// the file lists.
+std::vector<int> FindMaterials(vtkPolyData* mesh, vtkPolyData* file, const std::vector<int>& ofFace)
 {
   // VTK counts points and lines before faces.
-  const vtkIdType others = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  const vtkIdType others = file->GetNumberOfVerts() + file->GetNumberOfLines();
+  if (file->GetNumberOfCells() != others + static_cast<vtkIdType>(ofFace.size()))
+  {
+    return {};
+  }
   auto* before = vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetArray(CellIds));
   std::vector<int> ofCell(mesh->GetNumberOfCells(), -1);
-  for (vtkIdType cell = others; cell < mesh->GetNumberOfCells(); ++cell)
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
-    const vtkIdType face = (before ? before->GetValue(cell) : cell) - others;
-    if (face < 0 || face >= static_cast<vtkIdType>(ofFace.size()))
+    const vtkIdType inFile = before ? before->GetValue(cell) : cell;
+    if (inFile >= others)
     {
-      return {};
+      ofCell[cell] = ofFace[inFile - others];
     }
-    ofCell[cell] = ofFace[face];
   }
   return ofCell;
 }
@@ -305,27 +309,28 @@ void Wear(vtkActor* actor, const Material& material, const std::string& path, Pr
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
-  vtkActor* actor, const std::string& path, Progress& progress)
+std::vector<ObjPart> SplitByMaterials(
+  vtkActor* actor, vtkDataObject* file, const std::string& path, Progress& progress)
 {
   auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
-  if (ExtensionOf(path) != ".obj" || !mesh)
+  auto* whole = vtkPolyData::SafeDownCast(file);
+  if (ExtensionOf(path) != ".obj" || !mesh || !whole)
   {
-    return { actor };
+    return {};
   }
   const Named named = ReadNames(path);
   const std::map<std::string, Material> materials = ReadLibraries(named.Libraries, path);
-  const std::vector<int> ofCell = FindMaterials(mesh, named.OfFace);
   if (materials.empty())
   {
-    return { actor };
+    return {};
   }
-  if (ofCell.empty())
+  const std::vector<int> ofCell = FindMaterials(mesh, whole, named.OfFace);
+  if (ofCell.empty() && mesh->GetNumberOfCells() > 0)
   {
     Messages::Note(path + ": drawn without its materials: VTK reads other faces than are listed");
-    return { actor };
+    return {};
   }
-  std::vector<vtkSmartPointer<vtkActor>> parts;
+  std::vector<ObjPart> parts;
   std::vector<std::vector<vtkIdType>> cellsOf(named.Names.size() + 1); // the first: of none
   for (std::size_t cell = 0; cell < ofCell.size(); ++cell)
   {
@@ -338,7 +343,9 @@ std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
       continue;
     }
     const vtkSmartPointer<vtkPolyData> cells = Extract(mesh, cellsOf[id + 1]);
-    const std::string name = id < 0 ? "" : named.Names[id];
+    const std::optional<std::string> material =
+      id < 0 ? std::nullopt : std::optional(named.Names[id]);
+    const std::string name = material.value_or("");
     // The reader has the coordinates of each material in an array of its name's first word.
     const std::string first = name.substr(0, name.find_first_of(" \t"));
     vtkDataArray* coordinates = cells->GetPointData()->GetArray(first.c_str());
@@ -351,16 +358,16 @@ std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
     auto part = vtkSmartPointer<vtkActor>::New();
     part->SetMapper(mapper);
     part->GetProperty()->DeepCopy(actor->GetProperty());
-    const auto material = materials.find(name);
-    if (material != materials.end())
+    const auto known = materials.find(name);
+    if (material && known != materials.end())
     {
-      Wear(part, material->second, path, progress);
+      Wear(part, known->second, path, progress);
     }
-    else if (id >= 0)
+    else if (material)
     {
       Messages::Note(path + ": no library has the material '" + name + "'");
     }
-    parts.push_back(part);
+    parts.push_back({ part, material });
   }
   return parts;
 }

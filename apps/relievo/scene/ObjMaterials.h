@@ -6,22 +6,31 @@
 #ifndef ObjMaterials_h
 #define ObjMaterials_h
 
+#include "vtkActor.h" // for the parts
 #include "vtkSmartPointer.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
-class vtkActor;
+class vtkDataObject;
 
 namespace cli
 {
 class Progress;
 
-/// An actor for each material of an OBJ file's mesh, whose cells keep the numbers of the file. The
-/// actor alone if the file names no materials. What is named and cannot be read is noted, and drawn
-/// without.
-std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
-  vtkActor* actor, const std::string& path, Progress& progress);
+/// What an OBJ file has of one material.
+struct ObjPart
+{
+  vtkSmartPointer<vtkActor> Actor;
+  std::optional<std::string> Material; ///< the name; none: points, lines and faces before any name
+};
+
+/// An actor for each material of an OBJ file, whose cells keep the numbers of the file; none if the
+/// file names no materials. Given are the actor of the whole and what the file holds, of which that
+/// actor may lack cells. What is named and cannot be read is noted, and drawn without.
+std::vector<ObjPart> SplitByMaterials(
+  vtkActor* actor, vtkDataObject* file, const std::string& path, Progress& progress);
 }
 
 #endif

@@ -247,10 +247,15 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
         scene.Incomplete.insert(path);
       }
       const vtkSmartPointer<vtkActor> actor = MakeActor(data, smooth, path, progress);
-      const auto parts = SplitByMaterials(actor, path, progress);
-      for (vtkActor* part : parts)
+      const std::vector<ObjPart> parts = SplitByMaterials(actor, data, path, progress);
+      for (const ObjPart& part : parts)
       {
-        scene.Renderer->AddActor(part);
+        scene.Renderer->AddActor(part.Actor);
+        scene.ObjMaterials[part.Actor] = part.Material;
+      }
+      if (parts.empty())
+      {
+        scene.Renderer->AddActor(actor);
       }
       progress.End();
     }

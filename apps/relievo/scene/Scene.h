@@ -13,6 +13,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -31,6 +32,7 @@ struct Scene
   std::vector<int> Counts;          ///< how many actors each file gave, skeletons apart
   std::set<std::string> Arrays;     ///< names of the point and cell arrays that can be layers
   std::set<std::string> Incomplete; ///< files of which cells with infinite points are left out
+  std::map<vtkActor*, std::optional<std::string>> ObjMaterials; ///< names of parts of OBJ files
   std::optional<std::array<double, 2>> Times; ///< seconds that animations last; none: nothing moves
 };
 

@@ -14,10 +14,9 @@
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
-#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkMapper.h"
 #include "vtkMultiBlockDataSet.h"
@@ -32,6 +31,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -44,36 +44,10 @@ constexpr const char* CompositeMapper = "vtkCompositePolyDataMapper2";
 #else
 constexpr const char* CompositeMapper = "vtkCompositePolyDataMapper";
 #endif
-constexpr std::size_t MostRanges = 2000; // of a material's faces, which a program lists
 
 std::string NameReader(std::size_t model)
 {
   return "model" + std::to_string(model);
-}
-
-//------------------------------------------------------------------------------
-// The cells of the file that a mesh has: the first and the last of each range.
-std::string WriteRanges(vtkPolyData* mesh, const std::string& path)
-{
-  auto* ids = vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetArray("vtkOriginalCellIds"));
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  std::size_t ranges = 0;
-  for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
-  {
-    const vtkIdType first = ids->GetValue(i);
-    while (i + 1 < ids->GetNumberOfValues() && ids->GetValue(i + 1) == ids->GetValue(i) + 1)
-    {
-      ++i;
-    }
-    text << (ranges++ == 0 ? "" : ", ") << "(" << first << ", " << ids->GetValue(i) << ")";
-  }
-  if (ranges > MostRanges)
-  {
-    RefusePython(
-      path + " with faces that change their material " + std::to_string(ranges) + " times");
-  }
-  return text.str();
 }
 
 //------------------------------------------------------------------------------
@@ -173,33 +147,30 @@ private:
   void WriteData(const std::string& path, std::size_t count)
   {
     const bool incomplete = this->Scene.Incomplete.count(path) != 0;
-    std::string mesh = std::string("surface(data(") + GetReader(path) + "(), " + Quote(path) + "))";
-    mesh = this->Smooth(incomplete ? "finite(" + mesh + ")" : mesh);
-    const auto cells = [](vtkActor* actor) {
-      vtkPolyData* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
-      return data && data->GetCellData()->HasArray("vtkOriginalCellIds") ? data : nullptr;
+    const std::string file = std::string("data(") + GetReader(path) + "(), " + Quote(path) + ")";
+    const auto draw = [&](const std::string& data) {
+      const std::string mesh = "surface(" + data + ")";
+      return this->Smooth(incomplete ? "finite(" + mesh + ")" : mesh);
     };
-    const bool split = cli::ExtensionOf(path) == ".obj" &&
-      (count > 1 || (!incomplete && cells(this->Actors[this->Next])));
+    const auto& materials = this->Scene.ObjMaterials;
     this->Out << "\n";
-    if (!split)
+    if (materials.count(this->Actors[this->Next]) == 0)
     {
-      this->WriteActor(this->Actors[this->Next], mesh);
+      this->WriteActor(this->Actors[this->Next], draw(file));
       return;
     }
-    if (incomplete)
+    this->Out << "file = " << file << "\nmesh = " << draw("file") << "\ncells = by_material("
+              << Quote(path) << ", file, mesh)\n";
+    for (std::size_t i = this->Next; i < this->Next + count; ++i)
     {
-      RefusePython(path + " with materials and points that are not finite");
-    }
-    this->Out << "mesh = " << mesh << "\n";
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      vtkActor* actor = this->Actors[this->Next + i];
-      vtkPolyData* data = cells(actor);
+      vtkActor* actor = this->Actors[i];
+      const std::optional<std::string>& material = materials.at(actor);
+      vtkDataSet* data = actor->GetMapper()->GetInputAsDataSet();
       vtkDataArray* coordinates = data->GetPointData()->GetTCoords();
       const char* name = coordinates ? coordinates->GetName() : nullptr;
-      this->WriteActor(
-        actor, "part(mesh, [" + WriteRanges(data, path) + "], " + Quote(name ? name : "") + ")");
+      this->WriteActor(actor,
+        "part(mesh, cells[" + (material ? QuoteBytes(*material) : "None") + "], " +
+          Quote(name ? name : "") + ")");
     }
   }
 

@@ -122,14 +122,30 @@ const Function Functions[] = {
     normals.ConsistencyOff()
     return run(normals, data)
 )" },
-  { "part", R"(def part(mesh, ranges, coordinates):
-    """The cells from the first to the last one of each range."""
+  { "by_material", R"(def by_material(path, file, mesh):
+    """The cells of a mesh by the names of their materials in an OBJ file; None: without one."""
+    names, name = [None] * (file.GetNumberOfVerts() + file.GetNumberOfLines()), None
+    with open(path, "rb") as lines:
+        for line in lines:
+            words = line.split(None, 1)
+            if words[:1] == [b"f"]:
+                names.append(name)
+            elif words[:1] == [b"usemtl"]:
+                name = b"".join(words[1:]).strip()
+    ids = mesh.GetCellData().GetArray("vtkOriginalCellIds")
+    cells = {}
+    for cell in range(mesh.GetNumberOfCells()):
+        cells.setdefault(names[cell if ids is None else ids.GetValue(cell)], []).append(cell)
+    return cells
+)" },
+  { "part", R"(def part(mesh, cells, coordinates):
+    """These cells of a mesh; the name of their texture coordinates."""
     chosen = vtkPolyData()
     chosen.SetPoints(mesh.GetPoints())
     chosen.GetPointData().ShallowCopy(mesh.GetPointData())
-    cells = [cell for first, last in ranges for cell in range(first, last + 1)]
     chosen.AllocateEstimate(len(cells), 4)
     chosen.GetCellData().CopyAllocate(mesh.GetCellData(), len(cells))
+    ids = mesh.GetCellData().GetArray("vtkOriginalCellIds")
     original = vtkIdTypeArray()
     original.SetName("vtkOriginalCellIds")
     corners = vtkIdList()
@@ -137,7 +153,7 @@ const Function Functions[] = {
         mesh.GetCellPoints(cell, corners)
         copy = chosen.InsertNextCell(mesh.GetCellType(cell), corners)
         chosen.GetCellData().CopyData(mesh.GetCellData(), cell, copy)
-        original.InsertNextValue(cell)
+        original.InsertNextValue(cell if ids is None else ids.GetValue(cell))
     chosen.GetCellData().AddArray(original)
     if coordinates:
         chosen.GetPointData().SetActiveTCoords(coordinates)

@@ -18,7 +18,8 @@ namespace viewer
  *   surface(data)          the polygons to draw of data, composite data too
  *   finite(data)           these without cells that have infinite points
  *   smooth(data)           these with normals
- *   part(mesh, ranges, coordinates)   these cells of a mesh; the name of its texture coordinates
+ *   by_material(path, file, mesh)     the cells of each material of an OBJ file
+ *   part(mesh, cells, coordinates)    these cells of a mesh; the name of its texture coordinates
  *   turn(actor)            texture coordinates of a glTF file, turned as it says
  *   mapped(data, mapping, up)         with texture coordinates
  */

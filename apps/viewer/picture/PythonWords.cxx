@@ -6,6 +6,8 @@
 #include "Readers.h"
 #include "Settings.h"
 
+#include <cstdio>
+
 namespace viewer
 {
 //------------------------------------------------------------------------------
@@ -23,6 +25,20 @@ std::string Quote(const std::string& text)
   {
     quoted +=
       letter == '"' || letter == '\\' ? std::string(1, '\\') + letter : std::string(1, letter);
+  }
+  return quoted + "\"";
+}
+
+//------------------------------------------------------------------------------
+std::string QuoteBytes(const std::string& text)
+{
+  std::string quoted = "b\"";
+  for (const char letter : text)
+  {
+    const bool plain = letter >= ' ' && letter <= '~' && letter != '"' && letter != '\\';
+    char number[5];
+    std::snprintf(number, sizeof number, "\\x%02x", static_cast<unsigned char>(letter));
+    quoted += plain ? std::string(1, letter) : number;
   }
   return quoted + "\"";
 }

@@ -12,6 +12,9 @@ namespace viewer
 {
 std::string Quote(const std::string& text);
 
+/// As bytes, of any encoding.
+std::string QuoteBytes(const std::string& text);
+
 /// "x, y, z".
 std::string WriteThree(const double* values);
 
