@@ -95,8 +95,8 @@ assert numpy.abs(grey[there] - expected).max() <= 1, numpy.abs(grey[there] - exp
 
 def in_python(run, build, python, folder):
     """Listed, read from the file, captured, and shown as the picture."""
-    run([python, "-c", PYTHON, folder / "slope.exr"],
-        env={**os.environ, "PYTHONPATH": str(build / "python")})
+    path = os.pathsep.join([str(build / "python"), os.environ["PYTHONPATH"]])  # and VTK's
+    run([python, "-c", PYTHON, folder / "slope.exr"], env={**os.environ, "PYTHONPATH": path})
 
 
 PARAVIEW = """

@@ -73,7 +73,7 @@ def main(source, cmake, ctest, *options):
     run([cmake, "-G", "Ninja", "-S", tree, "-B", build, *options])
     paraview = "-DRELIEVO_USE_PARAVIEW=ON" in options and shutil.which("pvpython")
     plugin = ["Relievo"] if paraview else []
-    targets = [f"test{NAME}Stage", "relievo", *python_targets(tree), *plugin]
+    targets = [f"test{NAME}Stage", "relievo", "relievo_python", *plugin]
     run([cmake, "--build", build, "--target", *targets])
     output = run([ctest, "--test-dir", build, "-R", f"^test{NAME}Stage$", "--no-tests=error",
                   "--output-on-failure"])
@@ -91,17 +91,6 @@ def main(source, cmake, ctest, *options):
         newLayer.in_paraview(run, build, folder)
         in_the_dock(source, build)
     return 0
-
-
-def python_targets(tree):
-    """The wrapped modules, which the package imports all at once."""
-    names = []
-    for module in tree.glob("**/vtk.module"):
-        words = module.read_text(encoding="utf-8").split()
-        folders = module.relative_to(tree).parts
-        if "EXCLUDE_WRAP" not in words and folders[0] not in ("plugin", "build"):
-            names.append(words[words.index("LIBRARY_NAME") + 1] + "Python")
-    return names
 
 
 def on_the_command_line(build):
@@ -146,7 +135,8 @@ assert stage.GetStrength() == 0.25
 
 def in_python(build, python):
     """The package has the stage by name."""
-    run([python, "-c", PYTHON], env={**os.environ, "PYTHONPATH": str(build / "python")})
+    path = os.pathsep.join([str(build / "python"), os.environ["PYTHONPATH"]])  # and VTK's
+    run([python, "-c", PYTHON], env={**os.environ, "PYTHONPATH": path})
 
 
 PARAVIEW = """
