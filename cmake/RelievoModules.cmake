@@ -32,6 +32,9 @@ set(relievo_library_version
 if (SKBUILD) # a wheel holds no links, but would hold three copies
   set(relievo_library_version)
 endif ()
+# VTK 9.4 and later warn, at length, of headers in folders, which CMake might install with these folders
+# one day: not unless a build asks for it (USE_FILE_SETS).
+set(CMAKE_SUPPRESS_DEVELOPER_WARNINGS ON)
 vtk_module_build(
   MODULES ${relievo_modules}
   PACKAGE Relievo
@@ -43,6 +46,7 @@ vtk_module_build(
   HIERARCHY_DESTINATION "${CMAKE_INSTALL_LIBDIR}/relievo/hierarchy"
   TEST_DIRECTORY_NAME NONE
   ${relievo_library_version})
+unset(CMAKE_SUPPRESS_DEVELOPER_WARNINGS)
 list(REMOVE_ITEM relievo_modules ${relievo_plugin_modules})
 # Not the two that know nothing of VTK's data: their macros differ.
 set(relievo_of_data ${relievo_modules})
