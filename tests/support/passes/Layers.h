@@ -7,6 +7,7 @@
 #ifndef relievoTestLayers_h
 #define relievoTestLayers_h
 
+#include <vtkImageData.h> // for the smart pointers to it
 #include <vtkSmartPointer.h>
 
 #include <glm/glm.hpp>
@@ -15,7 +16,6 @@
 #include <string>
 #include <vector>
 
-class vtkImageData;
 class vtkRelievoGBufferPass;
 class vtkRenderer;
 
