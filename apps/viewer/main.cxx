@@ -8,6 +8,7 @@
 #include "QtVersions.h"
 #include "Settings.h"
 #include "StandardError.h"
+#include "Version.h"
 
 #include <QApplication>
 #include <QDir>
@@ -29,18 +30,58 @@ const char* const Help =
   "\n"
   "  relievo-viewer [FILE...] [OPTION...]\n"
   "  relievo-viewer SESSION.json\n"
+  "  relievo-viewer --help | --version\n"
   "\n"
   "Files and options are those of `relievo render`; see relievo --help. Outputs are not written:\n"
-  "save them from the window. --once ends the program after its first picture, to be timed.\n";
+  "save them from the window. --once ends the program after its first picture, to be timed, or\n"
+  "with status 1 if there can be none.\n";
+
+bool Has(const std::vector<std::string>& words, const char* word)
+{
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// Closing the window is not timed.
+void End(int status)
+{
+  std::_Exit(status);
+}
+
+//------------------------------------------------------------------------------
+// After the first picture, or when there is none.
+void EndAfterPicture(viewer::MainWindow& window)
+{
+  viewer::PictureView* view = window.GetView();
+  QObject::connect(view, &viewer::PictureView::drawn, qApp, [view] {
+    if (!view->GetPicture().IsEmpty())
+    {
+      QTimer::singleShot(0, qApp, [] { End(0); });
+    }
+  });
+  const auto endInTrouble = [&window, view] {
+    if (view->GetPicture().IsEmpty() && !window.GetTrouble().isEmpty())
+    {
+      std::fprintf(
+        cli::StandardError(), "relievo-viewer: %s\n", window.GetTrouble().toUtf8().constData());
+      End(1);
+    }
+  };
+  QObject::connect(&window, &viewer::MainWindow::ready, qApp, endInTrouble);
+  QTimer::singleShot(0, qApp, endInTrouble);
+}
 }
 
 int main(int argc, char* argv[])
 {
   std::vector<std::string> words(argv + 1, argv + argc);
-  if (std::find(words.begin(), words.end(), "--help") != words.end() ||
-    std::find(words.begin(), words.end(), "-h") != words.end())
+  if (Has(words, "--help") || Has(words, "-h"))
   {
     std::fputs(Help, stdout);
+    return 0;
+  }
+  if (Has(words, "--version"))
+  {
+    std::fputs(cli::DescribeVersions().c_str(), stdout);
     return 0;
   }
   const auto timed = std::remove(words.begin(), words.end(), "--once");
@@ -52,6 +93,10 @@ int main(int argc, char* argv[])
   try
   {
     settings = isSession ? settings : viewer::Settings::FromWords(words);
+    if (once && !isSession && settings.Files.empty())
+    {
+      throw cli::WordsError("--once: no FILE given; there is nothing to draw");
+    }
     settings.MakePathsAbsolute(QDir::currentPath().toStdString());
   }
   catch (const cli::WordsError& error)
@@ -73,16 +118,6 @@ int main(int argc, char* argv[])
   window.restoreGeometry(kept.value("geometry").toByteArray());
   window.restoreState(kept.value("state").toByteArray());
   window.show();
-  if (once)
-  {
-    viewer::PictureView* view = window.GetView();
-    QObject::connect(view, &viewer::PictureView::drawn, &application, [view] {
-      if (!view->GetPicture().IsEmpty())
-      {
-        QTimer::singleShot(0, qApp, [] { std::_Exit(0); }); // closing the window is not timed
-      }
-    });
-  }
   if (isSession)
   {
     window.OpenFiles({ QString::fromStdString(words[0]) });
@@ -90,6 +125,10 @@ int main(int argc, char* argv[])
   else if (!words.empty())
   {
     window.Open(settings);
+  }
+  if (once)
+  {
+    EndAfterPicture(window);
   }
   return QApplication::exec();
 }

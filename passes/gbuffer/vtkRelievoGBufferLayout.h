@@ -56,6 +56,12 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   // Outputs of shaders/gbuffer/write.glsl.
   static constexpr int MostAttachments = 5;
 
+  // Whether the sign of a normal can change what is held.
+  bool TakesNormals() const
+  {
+    return this->Normal || this->GeometricNormal || this->Surface || !this->Shadows.empty();
+  }
+
   bool IsEmpty() const { return this->Background.empty(); }
   int GetNumberOfWords() const { return static_cast<int>(this->Background.size()); }
   int GetNumberOfAttachments() const { return (this->GetNumberOfWords() + 3) / 4; }

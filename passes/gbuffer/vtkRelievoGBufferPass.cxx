@@ -90,9 +90,10 @@ bool vtkRelievoGBufferPass::Prepare(vtkRelievoFrameContext& context)
     {
       in.LineShaders = std::move(lines);
       in.StructureTime.Modified();
-      in.Alternating = std::any_of(in.LineShaders.begin(), in.LineShaders.end(),
-        [](const auto& each) { return each.second == vtkRelievoSurfaces::BothKinds; });
     }
+    in.Alternating = in.Layout.TakesNormals() &&
+      std::any_of(in.LineShaders.begin(), in.LineShaders.end(),
+        [](const auto& each) { return each.second == vtkRelievoSurfaces::BothKinds; });
   }
   in.PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
   if (in.Layout.IdWord >= 0)

@@ -3,6 +3,9 @@
 #include "vtkRelievoSurfaces.h"
 
 #include "vtkActor.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
 #include "vtkMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -16,6 +19,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 
 #include "codes.glsl"
@@ -64,11 +68,29 @@ void ForEachLit(const vtkRelievoFrameScene& scene, const Work& work)
   });
 }
 
+// Data that is no polydata may have any cells.
+bool HasLines(vtkDataObject* data)
+{
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      if (HasLines(leaf->GetCurrentDataObject()))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  auto* mesh = vtkPolyData::SafeDownCast(data);
+  return data && (!mesh || mesh->GetNumberOfLines() > 0);
+}
+
 bool DrawsLines(vtkActor* actor)
 {
-  auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
   return actor->GetProperty()->GetRepresentation() == VTK_WIREFRAME ||
-    (mesh && mesh->GetNumberOfLines() > 0);
+    HasLines(actor->GetMapper()->GetInputDataObject(0, 0));
 }
 
 bool Shines(vtkProperty* property)

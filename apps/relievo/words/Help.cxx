@@ -172,8 +172,7 @@ bench measures, prints what it found, and writes CSV, PNG and SVG to a folder. W
   --redraw DIR            draws the charts from the CSV files in DIR, without measuring; without
                           NAME, all of them
 
-Options are written --name value or --name=value; --scalar-bar, --edges, --loop, --skeleton,
---skybox, --deferred, --hdr and --quick alone; -- ends them.
+Options are written --name value or --name=value, those without a value alone; -- ends them.
 Either all requested files are written, or none; of a sequence, those of each frame.
 VTK before 9.4 needs an X display, which xvfb-run provides.
 Exit status: 0 done, 1 the work failed, 2 the arguments were wrong.

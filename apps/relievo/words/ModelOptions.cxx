@@ -28,6 +28,14 @@ void CheckOneTime(const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
+const std::vector<std::string>& GetModelOptions()
+{
+  static const std::vector<std::string> names = { "--time", "--times", "--animation", "--blend",
+    "--loop", "--skin", "--skeleton", "--bone-weight" };
+  return names;
+}
+
+//------------------------------------------------------------------------------
 void TakeTime(RenderOptions& options, const std::string& word)
 {
   CheckOneTime(options);
@@ -161,9 +169,8 @@ void CheckModelOptions(RenderOptions& options)
     std::none_of(options.Files.begin(), options.Files.end(),
       [](const std::string& path) { return IsModel(path) || IsGLTF(path); }))
   {
-    throw WordsError("--time, --times, --animation, --blend, --loop, --skin, --skeleton and "
-                     "--bone-weight: no FILE can have bones; expected one of "
-                     ".bvh .dae .fbx .glb .gltf .iqm .ms3d .x");
+    throw WordsError(Join(GetModelOptions(), ", ") +
+      ": no FILE can have bones; expected one of .bvh .dae .fbx .glb .gltf .iqm .ms3d .x");
   }
   if (model.Times.empty())
   {

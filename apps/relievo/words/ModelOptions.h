@@ -38,6 +38,9 @@ struct ModelChoice
   bool Given = false; ///< whether any of these was
 };
 
+/// The options that choose what models show, as they are written.
+const std::vector<std::string>& GetModelOptions();
+
 void TakeTime(RenderOptions& options, const std::string& word);
 void TakeAnimation(RenderOptions& options, const std::string& word);
 void TakeSkin(RenderOptions& options, const std::string& word);

@@ -165,12 +165,12 @@ private:
     {
       vtkActor* actor = this->Actors[i];
       const std::optional<std::string>& material = materials.at(actor);
-      vtkDataSet* data = actor->GetMapper()->GetInputAsDataSet();
+      auto* data = vtkDataSet::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
       vtkDataArray* coordinates = data->GetPointData()->GetTCoords();
       const char* name = coordinates ? coordinates->GetName() : nullptr;
       this->WriteActor(actor,
         "part(mesh, cells[" + (material ? QuoteBytes(*material) : "None") + "], " +
-          Quote(name ? name : "") + ")");
+          QuoteBytes(name ? name : "") + ")");
     }
   }
 
@@ -232,8 +232,12 @@ private:
     };
     const auto writeSwitch = [&](const char* what, bool on) { write(what, "True", on); };
     writeText("Animation", reader->GetAnimation());
-    writeText("BlendAnimation", reader->GetBlendAnimation());
-    write("BlendWeight", WriteNumber(reader->GetBlendWeight()), reader->GetBlendWeight() != 0.);
+    if (const char* blended = reader->GetBlendAnimation(); blended && *blended)
+    {
+      const double weight = reader->GetBlendWeight();
+      write("BlendAnimation", Quote(blended), true);
+      write("BlendWeight", WriteNumber(weight), weight != fresh->GetBlendWeight());
+    }
     writeText("WeightsOf", reader->GetWeightsOf());
     writeSwitch("Loop", reader->GetLoop());
     writeSwitch("SkeletonAxes", reader->GetSkeletonAxes());

@@ -6,10 +6,29 @@
 #include "Readers.h"
 #include "Settings.h"
 
+#include <QString>
+
 #include <cstdio>
 
 namespace viewer
 {
+namespace
+{
+std::string QuoteLetters(const std::string& text, bool (*isPlain)(unsigned char))
+{
+  std::string quoted = "\"";
+  for (const char letter : text)
+  {
+    const auto byte = static_cast<unsigned char>(letter);
+    char number[5];
+    std::snprintf(number, sizeof number, "\\x%02x", byte);
+    const bool plain = isPlain(byte) && letter != '"' && letter != '\\';
+    quoted += plain ? std::string(1, letter) : number;
+  }
+  return quoted + "\"";
+}
+}
+
 //------------------------------------------------------------------------------
 void RefusePython(const std::string& what)
 {
@@ -20,27 +39,18 @@ void RefusePython(const std::string& what)
 //------------------------------------------------------------------------------
 std::string Quote(const std::string& text)
 {
-  std::string quoted = "\"";
-  for (const char letter : text)
+  if (QString::fromStdString(text).toStdString() != text)
   {
-    quoted +=
-      letter == '"' || letter == '\\' ? std::string(1, '\\') + letter : std::string(1, letter);
+    RefusePython("the name " + QuoteBytes(text) + ", which is not UTF-8,");
   }
-  return quoted + "\"";
+  return QuoteLetters(text, [](unsigned char letter) { return letter >= ' ' && letter != 0x7f; });
 }
 
 //------------------------------------------------------------------------------
 std::string QuoteBytes(const std::string& text)
 {
-  std::string quoted = "b\"";
-  for (const char letter : text)
-  {
-    const bool plain = letter >= ' ' && letter <= '~' && letter != '"' && letter != '\\';
-    char number[5];
-    std::snprintf(number, sizeof number, "\\x%02x", static_cast<unsigned char>(letter));
-    quoted += plain ? std::string(1, letter) : number;
-  }
-  return quoted + "\"";
+  return "b" +
+    QuoteLetters(text, [](unsigned char letter) { return letter >= ' ' && letter <= '~'; });
 }
 
 //------------------------------------------------------------------------------

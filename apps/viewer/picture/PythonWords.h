@@ -10,6 +10,7 @@
 
 namespace viewer
 {
+/// As text. Throws cli::WorkError for bytes that are not UTF-8.
 std::string Quote(const std::string& text);
 
 /// As bytes, of any encoding.

@@ -6,6 +6,7 @@
 
 #include "LightPanel.h"
 #include "Messages.h"
+#include "ModelOptions.h"
 #include "Outputs.h"
 #include "PictureView.h"
 #include "QtVersions.h"
@@ -34,8 +35,7 @@ namespace viewer
 namespace
 {
 // What belongs to the file before, and not to the one that is opened.
-constexpr const char* FileWords[] = { "--color-by", "--range", "--scalar-bar", "--time", "--times",
-  "--animation", "--blend", "--bone-weight", "--clip" };
+constexpr const char* FileWords[] = { "--color-by", "--range", "--scalar-bar", "--clip" };
 
 // Whole or not at all.
 template <typename Writer>
@@ -81,6 +81,10 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
     {
       settings.Files.clear();
       for (const char* word : FileWords)
+      {
+        settings.Remove(word);
+      }
+      for (const std::string& word : cli::GetModelOptions())
       {
         settings.Remove(word);
       }

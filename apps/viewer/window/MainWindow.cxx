@@ -162,6 +162,7 @@ void MainWindow::Say(const QString& text, bool isTrouble)
 //------------------------------------------------------------------------------
 void MainWindow::Open(const Settings& settings)
 {
+  settings.Parse(); // what is refused leaves everything as it is
   this->Place = Settings();
   Settings rest = settings;
   for (const char* word : PlaceWords)

@@ -38,7 +38,8 @@ public:
   Document* GetDocument() { return this->Edited; }
   PictureView* GetView() { return this->Shown; }
 
-  /// Shows these settings; files are read in the background.
+  /// Shows these settings; files are read in the background. Throws cli::WordsError, and changes
+  /// nothing, for those that the command line refuses.
   void Open(const Settings& settings);
 
   /// Files, of which a session is opened alone, instead of those shown or `beside` them.
