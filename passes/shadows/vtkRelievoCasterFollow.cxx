@@ -34,6 +34,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 namespace
 {
@@ -123,16 +124,27 @@ vtkAbstractArray* GetColors(vtkMapper* mapper, vtkDataObject* data)
     : nullptr;
 }
 
-// Whether the array is taken for colours as it is, some of them translucent. Mappers of blocks do
-// not look.
-bool HasAlpha(vtkMapper* mapper, vtkDataObject* data)
+// The opacity of an array that is taken for colours as it is; none where it is not one for all.
+// Mappers of blocks do not look.
+std::optional<double> GetAlpha(vtkMapper* mapper, vtkDataObject* data)
 {
   auto* colors = vtkDataArray::SafeDownCast(GetColors(mapper, data));
   const int last = colors ? colors->GetNumberOfComponents() - 1 : 0;
   const bool bytes = vtkUnsignedCharArray::SafeDownCast(colors) != nullptr;
   const bool taken = mapper->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS ||
     (mapper->GetColorMode() == VTK_COLOR_MODE_DEFAULT && bytes);
-  return taken && (last == 1 || last == 3) && colors->GetRange(last)[0] < (bytes ? 255.0 : 1.0);
+  if (!taken || (last != 1 && last != 3))
+  {
+    return 1.0;
+  }
+  const double* range = colors->GetRange(last);
+  return range[0] < range[1] ? std::nullopt
+                             : std::optional<double>(range[0] / (bytes ? 255.0 : 1.0));
+}
+
+bool HasAlpha(vtkMapper* mapper, vtkDataObject* data)
+{
+  return GetAlpha(mapper, data) != 1.0;
 }
 
 bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoCaster>& casters)
@@ -296,7 +308,10 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, bool translucent,
     return mesh && AddMesh(mesh, manner, casters);
   }
   // Colours with an opacity of their own, by an array or a table.
-  if (manner.Opacity >= 1.0 && !actor->GetForceOpaque() && !actor->HasOpaqueGeometry())
+  const std::optional<double> alpha =
+    actor->GetForceOpaque() ? 1.0 : GetAlpha(mapper, mapper->GetInputDataObject(0, 0));
+  manner.Opacity *= alpha.value_or(0.0);
+  if (!alpha || (manner.Opacity >= 1.0 && !actor->GetForceOpaque() && !actor->HasOpaqueGeometry()))
   {
     return false;
   }

@@ -9,6 +9,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoCasterExchange.h"
 #include "vtkRelievoCasterMessage.h"
+#include "vtkRelievoShadowMethodMap.h"
 #include "vtkRelievoShadowRegion.h"
 #include "vtkRelievoShadowWork.h"
 #include "vtkRenderer.h"
@@ -240,6 +241,11 @@ vtkRelievoShadowEstimate vtkRelievoShadowMethodExact::Estimate(
   estimate.Bytes = vtkRelievoSeenVerdicts::GetBytes(demand.Width, demand.Height);
   estimate.WrongShare =
     std::min(1.0, std::max(Law.GetShare(demand.MapSize), FarLaw * demand.Farness));
+  if (this->InMaps > 0)
+  {
+    estimate.WrongShare =
+      std::max(estimate.WrongShare, vtkRelievoShadowMethodMap().Estimate(demand).WrongShare);
+  }
   return estimate;
 }
 

@@ -17,6 +17,22 @@ float relievoShadowVerdict(int face, vec3 place, vec2 slope, float texel)
   return relievoShadowFilter(face, place, slope, texel);
 }
 
+#ifdef RELIEVO_SHADOW_WIDENED
+uniform vec4 vpDims; // of VTK's geometry shader: the viewport
+
+// Where the pixel sees the plane of a place beside it; the place itself where it sees it edge-on.
+vec3 relievoSeenInPlane(vec3 place, vec3 normal)
+{
+  vec2 pixel = gl_FragCoord.xy - vpDims.xy - 0.5 * vpDims.zw;
+  vec3 start = relievoSeenPlace(pixel, place.z);
+  vec3 along = relievoSeenPlace(pixel, place.z - max(abs(place.z), 1e-30)) - start;
+  float steep = dot(normal, along);
+  return abs(steep) > 1e-3 * length(along) * length(normal)
+    ? start + along * (dot(normal, place - start) / steep)
+    : place;
+}
+#endif
+
 // What passes is all that a light has left.
 void relievoShadowTake(int slot, RELIEVO_PASSES passes)
 {
@@ -36,9 +52,22 @@ uniform int relievoSeenHides; // whether what is behind it is not seen: no sampl
     clamp(relievoSeenTexel(relievoSeenOwn), vec2(0.0), relievoSeenSize - 1.0);
   vec2 relievoSeenCenter = relievoSeenPixel(relievoSeenOwnTexel);
   vec2 relievoSeenOff = abs(relievoSeenOwn - relievoSeenCenter);
+#ifdef RELIEVO_SHADOW_WIDENED
+  bool relievoSeenCentered = false;
+  float relievoSeenInside = 0.0; // not on what the triangle was widened by
+  for (int i = 0; i < 3; ++i)
+  {
+    relievoSeenInside =
+      min(relievoSeenInside, dot(edgeEqn[i].xy, gl_FragCoord.xy) + edgeEqn[i].w);
+  }
+  vec3 relievoShadowPlaceVC = relievoSeenInside < 0.0
+    ? vertexVC.xyz
+    : relievoSeenInPlane(vertexVC.xyz, relievoShadowNormalVC);
+#else
   bool relievoSeenCentered = max(relievoSeenOff.x, relievoSeenOff.y) < 0.004;
   vec3 relievoShadowPlaceVC =
     relievoSeenCentered ? relievoSeenPlace(relievoSeenCenter, vertexVC.z) : vertexVC.xyz;
+#endif
   vec4 relievoShadowOwnLC =
     relievoShadowToLocal * vec4(relievoShadowPlaceVC - relievoShadowCenter, 1.0);
   vec3 relievoShadowPlaceLC = RELIEVO_RECEIVER(relievoShadowToLocal, relievoShadowOwnLC).xyz;

@@ -31,6 +31,7 @@
 #include <vtkRelievoCompositeMapper.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowPass.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -303,6 +304,35 @@ void TestKinds()
   glyphs.Check(Picture(glyphs.Stage.Window), true, "glyphs");
 }
 
+// Opacities of an array count where they are one for all; otherwise the pane casts nothing.
+void TestArrays()
+{
+  constexpr double Alpha = 204. / 255.;
+  PaneStage panes;
+  for (std::size_t i = 0; i < Panes.size(); ++i)
+  {
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetNumberOfComponents(4);
+    colors->InsertNextTuple4(255., 255., 255., 255. * Alpha);
+    GetMesh(panes.Actors[i])->GetCellData()->SetScalars(colors);
+    panes.Actors[i]->GetProperty()->SetOpacity(Panes[i].Opacity / Alpha);
+  }
+  panes.Check(Picture(panes.Stage.Window), false, "opacities of arrays");
+  vtkPolyData* mesh = GetMesh(panes.Actors[0]);
+  mesh->GetCellData()->SetScalars(nullptr);
+  vtkNew<vtkUnsignedCharArray> varied;
+  varied->SetNumberOfComponents(4);
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    varied->InsertNextTuple4(255., 255., 255., 60. * corner);
+  }
+  mesh->GetPointData()->SetScalars(varied);
+  const auto shown = Picture(panes.Stage.Window);
+  panes.Stage.GetShadows()->SetPropCasts(panes.Actors[0], vtkRelievoShadowPass::CASTS_NEVER);
+  RELIEVO_CHECK(
+    relievoTest::SamePicture(Picture(panes.Stage.Window), shown, "opacities that vary"));
+}
+
 // What the frame gathers: the picture without the curve of sRGB.
 double ToLinear(double shown)
 {
@@ -363,6 +393,7 @@ int main()
   TestDeferred();
   TestFaded();
   TestKinds();
+  TestArrays();
   TestSoft();
   return session.Result();
 }

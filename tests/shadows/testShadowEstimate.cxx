@@ -14,11 +14,13 @@
 #include "ShadowScenes.h"
 #include "Window.h"
 
+#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkProperty.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowPass.h>
 #include <vtkRenderWindow.h>
@@ -158,6 +160,16 @@ void TestHorizon()
   }
 }
 
+// What the frame report says; a failure if it says nothing.
+double GetReportedShare(relievoTest::ShadowStage& stage)
+{
+  const std::string report = stage.GetFrame()->GetFrameReport();
+  const std::string name = "\"expected_wrong_share\": ";
+  const std::size_t at = report.find(name);
+  RELIEVO_CHECK(at != std::string::npos);
+  return at != std::string::npos ? std::stod(report.substr(at + name.size())) : -1.;
+}
+
 // The report has the share that belongs to the maps, and none if there are no shadows.
 void TestReport()
 {
@@ -167,20 +179,36 @@ void TestReport()
   stage.GetShadows()->SetMapSize(512);
   stage.GetFrame()->ShadowsOn();
   stage.Window->Render();
+  RELIEVO_CHECK_NEAR(GetReportedShare(stage),
+    stage.GetShadows()->EstimateWrongShare(Pass::METHOD_MAP, 512), 1e-8, "share of the report");
   const std::string report = stage.GetFrame()->GetFrameReport();
-  const std::string name = "\"expected_wrong_share\": ";
-  const std::size_t at = report.find(name);
-  RELIEVO_CHECK(at != std::string::npos);
-  if (at != std::string::npos)
-  {
-    RELIEVO_CHECK_NEAR(std::stod(report.substr(at + name.size())),
-      stage.GetShadows()->EstimateWrongShare(Pass::METHOD_MAP, 512), 1e-8, "share of the report");
-  }
   RELIEVO_CHECK(report.find("expected share of wrong pixels 0.14 %") != std::string::npos);
   stage.GetFrame()->ShadowsOff();
   stage.Window->Render();
   RELIEVO_CHECK(
     stage.GetFrame()->GetFrameReport().find("\"expected_wrong_share\": null") != std::string::npos);
+}
+
+// Exact shadows know that a caster which rays cannot follow is in maps.
+void TestReportOfExact()
+{
+  relievoTest::ShadowStage stage;
+  stage.AddThings();
+  const auto wires = stage.AddBox({ 1.4, 1.5, 0.8 }, { 0.6, 0.1, 0.6 });
+  wires->VisibilityOff();
+  wires->GetProperty()->SetRepresentationToWireframe();
+  stage.AddSun(-3., 4., -2.);
+  Pass* shadows = stage.GetShadows();
+  shadows->SetMapSize(512);
+  shadows->SetMethodToExact();
+  stage.GetFrame()->ShadowsOn();
+  stage.Window->Render();
+  RELIEVO_CHECK_NEAR(GetReportedShare(stage), shadows->EstimateWrongShare(Pass::METHOD_EXACT, 512),
+    1e-9, "share of rays");
+  wires->VisibilityOn();
+  stage.Window->Render();
+  RELIEVO_CHECK_NEAR(GetReportedShare(stage), shadows->EstimateWrongShare(Pass::METHOD_MAP, 512),
+    1e-8, "share of rays and maps");
 }
 
 void TestWrongQuestions()
@@ -208,6 +236,7 @@ int main(int argc, char* argv[])
   TestLaws(argc > 1 ? argv[1] : "");
   TestHorizon();
   TestReport();
+  TestReportOfExact();
   TestWrongQuestions();
   for (const std::string& mesh : relievoTest::ReferenceMeshes())
   {

@@ -53,12 +53,6 @@ void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
       pass->GetShadowPass()->SetLightSize(vtkLight::SafeDownCast(light), *options.Lights[i].Size);
     }
   }
-  vtkPropCollection* props = renderer->GetViewProps();
-  for (int i = 0; options.ColoredShadows && i < props->GetNumberOfItems(); ++i)
-  {
-    pass->GetShadowPass()->SetPropCasts(
-      vtkProp::SafeDownCast(props->GetItemAsObject(i)), vtkRelievoShadowPass::CASTS_ALWAYS);
-  }
 }
 
 //------------------------------------------------------------------------------
