@@ -51,6 +51,8 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
     for name in layers:
         source.AddLayer(name)
     with _window_of(renderer, size), _frame_of(renderer) as frame:
+        if made:
+            renderer.ResetCamera()
         source.SetRenderer(renderer)
         with Watch(frame.GetGBuffer(), frame, source) as watch:
             source.Update()

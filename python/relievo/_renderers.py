@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What people have in hand, as a renderer: a renderer, a plotter, data, a filter."""
 
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
@@ -18,7 +20,8 @@ def inner_renderer(thing):
 def renderer_of(thing):
     """The renderer, and whether it was made here, for data.
 
-    Data is drawn by its outer surface and seen along -z with y up; polygons as they are.
+    Data is drawn by its outer surface and seen along -z with y up; polygons as they are. The camera
+    is to be fitted when the size of the picture is known.
     """
     inner = inner_renderer(thing)
     if inner is not None:
@@ -32,9 +35,7 @@ def renderer_of(thing):
     elif _is(thing, "vtkCompositeDataSet"):
         surface = _run(vtkCompositeDataGeometryFilter(), thing)
     elif _is(thing, "vtkDataSet"):
-        outside = vtkGeometryFilter()
-        outside.PassThroughCellIdsOn()
-        surface = _run(outside, thing)
+        surface = _run(vtkGeometryFilter(), _numbered(thing))
     else:
         raise ValueError(f"renderer: got {thing!r}, expected {_EXPECTED}")
     if surface.GetNumberOfCells() == 0:
@@ -45,7 +46,6 @@ def renderer_of(thing):
     actor.SetMapper(mapper)
     renderer = vtkRenderer()
     renderer.AddActor(actor)
-    renderer.ResetCamera()
     return renderer, True
 
 
@@ -58,6 +58,16 @@ def _place_camera(renderer):
 
 def _is(thing, name):
     return hasattr(thing, "IsA") and bool(thing.IsA(name))
+
+
+def _numbered(grid):
+    """The filter's own numbers are those of its copy without nonlinear cells, where there are any."""
+    ids = numpy_to_vtkIdTypeArray(numpy.arange(grid.GetNumberOfCells()), deep=True)
+    ids.SetName("vtkOriginalCellIds")
+    copy = grid.NewInstance()
+    copy.ShallowCopy(grid)
+    copy.GetCellData().AddArray(ids)
+    return copy
 
 
 def _run(algorithm, data):

@@ -7,8 +7,17 @@ import unittest
 
 import numpy
 import scenes
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    VTK_QUADRATIC_TETRA,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkPolyData,
+    vtkTable,
+    vtkUnstructuredGrid,
+)
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import relievo
 
@@ -39,6 +48,28 @@ class InHand(unittest.TestCase):
             self.assertLess(abs(height - expected), 2)
         ids = relievo.layer(relievo.capture(image, "vtkOriginalCellIds"), "vtkOriginalCellIds")
         self.assertEqual(set(numpy.unique(ids[numpy.isfinite(ids)])), set(range(15)))
+
+    def test_fitted(self):
+        """Nothing is cut off, whatever the picture's shape; the smaller side is well used."""
+        for size in ((60, 240), (240, 60), (150, 150)):
+            image = relievo.capture(vtkSphereSource(), size=size)
+            seen = numpy.isfinite(relievo.layer(image, "depth"))
+            self.assertFalse((seen[[0, -1]].any() or seen[:, [0, -1]].any()), size)
+            self.assertGreater(seen.any(axis=0).sum(), 0.5 * min(size), size)
+
+    def test_numbers_of_nonlinear_cells(self):
+        """Those of the grid, not of the filter's copy without nonlinear cells."""
+        grid, points = vtkUnstructuredGrid(), vtkPoints()
+        corners = numpy.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], dtype=float)
+        middles = [(corners[a] + corners[b]) / 2
+                   for a, b in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))]  # fmt: skip
+        for x in (-3, -1.5, 0):
+            ids = [points.InsertNextPoint(*(p + (x, 0, 0))) for p in (*corners, *middles)]
+            grid.InsertNextCell(VTK_QUADRATIC_TETRA, len(ids), ids)
+        grid.SetPoints(points)
+        ids = relievo.layer(relievo.capture(grid, "vtkOriginalCellIds"), "vtkOriginalCellIds")
+        self.assertEqual(set(numpy.unique(ids[numpy.isfinite(ids)])), {0, 1, 2})
+        self.assertIsNone(grid.GetCellData().GetArray("vtkOriginalCellIds"))
 
     def test_plotter(self):
         renderer = scenes.plane_and_sphere()

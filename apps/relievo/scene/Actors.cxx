@@ -9,6 +9,7 @@
 #include "Progress.h"
 
 #include "vtkActor.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -47,28 +48,73 @@ vtkSmartPointer<vtkDataObject> Surface(vtkDataObject* data, Progress& progress)
   {
     return data;
   }
+  // The filter's own numbers are those of its copy without nonlinear cells, where there are any.
+  const vtkSmartPointer<vtkDataObject> numbered = CopyDataSets(data);
+  ForEachDataSet(numbered, NumberCells);
   vtkNew<vtkGeometryFilter> surface;
-  surface->PassThroughCellIdsOn();
-  return Run(surface, data, progress);
+  return Run(surface, numbered, progress);
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> WithNormals(vtkDataObject* data, Progress& progress)
+bool LacksNormals(vtkPolyData* mesh)
+{
+  return mesh && !mesh->GetPointData()->GetNormals() && !mesh->GetCellData()->GetNormals() &&
+    mesh->GetNumberOfPolys() > 0;
+}
+
+// Whether points or lines have points of no length as normals: those that no polygon has.
+bool LeavesUnlit(vtkPolyData* mesh)
+{
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  for (vtkCellArray* cells : { mesh->GetVerts(), mesh->GetLines() })
+  {
+    vtkDataArray* corners = cells->GetConnectivityArray();
+    for (vtkIdType i = 0; i < corners->GetNumberOfTuples(); ++i)
+    {
+      double normal[3];
+      normals->GetTuple(static_cast<vtkIdType>(corners->GetTuple1(i)), normal);
+      if (normal[0] == 0.0 && normal[1] == 0.0 && normal[2] == 0.0)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// Meshes whose lines would be black by that stay as they are.
+vtkSmartPointer<vtkDataObject> WithNormals(
+  vtkDataObject* data, const std::string& path, Progress& progress)
 {
   bool needed = false;
   ForEachDataSet(data, [&needed](vtkDataSet* block) {
-    vtkPolyData* mesh = vtkPolyData::SafeDownCast(block);
-    needed = needed ||
-      (mesh && !mesh->GetPointData()->GetNormals() && !mesh->GetCellData()->GetNormals() &&
-        mesh->GetNumberOfPolys() > 0);
+    needed = needed || LacksNormals(vtkPolyData::SafeDownCast(block));
   });
   if (!needed)
   {
     return data;
   }
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->ConsistencyOff(); // the file's own winding is what its author sees everywhere else
-  return Run(normals, data, progress);
+  bool unlit = false;
+  const auto smooth = ReplaceDataSets(data, [&](vtkDataObject* block) {
+    if (!LacksNormals(vtkPolyData::SafeDownCast(block)))
+    {
+      return vtkSmartPointer<vtkDataObject>(block);
+    }
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->ConsistencyOff(); // the file's own winding is what its author sees everywhere else
+    const vtkSmartPointer<vtkDataObject> lit = Run(normals, block, progress);
+    const bool kept = LeavesUnlit(vtkPolyData::SafeDownCast(lit));
+    unlit = unlit || kept;
+    return kept ? vtkSmartPointer<vtkDataObject>(block) : lit;
+  });
+  if (unlit)
+  {
+    Messages::Note(path +
+      ": drawn without smooth normals, which would leave its lines or points "
+      "without any; give it normals to smooth it");
+  }
+  return smooth;
 }
 }
 
@@ -84,7 +130,7 @@ vtkSmartPointer<vtkDataObject> MakeSurface(
   vtkSmartPointer<vtkDataObject> surface = LeaveOutInfinite(Surface(data, progress), path);
   if (smooth)
   {
-    surface = WithNormals(surface, progress);
+    surface = WithNormals(surface, path, progress);
   }
   Messages::Check(path);
   return surface;
@@ -130,7 +176,7 @@ void AddArrayNames(vtkActor* actor, std::set<std::string>& names)
       for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
       {
         vtkDataArray* array = attributes->GetArray(i);
-        if (array && array->GetName())
+        if (array && array->GetName() && array->GetDataType() != VTK_BIT) // which VTK cannot draw
         {
           names.insert(array->GetName());
         }

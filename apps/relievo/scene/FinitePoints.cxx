@@ -7,10 +7,7 @@
 #include "Messages.h"
 
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -74,14 +71,7 @@ void RemoveCells(vtkPolyData* mesh, const std::vector<vtkIdType>& infinite, Coun
 
   if (!mesh->GetCellData()->HasArray("vtkOriginalCellIds"))
   {
-    vtkNew<vtkIdTypeArray> ids;
-    ids->SetName("vtkOriginalCellIds");
-    ids->SetNumberOfTuples(mesh->GetNumberOfCells());
-    for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
-    {
-      ids->SetValue(i, i);
-    }
-    mesh->GetCellData()->AddArray(ids);
+    NumberCells(mesh);
   }
   mesh->BuildCells();
   vtkNew<vtkIdList> corners;
@@ -97,26 +87,6 @@ void RemoveCells(vtkPolyData* mesh, const std::vector<vtkIdType>& infinite, Coun
     }
   }
   mesh->RemoveDeletedCells();
-}
-
-// Datasets of its own, which share their arrays with the given one's.
-vtkSmartPointer<vtkDataObject> Copy(vtkDataObject* data)
-{
-  auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-  auto* from = vtkCompositeDataSet::SafeDownCast(data);
-  if (!from)
-  {
-    copy->ShallowCopy(data);
-    return copy;
-  }
-  auto* to = vtkCompositeDataSet::SafeDownCast(copy);
-  to->CopyStructure(from);
-  const auto blocks = vtkSmartPointer<vtkCompositeDataIterator>::Take(from->NewIterator());
-  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
-  {
-    to->SetDataSet(blocks, Copy(blocks->GetCurrentDataObject()));
-  }
-  return copy;
 }
 
 std::string Plural(vtkIdType count, const char* noun)
@@ -154,7 +124,7 @@ vtkSmartPointer<vtkDataObject> LeaveOutInfinite(vtkDataObject* surface, const st
     throw WorkError(path + ": there is nothing to draw: none of its " +
       Plural(count.AllPoints, "point") + " is finite");
   }
-  const vtkSmartPointer<vtkDataObject> kept = Copy(surface);
+  const vtkSmartPointer<vtkDataObject> kept = CopyDataSets(surface);
   ForEachDataSet(kept, [&count](vtkDataSet* block) {
     vtkPolyData* mesh = vtkPolyData::SafeDownCast(block);
     const std::vector<vtkIdType> infinite =

@@ -5,7 +5,7 @@
 #include "Colormaps.h"
 #include "DataSets.h"
 #include "Failure.h"
-#include "LookOptions.h"
+#include "Options.h"
 #include "Scene.h"
 #include "Values.h"
 
@@ -19,6 +19,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
+#include "vtkRelievoMaterial.h"
 #include "vtkRenderer.h"
 #include "vtkScalarBarActor.h"
 #include "vtkTextProperty.h"
@@ -53,7 +54,8 @@ struct Coloring
   vtkMapper* Mapper;
   std::vector<vtkDataArray*> Arrays;
   bool OfPoints = false;
-  std::string Name; // of the array; may be empty
+  std::string Name;    // of the array; may be empty
+  bool Mapped = false; // with a normal map or heights
 };
 
 bool AreColors(const std::vector<vtkDataArray*>& arrays, const LookChoice& look)
@@ -64,9 +66,11 @@ bool AreColors(const std::vector<vtkDataArray*>& arrays, const LookChoice& look)
 
 //------------------------------------------------------------------------------
 // The chosen array of an actor's data, or else the active scalars; of points before cells.
-Coloring Find(vtkActor* actor, const LookChoice& look)
+Coloring Find(vtkActor* actor, const LookChoice& look, bool mapped)
 {
-  Coloring found = { actor->GetMapper(), {}, true, look.ColorBy };
+  vtkRelievoMaterial* material = vtkRelievoMaterial::Get(actor);
+  Coloring found = { actor->GetMapper(), {}, true, look.ColorBy,
+    mapped || (material && material->GetNormalMap()) };
   found.Mapper->Update();
   for (const bool points : { true, false })
   {
@@ -76,7 +80,7 @@ Coloring Find(vtkActor* actor, const LookChoice& look)
         : static_cast<vtkDataSetAttributes*>(block->GetCellData());
       vtkDataArray* array = look.ColorBy.empty() ? attributes->GetScalars()
                                                  : attributes->GetArray(look.ColorBy.c_str());
-      if (array)
+      if (array && array->GetDataType() != VTK_BIT) // which VTK maps to no colours
       {
         found.Arrays.push_back(array);
       }
@@ -159,6 +163,9 @@ void SetColoring(const Coloring& coloring, vtkColorTransferFunction* map, const 
   mapper->SetColorModeToMapScalars();
   mapper->SetLookupTable(map);
   mapper->UseLookupTableScalarRangeOn();
+  // Between points values are interpolated, not colours: each colour is one of the map's. A normal
+  // map or heights need the texture coordinates that this takes.
+  mapper->SetInterpolateScalarsBeforeMapping(coloring.OfPoints && !coloring.Mapped);
 }
 
 //------------------------------------------------------------------------------
@@ -197,7 +204,8 @@ void AddScalarBar(vtkRenderer* renderer, vtkColorTransferFunction* map, const st
 
 //------------------------------------------------------------------------------
 // Arrays of one name have one range of colours.
-std::map<std::string, std::vector<Coloring>> FindAll(const Scene& scene, const LookChoice& look)
+std::map<std::string, std::vector<Coloring>> FindAll(
+  const Scene& scene, const LookChoice& look, bool mapped)
 {
   std::map<std::string, std::vector<Coloring>> all;
   ForEachActor(scene.Renderer, [&](vtkActor* actor) {
@@ -206,12 +214,12 @@ std::map<std::string, std::vector<Coloring>> FindAll(const Scene& scene, const L
     {
       return;
     }
-    const Coloring coloring = Find(actor, look);
+    const Coloring coloring = Find(actor, look, mapped);
     if (!coloring.Arrays.empty())
     {
       all[coloring.Name].push_back(coloring);
     }
-    else if (!look.ColorBy.empty())
+    else
     {
       actor->GetMapper()->ScalarVisibilityOff();
     }
@@ -220,9 +228,9 @@ std::map<std::string, std::vector<Coloring>> FindAll(const Scene& scene, const L
 }
 
 //------------------------------------------------------------------------------
-void SetColors(const Scene& scene, const LookChoice& look)
+void SetColors(const Scene& scene, const LookChoice& look, bool mapped)
 {
-  const std::map<std::string, std::vector<Coloring>> all = FindAll(scene, look);
+  const std::map<std::string, std::vector<Coloring>> all = FindAll(scene, look, mapped);
   CheckFound(all, scene, look);
   int bars = 0;
   for (const auto& [name, colorings] : all)
@@ -253,9 +261,9 @@ void SetColors(const Scene& scene, const LookChoice& look)
 }
 
 //------------------------------------------------------------------------------
-void SetLook(Scene& scene, const LookChoice& choice)
+void SetLook(Scene& scene, const RenderOptions& options)
 {
-  LookChoice look = choice;
+  LookChoice look = options.Look;
   if (scene.Arrays.count(look.ColorByAsGiven))
   {
     // What looks like a component belongs to the name.
@@ -271,7 +279,7 @@ void SetLook(Scene& scene, const LookChoice& choice)
     scene.Renderer->SetBackground2(top[0], top[1], top[2]);
     scene.Renderer->SetGradientBackground(look.Background.size() > 1);
   }
-  SetColors(scene, look);
+  SetColors(scene, look, !options.NormalMap.empty() || !options.HeightMap.empty());
   bool translucent = false;
   ForEachActor(scene.Renderer, [&](vtkActor* actor) {
     vtkProperty* property = actor->GetProperty();
@@ -290,7 +298,7 @@ void SetLook(Scene& scene, const LookChoice& choice)
     {
       property->SetOpacity(look.Opacity * property->GetOpacity());
     }
-    translucent = translucent || property->GetOpacity() < 1.0;
+    translucent = translucent || actor->HasTranslucentPolygonalGeometry() != 0;
     if (look.Edges)
     {
       property->EdgeVisibilityOn();

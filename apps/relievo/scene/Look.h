@@ -8,12 +8,12 @@
 
 namespace cli
 {
-struct LookChoice;
+struct RenderOptions;
 struct Scene;
 
 /// Colours, edges, opacity, background, colour bar. Throws WorkError if nothing that is drawn has
 /// the array to colour by, or not so many components.
-void SetLook(Scene& scene, const LookChoice& look);
+void SetLook(Scene& scene, const RenderOptions& options);
 }
 
 #endif

@@ -142,7 +142,6 @@ void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options)
     camera->SetPosition(options.Camera->Position.data());
     camera->SetFocalPoint(options.Camera->FocalPoint.data());
     camera->SetViewUp(options.Camera->ViewUp.data());
-    renderer->ResetCameraClippingRange();
   }
   else
   {
@@ -157,6 +156,7 @@ void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options)
   {
     camera->SetParallelScale(*options.ParallelScale);
   }
+  renderer->ResetCameraClippingRange(); // whose gaps depend on the scale
   if (options.Clip)
   {
     camera->SetClippingRange((*options.Clip)[0], (*options.Clip)[1]);
@@ -283,7 +283,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
 void DressScene(Scene& scene, const RenderOptions& options)
 {
   SetShading(scene.Renderer, options.ShadingKind);
-  SetLook(scene, options.Look);
+  SetLook(scene, options);
   for (const PosedModel& model : scene.Models)
   {
     if (model.Skeleton)

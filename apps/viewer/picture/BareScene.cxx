@@ -73,7 +73,8 @@ BareScene::BareScene(const cli::Scene& scene)
       { actor, Copy(actor->GetProperty()), texture, texture && texture->GetUseSRGBColorSpace(),
         vtkRelievoMaterial::Get(actor), mapper->GetScalarVisibility() != 0, mapper->GetScalarMode(),
         mapper->GetColorMode(), mapper->GetArrayAccessMode(), mapper->GetArrayId(),
-        name ? name : "", mapper->GetUseLookupTableScalarRange() != 0 });
+        name ? name : "", mapper->GetUseLookupTableScalarRange() != 0,
+        mapper->GetInterpolateScalarsBeforeMapping() != 0 });
   }
   vtkLightCollection* lights = renderer->GetLights();
   for (int i = 0; i < lights->GetNumberOfItems(); ++i)
@@ -104,6 +105,7 @@ void BareScene::Restore(const Part& part)
   mapper->SetScalarMode(part.ScalarMode);
   mapper->SetColorMode(part.ColorMode);
   mapper->SetUseLookupTableScalarRange(part.OwnRange);
+  mapper->SetInterpolateScalarsBeforeMapping(part.Interpolated);
   mapper->SetLookupTable(nullptr);
   mapper->SetArrayName(part.ArrayName.c_str());
   mapper->SetArrayId(part.ArrayId);

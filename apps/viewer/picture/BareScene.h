@@ -50,6 +50,7 @@ public:
     int ScalarMode, ColorMode, ArrayAccess, ArrayId;
     std::string ArrayName;
     bool OwnRange;
+    bool Interpolated; // scalars, before they are colours
   };
 
   /// Null for an actor that was not read, such as a skeleton.

@@ -108,7 +108,7 @@ private:
     const bool single = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
     this->Out << "mapper = " << (single ? "vtkPolyDataMapper" : CompositeMapper)
               << "()\nmapper.SetInputDataObject(" << this->Map(mesh) << ")\n";
-    WriteColors(this->Out, mapper, true);
+    WriteColors(this->Out, mapper, true, false);
     this->Out << "actor = vtkActor()\nactor.SetMapper(mapper)\nproperty = actor.GetProperty()\n";
     WriteProperty(this->Out, actor->GetProperty(), vtkNew<vtkProperty>());
     this->WriteTexture(actor);
@@ -199,7 +199,7 @@ private:
       if (!actor->GetMapper()->GetScalarVisibility() || !part->Colored ||
         actor->GetMapper()->GetUseLookupTableScalarRange())
       {
-        WriteColors(lines, actor->GetMapper(), part->Colored);
+        WriteColors(lines, actor->GetMapper(), part->Colored, part->Interpolated);
       }
       WriteProperty(lines, actor->GetProperty(), part->Property);
       if (part->Texture && !actor->GetTexture())

@@ -29,7 +29,10 @@ const Function Functions[] = {
     """What a file holds."""
     reader.SetFileName(path)
     reader.Update()
-    return reader.GetOutputDataObject(0)
+    found = reader.GetOutputDataObject(0)
+    if reader.GetErrorCode() or found is None:
+        raise SystemExit(f"{path} could not be read")
+    return found
 )" },
   { "image", R"(def image(path):
     """An image, such as a map of normals."""
@@ -69,13 +72,20 @@ const Function Functions[] = {
         place.GoToNextItem()
     return copy
 )" },
+  { "number_cells", R"(def number_cells(mesh):
+    """With the number of each cell."""
+    ids = numpy_to_vtkIdTypeArray(numpy.arange(mesh.GetNumberOfCells()), deep=True)
+    ids.SetName("vtkOriginalCellIds")
+    copy = mesh.NewInstance()
+    copy.ShallowCopy(mesh)
+    copy.GetCellData().AddArray(ids)
+    return copy
+)" },
   { "surface", R"(def surface(data):
     """The polygons to draw."""
     if all(isinstance(block, vtkPolyData) for block in blocks(data)):
         return data
-    outside = vtkGeometryFilter()
-    outside.PassThroughCellIdsOn()
-    return run(outside, data)
+    return run(vtkGeometryFilter(), replaced(data, lambda block: number_cells(block)))
 )" },
   { "finite_mesh", R"(def finite_mesh(data):
     """Without the cells that have a point which is not finite."""
@@ -87,15 +97,13 @@ const Function Functions[] = {
     if good.all() or not good.any():
         return data if good.all() else mesh
     mesh.ShallowCopy(data)
+    if not mesh.GetCellData().HasArray("vtkOriginalCellIds"):
+        mesh = number_cells(mesh)
     places = vtkPoints()
     places.SetDataType(data.GetPoints().GetDataType())
     places.DeepCopy(data.GetPoints())
     vtk_to_numpy(places.GetData())[~good] = points[good][0]
     mesh.SetPoints(places)
-    if not mesh.GetCellData().HasArray("vtkOriginalCellIds"):
-        ids = numpy_to_vtkIdTypeArray(numpy.arange(mesh.GetNumberOfCells()), deep=True)
-        ids.SetName("vtkOriginalCellIds")
-        mesh.GetCellData().AddArray(ids)
     mesh.BuildCells()
     corners = vtkIdList()
     for cell in range(mesh.GetNumberOfCells()):
@@ -114,13 +122,22 @@ const Function Functions[] = {
     have = mesh.GetPointData().GetNormals() or mesh.GetCellData().GetNormals()
     return not have and mesh.GetNumberOfPolys() > 0
 )" },
-  { "smooth", R"(def smooth(data):
-    """With normals."""
-    if not any(is_bare(block) for block in blocks(data)):
-        return data
+  { "smooth_mesh", R"(def smooth_mesh(mesh):
+    """With normals, unless points or lines would have some of no length."""
+    if not isinstance(mesh, vtkPolyData) or not is_bare(mesh):
+        return mesh
     normals = vtkPolyDataNormals()
     normals.ConsistencyOff()
-    return run(normals, data)
+    lit = run(normals, mesh)
+    vectors = vtk_to_numpy(lit.GetPointData().GetNormals())
+    for cells in (lit.GetVerts(), lit.GetLines()):
+        if not vectors[vtk_to_numpy(cells.GetConnectivityArray())].any(axis=1).all():
+            return mesh
+    return lit
+)" },
+  { "smooth", R"(def smooth(data):
+    """With normals."""
+    return replaced(data, lambda mesh: smooth_mesh(mesh))
 )" },
   { "by_material", R"(def by_material(path, file, mesh):
     """The cells of a mesh by the names of their materials in an OBJ file; None: without one."""

@@ -12,7 +12,7 @@
 namespace viewer
 {
 //------------------------------------------------------------------------------
-void WriteColors(std::ostream& out, vtkMapper* mapper, bool wasColored)
+void WriteColors(std::ostream& out, vtkMapper* mapper, bool wasColored, bool wasInterpolated)
 {
   if (!mapper->GetScalarVisibility())
   {
@@ -44,6 +44,10 @@ void WriteColors(std::ostream& out, vtkMapper* mapper, bool wasColored)
   }
   out << "mapper.SetColorModeToMapScalars()\nmapper.SetLookupTable(colors)\n"
       << "mapper.UseLookupTableScalarRangeOn()\n";
+  if ((mapper->GetInterpolateScalarsBeforeMapping() != 0) != wasInterpolated)
+  {
+    out << "mapper.InterpolateScalarsBeforeMapping" << (wasInterpolated ? "Off" : "On") << "()\n";
+  }
 }
 
 //------------------------------------------------------------------------------

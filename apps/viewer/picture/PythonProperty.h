@@ -13,8 +13,9 @@ class vtkProperty;
 
 namespace viewer
 {
-/// Lines for `mapper`. `wasColored`: whether it has colours already.
-void WriteColors(std::ostream& out, vtkMapper* mapper, bool wasColored);
+/// Lines for `mapper`. Whether it shows colours already, and interpolates values before they are
+/// colours.
+void WriteColors(std::ostream& out, vtkMapper* mapper, bool wasColored, bool wasInterpolated);
 
 /// Lines for `property`, of which all is so already that `before` has.
 void WriteProperty(std::ostream& out, vtkProperty* property, vtkProperty* before);

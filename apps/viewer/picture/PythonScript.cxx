@@ -108,8 +108,8 @@ void WriteView(std::ostream& out, vtkRenderer* renderer, const cli::RenderOption
       << "camera.SetPosition(" << WriteThree(camera->GetPosition()) << ")\n"
       << "camera.SetFocalPoint(" << WriteThree(camera->GetFocalPoint()) << ")\n"
       << "camera.SetViewUp(" << WriteThree(camera->GetViewUp()) << ")\n"
-      << "renderer.ResetCameraClippingRange()\n"
-      << "camera.SetParallelScale(" << WriteNumber(camera->GetParallelScale()) << ")\n";
+      << "camera.SetParallelScale(" << WriteNumber(camera->GetParallelScale()) << ")\n"
+      << "renderer.ResetCameraClippingRange()\n";
   if (options.Clip)
   {
     out << "camera.SetClippingRange(" << WriteNumbers({ (*options.Clip)[0], (*options.Clip)[1] })
