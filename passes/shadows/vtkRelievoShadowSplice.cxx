@@ -113,7 +113,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   dec << (impostor ? "#define RELIEVO_SHADOW_IMPOSTOR\n" : "");
   dec << (triangles ? "#define RELIEVO_SHADOW_TRIANGLES\n" : "");
   // Some VTKs widen triangles with edges by half a line, and move with them where places are.
-  dec << (Has(geometry, "offsets[i]*gl_Position.w") ? "#define RELIEVO_SHADOW_WIDENED\n" : "");
+  dec << (Has(geometry, "+ offsets[i]*") ? "#define RELIEVO_SHADOW_WIDENED\n" : "");
   std::string normal = Section("FragmentImpl");
   if (impostor) // elsewhere the name alone would tell other splices that VTK has a normal
   {

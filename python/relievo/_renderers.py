@@ -61,7 +61,7 @@ def _is(thing, name):
 
 
 def _numbered(grid):
-    """The filter's own numbers are those of its copy without nonlinear cells, where there are any."""
+    """With a number for each cell: the filter counts those of a copy without nonlinear cells."""
     ids = numpy_to_vtkIdTypeArray(numpy.arange(grid.GetNumberOfCells()), deep=True)
     ids.SetName("vtkOriginalCellIds")
     copy = grid.NewInstance()
