@@ -65,7 +65,7 @@ def write_data(folder):
     return ["a.vtp", "a.stl", "a.ply", "a.vtk", "a.vti", "a.vtm", "a.vtu"]
 
 
-def gltf_triangle(colour):
+def gltf_triangle(colour, alpha=1, **material):
     """TRIANGLE as glTF, of a material of that colour."""
     points = numpy.array([(-1, -1, 0), (1, -1, 0), (-1, 1, 0)], "<f4").tobytes()
     return json.dumps(
@@ -76,7 +76,12 @@ def gltf_triangle(colour):
             "nodes": [{"mesh": 0}],
             "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
             "materials": [
-                {"pbrMetallicRoughness": {"baseColorFactor": [*colour, 1], "metallicFactor": 0}}
+                {
+                    "pbrMetallicRoughness": {
+                        "baseColorFactor": [*colour, alpha], "metallicFactor": 0,
+                    },
+                    **material,
+                }
             ],
             "accessors": [
                 {
@@ -161,6 +166,28 @@ class Picture(CliTest):
         for name, value in zip("RGB", (0.2, 0.7, 0.1)):
             self.assertAlmostEqual(float(channels[f"albedo.{name}"][36, 20]), value, delta=0.01)
         self.assertAlmostEqual(float(channels["depth.Z"][36, 20]), 5, delta=1e-5)
+
+    def test_gltf_opacity(self):
+        """Where it counts: not that of an opaque material, and all or nothing of a mask."""
+        for alpha, mode, expected in ((0.25, "BLEND", 0.25), (0.25, "OPAQUE", 1),
+                                      (0.25, "MASK", 0), (0.75, "MASK", 1)):  # fmt: skip
+            text = gltf_triangle((1, 1, 1), alpha, alphaMode=mode)
+            (self.folder / "a.gltf").write_text(text)
+            self.relievo("render", "a.gltf", *LOOK, "--size", "60x60", "--exr", "a.exr")
+            found = float(self.exr("a.exr")[1]["A"][36, 20])
+            self.assertAlmostEqual(found, expected, delta=0.003, msg=f"{mode} {alpha}")
+
+    def test_gltf_whose_files_are_missing(self):
+        """The missing file is named; light that VTK leaves out is noted."""
+        text = gltf_triangle((1, 1, 1), emissiveFactor=[1, 0, 0])
+        (self.folder / "a.gltf").write_text(text)
+        done = self.relievo("render", "a.gltf", "--png", "a.png")
+        self.assertIn("gives off", done.stderr)
+        start = text.index("data:")
+        text = text[:start] + "my%20points.bin" + text[text.index('"', start) :]
+        (self.folder / "a.gltf").write_text(text)
+        done = self.relievo("render", "a.gltf", "--png", "a.png", status=1)
+        self.assertIn("a.gltf: names my points.bin, which is not there", done.stderr)
 
     def test_overwrites_and_follows_links(self):
         (self.folder / "real").mkdir()

@@ -113,8 +113,9 @@ private:
     return this->Path("wall.obj");
   }
 
-  // A square with a texture that the file turns, and a normal map or none, in files beside it.
-  std::string WriteGLTF(bool normals = true) const
+  // A square with a texture that the file turns, and a normal map or none, in files beside it;
+  // opaque or not.
+  std::string WriteGLTF(bool normals = true, bool blended = false) const
   {
     this->WriteImage();
     const float numbers[] = { -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0,
@@ -127,8 +128,10 @@ private:
 "extensionsUsed": ["KHR_texture_transform"], "nodes": [{"mesh": 0, "name": "square"}],
 "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2},
   "indices": 3, "material": 0}]}],
-"materials": [{"pbrMetallicRoughness": {"metallicFactor": 0.2, "roughnessFactor": 0.4,
-    "baseColorTexture": {"index": 0, "extensions": {"KHR_texture_transform":
+"materials": [{"alphaMode": ")" +
+        std::string(blended ? "BLEND" : "OPAQUE") + R"(",
+  "pbrMetallicRoughness": {"metallicFactor": 0.2, "roughnessFactor": 0.4,
+    "baseColorFactor": [1, 1, 1, 0.5], "baseColorTexture": {"index": 0, "extensions": {"KHR_texture_transform":
       {"offset": [0.1, 0.2], "rotation": 0.3, "scale": [0.7, 0.6]}}}})" +
         std::string(normals ? R"(, "normalTexture": {"index": 1, "scale": 0.5})" : "") + R"(}],
 "textures": [{"source": 0}, {"source": 1}], "images": [{"uri": "waves.png"}, {"uri": "waves.png"}],
@@ -185,6 +188,11 @@ private Q_SLOTS:
     this->CompareAll({ "--environment", waves, square });
     this->WriteGLTF(false);
     this->CompareAll({ "--normal-map", waves, "--environment", waves, square });
+    const vtkSmartPointer<vtkImageData> opaque = this->Grab();
+    this->WriteGLTF(false, true);
+    this->CompareAll({ "--normal-map", waves, "--environment", waves, square });
+    QVERIFY(CountDifferent(opaque, this->Grab()) > 100);
+    this->CompareAll({ "--shading", "phong", "--opacity", "0.5", square });
     this->CompareAll({ Data("textured/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb"), square });
   }
 
@@ -208,6 +216,8 @@ private Q_SLOTS:
     const std::string path = Data("models/X/Testwuson.X");
     this->CompareAll(
       { "--animation", "Wuson_Walk", "--blend", "Wuson_Run=0.3", "--time", "0.4", path });
+    this->CompareAll(
+      { "--animation", "Wuson_Walk", "--blend", "Wuson_Run=0", "--time", "0.4", path });
     this->CompareAll({ "--bone-weight", "Spine_Back03", "--colormap", "rainbow", path });
     this->CompareAll({ "--color-by", "first_bone", "--scalar-bar", "--skin", "key-matrix", path });
   }
@@ -233,16 +243,19 @@ private Q_SLOTS:
   // material, and names that are no words of Python.
   void mixedMaterials()
   {
+    this->WriteImage();
     this->WriteText("mixed.mtl",
       "newmtl shining\nKd 0.8 0.3 0.2\nKs 1 1 1\nNs 12\nillum 2\n"
-      "newmtl m\xf6rtel \"1\"\nKd 0.2 0.4 0.8\n");
-    std::string mixed = "mtllib mixed.mtl\nv 0 -3 0\nv 60 -3 0\nv 60 -9 0\nl 1 2\nf 1 2 3\n";
+      "newmtl m\xf6rtel \"1\"\nKd 1 1 1\nmap_Kd waves.png\n");
+    std::string mixed = "mtllib mixed.mtl\nv 0 -3 0\nv 60 -3 0\nv 60 -9 0\nl 1 2\nf 1 2 3\n"
+                        "vt 0 0\nvt 1 0\nvt 0 1\n";
     for (int i = 0; i < 4200; ++i)
     {
       const std::string x = std::to_string(i % 60);
       const std::string y = std::to_string(i / 60);
       mixed += "v " + x + " " + y + " 0\nv " + x + ".9 " + y + " 0\nv " + x + " " + y +
-        ".9 0\n\tusemtl " + (i % 2 == 0 ? "shining" : "m\xf6rtel \"1\" ") + "\r\n f -3\t-2 -1\n";
+        ".9 0\n\tusemtl " + (i % 2 == 0 ? "shining" : "m\xf6rtel \"1\" ") +
+        "\r\n f -3/1\t-2/2 -1/3\n";
     }
     this->WriteText("mixed.obj", mixed + "p 1 3\n");
     this->CompareAll({ this->Path("mixed.obj") });

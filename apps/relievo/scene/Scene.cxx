@@ -3,9 +3,9 @@
 #include "Scene.h"
 
 #include "Actors.h"
-#include "CrashGuard.h"
 #include "Failure.h"
 #include "FinitePoints.h"
+#include "Gltf.h"
 #include "Look.h"
 #include "Messages.h"
 #include "Models.h"
@@ -19,7 +19,6 @@
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkDataObject.h"
-#include "vtkGLTFImporter.h"
 #include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -36,27 +35,6 @@ namespace cli
 {
 namespace
 {
-void ImportGLTF(const std::string& path, const Scene& scene, Progress& progress)
-{
-  progress.Begin("reading " + path);
-  vtkNew<vtkGLTFImporter> importer;
-  importer->SetFileName(path.c_str());
-  importer->SetRenderWindow(scene.Window);
-  progress.Observe(importer);
-  try
-  {
-    const CrashGuard guard(path);
-    importer->Update();
-  }
-  catch (const std::exception& error) // of the JSON library that VTK reads glTF with
-  {
-    throw WorkError(path + ": " + error.what());
-  }
-  progress.End();
-  Messages::Check(path);
-}
-
-//------------------------------------------------------------------------------
 void SetShading(vtkRenderer* renderer, Shading kind)
 {
   vtkActorCollection* actors = renderer->GetActors();
@@ -236,7 +214,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     }
     else if (IsGLTF(path))
     {
-      ImportGLTF(path, scene, progress);
+      ImportGLTF(path, scene.Window, progress);
     }
     else
     {
@@ -262,9 +240,11 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     vtkActorCollection* actors = scene.Renderer->GetActors();
     scene.Counts.push_back(actors->GetNumberOfItems() - before);
     bool shows = false;
+    std::vector<vtkActor*> own;
     for (int i = before; i < actors->GetNumberOfItems(); ++i)
     {
       vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
+      own.push_back(actor);
       AddArrayNames(actor, scene.Arrays);
       if (IsMapped(options))
       {
@@ -273,6 +253,10 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
       }
       CheckReach(actor, path);
       shows = shows || vtkMath::AreBoundsInitialized(actor->GetBounds());
+    }
+    if (IsGLTF(path) && !options.Model.Given)
+    {
+      scene.Opacities.merge(ReadOpacities(path, own));
     }
     Messages::Check(path, !shows, "holds nothing that can be drawn: no points, or no cells");
   }
@@ -283,6 +267,10 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
 void DressScene(Scene& scene, const RenderOptions& options)
 {
   SetShading(scene.Renderer, options.ShadingKind);
+  for (const auto& [actor, opacity] : scene.Opacities)
+  {
+    actor->GetProperty()->SetOpacity(opacity);
+  }
   SetLook(scene, options);
   for (const PosedModel& model : scene.Models)
   {

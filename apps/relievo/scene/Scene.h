@@ -33,6 +33,7 @@ struct Scene
   std::set<std::string> Arrays;     ///< names of the point and cell arrays that can be layers
   std::set<std::string> Incomplete; ///< files of which cells with infinite points are left out
   std::map<vtkActor*, std::optional<std::string>> ObjMaterials; ///< names of parts of OBJ files
+  std::map<vtkActor*, double> Opacities; ///< of glTF's materials, which VTK does not always take
   std::optional<std::array<double, 2>> Times; ///< seconds that animations last; none: nothing moves
 };
 
