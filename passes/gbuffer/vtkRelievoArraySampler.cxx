@@ -4,12 +4,17 @@
 
 #include "vtkActor.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkMapper.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkPropCollection.h"
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <limits>
@@ -67,9 +72,58 @@ vtkRelievoArraySampler::Source vtkRelievoArraySampler::Find(vtkDataSet* data, bo
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoArraySampler::Prepare(int& components, std::string& wrong)
+bool vtkRelievoArraySampler::Take(vtkDataArray* array)
 {
-  bool wide = false;
+  if (array)
+  {
+    this->Components = std::max(this->Components, array->GetNumberOfComponents());
+    this->Wide = this->Wide || (array->GetDataType() != VTK_FLOAT && array->GetDataTypeSize() >= 4);
+  }
+  return array != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoArraySampler::FindHidden(vtkRenderer* renderer)
+{
+  vtkNew<vtkPropCollection> parts;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    prop->GetActors(parts); // of assemblies too
+  }
+  bool found = false;
+  const auto look = [&](vtkDataObject* data) {
+    if (auto* set = vtkDataSet::SafeDownCast(data))
+    {
+      found = this->Take(this->Find(set, true).Array) || found;
+    }
+  };
+  parts->InitTraversal(it);
+  while (vtkProp* part = parts->GetNextProp(it))
+  {
+    auto* actor = vtkActor::SafeDownCast(part);
+    vtkDataObject* data =
+      actor && actor->GetMapper() && actor->GetMapper()->GetNumberOfInputPorts() > 0
+      ? actor->GetMapper()->GetInputDataObject(0, 0)
+      : nullptr;
+    look(data);
+    if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+    {
+      auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+      for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+      {
+        look(leaf->GetCurrentDataObject());
+      }
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoArraySampler::Prepare(vtkRenderer* renderer, int& components, std::string& wrong)
+{
   const std::vector<vtkRelievoDrawTable::Hit> meshes = this->Draws.GetMeshes();
   for (const vtkRelievoDrawTable::Hit& hit : meshes)
   {
@@ -82,19 +136,14 @@ int vtkRelievoArraySampler::Prepare(int& components, std::string& wrong)
     {
       source = this->Find(hit.Points, false);
     }
-    if (!source.Array)
+    if (this->Take(source.Array))
     {
-      continue;
+      this->Sources[Key(hit.Prop, GetData(hit))] = source;
     }
-    this->Sources[Key(hit.Prop, GetData(hit))] = source;
-    this->Components = std::max(this->Components, source.Array->GetNumberOfComponents());
-    // Integers of four bytes and more do not fit into a float.
-    wide =
-      wide || (source.Array->GetDataType() != VTK_FLOAT && source.Array->GetDataTypeSize() >= 4);
   }
-  if (this->Sources.empty() && !meshes.empty())
+  if (this->Sources.empty() && !meshes.empty() && !(renderer && this->FindHidden(renderer)))
   {
-    wrong = "it is neither a layer nor a point or cell array of anything drawn. Layers are " +
+    wrong = "it is neither a layer nor a point or cell array of anything there. Layers are " +
       vtkRelievoLayerCatalogue::GetLayerNames();
   }
   else if (this->Components > MaximumComponents)
@@ -104,7 +153,7 @@ int vtkRelievoArraySampler::Prepare(int& components, std::string& wrong)
   }
   this->Components = std::max(1, this->Components);
   components = this->Components;
-  return wide ? VTK_DOUBLE : VTK_FLOAT;
+  return this->Wide ? VTK_DOUBLE : VTK_FLOAT;
 }
 
 //------------------------------------------------------------------------------

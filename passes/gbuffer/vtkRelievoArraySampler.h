@@ -20,6 +20,7 @@
 
 class vtkDataArray;
 class vtkDataSet;
+class vtkRenderer;
 
 class vtkRelievoArraySampler
 {
@@ -30,8 +31,9 @@ public:
   vtkRelievoArraySampler(
     const std::string& layer, const vtkRelievoDrawTable& draws, const vtkRelievoView& view);
 
-  // Looks the array up in what was drawn; returns VTK_FLOAT or VTK_DOUBLE and says what is wrong.
-  int Prepare(int& components, std::string& wrong);
+  // Looks the array up in what was drawn, else in all that the renderer has, which may be hidden or
+  // translucent; returns VTK_FLOAT or VTK_DOUBLE and says what is wrong.
+  int Prepare(vtkRenderer* renderer, int& components, std::string& wrong);
 
   struct Source
   {
@@ -58,6 +60,8 @@ private:
   using Key = std::pair<const void*, const void*>;
 
   Source Find(vtkDataSet* data, bool cells) const;
+  bool Take(vtkDataArray* array); // false for none
+  bool FindHidden(vtkRenderer* renderer);
   void SampleInCell(const Place& place, int x, int y, double* values) const;
 
   std::string Name;
@@ -66,6 +70,7 @@ private:
   const vtkRelievoDrawTable& Draws;
   const vtkRelievoView& View;
   int Components = 0;
+  bool Wide = false; // integers of four bytes and more, and doubles, do not fit into a float
   std::map<Key, Source> Sources;
 };
 

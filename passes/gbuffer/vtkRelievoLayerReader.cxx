@@ -361,7 +361,7 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNamedArray(
   this->ResolveDraws();
   vtkRelievoArraySampler sampler(layer, *this->Draws, this->View);
   int components = 0;
-  const int type = sampler.Prepare(components, wrong);
+  const int type = sampler.Prepare(this->Renderer, components, wrong);
   if (!wrong.empty())
   {
     return nullptr;

@@ -37,7 +37,7 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
     holds the camera: worldToCamera, worldToNDC (16 doubles, by rows), near, far, relievo:origin,
     and lights. depth and range are float in world units, position is double in world space.
 
-    Raises ValueError for wrong arguments, such as a layer that no visible data has or a size above
+    Raises ValueError for wrong arguments, such as a layer that no data has or a size above
     the limit, and RuntimeError if the layers cannot be drawn, or there is no display.
     """
     renderer, made = renderer_of(renderer)

@@ -23,12 +23,14 @@
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkProperty.h>
 #include <vtkRelievoLayerSource.h>
 #include <vtkRelievoPass.h>
 #include <vtkSphereSource.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <cmath>
 #include <limits>
 
 namespace
@@ -303,6 +305,30 @@ std::vector<std::string> Refuse(vtkRenderer* renderer, const std::string& name)
   return expected.Messages();
 }
 
+// What fades out, or is hidden, has its arrays still: they have no values anywhere.
+void TestHidden()
+{
+  const Stage stage(60, 40);
+  const auto mesh = relievoTest::MakeBall(0.5);
+  AddArrays(mesh);
+  const auto hidden = relievoTest::AddActor(stage.Renderer, mesh);
+  relievoTest::AddActor(stage.Renderer, relievoTest::MakeSquare());
+  const auto count = [&stage] {
+    const Layers layers(stage.Renderer, { "linear" });
+    int values = 0;
+    for (int i = 0; i < layers.Width * layers.Height; ++i)
+    {
+      values += std::isnan(layers.Value("linear", i % layers.Width, i / layers.Width)) ? 0 : 1;
+    }
+    return values;
+  };
+  RELIEVO_CHECK(count() > 100);
+  hidden->GetProperty()->SetOpacity(0.5);
+  RELIEVO_CHECK(count() == 0);
+  hidden->VisibilityOff();
+  RELIEVO_CHECK(count() == 0);
+}
+
 void TestErrors()
 {
   const Stage stage(60, 40);
@@ -347,6 +373,7 @@ int main()
   CheckValues("polygons and a strip", MakeMesh(), {}, false);
   CheckValues("box", relievoTest::MakeBox(2., 1.2, 1.), {}, false);
   TestBadPointValues();
+  TestHidden();
   TestErrors();
   return session.Result();
 }
