@@ -313,6 +313,7 @@ void TestHidden()
   AddArrays(mesh);
   const auto hidden = relievoTest::AddActor(stage.Renderer, mesh);
   relievoTest::AddActor(stage.Renderer, relievoTest::MakeSquare());
+  stage.Renderer->ResetCamera();
   const auto count = [&stage] {
     const Layers layers(stage.Renderer, { "linear" });
     int values = 0;

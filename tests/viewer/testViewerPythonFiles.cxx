@@ -131,7 +131,8 @@ private:
 "materials": [{"alphaMode": ")" +
         std::string(blended ? "BLEND" : "OPAQUE") + R"(",
   "pbrMetallicRoughness": {"metallicFactor": 0.2, "roughnessFactor": 0.4,
-    "baseColorFactor": [1, 1, 1, 0.5], "baseColorTexture": {"index": 0, "extensions": {"KHR_texture_transform":
+    "baseColorFactor": [1, 1, 1, 0.5],
+    "baseColorTexture": {"index": 0, "extensions": {"KHR_texture_transform":
       {"offset": [0.1, 0.2], "rotation": 0.3, "scale": [0.7, 0.6]}}}})" +
         std::string(normals ? R"(, "normalTexture": {"index": 1, "scale": 0.5})" : "") + R"(}],
 "textures": [{"source": 0}, {"source": 1}], "images": [{"uri": "waves.png"}, {"uri": "waves.png"}],
