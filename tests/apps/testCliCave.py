@@ -64,8 +64,8 @@ class Cave(CliTest):
             with self.subTest(words=words):
                 self.refused("cave", *words, status=2, says=says)
         self.refused("cave", "-o", "no/a.vti", status=1, says=["no/a.vti", "there is no folder"])
-        self.refused("cave", "-o", "a.vti", "--width", "40", status=1,
-                     says=["TunnelWidth is 40", "at most 32"])  # fmt: skip
+        self.refused("cave", "-o", "a.vti", "--width", "40", status=2,
+                     says=["--width is 40", "at most 32, half of --scale"])  # fmt: skip
         self.refused("cave", "-o", "a.vti", "--size", "900000x900000x900000", status=1,
                      says=["it would take 729000000000000000 bytes"])  # fmt: skip
 

@@ -103,7 +103,7 @@ class Fog(CliTest):
         self.refused("render", "triangle.off", "--png", "a.png", "--fog", "wide.vtp", status=1,
                      says=["wide.vtp", "'radius'", "2 components"])  # fmt: skip
         self.refused("render", "triangle.off", "--png", "a.png", "--fog", "fog.vtp,density=thick",
-                     status=1, says=["fog.vtp", "'thick'", "not among the point arrays"],
+                     status=2, says=["--fog fog.vtp,density", "'thick'", "color, density, radius"],
                      )  # fmt: skip
         self.refused("render", "triangle.off", "--report", "fog.vtp", "--fog", "fog.vtp", status=2,
                      says=["--report", "fog.vtp"])  # fmt: skip

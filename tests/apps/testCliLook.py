@@ -155,6 +155,12 @@ class Look(CliTest):
         for color in ((68, 1, 84), (253, 231, 37)):
             self.assertGreater((abs(bar - color).max(axis=2) < 12)[:, 330:].sum(), 10, color)
 
+    def test_commas_in_names(self):
+        """A backslash before a comma keeps it in the name."""
+        self.relievo("render", "plane.vtp", *LOOK, "--layers", r"depth,label\,1", "--exr", "a.exr")
+        found = self.exr("a.exr")[1]["label,1.V"]
+        numpy.testing.assert_array_equal(found[0], numpy.arange(SIDE) * CELLS // SIDE)
+
     def test_background(self):
         """One colour, by name or numbers; two from the bottom to the top."""
         words = ["render", "triangle.off", "--size", "64x64", "--png", "a.png", "--background"]
@@ -248,6 +254,9 @@ class Look(CliTest):
             (["--color", "red", "--color-by", "across"], ["--color-by and --color"]),
             (["--preset", "stage"], ["'stage'", "studio, town, print"]),
             (["--scalar-bar"], ["--scalar-bar", "no values", "--color-by"]),
+            (["--stage", "display:layer=nope"], ["display:layer", "'nope'", "depth", "across"]),
+            (["--stage", "display:layer=cell:across"], ["'cell:across'"]),
+            (["--exr", "a.exr", "--layers", "depth,point:column"], ["--layers", "'point:column'"]),
         ):
             with self.subTest(words):
                 self.refused("render", "plane.vtp", "--png", "a.png", *words, status=2, says=says)

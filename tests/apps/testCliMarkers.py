@@ -115,8 +115,8 @@ class Markers(CliTest):
         self.refused("render", "triangle.off", "--png", "a.png", "--markers", "zero.vtp", status=1,
                      says=["zero.vtp", "above 0"])  # fmt: skip
         self.refused("render", "triangle.off", "--png", "a.png", "--markers",
-                     "marks.vtp,radius=far", status=1,
-                     says=["marks.vtp", "'far'", "not among the point arrays"])  # fmt: skip
+                     "marks.vtp,radius=far", status=2,
+                     says=["--markers marks.vtp,radius", "'far'", "color, opacity"])  # fmt: skip
 
 
 if __name__ == "__main__":

@@ -98,7 +98,7 @@ class Models(CliTest):
         done = self.relievo("render", WALK, "--size", "64x64", "--png", "walk.png")
         self.assertEqual(done.stderr, "")
         self.before = self.names()
-        self.refused("render", TUBE, "--animation", "fly", "--png", "a.png", status=1,
+        self.refused("render", TUBE, "--animation", "fly", "--png", "a.png", status=2,
                      says=[TUBE, "no animation 'fly'; it has '"])  # fmt: skip
 
     def test_images_in_the_file(self):
@@ -175,11 +175,11 @@ class Models(CliTest):
         self.assertGreater(weights.max(), 0.9)
         self.assertLess(weights.max(), 1.001)
         self.before = self.names()
-        self.refused("render", SKIN, "--bone-weight", "tail", "--png", "a.png", status=1,
+        self.refused("render", SKIN, "--bone-weight", "tail", "--png", "a.png", status=2,
                      says=[SKIN, "no bone 'tail'; it has '"])  # fmt: skip
 
     def test_blend(self):
-        self.refused("render", SKIN, "--blend", "x=0.5", "--png", "a.png", status=1,
+        self.refused("render", SKIN, "--blend", "x=0.5", "--png", "a.png", status=2,
                      says="no animation 'x'; it has '")  # fmt: skip
         for word in ("walk", "walk=2", "=0.5", "walk=much"):
             self.refused("render", WALK, "--blend", word, "--png", "a.png", status=2,

@@ -196,6 +196,10 @@ class Picture(CliTest):
         self.render("--png", "a.png")
         self.assertTrue((self.folder / "a.png").is_symlink())
         self.assertEqual(read_png(self.folder / "real" / "a.png").shape, (768, 1024, 3))
+        (self.folder / "b.png").symlink_to("real/b.png")  # which is not there yet
+        self.render("--png", "b.png")
+        self.assertTrue((self.folder / "b.png").is_symlink())
+        self.assertEqual(read_png(self.folder / "real" / "b.png").shape, (768, 1024, 3))
 
 
 def names_of(header):

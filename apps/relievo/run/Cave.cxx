@@ -3,6 +3,7 @@
 #include "Cave.h"
 
 #include "CaveOptions.h"
+#include "Failure.h"
 #include "Messages.h"
 #include "Outputs.h"
 #include "Progress.h"
@@ -14,9 +15,27 @@
 #include "vtkXMLImageDataWriter.h"
 
 #include <cstdio>
+#include <regex>
+#include <utility>
 
 namespace cli
 {
+namespace
+{
+// What the filter says of its parameters, by the options that set them.
+std::string NameOptions(std::string text)
+{
+  const std::pair<const char*, const char*> names[] = { { "TunnelWidth", "--width" },
+    { "VerticalScale", "--vertical-scale" }, { "\\bScale", "--scale" }, { "\\bSize\\b", "--size" },
+    { "Origin", "--origin" }, { "Spacing", "--spacing" } };
+  for (const auto& [parameter, option] : names)
+  {
+    text = std::regex_replace(text, std::regex(parameter), option);
+  }
+  return text;
+}
+}
+
 //------------------------------------------------------------------------------
 void Cave(const CaveOptions& options)
 {
@@ -38,7 +57,19 @@ void Cave(const CaveOptions& options)
     progress.Begin("making caves");
     progress.Observe(caves);
     caves->Update();
-    Messages::Check("cave", caves->GetErrorCode() != vtkErrorCode::NoError);
+    try
+    {
+      Messages::Check("cave", caves->GetErrorCode() != vtkErrorCode::NoError);
+    }
+    catch (const WorkError& error)
+    {
+      const std::string text = NameOptions(error.what());
+      if (text.find(", expected ") != std::string::npos) // and not that the memory is too small
+      {
+        throw WordsError(text);
+      }
+      throw WorkError(text);
+    }
     vtkNew<vtkXMLImageDataWriter> writer;
     writer->SetInputData(caves->GetOutput());
     writer->SetFileName(outputs.Temporary(options.File).c_str());

@@ -29,6 +29,20 @@ extern "C" void RemoveAndEnd(int signal)
   std::raise(signal);
 }
 
+// Where a file of that name is, or would be: at the end of links, which may lead nowhere yet.
+fs::path Follow(const std::string& path, std::error_code& trouble)
+{
+  constexpr int most = 40; // links, as Linux has it
+  fs::path place = fs::weakly_canonical(fs::absolute(path), trouble);
+  std::error_code none; // there may be nothing of that name
+  for (int i = 0; i < most && !trouble && fs::is_symlink(fs::symlink_status(place, none)); ++i)
+  {
+    const fs::path target = fs::read_symlink(place, trouble);
+    place = fs::weakly_canonical(place.parent_path() / target, trouble);
+  }
+  return place;
+}
+
 bool Same(const fs::path& a, const fs::path& b)
 {
   std::error_code ignored;
@@ -53,7 +67,7 @@ void Outputs::Add(
 {
   std::error_code trouble;
   const std::string named = option + " " + path + ": ";
-  const fs::path place = fs::weakly_canonical(fs::absolute(path), trouble);
+  const fs::path place = Follow(path, trouble);
   if (trouble)
   {
     throw WorkError(named + trouble.message());

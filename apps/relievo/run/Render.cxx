@@ -44,11 +44,33 @@ const std::vector<std::string> DefaultLayers = { "depth" };
 // GPU times are read a frame or more later and never waited for, so a report needs a few frames.
 constexpr int FramesUntilTimed = 4;
 
-// The array that a layer's name means: "point:depth" is the point array `depth`.
-std::string ArrayOf(const std::string& layer)
+// Throws WordsError if nothing that is drawn can have the layer.
+void CheckLayer(const std::string& option, const std::string& name, const Scene& scene)
 {
-  const bool prefixed = layer.rfind("point:", 0) == 0 || layer.rfind("cell:", 0) == 0;
-  return prefixed ? layer.substr(layer.find(':') + 1) : layer;
+  if (vtkRelievoLayerCatalogue::GetIsLayer(name) || scene.Arrays.count(name) != 0 ||
+    scene.Placed.count(name) != 0)
+  {
+    return;
+  }
+  const std::vector<std::string> arrays(scene.Arrays.begin(), scene.Arrays.end());
+  RefuseValue(option, name,
+    "one of " + vtkRelievoLayerCatalogue::GetLayerNames() +
+      (arrays.empty() ? "; the files hold no arrays" : ", or an array: " + Join(arrays, ", ")));
+}
+
+// The layer that is shown as the picture, if one is.
+void CheckShownLayer(const RenderOptions& options, const Scene& scene)
+{
+  for (const StageChoice& stage : options.Stages)
+  {
+    for (const auto& [parameter, value] : stage.Parameters)
+    {
+      if (stage.Name == "display" && parameter == "layer" && !value.empty())
+      {
+        CheckLayer(stage.Option + " display:layer", value, scene);
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -62,13 +84,7 @@ std::vector<std::string> LayersToCapture(const RenderOptions& options, const Sce
   const bool unnamed = options.Layers.empty() && !options.EXR.empty();
   for (const std::string& name : unnamed ? DefaultLayers : options.Layers)
   {
-    if (!vtkRelievoLayerCatalogue::GetIsLayer(name) && scene.Arrays.count(ArrayOf(name)) == 0)
-    {
-      const std::vector<std::string> arrays(scene.Arrays.begin(), scene.Arrays.end());
-      RefuseValue("--layers", name,
-        "one of " + vtkRelievoLayerCatalogue::GetLayerNames() +
-          (arrays.empty() ? "; the files hold no arrays" : ", or an array: " + Join(arrays, ", ")));
-    }
+    CheckLayer("--layers", name, scene);
     if (std::find(layers.begin(), layers.end(), name) == layers.end())
     {
       layers.push_back(name);
@@ -249,6 +265,7 @@ void Render(const RenderOptions& options)
   SetSurface(scene.Renderer, options, progress);
   const FramePoints points = ReadFramePoints(options, progress);
   const std::vector<std::string> layers = LayersToCapture(options, scene);
+  CheckShownLayer(options, scene);
   const int lights = CountLights(scene.Renderer);
   CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
   CheckDisplay(scene.Window);

@@ -161,27 +161,27 @@ vtkSmartPointer<vtkActor> MakeActor(
 }
 
 //------------------------------------------------------------------------------
-void AddArrayNames(vtkActor* actor, std::set<std::string>& names)
+void AddArrayNames(vtkActor* actor, std::set<std::string>& names, std::set<std::string>& placed)
 {
   if (!actor->GetMapper())
   {
     return;
   }
   actor->GetMapper()->Update();
-  ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0), [&names](vtkDataSet* block) {
-    for (vtkDataSetAttributes* attributes :
-      { static_cast<vtkDataSetAttributes*>(block->GetPointData()),
-        static_cast<vtkDataSetAttributes*>(block->GetCellData()) })
+  const auto add = [&](vtkDataSetAttributes* attributes, const char* place) {
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
     {
-      for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+      vtkDataArray* array = attributes->GetArray(i);
+      if (array && array->GetName() && array->GetDataType() != VTK_BIT) // which VTK cannot draw
       {
-        vtkDataArray* array = attributes->GetArray(i);
-        if (array && array->GetName() && array->GetDataType() != VTK_BIT) // which VTK cannot draw
-        {
-          names.insert(array->GetName());
-        }
+        names.insert(array->GetName());
+        placed.insert(std::string(place) + array->GetName());
       }
     }
+  };
+  ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0), [&add](vtkDataSet* block) {
+    add(block->GetPointData(), "point:");
+    add(block->GetCellData(), "cell:");
   });
 }
 }

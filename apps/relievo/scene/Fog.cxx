@@ -47,6 +47,12 @@ std::vector<vtkSmartPointer<vtkRelievoFogSpheres>> ReadFogs(
     const vtkSmartPointer<vtkDataObject> data = ReadData(choice.File, progress);
     auto fog = vtkSmartPointer<vtkRelievoFogSpheres>::New();
     fog->SetInputData(data);
+    const auto check = [&](const char* what, const std::string& name) {
+      CheckArray("--fog", choice.File, data, what, name);
+    };
+    check("radius", choice.Radius.Array);
+    check("density", choice.Density.Array);
+    check("color", choice.Color.Array);
     TakeValue(fog.Get(), "radius", choice.Radius, &vtkRelievoFogSpheres::SetRadius);
     TakeValue(fog.Get(), "density", choice.Density, &vtkRelievoFogSpheres::SetDensity);
     TakeColor(fog.Get(), choice.Color);

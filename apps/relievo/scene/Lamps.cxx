@@ -20,6 +20,13 @@ std::vector<vtkSmartPointer<vtkRelievoLamps>> ReadLamps(
     vtkSmartPointer<vtkDataObject> points = ReadData(choice.File, progress);
     auto lamps = vtkSmartPointer<vtkRelievoLamps>::New();
     lamps->SetInputData(points);
+    const auto check = [&](const char* what, const std::string& name) {
+      CheckArray("--lamps", choice.File, points, what, name);
+    };
+    check("radius", choice.Radius.Array);
+    check("intensity", choice.Intensity.Array);
+    check("color", choice.Color.Array);
+    check("casts", choice.Casts.Array);
     TakeValue(lamps.Get(), "radius", choice.Radius, &vtkRelievoLamps::SetRadius);
     TakeValue(lamps.Get(), "intensity", choice.Intensity, &vtkRelievoLamps::SetIntensity);
     TakeColor(lamps.Get(), choice.Color);

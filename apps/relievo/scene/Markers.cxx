@@ -36,6 +36,14 @@ std::vector<vtkSmartPointer<vtkRelievoMarkers>> ReadMarkers(
     auto markers = vtkSmartPointer<vtkRelievoMarkers>::New();
     markers->SetInputData(data);
     markers->SetShape(choice.Shape);
+    const auto check = [&](const char* what, const std::string& name) {
+      CheckArray("--markers", choice.File, data, what, name);
+    };
+    check("radius", choice.Radius.Array);
+    check("width", choice.Width.Array);
+    check("reach", choice.Reach.Array);
+    check("opacity", choice.Opacity.Array);
+    check("color", choice.Color.Array);
     TakeValue(markers.Get(), "radius", choice.Radius, &vtkRelievoMarkers::SetRadius);
     TakeValue(markers.Get(), "width", choice.Width, &vtkRelievoMarkers::SetWidth);
     TakeValue(markers.Get(), "reach", choice.Reach, &vtkRelievoMarkers::SetReach);

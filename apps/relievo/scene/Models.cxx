@@ -21,8 +21,10 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRelievoModelReader.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace cli
 {
@@ -52,6 +54,27 @@ vtkSmartPointer<vtkPolyData> CopySkeleton(vtkRelievoModelReader* reader)
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->ShallowCopy(reader->GetOutputDataObject(1));
   return copy;
+}
+
+// Throws WordsError for an animation or a bone that the file does not have.
+void CheckNames(vtkRelievoModelReader* reader, const ModelChoice& choice, const std::string& path)
+{
+  const auto lacks = [](vtkStringArray* names, const std::string& name) {
+    return !name.empty() && names && names->GetNumberOfValues() > 0 && names->LookupValue(name) < 0;
+  };
+  if (lacks(reader->GetAnimationNames(), choice.Animation) ||
+    lacks(reader->GetAnimationNames(), choice.Blend) ||
+    lacks(reader->GetBoneNames(), choice.BoneWeight))
+  {
+    try
+    {
+      Messages::Check(path);
+    }
+    catch (const WorkError& error)
+    {
+      throw WordsError(error.what());
+    }
+  }
 }
 
 // Lines as they are, not lit, with the colours of their axes.
@@ -107,15 +130,21 @@ PosedModel ReadModel(
     }
   }
   progress.End();
+  CheckNames(reader, choice, path);
   Messages::Check(path, reader->GetErrorCode() != 0, NotAsNamed(path));
   for (int i = 0; i < reader->GetNumberOfNotes(); ++i)
   {
     Messages::Note(path + ": " + reader->GetNote(i));
   }
-  if (choice.Time && reader->GetNumberOfAnimations() == 0)
+  const std::pair<const char*, bool> ofAnimations[] = { { "--times", !choice.Times.empty() },
+    { "--time", choice.Time && choice.Times.empty() }, { "--animation", !choice.Animation.empty() },
+    { "--blend", !choice.Blend.empty() } };
+  for (const auto& [option, given] : ofAnimations)
   {
-    Messages::Note(path + (choice.Times.empty() ? ": --time" : ": --times") +
-      " changed nothing: the file has no animation");
+    if (given && reader->GetNumberOfAnimations() == 0)
+    {
+      Messages::Note(path + ": " + option + " changed nothing: the file has no animation");
+    }
   }
   vtkMultiBlockDataSet* output = reader->GetOutput();
   ModelTextures textures(reader, path);

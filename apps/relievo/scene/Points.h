@@ -12,11 +12,18 @@
 
 #include <string>
 
+class vtkDataObject;
+
 namespace cli
 {
 /// Throws WordsError or WorkError, which name the option or the file, for one that cannot be read
 /// or is no points.
 void CheckPointFile(const std::string& option, const std::string& path);
+
+/// Throws WordsError, with the arrays that there are, if the points have none of that name, which an
+/// option asks for as `what`; an empty name asks for none.
+void CheckArray(const std::string& option, const std::string& path, vtkDataObject* data,
+  const std::string& what, const std::string& name);
 
 /// Sets one number or colour for all points, which comes before an array that the file has, or the
 /// array to take.

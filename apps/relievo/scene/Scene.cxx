@@ -245,7 +245,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     {
       vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
       own.push_back(actor);
-      AddArrayNames(actor, scene.Arrays);
+      AddArrayNames(actor, scene.Arrays, scene.Placed);
       if (IsMapped(options))
       {
         TurnTextureCoordinates(actor);

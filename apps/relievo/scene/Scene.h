@@ -31,6 +31,7 @@ struct Scene
   std::vector<PosedModel> Models;
   std::vector<int> Counts;          ///< how many actors each file gave, skeletons apart
   std::set<std::string> Arrays;     ///< names of the point and cell arrays that can be layers
+  std::set<std::string> Placed;     ///< the same as point:NAME and cell:NAME
   std::set<std::string> Incomplete; ///< files of which cells with infinite points are left out
   std::map<vtkActor*, std::optional<std::string>> ObjMaterials; ///< names of parts of OBJ files
   std::map<vtkActor*, double> Opacities; ///< of glTF's materials, which VTK does not always take

@@ -5,6 +5,7 @@
 #include "Environment.h"
 #include "Images.h"
 #include "Options.h"
+#include "ShadowOptions.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -45,7 +46,7 @@ void SetHeights(vtkRelievoMaterial* material, vtkRenderer* renderer, const Rende
     vtkRelievoMaterial::METHOD_RELIEF };
   material->SetMethod(methods[static_cast<int>(options.ReliefMethod)]);
   material->SetDepthCorrection(options.ReliefMethod != Relief::Off);
-  material->SetSelfShadow(options.ShadowMethod != Shadows::Off);
+  material->SetSelfShadow(ShowsShadows(options));
 }
 
 //------------------------------------------------------------------------------

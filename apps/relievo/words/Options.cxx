@@ -107,7 +107,7 @@ void TakeSoftShadows(RenderOptions& options, const std::string& word)
 //------------------------------------------------------------------------------
 void TakeLayers(RenderOptions& options, const std::string& word)
 {
-  for (const std::string& name : Split(word, ','))
+  for (const std::string& name : SplitEscaped(word, ','))
   {
     if (name.empty())
     {

@@ -79,7 +79,7 @@ std::array<double, 3> ParseThree(const std::string& option, const std::string& w
 std::string ParseFileAndValues(const std::string& option, const std::string& word,
   const std::string& form, std::vector<std::pair<std::string, std::string>>& values)
 {
-  const std::vector<std::string> parts = Split(word, ',');
+  const std::vector<std::string> parts = SplitEscaped(word, ',');
   if (parts.front().empty())
   {
     RefuseValue(option, word, form);

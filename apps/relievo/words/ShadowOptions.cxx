@@ -67,4 +67,15 @@ void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& give
                      "--shadow-tolerance SHARE as well");
   }
 }
+
+//------------------------------------------------------------------------------
+bool ShowsShadows(const RenderOptions& options)
+{
+  return options.ShadowMethod != Shadows::Off ||
+    std::any_of(options.Stages.begin(), options.Stages.end(), [](const StageChoice& stage) {
+      return stage.Name == "shadows" &&
+        std::any_of(stage.Parameters.begin(), stage.Parameters.end(),
+          [](const auto& given) { return given.first == "visible" && given.second == "on"; });
+    });
+}
 }

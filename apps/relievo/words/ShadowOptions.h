@@ -26,6 +26,9 @@ void TakeCertify(RenderOptions& options, const std::string& word);
 /// Whether they go together with the `given` options; a wish for right or quick shadows switches
 /// them on.
 void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& given);
+
+/// Whether shadows are seen in the picture, by whichever option.
+bool ShowsShadows(const RenderOptions& options);
 }
 
 #endif

@@ -60,6 +60,42 @@ std::vector<std::string> Split(const std::string& word, char separator)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> SplitEscaped(const std::string& word, char separator)
+{
+  std::vector<std::string> parts(1);
+  for (std::size_t i = 0; i < word.size(); ++i)
+  {
+    const bool escaped =
+      word[i] == '\\' && i + 1 < word.size() && (word[i + 1] == separator || word[i + 1] == '\\');
+    if (escaped)
+    {
+      parts.back() += word[++i];
+    }
+    else if (word[i] == separator)
+    {
+      parts.emplace_back();
+    }
+    else
+    {
+      parts.back() += word[i];
+    }
+  }
+  return parts;
+}
+
+//------------------------------------------------------------------------------
+std::string Escape(const std::string& part, char separator)
+{
+  std::string escaped;
+  for (const char letter : part)
+  {
+    escaped +=
+      letter == separator || letter == '\\' ? std::string("\\") + letter : std::string(1, letter);
+  }
+  return escaped;
+}
+
+//------------------------------------------------------------------------------
 std::string Join(const std::vector<std::string>& parts, const std::string& separator)
 {
   std::string text;

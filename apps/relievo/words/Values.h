@@ -19,6 +19,13 @@ namespace cli
 /// The parts of a word between separators; an empty word has one empty part.
 std::vector<std::string> Split(const std::string& word, char separator);
 
+/// The same of a word in which a backslash before a separator or a backslash stands for the letter
+/// itself.
+std::vector<std::string> SplitEscaped(const std::string& word, char separator);
+
+/// What SplitEscaped takes for one part.
+std::string Escape(const std::string& part, char separator);
+
 /// The parts with a separator between each two.
 std::string Join(const std::vector<std::string>& parts, const std::string& separator);
 

@@ -3,6 +3,7 @@
 #include "Picture.h"
 
 #include "Failure.h"
+#include "ShadowOptions.h"
 #include "Shadows.h"
 
 #include "vtkCallbackCommand.h"
@@ -196,7 +197,7 @@ void Picture::Apply(const Settings& settings, bool keepCamera)
     }
   }
   std::string surface = MakeKey(settings, Wearing);
-  if (!options.HeightMap.empty() && options.ShadowMethod != cli::Shadows::Off)
+  if (!options.HeightMap.empty() && cli::ShowsShadows(options))
   {
     surface += "in its own shadow";
   }
