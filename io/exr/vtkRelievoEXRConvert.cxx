@@ -34,7 +34,7 @@ bool HasOrigin(const double origin[3])
 template <typename T>
 void Note(vtkIdType& count, Losses& losses, T value)
 {
-  if (losses.Overflows == 0 && losses.Inexact == 0)
+  if (losses.Overflows == 0 && losses.Inexact == 0 && losses.Rounded == 0)
   {
     losses.First = std::to_string(value);
   }
@@ -78,6 +78,11 @@ float ToFloat(const Component& component, const T* tuple, Losses& losses)
     if (std::isfinite(value) && std::isinf(result))
     {
       Note(losses.Overflows, losses, value);
+    }
+    // Layers of integers are doubles, for the background has no value.
+    else if (component.Code == Coding::Plain && value == std::floor(value) && result != value)
+    {
+      Note(losses.Rounded, losses, value);
     }
   }
   if constexpr (std::is_integral<T>::value)

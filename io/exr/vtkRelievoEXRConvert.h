@@ -45,6 +45,7 @@ struct Losses
 {
   vtkIdType Overflows = 0; // finite values that became infinite halfs or floats
   vtkIdType Inexact = 0;   // integers that the pixel type cannot hold
+  vtkIdType Rounded = 0;   // whole numbers among doubles, as layers of integers have them
   std::string First;
 };
 

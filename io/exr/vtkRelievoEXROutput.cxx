@@ -339,6 +339,12 @@ void Output::Warn()
         " are beyond the range of " + TypeName(channel.Type) +
         " and were written as infinity, the first is " + channel.Lost.First);
     }
+    if (channel.Lost.Rounded > 0)
+    {
+      add(std::to_string(channel.Lost.Rounded) + " whole numbers of " + channel.Name +
+        " do not fit into " + TypeName(channel.Type) + " and were rounded, the first is " +
+        channel.Lost.First);
+    }
     // To DWA any channel named Y is a luminance.
     const std::size_t size = channel.Name.size();
     if (dwa && channel.Type != Imf::UINT && size > 2 && channel.Name.substr(size - 2) == ".Y")

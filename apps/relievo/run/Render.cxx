@@ -242,6 +242,10 @@ void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::
     {
       WriteReport(pass, options, outputs);
     }
+    for (const std::string& warning : Messages::TakeWarnings())
+    {
+      Messages::Warn(outputs.WithGivenNames(warning));
+    }
   }
   catch (const WorkError& error)
   {

@@ -126,6 +126,12 @@ std::vector<std::string> Messages::TakeNotes()
 }
 
 //------------------------------------------------------------------------------
+void Messages::Warn(const std::string& text)
+{
+  Collector()->Add(&MessageCollector::Named, text);
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::string> Messages::TakeWarnings()
 {
   std::vector<std::string> warnings = Collector()->Take(&MessageCollector::Named);

@@ -29,6 +29,9 @@ public:
   /// The notes so far, each once.
   static std::vector<std::string> TakeNotes();
 
+  /// Keeps a warning, one line that names what it is about.
+  static void Warn(const std::string& text);
+
   /// The warnings so far, each one line, without VTK's preamble.
   static std::vector<std::string> TakeWarnings();
 };
