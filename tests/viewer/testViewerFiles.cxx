@@ -104,6 +104,29 @@ private Q_SLOTS:
     this->Compare("after it");
   }
 
+  // A file that was there is gone when the settings need it again.
+  void filesThatDisappear()
+  {
+    const std::string image = this->WriteImage();
+    this->Open({ this->WriteScene(), "--environment", image, "--skybox" });
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    const Settings shown = this->Window->GetDocument()->Get();
+    QVERIFY(QFile::remove(QString::fromStdString(image)));
+    for (int i = 0; i < 2; ++i)
+    {
+      this->Change([](Settings& settings) { settings.Set("--reflectivity", "0.9,0.1"); });
+      QVERIFY2(
+        this->Window->GetTrouble().contains("waves.png"), qPrintable(this->Window->GetTrouble()));
+      QVERIFY(this->Window->GetDocument()->Get() == shown);
+      QCOMPARE(CountDifferent(before, this->Grab()), 0);
+    }
+    // What needs no file goes on.
+    this->Change([](Settings& settings) { settings.SetParameter("tone", "exposure", "1"); });
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QVERIFY(CountDifferent(before, this->Grab()) > 100);
+  }
+
   // The window goes on at once, whatever the reader waits for, and takes the next file after it.
   void cancelDoesNotWait()
   {

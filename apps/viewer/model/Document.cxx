@@ -26,6 +26,7 @@ void Document::Set(const Settings& settings)
   }
   this->Now = settings;
   Q_EMIT this->changed();
+  Q_EMIT this->asked();
 }
 
 //------------------------------------------------------------------------------

@@ -51,6 +51,9 @@ Q_SIGNALS:
   /// What was asked for last is seen, or was refused.
   void shown();
   void changed();
+
+  /// Others than before, to be shown; panels show them already.
+  void asked();
   void arraysChanged();
   void refused(const QString& why);
 

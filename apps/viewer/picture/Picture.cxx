@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 
 namespace viewer
 {
@@ -174,8 +175,14 @@ void Picture::Update(const Settings& settings)
   }
   catch (...)
   {
-    this->Now.Dress = this->Now.Surface = "\n";
-    this->Apply(before, true);
+    this->Now.Dress = "\n";
+    try
+    {
+      this->Apply(before, true);
+    }
+    catch (const std::exception&) // what was asked for is the trouble to tell of
+    {
+    }
     throw;
   }
 }
@@ -214,7 +221,6 @@ void Picture::Apply(const Settings& settings, bool keepCamera)
   }
   if (wears)
   {
-    this->Now.Surface = "\n";
     this->Now.Bare.Wear(options);
   }
   this->Now.Surface = surface;

@@ -124,7 +124,7 @@ void MainWindow::AddStatus()
 //------------------------------------------------------------------------------
 void MainWindow::Connect()
 {
-  QObject::connect(this->Edited, &Document::changed, this, [this] { this->Follow(); });
+  QObject::connect(this->Edited, &Document::asked, this, [this] { this->Follow(); });
   QObject::connect(
     this->Edited, &Document::refused, this, [this](const QString& why) { this->Say(why, true); });
   QObject::connect(this->Reader, &Loader::progressed, this, [this](const QString& what, int done) {
