@@ -22,11 +22,18 @@
 #include "vtkXMLPolyDataWriter.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QGroupBox>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QTableWidget>
 #include <QToolBar>
+#include <QWheelEvent>
 #include <QtTest>
 
 #include <cmath>
@@ -116,6 +123,85 @@ private Q_SLOTS:
       QCOMPARE(
         this->Window->GetDocument()->Get().Get("--light"), viewer::WriteSun(wanted) + ",size=2");
     }
+  }
+
+  // The wheel over a control without the focus scrolls its panel.
+  void wheel()
+  {
+    this->Open({ this->WriteScene(), "--stage", "tone" });
+    this->Window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(this->Window.get()));
+    auto* dock = this->Window->findChild<QDockWidget*>("stages");
+    auto* panel = dock->findChild<QScrollArea*>();
+    const auto turn = [](QWidget* widget) {
+      const QPointF at = widget->rect().center();
+      QWheelEvent event(at, widget->mapToGlobal(at.toPoint()), QPoint(), QPoint(0, -120),
+        Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+      QSpontaneKeyEvent::setSpontaneous(&event); // others stay where they are sent to
+      qApp->notify(widget, &event);
+    };
+    QList<QWidget*> controls;
+    for (QAbstractSpinBox* each : panel->findChildren<QAbstractSpinBox*>())
+    {
+      controls += each;
+    }
+    for (QComboBox* each : panel->findChildren<QComboBox*>())
+    {
+      controls += each;
+    }
+    for (QSlider* each : panel->findChildren<QSlider*>())
+    {
+      controls += each;
+    }
+    QVERIFY(controls.size() > 20 && panel->verticalScrollBar()->maximum() > 100);
+    this->Window->GetView()->setFocus();
+    const Settings before = this->Window->GetDocument()->Get();
+    for (QWidget* control : controls)
+    {
+      panel->verticalScrollBar()->setValue(0);
+      turn(control);
+      QVERIFY2(panel->verticalScrollBar()->value() > 0,
+        qPrintable(control->parentWidget()->parentWidget()->objectName()));
+      QVERIFY(!control->hasFocus());
+      QVERIFY(!control->hasFocus());
+    }
+    QVERIFY(this->Window->GetDocument()->Get() == before);
+    auto* exposure = panel->findChild<QGroupBox*>("tone")
+                       ->findChild<QWidget*>("exposure")
+                       ->findChild<QDoubleSpinBox*>();
+    exposure->setFocus();
+    turn(exposure);
+    QVERIFY(this->Window->GetDocument()->Get() != before);
+  }
+
+  // Keys that a control uses are its own while it has the focus.
+  void keysOfControls()
+  {
+    const std::string models = qgetenv("RELIEVO_DATA").toStdString() + "/models/glTF2/";
+    this->Open({ models + "simple_skin/simple_skin.gltf", "--time", "0" });
+    auto* play = this->Window->findChild<QToolBar*>("time")->actions().first();
+    auto* parallel = this->Window->findChild<QAction*>("parallel");
+    QVERIFY(play->isCheckable() && play->isEnabled());
+    this->Window->findChild<QDockWidget*>("look")->raise();
+    this->Window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(this->Window.get()));
+    auto* edges = this->Window->findChild<QCheckBox*>("edges");
+    auto* shading = this->Window->findChild<QComboBox*>("shading");
+    QTRY_VERIFY(edges->isVisible());
+    edges->setFocus();
+    QTest::keyClick(edges, Qt::Key_Space);
+    QVERIFY(edges->isChecked() && !play->isChecked());
+    shading->setFocus();
+    QTest::keyClick(shading, Qt::Key_P);
+    QVERIFY(!parallel->isChecked());
+    QCOMPARE(shading->currentText(), QString("phong"));
+    QTest::keyClick(edges, Qt::Key_P); // which has no use for it
+    QVERIFY(parallel->isChecked());
+    this->Window->GetView()->setFocus();
+    QTest::keyClick(this->Window->GetView(), Qt::Key_Space);
+    QVERIFY(play->isChecked());
+    play->setChecked(false);
+    this->WaitUntilRead();
   }
 
   void timeSlider()

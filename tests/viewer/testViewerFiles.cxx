@@ -13,9 +13,13 @@
 #include "vtkRelievoLayerSource.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QClipboard>
+#include <QFileDialog>
 #include <QGuiApplication>
+#include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
@@ -168,6 +172,65 @@ private Q_SLOTS:
     }
   }
 
+  // The session of a window without a file is one.
+  void sessionOfNothing()
+  {
+    this->Window = std::make_unique<viewer::MainWindow>();
+    this->Window->show();
+    this->Window->GetDocument()->Change(
+      [](Settings& settings) { settings.Set("--preset", "studio"); });
+    const QString path = QString::fromStdString(this->Path("empty.json"));
+    this->Window->SaveSession(path);
+    this->Window->GetDocument()->Change([](Settings& settings) { settings.Remove("--preset"); });
+    this->Window->OpenFiles({ path });
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QCOMPARE(this->Window->GetDocument()->Get().Get("--preset"), std::string("studio"));
+  }
+
+  // Nothing is overwritten without a question, whatever the name lacks.
+  void asksBeforeItOverwrites()
+  {
+    this->Open({ this->WriteScene() });
+    for (const char* name : { "taken.png", "taken.json", "taken.exr", "v1.2.png", "LOUD.PNG" })
+    {
+      this->WriteText(name, "mine");
+    }
+    struct
+    {
+      const char *Action, *Typed, *Asked;
+    } const rows[] = { { "savePicture", "taken", "taken.png" },
+      { "saveSession", "taken", "taken.json" }, { "saveLayers", "taken", "taken.exr" },
+      { "savePicture", "v1.2", "v1.2.png" }, { "savePicture", "LOUD.PNG", "LOUD.PNG" } };
+    for (const auto& row : rows)
+    {
+      QString question;
+      bool typed = false;
+      QTimer answer;
+      QObject::connect(&answer, &QTimer::timeout, &answer, [&] {
+        QWidget* asking = QApplication::activeModalWidget();
+        if (auto* box = qobject_cast<QMessageBox*>(asking))
+        {
+          question = box->text();
+          box->button(QMessageBox::No)->click();
+        }
+        else if (auto* dialog = qobject_cast<QFileDialog*>(asking))
+        {
+          dialog->findChild<QLineEdit*>()->setText(QString::fromStdString(this->Path(row.Typed)));
+          const bool again = typed;
+          typed = true;
+          again ? dialog->reject()
+                : void(QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection));
+        }
+      });
+      answer.start(50);
+      this->Window->findChild<QAction*>(row.Action)->trigger();
+      QVERIFY2(question.contains(row.Asked), qPrintable(row.Typed + (": " + question)));
+      QFile file(QString::fromStdString(this->Path(row.Asked)));
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      QCOMPARE(file.readAll(), QByteArray("mine"));
+    }
+  }
+
   // An array of the file before is no layer of the next; a layer of the catalogue is.
   void layersOfTheFileBefore()
   {
@@ -256,6 +319,7 @@ private Q_SLOTS:
 int main(int argc, char* argv[])
 {
   TestViewerFiles tests;
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   return viewerTest::Run(tests, argc, argv);
 }
 

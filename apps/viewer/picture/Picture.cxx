@@ -338,10 +338,10 @@ bool Picture::IsParallel() const
 Settings Picture::GetView(const Settings& settings) const
 {
   Settings view = settings;
-  const int* size = this->Window->GetSize();
-  view.Set("--size", std::to_string(size[0]) + "x" + std::to_string(size[1]));
   if (this->Now.Renderer)
   {
+    const int* size = this->Window->GetSize();
+    view.Set("--size", std::to_string(size[0]) + "x" + std::to_string(size[1]));
     vtkCamera* camera = this->Now.Renderer->GetActiveCamera();
     const cli::CameraPlace place = GetPlace(camera);
     std::vector<double> numbers;

@@ -61,7 +61,7 @@ public:
   void SetParallel(bool on);
   bool IsParallel() const;
 
-  /// The camera and the window's size, as words of the command line.
+  /// With the camera and the window's size, as words of the command line, where there is a picture.
   Settings GetView(const Settings& settings) const;
 
   /// Renders, every sample of every light gathered, and returns the window's pixels.

@@ -129,6 +129,7 @@ void MainWindow::SaveSession(const QString& path)
   const SunGroup* sun = this->Light->GetSun();
   viewer::SaveSession(path, { this->GetViewSettings(), sun->GetTime(), sun->IsByTime() });
   this->Recent->Add(QFileInfo(path).absoluteFilePath());
+  this->Say("Saved " + path);
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "MainWindow.h"
 
 #include "Actions.h"
+#include "InputGuard.h"
 #include "LayersPanel.h"
 #include "LightPanel.h"
 #include "LookPanel.h"
@@ -56,6 +57,7 @@ MainWindow::MainWindow(QWidget* parent)
   , Pages(new QStackedWidget(this))
   , Hint(new QLabel("Open a file (Ctrl+O), or drop one here.", this))
 {
+  new InputGuard(this);
   this->setWindowTitle("Relievo");
   this->setAcceptDrops(true);
   this->setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
