@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Files that cannot be shown, that are slow, that follow one another, and none at all.
+// Files that cannot be shown, that follow one another, that are saved, and none at all.
 #include "ViewerTest.h"
 
 #include "Failure.h"
@@ -12,6 +12,7 @@
 #include "vtkRelievoEXRReader.h"
 #include "vtkRelievoLayerSource.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
@@ -20,66 +21,13 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
-#include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QtTest>
 
-#include <atomic>
 #include <cmath>
-#include <thread>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 using viewer::Settings;
-
-namespace
-{
-// A file whose readers wait until something writes to it, and then find it empty.
-class SlowFile
-{
-public:
-  explicit SlowFile(const std::string& path)
-    : Path(path)
-  {
-    QVERIFY(mkfifo(path.c_str(), 0600) == 0);
-  }
-
-  ~SlowFile() { this->End(); }
-
-  /// From now on each reader that waits goes on.
-  void LetGo()
-  {
-    this->Thread = std::thread([this] {
-      while (!this->Done)
-      {
-        const int file = open(this->Path.c_str(), O_WRONLY | O_NONBLOCK);
-        if (file >= 0)
-        {
-          close(file);
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      }
-    });
-  }
-
-  void End()
-  {
-    if (this->Thread.joinable())
-    {
-      this->Done = true;
-      this->Thread.join();
-    }
-  }
-
-private:
-  std::string Path;
-  std::thread Thread;
-  std::atomic<bool> Done{ false };
-};
-}
 
 class TestViewerFiles : public viewerTest::ViewerTest
 {
@@ -129,30 +77,6 @@ private Q_SLOTS:
     this->Change([](Settings& settings) { settings.SetParameter("tone", "exposure", "1"); });
     QCOMPARE(this->Window->GetTrouble(), QString());
     QVERIFY(CountDifferent(before, this->Grab()) > 100);
-  }
-
-  // The window goes on at once, whatever the reader waits for, and takes the next file after it.
-  void cancelDoesNotWait()
-  {
-    this->Open({ this->WriteScene() });
-    const vtkSmartPointer<vtkImageData> before = this->Grab();
-    const std::string next = this->WriteScene("next.vtp");
-    SlowFile slow(this->Path("slow.stl"));
-    this->Window->OpenFiles({ QString::fromStdString(this->Path("slow.stl")) });
-    QVERIFY(this->Window->IsReading());
-    QTest::qWait(50);
-    this->Window->findChild<QPushButton*>("cancel")->click();
-    QVERIFY(!this->Window->IsReading()); // though nothing let the reader go
-    QCOMPARE(CountDifferent(before, this->Grab()), 0);
-    QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
-    this->Window->OpenFiles({ QString::fromStdString(next) });
-    QTest::qWait(50);
-    QVERIFY(this->Window->IsReading() && ready.isEmpty());
-    slow.LetGo();
-    QVERIFY(ready.wait(60000));
-    slow.End();
-    QCOMPARE(this->Window->GetTrouble(), QString());
-    QCOMPARE(this->Window->GetDocument()->Get().Files, std::vector<std::string>{ next });
   }
 
   void nothingIsOpen()

@@ -123,7 +123,9 @@ private Q_SLOTS:
     QVERIFY(enter.isAccepted());
     QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
     QDropEvent drop(QPoint(200, 200), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    drop.setDropAction(Qt::MoveAction);
     QApplication::sendEvent(this->Window.get(), &drop);
+    QCOMPARE(drop.dropAction(), Qt::CopyAction); // who moved it would delete it there
     QVERIFY(ready.wait(60000));
     QCOMPARE(this->Window->GetDocument()->Get().Files, std::vector<std::string>{ other });
     QMimeData words;

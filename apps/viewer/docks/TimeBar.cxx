@@ -53,6 +53,7 @@ TimeBar::TimeBar(Document* document, QWidget* parent)
       this->Next.start(FrameMilliseconds);
     }
   });
+  this->toggleViewAction()->setVisible(false);
   this->hide();
 }
 

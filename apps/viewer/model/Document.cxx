@@ -38,10 +38,16 @@ void Document::Change(const std::function<void(Settings&)>& edit)
 }
 
 //------------------------------------------------------------------------------
-void Document::Refuse(const Settings& good, const QString& why)
+void Document::Return(const Settings& good)
 {
   this->Now = good;
   Q_EMIT this->changed();
+}
+
+//------------------------------------------------------------------------------
+void Document::Refuse(const Settings& good, const QString& why)
+{
+  this->Return(good);
   Q_EMIT this->refused(why);
 }
 

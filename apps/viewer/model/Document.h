@@ -30,8 +30,12 @@ public:
   void Set(const Settings& settings);
   void Change(const std::function<void(Settings&)>& edit);
 
-  /// Goes back to settings that are known to be good, after a picture of the new ones failed.
+  ///@{
+  /// Goes back to settings that are known to be good: because the user wants so, or after a picture
+  /// of the new ones failed.
+  void Return(const Settings& good);
   void Refuse(const Settings& good, const QString& why);
+  ///@}
 
   ///@{
   /// Names of the arrays of what is shown.

@@ -46,6 +46,12 @@ std::string MakeKey(const Settings& settings, const Names& names)
   return key;
 }
 
+std::string MakeSurfaceKey(const Settings& settings, const cli::RenderOptions& options)
+{
+  const bool shadowed = !options.HeightMap.empty() && options.ShadowMethod != cli::Shadows::Off;
+  return MakeKey(settings, Wearing) + (shadowed ? "in its own shadow" : "");
+}
+
 // Everything but stages, the camera and the files.
 std::string MakeDressKey(const Settings& settings)
 {
@@ -166,6 +172,12 @@ void Picture::Show(const cli::Scene& scene, const cli::FramePoints& points,
 }
 
 //------------------------------------------------------------------------------
+bool Picture::IsDressedAlike(const Settings& settings) const
+{
+  return MakeSurfaceKey(settings, settings.Parse()) == this->Now.Surface;
+}
+
+//------------------------------------------------------------------------------
 void Picture::Update(const Settings& settings)
 {
   const Settings before = this->Now.Shown;
@@ -202,11 +214,7 @@ void Picture::Apply(const Settings& settings, bool keepCamera)
       options.ViewAngle.reset();
     }
   }
-  std::string surface = MakeKey(settings, Wearing);
-  if (!options.HeightMap.empty() && options.ShadowMethod != cli::Shadows::Off)
-  {
-    surface += "in its own shadow";
-  }
+  const std::string surface = MakeSurfaceKey(settings, options);
   const std::string dress = MakeDressKey(settings);
   const bool wears = surface != this->Now.Surface;
   const int height = this->Window->GetSize()[1];

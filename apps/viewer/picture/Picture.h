@@ -51,6 +51,9 @@ public:
   /// cli::WorkError; the picture is then as it was before.
   void Update(const Settings& settings);
 
+  /// Whether an update to these settings reads no file.
+  bool IsDressedAlike(const Settings& settings) const;
+
   /// Fits the camera to the scene.
   void ResetCamera();
 
