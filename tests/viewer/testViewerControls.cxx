@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Keys, the time bar, the sun's controls, and the values under the mouse of arrays of any width.
+// Keys, the wheel, the time bar, and the values under the mouse of arrays of any width.
 #include "ViewerTest.h"
 
 #include "Options.h"
 #include "Probe.h"
 #include "StageChart.h"
-#include "Sun.h"
-#include "SunGroup.h"
 
 #include "vtkCamera.h"
 #include "vtkDoubleArray.h"
@@ -102,27 +100,6 @@ private Q_SLOTS:
     this->Press(Qt::Key_R);
     QVERIFY(std::abs(this->GetCamera()->GetDistance() - fitted) < 1e-9);
     this->Compare("from the back");
-  }
-
-  // A sun by date and place stands in the sky: its direction in the data follows the axis.
-  void sunFollowsUp()
-  {
-    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6,size=2" });
-    auto* sun = this->Window->findChild<viewer::SunGroup*>("sun");
-    viewer::SunTime time;
-    time.Hour = 15.5;
-    time.Latitude = 48.0;
-    sun->SetTime(time, true);
-    auto* up = this->Window->findChild<QComboBox*>("up");
-    for (const int axis : { 2, 0, 1 })
-    {
-      up->setCurrentIndex(axis);
-      this->WaitUntilRead();
-      const std::array<double, 3> wanted =
-        viewer::GetSunDirection(viewer::GetSunAngles(time), axis);
-      QCOMPARE(
-        this->Window->GetDocument()->Get().Get("--light"), viewer::WriteSun(wanted) + ",size=2");
-    }
   }
 
   // The wheel over a control without the focus scrolls its panel.

@@ -20,6 +20,16 @@ std::string WriteNumber(double value)
 }
 
 //------------------------------------------------------------------------------
+std::string WriteFileAndNumber(const std::string& file, double number)
+{
+  // What ends in a comma and digits would be read as a name with a number.
+  const std::size_t comma = file.rfind(',');
+  const bool plain = comma == std::string::npos ||
+    file.find_first_not_of("0123456789.eE+-", comma + 1) != std::string::npos;
+  return number == 0.0 && plain ? file : file + "," + WriteNumber(number);
+}
+
+//------------------------------------------------------------------------------
 std::string WriteNumbers(const std::vector<double>& values)
 {
   std::string words;
