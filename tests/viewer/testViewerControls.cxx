@@ -4,11 +4,13 @@
 // Keys, the wheel, the time bar, and the values under the mouse of arrays of any width.
 #include "ViewerTest.h"
 
+#include "LayersPanel.h"
 #include "Options.h"
 #include "Probe.h"
 #include "StageChart.h"
 
 #include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -188,7 +190,7 @@ private Q_SLOTS:
     auto* slider = this->Window->findChild<QToolBar*>("time")->findChild<QSlider*>("slider");
     QVERIFY(slider && slider->isVisible());
     const vtkSmartPointer<vtkImageData> before = this->Grab();
-    const std::array<double, 2> times = this->Window->GetDocument()->GetTimes();
+    const std::array<double, 2> times = this->Window->GetDocument()->GetFacts().Times;
     slider->setValue(slider->maximum() / 4);
     this->WaitUntilRead();
     const double time = this->Window->GetDocument()->Get().Parse().Model.Time.value_or(-1.0);
@@ -247,6 +249,54 @@ private Q_SLOTS:
     }
   }
 
+  // Arrays that share a name, with each other or with a layer, are told apart; ids are in full.
+  void sharedNames()
+  {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(this->WriteScene().c_str());
+    reader->Update();
+    vtkPolyData* data = reader->GetOutput();
+    const auto add = [](vtkDataSetAttributes* to, const char* name, vtkIdType count, double value) {
+      vtkNew<vtkDoubleArray> array;
+      array->SetName(name);
+      array->SetNumberOfTuples(count);
+      array->Fill(value);
+      to->AddArray(array);
+    };
+    add(data->GetPointData(), "twice", data->GetNumberOfPoints(), 0.25);
+    add(data->GetCellData(), "twice", data->GetNumberOfCells(), 12345678.0);
+    add(data->GetCellData(), "depth", data->GetNumberOfCells(), 87654321.0);
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetDataModeToBinary();
+    writer->SetInputData(data);
+    writer->SetFileName(this->Path("twice.vtp").c_str());
+    writer->Write();
+    this->Open({ this->Path("twice.vtp"), "--camera", "0,0.8,5,0,0.8,0,0,1,0" });
+    this->Grab();
+    auto* layers = this->Window->findChild<QComboBox*>("layer");
+    for (const char* name : { "point:twice", "cell:twice", "cell:depth", "depth", "height" })
+    {
+      QVERIFY2(layers->findData(name) >= 0, name);
+    }
+    QVERIFY(layers->findData("twice") < 0 && layers->findData("point:depth") < 0);
+    const int* size = this->Window->GetView()->renderWindow()->GetSize();
+    viewer::Probe probe;
+    std::map<std::string, QString> found;
+    for (const viewer::ProbeValue& value :
+      probe.Read(this->Window->GetView()->GetPicture().GetRenderer(),
+        this->Window->GetDocument()->GetFacts().Layers, size[0] / 2, size[1] / 2))
+    {
+      found[value.Layer] = viewer::WriteValues(value);
+    }
+    QCOMPARE(found["point:twice"], QString("0.25"));
+    QCOMPARE(found["cell:twice"], QString("12345678"));
+    QCOMPARE(found["cell:depth"], QString("87654321"));
+    QVERIFY(found["depth"].startsWith("4.4"));
+    layers->setCurrentIndex(layers->findData("cell:twice"));
+    this->Compare("cell:twice");
+    QCOMPARE(this->Window->GetTrouble(), QString());
+  }
+
   // An array that is too wide for a layer takes no other value with it.
   void wideArrays()
   {
@@ -266,13 +316,14 @@ private Q_SLOTS:
     writer->Write();
     this->Open({ this->Path("wide.vtp") });
     this->Grab();
-    viewer::Picture& picture = this->Window->GetView()->GetPicture();
-    QVERIFY(picture.GetArrays().count("wide") == 1);
+    const viewer::Facts& facts = this->Window->GetDocument()->GetFacts();
+    QCOMPARE(facts.Components.at("wide"), 17);
     const int* size = this->Window->GetView()->renderWindow()->GetSize();
     viewer::Probe probe;
     std::set<std::string> found;
     for (const viewer::ProbeValue& value :
-      probe.Read(picture.GetRenderer(), picture.GetArrays(), size[0] / 2, size[1] / 2))
+      probe.Read(this->Window->GetView()->GetPicture().GetRenderer(), facts.Layers, size[0] / 2,
+        size[1] / 2))
     {
       found.insert(value.Layer);
     }

@@ -262,7 +262,7 @@ private Q_SLOTS:
     this->Window->OpenFiles({ QString::fromStdString(this->Path("empty.json")) });
     QCOMPARE(this->Window->GetTrouble(), QString());
     QCOMPARE(this->Window->windowTitle(), QString("Relievo"));
-    QVERIFY(this->Window->GetDocument()->GetArrays().empty());
+    QVERIFY(this->Window->GetDocument()->GetFacts().Components.empty());
   }
 };
 

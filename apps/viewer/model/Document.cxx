@@ -52,16 +52,9 @@ void Document::Refuse(const Settings& good, const QString& why)
 }
 
 //------------------------------------------------------------------------------
-void Document::SetArrays(const std::set<std::string>& arrays)
+void Document::SetFacts(const Facts& facts)
 {
-  this->Arrays = arrays;
-  Q_EMIT this->arraysChanged();
-}
-
-//------------------------------------------------------------------------------
-void Document::SetTimes(const std::array<double, 2>& times)
-{
-  this->Times = times;
-  Q_EMIT this->timesChanged();
+  this->Known = facts;
+  Q_EMIT this->factsChanged();
 }
 }

@@ -6,14 +6,13 @@
 #ifndef Document_h
 #define Document_h
 
+#include "Facts.h"
 #include "Settings.h"
 
 #include <QObject>
 #include <QString>
 
-#include <array>
 #include <functional>
-#include <set>
 
 namespace viewer
 {
@@ -38,33 +37,24 @@ public:
   ///@}
 
   ///@{
-  /// Names of the arrays of what is shown.
-  const std::set<std::string>& GetArrays() const { return this->Arrays; }
-  void SetArrays(const std::set<std::string>& arrays);
-  ///@}
-
-  ///@{
-  /// Seconds that animations last; equal: nothing moves.
-  const std::array<double, 2>& GetTimes() const { return this->Times; }
-  void SetTimes(const std::array<double, 2>& times);
+  /// Of what is shown.
+  const Facts& GetFacts() const { return this->Known; }
+  void SetFacts(const Facts& facts);
   ///@}
 
 Q_SIGNALS:
-  void timesChanged();
-
   /// What was asked for last is seen, or was refused.
   void shown();
   void changed();
 
   /// Others than before, to be shown; panels show them already.
   void asked();
-  void arraysChanged();
+  void factsChanged();
   void refused(const QString& why);
 
 private:
   Settings Now;
-  std::set<std::string> Arrays;
-  std::array<double, 2> Times = { 0.0, 0.0 };
+  Facts Known;
 };
 }
 

@@ -72,12 +72,7 @@ public:
 
   vtkRenderer* GetRenderer() { return this->Now.Renderer; }
   vtkRelievoPass* GetFrame();
-  const std::set<std::string>& GetArrays() { return this->Now.Bare.Get().Arrays; }
   const BareScene& GetBare() const { return this->Now.Bare; }
-  std::array<double, 2> GetTimes()
-  {
-    return this->Now.Bare.Get().Times.value_or(std::array<double, 2>{ 0.0, 0.0 });
-  }
 
 private:
   void Apply(const Settings& settings, bool keepCamera);

@@ -168,11 +168,12 @@ void MainWindow::PointAt(int x, int y)
 //------------------------------------------------------------------------------
 void MainWindow::ShowProbe()
 {
-  Picture& picture = this->Shown->GetPicture();
-  const std::vector<ProbeValue> values = this->Pointed[0] < 0 || this->Reader->IsReading()
-    ? std::vector<ProbeValue>()
-    : this->Reading.Read(
-        picture.GetRenderer(), picture.GetArrays(), this->Pointed[0], this->Pointed[1]);
+  if (this->Pointed[0] < 0 || this->Reader->IsReading())
+  {
+    return; // the last values stay, to be read
+  }
+  const std::vector<ProbeValue> values = this->Reading.Read(this->Shown->GetPicture().GetRenderer(),
+    this->Edited->GetFacts().Layers, this->Pointed[0], this->Pointed[1]);
   this->Layers->ShowValues(values);
   QStringList words;
   for (const ProbeValue& value : values)

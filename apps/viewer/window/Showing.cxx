@@ -5,11 +5,13 @@
 // the picture that there was.
 #include "MainWindow.h"
 
+#include "LayersPanel.h"
 #include "Messages.h"
 #include "Options.h"
 #include "PictureView.h"
 #include "RecentFiles.h"
 #include "ReportPanel.h"
+#include "SceneFacts.h"
 #include "StagesPanel.h"
 
 #include <QFileInfo>
@@ -100,8 +102,8 @@ void MainWindow::ShowNothing()
   this->Pages->setCurrentWidget(this->Hint);
   this->Good = this->Edited->Get();
   this->ReadingKey = GetReadingKey(this->Good);
-  this->Edited->SetArrays({});
-  this->Edited->SetTimes({ 0.0, 0.0 });
+  this->Edited->SetFacts(Facts());
+  this->Layers->ShowValues({});
   this->setWindowTitle("Relievo");
   this->Say("");
   this->TellMessages();
@@ -286,8 +288,7 @@ QString MainWindow::ShowRead()
     return QString::fromStdString(error.what());
   }
   this->Good = this->Edited->Get();
-  this->Edited->SetArrays(picture.GetArrays());
-  this->Edited->SetTimes(picture.GetTimes());
+  this->Edited->SetFacts(GetFacts(picture.GetBare()));
   this->setWindowTitle(GetTitle(this->Good.Files));
   this->Say("");
   this->TellMessages();
