@@ -89,6 +89,7 @@ int main(int argc, char* argv[])
   words.erase(timed, words.end());
   const bool isSession =
     words.size() == 1 && QFileInfo(QString::fromStdString(words[0])).suffix().toLower() == "json";
+  cli::Messages::Collect(); // notes, too, on what the words say
   viewer::Settings settings;
   try
   {
@@ -112,11 +113,8 @@ int main(int argc, char* argv[])
   int ours = 1; // Qt has options of its own, which ours might be taken for
   QApplication application(ours, argv);
   cli::Outputs::RemoveOnSignals();
-  cli::Messages::Collect();
   viewer::MainWindow window;
-  const QSettings kept;
-  window.restoreGeometry(kept.value("geometry").toByteArray());
-  window.restoreState(kept.value("state").toByteArray());
+  window.RestoreLayout();
   window.show();
   if (isSession)
   {
@@ -130,5 +128,11 @@ int main(int argc, char* argv[])
   {
     EndAfterPicture(window);
   }
-  return QApplication::exec();
+  const int status = QApplication::exec();
+  if (window.IsBusy())
+  {
+    QSettings().sync();
+    End(status); // readers may not look up for long
+  }
+  return status;
 }

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Keys, the time bar, the sun's controls, and the values under the mouse of arrays of any width.
+// Keys, the wheel, the time bar, and the values under the mouse of arrays of any width.
 #include "ViewerTest.h"
 
+#include "LayersPanel.h"
 #include "Options.h"
 #include "Probe.h"
 #include "StageChart.h"
-#include "Sun.h"
-#include "SunGroup.h"
 
 #include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -22,11 +22,18 @@
 #include "vtkXMLPolyDataWriter.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QGroupBox>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QTableWidget>
 #include <QToolBar>
+#include <QWheelEvent>
 #include <QtTest>
 
 #include <cmath>
@@ -97,25 +104,83 @@ private Q_SLOTS:
     this->Compare("from the back");
   }
 
-  // A sun by date and place stands in the sky: its direction in the data follows the axis.
-  void sunFollowsUp()
+  // The wheel over a control without the focus scrolls its panel.
+  void wheel()
   {
-    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6,size=2" });
-    auto* sun = this->Window->findChild<viewer::SunGroup*>("sun");
-    viewer::SunTime time;
-    time.Hour = 15.5;
-    time.Latitude = 48.0;
-    sun->SetTime(time, true);
-    auto* up = this->Window->findChild<QComboBox*>("up");
-    for (const int axis : { 2, 0, 1 })
+    this->Open({ this->WriteScene(), "--stage", "tone" });
+    this->Window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(this->Window.get()));
+    auto* dock = this->Window->findChild<QDockWidget*>("stages");
+    auto* panel = dock->findChild<QScrollArea*>();
+    const auto turn = [](QWidget* widget) {
+      const QPointF at = widget->rect().center();
+      QWheelEvent event(at, widget->mapToGlobal(at.toPoint()), QPoint(), QPoint(0, -120),
+        Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+      QSpontaneKeyEvent::setSpontaneous(&event); // others stay where they are sent to
+      qApp->notify(widget, &event);
+    };
+    QList<QWidget*> controls;
+    for (QAbstractSpinBox* each : panel->findChildren<QAbstractSpinBox*>())
     {
-      up->setCurrentIndex(axis);
-      this->WaitUntilRead();
-      const std::array<double, 3> wanted =
-        viewer::GetSunDirection(viewer::GetSunAngles(time), axis);
-      QCOMPARE(
-        this->Window->GetDocument()->Get().Get("--light"), viewer::WriteSun(wanted) + ",size=2");
+      controls += each;
     }
+    for (QComboBox* each : panel->findChildren<QComboBox*>())
+    {
+      controls += each;
+    }
+    for (QSlider* each : panel->findChildren<QSlider*>())
+    {
+      controls += each;
+    }
+    QVERIFY(controls.size() > 20 && panel->verticalScrollBar()->maximum() > 100);
+    this->Window->GetView()->setFocus();
+    const Settings before = this->Window->GetDocument()->Get();
+    for (QWidget* control : controls)
+    {
+      panel->verticalScrollBar()->setValue(0);
+      turn(control);
+      QVERIFY2(panel->verticalScrollBar()->value() > 0,
+        qPrintable(control->parentWidget()->parentWidget()->objectName()));
+      QVERIFY(!control->hasFocus());
+      QVERIFY(!control->hasFocus());
+    }
+    QVERIFY(this->Window->GetDocument()->Get() == before);
+    auto* exposure = panel->findChild<QGroupBox*>("tone")
+                       ->findChild<QWidget*>("exposure")
+                       ->findChild<QDoubleSpinBox*>();
+    exposure->setFocus();
+    turn(exposure);
+    QVERIFY(this->Window->GetDocument()->Get() != before);
+  }
+
+  // Keys that a control uses are its own while it has the focus.
+  void keysOfControls()
+  {
+    const std::string models = qgetenv("RELIEVO_DATA").toStdString() + "/models/glTF2/";
+    this->Open({ models + "simple_skin/simple_skin.gltf", "--time", "0" });
+    auto* play = this->Window->findChild<QToolBar*>("time")->actions().first();
+    auto* parallel = this->Window->findChild<QAction*>("parallel");
+    QVERIFY(play->isCheckable() && play->isEnabled());
+    this->Window->findChild<QDockWidget*>("look")->raise();
+    this->Window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(this->Window.get()));
+    auto* edges = this->Window->findChild<QCheckBox*>("edges");
+    auto* shading = this->Window->findChild<QComboBox*>("shading");
+    QTRY_VERIFY(edges->isVisible());
+    edges->setFocus();
+    QTest::keyClick(edges, Qt::Key_Space);
+    QVERIFY(edges->isChecked() && !play->isChecked());
+    shading->setFocus();
+    QTest::keyClick(shading, Qt::Key_P);
+    QVERIFY(!parallel->isChecked());
+    QCOMPARE(shading->currentText(), QString("phong"));
+    QTest::keyClick(edges, Qt::Key_P); // which has no use for it
+    QVERIFY(parallel->isChecked());
+    this->Window->GetView()->setFocus();
+    QTest::keyClick(this->Window->GetView(), Qt::Key_Space);
+    QVERIFY(play->isChecked());
+    play->setChecked(false);
+    this->WaitUntilRead();
   }
 
   void timeSlider()
@@ -125,7 +190,7 @@ private Q_SLOTS:
     auto* slider = this->Window->findChild<QToolBar*>("time")->findChild<QSlider*>("slider");
     QVERIFY(slider && slider->isVisible());
     const vtkSmartPointer<vtkImageData> before = this->Grab();
-    const std::array<double, 2> times = this->Window->GetDocument()->GetTimes();
+    const std::array<double, 2> times = this->Window->GetDocument()->GetFacts().Times;
     slider->setValue(slider->maximum() / 4);
     this->WaitUntilRead();
     const double time = this->Window->GetDocument()->Get().Parse().Model.Time.value_or(-1.0);
@@ -184,6 +249,54 @@ private Q_SLOTS:
     }
   }
 
+  // Arrays that share a name, with each other or with a layer, are told apart; ids are in full.
+  void sharedNames()
+  {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(this->WriteScene().c_str());
+    reader->Update();
+    vtkPolyData* data = reader->GetOutput();
+    const auto add = [](vtkDataSetAttributes* to, const char* name, vtkIdType count, double value) {
+      vtkNew<vtkDoubleArray> array;
+      array->SetName(name);
+      array->SetNumberOfTuples(count);
+      array->Fill(value);
+      to->AddArray(array);
+    };
+    add(data->GetPointData(), "twice", data->GetNumberOfPoints(), 0.25);
+    add(data->GetCellData(), "twice", data->GetNumberOfCells(), 12345678.0);
+    add(data->GetCellData(), "depth", data->GetNumberOfCells(), 87654321.0);
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetDataModeToBinary();
+    writer->SetInputData(data);
+    writer->SetFileName(this->Path("twice.vtp").c_str());
+    writer->Write();
+    this->Open({ this->Path("twice.vtp"), "--camera", "0,0.8,5,0,0.8,0,0,1,0" });
+    this->Grab();
+    auto* layers = this->Window->findChild<QComboBox*>("layer");
+    for (const char* name : { "point:twice", "cell:twice", "cell:depth", "depth", "height" })
+    {
+      QVERIFY2(layers->findData(name) >= 0, name);
+    }
+    QVERIFY(layers->findData("twice") < 0 && layers->findData("point:depth") < 0);
+    const int* size = this->Window->GetView()->renderWindow()->GetSize();
+    viewer::Probe probe;
+    std::map<std::string, QString> found;
+    for (const viewer::ProbeValue& value :
+      probe.Read(this->Window->GetView()->GetPicture().GetRenderer(),
+        this->Window->GetDocument()->GetFacts().Layers, size[0] / 2, size[1] / 2))
+    {
+      found[value.Layer] = viewer::WriteValues(value);
+    }
+    QCOMPARE(found["point:twice"], QString("0.25"));
+    QCOMPARE(found["cell:twice"], QString("12345678"));
+    QCOMPARE(found["cell:depth"], QString("87654321"));
+    QVERIFY(found["depth"].startsWith("4.4"));
+    layers->setCurrentIndex(layers->findData("cell:twice"));
+    this->Compare("cell:twice");
+    QCOMPARE(this->Window->GetTrouble(), QString());
+  }
+
   // An array that is too wide for a layer takes no other value with it.
   void wideArrays()
   {
@@ -203,13 +316,14 @@ private Q_SLOTS:
     writer->Write();
     this->Open({ this->Path("wide.vtp") });
     this->Grab();
-    viewer::Picture& picture = this->Window->GetView()->GetPicture();
-    QVERIFY(picture.GetArrays().count("wide") == 1);
+    const viewer::Facts& facts = this->Window->GetDocument()->GetFacts();
+    QCOMPARE(facts.Components.at("wide"), 17);
     const int* size = this->Window->GetView()->renderWindow()->GetSize();
     viewer::Probe probe;
     std::set<std::string> found;
     for (const viewer::ProbeValue& value :
-      probe.Read(picture.GetRenderer(), picture.GetArrays(), size[0] / 2, size[1] / 2))
+      probe.Read(this->Window->GetView()->GetPicture().GetRenderer(), facts.Layers, size[0] / 2,
+        size[1] / 2))
     {
       found.insert(value.Layer);
     }

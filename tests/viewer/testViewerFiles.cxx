@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Files that cannot be shown, that are slow, that follow one another, and none at all.
+// Files that cannot be shown, that follow one another, that are saved, and none at all.
 #include "ViewerTest.h"
 
 #include "Failure.h"
@@ -12,70 +12,22 @@
 #include "vtkRelievoEXRReader.h"
 #include "vtkRelievoLayerSource.h"
 
+#include <QAbstractButton>
 #include <QAction>
+#include <QApplication>
 #include <QClipboard>
+#include <QFileDialog>
 #include <QGuiApplication>
+#include <QLineEdit>
 #include <QMenu>
-#include <QPushButton>
+#include <QMessageBox>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QtTest>
 
-#include <atomic>
 #include <cmath>
-#include <thread>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 using viewer::Settings;
-
-namespace
-{
-// A file whose readers wait until something writes to it, and then find it empty.
-class SlowFile
-{
-public:
-  explicit SlowFile(const std::string& path)
-    : Path(path)
-  {
-    QVERIFY(mkfifo(path.c_str(), 0600) == 0);
-  }
-
-  ~SlowFile() { this->End(); }
-
-  /// From now on each reader that waits goes on.
-  void LetGo()
-  {
-    this->Thread = std::thread([this] {
-      while (!this->Done)
-      {
-        const int file = open(this->Path.c_str(), O_WRONLY | O_NONBLOCK);
-        if (file >= 0)
-        {
-          close(file);
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      }
-    });
-  }
-
-  void End()
-  {
-    if (this->Thread.joinable())
-    {
-      this->Done = true;
-      this->Thread.join();
-    }
-  }
-
-private:
-  std::string Path;
-  std::thread Thread;
-  std::atomic<bool> Done{ false };
-};
-}
 
 class TestViewerFiles : public viewerTest::ViewerTest
 {
@@ -104,28 +56,27 @@ private Q_SLOTS:
     this->Compare("after it");
   }
 
-  // The window goes on at once, whatever the reader waits for, and takes the next file after it.
-  void cancelDoesNotWait()
+  // A file that was there is gone when the settings need it again.
+  void filesThatDisappear()
   {
-    this->Open({ this->WriteScene() });
-    const vtkSmartPointer<vtkImageData> before = this->Grab();
-    const std::string next = this->WriteScene("next.vtp");
-    SlowFile slow(this->Path("slow.stl"));
-    this->Window->OpenFiles({ QString::fromStdString(this->Path("slow.stl")) });
-    QVERIFY(this->Window->IsReading());
-    QTest::qWait(50);
-    this->Window->findChild<QPushButton*>("cancel")->click();
-    QVERIFY(!this->Window->IsReading()); // though nothing let the reader go
-    QCOMPARE(CountDifferent(before, this->Grab()), 0);
-    QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
-    this->Window->OpenFiles({ QString::fromStdString(next) });
-    QTest::qWait(50);
-    QVERIFY(this->Window->IsReading() && ready.isEmpty());
-    slow.LetGo();
-    QVERIFY(ready.wait(60000));
-    slow.End();
+    const std::string image = this->WriteImage();
+    this->Open({ this->WriteScene(), "--environment", image, "--skybox" });
     QCOMPARE(this->Window->GetTrouble(), QString());
-    QCOMPARE(this->Window->GetDocument()->Get().Files, std::vector<std::string>{ next });
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    const Settings shown = this->Window->GetDocument()->Get();
+    QVERIFY(QFile::remove(QString::fromStdString(image)));
+    for (int i = 0; i < 2; ++i)
+    {
+      this->Change([](Settings& settings) { settings.Set("--reflectivity", "0.9,0.1"); });
+      QVERIFY2(
+        this->Window->GetTrouble().contains("waves.png"), qPrintable(this->Window->GetTrouble()));
+      QVERIFY(this->Window->GetDocument()->Get() == shown);
+      QCOMPARE(CountDifferent(before, this->Grab()), 0);
+    }
+    // What needs no file goes on.
+    this->Change([](Settings& settings) { settings.SetParameter("tone", "exposure", "1"); });
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QVERIFY(CountDifferent(before, this->Grab()) > 100);
   }
 
   void nothingIsOpen()
@@ -142,6 +93,65 @@ private Q_SLOTS:
       this->Window->findChild<QAction*>(name)->trigger();
       QVERIFY(this->Window->GetTrouble().contains("nothing is shown"));
       QCOMPARE(QGuiApplication::clipboard()->text(), QString("before"));
+    }
+  }
+
+  // The session of a window without a file is one.
+  void sessionOfNothing()
+  {
+    this->Window = std::make_unique<viewer::MainWindow>();
+    this->Window->show();
+    this->Window->GetDocument()->Change(
+      [](Settings& settings) { settings.Set("--preset", "studio"); });
+    const QString path = QString::fromStdString(this->Path("empty.json"));
+    this->Window->SaveSession(path);
+    this->Window->GetDocument()->Change([](Settings& settings) { settings.Remove("--preset"); });
+    this->Window->OpenFiles({ path });
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QCOMPARE(this->Window->GetDocument()->Get().Get("--preset"), std::string("studio"));
+  }
+
+  // Nothing is overwritten without a question, whatever the name lacks.
+  void asksBeforeItOverwrites()
+  {
+    this->Open({ this->WriteScene() });
+    for (const char* name : { "taken.png", "taken.json", "taken.exr", "v1.2.png", "LOUD.PNG" })
+    {
+      this->WriteText(name, "mine");
+    }
+    struct
+    {
+      const char *Action, *Typed, *Asked;
+    } const rows[] = { { "savePicture", "taken", "taken.png" },
+      { "saveSession", "taken", "taken.json" }, { "saveLayers", "taken", "taken.exr" },
+      { "savePicture", "v1.2", "v1.2.png" }, { "savePicture", "LOUD.PNG", "LOUD.PNG" } };
+    for (const auto& row : rows)
+    {
+      QString question;
+      bool typed = false;
+      QTimer answer;
+      QObject::connect(&answer, &QTimer::timeout, &answer, [&] {
+        QWidget* asking = QApplication::activeModalWidget();
+        if (auto* box = qobject_cast<QMessageBox*>(asking))
+        {
+          question = box->text();
+          box->button(QMessageBox::No)->click();
+        }
+        else if (auto* dialog = qobject_cast<QFileDialog*>(asking))
+        {
+          dialog->findChild<QLineEdit*>()->setText(QString::fromStdString(this->Path(row.Typed)));
+          const bool again = typed;
+          typed = true;
+          again ? dialog->reject()
+                : void(QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection));
+        }
+      });
+      answer.start(50);
+      this->Window->findChild<QAction*>(row.Action)->trigger();
+      QVERIFY2(question.contains(row.Asked), qPrintable(row.Typed + (": " + question)));
+      QFile file(QString::fromStdString(this->Path(row.Asked)));
+      QVERIFY(file.open(QIODevice::ReadOnly));
+      QCOMPARE(file.readAll(), QByteArray("mine"));
     }
   }
 
@@ -233,6 +243,7 @@ private Q_SLOTS:
 int main(int argc, char* argv[])
 {
   TestViewerFiles tests;
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   return viewerTest::Run(tests, argc, argv);
 }
 

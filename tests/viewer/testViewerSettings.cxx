@@ -67,6 +67,25 @@ private Q_SLOTS:
     QVERIFY(settings.Parse().ShadowMethod == cli::Shadows::Off);
   }
 
+  // Changes are taken over one by one, where other things are said besides.
+  void changes()
+  {
+    const auto take = [](const Words& to, const Words& before, const Words& after) {
+      Settings settings = Settings::FromWords(to);
+      settings.TakeChanges(Settings::FromWords(before), Settings::FromWords(after));
+      return settings.GetWords();
+    };
+    const Words before = { "b.vtp", "--edges", "--stage", "tone:operator=reinhard,exposure=2" };
+    QCOMPARE(take({ "a.vtp", "--opacity", "0.5", "--edges" }, before,
+               { "b.vtp", "--stage", "tone:operator=reinhard,exposure=3", "--color", "red" }),
+      (Words{ "--color", "red", "--opacity", "0.5", "--stage", "tone:exposure=3", "a.vtp" }));
+    QCOMPARE(take({ "a.vtp", "--stage", "tone:white=3" }, before, { "b.vtp", "--edges" }),
+      Words{ "a.vtp" });
+    QCOMPARE(take({ "a.vtp", "--stage", "tone:white=3,exposure=2" }, before,
+               { "b.vtp", "--edges", "--stage", "tone:operator=reinhard" }),
+      (Words{ "--stage", "tone:white=3", "a.vtp" }));
+  }
+
   // The mode is the stage's, and said once; the last word counts, as in the command line.
   void fogMode()
   {

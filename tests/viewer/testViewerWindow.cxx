@@ -123,7 +123,9 @@ private Q_SLOTS:
     QVERIFY(enter.isAccepted());
     QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
     QDropEvent drop(QPoint(200, 200), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    drop.setDropAction(Qt::MoveAction);
     QApplication::sendEvent(this->Window.get(), &drop);
+    QCOMPARE(drop.dropAction(), Qt::CopyAction); // who moved it would delete it there
     QVERIFY(ready.wait(60000));
     QCOMPARE(this->Window->GetDocument()->Get().Files, std::vector<std::string>{ other });
     QMimeData words;
@@ -214,8 +216,8 @@ private Q_SLOTS:
     const vtkSmartPointer<vtkImageData> before = this->Grab();
     const int* size = view->renderWindow()->GetSize();
     viewer::Probe reading;
-    const auto& arrays = view->GetPicture().GetArrays();
-    QVERIFY(arrays.count("height") == 1 && arrays.count("part") == 1);
+    const std::vector<std::string>& arrays = this->Window->GetDocument()->GetFacts().Layers;
+    QVERIFY(std::count(arrays.begin(), arrays.end(), "height") == 1);
     const std::vector<viewer::ProbeValue> values =
       reading.Read(view->GetPicture().GetRenderer(), arrays, size[0] / 2, size[1] / 2);
     std::map<std::string, std::vector<double>> found;
@@ -234,6 +236,12 @@ private Q_SLOTS:
     QVERIFY(table->item(0, 1)->text().startsWith("4.4"));
     this->SendMouse(QEvent::MouseMove, QPoint(1, 1), Qt::NoButton);
     QTRY_COMPARE_WITH_TIMEOUT(table->item(0, 1)->text(), QString("background"), 20000);
+    this->SendMouse(QEvent::MouseMove, view->rect().center(), Qt::NoButton);
+    QTRY_VERIFY_WITH_TIMEOUT(table->item(0, 1)->text().startsWith("4.4"), 20000);
+    QEvent left(QEvent::Leave);
+    QApplication::sendEvent(view, &left);
+    QTest::qWait(300);
+    QVERIFY(table->item(0, 1)->text().startsWith("4.4")); // to be read and copied
     // Looking changes nothing.
     QCOMPARE(CountDifferent(before, this->Grab()), 0);
   }

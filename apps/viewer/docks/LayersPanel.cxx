@@ -13,6 +13,8 @@
 #include <QStringList>
 #include <QTableWidget>
 
+#include <cmath>
+
 namespace viewer
 {
 namespace
@@ -26,7 +28,11 @@ QString WriteValues(const ProbeValue& value)
   QStringList words;
   for (const double number : value.Values)
   {
-    words += QString::number(number, 'g', 7);
+    // Ids in full, and metres of a map with their centimetres.
+    const double size = std::abs(number);
+    const bool whole = size < 1e15 && number == std::floor(number);
+    words +=
+      whole ? QString::number(number, 'f', 0) : QString::number(number, 'g', size < 1e5 ? 7 : 10);
   }
   return words.join(", ");
 }
@@ -49,12 +55,14 @@ LayersPanel::LayersPanel(Document* document, QWidget* parent)
   this->Values = new QTableWidget(0, 2, probe);
   this->Values->setObjectName("values");
   this->Values->setHorizontalHeaderLabels({ "Layer", "Value" });
+  this->Values->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   this->Values->horizontalHeader()->setStretchLastSection(true);
   this->Values->verticalHeader()->hide();
   this->Values->setEditTriggers(QAbstractItemView::NoEditTriggers);
   this->Values->setMinimumHeight(260);
   GetRows(probe)->addRow(this->Probing);
   GetRows(probe)->addRow(this->Values);
+  this->Fill(probe);
   QObject::connect(this->Layer,
     static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged), this, [this] {
       this->Edited->Change([this](Settings& settings) {
@@ -70,7 +78,7 @@ LayersPanel::LayersPanel(Document* document, QWidget* parent)
     Q_EMIT this->probing(on);
   });
   QObject::connect(document, &Document::changed, this, [this] { this->ShowSettings(); });
-  QObject::connect(document, &Document::arraysChanged, this, [this] { this->ShowLayers(); });
+  QObject::connect(document, &Document::factsChanged, this, [this] { this->ShowLayers(); });
   this->ShowLayers();
 }
 
@@ -96,10 +104,9 @@ void LayersPanel::ShowLayers()
       this->Layer->setItemData(this->Layer->count() - 1,
         QString::fromStdString(vtkRelievoLayerCatalogue::GetLayerHelp(i)), Qt::ToolTipRole);
     }
-    for (const std::string& name : this->Edited->GetArrays())
+    for (const std::string& name : this->Edited->GetFacts().Layers)
     {
-      const bool taken = vtkRelievoLayerCatalogue::GetIsLayer(name);
-      const QString words = QString::fromStdString(taken ? "point:" + name : name);
+      const QString words = QString::fromStdString(name);
       this->Layer->addItem(words, words);
     }
   }
@@ -131,8 +138,16 @@ void LayersPanel::ShowValues(const std::vector<ProbeValue>& values)
       value.IsBackground ? "background" : WriteValues(value) };
     for (int column = 0; column < 2; ++column)
     {
-      this->Values->setItem(row, column, new QTableWidgetItem(texts[column]));
+      QTableWidgetItem* item = this->Values->item(row, column);
+      if (!item)
+      {
+        item = new QTableWidgetItem();
+        this->Values->setItem(row, column, item);
+      }
+      item->setText(texts[column]);
+      item->setToolTip(texts[column]);
     }
   }
+  this->Values->resizeRowsToContents(); // where many components are on several lines
 }
 }

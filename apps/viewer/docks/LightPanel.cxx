@@ -2,32 +2,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightPanel.h"
 
+#include "FileEdit.h"
 #include "NumberEdit.h"
 #include "Options.h"
 #include "SunGroup.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
-#include <QLineEdit>
+#include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include <algorithm>
+#include <exception>
 
 namespace viewer
 {
 namespace
 {
-bool IsSun(const std::string& word)
+constexpr const char* EnvironmentWords[] = { "--environment", "--reflectivity", "--skybox" };
+
+std::vector<std::string> GetLines(const QPlainTextEdit* text)
 {
-  return word.rfind("sun:", 0) == 0;
+  std::vector<std::string> lines;
+  for (const QString& line : text->toPlainText().split('\n'))
+  {
+    if (!line.trimmed().isEmpty())
+    {
+      lines.push_back(line.trimmed().toStdString());
+    }
+  }
+  return lines;
 }
 }
 
@@ -89,26 +98,51 @@ void LightPanel::AddLights()
   this->Lights->setToolTip("One light in each line, in the words of --light");
   this->Lights->setMaximumHeight(70);
   this->Lights->setTabChangesFocus(true);
-  auto* apply = new QPushButton("Apply", group);
-  apply->setObjectName("apply");
+  this->Apply = new QPushButton("Apply", group);
+  this->Apply->setObjectName("apply");
+  this->Revert = new QPushButton("Revert", group);
+  this->Revert->setObjectName("revert");
+  this->Revert->setToolTip("Back to the lights of the picture");
+  this->Apply->setEnabled(false); // until something is typed
+  this->Revert->setEnabled(false);
+  this->Wrong = new QLabel(group);
+  this->Wrong->setObjectName("wrong");
+  this->Wrong->setWordWrap(true);
+  this->Wrong->hide();
+  auto* both = new QHBoxLayout();
+  both->addWidget(this->Apply, 1);
+  both->addWidget(this->Revert, 1);
   GetRows(group)->addRow(this->Lights);
-  GetRows(group)->addRow(apply);
-  QObject::connect(apply, &QPushButton::clicked, this, [this] {
-    this->Edited->Change([this](Settings& settings) {
-      std::vector<std::string> words = settings.GetAll("--light");
-      words.erase(std::remove_if(words.begin(), words.end(),
-                    [](const std::string& word) { return !IsSun(word); }),
-        words.end());
-      for (const QString& line : this->Lights->toPlainText().split('\n'))
-      {
-        if (!line.trimmed().isEmpty())
-        {
-          words.push_back(line.trimmed().toStdString());
-        }
-      }
-      settings.SetAll("--light", words);
-    });
+  GetRows(group)->addRow(this->Wrong);
+  GetRows(group)->addRow(both);
+  QObject::connect(this->Apply, &QPushButton::clicked, this, &LightPanel::ApplyLights);
+  QObject::connect(this->Revert, &QPushButton::clicked, this, &LightPanel::ShowLights);
+  QObject::connect(this->Lights, &QPlainTextEdit::textChanged, this, [this] {
+    const bool typed = GetLines(this->Lights) != this->ShownLights;
+    this->Apply->setEnabled(typed);
+    this->Revert->setEnabled(typed);
   });
+}
+
+//------------------------------------------------------------------------------
+void LightPanel::ApplyLights()
+{
+  const std::vector<std::string> lines = GetLines(this->Lights);
+  try
+  {
+    for (const std::string& line : lines)
+    {
+      cli::ParseLight(line);
+    }
+  }
+  catch (const std::exception& error) // what was typed stays, to be mended
+  {
+    this->Wrong->setText(QString(QChar(0x26a0)) + " " + QString::fromStdString(error.what()));
+    this->Wrong->show();
+    return;
+  }
+  this->Wrong->hide();
+  this->Sun->SetOthers(lines);
 }
 
 //------------------------------------------------------------------------------
@@ -119,69 +153,83 @@ void LightPanel::AddEnvironment()
   this->Environment->setToolTip(
     "Light from all around, from an image in equirectangular or cross form");
   QFormLayout* rows = GetRows(this->Environment);
-  this->File = new QLineEdit(this->Environment);
+  this->File = new FileEdit(
+    "Environment", "Images (*.exr *.hdr *.png *.jpg *.jpeg *.tif *.tiff)", this->Environment);
   this->File->setObjectName("file");
-  auto* browse = new QPushButton("...", this->Environment);
-  auto* both = new QHBoxLayout();
-  both->addWidget(this->File, 1);
-  both->addWidget(browse);
-  rows->addRow("Image", both);
+  rows->addRow("Image", this->File);
   const auto add = [&](const char* title, const char* name, double most, double step) {
     auto* edit = new NumberEdit(0.0, most, step, 3, this->Environment);
     edit->setObjectName(name);
     rows->addRow(title, edit);
-    QObject::connect(edit, &NumberEdit::edited, this, [this] { this->SetEnvironment(); });
     return edit;
   };
   this->Rotation = add("Rotation", "rotation", 360.0, 1.0);
-  this->Rotation->SetUnit(QString(QChar(0x00b0)));
+  this->Rotation->SetUnit("degrees");
+  this->Rotation->SetWrapping();
   this->Reflectivity = add("Reflectivity", "reflectivity", 1.0, 0.01);
   this->Roughness = add("Roughness", "roughness", 1.0, 0.01);
   this->Sky = new QCheckBox("Show as sky", this->Environment);
   this->Sky->setObjectName("sky");
   rows->addRow(this->Sky);
-  QObject::connect(this->Sky, &QCheckBox::toggled, this, [this] { this->SetEnvironment(); });
-  QObject::connect(this->File, &QLineEdit::editingFinished, this, [this] {
-    const QString file = this->File->text();
-    this->KeptFile = file.isEmpty() ? "" : QFileInfo(file).absoluteFilePath().toStdString();
-    this->SetEnvironment();
+  // Each writes what it stands for and leaves the other words as they are.
+  QObject::connect(this->File, &FileEdit::edited, this,
+    [this](const QString& path) { this->SetFile(path.toStdString(), this->Rotation->GetValue()); });
+  QObject::connect(this->Rotation, &NumberEdit::edited, this,
+    [this](double rotation) { this->SetFile(this->Edited->Get().Parse().Environment, rotation); });
+  QObject::connect(this->Reflectivity, &NumberEdit::edited, this, [this](double value) {
+    this->Edited->Change([this, value](Settings& settings) {
+      const bool both = settings.Get("--reflectivity").find(',') != std::string::npos;
+      settings.Set("--reflectivity",
+        both ? WriteNumbers({ value, this->Roughness->GetValue() }) : WriteNumber(value));
+    });
   });
-  const auto ask = [this] {
-    const QString file = QFileDialog::getOpenFileName(
-      this, "Environment", QString(), "Images (*.exr *.hdr *.png *.jpg *.jpeg *.tif *.tiff)");
-    this->KeptFile = file.isEmpty() ? this->KeptFile : file.toStdString();
-    this->SetEnvironment();
-  };
-  QObject::connect(browse, &QPushButton::clicked, this, [this, ask] {
-    const QSignalBlocker quiet(this->Environment);
-    this->Environment->setChecked(true);
-    ask();
+  QObject::connect(this->Roughness, &NumberEdit::edited, this, [this](double value) {
+    this->Edited->Change([this, value](Settings& settings) {
+      settings.Set("--reflectivity", WriteNumbers({ this->Reflectivity->GetValue(), value }));
+    });
   });
-  QObject::connect(this->Environment, &QGroupBox::toggled, this,
-    [this, ask](bool on) { on&& this->KeptFile.empty() ? ask() : this->SetEnvironment(); });
+  QObject::connect(this->Sky, &QCheckBox::toggled, this, [this](bool on) {
+    this->Edited->Change([on](Settings& settings) {
+      on ? settings.Set("--skybox", "") : settings.Remove("--skybox");
+    });
+  });
+  QObject::connect(this->Environment, &QGroupBox::toggled, this, &LightPanel::SwitchEnvironment);
 }
 
 //------------------------------------------------------------------------------
-void LightPanel::SetEnvironment()
+void LightPanel::SetFile(const std::string& file, double rotation)
 {
-  this->Edited->Change([this](Settings& settings) {
-    for (const char* option : { "--environment", "--reflectivity", "--skybox" })
+  this->Edited->Change([&](Settings& settings) {
+    if (file.empty())
     {
-      settings.Remove(option);
-    }
-    if (!this->Environment->isChecked() || this->KeptFile.empty())
-    {
+      settings.Remove("--environment");
+      settings.Remove("--reflectivity");
+      settings.Remove("--skybox");
       return;
     }
-    const double turn = this->Rotation->GetValue();
-    settings.Set("--environment", this->KeptFile + (turn == 0.0 ? "" : "," + WriteNumber(turn)));
-    settings.Set("--reflectivity",
-      WriteNumbers({ this->Reflectivity->GetValue(), this->Roughness->GetValue() }));
-    if (this->Sky->isChecked())
+    settings.Set("--environment", WriteFileAndNumber(file, rotation));
+  });
+  this->ShowSettings();
+}
+
+//------------------------------------------------------------------------------
+void LightPanel::SwitchEnvironment(bool on)
+{
+  if (on && !this->Kept.Has("--environment"))
+  {
+    this->File->Ask();
+    this->ShowSettings(); // off again, if there is none
+    return;
+  }
+  Settings kept;
+  this->Edited->Change([&](Settings& settings) {
+    for (const char* option : EnvironmentWords)
     {
-      settings.Set("--skybox", "");
+      kept.SetAll(option, settings.GetAll(option));
+      settings.SetAll(option, on ? this->Kept.GetAll(option) : std::vector<std::string>());
     }
   });
+  this->Kept = on ? Settings() : kept;
   this->ShowSettings();
 }
 
@@ -189,27 +237,45 @@ void LightPanel::SetEnvironment()
 void LightPanel::ShowSettings()
 {
   const QSignalBlocker quiet[] = { QSignalBlocker(this->Preset), QSignalBlocker(this->Up),
-    QSignalBlocker(this->Environment), QSignalBlocker(this->Sky), QSignalBlocker(this->File) };
+    QSignalBlocker(this->Environment), QSignalBlocker(this->Sky) };
   const Settings& settings = this->Edited->Get();
   this->Preset->setCurrentIndex(
     this->Preset->findData(QString::fromStdString(settings.Get("--preset"))));
   const cli::RenderOptions options = settings.Parse();
   this->Up->setCurrentIndex(options.UpAxis);
-  QString lines;
-  for (const std::string& word : settings.GetAll("--light"))
+  if (this->Sun->GetOthers() != this->ShownLights) // but not what is typed and not yet applied
   {
-    lines += IsSun(word) ? QString() : QString::fromStdString(word) + "\n";
+    this->ShowLights();
   }
-  this->Lights->setPlainText(lines);
   this->Environment->setChecked(!options.Environment.empty());
   if (!options.Environment.empty())
   {
-    this->KeptFile = options.Environment;
+    this->Kept = Settings();
+    this->File->SetPath(QString::fromStdString(options.Environment));
     this->Rotation->SetValue(options.EnvironmentRotation);
     this->Sky->setChecked(options.Skybox);
   }
-  this->File->setText(QString::fromStdString(this->KeptFile));
-  this->Reflectivity->SetValue(options.Reflectivity);
-  this->Roughness->SetValue(options.Roughness);
+  else if (!this->Kept.Has("--environment"))
+  {
+    this->File->SetPath(QString());
+  }
+  if (!this->Kept.Has("--environment"))
+  {
+    this->Reflectivity->SetValue(options.Reflectivity);
+    this->Roughness->SetValue(options.Roughness);
+  }
+}
+
+//------------------------------------------------------------------------------
+void LightPanel::ShowLights()
+{
+  this->ShownLights = this->Sun->GetOthers();
+  QString lines;
+  for (const std::string& word : this->ShownLights)
+  {
+    lines += QString::fromStdString(word) + "\n";
+  }
+  this->Lights->setPlainText(lines);
+  this->Wrong->hide();
 }
 }

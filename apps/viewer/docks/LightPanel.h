@@ -10,11 +10,13 @@
 
 class QCheckBox;
 class QComboBox;
-class QLineEdit;
+class QLabel;
 class QPlainTextEdit;
+class QPushButton;
 
 namespace viewer
 {
+class FileEdit;
 class NumberEdit;
 class SunGroup;
 
@@ -30,18 +32,24 @@ public:
 private:
   void AddScene();
   void AddLights();
+  void ApplyLights();
   void AddEnvironment();
+  void SwitchEnvironment(bool on);
+  void SetFile(const std::string& file, double rotation);
   void ShowSettings();
-  void SetEnvironment();
+  void ShowLights();
 
   SunGroup* Sun;
   QComboBox *Preset, *Up;
   QPlainTextEdit* Lights;
+  QLabel* Wrong;
+  QPushButton *Apply, *Revert;
+  std::vector<std::string> ShownLights; // without what is typed
   QGroupBox* Environment;
-  QLineEdit* File;
+  FileEdit* File;
   NumberEdit *Rotation, *Reflectivity, *Roughness;
   QCheckBox* Sky;
-  std::string KeptFile;
+  Settings Kept; // the environment while it is switched off
 };
 }
 

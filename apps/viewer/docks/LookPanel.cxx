@@ -35,7 +35,7 @@ LookPanel::LookPanel(Document* document, QWidget* parent)
   this->AddSurface();
   this->AddBackground();
   QObject::connect(document, &Document::changed, this, [this] { this->ShowSettings(); });
-  QObject::connect(document, &Document::arraysChanged, this, [this] { this->ShowArrays(); });
+  QObject::connect(document, &Document::factsChanged, this, [this] { this->ShowArrays(); });
   this->ShowArrays();
 }
 
@@ -172,9 +172,10 @@ void LookPanel::ShowArrays()
     const QSignalBlocker quiet(this->ColorBy);
     this->ColorBy->clear();
     this->ColorBy->addItem("As in the file", "");
-    for (const std::string& name : this->Edited->GetArrays())
+    for (const auto& array : this->Edited->GetFacts().Components)
     {
-      this->ColorBy->addItem(QString::fromStdString(name), QString::fromStdString(name));
+      const QString name = QString::fromStdString(array.first);
+      this->ColorBy->addItem(name, name);
     }
   }
   this->ShowSettings();

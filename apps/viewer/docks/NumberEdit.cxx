@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NumberEdit.h"
 
-#include <QDoubleSpinBox>
+#include "DigitsBox.h"
+
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -22,14 +23,15 @@ constexpr double Largest = 1e9; // a spin box shows no more
 NumberEdit::NumberEdit(double least, double most, double step, int decimals, QWidget* parent)
   : QWidget(parent)
   , Least(std::max(least, -Largest))
+  , Most(std::min(most, Largest))
   , Step(step)
-  , Digits(new QDoubleSpinBox(this))
+  , Digits(new DigitsBox(this))
 {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   this->Digits->setObjectName("digits");
   this->Digits->setDecimals(decimals);
-  this->Digits->setRange(this->Least, std::min(most, Largest));
+  this->Digits->setRange(this->Least, this->Most);
   this->Digits->setSingleStep(step);
   this->Digits->setKeyboardTracking(false);
   this->Digits->setMinimumWidth(76);
@@ -47,33 +49,60 @@ NumberEdit::NumberEdit(double least, double most, double step, int decimals, QWi
   layout->addWidget(this->Digits, this->Slider ? 0 : 1);
   QObject::connect(this->Digits,
     static_cast<void (QDoubleSpinBox::*)(double)>(&QDoubleSpinBox::valueChanged), this,
-    [this](double value) {
-      this->SetValue(value);
-      Q_EMIT this->edited(value);
-    });
+    &NumberEdit::OnEdited);
+  this->SetValue(this->Digits->value());
 }
 
 //------------------------------------------------------------------------------
 void NumberEdit::SetUnit(const QString& unit)
 {
-  this->Digits->setSuffix(unit.isEmpty() ? QString() : " " + unit);
+  this->Digits->SetUnit(unit);
+}
+
+//------------------------------------------------------------------------------
+void NumberEdit::SetWrapping()
+{
+  this->Wrapping = true;
+  const double around = this->Most - this->Least;
+  this->Digits->setRange(this->Least - 10.0 * around, this->Most + 10.0 * around);
+}
+
+//------------------------------------------------------------------------------
+void NumberEdit::SetClock()
+{
+  this->Digits->SetClock();
+}
+
+//------------------------------------------------------------------------------
+double NumberEdit::Wrap(double value) const
+{
+  const double around = this->Most - this->Least;
+  if (!this->Wrapping || (value >= this->Least && value <= this->Most))
+  {
+    return value;
+  }
+  return value - around * std::floor((value - this->Least) / around);
+}
+
+//------------------------------------------------------------------------------
+void NumberEdit::OnEdited(double value)
+{
+  this->SetValue(this->Wrap(value));
+  Q_EMIT this->edited(this->Value);
 }
 
 //------------------------------------------------------------------------------
 void NumberEdit::SetValue(double value)
 {
+  this->Value = value;
+  const double shown = this->Wrap(value);
   const QSignalBlocker quiet(this->Digits);
-  this->Digits->setValue(value);
+  this->Digits->setValue(shown);
+  this->Digits->ShowUnit();
   if (this->Slider)
   {
     const QSignalBlocker quietSlider(this->Slider);
-    this->Slider->setValue(static_cast<int>(std::lround((value - this->Least) / this->Step)));
+    this->Slider->setValue(static_cast<int>(std::lround((shown - this->Least) / this->Step)));
   }
-}
-
-//------------------------------------------------------------------------------
-double NumberEdit::GetValue() const
-{
-  return this->Digits->value();
 }
 }

@@ -7,13 +7,15 @@
 #ifndef NumberEdit_h
 #define NumberEdit_h
 
+#include <QString>
 #include <QWidget>
 
-class QDoubleSpinBox;
 class QSlider;
 
 namespace viewer
 {
+class DigitsBox;
+
 class NumberEdit : public QWidget
 {
   Q_OBJECT
@@ -21,19 +23,31 @@ class NumberEdit : public QWidget
 public:
   NumberEdit(double least, double most, double step, int decimals, QWidget* parent = nullptr);
 
+  /// In the plural, if there is one: "texels" becomes "texel" behind a 1.
   void SetUnit(const QString& unit);
+
+  /// Goes around: what is behind the end is shown and given from the beginning on, as with angles.
+  void SetWrapping();
+
+  /// Hours are shown as on a clock, 15:30.
+  void SetClock();
 
   /// Sends no signal.
   void SetValue(double value);
-  double GetValue() const;
+  double GetValue() const { return this->Value; }
 
 Q_SIGNALS:
   void edited(double value);
 
 private:
-  double Least, Step;
+  double Wrap(double value) const;
+  void OnEdited(double value);
+
+  double Least, Most, Step;
+  double Value = 0.0;
+  bool Wrapping = false;
   QSlider* Slider = nullptr;
-  QDoubleSpinBox* Digits;
+  DigitsBox* Digits;
 };
 }
 

@@ -14,10 +14,10 @@ Panel::Panel(Document* document, QWidget* parent)
   , Edited(document)
 {
   auto* all = new QWidget(this);
-  auto* outer = new QVBoxLayout(all);
+  this->Outer = new QVBoxLayout(all);
   this->Column = new QVBoxLayout();
-  outer->addLayout(this->Column);
-  outer->addStretch(1);
+  this->Outer->addLayout(this->Column);
+  this->Outer->addStretch(1);
   this->setWidget(all);
   this->setWidgetResizable(true);
   this->setFrameShape(QFrame::NoFrame);
@@ -34,6 +34,14 @@ QGroupBox* Panel::AddGroup(const QString& title, const QString& name)
   rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   this->Column->addWidget(group);
   return group;
+}
+
+//------------------------------------------------------------------------------
+void Panel::Fill(QGroupBox* group)
+{
+  this->Outer->setStretch(0, 1);
+  this->Outer->setStretch(1, 0);
+  this->Column->setStretchFactor(group, 1);
 }
 
 //------------------------------------------------------------------------------

@@ -26,6 +26,8 @@ public:
 protected:
   /// A group of rows, below the others.
   QGroupBox* AddGroup(const QString& title, const QString& name);
+  /// The group gets the room that is left.
+  void Fill(QGroupBox* group);
   static QFormLayout* GetRows(QGroupBox* group);
 
   /// An empty column, below the others.
@@ -34,7 +36,7 @@ protected:
   Document* Edited;
 
 private:
-  QVBoxLayout* Column;
+  QVBoxLayout *Outer, *Column;
 };
 }
 

@@ -10,6 +10,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -19,16 +20,16 @@ namespace
 {
 const QString Degrees = QString(QChar(0x00b0));
 
-bool IsSun(const std::string& word)
-{
-  return word.rfind("sun:", 0) == 0;
-}
-
 // How large it is stays as it was said.
 std::string GetSize(const std::string& word)
 {
   const std::string::size_type at = word.find(",size=");
   return at == std::string::npos ? "" : word.substr(at);
+}
+
+QFormLayout* GetRows(QWidget* part)
+{
+  return static_cast<QFormLayout*>(part->layout());
 }
 
 int GetUpAxis(const Settings& settings)
@@ -42,43 +43,60 @@ int GetUpAxis(const Settings& settings)
 SunGroup::SunGroup(Document* document, QWidget* parent)
   : QGroupBox("Sun", parent)
   , Edited(document)
-  , Rows(new QFormLayout(this))
+  , Angles(new QWidget(this))
+  , Place(new QWidget(this))
   , By(new QComboBox(this))
   , Date(new QDateEdit(QDate(2026, 6, 21), this))
   , Words(new QLabel(this))
 {
   this->setCheckable(true);
   this->setToolTip("A light that stays where it is when the camera moves");
-  this->Rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   this->By->setObjectName("by");
   this->By->addItems({ "Angles", "Date and place" });
-  this->Rows->addRow("Placed by", this->By);
-  this->Azimuth = this->AddNumber("Azimuth", "azimuth", 0.0, 360.0, 1.0, 2, Degrees,
+  auto* column = new QVBoxLayout(this);
+  auto* first = new QFormLayout();
+  first->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  first->addRow("Placed by", this->By);
+  column->addLayout(first);
+  for (QWidget* part : { this->Angles, this->Place }) // one of which is hidden
+  {
+    auto* rows = new QFormLayout(part);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    column->addWidget(part);
+  }
+  this->Azimuth = this->AddNumber(this->Angles, "Azimuth", "azimuth", 0.0, 360.0, 1.0, 2, Degrees,
     "From north, clockwise seen from above: 90 is east, 180 south");
-  this->Elevation =
-    this->AddNumber("Elevation", "elevation", -90.0, 90.0, 1.0, 2, Degrees, "Above the horizon");
+  this->Azimuth->SetWrapping();
+  this->Elevation = this->AddNumber(
+    this->Angles, "Elevation", "elevation", -90.0, 90.0, 1.0, 2, Degrees, "Above the horizon");
   this->Date->setObjectName("date");
   this->Date->setDisplayFormat("yyyy-MM-dd");
   this->Date->setCalendarPopup(true);
   this->Date->setDateRange(QDate(1900, 1, 1), QDate(2100, 12, 31));
-  this->Rows->addRow("Date", this->Date);
-  this->Hour =
-    this->AddNumber("Time", "hour", 0.0, 24.0, 0.05, 2, "h", "What the clock says, in hours");
-  this->Latitude =
-    this->AddNumber("Latitude", "latitude", -90.0, 90.0, 0.1, 4, Degrees, "North is positive");
-  this->Longitude =
-    this->AddNumber("Longitude", "longitude", -180.0, 180.0, 0.2, 4, Degrees, "East is positive");
-  this->TimeZone = this->AddNumber("Time zone", "timeZone", -12.0, 14.0, 0.25, 2, "h",
+  GetRows(this->Place)->addRow("Date", this->Date);
+  this->Hour = this->AddNumber(
+    this->Place, "Time", "hour", 0.0, 24.0, 1.0 / 12.0, 6, "", "What the clock says");
+  this->Hour->SetClock();
+  this->Latitude = this->AddNumber(
+    this->Place, "Latitude", "latitude", -90.0, 90.0, 0.1, 4, Degrees, "North is positive");
+  this->Longitude = this->AddNumber(
+    this->Place, "Longitude", "longitude", -180.0, 180.0, 0.2, 4, Degrees, "East is positive");
+  this->TimeZone = this->AddNumber(this->Place, "Time zone", "timeZone", -12.0, 14.0, 0.25, 2, "h",
     "Hours that the clock is ahead of universal time (UTC), summer time included");
   this->Words->setObjectName("place");
   this->Words->setWordWrap(true);
-  this->Rows->addRow(this->Words);
+  column->addWidget(this->Words);
   this->SetTime(SunTime(), false);
-  const auto place = [this] { this->Place(); };
+  const auto place = [this] { this->PlaceSun(); };
   QObject::connect(
     this->By, static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged), this, [this] {
       this->ShowRows();
-      this->Place();
+      if (this->IsByTime()) // the angles are those that it has already
+      {
+        this->PlaceSun();
+      }
+      this->ShowSettings();
     });
   QObject::connect(this->Date, &QDateEdit::dateChanged, this, place);
   for (NumberEdit* edit : this->findChildren<NumberEdit*>())
@@ -91,14 +109,14 @@ SunGroup::SunGroup(Document* document, QWidget* parent)
 }
 
 //------------------------------------------------------------------------------
-NumberEdit* SunGroup::AddNumber(const QString& title, const QString& name, double least,
-  double most, double step, int decimals, const QString& unit, const QString& tip)
+NumberEdit* SunGroup::AddNumber(QWidget* rows, const QString& title, const QString& name,
+  double least, double most, double step, int decimals, const QString& unit, const QString& tip)
 {
   auto* edit = new NumberEdit(least, most, step, decimals, this);
   edit->setObjectName(name);
   edit->SetUnit(unit);
   edit->setToolTip(tip);
-  this->Rows->addRow(title, edit);
+  GetRows(rows)->addRow(title, edit);
   return edit;
 }
 
@@ -134,43 +152,50 @@ void SunGroup::FollowUpAxis()
 {
   if (this->IsByTime())
   {
-    this->Place();
+    this->PlaceSun();
   }
 }
 
 //------------------------------------------------------------------------------
 void SunGroup::ShowRows()
 {
-  const bool byTime = this->IsByTime();
-  for (QWidget* row : std::initializer_list<QWidget*>{ this->Azimuth, this->Elevation })
-  {
-    row->setVisible(!byTime);
-    this->Rows->labelForField(row)->setVisible(!byTime);
-  }
-  for (QWidget* row : std::initializer_list<QWidget*>{
-         this->Date, this->Hour, this->Latitude, this->Longitude, this->TimeZone })
-  {
-    row->setVisible(byTime);
-    this->Rows->labelForField(row)->setVisible(byTime);
-  }
+  this->Angles->setVisible(!this->IsByTime());
+  this->Place->setVisible(this->IsByTime());
 }
 
 //------------------------------------------------------------------------------
 void SunGroup::ShowSettings()
 {
   const Settings& settings = this->Edited->Get();
-  const QSignalBlocker quiet(this);
-  const std::vector<std::string> words = settings.GetAll("--light");
-  const auto sun = std::find_if(words.begin(), words.end(), IsSun);
-  this->setChecked(sun != words.end());
-  if (sun == words.end() || this->Placing)
+  const std::vector<std::string> lights = settings.GetAll("--light");
+  if (lights == this->Next)
   {
-    return;
+    this->Own = this->NextOwn;
   }
-  const SunAngles angles = GetSunAngles(cli::ParseLight(*sun).Position, GetUpAxis(settings));
-  this->Azimuth->SetValue(angles.Azimuth);
-  this->Elevation->SetValue(angles.Elevation);
-  this->ShowPlace(angles);
+  else if (lights != this->Lights) // set elsewhere
+  {
+    const auto sun = std::find_if(lights.begin(), lights.end(), IsSun);
+    this->Own = sun == lights.end() ? -1 : static_cast<int>(sun - lights.begin());
+    this->Kept.clear();
+  }
+  this->Lights = this->Next = lights;
+  this->NextOwn = this->Own;
+  const QSignalBlocker quiet(this);
+  this->setChecked(this->Own >= 0);
+  if (this->Own >= 0)
+  {
+    const std::string& sun = lights[static_cast<std::size_t>(this->Own)];
+    const int up = GetUpAxis(settings);
+    if (sun != this->Written || up != this->WrittenUp)
+    {
+      this->Written = sun;
+      this->WrittenUp = up;
+      const SunAngles angles = GetSunAngles(cli::ParseLight(sun).Position, up);
+      this->Azimuth->SetValue(angles.Azimuth);
+      this->Elevation->SetValue(angles.Elevation);
+    }
+    this->ShowPlace({ this->Azimuth->GetValue(), this->Elevation->GetValue() });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -186,7 +211,7 @@ void SunGroup::ShowPlace(const SunAngles& angles)
 }
 
 //------------------------------------------------------------------------------
-void SunGroup::Place()
+void SunGroup::PlaceSun()
 {
   if (!this->isChecked())
   {
@@ -195,38 +220,85 @@ void SunGroup::Place()
   const SunAngles angles = this->IsByTime()
     ? GetSunAngles(this->GetTime())
     : SunAngles{ this->Azimuth->GetValue(), this->Elevation->GetValue() };
-  this->Placing = true; // angles are not read back from the words, which have other digits
-  this->Edited->Change([&angles](Settings& settings) {
-    std::vector<std::string> words = settings.GetAll("--light");
-    auto sun = std::find_if(words.begin(), words.end(), IsSun);
-    if (sun == words.end())
-    {
-      sun = words.insert(words.begin(), "");
-    }
-    *sun = WriteSun(GetSunDirection(angles, GetUpAxis(settings))) + GetSize(*sun);
-    settings.SetAll("--light", words);
-  });
-  this->Placing = false;
-  this->ShowPlace(angles);
+  this->Azimuth->SetValue(angles.Azimuth);
+  this->Elevation->SetValue(angles.Elevation);
+  this->WrittenUp = GetUpAxis(this->Edited->Get());
+  const std::string sun = WriteSun(GetSunDirection(angles, this->WrittenUp));
+  if (this->Own < 0)
+  {
+    this->Insert(sun, 0);
+    return;
+  }
+  std::vector<std::string> lights = this->Lights;
+  std::string& own = lights[static_cast<std::size_t>(this->Own)];
+  own = this->Written = sun + GetSize(own); // angles are not read back: it has other digits
+  this->SetLights(lights, this->Own);
+}
+
+//------------------------------------------------------------------------------
+void SunGroup::Insert(const std::string& sun, std::size_t place)
+{
+  std::vector<std::string> lights = this->Lights;
+  place = std::min(place, lights.size());
+  lights.insert(lights.begin() + static_cast<std::ptrdiff_t>(place), sun);
+  this->Written = sun;
+  this->SetLights(lights, static_cast<int>(place));
+}
+
+//------------------------------------------------------------------------------
+void SunGroup::SetLights(const std::vector<std::string>& lights, int own)
+{
+  this->Next = lights;
+  this->NextOwn = own;
+  this->Edited->Change([&lights](Settings& settings) { settings.SetAll("--light", lights); });
+  this->ShowSettings(); // where nothing has changed, too
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> SunGroup::GetOthers() const
+{
+  std::vector<std::string> others = this->Lights;
+  if (this->Own >= 0)
+  {
+    others.erase(others.begin() + this->Own);
+  }
+  return others;
+}
+
+//------------------------------------------------------------------------------
+void SunGroup::SetOthers(const std::vector<std::string>& others)
+{
+  std::vector<std::string> lights = others;
+  int own = this->Own;
+  if (own >= 0)
+  {
+    own = std::min(own, static_cast<int>(others.size()));
+    lights.insert(lights.begin() + own, this->Lights[static_cast<std::size_t>(this->Own)]);
+  }
+  this->SetLights(lights, own);
 }
 
 //------------------------------------------------------------------------------
 void SunGroup::Switch(bool on)
 {
-  if (on)
+  if (!on)
   {
-    if (!this->IsByTime() && this->Azimuth->GetValue() == 0.0 && this->Elevation->GetValue() == 0.0)
-    {
-      this->Azimuth->SetValue(135.0);
-      this->Elevation->SetValue(45.0);
-    }
-    this->Place();
+    this->KeptPlace = static_cast<std::size_t>(this->Own);
+    this->Kept = this->Lights[this->KeptPlace];
+    this->SetLights(this->GetOthers(), -1);
     return;
   }
-  this->Edited->Change([](Settings& settings) {
-    std::vector<std::string> words = settings.GetAll("--light");
-    words.erase(std::remove_if(words.begin(), words.end(), IsSun), words.end());
-    settings.SetAll("--light", words);
-  });
+  if (!this->Kept.empty())
+  {
+    this->Insert(this->Kept, this->KeptPlace);
+    this->FollowUpAxis();
+    return;
+  }
+  if (!this->IsByTime() && this->Azimuth->GetValue() == 0.0 && this->Elevation->GetValue() == 0.0)
+  {
+    this->Azimuth->SetValue(135.0);
+    this->Elevation->SetValue(45.0);
+  }
+  this->PlaceSun();
 }
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The sun: the first --light of kind sun, by angles or by date, time and place.
+ * The sun: one --light of kind sun, the first unless it was switched off, by angles or by date,
+ * time and place. The other lights are those of LightPanel.
  */
 #ifndef SunGroup_h
 #define SunGroup_h
@@ -11,9 +12,11 @@
 
 #include <QGroupBox>
 
+#include <string>
+#include <vector>
+
 class QComboBox;
 class QDateEdit;
-class QFormLayout;
 class QLabel;
 
 namespace viewer
@@ -37,22 +40,33 @@ public:
   /// Another axis points up: a sun by time stands where it did in the sky, elsewhere in the data.
   void FollowUpAxis();
 
+  /// All lights but the sun, in the words of --light. Which is the sun stays as it is.
+  std::vector<std::string> GetOthers() const;
+  void SetOthers(const std::vector<std::string>& others);
+
 private:
-  NumberEdit* AddNumber(const QString& title, const QString& name, double least, double most,
-    double step, int decimals, const QString& unit, const QString& tip);
+  NumberEdit* AddNumber(QWidget* rows, const QString& title, const QString& name, double least,
+    double most, double step, int decimals, const QString& unit, const QString& tip);
   void ShowSettings();
   void ShowRows();
   void ShowPlace(const SunAngles& angles);
-  void Place();
+  void PlaceSun();
   void Switch(bool on);
+  void SetLights(const std::vector<std::string>& lights, int own);
+  void Insert(const std::string& sun, std::size_t place);
 
   Document* Edited;
-  QFormLayout* Rows;
+  QWidget *Angles, *Place;
   QComboBox* By;
   QDateEdit* Date;
   QLabel* Words;
   NumberEdit *Azimuth, *Elevation, *Hour, *Latitude, *Longitude, *TimeZone;
-  bool Placing = false;
+  std::vector<std::string> Lights, Next; // as they were seen last, and as they are set now
+  int Own = -1, NextOwn = -1;            // which of them is the sun; -1: none
+  std::string Written;                   // the sun whose angles are shown
+  int WrittenUp = 1;
+  std::string Kept; // while it is switched off
+  std::size_t KeptPlace = 0;
 };
 }
 

@@ -42,24 +42,25 @@ TimeBar::TimeBar(Document* document, QWidget* parent)
   QObject::connect(&this->Next, &QTimer::timeout, this, [this] { this->Step(); });
   QObject::connect(this->Playing, &QAction::toggled, this, [this](bool on) { this->Play(on); });
   QObject::connect(this->Slider, &QSlider::valueChanged, this, [this](int position) {
-    const std::array<double, 2>& times = this->Edited->GetTimes();
+    const std::array<double, 2>& times = this->Edited->GetFacts().Times;
     this->SetTime(times[0] + (times[1] - times[0]) * position / Steps);
   });
   QObject::connect(document, &Document::changed, this, [this] { this->ShowSettings(); });
-  QObject::connect(document, &Document::timesChanged, this, [this] { this->ShowSettings(); });
+  QObject::connect(document, &Document::factsChanged, this, [this] { this->ShowSettings(); });
   QObject::connect(document, &Document::shown, this, [this] {
     if (this->Playing->isChecked())
     {
       this->Next.start(FrameMilliseconds);
     }
   });
+  this->toggleViewAction()->setVisible(false);
   this->hide();
 }
 
 //------------------------------------------------------------------------------
 double TimeBar::GetTime() const
 {
-  return this->Edited->Get().Parse().Model.Time.value_or(this->Edited->GetTimes()[0]);
+  return this->Edited->Get().Parse().Model.Time.value_or(this->Edited->GetFacts().Times[0]);
 }
 
 //------------------------------------------------------------------------------
@@ -72,7 +73,7 @@ void TimeBar::SetTime(double seconds)
 //------------------------------------------------------------------------------
 void TimeBar::ShowSettings()
 {
-  const std::array<double, 2>& times = this->Edited->GetTimes();
+  const std::array<double, 2>& times = this->Edited->GetFacts().Times;
   const double length = times[1] - times[0];
   this->setVisible(length > 0.0);
   if (length > 0.0)
@@ -99,7 +100,7 @@ void TimeBar::Play(bool on)
 // By the clock: slow models leave out times instead of playing slowly.
 void TimeBar::Step()
 {
-  const std::array<double, 2>& times = this->Edited->GetTimes();
+  const std::array<double, 2>& times = this->Edited->GetFacts().Times;
   const double length = times[1] - times[0];
   if (length > 0.0)
   {

@@ -24,8 +24,10 @@ class TimeBar : public QToolBar
 public:
   explicit TimeBar(Document* document, QWidget* parent = nullptr);
 
-private:
+  /// Is hidden where nothing moves.
   void ShowSettings();
+
+private:
   void Play(bool on);
   void Step();
   void SetTime(double seconds);

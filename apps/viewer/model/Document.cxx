@@ -26,6 +26,7 @@ void Document::Set(const Settings& settings)
   }
   this->Now = settings;
   Q_EMIT this->changed();
+  Q_EMIT this->asked();
 }
 
 //------------------------------------------------------------------------------
@@ -37,24 +38,23 @@ void Document::Change(const std::function<void(Settings&)>& edit)
 }
 
 //------------------------------------------------------------------------------
-void Document::Refuse(const Settings& good, const QString& why)
+void Document::Return(const Settings& good)
 {
   this->Now = good;
   Q_EMIT this->changed();
+}
+
+//------------------------------------------------------------------------------
+void Document::Refuse(const Settings& good, const QString& why)
+{
+  this->Return(good);
   Q_EMIT this->refused(why);
 }
 
 //------------------------------------------------------------------------------
-void Document::SetArrays(const std::set<std::string>& arrays)
+void Document::SetFacts(const Facts& facts)
 {
-  this->Arrays = arrays;
-  Q_EMIT this->arraysChanged();
-}
-
-//------------------------------------------------------------------------------
-void Document::SetTimes(const std::array<double, 2>& times)
-{
-  this->Times = times;
-  Q_EMIT this->timesChanged();
+  this->Known = facts;
+  Q_EMIT this->factsChanged();
 }
 }

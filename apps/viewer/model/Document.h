@@ -6,14 +6,13 @@
 #ifndef Document_h
 #define Document_h
 
+#include "Facts.h"
 #include "Settings.h"
 
 #include <QObject>
 #include <QString>
 
-#include <array>
 #include <functional>
-#include <set>
 
 namespace viewer
 {
@@ -30,34 +29,32 @@ public:
   void Set(const Settings& settings);
   void Change(const std::function<void(Settings&)>& edit);
 
-  /// Goes back to settings that are known to be good, after a picture of the new ones failed.
-  void Refuse(const Settings& good, const QString& why);
-
   ///@{
-  /// Names of the arrays of what is shown.
-  const std::set<std::string>& GetArrays() const { return this->Arrays; }
-  void SetArrays(const std::set<std::string>& arrays);
+  /// Goes back to settings that are known to be good: because the user wants so, or after a picture
+  /// of the new ones failed.
+  void Return(const Settings& good);
+  void Refuse(const Settings& good, const QString& why);
   ///@}
 
   ///@{
-  /// Seconds that animations last; equal: nothing moves.
-  const std::array<double, 2>& GetTimes() const { return this->Times; }
-  void SetTimes(const std::array<double, 2>& times);
+  /// Of what is shown.
+  const Facts& GetFacts() const { return this->Known; }
+  void SetFacts(const Facts& facts);
   ///@}
 
 Q_SIGNALS:
-  void timesChanged();
-
   /// What was asked for last is seen, or was refused.
   void shown();
   void changed();
-  void arraysChanged();
+
+  /// Others than before, to be shown; panels show them already.
+  void asked();
+  void factsChanged();
   void refused(const QString& why);
 
 private:
   Settings Now;
-  std::set<std::string> Arrays;
-  std::array<double, 2> Times = { 0.0, 0.0 };
+  Facts Known;
 };
 }
 

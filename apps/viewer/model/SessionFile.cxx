@@ -69,6 +69,10 @@ Session LoadSession(const QString& path)
   std::vector<std::string> words;
   for (const QJsonValue& word : root["words"].toArray())
   {
+    if (!word.isString())
+    {
+      Fail(path, "is no session: its \"words\" are not all text");
+    }
     words.push_back(word.toString().toStdString());
   }
   Session session;

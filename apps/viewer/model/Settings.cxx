@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Settings.h"
 
+#include "Messages.h"
 #include "Options.h"
 
 #include "vtkNew.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
+#include "vtkRelievoStageDescription.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -31,34 +31,21 @@ const std::set<std::string> SaidByStages = { "--stage", "--shadow-size", "--soft
 constexpr const char* BeginWithPath[] = { "--normal-map", "--height-map", "--environment",
   "--lamps", "--fog", "--markers" };
 
+// The frames of a sequence are files; the window plays what moves.
+std::string TakeFirstTime(const std::string& times)
+{
+  cli::RenderOptions options;
+  cli::TakeTimes(options, times);
+  cli::Messages::Note(
+    "--times: the window plays the animation itself, from the first of the times");
+  return WriteNumber(options.Model.Times.front());
+}
+
 vtkRelievoPass* GetNewFrame()
 {
   static const vtkNew<vtkRelievoPass> frame;
   return frame;
 }
-}
-
-//------------------------------------------------------------------------------
-std::string WriteNumber(double value)
-{
-  char digits[64];
-  const double size = std::abs(value);
-  const std::chars_format format = value == 0.0 || (size >= 1e-6 && size < 1e15)
-    ? std::chars_format::fixed
-    : std::chars_format::general;
-  const std::to_chars_result result = std::to_chars(digits, digits + sizeof(digits), value, format);
-  return std::string(digits, result.ptr);
-}
-
-//------------------------------------------------------------------------------
-std::string WriteNumbers(const std::vector<double>& values)
-{
-  std::string words;
-  for (const double value : values)
-  {
-    words += (words.empty() ? "" : ",") + WriteNumber(value);
-  }
-  return words;
 }
 
 //------------------------------------------------------------------------------
@@ -68,7 +55,11 @@ Settings Settings::FromWords(const std::vector<std::string>& words)
   cli::WalkWords(
     words, "render", cli::GetRenderOptions(),
     [&settings](const std::string& name, const std::string& value) {
-      if (Outputs.count(name) == 0)
+      if (name == "--times")
+      {
+        settings.Set("--time", TakeFirstTime(value));
+      }
+      else if (Outputs.count(name) == 0)
       {
         settings.Values[name].push_back(value);
       }
@@ -204,7 +195,8 @@ cli::RenderOptions Settings::Parse() const
   {
     return cli::ParseRender(words);
   }
-  words.emplace_back("nothing.vtp"); // what is said before there is a file must be right as well
+  // What is said before there is a file must be right as well; this could have bones.
+  words.emplace_back("nothing.glb");
   cli::RenderOptions options = cli::ParseRender(words);
   options.Files.clear();
   return options;
@@ -341,6 +333,43 @@ void Settings::SetGiven(
   else if (given.empty() && fresh->GetDescription().OnByDefault)
   {
     this->Stages.erase(stage);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Settings::TakeChanges(const Settings& before, const Settings& after)
+{
+  for (const cli::KnownOption& option : cli::GetRenderOptions())
+  {
+    const std::vector<std::string> now = after.GetAll(option.Name);
+    if (now != before.GetAll(option.Name))
+    {
+      this->SetAll(option.Name, now);
+    }
+  }
+  std::map<std::string, Parameters> all = before.Stages;
+  all.insert(after.Stages.begin(), after.Stages.end());
+  for (const auto& each : all)
+  {
+    const std::string& stage = each.first;
+    if (before.IsStageAsked(stage) != after.IsStageAsked(stage))
+    {
+      this->AskStage(stage, after.IsStageAsked(stage));
+    }
+    if (!after.IsStageAsked(stage))
+    {
+      continue;
+    }
+    for (const vtkRelievoParameter& parameter :
+      GetNewFrame()->GetStage(stage)->GetDescription().Parameters)
+    {
+      const std::string* then = before.Find(stage, parameter.Name);
+      const std::string* now = after.Find(stage, parameter.Name);
+      if (now ? !then || *now != *then : then != nullptr)
+      {
+        this->SetGiven(stage, parameter.Name, now ? *now : parameter.Default);
+      }
+    }
   }
 }
 

@@ -9,6 +9,8 @@
 #ifndef Settings_h
 #define Settings_h
 
+#include "Numbers.h" // for the values
+
 #include <map>
 #include <string>
 #include <utility>
@@ -59,6 +61,9 @@ public:
     const std::string& stage, const std::string& parameter, const std::string& value);
   ///@}
 
+  /// What `after` says differently than `before`, files apart, is said here as well.
+  void TakeChanges(const Settings& before, const Settings& after);
+
   bool operator==(const Settings& other) const;
   bool operator!=(const Settings& other) const { return !(*this == other); }
 
@@ -74,12 +79,6 @@ private:
   std::map<std::string, std::vector<std::string>> Values; // by option
   std::map<std::string, Parameters> Stages;               // by name
 };
-
-/// The shortest digits that give the number back.
-std::string WriteNumber(double value);
-
-/// Numbers between commas.
-std::string WriteNumbers(const std::vector<double>& values);
 }
 
 #endif

@@ -67,4 +67,10 @@ std::string WriteSun(const std::array<double, 3>& direction)
 {
   return "sun:" + WriteNumbers({ direction.begin(), direction.end() });
 }
+
+//------------------------------------------------------------------------------
+bool IsSun(const std::string& light)
+{
+  return light.rfind("sun:", 0) == 0;
+}
 }

@@ -32,8 +32,11 @@ SunAngles GetSunAngles(const SunTime& time);
 std::array<double, 3> GetSunDirection(const SunAngles& angles, int upAxis);
 SunAngles GetSunAngles(const std::array<double, 3>& direction, int upAxis);
 
-/// The value of --light.
+///@{
+/// The value of --light, and whether it is that of a sun.
 std::string WriteSun(const std::array<double, 3>& direction);
+bool IsSun(const std::string& light);
+///@}
 }
 
 #endif

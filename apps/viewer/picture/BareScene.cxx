@@ -166,16 +166,49 @@ void BareScene::TakeOff()
 //------------------------------------------------------------------------------
 void BareScene::Wear(const cli::RenderOptions& options)
 {
+  std::vector<vtkSmartPointer<vtkRelievoMaterial>> worn;
+  for (const Part& part : this->Parts)
+  {
+    worn.emplace_back(vtkRelievoMaterial::Get(part.Actor));
+  }
+  const std::vector<vtkSmartPointer<vtkProp>> kept = this->Kept;
   this->TakeOff();
   const std::vector<vtkSmartPointer<vtkProp>> before = GetProps(this->Scene.Renderer);
-  cli::Progress progress;
-  cli::SetSurface(this->Scene.Renderer, options, progress);
-  for (const vtkSmartPointer<vtkProp>& prop : GetProps(this->Scene.Renderer))
-  {
-    if (std::find(before.begin(), before.end(), prop) == before.end())
+  const auto keepNew = [this, &before] {
+    for (const vtkSmartPointer<vtkProp>& prop : GetProps(this->Scene.Renderer))
     {
-      this->Kept.push_back(prop);
+      if (std::find(before.begin(), before.end(), prop) == before.end())
+      {
+        this->Kept.push_back(prop);
+      }
     }
+  };
+  try
+  {
+    cli::Progress progress;
+    cli::SetSurface(this->Scene.Renderer, options, progress);
+    keepNew();
+  }
+  catch (...)
+  {
+    keepNew();
+    this->TakeOff();
+    for (std::size_t i = 0; i < worn.size(); ++i)
+    {
+      if (worn[i])
+      {
+        worn[i]->Attach(this->Parts[i].Actor);
+      }
+    }
+    for (const vtkSmartPointer<vtkProp>& prop : kept)
+    {
+      if (!this->Scene.Renderer->HasViewProp(prop))
+      {
+        this->Scene.Renderer->AddViewProp(prop);
+      }
+    }
+    this->Kept = kept;
+    throw;
   }
 }
 }

@@ -31,7 +31,8 @@ public:
   /// As it was read; what surfaces wear stays, and the sky.
   cli::Scene& Undress();
 
-  /// Sets what surfaces wear, and the sky, instead of what there was.
+  /// Sets what surfaces wear, and the sky, instead of what there was; that stays, without its files
+  /// being read again, where this throws.
   void Wear(const cli::RenderOptions& options);
   void TakeOff();
 

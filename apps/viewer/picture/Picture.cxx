@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 
 namespace viewer
 {
@@ -44,6 +45,12 @@ std::string MakeKey(const Settings& settings, const Names& names)
     }
   }
   return key;
+}
+
+std::string MakeSurfaceKey(const Settings& settings, const cli::RenderOptions& options)
+{
+  const bool shadowed = !options.HeightMap.empty() && cli::ShowsShadows(options);
+  return MakeKey(settings, Wearing) + (shadowed ? "in its own shadow" : "");
 }
 
 // Everything but stages, the camera and the files.
@@ -166,6 +173,12 @@ void Picture::Show(const cli::Scene& scene, const cli::FramePoints& points,
 }
 
 //------------------------------------------------------------------------------
+bool Picture::IsDressedAlike(const Settings& settings) const
+{
+  return MakeSurfaceKey(settings, settings.Parse()) == this->Now.Surface;
+}
+
+//------------------------------------------------------------------------------
 void Picture::Update(const Settings& settings)
 {
   const Settings before = this->Now.Shown;
@@ -175,8 +188,14 @@ void Picture::Update(const Settings& settings)
   }
   catch (...)
   {
-    this->Now.Dress = this->Now.Surface = "\n";
-    this->Apply(before, true);
+    this->Now.Dress = "\n";
+    try
+    {
+      this->Apply(before, true);
+    }
+    catch (const std::exception&) // what was asked for is the trouble to tell of
+    {
+    }
     throw;
   }
 }
@@ -196,11 +215,7 @@ void Picture::Apply(const Settings& settings, bool keepCamera)
       options.ViewAngle.reset();
     }
   }
-  std::string surface = MakeKey(settings, Wearing);
-  if (!options.HeightMap.empty() && cli::ShowsShadows(options))
-  {
-    surface += "in its own shadow";
-  }
+  const std::string surface = MakeSurfaceKey(settings, options);
   const std::string dress = MakeDressKey(settings);
   const bool wears = surface != this->Now.Surface;
   const int height = this->Window->GetSize()[1];
@@ -215,7 +230,6 @@ void Picture::Apply(const Settings& settings, bool keepCamera)
   }
   if (wears)
   {
-    this->Now.Surface = "\n";
     this->Now.Bare.Wear(options);
   }
   this->Now.Surface = surface;
@@ -333,10 +347,10 @@ bool Picture::IsParallel() const
 Settings Picture::GetView(const Settings& settings) const
 {
   Settings view = settings;
-  const int* size = this->Window->GetSize();
-  view.Set("--size", std::to_string(size[0]) + "x" + std::to_string(size[1]));
   if (this->Now.Renderer)
   {
+    const int* size = this->Window->GetSize();
+    view.Set("--size", std::to_string(size[0]) + "x" + std::to_string(size[1]));
     vtkCamera* camera = this->Now.Renderer->GetActiveCamera();
     const cli::CameraPlace place = GetPlace(camera);
     std::vector<double> numbers;

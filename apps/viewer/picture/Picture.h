@@ -51,6 +51,9 @@ public:
   /// cli::WorkError; the picture is then as it was before.
   void Update(const Settings& settings);
 
+  /// Whether an update to these settings reads no file.
+  bool IsDressedAlike(const Settings& settings) const;
+
   /// Fits the camera to the scene.
   void ResetCamera();
 
@@ -61,7 +64,7 @@ public:
   void SetParallel(bool on);
   bool IsParallel() const;
 
-  /// The camera and the window's size, as words of the command line.
+  /// With the camera and the window's size, as words of the command line, where there is a picture.
   Settings GetView(const Settings& settings) const;
 
   /// Renders, every sample of every light gathered, and returns the window's pixels.
@@ -69,12 +72,7 @@ public:
 
   vtkRenderer* GetRenderer() { return this->Now.Renderer; }
   vtkRelievoPass* GetFrame();
-  const std::set<std::string>& GetArrays() { return this->Now.Bare.Get().Arrays; }
   const BareScene& GetBare() const { return this->Now.Bare; }
-  std::array<double, 2> GetTimes()
-  {
-    return this->Now.Bare.Get().Times.value_or(std::array<double, 2>{ 0.0, 0.0 });
-  }
 
 private:
   void Apply(const Settings& settings, bool keepCamera);

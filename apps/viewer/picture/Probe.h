@@ -10,7 +10,6 @@
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -28,16 +27,14 @@ struct ProbeValue
 class Probe
 {
 public:
-  /// What is read: layers of the catalogue and arrays.
-  static std::vector<std::string> GetLayers(const std::set<std::string>& arrays);
-
   /// The picture has changed.
   void Forget() { this->Image = nullptr; }
   bool IsFresh() const { return this->Image != nullptr; }
 
-  /// Pixels count from the lower left. Empty outside of the picture, or if it cannot be read.
+  /// Layers of the catalogue, and of arrays. Pixels count from the lower left. Empty outside of the
+  /// picture, or if it cannot be read.
   std::vector<ProbeValue> Read(
-    vtkRenderer* renderer, const std::set<std::string>& arrays, int x, int y);
+    vtkRenderer* renderer, const std::vector<std::string>& arrays, int x, int y);
 
 private:
   vtkSmartPointer<vtkImageData> Image;

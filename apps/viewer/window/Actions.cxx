@@ -7,6 +7,7 @@
 #include "PictureView.h"
 #include "PythonScript.h"
 #include "RecentFiles.h"
+#include "SavePlace.h"
 #include "Scripts.h"
 
 #include <QApplication>
@@ -40,17 +41,6 @@ QAction* Add(QMenu* menu, MainWindow* window, const QString& text, const QKeySeq
     }
   });
   return action;
-}
-
-//------------------------------------------------------------------------------
-QString AskPlace(MainWindow* window, const QString& title, const QString& suffix)
-{
-  QString path = QFileDialog::getSaveFileName(window, title, QString(), "*" + suffix);
-  if (!path.isEmpty() && !path.endsWith(suffix))
-  {
-    path += suffix;
-  }
-  return path;
 }
 
 //------------------------------------------------------------------------------

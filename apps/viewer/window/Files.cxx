@@ -25,7 +25,6 @@
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QMimeData>
-#include <QSettings>
 #include <QUrl>
 
 #include <exception>
@@ -50,6 +49,13 @@ void Write(const QString& path, vtkImageData* image)
   writer->Write();
   cli::Messages::Check(place, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
   outputs.Commit();
+}
+
+// Whoever lets go of a file keeps it, whatever was proposed: moved files would be deleted there.
+void AcceptCopy(QDropEvent& event)
+{
+  event.setDropAction(Qt::CopyAction);
+  event.accept();
 }
 
 QStringList GetPaths(const QMimeData* data)
@@ -77,9 +83,10 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
       return;
     }
     Settings settings = this->Edited->Get();
-    if (!beside)
+    const bool first = this->Good.Files.empty(); // what was said before it is meant for it
+    settings.Files = beside ? settings.Files : std::vector<std::string>();
+    if (!beside && !first)
     {
-      settings.Files.clear();
       for (const char* word : FileWords)
       {
         settings.Remove(word);
@@ -94,13 +101,19 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
         settings.SetParameter("display", "layer", "");
       }
     }
+    QStringList whole;
     for (const QString& path : paths)
     {
-      const QString whole = QFileInfo(path).absoluteFilePath();
-      settings.Files.push_back(whole.toStdString());
-      this->Recent->Add(whole);
+      whole += QFileInfo(path).absoluteFilePath();
+      settings.Files.push_back(whole.back().toStdString());
     }
-    beside ? this->Edited->Set(settings) : this->Open(settings);
+    if (!beside || first)
+    {
+      this->Open(settings, whole);
+      return;
+    }
+    this->Opening = whole;
+    this->Edited->Set(settings);
   }
   catch (const std::exception& error)
   {
@@ -119,8 +132,7 @@ void MainWindow::OpenSession(const QString& path)
 {
   const Session session = LoadSession(path);
   this->Light->GetSun()->SetTime(session.Sun, session.SunByTime);
-  this->Recent->Add(QFileInfo(path).absoluteFilePath());
-  this->Open(session.View);
+  this->Open(session.View, { QFileInfo(path).absoluteFilePath() });
 }
 
 //------------------------------------------------------------------------------
@@ -129,6 +141,7 @@ void MainWindow::SaveSession(const QString& path)
   const SunGroup* sun = this->Light->GetSun();
   viewer::SaveSession(path, { this->GetViewSettings(), sun->GetTime(), sun->IsByTime() });
   this->Recent->Add(QFileInfo(path).absoluteFilePath());
+  this->Say("Saved " + path);
 }
 
 //------------------------------------------------------------------------------
@@ -160,7 +173,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
   if (!GetPaths(event->mimeData()).isEmpty())
   {
-    event->acceptProposedAction();
+    AcceptCopy(*event);
   }
 }
 
@@ -170,7 +183,7 @@ void MainWindow::dropEvent(QDropEvent* event)
   const QStringList paths = GetPaths(event->mimeData());
   if (!paths.isEmpty())
   {
-    event->acceptProposedAction();
+    AcceptCopy(*event);
     this->OpenFiles(paths, GetModifiers(*event).testFlag(Qt::ShiftModifier));
   }
 }
@@ -179,9 +192,7 @@ void MainWindow::dropEvent(QDropEvent* event)
 void MainWindow::closeEvent(QCloseEvent* event)
 {
   this->Reader->Stop();
-  QSettings settings;
-  settings.setValue("geometry", this->saveGeometry());
-  settings.setValue("state", this->saveState());
+  this->KeepLayout();
   this->QMainWindow::closeEvent(event);
 }
 }

@@ -3,11 +3,10 @@
 #include "MainWindow.h"
 
 #include "Actions.h"
+#include "InputGuard.h"
 #include "LayersPanel.h"
 #include "LightPanel.h"
 #include "LookPanel.h"
-#include "Messages.h"
-#include "Options.h"
 #include "PictureView.h"
 #include "RecentFiles.h"
 #include "ReportPanel.h"
@@ -18,23 +17,20 @@
 #include "vtkRelievoPass.h"
 
 #include <QDockWidget>
-#include <QFileInfo>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
-
-#include <exception>
 
 namespace viewer
 {
 namespace
 {
-constexpr const char* PlaceWords[] = { "--camera", "--parallel-scale", "--size" };
-
-constexpr int ProbePause = 120; // milliseconds that the mouse rests before layers are drawn
+// Milliseconds
+constexpr int ProbePause = 120; // that the mouse rests before layers are drawn
+constexpr int Patience = 250;   // until reading is told of
+constexpr int Silence = 1500;   // of a reader, until how far it is counts as unknown
 
 QDockWidget* AddDock(QMainWindow* window, const QString& title, const QString& name, QWidget* panel)
 {
@@ -56,6 +52,7 @@ MainWindow::MainWindow(QWidget* parent)
   , Pages(new QStackedWidget(this))
   , Hint(new QLabel("Open a file (Ctrl+O), or drop one here.", this))
 {
+  new InputGuard(this);
   this->setWindowTitle("Relievo");
   this->setAcceptDrops(true);
   this->setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
@@ -66,11 +63,16 @@ MainWindow::MainWindow(QWidget* parent)
   this->setCentralWidget(this->Pages);
   this->AddPanels();
   this->AddStatus();
-  this->addToolBar(Qt::BottomToolBarArea, new TimeBar(this->Edited, this));
+  this->Time = new TimeBar(this->Edited, this);
+  this->addToolBar(Qt::BottomToolBarArea, this->Time);
   AddActions(this, this->Recent);
   this->Connect();
   this->Pause.setSingleShot(true);
   this->Pause.setInterval(ProbePause);
+  this->Waiting.setSingleShot(true);
+  this->Waiting.setInterval(Patience);
+  this->Quiet.setSingleShot(true);
+  this->Quiet.setInterval(Silence);
   this->resize(1280, 800);
 }
 
@@ -124,21 +126,14 @@ void MainWindow::AddStatus()
 //------------------------------------------------------------------------------
 void MainWindow::Connect()
 {
-  QObject::connect(this->Edited, &Document::changed, this, [this] { this->Follow(); });
+  QObject::connect(this->Edited, &Document::asked, this, [this] { this->Follow(); });
   QObject::connect(
     this->Edited, &Document::refused, this, [this](const QString& why) { this->Say(why, true); });
-  QObject::connect(this->Reader, &Loader::progressed, this, [this](const QString& what, int done) {
-    if (this->Reader->IsReading())
-    {
-      this->Words->setText(what);
-      this->Bar->setValue(done);
-    }
-  });
+  QObject::connect(this->Reader, &Loader::progressed, this, &MainWindow::OnProgress);
   QObject::connect(this->Reader, &Loader::ended, this, &MainWindow::OnRead);
-  QObject::connect(this->Cancel, &QPushButton::clicked, this, [this] {
-    this->Reader->Stop();
-    this->OnRead("Stopped.");
-  });
+  QObject::connect(this->Cancel, &QPushButton::clicked, this, &MainWindow::StopReading);
+  QObject::connect(&this->Waiting, &QTimer::timeout, this, &MainWindow::ShowReading);
+  QObject::connect(&this->Quiet, &QTimer::timeout, this, [this] { this->Bar->setRange(0, 0); });
   QObject::connect(this->Shown, &PictureView::drawn, this, &MainWindow::OnDrawn);
   QObject::connect(this->Shown, &PictureView::pointed, this, &MainWindow::PointAt);
   QObject::connect(&this->Pause, &QTimer::timeout, this, [this] { this->ShowProbe(); });
@@ -160,177 +155,6 @@ void MainWindow::Say(const QString& text, bool isTrouble)
 }
 
 //------------------------------------------------------------------------------
-void MainWindow::Open(const Settings& settings)
-{
-  settings.Parse(); // what is refused leaves everything as it is
-  this->Place = Settings();
-  Settings rest = settings;
-  for (const char* word : PlaceWords)
-  {
-    this->Place.SetAll(word, settings.GetAll(word));
-    rest.Remove(word);
-  }
-  this->ReadingKey.clear(); // read even what is shown already
-  this->KeepCamera = false;
-  rest == this->Edited->Get() ? this->Follow() : this->Edited->Set(rest);
-}
-
-//------------------------------------------------------------------------------
-// The view takes the size, in pixels of the screen, if the screen has room.
-void MainWindow::SetViewSize(const std::string& words)
-{
-  const std::size_t at = words.find('x');
-  if (at != std::string::npos && !this->isMaximized())
-  {
-    const double ratio = this->Shown->effectiveDevicePixelRatio();
-    const QSize wanted(static_cast<int>(std::stoi(words.substr(0, at)) / ratio),
-      static_cast<int>(std::stoi(words.substr(at + 1)) / ratio));
-    this->resize(this->size() + wanted - this->Pages->size());
-  }
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::Follow()
-{
-  const Settings& settings = this->Edited->Get();
-  Picture& picture = this->Shown->GetPicture();
-  const std::string key = GetReadingKey(settings);
-  this->Reading.Forget();
-  if (settings.Files.empty())
-  {
-    this->Reader->Stop();
-    this->Begin();
-    picture.Clear();
-    this->Pages->setCurrentWidget(this->Hint);
-    this->Good = settings;
-    this->ReadingKey = key;
-    return;
-  }
-  if (key != this->ReadingKey)
-  {
-    this->Read(settings, this->ReadingKey.empty() ? this->KeepCamera : !picture.IsEmpty());
-    return;
-  }
-  if (this->Reader->IsReading())
-  {
-    return; // what was read is shown with the newest settings
-  }
-  try
-  {
-    picture.Update(settings);
-    this->Good = settings;
-    this->Say("");
-    this->TellMessages();
-  }
-  catch (const std::exception& error)
-  {
-    this->Edited->Refuse(this->Good, QString::fromStdString(error.what()));
-  }
-  this->Shown->Draw();
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::Read(const Settings& settings, bool keepCamera)
-{
-  this->ReadingKey = GetReadingKey(settings);
-  this->KeepCamera = keepCamera;
-  this->Reader->Start(settings);
-  this->Begin();
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::Begin()
-{
-  const bool reading = this->Reader->IsReading();
-  this->Bar->setValue(0);
-  this->Bar->setVisible(reading);
-  this->Cancel->setVisible(reading);
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::OnRead(const QString& trouble)
-{
-  this->Begin();
-  QString why = trouble;
-  if (why.isEmpty())
-  {
-    Settings settings = this->Edited->Get();
-    for (const char* word : PlaceWords)
-    {
-      settings.SetAll(word, this->Place.GetAll(word));
-    }
-    this->SetViewSize(this->Place.Get("--size"));
-    this->Pages->setCurrentWidget(this->Shown);
-    const cli::Scene scene = this->Reader->TakeScene();
-    try
-    {
-      this->Shown->GetPicture().Show(scene, this->Reader->TakePoints(), settings, this->KeepCamera);
-      this->Good = this->Edited->Get();
-      this->Edited->SetArrays(this->Shown->GetPicture().GetArrays());
-      this->Edited->SetTimes(this->Shown->GetPicture().GetTimes());
-      this->setWindowTitle(QFileInfo(QString::fromStdString(this->Good.Files[0])).fileName() + " " +
-        QChar(0x2013) + " Relievo");
-      this->Say("");
-      this->TellMessages();
-    }
-    catch (const std::exception& error)
-    {
-      why = QString::fromStdString(error.what());
-      if (this->Shown->GetPicture().IsEmpty())
-      {
-        this->Pages->setCurrentWidget(this->Hint);
-      }
-    }
-  }
-  this->Place = Settings();
-  if (!why.isEmpty())
-  {
-    this->ReadingKey = GetReadingKey(this->Good);
-    this->Edited->Refuse(this->Good, why);
-  }
-  this->Shown->Draw();
-  Q_EMIT this->Edited->shown();
-  Q_EMIT this->ready();
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::TellMessages()
-{
-  QStringList all;
-  for (const std::string& text : cli::Messages::TakeNotes())
-  {
-    all += QString::fromStdString(text);
-  }
-  for (const std::string& text : cli::Messages::TakeWarnings())
-  {
-    all += "Warning: " + QString::fromStdString(text);
-  }
-  if (!all.isEmpty())
-  {
-    this->Say(all.join("; "));
-  }
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::OnDrawn()
-{
-  this->Reading.Forget();
-  this->Stages->ShowReasons(this->Shown->GetPicture().GetFrame());
-  this->Report->Follow();
-  try
-  {
-    if (!this->Reader->IsBusy()) // whose messages are the thread's
-    {
-      cli::Messages::Check("Picture");
-    }
-  }
-  catch (const std::exception& error)
-  {
-    this->Say(QString::fromStdString(error.what()), true);
-  }
-}
-
-//------------------------------------------------------------------------------
 void MainWindow::PointAt(int x, int y)
 {
   this->Pointed[0] = x;
@@ -344,11 +168,12 @@ void MainWindow::PointAt(int x, int y)
 //------------------------------------------------------------------------------
 void MainWindow::ShowProbe()
 {
-  Picture& picture = this->Shown->GetPicture();
-  const std::vector<ProbeValue> values = this->Pointed[0] < 0 || this->Reader->IsReading()
-    ? std::vector<ProbeValue>()
-    : this->Reading.Read(
-        picture.GetRenderer(), picture.GetArrays(), this->Pointed[0], this->Pointed[1]);
+  if (this->Pointed[0] < 0 || this->Reader->IsReading())
+  {
+    return; // the last values stay, to be read
+  }
+  const std::vector<ProbeValue> values = this->Reading.Read(this->Shown->GetPicture().GetRenderer(),
+    this->Edited->GetFacts().Layers, this->Pointed[0], this->Pointed[1]);
   this->Layers->ShowValues(values);
   QStringList words;
   for (const ProbeValue& value : values)

@@ -26,6 +26,7 @@ class RecentFiles;
 class StagesPanel;
 class ReportPanel;
 class PictureView;
+class TimeBar;
 
 class MainWindow : public QMainWindow
 {
@@ -64,6 +65,12 @@ public:
 
   bool IsReading() const { return this->Reader->IsReading(); }
 
+  /// Whether a reader still works, be it on what nobody waits for.
+  bool IsBusy() const { return this->Reader->IsBusy(); }
+
+  /// The window as it was when the program ended.
+  void RestoreLayout();
+
 Q_SIGNALS:
   /// All that was asked for has been read, or has failed.
   void ready();
@@ -77,15 +84,27 @@ private:
   void AddPanels();
   void AddStatus();
   void Connect();
+  void Open(const Settings& settings, const QStringList& recent);
   void Follow();
-  void Read(const Settings& settings, bool keepCamera);
+  void ShowNothing();
+  void Update();
+  void ChangeShown(const Settings& settings);
+  void Read();
   void Begin();
+  void ShowReading();
+  void OnProgress(const QString& what, int percent);
+  void StopReading();
+  void GiveUp();
   void OnRead(const QString& trouble);
+  QString ShowRead();
+  void EndReading();
+  void Remember();
   void OnDrawn();
   void PointAt(int x, int y);
   void ShowProbe();
   void TellMessages();
   void SetViewSize(const std::string& words);
+  void KeepLayout();
 
   Document* Edited;
   PictureView* Shown;
@@ -94,6 +113,7 @@ private:
   StagesPanel* Stages;
   LayersPanel* Layers;
   ReportPanel* Report;
+  TimeBar* Time;
   RecentFiles* Recent;
   QStackedWidget* Pages;
   QLabel *Words, *Values, *Hint;
@@ -101,12 +121,14 @@ private:
   QPushButton* Cancel;
   QString Trouble;
   Settings Good;           // what is shown
-  Settings Wanted;         // what is being read
-  std::string ReadingKey;  // of what is shown, or being read
+  Settings Asked;          // what is being read
+  Settings Meanwhile;      // what is shown, with all that was set since the reading began
+  std::string ReadingKey;  // of what is shown, or being read; empty: what the user opens now
   Settings Place;          // camera and size of what is being read
   bool KeepCamera = false; // instead
+  QStringList Opening;     // what the list of recent files gets when it has been read
   Probe Reading;
-  QTimer Pause;
+  QTimer Pause, Waiting, Quiet;
   int Pointed[2] = { -1, -1 };
 };
 }

@@ -5,12 +5,24 @@
 #include <QFileInfo>
 #include <QSettings>
 
+#include <algorithm>
+
 namespace viewer
 {
 namespace
 {
 const char* const Key = "recent_files";
 constexpr int Most = 10;
+
+// The name; also the folder, where another file has the same name.
+QString GetLabel(const QString& path, const QStringList& all)
+{
+  const QString name = QFileInfo(path).fileName();
+  const auto count = std::count_if(all.begin(), all.end(),
+    [&name](const QString& other) { return QFileInfo(other).fileName() == name; });
+  QString label = count > 1 ? name + " (" + QFileInfo(path).path() + ")" : name;
+  return label.replace('&', "&&"); // or else it would mark a key
+}
 }
 
 //------------------------------------------------------------------------------
@@ -46,9 +58,10 @@ void RecentFiles::Add(const QString& path)
 void RecentFiles::Fill()
 {
   this->clear();
-  for (const QString& path : this->GetPaths())
+  const QStringList paths = this->GetPaths();
+  for (const QString& path : paths)
   {
-    QAction* action = this->addAction(QFileInfo(path).fileName());
+    QAction* action = this->addAction(GetLabel(path, paths));
     action->setData(path);
     action->setToolTip(path);
     action->setStatusTip(path);

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A file as a line with its path, and a button that asks for one.
+ */
+#ifndef FileEdit_h
+#define FileEdit_h
+
+#include <QString>
+#include <QWidget>
+
+class QLineEdit;
+
+namespace viewer
+{
+class FileEdit : public QWidget
+{
+  Q_OBJECT
+
+public:
+  /// `title` and `filter` are those of the dialog, such as "Images (*.png)".
+  FileEdit(const QString& title, const QString& filter, QWidget* parent = nullptr);
+
+  /// Sends no signal.
+  void SetPath(const QString& path);
+
+  /// Asks the user; what is chosen is edited.
+  void Ask();
+
+Q_SIGNALS:
+  /// An absolute path; empty: no file.
+  void edited(const QString& path);
+
+private:
+  QString Title, Filter;
+  QString Shown;
+  QLineEdit* Line;
+};
+}
+
+#endif

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InputGuard.h"
+
+#include "Panel.h"
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QGroupBox>
+#include <QKeyEvent>
+#include <QSlider>
+
+namespace viewer
+{
+namespace
+{
+bool IsTurnedByWheel(QWidget* widget)
+{
+  return qobject_cast<QAbstractSpinBox*>(widget) || qobject_cast<QComboBox*>(widget) ||
+    qobject_cast<QSlider*>(widget);
+}
+
+bool IsInPanel(QWidget* widget)
+{
+  while (widget && !qobject_cast<Panel*>(widget))
+  {
+    widget = widget->parentWidget();
+  }
+  return widget != nullptr;
+}
+
+// Texts take their letters by themselves.
+bool IsOwnKey(QWidget* widget, const QKeyEvent& event)
+{
+  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier))
+  {
+    return false;
+  }
+  auto* group = qobject_cast<QGroupBox*>(widget);
+  const bool box = qobject_cast<QComboBox*>(widget) != nullptr;
+  const bool pressed = qobject_cast<QAbstractButton*>(widget) || (group && group->isCheckable());
+  return (event.key() == Qt::Key_Space && (box || pressed)) ||
+    (box && !event.text().isEmpty() && event.text()[0].isPrint());
+}
+}
+
+//------------------------------------------------------------------------------
+InputGuard::InputGuard(QObject* parent)
+  : QObject(parent)
+{
+  qApp->installEventFilter(this);
+}
+
+//------------------------------------------------------------------------------
+bool InputGuard::eventFilter(QObject* watched, QEvent* event)
+{
+  auto* widget = qobject_cast<QWidget*>(watched);
+  if (!widget)
+  {
+    return false;
+  }
+  switch (event->type())
+  {
+    case QEvent::Polish:
+      if (IsTurnedByWheel(widget) && IsInPanel(widget))
+      {
+        widget->setFocusPolicy(Qt::StrongFocus); // the wheel gives none
+      }
+      return false;
+    case QEvent::Wheel:
+      if (IsTurnedByWheel(widget) && IsInPanel(widget) && !widget->hasFocus())
+      {
+        event->ignore(); // goes on to the panel
+        return true;
+      }
+      return false;
+    case QEvent::ShortcutOverride:
+      if (IsOwnKey(widget, *static_cast<QKeyEvent*>(event)))
+      {
+        event->accept();
+        return true;
+      }
+      return false;
+    default:
+      return false;
+  }
+}
+}

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What panels want to know of the files that are shown, besides the settings.
+ */
+#ifndef Facts_h
+#define Facts_h
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace viewer
+{
+struct Facts
+{
+  std::map<std::string, int> Components;      ///< the most that arrays of a name have
+  std::vector<std::string> Layers;            ///< arrays in the words of layers, which can be read
+  std::array<double, 2> Times = { 0.0, 0.0 }; ///< seconds; equal: nothing moves
+  std::vector<std::string> Animations;        ///< names, of all models
+};
+}
+
+#endif

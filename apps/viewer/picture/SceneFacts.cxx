@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneFacts.h"
+
+#include "BareScene.h"
+#include "DataSets.h"
+
+#include "vtkActorCollection.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkMapper.h"
+#include "vtkPointData.h"
+#include "vtkRelievoArraySampler.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoModelReader.h"
+
+#include <algorithm>
+#include <set>
+
+namespace viewer
+{
+namespace
+{
+// Components that arrays have, by name: of points and of cells.
+using Arrays = std::array<std::map<std::string, int>, 2>;
+
+constexpr const char* Prefixes[] = { "point:", "cell:" };
+
+void AddArrays(vtkDataSet* block, Arrays& arrays)
+{
+  vtkDataSetAttributes* const attributes[] = { block->GetPointData(), block->GetCellData() };
+  for (int kind = 0; kind < 2; ++kind)
+  {
+    for (int i = 0; i < attributes[kind]->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = attributes[kind]->GetArray(i);
+      if (array && array->GetName())
+      {
+        int& components = arrays[kind][array->GetName()];
+        components = std::max(components, array->GetNumberOfComponents());
+      }
+    }
+  }
+}
+
+// A name that stands for something else without it needs to say what it is of.
+bool NeedsPrefix(const std::string& name, const Arrays& arrays)
+{
+  const bool like = std::any_of(std::begin(Prefixes), std::end(Prefixes),
+    [&name](const char* prefix) { return name.rfind(prefix, 0) == 0; });
+  return like || vtkRelievoLayerCatalogue::GetIsLayer(name) ||
+    (arrays[0].count(name) != 0 && arrays[1].count(name) != 0);
+}
+}
+
+//------------------------------------------------------------------------------
+Facts GetFacts(const BareScene& scene)
+{
+  Arrays arrays;
+  vtkActorCollection* actors = scene.Get().Renderer->GetActors();
+  for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+  {
+    vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
+    if (actor->GetMapper() && scene.Find(actor)) // and no skeleton
+    {
+      cli::ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0),
+        [&arrays](vtkDataSet* block) { AddArrays(block, arrays); });
+    }
+  }
+  Facts facts;
+  for (int kind = 0; kind < 2; ++kind)
+  {
+    for (const auto& [name, components] : arrays[kind])
+    {
+      facts.Components[name] = std::max(facts.Components[name], components);
+      if (components <= vtkRelievoArraySampler::MaximumComponents) // others would spoil the rest
+      {
+        facts.Layers.push_back(NeedsPrefix(name, arrays) ? Prefixes[kind] + name : name);
+      }
+    }
+  }
+  std::sort(facts.Layers.begin(), facts.Layers.end());
+  facts.Times = scene.Get().Times.value_or(facts.Times);
+  std::set<std::string> known;
+  for (const cli::PosedModel& model : scene.Get().Models)
+  {
+    for (int i = 0; i < model.Reader->GetNumberOfAnimations(); ++i)
+    {
+      const std::string name = model.Reader->GetAnimationName(i);
+      if (known.insert(name).second)
+      {
+        facts.Animations.push_back(name);
+      }
+    }
+  }
+  return facts;
+}
+}

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// While files are read: what is opened next, what is set meanwhile, and what stays after it.
+#include "ViewerTest.h"
+
+#include "Options.h"
+
+#include "vtkCamera.h"
+#include "vtkRenderer.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QFile>
+#include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScreen>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QToolBar>
+#include <QtTest>
+
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using viewer::Settings;
+
+namespace
+{
+// A file whose readers wait until something writes to it, and then find it empty.
+class SlowFile
+{
+public:
+  explicit SlowFile(const std::string& path)
+    : Path(path)
+  {
+    QVERIFY(mkfifo(path.c_str(), 0600) == 0);
+  }
+
+  ~SlowFile() { this->End(); }
+
+  /// From now on each reader that waits goes on.
+  void LetGo()
+  {
+    this->Thread = std::thread([this] {
+      while (!this->Done)
+      {
+        const int file = open(this->Path.c_str(), O_WRONLY | O_NONBLOCK);
+        if (file >= 0)
+        {
+          close(file);
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      }
+    });
+  }
+
+  void End()
+  {
+    if (this->Thread.joinable())
+    {
+      this->Done = true;
+      this->Thread.join();
+    }
+  }
+
+private:
+  std::string Path;
+  std::thread Thread;
+  std::atomic<bool> Done{ false };
+};
+}
+
+class TestViewerReading : public viewerTest::ViewerTest
+{
+  Q_OBJECT
+
+private:
+  QString Words() { return this->Window->findChild<QLabel*>("words")->text(); }
+
+  // Opens a file that its reader waits for.
+  std::unique_ptr<SlowFile> OpenSlow()
+  {
+    auto slow = std::make_unique<SlowFile>(this->Path("slow.stl"));
+    this->Window->OpenFiles({ QString::fromStdString(this->Path("slow.stl")) });
+    return slow;
+  }
+
+  void StopSlow(std::unique_ptr<SlowFile> slow)
+  {
+    this->Window->findChild<QPushButton*>("cancel")->click();
+    slow->LetGo();
+    QTRY_VERIFY_WITH_TIMEOUT(!this->Window->IsBusy(), 60000);
+  }
+
+private Q_SLOTS:
+  // The window goes on at once, whatever the reader waits for, and takes the next file after it.
+  void cancelDoesNotWait()
+  {
+    this->Open({ this->WriteScene() });
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    const std::string next = this->WriteScene("next.vtp");
+    SlowFile slow(this->Path("slow.stl"));
+    this->Window->OpenFiles({ QString::fromStdString(this->Path("slow.stl")) });
+    QVERIFY(this->Window->IsReading());
+    QTest::qWait(50);
+    this->Window->findChild<QPushButton*>("cancel")->click();
+    QVERIFY(!this->Window->IsReading()); // though nothing let the reader go
+    QCOMPARE(CountDifferent(before, this->Grab()), 0);
+    QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
+    this->Window->OpenFiles({ QString::fromStdString(next) });
+    QTest::qWait(50);
+    QVERIFY(this->Window->IsReading() && ready.isEmpty());
+    slow.LetGo();
+    QVERIFY(ready.wait(60000));
+    slow.End();
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QCOMPARE(this->Window->GetDocument()->Get().Files, std::vector<std::string>{ next });
+  }
+
+  // What is set while a file is read is seen at once, and stays when the reading is stopped.
+  void setsMeanwhile()
+  {
+    const std::string scene = this->WriteScene();
+    this->Open({ scene, "--edges" });
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    std::unique_ptr<SlowFile> slow = this->OpenSlow();
+    this->Window->GetDocument()->Change([](Settings& settings) {
+      settings.SetParameter("tone", "exposure", "1");
+      settings.Remove("--edges");
+    });
+    QVERIFY(this->Window->IsReading());
+    const vtkSmartPointer<vtkImageData> during = this->Grab();
+    QVERIFY(CountDifferent(before, during) > 100);
+    this->StopSlow(std::move(slow));
+    const Settings& after = this->Window->GetDocument()->Get();
+    QCOMPARE(after.Files, std::vector<std::string>{ scene });
+    QCOMPARE(after.GetParameter("tone", "exposure"), std::string("1"));
+    QVERIFY(!after.Has("--edges"));
+    QCOMPARE(CountDifferent(during, this->Grab()), 0);
+    QCOMPARE(this->Window->GetTrouble(), QString()); // it is what the user wants
+    QCOMPARE(this->Words(), QString("Stopped."));
+  }
+
+  // A file is opened with the camera fitted to it, whatever is set before it has been read.
+  void upMeanwhile()
+  {
+    this->Open({ this->WriteScene(), "--camera", "30,40,50,0,0,0,0,1,0" });
+    QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
+    this->Window->OpenFiles({ QString::fromStdString(this->WriteScene("next.vtp")) });
+    this->Window->GetDocument()->Change([](Settings& settings) { settings.Set("--up", "z"); });
+    QVERIFY(ready.wait(60000));
+    vtkCamera* camera = this->Window->GetView()->GetPicture().GetRenderer()->GetActiveCamera();
+    QVERIFY(std::abs(camera->GetDirectionOfProjection()[1] - 1.0) < 1e-9);
+    QVERIFY(camera->GetDistance() < 20.0);
+  }
+
+  // A reader that does not say how far it is gets a bar that does not say so either.
+  void busyBar()
+  {
+    this->Open({ this->WriteScene() });
+    auto* bar = this->Window->findChild<QProgressBar*>();
+    std::unique_ptr<SlowFile> slow = this->OpenSlow();
+    QVERIFY(!bar->isVisible()); // as for most files
+    QTRY_VERIFY(bar->isVisible());
+    QCOMPARE(bar->maximum(), 0);
+    QVERIFY2(this->Words().contains("slow.stl"), qPrintable(this->Words()));
+    this->StopSlow(std::move(slow));
+    QVERIFY(!bar->isVisible());
+  }
+
+  // What was said for a file that cannot be read is for the next.
+  void optionsOfAFailure()
+  {
+    const std::string missing = this->Path("missing.glb");
+    this->Open({ missing, "--preset", "studio", "--camera", "3,4,5,0,0,0,0,1,0", "--color-by",
+      "height", "--skin", "off" });
+    QVERIFY(this->Window->GetTrouble().contains("missing.glb"));
+    this->Window->GetDocument()->Change([](Settings& settings) { settings.Remove("--skin"); });
+    QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
+    this->Window->OpenFiles({ QString::fromStdString(this->WriteScene()) });
+    QVERIFY(ready.wait(60000));
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    const Settings view = this->Window->GetViewSettings();
+    QCOMPARE(view.Get("--preset"), std::string("studio"));
+    QCOMPARE(view.Get("--color-by"), std::string("height"));
+    QCOMPARE(view.Get("--camera"), std::string("3,4,5,0,0,0,0,1,0"));
+  }
+
+  // The list holds what has been read, by every way, and tells files of one name apart.
+  void recentFiles()
+  {
+    QSettings().clear();
+    QVERIFY(QDir(QString::fromStdString(this->Path(""))).mkdir("a&b"));
+    const std::string first = this->WriteScene(), second = this->WriteScene("a&b/scene.vtp");
+    this->Open({ first });
+    this->Window->OpenFiles({ QString::fromStdString(second) });
+    this->WaitUntilRead();
+    this->Window->OpenFiles({ QString::fromStdString(this->Path("missing.vtp")) });
+    this->WaitUntilRead();
+    QMenu* recent = nullptr;
+    for (QMenu* menu : this->Window->findChildren<QMenu*>())
+    {
+      recent = menu->title() == "Open &recent" ? menu : recent;
+    }
+    QVERIFY(recent);
+    Q_EMIT recent->aboutToShow();
+    QCOMPARE(recent->actions().size(), 2);
+    QCOMPARE(recent->actions()[0]->data().toString().toStdString(), second);
+    QCOMPARE(recent->actions()[0]->text().toStdString(), "scene.vtp (" + this->Path("a&&b") + ")");
+    QCOMPARE(recent->actions()[1]->data().toString().toStdString(), first);
+  }
+
+  // A view that the screen has no room for keeps its shape, and says that it is smaller.
+  void sizeOfTheView()
+  {
+    this->Open({ this->WriteScene(), "--size", "16000x8000" });
+    QVERIFY2(this->Words().contains("--size 16000x8000"), qPrintable(this->Words()));
+    const QSize room = this->Window->screen()->availableSize();
+    const QSize window = this->Window->frameGeometry().size();
+    QVERIFY(window.width() <= room.width() && window.height() <= room.height());
+    const int* size = this->Window->GetView()->renderWindow()->GetSize();
+    QVERIFY2(
+      std::abs(size[0] - 2 * size[1]) <= 2, qPrintable(QString("%1x%2").arg(size[0]).arg(size[1])));
+    this->Open({ this->WriteScene(), "--size", "320x240" });
+    QCOMPARE(this->Window->GetViewSettings().Get("--size"), std::string("320x240"));
+    QCOMPARE(this->Words(), QString());
+  }
+
+  // The time bar is there where something moves, whatever was there when the program ended.
+  void timeBarAfterRestart()
+  {
+    const std::string models = qgetenv("RELIEVO_DATA").toStdString() + "/models/glTF2/";
+    this->Open({ models + "simple_skin/simple_skin.gltf", "--times", "0.5:1:0.1" });
+    QVERIFY2(this->Words().contains("--times"), qPrintable(this->Words()));
+    QCOMPARE(this->Window->GetDocument()->Get().Get("--time"), std::string("0.5"));
+    QVERIFY(this->Window->findChild<QToolBar*>("time")->isVisible());
+    this->Window->close();
+    this->Window = std::make_unique<viewer::MainWindow>();
+    this->Window->RestoreLayout();
+    this->Window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(this->Window.get()));
+    QVERIFY(!this->Window->findChild<QToolBar*>("time")->isVisible());
+  }
+
+  // A session without files leaves nothing of what was shown; one with other things is named.
+  void emptySessions()
+  {
+    this->Open({ this->WriteScene() });
+    this->WriteText("empty.json", "{\"relievo-viewer\": 1, \"words\": []}");
+    this->WriteText("numbers.json", "{\"relievo-viewer\": 1, \"words\": [1, 2]}");
+    this->Window->OpenFiles({ QString::fromStdString(this->Path("numbers.json")) });
+    QVERIFY(this->Window->GetTrouble().contains("numbers.json"));
+    QVERIFY(this->Window->windowTitle().startsWith("scene.vtp"));
+    this->Window->OpenFiles({ QString::fromStdString(this->Path("empty.json")) });
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QCOMPARE(this->Window->windowTitle(), QString("Relievo"));
+    QVERIFY(this->Window->GetDocument()->GetFacts().Components.empty());
+  }
+};
+
+int main(int argc, char* argv[])
+{
+  TestViewerReading tests;
+  return viewerTest::Run(tests, argc, argv);
+}
+
+#include "testViewerReading.moc"
