@@ -48,6 +48,10 @@ int Run(std::vector<std::string> words)
   }
   else if (command == "stages")
   {
+    if (!words.empty())
+    {
+      throw cli::WordsError("stages: got '" + words.front() + "', expected nothing behind it");
+    }
     std::fputs(cli::DescribeStages().c_str(), stdout);
   }
   else if (command == "bench")

@@ -66,6 +66,7 @@ class Look(CliTest):
         glass = numpy.tile(numpy.uint8([200, 255, 200, 128]), (len(x), 1))
         add(plane.GetPointData(), "glass", glass)
         add(plane.GetCellData(), "column", numpy.arange(CELLS**2) % CELLS)
+        add(plane.GetCellData(), "across", numpy.arange(CELLS**2) % CELLS)
         add(plane.GetCellData(), "label,1", (numpy.arange(CELLS**2) % CELLS).astype(numpy.uint8))
         writer = vtkXMLPolyDataWriter()
         writer.SetFileName(str(self.folder / "plane.vtp"))
@@ -94,6 +95,9 @@ class Look(CliTest):
         at_points = numpy.hypot(numpy.linspace(-1, 1, CELLS + 1), 1)
         lengths = numpy.interp(X, numpy.linspace(-1, 1, CELLS + 1), at_points)
         self.judge(self.albedo(*grey, "wind"), (lengths - 1) / (2**0.5 - 1))
+        for name in ("cell:across", "cell:across,0"):
+            self.judge(self.albedo(*grey, name), (numpy.arange(SIDE) * CELLS // SIDE) / 7)
+        self.judge(self.albedo(*grey, "point:across"), (X + 1) / 2)
         self.judge(self.albedo(*grey, "column"), (numpy.arange(SIDE) * CELLS // SIDE) / 7)
         self.judge(self.albedo(*grey, "label,1"), (numpy.arange(SIDE) * CELLS // SIDE) / 7)
         self.judge(self.albedo("--color-by", "paint"),
@@ -255,7 +259,7 @@ class Look(CliTest):
             (["--preset", "stage"], ["'stage'", "studio, town, print"]),
             (["--scalar-bar"], ["--scalar-bar", "no values", "--color-by"]),
             (["--stage", "display:layer=nope"], ["display:layer", "'nope'", "depth", "across"]),
-            (["--stage", "display:layer=cell:across"], ["'cell:across'"]),
+            (["--stage", "display:layer=cell:wind"], ["'cell:wind'"]),
             (["--exr", "a.exr", "--layers", "depth,point:column"], ["--layers", "'point:column'"]),
         ):
             with self.subTest(words):

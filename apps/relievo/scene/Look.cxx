@@ -68,12 +68,18 @@ bool AreColors(const std::vector<vtkDataArray*>& arrays, const LookChoice& look)
 // The chosen array of an actor's data, or else the active scalars; of points before cells.
 Coloring Find(vtkActor* actor, const LookChoice& look, bool mapped)
 {
+  const bool ofPoints = look.Place != LookChoice::OfCells;
+  const bool ofCells = look.Place != LookChoice::OfPoints;
   vtkRelievoMaterial* material = vtkRelievoMaterial::Get(actor);
   Coloring found = { actor->GetMapper(), {}, true, look.ColorBy,
     mapped || (material && material->GetNormalMap()) };
   found.Mapper->Update();
   for (const bool points : { true, false })
   {
+    if (!(points ? ofPoints : ofCells))
+    {
+      continue;
+    }
     ForEachDataSet(found.Mapper->GetInputDataObject(0, 0), [&](vtkDataSet* block) {
       vtkDataSetAttributes* attributes = points
         ? static_cast<vtkDataSetAttributes*>(block->GetPointData())
@@ -172,8 +178,13 @@ void SetColoring(const Coloring& coloring, vtkColorTransferFunction* map, const 
 // Black or white, whatever is read better on the background.
 Color GetInk(vtkRenderer* renderer)
 {
-  const double* rgb = renderer->GetBackground();
-  const double luma = 0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2];
+  const auto getLuma = [](const double* rgb) {
+    return 0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2];
+  };
+  const double bottom = getLuma(renderer->GetBackground());
+  const double luma = renderer->GetGradientBackground()
+    ? (bottom + getLuma(renderer->GetBackground2())) / 2.0
+    : bottom;
   return luma > 0.5 ? Color{ 0.0, 0.0, 0.0 } : Color{ 1.0, 1.0, 1.0 };
 }
 
@@ -270,6 +281,12 @@ void SetLook(Scene& scene, const RenderOptions& options)
     look.ColorBy = look.ColorByAsGiven;
     look.Component.reset();
     look.Magnitude = false;
+  }
+  else if (scene.Arrays.count(look.ColorBy) == 0 && scene.Placed.count(look.ColorBy))
+  {
+    const std::size_t colon = look.ColorBy.find(':');
+    look.Place = look.ColorBy[0] == 'p' ? LookChoice::OfPoints : LookChoice::OfCells;
+    look.ColorBy = look.ColorBy.substr(colon + 1);
   }
   if (!look.Background.empty())
   {

@@ -6,7 +6,7 @@
 
 _relievo()
 {
-    local cur prev words cword
+    local cur prev words cword outputs="" more=""
     # shellcheck disable=SC2034 # set by _init_completion
     local split
     _init_completion -s || return
@@ -16,20 +16,23 @@ _relievo()
     if [[ ${program##*/} == relievo-viewer ]]; then
         program=${program%-viewer}
         words=("$program" render "${words[@]:1}")
+        outputs='@(--png|--exr|--report|--layers|--hdr|--certify)' # the window has its own
+        more='--once --help --version'
     elif ((cword == 1)); then
         mapfile -t COMPREPLY < <(compgen -W 'render cave stages bench --help --version' -- "$cur")
         return
     fi
 
     [[ ${_relievo_help-} ]] || _relievo_help=$("$program" --help 2>/dev/null)
-    local line part="" options="" wants_value=""
+    local line part="" options=$more wants_value=""
     while IFS= read -r line; do
         case $line in
             'render '* | 'cave '* | 'stages '* | 'bench '* | 'Options '*) part=${line%% *} ;;
             '  -'*)
                 if [[ $part == "${words[1]}" ]]; then
                     line=${line#  }
-                    options+=" ${line%% *}"
+                    # shellcheck disable=SC2053 # a pattern
+                    [[ $outputs && ${line%% *} == $outputs ]] || options+=" ${line%% *}"
                     [[ $line == "$prev "[^\ ]* ]] && wants_value=1
                 fi
                 ;;

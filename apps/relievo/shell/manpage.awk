@@ -10,6 +10,7 @@
 function quoted(text) {
   gsub(/\\/, "\\e", text)
   gsub(/-/, "\\-", text)
+  gsub(/\[,/, "\\:[,", text) # where a long option may be broken
   if (text ~ /^[.']/) text = "\\&" text
   return text
 }

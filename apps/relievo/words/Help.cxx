@@ -39,8 +39,9 @@ render draws the FILEs off screen and writes the outputs that you request.
   --preset NAME           studio, town or print: lights, shadows and background, where no other
                           option says them
   --color-by NAME[,COMPONENT]
-                          colours by a point or cell array; COMPONENT a number from 0, or
-                          magnitude (the magnitude; bytes of 3 or 4 components are colours)
+                          colours by a point or cell array, point:NAME or cell:NAME where two
+                          share a name; COMPONENT a number from 0, or magnitude (the magnitude;
+                          bytes of 3 or 4 components are colours)
   --range MIN,MAX         values of the first and the last colour (those of all files together)
   --colormap NAME         viridis, cool-warm, grey, hot or rainbow (viridis)
   --scalar-bar            shows the colours and their values at the right
@@ -110,8 +111,8 @@ render draws the FILEs off screen and writes the outputs that you request.
                           share of the environment that is mirrored at normal incidence, and
                           roughness of the mirror, each 0 to 1 (0.04,0.2)
   --skybox                shows the environment behind everything
-  --up AXIS               the up axis, x, y or z, of --environment, the fitted camera and
-                          --texture-coordinates (y)
+  --up AXIS               the up axis, x, y or z, of --environment, the fitted camera, shadows of
+                          --markers and --texture-coordinates (y)
   --fog F[,radius=R][,density=D][,color=R/G/B][,mode=MODE]
                           spheres of fog at the points of F; numbers, linear colours or names of
                           point arrays (the arrays radius, density and color, else 1, 1 and white);
@@ -167,7 +168,7 @@ bench measures, prints what it found, and writes CSV, PNG and SVG to a folder. W
   --out DIR               where to write (the current folder)
   --beside DIR            writes the summary, also for one NAME, with figures beside those of the
                           CSV files in DIR, such as docs/charts
-  --quick                 three rounds of what is timed, where else there are up to 31: a first
+  --quick                 times everything three times instead of up to 31 times, for a first
                           look; the same call without it measures again
   --redraw DIR            draws the charts from the CSV files in DIR, without measuring; without
                           NAME, all of them

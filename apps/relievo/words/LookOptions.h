@@ -25,7 +25,14 @@ constexpr const char* DefaultColormap = "viridis";
 struct LookChoice
 {
   std::string ColorByAsGiven;
-  std::string ColorBy;          ///< name of an array; empty: the active scalars
+  std::string ColorBy; ///< name of an array, or point:NAME; empty: the active scalars
+  enum Places
+  {
+    Anywhere, ///< of points before cells
+    OfPoints,
+    OfCells
+  };
+  Places Place = Anywhere;      ///< of arrays of that name
   std::optional<int> Component; ///< of it; none: colours as they are, else the magnitude
   bool Magnitude = false;       ///< of arrays that could be colours
   std::optional<std::array<double, 2>> Range;
