@@ -20,8 +20,8 @@ namespace cli
 /// or is no points.
 void CheckPointFile(const std::string& option, const std::string& path);
 
-/// Throws WordsError, with the arrays that there are, if the points have none of that name, which an
-/// option asks for as `what`; an empty name asks for none.
+/// Throws WordsError, with the arrays that there are, if the points have none of that name, which
+/// an option asks for as `what`; an empty name asks for none.
 void CheckArray(const std::string& option, const std::string& path, vtkDataObject* data,
   const std::string& what, const std::string& name);
 
