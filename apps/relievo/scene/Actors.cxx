@@ -23,6 +23,8 @@
 #include "vtkProperty.h"
 #include "vtkRelievoCompositeMapper.h"
 
+#include <vector>
+
 namespace cli
 {
 namespace
@@ -62,24 +64,31 @@ bool LacksNormals(vtkPolyData* mesh)
     mesh->GetNumberOfPolys() > 0;
 }
 
-// Whether points or lines have points of no length as normals: those that no polygon has.
+// Whether vertices or lines have points that no polygon has: these would have no normal, or any.
 bool LeavesUnlit(vtkPolyData* mesh)
 {
-  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
-  for (vtkCellArray* cells : { mesh->GetVerts(), mesh->GetLines() })
-  {
+  std::vector<bool> ofPolygons(static_cast<std::size_t>(mesh->GetNumberOfPoints()), false);
+  const auto forEach = [](vtkCellArray* cells, const auto& visit) {
     vtkDataArray* corners = cells->GetConnectivityArray();
     for (vtkIdType i = 0; i < corners->GetNumberOfTuples(); ++i)
     {
-      double normal[3];
-      normals->GetTuple(static_cast<vtkIdType>(corners->GetTuple1(i)), normal);
-      if (normal[0] == 0.0 && normal[1] == 0.0 && normal[2] == 0.0)
-      {
-        return true;
-      }
+      visit(static_cast<std::size_t>(corners->GetTuple1(i)));
     }
+  };
+  if (mesh->GetNumberOfVerts() + mesh->GetNumberOfLines() == 0)
+  {
+    return false;
   }
-  return false;
+  for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+  {
+    forEach(cells, [&ofPolygons](std::size_t point) { ofPolygons[point] = true; });
+  }
+  bool unlit = false;
+  for (vtkCellArray* cells : { mesh->GetVerts(), mesh->GetLines() })
+  {
+    forEach(cells, [&](std::size_t point) { unlit = unlit || !ofPolygons[point]; });
+  }
+  return unlit;
 }
 
 //------------------------------------------------------------------------------
@@ -97,16 +106,16 @@ vtkSmartPointer<vtkDataObject> WithNormals(
   }
   bool unlit = false;
   const auto smooth = ReplaceDataSets(data, [&](vtkDataObject* block) {
-    if (!LacksNormals(vtkPolyData::SafeDownCast(block)))
+    vtkPolyData* mesh = vtkPolyData::SafeDownCast(block);
+    const bool kept = LacksNormals(mesh) && LeavesUnlit(mesh);
+    unlit = unlit || kept;
+    if (kept || !LacksNormals(mesh))
     {
       return vtkSmartPointer<vtkDataObject>(block);
     }
     vtkNew<vtkPolyDataNormals> normals;
     normals->ConsistencyOff(); // the file's own winding is what its author sees everywhere else
-    const vtkSmartPointer<vtkDataObject> lit = Run(normals, block, progress);
-    const bool kept = LeavesUnlit(vtkPolyData::SafeDownCast(lit));
-    unlit = unlit || kept;
-    return kept ? vtkSmartPointer<vtkDataObject>(block) : lit;
+    return Run(normals, block, progress);
   });
   if (unlit)
   {

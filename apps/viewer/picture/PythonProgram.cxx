@@ -123,17 +123,18 @@ const Function Functions[] = {
     return not have and mesh.GetNumberOfPolys() > 0
 )" },
   { "smooth_mesh", R"(def smooth_mesh(mesh):
-    """With normals, unless points or lines would have some of no length."""
+    """With normals, unless vertices or lines have points that no polygon has."""
     if not isinstance(mesh, vtkPolyData) or not is_bare(mesh):
         return mesh
+    of_polygons = numpy.zeros(mesh.GetNumberOfPoints(), dtype=bool)
+    for cells in (mesh.GetPolys(), mesh.GetStrips()):
+        of_polygons[vtk_to_numpy(cells.GetConnectivityArray())] = True
+    for cells in (mesh.GetVerts(), mesh.GetLines()):
+        if not of_polygons[vtk_to_numpy(cells.GetConnectivityArray())].all():
+            return mesh
     normals = vtkPolyDataNormals()
     normals.ConsistencyOff()
-    lit = run(normals, mesh)
-    vectors = vtk_to_numpy(lit.GetPointData().GetNormals())
-    for cells in (lit.GetVerts(), lit.GetLines()):
-        if not vectors[vtk_to_numpy(cells.GetConnectivityArray())].any(axis=1).all():
-            return mesh
-    return lit
+    return run(normals, mesh)
 )" },
   { "smooth", R"(def smooth(data):
     """With normals."""
