@@ -6,7 +6,7 @@ import math
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints, vtkVersion
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
     vtkCompositeDataSet,
@@ -29,10 +29,11 @@ from vtkmodules.vtkRenderingCore import (
 
 import relievo
 
-try:  # VTK 9.3 gave the one what the other had been made for, and will drop the other
-    from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as CompositeMapper
-except ImportError:
+# VTK 9.3 gave the one what the other had been made for, and later dropped the other.
+if vtkVersion().GetVTKMinorVersion() >= 3:
     from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper as CompositeMapper
+else:
+    from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as CompositeMapper
 
 # Parts of the bike by what they are made of: colour, metallic, roughness, and the words that their
 # names begin with; the first that fits. The three painted ones are the blocks of one actor.

@@ -3,13 +3,14 @@
 """Clipping planes, and blocks of a composite that have colours of their own or are hidden."""
 
 from parts import actor, cone, cube, plane, show, sphere
+from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPlane
 from vtkmodules.vtkRenderingCore import vtkCompositeDataDisplayAttributes
 
-try:
-    from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as Mapper
-except ImportError:
+if vtkVersion().GetVTKMinorVersion() >= 3:
     from vtkmodules.vtkRenderingCore import vtkCompositePolyDataMapper as Mapper
+else:
+    from vtkmodules.vtkRenderingOpenGL2 import vtkCompositePolyDataMapper2 as Mapper
 
 blocks = vtkMultiBlockDataSet()
 for i, source in enumerate((sphere(), cube(at=(1.2, 0, 0)), cone(at=(-1.2, 0, 0)))):
