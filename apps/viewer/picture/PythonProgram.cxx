@@ -25,13 +25,25 @@ struct Function
 
 // Each calls none of those behind it, by name: what is called is what a program carries.
 const Function Functions[] = {
+  { "blocks", R"(def blocks(data):
+    """The data itself, or all that composite data holds."""
+    if not isinstance(data, vtkCompositeDataSet):
+        return [data]
+    found = []
+    place = data.NewIterator()
+    place.InitTraversal()
+    while not place.IsDoneWithTraversal():
+        found.append(place.GetCurrentDataObject())
+        place.GoToNextItem()
+    return found
+)" },
   { "data", R"(def data(reader, path):
     """What a file holds."""
     reader.SetFileName(path)
     reader.Update()
     found = reader.GetOutputDataObject(0)
-    if reader.GetErrorCode() or found is None:
-        raise SystemExit(f"{path} could not be read")
+    if found is None or not any(block.GetNumberOfElements(0) for block in blocks(found)):
+        raise SystemExit(f"{path}: VTK reads nothing of it")
     return found
 )" },
   { "image", R"(def image(path):
@@ -46,18 +58,6 @@ const Function Functions[] = {
     step.SetInputDataObject(data)
     step.Update()
     return step.GetOutputDataObject(0)
-)" },
-  { "blocks", R"(def blocks(data):
-    """The data itself, or all that composite data holds."""
-    if not isinstance(data, vtkCompositeDataSet):
-        return [data]
-    found = []
-    place = data.NewIterator()
-    place.InitTraversal()
-    while not place.IsDoneWithTraversal():
-        found.append(place.GetCurrentDataObject())
-        place.GoToNextItem()
-    return found
 )" },
   { "replaced", R"(def replaced(data, change):
     """The data changed, or composite data of which every block is."""
