@@ -120,6 +120,21 @@ class Data(CliTest):
             self.assertEqual("16777217" in done.stderr and "'a.exr'" in done.stderr, warned)
             self.assertEqual(self.exr("a.exr")[1]["id.V"][60, 60], 2**24)
 
+    def test_infinite_points(self):
+        """As VTK's own writer has them, with ranges that its reader does not know."""
+        self.write_mesh(lines=False)
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(self.folder / "mesh.vtp"))
+        reader.Update()
+        reader.GetOutput().GetPoints().SetPoint(4, numpy.inf, 0, 0)
+        reader.GetOutput().GetPoints().Modified()
+        self.write(vtkXMLPolyDataWriter(), "infinite.vtp", reader.GetOutput())
+        text = (self.folder / "infinite.vtp").read_text()
+        self.assertRegex(text, r"(?s)L2_NORM_RANGE.*inf\b")
+        done = self.relievo("render", "infinite.vtp", *FRONT, "--png", "a.png")
+        self.assertIn("infinite.vtp: left out 0 cells", done.stderr)
+        self.assertGreater(read_png(self.folder / "a.png")[60, 60].min(), 250)
+
     def test_small_parallel(self):
         """The clipping range is that of the scale that is drawn with."""
         for size in (7e-6, 1e-3):
