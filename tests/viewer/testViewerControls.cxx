@@ -75,6 +75,16 @@ private Q_SLOTS:
     const double half = 7.0 * std::tan(vtkMath::RadiansFromDegrees(15.0));
     QVERIFY(std::abs(this->GetCamera()->GetParallelScale() - half) < 1e-9);
     this->Compare("parallel");
+    // Back again as well, with the angle that was asked for.
+    this->GetCamera()->SetParallelScale(0.5 * half);
+    this->Press(Qt::Key_P);
+    QVERIFY(std::abs(this->GetCamera()->GetDistance() - 3.5) < 1e-9);
+    this->Press(Qt::Key_P);
+    this->Change([](Settings& settings) { settings.Set("--view-angle", "60"); });
+    this->Press(Qt::Key_P);
+    QVERIFY(std::abs(this->GetCamera()->GetViewAngle() - 60.0) < 1e-9);
+    QVERIFY(std::abs(this->GetCamera()->GetDistance() - 0.5 * half * std::sqrt(3.0)) < 1e-9);
+    this->Compare("perspective");
   }
 
   void viewKeys()
