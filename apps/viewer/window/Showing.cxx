@@ -255,6 +255,11 @@ void MainWindow::GiveUp()
 //------------------------------------------------------------------------------
 void MainWindow::OnRead(const QString& trouble)
 {
+  if (this->Saving)
+  {
+    this->Late = trouble;
+    return;
+  }
   const QString why = trouble.isEmpty() ? this->ShowRead() : trouble;
   if (!why.isEmpty())
   {
