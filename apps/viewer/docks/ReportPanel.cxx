@@ -18,6 +18,7 @@ namespace viewer
 namespace
 {
 constexpr int RefreshMilliseconds = 250;
+constexpr int MostTries = 8; // some drivers never know
 
 QString Milliseconds(const QJsonValue& value)
 {
@@ -71,7 +72,14 @@ void ReportPanel::Follow()
 void ReportPanel::showEvent(QShowEvent* event)
 {
   this->QWidget::showEvent(event);
+  this->Renew();
   this->Refresh();
+}
+
+//------------------------------------------------------------------------------
+void ReportPanel::Renew()
+{
+  this->Tries = MostTries;
 }
 
 //------------------------------------------------------------------------------
@@ -85,9 +93,11 @@ void ReportPanel::Refresh()
       : QString("Frame: %1 ms on the GPU, %2")
           .arg(Milliseconds(report["gpu_ms"]), Bytes(report["bytes"])));
   std::vector<StageChart::Bar> bars;
+  bool untimed = false;
   for (const QJsonValue& value : stages)
   {
     const QJsonObject stage = value.toObject();
+    untimed = untimed || (stage["ran"].toBool() && !stage["gpu_ms"].isDouble());
     if (stage["ran"].toBool() && stage["gpu_ms"].isDouble())
     {
       bars.push_back({ stage["label"].toString(), stage["gpu_ms"].toDouble() });
@@ -110,6 +120,11 @@ void ReportPanel::Refresh()
       item->setToolTip(stage["reason"].toString());
       this->Table->setItem(row, column, item);
     }
+  }
+  if (untimed && this->isVisible() && this->Tries > 0)
+  {
+    --this->Tries;
+    Q_EMIT this->framesWanted();
   }
 }
 }

@@ -142,6 +142,8 @@ void MainWindow::Connect()
     this->Values->setVisible(on);
     this->Values->clear();
   });
+  QObject::connect(
+    this->Report, &ReportPanel::framesWanted, this->Shown, [this] { this->Shown->Draw(); });
   QObject::connect(this->Recent, &RecentFiles::chosen, this,
     [this](const QString& path) { this->OpenFiles({ path }); });
 }

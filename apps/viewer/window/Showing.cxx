@@ -117,6 +117,7 @@ void MainWindow::Update()
   {
     this->Shown->GetPicture().Update(this->Edited->Get());
     this->Good = this->Edited->Get();
+    this->Report->Renew();
     this->Say("");
     this->TellMessages();
   }
@@ -304,6 +305,7 @@ QString MainWindow::ShowRead()
 //------------------------------------------------------------------------------
 void MainWindow::EndReading()
 {
+  this->Report->Renew();
   this->Place = Settings();
   this->Shown->Draw();
   Q_EMIT this->Edited->shown();
