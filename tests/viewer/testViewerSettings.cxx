@@ -93,6 +93,8 @@ private Q_SLOTS:
       { "a.vtp", "--fog", "f.vtp,mode=chord,density=2", "--stage", "fog:mode=beer" });
     QCOMPARE(settings.GetWords(),
       (Words{ "--fog", "f.vtp,density=2", "--stage", "fog:mode=chord", "a.vtp" }));
+    QCOMPARE(Settings::FromWords({ "a.vtp", "--lamps", "l.vtp,casting=2,radius=3" }).GetWords(),
+      (Words{ "--lamps", "l.vtp,radius=3", "--stage", "lamps:casting=2", "a.vtp" }));
     QCOMPARE(Settings::FromWords({ "a.vtp", "--fog", "f.vtp,mode=beer" }).GetWords(),
       (Words{ "--fog", "f.vtp", "a.vtp" }));
   }

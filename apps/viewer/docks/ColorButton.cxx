@@ -28,6 +28,14 @@ void ColorButton::SetColor(const QColor& color)
   QPixmap swatch(this->iconSize());
   swatch.fill(color);
   this->setIcon(swatch);
-  this->setText(color.name());
+  this->setText(this->Named ? color.name() : QString());
+  this->setToolTip(color.name());
+}
+
+//------------------------------------------------------------------------------
+void ColorButton::ShowNames(bool on)
+{
+  this->Named = on;
+  this->SetColor(this->Color);
 }
 }

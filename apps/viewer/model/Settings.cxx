@@ -114,21 +114,30 @@ void Settings::TakeStages(const cli::RenderOptions& options)
       this->SetParameter("fog", "mode", fog.Mode);
     }
   }
-  for (std::string& word : this->Values["--fog"])
-  {
-    const std::size_t at = word.find(",mode=");
-    if (at != std::string::npos)
-    {
-      word.erase(at, word.find(',', at + 1) - at);
-    }
-  }
-  this->SetAll("--fog", this->GetAll("--fog"));
+  this->DropValue("--fog", "mode");
+  this->DropValue("--lamps", "casting");
   for (auto stage = this->Stages.begin(); stage != this->Stages.end();)
   {
     const bool idle =
       stage->second.empty() && GetNewFrame()->GetStage(stage->first)->GetDescription().OnByDefault;
     stage = idle ? this->Stages.erase(stage) : std::next(stage);
   }
+}
+
+//------------------------------------------------------------------------------
+// Of files of points; it is said as the stage's parameter.
+void Settings::DropValue(const std::string& option, const std::string& name)
+{
+  std::vector<std::string> words = this->GetAll(option);
+  for (std::string& word : words)
+  {
+    const std::size_t at = word.find("," + name + "=");
+    if (at != std::string::npos)
+    {
+      word.erase(at, word.find(',', at + 1) - at);
+    }
+  }
+  this->SetAll(option, words);
 }
 
 //------------------------------------------------------------------------------

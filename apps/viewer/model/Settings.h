@@ -56,6 +56,10 @@ public:
   /// Setting a parameter asks for its stage.
   bool IsStageAsked(const std::string& stage) const { return this->Stages.count(stage) != 0; }
   void AskStage(const std::string& stage, bool asked);
+  bool HasParameter(const std::string& stage, const std::string& parameter) const
+  {
+    return this->Find(stage, parameter) != nullptr;
+  }
   std::string GetParameter(const std::string& stage, const std::string& parameter) const;
   void SetParameter(
     const std::string& stage, const std::string& parameter, const std::string& value);
@@ -71,6 +75,7 @@ private:
   using Parameters = std::vector<std::pair<std::string, std::string>>;
 
   void TakeStages(const cli::RenderOptions& options);
+  void DropValue(const std::string& option, const std::string& name);
   bool ShowsShadows() const;
   void SetShadows(bool visible, const std::string& method);
   const std::string* Find(const std::string& stage, const std::string& parameter) const;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneFacts.h"
 
-#include "BareScene.h"
 #include "DataSets.h"
+#include "Picture.h"
 
 #include "vtkActorCollection.h"
 #include "vtkCellData.h"
@@ -52,11 +52,32 @@ bool NeedsPrefix(const std::string& name, const Arrays& arrays)
   return like || vtkRelievoLayerCatalogue::GetIsLayer(name) ||
     (arrays[0].count(name) != 0 && arrays[1].count(name) != 0);
 }
+
+// Of each file of points.
+template <typename Points>
+std::vector<std::vector<std::string>> GetPointArrays(
+  const std::vector<vtkSmartPointer<Points>>& files)
+{
+  std::vector<std::vector<std::string>> names;
+  for (const vtkSmartPointer<Points>& file : files)
+  {
+    Arrays arrays;
+    cli::ForEachDataSet(
+      file->GetInputDataObject(0, 0), [&arrays](vtkDataSet* block) { AddArrays(block, arrays); });
+    names.emplace_back();
+    for (const auto& array : arrays[0])
+    {
+      names.back().push_back(array.first);
+    }
+  }
+  return names;
+}
 }
 
 //------------------------------------------------------------------------------
-Facts GetFacts(const BareScene& scene)
+Facts GetFacts(const Picture& picture)
 {
+  const BareScene& scene = picture.GetBare();
   Arrays arrays;
   vtkActorCollection* actors = scene.Get().Renderer->GetActors();
   for (int i = 0; i < actors->GetNumberOfItems(); ++i)
@@ -94,6 +115,9 @@ Facts GetFacts(const BareScene& scene)
       }
     }
   }
+  facts.PointArrays = { { "lamps", GetPointArrays(picture.GetPoints().Lamps) },
+    { "fog", GetPointArrays(picture.GetPoints().Fogs) },
+    { "markers", GetPointArrays(picture.GetPoints().Markers) } };
   return facts;
 }
 }

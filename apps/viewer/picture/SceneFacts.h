@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a scene holds, for panels to offer.
+ * What the files of a picture hold, for panels to offer.
  */
 #ifndef SceneFacts_h
 #define SceneFacts_h
@@ -10,9 +10,9 @@
 
 namespace viewer
 {
-class BareScene;
+class Picture;
 
-Facts GetFacts(const BareScene& scene);
+Facts GetFacts(const Picture& picture);
 }
 
 #endif

@@ -294,7 +294,7 @@ QString MainWindow::ShowRead()
     return QString::fromStdString(error.what());
   }
   this->Good = this->Edited->Get();
-  this->Edited->SetFacts(GetFacts(picture.GetBare()));
+  this->Edited->SetFacts(GetFacts(picture));
   this->setWindowTitle(GetTitle(this->Good.Files));
   this->Say("");
   this->TellMessages();
