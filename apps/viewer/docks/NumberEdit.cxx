@@ -46,6 +46,10 @@ NumberEdit::NumberEdit(double least, double most, double step, int decimals, QWi
     QObject::connect(this->Slider, &QSlider::valueChanged, this,
       [this](int position) { this->Digits->setValue(this->Least + position * this->Step); });
   }
+  else if (decimals > 0) // small and large numbers alike
+  {
+    this->Digits->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  }
   layout->addWidget(this->Digits, this->Slider ? 0 : 1);
   QObject::connect(this->Digits,
     static_cast<void (QDoubleSpinBox::*)(double)>(&QDoubleSpinBox::valueChanged), this,
@@ -57,6 +61,12 @@ NumberEdit::NumberEdit(double least, double most, double step, int decimals, QWi
 void NumberEdit::SetUnit(const QString& unit)
 {
   this->Digits->SetUnit(unit);
+}
+
+//------------------------------------------------------------------------------
+void NumberEdit::SetSpecial(const QString& text)
+{
+  this->Digits->setSpecialValueText(text);
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,11 @@
 
 namespace viewer
 {
+namespace
+{
+constexpr int LeastWidth = 340;
+}
+
 //------------------------------------------------------------------------------
 Panel::Panel(Document* document, QWidget* parent)
   : QScrollArea(parent)
@@ -22,7 +27,13 @@ Panel::Panel(Document* document, QWidget* parent)
   this->setWidgetResizable(true);
   this->setFrameShape(QFrame::NoFrame);
   this->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  this->setMinimumWidth(330);
+  this->setMinimumWidth(LeastWidth);
+}
+
+//------------------------------------------------------------------------------
+QSize Panel::sizeHint() const
+{
+  return { LeastWidth, this->QScrollArea::sizeHint().height() };
 }
 
 //------------------------------------------------------------------------------

@@ -23,6 +23,9 @@ class Panel : public QScrollArea
 public:
   Panel(Document* document, QWidget* parent);
 
+  /// As wide as it needs to be: the room is the picture's.
+  QSize sizeHint() const override;
+
 protected:
   /// A group of rows, below the others.
   QGroupBox* AddGroup(const QString& title, const QString& name);

@@ -182,6 +182,7 @@ void SunGroup::ShowSettings()
   this->NextOwn = this->Own;
   const QSignalBlocker quiet(this);
   this->setChecked(this->Own >= 0);
+  this->Words->hide();
   if (this->Own >= 0)
   {
     const std::string& sun = lights[static_cast<std::size_t>(this->Own)];

@@ -14,6 +14,7 @@
 #include "vtkRelievoArraySampler.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoModelReader.h"
+#include "vtkScalarsToColors.h"
 
 #include <algorithm>
 #include <set>
@@ -119,5 +120,26 @@ Facts GetFacts(const Picture& picture)
     { "fog", GetPointArrays(picture.GetPoints().Fogs) },
     { "markers", GetPointArrays(picture.GetPoints().Markers) } };
   return facts;
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::array<double, 2>> GetColorRange(const Picture& picture)
+{
+  if (picture.IsEmpty())
+  {
+    return std::nullopt;
+  }
+  vtkActorCollection* actors = picture.GetBare().Get().Renderer->GetActors();
+  for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+  {
+    vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
+    vtkMapper* mapper = picture.GetBare().Find(actor) ? actor->GetMapper() : nullptr;
+    if (mapper && mapper->GetScalarVisibility() && mapper->GetUseLookupTableScalarRange())
+    {
+      const double* range = mapper->GetLookupTable()->GetRange();
+      return std::array<double, 2>{ range[0], range[1] };
+    }
+  }
+  return std::nullopt;
 }
 }

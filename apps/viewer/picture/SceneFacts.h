@@ -8,11 +8,17 @@
 
 #include "Facts.h"
 
+#include <array>
+#include <optional>
+
 namespace viewer
 {
 class Picture;
 
 Facts GetFacts(const Picture& picture);
+
+/// Values of the first and the last colour; none: no values give the colours.
+std::optional<std::array<double, 2>> GetColorRange(const Picture& picture);
 }
 
 #endif
