@@ -282,7 +282,13 @@ std::string Settings::GetParameter(const std::string& stage, const std::string& 
     return this->Get("--shadows");
   }
   const std::string* value = this->Find(stage, parameter);
-  return value ? *value : GetNewFrame()->GetStage(stage)->GetParameterDefault(parameter);
+  return value ? *value : GetStandard(stage, parameter);
+}
+
+//------------------------------------------------------------------------------
+std::string Settings::GetStandard(const std::string& stage, const std::string& parameter)
+{
+  return GetNewFrame()->GetStage(stage)->GetParameterDefault(parameter);
 }
 
 //------------------------------------------------------------------------------
@@ -342,43 +348,6 @@ void Settings::SetGiven(
   else if (given.empty() && fresh->GetDescription().OnByDefault)
   {
     this->Stages.erase(stage);
-  }
-}
-
-//------------------------------------------------------------------------------
-void Settings::TakeChanges(const Settings& before, const Settings& after)
-{
-  for (const cli::KnownOption& option : cli::GetRenderOptions())
-  {
-    const std::vector<std::string> now = after.GetAll(option.Name);
-    if (now != before.GetAll(option.Name))
-    {
-      this->SetAll(option.Name, now);
-    }
-  }
-  std::map<std::string, Parameters> all = before.Stages;
-  all.insert(after.Stages.begin(), after.Stages.end());
-  for (const auto& each : all)
-  {
-    const std::string& stage = each.first;
-    if (before.IsStageAsked(stage) != after.IsStageAsked(stage))
-    {
-      this->AskStage(stage, after.IsStageAsked(stage));
-    }
-    if (!after.IsStageAsked(stage))
-    {
-      continue;
-    }
-    for (const vtkRelievoParameter& parameter :
-      GetNewFrame()->GetStage(stage)->GetDescription().Parameters)
-    {
-      const std::string* then = before.Find(stage, parameter.Name);
-      const std::string* now = after.Find(stage, parameter.Name);
-      if (now ? !then || *now != *then : then != nullptr)
-      {
-        this->SetGiven(stage, parameter.Name, now ? *now : parameter.Default);
-      }
-    }
   }
 }
 

@@ -12,6 +12,7 @@
 #include "Numbers.h" // for the values
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,6 +66,9 @@ public:
     const std::string& stage, const std::string& parameter, const std::string& value);
   ///@}
 
+  /// Options, and STAGE:PARAMETER, that the other says differently; "" for files.
+  std::set<std::string> GetChanges(const Settings& other) const;
+
   /// What `after` says differently than `before`, files apart, is said here as well.
   void TakeChanges(const Settings& before, const Settings& after);
 
@@ -78,6 +82,7 @@ private:
   void DropValue(const std::string& option, const std::string& name);
   bool ShowsShadows() const;
   void SetShadows(bool visible, const std::string& method);
+  static std::string GetStandard(const std::string& stage, const std::string& parameter);
   const std::string* Find(const std::string& stage, const std::string& parameter) const;
   void SetGiven(const std::string& stage, const std::string& parameter, const std::string& value);
 

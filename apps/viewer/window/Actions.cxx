@@ -93,6 +93,18 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
 void AddEditMenu(MainWindow* window)
 {
   QMenu* menu = window->menuBar()->addMenu("&Edit");
+  Document* document = window->GetDocument();
+  QAction* undo =
+    Add(menu, window, "&Undo", QKeySequence::Undo, "undo", [document] { document->Undo(); });
+  QAction* redo =
+    Add(menu, window, "&Redo", QKeySequence::Redo, "redo", [document] { document->Redo(); });
+  const auto follow = [document, undo, redo] {
+    undo->setEnabled(document->CanUndo());
+    redo->setEnabled(document->CanRedo());
+  };
+  QObject::connect(document, &Document::pastChanged, undo, follow);
+  follow();
+  menu->addSeparator();
   Add(menu, window, "Copy as &command line", QKeySequence("Ctrl+Shift+C"), "copyCommand", [window] {
     window->GetView()->GetPicture().CheckShown("Copy as command line");
     QApplication::clipboard()->setText(

@@ -124,9 +124,10 @@ private:
   QProgressBar* Bar;
   QPushButton* Cancel;
   QString Trouble;
-  Settings Good;           // what is shown
-  Settings Asked;          // what is being read
-  Settings Meanwhile;      // what is shown, with all that was set since the reading began
+  Settings Good;      // what is shown
+  Settings Asked;     // what is being read
+  Settings Meanwhile; // what is shown, with all that was set since the reading began
+  bool SetMeanwhile = false;
   std::string ReadingKey;  // of what is shown, or being read; empty: what the user opens now
   Settings Place;          // camera and size of what is being read
   bool KeepCamera = false; // instead

@@ -100,6 +100,10 @@ void MainWindow::ShowNothing()
   this->Begin();
   this->Shown->GetPicture().Clear();
   this->Pages->setCurrentWidget(this->Hint);
+  if (!this->Good.Files.empty())
+  {
+    this->Edited->ForgetPast();
+  }
   this->Good = this->Edited->Get();
   this->ReadingKey = GetReadingKey(this->Good);
   this->Edited->SetFacts(Facts());
@@ -141,6 +145,7 @@ void MainWindow::ChangeShown(const Settings& settings)
     return;
   }
   this->Meanwhile = changed;
+  this->SetMeanwhile = true;
   try
   {
     if (picture.IsDressedAlike(changed)) // for messages about files are the reader's now
@@ -161,6 +166,7 @@ void MainWindow::Read()
   if (!this->Reader->IsReading())
   {
     this->Meanwhile = this->Good;
+    this->SetMeanwhile = false;
   }
   if (!this->ReadingKey.empty() && !this->Reader->IsReading()) // and not opened by the user
   {
@@ -231,6 +237,10 @@ void MainWindow::GiveUp()
 {
   this->Begin();
   this->Opening.clear();
+  if (this->SetMeanwhile)
+  {
+    this->Edited->ForgetPast(); // which would lead to what is given up
+  }
   Picture& picture = this->Shown->GetPicture();
   if (picture.IsEmpty())
   {
@@ -292,6 +302,10 @@ QString MainWindow::ShowRead()
   {
     this->Pages->setCurrentWidget(page);
     return QString::fromStdString(error.what());
+  }
+  if (this->Good.Files != this->Edited->Get().Files)
+  {
+    this->Edited->ForgetPast(); // that of other files
   }
   this->Good = this->Edited->Get();
   this->Edited->SetFacts(GetFacts(picture));
