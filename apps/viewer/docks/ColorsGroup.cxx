@@ -51,10 +51,10 @@ ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
   , Component(new QComboBox(this))
   , Colormap(MakeChoice(document, "--colormap", this))
   , Automatic(new QCheckBox("Automatic", this))
-  , Bar(MakeFlag(document, "Show the colours' scale", "--scalar-bar", this))
-  , Solid(new QCheckBox("One colour", this))
   , Least(new QLineEdit(this))
   , Most(new QLineEdit(this))
+  , Bar(MakeFlag(document, "Show the colours' scale", "--scalar-bar", this))
+  , Solid(new QCheckBox("One colour", this))
   , Color(new ColorButton(this))
 {
   this->setObjectName("colors");

@@ -45,8 +45,9 @@ private:
   Document* Edited;
   RangeReader ReadRange;
   QComboBox *ColorBy, *Component, *Colormap;
-  QCheckBox *Automatic, *Bar, *Solid;
+  QCheckBox* Automatic;
   QLineEdit *Least, *Most;
+  QCheckBox *Bar, *Solid;
   ColorButton* Color;
 };
 }

@@ -43,6 +43,7 @@ NumberEdit::NumberEdit(double least, double most, double step, int decimals, QWi
     this->Slider->setObjectName("slider");
     this->Slider->setRange(0, static_cast<int>(std::lround(steps)));
     layout->addWidget(this->Slider, 1);
+    QWidget::setTabOrder(this->Slider, this->Digits);
     QObject::connect(this->Slider, &QSlider::valueChanged, this,
       [this](int position) { this->Digits->setValue(this->Least + position * this->Step); });
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StagesPanel.h"
 
+#include "Labels.h"
 #include "ParameterEdit.h"
 #include "PointsEdit.h"
 
@@ -55,7 +56,7 @@ void StagesPanel::AddStage(vtkRelievoStage* stage)
   }
   Group& group = this->Groups[description.Name];
   group.Stage = description.Name;
-  group.Box = this->AddGroup(Words(description.Label), Words(description.Name));
+  group.Box = this->AddGroup(WriteLabel(Words(description.Label)), Words(description.Name));
   group.Box->setToolTip("<p>" + Words(description.Help) + "</p>");
   QFormLayout* rows = GetRows(group.Box);
   group.Reason = new QLabel(group.Box);
@@ -80,7 +81,7 @@ void StagesPanel::AddStage(vtkRelievoStage* stage)
     }
     auto* edit = new ParameterEdit(parameter, group.Box);
     edit->setObjectName(Words(name));
-    auto* label = new QLabel(Words(parameter.GetLabel()), group.Box);
+    auto* label = new QLabel(WriteLabel(Words(parameter.GetLabel())), group.Box);
     label->setToolTip(edit->toolTip());
     label->setBuddy(edit);
     rows->addRow(label, edit);
@@ -90,6 +91,11 @@ void StagesPanel::AddStage(vtkRelievoStage* stage)
         this->Edited->Change(
           [&](Settings& settings) { settings.SetParameter(stage, name, words.toStdString()); });
       });
+  }
+  if (group.Edits.empty() && !group.Points)
+  {
+    group.Box->setFlat(true); // an empty frame would look like something
+    rows->setContentsMargins(0, 0, 0, 0);
   }
   if (switched)
   {

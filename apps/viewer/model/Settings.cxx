@@ -281,6 +281,10 @@ std::string Settings::GetParameter(const std::string& stage, const std::string& 
   {
     return this->Get("--shadows");
   }
+  if (stage == "shadows" && parameter == "colored_shadows" && this->Has("--colored-shadows"))
+  {
+    return "on";
+  }
   const std::string* value = this->Find(stage, parameter);
   return value ? *value : GetStandard(stage, parameter);
 }
@@ -325,6 +329,10 @@ void Settings::SetParameter(
   else if (stage == "shadows" && parameter == "method")
   {
     this->SetShadows(this->ShowsShadows(), value);
+  }
+  else if (stage == "shadows" && parameter == "colored_shadows" && this->Has("--colored-shadows"))
+  {
+    value == "on" ? void() : this->Remove("--colored-shadows");
   }
   else
   {
