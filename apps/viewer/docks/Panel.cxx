@@ -4,6 +4,8 @@
 
 #include <QFormLayout>
 #include <QGroupBox>
+#include <QStyleOptionGroupBox>
+#include <QStylePainter>
 #include <QVBoxLayout>
 
 namespace viewer
@@ -11,6 +13,23 @@ namespace viewer
 namespace
 {
 constexpr int LeastWidth = 340;
+
+// Styles draw a frame around nothing, too, which looks as if something should be there.
+class Unframed : public QGroupBox
+{
+public:
+  using QGroupBox::QGroupBox;
+
+protected:
+  void paintEvent(QPaintEvent*) override
+  {
+    QStylePainter painter(this);
+    QStyleOptionGroupBox option;
+    this->initStyleOption(&option);
+    option.subControls &= ~QStyle::SC_GroupBoxFrame;
+    painter.drawComplexControl(QStyle::CC_GroupBox, option);
+  }
+};
 }
 
 //------------------------------------------------------------------------------
@@ -37,12 +56,17 @@ QSize Panel::sizeHint() const
 }
 
 //------------------------------------------------------------------------------
-QGroupBox* Panel::AddGroup(const QString& title, const QString& name)
+QGroupBox* Panel::AddGroup(const QString& title, const QString& name, bool framed)
 {
-  auto* group = new QGroupBox(title, this->widget());
+  QGroupBox* group = framed ? new QGroupBox(this->widget()) : new Unframed(this->widget());
+  group->setTitle(title);
   group->setObjectName(name);
   auto* rows = new QFormLayout(group);
   rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  if (!framed)
+  {
+    rows->setContentsMargins(0, 0, 0, 0);
+  }
   this->Column->addWidget(group);
   return group;
 }

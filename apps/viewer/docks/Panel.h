@@ -27,8 +27,8 @@ public:
   QSize sizeHint() const override;
 
 protected:
-  /// A group of rows, below the others.
-  QGroupBox* AddGroup(const QString& title, const QString& name);
+  /// A group of rows, below the others; without a frame where it is a title alone.
+  QGroupBox* AddGroup(const QString& title, const QString& name, bool framed = true);
   /// The group gets the room that is left.
   void Fill(QGroupBox* group);
   static QFormLayout* GetRows(QGroupBox* group);

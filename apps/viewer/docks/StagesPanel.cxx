@@ -56,7 +56,8 @@ void StagesPanel::AddStage(vtkRelievoStage* stage)
   }
   Group& group = this->Groups[description.Name];
   group.Stage = description.Name;
-  group.Box = this->AddGroup(WriteLabel(Words(description.Label)), Words(description.Name));
+  group.Box = this->AddGroup(WriteLabel(Words(description.Label)), Words(description.Name),
+    !description.Parameters.empty() || description.TakesData);
   group.Box->setToolTip("<p>" + Words(description.Help) + "</p>");
   QFormLayout* rows = GetRows(group.Box);
   group.Reason = new QLabel(group.Box);
@@ -91,11 +92,6 @@ void StagesPanel::AddStage(vtkRelievoStage* stage)
         this->Edited->Change(
           [&](Settings& settings) { settings.SetParameter(stage, name, words.toStdString()); });
       });
-  }
-  if (group.Edits.empty() && !group.Points)
-  {
-    group.Box->setFlat(true); // an empty frame would look like something
-    rows->setContentsMargins(0, 0, 0, 0);
   }
   if (switched)
   {
