@@ -5,7 +5,12 @@
 // when it is switched off again.
 #include "ViewerTest.h"
 
+#include <QFile>
 #include <QGroupBox>
+#include <QLabel>
+#include <QProgressDialog>
+#include <QSignalSpy>
+#include <QTimer>
 #include <QtTest>
 
 using viewer::Settings;
@@ -90,6 +95,41 @@ private Q_SLOTS:
     this->Open({ this->WriteScene(), "--camera", "2,2,4,0,0.5,0,0,1,0", "--view-angle", "40",
       "--light", "spot:2,4,2,0,0,0,25", "--shadows", "warped", "--tone", "simple" });
     this->Compare("words");
+  }
+
+  // Many samples are gathered while the user sees how far it is, and may end it.
+  void savesSoftShadows()
+  {
+    this->Open({ this->WriteScene(), "--light", "point:1,3,1.5,size=0.4", "--shadows", "map",
+      "--soft-shadows", "4096" });
+    const QString png = QString::fromStdString(this->Path("soft.png"));
+    int seen = 0, most = 0;
+    QTimer cancel;
+    QObject::connect(&cancel, &QTimer::timeout, &cancel, [&] {
+      if (auto* dialog = this->Window->findChild<QProgressDialog*>())
+      {
+        ++seen;
+        most = dialog->maximum();
+        QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
+        this->Window->OpenFiles({ QString::fromStdString(this->Path("missing.vtp")) });
+        QVERIFY(!ready.wait(200)); // not before the picture is saved, or not
+        dialog->cancel();
+      }
+    });
+    cancel.start(30);
+    this->Window->SavePicture(png);
+    cancel.stop();
+    QVERIFY(seen > 0 && most > 1000 && !QFile::exists(png));
+    QCOMPARE(
+      this->Window->findChild<QLabel*>("words")->text(), QString("Stopped: nothing was saved."));
+    QTRY_VERIFY(this->Window->GetTrouble().contains("missing.vtp"));
+    this->Change(
+      [](Settings& settings) { settings.SetParameter("shadows", "soft_samples", "24"); });
+    this->Window->SavePicture(png);
+    QVERIFY(this->RenderCommand());
+    QFile saved(png), made(QString::fromStdString(this->Path("command.png")));
+    QVERIFY(saved.open(QIODevice::ReadOnly) && made.open(QIODevice::ReadOnly));
+    QCOMPARE(saved.readAll(), made.readAll());
   }
 
   void afterTheMouse()

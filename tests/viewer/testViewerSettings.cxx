@@ -5,6 +5,7 @@
 #include "ViewerTest.h"
 
 #include "Failure.h"
+#include "History.h"
 #include "Options.h"
 
 #include <QtTest>
@@ -86,6 +87,51 @@ private Q_SLOTS:
       (Words{ "--stage", "tone:white=3", "a.vtp" }));
   }
 
+  // Shadows that are shown otherwise than before, and are the option's and the stage's at once.
+  void changesOfShadows()
+  {
+    Settings before = Settings::FromWords({ "a.vtp" });
+    before.SetParameter("shadows", "method", "exact");
+    Settings after = before;
+    after.SetParameter("shadows", "visible", "on");
+    Settings other = before;
+    other.Set("--edges", "");
+    other.TakeChanges(before, after);
+    QCOMPARE(other.GetWords(), (Words{ "--edges", "--shadows", "exact", "a.vtp" }));
+    other.TakeChanges(after, before);
+    other.Remove("--edges");
+    QVERIFY(other == before);
+  }
+
+  void history()
+  {
+    const auto at = [](const char* opacity) {
+      return Settings::FromWords({ "a.vtp", "--opacity", opacity });
+    };
+    Settings edged = at("0.5");
+    edged.Set("--edges", "");
+    viewer::History history;
+    QVERIFY(!history.CanUndo() && !history.Undo(at("0.1")));
+    history.Add(at("0.1"), at("0.3"), 0); // a slider
+    history.Add(at("0.3"), at("0.4"), 500);
+    history.Add(at("0.4"), at("0.5"), 1400);
+    history.Add(at("0.5"), edged, 1500); // something else
+    QVERIFY(*history.Undo(edged) == at("0.5"));
+    QVERIFY(*history.Undo(at("0.5")) == at("0.1"));
+    QVERIFY(!history.CanUndo() && history.CanRedo());
+    QVERIFY(*history.Redo(at("0.1")) == at("0.5"));
+    QVERIFY(*history.Redo(at("0.5")) == edged);
+    QVERIFY(!history.CanRedo());
+    QVERIFY(*history.Undo(edged) == at("0.5"));
+    history.Add(at("0.5"), at("0.6"), 1600); // what was undone is not done again any more
+    QVERIFY(!history.CanRedo());
+    QVERIFY(*history.Undo(at("0.6")) == at("0.5")); // not one with what came before undoing
+    history.Add(at("0.5"), at("0.6"), 9000);
+    history.Add(at("0.6"), at("0.7"), 12000); // later, another edit
+    history.DropUntil(at("0.6"));             // it was refused
+    QVERIFY(*history.Undo(at("0.6")) == at("0.5"));
+  }
+
   // The mode is the stage's, and said once; the last word counts, as in the command line.
   void fogMode()
   {
@@ -93,6 +139,8 @@ private Q_SLOTS:
       { "a.vtp", "--fog", "f.vtp,mode=chord,density=2", "--stage", "fog:mode=beer" });
     QCOMPARE(settings.GetWords(),
       (Words{ "--fog", "f.vtp,density=2", "--stage", "fog:mode=chord", "a.vtp" }));
+    QCOMPARE(Settings::FromWords({ "a.vtp", "--lamps", "l.vtp,casting=2,radius=3" }).GetWords(),
+      (Words{ "--lamps", "l.vtp,radius=3", "--stage", "lamps:casting=2", "a.vtp" }));
     QCOMPARE(Settings::FromWords({ "a.vtp", "--fog", "f.vtp,mode=beer" }).GetWords(),
       (Words{ "--fog", "f.vtp", "a.vtp" }));
   }

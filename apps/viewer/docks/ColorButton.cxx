@@ -3,6 +3,7 @@
 #include "ColorButton.h"
 
 #include <QColorDialog>
+#include <QPainter>
 #include <QPixmap>
 
 namespace viewer
@@ -27,7 +28,19 @@ void ColorButton::SetColor(const QColor& color)
   this->Color = color;
   QPixmap swatch(this->iconSize());
   swatch.fill(color);
+  QPainter frame(&swatch); // or else white would not be seen
+  frame.setPen(this->palette().color(QPalette::Mid));
+  frame.drawRect(0, 0, swatch.width() - 1, swatch.height() - 1);
+  frame.end();
   this->setIcon(swatch);
-  this->setText(color.name());
+  this->setText(this->Named ? color.name() : QString());
+  this->setToolTip(color.name());
+}
+
+//------------------------------------------------------------------------------
+void ColorButton::ShowNames(bool on)
+{
+  this->Named = on;
+  this->SetColor(this->Color);
 }
 }

@@ -22,11 +22,15 @@ public:
   void SetColor(const QColor& color);
   QColor GetColor() const { return this->Color; }
 
+  /// Whether its name is beside it; true at first.
+  void ShowNames(bool on);
+
 Q_SIGNALS:
   void edited(const QColor& color);
 
 private:
   QColor Color;
+  bool Named = true;
 };
 }
 

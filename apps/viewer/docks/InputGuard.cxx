@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QGroupBox>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QSlider>
 
 namespace viewer
@@ -44,6 +45,19 @@ bool IsOwnKey(QWidget* widget, const QKeyEvent& event)
   return (event.key() == Qt::Key_Space && (box || pressed)) ||
     (box && !event.text().isEmpty() && event.text()[0].isPrint());
 }
+
+// Texts undo what is typed; where nothing is, they have no use for the keys.
+bool IsIdleUndo(QWidget* widget, QKeyEvent& event)
+{
+  auto* line = qobject_cast<QLineEdit*>(widget);
+  if (qobject_cast<QAbstractSpinBox*>(widget) || qobject_cast<QComboBox*>(widget))
+  {
+    line = widget->findChild<QLineEdit*>();
+  }
+  return line &&
+    ((event.matches(QKeySequence::Undo) && !line->isUndoAvailable()) ||
+      (event.matches(QKeySequence::Redo) && !line->isRedoAvailable()));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -77,6 +91,11 @@ bool InputGuard::eventFilter(QObject* watched, QEvent* event)
       }
       return false;
     case QEvent::ShortcutOverride:
+      if (IsIdleUndo(widget, *static_cast<QKeyEvent*>(event)))
+      {
+        event->ignore(); // the window undoes
+        return true;
+      }
       if (IsOwnKey(widget, *static_cast<QKeyEvent*>(event)))
       {
         event->accept();

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LookPanel.h"
 
+#include "CameraPlace.h"
 #include "ColorButton.h"
-#include "Colormaps.h"
+#include "MaterialGroup.h"
+#include "ModelGroup.h"
 #include "NumberEdit.h"
+#include "OptionEdits.h"
 #include "Options.h"
 
 #include <QCheckBox>
@@ -12,6 +15,9 @@
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <utility>
 
 namespace viewer
 {
@@ -29,102 +35,60 @@ QColor FromColor(const cli::Color& color)
 }
 
 //------------------------------------------------------------------------------
-LookPanel::LookPanel(Document* document, QWidget* parent)
+LookPanel::LookPanel(Document* document, ColorsGroup::RangeReader range, QWidget* parent)
   : Panel(document, parent)
 {
   this->AddSurface();
+  this->GetColumn()->addWidget(new ColorsGroup(document, std::move(range), this->widget()));
+  this->GetColumn()->addWidget(new MaterialGroup(document, this->widget()));
+  this->GetColumn()->addWidget(new ModelGroup(document, this->widget()));
   this->AddBackground();
+  this->AddCamera();
   QObject::connect(document, &Document::changed, this, [this] { this->ShowSettings(); });
-  QObject::connect(document, &Document::factsChanged, this, [this] { this->ShowArrays(); });
-  this->ShowArrays();
-}
-
-//------------------------------------------------------------------------------
-QComboBox* LookPanel::AddChoice(QGroupBox* group, const QString& title, const char* option)
-{
-  auto* box = new QComboBox(group);
-  box->setObjectName(QString(option).remove('-'));
-  GetRows(group)->addRow(title, box);
-  QObject::connect(box, static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged),
-    this, [this, box, option] {
-      this->Edited->Change([&](Settings& settings) {
-        const std::string value = box->currentData().toString().toStdString();
-        value.empty() ? settings.Remove(option) : settings.Set(option, value);
-        if (!value.empty() && std::string(option) == "--color-by")
-        {
-          settings.Remove("--color");
-        }
-      });
-    });
-  return box;
-}
-
-//------------------------------------------------------------------------------
-QCheckBox* LookPanel::AddFlag(QGroupBox* group, const QString& title, const char* option)
-{
-  auto* box = new QCheckBox(title, group);
-  box->setObjectName(QString(option).remove('-'));
-  GetRows(group)->addRow(box);
-  QObject::connect(box, &QCheckBox::toggled, this, [this, option](bool on) {
-    this->Edited->Change(
-      [&](Settings& settings) { on ? settings.Set(option, "") : settings.Remove(option); });
-  });
-  return box;
+  this->ShowSettings();
 }
 
 //------------------------------------------------------------------------------
 void LookPanel::AddSurface()
 {
   QGroupBox* group = this->AddGroup("Surfaces", "surfaces");
-  this->Shading = this->AddChoice(group, "Shading", "--shading");
-  this->ColorBy = this->AddChoice(group, "Color by", "--color-by");
-  this->Colormap = this->AddChoice(group, "Colormap", "--colormap");
-  const QSignalBlocker quiet[] = { QSignalBlocker(this->Shading), QSignalBlocker(this->Colormap) };
+  this->Shading = MakeChoice(this->Edited, "--shading", group);
+  this->Shading->setToolTip("How light is computed on surfaces");
+  const QSignalBlocker quiet(this->Shading);
   this->Shading->addItem("As in the file", "");
   for (const char* kind : { "flat", "gouraud", "phong", "pbr" })
   {
     this->Shading->addItem(kind, kind);
   }
-  for (const std::string& name : cli::GetColormapNames())
-  {
-    const QString words = QString::fromStdString(name);
-    this->Colormap->addItem(words, name == cli::DefaultColormap ? QString() : words);
-  }
-  this->Bar = this->AddFlag(group, "Show the colours' scale", "--scalar-bar");
-  this->Solid = new QCheckBox("One colour", group);
-  this->Solid->setObjectName("solid");
-  this->Color = new ColorButton(group);
-  this->Color->setObjectName("color");
-  this->Color->SetColor(Qt::white);
-  GetRows(group)->addRow(this->Solid, this->Color);
-  const auto paint = [this] {
-    this->Edited->Change([this](Settings& settings) {
-      settings.Remove("--color");
-      if (this->Solid->isChecked())
-      {
-        for (const char* other : { "--color-by", "--colormap", "--range", "--scalar-bar" })
-        {
-          settings.Remove(other);
-        }
-        settings.Set("--color", Words(this->Color->GetColor()));
-      }
-    });
-  };
-  QObject::connect(this->Solid, &QCheckBox::toggled, this, paint);
-  QObject::connect(this->Color, &ColorButton::edited, this, [this, paint] {
-    const QSignalBlocker still(this->Solid);
-    this->Solid->setChecked(true);
-    paint();
-  });
+  GetRows(group)->addRow("Shading", this->Shading);
   this->Opacity = new NumberEdit(0.0, 1.0, 0.01, 2, group);
   this->Opacity->setObjectName("opacity");
+  this->Opacity->setToolTip("Of all meshes; 0 is invisible");
   GetRows(group)->addRow("Opacity", this->Opacity);
   QObject::connect(this->Opacity, &NumberEdit::edited, this, [this](double value) {
     this->Edited->Change([&](Settings& settings) {
-      value == 1.0 ? settings.Remove("--opacity") : settings.Set("--opacity", WriteNumber(value));
+      SetOption(settings, "--opacity", value == 1.0 ? "" : WriteNumber(value));
     });
   });
-  this->Edges = this->AddFlag(group, "Show edges", "--edges");
+  this->Edges = MakeFlag(this->Edited, "Show edges", "--edges", group);
+  this->Edges->setToolTip("Draws the edges of cells");
+  GetRows(group)->addRow(this->Edges);
+}
+
+//------------------------------------------------------------------------------
+void LookPanel::AddCamera()
+{
+  QGroupBox* group = this->AddGroup("Camera", "camera");
+  this->Angle = new NumberEdit(1.0, 179.0, 1.0, 2, group);
+  this->Angle->setObjectName("viewangle");
+  this->Angle->SetUnit("degrees");
+  this->Angle->setToolTip("The full vertical angle of the perspective");
+  GetRows(group)->addRow("View angle", this->Angle);
+  QObject::connect(this->Angle, &NumberEdit::edited, this, [this](double angle) {
+    this->Edited->Change([&](Settings& settings) {
+      SetOption(settings, "--view-angle", angle == StandardViewAngle ? "" : WriteNumber(angle));
+    });
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -166,48 +130,15 @@ void LookPanel::SetBackground()
 }
 
 //------------------------------------------------------------------------------
-void LookPanel::ShowArrays()
-{
-  {
-    const QSignalBlocker quiet(this->ColorBy);
-    this->ColorBy->clear();
-    this->ColorBy->addItem("As in the file", "");
-    for (const auto& array : this->Edited->GetFacts().Components)
-    {
-      const QString name = QString::fromStdString(array.first);
-      this->ColorBy->addItem(name, name);
-    }
-  }
-  this->ShowSettings();
-}
-
-//------------------------------------------------------------------------------
 void LookPanel::ShowSettings()
 {
-  const QSignalBlocker quiet[] = { QSignalBlocker(this->Shading), QSignalBlocker(this->ColorBy),
-    QSignalBlocker(this->Colormap), QSignalBlocker(this->Background), QSignalBlocker(this->Bar),
-    QSignalBlocker(this->Edges), QSignalBlocker(this->Solid) };
+  const QSignalBlocker quiet(this->Background);
   const Settings& settings = this->Edited->Get();
-  const auto show = [&settings](QComboBox* box, const char* option) {
-    const QString words = QString::fromStdString(settings.Get(option));
-    if (box->findData(words) < 0)
-    {
-      box->addItem(words, words); // a component of an array, for example
-    }
-    box->setCurrentIndex(box->findData(words));
-  };
-  show(this->Shading, "--shading");
-  show(this->ColorBy, "--color-by");
-  show(this->Colormap, "--colormap");
-  this->Bar->setChecked(settings.Has("--scalar-bar"));
-  this->Edges->setChecked(settings.Has("--edges"));
   const cli::RenderOptions options = settings.Parse();
-  this->Solid->setChecked(options.Look.Solid.has_value());
-  if (options.Look.Solid)
-  {
-    this->Color->SetColor(FromColor(*options.Look.Solid));
-  }
+  ShowChoice(this->Shading, settings, "--shading");
+  ShowFlag(this->Edges, settings, "--edges");
   this->Opacity->SetValue(options.Look.Opacity);
+  this->Angle->SetValue(options.ViewAngle.value_or(StandardViewAngle));
   const std::vector<cli::Color>& background = options.Look.Background;
   const bool own = settings.Has("--background");
   this->Background->setCurrentIndex(own ? static_cast<int>(background.size()) : 0);

@@ -6,6 +6,7 @@
 #ifndef LookPanel_h
 #define LookPanel_h
 
+#include "ColorsGroup.h"
 #include "Panel.h"
 
 class QCheckBox;
@@ -21,21 +22,19 @@ class LookPanel : public Panel
   Q_OBJECT
 
 public:
-  explicit LookPanel(Document* document, QWidget* parent = nullptr);
+  LookPanel(Document* document, ColorsGroup::RangeReader range, QWidget* parent = nullptr);
 
 private:
-  QComboBox* AddChoice(QGroupBox* group, const QString& title, const char* option);
-  QCheckBox* AddFlag(QGroupBox* group, const QString& title, const char* option);
   void AddSurface();
   void AddBackground();
+  void AddCamera();
   void SetBackground();
-  void ShowArrays();
   void ShowSettings();
 
-  QComboBox *Shading, *ColorBy, *Colormap, *Background;
-  QCheckBox *Bar, *Edges, *Solid;
-  ColorButton *Color, *Bottom, *Top;
-  NumberEdit* Opacity;
+  QComboBox *Shading, *Background;
+  QCheckBox* Edges;
+  ColorButton *Bottom, *Top;
+  NumberEdit *Opacity, *Angle;
 };
 }
 

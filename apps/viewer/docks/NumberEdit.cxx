@@ -43,8 +43,13 @@ NumberEdit::NumberEdit(double least, double most, double step, int decimals, QWi
     this->Slider->setObjectName("slider");
     this->Slider->setRange(0, static_cast<int>(std::lround(steps)));
     layout->addWidget(this->Slider, 1);
+    QWidget::setTabOrder(this->Slider, this->Digits);
     QObject::connect(this->Slider, &QSlider::valueChanged, this,
       [this](int position) { this->Digits->setValue(this->Least + position * this->Step); });
+  }
+  else if (decimals > 0) // small and large numbers alike
+  {
+    this->Digits->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   }
   layout->addWidget(this->Digits, this->Slider ? 0 : 1);
   QObject::connect(this->Digits,
@@ -57,6 +62,12 @@ NumberEdit::NumberEdit(double least, double most, double step, int decimals, QWi
 void NumberEdit::SetUnit(const QString& unit)
 {
   this->Digits->SetUnit(unit);
+}
+
+//------------------------------------------------------------------------------
+void NumberEdit::SetSpecial(const QString& text)
+{
+  this->Digits->setSpecialValueText(text);
 }
 
 //------------------------------------------------------------------------------

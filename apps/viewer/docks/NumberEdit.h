@@ -29,6 +29,9 @@ public:
   /// Goes around: what is behind the end is shown and given from the beginning on, as with angles.
   void SetWrapping();
 
+  /// What is shown instead of the least value.
+  void SetSpecial(const QString& text);
+
   /// Hours are shown as on a clock, 15:30.
   void SetClock();
 

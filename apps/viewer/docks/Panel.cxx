@@ -4,10 +4,34 @@
 
 #include <QFormLayout>
 #include <QGroupBox>
+#include <QStyleOptionGroupBox>
+#include <QStylePainter>
 #include <QVBoxLayout>
 
 namespace viewer
 {
+namespace
+{
+constexpr int LeastWidth = 340;
+
+// Styles draw a frame around nothing, too, which looks as if something should be there.
+class Unframed : public QGroupBox
+{
+public:
+  using QGroupBox::QGroupBox;
+
+protected:
+  void paintEvent(QPaintEvent*) override
+  {
+    QStylePainter painter(this);
+    QStyleOptionGroupBox option;
+    this->initStyleOption(&option);
+    option.subControls &= ~QStyle::SC_GroupBoxFrame;
+    painter.drawComplexControl(QStyle::CC_GroupBox, option);
+  }
+};
+}
+
 //------------------------------------------------------------------------------
 Panel::Panel(Document* document, QWidget* parent)
   : QScrollArea(parent)
@@ -22,16 +46,27 @@ Panel::Panel(Document* document, QWidget* parent)
   this->setWidgetResizable(true);
   this->setFrameShape(QFrame::NoFrame);
   this->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  this->setMinimumWidth(330);
+  this->setMinimumWidth(LeastWidth);
 }
 
 //------------------------------------------------------------------------------
-QGroupBox* Panel::AddGroup(const QString& title, const QString& name)
+QSize Panel::sizeHint() const
 {
-  auto* group = new QGroupBox(title, this->widget());
+  return { LeastWidth, this->QScrollArea::sizeHint().height() };
+}
+
+//------------------------------------------------------------------------------
+QGroupBox* Panel::AddGroup(const QString& title, const QString& name, bool framed)
+{
+  QGroupBox* group = framed ? new QGroupBox(this->widget()) : new Unframed(this->widget());
+  group->setTitle(title);
   group->setObjectName(name);
   auto* rows = new QFormLayout(group);
   rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  if (!framed)
+  {
+    rows->setContentsMargins(0, 0, 0, 0);
+  }
   this->Column->addWidget(group);
   return group;
 }

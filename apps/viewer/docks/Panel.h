@@ -23,9 +23,12 @@ class Panel : public QScrollArea
 public:
   Panel(Document* document, QWidget* parent);
 
+  /// As wide as it needs to be: the room is the picture's.
+  QSize sizeHint() const override;
+
 protected:
-  /// A group of rows, below the others.
-  QGroupBox* AddGroup(const QString& title, const QString& name);
+  /// A group of rows, below the others; without a frame where it is a title alone.
+  QGroupBox* AddGroup(const QString& title, const QString& name, bool framed = true);
   /// The group gets the room that is left.
   void Fill(QGroupBox* group);
   static QFormLayout* GetRows(QGroupBox* group);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReportPanel.h"
 
+#include "Labels.h"
 #include "StageChart.h"
 
 #include <QHeaderView>
@@ -18,6 +19,7 @@ namespace viewer
 namespace
 {
 constexpr int RefreshMilliseconds = 250;
+constexpr int MostTries = 8; // some drivers never know
 
 QString Milliseconds(const QJsonValue& value)
 {
@@ -39,13 +41,14 @@ ReportPanel::ReportPanel(std::function<std::string()> read, QWidget* parent)
   , Chart(new StageChart(this))
 {
   this->Table->setObjectName("stages");
-  this->Table->setHorizontalHeaderLabels({ "Stage", "GPU ms", "Memory", "Draws", "Why" });
+  this->Table->setHorizontalHeaderLabels({ "Stage", "GPU (ms)", "Memory", "Draws", "Why" });
   this->Table->verticalHeader()->hide();
   this->Table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   this->Table->horizontalHeader()->setStretchLastSection(true);
-  this->Table->setColumnWidth(1, 70);
-  this->Table->setColumnWidth(2, 80);
-  this->Table->setColumnWidth(3, 60);
+  for (int column = 0; column < 4; ++column)
+  {
+    this->Table->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+  }
   this->Total->setObjectName("total");
   this->Total->setWordWrap(true);
   this->Chart->setObjectName("chart");
@@ -71,7 +74,14 @@ void ReportPanel::Follow()
 void ReportPanel::showEvent(QShowEvent* event)
 {
   this->QWidget::showEvent(event);
+  this->Renew();
   this->Refresh();
+}
+
+//------------------------------------------------------------------------------
+void ReportPanel::Renew()
+{
+  this->Tries = MostTries;
 }
 
 //------------------------------------------------------------------------------
@@ -82,15 +92,19 @@ void ReportPanel::Refresh()
   const QJsonArray stages = report["stages"].toArray();
   this->Total->setText(report.isEmpty()
       ? QString("Nothing of Relievo is on: the picture is VTK's own.")
-      : QString("Frame: %1 ms on the GPU, %2")
-          .arg(Milliseconds(report["gpu_ms"]), Bytes(report["bytes"])));
+      : QString("Frame: %1 on the GPU, %2 held")
+          .arg(
+            report["gpu_ms"].isDouble() ? Milliseconds(report["gpu_ms"]) + " ms" : "not timed yet",
+            Bytes(report["bytes"])));
   std::vector<StageChart::Bar> bars;
+  bool untimed = false;
   for (const QJsonValue& value : stages)
   {
     const QJsonObject stage = value.toObject();
+    untimed = untimed || (stage["ran"].toBool() && !stage["gpu_ms"].isDouble());
     if (stage["ran"].toBool() && stage["gpu_ms"].isDouble())
     {
-      bars.push_back({ stage["label"].toString(), stage["gpu_ms"].toDouble() });
+      bars.push_back({ WriteLabel(stage["label"].toString()), stage["gpu_ms"].toDouble() });
     }
   }
   this->Chart->SetBars(bars);
@@ -100,16 +114,23 @@ void ReportPanel::Refresh()
     const QJsonObject stage = stages[row].toObject();
     const bool ran = stage["ran"].toBool();
     const QJsonValue draws = stage["draw_calls"];
-    const QString texts[] = { stage["label"].toString(), ran ? Milliseconds(stage["gpu_ms"]) : "",
-      ran ? Bytes(stage["bytes"]) : "",
+    const QString texts[] = { WriteLabel(stage["label"].toString()),
+      ran ? Milliseconds(stage["gpu_ms"]) : "", ran ? Bytes(stage["bytes"]) : "",
       ran && draws.isDouble() ? QString::number(draws.toInt()) : "", stage["reason"].toString() };
     for (int column = 0; column < 5; ++column)
     {
       auto* item = new QTableWidgetItem(texts[column]);
       item->setFlags(ran ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::ItemIsSelectable);
       item->setToolTip(stage["reason"].toString());
+      item->setTextAlignment(
+        Qt::AlignVCenter | (column >= 1 && column <= 3 ? Qt::AlignRight : Qt::AlignLeft));
       this->Table->setItem(row, column, item);
     }
+  }
+  if (untimed && this->isVisible() && this->Tries > 0)
+  {
+    --this->Tries;
+    Q_EMIT this->framesWanted();
   }
 }
 }

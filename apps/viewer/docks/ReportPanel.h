@@ -30,6 +30,13 @@ public:
   /// The picture was drawn: chart and table follow soon, if they are seen.
   void Follow();
 
+  /// Another picture is drawn, whose times are not known yet.
+  void Renew();
+
+Q_SIGNALS:
+  /// Times are measured only of frames that are drawn, and known some frames later.
+  void framesWanted();
+
 protected:
   void showEvent(QShowEvent* event) override;
 
@@ -41,6 +48,7 @@ private:
   QLabel* Total;
   StageChart* Chart;
   QTimer Timer;
+  int Tries = 0; // frames that may still be asked for
 };
 }
 

@@ -2,19 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StagesPanel.h"
 
+#include "Labels.h"
 #include "ParameterEdit.h"
+#include "PointsEdit.h"
 
 #include "vtkNew.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
 
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QGroupBox>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
-#include <QPushButton>
 #include <QSignalBlocker>
 
 namespace viewer
@@ -58,7 +56,8 @@ void StagesPanel::AddStage(vtkRelievoStage* stage)
   }
   Group& group = this->Groups[description.Name];
   group.Stage = description.Name;
-  group.Box = this->AddGroup(Words(description.Label), Words(description.Name));
+  group.Box = this->AddGroup(WriteLabel(Words(description.Label)), Words(description.Name),
+    !description.Parameters.empty() || description.TakesData);
   group.Box->setToolTip("<p>" + Words(description.Help) + "</p>");
   QFormLayout* rows = GetRows(group.Box);
   group.Reason = new QLabel(group.Box);
@@ -71,7 +70,8 @@ void StagesPanel::AddStage(vtkRelievoStage* stage)
   const bool switched = !description.OnByDefault || description.TakesData || isSwitch;
   if (description.TakesData && !isSwitch)
   {
-    this->AddFiles(group);
+    group.Points = new PointsEdit(this->Edited, group.Stage, group.Box);
+    rows->addRow(group.Points);
   }
   for (const vtkRelievoParameter& parameter : description.Parameters)
   {
@@ -82,7 +82,7 @@ void StagesPanel::AddStage(vtkRelievoStage* stage)
     }
     auto* edit = new ParameterEdit(parameter, group.Box);
     edit->setObjectName(Words(name));
-    auto* label = new QLabel(Words(parameter.GetLabel()), group.Box);
+    auto* label = new QLabel(WriteLabel(Words(parameter.GetLabel())), group.Box);
     label->setToolTip(edit->toolTip());
     label->setBuddy(edit);
     rows->addRow(label, edit);
@@ -102,83 +102,52 @@ void StagesPanel::AddStage(vtkRelievoStage* stage)
 }
 
 //------------------------------------------------------------------------------
-void StagesPanel::AddFiles(Group& group)
-{
-  group.Files = new QListWidget(group.Box);
-  group.Files->setObjectName("files");
-  group.Files->setMaximumHeight(60);
-  auto* add = new QPushButton("Add file...", group.Box);
-  auto* remove = new QPushButton("Remove", group.Box);
-  auto* buttons = new QHBoxLayout();
-  buttons->addWidget(add);
-  buttons->addWidget(remove);
-  GetRows(group.Box)->addRow(group.Files);
-  GetRows(group.Box)->addRow(buttons);
-  QObject::connect(
-    add, &QPushButton::clicked, this, [this, stage = group.Stage] { this->AskFile(stage); });
-  QObject::connect(remove, &QPushButton::clicked, this, [this, &group] {
-    const int row = group.Files->currentRow();
-    this->Edited->Change([&](Settings& settings) {
-      const std::string option = GetOption(group.Stage);
-      std::vector<std::string> words = settings.GetAll(option);
-      if (row >= 0 && row < static_cast<int>(words.size()))
-      {
-        words.erase(words.begin() + row);
-        settings.SetAll(option, words);
-      }
-    });
-  });
-}
-
-//------------------------------------------------------------------------------
-void StagesPanel::AskFile(const std::string& stage)
-{
-  const QString file = QFileDialog::getOpenFileName(this, "Points for " + Words(stage));
-  if (!file.isEmpty())
-  {
-    this->Edited->Change([&](Settings& settings) {
-      std::vector<std::string> words = settings.GetAll(GetOption(stage));
-      words.push_back(file.toStdString());
-      settings.SetAll(GetOption(stage), words);
-    });
-  }
-  this->ShowSettings();
-}
-
-//------------------------------------------------------------------------------
 bool StagesPanel::IsOn(const Group& group) const
 {
   const Settings& settings = this->Edited->Get();
-  return group.Files           ? settings.Has(GetOption(group.Stage))
+  return group.Points          ? settings.Has(GetOption(group.Stage))
     : group.Stage == "shadows" ? settings.GetParameter("shadows", "visible") == "on"
                                : settings.IsStageAsked(group.Stage);
 }
 
 //------------------------------------------------------------------------------
+// What is switched off is kept: on again is as it was.
 void StagesPanel::Switch(Group& group, bool on)
 {
-  if (group.Files && on && group.Kept.empty())
+  if (group.Stage == "shadows")
   {
-    this->AskFile(group.Stage);
+    this->Edited->Change(
+      [on](Settings& settings) { settings.SetParameter("shadows", "visible", on ? "on" : "off"); });
     return;
   }
+  if (group.Points && on && !group.Kept)
+  {
+    group.Points->Ask();
+    this->ShowSettings(); // off again, if there is none
+    return;
+  }
+  const Settings before = this->Edited->Get();
+  const Settings from = on ? group.Kept.value_or(before) : Settings();
   this->Edited->Change([&](Settings& settings) {
-    if (group.Files)
+    settings.AskStage(group.Stage, false);
+    for (const auto& edit : group.Edits)
     {
-      const std::string option = GetOption(group.Stage);
-      const std::vector<std::string> kept = group.Kept;
-      group.Kept = on ? std::vector<std::string>() : settings.GetAll(option);
-      settings.SetAll(option, on ? kept : std::vector<std::string>());
+      if (from.HasParameter(group.Stage, edit.first))
+      {
+        settings.SetParameter(group.Stage, edit.first, from.GetParameter(group.Stage, edit.first));
+      }
     }
-    else if (group.Stage == "shadows")
+    if (group.Points)
     {
-      settings.SetParameter("shadows", "visible", on ? "on" : "off");
+      settings.SetAll(GetOption(group.Stage), from.GetAll(GetOption(group.Stage)));
     }
-    else
+    else if (on)
     {
-      settings.AskStage(group.Stage, on);
+      settings.AskStage(group.Stage, true);
     }
   });
+  group.Kept = on ? std::nullopt : std::optional<Settings>(before);
+  this->ShowSettings();
 }
 
 //------------------------------------------------------------------------------
@@ -188,26 +157,18 @@ void StagesPanel::ShowSettings()
   for (auto& [stage, group] : this->Groups)
   {
     const QSignalBlocker quiet(group.Box);
+    const bool on = this->IsOn(group);
     if (group.Box->isCheckable())
     {
-      group.Box->setChecked(this->IsOn(group));
+      group.Box->setChecked(on);
+    }
+    if (on)
+    {
+      group.Kept.reset();
     }
     for (const auto& [name, edit] : group.Edits)
     {
-      edit->SetValue(Words(settings.GetParameter(stage, name)));
-    }
-    if (group.Files)
-    {
-      const std::vector<std::string> words = settings.GetAll(GetOption(stage));
-      group.Files->clear();
-      for (const std::string& word : words)
-      {
-        group.Files->addItem(Words(word));
-      }
-      if (!words.empty())
-      {
-        group.Kept.clear();
-      }
+      edit->SetValue(Words((group.Kept ? *group.Kept : settings).GetParameter(stage, name)));
     }
   }
 }

@@ -10,18 +10,18 @@
 #include "Panel.h"
 
 #include <map>
+#include <optional>
 #include <string>
-#include <vector>
 
 class QGroupBox;
 class QLabel;
-class QListWidget;
 class vtkRelievoPass;
 class vtkRelievoStage;
 
 namespace viewer
 {
 class ParameterEdit;
+class PointsEdit;
 
 class StagesPanel : public Panel
 {
@@ -39,15 +39,13 @@ private:
     std::string Stage;
     QGroupBox* Box;
     QLabel* Reason;
-    QListWidget* Files = nullptr; // of a stage that works on data
+    PointsEdit* Points = nullptr; // of a stage that works on data
     std::map<std::string, ParameterEdit*> Edits;
-    std::vector<std::string> Kept; // files, while it is switched off
+    std::optional<Settings> Kept; // while it is switched off
   };
 
   void AddStage(vtkRelievoStage* stage);
-  void AddFiles(Group& group);
   void Switch(Group& group, bool on);
-  void AskFile(const std::string& stage);
   bool IsOn(const Group& group) const;
   void ShowSettings();
 

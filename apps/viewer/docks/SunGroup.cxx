@@ -5,6 +5,8 @@
 #include "NumberEdit.h"
 #include "Options.h"
 
+#include "vtkMath.h"
+
 #include <QComboBox>
 #include <QDateEdit>
 #include <QFormLayout>
@@ -13,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace viewer
 {
@@ -30,6 +33,14 @@ std::string GetSize(const std::string& word)
 QFormLayout* GetRows(QWidget* part)
 {
   return static_cast<QFormLayout*>(part->layout());
+}
+
+bool AreClose(const SunAngles& a, const SunAngles& b)
+{
+  constexpr double near = 0.01; // degrees
+  const double turn = std::remainder(a.Azimuth - b.Azimuth, 360.0);
+  return std::abs(a.Elevation - b.Elevation) < near &&
+    std::abs(turn) * std::cos(vtkMath::RadiansFromDegrees(a.Elevation)) < near;
 }
 
 int GetUpAxis(const Settings& settings)
@@ -182,15 +193,21 @@ void SunGroup::ShowSettings()
   this->NextOwn = this->Own;
   const QSignalBlocker quiet(this);
   this->setChecked(this->Own >= 0);
+  this->Words->hide();
   if (this->Own >= 0)
   {
     const std::string& sun = lights[static_cast<std::size_t>(this->Own)];
     const int up = GetUpAxis(settings);
     if (sun != this->Written || up != this->WrittenUp)
     {
+      const SunAngles angles = GetSunAngles(cli::ParseLight(sun).Position, up);
+      if (sun != this->Written && this->IsByTime() &&
+        !AreClose(angles, GetSunAngles(this->GetTime())))
+      {
+        this->SetTime(this->GetTime(), false); // it was set elsewhere, by its direction
+      }
       this->Written = sun;
       this->WrittenUp = up;
-      const SunAngles angles = GetSunAngles(cli::ParseLight(sun).Position, up);
       this->Azimuth->SetValue(angles.Azimuth);
       this->Elevation->SetValue(angles.Elevation);
     }

@@ -92,6 +92,9 @@ void TimeBar::ShowSettings()
 //------------------------------------------------------------------------------
 void TimeBar::Play(bool on)
 {
+  this->Playing->setIcon(
+    this->style()->standardIcon(on ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
+  this->Playing->setText(on ? "Pause" : "Play");
   this->Clock.start();
   on ? this->Next.start(0) : this->Next.stop();
 }

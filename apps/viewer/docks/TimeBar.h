@@ -8,6 +8,7 @@
 
 #include "Document.h"
 
+#include <QAction>
 #include <QElapsedTimer>
 #include <QTimer>
 #include <QToolBar>
@@ -26,6 +27,8 @@ public:
 
   /// Is hidden where nothing moves.
   void ShowSettings();
+
+  void Stop() { this->Playing->setChecked(false); }
 
 private:
   void Play(bool on);

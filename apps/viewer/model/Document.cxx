@@ -9,6 +9,13 @@
 namespace viewer
 {
 //------------------------------------------------------------------------------
+Document::Document(QObject* parent)
+  : QObject(parent)
+{
+  this->Clock.start();
+}
+
+//------------------------------------------------------------------------------
 void Document::Set(const Settings& settings)
 {
   if (settings == this->Now)
@@ -24,9 +31,39 @@ void Document::Set(const Settings& settings)
     this->Refuse(this->Now, QString::fromStdString(error.what()));
     return;
   }
-  this->Now = settings;
-  Q_EMIT this->changed();
-  Q_EMIT this->asked();
+  this->Past.Add(this->Now, settings, this->Clock.elapsed());
+  this->GoTo(settings);
+}
+
+//------------------------------------------------------------------------------
+void Document::GoTo(const std::optional<Settings>& settings)
+{
+  if (settings)
+  {
+    this->Now = *settings;
+    Q_EMIT this->changed();
+    Q_EMIT this->pastChanged();
+    Q_EMIT this->asked();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Document::Undo()
+{
+  this->GoTo(this->Past.Undo(this->Now));
+}
+
+//------------------------------------------------------------------------------
+void Document::Redo()
+{
+  this->GoTo(this->Past.Redo(this->Now));
+}
+
+//------------------------------------------------------------------------------
+void Document::ForgetPast()
+{
+  this->Past.Clear();
+  Q_EMIT this->pastChanged();
 }
 
 //------------------------------------------------------------------------------
@@ -41,7 +78,9 @@ void Document::Change(const std::function<void(Settings&)>& edit)
 void Document::Return(const Settings& good)
 {
   this->Now = good;
+  this->Past.DropUntil(good);
   Q_EMIT this->changed();
+  Q_EMIT this->pastChanged();
 }
 
 //------------------------------------------------------------------------------

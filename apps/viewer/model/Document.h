@@ -7,12 +7,15 @@
 #define Document_h
 
 #include "Facts.h"
+#include "History.h"
 #include "Settings.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 
 #include <functional>
+#include <optional>
 
 namespace viewer
 {
@@ -21,7 +24,7 @@ class Document : public QObject
   Q_OBJECT
 
 public:
-  using QObject::QObject;
+  explicit Document(QObject* parent = nullptr);
 
   const Settings& Get() const { return this->Now; }
 
@@ -34,6 +37,15 @@ public:
   /// of the new ones failed.
   void Return(const Settings& good);
   void Refuse(const Settings& good, const QString& why);
+  ///@}
+
+  ///@{
+  /// Edits are undone one by one, and done again.
+  void Undo();
+  void Redo();
+  bool CanUndo() const { return this->Past.CanUndo(); }
+  bool CanRedo() const { return this->Past.CanRedo(); }
+  void ForgetPast();
   ///@}
 
   ///@{
@@ -50,10 +62,15 @@ Q_SIGNALS:
   /// Others than before, to be shown; panels show them already.
   void asked();
   void factsChanged();
+  void pastChanged();
   void refused(const QString& why);
 
 private:
+  void GoTo(const std::optional<Settings>& settings);
+
   Settings Now;
+  History Past;
+  QElapsedTimer Clock;
   Facts Known;
 };
 }

@@ -114,21 +114,30 @@ void Settings::TakeStages(const cli::RenderOptions& options)
       this->SetParameter("fog", "mode", fog.Mode);
     }
   }
-  for (std::string& word : this->Values["--fog"])
-  {
-    const std::size_t at = word.find(",mode=");
-    if (at != std::string::npos)
-    {
-      word.erase(at, word.find(',', at + 1) - at);
-    }
-  }
-  this->SetAll("--fog", this->GetAll("--fog"));
+  this->DropValue("--fog", "mode");
+  this->DropValue("--lamps", "casting");
   for (auto stage = this->Stages.begin(); stage != this->Stages.end();)
   {
     const bool idle =
       stage->second.empty() && GetNewFrame()->GetStage(stage->first)->GetDescription().OnByDefault;
     stage = idle ? this->Stages.erase(stage) : std::next(stage);
   }
+}
+
+//------------------------------------------------------------------------------
+// Of files of points; it is said as the stage's parameter.
+void Settings::DropValue(const std::string& option, const std::string& name)
+{
+  std::vector<std::string> words = this->GetAll(option);
+  for (std::string& word : words)
+  {
+    const std::size_t at = word.find("," + name + "=");
+    if (at != std::string::npos)
+    {
+      word.erase(at, word.find(',', at + 1) - at);
+    }
+  }
+  this->SetAll(option, words);
 }
 
 //------------------------------------------------------------------------------
@@ -272,8 +281,18 @@ std::string Settings::GetParameter(const std::string& stage, const std::string& 
   {
     return this->Get("--shadows");
   }
+  if (stage == "shadows" && parameter == "colored_shadows" && this->Has("--colored-shadows"))
+  {
+    return "on";
+  }
   const std::string* value = this->Find(stage, parameter);
-  return value ? *value : GetNewFrame()->GetStage(stage)->GetParameterDefault(parameter);
+  return value ? *value : GetStandard(stage, parameter);
+}
+
+//------------------------------------------------------------------------------
+std::string Settings::GetStandard(const std::string& stage, const std::string& parameter)
+{
+  return GetNewFrame()->GetStage(stage)->GetParameterDefault(parameter);
 }
 
 //------------------------------------------------------------------------------
@@ -311,6 +330,10 @@ void Settings::SetParameter(
   {
     this->SetShadows(this->ShowsShadows(), value);
   }
+  else if (stage == "shadows" && parameter == "colored_shadows" && this->Has("--colored-shadows"))
+  {
+    value == "on" ? void() : this->Remove("--colored-shadows");
+  }
   else
   {
     this->SetGiven(stage, parameter, value);
@@ -333,43 +356,6 @@ void Settings::SetGiven(
   else if (given.empty() && fresh->GetDescription().OnByDefault)
   {
     this->Stages.erase(stage);
-  }
-}
-
-//------------------------------------------------------------------------------
-void Settings::TakeChanges(const Settings& before, const Settings& after)
-{
-  for (const cli::KnownOption& option : cli::GetRenderOptions())
-  {
-    const std::vector<std::string> now = after.GetAll(option.Name);
-    if (now != before.GetAll(option.Name))
-    {
-      this->SetAll(option.Name, now);
-    }
-  }
-  std::map<std::string, Parameters> all = before.Stages;
-  all.insert(after.Stages.begin(), after.Stages.end());
-  for (const auto& each : all)
-  {
-    const std::string& stage = each.first;
-    if (before.IsStageAsked(stage) != after.IsStageAsked(stage))
-    {
-      this->AskStage(stage, after.IsStageAsked(stage));
-    }
-    if (!after.IsStageAsked(stage))
-    {
-      continue;
-    }
-    for (const vtkRelievoParameter& parameter :
-      GetNewFrame()->GetStage(stage)->GetDescription().Parameters)
-    {
-      const std::string* then = before.Find(stage, parameter.Name);
-      const std::string* now = after.Find(stage, parameter.Name);
-      if (now ? !then || *now != *then : then != nullptr)
-      {
-        this->SetGiven(stage, parameter.Name, now ? *now : parameter.Default);
-      }
-    }
   }
 }
 

@@ -12,6 +12,7 @@
 #include "Numbers.h" // for the values
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,10 +57,17 @@ public:
   /// Setting a parameter asks for its stage.
   bool IsStageAsked(const std::string& stage) const { return this->Stages.count(stage) != 0; }
   void AskStage(const std::string& stage, bool asked);
+  bool HasParameter(const std::string& stage, const std::string& parameter) const
+  {
+    return this->Find(stage, parameter) != nullptr;
+  }
   std::string GetParameter(const std::string& stage, const std::string& parameter) const;
   void SetParameter(
     const std::string& stage, const std::string& parameter, const std::string& value);
   ///@}
+
+  /// Options, and STAGE:PARAMETER, that the other says differently; "" for files.
+  std::set<std::string> GetChanges(const Settings& other) const;
 
   /// What `after` says differently than `before`, files apart, is said here as well.
   void TakeChanges(const Settings& before, const Settings& after);
@@ -71,8 +79,10 @@ private:
   using Parameters = std::vector<std::pair<std::string, std::string>>;
 
   void TakeStages(const cli::RenderOptions& options);
+  void DropValue(const std::string& option, const std::string& name);
   bool ShowsShadows() const;
   void SetShadows(bool visible, const std::string& method);
+  static std::string GetStandard(const std::string& stage, const std::string& parameter);
   const std::string* Find(const std::string& stage, const std::string& parameter) const;
   void SetGiven(const std::string& stage, const std::string& parameter, const std::string& value);
 

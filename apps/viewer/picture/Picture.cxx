@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture.h"
 
+#include "CameraPlace.h"
 #include "Failure.h"
 #include "ShadowOptions.h"
 #include "Shadows.h"
@@ -9,7 +10,6 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
-#include "vtkMath.h"
 #include "vtkRelievoFogStage.h"
 #include "vtkRelievoLampsStage.h"
 #include "vtkRelievoMarkersStage.h"
@@ -18,8 +18,6 @@
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <exception>
 
 namespace viewer
@@ -67,17 +65,6 @@ std::string MakeDressKey(const Settings& settings)
     }
   }
   return MakeKey(settings, names);
-}
-
-std::array<double, 3> Three(const double* values)
-{
-  return { values[0], values[1], values[2] };
-}
-
-cli::CameraPlace GetPlace(vtkCamera* camera)
-{
-  return { Three(camera->GetPosition()), Three(camera->GetFocalPoint()),
-    Three(camera->GetViewUp()) };
 }
 }
 
@@ -223,7 +210,7 @@ void Picture::Apply(const Settings& settings, bool keepCamera)
   if (wears || bar || dress != this->Now.Dress)
   {
     this->Now.Dress = "\n";
-    this->Now.Renderer->GetActiveCamera()->SetViewAngle(30.0); // VTK's
+    this->Now.Renderer->GetActiveCamera()->SetViewAngle(StandardViewAngle);
     cli::DressScene(this->Now.Bare.Undress(), options);
     this->Now.Renderer->ComputeVisiblePropBounds(this->Now.Bounds);
     this->Now.BarHeight = height;
@@ -298,75 +285,6 @@ void Picture::FitClipping()
   {
     this->Now.Renderer->ResetCameraClippingRange(this->Now.Bounds);
   }
-}
-
-//------------------------------------------------------------------------------
-void Picture::ResetCamera()
-{
-  if (this->Now.Renderer)
-  {
-    this->Now.Renderer->ResetCamera(this->Now.Bounds);
-  }
-}
-
-//------------------------------------------------------------------------------
-void Picture::LookAlong(const std::array<double, 3>& direction, const std::array<double, 3>& up)
-{
-  if (this->Now.Renderer)
-  {
-    vtkCamera* camera = this->Now.Renderer->GetActiveCamera();
-    const std::array<double, 3> at = Three(camera->GetFocalPoint());
-    camera->SetPosition(at[0] - direction[0], at[1] - direction[1], at[2] - direction[2]);
-    camera->SetViewUp(up.data());
-    this->ResetCamera();
-  }
-}
-
-//------------------------------------------------------------------------------
-void Picture::SetParallel(bool on)
-{
-  if (this->Now.Renderer)
-  {
-    vtkCamera* camera = this->Now.Renderer->GetActiveCamera();
-    if (on && !camera->GetParallelProjection())
-    {
-      const double half = vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle());
-      camera->SetParallelScale(camera->GetDistance() * std::tan(half));
-    }
-    camera->SetParallelProjection(on);
-  }
-}
-
-//------------------------------------------------------------------------------
-bool Picture::IsParallel() const
-{
-  return this->Now.Renderer && this->Now.Renderer->GetActiveCamera()->GetParallelProjection();
-}
-
-//------------------------------------------------------------------------------
-Settings Picture::GetView(const Settings& settings) const
-{
-  Settings view = settings;
-  if (this->Now.Renderer)
-  {
-    const int* size = this->Window->GetSize();
-    view.Set("--size", std::to_string(size[0]) + "x" + std::to_string(size[1]));
-    vtkCamera* camera = this->Now.Renderer->GetActiveCamera();
-    const cli::CameraPlace place = GetPlace(camera);
-    std::vector<double> numbers;
-    for (const std::array<double, 3>& each : { place.Position, place.FocalPoint, place.ViewUp })
-    {
-      numbers.insert(numbers.end(), each.begin(), each.end());
-    }
-    view.Set("--camera", WriteNumbers(numbers));
-    view.Remove("--parallel-scale");
-    if (camera->GetParallelProjection())
-    {
-      view.Set("--parallel-scale", WriteNumber(camera->GetParallelScale()));
-      view.Remove("--view-angle");
-    }
-  }
-  return view;
 }
 
 //------------------------------------------------------------------------------

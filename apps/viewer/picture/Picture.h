@@ -73,6 +73,7 @@ public:
   vtkRenderer* GetRenderer() { return this->Now.Renderer; }
   vtkRelievoPass* GetFrame();
   const BareScene& GetBare() const { return this->Now.Bare; }
+  const cli::FramePoints& GetPoints() const { return this->Now.Points; }
 
 private:
   void Apply(const Settings& settings, bool keepCamera);

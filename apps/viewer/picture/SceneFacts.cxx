@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneFacts.h"
 
-#include "BareScene.h"
 #include "DataSets.h"
+#include "Picture.h"
 
 #include "vtkActorCollection.h"
 #include "vtkCellData.h"
@@ -14,6 +14,7 @@
 #include "vtkRelievoArraySampler.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoModelReader.h"
+#include "vtkScalarsToColors.h"
 
 #include <algorithm>
 #include <set>
@@ -52,11 +53,32 @@ bool NeedsPrefix(const std::string& name, const Arrays& arrays)
   return like || vtkRelievoLayerCatalogue::GetIsLayer(name) ||
     (arrays[0].count(name) != 0 && arrays[1].count(name) != 0);
 }
+
+// Of each file of points.
+template <typename Points>
+std::vector<std::vector<std::string>> GetPointArrays(
+  const std::vector<vtkSmartPointer<Points>>& files)
+{
+  std::vector<std::vector<std::string>> names;
+  for (const vtkSmartPointer<Points>& file : files)
+  {
+    Arrays arrays;
+    cli::ForEachDataSet(
+      file->GetInputDataObject(0, 0), [&arrays](vtkDataSet* block) { AddArrays(block, arrays); });
+    names.emplace_back();
+    for (const auto& array : arrays[0])
+    {
+      names.back().push_back(array.first);
+    }
+  }
+  return names;
+}
 }
 
 //------------------------------------------------------------------------------
-Facts GetFacts(const BareScene& scene)
+Facts GetFacts(const Picture& picture)
 {
+  const BareScene& scene = picture.GetBare();
   Arrays arrays;
   vtkActorCollection* actors = scene.Get().Renderer->GetActors();
   for (int i = 0; i < actors->GetNumberOfItems(); ++i)
@@ -94,6 +116,30 @@ Facts GetFacts(const BareScene& scene)
       }
     }
   }
+  facts.PointArrays = { { "lamps", GetPointArrays(picture.GetPoints().Lamps) },
+    { "fog", GetPointArrays(picture.GetPoints().Fogs) },
+    { "markers", GetPointArrays(picture.GetPoints().Markers) } };
   return facts;
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::array<double, 2>> GetColorRange(const Picture& picture)
+{
+  if (picture.IsEmpty())
+  {
+    return std::nullopt;
+  }
+  vtkActorCollection* actors = picture.GetBare().Get().Renderer->GetActors();
+  for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+  {
+    vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
+    vtkMapper* mapper = picture.GetBare().Find(actor) ? actor->GetMapper() : nullptr;
+    if (mapper && mapper->GetScalarVisibility() && mapper->GetUseLookupTableScalarRange())
+    {
+      const double* range = mapper->GetLookupTable()->GetRange();
+      return std::array<double, 2>{ range[0], range[1] };
+    }
+  }
+  return std::nullopt;
 }
 }

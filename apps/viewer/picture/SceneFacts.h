@@ -1,18 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a scene holds, for panels to offer.
+ * What the files of a picture hold, for panels to offer.
  */
 #ifndef SceneFacts_h
 #define SceneFacts_h
 
 #include "Facts.h"
 
+#include <array>
+#include <optional>
+
 namespace viewer
 {
-class BareScene;
+class Picture;
 
-Facts GetFacts(const BareScene& scene);
+Facts GetFacts(const Picture& picture);
+
+/// Values of the first and the last colour; none: no values give the colours.
+std::optional<std::array<double, 2>> GetColorRange(const Picture& picture);
 }
 
 #endif

@@ -44,6 +44,18 @@ QAction* Add(QMenu* menu, MainWindow* window, const QString& text, const QKeySeq
 }
 
 //------------------------------------------------------------------------------
+// An action on the picture, which is idle where there is none.
+QAction* NeedPicture(MainWindow* window, QAction* action)
+{
+  const auto follow = [window, action] {
+    action->setEnabled(!window->GetView()->GetPicture().IsEmpty());
+  };
+  QObject::connect(window->GetDocument(), &Document::factsChanged, action, follow);
+  follow();
+  return action;
+}
+
+//------------------------------------------------------------------------------
 void AddFileMenu(MainWindow* window, RecentFiles* recent)
 {
   QMenu* menu = window->menuBar()->addMenu("&File");
@@ -70,21 +82,23 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
       window->SaveSession(path);
     }
   });
-  Add(menu, window, "Save &picture...", QKeySequence("Ctrl+P"), "savePicture", [window] {
-    const QString path = AskPlace(window, "Save picture", ".png");
-    if (!path.isEmpty())
-    {
-      window->SavePicture(path);
-    }
-  });
-  Add(menu, window, "Save &layers...", QKeySequence("Ctrl+E"), "saveLayers", [window] {
-    const QString path = AskPlace(window, "Save colour, depth, position, normal and ids", ".exr");
-    if (!path.isEmpty())
-    {
-      window->SaveLayers(
-        path, { "color", "depth", "position", "normal", "actor", "block", "cell" });
-    }
-  });
+  NeedPicture(
+    window, Add(menu, window, "Save &picture...", QKeySequence("Ctrl+P"), "savePicture", [window] {
+      const QString path = AskPlace(window, "Save picture", ".png");
+      if (!path.isEmpty())
+      {
+        window->SavePicture(path);
+      }
+    }));
+  NeedPicture(
+    window, Add(menu, window, "Save &layers...", QKeySequence("Ctrl+E"), "saveLayers", [window] {
+      const QString path = AskPlace(window, "Save colour, depth, position, normal and ids", ".exr");
+      if (!path.isEmpty())
+      {
+        window->SaveLayers(
+          path, { "color", "depth", "position", "normal", "actor", "block", "cell" });
+      }
+    }));
   menu->addSeparator();
   Add(menu, window, "&Quit", QKeySequence::Quit, "quit", [window] { window->close(); });
 }
@@ -93,17 +107,32 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
 void AddEditMenu(MainWindow* window)
 {
   QMenu* menu = window->menuBar()->addMenu("&Edit");
-  Add(menu, window, "Copy as &command line", QKeySequence("Ctrl+Shift+C"), "copyCommand", [window] {
-    window->GetView()->GetPicture().CheckShown("Copy as command line");
-    QApplication::clipboard()->setText(
-      QString::fromStdString(WriteCommand(window->GetViewSettings(), "picture.png")));
-    window->Say("Copied: the command that makes this picture");
-  });
-  Add(menu, window, "Copy as &Python", QKeySequence("Ctrl+Shift+P"), "copyPython", [window] {
-    QApplication::clipboard()->setText(QString::fromStdString(
-      WritePython(window->GetView()->GetPicture(), window->GetViewSettings(), "picture.png")));
-    window->Say("Copied: the Python program that makes this picture");
-  });
+  Document* document = window->GetDocument();
+  QAction* undo =
+    Add(menu, window, "&Undo", QKeySequence::Undo, "undo", [document] { document->Undo(); });
+  QAction* redo =
+    Add(menu, window, "&Redo", QKeySequence::Redo, "redo", [document] { document->Redo(); });
+  const auto follow = [document, undo, redo] {
+    undo->setEnabled(document->CanUndo());
+    redo->setEnabled(document->CanRedo());
+  };
+  QObject::connect(document, &Document::pastChanged, undo, follow);
+  follow();
+  menu->addSeparator();
+  NeedPicture(window,
+    Add(
+      menu, window, "Copy as &command line", QKeySequence("Ctrl+Shift+C"), "copyCommand", [window] {
+        window->GetView()->GetPicture().CheckShown("Copy as command line");
+        QApplication::clipboard()->setText(
+          QString::fromStdString(WriteCommand(window->GetViewSettings(), "picture.png")));
+        window->Say("Copied: the command that makes this picture");
+      }));
+  NeedPicture(window,
+    Add(menu, window, "Copy as &Python", QKeySequence("Ctrl+Shift+P"), "copyPython", [window] {
+      QApplication::clipboard()->setText(QString::fromStdString(
+        WritePython(window->GetView()->GetPicture(), window->GetViewSettings(), "picture.png")));
+      window->Say("Copied: the Python program that makes this picture");
+    }));
 }
 
 //------------------------------------------------------------------------------
@@ -116,8 +145,11 @@ void AddViewMenu(MainWindow* window)
       window->GetView()->Draw();
     };
   };
-  Add(menu, window, "&Fit", QKeySequence("R"), "fit",
-    draw([](Picture& picture) { picture.ResetCamera(); }));
+  menu->setToolTipsVisible(true);
+  NeedPicture(window,
+    Add(menu, window, "&Fit", QKeySequence("R"), "fit",
+      draw([](Picture& picture) { picture.ResetCamera(); })))
+    ->setToolTip("The whole scene, from where it is seen now");
   struct
   {
     const char* Text;
@@ -131,7 +163,7 @@ void AddViewMenu(MainWindow* window)
     { "From the bac&k", "Ctrl+3", { 0, 0, 1 }, { 0, 1, 0 } } };
   for (const auto& side : sides)
   {
-    Add(menu, window, side.Text, QKeySequence(side.Key), QString("look") + side.Key,
+    QAction* look = Add(menu, window, side.Text, QKeySequence(side.Key), QString("look") + side.Key,
       [window, along = side.Along, up = side.Up] {
         const std::string axis = window->GetDocument()->Get().Get("--up");
         // The sides are named for y up; other axes turn them as the fitted camera is turned.
@@ -143,8 +175,10 @@ void AddViewMenu(MainWindow* window)
         window->GetView()->GetPicture().LookAlong(turn(along), turn(up));
         window->GetView()->Draw();
       });
+    NeedPicture(window, look)->setToolTip("The whole scene, with the up axis upwards");
   }
-  QAction* parallel = menu->addAction("&Parallel projection");
+  QAction* parallel = NeedPicture(window, menu->addAction("&Parallel projection"));
+  parallel->setToolTip("Without perspective; what is in the middle keeps its size");
   parallel->setObjectName("parallel");
   parallel->setShortcut(QKeySequence("P"));
   parallel->setCheckable(true);
@@ -160,6 +194,7 @@ void AddViewMenu(MainWindow* window)
   menu->addSeparator();
   QAction* full = menu->addAction("F&ull screen");
   full->setShortcut(QKeySequence::FullScreen);
+  full->setToolTip("The window alone on the screen");
   QObject::connect(full, &QAction::triggered, window,
     [window] { window->setWindowState(window->windowState() ^ Qt::WindowFullScreen); });
   for (QDockWidget* dock : window->findChildren<QDockWidget*>())

@@ -1,25 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Files in and out: opened, dropped, saved.
+// Files that are opened and dropped, and the window that is closed.
 #include "MainWindow.h"
 
 #include "LightPanel.h"
-#include "Messages.h"
 #include "ModelOptions.h"
-#include "Outputs.h"
-#include "PictureView.h"
 #include "QtVersions.h"
-#include "RecentFiles.h"
 #include "SessionFile.h"
 #include "SunGroup.h"
 
-#include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPNGWriter.h"
-#include "vtkRelievoEXRWriter.h"
 #include "vtkRelievoLayerCatalogue.h"
-#include "vtkRelievoLayerSource.h"
 
 #include <QCloseEvent>
 #include <QDropEvent>
@@ -35,21 +26,6 @@ namespace
 {
 // What belongs to the file before, and not to the one that is opened.
 constexpr const char* FileWords[] = { "--color-by", "--range", "--scalar-bar", "--clip" };
-
-// Whole or not at all.
-template <typename Writer>
-void Write(const QString& path, vtkImageData* image)
-{
-  const std::string place = path.toStdString();
-  cli::Outputs outputs;
-  outputs.Add("Save", place, {});
-  vtkNew<Writer> writer;
-  writer->SetInputData(image);
-  writer->SetFileName(outputs.Temporary(place).c_str());
-  writer->Write();
-  cli::Messages::Check(place, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
-  outputs.Commit();
-}
 
 // Whoever lets go of a file keeps it, whatever was proposed: moved files would be deleted there.
 void AcceptCopy(QDropEvent& event)
@@ -122,50 +98,11 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
 }
 
 //------------------------------------------------------------------------------
-Settings MainWindow::GetViewSettings()
-{
-  return this->Shown->GetPicture().GetView(this->Good);
-}
-
-//------------------------------------------------------------------------------
 void MainWindow::OpenSession(const QString& path)
 {
   const Session session = LoadSession(path);
   this->Light->GetSun()->SetTime(session.Sun, session.SunByTime);
   this->Open(session.View, { QFileInfo(path).absoluteFilePath() });
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::SaveSession(const QString& path)
-{
-  const SunGroup* sun = this->Light->GetSun();
-  viewer::SaveSession(path, { this->GetViewSettings(), sun->GetTime(), sun->IsByTime() });
-  this->Recent->Add(QFileInfo(path).absoluteFilePath());
-  this->Say("Saved " + path);
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::SavePicture(const QString& path)
-{
-  this->Shown->GetPicture().CheckShown("Save picture");
-  Write<vtkPNGWriter>(path, this->Shown->GetPicture().Grab());
-  this->Say("Saved " + path);
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::SaveLayers(const QString& path, const std::vector<std::string>& layers)
-{
-  this->Shown->GetPicture().CheckShown("Save layers");
-  vtkNew<vtkRelievoLayerSource> source;
-  source->SetRenderer(this->Shown->GetPicture().GetRenderer());
-  for (const std::string& layer : layers)
-  {
-    source->AddLayer(layer);
-  }
-  source->Update();
-  cli::Messages::Check(path.toStdString(), source->GetErrorCode() != 0);
-  Write<vtkRelievoEXRWriter>(path, source->GetOutput());
-  this->Say("Saved " + path);
 }
 
 //------------------------------------------------------------------------------
@@ -181,7 +118,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 void MainWindow::dropEvent(QDropEvent* event)
 {
   const QStringList paths = GetPaths(event->mimeData());
-  if (!paths.isEmpty())
+  if (!paths.isEmpty() && !this->Saving)
   {
     AcceptCopy(*event);
     this->OpenFiles(paths, GetModifiers(*event).testFlag(Qt::ShiftModifier));

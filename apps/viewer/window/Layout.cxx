@@ -31,15 +31,19 @@ void MainWindow::SetViewSize(const std::string& words)
   const bool fixed = this->isMaximized() || this->isFullScreen();
   const double ratio = this->Shown->effectiveDevicePixelRatio();
   const QSize frame = this->frameGeometry().size() - this->size();
-  const QSize panels = this->size() - this->Pages->size();
-  const QSize room = fixed ? this->Pages->size() : this->screen()->availableSize() - frame - panels;
-  const double share =
-    std::min({ 1.0, room.width() * ratio / pixels[0], room.height() * ratio / pixels[1] });
-  if (!fixed)
+  double share = 1.0;
+  for (int i = 0; i < 3; ++i) // for panels may take another share of another window
   {
-    this->resize(panels +
-      QSize(
-        static_cast<int>(pixels[0] * share / ratio), static_cast<int>(pixels[1] * share / ratio)));
+    const QSize panels = this->size() - this->Pages->size();
+    const QSize room =
+      fixed ? this->Pages->size() : this->screen()->availableSize() - frame - panels;
+    share = std::min({ 1.0, room.width() * ratio / pixels[0], room.height() * ratio / pixels[1] });
+    if (!fixed)
+    {
+      this->resize(panels +
+        QSize(static_cast<int>(pixels[0] * share / ratio),
+          static_cast<int>(pixels[1] * share / ratio)));
+    }
   }
   if (share < 1.0)
   {

@@ -10,6 +10,7 @@
 #include "PictureView.h"
 #include "RecentFiles.h"
 #include "ReportPanel.h"
+#include "SceneFacts.h"
 #include "StagesPanel.h"
 #include "SunGroup.h"
 #include "TimeBar.h"
@@ -94,9 +95,11 @@ void MainWindow::AddPanels()
       return frame ? frame->GetFrameReport() : std::string();
     },
     this);
+  auto* look = new LookPanel(
+    this->Edited, [this] { return GetColorRange(this->Shown->GetPicture()); }, this);
   QDockWidget* first = AddDock(this, "Stages", "stages", this->Stages);
   this->tabifyDockWidget(first, AddDock(this, "Light", "light", this->Light));
-  this->tabifyDockWidget(first, AddDock(this, "Look", "look", new LookPanel(this->Edited, this)));
+  this->tabifyDockWidget(first, AddDock(this, "Look", "look", look));
   this->tabifyDockWidget(first, AddDock(this, "Layers", "layers", this->Layers));
   this->tabifyDockWidget(first, AddDock(this, "Report", "report", this->Report));
   first->raise();
@@ -142,6 +145,8 @@ void MainWindow::Connect()
     this->Values->setVisible(on);
     this->Values->clear();
   });
+  QObject::connect(
+    this->Report, &ReportPanel::framesWanted, this->Shown, [this] { this->Shown->Draw(); });
   QObject::connect(this->Recent, &RecentFiles::chosen, this,
     [this](const QString& path) { this->OpenFiles({ path }); });
 }

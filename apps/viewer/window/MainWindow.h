@@ -13,6 +13,8 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include <optional>
+
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -47,7 +49,8 @@ public:
   void OpenFiles(const QStringList& paths, bool beside = false);
 
   ///@{
-  /// Each throws cli::WorkError or cli::WordsError.
+  /// Pictures with every sample of soft shadows: the user sees how far it is, and may end it, which
+  /// saves nothing. Each throws cli::WorkError or cli::WordsError.
   void OpenSession(const QString& path);
   void SaveSession(const QString& path);
   void SavePicture(const QString& path);
@@ -103,6 +106,7 @@ private:
   void PointAt(int x, int y);
   void ShowProbe();
   void TellMessages();
+  bool Gather();
   void SetViewSize(const std::string& words);
   void KeepLayout();
 
@@ -120,13 +124,16 @@ private:
   QProgressBar* Bar;
   QPushButton* Cancel;
   QString Trouble;
-  Settings Good;           // what is shown
-  Settings Asked;          // what is being read
-  Settings Meanwhile;      // what is shown, with all that was set since the reading began
+  Settings Good;      // what is shown
+  Settings Asked;     // what is being read
+  Settings Meanwhile; // what is shown, with all that was set since the reading began
+  bool SetMeanwhile = false;
   std::string ReadingKey;  // of what is shown, or being read; empty: what the user opens now
   Settings Place;          // camera and size of what is being read
   bool KeepCamera = false; // instead
-  QStringList Opening;     // what the list of recent files gets when it has been read
+  bool Saving = false;
+  std::optional<QString> Late; // what a reading came to while a picture was saved
+  QStringList Opening;         // what the list of recent files gets when it has been read
   Probe Reading;
   QTimer Pause, Waiting, Quiet;
   int Pointed[2] = { -1, -1 };

@@ -100,6 +100,10 @@ void MainWindow::ShowNothing()
   this->Begin();
   this->Shown->GetPicture().Clear();
   this->Pages->setCurrentWidget(this->Hint);
+  if (!this->Good.Files.empty())
+  {
+    this->Edited->ForgetPast();
+  }
   this->Good = this->Edited->Get();
   this->ReadingKey = GetReadingKey(this->Good);
   this->Edited->SetFacts(Facts());
@@ -117,6 +121,7 @@ void MainWindow::Update()
   {
     this->Shown->GetPicture().Update(this->Edited->Get());
     this->Good = this->Edited->Get();
+    this->Report->Renew();
     this->Say("");
     this->TellMessages();
   }
@@ -140,6 +145,7 @@ void MainWindow::ChangeShown(const Settings& settings)
     return;
   }
   this->Meanwhile = changed;
+  this->SetMeanwhile = true;
   try
   {
     if (picture.IsDressedAlike(changed)) // for messages about files are the reader's now
@@ -160,6 +166,7 @@ void MainWindow::Read()
   if (!this->Reader->IsReading())
   {
     this->Meanwhile = this->Good;
+    this->SetMeanwhile = false;
   }
   if (!this->ReadingKey.empty() && !this->Reader->IsReading()) // and not opened by the user
   {
@@ -230,6 +237,10 @@ void MainWindow::GiveUp()
 {
   this->Begin();
   this->Opening.clear();
+  if (this->SetMeanwhile)
+  {
+    this->Edited->ForgetPast(); // which would lead to what is given up
+  }
   Picture& picture = this->Shown->GetPicture();
   if (picture.IsEmpty())
   {
@@ -255,6 +266,11 @@ void MainWindow::GiveUp()
 //------------------------------------------------------------------------------
 void MainWindow::OnRead(const QString& trouble)
 {
+  if (this->Saving)
+  {
+    this->Late = trouble;
+    return;
+  }
   const QString why = trouble.isEmpty() ? this->ShowRead() : trouble;
   if (!why.isEmpty())
   {
@@ -287,8 +303,12 @@ QString MainWindow::ShowRead()
     this->Pages->setCurrentWidget(page);
     return QString::fromStdString(error.what());
   }
+  if (this->Good.Files != this->Edited->Get().Files)
+  {
+    this->Edited->ForgetPast(); // that of other files
+  }
   this->Good = this->Edited->Get();
-  this->Edited->SetFacts(GetFacts(picture.GetBare()));
+  this->Edited->SetFacts(GetFacts(picture));
   this->setWindowTitle(GetTitle(this->Good.Files));
   this->Say("");
   this->TellMessages();
@@ -299,6 +319,7 @@ QString MainWindow::ShowRead()
 //------------------------------------------------------------------------------
 void MainWindow::EndReading()
 {
+  this->Report->Renew();
   this->Place = Settings();
   this->Shown->Draw();
   Q_EMIT this->Edited->shown();

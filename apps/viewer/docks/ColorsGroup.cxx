@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ColorsGroup.h"
+
+#include "ColorButton.h"
+#include "Colormaps.h"
+#include "OptionEdits.h"
+#include "Options.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+
+namespace viewer
+{
+namespace
+{
+constexpr const char* OfValues[] = { "--color-by", "--colormap", "--range", "--scalar-bar" };
+
+// The array and the component of --color-by, "" for none. Names may end like a component.
+struct ByValue
+{
+  std::string Name;
+  QString Component;
+};
+
+ByValue GetByValue(const Settings& settings, const cli::LookChoice& look, const Facts& facts)
+{
+  const std::string given = settings.Get("--color-by");
+  if (given.empty() || facts.Components.count(given) != 0)
+  {
+    return { given, "" };
+  }
+  return { look.ColorBy,
+    look.Magnitude     ? QString("magnitude")
+      : look.Component ? QString::number(*look.Component)
+                       : QString() };
+}
+}
+
+//------------------------------------------------------------------------------
+ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
+  : QGroupBox("Colours", parent)
+  , Edited(document)
+  , ReadRange(std::move(read))
+  , ColorBy(new QComboBox(this))
+  , Component(new QComboBox(this))
+  , Colormap(MakeChoice(document, "--colormap", this))
+  , Automatic(new QCheckBox("Automatic", this))
+  , Least(new QLineEdit(this))
+  , Most(new QLineEdit(this))
+  , Bar(MakeFlag(document, "Show the colours' scale", "--scalar-bar", this))
+  , Solid(new QCheckBox("One colour", this))
+  , Color(new ColorButton(this))
+{
+  this->setObjectName("colors");
+  auto* rows = new QFormLayout(this);
+  rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  this->ColorBy->setObjectName("colorby");
+  this->ColorBy->setToolTip("The point or cell array whose values give the colours");
+  this->Component->setObjectName("component");
+  this->Component->setToolTip("Of arrays with several numbers for each point or cell");
+  rows->addRow("Colour by", this->ColorBy);
+  rows->addRow("Component", this->Component);
+  rows->addRow("Colour map", this->Colormap);
+  {
+    const QSignalBlocker quiet(this->Colormap);
+    for (const std::string& name : cli::GetColormapNames())
+    {
+      const QString words = QString::fromStdString(name);
+      this->Colormap->addItem(words, name == cli::DefaultColormap ? QString() : words);
+    }
+  }
+  this->AddRange();
+  this->Bar->setToolTip("The colours and their values, at the right of the picture");
+  rows->addRow(this->Bar);
+  this->Solid->setObjectName("solid");
+  this->Solid->setToolTip("One colour for all meshes, instead of values and textures");
+  this->Color->setObjectName("color");
+  this->Color->SetColor(Qt::white);
+  rows->addRow(this->Solid, this->Color);
+  const auto changed = static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged);
+  QObject::connect(this->ColorBy, changed, this,
+    [this] { this->SetColorBy(this->ColorBy->currentData().toString(), ""); });
+  QObject::connect(this->Component, changed, this, [this] {
+    this->SetColorBy(
+      this->ColorBy->currentData().toString(), this->Component->currentData().toString());
+  });
+  QObject::connect(this->Solid, &QCheckBox::toggled, this, &ColorsGroup::Paint);
+  QObject::connect(this->Color, &ColorButton::edited, this, [this] {
+    const QSignalBlocker still(this->Solid);
+    this->Solid->setChecked(true);
+    this->Paint();
+  });
+  QObject::connect(document, &Document::changed, this, &ColorsGroup::ShowSettings);
+  QObject::connect(document, &Document::factsChanged, this, &ColorsGroup::ShowArrays);
+  this->ShowArrays();
+}
+
+//------------------------------------------------------------------------------
+void ColorsGroup::AddRange()
+{
+  this->Automatic->setObjectName("automaticRange");
+  this->Automatic->setToolTip("From the least to the greatest value of all files");
+  this->Least->setObjectName("least");
+  this->Least->setToolTip("The value of the first colour");
+  this->Most->setObjectName("most");
+  this->Most->setToolTip("The value of the last colour");
+  auto* both = new QHBoxLayout();
+  both->addWidget(this->Least, 1);
+  both->addWidget(new QLabel("to", this));
+  both->addWidget(this->Most, 1);
+  auto* rows = static_cast<QFormLayout*>(this->layout());
+  rows->addRow("Range", this->Automatic);
+  rows->addRow("", both);
+  QObject::connect(this->Automatic, &QCheckBox::toggled, this, &ColorsGroup::SwitchRange);
+  for (QLineEdit* edit : { this->Least, this->Most })
+  {
+    QObject::connect(edit, &QLineEdit::editingFinished, this, &ColorsGroup::SetRange);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ColorsGroup::SetColorBy(const QString& name, const QString& component)
+{
+  this->Edited->Change([&](Settings& settings) {
+    const QString words = name.isEmpty() || component.isEmpty() ? name : name + "," + component;
+    SetOption(settings, "--color-by", words.toStdString());
+    if (!name.isEmpty())
+    {
+      settings.Remove("--color");
+    }
+  });
+  this->ShowSettings();
+}
+
+//------------------------------------------------------------------------------
+void ColorsGroup::SwitchRange(bool automatic)
+{
+  if (automatic)
+  {
+    this->Edited->Change([](Settings& settings) { settings.Remove("--range"); });
+  }
+  else if (const std::optional<std::array<double, 2>> range = this->ReadRange())
+  {
+    this->Edited->Change([&range](Settings& settings) {
+      // A range of one value has no first and last colour.
+      const double most = (*range)[0] < (*range)[1] ? (*range)[1] : (*range)[0] + 1.0;
+      settings.Set("--range", WriteNumbers({ (*range)[0], most }));
+      settings.Remove("--color");
+    });
+  }
+  this->ShowSettings();
+}
+
+//------------------------------------------------------------------------------
+void ColorsGroup::SetRange()
+{
+  const std::string words =
+    (this->Least->text().trimmed() + "," + this->Most->text().trimmed()).toStdString();
+  if (!this->Automatic->isChecked() && words != this->Edited->Get().Get("--range"))
+  {
+    this->Edited->Change([&words](Settings& settings) { settings.Set("--range", words); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void ColorsGroup::Paint()
+{
+  this->Edited->Change([this](Settings& settings) {
+    settings.Remove("--color");
+    if (this->Solid->isChecked())
+    {
+      for (const char* other : OfValues)
+      {
+        settings.Remove(other);
+      }
+      settings.Set("--color", this->Color->GetColor().name().toStdString());
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+void ColorsGroup::ShowArrays()
+{
+  {
+    const QSignalBlocker quiet(this->ColorBy);
+    this->ColorBy->clear();
+    this->ColorBy->addItem("As in the file", "");
+    for (const auto& array : this->Edited->GetFacts().Components)
+    {
+      const QString name = QString::fromStdString(array.first);
+      this->ColorBy->addItem(name, name);
+    }
+  }
+  this->ShowSettings();
+}
+
+//------------------------------------------------------------------------------
+void ColorsGroup::ShowComponents(const std::string& name, const QString& component)
+{
+  const std::map<std::string, int>& all = this->Edited->GetFacts().Components;
+  const auto found = all.find(name);
+  const int count = found == all.end() ? 1 : found->second;
+  const QSignalBlocker quiet(this->Component);
+  this->Component->clear();
+  this->Component->addItem("automatic", "");
+  this->Component->setItemData(
+    0, "The magnitude; bytes of 3 or 4 components are colours", Qt::ToolTipRole);
+  this->Component->addItem("magnitude", "magnitude");
+  for (int i = 0; i < count; ++i)
+  {
+    this->Component->addItem(QString::number(i), QString::number(i));
+  }
+  if (this->Component->findData(component) < 0) // of a file that is not read yet
+  {
+    this->Component->addItem(component, component);
+  }
+  this->Component->setCurrentIndex(this->Component->findData(component));
+  this->Component->setEnabled(!name.empty() && (count > 1 || !component.isEmpty()));
+}
+
+//------------------------------------------------------------------------------
+void ColorsGroup::ShowSettings()
+{
+  const QSignalBlocker quiet[] = { QSignalBlocker(this->ColorBy), QSignalBlocker(this->Automatic),
+    QSignalBlocker(this->Solid) };
+  const Settings& settings = this->Edited->Get();
+  const cli::LookChoice look = settings.Parse().Look;
+  const ByValue by = GetByValue(settings, look, this->Edited->GetFacts());
+  const QString name = QString::fromStdString(by.Name);
+  if (this->ColorBy->findData(name) < 0)
+  {
+    this->ColorBy->addItem(name, name);
+  }
+  this->ColorBy->setCurrentIndex(this->ColorBy->findData(name));
+  this->ShowComponents(by.Name, by.Component);
+  ShowChoice(this->Colormap, settings, "--colormap");
+  ShowFlag(this->Bar, settings, "--scalar-bar");
+  const bool ranged = settings.Has("--range");
+  this->Automatic->setChecked(!ranged);
+  const QStringList ends = QString::fromStdString(settings.Get("--range")).split(',');
+  this->Least->setText(ends.value(0));
+  this->Most->setText(ends.value(1));
+  this->Least->setEnabled(ranged);
+  this->Most->setEnabled(ranged);
+  this->Solid->setChecked(look.Solid.has_value());
+  if (look.Solid)
+  {
+    const cli::Color& color = *look.Solid;
+    this->Color->SetColor(QColor::fromRgbF(color[0], color[1], color[2]));
+  }
+}
+}

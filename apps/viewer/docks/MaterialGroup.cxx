@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MaterialGroup.h"
+
+#include "FileEdit.h"
+#include "NumberEdit.h"
+#include "OptionEdits.h"
+#include "Options.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QSignalBlocker>
+
+namespace viewer
+{
+namespace
+{
+const char* const Images = "Images (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.hdr *.exr)";
+
+// Options that say how maps are used are refused where there is none.
+void RemoveIdle(Settings& settings)
+{
+  if (!settings.Has("--height-map"))
+  {
+    settings.Remove("--relief");
+  }
+  if (!settings.Has("--height-map") && !settings.Has("--normal-map"))
+  {
+    settings.Remove("--texture-coordinates");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
+  : QGroupBox("Material", parent)
+  , Edited(document)
+  , Normals(new FileEdit("Normal map", Images, this))
+  , Heights(new FileEdit("Height map", Images, this))
+  , Depth(new NumberEdit(0.0, 1e9, 0.01, 6, this))
+  , Relief(MakeChoice(document, "--relief", this))
+  , Coordinates(MakeChoice(document, "--texture-coordinates", this))
+{
+  this->setObjectName("material");
+  auto* rows = new QFormLayout(this);
+  rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  this->Normals->setObjectName("normalmap");
+  this->Normals->setToolTip("Normals from an image, placed by the meshes' texture coordinates; "
+                            "linear values, not sRGB");
+  this->Heights->setObjectName("heightmap");
+  this->Heights->setToolTip("Heights from an image: the brightest lie on the mesh");
+  this->Depth->setObjectName("depth");
+  this->Depth->SetSpecial("automatic");
+  this->Depth->setToolTip("How far below the mesh the lowest heights lie, in world units; by "
+                          "itself 0.02 of the scene's longest side");
+  this->Relief->setToolTip("How heights are drawn");
+  this->Coordinates->setToolTip("For meshes without texture coordinates: how maps are placed");
+  {
+    const QSignalBlocker quiet[] = { QSignalBlocker(this->Relief),
+      QSignalBlocker(this->Coordinates) };
+    this->Relief->addItem("relief", "");
+    for (const char* method : { "occlusion", "steep", "parallax" })
+    {
+      this->Relief->addItem(method, method);
+    }
+    this->Relief->addItem("as normals only", "off");
+    this->Coordinates->addItem("automatic", "");
+    for (const char* method : { "box", "plane", "sphere" })
+    {
+      this->Coordinates->addItem(method, method);
+    }
+  }
+  rows->addRow("Normal map", this->Normals);
+  rows->addRow("Height map", this->Heights);
+  rows->addRow("Depth", this->Depth);
+  rows->addRow("Relief", this->Relief);
+  rows->addRow("Coordinates", this->Coordinates);
+  QObject::connect(this->Normals, &FileEdit::edited, this,
+    [this](const QString& path) { this->SetNormalMap(path.toStdString()); });
+  QObject::connect(this->Heights, &FileEdit::edited, this, [this](const QString& path) {
+    this->SetHeightMap(path.toStdString(), this->Depth->GetValue());
+  });
+  QObject::connect(this->Depth, &NumberEdit::edited, this,
+    [this](double depth) { this->SetHeightMap(this->Edited->Get().Parse().HeightMap, depth); });
+  QObject::connect(document, &Document::changed, this, &MaterialGroup::ShowSettings);
+  this->ShowSettings();
+}
+
+//------------------------------------------------------------------------------
+void MaterialGroup::SetNormalMap(const std::string& file)
+{
+  this->Edited->Change([&file](Settings& settings) {
+    SetOption(settings, "--normal-map", file);
+    RemoveIdle(settings);
+  });
+}
+
+//------------------------------------------------------------------------------
+void MaterialGroup::SetHeightMap(const std::string& file, double depth)
+{
+  this->Edited->Change([&](Settings& settings) {
+    SetOption(settings, "--height-map", file.empty() ? file : WriteFileAndNumber(file, depth));
+    RemoveIdle(settings);
+  });
+}
+
+//------------------------------------------------------------------------------
+void MaterialGroup::ShowSettings()
+{
+  const Settings& settings = this->Edited->Get();
+  const cli::RenderOptions options = settings.Parse();
+  const bool heights = !options.HeightMap.empty();
+  this->Normals->SetPath(QString::fromStdString(options.NormalMap));
+  this->Heights->SetPath(QString::fromStdString(options.HeightMap));
+  this->Depth->SetValue(options.HeightScale.value_or(0.0));
+  ShowChoice(this->Relief, settings, "--relief");
+  ShowChoice(this->Coordinates, settings, "--texture-coordinates");
+  this->Depth->setEnabled(heights);
+  this->Relief->setEnabled(heights);
+  this->Coordinates->setEnabled(heights || !options.NormalMap.empty());
+}
+}

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What surfaces are made of, from images: normals and heights, and where they lie on the meshes.
+ */
+#ifndef MaterialGroup_h
+#define MaterialGroup_h
+
+#include "Document.h"
+
+#include <QGroupBox>
+
+class QComboBox;
+
+namespace viewer
+{
+class FileEdit;
+class NumberEdit;
+
+class MaterialGroup : public QGroupBox
+{
+  Q_OBJECT
+
+public:
+  explicit MaterialGroup(Document* document, QWidget* parent = nullptr);
+
+private:
+  void SetNormalMap(const std::string& file);
+  void SetHeightMap(const std::string& file, double depth);
+  void ShowSettings();
+
+  Document* Edited;
+  FileEdit *Normals, *Heights;
+  NumberEdit* Depth;
+  QComboBox *Relief, *Coordinates;
+};
+}
+
+#endif

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ModelGroup.h"
+
+#include "OptionEdits.h"
+#include "Readers.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QSignalBlocker>
+
+#include <algorithm>
+
+namespace viewer
+{
+//------------------------------------------------------------------------------
+ModelGroup::ModelGroup(Document* document, QWidget* parent)
+  : QGroupBox("Models with bones", parent)
+  , Edited(document)
+  , Animation(MakeChoice(document, "--animation", this))
+  , Skin(MakeChoice(document, "--skin", this))
+  , Loop(MakeFlag(document, "Start anew after the end", "--loop", this))
+  , Skeleton(MakeFlag(document, "Show the bones", "--skeleton", this))
+{
+  this->setObjectName("model");
+  this->setToolTip("With any of these glTF is read as a model with bones, without its lights");
+  auto* rows = new QFormLayout(this);
+  rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  this->Skin->setToolTip("How bones move points");
+  {
+    const QSignalBlocker quiet(this->Skin);
+    this->Skin->addItem("linear", "");
+    this->Skin->addItem("dual quaternions", "dual-quaternion");
+    this->Skin->addItem("matrices between keys", "key-matrix");
+    this->Skin->addItem("not at all", "off");
+  }
+  rows->addRow("Animation", this->Animation);
+  rows->addRow("Skinning", this->Skin);
+  rows->addRow(this->Loop);
+  rows->addRow(this->Skeleton);
+  QObject::connect(document, &Document::changed, this, &ModelGroup::ShowSettings);
+  QObject::connect(document, &Document::factsChanged, this, &ModelGroup::ShowAnimations);
+  this->ShowAnimations();
+}
+
+//------------------------------------------------------------------------------
+void ModelGroup::ShowAnimations()
+{
+  {
+    const QSignalBlocker quiet(this->Animation);
+    this->Animation->clear();
+    this->Animation->addItem("the first", "");
+    for (const std::string& name : this->Edited->GetFacts().Animations)
+    {
+      const QString words = QString::fromStdString(name);
+      this->Animation->addItem(words, words);
+    }
+  }
+  this->ShowSettings();
+}
+
+//------------------------------------------------------------------------------
+void ModelGroup::ShowSettings()
+{
+  const Settings& settings = this->Edited->Get();
+  ShowChoice(this->Animation, settings, "--animation");
+  ShowChoice(this->Skin, settings, "--skin");
+  ShowFlag(this->Loop, settings, "--loop");
+  ShowFlag(this->Skeleton, settings, "--skeleton");
+  this->setVisible(std::any_of(settings.Files.begin(), settings.Files.end(),
+    [](const std::string& file) { return cli::IsModel(file) || cli::IsGLTF(file); }));
+}
+}

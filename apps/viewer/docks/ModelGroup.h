@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Models with bones: which animation, and how bones move points. Seen where a file can have bones.
+ */
+#ifndef ModelGroup_h
+#define ModelGroup_h
+
+#include "Document.h"
+
+#include <QGroupBox>
+
+class QCheckBox;
+class QComboBox;
+
+namespace viewer
+{
+class ModelGroup : public QGroupBox
+{
+  Q_OBJECT
+
+public:
+  explicit ModelGroup(Document* document, QWidget* parent = nullptr);
+
+private:
+  void ShowAnimations();
+  void ShowSettings();
+
+  Document* Edited;
+  QComboBox *Animation, *Skin;
+  QCheckBox *Loop, *Skeleton;
+};
+}
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OptionEdits.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QSignalBlocker>
+
+namespace viewer
+{
+//------------------------------------------------------------------------------
+void SetOption(Settings& settings, const char* option, const std::string& value)
+{
+  value.empty() ? settings.Remove(option) : settings.Set(option, value);
+}
+
+//------------------------------------------------------------------------------
+QComboBox* MakeChoice(Document* document, const char* option, QWidget* parent)
+{
+  auto* box = new QComboBox(parent);
+  box->setObjectName(QString(option).remove('-'));
+  QObject::connect(box, static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged),
+    document, [document, box, option] {
+      document->Change([&](Settings& settings) {
+        SetOption(settings, option, box->currentData().toString().toStdString());
+      });
+    });
+  return box;
+}
+
+//------------------------------------------------------------------------------
+void ShowChoice(QComboBox* box, const Settings& settings, const char* option)
+{
+  const QSignalBlocker quiet(box);
+  const QString words = QString::fromStdString(settings.Get(option));
+  if (box->findData(words) < 0)
+  {
+    box->addItem(words, words);
+  }
+  box->setCurrentIndex(box->findData(words));
+}
+
+//------------------------------------------------------------------------------
+QCheckBox* MakeFlag(Document* document, const QString& title, const char* option, QWidget* parent)
+{
+  auto* box = new QCheckBox(title, parent);
+  box->setObjectName(QString(option).remove('-'));
+  QObject::connect(box, &QCheckBox::toggled, document, [document, option](bool on) {
+    document->Change(
+      [&](Settings& settings) { on ? settings.Set(option, "") : settings.Remove(option); });
+  });
+  return box;
+}
+
+//------------------------------------------------------------------------------
+void ShowFlag(QCheckBox* box, const Settings& settings, const char* option)
+{
+  const QSignalBlocker quiet(box);
+  box->setChecked(settings.Has(option));
+}
+}

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Controls that stand for one option of the command line. Their name is the option's, without
+ * dashes.
+ */
+#ifndef OptionEdits_h
+#define OptionEdits_h
+
+#include "Document.h"
+
+#include <QString>
+
+class QCheckBox;
+class QComboBox;
+class QWidget;
+
+namespace viewer
+{
+/// The entries' data are values; "": the option is not given.
+QComboBox* MakeChoice(Document* document, const char* option, QWidget* parent);
+
+/// Shows the option's value, as a new entry where there is none for it. Sends no signal.
+void ShowChoice(QComboBox* box, const Settings& settings, const char* option);
+
+/// An option without a value.
+QCheckBox* MakeFlag(Document* document, const QString& title, const char* option, QWidget* parent);
+void ShowFlag(QCheckBox* box, const Settings& settings, const char* option);
+
+/// The option's one value, or none.
+void SetOption(Settings& settings, const char* option, const std::string& value);
+}
+
+#endif

@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointsEdit.h"
+
+#include "ColorButton.h"
+#include "LinearColor.h"
+#include "PointValue.h"
+#include "PointsValues.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace viewer
+{
+namespace
+{
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+QString Words(const std::string& text)
+{
+  return QString::fromStdString(text);
+}
+
+std::string Find(const Pairs& values, const std::string& name)
+{
+  const auto found = std::find_if(
+    values.begin(), values.end(), [&name](const auto& each) { return each.first == name; });
+  return found == values.end() ? "" : found->second;
+}
+
+void Set(Pairs& values, const std::string& name, const std::string& text)
+{
+  const auto found = std::find_if(
+    values.begin(), values.end(), [&name](const auto& each) { return each.first == name; });
+  if (text.empty() && found != values.end())
+  {
+    values.erase(found);
+  }
+  else if (found != values.end())
+  {
+    found->second = text;
+  }
+  else if (!text.empty())
+  {
+    values.emplace_back(name, text);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+PointsEdit::PointsEdit(Document* document, const std::string& stage, QWidget* parent)
+  : QWidget(parent)
+  , Edited(document)
+  , Stage(stage)
+  , Option("--" + stage)
+  , Files(new QListWidget(this))
+  , RemoveFile(new QPushButton("Remove", this))
+  , Values(new QWidget(this))
+{
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  this->Files->setObjectName("files");
+  this->Files->setMaximumHeight(60);
+  auto* add = new QPushButton("Add file...", this);
+  add->setObjectName("add");
+  this->RemoveFile->setObjectName("remove");
+  auto* buttons = new QHBoxLayout();
+  buttons->addWidget(add);
+  buttons->addWidget(this->RemoveFile);
+  column->addWidget(this->Files);
+  column->addLayout(buttons);
+  column->addWidget(this->Values);
+  auto* rows = new QFormLayout(this->Values);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  const std::vector<PointsValue> values = GetPointsValues(stage);
+  this->Rows.reserve(values.size());
+  for (const PointsValue& value : values)
+  {
+    this->AddRow(rows, value);
+  }
+  QObject::connect(add, &QPushButton::clicked, this, &PointsEdit::Ask);
+  QObject::connect(this->RemoveFile, &QPushButton::clicked, this, &PointsEdit::Remove);
+  QObject::connect(this->Files, &QListWidget::currentRowChanged, this, [this] {
+    this->ShowArrays();
+    this->ShowValues(true);
+  });
+  QObject::connect(document, &Document::changed, this, &PointsEdit::ShowSettings);
+  QObject::connect(document, &Document::factsChanged, this, &PointsEdit::ShowArrays);
+  this->ShowSettings();
+}
+
+//------------------------------------------------------------------------------
+void PointsEdit::AddRow(QFormLayout* rows, const PointsValue& value)
+{
+  this->Rows.emplace_back();
+  Row& row = this->Rows.back();
+  row.Name = value.Name;
+  row.Edit = value.Is == PointsValue::Color ? this->MakeColor(row, value)
+                                            : this->MakeBox(row, value, this->Values);
+  row.Edit->setObjectName(Words(value.Name));
+  row.Edit->setToolTip(Words(value.Help));
+  row.Label = new QLabel(Words(value.Label), this->Values);
+  row.Label->setToolTip(row.Edit->toolTip());
+  row.Label->setBuddy(row.Edit);
+  rows->addRow(row.Label, row.Edit);
+}
+
+//------------------------------------------------------------------------------
+QComboBox* PointsEdit::MakeBox(Row& row, const PointsValue& value, QWidget* parent)
+{
+  auto* box = new QComboBox(parent);
+  if (value.Is == PointsValue::Choice)
+  {
+    for (const std::string& choice : value.Choices)
+    {
+      box->addItem(Words(choice), box->count() == 0 ? QString() : Words(choice));
+    }
+    row.Show = [box](const QString& text) {
+      const QSignalBlocker quiet(box);
+      box->setCurrentIndex(std::max(0, box->findData(text)));
+    };
+    QObject::connect(box, static_cast<void (QComboBox::*)(int)>(&QComboBox::activated), this,
+      [this, box, name = row.Name] { this->Write(name, box->currentData().toString()); });
+    return box;
+  }
+  box->setEditable(true);
+  box->setInsertPolicy(QComboBox::NoInsert);
+  box->setCompleter(nullptr); // a number is no beginning of a name
+  box->setMinimumContentsLength(8);
+  box->lineEdit()->setPlaceholderText(Words(value.Standard));
+  for (const std::string& choice : value.Choices)
+  {
+    box->addItem(Words(choice));
+  }
+  box->setEditText(QString()); // the first is no choice yet
+  if (value.Is != PointsValue::Three)
+  {
+    row.Arrays = box;
+    row.Own = box->count();
+  }
+  row.Show = [box](const QString& text) {
+    const QSignalBlocker quiet(box);
+    box->setEditText(text);
+  };
+  this->Connect(box, row.Name);
+  return box;
+}
+
+//------------------------------------------------------------------------------
+void PointsEdit::Connect(QComboBox* box, const std::string& name)
+{
+  QObject::connect(box->lineEdit(), &QLineEdit::editingFinished, this,
+    [this, box, name] { this->Write(name, box->currentText().trimmed()); });
+  QObject::connect(box, static_cast<void (QComboBox::*)(int)>(&QComboBox::activated), this,
+    [this, box, name](int item) { this->Write(name, box->itemText(item)); });
+}
+
+//------------------------------------------------------------------------------
+// A name or three numbers, and the colour that they are on the screen.
+QWidget* PointsEdit::MakeColor(Row& row, const PointsValue& value)
+{
+  auto* both = new QWidget(this->Values);
+  auto* layout = new QHBoxLayout(both);
+  layout->setContentsMargins(0, 0, 0, 0);
+  QComboBox* box = this->MakeBox(row, value, both);
+  auto* button = new ColorButton(both);
+  button->ShowNames(false);
+  layout->addWidget(box, 1);
+  layout->addWidget(button);
+  both->setFocusProxy(box);
+  const std::function<void(const QString&)> show = row.Show;
+  row.Show = [show, button](const QString& text) {
+    show(text);
+    button->SetColor(ReadLinearColor(text));
+  };
+  QObject::connect(button, &ColorButton::edited, this,
+    [this, name = row.Name](const QColor& color) { this->Write(name, WriteLinearColor(color)); });
+  return both;
+}
+
+//------------------------------------------------------------------------------
+void PointsEdit::Ask()
+{
+  const QString file = QFileDialog::getOpenFileName(this, "Points for " + Words(this->Stage));
+  if (!file.isEmpty())
+  {
+    std::vector<std::string> words = this->Edited->Get().GetAll(this->Option);
+    const int last = static_cast<int>(words.size());
+    words.push_back(file.toStdString());
+    this->Edited->Change([&](Settings& settings) { settings.SetAll(this->Option, words); });
+    this->Files->setCurrentRow(last);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PointsEdit::Remove()
+{
+  const int row = this->Files->currentRow();
+  std::vector<std::string> words = this->Edited->Get().GetAll(this->Option);
+  if (row >= 0 && row < static_cast<int>(words.size()))
+  {
+    words.erase(words.begin() + row);
+    this->Edited->Change([&](Settings& settings) {
+      settings.SetAll(this->Option, words);
+      settings.AskStage(this->Stage, !words.empty() && settings.IsStageAsked(this->Stage));
+    });
+  }
+}
+
+//------------------------------------------------------------------------------
+void PointsEdit::Write(const std::string& name, const QString& text)
+{
+  const int row = this->Files->currentRow();
+  std::vector<std::string> words = this->Edited->Get().GetAll(this->Option);
+  if (row < 0 || row >= static_cast<int>(words.size()))
+  {
+    return;
+  }
+  std::string& word = words[static_cast<std::size_t>(row)];
+  Pairs values;
+  word = cli::ParseFileAndValues(this->Option, word, "", values);
+  Set(values, name, text.toStdString());
+  if (name == "falloff" && text != "vtk") // which alone has it
+  {
+    Set(values, "attenuation", "");
+  }
+  for (const auto& value : values)
+  {
+    word += "," + value.first + "=" + value.second;
+  }
+  this->Edited->Change([&](Settings& settings) { settings.SetAll(this->Option, words); });
+  this->ShowValues(true); // as it was, if it was refused
+}
+
+//------------------------------------------------------------------------------
+void PointsEdit::ShowSettings()
+{
+  const std::vector<std::string> words = this->Edited->Get().GetAll(this->Option);
+  {
+    const QSignalBlocker quiet(this->Files);
+    const int row = this->Files->currentRow();
+    this->Files->clear();
+    for (const std::string& word : words)
+    {
+      const QString path = Words(word.substr(0, word.find(',')));
+      auto* item = new QListWidgetItem(QFileInfo(path).fileName(), this->Files);
+      item->setToolTip(Words(word));
+    }
+    this->Files->setCurrentRow(std::min(std::max(row, 0), this->Files->count() - 1));
+  }
+  this->RemoveFile->setEnabled(!words.empty());
+  this->Values->setVisible(!words.empty());
+  this->ShowArrays();
+  this->ShowValues(false);
+}
+
+//------------------------------------------------------------------------------
+void PointsEdit::ShowValues(bool again)
+{
+  const int file = this->Files->currentRow();
+  const std::vector<std::string> words = this->Edited->Get().GetAll(this->Option);
+  if (file < 0 || file >= static_cast<int>(words.size()))
+  {
+    return;
+  }
+  Pairs values;
+  cli::ParseFileAndValues(this->Option, words[static_cast<std::size_t>(file)], "", values);
+  for (Row& row : this->Rows)
+  {
+    const QString text = Words(Find(values, row.Name));
+    if (again || text != row.Shown) // but not what is being typed
+    {
+      row.Shown = text;
+      row.Show(text);
+    }
+    const bool has = row.Name != "attenuation" || Find(values, "falloff") == "vtk";
+    row.Edit->setEnabled(has);
+    row.Label->setEnabled(has);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PointsEdit::ShowArrays()
+{
+  const auto& all = this->Edited->GetFacts().PointArrays;
+  const auto found = all.find(this->Stage);
+  const auto file = static_cast<std::size_t>(std::max(0, this->Files->currentRow()));
+  const bool known = found != all.end() && file < found->second.size();
+  for (const Row& row : this->Rows)
+  {
+    if (!row.Arrays)
+    {
+      continue;
+    }
+    const QSignalBlocker quiet(row.Arrays);
+    const QString text = row.Arrays->currentText();
+    while (row.Arrays->count() > row.Own)
+    {
+      row.Arrays->removeItem(row.Own);
+    }
+    for (const std::string& name : known ? found->second[file] : std::vector<std::string>())
+    {
+      row.Arrays->addItem(Words(name));
+    }
+    row.Arrays->setEditText(text);
+  }
+}
+}

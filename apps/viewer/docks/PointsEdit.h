@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The files of points that a stage works on, such as --lamps FILE,radius=R, and what the points of
+ * the chosen file are: each value a number, or the name of a point array.
+ */
+#ifndef PointsEdit_h
+#define PointsEdit_h
+
+#include "Document.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace viewer
+{
+struct PointsValue;
+
+class PointsEdit : public QWidget
+{
+  Q_OBJECT
+
+public:
+  /// `stage`: lamps, fog or markers, which are options too.
+  PointsEdit(Document* document, const std::string& stage, QWidget* parent = nullptr);
+
+  /// Asks for another file.
+  void Ask();
+
+private:
+  struct Row
+  {
+    std::string Name;
+    QLabel* Label;
+    QWidget* Edit;
+    std::function<void(const QString&)> Show;
+    QString Shown;
+    QComboBox* Arrays = nullptr; // of what names of arrays are offered in
+    int Own = 0;                 // entries before them
+  };
+
+  void AddRow(QFormLayout* rows, const PointsValue& value);
+  QComboBox* MakeBox(Row& row, const PointsValue& value, QWidget* parent);
+  QWidget* MakeColor(Row& row, const PointsValue& value);
+  void Connect(QComboBox* box, const std::string& name);
+  void Remove();
+  void Write(const std::string& name, const QString& text);
+  void ShowSettings();
+  void ShowValues(bool again);
+  void ShowArrays();
+
+  Document* Edited;
+  std::string Stage, Option;
+  QListWidget* Files;
+  QPushButton* RemoveFile;
+  QWidget* Values;
+  std::vector<Row> Rows;
+};
+}
+
+#endif

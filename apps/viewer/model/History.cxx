@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "History.h"
+
+namespace viewer
+{
+namespace
+{
+constexpr std::int64_t OneEdit = 1000; // milliseconds
+constexpr std::size_t Most = 200;
+
+std::optional<Settings> Step(
+  std::vector<Settings>& from, std::vector<Settings>& to, const Settings& now)
+{
+  if (from.empty())
+  {
+    return std::nullopt;
+  }
+  to.push_back(now);
+  const Settings next = from.back();
+  from.pop_back();
+  return next;
+}
+}
+
+//------------------------------------------------------------------------------
+void History::Add(const Settings& before, const Settings& after, std::int64_t time)
+{
+  const std::set<std::string> changed = before.GetChanges(after);
+  const bool played = changed == std::set<std::string>{ "--time" }; // as long as it takes
+  const bool same = !this->Past.empty() && this->Future.empty() && changed == this->Changed &&
+    (played || time - this->Time < OneEdit);
+  this->Changed = changed;
+  this->Time = time;
+  this->Future.clear();
+  if (!same)
+  {
+    this->Past.push_back(before);
+  }
+  else if (this->Past.back() == after)
+  {
+    this->Past.pop_back();
+    this->Changed.clear();
+  }
+  if (this->Past.size() > Most)
+  {
+    this->Past.erase(this->Past.begin());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::optional<Settings> History::Undo(const Settings& now)
+{
+  this->Changed.clear();
+  return Step(this->Past, this->Future, now);
+}
+
+//------------------------------------------------------------------------------
+std::optional<Settings> History::Redo(const Settings& now)
+{
+  this->Changed.clear();
+  return Step(this->Future, this->Past, now);
+}
+
+//------------------------------------------------------------------------------
+void History::DropUntil(const Settings& settings)
+{
+  while (!this->Past.empty() && this->Past.back() == settings)
+  {
+    this->Past.pop_back();
+    this->Changed.clear();
+  }
+}
+
+//------------------------------------------------------------------------------
+void History::Clear()
+{
+  this->Past.clear();
+  this->Future.clear();
+  this->Changed.clear();
+}
+}

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Colours, materials, models with bones and the view angle, by their controls.
+#include "ViewerTest.h"
+
+#include "FileEdit.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGroupBox>
+#include <QLineEdit>
+#include <QtTest>
+
+using viewer::Settings;
+
+class TestViewerLook : public viewerTest::ViewerTest
+{
+  Q_OBJECT
+
+private:
+  template <typename Widget>
+  Widget* Find(const char* group, const char* name)
+  {
+    auto* found = this->Window->findChild<QGroupBox*>(group)->findChild<QWidget*>(name);
+    auto* self = qobject_cast<Widget*>(found);
+    return self ? self : found->findChild<Widget*>();
+  }
+
+  void Choose(const char* group, const char* name, const QString& data)
+  {
+    auto* box = this->Find<QComboBox>(group, name);
+    QVERIFY2(box->findData(data) >= 0, qPrintable(data));
+    box->setCurrentIndex(box->findData(data));
+    this->WaitUntilRead();
+  }
+
+  void SetFile(const char* name, const std::string& path)
+  {
+    auto* line = this->Find<QLineEdit>("material", name);
+    line->setText(QString::fromStdString(path));
+    Q_EMIT line->editingFinished();
+    this->WaitUntilRead();
+  }
+
+  std::string Get(const char* option) { return this->Window->GetDocument()->Get().Get(option); }
+
+private Q_SLOTS:
+  void material()
+  {
+    const std::string image = this->WriteImage();
+    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6" });
+    const Settings before = this->Window->GetDocument()->Get();
+    QVERIFY(!this->Find<QComboBox>("material", "relief")->isEnabled());
+    QVERIFY(!this->Find<QComboBox>("material", "texturecoordinates")->isEnabled());
+    this->SetFile("normalmap", image);
+    this->Choose("material", "texturecoordinates", "sphere");
+    QCOMPARE(this->Get("--normal-map"), image);
+    this->Compare("normal map");
+    this->SetFile("heightmap", image);
+    QCOMPARE(this->Get("--height-map"), image);
+    QCOMPARE(this->Find<QDoubleSpinBox>("material", "depth")->text(), QString("automatic"));
+    this->Find<QDoubleSpinBox>("material", "depth")->setValue(0.1);
+    this->WaitUntilRead();
+    QCOMPARE(this->Get("--height-map"), image + ",0.1");
+    this->Choose("material", "relief", "steep");
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    this->Compare("height map");
+    // What is said of maps goes with them.
+    this->SetFile("heightmap", "");
+    QCOMPARE(this->Get("--relief"), std::string());
+    QCOMPARE(this->Get("--texture-coordinates"), std::string("sphere"));
+    this->SetFile("normalmap", "");
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QVERIFY(this->Window->GetDocument()->Get() == before);
+    this->SetFile("normalmap", this->Path("missing.png"));
+    QVERIFY(this->Window->GetTrouble().contains("missing.png"));
+    QVERIFY(this->Find<QLineEdit>("material", "normalmap")->text().isEmpty());
+  }
+
+  void colors()
+  {
+    this->Open({ this->WriteScene() });
+    this->Choose("colors", "colorby", "height");
+    QVERIFY(!this->Find<QComboBox>("colors", "component")->isEnabled());
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    auto* automatic = this->Find<QCheckBox>("colors", "automaticRange");
+    auto* most = this->Find<QLineEdit>("colors", "most");
+    QVERIFY(automatic->isChecked() && !most->isEnabled());
+    automatic->setChecked(false);
+    QCOMPARE(this->Get("--range"), std::string("0,1")); // as it was by itself
+    QCOMPARE(CountDifferent(before, this->Grab()), 0);
+    most->setText("2");
+    Q_EMIT most->editingFinished();
+    QCOMPARE(this->Get("--range"), std::string("0,2"));
+    QVERIFY(CountDifferent(before, this->Grab()) > 100);
+    this->Compare("range");
+    most->setText("-3");
+    Q_EMIT most->editingFinished();
+    QVERIFY(this->Window->GetTrouble().contains("--range"));
+    QCOMPARE(most->text(), QString("2"));
+    automatic->setChecked(true);
+    QVERIFY(!this->Window->GetDocument()->Get().Has("--range"));
+    this->Choose("colors", "colorby", "Normals");
+    this->Choose("colors", "component", "1");
+    QCOMPARE(this->Get("--color-by"), std::string("Normals,1"));
+    QCOMPARE(this->Find<QComboBox>("colors", "colorby")->currentText(), QString("Normals"));
+    this->Compare("component");
+    this->Choose("colors", "component", "");
+    QCOMPARE(this->Get("--color-by"), std::string("Normals"));
+    this->Find<QCheckBox>("colors", "solid")->setChecked(true);
+    QCOMPARE(this->Get("--color"), std::string("#ffffff"));
+    QVERIFY(!this->Window->GetDocument()->Get().Has("--color-by"));
+    this->Choose("colors", "colorby", "height");
+    QVERIFY(!this->Window->GetDocument()->Get().Has("--color"));
+    QCOMPARE(this->Window->GetTrouble(), QString());
+  }
+
+  void models()
+  {
+    this->Open({ this->WriteScene() });
+    auto* group = this->Window->findChild<QGroupBox*>("model");
+    QVERIFY(group->isHidden());
+    const std::string models = qgetenv("RELIEVO_DATA").toStdString() + "/models/glTF2/";
+    this->Open({ models + "simple_skin/simple_skin.gltf", "--time", "0.5" });
+    group = this->Window->findChild<QGroupBox*>("model");
+    QVERIFY(!group->isHidden());
+    const std::vector<std::string> names = this->Window->GetDocument()->GetFacts().Animations;
+    QVERIFY(!names.empty());
+    this->Choose("model", "animation", QString::fromStdString(names.front()));
+    QCOMPARE(this->Get("--animation"), names.front());
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    this->Find<QCheckBox>("model", "skeleton")->setChecked(true);
+    this->WaitUntilRead();
+    QVERIFY(CountDifferent(before, this->Grab()) > 10);
+    this->Choose("model", "skin", "off");
+    this->Find<QCheckBox>("model", "loop")->setChecked(true);
+    this->WaitUntilRead();
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    this->Compare("model");
+  }
+
+  void viewAngle()
+  {
+    this->Open({ this->WriteScene() });
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    auto* angle = this->Find<QDoubleSpinBox>("camera", "viewangle");
+    QCOMPARE(angle->value(), 30.0);
+    angle->setValue(60.0);
+    QCOMPARE(this->Get("--view-angle"), std::string("60"));
+    QVERIFY(CountDifferent(before, this->Grab()) > 100);
+    this->Compare("view angle");
+    angle->setValue(30.0);
+    QVERIFY(!this->Window->GetDocument()->Get().Has("--view-angle"));
+    QCOMPARE(CountDifferent(before, this->Grab()), 0);
+  }
+};
+
+int main(int argc, char* argv[])
+{
+  TestViewerLook tests;
+  return viewerTest::Run(tests, argc, argv);
+}
+
+#include "testViewerLook.moc"
