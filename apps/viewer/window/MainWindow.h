@@ -128,6 +128,7 @@ private:
   Settings Asked;     // what is being read
   Settings Meanwhile; // what is shown, with all that was set since the reading began
   bool SetMeanwhile = false;
+  bool PointsOnly = false; // is being read, and the scene stays
   std::string ReadingKey;  // of what is shown, or being read; empty: what the user opens now
   Settings Place;          // camera and size of what is being read
   bool KeepCamera = false; // instead

@@ -31,6 +31,7 @@ namespace viewer
 namespace
 {
 constexpr int Patience = 500; // milliseconds until the user is told
+constexpr int MostIdle = 10;
 
 // Whole or not at all.
 template <typename Writer>
@@ -73,9 +74,12 @@ bool MainWindow::Gather()
   this->Shown->renderWindow()->Render();
   const int all = frame->GetSamplesLeft();
   dialog.setMaximum(all);
-  while (frame->GetSamplesLeft() > 0 && !dialog.wasCanceled())
+  int idle = 0; // frames that brought nothing, as where something moves by itself
+  for (int left = all; left > 0 && idle < MostIdle && !dialog.wasCanceled();)
   {
-    dialog.setValue(std::max(0, all - frame->GetSamplesLeft()));
+    idle = frame->GetSamplesLeft() < left ? 0 : idle + 1;
+    left = frame->GetSamplesLeft();
+    dialog.setValue(std::max(0, all - left));
     QApplication::processEvents();
     this->Shown->renderWindow()->Render();
   }
