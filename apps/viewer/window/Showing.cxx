@@ -13,6 +13,7 @@
 #include "ReportPanel.h"
 #include "SceneFacts.h"
 #include "StagesPanel.h"
+#include "TimeBar.h"
 
 #include <QFileInfo>
 #include <QLabel>
@@ -228,6 +229,7 @@ void MainWindow::StopReading()
   if (this->Reader->IsReading())
   {
     this->Reader->Stop();
+    this->Time->Stop();
     this->GiveUp();
     this->Edited->Return(this->Good);
     this->Say("Stopped.");
