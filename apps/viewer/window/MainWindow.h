@@ -107,6 +107,7 @@ private:
   void ShowProbe();
   void TellMessages();
   bool Gather();
+  void ShowLate();
   void SetViewSize(const std::string& words);
   void KeepLayout();
 
@@ -136,7 +137,7 @@ private:
   std::optional<QString> Late; // what a reading came to while a picture was saved
   QStringList Opening;         // what the list of recent files gets when it has been read
   Probe Reading;
-  QTimer Pause, Waiting, Quiet;
+  QTimer Pause, Waiting, Quiet, Later;
   int Pointed[2] = { -1, -1 };
 };
 }

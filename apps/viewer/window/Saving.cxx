@@ -89,14 +89,20 @@ bool MainWindow::Gather()
   {
     this->Say("Stopped: nothing was saved.");
   }
-  if (this->Late) // what has been read since is shown now
+  this->Later.start(0);
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// What has been read while a picture was saved.
+void MainWindow::ShowLate()
+{
+  if (this->Late)
   {
     const QString trouble = *this->Late;
     this->Late.reset();
-    QMetaObject::invokeMethod(
-      this, [this, trouble] { this->OnRead(trouble); }, Qt::QueuedConnection);
+    this->OnRead(trouble);
   }
-  return good;
 }
 
 //------------------------------------------------------------------------------
