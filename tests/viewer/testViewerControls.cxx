@@ -19,6 +19,7 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QSlider>
@@ -28,8 +29,6 @@
 
 #include <cmath>
 #include <map>
-
-using viewer::Settings;
 
 class TestViewerControls : public viewerTest::ViewerTest
 {
@@ -51,6 +50,15 @@ private Q_SLOTS:
       qPrintable(QString("%1 of %2 to %3").arg(time).arg(times[0]).arg(times[1])));
     QVERIFY(CountDifferent(before, this->Grab()) > 100);
     this->Compare("at a quarter");
+    // What is refused while it plays ends the playing, and so does a file in which nothing moves.
+    QAction* play = this->Window->findChild<QToolBar*>("time")->actions().first();
+    play->setChecked(true);
+    QCOMPARE(play->text(), QString("Pause"));
+    QTRY_VERIFY(this->Window->GetDocument()->Get().Parse().Model.Time.value_or(time) != time);
+    this->Window->GetDocument()->Change(
+      [](viewer::Settings& settings) { settings.Set("--opacity", "7"); });
+    QVERIFY(!play->isChecked());
+    this->WaitUntilRead();
     slider->setValue(0);
     this->WaitUntilRead();
     QCOMPARE(CountDifferent(before, this->Grab()), 0);

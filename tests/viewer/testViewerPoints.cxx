@@ -7,6 +7,8 @@
 #include "ColorButton.h"
 #include "LinearColor.h"
 
+#include "vtkRenderer.h"
+
 #include <QComboBox>
 #include <QGroupBox>
 #include <QLineEdit>
@@ -64,7 +66,9 @@ private Q_SLOTS:
     files->setCurrentRow(1);
     QCOMPARE(this->Find<QComboBox>("lamps", "intensity")->currentText(), QString("0.5"));
     QVERIFY(this->Find<QComboBox>("lamps", "radius")->findText("radius") >= 0); // an array of it
+    const vtkSmartPointer<vtkRenderer> scene = this->Window->GetView()->GetPicture().GetRenderer();
     this->Type("lamps", "intensity", "2");
+    QVERIFY(scene == this->Window->GetView()->GetPicture().GetRenderer()); // is not read again
     this->Choose("lamps", "radius", "radius");
     QCOMPARE(this->Get("--lamps"), (Words{ points, points + ",intensity=2,radius=radius" }));
     QCOMPARE(files->currentRow(), 1);

@@ -298,6 +298,10 @@ void SunGroup::SetOthers(const std::vector<std::string>& others)
 //------------------------------------------------------------------------------
 void SunGroup::Switch(bool on)
 {
+  if (!on && this->Own < 0)
+  {
+    return;
+  }
   if (!on)
   {
     this->KeptPlace = static_cast<std::size_t>(this->Own);

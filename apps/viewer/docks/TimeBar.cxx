@@ -53,6 +53,8 @@ TimeBar::TimeBar(Document* document, QWidget* parent)
       this->Next.start(FrameMilliseconds);
     }
   });
+  QObject::connect(document, &Document::refused, this, &TimeBar::Stop);
+  this->Playing->setEnabled(false);
   this->toggleViewAction()->setVisible(false);
   this->hide();
 }
@@ -76,6 +78,7 @@ void TimeBar::ShowSettings()
   const std::array<double, 2>& times = this->Edited->GetFacts().Times;
   const double length = times[1] - times[0];
   this->setVisible(length > 0.0);
+  this->Playing->setEnabled(length > 0.0); // or else its key would start what is not there
   if (length > 0.0)
   {
     const QSignalBlocker quiet(this->Slider);

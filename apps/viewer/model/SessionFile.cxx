@@ -67,7 +67,8 @@ Session LoadSession(const QString& path)
         : "is no session: " + trouble.errorString());
   }
   std::vector<std::string> words;
-  for (const QJsonValue& word : root["words"].toArray())
+  const QJsonArray given = root["words"].toArray();
+  for (const auto& word : given) // whose type differs between versions of Qt
   {
     if (!word.isString())
     {

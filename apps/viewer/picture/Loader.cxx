@@ -28,10 +28,11 @@ Loader::~Loader()
 }
 
 //------------------------------------------------------------------------------
-void Loader::Start(const Settings& settings)
+void Loader::Start(const Settings& settings, bool pointsOnly)
 {
   this->Stop();
   this->Asked = settings;
+  this->PointsOnly = pointsOnly;
   this->Wanted = true;
   if (!this->Thread.joinable())
   {
@@ -56,11 +57,13 @@ void Loader::Begin()
 {
   this->Stopped = false;
   this->Percent = -1;
-  this->Thread = std::thread([this, settings = this->Asked] { this->Read(settings); });
+  this->Thread = std::thread([this, settings = this->Asked, pointsOnly = this->PointsOnly] {
+    this->Read(settings, pointsOnly);
+  });
 }
 
 //------------------------------------------------------------------------------
-void Loader::Read(const Settings& settings)
+void Loader::Read(const Settings& settings, bool pointsOnly)
 {
   QString trouble;
   try
@@ -68,7 +71,10 @@ void Loader::Read(const Settings& settings)
     const cli::RenderOptions options = settings.Parse();
     cli::CheckInputs(options);
     cli::Progress progress(this);
-    this->Scene = cli::ReadScene(options, progress);
+    if (!pointsOnly)
+    {
+      this->Scene = cli::ReadScene(options, progress);
+    }
     this->Points = cli::ReadFramePoints(options, progress);
   }
   catch (const std::bad_alloc&)

@@ -30,8 +30,9 @@ public:
   explicit Loader(QObject* parent = nullptr);
   ~Loader() override;
 
-  /// Returns at once; ended() follows.
-  void Start(const Settings& settings);
+  /// Returns at once; ended() follows. `pointsOnly`: no scene, but the points of lamps, fog and
+  /// markers.
+  void Start(const Settings& settings, bool pointsOnly = false);
 
   /// Ends the reading, without a signal. Returns at once.
   void Stop();
@@ -53,7 +54,7 @@ Q_SIGNALS:
 
 private:
   void Begin();
-  void Read(const Settings& settings);
+  void Read(const Settings& settings, bool pointsOnly);
   void Say(const std::string& what, double share) override;
   bool IsStopped() override { return this->Stopped; }
   void End(const QString& trouble);
@@ -63,6 +64,7 @@ private:
   std::atomic<int> Percent{ -1 };
   bool Wanted = false;
   Settings Asked;
+  bool PointsOnly = false;
   cli::Scene Scene;
   cli::FramePoints Points;
 };

@@ -26,7 +26,8 @@ namespace
 {
 constexpr const char* Reading[] = { "--time", "--times", "--animation", "--blend", "--loop",
   "--skeleton", "--bone-weight", "--skin", "--normal-map", "--height-map", "--texture-coordinates",
-  "--lamps", "--fog", "--markers", "--up" };
+  "--up" };
+constexpr const char* OfPoints[] = { "--lamps", "--fog", "--markers" };
 constexpr const char* Wearing[] = { "--normal-map", "--height-map", "--relief",
   "--texture-coordinates", "--environment", "--reflectivity", "--skybox", "--up" };
 constexpr const char* NoDress[] = { "--camera", "--clip", "--size", "--shadows" };
@@ -69,7 +70,7 @@ std::string MakeDressKey(const Settings& settings)
 }
 
 //------------------------------------------------------------------------------
-std::string GetReadingKey(const Settings& settings)
+std::string GetSceneKey(const Settings& settings)
 {
   std::string key = MakeKey(settings, Reading);
   key += settings.Get("--shading") == "flat" ? "flat\n" : "";
@@ -78,6 +79,12 @@ std::string GetReadingKey(const Settings& settings)
     key += file + '\n';
   }
   return key;
+}
+
+//------------------------------------------------------------------------------
+std::string GetReadingKey(const Settings& settings)
+{
+  return GetSceneKey(settings) + MakeKey(settings, OfPoints);
 }
 
 //------------------------------------------------------------------------------
@@ -157,6 +164,25 @@ void Picture::Show(const cli::Scene& scene, const cli::FramePoints& points,
     throw;
   }
   this->Remove(before);
+}
+
+//------------------------------------------------------------------------------
+void Picture::ShowPoints(const cli::FramePoints& points, const Settings& settings)
+{
+  const cli::FramePoints before = this->Now.Points;
+  this->Now.Points = points;
+  vtkRelievoPass::Detach(this->Now.Renderer); // a new one takes them
+  try
+  {
+    this->Update(settings);
+  }
+  catch (...)
+  {
+    this->Now.Points = before;
+    vtkRelievoPass::Detach(this->Now.Renderer);
+    this->SetFrame(this->Now.Options);
+    throw;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -275,7 +301,13 @@ void Picture::FitClipping()
   }
   if (this->Now.Options.Look.ScalarBar && this->Window->GetSize()[1] != this->Now.BarHeight)
   {
-    this->Apply(Settings(this->Now.Shown), true);
+    try
+    {
+      this->Apply(Settings(this->Now.Shown), true);
+    }
+    catch (const std::exception&) // within a frame there is nobody to tell; it worked before
+    {
+    }
   }
   if (this->Now.Options.Clip)
   {

@@ -23,8 +23,12 @@ class vtkRelievoPass;
 
 namespace viewer
 {
-/// What of the settings a reader needs: when this changes, files are read again.
+///@{
+/// What of the settings a reader needs: when this changes, files are read again. The scene's part
+/// is all but the points of lamps, fog and markers.
 std::string GetReadingKey(const Settings& settings);
+std::string GetSceneKey(const Settings& settings);
+///@}
 
 class Picture
 {
@@ -38,6 +42,9 @@ public:
   /// say. Throws what Update throws; what was shown then still is.
   void Show(const cli::Scene& scene, const cli::FramePoints& points, const Settings& settings,
     bool keepCamera);
+
+  /// Other points in the same scene. Throws what Update throws; the points are then as before.
+  void ShowPoints(const cli::FramePoints& points, const Settings& settings);
 
   /// Nothing is shown.
   void Clear();

@@ -68,6 +68,7 @@ MainWindow::MainWindow(QWidget* parent)
   this->addToolBar(Qt::BottomToolBarArea, this->Time);
   AddActions(this, this->Recent);
   this->Connect();
+  this->Later.setSingleShot(true);
   this->Pause.setSingleShot(true);
   this->Pause.setInterval(ProbePause);
   this->Waiting.setSingleShot(true);
@@ -136,6 +137,7 @@ void MainWindow::Connect()
   QObject::connect(this->Reader, &Loader::ended, this, &MainWindow::OnRead);
   QObject::connect(this->Cancel, &QPushButton::clicked, this, &MainWindow::StopReading);
   QObject::connect(&this->Waiting, &QTimer::timeout, this, &MainWindow::ShowReading);
+  QObject::connect(&this->Later, &QTimer::timeout, this, &MainWindow::ShowLate);
   QObject::connect(&this->Quiet, &QTimer::timeout, this, [this] { this->Bar->setRange(0, 0); });
   QObject::connect(this->Shown, &PictureView::drawn, this, &MainWindow::OnDrawn);
   QObject::connect(this->Shown, &PictureView::pointed, this, &MainWindow::PointAt);

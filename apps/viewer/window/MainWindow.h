@@ -107,6 +107,7 @@ private:
   void ShowProbe();
   void TellMessages();
   bool Gather();
+  void ShowLate();
   void SetViewSize(const std::string& words);
   void KeepLayout();
 
@@ -128,6 +129,7 @@ private:
   Settings Asked;     // what is being read
   Settings Meanwhile; // what is shown, with all that was set since the reading began
   bool SetMeanwhile = false;
+  bool PointsOnly = false; // is being read, and the scene stays
   std::string ReadingKey;  // of what is shown, or being read; empty: what the user opens now
   Settings Place;          // camera and size of what is being read
   bool KeepCamera = false; // instead
@@ -135,7 +137,7 @@ private:
   std::optional<QString> Late; // what a reading came to while a picture was saved
   QStringList Opening;         // what the list of recent files gets when it has been read
   Probe Reading;
-  QTimer Pause, Waiting, Quiet;
+  QTimer Pause, Waiting, Quiet, Later;
   int Pointed[2] = { -1, -1 };
 };
 }

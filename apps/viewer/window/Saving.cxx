@@ -31,6 +31,7 @@ namespace viewer
 namespace
 {
 constexpr int Patience = 500; // milliseconds until the user is told
+constexpr int MostIdle = 10;
 
 // Whole or not at all.
 template <typename Writer>
@@ -73,9 +74,12 @@ bool MainWindow::Gather()
   this->Shown->renderWindow()->Render();
   const int all = frame->GetSamplesLeft();
   dialog.setMaximum(all);
-  while (frame->GetSamplesLeft() > 0 && !dialog.wasCanceled())
+  int idle = 0; // frames that brought nothing, as where something moves by itself
+  for (int left = all; left > 0 && idle < MostIdle && !dialog.wasCanceled();)
   {
-    dialog.setValue(std::max(0, all - frame->GetSamplesLeft()));
+    idle = frame->GetSamplesLeft() < left ? 0 : idle + 1;
+    left = frame->GetSamplesLeft();
+    dialog.setValue(std::max(0, all - left));
     QApplication::processEvents();
     this->Shown->renderWindow()->Render();
   }
@@ -85,14 +89,20 @@ bool MainWindow::Gather()
   {
     this->Say("Stopped: nothing was saved.");
   }
-  if (this->Late) // what has been read since is shown now
+  this->Later.start(0);
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// What has been read while a picture was saved.
+void MainWindow::ShowLate()
+{
+  if (this->Late)
   {
     const QString trouble = *this->Late;
     this->Late.reset();
-    QMetaObject::invokeMethod(
-      this, [this, trouble] { this->OnRead(trouble); }, Qt::QueuedConnection);
+    this->OnRead(trouble);
   }
-  return good;
 }
 
 //------------------------------------------------------------------------------

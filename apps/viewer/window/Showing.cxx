@@ -13,6 +13,7 @@
 #include "ReportPanel.h"
 #include "SceneFacts.h"
 #include "StagesPanel.h"
+#include "TimeBar.h"
 
 #include <QFileInfo>
 #include <QLabel>
@@ -168,13 +169,17 @@ void MainWindow::Read()
     this->Meanwhile = this->Good;
     this->SetMeanwhile = false;
   }
-  if (!this->ReadingKey.empty() && !this->Reader->IsReading()) // and not opened by the user
+  const bool shown = !this->Shown->GetPicture().IsEmpty();
+  const bool opened = this->ReadingKey.empty(); // by the user
+  if (!opened && !this->Reader->IsReading())
   {
-    this->KeepCamera = !this->Shown->GetPicture().IsEmpty();
+    this->KeepCamera = shown;
   }
   this->Asked = this->Edited->Get();
+  this->PointsOnly = !opened && shown && (!this->Reader->IsReading() || this->PointsOnly) &&
+    GetSceneKey(this->Asked) == GetSceneKey(this->Good);
   this->ReadingKey = GetReadingKey(this->Asked);
-  this->Reader->Start(this->Asked);
+  this->Reader->Start(this->Asked, this->PointsOnly);
   this->Begin();
 }
 
@@ -224,6 +229,7 @@ void MainWindow::StopReading()
   if (this->Reader->IsReading())
   {
     this->Reader->Stop();
+    this->Time->Stop();
     this->GiveUp();
     this->Edited->Return(this->Good);
     this->Say("Stopped.");
@@ -284,19 +290,24 @@ void MainWindow::OnRead(const QString& trouble)
 QString MainWindow::ShowRead()
 {
   this->Begin();
-  Settings settings = this->Edited->Get();
-  for (const char* word : PlaceWords)
-  {
-    settings.SetAll(word, this->Place.GetAll(word));
-  }
-  QWidget* page = this->Pages->currentWidget();
-  this->Pages->setCurrentWidget(this->Shown);
-  this->SetViewSize(this->Place.Get("--size"));
-  const cli::Scene scene = this->Reader->TakeScene();
   Picture& picture = this->Shown->GetPicture();
+  QWidget* page = this->Pages->currentWidget();
+  const cli::Scene scene = this->Reader->TakeScene();
+  const cli::FramePoints points = this->Reader->TakePoints();
   try
   {
-    picture.Show(scene, this->Reader->TakePoints(), settings, this->KeepCamera);
+    if (this->PointsOnly)
+    {
+      picture.ShowPoints(points, this->Edited->Get());
+    }
+    else
+    {
+      Settings settings = this->Edited->Get();
+      settings.TakeChanges(Settings(), this->Place);
+      this->Pages->setCurrentWidget(this->Shown);
+      this->SetViewSize(this->Place.Get("--size"));
+      picture.Show(scene, points, settings, this->KeepCamera);
+    }
   }
   catch (const std::exception& error)
   {
