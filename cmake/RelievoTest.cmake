@@ -11,6 +11,7 @@
 #     [LABELS unit|gl|image|slow|...]   default: unit, or with DISPLAY, which adds it, gl
 #     [TIMEOUT seconds]         default: 600; against hanging alone: speed is measured in bench/
 #     [DISPLAY]                 needs an X display: the one in DISPLAY, else an Xvfb of its own
+#     [OWN_DISPLAY]             with DISPLAY: always an Xvfb of its own (windows that need the keyboard)
 #     [SERIAL]                  runs alone (timings)
 #     [ENVIRONMENT VAR=value...])
 #
@@ -28,7 +29,7 @@ set(RELIEVO_TEST_OUTPUT "${PROJECT_BINARY_DIR}/Testing/output")
 set(RELIEVO_BASELINES "${PROJECT_SOURCE_DIR}/tests/baselines")
 
 function (relievo_add_test)
-  cmake_parse_arguments(PARSE_ARGV 0 test "DISPLAY;SERIAL" "NAME;PYTHON;TIMEOUT"
+  cmake_parse_arguments(PARSE_ARGV 0 test "DISPLAY;OWN_DISPLAY;SERIAL" "NAME;PYTHON;TIMEOUT"
     "SOURCES;COMMAND;LIBRARIES;PRIVATE_INCLUDES;ARGS;LABELS;ENVIRONMENT")
   if (test_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "relievo_add_test: unknown words '${test_UNPARSED_ARGUMENTS}'")
@@ -59,6 +60,9 @@ function (relievo_add_test)
     set(test_LABELS unit)
   endif ()
   if (test_DISPLAY)
+    if (test_OWN_DISPLAY)
+      list(PREPEND command --own)
+    endif ()
     list(PREPEND command "${PROJECT_SOURCE_DIR}/tools/with-display")
     list(APPEND test_LABELS gl)
     list(REMOVE_DUPLICATES test_LABELS)

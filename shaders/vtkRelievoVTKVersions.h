@@ -20,6 +20,11 @@
 #define RELIEVO_VTK_TUBES_NEED_LIGHT 1
 #endif
 
+// Shading by PBR takes a surface's opacity from its texture alone, where it has one.
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+#define RELIEVO_VTK_PBR_OPACITY_OF_TEXTURES 1
+#endif
+
 // Blocks of composite data are drawn by vtkCompositeMapperHelper2, one for each kind of block;
 // since 9.3 by vtkOpenGLBatchedPolyDataMapper.
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)

@@ -37,10 +37,23 @@ private:
     return this->Window->GetView()->GetPicture().GetRenderer()->GetActiveCamera();
   }
 
+  // Keys go to the active window alone.
+  bool Activate()
+  {
+    for (int attempt = 0; attempt < 10; ++attempt)
+    {
+      this->Window->activateWindow();
+      if (QTest::qWaitForWindowActive(this->Window.get()))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   void Press(Qt::Key key, Qt::KeyboardModifiers with = Qt::NoModifier)
   {
-    this->Window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(this->Window.get()));
+    QVERIFY(this->Activate());
     QTest::keyClick(this->Window->GetView(), key, with);
   }
 
@@ -104,8 +117,7 @@ private Q_SLOTS:
   void wheel()
   {
     this->Open({ this->WriteScene(), "--stage", "tone" });
-    this->Window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(this->Window.get()));
+    QVERIFY(this->Activate());
     auto* dock = this->Window->findChild<QDockWidget*>("stages");
     auto* panel = dock->findChild<QScrollArea*>();
     const auto turn = [](QWidget* widget) {
@@ -158,8 +170,7 @@ private Q_SLOTS:
     auto* parallel = this->Window->findChild<QAction*>("parallel");
     QVERIFY(play->isCheckable() && play->isEnabled());
     this->Window->findChild<QDockWidget*>("look")->raise();
-    this->Window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(this->Window.get()));
+    QVERIFY(this->Activate());
     auto* edges = this->Window->findChild<QCheckBox*>("edges");
     auto* shading = this->Window->findChild<QComboBox*>("shading");
     QTRY_VERIFY(edges->isVisible());
@@ -200,8 +211,7 @@ private Q_SLOTS:
     this->Window->findChild<QDockWidget*>("look")->raise();
     QTRY_VERIFY(opacity->isVisible());
     // Also with the focus on a number, of which nothing was typed.
-    this->Window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(this->Window.get()));
+    QVERIFY(this->Activate());
     auto* digits = number->findChild<QDoubleSpinBox*>();
     digits->setFocus();
     QTest::keyClick(digits, Qt::Key_Z, Qt::ControlModifier); // and not what was refused

@@ -12,6 +12,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRTAnalyticSource.h"
+#include "vtkRelievoVTKVersions.h"
 #include "vtkXMLMultiBlockDataWriter.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -192,7 +193,9 @@ private Q_SLOTS:
     const vtkSmartPointer<vtkImageData> opaque = this->Grab();
     this->WriteGLTF(false, true);
     this->CompareAll({ "--normal-map", waves, "--environment", waves, square });
+#ifndef RELIEVO_VTK_PBR_OPACITY_OF_TEXTURES
     QVERIFY(CountDifferent(opaque, this->Grab()) > 100);
+#endif
     this->CompareAll({ "--shading", "phong", "--opacity", "0.5", square });
     this->CompareAll({ Data("textured/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb"), square });
   }
