@@ -110,20 +110,20 @@ std::string ViewerTest::WriteScene(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
-std::string ViewerTest::WritePoints() const
+std::string ViewerTest::WritePoints(const std::string& name, const char* array) const
 {
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0.9, 0.5, 0.6);
   points->InsertNextPoint(-0.8, 0.3, 0.4);
   vtkNew<vtkFloatArray> radius;
-  radius->SetName("radius");
+  radius->SetName(array);
   radius->InsertNextValue(1.2F);
   radius->InsertNextValue(0.9F);
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
   data->GetPointData()->AddArray(radius);
-  Write(data, this->Path("points.vtp"));
-  return this->Path("points.vtp");
+  Write(data, this->Path(name));
+  return this->Path(name);
 }
 
 //------------------------------------------------------------------------------

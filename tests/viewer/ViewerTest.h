@@ -37,7 +37,8 @@ protected:
   std::string WriteScene(const std::string& name = "scene.vtp") const;
 
   /// Points with radii for lamps, fog and markers.
-  std::string WritePoints() const;
+  std::string WritePoints(
+    const std::string& name = "points.vtp", const char* array = "radius") const;
 
   /// An image of waves: heights, colours of a sky, or slopes of a normal map.
   std::string WriteImage() const;

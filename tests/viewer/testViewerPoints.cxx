@@ -90,6 +90,22 @@ private Q_SLOTS:
     QCOMPARE(this->Get("--lamps"), Words{ points });
   }
 
+  // Of a file and of an array.
+  void commas()
+  {
+    const std::string points = this->WritePoints("a,b.vtp", "wide,\\1");
+    QString word = QString::fromStdString(points).replace(",", "\\,");
+    this->Open({ this->WriteScene(), "--lamps", word.toStdString() });
+    QCOMPARE(this->Find<QListWidget>("lamps", "files")->item(0)->text(), QString("a,b.vtp"));
+    this->Choose("lamps", "radius", "wide,\\1");
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    word += ",radius=wide\\,\\\\1";
+    QCOMPARE(this->Get("--lamps"), Words{ word.toStdString() });
+    this->Type("lamps", "intensity", "0.7");
+    QCOMPARE(this->Get("--lamps"), Words{ word.toStdString() + ",intensity=0.7" });
+    this->Compare("commas");
+  }
+
   void colors()
   {
     const std::string points = this->WritePoints();

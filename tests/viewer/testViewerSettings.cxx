@@ -157,6 +157,12 @@ private Q_SLOTS:
         "/here/n.png", "--height-map", "/here/h.png,0.5", "--environment", "/here/sky.exr,90",
         "--fog", "/there/f.vtp", "--fog", "/here/f.vtp", "--markers", "/here/m.vtp", "/here/a.vtp",
         "/there/b.vtp" }));
+    settings = Settings::FromWords(
+      { "a.vtp", "--environment", "sky,1", "--fog", R"(f\,g.vtp,density=a\,mode=b,mode=beer)" });
+    settings.MakePathsAbsolute("/a,b");
+    QCOMPARE(settings.GetWords(),
+      (Words{ "--environment", "/a,b/sky,1", "--fog", R"(/a\,b/f\,g.vtp,density=a\,mode=b)",
+        "/a,b/a.vtp" }));
   }
 
   void numbers()

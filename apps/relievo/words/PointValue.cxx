@@ -97,4 +97,16 @@ std::string ParseFileAndValues(const std::string& option, const std::string& wor
   }
   return parts.front();
 }
+
+//------------------------------------------------------------------------------
+std::string WriteFileAndValues(
+  const std::string& file, const std::vector<std::pair<std::string, std::string>>& values)
+{
+  std::vector<std::string> parts = { file };
+  for (const auto& value : values)
+  {
+    parts.push_back(value.first + "=" + value.second);
+  }
+  return JoinEscaped(parts, ',');
+}
 }

@@ -38,10 +38,14 @@ ColorValue ParseColorValue(const std::string& option, const std::string& word);
 /// Three numbers, A/B/C. Throws WordsError.
 std::array<double, 3> ParseThree(const std::string& option, const std::string& word);
 
-/// FILE[,NAME=VALUE]...: the file, and the names with their values, each once; a comma of a name is
-/// written \,. Throws WordsError that shows the form.
+/// FILE[,NAME=VALUE]...: the file, and the names with their values, each once; a comma of one
+/// is written \,. Throws WordsError that shows the form.
 std::string ParseFileAndValues(const std::string& option, const std::string& word,
   const std::string& form, std::vector<std::pair<std::string, std::string>>& values);
+
+/// The word that ParseFileAndValues reads so.
+std::string WriteFileAndValues(
+  const std::string& file, const std::vector<std::pair<std::string, std::string>>& values);
 }
 
 #endif

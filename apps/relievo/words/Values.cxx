@@ -84,15 +84,19 @@ std::vector<std::string> SplitEscaped(const std::string& word, char separator)
 }
 
 //------------------------------------------------------------------------------
-std::string Escape(const std::string& part, char separator)
+std::string JoinEscaped(const std::vector<std::string>& parts, char separator)
 {
-  std::string escaped;
-  for (const char letter : part)
+  std::string word;
+  for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    escaped +=
-      letter == separator || letter == '\\' ? std::string("\\") + letter : std::string(1, letter);
+    word += i ? std::string(1, separator) : "";
+    for (const char letter : parts[i])
+    {
+      word +=
+        letter == separator || letter == '\\' ? std::string("\\") + letter : std::string(1, letter);
+    }
   }
-  return escaped;
+  return word;
 }
 
 //------------------------------------------------------------------------------

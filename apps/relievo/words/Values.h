@@ -23,8 +23,8 @@ std::vector<std::string> Split(const std::string& word, char separator);
 /// itself.
 std::vector<std::string> SplitEscaped(const std::string& word, char separator);
 
-/// What SplitEscaped takes for one part.
-std::string Escape(const std::string& part, char separator);
+/// The word that SplitEscaped takes apart so.
+std::string JoinEscaped(const std::vector<std::string>& parts, char separator);
 
 /// The parts with a separator between each two.
 std::string Join(const std::vector<std::string>& parts, const std::string& separator);

@@ -199,7 +199,7 @@ void PointsEdit::Ask()
   {
     std::vector<std::string> words = this->Edited->Get().GetAll(this->Option);
     const int last = static_cast<int>(words.size());
-    words.push_back(file.toStdString());
+    words.push_back(cli::WriteFileAndValues(file.toStdString(), {}));
     this->Edited->Change([&](Settings& settings) { settings.SetAll(this->Option, words); });
     this->Files->setCurrentRow(last);
   }
@@ -231,16 +231,13 @@ void PointsEdit::Write(const std::string& name, const QString& text)
   }
   std::string& word = words[static_cast<std::size_t>(row)];
   Pairs values;
-  word = cli::ParseFileAndValues(this->Option, word, "", values);
+  const std::string file = cli::ParseFileAndValues(this->Option, word, "", values);
   Set(values, name, text.toStdString());
   if (name == "falloff" && text != "vtk") // which alone has it
   {
     Set(values, "attenuation", "");
   }
-  for (const auto& value : values)
-  {
-    word += "," + value.first + "=" + value.second;
-  }
+  word = cli::WriteFileAndValues(file, values);
   this->Edited->Change([&](Settings& settings) { settings.SetAll(this->Option, words); });
   this->ShowValues(true); // as it was, if it was refused
 }
@@ -255,7 +252,8 @@ void PointsEdit::ShowSettings()
     this->Files->clear();
     for (const std::string& word : words)
     {
-      const QString path = Words(word.substr(0, word.find(',')));
+      Pairs values;
+      const QString path = Words(cli::ParseFileAndValues(this->Option, word, "", values));
       auto* item = new QListWidgetItem(QFileInfo(path).fileName(), this->Files);
       item->setToolTip(Words(word));
     }

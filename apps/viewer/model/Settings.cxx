@@ -4,6 +4,7 @@
 
 #include "Messages.h"
 #include "Options.h"
+#include "Values.h"
 
 #include "vtkNew.h"
 #include "vtkRelievoPass.h"
@@ -28,8 +29,10 @@ const std::set<std::string> Outputs = { "--png", "--exr", "--report", "--certify
 const std::set<std::string> SaidByStages = { "--stage", "--shadow-size", "--soft-shadows",
   "--shadow-tolerance", "--time-budget", "--deferred", "--tone", "--exposure" };
 
-constexpr const char* BeginWithPath[] = { "--normal-map", "--height-map", "--environment",
-  "--lamps", "--fog", "--markers" };
+constexpr const char* BeginWithPath[] = { "--normal-map", "--height-map", "--environment" };
+
+// As cli::ParseFileAndValues reads them.
+constexpr const char* BeginWithEscapedPath[] = { "--lamps", "--fog", "--markers" };
 
 // The frames of a sequence are files; the window plays what moves.
 std::string TakeFirstTime(const std::string& times)
@@ -131,11 +134,11 @@ void Settings::DropValue(const std::string& option, const std::string& name)
   std::vector<std::string> words = this->GetAll(option);
   for (std::string& word : words)
   {
-    const std::size_t at = word.find("," + name + "=");
-    if (at != std::string::npos)
-    {
-      word.erase(at, word.find(',', at + 1) - at);
-    }
+    std::vector<std::string> parts = cli::SplitEscaped(word, ',');
+    const auto dropped = std::remove_if(parts.begin() + 1, parts.end(),
+      [&name](const std::string& part) { return part.rfind(name + "=", 0) == 0; });
+    parts.erase(dropped, parts.end());
+    word = cli::JoinEscaped(parts, ',');
   }
   this->SetAll(option, words);
 }
@@ -143,18 +146,31 @@ void Settings::DropValue(const std::string& option, const std::string& name)
 //------------------------------------------------------------------------------
 void Settings::MakePathsAbsolute(const std::string& folder)
 {
-  const auto complete = [&folder](std::string& path) {
+  const auto complete = [](std::string& path, const std::string& in) {
     if (!path.empty())
     {
-      path = (std::filesystem::path(folder) / path).string(); // as it is, if it is absolute
+      path = (std::filesystem::path(in) / path).string(); // as it is, if it is absolute
     }
   };
-  std::for_each(this->Files.begin(), this->Files.end(), complete);
+  for (std::string& file : this->Files)
+  {
+    complete(file, folder);
+  }
+  const auto completeAll = [&](const char* option, const std::string& in) {
+    std::vector<std::string> words = this->GetAll(option);
+    for (std::string& word : words)
+    {
+      complete(word, in);
+    }
+    this->SetAll(option, words);
+  };
   for (const char* option : BeginWithPath)
   {
-    std::vector<std::string> words = this->GetAll(option);
-    std::for_each(words.begin(), words.end(), complete);
-    this->SetAll(option, words);
+    completeAll(option, folder);
+  }
+  for (const char* option : BeginWithEscapedPath)
+  {
+    completeAll(option, cli::JoinEscaped({ folder }, ','));
   }
 }
 
