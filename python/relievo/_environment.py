@@ -32,8 +32,8 @@ def environment(renderer, path, rotation=0, up="y", intensity=1, reflectivity=0.
         relievo.environment(renderer, None)                     # as it was before
 
     renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter); its actors
-        at the time of the call, except those that are no lit surfaces: without lighting, of lines
-        or points alone, cube axes, VTK's skies. An actor's own vtkRelievoMaterial stays and gets
+        at the time of the call, except unlit ones, lines or points alone, cube axes and VTK's
+        skies. An actor's own vtkRelievoMaterial stays and gets
         the environment; None gives its former one back.
     path: a file (exr, hdr, png, jpg, tif, bmp), or a vtkImageData with row 0 at the bottom, as
         to_image() makes it; twice as wide as high (all directions) or square (a mirror ball). Whole

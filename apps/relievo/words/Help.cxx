@@ -92,7 +92,7 @@ render draws the FILEs off screen and writes the outputs that you request.
                           share of the pixels wrong, such as 0.05% or 0.0005
   --time-budget MS        shadows by the most accurate method whose frames are expected to take
                           at most so many milliseconds
-  --certify N             judges N verdicts of the shadows, drawn by lot, by rays in double
+  --certify N             judges N verdicts of the shadows, chosen at random, by rays in double
                           precision, and prints the share that is wrong, with its 95 % bound
   --normal-map F          normals from an image (.png .jpg .tif .bmp .hdr .exr; OpenGL's green),
                           placed by the meshes' texture coordinates; linear values, not sRGB
