@@ -68,7 +68,10 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
 
 
 def _names(layers):
-    names = [layers] if isinstance(layers, str) else list(layers)
+    try:
+        names = [layers] if isinstance(layers, str) else list(layers)
+    except TypeError:
+        names = []
     if not names or not all(isinstance(name, str) and name for name in names):
         raise ValueError(f"layers: got {layers!r}, expected names of layers such as ['depth']")
     return list(dict.fromkeys(names))

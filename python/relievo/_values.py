@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What lamps, fog and markers take: points with values, one for all or by point arrays."""
 
+import math
 import numbers
 
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
@@ -26,7 +27,8 @@ def set_value(made, function, name, value, set_for_all, least=None):
     if isinstance(value, str):
         made.SetArray(name, value)
     elif value is not None:
-        if not isinstance(value, numbers.Real) or (least is not None and not value >= least):
+        good = isinstance(value, numbers.Real) and not math.isnan(value)
+        if not good or (least is not None and value < least):
             expected = "a number" if least is None else f"a number of {least} or more"
             raise ValueError(f"{function}: {name}: got {value!r}, expected {expected}, or the name "
                              f"of a point array")
@@ -58,6 +60,6 @@ def three(function, name, values):
         found = [float(each) for each in values]
     except (TypeError, ValueError):
         found = []
-    if len(found) != 3:
+    if len(found) != 3 or any(map(math.isnan, found)):
         raise ValueError(f"{function}: {name}: got {values!r}, expected three numbers")
     return found

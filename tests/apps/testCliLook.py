@@ -13,6 +13,7 @@ from cli import CliTest, main, read_png, write_image
 SIDE, CELLS = 96, 8
 CAMERA = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10", "--parallel-scale", "1"]
 LOOK = [*CAMERA, "--size", f"{SIDE}x{SIDE}"]
+LONG = "temperature of the cooling water at the outlet"
 X = (numpy.arange(SIDE) + 0.5) / SIDE * 2 - 1  # of each column
 # Two squares; the first face has no texture coordinates, the file's name a blank.
 OBJ = """mtllib two squares.mtl
@@ -62,6 +63,7 @@ class Look(CliTest):
         x = vtk_to_numpy(plane.GetPoints().GetData())[:, 0].astype(float)
         add(plane.GetPointData(), "across", 3 + 2 * x)  # 1 to 5
         add(plane.GetPointData(), "wind", numpy.c_[x, 0 * x, 0 * x + 1])
+        add(plane.GetPointData(), LONG, x)
         add(plane.GetPointData(), "paint", numpy.tile(numpy.uint8([30, 200, 90]), (len(x), 1)))
         glass = numpy.tile(numpy.uint8([200, 255, 200, 128]), (len(x), 1))
         add(plane.GetPointData(), "glass", glass)
@@ -159,6 +161,27 @@ class Look(CliTest):
         for color in ((68, 1, 84), (253, 231, 37)):
             self.assertGreater((abs(bar - color).max(axis=2) < 12)[:, 330:].sum(), 10, color)
 
+    def test_bar_texts(self):
+        """Whole, and no two values alike, whatever they are."""
+        ranges = ("0,1", "293.15,294", "1e6,1000001", "-12346,-12345", "0,1e300", "-1e-9,2e-9",
+                  "0,1e-4")  # fmt: skip
+        rows = [("across", values) for values in ranges] + [(LONG, "0,0.3")]
+        for array, values in rows:
+            self.relievo("render", "plane.vtp", *CAMERA[:-1], "2", "--size", "600x300",
+                         "--background", "white", "--color-by", array, "--range", values,
+                         "--scalar-bar", "--png", "a.png")  # fmt: skip
+            picture = read_png(self.folder / "a.png").astype(int)
+            ink = picture.max(axis=2) < 128
+            self.assertFalse(ink[:, -2:].any() or ink[:, :200].any(), (array, values))
+            with self.subTest(array=array, values=values):
+                colorful = (picture.max(axis=2) - picture.min(axis=2) > 60)[:, 380:].any(axis=0)
+                right = 380 + int(numpy.flatnonzero(colorful).max()) + 2
+                texts = numpy.flatnonzero(numpy.diff(ink[:, right:].any(axis=1).astype(int)))
+                texts = [ink[top + 1 : end + 1, right:].tobytes()
+                         for top, end in zip(texts[::2], texts[1::2], strict=True)]  # fmt: skip
+                self.assertGreaterEqual(len(texts), 5)
+                self.assertEqual(len(texts), len(set(texts)))
+
     def test_commas_in_names(self):
         """A backslash before a comma keeps it in the name."""
         self.relievo("render", "plane.vtp", *LOOK, "--layers", r"depth,label\,1", "--exr", "a.exr")
@@ -247,7 +270,8 @@ class Look(CliTest):
 
     def test_refused(self):
         for words, says in (
-            (["--color-by", "acros"], ["'acros'", "across, column, glass, label,1, paint, wind"]),
+            (["--color-by", "acros"],
+             ["'acros'", f"across, column, glass, label,1, paint, {LONG}, wind"]),
             (["--color-by", "wind,3"], ["component 3", "0 to 2"]),
             (["--colormap", "viridian"], ["'viridian'", "viridis, cool-warm"]),
             (["--range", "2,1"], ["'2,1'", "MIN < MAX"]),

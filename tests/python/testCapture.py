@@ -337,6 +337,7 @@ class Errors(unittest.TestCase):
             ((None,), "renderer: got None"),
             (("renderer",), "renderer: got 'renderer'"),
             ((self.renderer, []), "layers: got []"),
+            ((self.renderer, None), "layers: got None"),
             ((self.renderer, [3]), "layers: got [3]"),
             ((self.renderer, ["depth", ""]), "layers: got ['depth', '']"),
             ((self.renderer, "depth"), "size: the renderer has no window"),

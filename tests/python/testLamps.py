@@ -88,6 +88,8 @@ class Lamps(unittest.TestCase):
             ({"points": 5}, "points"),
             ({"radius": -1}, "radius.*0 or more"),
             ({"radius": (1, 2)}, "radius"),
+            ({"intensity": float("nan")}, "intensity.*a number"),
+            ({"color": (1, float("nan"), 0)}, "color.*three numbers"),
             ({"intensity": None, "color": (1, 2)}, "color.*three numbers"),
             ({"falloff": "cubic"}, "falloff.*inverse-square"),
             ({"attenuation": (1, 0, 0)}, "attenuation.*falloff='vtk'"),

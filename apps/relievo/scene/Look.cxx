@@ -6,6 +6,7 @@
 #include "DataSets.h"
 #include "Failure.h"
 #include "Options.h"
+#include "ScalarBar.h"
 #include "Scene.h"
 #include "Values.h"
 
@@ -21,8 +22,6 @@
 #include "vtkProperty.h"
 #include "vtkRelievoMaterial.h"
 #include "vtkRenderer.h"
-#include "vtkScalarBarActor.h"
-#include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -172,45 +171,6 @@ void SetColoring(const Coloring& coloring, vtkColorTransferFunction* map, const 
   // Between points values are interpolated, not colours: each colour is one of the map's. A normal
   // map or heights need the texture coordinates that this takes.
   mapper->SetInterpolateScalarsBeforeMapping(coloring.OfPoints && !coloring.Mapped);
-}
-
-//------------------------------------------------------------------------------
-// Black or white, whatever is read better on the background.
-Color GetInk(vtkRenderer* renderer)
-{
-  const auto getLuma = [](const double* rgb) {
-    return 0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2];
-  };
-  const double bottom = getLuma(renderer->GetBackground());
-  const double luma = renderer->GetGradientBackground()
-    ? (bottom + getLuma(renderer->GetBackground2())) / 2.0
-    : bottom;
-  return luma > 0.5 ? Color{ 0.0, 0.0, 0.0 } : Color{ 1.0, 1.0, 1.0 };
-}
-
-//------------------------------------------------------------------------------
-void AddScalarBar(vtkRenderer* renderer, vtkColorTransferFunction* map, const std::string& title)
-{
-  vtkNew<vtkScalarBarActor> bar;
-  bar->SetLookupTable(map);
-  bar->SetTitle(title.c_str());
-  const int height = renderer->GetSize()[1] > 0 ? renderer->GetSize()[1] : 768;
-  bar->SetNumberOfLabels(5);
-  bar->SetVerticalTitleSeparation(height / 60);
-  bar->UnconstrainedFontSizeOn();
-  const Color ink = GetInk(renderer);
-  for (vtkTextProperty* text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
-  {
-    text->SetColor(ink[0], ink[1], ink[2]);
-    text->SetFontSize(std::max(8, height / 45));
-    text->BoldOff();
-    text->ItalicOff();
-    text->ShadowOff();
-  }
-  bar->SetPosition(0.87, 0.1);
-  bar->SetWidth(0.1);
-  bar->SetHeight(0.8);
-  renderer->AddViewProp(bar);
 }
 
 //------------------------------------------------------------------------------

@@ -231,15 +231,14 @@ void Picture::Apply(const Settings& settings, bool keepCamera)
   const std::string surface = MakeSurfaceKey(settings, options);
   const std::string dress = MakeDressKey(settings);
   const bool wears = surface != this->Now.Surface;
-  const int height = this->Window->GetSize()[1];
-  const bool bar = options.Look.ScalarBar && height != this->Now.BarHeight;
+  const bool bar = options.Look.ScalarBar && !this->IsBarFitted();
   if (wears || bar || dress != this->Now.Dress)
   {
     this->Now.Dress = "\n";
     this->Now.Renderer->GetActiveCamera()->SetViewAngle(StandardViewAngle);
     cli::DressScene(this->Now.Bare.Undress(), options);
     this->Now.Renderer->ComputeVisiblePropBounds(this->Now.Bounds);
-    this->Now.BarHeight = height;
+    std::copy_n(this->Window->GetSize(), 2, this->Now.BarSize.begin());
   }
   if (wears)
   {
@@ -250,6 +249,12 @@ void Picture::Apply(const Settings& settings, bool keepCamera)
   this->SetFrame(options);
   this->Now.Options = options;
   this->Now.Shown = settings;
+}
+
+//------------------------------------------------------------------------------
+bool Picture::IsBarFitted() const
+{
+  return std::equal(this->Now.BarSize.begin(), this->Now.BarSize.end(), this->Window->GetSize());
 }
 
 //------------------------------------------------------------------------------
@@ -299,7 +304,7 @@ void Picture::FitClipping()
   {
     return;
   }
-  if (this->Now.Options.Look.ScalarBar && this->Window->GetSize()[1] != this->Now.BarHeight)
+  if (this->Now.Options.Look.ScalarBar && !this->IsBarFitted())
   {
     try
     {

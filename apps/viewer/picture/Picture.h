@@ -15,6 +15,7 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -97,9 +98,10 @@ private:
     cli::RenderOptions Options;
     std::string Dress = "\n", Surface = "\n"; // the words it was made of; at first like no words
     double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-    int BarHeight = 0; // of the window that texts were made for
+    std::array<int, 2> BarSize{}; // of the window that the scalar bar was made for
   };
   void Remove(const Contents& contents);
+  bool IsBarFitted() const;
 
   vtkRenderWindow* Window;
   unsigned long Observer;

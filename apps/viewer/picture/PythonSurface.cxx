@@ -181,13 +181,15 @@ void WriteScalarBar(std::ostream& out, vtkRenderer* renderer)
     const double* place = bar->GetPosition();
     out << "\nbar = vtkScalarBarActor()\nbar.SetLookupTable(colors)\nbar.SetTitle("
         << Quote(bar->GetTitle()) << ")\nbar.SetNumberOfLabels(" << bar->GetNumberOfLabels()
+        << ")\nbar.SetLabelFormat(" << Quote(bar->GetLabelFormat())
         << ")\nbar.SetVerticalTitleSeparation(" << bar->GetVerticalTitleSeparation()
         << ")\nbar.UnconstrainedFontSizeOn()\n"
         << "for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):\n"
         << "    text.SetColor(" << WriteThree(bar->GetTitleTextProperty()->GetColor())
-        << ")\n    text.SetFontSize(" << bar->GetTitleTextProperty()->GetFontSize()
+        << ")\n    text.SetFontSize(" << bar->GetLabelTextProperty()->GetFontSize()
         << ")\n    text.BoldOff()\n    text.ItalicOff()\n    text.ShadowOff()\n"
-        << "bar.SetPosition(" << WriteNumbers({ place[0], place[1] }) << ")\nbar.SetWidth("
+        << "bar.GetTitleTextProperty().SetFontSize(" << bar->GetTitleTextProperty()->GetFontSize()
+        << ")\nbar.SetPosition(" << WriteNumbers({ place[0], place[1] }) << ")\nbar.SetWidth("
         << WriteNumber(bar->GetWidth()) << ")\nbar.SetHeight(" << WriteNumber(bar->GetHeight())
         << ")\nrenderer.AddViewProp(bar)\n";
   }
