@@ -10,6 +10,22 @@ if (RELIEVO_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
     "${RELIEVO_CCACHE}")
 endif ()
 
+# VTK includes a generated header by an absolute path in a macro, which the cache cannot make relative.
+function (relievo_relative_autoinit)
+  foreach (target IN LISTS ARGN)
+    get_target_property(aliased "${target}" ALIASED_TARGET)
+    if (aliased)
+      set(target "${aliased}")
+    endif ()
+    get_target_property(macros "${target}" COMPILE_DEFINITIONS)
+    if (macros)
+      string(REPLACE "\"${CMAKE_BINARY_DIR}/CMakeFiles/" "\"" macros "${macros}")
+      set_target_properties("${target}" PROPERTIES COMPILE_DEFINITIONS "${macros}")
+      target_include_directories("${target}" PRIVATE "${CMAKE_BINARY_DIR}/CMakeFiles")
+    endif ()
+  endforeach ()
+endfunction ()
+
 # What an interpreter that is not instrumented needs in its environment to load what is. Python
 # itself keeps what it allocates: leaks are the business of the C++ tests.
 set(relievo_sanitizer_environment)

@@ -47,6 +47,7 @@ vtk_module_build(
   TEST_DIRECTORY_NAME NONE
   ${relievo_library_version})
 unset(CMAKE_SUPPRESS_DEVELOPER_WARNINGS)
+relievo_relative_autoinit(${relievo_modules})
 list(REMOVE_ITEM relievo_modules ${relievo_plugin_modules})
 # Not the two that know nothing of VTK's data: their macros differ.
 set(relievo_of_data ${relievo_modules})

@@ -1,6 +1,6 @@
 # Headers of VTK and of the standard library, compiled once for the libraries and once for the tests:
-# a third of the time to compile. Off by default, since it hides an #include that a file forgot; the
-# presets for development turn it on.
+# a third of the time to compile. Off by default, since it hides an #include that a file forgot, which
+# tools/check finds; the presets for development turn it on.
 
 option(RELIEVO_PRECOMPILE_HEADERS "Compile the headers of VTK and of the standard library once" OFF)
 
