@@ -2,14 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fog.h"
 
-#include "DataSets.h"
 #include "Messages.h"
 #include "Points.h"
-#include "Readers.h"
 
-#include "vtkDataObject.h"
-#include "vtkDataSet.h"
-#include "vtkPointData.h"
 #include "vtkRelievoFogSpheres.h"
 #include "vtkRelievoFogStage.h"
 #include "vtkRelievoPass.h"
@@ -19,14 +14,11 @@ namespace cli
 namespace
 {
 // Which values neither the file nor the command line gives, and what they are.
-std::string ListDefaults(vtkDataObject* data, const FogChoice& choice)
+std::string ListDefaults(const PointFile& file, const FogChoice& choice)
 {
   std::string defaults;
   const auto look = [&](const char* name, const PointValue& given) {
-    bool found = given.Number || !given.Array.empty();
-    ForEachDataSet(data,
-      [&](vtkDataSet* part) { found = found || part->GetPointData()->GetArray(name) != nullptr; });
-    if (!found)
+    if (!given.Number && given.Array.empty() && !file.Has(name))
     {
       defaults += std::string(defaults.empty() ? "" : " and ") + name + " 1";
     }
@@ -44,20 +36,14 @@ std::vector<vtkSmartPointer<vtkRelievoFogSpheres>> ReadFogs(
   std::vector<vtkSmartPointer<vtkRelievoFogSpheres>> fogs;
   for (const FogChoice& choice : choices)
   {
-    const vtkSmartPointer<vtkDataObject> data = ReadData(choice.File, progress);
+    const PointFile file("--fog", choice.File, progress);
     auto fog = vtkSmartPointer<vtkRelievoFogSpheres>::New();
-    fog->SetInputData(data);
-    const auto check = [&](const char* what, const std::string& name) {
-      CheckArray("--fog", choice.File, data, what, name);
-    };
-    check("radius", choice.Radius.Array);
-    check("density", choice.Density.Array);
-    check("color", choice.Color.Array);
-    TakeValue(fog.Get(), "radius", choice.Radius, &vtkRelievoFogSpheres::SetRadius);
-    TakeValue(fog.Get(), "density", choice.Density, &vtkRelievoFogSpheres::SetDensity);
-    TakeColor(fog.Get(), choice.Color);
-    CheckPoints(fog, choice.File, "fog", "places must be finite, radii and densities above 0");
-    const std::string defaults = ListDefaults(data, choice);
+    fog->SetInputData(file.GetData());
+    file.Take(fog.Get(), "radius", choice.Radius, &vtkRelievoFogSpheres::SetRadius);
+    file.Take(fog.Get(), "density", choice.Density, &vtkRelievoFogSpheres::SetDensity);
+    file.TakeColor(fog.Get(), choice.Color);
+    file.Check(fog, "fog", "places must be finite, radii and densities above 0");
+    const std::string defaults = ListDefaults(file, choice);
     if (!defaults.empty())
     {
       Messages::Note(choice.File + ": its fog has " + defaults + ", for it has no such array");

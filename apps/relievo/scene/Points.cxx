@@ -28,38 +28,60 @@ void CheckPointFile(const std::string& option, const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-void CheckArray(const std::string& option, const std::string& path, vtkDataObject* data,
-  const std::string& what, const std::string& name)
+PointFile::PointFile(const std::string& option, const std::string& path, Progress& progress)
+  : Option(option)
+  , Path(path)
+  , Data(ReadData(path, progress))
+{
+}
+
+//------------------------------------------------------------------------------
+bool PointFile::Has(const std::string& array) const
+{
+  bool found = false;
+  ForEachDataSet(this->Data, [&](vtkDataSet* part) {
+    found = found || part->GetPointData()->GetArray(array.c_str()) != nullptr;
+  });
+  return found;
+}
+
+//------------------------------------------------------------------------------
+void PointFile::TakeArray(
+  vtkRelievoPointValues* points, const char* name, bool isSet, const std::string& array) const
 {
   std::set<std::string> names;
-  ForEachDataSet(data, [&names](vtkDataSet* part) {
+  ForEachDataSet(this->Data, [&names](vtkDataSet* part) {
     for (int i = 0; i < part->GetPointData()->GetNumberOfArrays(); ++i)
     {
       const char* own = part->GetPointData()->GetArrayName(i);
       names.insert(own ? own : "");
     }
   });
-  if (!name.empty() && names.count(name) == 0)
+  if (!array.empty() && names.count(array) == 0)
   {
-    RefuseValue(option + " " + path + "," + what, name,
+    RefuseValue(this->Option + " " + this->Path + "," + name, array,
       "a number, or a point array of the file" +
         (names.empty() ? ", which has none"
                        : ": " + Join(std::vector<std::string>(names.begin(), names.end()), ", ")));
   }
+  if (isSet || !array.empty())
+  {
+    points->SetArray(name, array);
+  }
 }
 
 //------------------------------------------------------------------------------
-void CheckPoints(vtkRelievoPointValues* points, const std::string& path, const std::string& things,
-  const std::string& needs)
+void PointFile::Check(
+  vtkRelievoPointValues* points, const std::string& things, const std::string& needs) const
 {
   const int count = points->GetNumberOfPoints();
   const int leftOut = points->GetNumberLeftOut();
-  Messages::Check(path, count == 0,
+  Messages::Check(this->Path, count == 0,
     leftOut == 0 ? "holds no points, expected " + things
                  : "holds no points that are " + things + ": " + needs);
   if (leftOut > 0)
   {
-    Messages::Note(path + ": left out " + std::to_string(leftOut) + " of " +
+    Messages::Note(this->Path + ": left out " + std::to_string(leftOut) + " of " +
       std::to_string(count + leftOut) + " points that are no " + things + ": " + needs);
   }
 }

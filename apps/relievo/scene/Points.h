@@ -8,55 +8,68 @@
 
 #include "PointValue.h"
 
+#include "vtkDataObject.h"
 #include "vtkRelievoPointValues.h"
+#include "vtkSmartPointer.h"
 
+#include <functional>
 #include <string>
-
-class vtkDataObject;
 
 namespace cli
 {
+class Progress;
+
 /// Throws WordsError or WorkError, which name the option or the file, for one that cannot be read
 /// or is no points.
 void CheckPointFile(const std::string& option, const std::string& path);
 
-/// Throws WordsError, with the arrays that there are, if the points have none of that name, which
-/// an option asks for as `what`; an empty name asks for none.
-void CheckArray(const std::string& option, const std::string& path, vtkDataObject* data,
-  const std::string& what, const std::string& name);
-
-/// Sets one number or colour for all points, which comes before an array that the file has, or the
-/// array to take.
-template <typename Points>
-void TakeValue(
-  Points* points, const char* name, const PointValue& value, void (Points::*set)(double))
+/// A file of points, and what an option makes of it.
+class PointFile
 {
-  if (value.Number)
-  {
-    (points->*set)(*value.Number);
-  }
-  if (value.Number || !value.Array.empty())
-  {
-    points->SetArray(name, value.Array);
-  }
-}
-template <typename Points>
-void TakeColor(Points* points, const ColorValue& color)
-{
-  if (color.Color)
-  {
-    points->SetColor(color.Color->data());
-  }
-  if (color.Color || !color.Array.empty())
-  {
-    points->SetArray("color", color.Array);
-  }
-}
+public:
+  /// Reads the file. Throws WorkError if it cannot be read.
+  PointFile(const std::string& option, const std::string& path, Progress& progress);
 
-/// Reads the points. Throws WorkError with the file's name if arrays do not fit, or nothing of it
-/// is one of `things` (such as "lamps"), which `needs` says. Notes how many are not.
-void CheckPoints(vtkRelievoPointValues* points, const std::string& path, const std::string& things,
-  const std::string& needs);
+  vtkDataObject* GetData() const { return this->Data; }
+
+  /// Whether any of the points have a value in an array of that name.
+  bool Has(const std::string& array) const;
+
+  /// Sets one number for all points, which comes before an array that the file has, or the array to
+  /// take. Throws WordsError, with the arrays that there are, if there is none of that name.
+  template <typename Points, typename Set>
+  void Take(Points* points, const char* name, const PointValue& value, Set set) const
+  {
+    if (value.Number)
+    {
+      std::invoke(set, points, *value.Number);
+    }
+    this->TakeArray(points, name, value.Number.has_value(), value.Array);
+  }
+
+  /// The same of a colour.
+  template <typename Points>
+  void TakeColor(Points* points, const ColorValue& color) const
+  {
+    if (color.Color)
+    {
+      points->SetColor(color.Color->data());
+    }
+    this->TakeArray(points, "color", color.Color.has_value(), color.Array);
+  }
+
+  /// Throws WorkError with the file's name if arrays do not fit, or nothing of it is one of
+  /// `things` (such as "lamps"), which `needs` says. Notes how many are not.
+  void Check(
+    vtkRelievoPointValues* points, const std::string& things, const std::string& needs) const;
+
+private:
+  void TakeArray(
+    vtkRelievoPointValues* points, const char* name, bool isSet, const std::string& array) const;
+
+  std::string Option, Path;
+  vtkSmartPointer<vtkDataObject> Data;
+};
 }
 
 #endif
