@@ -261,6 +261,20 @@ class Look(CliTest):
             (self.folder / name).write_text(words)
         self.judge(self.albedo(file="two.obj")[:, :47], numpy.tile([0.8, 0.2, 0.4], (47, 1)))
         (self.folder / "two.obj").write_text(OBJ)
+        (self.folder / "two halves.png").write_bytes((self.folder / "halves.png").read_bytes())
+        placed = MTL.replace("-s 1 1 1 .\\halves.png", "-s 1 2 -o 0 0.25 1 two halves.png")
+        (self.folder / "two squares.mtl").write_text(placed)
+        found = self.albedo(file="two.obj")[:, 52:92]
+        v = (2 * (SIDE - numpy.arange(SIDE) - 0.5) / SIDE + 0.25) % 1
+        inside = abs((v + 0.25) % 0.5 - 0.25) > 0.06  # away from where the halves meet
+        expected = numpy.where(v[:, None] < 0.5, (20, 40, 200), (240, 230, 10)) / 255
+        apart = abs(found - expected[:, None])[inside]
+        self.assertLess(apart.max(), 1.6 / 255, "scaled, then moved")
+        words = placed.replace("-s 1 2", "-mm 0 1 -clamp on -blendu on -s 1 2")
+        (self.folder / "two squares.mtl").write_text(words)
+        done = self.relievo("render", "two.obj", *LOOK, "--png", "a.png")
+        self.assertIn("two halves.png is drawn without -clamp on\n", done.stderr)
+        (self.folder / "two squares.mtl").write_text(MTL)
         (self.folder / "halves.png").unlink()
         done = self.relievo("render", "two.obj", *LOOK, "--png", "a.png")
         self.assertIn("drawn without a texture", done.stderr)

@@ -106,7 +106,8 @@ private:
   {
     this->WriteImage();
     this->WriteText("wall.mtl",
-      "newmtl wall\nKd 1 1 1\nmap_Kd waves.png\nnewmtl floor\nKd 0.5 0.9 0.5\nmap_Kd waves.png\n");
+      "newmtl wall\nKd 1 1 1\nmap_Kd waves.png\n"
+      "newmtl floor\nKd 0.5 0.9 0.5\nmap_Kd -s 2 3 1 -o 0.1 waves.png\n");
     this->WriteText("wall.obj",
       "mtllib wall.mtl\nv 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\n"
       "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl wall\nf 1/1 2/2 3/3 4/4\nusemtl floor\n"

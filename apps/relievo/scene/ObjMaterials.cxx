@@ -5,6 +5,7 @@
 #include "Failure.h"
 #include "Images.h"
 #include "Messages.h"
+#include "MtlLibrary.h"
 #include "Progress.h"
 #include "Readers.h"
 
@@ -20,11 +21,11 @@
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkTexture.h"
+#include "vtkTransform.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <locale>
 #include <map>
 #include <sstream>
 
@@ -32,125 +33,9 @@ namespace cli
 {
 namespace
 {
-// As Wavefront's MTL has them, of what VTK's lighting knows.
-struct Material
-{
-  double Diffuse[3] = { 0.8, 0.8, 0.8 };
-  double Specular[3] = { 0.0, 0.0, 0.0 };
-  double Exponent = 1.0;
-  double Opacity = 1.0;
-  bool Dissolves = false; // opacity is given as such, and not as transparency alone
-  bool Highlights = true;
-  std::string Texture; // path; empty: none
-};
-
 const char* const CellIds = "vtkOriginalCellIds";
 const std::vector<std::string> TextureExtensions = { ".png", ".jpg", ".jpeg", ".tif", ".tiff",
   ".bmp", ".hdr", ".exr" };
-
-//------------------------------------------------------------------------------
-std::string Trim(const std::string& text)
-{
-  const std::string::size_type first = text.find_first_not_of(" \t\r");
-  return first == std::string::npos
-    ? ""
-    : text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
-
-//------------------------------------------------------------------------------
-// The path of a texture: behind options such as `-s 1 1 1`, which are left out, with slashes of
-// either kind.
-std::string FindTexture(const std::string& words, const std::filesystem::path& folder)
-{
-  std::string name = words;
-  if (!name.empty() && name[0] == '-')
-  {
-    const std::string::size_type space = name.find_last_of(" \t");
-    name = space == std::string::npos ? "" : name.substr(space + 1);
-  }
-  std::replace(name.begin(), name.end(), '\\', '/');
-  return name.empty() ? "" : (folder / name).lexically_normal().string();
-}
-
-//------------------------------------------------------------------------------
-void TakeLine(const std::string& line, const std::filesystem::path& folder, Material& material)
-{
-  std::istringstream words(line);
-  words.imbue(std::locale::classic());
-  std::string name;
-  words >> name;
-  const auto take = [&words](double(&color)[3]) {
-    double read[3];
-    if (words >> read[0] >> read[1] >> read[2])
-    {
-      std::transform(read, read + 3, color, [](double n) { return std::clamp(n, 0.0, 1.0); });
-    }
-  };
-  double number = 0.0;
-  if (name == "Kd")
-  {
-    take(material.Diffuse);
-  }
-  else if (name == "Ks")
-  {
-    take(material.Specular);
-  }
-  else if (name == "Ns" && words >> number)
-  {
-    material.Exponent = std::clamp(number, 1.0, 1000.0);
-    material.Highlights = material.Highlights && number > 0.0;
-  }
-  else if (name == "illum" && words >> number)
-  {
-    material.Highlights = material.Highlights && number >= 2.0;
-  }
-  else if (name == "d")
-  {
-    std::string last;
-    for (std::string each; words >> each;)
-    {
-      last = each; // behind -halo
-    }
-    std::istringstream value(last);
-    value.imbue(std::locale::classic());
-    if (value >> number)
-    {
-      material.Opacity = std::clamp(number, 0.0, 1.0);
-      material.Dissolves = true;
-    }
-  }
-  else if (name == "Tr" && !material.Dissolves && words >> number)
-  {
-    // Some programs write 1 for what is opaque; then they write d as well.
-    material.Opacity = 1.0 - std::clamp(number, 0.0, 1.0);
-  }
-  else if (name == "map_Kd")
-  {
-    std::string rest;
-    std::getline(words, rest);
-    material.Texture = FindTexture(Trim(rest), folder);
-  }
-}
-
-//------------------------------------------------------------------------------
-void ReadLibrary(const std::string& path, std::map<std::string, Material>& materials)
-{
-  std::ifstream file(path, std::ios::binary);
-  Material* material = nullptr;
-  for (std::string line; std::getline(file, line);)
-  {
-    line = Trim(line);
-    const std::string begin = "newmtl";
-    if (line.compare(0, begin.size(), begin) == 0)
-    {
-      material = &materials[Trim(line.substr(begin.size()))];
-    }
-    else if (material)
-    {
-      TakeLine(line, std::filesystem::path(path).parent_path(), *material);
-    }
-  }
-}
 
 //------------------------------------------------------------------------------
 // What an OBJ file says of materials. VTK's reader has it as well, but forgets the first one of
@@ -178,7 +63,7 @@ Named ReadNames(const std::string& path)
     }
     else if (word == "usemtl")
     {
-      const std::string name = Trim(line.substr(end));
+      const std::string name = TrimLine(line.substr(end));
       const auto known = std::find(named.Names.begin(), named.Names.end(), name);
       current = static_cast<int>(known - named.Names.begin());
       if (known == named.Names.end())
@@ -188,24 +73,24 @@ Named ReadNames(const std::string& path)
     }
     else if (word == "mtllib")
     {
-      named.Libraries.push_back(Trim(line.substr(end)));
+      named.Libraries.push_back(TrimLine(line.substr(end)));
     }
   }
   return named;
 }
 
 //------------------------------------------------------------------------------
-std::map<std::string, Material> ReadLibraries(
+std::map<std::string, MtlMaterial> ReadLibraries(
   const std::vector<std::string>& libraries, const std::string& path)
 {
-  std::map<std::string, Material> materials;
+  std::map<std::string, MtlMaterial> materials;
   const auto read = [&](const std::string& name) {
     const std::filesystem::path library = std::filesystem::path(path).parent_path() / name;
     std::error_code trouble;
     const bool there = std::filesystem::is_regular_file(library, trouble);
     if (there)
     {
-      ReadLibrary(library.string(), materials);
+      ReadMtlLibrary(library.string(), materials);
     }
     return there;
   };
@@ -279,7 +164,7 @@ std::vector<int> FindMaterials(vtkPolyData* mesh, vtkPolyData* file, const std::
 }
 
 //------------------------------------------------------------------------------
-void Wear(vtkActor* actor, const Material& material, const std::string& path, Progress& progress)
+void Wear(vtkActor* actor, const MtlMaterial& material, const std::string& path, Progress& progress)
 {
   vtkProperty* property = actor->GetProperty();
   property->SetDiffuseColor(material.Diffuse);
@@ -299,6 +184,20 @@ void Wear(vtkActor* actor, const Material& material, const std::string& path, Pr
     texture->SetInputData(ReadImage(material.Texture, progress));
     texture->InterpolateOn();
     texture->MipmapOn();
+    const auto& [scaleU, scaleV] = material.TextureScale;
+    const auto& [offsetU, offsetV] = material.TextureOffset;
+    if (scaleU != 1.0 || scaleV != 1.0 || offsetU != 0.0 || offsetV != 0.0)
+    {
+      vtkNew<vtkTransform> transform;
+      transform->Translate(offsetU, offsetV, 0.0);
+      transform->Scale(scaleU, scaleV, 1.0);
+      texture->SetTransform(transform);
+    }
+    if (!material.TextureWithout.empty())
+    {
+      Messages::Note(
+        path + ": " + material.Texture + " is drawn without " + material.TextureWithout);
+    }
     actor->SetTexture(texture);
   }
   catch (const std::exception& error)
@@ -319,7 +218,7 @@ std::vector<ObjPart> SplitByMaterials(
     return {};
   }
   const Named named = ReadNames(path);
-  const std::map<std::string, Material> materials = ReadLibraries(named.Libraries, path);
+  const std::map<std::string, MtlMaterial> materials = ReadLibraries(named.Libraries, path);
   if (materials.empty())
   {
     return {};

@@ -4,6 +4,7 @@
 
 #include "BareScene.h"
 #include "Images.h"
+#include "Numbers.h"
 #include "Options.h"
 #include "PythonProperty.h"
 #include "PythonSurface.h"
@@ -19,6 +20,7 @@
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -28,6 +30,7 @@
 #include "vtkRelievoVTKVersions.h"
 #include "vtkStringArray.h"
 #include "vtkTexture.h"
+#include "vtkTransform.h"
 
 #include <algorithm>
 #include <map>
@@ -135,6 +138,13 @@ private:
                 << name << ".InterpolateOn()\n"
                 << name << ".MipmapOn()\n"
                 << (texture->GetUseSRGBColorSpace() ? name + ".UseSRGBColorSpaceOn()\n" : "");
+      if (vtkTransform* transform = texture->GetTransform())
+      {
+        const double* const matrix = transform->GetMatrix()->GetData();
+        this->Out << "transform = vtkTransform()\ntransform.SetMatrix(["
+                  << WriteNumbers(std::vector<double>(matrix, matrix + 16)) << "])\n"
+                  << name << ".SetTransform(transform)\n";
+      }
     }
     this->Out << "actor.SetTexture(" << name << ")\n";
     if (actor->GetProperty()->GetTexture("albedoTex") == texture)

@@ -223,6 +223,7 @@ const std::pair<const char*, std::vector<const char*>> Modules[] = {
   { "util.numpy_support", { "numpy_to_vtk", "numpy_to_vtkIdTypeArray", "vtk_to_numpy" } },
   { "vtkCommonCore", { "vtkIdList", "vtkIdTypeArray", "vtkPoints" } },
   { "vtkCommonDataModel", { "vtkCompositeDataSet", "vtkPolyData" } },
+  { "vtkCommonTransforms", { "vtkTransform" } },
   { "vtkFiltersCore", { "vtkPolyDataNormals", "vtkTriangleFilter" } },
   { "vtkFiltersGeometry", { "vtkGeometryFilter" } },
   { "vtkIOGeometry", { "vtkOBJReader", "vtkSTLReader" } },
