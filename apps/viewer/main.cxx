@@ -16,6 +16,7 @@
 #include <QSettings>
 #include <QSurfaceFormat>
 #include <QTimer>
+#include <QtGlobal>
 
 #include <algorithm>
 #include <cstdio>
@@ -45,6 +46,49 @@ bool Has(const std::vector<std::string>& words, const char* word)
 void End(int status)
 {
   std::_Exit(status);
+}
+
+//------------------------------------------------------------------------------
+// Where there is no display, Qt says so in six lines and aborts.
+void SayNoWindow(QtMsgType type, const QMessageLogContext& /*context*/, const QString& text)
+{
+  static QString reason;
+  reason = reason.isEmpty() ? text.simplified() : reason;
+  if (type == QtFatalMsg)
+  {
+    std::fprintf(cli::StandardError(),
+      "relievo-viewer: no window can be opened: %s; start it where there is a screen, or under "
+      "xvfb-run, or use relievo render\n",
+      reason.toUtf8().constData());
+    End(1);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Some displays have no OpenGL, where Qt's widget stays empty, or one that VTK cannot use.
+void LookForOpenGL(viewer::MainWindow& window, bool once)
+{
+  const auto say = [&window] {
+    const QString text = "nothing can be drawn: this display has no OpenGL 3.2";
+    window.Say(text, true);
+    std::fprintf(cli::StandardError(), "relievo-viewer: %s\n", text.toUtf8().constData());
+  };
+  viewer::PictureView* view = window.GetView();
+  QObject::connect(view, &viewer::PictureView::openGLTooOld, qApp, [say] {
+    say();
+    End(1);
+  });
+  const int late = 2000; // ms; Qt may make the context some time after the window is shown
+  QTimer::singleShot(late, qApp, [say, view, once] {
+    if (!view->isValid())
+    {
+      say();
+      if (once)
+      {
+        End(1);
+      }
+    }
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -111,10 +155,13 @@ int main(int argc, char* argv[])
   QCoreApplication::setOrganizationName("Relievo");
   QCoreApplication::setApplicationName("relievo-viewer");
   int ours = 1; // Qt has options of its own, which ours might be taken for
+  const QtMessageHandler qtsOwn = qInstallMessageHandler(SayNoWindow);
   QApplication application(ours, argv);
+  qInstallMessageHandler(qtsOwn);
   cli::Outputs::RemoveOnSignals();
   viewer::MainWindow window;
   window.RestoreLayout();
+  LookForOpenGL(window, once);
   window.show();
   if (isSession)
   {

@@ -4,6 +4,7 @@
 
 #include "Messages.h"
 #include "PythonScript.h"
+#include "QtVersions.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
@@ -48,7 +49,7 @@ void Write(vtkPolyData* data, const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-static vtkSmartPointer<vtkImageData> ReadPNG(const std::string& path)
+vtkSmartPointer<vtkImageData> ViewerTest::ReadPNG(const std::string& path)
 {
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName(path.c_str());
@@ -281,6 +282,8 @@ int Run(QObject& tests, int argc, char* argv[])
   QCoreApplication::setApplicationName("tests");
   QSettings::setPath(
     QSettings::NativeFormat, QSettings::UserScope, qEnvironmentVariable("RELIEVO_TEST_OUTPUT"));
+  QSettings().clear(); // of the run before
+  viewer::UseHighDpi();
   QApplication application(argc, argv);
   cli::Messages::Collect();
   return QTest::qExec(&tests, argc, argv);

@@ -72,6 +72,8 @@ protected:
   /// What the Python program that the window copies writes.
   vtkSmartPointer<vtkImageData> RunPython();
 
+  static vtkSmartPointer<vtkImageData> ReadPNG(const std::string& path);
+
   /// Pixels that differ between the two; -1 if their sizes do.
   static int CountDifferent(vtkImageData* a, vtkImageData* b);
 

@@ -80,10 +80,21 @@ private Q_SLOTS:
       this->Window->GetView()->GetPicture().GetFrame()->GetFrameReport().c_str());
     QTest::qWait(600); // until what was drawn last is in the table
     std::map<QString, QString> cells;
+    QString words;
     for (int row = 0; row < table->rowCount(); ++row)
     {
-      cells[table->item(row, 0)->text()] = table->item(row, 1)->text();
+      if (const QTableWidgetItem* number = table->item(row, 1))
+      {
+        cells[table->item(row, 0)->text()] = number->text();
+      }
+      else // why, across the table and in full
+      {
+        QVERIFY(
+          table->visualItemRect(table->item(row, 0)).right() >= table->viewport()->width() - 2);
+        words += table->item(row, 0)->text() + "\n";
+      }
     }
+    QVERIFY2(words.contains("1 light casts") && words.contains("Lamps: "), qPrintable(words));
     double longest = 0.0;
     int widest = 0;
     const std::vector<viewer::StageChart::Bar>& bars = chart->GetBars();

@@ -20,9 +20,11 @@
 #include <QClipboard>
 #include <QDropEvent>
 #include <QFile>
+#include <QFileInfo>
 #include <QGroupBox>
 #include <QLabel>
 #include <QMimeData>
+#include <QProcess>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QtTest>
@@ -296,6 +298,17 @@ private Q_SLOTS:
     copy->trigger();
     const QString text = QApplication::clipboard()->text();
     QVERIFY2(text.startsWith("relievo render") && text.contains("--shadows map"), qPrintable(text));
+    // As it is pasted in a shell.
+    QProcess shell;
+    QProcessEnvironment variables = QProcessEnvironment::systemEnvironment();
+    variables.insert("PATH",
+      QFileInfo(qEnvironmentVariable("RELIEVO")).path() + ":" + qEnvironmentVariable("PATH"));
+    shell.setProcessEnvironment(variables);
+    shell.setWorkingDirectory(QString::fromStdString(this->Path("")));
+    shell.start("sh", { "-c", text });
+    QVERIFY(shell.waitForFinished(60000));
+    QVERIFY2(shell.exitCode() == 0, shell.readAllStandardError().constData());
+    QCOMPARE(CountDifferent(this->Grab(), ReadPNG(this->Path("picture.png"))), 0);
   }
 };
 

@@ -53,7 +53,7 @@ ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
   , Automatic(new QCheckBox("Automatic", this))
   , Least(new QLineEdit(this))
   , Most(new QLineEdit(this))
-  , Bar(MakeFlag(document, "Show the colours' scale", "--scalar-bar", this))
+  , Bar(MakeFlag(document, "Show a colour bar", "--scalar-bar", this))
   , Solid(new QCheckBox("One colour", this))
   , Color(new ColorButton(this))
 {

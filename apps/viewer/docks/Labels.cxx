@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Labels.h"
 
+#include <QLocale>
 #include <QStringList>
 
 namespace viewer
@@ -18,5 +19,11 @@ QString WriteLabel(const QString& label)
     word = i == 0 || name ? word : word.toLower();
   }
   return words.join(' ');
+}
+
+//------------------------------------------------------------------------------
+QString WriteBytes(double bytes)
+{
+  return QLocale::c().formattedDataSize(static_cast<qint64>(bytes));
 }
 }

@@ -4,14 +4,12 @@
 
 #include "Labels.h"
 #include "StageChart.h"
+#include "StageTable.h"
 
-#include <QHeaderView>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
-#include <QLocale>
-#include <QTableWidget>
 #include <QVBoxLayout>
 
 namespace viewer
@@ -20,35 +18,16 @@ namespace
 {
 constexpr int RefreshMilliseconds = 250;
 constexpr int MostTries = 8; // some drivers never know
-
-QString Milliseconds(const QJsonValue& value)
-{
-  return value.isDouble() ? QString::number(value.toDouble(), 'f', 2) : QString("-");
-}
-
-QString Bytes(const QJsonValue& value)
-{
-  return QLocale::c().formattedDataSize(static_cast<qint64>(value.toDouble()));
-}
 }
 
 //------------------------------------------------------------------------------
 ReportPanel::ReportPanel(std::function<std::string()> read, QWidget* parent)
   : QWidget(parent)
   , Read(std::move(read))
-  , Table(new QTableWidget(0, 5, this))
+  , Table(new StageTable(this))
   , Total(new QLabel(this))
   , Chart(new StageChart(this))
 {
-  this->Table->setObjectName("stages");
-  this->Table->setHorizontalHeaderLabels({ "Stage", "GPU (ms)", "Memory", "Draws", "Why" });
-  this->Table->verticalHeader()->hide();
-  this->Table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  this->Table->horizontalHeader()->setStretchLastSection(true);
-  for (int column = 0; column < 4; ++column)
-  {
-    this->Table->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
-  }
   this->Total->setObjectName("total");
   this->Total->setWordWrap(true);
   this->Chart->setObjectName("chart");
@@ -93,9 +72,10 @@ void ReportPanel::Refresh()
   this->Total->setText(report.isEmpty()
       ? QString("Nothing of Relievo is on: the picture is VTK's own.")
       : QString("Frame: %1 on the GPU, %2 held")
-          .arg(
-            report["gpu_ms"].isDouble() ? Milliseconds(report["gpu_ms"]) + " ms" : "not timed yet",
-            Bytes(report["bytes"])));
+          .arg(report["gpu_ms"].isDouble()
+              ? QString::number(report["gpu_ms"].toDouble(), 'f', 2) + " ms"
+              : "not timed yet",
+            WriteBytes(report["bytes"].toDouble())));
   std::vector<StageChart::Bar> bars;
   bool untimed = false;
   for (const QJsonValue& value : stages)
@@ -108,25 +88,7 @@ void ReportPanel::Refresh()
     }
   }
   this->Chart->SetBars(bars);
-  this->Table->setRowCount(stages.size());
-  for (int row = 0; row < stages.size(); ++row)
-  {
-    const QJsonObject stage = stages[row].toObject();
-    const bool ran = stage["ran"].toBool();
-    const QJsonValue draws = stage["draw_calls"];
-    const QString texts[] = { WriteLabel(stage["label"].toString()),
-      ran ? Milliseconds(stage["gpu_ms"]) : "", ran ? Bytes(stage["bytes"]) : "",
-      ran && draws.isDouble() ? QString::number(draws.toInt()) : "", stage["reason"].toString() };
-    for (int column = 0; column < 5; ++column)
-    {
-      auto* item = new QTableWidgetItem(texts[column]);
-      item->setFlags(ran ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::ItemIsSelectable);
-      item->setToolTip(stage["reason"].toString());
-      item->setTextAlignment(
-        Qt::AlignVCenter | (column >= 1 && column <= 3 ? Qt::AlignRight : Qt::AlignLeft));
-      this->Table->setItem(row, column, item);
-    }
-  }
+  this->Table->SetStages(stages);
   if (untimed && this->isVisible() && this->Tries > 0)
   {
     --this->Tries;

@@ -13,11 +13,11 @@
 #include <string>
 
 class QLabel;
-class QTableWidget;
 
 namespace viewer
 {
 class StageChart;
+class StageTable;
 
 class ReportPanel : public QWidget
 {
@@ -44,7 +44,7 @@ private:
   void Refresh();
 
   std::function<std::string()> Read;
-  QTableWidget* Table;
+  StageTable* Table;
   QLabel* Total;
   StageChart* Chart;
   QTimer Timer;

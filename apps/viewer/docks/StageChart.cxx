@@ -54,7 +54,7 @@ int StageChart::GetLabelWidth() const
 //------------------------------------------------------------------------------
 int StageChart::GetNumberWidth() const
 {
-  return this->fontMetrics().horizontalAdvance("0000.00");
+  return this->fontMetrics().horizontalAdvance("0000.00 ms");
 }
 
 //------------------------------------------------------------------------------
@@ -95,7 +95,7 @@ void StageChart::paintEvent(QPaintEvent*)
     painter.drawText(QRect(0, row.top(), label, row.height()), Qt::AlignRight | Qt::AlignVCenter,
       this->fontMetrics().elidedText(bar.Label, Qt::ElideRight, label));
     painter.drawText(QRect(place.right() + 1 + Gap, row.top(), number, row.height()),
-      Qt::AlignLeft | Qt::AlignVCenter, QString::number(bar.Milliseconds, 'f', 2));
+      Qt::AlignLeft | Qt::AlignVCenter, QString::number(bar.Milliseconds, 'f', 2) + " ms");
   }
 }
 }

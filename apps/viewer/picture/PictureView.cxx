@@ -108,6 +108,16 @@ void PictureView::OnDrawn()
 }
 
 //------------------------------------------------------------------------------
+void PictureView::initializeGL()
+{
+  if (this->format().version() < qMakePair(3, 2))
+  {
+    Q_EMIT this->openGLTooOld();
+  }
+  this->QVTKOpenGLNativeWidget::initializeGL();
+}
+
+//------------------------------------------------------------------------------
 void PictureView::mouseMoveEvent(QMouseEvent* event)
 {
   this->QVTKOpenGLNativeWidget::mouseMoveEvent(event);

@@ -36,10 +36,14 @@ public:
 Q_SIGNALS:
   void drawn();
 
+  /// The display's OpenGL is older than 3.2, before VTK, which crashes then, is told.
+  void openGLTooOld();
+
   /// The mouse is over a pixel of the window, from the lower left; -1 when it has left.
   void pointed(int x, int y);
 
 protected:
+  void initializeGL() override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Actions.h"
 
+#include "Appearance.h"
 #include "MainWindow.h"
 #include "Picture.h"
 #include "PictureView.h"
@@ -193,10 +194,12 @@ void AddViewMenu(MainWindow* window)
   });
   menu->addSeparator();
   QAction* full = menu->addAction("F&ull screen");
-  full->setShortcut(QKeySequence::FullScreen);
+  full->setObjectName("fullScreen");
+  full->setShortcut(QKeySequence("F11")); // desktops differ
   full->setToolTip("The window alone on the screen");
   QObject::connect(full, &QAction::triggered, window,
     [window] { window->setWindowState(window->windowState() ^ Qt::WindowFullScreen); });
+  AddAppearance(menu->addMenu("Appeara&nce"));
   for (QDockWidget* dock : window->findChildren<QDockWidget*>())
   {
     menu->addAction(dock->toggleViewAction());

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Appearance.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QMenu>
+#include <QPalette>
+#include <QSettings>
+#include <QStyle>
+
+namespace viewer
+{
+namespace
+{
+const char* const Kept = "appearance"; // in the settings: the name of the choice's action
+
+//------------------------------------------------------------------------------
+QPalette MakePalette(int window, int field, int text, const QColor& link)
+{
+  const auto grey = [](int level) { return QColor(level, level, level); };
+  QPalette palette(grey(window)); // with edges, buttons and shades
+  for (const QPalette::ColorRole role :
+    { QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText })
+  {
+    palette.setColor(role, grey(text));
+    palette.setColor(QPalette::Disabled, role, grey((text + window) / 2));
+  }
+  palette.setColor(QPalette::Base, grey(field));
+  palette.setColor(QPalette::AlternateBase, grey((field + window) / 2));
+  palette.setColor(QPalette::ToolTipBase, grey(field));
+  palette.setColor(QPalette::PlaceholderText, grey((text + field) / 2));
+  palette.setColor(QPalette::Highlight, QColor(48, 140, 198));
+  palette.setColor(QPalette::HighlightedText, Qt::white);
+  palette.setColor(QPalette::Link, link);
+  palette.setColor(QPalette::LinkVisited, link);
+  return palette;
+}
+
+//------------------------------------------------------------------------------
+void Make(const QString& name)
+{
+  static const QString desktops = QApplication::style()->objectName();
+  const bool light = name == "light";
+  const bool dark = name == "dark";
+  QApplication::setStyle(light || dark ? "Fusion" : desktops); // other styles may have own colours
+  QApplication::setPalette(dark ? MakePalette(50, 35, 230, QColor(100, 180, 255))
+      : light                   ? MakePalette(239, 255, 0, QColor(0, 90, 200))
+                                : QPalette());
+}
+}
+
+//------------------------------------------------------------------------------
+void AddAppearance(QMenu* menu)
+{
+  auto* group = new QActionGroup(menu);
+  const QString kept = QSettings().value(Kept, "desktop").toString();
+  for (const char* text : { "As the &desktop", "&Light", "Dar&k" })
+  {
+    QAction* action = menu->addAction(text);
+    action->setObjectName(QString(text).remove('&').section(' ', -1).toLower());
+    action->setCheckable(true);
+    action->setChecked(action->objectName() == kept);
+    group->addAction(action);
+  }
+  if (kept != "desktop")
+  {
+    Make(kept);
+  }
+  QObject::connect(group, &QActionGroup::triggered, menu, [](QAction* action) {
+    Make(action->objectName());
+    QSettings().setValue(Kept, action->objectName());
+  });
+}
+}

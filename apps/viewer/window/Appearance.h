@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Light or dark controls, or those of the desktop.
+ */
+#ifndef Appearance_h
+#define Appearance_h
+
+class QMenu;
+
+namespace viewer
+{
+/// Adds the choice to a menu, and makes what the user chose last.
+void AddAppearance(QMenu* menu);
+}
+
+#endif
