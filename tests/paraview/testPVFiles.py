@@ -160,10 +160,12 @@ class Files(pv.Test):
             ("save", "no file can be made in its folder"),
             ("no layers", "no layer is chosen"),
             ("unknown layer", "'nonsense' cannot be read"),
+            ("two tones", "tones are mapped once"),
         ):
             self.assertEqual(len(pv.messages(parts[part])), 1, said)
             self.assertIn(words, parts[part])
         self.assertIn("No reader found", parts["words"])
+        self.assertIn("ParaView's own True", parts["two tones"])
         self.assertFalse((pv.OUTPUT / "none.exr").exists())
 
 
@@ -184,6 +186,13 @@ def provoke(folder):
     simple.ExportView(f"{folder}/none.exr", view=scene.view, Layers=[])
     now("unknown layer")
     simple.ExportView(f"{folder}/none.exr", view=scene.view, Layers=["color", "nonsense"])
+    now("two tones")
+    scene.view.UseToneMapping = 1
+    own = pv.picture(scene.view)
+    scene.view.RelievoStageTone = 1
+    for _ in range(2):
+        same = (pv.picture(scene.view) == own).all()
+    print("ParaView's own", same, file=sys.stderr)
     now("words")
     try:
         simple.OpenDataFile(f"{folder}/words.exr")
