@@ -76,7 +76,7 @@
 #endif
 
 // vtkPolygon::Triangulate(ids) is called TriangulateLocalIds(0, ids).
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 #define RELIEVO_VTK_TRIANGULATE_LOCAL_IDS 1
 #endif
 

@@ -10,6 +10,8 @@
 #include "StandardError.h"
 #include "Version.h"
 
+#include "vtkRenderWindow.h"
+
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
@@ -34,8 +36,9 @@ const char* const Help =
   "  relievo-viewer --help | --version\n"
   "\n"
   "Files and options are those of `relievo render`; see relievo --help. Outputs are not written:\n"
-  "save them from the window. --once ends the program after its first picture, to be timed, or\n"
-  "with status 1 if there can be none.\n";
+  "save them from the window. --once prints the size of the first picture and ends the program, "
+  "to\n"
+  "be timed, or ends it with status 1 if there can be none.\n";
 
 bool Has(const std::vector<std::string>& words, const char* word)
 {
@@ -49,12 +52,30 @@ void End(int status)
 }
 
 //------------------------------------------------------------------------------
-// Where there is no display, Qt says so in six lines and aborts.
-void SayNoWindow(QtMsgType type, const QMessageLogContext& /*context*/, const QString& text)
+// What Qt does where there is no display, or no OpenGL, is to print lines about its plugins, and to
+// abort or to show an empty window.
+void EndWithoutOpenGL()
+{
+  std::fputs(
+    "relievo-viewer: nothing can be drawn: this display has no OpenGL 3.2\n", cli::StandardError());
+  End(1);
+}
+
+QtMessageHandler QtsOwn = nullptr; // while there is an application
+
+void OnMessage(QtMsgType type, const QMessageLogContext& context, const QString& text)
 {
   static QString reason;
   reason = reason.isEmpty() ? text.simplified() : reason;
-  if (type == QtFatalMsg)
+  if (text.startsWith("QOpenGLWidget: Failed to create context"))
+  {
+    EndWithoutOpenGL();
+  }
+  if (QtsOwn)
+  {
+    QtsOwn(type, context, text);
+  }
+  else if (type == QtFatalMsg)
   {
     std::fprintf(cli::StandardError(),
       "relievo-viewer: no window can be opened: %s; start it where there is a screen, or under "
@@ -65,33 +86,6 @@ void SayNoWindow(QtMsgType type, const QMessageLogContext& /*context*/, const QS
 }
 
 //------------------------------------------------------------------------------
-// Some displays have no OpenGL, where Qt's widget stays empty, or one that VTK cannot use.
-void LookForOpenGL(viewer::MainWindow& window, bool once)
-{
-  const auto say = [&window] {
-    const QString text = "nothing can be drawn: this display has no OpenGL 3.2";
-    window.Say(text, true);
-    std::fprintf(cli::StandardError(), "relievo-viewer: %s\n", text.toUtf8().constData());
-  };
-  viewer::PictureView* view = window.GetView();
-  QObject::connect(view, &viewer::PictureView::openGLTooOld, qApp, [say] {
-    say();
-    End(1);
-  });
-  const int late = 2000; // ms; Qt may make the context some time after the window is shown
-  QTimer::singleShot(late, qApp, [say, view, once] {
-    if (!view->isValid())
-    {
-      say();
-      if (once)
-      {
-        End(1);
-      }
-    }
-  });
-}
-
-//------------------------------------------------------------------------------
 // After the first picture, or when there is none.
 void EndAfterPicture(viewer::MainWindow& window)
 {
@@ -99,7 +93,12 @@ void EndAfterPicture(viewer::MainWindow& window)
   QObject::connect(view, &viewer::PictureView::drawn, qApp, [view] {
     if (!view->GetPicture().IsEmpty())
     {
-      QTimer::singleShot(0, qApp, [] { End(0); });
+      QTimer::singleShot(0, qApp, [view] {
+        const int* size = view->renderWindow()->GetSize();
+        std::printf("%dx%d\n", size[0], size[1]);
+        std::fflush(stdout);
+        End(0);
+      });
     }
   });
   const auto endInTrouble = [&window, view] {
@@ -155,13 +154,13 @@ int main(int argc, char* argv[])
   QCoreApplication::setOrganizationName("Relievo");
   QCoreApplication::setApplicationName("relievo-viewer");
   int ours = 1; // Qt has options of its own, which ours might be taken for
-  const QtMessageHandler qtsOwn = qInstallMessageHandler(SayNoWindow);
+  const QtMessageHandler before = qInstallMessageHandler(OnMessage);
   QApplication application(ours, argv);
-  qInstallMessageHandler(qtsOwn);
+  QtsOwn = before;
   cli::Outputs::RemoveOnSignals();
   viewer::MainWindow window;
   window.RestoreLayout();
-  LookForOpenGL(window, once);
+  QObject::connect(window.GetView(), &viewer::PictureView::openGLTooOld, qApp, EndWithoutOpenGL);
   window.show();
   if (isSession)
   {
