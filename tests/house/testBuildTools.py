@@ -64,14 +64,15 @@ class BuildTools(unittest.TestCase):
 
     def test_windows(self):
         """EGL beside X only where VTK can have both."""
-        version = self.tree("build-vtk") / "CMake" / "vtkVersion.cmake"
-        for minor, egl in ((1, "OFF"), (3, "OFF"), (4, "ON"), (10, "ON")):
-            version.write_text(f"set(VTK_MAJOR_VERSION 9)\nset(VTK_MINOR_VERSION {minor})\n")
-            done = self.run_tool("build-vtk", version.parents[1], self.folder / "dest")
-            self.assertEqual(done.returncode, 0, done.stderr)
-            words = (self.folder / "words").read_text().splitlines()
-            self.assertIn(f"-DVTK_OPENGL_HAS_EGL={egl}", words)
-            (self.folder / "words").unlink()
+        for name, files in TREES.items():
+            version = self.tree(name) / files[-1]
+            for minor, egl in ((1, "OFF"), (3, "OFF"), (4, "ON"), (10, "ON")):
+                version.write_text(f"set(VTK_MAJOR_VERSION 9)\nset(VTK_MINOR_VERSION {minor})\n")
+                done = self.run_tool(name, self.folder / "source", self.folder / "dest")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                words = (self.folder / "words").read_text().splitlines()
+                self.assertIn(f"-DVTK_OPENGL_HAS_EGL={egl}", words, name)
+                (self.folder / "words").unlink()
 
     def test_leaves_what_is_in_the_folder(self):
         """The folder may be a home or a repository, with a folder build of its own."""
