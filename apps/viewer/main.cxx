@@ -17,12 +17,12 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QSurfaceFormat>
-#include <QTimer>
 #include <QtGlobal>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -90,15 +90,17 @@ void OnMessage(QtMsgType type, const QMessageLogContext& context, const QString&
 void EndAfterPicture(viewer::MainWindow& window)
 {
   viewer::PictureView* view = window.GetView();
-  QObject::connect(view, &viewer::PictureView::drawn, qApp, [view] {
-    if (!view->GetPicture().IsEmpty())
+  const auto drawn = std::make_shared<bool>(false);
+  QObject::connect(view, &viewer::PictureView::drawn, qApp,
+    [view, drawn] { *drawn = !view->GetPicture().IsEmpty(); });
+  // When it is on the screen.
+  QObject::connect(view, &QOpenGLWidget::frameSwapped, qApp, [view, drawn] {
+    if (*drawn)
     {
-      QTimer::singleShot(0, qApp, [view] {
-        const int* size = view->renderWindow()->GetSize();
-        std::printf("%dx%d\n", size[0], size[1]);
-        std::fflush(stdout);
-        End(0);
-      });
+      const int* size = view->renderWindow()->GetSize();
+      std::printf("%dx%d\n", size[0], size[1]);
+      std::fflush(stdout);
+      End(0);
     }
   });
   const auto endInTrouble = [&window, view] {
@@ -110,7 +112,7 @@ void EndAfterPicture(viewer::MainWindow& window)
     }
   };
   QObject::connect(&window, &viewer::MainWindow::ready, qApp, endInTrouble);
-  QTimer::singleShot(0, qApp, endInTrouble);
+  endInTrouble();
 }
 }
 
@@ -161,7 +163,6 @@ int main(int argc, char* argv[])
   viewer::MainWindow window;
   window.RestoreLayout();
   QObject::connect(window.GetView(), &viewer::PictureView::openGLTooOld, qApp, EndWithoutOpenGL);
-  window.show();
   if (isSession)
   {
     window.OpenFiles({ QString::fromStdString(words[0]) });
@@ -170,6 +171,7 @@ int main(int argc, char* argv[])
   {
     window.Open(settings);
   }
+  window.show(); // while the files are read
   if (once)
   {
     EndAfterPicture(window);
