@@ -36,9 +36,8 @@ const char* const Help =
   "  relievo-viewer --help | --version\n"
   "\n"
   "Files and options are those of `relievo render`; see relievo --help. Outputs are not written:\n"
-  "save them from the window. --once prints the size of the first picture and ends the program, "
-  "to\n"
-  "be timed, or ends it with status 1 if there can be none.\n";
+  "save them from the window. --once ends the program when its first picture is on the screen,\n"
+  "and prints the picture's size; or with status 1 if there can be none.\n";
 
 bool Has(const std::vector<std::string>& words, const char* word)
 {
@@ -52,8 +51,8 @@ void End(int status)
 }
 
 //------------------------------------------------------------------------------
-// What Qt does where there is no display, or no OpenGL, is to print lines about its plugins, and to
-// abort or to show an empty window.
+// Where there is no display or no OpenGL, Qt prints lines about its plugins, and aborts or shows an
+// empty window.
 void EndWithoutOpenGL()
 {
   std::fputs(
