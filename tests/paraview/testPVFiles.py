@@ -190,9 +190,8 @@ def provoke(folder):
     scene.view.UseToneMapping = 1
     own = pv.picture(scene.view)
     scene.view.RelievoStageTone = 1
-    for _ in range(2):
-        same = (pv.picture(scene.view) == own).all()
-    print("ParaView's own", same, file=sys.stderr)
+    same = [(pv.picture(scene.view) == own).all() for _ in range(2)]
+    print("ParaView's own", all(same), file=sys.stderr)
     now("words")
     try:
         simple.OpenDataFile(f"{folder}/words.exr")
