@@ -134,6 +134,7 @@ std::string vtkRelievoMaterialSplice::Fill(std::string& vertex, std::string& geo
   define(structure.HeightMap, "RELIEVO_HEIGHT_MAP");
   define(structure.HeightMap, ("RELIEVO_METHOD " + std::to_string(structure.Method)).c_str());
   define(corrects, "RELIEVO_DEPTH_CORRECTION");
+  define(relief && Has(vertex, "mat4 tcMatrix;"), "RELIEVO_TEXTURE_MATRIX");
   define(structure.NormalMap && tangents, "RELIEVO_TANGENTS");
   define(structure.NormalMap && Has(fragment, "mat3 tbn ="), "RELIEVO_NORMAL_TEXTURE");
   for (std::string* source : { &vertex, &geometry, &fragment })

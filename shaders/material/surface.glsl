@@ -4,7 +4,8 @@
 //
 // Defines: RELIEVO_NORMAL_MAP, RELIEVO_HEIGHT_MAP; with normals RELIEVO_TANGENTS (the mesh brings
 // tangents), RELIEVO_NORMAL_TEXTURE (VTK's shader maps normals of its own, by a frame `tbn`); with
-// heights RELIEVO_METHOD (a code of codes.glsl), RELIEVO_DEPTH_CORRECTION.
+// heights RELIEVO_METHOD (a code of codes.glsl), RELIEVO_DEPTH_CORRECTION; RELIEVO_TEXTURE_MATRIX
+// (VTK's texture has a transform).
 // What it shares with other splices: splice/contract.glsl.
 //
 // Heights are from 0 to 1, the mesh itself being at 1; below, depth is 1 - height.
@@ -50,6 +51,9 @@ in vec2 relievoTCoordVSOutput;
 in vec3 relievoTangentVSOutput;
 #endif
 uniform vec4 relievoTextureTransform; // tiles per texture coordinate, offset in tiles
+#ifdef RELIEVO_TEXTURE_MATRIX
+uniform mat4 tcMatrix; // VTK's, of the texture's own transform
+#endif
 
 vec2 relievoUV = vec2(0.0); // of what is seen, in tiles
 vec2 relievoTCoord = vec2(0.0); // the same, as VTK's textures count
@@ -245,6 +249,10 @@ float relievoReliefLit(vec3 towardsVC)
     }
 #endif
   }
+#ifdef RELIEVO_TEXTURE_MATRIX
+  vec4 placedTCoord = tcMatrix * vec4(relievoTCoord, 0.0, 1.0);
+  relievoTCoord = placedTCoord.xy / placedTCoord.w;
+#endif
 
 //RELIEVO::Section(Clip)
   // Behind all of //VTK::UniformFlow::Impl: beside what is discarded there are no derivatives.

@@ -270,6 +270,11 @@ class Look(CliTest):
         expected = numpy.where(v[:, None] < 0.5, (20, 40, 200), (240, 230, 10)) / 255
         apart = abs(found - expected[:, None])[inside]
         self.assertLess(apart.max(), 1.6 / 255, "scaled, then moved")
+        flat = numpy.full((8, 8, 3), 255, numpy.uint8)
+        write_image(vtkPNGWriter(), self.folder / "flat.png", flat)
+        found = self.albedo("--height-map", "flat.png,0.1", file="two.obj")[:, 52:92]
+        apart = abs(found - expected[:, None])[inside]
+        self.assertLess(apart.max(), 1.6 / 255, "the same on a flat relief")
         words = placed.replace("-s 1 2", "-mm 0 1 -clamp on -blendu on -s 1 2")
         (self.folder / "two squares.mtl").write_text(words)
         done = self.relievo("render", "two.obj", *LOOK, "--png", "a.png")
