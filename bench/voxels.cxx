@@ -28,7 +28,10 @@
 #include <vtkSelectEnclosedPoints.h>
 #include <vtkSphereSource.h>
 #include <vtkUnsignedCharArray.h>
+#if __has_include(<vtkVoxelModeller.h>)
 #include <vtkVoxelModeller.h>
+#define RELIEVO_BENCH_MODELLER 1
+#endif
 #if __has_include(<vtkPolyDataToImageStencil.h>)
 #include <vtkImageStencilToImage.h>
 #include <vtkPolyDataToImageStencil.h>
@@ -184,6 +187,7 @@ Way EnclosedWay(vtkPolyData* mesh, const Grid& grid)
     [enclosed]() { return enclosed->GetOutput()->GetPointData()->GetArray("SelectedPoints"); } };
 }
 
+#ifdef RELIEVO_BENCH_MODELLER
 Way ModellerWay(vtkPolyData* mesh, const Grid& grid)
 {
   auto modeller = vtkSmartPointer<vtkVoxelModeller>::New();
@@ -202,6 +206,7 @@ Way ModellerWay(vtkPolyData* mesh, const Grid& grid)
     },
     [modeller]() { return modeller->GetOutput()->GetPointData()->GetScalars(); } };
 }
+#endif
 
 struct Errors
 {
@@ -262,10 +267,12 @@ void Measure(const Body& body, int size, int rounds, bool compare, bool withSlow
   {
     ways.push_back(EnclosedWay(body.Mesh, grid));
   }
+#ifdef RELIEVO_BENCH_MODELLER
   if (compare)
   {
     ways.push_back(ModellerWay(body.Mesh, grid));
   }
+#endif
   std::vector<Timed> works(ways.size());
   for (std::size_t i = 0; i < ways.size(); ++i)
   {

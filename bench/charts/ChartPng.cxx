@@ -4,9 +4,9 @@
 
 #include <vtkBrush.h>
 #include <vtkContext2D.h>
+#include <vtkContextActor.h>
 #include <vtkContextItem.h>
 #include <vtkContextScene.h>
-#include <vtkContextView.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPNGWriter.h>
@@ -181,16 +181,19 @@ void DrawingItem::PaintWords(vtkContext2D* painter, const ChartMark& mark)
 //------------------------------------------------------------------------------
 bool WritePng(const ChartDrawing& drawing, const std::string& path)
 {
-  vtkNew<vtkContextView> view;
-  vtkRenderWindow* window = view->GetRenderWindow();
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderWindow> window;
+  window->AddRenderer(renderer);
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(8);
   window->SetSize(
     static_cast<int>(std::lround(drawing.Width)), static_cast<int>(std::lround(drawing.Height)));
-  view->GetRenderer()->SetBackground(1., 1., 1.);
+  renderer->SetBackground(1., 1., 1.);
   vtkNew<DrawingItem> item;
   item->Drawing = &drawing;
-  view->GetScene()->AddItem(item);
+  vtkNew<vtkContextActor> actor;
+  actor->GetScene()->AddItem(item);
+  renderer->AddActor(actor);
   window->Render();
   vtkNew<vtkWindowToImageFilter> shot;
   shot->SetInput(window);

@@ -5,8 +5,6 @@
 #include "vtkActor.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkOpenGLGlyph3DHelper.h"
-#include "vtkOpenGLSphereMapper.h"
-#include "vtkOpenGLStickMapper.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -51,7 +49,8 @@ int vtkRelievoGBufferSplice::GetPrimitiveSource(vtkOpenGLPolyDataMapper* mapper,
     auto* glyphs = vtkGlyph3DMapper::SafeDownCast(actor->GetMapper());
     return glyphs && glyphs->GetCullingAndLOD() ? NoPrimitive : InstanceOfGlyphs;
   }
-  if (vtkOpenGLSphereMapper::SafeDownCast(mapper) || vtkOpenGLStickMapper::SafeDownCast(mapper))
+  // By name: PyVista's VTK leaves both classes out.
+  if (mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper"))
   {
     return PointOfMesh;
   }

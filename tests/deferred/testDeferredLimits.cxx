@@ -24,7 +24,9 @@
 #include <vtkSSAOPass.h>
 #include <vtkShaderProperty.h>
 #include <vtkTexture.h>
+#if __has_include(<vtkToneMappingPass.h>)
 #include <vtkToneMappingPass.h>
+#endif
 
 #include <functional>
 #include <string>
@@ -174,7 +176,9 @@ void TestCombinations()
 {
   TestChain<vtkSSAOPass>("vtkSSAOPass");
   TestChain<vtkOpenGLFXAAPass>("vtkOpenGLFXAAPass");
+#if __has_include(<vtkToneMappingPass.h>)
   TestChain<vtkToneMappingPass>("vtkToneMappingPass");
+#endif
   const auto glass = [](DeferredScene& s) { s.Actors[1]->GetProperty()->SetOpacity(0.5); };
   TestPicture("translucent", glass);
   TestPicture("peeled", [&](DeferredScene& s) {

@@ -30,7 +30,9 @@
 #include <vtkRenderer.h>
 #include <vtkSSAOPass.h>
 #include <vtkSphereSource.h>
+#if __has_include(<vtkToneMappingPass.h>)
 #include <vtkToneMappingPass.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -184,11 +186,13 @@ void TestCombinations()
   TestSame("texts", 0, [](Scene& s) { s.AddText(); });
   TestSame("PBR", 0, [](Scene& s) { s.Ball->GetProperty()->SetInterpolationToPBR(); });
   TestSame("steps pass", 0, [](Scene& s) { s.Renderer->SetPass(vtkNew<vtkRenderStepsPass>()); });
+#if __has_include(<vtkToneMappingPass.h>)
   TestSame("tone mapping pass", 0, [](Scene& s) {
     vtkNew<vtkToneMappingPass> pass;
     pass->SetDelegatePass(vtkNew<vtkRenderStepsPass>());
     s.Renderer->SetPass(pass);
   });
+#endif
   TestSame("FXAA pass", 0, [](Scene& s) {
     vtkNew<vtkOpenGLFXAAPass> pass;
     pass->SetDelegatePass(vtkNew<vtkRenderStepsPass>());

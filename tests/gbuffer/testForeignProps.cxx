@@ -26,7 +26,6 @@
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkImageActor.h>
 #include <vtkImageData.h>
-#include <vtkLeaderActor2D.h>
 #include <vtkLegendBoxActor.h>
 #include <vtkLegendScaleActor.h>
 #include <vtkLookupTable.h>
@@ -45,6 +44,9 @@
 #include <vtkTexture.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
+#if __has_include(<vtkLeaderActor2D.h>)
+#include <vtkLeaderActor2D.h>
+#endif
 
 namespace
 {
@@ -197,9 +199,11 @@ void AddBox2D(vtkRenderer* renderer)
   vtkNew<vtkCornerAnnotation> corner;
   corner->SetText(0, "corner");
   renderer->AddViewProp(corner);
+#if __has_include(<vtkLeaderActor2D.h>)
   vtkNew<vtkLeaderActor2D> leader;
   leader->SetLabel("leader");
   renderer->AddViewProp(leader);
+#endif
 }
 
 void AddTexts(vtkRenderer* renderer)

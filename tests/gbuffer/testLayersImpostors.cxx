@@ -18,11 +18,15 @@
 #include <vtkFloatArray.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
-#include <vtkOpenGLSphereMapper.h>
-#include <vtkOpenGLStickMapper.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
+#if __has_include(<vtkOpenGLSphereMapper.h>)
+#include <vtkOpenGLSphereMapper.h>
+#endif
+#if __has_include(<vtkOpenGLStickMapper.h>)
+#include <vtkOpenGLStickMapper.h>
+#endif
 
 #include <algorithm>
 
@@ -119,7 +123,7 @@ vtkSmartPointer<vtkPolyData> MakePoints()
 }
 
 // All points in one cell: what VTK wants to see before it draws anything.
-void AddOneCell(vtkPolyData* mesh)
+[[maybe_unused]] void AddOneCell(vtkPolyData* mesh)
 {
   const vtkIdType ids[6] = { 0, 1, 2, 3, 4, 5 };
   mesh->SetVerts(vtkNew<vtkCellArray>());
@@ -138,6 +142,7 @@ glm::dvec3 PointAt(vtkPolyData* mesh, vtkIdType i, vtkActor* actor)
   return glm::dvec3(Place(actor) * p);
 }
 
+#if __has_include(<vtkOpenGLSphereMapper.h>)
 void TestSphereMapper(bool parallel, bool withCells)
 {
   const Stage stage(240, 160);
@@ -176,6 +181,7 @@ void TestSphereMapper(bool parallel, bool withCells)
       (withCells ? ", with cells" : ""),
     stage, scene.Trace(View(stage.Renderer)), 0.2, { 2e-4, 0.1, 0.01 }, true);
 }
+#endif
 
 // A round rod from -half to +half about an axis; ends are flat, and there are none if half is huge.
 struct Rod
@@ -233,6 +239,7 @@ TruthImage TraceRods(const View& view, const std::vector<Rod>& rods)
   });
 }
 
+#if __has_include(<vtkOpenGLStickMapper.h>)
 void TestStickMapper(bool parallel)
 {
   const Stage stage(240, 160);
@@ -276,6 +283,7 @@ void TestStickMapper(bool parallel)
   CheckShapes(std::string("stick mapper, ") + (parallel ? "parallel" : "perspective"), stage,
     TraceRods(View(stage.Renderer), rods), 0.2, { 2e-4, 0.1, 0.02 }, true);
 }
+#endif
 
 // Sprites and tubes are balls and rods in parallel projection (where VTK's own depth buffer has
 // them stand out twice as far as they do). In perspective they are what VTK makes of them: its
@@ -390,9 +398,13 @@ int main()
   TestLinesAsTubes(true, false);
   for (const bool parallel : { true, false })
   {
+#if __has_include(<vtkOpenGLSphereMapper.h>)
     TestSphereMapper(parallel, false);
     TestSphereMapper(parallel, true);
+#endif
+#if __has_include(<vtkOpenGLStickMapper.h>)
     TestStickMapper(parallel);
+#endif
     TestPointsAsSpheres(parallel);
     TestLinesAsTubes(parallel, true);
   }

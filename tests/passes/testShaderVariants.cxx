@@ -22,8 +22,6 @@
 #include <vtkMapper.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
-#include <vtkOpenGLSphereMapper.h>
-#include <vtkOpenGLStickMapper.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataNormals.h>
@@ -35,6 +33,12 @@
 #include <vtkTexture.h>
 #include <vtkTriangleFilter.h>
 #include <vtkUnsignedCharArray.h>
+#if __has_include(<vtkOpenGLSphereMapper.h>)
+#include <vtkOpenGLSphereMapper.h>
+#endif
+#if __has_include(<vtkOpenGLStickMapper.h>)
+#include <vtkOpenGLStickMapper.h>
+#endif
 
 #include <functional>
 #include <iostream>
@@ -137,6 +141,7 @@ vtkSmartPointer<vtkActor> Textured(bool holes)
   return actor;
 }
 
+#if __has_include(<vtkOpenGLStickMapper.h>)
 vtkSmartPointer<vtkActor> Sticks()
 {
   auto mesh = Lines();
@@ -166,7 +171,9 @@ vtkSmartPointer<vtkActor> Sticks()
   actor->SetMapper(mapper);
   return actor;
 }
+#endif
 
+#if __has_include(<vtkOpenGLSphereMapper.h>)
 vtkSmartPointer<vtkActor> Spheres()
 {
   vtkNew<vtkOpenGLSphereMapper> mapper;
@@ -176,6 +183,7 @@ vtkSmartPointer<vtkActor> Spheres()
   actor->SetMapper(mapper);
   return actor;
 }
+#endif
 
 vtkSmartPointer<vtkActor> Glyphs(vtkPolyData* source, const Look& look = nullptr)
 {
@@ -244,17 +252,48 @@ std::vector<vtkSmartPointer<vtkActor>> MakeActors()
     p->RenderLinesAsTubesOn();
     p->SetLineWidth(5.f);
   };
-  std::vector<vtkSmartPointer<vtkActor>> actors = { FromMesh(Ball()), FromMesh(BareBall()),
-    FromMesh(Ball(), flat), FromMesh(Ball(), unlit), FromMesh(BareBall(), unlit),
-    FromMesh(Ball(), pbr), FromMesh(BareBall(), pbr), FromMesh(WithTangents(), coat),
-    FromMesh(WithCellNormals()), FromMesh(WithColors(false)), FromMesh(WithColors(true)),
-    FromMesh(Ball(), edges), FromMesh(WithCellNormals(), tubeEdges), FromMesh(Ball(), vertices),
-    FromMesh(Ball(), wires), FromMesh(BareBall(), wires), FromMesh(Ball(), thickWires),
-    FromMesh(Ball(), points), FromMesh(Lines()), FromMesh(Lines(), spheres),
-    FromMesh(Lines(), tubes), FromMesh(Lines(), thickWires), Textured(false), Textured(true),
-    Spheres(), Sticks(), Glyphs(Ball()), Glyphs(BareBall(), edges), Glyphs(Ball(), wires),
-    Glyphs(Ball(), unlit), Glyphs(Lines(), spheres), Blocks(), Blocks(edges), Blocks(unlit),
-    Blocks(pbr), Blocks(thickWires) };
+  std::vector<vtkSmartPointer<vtkActor>> actors = {
+    FromMesh(Ball()),
+    FromMesh(BareBall()),
+    FromMesh(Ball(), flat),
+    FromMesh(Ball(), unlit),
+    FromMesh(BareBall(), unlit),
+    FromMesh(Ball(), pbr),
+    FromMesh(BareBall(), pbr),
+    FromMesh(WithTangents(), coat),
+    FromMesh(WithCellNormals()),
+    FromMesh(WithColors(false)),
+    FromMesh(WithColors(true)),
+    FromMesh(Ball(), edges),
+    FromMesh(WithCellNormals(), tubeEdges),
+    FromMesh(Ball(), vertices),
+    FromMesh(Ball(), wires),
+    FromMesh(BareBall(), wires),
+    FromMesh(Ball(), thickWires),
+    FromMesh(Ball(), points),
+    FromMesh(Lines()),
+    FromMesh(Lines(), spheres),
+    FromMesh(Lines(), tubes),
+    FromMesh(Lines(), thickWires),
+    Textured(false),
+    Textured(true),
+#if __has_include(<vtkOpenGLSphereMapper.h>)
+    Spheres(),
+#endif
+#if __has_include(<vtkOpenGLStickMapper.h>)
+    Sticks(),
+#endif
+    Glyphs(Ball()),
+    Glyphs(BareBall(), edges),
+    Glyphs(Ball(), wires),
+    Glyphs(Ball(), unlit),
+    Glyphs(Lines(), spheres),
+    Blocks(),
+    Blocks(edges),
+    Blocks(unlit),
+    Blocks(pbr),
+    Blocks(thickWires)
+  };
   // Cut, moved off coincident others, with another back, with a texture for all of PBR.
   for (int i = 0; i < 4; ++i)
   {

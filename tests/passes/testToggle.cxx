@@ -29,7 +29,9 @@
 #include <vtkSSAOPass.h>
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
+#if __has_include(<vtkToneMappingPass.h>)
 #include <vtkToneMappingPass.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -92,15 +94,17 @@ struct Chain
 std::vector<Chain> MakeChains()
 {
   vtkNew<vtkRenderStepsPass> steps;
-  return {
+  return
+  {
     { "no pass", nullptr },
-    { "vtkRenderStepsPass", vtkSmartPointer<vtkRenderPass>(steps.GetPointer()) },
-    { "vtkSSAAPass", Around<vtkSSAAPass>() },
-    { "vtkGaussianBlurPass", Around<vtkGaussianBlurPass>() },
-    { "vtkOpenGLFXAAPass", Around<vtkOpenGLFXAAPass>() },
-    { "vtkToneMappingPass", Around<vtkToneMappingPass>() },
-    { "vtkSSAOPass", Around<vtkSSAOPass>() },
-    { "vtkEDLShading", Around<vtkEDLShading>() },
+      { "vtkRenderStepsPass", vtkSmartPointer<vtkRenderPass>(steps.GetPointer()) },
+      { "vtkSSAAPass", Around<vtkSSAAPass>() },
+      { "vtkGaussianBlurPass", Around<vtkGaussianBlurPass>() },
+      { "vtkOpenGLFXAAPass", Around<vtkOpenGLFXAAPass>() },
+#if __has_include(<vtkToneMappingPass.h>)
+      { "vtkToneMappingPass", Around<vtkToneMappingPass>() },
+#endif
+      { "vtkSSAOPass", Around<vtkSSAOPass>() }, { "vtkEDLShading", Around<vtkEDLShading>() },
   };
 }
 

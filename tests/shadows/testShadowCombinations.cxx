@@ -33,10 +33,12 @@
 #include <vtkSSAAPass.h>
 #include <vtkSSAOPass.h>
 #include <vtkSequencePass.h>
-#include <vtkToneMappingPass.h>
 #include <vtkTranslucentPass.h>
 #include <vtkVolumetricPass.h>
 #include <vtkWindowToImageFilter.h>
+#if __has_include(<vtkToneMappingPass.h>)
+#include <vtkToneMappingPass.h>
+#endif
 
 #include <algorithm>
 #include <functional>
@@ -105,7 +107,9 @@ const Feature Features[] = {
   { "vtkDualDepthPeelingPass", 1, 3e-4, Peeled<vtkDualDepthPeelingPass>, nullptr },
   { "vtkSSAOPass", 2, 3e-4, Around<vtkSSAOPass>, nullptr },
   { "vtkOpenGLFXAAPass", 2, 2e-3, Around<vtkOpenGLFXAAPass>, nullptr },
+#if __has_include(<vtkToneMappingPass.h>)
   { "vtkToneMappingPass", 1, 3e-4, Around<vtkToneMappingPass>, nullptr },
+#endif
   { "vtkEDLShading", 2, 3e-4, Around<vtkEDLShading>, nullptr },
   { "vtkSSAAPass", 2, 3e-4, Around<vtkSSAAPass>, nullptr },
   { "vtkGaussianBlurPass", 4, 1e-3, Around<vtkGaussianBlurPass>, nullptr },

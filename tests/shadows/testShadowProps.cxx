@@ -19,7 +19,6 @@
 #include <vtkImageActor.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
-#include <vtkOpenGLSphereMapper.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -27,6 +26,9 @@
 #include <vtkRelievoPass.h>
 #include <vtkSphereSource.h>
 #include <vtkStripper.h>
+#if __has_include(<vtkOpenGLSphereMapper.h>)
+#include <vtkOpenGLSphereMapper.h>
+#endif
 
 #include <cmath>
 #include <functional>
@@ -163,6 +165,7 @@ const Kind Kinds[] = {
       s.Renderer->AddActor(assembly);
       return mesh;
     } },
+#if __has_include(<vtkOpenGLSphereMapper.h>)
   { "sphere impostors", 4e-3,
     [](ShadowStage& s) {
       vtkNew<vtkOpenGLSphereMapper> mapper;
@@ -171,6 +174,7 @@ const Kind Kinds[] = {
       AddActor(s.Renderer, MakePoints(false))->SetMapper(mapper);
       return Copies(MakeFineBall(0.4));
     } },
+#endif
 };
 
 // Judges the layer against the truth with ground and `mesh`.
