@@ -23,7 +23,7 @@ public:
     algorithm->AddObserver(vtkCommand::EndEvent, this, &ErrorOnce::End);
   }
 
-  bool IsNew(const std::string& error) { return this->Said.insert(error).second; }
+  bool IsNew(const std::string& error) { return this->Reported.insert(error).second; }
 
 private:
   // The composite's, and between them those of each block.
@@ -31,13 +31,13 @@ private:
   {
     if (this->Depth++ == 0)
     {
-      this->Said.clear();
+      this->Reported.clear();
     }
   }
   void End() { --this->Depth; }
 
   int Depth = 0;
-  std::set<std::string> Said; // since the outermost start
+  std::set<std::string> Reported; // since the outermost start
 };
 }
 

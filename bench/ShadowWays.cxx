@@ -8,7 +8,7 @@
 #include <vtkNew.h>
 #include <vtkOpaquePass.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderPassCollection.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -27,8 +27,8 @@ void UseMethod(vtkRenderer* renderer, int mapSize, int method)
 {
   vtkRelievoPass* pass = vtkRelievoPass::Attach(renderer);
   pass->ShadowsOn();
-  pass->GetShadowPass()->SetMapSize(mapSize);
-  pass->GetShadowPass()->SetMethod(method);
+  pass->GetShadowStage()->SetMapSize(mapSize);
+  pass->GetShadowStage()->SetMethod(method);
 }
 }
 
@@ -74,25 +74,25 @@ void UseShadowPeer(vtkRenderer* renderer, int mapSize)
 //------------------------------------------------------------------------------
 void UseShadowMap(vtkRenderer* renderer, int mapSize)
 {
-  UseMethod(renderer, mapSize, vtkRelievoShadowPass::METHOD_MAP);
+  UseMethod(renderer, mapSize, vtkRelievoShadowStage::METHOD_MAP);
 }
 
 //------------------------------------------------------------------------------
 void UseShadowForward(vtkRenderer* renderer, int mapSize)
 {
-  UseMethod(renderer, mapSize, vtkRelievoShadowPass::METHOD_FORWARD);
+  UseMethod(renderer, mapSize, vtkRelievoShadowStage::METHOD_FORWARD);
 }
 
 //------------------------------------------------------------------------------
 void UseShadowWarped(vtkRenderer* renderer, int mapSize)
 {
-  UseMethod(renderer, mapSize, vtkRelievoShadowPass::METHOD_WARPED);
+  UseMethod(renderer, mapSize, vtkRelievoShadowStage::METHOD_WARPED);
 }
 
 //------------------------------------------------------------------------------
 void UseShadowExact(vtkRenderer* renderer, int mapSize)
 {
-  UseMethod(renderer, mapSize, vtkRelievoShadowPass::METHOD_EXACT);
+  UseMethod(renderer, mapSize, vtkRelievoShadowStage::METHOD_EXACT);
 }
 
 //------------------------------------------------------------------------------

@@ -24,7 +24,7 @@ struct ShadowWay
   bool IsSlow;    // there; timed in fewer frames
 };
 
-/** Every method of vtkRelievoShadowPass, then vtkShadowMapPass, the peer. */
+/** Every method of vtkRelievoShadowStage, then vtkShadowMapPass, the peer. */
 const std::vector<ShadowWay>& ShadowWays();
 
 /** vtkShadowMapPass with everything that it needs, in place of the renderer's pass. */

@@ -4,7 +4,7 @@
 // Chart 5: what grows and what shrinks with the bias of a shadow map: false shadow on what is lit,
 // and leak of light into what is dark, under a high sun, a low one and a grazing one.
 //
-// vtkRelievoShadowPass is drawn, and judged by its pictures against Embree. Beside it a constant
+// vtkRelievoShadowStage is drawn, and judged by its pictures against Embree. Beside it a constant
 // bias, the usual one, computed in double precision from a map of the same size, with and without
 // the receiver's plane; and vtkShadowMapPass, which has no bias to set, as a point.
 #include "RelievoBench.h"
@@ -16,7 +16,7 @@
 
 #include <vtkLight.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
@@ -74,7 +74,7 @@ void Measure(
   ShadowVerdicts verdicts(name, mesh, sun, Pixels, Pixels);
   vtkRenderer* renderer = verdicts.Scene.Renderer;
   UseShadowMap(renderer, MapSize);
-  vtkRelievoShadowPass* pass = vtkRelievoPass::SafeDownCast(renderer->GetPass())->GetShadowPass();
+  vtkRelievoShadowStage* pass = vtkRelievoPass::SafeDownCast(renderer->GetPass())->GetShadowStage();
   for (double bias : Biases)
   {
     pass->SetBias(bias);

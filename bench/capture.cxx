@@ -12,8 +12,8 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkRelievoGBufferPass.h>
 #include <vtkRelievoLayerSource.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>

@@ -73,7 +73,7 @@ const char* const Methods[] = { "textbook, float", "perpendicular, float", "text
 // wide picture: along an axis its coordinates would be rounded less than they are elsewhere.
 void MeasureChords(double distance, int rays, Table& table)
 {
-  vtkRelievoView view;
+  vtkRelievoFrameCamera view;
   view.Viewport[2] = Width;
   view.Viewport[3] = Height;
   view.Near = 0.01;

@@ -11,7 +11,7 @@
 #include "Table.h"
 
 #include <vtkNew.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkRenderer.h>
@@ -97,7 +97,7 @@ bool Measure(const std::string& name, vtkPolyData* mesh, const Size& size, Table
   for (std::size_t i = 0; i < times.size(); ++i)
   {
     auto* pass = vtkRelievoPass::SafeDownCast(windows[i]->Scene.Renderer->GetPass());
-    if (pass && !Ways[i].Layers.empty() && !pass->GetGBuffer()->GetShared())
+    if (pass && !Ways[i].Layers.empty() && !pass->GetLayersStage()->GetShared())
     {
       std::cerr << "relievo: bench: " << Ways[i].Name
                 << " was not written in the shared geometry pass: " << pass->GetFrameReport()

@@ -40,7 +40,7 @@ constexpr double Many = 40.;
 // Milliseconds to take the lamps and to list them, the median of some runs.
 double ListMilliseconds(const SceneWindow& window, vtkRelievoLamps* lamps, int rounds)
 {
-  vtkRelievoView view;
+  vtkRelievoFrameCamera view;
   view.Take(window.Scene.Renderer, nullptr);
   lamps->GetNumberOfPoints();
   vtkRelievoLampList list;

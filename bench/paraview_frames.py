@@ -168,7 +168,7 @@ class Alone:
         self.kit.AddLightsToRenderer(self.renderer)
         for light in range(self.renderer.GetLights().GetNumberOfItems()):
             fill = self.renderer.GetLights().GetItemAsObject(light)
-            self.frame.GetShadowPass().SetLightCasts(fill, False)
+            self.frame.GetShadowStage().SetLightCasts(fill, False)
         self.sun.SetLightTypeToSceneLight()
         self.renderer.AddLight(self.sun)
         self.window.SetOffScreenRendering(True)

@@ -18,7 +18,7 @@
 
 #include <vtkLight.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ namespace
 {
 using namespace relievoBench;
 using relievoTest::SceneLight;
-using Pass = vtkRelievoShadowPass;
+using Pass = vtkRelievoShadowStage;
 
 const double Tolerances[] = { 2e-3, 1e-3, 5e-4, 2e-4, 5e-5 };
 constexpr double TimedTolerance = 5e-4;
@@ -83,7 +83,7 @@ Pass* Attach(vtkRenderer* renderer)
 {
   vtkRelievoPass* frame = vtkRelievoPass::Attach(renderer);
   frame->ShadowsOn();
-  return frame->GetShadowPass();
+  return frame->GetShadowStage();
 }
 
 void Use(Pass* shadows, const Way& way)

@@ -23,8 +23,8 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkRelievoGBufferPass.h>
 #include <vtkRelievoLayerSource.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 #include <vtkRenderer.h>
 
@@ -74,22 +74,22 @@ struct Format
   }
 };
 
-void NormalFormat(vtkRelievoGBufferPass* gbuffer, int format)
+void NormalFormat(vtkRelievoLayersStage* gbuffer, int format)
 {
   gbuffer->SetNormalFormat(format);
 }
 
-void DepthFormat(vtkRelievoGBufferPass* gbuffer, int format)
+void DepthFormat(vtkRelievoLayersStage* gbuffer, int format)
 {
   gbuffer->SetDepthFormat(format);
 }
 
-void DepthAlone(vtkRelievoGBufferPass* gbuffer, int)
+void DepthAlone(vtkRelievoLayersStage* gbuffer, int)
 {
   gbuffer->RefineDepthOff();
 }
 
-void Default(vtkRelievoGBufferPass*, int) {}
+void Default(vtkRelievoLayersStage*, int) {}
 
 // Bytes are those of a texture of the format. The frame that is timed asks for `Layer`, set up by
 // SetUp(gbuffer, Setting); where the passes do not have the format, a layer of as many bytes.
@@ -99,14 +99,14 @@ struct Method
   int Bytes;
   Format Kept;
   const char* Layer;
-  void (*SetUp)(vtkRelievoGBufferPass*, int);
+  void (*SetUp)(vtkRelievoLayersStage*, int);
   int Setting;
   const char* StandIn;
 
   bool IsOffered() const { return *this->StandIn == 0; }
 };
 
-using Pass = vtkRelievoGBufferPass;
+using Pass = vtkRelievoLayersStage;
 const Method Methods[] = {
   { "depth R16F", 2, { ThroughDepth16F, nullptr, nullptr }, "position", DepthFormat,
     Pass::DEPTH_16F, "" },
@@ -164,10 +164,10 @@ void Move(const relievoTest::ReferenceScene& scene, const Case& c)
 
 // A layer, drawn.
 vtkSmartPointer<vtkDataArray> Draw(
-  vtkRenderer* renderer, const char* layer, void (*setUp)(vtkRelievoGBufferPass*, int), int setting)
+  vtkRenderer* renderer, const char* layer, void (*setUp)(vtkRelievoLayersStage*, int), int setting)
 {
   vtkRelievoPass* pass = vtkRelievoPass::Attach(renderer);
-  setUp(pass->GetGBuffer(), setting);
+  setUp(pass->GetLayersStage(), setting);
   vtkNew<vtkRelievoLayerSource> source;
   source->SetRenderer(renderer);
   source->AddLayer(layer);
@@ -246,7 +246,7 @@ std::vector<relievoTest::TimingPair> TimeFrames(vtkPolyData* mesh)
   {
     windows.emplace_back(new SceneWindow(mesh, Width, Height));
     vtkRelievoPass* pass = vtkRelievoPass::Attach(windows.back()->Scene.Renderer);
-    method.SetUp(pass->GetGBuffer(), method.Setting);
+    method.SetUp(pass->GetLayersStage(), method.Setting);
     pass->RequestLayer(method.Layer);
     frames.push_back(windows.back()->Frame());
   }

@@ -13,7 +13,7 @@
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 
 #include <cmath>
@@ -99,7 +99,7 @@ void MeasureLights(const std::string& name, vtkPolyData* mesh, Table& table)
     windows.emplace_back(new SceneWindow(mesh, Pixels, Pixels));
     vtkRenderer* renderer = windows.back()->Scene.Renderer;
     UseMap(renderer);
-    vtkRelievoShadowPass* shadows = vtkRelievoPass::Attach(renderer)->GetShadowPass();
+    vtkRelievoShadowStage* shadows = vtkRelievoPass::Attach(renderer)->GetShadowStage();
     shadows->SetLightCasts(windows.back()->Scene.Light, count > 0);
     // Eight lights shine in every frame; `count` of them cast.
     for (int i = 1; i < 8; ++i)

@@ -22,7 +22,7 @@
 #include <vtkPointData.h>
 #include <vtkRelievoLayerSource.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
@@ -54,8 +54,8 @@ const struct
   const char* Name;
   int Method;
 } Methods[] = {
-  { "map", vtkRelievoShadowPass::METHOD_MAP },
-  { "exact", vtkRelievoShadowPass::METHOD_EXACT },
+  { "map", vtkRelievoShadowStage::METHOD_MAP },
+  { "exact", vtkRelievoShadowStage::METHOD_EXACT },
 };
 
 void MeasureLight(const std::string& name, vtkPolyData* mesh, const SizedLight& light,
@@ -68,7 +68,7 @@ void MeasureLight(const std::string& name, vtkPolyData* mesh, const SizedLight& 
   const auto truth =
     relievoTest::TraceSoftShadow(*rays, rays->Trace(relievoTest::View(scene.Renderer)), scene.Light,
       light.Size, light.HasEdges ? &Edges : nullptr);
-  vtkRelievoShadowPass* shadows = vtkRelievoPass::Attach(scene.Renderer)->GetShadowPass();
+  vtkRelievoShadowStage* shadows = vtkRelievoPass::Attach(scene.Renderer)->GetShadowStage();
   shadows->SetLightSize(scene.Light, light.Size);
   if (light.HasEdges)
   {

@@ -1,8 +1,8 @@
 # Declares a module of stages, which frames then know by name:
 #
 #   relievo_add_stages(Relievo::Effects
-#     STAGES vtkRelievoHazeStage...     classes that derive from vtkRelievoStage
-#     [CLASSES vtkRelievoThing...]      others that are wrapped
+#     STAGES [folder/]vtkRelievoHazeStage...  classes that derive from vtkRelievoStage
+#     [CLASSES [folder/]vtkRelievoThing...]   others that are wrapped
 #     [NOWRAP_HEADERS file...] [SOURCES file...])
 include_guard(GLOBAL)
 
@@ -11,7 +11,10 @@ function (relievo_add_stages module)
   if (room_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "relievo_add_stages(${module}): unknown words '${room_UNPARSED_ARGUMENTS}'")
   endif ()
-  set_property(GLOBAL APPEND PROPERTY RELIEVO_STAGES ${room_STAGES})
+  foreach (stage IN LISTS room_STAGES)
+    cmake_path(GET stage FILENAME name)
+    set_property(GLOBAL APPEND PROPERTY RELIEVO_STAGES "${name}")
+  endforeach ()
   vtk_module_add_module("${module}"
     CLASSES ${room_STAGES} ${room_CLASSES}
     NOWRAP_HEADERS ${room_NOWRAP_HEADERS}

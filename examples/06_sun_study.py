@@ -167,8 +167,8 @@ def main():
 
     frame = relievo.attach(renderer)
     frame.ShadowsOn()
-    frame.GetShadowPass().SetMapSize(4096)  # a low sun draws a map's texels out along the walls
-    frame.GetShadowPass().SetLightCasts(sky, False)  # light from all around has no sharp shadow
+    frame.GetShadowStage().SetMapSize(4096)  # a low sun draws a map's texels out along the walls
+    frame.GetShadowStage().SetLightCasts(sky, False)  # light from all around has no sharp shadow
 
     count = max(1, round(length * 60 / given.every))
     part = length / count  # hours that the middle of each part stands for

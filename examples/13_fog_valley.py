@@ -118,7 +118,7 @@ def main():
     window.AddRenderer(renderer)
     frame = relievo.attach(renderer)
     frame.ShadowsOn()
-    frame.GetShadowPass().SetLightCasts(sky, False)
+    frame.GetShadowStage().SetLightCasts(sky, False)
 
     relievo.fog(renderer, mist(), color=(0.85, 0.8, 0.78))
     image = relievo.capture(renderer, ["color", "fog"])

@@ -29,7 +29,7 @@ def pictures(samples, radius, edges):
     lamp.SetPosition(2.2, 3.6, 1.4)
     frame = relievo.attach(renderer)
     frame.ShadowsOn()
-    shadows = frame.GetShadowPass()
+    shadows = frame.GetShadowStage()
     shadows.SetMethodToExact()
     shadows.SetSoftSamples(samples)
     shadows.SetLightSize(lamp, radius)

@@ -39,7 +39,7 @@ def column(name, choose, rays):
     renderer.SetBackground(0.74, 0.83, 0.90)
     frame = relievo.attach(renderer)
     frame.ShadowsOn()
-    shadows = frame.GetShadowPass()
+    shadows = frame.GetShadowStage()
     choose(shadows)
     window.Render()
     certificate = shadows.Certify(rays)

@@ -117,8 +117,8 @@ def main():
     window.AddRenderer(renderer)
     frame = relievo.attach(renderer)
     frame.ShadowsOn()
-    frame.GetShadowPass().SetMapSize(4096)
-    frame.GetShadowPass().SetFilterRadius(3)
+    frame.GetShadowStage().SetMapSize(4096)
+    frame.GetShadowStage().SetFilterRadius(3)
 
     steps.next(f"drawing the picture at {2 * size[0]}x{2 * size[1]}")
     demo_sheet.write_png(folder / "demo.png", smooth_picture(window, size))

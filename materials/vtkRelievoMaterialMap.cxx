@@ -67,7 +67,7 @@ void vtkRelievoMaterialMap::SetImage(vtkImageData* image)
   this->Image = image;
   this->LoadTime = 0;
   this->FailTime = 0;
-  this->Told.clear();
+  this->LastFault.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -107,9 +107,9 @@ std::string vtkRelievoMaterialMap::GetFault() const
 //------------------------------------------------------------------------------
 std::string vtkRelievoMaterialMap::TakeFault()
 {
-  const std::string before = this->Told;
-  this->Told = this->Image ? this->GetFault() : std::string();
-  return this->Told != before ? this->Told : std::string();
+  const std::string before = this->LastFault;
+  this->LastFault = this->Image ? this->GetFault() : std::string();
+  return this->LastFault != before ? this->LastFault : std::string();
 }
 
 //------------------------------------------------------------------------------

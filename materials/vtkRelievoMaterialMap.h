@@ -62,7 +62,7 @@ private:
 
   const char* Name;
   int LeastComponents;
-  std::string Told;
+  std::string LastFault;
   vtkMTimeType FailTime = 0; // of the image that OpenGL made no texture of
   vtkSmartPointer<vtkImageData> Image;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

@@ -16,11 +16,11 @@
 #include "vtkPointData.h"
 #include "vtkRelievoDisplay.h"
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
-#include "vtkRelievoShadowPass.h"
+#include "vtkRelievoShadowStage.h"
 #include "vtkRelievoToneStage.h"
-#include "vtkRelievoView.h"
 #include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
@@ -72,7 +72,7 @@ std::string DescribeLight(vtkRenderer* renderer, vtkLight* light, vtkRelievoPass
     : light->LightTypeIsCameraLight()               ? "camera"
                                                     : "scene";
   out << "{";
-  if (vtkRelievoShadowPass* shadows = pass ? pass->GetShadowPass() : nullptr)
+  if (vtkRelievoShadowStage* shadows = pass ? pass->GetShadowStage() : nullptr)
   {
     out << "\"name\": \"" << Escape(shadows->GetLightName(renderer, light)) << "\", \"layer\": \""
         << shadows->GetLightLayer(renderer, light) << "\", ";
@@ -347,7 +347,7 @@ void vtkRelievoLayerSource::AddColor(vtkRenderer* renderer, vtkImageData* image)
 void vtkRelievoLayerSource::AddCamera(
   vtkRenderer* renderer, vtkImageData* image, vtkRelievoPass* frame)
 {
-  vtkRelievoView view;
+  vtkRelievoFrameCamera view;
   view.Take(renderer, nullptr);
   double rows[16];
   auto addMatrix = [&](const char* name, const glm::dmat4& matrix) {

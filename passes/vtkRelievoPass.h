@@ -20,9 +20,9 @@
 
 class vtkRelievoDisplayStage;
 class vtkRelievoFogStage;
-class vtkRelievoGBufferPass;
+class vtkRelievoLayersStage;
 class vtkRelievoMarkersStage;
-class vtkRelievoShadowPass;
+class vtkRelievoShadowStage;
 class vtkRelievoToneStage;
 class vtkRenderer;
 
@@ -47,7 +47,7 @@ public:
    * The stage that makes the layers: its formats and spaces are set there. As the other stages here
    * nullptr if a stage of another class has taken its place (AddStage).
    */
-  vtkRelievoGBufferPass* GetGBuffer();
+  vtkRelievoLayersStage* GetLayersStage();
 
   ///@{
   /** Whether the picture shows shadows. Default off. */
@@ -57,7 +57,7 @@ public:
   ///@}
 
   /** The stage that makes the shadows: size, filter, and what casts and receives are set there. */
-  vtkRelievoShadowPass* GetShadowPass();
+  vtkRelievoShadowStage* GetShadowStage();
 
   ///@{
   /**

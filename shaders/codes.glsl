@@ -6,7 +6,7 @@
 #ifndef RELIEVO_CODES
 #define RELIEVO_CODES
 
-// RELIEVO_NORMAL_FORMAT: vtkRelievoGBufferPass::NormalFormats, chosen
+// RELIEVO_NORMAL_FORMAT: vtkRelievoLayersStage::NormalFormats, chosen
 #define RELIEVO_NORMAL_FLOAT32 1
 #define RELIEVO_NORMAL_FLOAT16 2
 #define RELIEVO_NORMAL_OCT16 3
@@ -16,13 +16,13 @@
 #define RELIEVO_NORMAL_RGB10A2 7
 #define RELIEVO_NORMAL_RGB8 8
 
-// RELIEVO_DEPTH_FORMAT: vtkRelievoGBufferPass::DepthFormats
+// RELIEVO_DEPTH_FORMAT: vtkRelievoLayersStage::DepthFormats
 #define RELIEVO_DEPTH_32F 0
 #define RELIEVO_DEPTH_16F 1
 #define RELIEVO_DEPTH_WINDOW_Z24 2
 #define RELIEVO_DEPTH_REVERSED_32F 3
 
-// RELIEVO_NORMAL_DEPTH_FORMAT: vtkRelievoGBufferPass::NormalDepthFormats
+// RELIEVO_NORMAL_DEPTH_FORMAT: vtkRelievoLayersStage::NormalDepthFormats
 #define RELIEVO_NORMAL_DEPTH_SEPARATE 0
 #define RELIEVO_NORMAL_DEPTH_RGBA8 1
 #define RELIEVO_NORMAL_DEPTH_RGBA16F 2

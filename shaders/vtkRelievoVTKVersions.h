@@ -105,7 +105,7 @@
 
 // The mapper of composite data leaves a texture active.
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
-#define RELIEVO_VTK_STRAY_TEXTURES 1
+#define RELIEVO_VTK_LEAKED_TEXTURE_UNITS 1
 #endif
 
 // vtkProp::GeneralTextureTransform() is called GENERAL_TEXTURE_TRANSFORM().

@@ -3,7 +3,7 @@
 #include "Bench.h"
 #include "Cave.h"
 #include "CaveOptions.h"
-#include "Failure.h"
+#include "Errors.h"
 #include "Help.h"
 #include "Options.h"
 #include "Outputs.h"
@@ -33,7 +33,7 @@ int Run(std::vector<std::string> words)
   }
   if (words.empty())
   {
-    throw cli::WordsError(
+    throw cli::UsageError(
       "no command given, expected render, cave, stages or bench; see relievo --help");
   }
   const std::string command = words.front();
@@ -50,7 +50,7 @@ int Run(std::vector<std::string> words)
   {
     if (!words.empty())
     {
-      throw cli::WordsError("stages: got '" + words.front() + "', expected nothing behind it");
+      throw cli::UsageError("stages: got '" + words.front() + "', expected nothing behind it");
     }
     std::fputs(cli::DescribeStages().c_str(), stdout);
   }
@@ -60,7 +60,7 @@ int Run(std::vector<std::string> words)
   }
   else
   {
-    throw cli::WordsError("got '" + command +
+    throw cli::UsageError("got '" + command +
       "', expected render, cave, stages, bench, --help or --version; see relievo --help");
   }
   return 0;
@@ -80,7 +80,7 @@ int main(int argc, char* argv[])
   {
     return Run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
   }
-  catch (const cli::WordsError& error)
+  catch (const cli::UsageError& error)
   {
     return Fail(error.what(), 2);
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Failure.h"
+#include "Errors.h"
 #include "MainWindow.h"
 #include "Messages.h"
 #include "Outputs.h"
@@ -140,11 +140,11 @@ int main(int argc, char* argv[])
     settings = isSession ? settings : viewer::Settings::FromWords(words);
     if (once && !isSession && settings.Files.empty())
     {
-      throw cli::WordsError("--once: no FILE given; there is nothing to draw");
+      throw cli::UsageError("--once: no FILE given; there is nothing to draw");
     }
     settings.MakePathsAbsolute(QDir::currentPath().toStdString());
   }
-  catch (const cli::WordsError& error)
+  catch (const cli::UsageError& error)
   {
     std::fprintf(cli::StandardError(), "relievo-viewer: %s\n", error.what());
     return 2;

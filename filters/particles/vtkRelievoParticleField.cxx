@@ -3,7 +3,7 @@
 #include "vtkRelievoParticleField.h"
 
 #include "vtkRelievoFormulas.h"
-#include "vtkRelievoNoisePlace.h"
+#include "vtkRelievoNoiseCell.h"
 #include "vtkRelievoVoxelMeshes.h"
 
 #include "vtkCellData.h"
@@ -118,9 +118,9 @@ glm::dvec3 vtkRelievoParticleField::Reader::Gradient(
   {
     return glm::dvec3(0.); // cells that are too narrow to be told apart
   }
-  const NoisePlace x = NoisePlace::Of(cells.x);
-  const NoisePlace y = NoisePlace::Of(cells.y);
-  const NoisePlace z = NoisePlace::Of(cells.z);
+  const NoiseCell x = NoiseCell::Of(cells.x);
+  const NoiseCell y = NoiseCell::Of(cells.y);
+  const NoiseCell z = NoiseCell::Of(cells.z);
   return f64::relievoSimplexNoiseGradientIn(
     f64::relievoSimplexAt(f64::ivec3(x.Cell, y.Cell, z.Cell), f64::vec3(x.Part, y.Part, z.Part)),
     2 * this->Field.NoiseSeed + which);

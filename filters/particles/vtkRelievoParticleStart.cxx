@@ -60,7 +60,7 @@ vtkRelievoParticleStart::vtkRelievoParticleStart(
   }
   if (inside && !this->Parts.empty())
   {
-    this->Space = std::make_unique<vtkRelievoParticleSpace>(maps, this->Low, this->High, seed);
+    this->Space = std::make_unique<vtkRelievoParticleInterior>(maps, this->Low, this->High, seed);
   }
 }
 

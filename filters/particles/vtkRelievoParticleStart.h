@@ -5,8 +5,8 @@
 #ifndef vtkRelievoParticleStart_h
 #define vtkRelievoParticleStart_h
 
+#include "vtkRelievoParticleInterior.h"
 #include "vtkRelievoParticleMaps.h"
-#include "vtkRelievoParticleSpace.h"
 #include "vtkRelievoParticleState.h"
 
 #include "vtkType.h"
@@ -47,7 +47,7 @@ private:
   std::vector<double> Shares; // area of the parts up to each
   glm::dvec3 Low;
   glm::dvec3 High;
-  std::unique_ptr<vtkRelievoParticleSpace> Space; // where particles are inside
+  std::unique_ptr<vtkRelievoParticleInterior> Space; // where particles are inside
 };
 
 #endif

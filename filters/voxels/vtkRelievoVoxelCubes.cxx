@@ -8,10 +8,10 @@
 #include "vtkRelievoPrecision.h"
 #include "vtkRelievoReserve.h"
 #include "vtkRelievoThreads.h"
+#include "vtkRelievoVoxelDirection.h"
 #include "vtkRelievoVoxelDistance.h"
 #include "vtkRelievoVoxelNearest.h"
 #include "vtkRelievoVoxelPieces.h"
-#include "vtkRelievoVoxelTurn.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -146,7 +146,7 @@ int vtkRelievoVoxelCubes::RequestData(
                   "(vtkRelievoVoxelShell) makes.");
     return 1;
   }
-  const vtkRelievoVoxelTurn turn(image);
+  const vtkRelievoVoxelDirection turn(image);
   if (turn.IsSkewed())
   {
     this->SetErrorCode(vtkErrorCode::UserError);

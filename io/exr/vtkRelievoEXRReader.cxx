@@ -12,10 +12,10 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkRelievoEXRAttributes.h"
+#include "vtkRelievoEXRErrors.h"
 #include "vtkRelievoEXRFailure.h"
 #include "vtkRelievoEXRInput.h"
 #include "vtkRelievoEXRThreads.h"
-#include "vtkRelievoEXRTranslate.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 

@@ -8,11 +8,11 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkRelievoEXRAttributes.h"
+#include "vtkRelievoEXRErrors.h"
 #include "vtkRelievoEXRFailure.h"
 #include "vtkRelievoEXROutput.h"
 #include "vtkRelievoEXRStream.h"
 #include "vtkRelievoEXRThreads.h"
-#include "vtkRelievoEXRTranslate.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <OpenEXR/Iex.h>

@@ -11,7 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRelievoOFFWords.h"
+#include "vtkRelievoOFFTokenizer.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 

@@ -9,7 +9,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
-#include "vtkRelievoKeptState.h"
+#include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoShading.h"
 #include "vtkRelievoVTKVersions.h"
@@ -60,7 +60,7 @@ class vtkRelievoDeferredStage::Internals
 {
 public:
   vtkRelievoScreenQuad Quad;
-  std::set<std::string> Said;
+  std::set<std::string> Reported;
   bool Done = false; // in this frame
 };
 
@@ -88,7 +88,7 @@ void vtkRelievoDeferredStage::Describe(vtkRelievoStageDescription& description)
 void vtkRelievoDeferredStage::Declare(
   const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
 {
-  declaration.DrawsAlong = true;
+  declaration.DrawsWithDelegate = true;
 }
 
 //------------------------------------------------------------------------------
@@ -161,7 +161,7 @@ void vtkRelievoDeferredStage::AddLights(vtkRelievoFrameContext& context)
     in.Quad.Ready(context, "deferred/shadeFS.glsl", reads, DescribeLights(context));
   if (!program)
   {
-    if (in.Said.insert(in.Quad.GetWrong()).second)
+    if (in.Reported.insert(in.Quad.GetWrong()).second)
     {
       vtkErrorMacro("No light on surfaces: " << in.Quad.GetWrong() << ".");
     }
@@ -171,7 +171,7 @@ void vtkRelievoDeferredStage::AddLights(vtkRelievoFrameContext& context)
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
   renderer->UpdateLightingUniforms(program);
   vtkOpenGLState* state = context.Window->GetState();
-  const vtkRelievoKeptState kept(state);
+  const vtkRelievoScopedState kept(state);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   in.Quad.Draw(context);

@@ -16,9 +16,9 @@
  * lighting, clear coats, anisotropy, edge tints, an index of refraction other than 1.5 or textures
  * other than albedo and normals, points and lines drawn as spheres and tubes. Unlit surfaces,
  * translucent ones, volumes and texts are drawn by VTK as ever, against the same depth. Nothing is
- * deferred where the layers cannot be written while VTK draws (vtkRelievoGBufferPass): in a
+ * deferred where the layers cannot be written while VTK draws (vtkRelievoLayersStage): in a
  * multisampled window, say; or where light comes through coloured surfaces
- * (vtkRelievoShadowPass::ColoredShadows).
+ * (vtkRelievoShadowStage::ColoredShadows).
  *
  * It pays where many fragments are drawn over each other, or many lights shine (docs/charts).
  */

@@ -25,7 +25,8 @@ constexpr double SliceMargin = 1e-5;
 
 //------------------------------------------------------------------------------
 // Cells about as large as the lamps are: smaller ones cost more to fill than they save.
-void vtkRelievoLampClusters::Divide(const vtkRelievoView& view, const vtkRelievoLampList& list)
+void vtkRelievoLampClusters::Divide(
+  const vtkRelievoFrameCamera& view, const vtkRelievoLampList& list)
 {
   this->Width = view.Viewport[2];
   this->Height = view.Viewport[3];
@@ -210,7 +211,8 @@ void vtkRelievoLampClusters::FillSlice(int slice)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoLampClusters::Build(const vtkRelievoView& view, const vtkRelievoLampList& list)
+void vtkRelievoLampClusters::Build(
+  const vtkRelievoFrameCamera& view, const vtkRelievoLampList& list)
 {
   this->Divide(view, list);
   const int count = static_cast<int>(list.GetLamps().size());

@@ -21,7 +21,7 @@ class vtkShaderProgram;
 class VTKRELIEVODEFERRED_EXPORT vtkRelievoLampClusters
 {
 public:
-  void Build(const vtkRelievoView& view, const vtkRelievoLampList& list);
+  void Build(const vtkRelievoFrameCamera& view, const vtkRelievoLampList& list);
 
   // Cells: columns, rows and slices of the view, and the width of a tile in pixels.
   int GetColumns() const { return this->Columns; }
@@ -58,7 +58,7 @@ private:
     std::vector<float> Lists;
   };
 
-  void Divide(const vtkRelievoView& view, const vtkRelievoLampList& list);
+  void Divide(const vtkRelievoFrameCamera& view, const vtkRelievoLampList& list);
   void AddSpans(
     const vtkRelievoLampList& list, int lamp, std::vector<std::vector<Span>>& slices) const;
   void FillSlice(int slice);

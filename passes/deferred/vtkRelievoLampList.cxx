@@ -35,7 +35,7 @@ struct Frustum
 class Taker
 {
 public:
-  Taker(const vtkRelievoView& view, const glm::dmat4& tileToPicture)
+  Taker(const vtkRelievoFrameCamera& view, const glm::dmat4& tileToPicture)
     : View(view)
     , Tile{ vtkRelievoSphereBounds(view.ViewToNDC),
       { static_cast<double>(view.Viewport[2]), static_cast<double>(view.Viewport[3]) } }
@@ -112,7 +112,7 @@ private:
     return true;
   }
 
-  const vtkRelievoView& View;
+  const vtkRelievoFrameCamera& View;
   Frustum Tile;
   Frustum Picture;
   bool InTiles;
@@ -141,8 +141,8 @@ constexpr double Fade = 0.1;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoLampList::Take(const vtkRelievoView& view, const std::vector<vtkRelievoLamps*>& sets,
-  const glm::dmat4& tileToPicture)
+void vtkRelievoLampList::Take(const vtkRelievoFrameCamera& view,
+  const std::vector<vtkRelievoLamps*>& sets, const glm::dmat4& tileToPicture)
 {
   this->Lamps.clear();
   this->Texels.clear();

@@ -6,8 +6,8 @@
 #define vtkRelievoLampList_h
 
 #include "vtkRelievoDeferredModule.h"
+#include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoSphereBounds.h"
-#include "vtkRelievoView.h"
 #include "vtkType.h"
 
 #include <vector>
@@ -29,7 +29,7 @@ public:
   // Takes the lamps, which are shared or up to date, in their order. What lies behind the eye,
   // beyond the clipping planes, beside the view, or between the centres of all pixels, is left out.
   // A view of a tile comes with what turns its NDC into those of the picture.
-  void Take(const vtkRelievoView& view, const std::vector<vtkRelievoLamps*>& sets,
+  void Take(const vtkRelievoFrameCamera& view, const std::vector<vtkRelievoLamps*>& sets,
     const glm::dmat4& tileToPicture = glm::dmat4(1.0));
 
   // Takes those out that cast shadows, eight at most, and returns them: those that always do, and

@@ -11,7 +11,7 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoLampList.h"
 #include "vtkRelievoLampShadows.h"
-#include "vtkRelievoPushedContext.h"
+#include "vtkRelievoScopedContext.h"
 #include "vtkRelievoScreenTarget.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkShaderProgram.h"
@@ -64,7 +64,7 @@ std::string vtkRelievoLampQuads::Draw(vtkRelievoFrameContext& context,
   {
     return "its shader deferred/lampsFS.glsl does not compile; see the errors before";
   }
-  const vtkRelievoView& view = context.View;
+  const vtkRelievoFrameCamera& view = context.View;
   const float size[2] = { static_cast<float>(view.Viewport[2]),
     static_cast<float>(view.Viewport[3]) };
   glm::mat4 projection = view.GetProjection();
@@ -126,7 +126,7 @@ void vtkRelievoLampQuads::Release(vtkWindow* window)
   this->Rectangles.Release(window);
   if (this->Nothing)
   {
-    const vtkRelievoPushedContext context(window);
+    const vtkRelievoScopedContext context(window);
     this->Nothing->ReleaseGraphicsResources();
     this->Nothing = nullptr;
   }

@@ -11,10 +11,10 @@
 #include "vtkOpenGLState.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
-#include "vtkRelievoKeptState.h"
 #include "vtkRelievoLampLight.h"
 #include "vtkRelievoLamps.h"
 #include "vtkRelievoResource.h"
+#include "vtkRelievoScopedState.h"
 #include "vtkRelievoTranslucentLamps.h"
 #include "vtkSmartPointer.h"
 
@@ -73,7 +73,7 @@ public:
   vtkRelievoLampLight Light;
   vtkRelievoScreenQuad Colors;
   vtkNew<vtkRelievoTranslucentLamps> Translucent;
-  std::set<std::string> Said;
+  std::set<std::string> Reported;
   int LeftOut = 0;
   bool SomeCast = false; // in this frame, perhaps: on all processes alike
 
@@ -176,12 +176,12 @@ void vtkRelievoLampsStage::Declare(
   const bool together = this->Internal->Controller != nullptr;
   const bool any = std::any_of(sets.begin(), sets.end(),
     [together](const auto& lamps) { return together || lamps->GetNumberOfPoints() > 0; });
-  declaration.Words = "lights surfaces with lamps";
+  declaration.Reason = "lights surfaces with lamps";
   if (!any)
   {
     // Without lamps the layers are still what they say: no light.
     declaration.Writes.clear();
-    declaration.Words = "there are no lamps";
+    declaration.Reason = "there are no lamps";
   }
   int casts = any && this->Casting > 0 ? 1 : 0;
   for (const auto& lamps : sets)
@@ -281,7 +281,7 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
     if (in.Colors.Ready(context, "deferred/lampsColorFS.glsl", reads))
     {
       vtkOpenGLState* state = context.Window->GetState();
-      const vtkRelievoKeptState kept(state);
+      const vtkRelievoScopedState kept(state);
       state->vtkglEnable(GL_BLEND);
       state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
       context.DrawColor(in.Colors, false);
@@ -314,7 +314,7 @@ void vtkRelievoLampsStage::Say(const std::string& wrong)
     return;
   }
   this->Explain("failed", wrong);
-  if (this->Internal->Said.insert(wrong).second)
+  if (this->Internal->Reported.insert(wrong).second)
   {
     vtkErrorMacro("No light of lamps: " << wrong << ".");
   }

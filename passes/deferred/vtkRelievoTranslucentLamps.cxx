@@ -9,9 +9,9 @@
 #include "vtkProperty.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoShaderLibrary.h"
-#include "vtkRelievoShaderTrial.h"
 #include "vtkRelievoSpliceText.h"
 #include "vtkRelievoThreads.h"
+#include "vtkRelievoTrialCompile.h"
 #include "vtkRenderState.h"
 #include "vtkShaderProgram.h"
 
@@ -135,7 +135,7 @@ bool vtkRelievoTranslucentLamps::PostReplaceShaderValues(std::string& vertexShad
     FillMark(fragmentShader, Extensions, defines);
     FillMark(fragmentShader, Dec, vtkRelievoShaderLibrary::GetSection(File, "Dec"));
     FillMark(fragmentShader, Impl, vtkRelievoShaderLibrary::GetSection(File, "Impl"));
-    wrong = vtkRelievoShaderTrial::Compile(
+    wrong = vtkRelievoTrialCompile::Compile(
       this->Window, actor->GetShaderProperty(), vertexShader, geometryShader, fragmentShader);
   }
   if (!wrong.empty())
@@ -143,7 +143,7 @@ bool vtkRelievoTranslucentLamps::PostReplaceShaderValues(std::string& vertexShad
     vertexShader = own[0];
     geometryShader = own[1];
     fragmentShader = own[2];
-    if (this->Said.insert(mapper->GetClassName() + wrong).second)
+    if (this->Reported.insert(mapper->GetClassName() + wrong).second)
     {
       vtkErrorMacro("No light of lamps on what " << mapper->GetClassName()
                                                  << " draws translucent: " << wrong << ".");
@@ -182,10 +182,10 @@ bool vtkRelievoTranslucentLamps::SetShaderParameters(
 vtkMTimeType vtkRelievoTranslucentLamps::GetShaderStageMTime()
 {
   // Asked outside of Begin and End by keys that were copied meanwhile: there it splices nothing.
-  if (!this->Window || this->Strayed)
+  if (!this->Window || this->BuiltUnspliced)
   {
     this->StructureTime.Modified();
-    this->Strayed = !this->Window;
+    this->BuiltUnspliced = !this->Window;
   }
   return this->StructureTime.GetMTime();
 }

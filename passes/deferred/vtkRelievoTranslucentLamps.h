@@ -58,7 +58,7 @@ private:
   vtkRelievoTranslucentLamps(const vtkRelievoTranslucentLamps&) = delete;
   void operator=(const vtkRelievoTranslucentLamps&) = delete;
 
-  vtkRelievoView View;
+  vtkRelievoFrameCamera View;
   vtkRelievoLampList List;
   vtkRelievoLampClusters Clusters;
   vtkRelievoTextureBuffer Lamps;
@@ -70,8 +70,8 @@ private:
   vtkOpenGLRenderWindow* Window = nullptr; // between Begin and End
   int NumberOfProps = 0;
   bool Parallel = false;
-  bool Strayed = false; // shaders without lamps were built with this pass in their keys
-  std::set<std::string> Said;
+  bool BuiltUnspliced = false; // shaders without lamps were built with this pass in their keys
+  std::set<std::string> Reported;
 };
 
 #endif

@@ -22,7 +22,7 @@ class vtkRelievoBlendStage::Internals
 public:
   vtkRelievoScreenTarget Layer{ "blendLayer" };
   vtkRelievoScreenQuad Quad;
-  std::string Said; // what was wrong in the last frame: said once
+  std::string Reported; // what was wrong in the last frame: said once
 };
 
 //------------------------------------------------------------------------------
@@ -51,12 +51,12 @@ void vtkRelievoBlendStage::Describe(vtkRelievoStageDescription& description)
 void vtkRelievoBlendStage::Declare(
   const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
-  declaration.Joins = true;
+  declaration.OnlyIfColorChanges = true;
   if (context.Renderer->GetUseFXAA())
   {
     declaration.Runs = false;
-    declaration.Code = "idle";
-    declaration.Words =
+    declaration.ReasonCode = "idle";
+    declaration.Reason =
       "FXAA (UseFXAA) smooths translucent surfaces together with those behind them";
   }
 }
@@ -104,11 +104,11 @@ void vtkRelievoBlendStage::Execute(vtkRelievoFrameContext& context)
     !wrong.empty() ? wrong
       : any        ? "keeps what is translucent apart"
                    : "nothing translucent was drawn into the colour");
-  if (!wrong.empty() && in.Said != wrong)
+  if (!wrong.empty() && in.Reported != wrong)
   {
     vtkErrorMacro("What is translucent is missing: " << wrong << ".");
   }
-  in.Said = wrong;
+  in.Reported = wrong;
 }
 
 //------------------------------------------------------------------------------

@@ -9,9 +9,9 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
-#include "vtkRelievoKeptState.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerColors.h"
+#include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -26,8 +26,8 @@ public:
   vtkRelievoScreenQuad Quad;
   vtkSmartPointer<vtkTextureObject> Colors;
   vtkIdType ColorBytes = 0;
-  std::string Said;   // what was wrong with the layer in the last frame: said once
-  std::string Failed; // what was wrong with the shader
+  std::string Reported; // what was wrong with the layer in the last frame: said once
+  std::string Failed;   // what was wrong with the shader
 };
 
 //------------------------------------------------------------------------------
@@ -74,14 +74,15 @@ void vtkRelievoDisplayStage::Declare(
   if (this->Layer.empty())
   {
     declaration.Runs = false;
-    declaration.Code = "idle";
-    declaration.Words = "no layer is shown as the picture";
+    declaration.ReasonCode = "idle";
+    declaration.Reason = "no layer is shown as the picture";
     return;
   }
   declaration.ReadsLayers = { this->Layer };
   // Nobody knows yet whether anything drawn has an array; if not, the picture itself is shown.
-  declaration.Covers = vtkRelievoLayerCatalogue::Find(this->Layer).Kind != vtkRelievoLayer::ARRAY;
-  declaration.Words = "shows the layer " + this->Layer + " as the picture";
+  declaration.HidesColor =
+    vtkRelievoLayerCatalogue::Find(this->Layer).Kind != vtkRelievoLayer::ARRAY;
+  declaration.Reason = "shows the layer " + this->Layer + " as the picture";
 }
 
 //------------------------------------------------------------------------------
@@ -90,11 +91,11 @@ bool vtkRelievoDisplayStage::UploadColors(vtkRelievoFrameContext& context)
   Internals& in = *this->Internal;
   vtkNew<vtkImageData> image;
   const std::string wrong = context.ReadLayers({ this->Layer }, image);
-  if (!wrong.empty() && wrong != in.Said)
+  if (!wrong.empty() && wrong != in.Reported)
   {
     vtkErrorMacro(<< wrong);
   }
-  in.Said = wrong;
+  in.Reported = wrong;
   if (!wrong.empty())
   {
     this->Explain("failed", wrong);
@@ -151,7 +152,7 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
     in.Failed = wrong;
     return;
   }
-  const vtkRelievoView& view = context.View;
+  const vtkRelievoFrameCamera& view = context.View;
   vtkRenderer* renderer = context.Renderer;
   const float range[2] = { static_cast<float>(
                              this->Range[0] < this->Range[1] ? this->Range[0] : view.Near),
@@ -171,7 +172,7 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
     program->SetUniformi("relievoColors", in.Colors->GetTextureUnit());
   }
   {
-    const vtkRelievoKeptState kept(context.Window->GetState());
+    const vtkRelievoScopedState kept(context.Window->GetState());
     context.Window->GetState()->vtkglDisable(GL_BLEND);
     in.Quad.Draw(context);
   }

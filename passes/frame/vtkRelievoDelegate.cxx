@@ -9,36 +9,36 @@
 #include "vtkRenderState.h"
 #include "vtkRenderStepsPass.h"
 
-vtkStandardNewMacro(vtkRelievoMarkerProp);
-vtkStandardNewMacro(vtkRelievoWireFrameMarker);
+vtkStandardNewMacro(vtkRelievoSentinelProp);
+vtkStandardNewMacro(vtkRelievoWireFrameSentinel);
 
 //------------------------------------------------------------------------------
-int vtkRelievoDelegate::Render(vtkRenderPass* pass, const vtkRenderState* s, const Moments& moments)
+int vtkRelievoDelegate::Render(
+  vtkRenderPass* pass, const vtkRenderState* s, const DelegateEvents& events)
 {
   vtkProp** props = s->GetPropArray();
   int count = s->GetPropArrayCount();
   if (count > 0 &&
-    (moments.OpaqueBegins || moments.OpaqueEnds || moments.TranslucentBegins ||
-      moments.OverlayBegins))
+    (events.OpaqueBegins || events.OpaqueEnds || events.TranslucentBegins || events.OverlayBegins))
   {
-    this->Begin->Opaque = moments.OpaqueBegins;
-    this->Begin->TranslucentAsked = moments.TranslucentAsked;
-    if (moments.TranslucentBegins)
+    this->Begin->Opaque = events.OpaqueBegins;
+    this->Begin->TranslucentAsked = events.TranslucentAsked;
+    if (events.TranslucentBegins)
     {
-      this->Begin->Translucent = [&]() { moments.TranslucentBegins(this->Begin); };
+      this->Begin->Translucent = [&]() { events.TranslucentBegins(this->Begin); };
     }
-    this->Begin->Volumes = moments.VolumesBegin;
-    this->Begin->Overlay = moments.OverlayBegins;
+    this->Begin->Volumes = events.VolumesBegin;
+    this->Begin->Overlay = events.OverlayBegins;
     this->Props.assign(1, this->Begin);
     this->Props.insert(this->Props.end(), props, props + count);
     if (vtkHiddenLineRemovalPass::WireframePropsExist(props, count))
     {
-      this->EndOfWireFrames->Reached = moments.OpaqueEnds;
+      this->EndOfWireFrames->Reached = events.OpaqueEnds;
       this->Props.push_back(this->EndOfWireFrames);
     }
     else
     {
-      this->End->Opaque = moments.OpaqueEnds;
+      this->End->Opaque = events.OpaqueEnds;
       this->Props.push_back(this->End);
     }
     props = this->Props.data();

@@ -8,7 +8,7 @@
 #define vtkRelievoDelegate_h
 
 #include "vtkNew.h"
-#include "vtkRelievoMarkerProp.h"
+#include "vtkRelievoSentinelProp.h"
 #include "vtkRenderPass.h"
 #include "vtkSmartPointer.h"
 
@@ -22,7 +22,7 @@ class vtkRelievoDelegate
 {
 public:
   // Called as often as the delegate draws opaque geometry, and so on; empty ones cost nothing.
-  struct Moments
+  struct DelegateEvents
   {
     std::function<void()> OpaqueBegins;
     std::function<void()> OpaqueEnds;
@@ -35,7 +35,7 @@ public:
 
   // Without a pass the renderer's own steps; into a framebuffer of an outer pass, which those know
   // nothing of, the same steps as a pass. Returns the number of props drawn.
-  int Render(vtkRenderPass* pass, const vtkRenderState* s, const Moments& moments);
+  int Render(vtkRenderPass* pass, const vtkRenderState* s, const DelegateEvents& events);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -45,9 +45,9 @@ private:
   static int RenderOwnSteps(const vtkRenderState* s, vtkProp** props, int numberOfProps);
 
   vtkSmartPointer<vtkRenderPass> Steps;
-  vtkNew<vtkRelievoMarkerProp> Begin;
-  vtkNew<vtkRelievoMarkerProp> End;
-  vtkNew<vtkRelievoWireFrameMarker> EndOfWireFrames;
+  vtkNew<vtkRelievoSentinelProp> Begin;
+  vtkNew<vtkRelievoSentinelProp> End;
+  vtkNew<vtkRelievoWireFrameSentinel> EndOfWireFrames;
   std::vector<vtkProp*> Props; // of the frame, between the markers
 };
 

@@ -6,10 +6,10 @@
 #ifndef vtkRelievoFrameContext_h
 #define vtkRelievoFrameContext_h
 
+#include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoFrameModule.h" // for the export macro
 #include "vtkRelievoFrameScene.h"
 #include "vtkRelievoLampShadows.h"
-#include "vtkRelievoView.h"
 
 #include <functional>
 #include <map>
@@ -36,7 +36,7 @@ public:
   vtkRenderer* Renderer = nullptr;
   vtkOpenGLRenderWindow* Window = nullptr;
   const vtkRenderState* State = nullptr;
-  vtkRelievoView View;
+  vtkRelievoFrameCamera View;
   vtkRelievoFrameScene Scene; // empty if no stage runs
 
   // Whether the window's picture is drawn; if not, only layers are, and the window does not change.

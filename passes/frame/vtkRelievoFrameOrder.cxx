@@ -57,7 +57,7 @@ void vtkRelievoFrameOrder::WaitForReads()
       continue;
     }
     std::vector<vtkRelievoFramePlan::Name> reads = vtkRelievoFramePlan::GetReads(node);
-    for (const std::string& use : node.Declaration.Uses)
+    for (const std::string& use : node.Declaration.OptionalReads)
     {
       reads.push_back({ use, false });
     }

@@ -1,19 +1,80 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkRelievoFrameInternals.h"
+#include "vtkRelievoFramePass.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkRelievoAccess.h"
+#include "vtkRelievoColorTarget.h"
+#include "vtkRelievoDelegate.h"
 #include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFrameReader.h"
+#include "vtkRelievoFrameReport.h"
 #include "vtkRelievoFrameRun.h"
+#include "vtkRelievoGpuTimer.h"
+#include "vtkRelievoLeakedTextureUnits.h"
+#include "vtkRelievoSampleAccumulator.h"
+#include "vtkRelievoStage.h"
 #include "vtkRelievoStageRegistry.h"
-#include "vtkRelievoStrayTextures.h"
+#include "vtkRelievoTranslucentLayers.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <vector>
+
+class vtkRelievoFramePass::Internals
+{
+public:
+  vtkSmartPointer<vtkRenderPass> Delegate;
+  std::vector<vtkSmartPointer<vtkRelievoStage>> Registered;
+  std::vector<vtkSmartPointer<vtkRelievoStage>> Added;
+  std::set<std::string> Requested;
+  std::set<std::string> Reported; // what could not be had, told once
+  vtkRelievoGpuTimer Timer;
+  vtkRelievoFrameReport Report;
+  vtkRelievoDelegate Picture;
+  vtkRelievoColorTarget Color;
+  vtkRelievoTranslucentLayers Translucent;
+  vtkRelievoSampleAccumulator Gather;
+  vtkRelievoFrameReader Reader{ Color, Gather };
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
+
+  std::vector<vtkRelievoStage*> GetStages()
+  {
+    std::vector<vtkRelievoStage*> stages;
+    for (auto& stage : this->Registered)
+    {
+      const std::string name = stage->GetStageName();
+      const bool replaced = std::any_of(this->Added.begin(), this->Added.end(),
+        [&name](const auto& added) { return added->GetStageName() == name; });
+      if (!replaced)
+      {
+        stages.push_back(stage);
+      }
+    }
+    for (auto& stage : this->Added)
+    {
+      stages.push_back(stage);
+    }
+    return stages;
+  }
+
+  // A stage that leaves the frame: what it holds is released, and what it wrote is read no more.
+  void Forget(vtkRelievoStage* stage)
+  {
+    if (this->Window)
+    {
+      stage->ReleaseGraphicsResources(this->Window);
+    }
+    this->Reader.Forget(stage);
+  }
+};
 
 vtkStandardNewMacro(vtkRelievoFramePass);
 
@@ -212,7 +273,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
     return;
   }
 
-  vtkRelievoStrayTextures::Release(window);
+  vtkRelievoLeakedTextureUnits::Release(window);
   in.Gather.BeginFrame();
   in.Timer.BeginFrame(window);
   while (!this->DrawSample(s))
@@ -248,7 +309,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   vtkRelievoFrameRun run(context, stages, in.Color, in.Translucent, in.Gather, in.Timer);
   for (const std::string& wrong : run.Plan())
   {
-    if (in.Said.insert(wrong).second)
+    if (in.Reported.insert(wrong).second)
     {
       vtkErrorMacro(<< wrong << ".");
     }
@@ -272,7 +333,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   in.Timer.End("frame");
 
   in.Gather.End(context, stages);
-  if (!in.Gather.GetFault().empty() && in.Said.insert(in.Gather.GetFault()).second)
+  if (!in.Gather.GetFault().empty() && in.Reported.insert(in.Gather.GetFault()).second)
   {
     vtkErrorMacro("Samples are not gathered: " << in.Gather.GetFault() << ".");
   }

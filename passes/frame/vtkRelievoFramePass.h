@@ -80,7 +80,7 @@ public:
   ///@{
   /**
    * A stage may draw one sample in each frame, of a light with a size for example
-   * (vtkRelievoShadowPass::SetSoftSamples); while nothing else changes the frame shows the mean of
+   * (vtkRelievoShadowStage::SetSoftSamples); while nothing else changes the frame shows the mean of
    * those that it has gathered. GetSamplesLeft says how many the last frame is short of: render
    * again until it is 0. WaitForSamples makes each frame gather all at once, for pictures that are
    * saved. Default off; pictures in tiles, and captures by vtkRelievoLayerSource, always do.

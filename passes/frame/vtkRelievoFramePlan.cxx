@@ -124,7 +124,7 @@ std::string vtkRelievoFramePlan::ExplainMissing(const std::vector<Node>& nodes, 
     }
     return idle == nodes.end() ? "which no stage writes"
                                : "which the stage " + idle->Name +
-        " would write, but does not run: " + idle->Declaration.Words;
+        " would write, but does not run: " + idle->Declaration.Reason;
   }
   const Node& node = nodes[writer];
   for (const std::string& more :
@@ -144,8 +144,8 @@ std::string vtkRelievoFramePlan::ExplainMissing(const std::vector<Node>& nodes, 
 void vtkRelievoFramePlan::Refuse(Node& node, const std::string& words, bool told)
 {
   node.Declaration.Runs = false;
-  node.Declaration.Code = "refused";
-  node.Declaration.Words = words;
+  node.Declaration.ReasonCode = "refused";
+  node.Declaration.Reason = words;
   if (!told)
   {
     this->Wrong.push_back("The stage " + node.Name + " does not run: " + words);
@@ -201,7 +201,7 @@ void vtkRelievoFramePlan::AskForColor(std::vector<Node>& nodes, int reader)
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     const bool before = reader < 0 || nodes[i].IsBefore(nodes[reader]);
-    if (nodes[i].Declaration.Runs && !nodes[i].Declaration.Joins &&
+    if (nodes[i].Declaration.Runs && !nodes[i].Declaration.OnlyIfColorChanges &&
       (nodes[i].Delegate || (nodes[i].ChangesColor() && before)))
     {
       this->Need(nodes, static_cast<int>(i), Color);
@@ -217,10 +217,10 @@ void vtkRelievoFramePlan::Join(std::vector<Node>& nodes, int reader)
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     const Node& node = nodes[i];
-    const bool joins = node.Declaration.Runs && node.Declaration.Joins && node.ChangesColor() &&
-      (reader < 0 || node.IsBefore(nodes[reader])) &&
+    const bool joins = node.Declaration.Runs && node.Declaration.OnlyIfColorChanges &&
+      node.ChangesColor() && (reader < 0 || node.IsBefore(nodes[reader])) &&
       std::any_of(nodes.begin(), nodes.end(), [&node](const Node& other) {
-        return other.Needed && !other.Declaration.Joins && other.ChangesColor() &&
+        return other.Needed && !other.Declaration.OnlyIfColorChanges && other.ChangesColor() &&
           Has(other.Asked, Color) && other.IsBefore(node);
       });
     if (joins)
@@ -268,26 +268,27 @@ void vtkRelievoFramePlan::MarkPicture(std::vector<Node>& nodes)
     if (cover.empty())
     {
       this->Need(nodes, maker, Picture);
-      cover = node.Declaration.Covers ? node.Name : "";
+      cover = node.Declaration.HidesColor ? node.Name : "";
     }
     else
     {
-      node.Code = "hidden";
-      node.Words = cover + " shows something else as the picture";
+      node.ReasonCode = "hidden";
+      node.Reason = cover + " shows something else as the picture";
     }
   }
   const bool covered = !cover.empty();
   this->ColorSeen = this->ColorSeen || !covered;
   for (Node& node : nodes)
   {
-    if (!node.Declaration.Runs || !node.ChangesColor() || (node.Declaration.Joins && !covered))
+    if (!node.Declaration.Runs || !node.ChangesColor() ||
+      (node.Declaration.OnlyIfColorChanges && !covered))
     {
       continue;
     }
     if (covered)
     {
-      node.Code = "hidden";
-      node.Words = cover + " shows something else as the picture";
+      node.ReasonCode = "hidden";
+      node.Reason = cover + " shows something else as the picture";
     }
     else
     {
@@ -311,8 +312,8 @@ void vtkRelievoFramePlan::Mark(
     }
     node.Needed = false;
     node.Asked.clear();
-    node.Code = node.Declaration.Runs ? "not_asked" : node.Declaration.Code;
-    node.Words = node.Declaration.Runs ? "no output asks for it" : node.Declaration.Words;
+    node.ReasonCode = node.Declaration.Runs ? "not_asked" : node.Declaration.ReasonCode;
+    node.Reason = node.Declaration.Runs ? "no output asks for it" : node.Declaration.Reason;
   }
   for (const std::string& layer : layers)
   {
@@ -324,10 +325,10 @@ void vtkRelievoFramePlan::Mark(
   }
   for (std::size_t i = 0; i < nodes.size() && this->ColorSeen; ++i)
   {
-    for (const std::string& use : nodes[i].Declaration.Uses)
+    for (const std::string& use : nodes[i].Declaration.OptionalReads)
     {
       const int writer = FindWriter(nodes, { use, false });
-      if (nodes[i].Needed && writer >= 0 && Has(nodes[writer].Declaration.Offers, use))
+      if (nodes[i].Needed && writer >= 0 && Has(nodes[writer].Declaration.OptionalWrites, use))
       {
         this->Need(nodes, writer, use);
       }
@@ -346,9 +347,9 @@ std::vector<std::string> vtkRelievoFramePlan::Make(
   this->Wrong.clear();
   for (const Node& node : nodes)
   {
-    if (!node.Declaration.Runs && node.Declaration.Code == "refused")
+    if (!node.Declaration.Runs && node.Declaration.ReasonCode == "refused")
     {
-      this->Wrong.push_back("The stage " + node.Name + " does not run: " + node.Declaration.Words);
+      this->Wrong.push_back("The stage " + node.Name + " does not run: " + node.Declaration.Reason);
     }
   }
   do

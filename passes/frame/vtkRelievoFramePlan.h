@@ -21,32 +21,32 @@
 // What a stage would do in a frame.
 struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
 {
-  // Whether there is anything to do; if not, Code and Words say why, as vtkRelievoStage::GetReason.
+  // Whether there is anything to do; if not, ReasonCode and Reason say why, as vtkRelievoStage::GetReason.
   // The words of what is "refused" are an error, which the frame says once.
   bool Runs = true;
-  std::string Code;
-  std::string Words;
+  std::string ReasonCode;
+  std::string Reason;
 
-  std::vector<std::string> Reads;       // without which it cannot run
-  std::vector<std::string> ReadsLayers; // as users name them: arrays, and what is published
-  std::vector<std::string> Uses;        // reads what of it is offered
+  std::vector<std::string> Reads;         // without which it cannot run
+  std::vector<std::string> ReadsLayers;   // as users name them: arrays, and what is published
+  std::vector<std::string> OptionalReads; // reads what of it is offered
   std::vector<std::string> Writes; // what writes `color` changes it, whether it reads it or not
   std::vector<std::string> Layers; // writes as well, for users to request by these names
   bool WritesArrays = false;       // any layer that is not among anybody's Layers
-  std::vector<std::string> Offers; // of Writes: to those that merely use it
+  std::vector<std::string> OptionalWrites; // of Writes: to those that merely use it
   // Whether it changes the colour only in pictures in which another stage before it does.
-  bool Joins = false;
-  bool Covers = true; // of one that writes `picture`: the colour is surely not seen beneath
+  bool OnlyIfColorChanges = false;
+  bool HidesColor = true; // of one that writes `picture`: the colour is surely not seen beneath
 
   // Whether it finishes what the delegate draws, while it draws: needed whenever that is.
-  bool DrawsAlong = false;
+  bool DrawsWithDelegate = false;
 
   // Whether it makes the picture of the colour, by vtkRelievoFrameContext::Present, in the place of
   // the sRGB curve alone. If it does not, the curve does.
   bool Presents = false;
 
   // Samples of what it draws, of which each frame has one (vtkRelievoFrameContext::Sample) as long
-  // as nothing else changes; the frame gathers lights' visibility, and the colour if one of Offers
+  // as nothing else changes; the frame gathers lights' visibility, and the colour if one of OptionalWrites
   // is asked for, and shows the mean. AtOnce: all of them in every frame.
   int Samples = 1;
   bool AtOnce = false;
@@ -67,8 +67,8 @@ public:
     // Set by Make.
     bool Needed = false;
     std::vector<std::string> Asked; // of what it writes; sorted
-    std::string Code;               // why it is not needed, as vtkRelievoStage::GetReason
-    std::string Words;
+    std::string ReasonCode;         // why it is not needed, as vtkRelievoStage::GetReason
+    std::string Reason;
 
     bool ChangesColor() const;
     bool IsBefore(const Node& other) const; // by slot, order and name

@@ -3,7 +3,7 @@
 #include "vtkRelievoFrameReader.h"
 
 #include "vtkRelievoColorTarget.h"
-#include "vtkRelievoFrameGather.h"
+#include "vtkRelievoSampleAccumulator.h"
 #include "vtkRelievoStage.h"
 
 #include <utility>

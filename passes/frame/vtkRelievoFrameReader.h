@@ -11,13 +11,13 @@
 
 class vtkImageData;
 class vtkRelievoColorTarget;
-class vtkRelievoFrameGather;
+class vtkRelievoSampleAccumulator;
 class vtkRelievoStage;
 
 class vtkRelievoFrameReader
 {
 public:
-  vtkRelievoFrameReader(vtkRelievoColorTarget& color, vtkRelievoFrameGather& gather)
+  vtkRelievoFrameReader(vtkRelievoColorTarget& color, vtkRelievoSampleAccumulator& gather)
     : Color(color)
     , Gather(gather)
   {
@@ -40,7 +40,7 @@ private:
   bool IsAlone(const std::string& name) const; // no stage's
 
   vtkRelievoColorTarget& Color;
-  vtkRelievoFrameGather& Gather;
+  vtkRelievoSampleAccumulator& Gather;
   std::map<std::string, vtkRelievoStage*> Writers;
   std::map<std::string, std::string> Missing;
 };

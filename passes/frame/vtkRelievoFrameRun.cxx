@@ -8,11 +8,11 @@
 #include "vtkRelievoColorTarget.h"
 #include "vtkRelievoDelegate.h"
 #include "vtkRelievoFrameContext.h"
-#include "vtkRelievoFrameGather.h"
 #include "vtkRelievoFrameReport.h"
 #include "vtkRelievoGpuTimer.h"
+#include "vtkRelievoLeakedTextureUnits.h"
+#include "vtkRelievoSampleAccumulator.h"
 #include "vtkRelievoStage.h"
-#include "vtkRelievoStrayTextures.h"
 #include "vtkRelievoTranslucentLayers.h"
 #include "vtkRenderPass.h"
 
@@ -21,7 +21,7 @@
 //------------------------------------------------------------------------------
 vtkRelievoFrameRun::vtkRelievoFrameRun(vtkRelievoFrameContext& context,
   const std::vector<vtkRelievoStage*>& stages, vtkRelievoColorTarget& color,
-  vtkRelievoTranslucentLayers& translucent, vtkRelievoFrameGather& gather,
+  vtkRelievoTranslucentLayers& translucent, vtkRelievoSampleAccumulator& gather,
   vtkRelievoGpuTimer& timer)
   : Context(context)
   , Stages(stages)
@@ -55,10 +55,10 @@ void vtkRelievoFrameRun::Declare()
     node.Order = description.Order;
     node.Declaration.Reads = description.Reads;
     node.Declaration.Writes = description.Writes;
-    node.Declaration.Offers = description.Writes;
+    node.Declaration.OptionalWrites = description.Writes;
     node.Declaration.Layers = description.Layers;
     node.Declaration.WritesArrays = description.WritesArrays;
-    node.Declaration.Words = description.Help;
+    node.Declaration.Reason = description.Help;
     node.ReadsFor = [this, stage](const std::vector<std::string>& asked) {
       return stage->GetReadsFor(this->Context, asked);
     };
@@ -69,13 +69,13 @@ void vtkRelievoFrameRun::Declare()
     else
     {
       node.Declaration.Runs = false;
-      node.Declaration.Code = "off";
-      node.Declaration.Words = "switched off (EnabledOff)";
+      node.Declaration.ReasonCode = "off";
+      node.Declaration.Reason = "switched off (EnabledOff)";
     }
-    if (description.Slot == Description::LIGHT_MAPS || node.Declaration.DrawsAlong)
+    if (description.Slot == Description::LIGHT_MAPS || node.Declaration.DrawsWithDelegate)
     {
       // What is made of lights is used where the picture is lit.
-      std::vector<std::string>& uses = delegate.Declaration.Uses;
+      std::vector<std::string>& uses = delegate.Declaration.OptionalReads;
       uses.insert(uses.end(), description.Writes.begin(), description.Writes.end());
     }
   }
@@ -134,11 +134,11 @@ std::vector<std::string> vtkRelievoFrameRun::Plan()
     if (node.Needed)
     {
       this->Context.Asked[this->Stages[i]] = node.Asked;
-      this->Stages[i]->Explain("ran", node.Declaration.Words);
+      this->Stages[i]->Explain("ran", node.Declaration.Reason);
     }
     else
     {
-      this->Stages[i]->Explain(node.Code, node.Words);
+      this->Stages[i]->Explain(node.ReasonCode, node.Reason);
     }
   }
   return wrong;
@@ -188,7 +188,7 @@ void vtkRelievoFrameRun::ExecuteStage(int place)
     vtkRelievoStage* stage = this->Stages[place - 1];
     this->Timer.Begin(stage->GetStageName());
     stage->Execute(this->Context);
-    vtkRelievoStrayTextures::Release(this->Context.Window);
+    vtkRelievoLeakedTextureUnits::Release(this->Context.Window);
     this->Timer.End(stage->GetStageName());
   }
 }
@@ -196,7 +196,7 @@ void vtkRelievoFrameRun::ExecuteStage(int place)
 //------------------------------------------------------------------------------
 void vtkRelievoFrameRun::ExecuteRest()
 {
-  vtkRelievoStrayTextures::Release(this->Context.Window);
+  vtkRelievoLeakedTextureUnits::Release(this->Context.Window);
   const std::vector<int>& order = this->Order.GetOrder();
   if (this->ColorOpen)
   {
@@ -272,12 +272,12 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
       this->Timer.End(stage->GetStageName());
     }
   };
-  vtkRelievoDelegate::Moments moments;
+  vtkRelievoDelegate::DelegateEvents events;
   if (!along.empty())
   {
-    moments.OpaqueBegins = [&]() { interrupt([&]() { forEach(&vtkRelievoStage::BeginOpaque); }); };
-    moments.OpaqueEnds = [&]() {
-      vtkRelievoStrayTextures::Release(this->Context.Window);
+    events.OpaqueBegins = [&]() { interrupt([&]() { forEach(&vtkRelievoStage::BeginOpaque); }); };
+    events.OpaqueEnds = [&]() {
+      vtkRelievoLeakedTextureUnits::Release(this->Context.Window);
       interrupt([&]() { forEach(&vtkRelievoStage::EndOpaque); });
     };
   }
@@ -290,15 +290,15 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
     if (this->Context.Translucent)
     {
       this->Translucent.Begin(this->Context, this->Color);
-      moments.TranslucentAsked = [&]() { interrupt([&]() { this->Translucent.Ask(); }); };
-      moments.TranslucentBegins = [&](vtkProp* marker) {
+      events.TranslucentAsked = [&]() { interrupt([&]() { this->Translucent.Ask(); }); };
+      events.TranslucentBegins = [&](vtkProp* marker) {
         interrupt([&]() { this->Translucent.BeginSurfaces(marker); });
       };
-      moments.VolumesBegin = [&]() { interrupt([&]() { this->Translucent.BeginVolumes(); }); };
+      events.VolumesBegin = [&]() { interrupt([&]() { this->Translucent.BeginVolumes(); }); };
     }
     // Texts and bars are drawn over the finished picture, not into the colour that stages change;
     // without a picture, nowhere.
-    moments.OverlayBegins = [&]() {
+    events.OverlayBegins = [&]() {
       if (this->ColorOpen && this->Color.IsBound())
       {
         interrupt([&]() { this->ExecuteRest(); });
@@ -318,7 +318,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
     vtkRelievoAccess::Renderer::ForgetColorFormat(renderer);
   }
   this->Timer.Begin("delegate");
-  const int drawn = delegate.Render(pass, this->Context.State, moments);
+  const int drawn = delegate.Render(pass, this->Context.State, events);
   this->Timer.End("delegate");
   if (linear)
   {

@@ -14,7 +14,7 @@
 class vtkRelievoColorTarget;
 class vtkRelievoDelegate;
 class vtkRelievoFrameContext;
-class vtkRelievoFrameGather;
+class vtkRelievoSampleAccumulator;
 class vtkRelievoFrameReport;
 class vtkRelievoGpuTimer;
 class vtkRelievoStage;
@@ -26,7 +26,7 @@ class vtkRelievoFrameRun
 public:
   vtkRelievoFrameRun(vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages,
     vtkRelievoColorTarget& color, vtkRelievoTranslucentLayers& translucent,
-    vtkRelievoFrameGather& gather, vtkRelievoGpuTimer& timer);
+    vtkRelievoSampleAccumulator& gather, vtkRelievoGpuTimer& timer);
 
   // Works out what runs, and tells the others why not. Returns what cannot run for what it reads.
   std::vector<std::string> Plan();
@@ -59,7 +59,7 @@ private:
   const std::vector<vtkRelievoStage*>& Stages; // node i + 1 is stage i
   vtkRelievoColorTarget& Color;
   vtkRelievoTranslucentLayers& Translucent;
-  vtkRelievoFrameGather& Gather;
+  vtkRelievoSampleAccumulator& Gather;
   vtkRelievoGpuTimer& Timer;
   vtkRelievoFramePlan Order;
   std::vector<vtkRelievoFramePlan::Node> Nodes; // the first is the delegate

@@ -3,8 +3,8 @@
 #include "vtkRelievoGBufferLayout.h"
 
 #include "vtkRelievoFormulas.h"
-#include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoLayersStage.h"
 
 #include "codes.glsl"
 
@@ -14,7 +14,7 @@
 namespace
 {
 #define RELIEVO_SAME_CODE(name)                                                                    \
-  static_assert(vtkRelievoGBufferPass::name == RELIEVO_##name, "as in shaders/codes.glsl")
+  static_assert(vtkRelievoLayersStage::name == RELIEVO_##name, "as in shaders/codes.glsl")
 RELIEVO_SAME_CODE(NORMAL_FLOAT32);
 RELIEVO_SAME_CODE(NORMAL_FLOAT16);
 RELIEVO_SAME_CODE(NORMAL_OCT16);
@@ -40,11 +40,11 @@ std::uint32_t GetDepthBackground(int format)
 {
   switch (format)
   {
-    case vtkRelievoGBufferPass::DEPTH_16F:
+    case vtkRelievoLayersStage::DEPTH_16F:
       return relievo::f32::relievoDepth16FNone;
-    case vtkRelievoGBufferPass::DEPTH_WINDOW_Z24:
+    case vtkRelievoLayersStage::DEPTH_WINDOW_Z24:
       return relievo::f32::relievoDepth24None;
-    case vtkRelievoGBufferPass::DEPTH_REVERSED_32F:
+    case vtkRelievoLayersStage::DEPTH_REVERSED_32F:
       return relievo::f32::relievoReversed32FNone;
     default:
       return relievo::f32::relievoDepth32FNone;
@@ -56,10 +56,10 @@ std::vector<std::uint32_t> GetNormalDepthBackground(int format)
   using namespace relievo::f32;
   switch (format)
   {
-    case vtkRelievoGBufferPass::NORMAL_DEPTH_RGBA32F:
+    case vtkRelievoLayersStage::NORMAL_DEPTH_RGBA32F:
       return { relievoNormalDepth32FNone.x, relievoNormalDepth32FNone.y,
         relievoNormalDepth32FNone.z, relievoNormalDepth32FNone.w };
-    case vtkRelievoGBufferPass::NORMAL_DEPTH_RGBA16F:
+    case vtkRelievoLayersStage::NORMAL_DEPTH_RGBA16F:
       return { relievoNormalDepth16FNone.x, relievoNormalDepth16FNone.y };
     default:
       return { relievoNormalDepth8None };
@@ -79,9 +79,9 @@ int vtkRelievoGBufferLayout::GetNormalWords(int format)
 {
   switch (format)
   {
-    case vtkRelievoGBufferPass::NORMAL_FLOAT32:
+    case vtkRelievoLayersStage::NORMAL_FLOAT32:
       return 3;
-    case vtkRelievoGBufferPass::NORMAL_FLOAT16:
+    case vtkRelievoLayersStage::NORMAL_FLOAT16:
       return 2;
     default:
       return 1;
@@ -104,7 +104,7 @@ void vtkRelievoGBufferLayout::Arrange()
     return first;
   };
 
-  const bool together = this->NormalDepth != vtkRelievoGBufferPass::NORMAL_DEPTH_SEPARATE &&
+  const bool together = this->NormalDepth != vtkRelievoLayersStage::NORMAL_DEPTH_SEPARATE &&
     this->Normal && this->Depth;
   const bool depthAlone = this->Depth && !together;
   const bool normalAlone = this->Normal && !together;
@@ -112,7 +112,7 @@ void vtkRelievoGBufferLayout::Arrange()
   const int shadowWords = static_cast<int>(this->Shadows.size() + 1) / 2;
   const int normals = (normalAlone ? 1 : 0) + (this->GeometricNormal ? 1 : 0);
   this->ChosenNormalFormat = this->NormalFormat;
-  if (this->NormalFormat == vtkRelievoGBufferPass::NORMAL_AUTO)
+  if (this->NormalFormat == vtkRelievoLayersStage::NORMAL_AUTO)
   {
     // Full floats where they fit into the attachments that are there anyhow, otherwise one word.
     const int togetherWords = together ? GetNormalDepthWords(this->NormalDepth) : 0;
@@ -122,8 +122,8 @@ void vtkRelievoGBufferLayout::Arrange()
     const int attachmentsFloat = (others + 3 * normals + 3) / 4;
     const int attachmentsPacked = (others + normals + 3) / 4;
     this->ChosenNormalFormat = attachmentsFloat == attachmentsPacked
-      ? vtkRelievoGBufferPass::NORMAL_FLOAT32
-      : vtkRelievoGBufferPass::NORMAL_OCT16;
+      ? vtkRelievoLayersStage::NORMAL_FLOAT32
+      : vtkRelievoLayersStage::NORMAL_OCT16;
   }
   // A normal's words are all 0 where there is none, in every format.
   const std::vector<std::uint32_t> noNormal(GetNormalWords(this->ChosenNormalFormat), 0u);

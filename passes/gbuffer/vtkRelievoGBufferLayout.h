@@ -29,9 +29,9 @@ struct VTKRELIEVOGBUFFER_EXPORT vtkRelievoGBufferLayout
   bool Ids = false;
   std::map<std::string, int> Lights; // of layers that are a light's visibility
   std::vector<int> Shadows;          // lights, by their number in the renderer, ascending
-  int NormalFormat = 0;              // vtkRelievoGBufferPass::NormalFormats
-  int DepthFormat = 0;               // vtkRelievoGBufferPass::DepthFormats
-  int NormalDepth = 0;               // vtkRelievoGBufferPass::NormalDepthFormats
+  int NormalFormat = 0;              // vtkRelievoLayersStage::NormalFormats
+  int DepthFormat = 0;               // vtkRelievoLayersStage::DepthFormats
+  int NormalDepth = 0;               // vtkRelievoLayersStage::NormalDepthFormats
 
   // Where it is: the first word of each, or -1. Set by Arrange().
   int DepthWord = -1;

@@ -10,7 +10,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
-#include "vtkRelievoKeptState.h"
+#include "vtkRelievoScopedState.h"
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
 #include "vtkShaderProgram.h"
@@ -156,7 +156,7 @@ vtkRelievoPrimitiveIds::Route Probe(vtkOpenGLRenderWindow* window)
 {
   using namespace vtkRelievoPrimitiveIds;
   vtkOpenGLState* state = window->GetState();
-  auto kept = std::make_unique<vtkRelievoKeptState>(state);
+  auto kept = std::make_unique<vtkRelievoScopedState>(state);
   GLuint texture = 0;
   GLuint framebuffer = 0;
   GLuint array = 0;

@@ -6,8 +6,8 @@
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkRelievoScreenTarget.h"
+#include "vtkRelievoShadowContext.h"
 #include "vtkRelievoShadowStrengths.h"
-#include "vtkRelievoShadowWork.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -42,9 +42,9 @@ class vtkRelievoLightDepthStage::Internals
 public:
   vtkRelievoScreenTarget Target{ "relievoLightDepth" };
   vtkRelievoScreenQuad Quad;
-  std::string Said;
+  std::string Reported;
 
-  const vtkRelievoShadowCache::Entry* Find(const vtkRelievoShadowWork* work, int light) const
+  const vtkRelievoShadowCache::Entry* Find(const vtkRelievoShadowContext* work, int light) const
   {
     if (!work)
     {
@@ -91,7 +91,7 @@ void vtkRelievoLightDepthStage::Execute(vtkRelievoFrameContext& context)
   format.Halves = false;
   std::string wrong = in.Target.Prepare(context, format);
   const auto* shadows = static_cast<vtkRelievoShadowStrengths*>(context.Find("shadow maps"));
-  const vtkRelievoShadowWork* work = shadows ? shadows->GetWork() : nullptr;
+  const vtkRelievoShadowContext* work = shadows ? shadows->GetWork() : nullptr;
   const vtkRelievoShadowCache::Entry* entry = in.Find(work, this->Light);
   vtkShaderProgram* program = nullptr;
   if (wrong.empty() && entry)
@@ -102,14 +102,14 @@ void vtkRelievoLightDepthStage::Execute(vtkRelievoFrameContext& context)
   if (!wrong.empty())
   {
     this->Explain("failed", wrong);
-    if (in.Said != wrong)
+    if (in.Reported != wrong)
     {
       vtkErrorMacro("No " << Layer << ": " << wrong << ".");
     }
-    in.Said = wrong;
+    in.Reported = wrong;
     return;
   }
-  in.Said.clear();
+  in.Reported.clear();
   in.Target.Begin(context, std::numeric_limits<float>::infinity());
   const int maps = entry ? static_cast<int>(entry->Maps.size()) : 0;
   for (int i = 0; i < maps; ++i)

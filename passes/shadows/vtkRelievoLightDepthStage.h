@@ -10,7 +10,7 @@
  * has them side by side, three in a row. It runs only where the layer is requested.
  *
  * Shadows need not be seen in the picture. Maps that are unevenly spaced
- * (vtkRelievoShadowPass::METHOD_WARPED) are shown as they are stored; exact shadows
+ * (vtkRelievoShadowStage::METHOD_WARPED) are shown as they are stored; exact shadows
  * (METHOD_EXACT) have none, but for casters that they cannot follow.
  */
 #ifndef vtkRelievoLightDepthStage_h

@@ -3,11 +3,11 @@
 #include "vtkRelievoShadowStrengths.h"
 
 #include "vtkLight.h"
-#include "vtkRelievoShadowWork.h"
+#include "vtkRelievoShadowContext.h"
 #include "vtkShaderProgram.h"
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowStrengths::Set(const vtkRelievoShadowWork& work, double strength)
+void vtkRelievoShadowStrengths::Set(const vtkRelievoShadowContext& work, double strength)
 {
   this->Work = &work;
   this->Strengths.assign(static_cast<std::size_t>(work.Structure.Numbers), 0.0f);

@@ -11,16 +11,16 @@
 
 #include <vector>
 
-struct vtkRelievoShadowWork;
+struct vtkRelievoShadowContext;
 
 class vtkRelievoShadowStrengths : public vtkRelievoResource
 {
 public:
   // `strength` is the share for a light whose own shadow attenuation is 1.
-  void Set(const vtkRelievoShadowWork& work, double strength);
+  void Set(const vtkRelievoShadowContext& work, double strength);
 
   // What they were made of, until the frame is done.
-  const vtkRelievoShadowWork* GetWork() const { return this->Work; }
+  const vtkRelievoShadowContext* GetWork() const { return this->Work; }
 
   std::string GetDefines() const override;
   void Activate(vtkShaderProgram* program) override;
@@ -28,7 +28,7 @@ public:
 
 private:
   std::vector<float> Strengths;
-  const vtkRelievoShadowWork* Work = nullptr;
+  const vtkRelievoShadowContext* Work = nullptr;
 };
 
 #endif

@@ -5,21 +5,21 @@
 #include "vtkActor.h"
 #include "vtkLight.h"
 #include "vtkProperty.h"
-#include "vtkRelievoShadowFaces.h"
+#include "vtkRelievoShadowContext.h"
+#include "vtkRelievoShadowMapUniforms.h"
 #include "vtkRelievoShadowMethod.h"
-#include "vtkRelievoShadowWork.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <vector>
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowUniforms::SetFrame(vtkShaderProgram* program, const vtkRelievoShadowWork& work,
-  const vtkRelievoShadowMethod& method, double strength)
+void vtkRelievoShadowUniforms::SetFrame(vtkShaderProgram* program,
+  const vtkRelievoShadowContext& work, const vtkRelievoShadowMethod& method, double strength)
 {
   // As the shader has it, in float.
   const glm::vec3 center(work.View.WorldToView * glm::dvec4(work.Cache.GetCenter(), 1.0));
-  vtkRelievoShadowFaces faces(work, work.Structure.GetFaces(), center);
+  vtkRelievoShadowMapUniforms faces(work, work.Structure.GetFaces(), center);
   std::vector<float> strengths;
   std::vector<int> slots(work.Structure.Numbers, -1);
   int first = 0;
@@ -46,7 +46,7 @@ void vtkRelievoShadowUniforms::SetFrame(vtkShaderProgram* program, const vtkReli
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowUniforms::SetActor(
-  vtkShaderProgram* program, const vtkRelievoShadowWork& work, vtkActor* actor)
+  vtkShaderProgram* program, const vtkRelievoShadowContext& work, vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
   program->SetUniformi("relievoShadowFaces", property->GetRepresentation() == VTK_SURFACE ? 1 : 0);

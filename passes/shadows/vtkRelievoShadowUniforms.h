@@ -8,16 +8,16 @@
 class vtkActor;
 class vtkRelievoShadowMethod;
 class vtkShaderProgram;
-struct vtkRelievoShadowWork;
+struct vtkRelievoShadowContext;
 
 namespace vtkRelievoShadowUniforms
 {
 // The same for all that a program draws in a frame. strength: share of a blocked light that is
 // removed from the picture.
-void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowWork& work,
+void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
   const vtkRelievoShadowMethod& method, double strength);
 
-void SetActor(vtkShaderProgram* program, const vtkRelievoShadowWork& work, vtkActor* actor);
+void SetActor(vtkShaderProgram* program, const vtkRelievoShadowContext& work, vtkActor* actor);
 }
 
 #endif

@@ -42,7 +42,7 @@ need shadows in the picture, which are switched on by
 
     frame = relievo.attach(renderer)
     frame.ShadowsOn()                                 # every light casts; see also ShadowsOff()
-    shadows = frame.GetShadowPass()
+    shadows = frame.GetShadowStage()
     shadows.SetMapSize(4096)                          # texels; default 2048
     shadows.SetTolerance(0.0005)                      # or method and size for 0.05 % wrong pixels
     print(shadows.Certify(6000).GetWords())           # proves the last picture

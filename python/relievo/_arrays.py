@@ -13,7 +13,7 @@ _KINDS = ("point:", "cell:")
 def why_not(name, renderer, shadows):
     """What is wrong with a layer's name, in words; None if nothing is, or nobody can know yet.
 
-    shadows: the vtkRelievoShadowPass that knows the names of the renderer's lights, or None.
+    shadows: the vtkRelievoShadowStage that knows the names of the renderer's lights, or None.
     """
     if not isinstance(name, str) or not name:
         return f"got {name!r}, expected a layer's name such as 'depth', or an array's"

@@ -54,7 +54,7 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
         if made:
             renderer.ResetCamera()
         source.SetRenderer(renderer)
-        with Watch(frame.GetGBuffer(), frame, source) as watch:
+        with Watch(frame.GetLayersStage(), frame, source) as watch:
             source.Update()
         failed = any(
             frame.GetStage(i).GetReasonCode() in ("failed", "refused")

@@ -27,7 +27,7 @@ class vtkRelievoPass(vtkRelievoPasses.vtkRelievoPass):
         return attach(renderer)
 
     def _check(self, name, method):
-        wrong = why_not(name, self._renderer.Get(), self.GetShadowPass())
+        wrong = why_not(name, self._renderer.Get(), self.GetShadowStage())
         if wrong:
             raise ValueError(f"{method}: {wrong}")
 

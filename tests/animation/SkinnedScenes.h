@@ -14,7 +14,7 @@
 #include <vtkActor.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRelievoSkin.h>
 #include <vtkRelievoSkinnedActor.h>
 
@@ -27,16 +27,16 @@ namespace relievoTest
 /** Of the methods of vtkRelievoSkin. */
 std::string MethodName(int method);
 
-/** Of the methods of vtkRelievoShadowPass. */
+/** Of the methods of vtkRelievoShadowStage. */
 struct ShadowMethod
 {
   const char* Name;
   int Value;
 };
-constexpr ShadowMethod ShadowMethods[] = { { "map", vtkRelievoShadowPass::METHOD_MAP },
-  { "forward", vtkRelievoShadowPass::METHOD_FORWARD },
-  { "warped", vtkRelievoShadowPass::METHOD_WARPED },
-  { "exact", vtkRelievoShadowPass::METHOD_EXACT } };
+constexpr ShadowMethod ShadowMethods[] = { { "map", vtkRelievoShadowStage::METHOD_MAP },
+  { "forward", vtkRelievoShadowStage::METHOD_FORWARD },
+  { "warped", vtkRelievoShadowStage::METHOD_WARPED },
+  { "exact", vtkRelievoShadowStage::METHOD_EXACT } };
 
 /** The mesh by either, in a window of its own. */
 struct SkinnedSide

@@ -27,7 +27,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
@@ -331,7 +331,7 @@ void TestShadows()
     const auto moved = Skin(near.Mesh, MakePose(above), skin);
     for (const ShadowMethod& method : ShadowMethods)
     {
-      if (skin != vtkRelievoSkin::LINEAR && method.Value != vtkRelievoShadowPass::METHOD_EXACT)
+      if (skin != vtkRelievoSkin::LINEAR && method.Value != vtkRelievoShadowStage::METHOD_EXACT)
       {
         continue;
       }

@@ -24,7 +24,7 @@
 #include <vtkPoints.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 #include <vtkSphereSource.h>
@@ -60,7 +60,7 @@ void TestAgainstRays()
     for (const ShadowMethod& method : ShadowMethods)
     {
       // Maps of all kinds draw with the mapper's shaders, whichever they are.
-      if (skin == vtkRelievoSkin::LINEAR && method.Value != vtkRelievoShadowPass::METHOD_EXACT)
+      if (skin == vtkRelievoSkin::LINEAR && method.Value != vtkRelievoShadowStage::METHOD_EXACT)
       {
         continue;
       }

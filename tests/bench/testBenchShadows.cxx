@@ -16,7 +16,7 @@
 #include <vtkPointData.h>
 #include <vtkRelievoLayerSource.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 
 #include <cstdlib>

@@ -12,7 +12,7 @@
 #include <vtkCamera.h>
 #include <vtkLight.h>
 #include <vtkProperty.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 
 #include <functional>
 #include <string>
@@ -201,12 +201,12 @@ void TestLights()
     Compare(std::string("highlights, shadows, ") + light.Name, { &light, &Surfaces[3] },
       [](DeferredScene& s) {
         s.Frame->ShadowsOn();
-        s.Frame->GetShadowPass()->SetStrength(0.8);
+        s.Frame->GetShadowStage()->SetStrength(0.8);
       });
     Compare(
       std::string("exact shadows, ") + light.Name, { &light, &Surfaces[2] }, [](DeferredScene& s) {
         s.Frame->ShadowsOn();
-        s.Frame->GetShadowPass()->SetMethodToExact();
+        s.Frame->GetShadowStage()->SetMethodToExact();
       });
     Compare(std::string("PBR, shadows, ") + light.Name, { &light, &Surfaces[12] },
       [](DeferredScene& s) { s.Frame->ShadowsOn(); });

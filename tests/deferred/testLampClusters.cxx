@@ -26,9 +26,9 @@ using namespace relievoTest;
 
 const glm::dvec3 White(1.0);
 
-vtkRelievoView MakeView(int width, int height, bool parallel, double near, double far)
+vtkRelievoFrameCamera MakeView(int width, int height, bool parallel, double near, double far)
 {
-  vtkRelievoView view;
+  vtkRelievoFrameCamera view;
   view.Viewport[2] = width;
   view.Viewport[3] = height;
   view.Near = near;
@@ -42,7 +42,8 @@ vtkRelievoView MakeView(int width, int height, bool parallel, double near, doubl
   return view;
 }
 
-void TestLamps(const vtkRelievoView& view, const std::vector<Lamp>& given, const std::string& what)
+void TestLamps(
+  const vtkRelievoFrameCamera& view, const std::vector<Lamp>& given, const std::string& what)
 {
   const int count = static_cast<int>(given.size());
   vtkNew<vtkRelievoLamps> lamps;
@@ -104,7 +105,7 @@ void TestLamps(const vtkRelievoView& view, const std::vector<Lamp>& given, const
   RELIEVO_CHECK(needed > 0);
 }
 
-void TestView(const vtkRelievoView& view, int count, double radius, const std::string& what)
+void TestView(const vtkRelievoFrameCamera& view, int count, double radius, const std::string& what)
 {
   TestLamps(view, RandomLamps(count, radius, true), what);
 }
@@ -112,7 +113,7 @@ void TestView(const vtkRelievoView& view, int count, double radius, const std::s
 // Which lamps cast: by the array, and by size; and that no strength jumps while lamps move.
 void TestChoice()
 {
-  const vtkRelievoView view = MakeView(400, 300, false, 0.1, 100.0);
+  const vtkRelievoFrameCamera view = MakeView(400, 300, false, 0.1, 100.0);
   const auto choose = [&view](const std::vector<Lamp>& lamps, const std::vector<double>& casts,
                         int largest) {
     vtkSmartPointer<vtkPolyData> data = ToPolyData(lamps);
@@ -192,7 +193,7 @@ void TestChoice()
 int main()
 {
   relievoTest::Session session;
-  const vtkRelievoView usual = MakeView(600, 600, false, 2.0, 14.0);
+  const vtkRelievoFrameCamera usual = MakeView(600, 600, false, 2.0, 14.0);
   TestView(usual, 1, 9.0, "one lamp");
   TestView(usual, 1000, 0.3, "1000 lamps");
   TestView(usual, 1000, 3.0, "1000 large lamps");

@@ -11,7 +11,7 @@
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkSmartPointer.h>
 
 #include <string>
@@ -50,7 +50,7 @@ void TestFirstFrame()
   SamePicture(Picture(scene.Window), first, "the first frame of lamps' maps beside a sun's");
   for (const int size : { 256, 512 })
   {
-    scene.Frame->GetShadowPass()->SetLampMapSize(size);
+    scene.Frame->GetShadowStage()->SetLampMapSize(size);
     const vtkSmartPointer<vtkImageData> anew = Picture(scene.Window);
     SamePicture(Picture(scene.Window), anew, "maps of another size");
   }
@@ -72,14 +72,14 @@ void TestBesideLights()
   AddSun(other);
   Add(other, lamps);
   other.Stage->SetCasting(8);
-  vtkRelievoShadowPass* shadows = other.Frame->GetShadowPass();
+  vtkRelievoShadowStage* shadows = other.Frame->GetShadowStage();
   shadows->SetMethodToExact();
   RELIEVO_CHECK(CountDifferent(cast, Layers(other.Read(Light)), "light") == 0);
   shadows->SetMethodToMap();
   RELIEVO_CHECK(CountDifferent(cast, Layers(other.Read(Light)), "light") == 0);
   shadows->SetTolerance(1e-6);
   RELIEVO_CHECK(CountDifferent(cast, Layers(other.Read(Light)), "light") == 0);
-  RELIEVO_CHECK(shadows->GetMethodUsed() == vtkRelievoShadowPass::METHOD_EXACT);
+  RELIEVO_CHECK(shadows->GetMethodUsed() == vtkRelievoShadowStage::METHOD_EXACT);
 }
 }
 

@@ -19,7 +19,7 @@
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkProperty.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -145,7 +145,7 @@ void TestPointLight()
     light->SetAttenuationValues(attenuation[0], attenuation[1], attenuation[2]);
     scene.Renderer->AddLight(light);
     scene.Frame->ShadowsOn();
-    scene.Frame->GetShadowPass()->SetLampMapSize(scene.Frame->GetShadowPass()->GetMapSize());
+    scene.Frame->GetShadowStage()->SetLampMapSize(scene.Frame->GetShadowStage()->GetMapSize());
     vtkSmartPointer<vtkImageData> expected = Picture(scene.Window);
     light->SwitchOff();
     vtkSmartPointer<vtkRelievoLamps> lamps = Add(scene, { { place, 100.0, 1.0, White } });
@@ -176,7 +176,7 @@ void TestCasters()
 {
   LampScene scene(120, 90);
   GLCheck gl(scene.Window);
-  vtkRelievoShadowPass* shadows = scene.Frame->GetShadowPass();
+  vtkRelievoShadowStage* shadows = scene.Frame->GetShadowStage();
   auto* ball = vtkActor::SafeDownCast(scene.Renderer->GetActors()->GetItemAsObject(0));
   std::vector<Lamp> lamps{ { Around[1], 6.0, 1.0, White } };
   vtkSmartPointer<vtkRelievoLamps> set = Add(scene, lamps);
@@ -192,18 +192,18 @@ void TestCasters()
   RELIEVO_CHECK(GetFact(shadows, "lamp_maps_drawn") == 0);
   RELIEVO_CHECK(CountDifferent(cast, still, "light") == 0);
 
-  shadows->SetPropCasts(ball, vtkRelievoShadowPass::CASTS_NEVER);
+  shadows->SetPropCasts(ball, vtkRelievoShadowStage::CASTS_NEVER);
   const Layers without(scene.Read(Light));
   RELIEVO_CHECK(CountDifferent(cast, without, "light") > 50);
-  shadows->SetPropCasts(ball, vtkRelievoShadowPass::CASTS_IF_OPAQUE);
+  shadows->SetPropCasts(ball, vtkRelievoShadowStage::CASTS_IF_OPAQUE);
   RELIEVO_CHECK(CountDifferent(cast, Layers(scene.Read(Light)), "light") == 0);
   // Hidden, it neither casts nor is seen: what it shaded is as if it had never cast.
   ball->VisibilityOff();
   const Layers hidden(scene.Read(Light));
-  shadows->SetPropCasts(ball, vtkRelievoShadowPass::CASTS_NEVER);
+  shadows->SetPropCasts(ball, vtkRelievoShadowStage::CASTS_NEVER);
   RELIEVO_CHECK(CountDifferent(hidden, Layers(scene.Read(Light)), "light") == 0);
   ball->VisibilityOn();
-  shadows->SetPropCasts(ball, vtkRelievoShadowPass::CASTS_IF_OPAQUE);
+  shadows->SetPropCasts(ball, vtkRelievoShadowStage::CASTS_IF_OPAQUE);
 
   // Moving in every frame, and back.
   for (int i = 0; i < 5; ++i)
@@ -246,7 +246,7 @@ void TestReceivers()
   for (int i = actors->GetNumberOfItems() - 1; i >= 0; --i)
   {
     auto* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
-    scene.Frame->GetShadowPass()->SetPropReceives(actor, false);
+    scene.Frame->GetShadowStage()->SetPropReceives(actor, false);
     const Layers fewer(scene.Read(Light));
     RELIEVO_CHECK(CountDifferent(all, fewer, "light") == 0);
   }

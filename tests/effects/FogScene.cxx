@@ -16,7 +16,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 
 #include <cmath>
 
@@ -112,7 +112,7 @@ void FogScene::AddGlass()
 Layers FogScene::Read(const std::vector<std::string>& names)
 {
   // As the stage reads it: refined depths are computed for readers alone.
-  this->Frame->GetGBuffer()->RefineDepthOff();
+  this->Frame->GetLayersStage()->RefineDepthOff();
   for (const std::string& name : names)
   {
     this->Frame->RequestLayer(name);
@@ -135,7 +135,7 @@ FogErrors FogScene::Compare()
   this->Stage->EnabledOn();
   const vtkSmartPointer<vtkImageData> fogged = Picture(this->Window);
   const Layers layers = this->Read({ "depth", "fog" });
-  vtkRelievoView view;
+  vtkRelievoFrameCamera view;
   view.Take(this->Renderer, nullptr);
   const bool linear = this->Stage->GetMode() == vtkRelievoFogStage::CHORD;
   const bool dominant = this->Stage->GetOverlap() == vtkRelievoFogStage::DOMINANT;

@@ -17,7 +17,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ struct Place
   glm::dvec3 Normal; // 0: none
 };
 
-Place FindPlace(const vtkRelievoView& view, const Layers& layers, int x, int y)
+Place FindPlace(const vtkRelievoFrameCamera& view, const Layers& layers, int x, int y)
 {
   const double depth = layers.Value("depth", x, y);
   const glm::dmat4 toWorld = glm::inverse(view.WorldToView);
@@ -297,7 +297,7 @@ void MarkerScene::Set(int shape, const std::vector<Mark>& marks)
 Layers MarkerScene::Read(const std::vector<std::string>& names)
 {
   // As the stage reads it: refined depths are computed for readers alone.
-  this->Frame->GetGBuffer()->RefineDepthOff();
+  this->Frame->GetLayersStage()->RefineDepthOff();
   for (const std::string& name : names)
   {
     this->Frame->RequestLayer(name);
@@ -327,7 +327,7 @@ MarkerErrors MarkerScene::Compare()
     names.emplace_back("normal");
   }
   const Layers layers = this->Read(names);
-  vtkRelievoView view;
+  vtkRelievoFrameCamera view;
   view.Take(this->Renderer, nullptr);
   const double* given = this->Markers->GetUp();
   const glm::dvec3 up = glm::normalize(glm::dvec3(given[0], given[1], given[2]));

@@ -27,15 +27,15 @@ constexpr int Height = 481;
 struct Case
 {
   std::string Name;
-  vtkRelievoView View;
+  vtkRelievoFrameCamera View;
   glm::dvec3 Center;
   double Radius;
 };
 
 // A view in which a sphere of this angle (perspective) or size (parallel) fills most of the height.
-vtkRelievoView MakeView(bool parallel, double half, const glm::dvec2& center, double shear)
+vtkRelievoFrameCamera MakeView(bool parallel, double half, const glm::dvec2& center, double shear)
 {
-  vtkRelievoView view;
+  vtkRelievoFrameCamera view;
   view.Viewport[2] = Width;
   view.Viewport[3] = Height;
   view.Parallel = parallel;
@@ -224,7 +224,7 @@ void TestQuadrature()
 void TestClosedForms()
 {
   const auto chord = [](double depth, double radius, double end) {
-    const vtkRelievoView view = MakeView(false, 0.5, glm::dvec2(0.), 0.);
+    const vtkRelievoFrameCamera view = MakeView(false, 0.5, glm::dvec2(0.), 0.);
     const vtkRelievoSphereRays rays(view);
     vtkRelievoSphereRays::Sphere sphere;
     return rays.Find(glm::dvec3(0., 0., -depth), radius, sphere)

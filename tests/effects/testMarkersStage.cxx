@@ -238,7 +238,7 @@ void TestArea()
     camera->SetViewUp(0., std::cos(angle), -std::sin(angle));
     scene.Set(each.Shape, { each.Given });
     const Layers layers = scene.Read({ "marker", "depth" });
-    vtkRelievoView view;
+    vtkRelievoFrameCamera view;
     view.Take(scene.Renderer, nullptr);
     const glm::dmat4 toWorld = glm::inverse(view.WorldToView);
     const double inner = each.Shape == M::RING ? each.Given.Radius * (1. - each.Given.Width) : -1.;

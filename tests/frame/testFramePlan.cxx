@@ -36,7 +36,7 @@ std::vector<Plan::Node> MakeOwn(bool shadows)
   Plan::Node delegate = Make("delegate", D::SURFACES, {}, { "picture", "color" });
   delegate.Order = -1;
   delegate.Delegate = true;
-  delegate.Declaration.Uses = { "shadow maps" };
+  delegate.Declaration.OptionalReads = { "shadow maps" };
   Plan::Node layers = Make("gbuffer", D::SURFACES, {}, {});
   layers.Declaration.Layers = { "depth", "normal", "cell" };
   layers.Declaration.WritesArrays = true;
@@ -45,7 +45,7 @@ std::vector<Plan::Node> MakeOwn(bool shadows)
     return shadow ? Names{ "shadow maps" } : Names();
   };
   Plan::Node maps = Make("shadows", D::LIGHT_MAPS, {}, { "shadow maps" });
-  maps.Declaration.Offers = shadows ? Names{ "shadow maps" } : Names();
+  maps.Declaration.OptionalWrites = shadows ? Names{ "shadow maps" } : Names();
   return { delegate, layers, maps };
 }
 
@@ -124,12 +124,12 @@ void TestColor()
   RELIEVO_CHECK(!color);
   // What shows a layer hides what works on the colour.
   nodes.push_back(Make("display", D::DISPLAY, { "cell" }, { "picture" }));
-  nodes[2].Declaration.Offers = { "shadow maps" };
+  nodes[2].Declaration.OptionalWrites = { "shadow maps" };
   RELIEVO_CHECK(
     (Run(nodes, { "the picture" }, nullptr, &color) == Names{ "delegate", "gbuffer", "display" }));
   RELIEVO_CHECK(!color);
   // Unless it may turn out to have nothing to show.
-  nodes.back().Declaration.Covers = false;
+  nodes.back().Declaration.HidesColor = false;
   RELIEVO_CHECK((Run(nodes, { "the picture" }, nullptr, &color) ==
     Names{ "shadows", "delegate", "gbuffer", "fog", "bloom", "display" }));
   RELIEVO_CHECK(color);
@@ -144,25 +144,25 @@ void TestColor()
 void TestPictureMakers()
 {
   std::vector<Plan::Node> nodes = MakeOwn(false);
-  nodes[2].Declaration.Offers = { "shadow maps" };
+  nodes[2].Declaration.OptionalWrites = { "shadow maps" };
   nodes.push_back(Make("glow", D::COMPOSITE, { "color" }, { "color" }));
   nodes.push_back(Make("tone", D::DISPLAY, { "color" }, { "picture" }));
   nodes.back().Order = -1;
-  nodes.back().Declaration.Covers = false;
+  nodes.back().Declaration.HidesColor = false;
   nodes.push_back(Make("display", D::DISPLAY, { "cell" }, { "picture" }));
   bool color = true;
   RELIEVO_CHECK(
     (Run(nodes, { "the picture" }, nullptr, &color) == Names{ "delegate", "gbuffer", "display" }));
   RELIEVO_CHECK(!color);
-  nodes.back().Declaration.Covers = false;
+  nodes.back().Declaration.HidesColor = false;
   RELIEVO_CHECK((Run(nodes, { "the picture" }, nullptr, &color) ==
     Names{ "shadows", "delegate", "gbuffer", "glow", "tone", "display" }));
   RELIEVO_CHECK(color);
   // A stage that refuses by itself is told of, and the others go on.
   Names wrong;
   nodes[nodes.size() - 2].Declaration.Runs = false;
-  nodes[nodes.size() - 2].Declaration.Code = "refused";
-  nodes[nodes.size() - 2].Declaration.Words = "it is not alone";
+  nodes[nodes.size() - 2].Declaration.ReasonCode = "refused";
+  nodes[nodes.size() - 2].Declaration.Reason = "it is not alone";
   RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) ==
     Names{ "shadows", "delegate", "gbuffer", "glow", "display" }));
   RELIEVO_CHECK(wrong.size() == 1 && wrong[0] == "The stage tone does not run: it is not alone");
@@ -201,7 +201,7 @@ void TestRefused()
   // What would write it is off.
   nodes.push_back(Make("fire", D::SHADE, {}, { "smoke" }));
   nodes.back().Declaration.Runs = false;
-  nodes.back().Declaration.Words = "switched off";
+  nodes.back().Declaration.Reason = "switched off";
   RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate" }));
   RELIEVO_CHECK(Says(wrong, { "haze", "'smoke'", "fire", "switched off" }));
 
@@ -216,7 +216,7 @@ void TestRefused()
   // What is written in a later slot.
   nodes = MakeOwn(false);
   nodes.push_back(Make("early", D::LIGHT_MAPS, { "depth" }, { "shadow maps" }));
-  nodes.back().Declaration.Offers = { "shadow maps" };
+  nodes.back().Declaration.OptionalWrites = { "shadow maps" };
   nodes[2].Declaration.Runs = false;
   RELIEVO_CHECK((Run(nodes, { "the picture" }, &wrong) == Names{ "delegate" }));
   RELIEVO_CHECK(Says(wrong, { "early", "'depth'", "gbuffer", "light maps", "surfaces" }));
@@ -268,7 +268,7 @@ void TestMissing()
 {
   std::vector<Plan::Node> nodes = MakeOwn(false);
   nodes[2].Declaration.Runs = false;
-  nodes[2].Declaration.Words = "switched off";
+  nodes[2].Declaration.Reason = "switched off";
   RELIEVO_CHECK((Run(nodes, { "shadow_0", "depth" }) == Names{ "gbuffer" }));
   Plan plan;
   std::vector<Plan::Node> made = nodes;
@@ -278,7 +278,7 @@ void TestMissing()
   RELIEVO_CHECK(Says({ plan.GetMissing().at("shadow_0") }, { "shadow maps", "shadows", "off" }));
   // No stage for any layer: those that show one say whose it is.
   nodes[1].Declaration.Runs = false;
-  nodes[1].Declaration.Words = "gone";
+  nodes[1].Declaration.Reason = "gone";
   nodes.push_back(Make("display", D::DISPLAY, {}, { "picture" }));
   Names wrong;
   for (const char* layer : { "depth", "temperature" })
@@ -302,7 +302,7 @@ void TestNoColor()
   nodes.push_back(Make("tone", D::DISPLAY, { "mean" }, { "picture" }));
   nodes.push_back(Make("off", D::COMPOSITE, { "color" }, { "color" }));
   nodes.back().Declaration.Runs = false;
-  nodes.back().Declaration.Code = "off";
+  nodes.back().Declaration.ReasonCode = "off";
   Plan plan;
   plan.SetNoColor("it is dark");
   plan.Make(nodes, { "depth", "color" }, true);
@@ -315,10 +315,10 @@ void TestNoColor()
   RELIEVO_CHECK(!plan.NeedsColor());
   for (const int refused : { 3, 4, 5, 6 })
   {
-    RELIEVO_CHECK_THAT(nodes[refused].Code == "refused", nodes[refused].Name);
-    RELIEVO_CHECK_THAT(Says({ nodes[refused].Words }, { "it is dark" }), nodes[refused].Name);
+    RELIEVO_CHECK_THAT(nodes[refused].ReasonCode == "refused", nodes[refused].Name);
+    RELIEVO_CHECK_THAT(Says({ nodes[refused].Reason }, { "it is dark" }), nodes[refused].Name);
   }
-  RELIEVO_CHECK(nodes[7].Code == "off");
+  RELIEVO_CHECK(nodes[7].ReasonCode == "off");
   RELIEVO_CHECK(Says({ plan.GetMissing().at("color") }, { "it is dark" }));
 }
 
@@ -331,7 +331,7 @@ void TestJoins()
   Plan::Node joins = Make("joins", D::COMPOSITE, { "translucent" }, { "color" });
   joins.Order = -10;
   joins.Declaration.Layers = { "blend" };
-  joins.Declaration.Joins = true;
+  joins.Declaration.OnlyIfColorChanges = true;
   nodes.push_back(joins);
   bool color = true;
   RELIEVO_CHECK((Run(nodes, { "the picture" }, nullptr, &color) == Names{ "shadows", "delegate" }));

@@ -14,7 +14,7 @@
 #include <vtkOpenGLState.h>
 #include <vtkRelievoLayerSource.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 
 #include <sstream>
 #include <string>
@@ -33,7 +33,7 @@ void TestOff()
   Scene scene;
   const auto plain = Picture(scene.Window);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
-  frame->GetShadowPass()->EnabledOff();
+  frame->GetShadowStage()->EnabledOff();
   frame->RequestLayer("shadow_0");
   frame->RequestLayer("depth");
   scene.Window->Render();
@@ -45,7 +45,7 @@ void TestOff()
     RELIEVO_CHECK(!frame->ReadLayers({ "depth", "shadow_0" }, image));
     RELIEVO_CHECK(expect.Count() == 2);
   }
-  frame->GetShadowPass()->EnabledOn();
+  frame->GetShadowStage()->EnabledOn();
   scene.Window->Render();
   RELIEVO_CHECK(frame->ReadLayer("shadow_0", image));
 
@@ -219,7 +219,7 @@ void TestReplaced()
   vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
   frame->ShadowsOn();
   scene.Window->Render();
-  vtkRelievoShadowPass* shadows = frame->GetShadowPass();
+  vtkRelievoShadowStage* shadows = frame->GetShadowStage();
   frame->RequestLayer("depth");
   scene.Window->Render();
   RELIEVO_CHECK(shadows->GetBytesHeld() > 0);
@@ -232,7 +232,7 @@ void TestReplaced()
     RELIEVO_CHECK_THAT(frame->GetStage(names[i]) == own[i], names[i]);
   }
   RELIEVO_CHECK_THAT(shadows->GetBytesHeld() == 0, "a stage that is replaced holds memory");
-  RELIEVO_CHECK(!frame->GetShadowPass() && !frame->GetGBuffer());
+  RELIEVO_CHECK(!frame->GetShadowStage() && !frame->GetLayersStage());
   std::ostringstream out;
   frame->Print(out);
   RELIEVO_CHECK(out.str().find("DisplayLayer: (none)") != std::string::npos);

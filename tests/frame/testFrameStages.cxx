@@ -16,7 +16,7 @@
 #include <vtkPlaneSource.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRelievoStageRegistry.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -144,15 +144,15 @@ void TestLayersOnly()
   stage->Factor = 0.5;
   frame->AddStage(stage);
   const auto before = Picture(scene.Window);
-  RELIEVO_CHECK(stage->Executed == 1 && frame->GetShadowPass()->GetNumberOfMapsDrawn() == 1);
+  RELIEVO_CHECK(stage->Executed == 1 && frame->GetShadowStage()->GetNumberOfMapsDrawn() == 1);
   frame->RequestLayer("depth");
   frame->SetDisplayLayer("depth");
   frame->LayersOnlyOn();
   scene.Window->Render();
   RELIEVO_CHECK(stage->Executed == 1);
   RELIEVO_CHECK(stage->GetReasonCode() == "not_asked");
-  RELIEVO_CHECK(frame->GetShadowPass()->GetReasonCode() == "not_asked");
-  RELIEVO_CHECK(frame->GetShadowPass()->GetBytesHeld() == 0);
+  RELIEVO_CHECK(frame->GetShadowStage()->GetReasonCode() == "not_asked");
+  RELIEVO_CHECK(frame->GetShadowStage()->GetBytesHeld() == 0);
   RELIEVO_CHECK(frame->GetStage("display")->GetReasonCode() == "not_asked");
   RELIEVO_CHECK(frame->GetStage("gbuffer")->GetReasonCode() == "ran");
   vtkNew<vtkImageData> image;
@@ -161,7 +161,7 @@ void TestLayersOnly()
   frame->LayersOnlyOff();
   scene.Window->Render();
   RELIEVO_CHECK(stage->Executed == 1 && stage->GetReasonCode() == "hidden");
-  RELIEVO_CHECK(frame->GetShadowPass()->GetReasonCode() == "not_asked");
+  RELIEVO_CHECK(frame->GetShadowStage()->GetReasonCode() == "not_asked");
   frame->SetDisplayLayer(nullptr);
   frame->ReleaseLayers();
   RELIEVO_CHECK(IsSame(before, Picture(scene.Window)));

@@ -20,7 +20,7 @@
 #include <vtkProperty.h>
 #include <vtkRelievoCompositeMapper.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRelievoToneStage.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>

@@ -7,7 +7,7 @@
 
 #include <vtkNew.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRelievoStage.h>
 
 #include <cmath>
@@ -68,10 +68,10 @@ void TestDescriptions()
 // The default is a new stage's value, whatever this one is set to when it is first asked.
 void TestDefaults()
 {
-  vtkNew<vtkRelievoShadowPass> stage;
+  vtkNew<vtkRelievoShadowStage> stage;
   stage->SetMapSize(512);
   stage->SetBias(3.25);
-  vtkNew<vtkRelievoShadowPass> fresh;
+  vtkNew<vtkRelievoShadowStage> fresh;
   RELIEVO_CHECK(stage->GetParameterDefault("map_size") == std::to_string(fresh->GetMapSize()));
   RELIEVO_CHECK(stage->GetParameter("map_size") == "512");
   for (int i = 0; i < stage->GetNumberOfParameters(); ++i)
@@ -89,12 +89,12 @@ void TestWords()
 {
   vtkNew<vtkRelievoPass> frame;
   vtkRelievoStage* stage = frame->GetStage("shadows");
-  RELIEVO_CHECK(stage == frame->GetShadowPass());
+  RELIEVO_CHECK(stage == frame->GetShadowStage());
   RELIEVO_CHECK(stage->SetParameter("method", "warped"));
-  RELIEVO_CHECK(frame->GetShadowPass()->GetMethod() == vtkRelievoShadowPass::METHOD_WARPED);
-  RELIEVO_CHECK(stage->SetParameter("bias", "2.25") && frame->GetShadowPass()->GetBias() == 2.25);
+  RELIEVO_CHECK(frame->GetShadowStage()->GetMethod() == vtkRelievoShadowStage::METHOD_WARPED);
+  RELIEVO_CHECK(stage->SetParameter("bias", "2.25") && frame->GetShadowStage()->GetBias() == 2.25);
   RELIEVO_CHECK(stage->SetParameter("visible", "on") && frame->GetShadows());
-  frame->GetShadowPass()->SetMapSize(512);
+  frame->GetShadowStage()->SetMapSize(512);
   RELIEVO_CHECK(stage->GetParameter("map_size") == "512");
   const std::string unknown = stage->TrySetParameter("size", "3");
   RELIEVO_CHECK(

@@ -35,7 +35,7 @@
 #include <vtkProp3DFollower.h>
 #include <vtkProperty.h>
 #include <vtkProperty2D.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 #include <vtkScalarBarActor.h>
 #include <vtkSkybox.h>
@@ -321,7 +321,7 @@ void Test(const Case& c, bool peeling)
   for (int i = 0; i < 2; ++i)
   {
     relievoTest::SamePicture(before, Picture(stage.Window), what + ", with layers");
-    RELIEVO_CHECK_THAT(frame->GetGBuffer()->GetShared() == c.Shares,
+    RELIEVO_CHECK_THAT(frame->GetLayersStage()->GetShared() == c.Shares,
       what + ": not made as expected: " + frame->GetFrameReport());
     vtkNew<vtkImageData> image;
     for (const std::string& name : Names)

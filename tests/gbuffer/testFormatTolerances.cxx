@@ -10,7 +10,7 @@
 #include "Session.h"
 #include "Stage.h"
 
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace
 {
 using relievoTest::Layers;
-using G = vtkRelievoGBufferPass;
+using G = vtkRelievoLayersStage;
 
 struct Errors
 {
@@ -104,7 +104,7 @@ void TestTolerances()
 void TestChoices()
 {
   relievoTest::Stage stage(40, 30);
-  G* gbuffer = vtkRelievoPass::Attach(stage.Renderer)->GetGBuffer();
+  G* gbuffer = vtkRelievoPass::Attach(stage.Renderer)->GetLayersStage();
   gbuffer->SetDepthFormat(G::DEPTH_REVERSED_32F);
   RELIEVO_CHECK(gbuffer->GetNormalFormatUsed() == G::NORMAL_AUTO);
   RELIEVO_CHECK(gbuffer->GetDepthFormatUsed() == G::DEPTH_REVERSED_32F);

@@ -15,7 +15,7 @@
 #include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@
 
 namespace
 {
-using Pass = vtkRelievoGBufferPass;
+using Pass = vtkRelievoLayersStage;
 using relievoTest::Layers;
 using relievoTest::Stage;
 using relievoTest::Way;
@@ -74,7 +74,7 @@ long long BytesHeld(
   vtkRenderer* renderer, const std::vector<std::string>& names, Way way, Pass* settings)
 {
   vtkRelievoPass* frame = vtkRelievoPass::Attach(renderer);
-  Pass* gbuffer = frame->GetGBuffer();
+  Pass* gbuffer = frame->GetLayersStage();
   gbuffer->SetNormalFormat(settings->GetNormalFormat());
   gbuffer->SetDepthFormat(settings->GetDepthFormat());
   gbuffer->SetNormalDepthFormat(settings->GetNormalDepthFormat());

@@ -14,7 +14,7 @@
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ namespace
 {
 using relievoTest::Layers;
 using relievoTest::Way;
-using G = vtkRelievoGBufferPass;
+using G = vtkRelievoLayersStage;
 
 const double Near = 2.;
 const double Far = 14.;
@@ -240,14 +240,14 @@ void TestRefineDepth()
   }
   Fixture fixture(false);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(fixture.Renderer);
-  frame->GetGBuffer()->RefineDepthOff();
+  frame->GetLayersStage()->RefineDepthOff();
   frame->RequestLayer("depth");
   frame->RequestLayer("cell");
   fixture.Window->Render();
   vtkNew<vtkImageData> before;
   vtkNew<vtkImageData> after;
   frame->ReadLayer("depth", before);
-  frame->GetGBuffer()->RefineDepthOn();
+  frame->GetLayersStage()->RefineDepthOn();
   frame->ReadLayer("depth", after);
   RELIEVO_CHECK(relievoTest::CountDifferent(Layers(before), Layers(after), "depth") == 0);
   vtkRelievoPass::Detach(fixture.Renderer);
@@ -258,7 +258,7 @@ void TestBytes()
 {
   Fixture fixture(false);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(fixture.Renderer);
-  frame->GetGBuffer()->RefineDepthOff();
+  frame->GetLayersStage()->RefineDepthOff();
   auto words = [&](const std::vector<std::string>& layers) {
     frame->ReleaseLayers();
     for (const std::string& layer : layers)
@@ -266,18 +266,18 @@ void TestBytes()
       frame->RequestLayer(layer);
     }
     fixture.Window->Render();
-    RELIEVO_CHECK(frame->GetGBuffer()->GetShared());
+    RELIEVO_CHECK(frame->GetLayersStage()->GetShared());
     return static_cast<double>(frame->GetBytesHeld()) / (4. * 200. * 150.);
   };
   RELIEVO_CHECK(words({ "depth" }) == 1.);
   RELIEVO_CHECK(words({ "depth", "range", "position" }) == 1.);
   RELIEVO_CHECK(words({ "normal", "depth" }) == 4.); // three floats cost no more than one word
   RELIEVO_CHECK(words({ "normal", "depth", "albedo", "actor", "block", "cell" }) == 4.);
-  frame->GetGBuffer()->SetNormalFormat(G::NORMAL_OCT16);
+  frame->GetLayersStage()->SetNormalFormat(G::NORMAL_OCT16);
   RELIEVO_CHECK(words({ "normal", "depth" }) == 2.);
-  frame->GetGBuffer()->SetNormalDepthFormat(G::NORMAL_DEPTH_RGBA8);
+  frame->GetLayersStage()->SetNormalDepthFormat(G::NORMAL_DEPTH_RGBA8);
   RELIEVO_CHECK(words({ "normal", "depth" }) == 1.);
-  frame->GetGBuffer()->SetNormalDepthFormat(G::NORMAL_DEPTH_RGBA32F);
+  frame->GetLayersStage()->SetNormalDepthFormat(G::NORMAL_DEPTH_RGBA32F);
   RELIEVO_CHECK(words({ "normal", "depth" }) == 4.);
   RELIEVO_CHECK(words({}) == 0.);
   vtkRelievoPass::Detach(fixture.Renderer);
@@ -306,9 +306,9 @@ void TestVariants()
       {
         continue;
       }
-      frame->GetGBuffer()->SetNormalFormat(format);
-      frame->GetGBuffer()->SetDepthFormat((asked + format) % 4);
-      frame->GetGBuffer()->SetNormalDepthFormat(format % 4);
+      frame->GetLayersStage()->SetNormalFormat(format);
+      frame->GetLayersStage()->SetDepthFormat((asked + format) % 4);
+      frame->GetLayersStage()->SetNormalDepthFormat(format % 4);
       frame->SetDisplayLayer(channels[(asked + format) % 5]);
       fixture.Window->Render();
       vtkNew<vtkImageData> image;

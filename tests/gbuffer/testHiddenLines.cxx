@@ -17,7 +17,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 #include <vtkRenderWindow.h>
 
@@ -86,8 +86,8 @@ void Test(bool removal, bool wireFrameFirst, bool share)
   const auto before = Picture(stage.Window);
   const relievoTest::GLCheck gl(stage.Window);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(stage.Renderer);
-  frame->GetGBuffer()->SetShareGeometryPass(share);
-  frame->GetGBuffer()->RefineDepthOff();
+  frame->GetLayersStage()->SetShareGeometryPass(share);
+  frame->GetLayersStage()->RefineDepthOff();
   for (const std::string& name : Names)
   {
     frame->RequestLayer(name);
@@ -96,7 +96,7 @@ void Test(bool removal, bool wireFrameFirst, bool share)
   {
     relievoTest::SamePicture(before, Picture(stage.Window), what);
     RELIEVO_CHECK_THAT(
-      frame->GetGBuffer()->GetShared() == share, what + ": " + frame->GetFrameReport());
+      frame->GetLayersStage()->GetShared() == share, what + ": " + frame->GetFrameReport());
     vtkNew<vtkImageData> image;
     RELIEVO_CHECK(frame->ReadLayers(Names, image));
     Check(Layers(image), before, removal, what);
@@ -104,7 +104,7 @@ void Test(bool removal, bool wireFrameFirst, bool share)
   vtkRelievoPass::Detach(stage.Renderer);
   relievoTest::SamePicture(before, Picture(stage.Window), what + ", detached");
   const Layers alone(stage.Renderer, Names, relievoTest::Way::Own,
-    [](vtkRelievoGBufferPass* gbuffer) { gbuffer->RefineDepthOff(); });
+    [](vtkRelievoLayersStage* gbuffer) { gbuffer->RefineDepthOff(); });
   Check(alone, before, removal, what + ", captured");
 }
 }

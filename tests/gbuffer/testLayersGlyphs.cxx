@@ -25,7 +25,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkSphereSource.h>
 #include <vtkTransform.h>
 

@@ -19,7 +19,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkSphereSource.h>
 
 #include <functional>
@@ -38,9 +38,9 @@ using relievoTest::Way;
 
 const std::vector<std::string> Names = { "depth", "normal", "geometric_normal" };
 
-void WholeFloats(vtkRelievoGBufferPass* gbuffer)
+void WholeFloats(vtkRelievoLayersStage* gbuffer)
 {
-  gbuffer->SetNormalFormat(vtkRelievoGBufferPass::NORMAL_FLOAT32);
+  gbuffer->SetNormalFormat(vtkRelievoLayersStage::NORMAL_FLOAT32);
 }
 
 struct Placing
@@ -291,9 +291,9 @@ void TestViewSpace()
   const Stage stage(100, 80);
   AddActor(stage.Renderer, relievoTest::MakeBox(2.2, 1.4, 1.8));
   const Layers world(stage.Renderer, Names, Way::Own, WholeFloats);
-  const Layers view(stage.Renderer, Names, Way::Own, [](vtkRelievoGBufferPass* gbuffer) {
+  const Layers view(stage.Renderer, Names, Way::Own, [](vtkRelievoLayersStage* gbuffer) {
     WholeFloats(gbuffer);
-    gbuffer->SetNormalSpace(vtkRelievoGBufferPass::VIEW);
+    gbuffer->SetNormalSpace(vtkRelievoLayersStage::VIEW);
   });
   vtkMatrix4x4* matrix = stage.Renderer->GetActiveCamera()->GetModelViewTransformMatrix();
   const glm::dmat3 turn(relievoTest::AnalyticScene::ToMatrix(matrix->GetData()));

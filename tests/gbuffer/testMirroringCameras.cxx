@@ -17,7 +17,7 @@
 #include <vtkNew.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkTransform.h>
 
 #include <algorithm>
@@ -71,7 +71,7 @@ void Test(const std::string& by, bool lit, relievoTest::Way way)
   box->GetProperty()->SetLighting(lit);
   const auto capture = [&]() {
     return Layers(stage.Renderer, { "depth", "normal", "geometric_normal", "actor", "cell" }, way,
-      [](auto* g) { g->SetNormalFormat(vtkRelievoGBufferPass::NORMAL_FLOAT32); });
+      [](auto* g) { g->SetNormalFormat(vtkRelievoLayersStage::NORMAL_FLOAT32); });
   };
   const Layers plain = capture();
   Mirror(stage.Renderer, by);

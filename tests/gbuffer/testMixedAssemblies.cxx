@@ -19,7 +19,7 @@
 #include <vtkNew.h>
 #include <vtkPropAssembly.h>
 #include <vtkProperty.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 #include <vtkTextActor3D.h>
 
@@ -140,7 +140,7 @@ void Test(const Case& c, bool plain, int place)
     frame->RequestLayer(name);
   }
   relievoTest::SamePicture(before, Picture(stage.Window), what + ", with layers");
-  RELIEVO_CHECK_THAT(frame->GetGBuffer()->GetShared() == c.Shares,
+  RELIEVO_CHECK_THAT(frame->GetLayersStage()->GetShared() == c.Shares,
     what + ": not made as expected: " + frame->GetFrameReport());
   vtkNew<vtkImageData> image;
   for (const std::string& name : Names)

@@ -15,7 +15,7 @@
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 
 #include <string>
@@ -25,7 +25,7 @@ namespace
 {
 using relievoTest::Layers;
 using relievoTest::Stage;
-using G = vtkRelievoGBufferPass;
+using G = vtkRelievoLayersStage;
 
 // 20 words a pixel are the most: what takes more is refused, and said once; the picture stays.
 void TestMost()
@@ -41,7 +41,7 @@ void TestMost()
   }
   const auto picture = relievoTest::Picture(fixture.Window);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(fixture.Renderer);
-  frame->GetGBuffer()->SetNormalFormat(G::NORMAL_FLOAT32);
+  frame->GetLayersStage()->SetNormalFormat(G::NORMAL_FLOAT32);
   std::vector<std::string> names = { "depth", "cell", "normal", "geometric_normal", "albedo" };
   for (int i = 0; i < 22; ++i)
   {
@@ -53,7 +53,7 @@ void TestMost()
   }
   for (const bool shares : { true, false })
   {
-    frame->GetGBuffer()->SetShareGeometryPass(shares);
+    frame->GetLayersStage()->SetShareGeometryPass(shares);
     relievoTest::SamePicture(picture, relievoTest::Picture(fixture.Window), "20 words");
     vtkNew<vtkImageData> image;
     for (const std::string& name : names)
@@ -80,7 +80,7 @@ void TestMost()
     vtkNew<vtkImageData> image;
     RELIEVO_CHECK(!frame->ReadLayer("depth", image));
   }
-  frame->GetGBuffer()->SetNormalFormat(G::NORMAL_AUTO);
+  frame->GetLayersStage()->SetNormalFormat(G::NORMAL_AUTO);
   fixture.Window->Render();
   vtkNew<vtkImageData> image;
   RELIEVO_CHECK(frame->ReadLayer("shadow_22", image));

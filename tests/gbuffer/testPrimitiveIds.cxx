@@ -19,7 +19,7 @@
 #include <vtkNew.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkProperty.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoPrimitiveIds.h>
 #include <vtkShaderProperty.h>
@@ -197,14 +197,14 @@ void TestReport()
   const Stage stage(100, 70);
   Fill(stage.Renderer);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(stage.Renderer);
-  frame->GetGBuffer()->RefineDepthOff();
+  frame->GetLayersStage()->RefineDepthOff();
   frame->RequestLayer("normal");
   stage.Window->Render();
   RELIEVO_CHECK(GetReported(frame).rfind("null", 0) == 0);
   frame->RequestLayer("cell");
   stage.Window->Render();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(stage.Window.GetPointer());
-  const std::string words = vtkRelievoGBufferPass::ProbePrimitiveIds(window);
+  const std::string words = vtkRelievoLayersStage::ProbePrimitiveIds(window);
   RELIEVO_CHECK(GetReported(frame).substr(1, 5) == words.substr(0, 5));
   std::printf("this OpenGL's primitives: %s\n", words.c_str());
   Force(ThroughGeometryShader);

@@ -22,7 +22,7 @@
 #include <vtkProperty.h>
 #include <vtkRelievoCompositeMapper.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkSelection.h>
 #include <vtkTexture.h>
 #include <vtkWindowToImageFilter.h>
@@ -195,7 +195,7 @@ void HistoryScene::Take(const HistoryState& state)
   }
   vtkRelievoPass* frame = vtkRelievoPass::Attach(this->Renderer);
   frame->SetShadows(state.Shadows);
-  vtkRelievoShadowPass* shadows = frame->GetShadowPass();
+  vtkRelievoShadowStage* shadows = frame->GetShadowStage();
   shadows->SetMethod(state.Method);
   shadows->SetMapSize(state.MapSize);
   shadows->SetFilterRadius(state.Radius);

@@ -30,7 +30,7 @@
 #include <vtkProperty.h>
 #include <vtkRelievoCaves.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRelievoSmoothBlocks.h>
 #include <vtkRelievoVoxelCubes.h>
 #include <vtkRelievoVoxelCubesActor.h>
@@ -100,11 +100,11 @@ void Check(ShadowStage& stage, const EmbreeScene& truth, const std::string& what
   // A pixel whose centre is on an edge may show the triangle beside, which may face away.
   auto* light = vtkLight::SafeDownCast(stage.Renderer->GetLights()->GetItemAsObject(0));
   const auto shadow = relievoTest::WithoutEdges(relievoTest::TraceShadow(truth, view, light), view);
-  vtkRelievoShadowPass* shadows = stage.GetShadows();
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
   for (const bool exact : { true, false })
   {
     shadows->SetMethod(
-      exact ? vtkRelievoShadowPass::METHOD_EXACT : vtkRelievoShadowPass::METHOD_MAP);
+      exact ? vtkRelievoShadowStage::METHOD_EXACT : vtkRelievoShadowStage::METHOD_MAP);
     const auto image = relievoTest::CaptureShadow(stage, 0);
     const auto wrong = relievoTest::CompareShadow(shadow,
       vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("shadow_0"))->GetPointer(0));

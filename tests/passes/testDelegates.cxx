@@ -27,7 +27,7 @@
 #include <vtkOverlayPass.h>
 #include <vtkPixelBufferObject.h>
 #include <vtkProperty.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoLinearDepthPass.h>
 #include <vtkRelievoPass.h>
 #include <vtkRenderPassCollection.h>
@@ -208,7 +208,8 @@ void TestChain(const Chain& chain, bool part)
         relievoTest::LargestDifference(plain, alone, name), 0., layer + " without the picture");
     }
   }
-  std::cout << what << ": " << (frame->GetGBuffer()->GetShared() ? "shared" : "own pass") << "\n";
+  std::cout << what << ": " << (frame->GetLayersStage()->GetShared() ? "shared" : "own pass")
+            << "\n";
   RELIEVO_CHECK(vtkRelievoPass::Detach(stage.Renderer) && stage.Renderer->GetPass() == own);
   relievoTest::SamePicture(before, Picture(stage.Window), what + ", detached");
   own->ReleaseGraphicsResources(stage.Window);

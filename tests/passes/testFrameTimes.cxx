@@ -12,9 +12,9 @@
 
 #include <vtkLight.h>
 #include <vtkOpenGLRenderWindow.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 
 #include <algorithm>
 #include <chrono>
@@ -95,7 +95,7 @@ void TestOwnWork()
   frame->AddStage(color);
   for (const bool own : { false, true })
   {
-    frame->GetGBuffer()->SetShareGeometryPass(!own);
+    frame->GetLayersStage()->SetShareGeometryPass(!own);
     frame->GetFrameReport();
     for (int i = 0; i < 8; ++i)
     {

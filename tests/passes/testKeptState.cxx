@@ -17,9 +17,9 @@
 #include <vtkOpenGLError.h> // for OpenGL
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 
 #include <functional>
@@ -40,18 +40,18 @@ const Case Cases[] = {
   { "layers in a pass of their own",
     [](vtkRelievoPass* frame) {
       frame->RequestLayer("cell");
-      frame->GetGBuffer()->ShareGeometryPassOff();
+      frame->GetLayersStage()->ShareGeometryPassOff();
     } },
   { "a layer shown",
     [](vtkRelievoPass* frame) {
       frame->SetDisplayLayer("normal");
-      frame->GetGBuffer()->ShareGeometryPassOff();
+      frame->GetLayersStage()->ShareGeometryPassOff();
     } },
   { "shadow maps", [](vtkRelievoPass* frame) { frame->ShadowsOn(); } },
   { "forward shadows",
     [](vtkRelievoPass* frame) {
       frame->ShadowsOn();
-      frame->GetShadowPass()->SetMethod(vtkRelievoShadowPass::METHOD_FORWARD);
+      frame->GetShadowStage()->SetMethod(vtkRelievoShadowStage::METHOD_FORWARD);
     } },
 };
 

@@ -16,7 +16,7 @@
 #include <vtkNew.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkShaderProperty.h>
 
 #include <cmath>
@@ -67,7 +67,7 @@ void Test(const Case& c, bool early, bool last)
     ExpectMessage expect(c.Message);
     vtkRelievoPass* frame = vtkRelievoPass::Attach(stage.Renderer);
     frame->SetShadows(c.Shadows);
-    frame->GetShadowPass()->SetPropReceives(good, false);
+    frame->GetShadowStage()->SetPropReceives(good, false);
     if (!c.Shadows)
     {
       frame->RequestLayer("depth");

@@ -28,7 +28,7 @@
 #include <vtkPolyDataTangents.h>
 #include <vtkProperty.h>
 #include <vtkRelievoCompositeMapper.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoVTKVersions.h>
 #include <vtkTexture.h>
 #include <vtkTriangleFilter.h>
@@ -45,7 +45,7 @@
 
 namespace
 {
-using Pass = vtkRelievoGBufferPass;
+using Pass = vtkRelievoLayersStage;
 using relievoTest::Layers;
 using relievoTest::Stage;
 using relievoTest::Way;

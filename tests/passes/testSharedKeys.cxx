@@ -25,7 +25,7 @@
 #include <vtkPropAssembly.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 
 #include <functional>
 
@@ -214,7 +214,7 @@ void TestReceiving()
     }
     vtkRelievoPass* frame = vtkRelievoPass::Attach(stage.Renderer);
     frame->ShadowsOn();
-    frame->GetShadowPass()->SetPropReceives(props[0], false);
+    frame->GetShadowStage()->SetPropReceives(props[0], false);
     pictures[shared ? 1 : 0] = Picture(stage.Window);
   }
   relievoTest::SamePicture(pictures[0], pictures[1], "one of those that share receives none");

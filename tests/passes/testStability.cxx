@@ -18,8 +18,8 @@
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkRelievoGBufferPass.h>
 #include <vtkRelievoLayerSource.h>
+#include <vtkRelievoLayersStage.h>
 
 #include <cmath>
 #include <iostream>
@@ -119,9 +119,9 @@ void TestPoints()
   for (const Way way : relievoTest::BothWays)
   {
     const Layers layers(stage.Renderer, All, way,
-      [](vtkRelievoGBufferPass* g) { g->SetNormalFormat(vtkRelievoGBufferPass::NORMAL_OCT16); });
+      [](vtkRelievoLayersStage* g) { g->SetNormalFormat(vtkRelievoLayersStage::NORMAL_OCT16); });
     const Layers again(stage.Renderer, All, way,
-      [](vtkRelievoGBufferPass* g) { g->SetNormalFormat(vtkRelievoGBufferPass::NORMAL_OCT16); });
+      [](vtkRelievoLayersStage* g) { g->SetNormalFormat(vtkRelievoLayersStage::NORMAL_OCT16); });
     RELIEVO_CHECK(CompareWith(layers, again, "drawn twice") > 500);
     long cells[2] = { 0, 0 };
     for (int y = 0; y < layers.Height; ++y)

@@ -21,7 +21,7 @@
 #include <vtkOpenGLFXAAPass.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoStage.h>
 #include <vtkRenderStepsPass.h>
@@ -206,7 +206,7 @@ void TestCycles()
     frame->RequestLayer("depth");
     frame->RequestLayer("normal");
     frame->SetDisplayLayer(cycle % 3 == 0 ? "cell" : cycle % 3 == 1 ? "depth" : nullptr);
-    frame->GetGBuffer()->SetShareGeometryPass(cycle % 2 == 0);
+    frame->GetLayersStage()->SetShareGeometryPass(cycle % 2 == 0);
     stage.Window->Render();
     stage.Window->SetSize(180, 190);
     stage.Window->Render();
@@ -262,7 +262,7 @@ void TestMessagesAndReport()
     RELIEVO_CHECK(!frame->ReadLayer("no such array", image));
     RELIEVO_CHECK(expect.Count() == 1);
   }
-  frame->GetGBuffer()->EnabledOff();
+  frame->GetLayersStage()->EnabledOff();
   stage.Window->Render();
   RELIEVO_CHECK(frame->GetFrameReport().find("EnabledOff") != std::string::npos);
   RELIEVO_CHECK(frame->GetBytesHeld() == 0);

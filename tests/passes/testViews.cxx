@@ -15,8 +15,8 @@
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkProperty.h>
-#include <vtkRelievoGBufferPass.h>
 #include <vtkRelievoLayerSource.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 
 #include <cmath>
@@ -196,7 +196,7 @@ void TestViewports()
   RELIEVO_CHECK(other[0] == 0 && other[1] == 0 && other[2] > 1000);
   vtkNew<vtkImageData> image;
   auto* frame = vtkRelievoPass::SafeDownCast(second->GetPass());
-  RELIEVO_CHECK(frame && frame->GetGBuffer()->GetShared() && frame->ReadLayer("depth", image));
+  RELIEVO_CHECK(frame && frame->GetLayersStage()->GetShared() && frame->ReadLayer("depth", image));
   const Layers shared(image);
   const Layers alone(second, { "depth" }, Way::Own);
   RELIEVO_CHECK(shared.Width == 100 && shared.Height == 100);

@@ -19,8 +19,8 @@
 #include <vtkPerspectiveTransform.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
-#include <vtkRelievoGBufferPass.h>
 #include <vtkRelievoLayerSource.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 #include <vtkTransform.h>
 #include <vtkWindowToImageFilter.h>

@@ -21,7 +21,7 @@ class Fog(unittest.TestCase):
 
     def expected(self, spheres):
         """What passes spheres (place, radius, density), by rays that end at the captured depth."""
-        relievo.attach(self.renderer).GetGBuffer().RefineDepthOff()
+        relievo.attach(self.renderer).GetLayersStage().RefineDepthOff()
         depth = relievo.layer(relievo.capture(self.renderer, ["depth"]), "depth").astype(float)
         origin, direction = rays(self.renderer.GetActiveCamera(), 90, 60)
         length = numpy.linalg.norm(direction, axis=-1)

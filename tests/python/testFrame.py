@@ -142,7 +142,7 @@ class Attach(unittest.TestCase):
 
     def test_the_name_of_a_light(self):
         frame = relievo.attach(self.renderer)
-        shadows = frame.GetShadowPass()
+        shadows = frame.GetShadowStage()
         lamp = vtkLight()
         lamp.SetPosition(3, 4, 5)
         self.renderer.AddLight(lamp)
@@ -168,7 +168,7 @@ class Attach(unittest.TestCase):
         renderer.AddLight(lamp)
         with self.assertRaises(ValueError):
             frame.RequestLayer("shadow_sun")
-        frame.GetShadowPass().SetLightName(lamp, "sun")
+        frame.GetShadowStage().SetLightName(lamp, "sun")
         frame.RequestLayer("shadow_sun")
 
     def test_arrays_of_data_that_others_make_drawable(self):
@@ -260,7 +260,7 @@ class Package(unittest.TestCase):
                 self.assertIn(f"relievo.{name}`", page)
 
     def test_the_wrapped_classes_are_there(self):
-        for name in ("vtkRelievoPass", "vtkRelievoGBufferPass", "vtkRelievoLayerSource",
+        for name in ("vtkRelievoPass", "vtkRelievoLayersStage", "vtkRelievoLayerSource",
                      "vtkRelievoLinearDepthPass", "vtkRelievoEXRWriter", "vtkRelievoEXRReader",
                      "vtkRelievoOFFReader", "vtkRelievoDepthToPoints"):  # fmt: skip
             self.assertTrue(getattr(relievo, name)().IsA(name), name)

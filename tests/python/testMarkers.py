@@ -17,7 +17,7 @@ class Markers(unittest.TestCase):
         self.window = window_of(self.renderer, 90, 60)
 
     def read(self, *names):
-        relievo.attach(self.renderer).GetGBuffer().RefineDepthOff()
+        relievo.attach(self.renderer).GetLayersStage().RefineDepthOff()
         image = relievo.capture(self.renderer, list(names))
         found = [numpy.array(relievo.layer(image, name), float) for name in names]
         return found[0] if len(found) == 1 else found

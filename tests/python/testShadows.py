@@ -132,7 +132,7 @@ class Shadows(unittest.TestCase):
             self.picture()
             self.lights[0].SetPosition(x + 0.1, 2, 0.5)  # only the sun's map is drawn anew
             on = self.picture()
-            self.assertEqual(frame.GetShadowPass().GetNumberOfMapsDrawn(), 1)
+            self.assertEqual(frame.GetShadowStage().GetNumberOfMapsDrawn(), 1)
             frame.ShadowsOff()
             off = self.picture()
             self.assertTrue((on <= off).all(), "brighter than without shadows")
@@ -143,7 +143,7 @@ class Shadows(unittest.TestCase):
         dark = [self.dark(name) for name in LIGHTS]
         for values, place in zip(shadows, dark):
             self.assertEqual(values[place].max(), 0)
-        choices = relievo.attach(self.renderer).GetShadowPass()
+        choices = relievo.attach(self.renderer).GetShadowStage()
 
         choices.SetLightCasts(self.lights[1], False)
         self.assertFalse(choices.GetLightCasts(self.lights[1]))
@@ -185,7 +185,7 @@ class Shadows(unittest.TestCase):
             numpy.testing.assert_array_equal(relievo.layer(back, name), values)
 
     def test_layers_by_name(self):
-        shadows = relievo.attach(self.renderer).GetShadowPass()
+        shadows = relievo.attach(self.renderer).GetShadowStage()
         names = [("Key Light", "shadow_key_light"), ("Späti-2", "shadow_sp__ti_2")]
         names.append(("7", "shadow_light_7"))
         for number, (light, (name, layer)) in enumerate(zip(self.lights, names)):

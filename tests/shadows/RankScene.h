@@ -27,7 +27,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ struct RankScene
   vtkMultiProcessController* Controller;
   int Rank;
   int Ranks;
-  vtkRelievoShadowPass* Shadows;
+  vtkRelievoShadowStage* Shadows;
   vtkSmartPointer<vtkActor> Ground;
   vtkSmartPointer<vtkActor> Tall;
   vtkSmartPointer<vtkActor> Low;
@@ -151,7 +151,7 @@ struct RankScene
     this->Panes.push_back(AddActor(this->Stage.Renderer, mesh));
     this->Keep(this->Panes.back(), owner);
     this->Panes.back()->VisibilityOff();
-    this->Shadows->SetPropCasts(this->Panes.back(), vtkRelievoShadowPass::CASTS_ALWAYS);
+    this->Shadows->SetPropCasts(this->Panes.back(), vtkRelievoShadowStage::CASTS_ALWAYS);
   }
 
   // The first and the last process have one each, and a copy of the other's.

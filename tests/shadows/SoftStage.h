@@ -30,7 +30,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderPassCollection.h>
 #include <vtkSSAOPass.h>
 #include <vtkSequencePass.h>

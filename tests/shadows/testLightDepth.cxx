@@ -21,7 +21,7 @@
 #include <vtkRelievoLayerSource.h>
 #include <vtkRelievoLightDepthStage.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
@@ -170,10 +170,10 @@ void TestWhichLight()
   // Shadows need not be seen; exact ones have no maps.
   scene.Frame->ShadowsOff();
   RELIEVO_CHECK(Count(scene.Read(), 0.0).second == finite);
-  scene.Frame->GetShadowPass()->SetMethodToExact();
+  scene.Frame->GetShadowStage()->SetMethodToExact();
   RELIEVO_CHECK(Count(scene.Read(), 0.0).second == 0);
   RELIEVO_CHECK(scene.GetStage()->GetReason() == "light 1 has no map");
-  scene.Frame->GetShadowPass()->SetMethodToMap();
+  scene.Frame->GetShadowStage()->SetMethodToMap();
   scene.Frame->ShadowsOn();
 
   scene.Frame->SetDisplayLayer("light_depth");

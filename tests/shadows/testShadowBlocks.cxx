@@ -21,7 +21,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 
 #include <string>
 
@@ -93,7 +93,7 @@ void TestChanges(int method)
 int main()
 {
   relievoTest::Session session;
-  TestChanges(vtkRelievoShadowPass::METHOD_MAP);
-  TestChanges(vtkRelievoShadowPass::METHOD_EXACT);
+  TestChanges(vtkRelievoShadowStage::METHOD_MAP);
+  TestChanges(vtkRelievoShadowStage::METHOD_EXACT);
   return session.Result();
 }

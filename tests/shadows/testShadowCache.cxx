@@ -24,7 +24,7 @@
 #include <vtkProperty.h>
 #include <vtkRelievoCompositeMapper.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkShaderProperty.h>
 #include <vtkTexture.h>
 #include <vtkTransform.h>
@@ -208,7 +208,7 @@ const Case Cases[] = {
     } },
   { "an actor goes", 3, true, [](Scene& s) { s.Renderer->RemoveActor(s.Thing); } },
   { "an actor casts no longer", 3, true,
-    [](Scene& s) { s.GetShadows()->SetPropCasts(s.Thing, vtkRelievoShadowPass::CASTS_NEVER); } },
+    [](Scene& s) { s.GetShadows()->SetPropCasts(s.Thing, vtkRelievoShadowStage::CASTS_NEVER); } },
   { "an actor turns translucent", 3, true,
     [](Scene& s) { s.Thing->GetProperty()->SetOpacity(0.5); } },
   { "a wireframe", 3, true,
@@ -271,12 +271,12 @@ const Case Cases[] = {
     [](Scene& s) { s.Thing->GetProperty()->SetOpacity(0.7); },
     [](Scene& s) {
       s.Thing->GetProperty()->SetOpacity(0.4);
-      s.GetShadows()->SetPropCasts(s.Thing, vtkRelievoShadowPass::CASTS_ALWAYS);
+      s.GetShadows()->SetPropCasts(s.Thing, vtkRelievoShadowStage::CASTS_ALWAYS);
     },
     Case::InRaysOnly },
   { "what only receives moves", 0, true, [](Scene& s) { s.Thing->SetPosition(0.3, 0., 0.4); },
     [](Scene& s) {
-      s.GetShadows()->SetPropCasts(s.Thing, vtkRelievoShadowPass::CASTS_NEVER);
+      s.GetShadows()->SetPropCasts(s.Thing, vtkRelievoShadowStage::CASTS_NEVER);
       s.AddBox({ -0.6, 1.6, -0.8 }, { 0.6, 0.3, 0.6 });
     },
     Case::InRaysOnly },

@@ -21,10 +21,10 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
-#include <vtkRelievoGBufferPass.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowCertificate.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +83,7 @@ void TestMesh(const std::string& mesh, SceneLight kind)
   }
   auto window = relievoTest::MakeWindow(110, 96, scene.Renderer);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
-  vtkRelievoShadowPass* shadows = frame->GetShadowPass();
+  vtkRelievoShadowStage* shadows = frame->GetShadowStage();
   frame->ShadowsOn();
   shadows->SetMapSize(64);
   window->Render();
@@ -193,7 +193,7 @@ void TestForcedOpaque()
 void TestThinPlate()
 {
   long long grazing[2];
-  for (const int format : { vtkRelievoGBufferPass::DEPTH_32F, vtkRelievoGBufferPass::DEPTH_16F })
+  for (const int format : { vtkRelievoLayersStage::DEPTH_32F, vtkRelievoLayersStage::DEPTH_16F })
   {
     ShadowStage stage(120, 90);
     stage.AddBox({ 0., 1., 0. }, { 1.5, 0.0005, 1.5 });
@@ -201,11 +201,11 @@ void TestThinPlate()
     stage.AddSun(-1., -4., -2.);
     stage.AddSun(-3., 4., -2.);
     stage.GetFrame()->ShadowsOn();
-    stage.GetFrame()->GetGBuffer()->SetDepthFormat(format);
+    stage.GetFrame()->GetLayersStage()->SetDepthFormat(format);
     stage.GetShadows()->SetMethodToExact();
     stage.Window->Render();
     const vtkSmartPointer<Certificate> all = stage.GetShadows()->Certify(All);
-    grazing[format == vtkRelievoGBufferPass::DEPTH_16F ? 1 : 0] = all->GetGrazing();
+    grazing[format == vtkRelievoLayersStage::DEPTH_16F ? 1 : 0] = all->GetGrazing();
     RELIEVO_CHECK(all->GetJudged() > 300);
   }
   RELIEVO_CHECK_NEAR(static_cast<double>(grazing[1]) / static_cast<double>(grazing[0]), 1., 0.02,
@@ -239,7 +239,7 @@ void TestNested()
   stage.AddThings();
   stage.AddSun(-3., 4., -2.);
   stage.GetFrame()->ShadowsOn();
-  vtkRelievoShadowPass* shadows = stage.GetShadows();
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
   vtkNew<vtkCameraPass> around;
   around->SetDelegatePass(stage.GetFrame());
   stage.Renderer->SetPass(around);

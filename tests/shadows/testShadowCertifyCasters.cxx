@@ -24,7 +24,7 @@
 #include <vtkRelievoCompositeMapper.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowCertificate.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 
 #include <cmath>
 #include <iostream>
@@ -34,7 +34,7 @@
 namespace
 {
 using Certificate = vtkRelievoShadowCertificate;
-using Pass = vtkRelievoShadowPass;
+using Pass = vtkRelievoShadowStage;
 using relievoTest::ShadowStage;
 
 constexpr int All = 1 << 30;

@@ -8,7 +8,7 @@
 #include "Session.h"
 #include "vtkRelievoShadowPlanner.h"
 
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -20,13 +20,13 @@
 namespace
 {
 using Planner = vtkRelievoShadowPlanner;
-using Way = Planner::Way;
-using Anew = Planner::Anew;
-using Pass = vtkRelievoShadowPass;
+using Way = Planner::Choice;
+using Anew = Planner::Invalidated;
+using Pass = vtkRelievoShadowStage;
 
-Planner::Load MakeLoad()
+Planner::SceneCost MakeLoad()
 {
-  Planner::Load load;
+  Planner::SceneCost load;
   load.Pixels = 1200000.;
   load.Lights = 1.;
   load.Maps = 1.;
@@ -313,7 +313,7 @@ void TestEstimates()
         RELIEVO_CHECK_NEAR(planner.GetTime(way, MakeLoad(), redraws) / machine.Time(way, redraws),
           1., 0.3, way.GetWords() + ": estimate over time");
         // Half the pixels, half the time or a little more.
-        Planner::Load half = MakeLoad();
+        Planner::SceneCost half = MakeLoad();
         half.Pixels /= 2.;
         RELIEVO_CHECK(
           planner.GetTime(way, half, redraws) < planner.GetTime(way, MakeLoad(), redraws));

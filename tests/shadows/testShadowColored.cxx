@@ -30,7 +30,7 @@
 #include <vtkProperty.h>
 #include <vtkRelievoCompositeMapper.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -86,7 +86,7 @@ struct PaneStage
       if (always)
       {
         this->Stage.GetShadows()->SetPropCasts(
-          this->Actors.back(), vtkRelievoShadowPass::CASTS_ALWAYS);
+          this->Actors.back(), vtkRelievoShadowStage::CASTS_ALWAYS);
       }
     }
     this->Stage.AddSun(0., 5., 0.);
@@ -224,8 +224,8 @@ void TestMemory()
 // Where maps are used nothing is known of colours: what is translucent casts as without them.
 void TestMaps()
 {
-  for (const int method : { vtkRelievoShadowPass::METHOD_MAP, vtkRelievoShadowPass::METHOD_FORWARD,
-         vtkRelievoShadowPass::METHOD_WARPED })
+  for (const int method : { vtkRelievoShadowStage::METHOD_MAP,
+         vtkRelievoShadowStage::METHOD_FORWARD, vtkRelievoShadowStage::METHOD_WARPED })
   {
     PaneStage panes;
     panes.Stage.AddBox({ 1., 0.5, 0.4 }, { 0.4, 0.4, 0.4 });
@@ -328,7 +328,7 @@ void TestArrays()
   }
   mesh->GetPointData()->SetScalars(varied);
   const auto shown = Picture(panes.Stage.Window);
-  panes.Stage.GetShadows()->SetPropCasts(panes.Actors[0], vtkRelievoShadowPass::CASTS_NEVER);
+  panes.Stage.GetShadows()->SetPropCasts(panes.Actors[0], vtkRelievoShadowStage::CASTS_NEVER);
   RELIEVO_CHECK(
     relievoTest::SamePicture(Picture(panes.Stage.Window), shown, "opacities that vary"));
 }

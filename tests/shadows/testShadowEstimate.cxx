@@ -22,7 +22,7 @@
 #include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
@@ -34,7 +34,7 @@
 
 namespace
 {
-using Pass = vtkRelievoShadowPass;
+using Pass = vtkRelievoShadowStage;
 using relievoTest::SceneLight;
 
 const char* const Names[] = { "map", "forward", "warped" };
@@ -45,7 +45,7 @@ void TestLaws(const std::string& csv)
 {
   const std::vector<relievoTest::Row> rows = relievoTest::ReadCsv(csv);
   const std::vector<std::string> meshes = relievoTest::ReferenceMeshes();
-  vtkNew<vtkRelievoShadowPass> pass;
+  vtkNew<vtkRelievoShadowStage> pass;
   for (const int method : Methods)
   {
     double n = 0.;
@@ -96,7 +96,7 @@ void TestMesh(const std::string& mesh, SceneLight kind, const std::string& name)
   }
   auto window = relievoTest::MakeWindow(600, 600, scene.Renderer);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
-  Pass* shadows = frame->GetShadowPass();
+  Pass* shadows = frame->GetShadowStage();
   frame->ShadowsOn();
   frame->RequestLayer("shadow_0");
   window->Render();
@@ -213,7 +213,7 @@ void TestReportOfExact()
 
 void TestWrongQuestions()
 {
-  vtkNew<vtkRelievoShadowPass> pass;
+  vtkNew<vtkRelievoShadowStage> pass;
   const relievoTest::ExpectMessage expected("was given method");
   RELIEVO_CHECK(pass->EstimateWrongShare(4, 512) == -1.);
   RELIEVO_CHECK(pass->EstimateWrongShare(Pass::METHOD_MAP, 0) == -1.);

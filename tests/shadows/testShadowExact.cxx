@@ -24,7 +24,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkSphereSource.h>
 
 #include <array>
@@ -85,7 +85,7 @@ void TestMesh(const std::string& mesh, SceneLight kind, int width, int height)
   auto window = relievoTest::MakeWindow(width, height, scene.Renderer);
   relievoTest::GLCheck gl(window);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
-  frame->GetShadowPass()->SetMethodToExact();
+  frame->GetShadowStage()->SetMethodToExact();
   const auto truth = scene.MakeTruth();
   window->Render();
   const auto shadow =
@@ -103,10 +103,10 @@ void TestMesh(const std::string& mesh, SceneLight kind, int width, int height)
   RELIEVO_CHECK_AT_MOST(
     relievoTest::CountDifferent(phong, pbr, "shadow_0"), 0, what + ": pixels unlike with PBR");
   TestEdges(scene, shadow, what);
-  RELIEVO_CHECK_THAT(frame->GetShadowPass()->GetNumberOfMaps() == 0, what + ": maps");
+  RELIEVO_CHECK_THAT(frame->GetShadowStage()->GetNumberOfMaps() == 0, what + ": maps");
   // At most 64 bytes for each of the mesh's triangles, and what the ground takes; 16 a pixel, and 4
   // for each tile of 8 x 8.
-  const auto bytes = static_cast<double>(frame->GetShadowPass()->GetBytesHeld());
+  const auto bytes = static_cast<double>(frame->GetShadowStage()->GetBytesHeld());
   RELIEVO_CHECK_AT_MOST(bytes,
     64. * static_cast<double>(truth->NumberOfTriangles()) + 4096. +
       (16. + 4. / 64.) * (width + 7) * (height + 7),
@@ -124,7 +124,7 @@ void TestSmall(SceneLight kind)
     return;
   }
   auto window = relievoTest::MakeWindow(96, 72, scene.Renderer);
-  vtkRelievoPass::Attach(scene.Renderer)->GetShadowPass()->SetMethodToExact();
+  vtkRelievoPass::Attach(scene.Renderer)->GetShadowStage()->SetMethodToExact();
   const auto truth = scene.MakeTruth();
   window->Render();
   const auto seen = truth->Trace(relievoTest::View(scene.Renderer));
@@ -161,7 +161,7 @@ void TestPanes()
     mesh->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
     const auto pane = relievoTest::AddActor(stage.Renderer, mesh);
     pane->GetProperty()->SetOpacity(opacity[i]);
-    stage.GetShadows()->SetPropCasts(pane, vtkRelievoShadowPass::CASTS_ALWAYS);
+    stage.GetShadows()->SetPropCasts(pane, vtkRelievoShadowStage::CASTS_ALWAYS);
   }
   stage.AddSun(0., 5., 0.);
   stage.GetShadows()->SetMethodToExact();

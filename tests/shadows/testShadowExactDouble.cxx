@@ -22,7 +22,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 #include <vtkSMPTools.h>
 #include <vtkSphereSource.h>

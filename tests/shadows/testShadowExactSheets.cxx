@@ -19,7 +19,7 @@
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 #include <vtkTexture.h>
 
@@ -117,7 +117,7 @@ void TestPolygons()
   stage.AddSun(-3., 4., -2.);
   stage.GetShadows()->SetMethodToExact();
   const auto image = relievoTest::CaptureShadow(stage, 0);
-  RELIEVO_CHECK(stage.GetShadows()->GetMethodUsed() == vtkRelievoShadowPass::METHOD_EXACT);
+  RELIEVO_CHECK(stage.GetShadows()->GetMethodUsed() == vtkRelievoShadowStage::METHOD_EXACT);
   const relievoTest::ShadowErrors errors =
     relievoTest::CompareShadow(relievoTest::TraceStage(stage, 0), Visibility(image));
   RELIEVO_CHECK_THAT(errors.Dark > 500, "polygons: " + errors.ToString());
@@ -233,7 +233,7 @@ void TestTableTexture()
     texture->SetColorModeToMapScalars();
     texture->SetLookupTable(table);
     sheet->SetTexture(texture);
-    stage.GetShadows()->SetPropCasts(sheet, vtkRelievoShadowPass::CASTS_ALWAYS);
+    stage.GetShadows()->SetPropCasts(sheet, vtkRelievoShadowStage::CASTS_ALWAYS);
     stage.AddSun(0.01, 5., 0.02);
     stage.GetShadows()->SetMethodToExact();
     const auto image = relievoTest::CaptureShadow(stage, 0);

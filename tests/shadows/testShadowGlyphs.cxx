@@ -36,7 +36,7 @@
 #include <vtkPolyDataAlgorithm.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowCertificate.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 #include <vtkTransform.h>
 

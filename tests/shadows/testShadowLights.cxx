@@ -24,7 +24,7 @@
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkTexture.h>
 
 #include <cmath>

@@ -20,7 +20,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 
 #include <chrono>
@@ -188,7 +188,7 @@ void Test(double wanted)
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
     const float* drawn =
       vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("shadow_0"))->GetPointer(0);
-    RELIEVO_CHECK(stage.GetShadows()->GetMethodUsed() == vtkRelievoShadowPass::METHOD_EXACT);
+    RELIEVO_CHECK(stage.GetShadows()->GetMethodUsed() == vtkRelievoShadowStage::METHOD_EXACT);
     const relievoTest::View view(stage.Renderer);
     long long seen[3] = { 0, 0, 0 }; // ties, dark, lit
     long long wrong[3] = { 0, 0, 0 };

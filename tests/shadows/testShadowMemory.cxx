@@ -11,7 +11,7 @@
 
 #include <vtkImageData.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRelievoVTKVersions.h>
 #ifdef RELIEVO_VTK_GLAD
 #include <vtk_glad.h>
@@ -103,7 +103,7 @@ void TestMasks()
   stage.GetFrame()->ShadowsOn();
   const auto maps = Picture(stage.Window);
   StandBeforeOpenGL();
-  stage.GetShadows()->SetMethod(vtkRelievoShadowPass::METHOD_FORWARD);
+  stage.GetShadows()->SetMethod(vtkRelievoShadowStage::METHOD_FORWARD);
   Full = true;
   {
     ExpectMessage expect("no memory for the masks");
@@ -116,7 +116,7 @@ void TestMasks()
   Full = false;
   stage.Window->SetSize(241, 180);
   const auto masks = Picture(stage.Window);
-  stage.GetShadows()->SetMethod(vtkRelievoShadowPass::METHOD_MAP);
+  stage.GetShadows()->SetMethod(vtkRelievoShadowStage::METHOD_MAP);
   RELIEVO_CHECK_THAT(
     relievoTest::CountUnlike(masks, Picture(stage.Window)) > 0, "another size: no masks");
 }
@@ -128,12 +128,12 @@ void TestPlanned()
   stage.AddThings();
   relievoTest::AddTwoSuns(stage);
   const auto plain = Picture(stage.Window);
-  vtkRelievoShadowPass* shadows = stage.GetShadows();
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
   stage.GetFrame()->ShadowsOn();
   shadows->SetTolerance(2e-3);
   (void)Picture(stage.Window);
   const int size = shadows->GetMapSizeUsed();
-  RELIEVO_CHECK_THAT(shadows->GetMethodUsed() != vtkRelievoShadowPass::METHOD_EXACT, "no maps");
+  RELIEVO_CHECK_THAT(shadows->GetMethodUsed() != vtkRelievoShadowStage::METHOD_EXACT, "no maps");
   shadows->ReleaseGraphicsResources(stage.Window);
   StandBeforeOpenGL();
   Full = true;
@@ -142,7 +142,7 @@ void TestPlanned()
   {
     RELIEVO_CHECK_THAT(
       relievoTest::CountUnlike(plain, Picture(stage.Window)) > 1000, "another choice: no shadows");
-    RELIEVO_CHECK_THAT(shadows->GetMethodUsed() == vtkRelievoShadowPass::METHOD_EXACT ||
+    RELIEVO_CHECK_THAT(shadows->GetMethodUsed() == vtkRelievoShadowStage::METHOD_EXACT ||
         shadows->GetMapSizeUsed() < size,
       shadows->GetPlan());
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The methods behind vtkRelievoShadowPass::SetMethod: how wrong each is against rays, where warped
+// The methods behind vtkRelievoShadowStage::SetMethod: how wrong each is against rays, where warped
 // maps win, first frames, back to the first method, and VTK's own shadows beside ours.
 #include "Check.h"
 #include "GLCheck.h"
@@ -23,7 +23,7 @@
 #include <vtkProperty.h>
 #include <vtkRelievoCompositeMapper.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderPassCollection.h>
 #include <vtkRenderWindow.h>
 #include <vtkSequencePass.h>
@@ -37,7 +37,7 @@
 namespace
 {
 using relievoTest::ShadowStage;
-using Pass = vtkRelievoShadowPass;
+using Pass = vtkRelievoShadowStage;
 
 const char* const Names[] = { "map", "forward", "warped" };
 

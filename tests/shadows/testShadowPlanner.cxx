@@ -19,7 +19,7 @@
 #include <vtkNew.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@
 
 namespace
 {
-using Pass = vtkRelievoShadowPass;
+using Pass = vtkRelievoShadowStage;
 using relievoTest::ShadowStage;
 
 std::pair<int, int> GetWay(Pass* shadows)
@@ -78,7 +78,7 @@ void TestScenes()
   }
 }
 
-// Without a wish what is set is used, and nothing is said.
+// Without a goal what is set is used, and nothing is said.
 void TestNoWish()
 {
   ShadowStage stage;

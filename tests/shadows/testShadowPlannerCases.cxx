@@ -19,7 +19,7 @@
 #include <vtkLightCollection.h>
 #include <vtkPointData.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
@@ -32,7 +32,7 @@
 
 namespace
 {
-using Pass = vtkRelievoShadowPass;
+using Pass = vtkRelievoShadowStage;
 using relievoTest::SceneLight;
 using relievoTest::ShadowStage;
 
@@ -51,7 +51,7 @@ struct Cases
     vtkRenderWindow* window = renderer->GetRenderWindow();
     auto* light = vtkLight::SafeDownCast(renderer->GetLights()->GetItemAsObject(0));
     vtkRelievoPass* frame = vtkRelievoPass::Attach(renderer);
-    Pass* shadows = frame->GetShadowPass();
+    Pass* shadows = frame->GetShadowStage();
     frame->ShadowsOn();
     relievoTest::EmbreeScene scene;
     scene.AddActors(renderer);

@@ -16,7 +16,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoShadowCertificate.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 
 #include <iostream>
@@ -24,7 +24,7 @@
 
 namespace
 {
-using Pass = vtkRelievoShadowPass;
+using Pass = vtkRelievoShadowStage;
 using relievoTest::ShadowStage;
 
 struct Things : ShadowStage

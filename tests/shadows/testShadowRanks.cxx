@@ -15,7 +15,7 @@
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRelievoShadowCertificate.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRelievoTextureBuffer.h>
 #include <vtkRenderer.h>
 
@@ -171,7 +171,7 @@ std::vector<float> DrawAll(vtkMultiProcessController* controller)
     const long long sent = relievoTest::GetBytesSent() - before;
     RELIEVO_CHECK_THAT(!says || expected->Count() == 1, step.Name + ": one message");
     const int method = part.Shadows->GetMethodUsed();
-    RELIEVO_CHECK_THAT((method == vtkRelievoShadowPass::METHOD_EXACT) == step.Exact,
+    RELIEVO_CHECK_THAT((method == vtkRelievoShadowStage::METHOD_EXACT) == step.Exact,
       step.Name + ": method " + std::to_string(method));
     if (step.Name == "still")
     {

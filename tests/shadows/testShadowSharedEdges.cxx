@@ -18,7 +18,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ void TestPane(int cells, double opacity, const std::string& what)
   stage.AddGround();
   const auto pane = relievoTest::AddActor(stage.Renderer, MakePane(cells));
   pane->GetProperty()->SetOpacity(opacity);
-  stage.GetShadows()->SetPropCasts(pane, vtkRelievoShadowPass::CASTS_ALWAYS);
+  stage.GetShadows()->SetPropCasts(pane, vtkRelievoShadowStage::CASTS_ALWAYS);
   stage.AddSun(0., 5., 0.);
   vtkCamera* camera = stage.Renderer->GetActiveCamera();
   camera->SetPosition(0., 2., 0.); // below the pane

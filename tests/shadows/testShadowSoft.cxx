@@ -20,7 +20,7 @@
 #include <vtkPointData.h>
 #include <vtkRelievoLightSamples.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -141,7 +141,7 @@ void TestEdge(int method, SceneLight kind)
     { { 0., Height, 20. }, { 20., Height, 20. }, { 20., Height, -20. }, { 0., Height, -20. } });
   mesh->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
   relievoTest::AddActor(stage.Renderer, mesh);
-  vtkRelievoShadowPass* shadows = stage.GetShadows();
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
   shadows->SetMethod(method);
   shadows->SetMapSize(256);
   shadows->SetSoftSamples(Samples);
@@ -209,7 +209,7 @@ void TestMesh(const std::string& name, SceneLight kind, double size)
   }
   auto window = relievoTest::MakeWindow(120, 90, scene.Renderer);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
-  vtkRelievoShadowPass* shadows = frame->GetShadowPass();
+  vtkRelievoShadowStage* shadows = frame->GetShadowStage();
   shadows->SetSoftSamples(Samples);
   shadows->SetMapSize(1024);
   shadows->SetLightSize(scene.Light, size);
@@ -288,9 +288,9 @@ int main()
 {
   relievoTest::Session session;
   TestSamples();
-  TestEdge(vtkRelievoShadowPass::METHOD_MAP, SceneLight::Spot);
-  TestEdge(vtkRelievoShadowPass::METHOD_EXACT, SceneLight::Point);
-  TestEdge(vtkRelievoShadowPass::METHOD_WARPED, SceneLight::Sun);
+  TestEdge(vtkRelievoShadowStage::METHOD_MAP, SceneLight::Spot);
+  TestEdge(vtkRelievoShadowStage::METHOD_EXACT, SceneLight::Point);
+  TestEdge(vtkRelievoShadowStage::METHOD_WARPED, SceneLight::Sun);
   TestEdges();
   TestMesh("bunny", SceneLight::Sun, 6.);
   return session.Result();

@@ -25,7 +25,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderWindow.h>
 #include <vtkSSAOPass.h>
 #include <vtkShaderProperty.h>
@@ -48,7 +48,7 @@ void TestGathering()
   SoftStage stage(0);
   const relievoTest::GLCheck gl(stage.Window);
   vtkRelievoPass* frame = stage.GetFrame();
-  vtkRelievoShadowPass* shadows = stage.GetShadows();
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
   const auto hard = Picture(stage.Window);
   const vtkIdType bytes = frame->GetBytesHeld();
   RELIEVO_CHECK(frame->GetSamplesLeft() == 0);

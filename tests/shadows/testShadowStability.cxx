@@ -24,7 +24,7 @@
 #include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 
 #include <cmath>
 #include <functional>
@@ -353,7 +353,7 @@ void TestConvergence()
   double errors[4];
   for (int i = 0; i < 4; ++i)
   {
-    frame->GetShadowPass()->SetMapSize(512 << i);
+    frame->GetShadowStage()->SetMapSize(512 << i);
     const relievoTest::Layers layers(scene.Renderer, { "shadow_0" });
     errors[i] = relievoTest::CompareShadow(shadow,
       vtkFloatArray::SafeDownCast(layers.Image->GetPointData()->GetArray("shadow_0"))

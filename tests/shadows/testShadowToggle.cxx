@@ -15,7 +15,7 @@
 #include <vtkHardwareSelector.h>
 #include <vtkImageData.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRelievoVTKVersions.h>
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
@@ -94,8 +94,8 @@ void TestCycles()
   for (int cycle = 0; cycle < 200; ++cycle)
   {
     vtkRelievoPass* frame = stage.GetFrame();
-    frame->GetShadowPass()->SetMapSize(cycle % 2 ? 256 : 320);
-    frame->GetShadowPass()->SetLightCasts(lamp, cycle % 3 != 0);
+    frame->GetShadowStage()->SetMapSize(cycle % 2 ? 256 : 320);
+    frame->GetShadowStage()->SetLightCasts(lamp, cycle % 3 != 0);
     frame->ShadowsOn();
     const auto picture = Picture(stage.Window);
     RELIEVO_CHECK(frame->GetBytesHeld() >= 4 * 256 * 256);

@@ -19,7 +19,7 @@
 #include <vtkPiecewiseFunction.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkSkybox.h>
 #include <vtkTextActor.h>
 #include <vtkTexture.h>
@@ -49,14 +49,14 @@ void TestTranslucent()
     const auto box = stage.AddBox({ 0.2, 0.8, -0.1 }, { 1.2, 1.6, 0.5 });
     const auto light = relievoTest::AddTwoSuns(stage);
     auto truth = relievoTest::TraceStage(stage, 0);
-    vtkRelievoShadowPass* shadows = stage.GetShadows();
+    vtkRelievoShadowStage* shadows = stage.GetShadows();
 
     ground->GetProperty()->SetOpacity(0.6);
     CheckPictures("translucent ground" + way, ShadowPictures(stage, light), truth, 3e-4);
-    shadows->SetPropCasts(box, vtkRelievoShadowPass::CASTS_NEVER);
+    shadows->SetPropCasts(box, vtkRelievoShadowStage::CASTS_NEVER);
     relievoTest::SamePicture(
       ShadowPictures(stage, light).Off, Picture(stage.Window), "a box that casts nothing" + way);
-    shadows->SetPropCasts(box, vtkRelievoShadowPass::CASTS_IF_OPAQUE);
+    shadows->SetPropCasts(box, vtkRelievoShadowStage::CASTS_IF_OPAQUE);
     shadows->SetPropReceives(ground, false);
     relievoTest::SamePicture(ShadowPictures(stage, light).Off, Picture(stage.Window),
       "a ground that receives nothing" + way);
@@ -66,8 +66,8 @@ void TestTranslucent()
     box->GetProperty()->SetOpacity(0.5);
     const ShadowPictures glass(stage, light);
     relievoTest::SamePicture(glass.Off, glass.On, "a box of glass" + way);
-    shadows->SetPropCasts(box, vtkRelievoShadowPass::CASTS_ALWAYS);
-    RELIEVO_CHECK(shadows->GetPropCasts(box) == vtkRelievoShadowPass::CASTS_ALWAYS);
+    shadows->SetPropCasts(box, vtkRelievoShadowStage::CASTS_ALWAYS);
+    RELIEVO_CHECK(shadows->GetPropCasts(box) == vtkRelievoShadowStage::CASTS_ALWAYS);
     // Through the box the ground's shadow is seen: only the ground's own pixels are judged.
     EmbreeScene scene;
     scene.AddActors(stage.Renderer);

@@ -19,7 +19,7 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkPoints.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkSphereSource.h>
 
 #include <memory>
@@ -137,13 +137,13 @@ void TestSmallBuffers(vtkOpenGLRenderWindow* window)
 // drawn; once what casts has changed, and fits, the rays are back.
 void TestFallback(bool planned)
 {
-  constexpr int Exact = vtkRelievoShadowPass::METHOD_EXACT;
+  constexpr int Exact = vtkRelievoShadowStage::METHOD_EXACT;
   relievoTest::ShadowStage stage;
   stage.AddThings();
   const auto box = stage.AddBox({ 1.4, 1.5, 0.8 }, { 0.6, 0.1, 0.6 });
   stage.AddSun(-3., 4., -2.);
   stage.GetFrame()->ShadowsOn();
-  vtkRelievoShadowPass* shadows = stage.GetShadows();
+  vtkRelievoShadowStage* shadows = stage.GetShadows();
   const std::string what = planned ? "planned" : "chosen";
   const auto capture = [&stage]() {
     return relievoTest::Layers(relievoTest::CaptureShadow(stage, 0));
@@ -171,7 +171,7 @@ void TestFallback(bool planned)
       RELIEVO_CHECK_THAT(shadows->GetMethodUsed() != Exact, what + ": exact all the same");
       if (!planned && frame % 2 == 1)
       {
-        RELIEVO_CHECK(shadows->GetMethodUsed() == vtkRelievoShadowPass::METHOD_MAP);
+        RELIEVO_CHECK(shadows->GetMethodUsed() == vtkRelievoShadowStage::METHOD_MAP);
         checkSame(map, fallback);
       }
     }

@@ -19,7 +19,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
@@ -115,7 +115,7 @@ void Check(ShadowStage& stage, Truth truth, long long leastDark, const std::stri
   for (int frame = 0; frame < 2; ++frame) // of each fragment's rays, and found pixel by pixel
   {
     const auto image = relievoTest::CaptureShadow(stage, 0);
-    RELIEVO_CHECK(stage.GetShadows()->GetMethodUsed() == vtkRelievoShadowPass::METHOD_EXACT);
+    RELIEVO_CHECK(stage.GetShadows()->GetMethodUsed() == vtkRelievoShadowStage::METHOD_EXACT);
     const float* drawn =
       vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("shadow_0"))->GetPointer(0);
     long long dark = 0;

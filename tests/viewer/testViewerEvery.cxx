@@ -5,8 +5,8 @@
 // the command line, byte for byte, and where Python is wrapped that of the copied program too.
 #include "ViewerTest.h"
 
+#include "Arguments.h"
 #include "Options.h"
-#include "Words.h"
 
 #include "vtkNew.h"
 #include "vtkRelievoLayerCatalogue.h"

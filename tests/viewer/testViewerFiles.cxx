@@ -4,7 +4,7 @@
 // Files that cannot be shown, that follow one another, that are saved, and none at all.
 #include "ViewerTest.h"
 
-#include "Failure.h"
+#include "Errors.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"

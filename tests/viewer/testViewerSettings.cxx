@@ -4,7 +4,7 @@
 // Settings say what the words said, in words again.
 #include "ViewerTest.h"
 
-#include "Failure.h"
+#include "Errors.h"
 #include "History.h"
 #include "Options.h"
 
@@ -34,8 +34,8 @@ private Q_SLOTS:
       (Words{ "--shadows", "exact", "a.vtp" }));
     QCOMPARE(words({ "a.vtp", "--png", "a.png" }), Words{ "a.vtp" });
     QCOMPARE(words({ "--", "-a.vtp" }), (Words{ "--", "-a.vtp" }));
-    QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--wrong", "1" }), cli::WordsError);
-    QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--opacity", "2" }), cli::WordsError);
+    QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--wrong", "1" }), cli::UsageError);
+    QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--opacity", "2" }), cli::UsageError);
   }
 
   // What is said again is the same.

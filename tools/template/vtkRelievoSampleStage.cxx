@@ -43,8 +43,8 @@ void vtkRelievoSampleStage::Declare(
   if (this->Strength == 0.0)
   {
     declaration.Runs = false;
-    declaration.Code = "idle";
-    declaration.Words = "strength is 0";
+    declaration.ReasonCode = "idle";
+    declaration.Reason = "strength is 0";
   }
 }
 

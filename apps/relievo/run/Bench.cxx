@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench.h"
 
-#include "Failure.h"
+#include "Errors.h"
 #include "Options.h"
 
 #ifdef RELIEVO_HAVE_BENCH
@@ -66,7 +66,7 @@ int Bench(const BenchOptions& options)
   const std::string expected = "one of " + Join(names, ", ") + ", or all";
   if (options.Names.empty() && options.Redraw.empty())
   {
-    throw WordsError("bench: no NAME given, expected " + expected);
+    throw UsageError("bench: no NAME given, expected " + expected);
   }
   for (const std::string& name : options.Names)
   {
@@ -90,7 +90,7 @@ int Bench(const BenchOptions& options)
                                 : RelievoBenchRedraw(name, options.Redraw, options.Folder);
 #else
   (void)options;
-  throw WordsError("bench: this relievo was built without its benches (RELIEVO_BUILD_BENCH=OFF)");
+  throw UsageError("bench: this relievo was built without its benches (RELIEVO_BUILD_BENCH=OFF)");
 #endif
 }
 }

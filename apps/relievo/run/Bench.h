@@ -7,7 +7,7 @@ namespace cli
 {
 struct BenchOptions;
 
-/// `relievo bench`: one chart's data and picture. Throws WordsError for an unknown name. Returns
+/// `relievo bench`: one chart's data and picture. Throws UsageError for an unknown name. Returns
 /// the exit status; a bench that fails has said why.
 int Bench(const BenchOptions& options);
 }

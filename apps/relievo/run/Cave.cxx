@@ -3,7 +3,7 @@
 #include "Cave.h"
 
 #include "CaveOptions.h"
-#include "Failure.h"
+#include "Errors.h"
 #include "Messages.h"
 #include "Outputs.h"
 #include "Progress.h"
@@ -66,7 +66,7 @@ void Cave(const CaveOptions& options)
       const std::string text = NameOptions(error.what());
       if (text.find(", expected ") != std::string::npos) // and not that the memory is too small
       {
-        throw WordsError(text);
+        throw UsageError(text);
       }
       throw WorkError(text);
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Outputs.h"
 
-#include "Failure.h"
+#include "Errors.h"
 
 #include <algorithm>
 #include <csignal>
@@ -94,14 +94,14 @@ void Outputs::Add(
   {
     if (Same(place, fs::weakly_canonical(fs::absolute(input), trouble)))
     {
-      throw WordsError(named + "is also a FILE to read; give another name");
+      throw UsageError(named + "is also a FILE to read; give another name");
     }
   }
   for (const Entry& entry : this->Entries)
   {
     if (Same(place, entry.Place))
     {
-      throw WordsError(named + "another option writes the same file; give another name");
+      throw UsageError(named + "another option writes the same file; give another name");
     }
   }
 

@@ -22,7 +22,7 @@ public:
   void operator=(const Outputs&) = delete;
 
   /// A file is going to be written. `option` is named in errors. Fails early: WorkError for a place
-  /// that cannot be written, WordsError for a place that is an input or another output.
+  /// that cannot be written, UsageError for a place that is an input or another output.
   void Add(
     const std::string& option, const std::string& path, const std::vector<std::string>& inputs);
 

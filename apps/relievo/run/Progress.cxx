@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Progress.h"
 
-#include "Failure.h"
+#include "Errors.h"
 #include "StandardError.h"
 
 #include "vtkAlgorithm.h"

@@ -3,7 +3,7 @@
 #include "Render.h"
 
 #include "Display.h"
-#include "Failure.h"
+#include "Errors.h"
 #include "Frame.h"
 #include "Messages.h"
 #include "Options.h"
@@ -23,7 +23,7 @@
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowCertificate.h"
-#include "vtkRelievoShadowPass.h"
+#include "vtkRelievoShadowStage.h"
 #include "vtkRelievoStage.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -44,7 +44,7 @@ const std::vector<std::string> DefaultLayers = { "depth" };
 // GPU times are read a frame or more later and never waited for, so a report needs a few frames.
 constexpr int FramesUntilTimed = 4;
 
-// Throws WordsError if nothing that is drawn can have the layer.
+// Throws UsageError if nothing that is drawn can have the layer.
 void CheckLayer(const std::string& option, const std::string& name, const Scene& scene)
 {
   if (vtkRelievoLayerCatalogue::GetIsLayer(name) || scene.Arrays.count(name) != 0 ||
@@ -143,7 +143,7 @@ void WriteReport(vtkRelievoPass* pass, const RenderOptions& options, const Outpu
 //------------------------------------------------------------------------------
 std::string Certify(vtkRelievoPass* pass, int rays)
 {
-  vtkRelievoShadowCertificate* certificate = pass->GetShadowPass()->Certify(rays);
+  vtkRelievoShadowCertificate* certificate = pass->GetShadowStage()->Certify(rays);
   Messages::Check("--certify");
   return certificate->GetWords();
 }

@@ -8,7 +8,7 @@ namespace cli
 struct RenderOptions;
 
 /// `relievo render`: reads, draws and writes what was asked for, and nothing else. Throws
-/// WordsError or WorkError; then none of the outputs is written.
+/// UsageError or WorkError; then none of the outputs is written.
 void Render(const RenderOptions& options);
 }
 

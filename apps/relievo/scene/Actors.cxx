@@ -3,7 +3,7 @@
 #include "Actors.h"
 
 #include "DataSets.h"
-#include "Failure.h"
+#include "Errors.h"
 #include "FinitePoints.h"
 #include "Messages.h"
 #include "Progress.h"

@@ -19,7 +19,7 @@ namespace cli
 class Progress;
 struct RenderOptions;
 
-/// Throws WordsError or WorkError for a file that is no environment, or cannot be opened.
+/// Throws UsageError or WorkError for a file that is no environment, or cannot be opened.
 void CheckEnvironment(const RenderOptions& options);
 
 /// The environment of the options with its irradiance, and levels if the mirror is rough; nullptr

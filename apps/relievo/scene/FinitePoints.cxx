@@ -3,7 +3,7 @@
 #include "FinitePoints.h"
 
 #include "DataSets.h"
-#include "Failure.h"
+#include "Errors.h"
 #include "Messages.h"
 
 #include "vtkCellData.h"

@@ -22,7 +22,7 @@ namespace cli
 class Progress;
 struct RenderOptions;
 
-/// Every file that the options name; throws WordsError or WorkError for one that cannot be opened
+/// Every file that the options name; throws UsageError or WorkError for one that cannot be opened
 /// or that is not what its option takes.
 std::vector<std::string> CheckInputs(const RenderOptions& options);
 
@@ -39,7 +39,7 @@ FramePoints ReadFramePoints(const RenderOptions& options, Progress& progress);
 /// Whether the picture needs a frame: a plain one is VTK's own, and nothing of Relievo is attached.
 bool NeedsFrame(const RenderOptions& options);
 
-/// Sets the pass, a new one, as asked. Throws WordsError.
+/// Sets the pass, a new one, as asked. Throws UsageError.
 void SetFrame(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options,
   const FramePoints& points);
 

@@ -3,7 +3,7 @@
 #include "Images.h"
 
 #include "CrashGuard.h"
-#include "Failure.h"
+#include "Errors.h"
 #include "Messages.h"
 #include "Progress.h"
 #include "Readers.h"

@@ -17,7 +17,7 @@ namespace cli
 {
 class Progress;
 
-/// Throws WordsError if the path, which came with `option`, has none of the extensions, WorkError
+/// Throws UsageError if the path, which came with `option`, has none of the extensions, WorkError
 /// if it cannot be opened.
 void CheckImage(
   const std::string& option, const std::string& path, const std::vector<std::string>& extensions);

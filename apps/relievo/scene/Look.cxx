@@ -4,7 +4,7 @@
 
 #include "Colormaps.h"
 #include "DataSets.h"
-#include "Failure.h"
+#include "Errors.h"
 #include "Options.h"
 #include "ScalarBar.h"
 #include "Scene.h"
@@ -107,7 +107,7 @@ void CheckFound(const std::map<std::string, std::vector<Coloring>>& all, const S
   if (all.empty() && !look.ColorBy.empty())
   {
     const std::vector<std::string> names(scene.Arrays.begin(), scene.Arrays.end());
-    throw WordsError("--color-by: got '" + look.ColorBy + "', expected " +
+    throw UsageError("--color-by: got '" + look.ColorBy + "', expected " +
       (names.empty() ? "no array: nothing that is drawn has any"
                      : "an array of what is drawn: " + Join(names, ", ")));
   }
@@ -120,7 +120,7 @@ void CheckFound(const std::map<std::string, std::vector<Coloring>>& all, const S
         const int components = array->GetNumberOfComponents();
         if (look.Component && *look.Component >= components)
         {
-          throw WordsError("--color-by: got component " + std::to_string(*look.Component) +
+          throw UsageError("--color-by: got component " + std::to_string(*look.Component) +
             " of '" + look.ColorBy + "', expected one from 0 to " + std::to_string(components - 1));
         }
       }
@@ -224,7 +224,7 @@ void SetColors(const Scene& scene, const LookChoice& look, bool mapped)
   }
   if (look.ScalarBar && bars != 1)
   {
-    throw WordsError(std::string("--scalar-bar: ") +
+    throw UsageError(std::string("--scalar-bar: ") +
       (bars == 0 ? "no values give the colours" : "several arrays give the colours") +
       "; give --color-by NAME as well");
   }

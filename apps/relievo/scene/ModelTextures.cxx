@@ -3,7 +3,7 @@
 #include "ModelTextures.h"
 
 #include "CrashGuard.h"
-#include "Failure.h"
+#include "Errors.h"
 #include "Images.h"
 #include "Messages.h"
 #include "Progress.h"

@@ -4,7 +4,7 @@
 
 #include "Actors.h"
 #include "CrashGuard.h"
-#include "Failure.h"
+#include "Errors.h"
 #include "Messages.h"
 #include "ModelOptions.h"
 #include "ModelTextures.h"
@@ -56,7 +56,7 @@ vtkSmartPointer<vtkPolyData> CopySkeleton(vtkRelievoModelReader* reader)
   return copy;
 }
 
-// Throws WordsError for an animation or a bone that the file does not have.
+// Throws UsageError for an animation or a bone that the file does not have.
 void CheckNames(vtkRelievoModelReader* reader, const ModelChoice& choice, const std::string& path)
 {
   const auto lacks = [](vtkStringArray* names, const std::string& name) {
@@ -72,7 +72,7 @@ void CheckNames(vtkRelievoModelReader* reader, const ModelChoice& choice, const 
     }
     catch (const WorkError& error)
     {
-      throw WordsError(error.what());
+      throw UsageError(error.what());
     }
   }
 }

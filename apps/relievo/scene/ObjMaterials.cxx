@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ObjMaterials.h"
 
-#include "Failure.h"
+#include "Errors.h"
 #include "Images.h"
 #include "Messages.h"
 #include "MtlLibrary.h"

@@ -3,7 +3,7 @@
 #include "Points.h"
 
 #include "DataSets.h"
-#include "Failure.h"
+#include "Errors.h"
 #include "Messages.h"
 #include "Readers.h"
 #include "Values.h"
@@ -22,7 +22,7 @@ void CheckPointFile(const std::string& option, const std::string& path)
   CheckExtension(path);
   if (IsGLTF(path))
   {
-    throw WordsError(option + ": " + path + " is a scene; expected a file of points");
+    throw UsageError(option + ": " + path + " is a scene; expected a file of points");
   }
   CheckReadable(path);
 }

@@ -19,7 +19,7 @@ namespace cli
 {
 class Progress;
 
-/// Throws WordsError or WorkError, which name the option or the file, for one that cannot be read
+/// Throws UsageError or WorkError, which name the option or the file, for one that cannot be read
 /// or is no points.
 void CheckPointFile(const std::string& option, const std::string& path);
 
@@ -36,7 +36,7 @@ public:
   bool Has(const std::string& array) const;
 
   /// Sets one number for all points, which comes before an array that the file has, or the array to
-  /// take. Throws WordsError, with the arrays that there are, if there is none of that name.
+  /// take. Throws UsageError, with the arrays that there are, if there is none of that name.
   template <typename Points, typename Set>
   void Take(Points* points, const char* name, const PointValue& value, Set set) const
   {

@@ -3,7 +3,7 @@
 #include "Readers.h"
 
 #include "CrashGuard.h"
-#include "Failure.h"
+#include "Errors.h"
 #include "Messages.h"
 #include "Progress.h"
 #include "Validate.h"
@@ -100,7 +100,7 @@ void CheckExtension(const std::string& path)
     {
       known.push_back(row.Extension);
     }
-    throw WordsError(path + ": no reader for this extension; expected one of " + Join(known, " "));
+    throw UsageError(path + ": no reader for this extension; expected one of " + Join(known, " "));
   }
 }
 

@@ -21,7 +21,7 @@ class Progress;
 /// The extension in lower case with its dot, ".vtp"; "" without one.
 std::string ExtensionOf(const std::string& path);
 
-/// Throws WordsError if no reader takes the path's extension.
+/// Throws UsageError if no reader takes the path's extension.
 void CheckExtension(const std::string& path);
 
 /// Whether the path's extension is that of glTF.

@@ -3,7 +3,7 @@
 #include "Scene.h"
 
 #include "Actors.h"
-#include "Failure.h"
+#include "Errors.h"
 #include "FinitePoints.h"
 #include "Gltf.h"
 #include "Look.h"

@@ -10,7 +10,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
-#include "vtkRelievoShadowPass.h"
+#include "vtkRelievoShadowStage.h"
 #include "vtkRenderer.h"
 #include "vtkTextureObject.h"
 
@@ -47,10 +47,10 @@ void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
   {
     // The file's lights are gone where others are asked for.
     vtkObject* light = renderer->GetLights()->GetItemAsObject(static_cast<int>(i));
-    pass->GetShadowPass()->SetLightCasts(vtkLight::SafeDownCast(light), options.Lights[i].Casts);
+    pass->GetShadowStage()->SetLightCasts(vtkLight::SafeDownCast(light), options.Lights[i].Casts);
     if (options.Lights[i].Size)
     {
-      pass->GetShadowPass()->SetLightSize(vtkLight::SafeDownCast(light), *options.Lights[i].Size);
+      pass->GetShadowStage()->SetLightSize(vtkLight::SafeDownCast(light), *options.Lights[i].Size);
     }
   }
 }
@@ -70,19 +70,19 @@ void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
         "a whole number from " + std::to_string(SmallestShadowSize) + " to " +
           std::to_string(limit) + ", the largest map that OpenGL makes here");
     }
-    pass->GetShadowPass()->SetMapSize(*options.ShadowSize);
+    pass->GetShadowStage()->SetMapSize(*options.ShadowSize);
   }
   if (options.SoftShadows)
   {
-    pass->GetShadowPass()->SetSoftSamples(*options.SoftShadows);
+    pass->GetShadowStage()->SetSoftSamples(*options.SoftShadows);
   }
-  pass->GetShadowPass()->SetColoredShadows(options.ColoredShadows);
+  pass->GetShadowStage()->SetColoredShadows(options.ColoredShadows);
   pass->WaitForSamplesOn();
-  pass->GetShadowPass()->SetTolerance(options.ShadowTolerance.value_or(0.0));
-  pass->GetShadowPass()->SetTimeBudget(options.TimeBudget.value_or(0.0));
-  constexpr int methods[] = { vtkRelievoShadowPass::METHOD_MAP, vtkRelievoShadowPass::METHOD_MAP,
-    vtkRelievoShadowPass::METHOD_FORWARD, vtkRelievoShadowPass::METHOD_WARPED,
-    vtkRelievoShadowPass::METHOD_EXACT };
-  pass->GetShadowPass()->SetMethod(methods[static_cast<int>(options.ShadowMethod)]);
+  pass->GetShadowStage()->SetTolerance(options.ShadowTolerance.value_or(0.0));
+  pass->GetShadowStage()->SetTimeBudget(options.TimeBudget.value_or(0.0));
+  constexpr int methods[] = { vtkRelievoShadowStage::METHOD_MAP, vtkRelievoShadowStage::METHOD_MAP,
+    vtkRelievoShadowStage::METHOD_FORWARD, vtkRelievoShadowStage::METHOD_WARPED,
+    vtkRelievoShadowStage::METHOD_EXACT };
+  pass->GetShadowStage()->SetMethod(methods[static_cast<int>(options.ShadowMethod)]);
 }
 }

@@ -16,7 +16,7 @@ namespace cli
 struct RenderOptions;
 enum class Shadows;
 
-/// Throws WordsError if a layer is of a light beyond the `lights` that there are. `whose` says in
+/// Throws UsageError if a layer is of a light beyond the `lights` that there are. `whose` says in
 /// the message what they are, such as "--light options".
 void CheckShadowLayers(const RenderOptions& options, int lights, const std::string& whose);
 
@@ -26,7 +26,7 @@ int CountLights(vtkRenderer* renderer);
 /// Which lights and props cast, and how large lights are.
 void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options);
 
-/// Sets the pass as asked, lights too. Throws WordsError if the maps are larger than the window's
+/// Sets the pass as asked, lights too. Throws UsageError if the maps are larger than the window's
 /// OpenGL makes.
 void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options);
 }

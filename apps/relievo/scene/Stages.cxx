@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stages.h"
 
-#include "Failure.h"
+#include "Arguments.h"
+#include "Errors.h"
 #include "Values.h"
-#include "Words.h"
 
 #include "vtkNew.h"
 #include "vtkRelievoPass.h"
@@ -88,7 +88,7 @@ void SetStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages)
       const std::string wrong = stage->TrySetParameter(name, value);
       if (!wrong.empty())
       {
-        throw WordsError(choice.Option + " " + wrong);
+        throw UsageError(choice.Option + " " + wrong);
       }
     }
   }

@@ -29,7 +29,7 @@ StageChoice& AddStage(
 /// The word behind --stage. A value goes on over commas up to the next PARAMETER=.
 StageChoice ParseStage(const std::string& word);
 
-/// Throws WordsError if a frame has no such stage, or if it does not take a parameter's value.
+/// Throws UsageError if a frame has no such stage, or if it does not take a parameter's value.
 void CheckStages(const std::vector<StageChoice>& stages);
 
 /// Switches the stages on, with their parameters.

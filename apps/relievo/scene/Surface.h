@@ -13,7 +13,7 @@ namespace cli
 class Progress;
 struct RenderOptions;
 
-/// Throws WordsError or WorkError for a file that is no image, or cannot be opened.
+/// Throws UsageError or WorkError for a file that is no image, or cannot be opened.
 void CheckSurface(const RenderOptions& options);
 
 /// Puts maps and environment on every actor. Throws WorkError with the file's name.

@@ -3,7 +3,7 @@
 #include "Validate.h"
 
 #include "DataSets.h"
-#include "Failure.h"
+#include "Errors.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SessionFile.h"
 
-#include "Failure.h"
+#include "Errors.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -81,7 +81,7 @@ Session LoadSession(const QString& path)
   {
     session.View = Settings::FromWords(words);
   }
-  catch (const cli::WordsError& error)
+  catch (const cli::UsageError& error)
   {
     Fail(path, error.what());
   }

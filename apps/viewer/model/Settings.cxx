@@ -5,7 +5,6 @@
 #include "Messages.h"
 #include "Options.h"
 #include "Values.h"
-
 #include "vtkNew.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoStage.h"
@@ -55,7 +54,7 @@ vtkRelievoPass* GetNewFrame()
 Settings Settings::FromWords(const std::vector<std::string>& words)
 {
   Settings settings;
-  cli::WalkWords(
+  cli::ParseArguments(
     words, "render", cli::GetRenderOptions(),
     [&settings](const std::string& name, const std::string& value) {
       if (name == "--times")
@@ -379,5 +378,74 @@ void Settings::SetGiven(
 bool Settings::operator==(const Settings& other) const
 {
   return this->Files == other.Files && this->Values == other.Values && this->Stages == other.Stages;
+}
+
+//------------------------------------------------------------------------------
+std::set<std::string> Settings::GetChanges(const Settings& other) const
+{
+  std::set<std::string> changes;
+  if (this->Files != other.Files)
+  {
+    changes.insert("");
+  }
+  for (const cli::KnownOption& option : cli::GetRenderOptions())
+  {
+    if (this->GetAll(option.Name) != other.GetAll(option.Name))
+    {
+      changes.insert(option.Name);
+    }
+  }
+  std::map<std::string, Parameters> stages = this->Stages;
+  stages.insert(other.Stages.begin(), other.Stages.end());
+  for (const auto& stage : stages)
+  {
+    const std::string& name = stage.first;
+    if (this->IsStageAsked(name) != other.IsStageAsked(name))
+    {
+      changes.insert(name + ":");
+    }
+    for (const Settings* each : { this, &other })
+    {
+      const auto found = each->Stages.find(name);
+      for (const auto& parameter : found == each->Stages.end() ? Parameters() : found->second)
+      {
+        const std::string* mine = this->Find(name, parameter.first);
+        const std::string* others = other.Find(name, parameter.first);
+        if (!mine || !others || *mine != *others)
+        {
+          changes.insert(name + ":" + parameter.first);
+        }
+      }
+    }
+  }
+  return changes;
+}
+
+//------------------------------------------------------------------------------
+void Settings::TakeChanges(const Settings& before, const Settings& after)
+{
+  for (const std::string& change : before.GetChanges(after))
+  {
+    const std::size_t colon = change.find(':');
+    if (change.empty())
+    {
+      continue; // files are each one's own
+    }
+    if (colon == std::string::npos)
+    {
+      this->SetAll(change, after.GetAll(change));
+      continue;
+    }
+    const std::string stage = change.substr(0, colon), parameter = change.substr(colon + 1);
+    if (parameter.empty() || !after.IsStageAsked(stage))
+    {
+      this->AskStage(stage, after.IsStageAsked(stage));
+    }
+    else
+    {
+      const std::string* value = after.Find(stage, parameter);
+      this->SetGiven(stage, parameter, value ? *value : GetStandard(stage, parameter));
+    }
+  }
 }
 }

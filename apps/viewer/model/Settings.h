@@ -29,7 +29,7 @@ class Settings
 public:
   std::vector<std::string> Files;
 
-  /// Throws cli::WordsError for words that `relievo render` refuses, outputs apart.
+  /// Throws cli::UsageError for words that `relievo render` refuses, outputs apart.
   static Settings FromWords(const std::vector<std::string>& words);
 
   /// Files of all options as seen from a folder: they hold in another one's shell too.
@@ -38,7 +38,7 @@ public:
   /// Options, then files.
   std::vector<std::string> GetWords() const;
 
-  /// What the command line makes of the words; throws cli::WordsError.
+  /// What the command line makes of the words; throws cli::UsageError.
   cli::RenderOptions Parse() const;
 
   bool Has(const std::string& option) const { return this->Values.count(option) != 0; }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Loader.h"
 
-#include "Failure.h"
+#include "Errors.h"
 #include "Messages.h"
 #include "Options.h"
 

@@ -3,7 +3,7 @@
 #include "Picture.h"
 
 #include "CameraPlace.h"
-#include "Failure.h"
+#include "Errors.h"
 #include "ShadowOptions.h"
 #include "Shadows.h"
 

@@ -55,7 +55,7 @@ public:
   /// Throws cli::WorkError if it is empty.
   void CheckShown(const std::string& what) const;
 
-  /// The settings of the scene that is shown, or of what is given to it. Throws cli::WordsError or
+  /// The settings of the scene that is shown, or of what is given to it. Throws cli::UsageError or
   /// cli::WorkError; the picture is then as it was before.
   void Update(const Settings& settings);
 

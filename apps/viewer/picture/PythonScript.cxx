@@ -78,11 +78,11 @@ void WriteFrame(std::ostream& out, vtkRelievoPass* frame, const cli::RenderOptio
     const std::string light = "lights[" + std::to_string(i) + "], ";
     if (!options.Lights[i].Casts)
     {
-      out << "frame.GetShadowPass().SetLightCasts(" << light << "False)\n";
+      out << "frame.GetShadowStage().SetLightCasts(" << light << "False)\n";
     }
     if (options.Lights[i].Size)
     {
-      out << "frame.GetShadowPass().SetLightSize(" << light << WriteNumber(*options.Lights[i].Size)
+      out << "frame.GetShadowStage().SetLightSize(" << light << WriteNumber(*options.Lights[i].Size)
           << ")\n";
     }
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PythonWords.h"
 
-#include "Failure.h"
+#include "Errors.h"
 #include "Readers.h"
 #include "Settings.h"
 

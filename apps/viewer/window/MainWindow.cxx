@@ -7,22 +7,45 @@
 #include "LayersPanel.h"
 #include "LightPanel.h"
 #include "LookPanel.h"
+#include "Messages.h"
+#include "ModelOptions.h"
+#include "Options.h"
+#include "Outputs.h"
 #include "PictureView.h"
+#include "QtVersions.h"
 #include "RecentFiles.h"
 #include "ReportPanel.h"
 #include "SceneFacts.h"
+#include "SessionFile.h"
 #include "StagesPanel.h"
 #include "SunGroup.h"
 #include "TimeBar.h"
-
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkRelievoEXRWriter.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoLayerSource.h"
 #include "vtkRelievoPass.h"
 
+#include <QApplication>
+#include <QCloseEvent>
 #include <QDockWidget>
+#include <QDropEvent>
+#include <QFileInfo>
 #include <QLabel>
+#include <QMimeData>
 #include <QProgressBar>
+#include <QProgressDialog>
 #include <QPushButton>
+#include <QScreen>
+#include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QUrl>
+
+#include <algorithm>
+#include <exception>
 
 namespace viewer
 {
@@ -40,6 +63,61 @@ QDockWidget* AddDock(QMainWindow* window, const QString& title, const QString& n
   dock->setWidget(panel);
   window->addDockWidget(Qt::RightDockWidgetArea, dock);
   return dock;
+}
+
+// What belongs to the file before, and not to the one that is opened.
+constexpr const char* FileWords[] = { "--color-by", "--range", "--scalar-bar", "--clip" };
+
+// Whoever lets go of a file keeps it, whatever was proposed: moved files would be deleted there.
+void AcceptCopy(QDropEvent& event)
+{
+  event.setDropAction(Qt::CopyAction);
+  event.accept();
+}
+
+QStringList GetPaths(const QMimeData* data)
+{
+  QStringList paths;
+  for (const QUrl& url : data->urls())
+  {
+    if (url.isLocalFile())
+    {
+      paths += url.toLocalFile();
+    }
+  }
+  return paths;
+}
+
+constexpr const char* PlaceWords[] = { "--camera", "--parallel-scale", "--size" };
+
+QString GetFileName(const std::string& path)
+{
+  return QFileInfo(QString::fromStdString(path)).fileName();
+}
+
+QString GetTitle(const std::vector<std::string>& files)
+{
+  const std::size_t more = files.size() - 1;
+  return GetFileName(files.front()) + (more > 0 ? QString(" and %1 more").arg(more) : QString()) +
+    " " + QChar(0x2013) + " Relievo";
+}
+
+constexpr int SavePatience = 500; // milliseconds until the user is told
+constexpr int MostIdle = 10;
+
+// Whole or not at all.
+template <typename Writer>
+void Write(const QString& path, vtkImageData* image)
+{
+  const std::string place = path.toStdString();
+  cli::Outputs outputs;
+  outputs.Add("Save", place, {});
+  vtkNew<Writer> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(outputs.Temporary(place).c_str());
+  writer->Write();
+  cli::Messages::Check(place, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
+  outputs.Commit();
 }
 }
 
@@ -192,5 +270,586 @@ void MainWindow::ShowProbe()
   }
   this->Values->setText(
     !values.empty() && values[0].IsBackground ? QString("background") : words.join("   "));
+}
+
+//------------------------------------------------------------------------------
+// The view takes the size, in pixels of the screen, or as much of it as the screen has room for.
+void MainWindow::SetViewSize(const std::string& words)
+{
+  if (words.empty())
+  {
+    return;
+  }
+  Settings asked;
+  asked.Set("--size", words);
+  const std::array<int, 2> pixels = asked.Parse().Size;
+  const bool fixed = this->isMaximized() || this->isFullScreen();
+  const double ratio = this->Shown->effectiveDevicePixelRatio();
+  const QSize frame = this->frameGeometry().size() - this->size();
+  double share = 1.0;
+  for (int i = 0; i < 3; ++i) // for panels may take another share of another window
+  {
+    const QSize panels = this->size() - this->Pages->size();
+    const QSize room =
+      fixed ? this->Pages->size() : this->screen()->availableSize() - frame - panels;
+    share = std::min({ 1.0, room.width() * ratio / pixels[0], room.height() * ratio / pixels[1] });
+    if (!fixed)
+    {
+      this->resize(panels +
+        QSize(static_cast<int>(pixels[0] * share / ratio),
+          static_cast<int>(pixels[1] * share / ratio)));
+    }
+  }
+  if (share < 1.0)
+  {
+    cli::Messages::Note(
+      "--size " + words + ": the screen has no room for so many pixels; the view is smaller");
+  }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::RestoreLayout()
+{
+  const QSettings kept;
+  this->restoreGeometry(kept.value("geometry").toByteArray());
+  this->restoreState(kept.value("state").toByteArray());
+  this->Time->ShowSettings(); // where nothing moves there is none, whatever was seen before
+  const QSize room = this->screen()->availableSize();
+  if (!this->isMaximized() && !this->isFullScreen())
+  {
+    this->resize(this->size().boundedTo(room));
+  }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::KeepLayout()
+{
+  QSettings kept;
+  kept.setValue("geometry", this->saveGeometry());
+  kept.setValue("state", this->saveState());
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::OpenFiles(const QStringList& paths, bool beside)
+{
+  try
+  {
+    if (paths.size() == 1 && paths[0].endsWith(".json", Qt::CaseInsensitive))
+    {
+      this->OpenSession(paths[0]);
+      return;
+    }
+    Settings settings = this->Edited->Get();
+    const bool first = this->Good.Files.empty(); // what was said before it is meant for it
+    settings.Files = beside ? settings.Files : std::vector<std::string>();
+    if (!beside && !first)
+    {
+      for (const char* word : FileWords)
+      {
+        settings.Remove(word);
+      }
+      for (const std::string& word : cli::GetModelOptions())
+      {
+        settings.Remove(word);
+      }
+      const std::string layer = settings.GetParameter("display", "layer");
+      if (!layer.empty() && !vtkRelievoLayerCatalogue::GetIsLayer(layer)) // but an array
+      {
+        settings.SetParameter("display", "layer", "");
+      }
+    }
+    QStringList whole;
+    for (const QString& path : paths)
+    {
+      whole += QFileInfo(path).absoluteFilePath();
+      settings.Files.push_back(whole.back().toStdString());
+    }
+    if (!beside || first)
+    {
+      this->Open(settings, whole);
+      return;
+    }
+    this->Opening = whole;
+    this->Edited->Set(settings);
+  }
+  catch (const std::exception& error)
+  {
+    this->Say(QString::fromStdString(error.what()), true);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::OpenSession(const QString& path)
+{
+  const Session session = LoadSession(path);
+  this->Light->GetSun()->SetTime(session.Sun, session.SunByTime);
+  this->Open(session.View, { QFileInfo(path).absoluteFilePath() });
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+  if (!GetPaths(event->mimeData()).isEmpty())
+  {
+    AcceptCopy(*event);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::dropEvent(QDropEvent* event)
+{
+  const QStringList paths = GetPaths(event->mimeData());
+  if (!paths.isEmpty() && !this->Saving)
+  {
+    AcceptCopy(*event);
+    this->OpenFiles(paths, GetModifiers(*event).testFlag(Qt::ShiftModifier));
+  }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+  this->Reader->Stop();
+  this->KeepLayout();
+  this->QMainWindow::closeEvent(event);
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::Open(const Settings& settings)
+{
+  QStringList paths;
+  for (const std::string& file : settings.Files)
+  {
+    paths += QString::fromStdString(file);
+  }
+  this->Open(settings, paths);
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::Open(const Settings& settings, const QStringList& recent)
+{
+  settings.Parse(); // what is refused leaves everything as it is
+  this->Opening = recent;
+  this->Place = Settings();
+  Settings rest = settings;
+  for (const char* word : PlaceWords)
+  {
+    this->Place.SetAll(word, settings.GetAll(word));
+    rest.Remove(word);
+  }
+  this->ReadingKey.clear(); // read even what is shown already
+  this->KeepCamera = false;
+  rest == this->Edited->Get() ? this->Follow() : this->Edited->Set(rest);
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::Follow()
+{
+  const Settings settings = this->Edited->Get();
+  const std::string key = GetReadingKey(settings);
+  this->Reading.Forget();
+  if (settings.Files.empty())
+  {
+    this->ShowNothing();
+  }
+  else if (this->ReadingKey.empty() || !this->Reader->IsReading())
+  {
+    key == this->ReadingKey ? this->Update() : this->Read();
+  }
+  else
+  {
+    this->ChangeShown(settings);
+    if (key != this->ReadingKey)
+    {
+      this->Read();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::ShowNothing()
+{
+  this->Reader->Stop();
+  this->Begin();
+  this->Shown->GetPicture().Clear();
+  this->Pages->setCurrentWidget(this->Hint);
+  if (!this->Good.Files.empty())
+  {
+    this->Edited->ForgetPast();
+  }
+  this->Good = this->Edited->Get();
+  this->ReadingKey = GetReadingKey(this->Good);
+  this->Edited->SetFacts(Facts());
+  this->Layers->ShowValues({});
+  this->setWindowTitle("Relievo");
+  this->Say("");
+  this->TellMessages();
+  this->Remember();
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::Update()
+{
+  try
+  {
+    this->Shown->GetPicture().Update(this->Edited->Get());
+    this->Good = this->Edited->Get();
+    this->Report->Renew();
+    this->Say("");
+    this->TellMessages();
+  }
+  catch (const std::exception& error)
+  {
+    this->Edited->Refuse(this->Good, QString::fromStdString(error.what()));
+  }
+  this->Shown->Draw();
+}
+
+//------------------------------------------------------------------------------
+// What is set while a file is read is seen at once, where that needs no file.
+void MainWindow::ChangeShown(const Settings& settings)
+{
+  Settings changed = this->Meanwhile;
+  changed.TakeChanges(this->Asked, settings);
+  this->Asked = settings;
+  Picture& picture = this->Shown->GetPicture();
+  if (picture.IsEmpty() || GetReadingKey(changed) != GetReadingKey(this->Good))
+  {
+    return;
+  }
+  this->Meanwhile = changed;
+  this->SetMeanwhile = true;
+  try
+  {
+    if (picture.IsDressedAlike(changed)) // for messages about files are the reader's now
+    {
+      picture.Update(changed);
+      this->Good = changed;
+    }
+  }
+  catch (const std::exception&) // it may suit what is being read
+  {
+  }
+  this->Shown->Draw();
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::Read()
+{
+  if (!this->Reader->IsReading())
+  {
+    this->Meanwhile = this->Good;
+    this->SetMeanwhile = false;
+  }
+  const bool shown = !this->Shown->GetPicture().IsEmpty();
+  const bool opened = this->ReadingKey.empty(); // by the user
+  if (!opened && !this->Reader->IsReading())
+  {
+    this->KeepCamera = shown;
+  }
+  this->Asked = this->Edited->Get();
+  this->PointsOnly = !opened && shown && (!this->Reader->IsReading() || this->PointsOnly) &&
+    GetSceneKey(this->Asked) == GetSceneKey(this->Good);
+  this->ReadingKey = GetReadingKey(this->Asked);
+  this->Reader->Start(this->Asked, this->PointsOnly);
+  this->Begin();
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::Begin()
+{
+  if (!this->Reader->IsReading())
+  {
+    this->Waiting.stop();
+    this->Quiet.stop();
+    this->Bar->hide();
+    this->Cancel->hide();
+  }
+  else if (this->Bar->isHidden())
+  {
+    this->Bar->setRange(0, 0);
+    this->Waiting.start();
+  }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::ShowReading()
+{
+  this->Words->setText("Reading " + GetFileName(this->Asked.Files.front()));
+  this->Bar->show();
+  this->Cancel->show();
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::OnProgress(const QString& what, int percent)
+{
+  if (this->Reader->IsReading() && !this->Bar->isHidden())
+  {
+    this->Words->setText(what);
+  }
+  if (percent > 0) // some readers say that they began, and no more
+  {
+    this->Bar->setRange(0, 100);
+    this->Bar->setValue(percent);
+    this->Quiet.start();
+  }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::StopReading()
+{
+  if (this->Reader->IsReading())
+  {
+    this->Reader->Stop();
+    this->Time->Stop();
+    this->GiveUp();
+    this->Edited->Return(this->Good);
+    this->Say("Stopped.");
+    this->EndReading();
+  }
+}
+
+//------------------------------------------------------------------------------
+// What is being read is not asked for any more; what else was set stays.
+void MainWindow::GiveUp()
+{
+  this->Begin();
+  this->Opening.clear();
+  if (this->SetMeanwhile)
+  {
+    this->Edited->ForgetPast(); // which would lead to what is given up
+  }
+  Picture& picture = this->Shown->GetPicture();
+  if (picture.IsEmpty())
+  {
+    // For the next file.
+    this->Good = this->Edited->Get();
+    this->Good.Files.clear();
+    this->Good.TakeChanges(Settings(), this->Place);
+  }
+  else if (this->Meanwhile != this->Good)
+  {
+    try
+    {
+      picture.Update(this->Meanwhile);
+      this->Good = this->Meanwhile;
+    }
+    catch (const std::exception&) // as it was before
+    {
+    }
+  }
+  this->ReadingKey = GetReadingKey(this->Good);
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::OnRead(const QString& trouble)
+{
+  if (this->Saving)
+  {
+    this->Late = trouble;
+    return;
+  }
+  const QString why = trouble.isEmpty() ? this->ShowRead() : trouble;
+  if (!why.isEmpty())
+  {
+    this->GiveUp();
+    this->Edited->Refuse(this->Good, why);
+  }
+  this->EndReading();
+}
+
+//------------------------------------------------------------------------------
+QString MainWindow::ShowRead()
+{
+  this->Begin();
+  Picture& picture = this->Shown->GetPicture();
+  QWidget* page = this->Pages->currentWidget();
+  const cli::Scene scene = this->Reader->TakeScene();
+  const cli::FramePoints points = this->Reader->TakePoints();
+  try
+  {
+    if (this->PointsOnly)
+    {
+      picture.ShowPoints(points, this->Edited->Get());
+    }
+    else
+    {
+      Settings settings = this->Edited->Get();
+      settings.TakeChanges(Settings(), this->Place);
+      this->Pages->setCurrentWidget(this->Shown);
+      this->SetViewSize(this->Place.Get("--size"));
+      picture.Show(scene, points, settings, this->KeepCamera);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    this->Pages->setCurrentWidget(page);
+    return QString::fromStdString(error.what());
+  }
+  if (this->Good.Files != this->Edited->Get().Files)
+  {
+    this->Edited->ForgetPast(); // that of other files
+  }
+  this->Good = this->Edited->Get();
+  this->Edited->SetFacts(GetFacts(picture));
+  this->setWindowTitle(GetTitle(this->Good.Files));
+  this->Say("");
+  this->TellMessages();
+  this->Remember();
+  return QString();
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::EndReading()
+{
+  this->Report->Renew();
+  this->Place = Settings();
+  this->Shown->Draw();
+  Q_EMIT this->Edited->shown();
+  Q_EMIT this->ready();
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::Remember()
+{
+  for (const QString& path : this->Opening)
+  {
+    this->Recent->Add(path);
+  }
+  this->Opening.clear();
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::TellMessages()
+{
+  QStringList all;
+  for (const std::string& text : cli::Messages::TakeNotes())
+  {
+    all += QString::fromStdString(text);
+  }
+  for (const std::string& text : cli::Messages::TakeWarnings())
+  {
+    all += "Warning: " + QString::fromStdString(text);
+  }
+  if (!all.isEmpty())
+  {
+    this->Say(all.join("; "));
+  }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::OnDrawn()
+{
+  this->Reading.Forget();
+  this->Stages->ShowReasons(this->Shown->GetPicture().GetFrame());
+  this->Report->Follow();
+  try
+  {
+    if (!this->Reader->IsBusy()) // whose messages are the thread's
+    {
+      cli::Messages::Check("Picture");
+    }
+  }
+  catch (const std::exception& error)
+  {
+    this->Say(QString::fromStdString(error.what()), true);
+  }
+}
+
+//------------------------------------------------------------------------------
+Settings MainWindow::GetViewSettings()
+{
+  return this->Shown->GetPicture().GetView(this->Good);
+}
+
+//------------------------------------------------------------------------------
+// Every sample of soft shadows, a few a frame, so that the user sees how far it is and may end it.
+// Nothing else is done meanwhile: no other picture may be saved than the one that was asked for.
+bool MainWindow::Gather()
+{
+  vtkRelievoPass* frame = this->Shown->GetPicture().GetFrame();
+  if (!frame || this->Saving)
+  {
+    return !this->Saving;
+  }
+  this->Time->Stop();
+  this->Saving = true;
+  QProgressDialog dialog("Gathering soft shadows", "Cancel", 0, 0, this);
+  dialog.setWindowModality(Qt::ApplicationModal);
+  dialog.setMinimumDuration(SavePatience);
+  dialog.setAutoReset(false);
+  this->Shown->renderWindow()->Render();
+  const int all = frame->GetSamplesLeft();
+  dialog.setMaximum(all);
+  int idle = 0; // frames that brought nothing, as where something moves by itself
+  for (int left = all; left > 0 && idle < MostIdle && !dialog.wasCanceled();)
+  {
+    idle = frame->GetSamplesLeft() < left ? 0 : idle + 1;
+    left = frame->GetSamplesLeft();
+    dialog.setValue(std::max(0, all - left));
+    QApplication::processEvents();
+    this->Shown->renderWindow()->Render();
+  }
+  const bool good = !dialog.wasCanceled();
+  this->Saving = false;
+  if (!good)
+  {
+    this->Say("Stopped: nothing was saved.");
+  }
+  this->Later.start(0);
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// What has been read while a picture was saved.
+void MainWindow::ShowLate()
+{
+  if (this->Late)
+  {
+    const QString trouble = *this->Late;
+    this->Late.reset();
+    this->OnRead(trouble);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::SaveSession(const QString& path)
+{
+  const SunGroup* sun = this->Light->GetSun();
+  viewer::SaveSession(path, { this->GetViewSettings(), sun->GetTime(), sun->IsByTime() });
+  this->Recent->Add(QFileInfo(path).absoluteFilePath());
+  this->Say("Saved " + path);
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::SavePicture(const QString& path)
+{
+  this->Shown->GetPicture().CheckShown("Save picture");
+  if (!this->Gather())
+  {
+    return;
+  }
+  Write<vtkPNGWriter>(path, this->Shown->GetPicture().Grab());
+  this->Say("Saved " + path);
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::SaveLayers(const QString& path, const std::vector<std::string>& layers)
+{
+  this->Shown->GetPicture().CheckShown("Save layers");
+  if (!this->Gather())
+  {
+    return;
+  }
+  vtkNew<vtkRelievoLayerSource> source;
+  source->SetRenderer(this->Shown->GetPicture().GetRenderer());
+  for (const std::string& layer : layers)
+  {
+    source->AddLayer(layer);
+  }
+  source->Update();
+  cli::Messages::Check(path.toStdString(), source->GetErrorCode() != 0);
+  Write<vtkRelievoEXRWriter>(path, source->GetOutput());
+  this->Say("Saved " + path);
 }
 }

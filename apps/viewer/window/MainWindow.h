@@ -41,7 +41,7 @@ public:
   Document* GetDocument() { return this->Edited; }
   PictureView* GetView() { return this->Shown; }
 
-  /// Shows these settings; files are read in the background. Throws cli::WordsError, and changes
+  /// Shows these settings; files are read in the background. Throws cli::UsageError, and changes
   /// nothing, for those that the command line refuses.
   void Open(const Settings& settings);
 
@@ -50,7 +50,7 @@ public:
 
   ///@{
   /// Pictures with every sample of soft shadows: the user sees how far it is, and may end it, which
-  /// saves nothing. Each throws cli::WorkError or cli::WordsError.
+  /// saves nothing. Each throws cli::WorkError or cli::UsageError.
   void OpenSession(const QString& path);
   void SaveSession(const QString& path);
   void SavePicture(const QString& path);

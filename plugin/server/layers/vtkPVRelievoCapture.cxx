@@ -13,9 +13,9 @@
 #include "vtkPVSession.h"
 #include "vtkPointData.h"
 #include "vtkProcessModule.h"
-#include "vtkRelievoGBufferPass.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
+#include "vtkRelievoLayersStage.h"
 #include "vtkRelievoPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -141,7 +141,7 @@ void vtkPVRelievoCapture::Start()
   {
     // A server with nothing to draw is left out of the picture: it must not show an old one's.
     window->MakeCurrent();
-    in.Started->GetFrame()->GetGBuffer()->ReleaseGraphicsResources(window);
+    in.Started->GetFrame()->GetLayersStage()->ReleaseGraphicsResources(window);
   }
   for (const std::string& name : in.Requested)
   {
@@ -190,7 +190,7 @@ void vtkPVRelievoCapture::Read(bool together, bool quiet)
     wrong = "The view was not drawn with Relievo: it is hidden, or another feature draws it (ray "
             "tracing, for example). Show the view or switch that off, and grab again.";
   }
-  else if (!names.empty() && view->GetFrame()->GetGBuffer()->GetHoldsLayers())
+  else if (!names.empty() && view->GetFrame()->GetLayersStage()->GetHoldsLayers())
   {
     wrong = ReadSome(view->GetFrame(), names, in.Image);
   }

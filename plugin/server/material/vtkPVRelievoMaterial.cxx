@@ -7,7 +7,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVRelievoAccess.h"
-#include "vtkPVRelievoWithin.h"
+#include "vtkPVRelievoClamped.h"
 #include "vtkPVView.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoImageFile.h"
@@ -115,7 +115,7 @@ void vtkPVRelievoMaterial::Apply()
     map->Read = true;
     std::string failure;
     map->Image = vtkRelievoImageFile::Read(map->Path, failure);
-    if (!map->Image && vtkPVRelievoSpeaks())
+    if (!map->Image && vtkPVRelievoReports())
     {
       vtkErrorMacro("Relievo" << map->Property << " was given '" << map->Path << "', expected "
                               << failure << ". The surface is shown without it.");
@@ -259,7 +259,7 @@ void vtkPVRelievoMaterial::SetInterpolateScalarsBeforeMapping(bool on)
 void vtkPVRelievoMaterial::SetNormalStrength(double factor)
 {
   this->Internal->Material->SetNormalStrength(
-    vtkPVRelievoWithin(this, "NormalStrength", factor, -Huge, Huge));
+    vtkPVRelievoClamped(this, "NormalStrength", factor, -Huge, Huge));
 }
 
 //------------------------------------------------------------------------------
@@ -272,21 +272,21 @@ void vtkPVRelievoMaterial::SetFlipGreen(bool on)
 void vtkPVRelievoMaterial::SetHeightScale(double depth)
 {
   this->Internal->Material->SetHeightScale(
-    vtkPVRelievoWithin(this, "HeightScale", depth, 0.0, Huge));
+    vtkPVRelievoClamped(this, "HeightScale", depth, 0.0, Huge));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::SetHeightRange(double ground, double top)
 {
   this->Internal->Material->SetHeightRange(
-    vtkPVRelievoWithin(this, "HeightRange", ground, -Huge, Huge),
-    vtkPVRelievoWithin(this, "HeightRange", top, -Huge, Huge));
+    vtkPVRelievoClamped(this, "HeightRange", ground, -Huge, Huge),
+    vtkPVRelievoClamped(this, "HeightRange", top, -Huge, Huge));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::SetReliefMethod(int method)
 {
-  this->Internal->Material->SetMethod(vtkPVRelievoWithin<int>(this, "ReliefMethod", method,
+  this->Internal->Material->SetMethod(vtkPVRelievoClamped<int>(this, "ReliefMethod", method,
     vtkRelievoMaterial::METHOD_OFF, vtkRelievoMaterial::METHOD_RELIEF));
 }
 
@@ -312,43 +312,43 @@ void vtkPVRelievoMaterial::SetClipAtBorders(bool on)
 void vtkPVRelievoMaterial::SetStepsPerTexel(double steps)
 {
   this->Internal->Material->SetStepsPerTexel(
-    vtkPVRelievoWithin(this, "StepsPerTexel", steps, 0.01, 16.0));
+    vtkPVRelievoClamped(this, "StepsPerTexel", steps, 0.01, 16.0));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::SetMinimumSteps(int steps)
 {
   this->Internal->Material->SetMinimumSteps(
-    vtkPVRelievoWithin(this, "MinimumSteps", steps, 1, 4096));
+    vtkPVRelievoClamped(this, "MinimumSteps", steps, 1, 4096));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::SetMaximumSteps(int steps)
 {
   this->Internal->Material->SetMaximumSteps(
-    vtkPVRelievoWithin(this, "MaximumSteps", steps, 1, 4096));
+    vtkPVRelievoClamped(this, "MaximumSteps", steps, 1, 4096));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::SetBisections(int count)
 {
-  this->Internal->Material->SetBisections(vtkPVRelievoWithin(this, "Bisections", count, 0, 32));
+  this->Internal->Material->SetBisections(vtkPVRelievoClamped(this, "Bisections", count, 0, 32));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::SetTextureScale(double u, double v)
 {
   this->Internal->Material->SetTextureScale(
-    vtkPVRelievoWithin(this, "TextureScale", u, -Huge, Huge),
-    vtkPVRelievoWithin(this, "TextureScale", v, -Huge, Huge));
+    vtkPVRelievoClamped(this, "TextureScale", u, -Huge, Huge),
+    vtkPVRelievoClamped(this, "TextureScale", v, -Huge, Huge));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::SetTextureOffset(double u, double v)
 {
   this->Internal->Material->SetTextureOffset(
-    vtkPVRelievoWithin(this, "TextureOffset", u, -Huge, Huge),
-    vtkPVRelievoWithin(this, "TextureOffset", v, -Huge, Huge));
+    vtkPVRelievoClamped(this, "TextureOffset", u, -Huge, Huge),
+    vtkPVRelievoClamped(this, "TextureOffset", v, -Huge, Huge));
 }
 
 //------------------------------------------------------------------------------
@@ -361,28 +361,28 @@ void vtkPVRelievoMaterial::SetRepeat(bool on)
 void vtkPVRelievoMaterial::SetReflectivity(double share)
 {
   this->Internal->Material->SetReflectivity(
-    vtkPVRelievoWithin(this, "Reflectivity", share, 0.0, 1.0));
+    vtkPVRelievoClamped(this, "Reflectivity", share, 0.0, 1.0));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::SetRoughness(double roughness)
 {
   this->Internal->Material->SetRoughness(
-    vtkPVRelievoWithin(this, "Roughness", roughness, 0.0, 1.0));
+    vtkPVRelievoClamped(this, "Roughness", roughness, 0.0, 1.0));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::SetReflectionWeight(double factor)
 {
   this->Internal->Material->SetReflectionWeight(
-    vtkPVRelievoWithin(this, "ReflectionWeight", factor, 0.0, 1.0));
+    vtkPVRelievoClamped(this, "ReflectionWeight", factor, 0.0, 1.0));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMaterial::SetIrradianceWeight(double factor)
 {
   this->Internal->Material->SetIrradianceWeight(
-    vtkPVRelievoWithin(this, "IrradianceWeight", factor, 0.0, Huge));
+    vtkPVRelievoClamped(this, "IrradianceWeight", factor, 0.0, Huge));
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,7 @@
 
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkPVRelievoWithin.h"
+#include "vtkPVRelievoClamped.h"
 #include "vtkRelievoFogStage.h"
 
 vtkStandardNewMacro(vtkPVRelievoFog);
@@ -51,7 +51,7 @@ void vtkPVRelievoFog::Prepare(
 //------------------------------------------------------------------------------
 void vtkPVRelievoFog::SetRadius(double radius)
 {
-  this->Fog->SetRadius(vtkPVRelievoWithin(this, "FogRadius", radius, 0.0, Huge));
+  this->Fog->SetRadius(vtkPVRelievoClamped(this, "FogRadius", radius, 0.0, Huge));
 }
 
 //------------------------------------------------------------------------------
@@ -63,5 +63,5 @@ void vtkPVRelievoFog::SetColor(double red, double green, double blue)
 //------------------------------------------------------------------------------
 void vtkPVRelievoFog::SetDensity(double density)
 {
-  this->Fog->SetDensity(vtkPVRelievoWithin(this, "FogDensity", density, 0.0, Huge));
+  this->Fog->SetDensity(vtkPVRelievoClamped(this, "FogDensity", density, 0.0, Huge));
 }

@@ -4,7 +4,7 @@
 
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkPVRelievoWithin.h"
+#include "vtkPVRelievoClamped.h"
 #include "vtkRelievoLampsStage.h"
 
 vtkStandardNewMacro(vtkPVRelievoLamps);
@@ -51,7 +51,7 @@ void vtkPVRelievoLamps::Prepare(
 //------------------------------------------------------------------------------
 void vtkPVRelievoLamps::SetRadius(double radius)
 {
-  this->Lamps->SetRadius(vtkPVRelievoWithin(this, "LampRadius", radius, 0.0, Huge));
+  this->Lamps->SetRadius(vtkPVRelievoClamped(this, "LampRadius", radius, 0.0, Huge));
 }
 
 //------------------------------------------------------------------------------
@@ -63,13 +63,13 @@ void vtkPVRelievoLamps::SetColor(double red, double green, double blue)
 //------------------------------------------------------------------------------
 void vtkPVRelievoLamps::SetIntensity(double intensity)
 {
-  this->Lamps->SetIntensity(vtkPVRelievoWithin(this, "LampIntensity", intensity, -Huge, Huge));
+  this->Lamps->SetIntensity(vtkPVRelievoClamped(this, "LampIntensity", intensity, -Huge, Huge));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoLamps::SetFalloff(int falloff)
 {
-  this->Lamps->SetFalloff(vtkPVRelievoWithin<int>(
+  this->Lamps->SetFalloff(vtkPVRelievoClamped<int>(
     this, "LampFalloff", falloff, vtkRelievoLamps::LINEAR, vtkRelievoLamps::VTK));
 }
 
@@ -77,7 +77,7 @@ void vtkPVRelievoLamps::SetFalloff(int falloff)
 void vtkPVRelievoLamps::SetCasts(int choice)
 {
   this->Lamps->SetCasts(
-    vtkPVRelievoWithin<int>(this, "LampCasts", choice, 0, 2) + vtkRelievoLamps::CASTS_IF_LARGE);
+    vtkPVRelievoClamped<int>(this, "LampCasts", choice, 0, 2) + vtkRelievoLamps::CASTS_IF_LARGE);
 }
 
 //------------------------------------------------------------------------------

@@ -4,8 +4,8 @@
 
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVRelievoClamped.h"
 #include "vtkPVRelievoSelection.h"
-#include "vtkPVRelievoWithin.h"
 #include "vtkRelievoMarkersStage.h"
 
 vtkStandardNewMacro(vtkPVRelievoMarkers);
@@ -62,31 +62,31 @@ void vtkPVRelievoMarkers::SetShape(int shape)
 {
   const int first = vtkRelievoMarkers::RING;
   const int last = vtkRelievoMarkers::SHADOW;
-  this->Markers->SetShape(vtkPVRelievoWithin(this, "MarkerShape", shape, first, last));
+  this->Markers->SetShape(vtkPVRelievoClamped(this, "MarkerShape", shape, first, last));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMarkers::SetRadius(double radius)
 {
-  this->Markers->SetRadius(vtkPVRelievoWithin(this, "MarkerRadius", radius, 0.0, Huge));
+  this->Markers->SetRadius(vtkPVRelievoClamped(this, "MarkerRadius", radius, 0.0, Huge));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMarkers::SetWidth(double width)
 {
-  this->Markers->SetWidth(vtkPVRelievoWithin(this, "MarkerWidth", width, 0.0, 1.0));
+  this->Markers->SetWidth(vtkPVRelievoClamped(this, "MarkerWidth", width, 0.0, 1.0));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMarkers::SetReach(double reach)
 {
-  this->Markers->SetReach(vtkPVRelievoWithin(this, "MarkerReach", reach, 0.0, Huge));
+  this->Markers->SetReach(vtkPVRelievoClamped(this, "MarkerReach", reach, 0.0, Huge));
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoMarkers::SetOpacity(double opacity)
 {
-  this->Markers->SetOpacity(vtkPVRelievoWithin(this, "MarkerOpacity", opacity, 0.0, 1.0));
+  this->Markers->SetOpacity(vtkPVRelievoClamped(this, "MarkerOpacity", opacity, 0.0, 1.0));
 }
 
 //------------------------------------------------------------------------------
@@ -102,7 +102,7 @@ void vtkPVRelievoMarkers::SetUp(double x, double y, double z)
   {
     this->Markers->SetUp(x, y, z);
   }
-  else if (vtkPVRelievoSpeaks())
+  else if (vtkPVRelievoReports())
   {
     vtkWarningMacro("MarkerUp: got 0 0 0, expected a direction; it stays as it was.");
   }

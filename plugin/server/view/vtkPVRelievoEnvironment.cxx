@@ -8,8 +8,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPVRelievoAccess.h"
+#include "vtkPVRelievoClamped.h"
 #include "vtkPVRelievoMaterial.h"
-#include "vtkPVRelievoWithin.h"
 #include "vtkPropCollection.h"
 #include "vtkRelievoImageFile.h"
 #include "vtkRelievoMaterial.h"
@@ -53,7 +53,7 @@ std::shared_ptr<vtkRelievoEnvironmentLight> vtkPVRelievoEnvironment::Read(
   }
   if (!failure.empty())
   {
-    if (vtkPVRelievoSpeaks())
+    if (vtkPVRelievoReports())
     {
       vtkErrorWithObjectMacro(self,
         "RelievoEnvironment was given '" << path << "', expected " << failure

@@ -13,14 +13,23 @@
 #include "vtkOpenGLState.h"
 #include "vtkPVDefaultPass.h"
 #include "vtkPVRelievoAccess.h"
+#include "vtkPVRelievoClamped.h"
 #include "vtkPVRelievoEnvironment.h"
+#include "vtkPVRelievoFog.h"
+#include "vtkPVRelievoLamps.h"
+#include "vtkPVRelievoMarkers.h"
 #include "vtkPVRelievoPoints.h"
 #include "vtkPVRelievoSelection.h"
 #include "vtkPVRelievoSun.h"
+#include "vtkPVView.h"
 #include "vtkPropCollection.h"
-#include "vtkRelievoGBufferPass.h"
+#include "vtkRelievoFogStage.h"
+#include "vtkRelievoLampsStage.h"
+#include "vtkRelievoLayersStage.h"
+#include "vtkRelievoMarkersStage.h"
 #include "vtkRelievoPass.h"
-#include "vtkRelievoShadowPass.h"
+#include "vtkRelievoShadowStage.h"
+#include "vtkRelievoStage.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSynchronizedRenderers.h"
@@ -55,6 +64,22 @@ void ForgetBuffers(vtkRenderWindow* window)
     opened->GetState()->Reset();
   }
 }
+
+// Sets a parameter by `set`, which says what is wrong.
+template <typename Set>
+void SetParameter(vtkPVRelievoView* view, const std::string& word, Set set)
+{
+  const std::size_t colon = word.find(':');
+  vtkRelievoStage* stage = view->GetFrame()->GetStage(word.substr(0, colon));
+  const vtkRelievoParameter* parameter = stage && colon != std::string::npos
+    ? stage->GetDescription().Find(word.substr(colon + 1))
+    : nullptr;
+  const std::string wrong = parameter ? set(*parameter) : "there is no such parameter here";
+  if (!wrong.empty() && vtkPVRelievoReports())
+  {
+    vtkWarningWithObjectMacro(view, << word << ": " << wrong << ".");
+  }
+}
 }
 
 class vtkPVRelievoView::Internals
@@ -80,7 +105,7 @@ vtkPVRelievoView::vtkPVRelievoView()
 {
   this->Internal->Frame->SetDelegatePass(this->Internal->Delegate);
   // The actor of all of ParaView's surfaces; what it has more is a coarse mapper for interaction.
-  vtkRelievoShadowPass::AddPlainActorClass("vtkPVLODActor");
+  vtkRelievoShadowStage::AddPlainActorClass("vtkPVLODActor");
   this->Internal->Surroundings.Environment->GammaCorrectOn();
   this->Internal->Surroundings.Environment->SetUpAxis(2);
   GetAll().push_back(this);
@@ -120,7 +145,7 @@ void vtkPVRelievoView::SetView(vtkPVView* view)
   }
   in.View = renderView;
   vtkLightKit* kit = vtkPVRelievoAccess::View::Kit(renderView);
-  vtkRelievoShadowPass* shadows = in.Frame->GetShadowPass();
+  vtkRelievoShadowStage* shadows = in.Frame->GetShadowStage();
   shadows->SetLightName(in.Sun.Light, "sun");
   for (vtkLight* fill : in.Sun.Fills)
   {
@@ -193,7 +218,7 @@ void vtkPVRelievoView::ReleaseLayer(const std::string& name)
   if (in.Asked.empty() && !in.Frame->GetDisplayLayer() && window && !window->GetNeverRendered())
   {
     window->MakeCurrent();
-    in.Frame->GetGBuffer()->ReleaseGraphicsResources(window);
+    in.Frame->GetLayersStage()->ReleaseGraphicsResources(window);
   }
 }
 
@@ -257,7 +282,7 @@ void vtkPVRelievoView::PlacePass()
 void vtkPVRelievoView::ChooseCasters()
 {
   Internals& in = *this->Internal;
-  vtkRelievoShadowPass* shadows = in.Frame->GetShadowPass();
+  vtkRelievoShadowStage* shadows = in.Frame->GetShadowStage();
   vtkLightKit* kit = vtkPVRelievoAccess::View::Kit(in.View);
   auto choose = [shadows](vtkLight* light, bool casts) {
     if (shadows->GetLightCasts(light) != casts)
@@ -279,8 +304,8 @@ void vtkPVRelievoView::ChooseCasters()
   props->InitTraversal(it);
   while (vtkProp* prop = props->GetNextProp(it))
   {
-    const int casts = prop->GetPickable() ? vtkRelievoShadowPass::CASTS_IF_OPAQUE
-                                          : vtkRelievoShadowPass::CASTS_NEVER;
+    const int casts = prop->GetPickable() ? vtkRelievoShadowStage::CASTS_IF_OPAQUE
+                                          : vtkRelievoShadowStage::CASTS_NEVER;
     if (shadows->GetPropCasts(prop) != casts)
     {
       shadows->SetPropCasts(prop, casts);
@@ -303,14 +328,14 @@ void vtkPVRelievoView::ChooseProcesses()
     // A process without geometry in view would not be asked to draw, and the others would wait.
     passes->SetRenderEmptyImages(true);
   }
-  in.Frame->GetShadowPass()->SetController(together ? controller : nullptr);
+  in.Frame->GetShadowStage()->SetController(together ? controller : nullptr);
   this->GivePoints(in.View, together ? controller : nullptr);
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoView::SetLightName(vtkLight* light, const char* name)
 {
-  this->GetFrame()->GetShadowPass()->SetLightName(light, name ? name : "");
+  this->GetFrame()->GetShadowStage()->SetLightName(light, name ? name : "");
 }
 
 //------------------------------------------------------------------------------
@@ -324,7 +349,7 @@ const char* vtkPVRelievoView::GetShadowLayers()
     in.Sun.Place(in.View->GetRenderer(), vtkPVRelievoAccess::View::Kit(in.View));
     this->ChooseCasters();
     for (const std::string& layer :
-      in.Frame->GetShadowPass()->GetShadowLayers(in.View->GetRenderer()))
+      in.Frame->GetShadowStage()->GetShadowLayers(in.View->GetRenderer()))
     {
       in.ShadowLayers += (in.ShadowLayers.empty() ? "" : ",") + layer;
     }
@@ -336,7 +361,8 @@ const char* vtkPVRelievoView::GetShadowLayers()
 bool vtkPVRelievoView::ReadShownLayer(const char* name, vtkImageData* image)
 {
   image->Initialize();
-  const bool good = this->IsInPlace() && this->Internal->Frame->GetGBuffer()->GetHoldsLayers() &&
+  const bool good = this->IsInPlace() &&
+    this->Internal->Frame->GetLayersStage()->GetHoldsLayers() &&
     this->Internal->Frame->TryReadLayers({ name }, image).empty();
   if (!good)
   {
@@ -372,7 +398,7 @@ vtkPVRelievoSelection& vtkPVRelievoView::GetSelection()
 }
 
 //------------------------------------------------------------------------------
-vtkPVRelievoEnvironment& vtkPVRelievoView::GetSurroundings()
+vtkPVRelievoEnvironment& vtkPVRelievoView::GetEnvironment()
 {
   return this->Internal->Surroundings;
 }
@@ -392,4 +418,380 @@ void vtkPVRelievoView::PrintSelf(ostream& os, vtkIndent indent)
   this->Internal->Surroundings.Environment->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Frame:\n";
   this->Internal->Frame->PrintSelf(os, indent.GetNextIndent());
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadows(bool on)
+{
+  this->GetFrame()->SetShadows(on);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVRelievoView::GetShadows()
+{
+  return this->GetFrame()->GetShadows();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowMethod(int method)
+{
+  const int least = vtkRelievoShadowStage::METHOD_MAP;
+  const int most = vtkRelievoShadowStage::METHOD_EXACT;
+  this->GetFrame()->GetShadowStage()->SetMethod(
+    vtkPVRelievoClamped(this, "ShadowMethod", method, least, most));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowMapSize(int size)
+{
+  this->GetFrame()->GetShadowStage()->SetMapSize(
+    vtkPVRelievoClamped(this, "ShadowMapSize", size, 16, 16384));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowLampMapSize(int size)
+{
+  this->GetFrame()->GetShadowStage()->SetLampMapSize(
+    vtkPVRelievoClamped(this, "ShadowLampMapSize", size, 16, 16384));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowTolerance(double share)
+{
+  this->GetFrame()->GetShadowStage()->SetTolerance(
+    vtkPVRelievoClamped(this, "ShadowTolerance", share, 0.0, 1.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowTimeBudget(double milliseconds)
+{
+  this->GetFrame()->GetShadowStage()->SetTimeBudget(
+    vtkPVRelievoClamped(this, "ShadowTimeBudget", milliseconds, 0.0, 3600000.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowFilterRadius(int radius)
+{
+  this->GetFrame()->GetShadowStage()->SetFilterRadius(
+    vtkPVRelievoClamped(this, "ShadowFilterRadius", radius, 0, 16));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowBias(double bias)
+{
+  this->GetFrame()->GetShadowStage()->SetBias(
+    vtkPVRelievoClamped(this, "ShadowBias", bias, 0.0, 100.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetShadowStrength(double strength)
+{
+  this->GetFrame()->GetShadowStage()->SetStrength(
+    vtkPVRelievoClamped(this, "ShadowStrength", strength, 0.0, 1.0));
+}
+
+//------------------------------------------------------------------------------
+int vtkPVRelievoView::GetSamplesLeft()
+{
+  return this->IsInPlace() ? this->GetFrame()->GetSamplesLeft() : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetLightKitCasts(int casts)
+{
+  const int least = KIT_CASTS_NOTHING;
+  const int most = KIT_CASTS_ALL;
+  this->LightKitCasts = vtkPVRelievoClamped(this, "LightKitCasts", casts, least, most);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSun(bool on)
+{
+  this->GetSunlight().On = on;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunBy(int placing)
+{
+  this->GetSunlight().ByDateAndPlace = vtkPVRelievoClamped(this, "SunBy", placing, 0, 1) != 0;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunAzimuth(double degrees)
+{
+  // 370 is as good as 10; what has no direction is not.
+  this->GetSunlight().Azimuth =
+    std::isfinite(degrees) ? degrees : vtkPVRelievoClamped(this, "SunAzimuth", degrees, 0.0, 360.0);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunElevation(double degrees)
+{
+  this->GetSunlight().Elevation = vtkPVRelievoClamped(this, "SunElevation", degrees, -90.0, 90.0);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunDate(int year, int month, int day)
+{
+  this->GetSunlight().Position->SetDate(vtkPVRelievoClamped(this, "SunDate", year, 1900, 2100),
+    vtkPVRelievoClamped(this, "SunDate", month, 1, 12),
+    vtkPVRelievoClamped(this, "SunDate", day, 1, 31));
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunTime(double hour)
+{
+  this->GetSunlight().Position->SetHour(vtkPVRelievoClamped(this, "SunTime", hour, 0.0, 24.0));
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunTimeZone(double hours)
+{
+  this->GetSunlight().Position->SetTimeZone(
+    vtkPVRelievoClamped(this, "SunTimeZone", hours, -12.0, 14.0));
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunLatitude(double degrees)
+{
+  this->GetSunlight().Position->SetLatitude(
+    vtkPVRelievoClamped(this, "SunLatitude", degrees, -90.0, 90.0));
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunLongitude(double degrees)
+{
+  this->GetSunlight().Position->SetLongitude(
+    vtkPVRelievoClamped(this, "SunLongitude", degrees, -180.0, 180.0));
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunNorth(double degrees)
+{
+  // 370 is as good as 10; what has no direction is not.
+  this->GetSunlight().North =
+    std::isfinite(degrees) ? degrees : vtkPVRelievoClamped(this, "SunNorth", degrees, 0.0, 360.0);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunUpAxis(int axis)
+{
+  this->GetSunlight().UpAxis = vtkPVRelievoClamped(this, "SunUpAxis", axis, 0, 2);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunIntensity(double intensity)
+{
+  this->GetSunlight().Intensity = vtkPVRelievoClamped(this, "SunIntensity", intensity, 0.0, 1000.0);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunColor(double red, double green, double blue)
+{
+  this->GetSunlight().Color[0] = vtkPVRelievoClamped(this, "SunColor", red, 0.0, 1.0);
+  this->GetSunlight().Color[1] = vtkPVRelievoClamped(this, "SunColor", green, 0.0, 1.0);
+  this->GetSunlight().Color[2] = vtkPVRelievoClamped(this, "SunColor", blue, 0.0, 1.0);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunKitShare(double share)
+{
+  this->GetSunlight().KitShare = vtkPVRelievoClamped(this, "SunKitShare", share, 0.0, 1.0);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSunFill(double intensity)
+{
+  this->GetSunlight().Fill = vtkPVRelievoClamped(this, "SunFill", intensity, 0.0, 1.0);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+double* vtkPVRelievoView::GetSunAngles()
+{
+  this->GetSunlight().GetAngles(this->SunAngles);
+  return this->SunAngles;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetEnvironment(const char* file)
+{
+  this->GetEnvironment().SetFile(file);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetEnvironmentRotation(double degrees)
+{
+  // As with the sun's azimuth, 370 is as good as 10.
+  this->GetEnvironment().Environment->SetRotation(std::isfinite(degrees)
+      ? degrees
+      : vtkPVRelievoClamped(this, "EnvironmentRotation", degrees, 0.0, 360.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetEnvironmentIntensity(double factor)
+{
+  this->GetEnvironment().Environment->SetIntensity(
+    vtkPVRelievoClamped(this, "EnvironmentIntensity", factor, 0.0, 1000.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetEnvironmentUp(int axis)
+{
+  this->GetEnvironment().Environment->SetUpAxis(
+    vtkPVRelievoClamped(this, "EnvironmentUp", axis, 0, 2));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetEnvironmentGammaCorrect(bool on)
+{
+  this->GetEnvironment().Environment->SetGammaCorrect(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetSkybox(bool on)
+{
+  this->GetEnvironment().Sky = on;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetMarkSelection(bool on)
+{
+  this->GetSelection().On = on;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetMarkSelectionShape(int shape)
+{
+  const int first = vtkRelievoMarkers::RING;
+  const int last = vtkRelievoMarkers::DISC;
+  this->GetSelection().Look->SetShape(
+    vtkPVRelievoClamped(this, "MarkSelectionShape", shape, first, last));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetMarkSelectionRadius(double radius)
+{
+  this->GetSelection().Look->SetRadius(
+    vtkPVRelievoClamped(this, "MarkSelectionRadius", radius, 0.0, 1e30));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetMarkSelectionWidth(double width)
+{
+  this->GetSelection().Look->SetWidth(
+    vtkPVRelievoClamped(this, "MarkSelectionWidth", width, 0.0, 1.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetMarkSelectionOpacity(double opacity)
+{
+  this->GetSelection().Look->SetOpacity(
+    vtkPVRelievoClamped(this, "MarkSelectionOpacity", opacity, 0.0, 1.0));
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetMarkSelectionColor(double red, double green, double blue)
+{
+  this->GetSelection().Look->SetColor(red, green, blue);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetDisplayLayer(const char* name)
+{
+  // The panel's word for the picture itself.
+  const bool picture = !name || !*name || std::string(name) == "None";
+  this->GetFrame()->SetDisplayLayer(picture ? nullptr : name);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetDisplayRange(double first, double last)
+{
+  this->GetFrame()->SetDisplayRange(first, last);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetDisplayGrey(bool on)
+{
+  this->GetFrame()->SetDisplayGrey(on);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVRelievoView::IsAnyStageOn()
+{
+  vtkRelievoPass* frame = this->GetFrame();
+  for (int i = 0; i < frame->GetNumberOfStages(); ++i)
+  {
+    vtkRelievoStage* stage = frame->GetStage(i);
+    if (stage->GetEnabled() && !stage->GetDescription().OnByDefault)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetStageOn(const char* name, bool on)
+{
+  if (vtkRelievoStage* stage = this->GetFrame()->GetStage(name))
+  {
+    stage->SetEnabled(on);
+  }
+  else if (on && vtkPVRelievoReports()) // all that are off are told of, too, when a view is made
+  {
+    vtkWarningMacro(<< name << ": there is no such stage here.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetStageValue(const char* parameter, double value)
+{
+  SetParameter(
+    this, parameter, [value](const vtkRelievoParameter& found) { return found.Set({ value }); });
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetStageValue(
+  const char* parameter, double first, double second, double third)
+{
+  SetParameter(this, parameter, [first, second, third](const vtkRelievoParameter& found) {
+    return found.Set({ first, second, third });
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoView::SetStageText(const char* parameter, const char* text)
+{
+  const std::string words = text ? text : "";
+  SetParameter(
+    this, parameter, [&words](const vtkRelievoParameter& found) { return found.Parse(words); });
+}
+
+//------------------------------------------------------------------------------
+// Representations' points, to the stages that take them: of all processes that draw together.
+void vtkPVRelievoView::GivePoints(vtkPVView* view, vtkMultiProcessController* controller)
+{
+  vtkRelievoPass* frame = this->GetFrame();
+  vtkPVRelievoLamps::Prepare(
+    view, vtkRelievoLampsStage::SafeDownCast(frame->GetStage("lamps")), controller);
+  vtkPVRelievoFog::Prepare(
+    view, vtkRelievoFogStage::SafeDownCast(frame->GetStage("fog")), controller);
+  vtkPVRelievoMarkers::Prepare(view, this->GetSelection(),
+    vtkRelievoMarkersStage::SafeDownCast(frame->GetStage("markers")), controller);
 }

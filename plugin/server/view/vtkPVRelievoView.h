@@ -46,7 +46,7 @@ public:
   ///@}
 
   ///@{
-  /** As of vtkRelievoShadowPass. */
+  /** As of vtkRelievoShadowStage. */
   void SetShadowMethod(int method);
   void SetShadowMapSize(int size);
   void SetShadowLampMapSize(int size);
@@ -189,7 +189,7 @@ public:
   vtkPVRelievoSelection& GetSelection();
 
   /** The view's environment. */
-  vtkPVRelievoEnvironment& GetSurroundings();
+  vtkPVRelievoEnvironment& GetEnvironment();
 
   /** The object that works in a view, or nullptr. */
   static vtkPVRelievoView* Find(vtkPVView* view);

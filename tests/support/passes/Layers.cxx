@@ -8,8 +8,8 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkRelievoGBufferPass.h>
 #include <vtkRelievoLayerSource.h>
+#include <vtkRelievoLayersStage.h>
 #include <vtkRelievoPass.h>
 #include <vtkRelievoPrimitiveIds.h>
 #include <vtkRenderWindow.h>
@@ -41,14 +41,14 @@ std::string ToString(Way way)
 
 //------------------------------------------------------------------------------
 Layers::Layers(vtkRenderer* renderer, const std::vector<std::string>& names, Way way,
-  const std::function<void(vtkRelievoGBufferPass*)>& set)
+  const std::function<void(vtkRelievoLayersStage*)>& set)
   : Image(vtkSmartPointer<vtkImageData>::New())
 {
   vtkSmartPointer<vtkRelievoPass> before = vtkRelievoPass::SafeDownCast(renderer->GetPass());
   vtkSmartPointer<vtkRelievoPass> pass = vtkRelievoPass::Attach(renderer);
   if (set)
   {
-    set(pass->GetGBuffer());
+    set(pass->GetLayersStage());
   }
   if (way == Way::Own)
   {
@@ -68,7 +68,7 @@ Layers::Layers(vtkRenderer* renderer, const std::vector<std::string>& names, Way
       pass->RequestLayer(name);
     }
     renderer->GetRenderWindow()->Render();
-    RELIEVO_CHECK_THAT(pass->GetGBuffer()->GetShared(),
+    RELIEVO_CHECK_THAT(pass->GetLayersStage()->GetShared(),
       "the delegate's geometry pass was not shared: " + pass->GetFrameReport());
     for (const std::string& name : names)
     {

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-class vtkRelievoGBufferPass;
+class vtkRelievoLayersStage;
 class vtkRenderer;
 
 namespace relievoTest
@@ -44,7 +44,7 @@ public:
    * Afterwards the renderer is as it was.
    */
   Layers(vtkRenderer* renderer, const std::vector<std::string>& names, Way way = Way::Own,
-    const std::function<void(vtkRelievoGBufferPass*)>& set = nullptr);
+    const std::function<void(vtkRelievoLayersStage*)>& set = nullptr);
 
   /** An image that holds layers already. */
   explicit Layers(vtkImageData* image);

@@ -9,7 +9,7 @@
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 
 #include <algorithm>
 #include <cstdlib>

@@ -15,7 +15,7 @@
 #include <vtkPoints.h>
 #include <vtkProperty.h>
 #include <vtkRelievoPass.h>
-#include <vtkRelievoShadowPass.h>
+#include <vtkRelievoShadowStage.h>
 
 #include <algorithm>
 #include <iostream>
@@ -123,9 +123,9 @@ vtkRelievoPass* ShadowStage::GetFrame()
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoShadowPass* ShadowStage::GetShadows()
+vtkRelievoShadowStage* ShadowStage::GetShadows()
 {
-  return this->GetFrame()->GetShadowPass();
+  return this->GetFrame()->GetShadowStage();
 }
 
 //------------------------------------------------------------------------------

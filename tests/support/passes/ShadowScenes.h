@@ -21,7 +21,7 @@
 
 class vtkImageData;
 class vtkRelievoPass;
-class vtkRelievoShadowPass;
+class vtkRelievoShadowStage;
 
 namespace relievoTest
 {
@@ -55,7 +55,7 @@ struct ShadowStage : Stage
 
   /** The shadow stage, attached on first use. */
   vtkRelievoPass* GetFrame();
-  vtkRelievoShadowPass* GetShadows();
+  vtkRelievoShadowStage* GetShadows();
 
   double Scale;
   glm::dvec3 Origin;

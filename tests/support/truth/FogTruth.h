@@ -7,7 +7,7 @@
 #ifndef relievoTestFogTruth_h
 #define relievoTestFogTruth_h
 
-#include <vtkRelievoView.h>
+#include <vtkRelievoFrameCamera.h>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
@@ -21,7 +21,7 @@ namespace relievoTest
 using Long3 = glm::tvec3<long double, glm::highp>;
 
 /** The point of a pixel's ray at a depth; pixels from the viewport's lower left corner. */
-inline Long3 PointAt(const vtkRelievoView& view, double x, double y, long double depth)
+inline Long3 PointAt(const vtkRelievoFrameCamera& view, double x, double y, long double depth)
 {
   const glm::dmat4& p = view.ViewToNDC;
   const long double ndc[2] = { 2.0L * x / view.Viewport[2] - 1.0L,
@@ -43,7 +43,7 @@ inline Long3 PointAt(const vtkRelievoView& view, double x, double y, long double
  * The length of the ray from its beginning (the eye; in parallel projection depth 0, or the near
  * plane where that is behind) to `end`, a depth, inside the sphere. `center` is in eye space.
  */
-inline long double ChordTruth(const vtkRelievoView& view, double x, double y,
+inline long double ChordTruth(const vtkRelievoFrameCamera& view, double x, double y,
   const glm::dvec3& center, double radius, double end)
 {
   const long double begin = std::min(0.0, view.Near);
@@ -66,7 +66,7 @@ inline long double ChordTruth(const vtkRelievoView& view, double x, double y,
 }
 
 /** The same by adding up steps: what the closed form must agree with to a step or two. */
-inline long double ChordByQuadrature(const vtkRelievoView& view, double x, double y,
+inline long double ChordByQuadrature(const vtkRelievoFrameCamera& view, double x, double y,
   const glm::dvec3& center, double radius, double end, int steps)
 {
   const double begin = std::min(0.0, view.Near);

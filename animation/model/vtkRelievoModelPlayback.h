@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What a model shows at a time: one animation, or two of them blended.
+ */
+#ifndef vtkRelievoModelPlayback_h
+#define vtkRelievoModelPlayback_h
+
+#include "vtkRelievoSkeleton.h"
+
+#include <vector>
+
+namespace relievo
+{
+struct ModelPlayback
+{
+  const ModelAnimation* First = nullptr;  ///< none: the nodes' own matrices
+  const ModelAnimation* Second = nullptr; ///< blended in; none: the first alone
+  double Weight = 0.;                     ///< of the second, 0 to 1
+  bool Slerp = true;
+  bool Loop = false;
+  double KeyRate = 0.; ///< whole keys a second; 0: the first animation's own
+};
+
+/// Every node at a time in seconds of the animations.
+SkeletonPose Play(const Model& model, const ModelPlayback& play, double time);
+
+/// The times of all keys, and the ends; ascending, each once.
+std::vector<double> GetTimes(const ModelPlayback& play);
+}
+
+#endif

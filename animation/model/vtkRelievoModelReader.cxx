@@ -1,0 +1,439 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoModelReader.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRelievoBoneWeights.h"
+#include "vtkRelievoModel.h"
+#include "vtkRelievoModelFile.h"
+#include "vtkRelievoModelImages.h"
+#include "vtkRelievoModelPlayback.h"
+#include "vtkRelievoModelPose.h"
+#include "vtkRelievoModelSources.h"
+#include "vtkRelievoSkinNames.h"
+#include "vtkRelievoSkinPoints.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+struct vtkRelievoModelReader::Internals
+{
+  relievo::Model Model;
+  // What the model was read from.
+  std::string Path;
+  relievo::ModelSources Sources;
+  int Weights = 0;
+  bool Stands = false;
+  std::set<std::string> Refused;                               // which names were complained about
+  std::map<std::string, vtkSmartPointer<vtkImageData>> Images; // those that were asked for
+  vtkSmartPointer<vtkStringArray> Names = vtkSmartPointer<vtkStringArray>::New();
+  vtkSmartPointer<vtkStringArray> Bones = vtkSmartPointer<vtkStringArray>::New();
+
+  // What is played, as the reader's settings have it.
+  void Choose(vtkRelievoModelReader& reader, relievo::ModelPlayback& play);
+};
+
+vtkStandardNewMacro(vtkRelievoModelReader);
+
+//------------------------------------------------------------------------------
+vtkRelievoModelReader::vtkRelievoModelReader()
+  : Self(new Internals)
+{
+  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoModelReader::~vtkRelievoModelReader()
+{
+  this->SetFileName(nullptr);
+  this->SetAnimation(nullptr);
+  this->SetBlendAnimation(nullptr);
+  this->SetWeightsOf(nullptr);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoModelReader::CanReadFile(const char* fileName)
+{
+  return fileName && vtksys::SystemTools::FileExists(fileName, true) &&
+    relievo::GetIsModelExtension(fileName);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoModelReader::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkMultiBlockDataSet" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoModelReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  relievo::ModelPlayback play;
+  if (this->Read())
+  {
+    this->Self->Choose(*this, play);
+  }
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkInformation* info = outputVector->GetInformationObject(port);
+    info->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+    info->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+    std::vector<double> steps = relievo::GetTimes(play);
+    if (steps.empty())
+    {
+      continue;
+    }
+    for (double& step : steps)
+    {
+      step /= this->Speed;
+    }
+    const double range[2] = { steps.front(), steps.back() };
+    info->Set(
+      vtkStreamingDemandDrivenPipeline::TIME_STEPS(), steps.data(), static_cast<int>(steps.size()));
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoModelReader::MakeSkeleton(double time, vtkPolyData* skeleton)
+{
+  const relievo::Model& model = this->Self->Model;
+  relievo::SkeletonPose pose;
+  if (this->Pose == POSE_BIND)
+  {
+    pose.Now = relievo::GetBindMatrices(model);
+    pose.Before = pose.Now;
+    pose.After = pose.Now;
+  }
+  else
+  {
+    relievo::ModelPlayback play;
+    if (this->Pose != POSE_NODES)
+    {
+      this->Self->Choose(*this, play);
+    }
+    pose = relievo::Play(model, play, time * this->Speed);
+  }
+  const double length = this->AxisLength > 0. ? this->AxisLength : relievo::GetAxisLength(model);
+  relievo::MakeSkeleton(model, pose, this->SkeletonAxes ? length : 0., skeleton);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoModelReader::MakeMesh(std::size_t place, vtkPolyData* skeleton, vtkPolyData* mesh)
+{
+  const relievo::ModelMesh& source = this->Self->Model.Meshes[place];
+  if (this->Pose == POSE_REST || this->Pose == POSE_BIND)
+  {
+    mesh->ShallowCopy(source.Data);
+  }
+  else
+  {
+    const std::string wrong = relievo::SkinMesh(source.Data, skeleton,
+      static_cast<relievo::SkinMethod>(this->Method), vtkAlgorithm::DEFAULT_PRECISION, mesh);
+    if (!wrong.empty())
+    {
+      vtkErrorMacro("mesh '" << source.Name << "': " << wrong);
+      return;
+    }
+  }
+  const int bone = this->FindBone();
+  if (this->FirstBone || bone >= 0)
+  {
+    vtkNew<vtkRelievoBoneWeights> weights;
+    weights->SetInputData(source.Data);
+    weights->SetBone(bone);
+    weights->Update();
+    for (const char* name : { this->FirstBone ? relievo::FirstBoneArray : nullptr,
+           bone >= 0 ? relievo::BoneWeightArray : nullptr })
+    {
+      if (name)
+      {
+        mesh->GetPointData()->AddArray(weights->GetOutput()->GetPointData()->GetArray(name));
+        mesh->GetPointData()->SetActiveScalars(name);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoModelReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
+  vtkPolyData* skeletonOutput = vtkPolyData::GetData(outputVector, 1);
+  output->Initialize();
+  skeletonOutput->Initialize();
+  // Never 0 is returned: the pipeline would add an error of its own, which names no file.
+  if (!this->Read())
+  {
+    return 1;
+  }
+  double time = 0.;
+  bool asked = false;
+  for (int port = 0; port < 2 && !asked; ++port)
+  {
+    vtkInformation* info = outputVector->GetInformationObject(port);
+    asked = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+    time = asked ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()) : time;
+  }
+  const relievo::Model& model = this->Self->Model;
+  const int place = this->FindAnimation(this->Animation);
+  if (!asked && place >= 0)
+  {
+    time = model.Animations[static_cast<std::size_t>(place)].Start / this->Speed;
+  }
+  // All of it is of the first piece: parallel processes together have it once.
+  vtkInformation* asker = outputVector->GetInformationObject(0);
+  const bool first = !asker->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) ||
+    asker->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0;
+  vtkNew<vtkPolyData> skeleton;
+  if (first)
+  {
+    this->MakeSkeleton(time, skeleton);
+    skeletonOutput->ShallowCopy(skeleton);
+  }
+  for (std::size_t i = 0; i < model.Meshes.size(); ++i)
+  {
+    const auto block = static_cast<unsigned int>(i);
+    vtkNew<vtkPolyData> mesh;
+    if (first)
+    {
+      this->MakeMesh(i, skeleton, mesh);
+    }
+    output->SetBlock(block, first ? mesh.Get() : nullptr);
+    output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), model.Meshes[i].Name);
+  }
+  for (vtkDataObject* each :
+    { static_cast<vtkDataObject*>(output), static_cast<vtkDataObject*>(skeletonOutput) })
+  {
+    each->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  }
+  this->UpdateProgress(1.);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoModelReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Animation: " << (this->Animation ? this->Animation : "(the first)") << "\n";
+  os << indent << "BlendAnimation: " << (this->BlendAnimation ? this->BlendAnimation : "(none)")
+     << "\n";
+  os << indent << "BlendWeight: " << this->BlendWeight << "\n";
+  os << indent << "Pose: " << this->Pose << "\n";
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "WeightsPerPoint: " << this->WeightsPerPoint << "\n";
+  os << indent << "Slerp: " << this->Slerp << "\n";
+  os << indent << "KeyRate: " << this->KeyRate << "\n";
+  os << indent << "Loop: " << this->Loop << ", at speed " << this->Speed << "\n";
+  os << indent << "SkeletonAxes: " << this->SkeletonAxes << ", " << this->AxisLength << " long\n";
+  os << indent << "FirstBone: " << this->FirstBone << "\n";
+  os << indent << "WeightsOf: " << (this->WeightsOf ? this->WeightsOf : "(none)") << "\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoModelReader::Read()
+{
+  Internals& self = *this->Self;
+  const std::string path = this->FileName ? this->FileName : "";
+  if (path == self.Path && this->WeightsPerPoint == self.Weights && self.Sources.AreSame())
+  {
+    return self.Stands; // what is wrong with it was said
+  }
+  self = Internals();
+  self.Path = path;
+  self.Weights = this->WeightsPerPoint;
+  if (path.empty())
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("no file name is set: call SetFileName");
+    return false;
+  }
+  this->SetErrorCode(vtkErrorCode::NoError);
+  const auto progress = [this](double share) {
+    this->UpdateProgress(share);
+    return !this->GetAbortExecute();
+  };
+  const std::string wrong =
+    relievo::ReadModel(path, this->WeightsPerPoint, progress, self.Sources, self.Model);
+  self.Stands = wrong.empty();
+  if (!self.Stands)
+  {
+    this->SetErrorCode(vtksys::SystemTools::FileExists(path, true)
+        ? vtkErrorCode::FileFormatError
+        : vtkErrorCode::FileNotFoundError);
+    vtkErrorMacro("cannot read " << path << ": " << wrong);
+  }
+  return self.Stands;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoModelReader::FindAnimation(const char* name)
+{
+  Internals& self = *this->Self;
+  const std::vector<relievo::ModelAnimation>& all = self.Model.Animations;
+  const std::string wanted = name ? name : "";
+  std::string names;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (wanted.empty() || all[i].Name == wanted)
+    {
+      return static_cast<int>(i);
+    }
+    names += (i ? ", '" : "'") + all[i].Name + "'";
+  }
+  if (!wanted.empty() && self.Refused.insert("animation " + wanted).second)
+  {
+    vtkErrorMacro(<< self.Path << ": there is no animation '" << wanted << "'; "
+                  << (all.empty() ? "the file has none" : "it has " + names));
+  }
+  return -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoModelReader::Internals::Choose(
+  vtkRelievoModelReader& reader, relievo::ModelPlayback& play)
+{
+  const auto find = [&](const char* name) {
+    const int place = reader.FindAnimation(name);
+    return place < 0 ? nullptr : &this->Model.Animations[static_cast<std::size_t>(place)];
+  };
+  play.First = find(reader.Animation);
+  const bool blends = play.First && reader.BlendAnimation && *reader.BlendAnimation;
+  play.Second = blends ? find(reader.BlendAnimation) : nullptr;
+  play.Weight = reader.BlendWeight;
+  play.Slerp = reader.Slerp;
+  play.Loop = reader.Loop;
+  play.KeyRate = reader.KeyRate;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoModelReader::FindBone()
+{
+  Internals& self = *this->Self;
+  const std::string wanted = this->WeightsOf ? this->WeightsOf : "";
+  const std::vector<relievo::ModelNode>& nodes = self.Model.Nodes;
+  const auto found =
+    std::find_if(nodes.begin(), nodes.end(), [&wanted](const relievo::ModelNode& node) {
+      return !wanted.empty() && node.IsBone && node.Name == wanted;
+    });
+  if (found != nodes.end())
+  {
+    return static_cast<int>(found - nodes.begin());
+  }
+  if (!wanted.empty() && self.Refused.insert("bone " + wanted).second)
+  {
+    std::string names;
+    vtkStringArray* bones = this->GetBoneNames();
+    constexpr vtkIdType most = 20;
+    for (vtkIdType i = 0; i < std::min(most, bones->GetNumberOfValues()); ++i)
+    {
+      names += (i ? ", '" : "'") + bones->GetValue(i) + "'";
+    }
+    names += bones->GetNumberOfValues() > most ? " and more" : "";
+    vtkErrorMacro(<< self.Path << ": there is no bone '" << wanted << "'; "
+                  << (names.empty() ? "the file has none" : "it has " + names));
+  }
+  return -1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoModelReader::GetNumberOfAnimations()
+{
+  return static_cast<int>(this->Self->Model.Animations.size());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkRelievoModelReader::GetAnimationName(int index)
+{
+  const bool there = index >= 0 && index < this->GetNumberOfAnimations();
+  return there ? this->Self->Model.Animations[static_cast<std::size_t>(index)].Name.c_str()
+               : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkRelievoModelReader::GetAnimationNames()
+{
+  this->Self->Names->SetNumberOfValues(0);
+  for (const relievo::ModelAnimation& animation : this->Self->Model.Animations)
+  {
+    this->Self->Names->InsertNextValue(animation.Name);
+  }
+  return this->Self->Names;
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkRelievoModelReader::GetBoneNames()
+{
+  this->Self->Bones->SetNumberOfValues(0);
+  for (const relievo::ModelNode& node : this->Self->Model.Nodes)
+  {
+    if (node.IsBone)
+    {
+      this->Self->Bones->InsertNextValue(node.Name);
+    }
+  }
+  return this->Self->Bones;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkRelievoModelReader::GetEmbeddedTexture(const char* name)
+{
+  Internals& self = *this->Self;
+  const auto found = self.Model.Images.find(name ? name : "");
+  if (found == self.Model.Images.end())
+  {
+    return nullptr;
+  }
+  const auto [known, isNew] = self.Images.emplace(found->first, nullptr);
+  if (isNew)
+  {
+    std::string wrong;
+    known->second = relievo::DecodeImage(found->second, wrong);
+    if (!wrong.empty())
+    {
+      vtkErrorMacro(<< self.Path << ": the image '" << found->first << "' in it: " << wrong);
+    }
+  }
+  return known->second;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoModelReader::HasEmbeddedTexture(const char* name)
+{
+  return this->Self->Model.Images.count(name ? name : "") > 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoModelReader::GetNumberOfNotes()
+{
+  return static_cast<int>(this->Self->Model.Notes.size());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkRelievoModelReader::GetNote(int index)
+{
+  const bool there = index >= 0 && index < this->GetNumberOfNotes();
+  return there ? this->Self->Model.Notes[static_cast<std::size_t>(index)].c_str() : nullptr;
+}

@@ -1,0 +1,569 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoSkinnedActor.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkCommand.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRelievoBoneTexture.h"
+#include "vtkRelievoSkin.h"
+#include "vtkRelievoSkinBones.h"
+#include "vtkRelievoSkinBounds.h"
+#include "vtkRelievoSkinOrigin.h"
+#include "vtkRelievoSkinRestPose.h"
+#include "vtkRelievoSkinShader.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+#include "vtkTimeStamp.h"
+#include "vtkUniforms.h"
+
+#include <glm/common.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+struct vtkRelievoSkinnedActor::Internals
+{
+  vtkNew<vtkRelievoSkinRestPose> Rest;
+  vtkNew<vtkPolyData> Nothing;
+  vtkNew<vtkRelievoSkin> Skin; // holds the inputs, and moves on the CPU where that is needed
+  relievo::BoneTexture Bones;
+
+  // What the pose was made of.
+  vtkMTimeType MeshTime = 0;
+  vtkMTimeType RestVersion = 0; // of what is moved, of all that the mesh has
+  vtkMTimeType SkeletonTime = 0;
+  vtkPolyData* Skeleton = nullptr;
+  bool BindPose = false;
+  int Method = -1;
+
+  std::vector<glm::dmat4> Matrices;
+  relievo::SkinBox Box;
+  glm::dvec3 Middle{ 0. };    // about which the shader has its moved points
+  glm::dvec3 UnmovedBy{ 0. }; // of points without a bone: from about one middle to about the other
+  bool Draws = false;         // VTK asks where these points are, not the mesh's own
+  vtkNew<vtkMatrix4x4> Placed;
+  vtkNew<vtkMatrix4x4> PlacedTransposed;
+  double Reach = 0.;     // what the shader rounds
+  std::size_t Unfit = 0; // texels of bones that the window refused; 0: none yet
+  std::string WhyUnfit;
+  vtkNew<vtkPolyData> Moved;  // on the CPU, if it is
+  vtkMTimeType MovedTime = 0; // PoseTime, of the pose that it has
+  vtkMTimeType MovedMesh = 0; // MeshTime, of the mesh that it has
+  vtkTimeStamp PoseTime;
+  std::string Reported; // what is wrong, for the last time
+  relievo::SkinShader Shader;
+
+  void SetAtRest();
+  void SetMoved(const std::vector<glm::dmat4>& matrices, bool dual);
+};
+
+vtkStandardNewMacro(vtkRelievoSkinnedActor);
+
+namespace
+{
+void CopyBox(const relievo::SkinBox& box, double bounds[6])
+{
+  vtkMath::UninitializeBounds(bounds);
+  for (int axis = 0; axis < 3 && !box.IsEmpty(); ++axis)
+  {
+    bounds[2 * axis] = box.Low[axis];
+    bounds[2 * axis + 1] = box.High[axis];
+  }
+}
+
+// The largest number that moving the points of a box has on its way.
+double GetLargest(const relievo::SkinBox& box, const std::vector<glm::dmat4>& matrices)
+{
+  const glm::dvec3 p = glm::max(glm::abs(box.Low), glm::abs(box.High));
+  double largest = 0.;
+  for (const glm::dmat4& m : matrices)
+  {
+    const glm::dvec3 on =
+      glm::abs(m[0]) * p.x + glm::abs(m[1]) * p.y + glm::abs(m[2]) * p.z + glm::abs(m[3]);
+    largest = std::max({ largest, on.x, on.y, on.z });
+  }
+  return largest;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSkinnedActor::vtkRelievoSkinnedActor()
+  : Inside(new Internals)
+{
+  this->Disconnect();
+  // Of as many bones as the shader takes.
+  this->Inside->Skin->SetInputConnection(0, this->Inside->Rest->GetOutputPort());
+  // Bones move points as they are, not shifted and scaled ones.
+  if (auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(this->Mesh))
+  {
+    mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+  }
+  this->Mesh->AddObserver(
+    vtkCommand::UpdateShaderEvent, this, &vtkRelievoSkinnedActor::SetUniforms);
+  this->SetMapper(this->Mesh);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSkinnedActor::~vtkRelievoSkinnedActor() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::SetInputConnection(vtkAlgorithmOutput* port)
+{
+  this->Disconnect();
+  this->Inside->Rest->SetInputConnection(port);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::SetInputData(vtkPolyData* mesh)
+{
+  this->Disconnect();
+  this->Inside->Rest->SetInputData(mesh);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::SetSkeletonConnection(vtkAlgorithmOutput* port)
+{
+  this->Inside->Skin->SetInputConnection(1, port);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::SetSkeletonData(vtkPolyData* skeleton)
+{
+  this->Inside->Skin->SetInputData(1, skeleton);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::SetMethod(int method)
+{
+  this->Inside->Skin->SetMethod(method);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSkinnedActor::GetMethod()
+{
+  return this->Inside->Skin->GetMethod();
+}
+
+//------------------------------------------------------------------------------
+vtkPolyDataMapper* vtkRelievoSkinnedActor::GetPolyDataMapper()
+{
+  return this->Mesh;
+}
+
+//------------------------------------------------------------------------------
+double* vtkRelievoSkinnedActor::GetBounds()
+{
+  this->UpdatePose();
+  const relievo::SkinBox& box = this->Inside->Box;
+  if (box.IsEmpty())
+  {
+    CopyBox(box, this->Bounds);
+    return this->Bounds;
+  }
+  vtkMatrix4x4* matrix = this->Superclass::GetMatrix();
+  glm::dmat4 toWorld;
+  for (int i = 0; i < 16; ++i)
+  {
+    toWorld[i % 4][i / 4] = matrix->GetElement(i / 4, i % 4);
+  }
+  relievo::SkinBox placed;
+  // Far from the origin VTK places it in double; the box has room for the shader's floats.
+  const bool far = this->Inside->Middle != glm::dvec3(0.);
+  placed.Add(box, toWorld, 0., far ? 1e-14 : 1e-6);
+  CopyBox(placed, this->Bounds);
+  return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::GetMovedBounds(double bounds[6])
+{
+  this->UpdatePose();
+  CopyBox(this->Inside->Box, bounds);
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoSkinnedActor::GetRoundedReach()
+{
+  this->UpdatePose();
+  return this->Inside->Reach;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSkinnedActor::GetNumberOfMovingReplacements() const
+{
+  return this->Inside->Shader.GetNumberOfReplacements();
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoSkinnedActor::GetRedrawMTime()
+{
+  this->UpdatePose();
+  return std::max<vtkMTimeType>(
+    this->Superclass::GetRedrawMTime(), this->Inside->PoseTime.GetMTime());
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
+{
+  this->UpdatePose();
+  Internals& in = *this->Inside;
+  if (in.MeshTime == 0)
+  {
+    return; // no mesh
+  }
+  if (in.Shader.Moves())
+  {
+    const std::string wrong =
+      in.Bones.Upload(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+    if (wrong.empty())
+    {
+      in.Reported.clear();
+    }
+    else
+    {
+      in.Unfit = in.Bones.GetNumberOfTexels();
+      in.WhyUnfit = wrong;
+      this->Refuse(wrong);
+    }
+  }
+  if (in.Middle != glm::dvec3(0.))
+  {
+    const double middle[4] = { in.Middle.x, in.Middle.y, in.Middle.z, 1. };
+    double place[4];
+    in.Placed->DeepCopy(this->Superclass::GetMatrix());
+    in.Placed->MultiplyPoint(middle, place);
+    for (int i = 0; i < 4; ++i)
+    {
+      in.Placed->SetElement(i, 3, place[i]);
+    }
+    in.Draws = true;
+  }
+  if (in.Shader.Moves())
+  {
+    in.Bones.Activate();
+  }
+  this->Superclass::Render(renderer, mapper);
+  in.Draws = false;
+  if (in.Shader.Moves())
+  {
+    in.Bones.Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMatrix4x4* vtkRelievoSkinnedActor::GetMatrix()
+{
+  return this->Inside->Draws ? this->Inside->Placed : this->Superclass::GetMatrix();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::GetMatrix(vtkMatrix4x4* result)
+{
+  result->DeepCopy(this->GetMatrix());
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSkinnedActor::GetIsIdentity()
+{
+  return this->Inside->Draws ? 0 : this->Superclass::GetIsIdentity();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::GetKeyMatrices(vtkMatrix4x4*& toWorld, vtkMatrix3x3*& normals)
+{
+  // VTK keeps what it computes, from GetMatrix.
+  Internals& in = *this->Inside;
+  const bool draws = std::exchange(in.Draws, false);
+  this->Superclass::GetKeyMatrices(toWorld, normals);
+  in.Draws = draws;
+  if (!draws)
+  {
+    return;
+  }
+  // As OpenGL has matrices: the move is the last row.
+  in.PlacedTransposed->DeepCopy(toWorld);
+  for (int i = 0; i < 4; ++i)
+  {
+    const double place = in.Middle.x * toWorld->GetElement(0, i) +
+      in.Middle.y * toWorld->GetElement(1, i) + in.Middle.z * toWorld->GetElement(2, i) +
+      toWorld->GetElement(3, i);
+    in.PlacedTransposed->SetElement(3, i, place);
+  }
+  toWorld = in.PlacedTransposed;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::SetUniforms(vtkObject*, unsigned long, void* program)
+{
+  auto* shaders = static_cast<vtkShaderProgram*>(program);
+  this->Inside->Bones.SetUniform(shaders);
+  if (shaders->IsUniformUsed("relievoUnmovedBy"))
+  {
+    const glm::vec3 by(this->Inside->UnmovedBy);
+    shaders->SetUniform3f("relievoUnmovedBy", &by.x);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Inside->Bones.Release(window);
+  this->Inside->Unfit = 0; // another window may take more
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->GetMethod() << "\n";
+  os << indent << "BindPose: " << this->BindPose << "\n";
+}
+
+//------------------------------------------------------------------------------
+// Said once, until all is well again.
+void vtkRelievoSkinnedActor::Complain(const std::string& wrong)
+{
+  if (wrong != this->Inside->Reported)
+  {
+    vtkErrorMacro("" << wrong);
+  }
+  this->Inside->Reported = wrong;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::Refuse(const std::string& wrong)
+{
+  Internals& in = *this->Inside;
+  this->Complain(wrong + ". The mesh is drawn at rest.");
+  in.Matrices.clear();
+  in.Reach = 0.;
+  in.SetAtRest();
+  in.PoseTime.Modified();
+  in.Shader.Set(this->GetShaderProperty(), this->Mesh, 0, false);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::Internals::SetAtRest()
+{
+  this->Box = relievo::GetBox(this->Rest->GetOutput());
+  this->Middle = this->Rest->GetMiddle();
+}
+
+//------------------------------------------------------------------------------
+// Far from the origin the shader has points and bones about a middle, of the mesh and of the pose;
+// what lies between these and the world is in VTK's matrices, in double.
+void vtkRelievoSkinnedActor::Internals::SetMoved(const std::vector<glm::dmat4>& matrices, bool dual)
+{
+  const relievo::SkinBounds& bounds = this->Rest->GetSkinBounds();
+  const glm::dvec3 rest = this->Rest->GetMiddle();
+  std::vector<glm::dmat4> about = relievo::GetMatricesAbout(matrices, rest, glm::dvec3(0.));
+  const auto getBox = [&]() {
+    return dual ? bounds.GetOfMotions(about, this->UnmovedBy)
+                : bounds.GetOfMatrices(about, this->UnmovedBy);
+  };
+  this->UnmovedBy = rest;
+  this->Box = getBox();
+  this->Middle = relievo::GetFarOrigin(this->Box);
+  if (this->Middle != glm::dvec3(0.))
+  {
+    // Once more, as its rounding is much there.
+    about = relievo::GetMatricesAbout(matrices, rest, this->Middle);
+    this->UnmovedBy = rest - this->Middle;
+    this->Box = getBox();
+    this->Box.Move(this->Middle);
+  }
+  if (dual)
+  {
+    this->Bones.SetMotions(about);
+  }
+  else
+  {
+    this->Bones.SetMatrices(about);
+  }
+  // Floats would lose what the pose moves so far.
+  this->Skin->SetOutputPointsPrecision(this->Middle != glm::dvec3(0.)
+      ? vtkAlgorithm::DOUBLE_PRECISION
+      : vtkAlgorithm::DEFAULT_PRECISION);
+  relievo::SkinBox box = relievo::GetBox(this->Rest->GetOutput());
+  box.Move(-rest);
+  // Roundings in a row, here and in vtkRelievoSkin, which the shader is compared with.
+  this->Reach = (dual ? 8. : 4.) * GetLargest(box, about);
+}
+
+//------------------------------------------------------------------------------
+// VTK's mappers want a mesh, be it empty: until it is known that there is one.
+void vtkRelievoSkinnedActor::Disconnect()
+{
+  Internals& in = *this->Inside;
+  if (this->Mesh->GetInput() != in.Nothing)
+  {
+    this->Mesh->SetInputData(in.Nothing);
+  }
+  in.MeshTime = 0;
+  in.RestVersion = 0;
+  in.Box = relievo::SkinBox();
+  in.Middle = glm::dvec3(0.);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkRelievoSkinnedActor::UpdateMesh()
+{
+  Internals& in = *this->Inside;
+  vtkDataObject* given = nullptr;
+  if (in.Rest->GetNumberOfInputConnections(0) > 0)
+  {
+    in.Rest->GetInputAlgorithm()->Update(in.Rest->GetInputConnection(0, 0)->GetIndex());
+    given = in.Rest->GetInputDataObject(0, 0);
+  }
+  if (vtkPolyData::SafeDownCast(given))
+  {
+    this->Mesh->SetInputConnection(in.Rest->GetOutputPort(1));
+    in.Rest->Update();
+    return in.Rest->GetOutput();
+  }
+  this->Disconnect();
+  if (given)
+  {
+    this->Complain(std::string("the mesh is a ") + given->GetClassName() +
+      ", expected vtkPolyData: make an actor for each block");
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSkinnedActor::UpdatePose()
+{
+  Internals& in = *this->Inside;
+  vtkPolyData* mesh = this->UpdateMesh();
+  if (!mesh)
+  {
+    return;
+  }
+  vtkPolyData* skeleton = nullptr;
+  if (vtkAlgorithmOutput* port =
+        in.Skin->GetNumberOfInputConnections(1) > 0 ? in.Skin->GetInputConnection(1, 0) : nullptr)
+  {
+    port->GetProducer()->Update(port->GetIndex());
+    skeleton =
+      vtkPolyData::SafeDownCast(port->GetProducer()->GetOutputDataObject(port->GetIndex()));
+  }
+  const bool newMesh = in.MeshTime != mesh->GetMTime();
+  const vtkMTimeType skeletonTime = skeleton ? skeleton->GetMTime() : 0;
+  if (!newMesh && in.Skeleton == skeleton && in.SkeletonTime == skeletonTime &&
+    in.BindPose == this->BindPose && in.Method == this->GetMethod() &&
+    in.Shader.IsIn(this->GetShaderProperty()))
+  {
+    return;
+  }
+  const bool newMethod = in.Method != this->GetMethod();
+  const bool newRest = in.RestVersion != in.Rest->GetVersion();
+  in.MeshTime = mesh->GetMTime();
+  in.RestVersion = in.Rest->GetVersion();
+  in.Skeleton = skeleton;
+  in.SkeletonTime = skeletonTime;
+  in.BindPose = this->BindPose;
+  in.Method = this->GetMethod();
+
+  std::vector<glm::dmat4> matrices;
+  const bool dual = in.Method == vtkRelievoSkin::DUAL_QUATERNION;
+  std::string wrong = in.Rest->GetWrong();
+  if (wrong.empty() && !this->BindPose && mesh->GetNumberOfPoints() > 0)
+  {
+    const bool keys = in.Method == vtkRelievoSkin::KEY_MATRIX;
+    wrong = skeleton ? relievo::GetBoneMatrices(mesh, skeleton, keys, matrices)
+                     : "there is no skeleton: expected polydata with the point array pose";
+  }
+  const std::size_t texels = matrices.size() * (dual ? 5 : 3);
+  if (in.Unfit > 0 && texels >= in.Unfit)
+  {
+    wrong = in.WhyUnfit;
+  }
+  if (newRest && in.Rest->GetNumberOfCut() > 0)
+  {
+    vtkWarningMacro(<< in.Rest->GetNumberOfCut() << " points have more than "
+                    << vtkRelievoSkinRestPose::MostInfluences
+                    << " bones; the weaker ones are left out. vtkRelievoSkin takes any number.");
+  }
+  if (!wrong.empty())
+  {
+    this->Refuse(wrong);
+    return;
+  }
+  in.Shader.Set(
+    this->GetShaderProperty(), this->Mesh, this->BindPose ? 0 : in.Rest->GetInfluences(), dual);
+  if (!newRest && !newMethod && matrices == in.Matrices)
+  {
+    return;
+  }
+  in.Matrices = matrices;
+  if (!in.Shader.Moves())
+  {
+    in.SetAtRest();
+    in.Reach = 0.;
+  }
+  else
+  {
+    in.SetMoved(matrices, dual);
+  }
+  in.PoseTime.Modified();
+  // What draws this actor anew: shadow maps, kept frames.
+  this->GetShaderProperty()->GetVertexCustomUniforms()->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkRelievoSkinnedActor::GetMovedMesh()
+{
+  Internals& in = *this->Inside;
+  this->UpdatePose();
+  if (in.MeshTime == 0)
+  {
+    return nullptr;
+  }
+  if (!in.Shader.Moves())
+  {
+    return in.Rest->GetOutput();
+  }
+  if (in.MovedTime != in.PoseTime.GetMTime())
+  {
+    in.Skin->Update();
+    in.Moved->ShallowCopy(in.Skin->GetOutput());
+  }
+  else if (in.MovedMesh != in.MeshTime)
+  {
+    // Only what does not move is another, such as colours.
+    vtkNew<vtkPolyData> moved;
+    moved->ShallowCopy(in.Moved);
+    in.Moved->ShallowCopy(in.Rest->GetOutput());
+    in.Moved->SetPoints(moved->GetPoints());
+    in.Moved->GetPointData()->SetNormals(moved->GetPointData()->GetNormals());
+    in.Moved->GetPointData()->SetTangents(moved->GetPointData()->GetTangents());
+    in.Moved->SetFieldData(moved->GetFieldData());
+  }
+  if (in.MovedTime != in.PoseTime.GetMTime() || in.MovedMesh != in.MeshTime)
+  {
+    for (int four = 0; four < 2; ++four)
+    {
+      in.Moved->GetPointData()->RemoveArray(vtkRelievoSkinRestPose::GetJointsName(four));
+      in.Moved->GetPointData()->RemoveArray(vtkRelievoSkinRestPose::GetWeightsName(four));
+    }
+  }
+  in.MovedTime = in.PoseTime.GetMTime();
+  in.MovedMesh = in.MeshTime;
+  return in.Moved;
+}

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoFogBuffer.h"
+
+#include "vtkObject.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkRelievoFogSpheres.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoScopedContext.h"
+#include "vtkRelievoShaderLibrary.h"
+#include "vtkRelievoSphereRays.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace
+{
+// What the value lacks as a float.
+double Lacks(double value)
+{
+  return value - static_cast<double>(static_cast<float>(value));
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoFogBuffer::vtkRelievoFogBuffer()
+  : Target("fogDepth")
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoFogBuffer::~vtkRelievoFogBuffer() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogBuffer::Clear()
+{
+  this->Texels.clear();
+  std::fill_n(this->Part, 4, 0);
+}
+
+//------------------------------------------------------------------------------
+// As shaders/fog/sphereVS.glsl reads them.
+void vtkRelievoFogBuffer::Add(
+  const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog, bool linear)
+{
+  const int width = fog->GetRowWidth();
+  const int count = static_cast<int>(fog->GetSharedRows().size()) / width;
+  vtkRelievoSphereRays::Sphere sphere;
+  for (int i = 0; i < count; ++i)
+  {
+    const double* row = fog->GetSharedRows().data() + static_cast<std::size_t>(i) * width;
+    const double radius = row[3];
+    if (!rays.Find({ row[0], row[1], row[2] }, radius, sphere))
+    {
+      continue;
+    }
+    const double density = linear ? row[4] : row[4] * radius;
+    const glm::dvec3& a = sphere.Linear;
+    const glm::dvec3& b = sphere.Square;
+    const int* r = sphere.Rectangle;
+    const bool first = this->Texels.empty();
+    const double texels[32] = { double(r[0]), double(r[1]), double(r[2]), double(r[3]), //
+      a.x, a.y, a.z, sphere.MiddleDepth,                                                //
+      Lacks(a.x), Lacks(a.y), Lacks(a.z), Lacks(sphere.MiddleDepth),                    //
+      b.x, b.y, b.z, 1. / radius,                                                       //
+      Lacks(b.x), Lacks(b.y), Lacks(b.z), std::min(density, 1e30),                      //
+      sphere.Offset.x, sphere.Offset.y, sphere.Pixel.x, sphere.Pixel.y,                 //
+      sphere.Offsets[0].x, sphere.Offsets[0].y, sphere.Offsets[1].x, sphere.Offsets[1].y, row[5],
+      row[6], row[7], 0. };
+    this->Texels.insert(this->Texels.end(), texels, texels + 32);
+    if (first)
+    {
+      std::copy_n(r, 4, this->Part);
+      this->Part[2] -= r[0];
+      this->Part[3] -= r[1];
+    }
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const int begin = std::min(this->Part[axis], r[axis]);
+      const int end = std::max(this->Part[axis] + this->Part[axis + 2], r[axis + 2]);
+      this->Part[axis] = begin;
+      this->Part[axis + 2] = end - begin;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoFogBuffer::Compile(
+  vtkRelievoFrameContext& context, const std::string& defines, int which)
+{
+  vtkShaderProgram*& program = this->Programs[which];
+  vtkOpenGLShaderCache* cache = context.Window->GetShaderCache();
+  if (this->Keys[which] != defines)
+  {
+    std::string text = vtkRelievoShaderLibrary::Get("fog/sphereFS.glsl");
+    vtkShaderProgram::Substitute(text, "//RELIEVO::Defines", defines, false);
+    this->Keys[which] = defines;
+    program = cache->ReadyShaderProgram(
+      vtkRelievoShaderLibrary::Get("fog/sphereVS.glsl").c_str(), text.c_str(), "");
+  }
+  else if (program)
+  {
+    program = cache->ReadyShaderProgram(program);
+  }
+  return program ? std::string()
+                 : "its shader fog/sphereFS.glsl does not compile; see the errors before";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
+  const vtkRelievoSphereRays& rays, bool linear, bool dominant, vtkRelievoResource* translucent)
+{
+  const int which = translucent ? 1 : 0;
+  vtkRelievoScreenTarget::Format format;
+  format.Halves = false;
+  format.Depth = dominant;
+  std::string wrong = this->Target.Prepare(context, format);
+  vtkRelievoResource* depth = context.Find("depth");
+  const bool any = !this->Texels.empty();
+  if (wrong.empty() && any && !depth)
+  {
+    wrong = "the frame has made no 'depth'";
+  }
+  if (wrong.empty() && any)
+  {
+    wrong = this->Spheres.Upload(context.Window, this->Texels, 4);
+  }
+  if (wrong.empty() && any)
+  {
+    wrong = this->Compile(context,
+      depth->GetDefines() + (translucent ? translucent->GetDefines() : "") +
+        (linear ? "#define RELIEVO_FOG_LINEAR\n" : "") +
+        (dominant ? "#define RELIEVO_FOG_DOMINANT\n" : ""),
+      which);
+  }
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+
+  this->Target.Begin(context);
+  if (any)
+  {
+    vtkOpenGLState* state = context.Window->GetState();
+    if (dominant)
+    {
+      const float none = 0.0f;
+      state->vtkglEnable(GL_DEPTH_TEST);
+      state->vtkglDepthMask(GL_TRUE);
+      state->vtkglDepthFunc(GL_GREATER);
+      glClearBufferfv(GL_DEPTH, 0, &none);
+    }
+    else
+    {
+      state->vtkglEnable(GL_BLEND);
+      state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    }
+    vtkShaderProgram* program = this->Programs[which];
+    const float size[2] = { static_cast<float>(context.View.Viewport[2]),
+      static_cast<float>(context.View.Viewport[3]) };
+    const glm::vec2 direction(rays.GetDirection(glm::dvec2(0.0)));
+    const glm::mat2 directions(rays.GetDirections());
+    const float step[4] = { directions[0].x, directions[0].y, directions[1].x, directions[1].y };
+    const float first[2] = { direction.x, direction.y };
+    program->SetUniform2f("relievoSize", size);
+    program->SetUniform2f("fogDirection", first);
+    program->SetUniform4f("fogDirectionStep", step);
+    program->SetUniformf("fogBegin", static_cast<float>(rays.GetBegin()));
+    depth->Activate(program);
+    if (translucent)
+    {
+      translucent->Activate(program);
+    }
+    this->Spheres.Activate(program, "fogSpheres");
+    if (!this->Arrays)
+    {
+      glGenVertexArrays(1, &this->Arrays);
+    }
+    glBindVertexArray(this->Arrays);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, this->GetNumberOfSpheres());
+    glBindVertexArray(0);
+    this->Spheres.Deactivate();
+    depth->Deactivate();
+    if (translucent)
+    {
+      translucent->Deactivate();
+    }
+  }
+  this->Target.End();
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogBuffer::Release(vtkWindow* window)
+{
+  if (this->Arrays && window)
+  {
+    const vtkRelievoScopedContext context(window);
+    glDeleteVertexArrays(1, &this->Arrays);
+  }
+  this->Arrays = 0;
+  for (int which = 0; which < 2; ++which)
+  {
+    this->Programs[which] = nullptr;
+    this->Keys[which].clear();
+  }
+  this->Target.Release(window);
+  this->Spheres.Release(window);
+}

@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoFogStage.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPointData.h"
+#include "vtkRelievoFogBuffer.h"
+#include "vtkRelievoFogSpheres.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePlan.h"
+#include "vtkRelievoScopedState.h"
+#include "vtkRelievoScreenQuad.h"
+#include "vtkRelievoSphereRays.h"
+#include "vtkRelievoTranslucentDepth.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkRelievoFogStage);
+
+class vtkRelievoFogStage::Internals
+{
+public:
+  std::vector<vtkSmartPointer<vtkRelievoFogSpheres>> Fogs;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  vtkRelievoFogBuffer Buffer;
+  vtkRelievoTranslucentDepth Translucent;
+  vtkRelievoScreenQuad Quad;
+  std::string Reported; // what was wrong in the last frame: said once
+};
+
+namespace
+{
+bool Sees(const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog)
+{
+  const int count = fog->GetNumberOfPoints();
+  const double* row = fog->GetRows().data();
+  vtkRelievoSphereRays::Sphere sphere;
+  for (int i = 0; i < count; ++i, row += fog->GetRowWidth())
+  {
+    if (rays.Find({ row[0], row[1], row[2] }, row[3], sphere))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoFogStage::vtkRelievoFogStage()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoFogStage::~vtkRelievoFogStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::AddFog(vtkRelievoFogSpheres* fog)
+{
+  auto& fogs = this->Internal->Fogs;
+  if (fog && std::find(fogs.begin(), fogs.end(), fog) == fogs.end())
+  {
+    fogs.emplace_back(fog);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::RemoveFog(vtkRelievoFogSpheres* fog)
+{
+  auto& fogs = this->Internal->Fogs;
+  const auto found = std::find(fogs.begin(), fogs.end(), fog);
+  if (found != fogs.end())
+  {
+    fogs.erase(found);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::RemoveAllFog()
+{
+  if (!this->Internal->Fogs.empty())
+  {
+    this->Internal->Fogs.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoFogStage::GetNumberOfFogs()
+{
+  return static_cast<int>(this->Internal->Fogs.size());
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoFogSpheres* vtkRelievoFogStage::GetFog(int i)
+{
+  return i >= 0 && i < this->GetNumberOfFogs() ? this->Internal->Fogs[i].Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::SetController(vtkMultiProcessController* controller)
+{
+  this->Internal->Controller = controller;
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkRelievoFogStage::GetController()
+{
+  return this->Internal->Controller;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoFogStage::Prepare(vtkRelievoFrameContext& context)
+{
+  if (context.IsAsked(this, "color"))
+  {
+    context.WantTranslucentDepth(&this->Internal->Translucent);
+  }
+  for (const auto& fog : this->Internal->Fogs)
+  {
+    fog->Share(this->Internal->Controller);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::Describe(vtkRelievoStageDescription& description)
+{
+  description.Name = "fog";
+  description.Help = "Fog in spheres, which are given to it as data.";
+  description.Slot = vtkRelievoStageDescription::COMPOSITE;
+  description.Order = -5; // over markers, before what is translucent, see the stage `blend`
+  description.Reads = { "depth" };
+  description.Writes = { "color" };
+  description.Layers = { "fog" };
+  description.OnByDefault = true;
+  description.TakesData = true;
+  description.AddChoice(
+    "mode", this->Mode, [this](int mode) { this->SetMode(mode); }, { "beer", "chord" },
+    "How light passes: beer, e^(-density length); chord, 1 - density length / diameter.");
+  description.AddChoice(
+    "overlap", this->Overlap, [this](int overlap) { this->SetOverlap(overlap); },
+    { "sum", "dominant" },
+    "Where spheres overlap: sum of optical depths, or the dominant sphere alone.");
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::Declare(
+  const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
+{
+  const vtkRelievoSphereRays rays(context.View);
+  const auto& fogs = this->Internal->Fogs;
+  // Another process may have fog where this one has none, and must not wait for it.
+  const bool together = this->Internal->Controller && !fogs.empty();
+  if (rays.IsUsual() && !together &&
+    std::none_of(fogs.begin(), fogs.end(), [&rays](const auto& fog) { return Sees(rays, fog); }))
+  {
+    // Without fog in view the layer is still what it says: all passes.
+    declaration.Writes.clear();
+    declaration.Reason = "no fog is in view";
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  this->DrawCalls = 0;
+  this->NumberDrawn = 0;
+  const vtkRelievoSphereRays rays(context.View);
+  std::string wrong;
+  int spheres = 0;
+  if (!rays.IsUsual())
+  {
+    wrong = "the camera's projection has depths that change across the picture";
+  }
+  else
+  {
+    in.Buffer.Clear();
+    for (const auto& fog : in.Fogs)
+    {
+      in.Buffer.Add(rays, fog, this->Mode == CHORD);
+      spheres += static_cast<int>(fog->GetSharedRows().size()) / fog->GetRowWidth();
+    }
+    this->NumberDrawn = in.Buffer.GetNumberOfSpheres();
+    wrong = this->DrawBeforeTranslucent(context, rays);
+    if (wrong.empty())
+    {
+      wrong = in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT);
+    }
+  }
+  if (wrong.empty())
+  {
+    context.ProvideLayer("fog", &in.Buffer.Target);
+    this->DrawCalls += this->NumberDrawn > 0 ? 1 : 0;
+    this->Explain("ran",
+      "draws " + std::to_string(this->NumberDrawn) + " of " + std::to_string(spheres) + " spheres");
+  }
+  if (wrong.empty() && this->NumberDrawn > 0 && context.IsAsked(this, "color"))
+  {
+    if (in.Quad.Ready(context, "fog/colorFS.glsl", { "fog" }))
+    {
+      vtkOpenGLState* state = context.Window->GetState();
+      const vtkRelievoScopedState kept(state);
+      state->vtkglEnable(GL_BLEND);
+      state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      this->DrawCalls += context.DrawColor(in.Quad, false, in.Buffer.GetPart()) ? 1 : 0;
+    }
+    else
+    {
+      wrong = in.Quad.GetWrong();
+    }
+  }
+  if (!wrong.empty())
+  {
+    this->Explain("failed", wrong);
+    if (in.Reported != wrong)
+    {
+      vtkErrorMacro("There is no fog: " << wrong << ".");
+    }
+  }
+  in.Reported = wrong;
+}
+
+//------------------------------------------------------------------------------
+// The fog before what is translucent covers it as much as it covers what is behind.
+std::string vtkRelievoFogStage::DrawBeforeTranslucent(
+  vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays)
+{
+  Internals& in = *this->Internal;
+  auto* layer = dynamic_cast<vtkRelievoScreenTarget*>(context.Find("translucent"));
+  vtkRelievoResource* depth = context.Find("translucent depth");
+  if (!depth)
+  {
+    in.Translucent.Release(context.Window);
+  }
+  if (this->NumberDrawn == 0 || !layer || !depth || !context.IsAsked(this, "color"))
+  {
+    return {};
+  }
+  const std::string wrong =
+    in.Buffer.Draw(context, rays, this->Mode == CHORD, this->Overlap == DOMINANT, depth);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  context.ProvideLayer("fog", &in.Buffer.Target);
+  if (in.Quad.Ready(context, "fog/colorFS.glsl", { "fog" }))
+  {
+    layer->GoOn(context);
+    vtkOpenGLState* state = context.Window->GetState();
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_DST_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    in.Quad.Draw(context, layer->GetArea(), false, in.Buffer.GetPart());
+    layer->End();
+    this->DrawCalls += 2;
+  }
+  return in.Quad.GetWrong();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoFogStage::ReadLayers(
+  const std::vector<std::string>& names, vtkImageData* image)
+{
+  for (const std::string& name : names)
+  {
+    vtkNew<vtkImageData> drawn;
+    drawn->SetDimensions(image->GetDimensions());
+    const std::string wrong = this->Internal->Buffer.Target.Read(name, 4, drawn);
+    if (!wrong.empty())
+    {
+      return "The layer '" + name + "' cannot be read: " + wrong + ".";
+    }
+    image->SetDimensions(drawn->GetDimensions());
+    auto* depths = vtkFloatArray::SafeDownCast(drawn->GetPointData()->GetArray(name.c_str()));
+    vtkNew<vtkFloatArray> passes;
+    passes->SetName(name.c_str());
+    passes->SetNumberOfTuples(depths->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < depths->GetNumberOfTuples(); ++i)
+    {
+      passes->SetValue(i, std::exp(-depths->GetTypedComponent(i, 3)));
+    }
+    image->GetPointData()->AddArray(passes);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoFogStage::GetDataTime()
+{
+  vtkMTimeType time = 0;
+  for (const auto& each : this->Internal->Fogs)
+  {
+    time = std::max(time, each->GetUpdatedTime());
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoFogStage::GetBytesHeld()
+{
+  return this->Internal->Buffer.GetBytes() + this->Internal->Translucent.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFogStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Buffer.Release(window);
+  this->Internal->Quad.Release(window);
+  this->Internal->Translucent.Release(window);
+  this->DrawCalls = 0;
+  this->NumberDrawn = 0;
+  this->Superclass::ReleaseGraphicsResources(window);
+}

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The markers of a frame as its camera sees them: what shaders/marker/markerFS.glsl needs to know
+// of each, computed in double.
+#ifndef vtkRelievoMarkerList_h
+#define vtkRelievoMarkerList_h
+
+#include "vtkRelievoSphereRays.h"
+
+#include <glm/mat3x3.hpp>
+
+#include <vector>
+
+class vtkRelievoMarkers;
+struct vtkRelievoFrameCamera;
+
+class vtkRelievoMarkerList
+{
+public:
+  // Those of which anything is in view, in their order; but shadows are below all others. Of all
+  // processes, if `shared`.
+  void Take(
+    const vtkRelievoFrameCamera& view, const std::vector<vtkRelievoMarkers*>& sets, bool shared);
+  void Clear();
+
+  // As shaders/marker/markerVS.glsl reads them: 9 texels each.
+  const std::vector<float>& GetTexels() const { return this->Texels; }
+
+  int GetNumberDrawn() const { return static_cast<int>(this->Texels.size() / 36); }
+  int GetNumberGiven() const { return this->Given; }
+
+  // Whether any shadow is drawn.
+  bool GetShadows() const { return this->Shadows; }
+
+  // The pixels of the viewport with markers: x, y, width, height.
+  const int* GetPart() const { return this->Part; }
+
+private:
+  struct Body;
+  struct Fit;
+
+  void Add(const vtkRelievoSphereRays& rays, vtkRelievoMarkers* markers, bool shared);
+  Fit FitMarker(const Body& body) const;
+  Fit FitShadow(const Body& body) const;
+  void AddBody(const vtkRelievoSphereRays& rays, const Body& body);
+
+  glm::dmat3 WorldToView{ 1.0 };
+  std::vector<float> Texels;
+  int Part[4] = { 0, 0, 0, 0 };
+  int Given = 0;
+  bool Shadows = false;
+};
+
+#endif

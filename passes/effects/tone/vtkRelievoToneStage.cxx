@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoToneStage.h"
+
+#include "vtkCameraPass.h"
+#include "vtkCollection.h"
+#include "vtkImageProcessingPass.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRelievoBlueNoise.h"
+#include "vtkRelievoFormulas.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePass.h"
+#include "vtkRelievoFramePlan.h"
+#include "vtkRelievoLuminanceMeter.h"
+#include "vtkRelievoScreenQuad.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderer.h"
+#include "vtkSequencePass.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkRelievoToneStage);
+
+namespace
+{
+// Whether a pass, or one that it draws by, is VTK's tone mapping.
+bool MapsTones(vtkRenderPass* pass)
+{
+  if (!pass)
+  {
+    return false;
+  }
+  if (pass->IsA("vtkToneMappingPass")) // by name: PyVista's VTK leaves the class out
+  {
+    return true;
+  }
+  if (auto* frame = vtkRelievoFramePass::SafeDownCast(pass))
+  {
+    return MapsTones(frame->GetDelegatePass());
+  }
+  if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
+  {
+    return MapsTones(image->GetDelegatePass());
+  }
+  if (auto* camera = vtkCameraPass::SafeDownCast(pass))
+  {
+    return MapsTones(camera->GetDelegatePass());
+  }
+  auto* sequence = vtkSequencePass::SafeDownCast(pass);
+  vtkRenderPassCollection* parts = sequence ? sequence->GetPasses() : nullptr;
+  for (int i = 0; parts && i < parts->GetNumberOfItems(); ++i)
+  {
+    if (MapsTones(vtkRenderPass::SafeDownCast(parts->GetItemAsObject(i))))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether what is not opaque is a colour times its alpha. Over a background that is no such colour,
+// such as white with VTK's usual alpha of 0, pixels contain the background whatever their alpha.
+bool IsPremultiplied(vtkRenderer* renderer)
+{
+  const double alpha = renderer->GetBackgroundAlpha();
+  const double* background = renderer->GetBackground();
+  const bool keeps =
+    renderer->GetLayer() > 0 || !renderer->GetErase() || renderer->GetPreserveColorBuffer();
+  return !keeps && background[0] <= alpha && background[1] <= alpha && background[2] <= alpha;
+}
+}
+
+class vtkRelievoToneStage::Internals
+{
+public:
+  vtkRelievoScreenQuad Quad;
+  vtkRelievoLuminanceMeter Meter;
+  vtkSmartPointer<vtkTextureObject> Thresholds;
+  std::string Reported; // what was wrong, told once
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoToneStage::vtkRelievoToneStage()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoToneStage::~vtkRelievoToneStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoToneStage::Describe(vtkRelievoStageDescription& description)
+{
+  description.Name = "tone";
+  description.Help =
+    "Makes the picture of the linear colour by exposure, tone operator, dithering.";
+  description.Slot = vtkRelievoStageDescription::DISPLAY;
+  description.Order = -1; // a layer that is shown is drawn over it
+  description.Reads = { "color" };
+  description.Writes = { "picture" };
+  description.AddChoice(
+    "operator", this->Operator, [this](int which) { this->SetOperator(which); },
+    { "clamp", "simple", "reinhard", "reinhard_rgb" },
+    "How light is mapped to the display's range: cut off at 1, x / (1 + x), Reinhard's curve on "
+    "the "
+    "luminance, or on each component.");
+  description.AddNumber(
+    "white", this->White, [this](double white) { this->SetWhite(white); }, 0.01, 65504.0, "",
+    "Light that is shown as white by Reinhard's curves.");
+  description.AddNumber(
+    "exposure", this->Exposure, [this](double stops) { this->SetExposure(stops); }, -20.0, 20.0,
+    "stops", "Powers of 2 that the light is multiplied by.");
+  description.AddFlag(
+    "auto_exposure", this->AutoExposure, [this](bool on) { this->SetAutoExposure(on); },
+    "Brings the log-average luminance of what is drawn to 0.18 first.");
+  description.AddChoice(
+    "dither", this->Dither, [this](int which) { this->SetDither(which); },
+    { "none", "ordered", "blue_noise" },
+    "How values are rounded to 8 bits, so that slow gradients have no bands.");
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoToneStage::HasWork() const
+{
+  return this->Operator != CLAMP || this->Exposure != 0.0 || this->AutoExposure ||
+    this->Dither != DITHER_NONE;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoToneStage::GetChangesPicture()
+{
+  return this->Enabled && this->HasWork();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoToneStage::Declare(
+  const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
+{
+  declaration.HidesColor = false; // the colour is what it shows
+  declaration.Presents = true;
+  if (!this->HasWork())
+  {
+    declaration.Runs = false;
+    declaration.ReasonCode = "idle";
+    declaration.Reason = "the operator is clamp, with neither exposure nor dithering";
+  }
+  else if (MapsTones(context.Delegate) || MapsTones(context.Renderer->GetPass()))
+  {
+    declaration.Runs = false;
+    declaration.ReasonCode = "refused";
+    declaration.Reason = "VTK's own tone mapping, a vtkToneMappingPass, is among the renderer's "
+                         "passes, and tones are mapped once; take that pass away, or switch the "
+                         "stage off";
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoToneStage::Fail(const std::string& wrong)
+{
+  this->Explain("failed", wrong);
+  if (this->Internal->Reported != wrong)
+  {
+    vtkErrorMacro("Tones are not mapped: " << wrong << ".");
+  }
+  this->Internal->Reported = wrong;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoToneStage::UploadThresholds(vtkRelievoFrameContext& context)
+{
+  auto& thresholds = this->Internal->Thresholds;
+  if (thresholds && thresholds->GetContext() == context.Window)
+  {
+    return;
+  }
+  std::vector<float> values = vtkRelievoBlueNoise::GetThresholds();
+  constexpr unsigned int size = vtkRelievoBlueNoise::Size;
+  thresholds = vtkSmartPointer<vtkTextureObject>::New();
+  thresholds->SetContext(context.Window);
+  thresholds->SetMinificationFilter(vtkTextureObject::Nearest);
+  thresholds->SetMagnificationFilter(vtkTextureObject::Nearest);
+  thresholds->Create2DFromRaw(size, size, 1, VTK_FLOAT, values.data());
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoToneStage::Execute(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  this->DrawCalls = 0;
+  if (this->AutoExposure)
+  {
+    const std::string wrong = in.Meter.Measure(context);
+    if (!wrong.empty())
+    {
+      this->Fail(wrong);
+      return;
+    }
+    this->DrawCalls = in.Meter.GetDrawCalls();
+  }
+  else if (in.Meter.GetBytes() > 0)
+  {
+    in.Meter.Release(context.Window);
+  }
+  vtkShaderProgram* program = in.Quad.Ready(context, "tone/toneFS.glsl", { "color", "drawn" });
+  if (!program)
+  {
+    this->Fail(in.Quad.GetWrong());
+    return;
+  }
+  program->SetUniformi("toneOperator", this->Operator);
+  program->SetUniformf("toneWhite", static_cast<float>(this->White));
+  program->SetUniformf("toneExposure", static_cast<float>(std::exp2(this->Exposure)));
+  program->SetUniformi("tonePremultiplied", IsPremultiplied(context.Renderer));
+  program->SetUniformi("toneDither", this->Dither);
+  program->SetUniformi("toneMeasured", this->AutoExposure);
+  if (this->AutoExposure)
+  {
+    in.Meter.Activate(program);
+  }
+  if (this->Dither == DITHER_BLUE_NOISE)
+  {
+    this->UploadThresholds(context);
+    in.Thresholds->Activate();
+    program->SetUniformi("toneThresholds", in.Thresholds->GetTextureUnit());
+  }
+  if (context.Present(in.Quad))
+  {
+    ++this->DrawCalls;
+  }
+  if (this->AutoExposure)
+  {
+    in.Meter.Deactivate();
+  }
+  if (this->Dither == DITHER_BLUE_NOISE)
+  {
+    in.Thresholds->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoToneStage::GetUsedExposure()
+{
+  if (!this->AutoExposure)
+  {
+    return this->Exposure;
+  }
+  float sums[4];
+  if (!this->Internal->Meter.Read(sums))
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const int which = sums[1] > 0.0F ? 0 : 2;
+  return sums[which + 1] > 0.0F ? this->Exposure +
+      std::log2(
+        relievo::f64::relievoToneAutoExposure(static_cast<double>(sums[which]) / sums[which + 1]))
+                                : this->Exposure;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoToneStage::GetBlueNoise(int x, int y)
+{
+  constexpr int last = vtkRelievoBlueNoise::Size - 1;
+  return vtkRelievoBlueNoise::GetThresholds()[(y & last) * (last + 1) + (x & last)];
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoToneStage::GetBytesHeld()
+{
+  const vtkIdType thresholds =
+    this->Internal->Thresholds ? vtkRelievoBlueNoise::Size * vtkRelievoBlueNoise::Size * 4 : 0;
+  return this->Internal->Meter.GetBytes() + thresholds;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoToneStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& in = *this->Internal;
+  in.Quad.Release(window);
+  in.Meter.Release(window);
+  if (in.Thresholds)
+  {
+    in.Thresholds->ReleaseGraphicsResources(window);
+    in.Thresholds = nullptr;
+  }
+  this->DrawCalls = 0;
+  this->Superclass::ReleaseGraphicsResources(window);
+}

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Makes a window's OpenGL context current while it lives; then the one before is again. Names of
+// OpenGL are to be deleted so: in another context they are something else's.
+#ifndef vtkRelievoScopedContext_h
+#define vtkRelievoScopedContext_h
+
+#include "vtkOpenGLRenderWindow.h"
+
+class vtkRelievoScopedContext
+{
+public:
+  explicit vtkRelievoScopedContext(vtkWindow* window) // may be null
+    : Window(vtkOpenGLRenderWindow::SafeDownCast(window))
+  {
+    if (this->Window)
+    {
+      this->Window->PushContext();
+    }
+  }
+  ~vtkRelievoScopedContext()
+  {
+    if (this->Window)
+    {
+      this->Window->PopContext();
+    }
+  }
+  vtkRelievoScopedContext(const vtkRelievoScopedContext&) = delete;
+  void operator=(const vtkRelievoScopedContext&) = delete;
+
+private:
+  vtkOpenGLRenderWindow* Window;
+};
+
+#endif

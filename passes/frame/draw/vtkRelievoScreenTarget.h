@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A texture of floats, one texel for each pixel of the viewport, that a stage draws, that others
+// read in their shaders, and that can be read back as a layer.
+#ifndef vtkRelievoScreenTarget_h
+#define vtkRelievoScreenTarget_h
+
+#include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkRelievoResource.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <memory>
+#include <string>
+
+class vtkImageData;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkRelievoFrameContext;
+class vtkRelievoScopedState;
+class vtkTextureObject;
+class vtkWindow;
+
+class VTKRELIEVOFRAME_EXPORT vtkRelievoScreenTarget : public vtkRelievoResource
+{
+public:
+  struct Format
+  {
+    int Channels = 4; // 1, 2 or 4
+    bool Halves = true;
+    bool Depth = false; // with a depth buffer of 32-bit floats
+  };
+
+  // `sampler` is the name of the sampler2D in the shaders that read it.
+  explicit vtkRelievoScreenTarget(const std::string& sampler);
+  ~vtkRelievoScreenTarget() override;
+  vtkRelievoScreenTarget(const vtkRelievoScreenTarget&) = delete;
+  void operator=(const vtkRelievoScreenTarget&) = delete;
+
+  // Makes it in the size of the context's viewport. Returns why it cannot, in words.
+  std::string Prepare(vtkRelievoFrameContext& context, const Format& format);
+
+  ///@{
+  // Binds it for drawing, cleared to the value in every channel; gives back what was bound, and
+  // OpenGL's state. Viewport and scissor cover all of it; there is no blending and no depth test.
+  // GoOn does not clear.
+  void Begin(vtkRelievoFrameContext& context, float value = 0.0f);
+  void GoOn(vtkRelievoFrameContext& context);
+  void End();
+  ///@}
+
+  // What shaders that read it are told of it, as preprocessor defines.
+  void SetDefines(const std::string& defines) { this->Defines = defines; }
+  std::string GetDefines() const override { return this->Defines; }
+
+  // The size in pixels: also the area for vtkRelievoScreenQuad::Draw.
+  const int* GetArea() const { return this->Area; }
+  const Format& GetFormat() const { return this->Shape; }
+
+  // Adds the last frame's values to the image as the point array `name`, float. One channel fills
+  // all components; otherwise they are the channels from the first one on. Returns what is wrong.
+  std::string Read(
+    const std::string& name, int components, vtkImageData* image, int firstChannel = 0);
+
+  vtkIdType GetBytes() const;
+  void Release(vtkWindow* window);
+
+  void Activate(vtkShaderProgram* program) override;
+  void Deactivate() override;
+
+private:
+  std::string Sampler;
+  std::string Defines;
+  Format Shape;
+  int Area[4] = { 0, 0, 0, 0 };
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkSmartPointer<vtkTextureObject> Texture;
+  vtkSmartPointer<vtkTextureObject> Depth;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  std::unique_ptr<vtkRelievoScopedState> Kept;
+};
+
+#endif

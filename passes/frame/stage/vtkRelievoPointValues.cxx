@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoPointValues.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+//------------------------------------------------------------------------------
+vtkRelievoPointValues::vtkRelievoPointValues()
+{
+  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfOutputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoPointValues::~vtkRelievoPointValues() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointValues::AddValue(
+  const std::string& name, int components, const std::string& expects, double forAll)
+{
+  this->Values.push_back({ name, components, expects, { forAll, forAll, forAll }, name });
+  this->Width += components;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointValues::SetForAll(int value, const double* forAll)
+{
+  Value& changed = this->Values[value];
+  if (!std::equal(forAll, forAll + changed.Components, changed.ForAll))
+  {
+    std::copy_n(forAll, changed.Components, changed.ForAll);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointValues::SetInputData(vtkDataObject* data)
+{
+  this->SetInputDataInternal(0, data);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointValues::SetArray(const std::string& value, const std::string& array)
+{
+  std::string names;
+  for (Value& known : this->Values)
+  {
+    if (known.Name == value)
+    {
+      if (known.Array != array)
+      {
+        known.Array = array;
+        this->Reported.clear();
+        this->Modified();
+      }
+      return;
+    }
+    names += (names.empty() ? "" : ", ") + known.Name;
+  }
+  vtkErrorMacro("There is no value '" << value << "'; expected one of " << names << ".");
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoPointValues::GetArray(const std::string& value)
+{
+  for (const Value& known : this->Values)
+  {
+    if (known.Name == value)
+    {
+      return known.Array;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoPointValues::GetNumberOfPoints()
+{
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->Update();
+  }
+  else if (!this->Rows.empty())
+  {
+    this->Rows.clear();
+    this->RowsTime.Modified();
+  }
+  return static_cast<int>(this->Rows.size() / this->Width);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointValues::SetUserMatrix(vtkMatrix4x4* matrix)
+{
+  if (this->UserMatrix != matrix)
+  {
+    this->UserMatrix = matrix;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMatrix4x4* vtkRelievoPointValues::GetUserMatrix()
+{
+  return this->UserMatrix;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoPointValues::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->UserMatrix ? std::max(own, this->UserMatrix->GetMTime()) : own;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoPointValues::GetUpdatedTime()
+{
+  this->GetNumberOfPoints();
+  return std::max(this->GetMTime(), this->GetRowsTime());
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointValues::Share(vtkMultiProcessController* controller)
+{
+  this->GetNumberOfPoints();
+  const bool before = this->Shared;
+  this->Shared = controller && controller->GetNumberOfProcesses() > 1;
+  if (!this->Shared)
+  {
+    this->All.clear();
+    return;
+  }
+  const int processes = controller->GetNumberOfProcesses();
+  const int changed = !before || this->SharedTime != this->RowsTime.GetMTime() ? 1 : 0;
+  int anywhere = 0;
+  controller->AllReduce(&changed, &anywhere, 1, vtkCommunicator::MAX_OP);
+  if (anywhere == 0)
+  {
+    return;
+  }
+  this->SharedTime = this->RowsTime.GetMTime();
+  const auto own = static_cast<vtkIdType>(this->Rows.size());
+  std::vector<vtkIdType> counts(static_cast<std::size_t>(processes));
+  controller->AllGather(&own, counts.data(), 1);
+  std::vector<vtkIdType> starts(1, 0);
+  for (const vtkIdType count : counts)
+  {
+    starts.push_back(starts.back() + count);
+  }
+  this->All.resize(static_cast<std::size_t>(starts.back()));
+  controller->AllGatherV(this->Rows.data(), this->All.data(), own, counts.data(), starts.data());
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoPointValues::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkRelievoPointValues::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return this->Superclass::ProcessRequest(request, inputs, outputs);
+  }
+  this->Rows.clear();
+  this->NumberLeftOut = 0;
+  this->RowsTime.Modified();
+  if (auto* composite = vtkCompositeDataSet::GetData(inputs[0]))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      if (auto* leaf = vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
+      {
+        this->Take(leaf);
+      }
+    }
+  }
+  else if (vtkDataSet* data = vtkDataSet::GetData(inputs[0]))
+  {
+    this->Take(data);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointValues::Take(vtkDataSet* data)
+{
+  const vtkIdType count = data->GetNumberOfPoints();
+  if (count == 0)
+  {
+    return;
+  }
+  const std::size_t first = this->Rows.size();
+  this->Rows.resize(first + static_cast<std::size_t>(count) * this->Width);
+  double* rows = this->Rows.data() + first;
+  auto* points = vtkPointSet::SafeDownCast(data);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double* row = rows + i * this->Width;
+    points ? points->GetPoints()->GetPoint(i, row) : data->GetPoint(i, row);
+    if (this->UserMatrix)
+    {
+      const double point[4] = { row[0], row[1], row[2], 1.0 };
+      double moved[4];
+      this->UserMatrix->MultiplyPoint(point, moved);
+      std::copy_n(moved, 3, row);
+    }
+  }
+  double* column = rows + 3;
+  for (const Value& value : this->Values)
+  {
+    this->Fill(data, value, column);
+    column += value.Components;
+  }
+  vtkUnsignedCharArray* ghosts = data->GetPointGhostArray();
+  constexpr int Elsewhere =
+    vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+  double* kept = rows;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double* row = rows + i * this->Width;
+    if (ghosts && (ghosts->GetValue(i) & Elsewhere) != 0)
+    {
+      continue; // another piece has it
+    }
+    const bool finite =
+      std::all_of(row, row + this->Width, [](double v) { return std::isfinite(v); });
+    if (!finite || !this->HasEffect(row))
+    {
+      ++this->NumberLeftOut;
+      continue;
+    }
+    if (kept != row)
+    {
+      std::copy_n(row, this->Width, kept);
+    }
+    kept += this->Width;
+  }
+  this->Rows.resize(first + static_cast<std::size_t>(kept - rows));
+}
+
+//------------------------------------------------------------------------------
+// One value of all points into a column of the rows.
+void vtkRelievoPointValues::Fill(vtkDataSet* data, const Value& value, double* column)
+{
+  const vtkIdType count = data->GetNumberOfPoints();
+  vtkDataArray* array =
+    value.Array.empty() ? nullptr : data->GetPointData()->GetArray(value.Array.c_str());
+  std::string wrong;
+  if (!array && value.Array != value.Name && !value.Array.empty())
+  {
+    vtkAbstractArray* other = data->GetPointData()->GetAbstractArray(value.Array.c_str());
+    wrong = other ? std::string("holds no numbers (it is a ") + other->GetClassName() + ")"
+                  : std::string("is not among the point arrays");
+  }
+  else if (array)
+  {
+    const int components = array->GetNumberOfComponents();
+    const bool fits = components == value.Components || (value.Components == 3 && components == 4);
+    if (!fits)
+    {
+      wrong = "has " + std::to_string(components) + " components";
+    }
+    else if (array->GetNumberOfTuples() != count)
+    {
+      wrong = "has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
+        std::to_string(count) + " points";
+    }
+  }
+  if (!wrong.empty())
+  {
+    this->Say("The array '" + value.Array + "', asked for the " + value.Name + ", " + wrong +
+      "; needed: " + value.Expects + ". One " + value.Name + " is taken for all points.");
+    array = nullptr;
+  }
+  if (!array)
+  {
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      std::copy_n(value.ForAll, value.Components, column + i * this->Width);
+    }
+    return;
+  }
+  // Copied at once: values one by one through the virtual interface are slow for many points.
+  vtkNew<vtkDoubleArray> numbers;
+  numbers->DeepCopy(array);
+  const int stride = numbers->GetNumberOfComponents();
+  const double* from = numbers->GetPointer(0);
+  const bool bytes = value.Components == 3 && array->GetDataType() == VTK_UNSIGNED_CHAR;
+  const double scale = bytes ? 1.0 / 255.0 : 1.0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    for (int c = 0; c < value.Components; ++c)
+    {
+      column[i * this->Width + c] = scale * from[i * stride + c];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointValues::Say(const std::string& words)
+{
+  if (this->Reported.insert(words).second)
+  {
+    vtkErrorMacro(<< words);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointValues::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  for (const Value& value : this->Values)
+  {
+    os << indent << value.Name << ": array '" << value.Array << "', else";
+    for (int c = 0; c < value.Components; ++c)
+    {
+      os << " " << value.ForAll[c];
+    }
+    os << "\n";
+  }
+  os << indent << "NumberLeftOut: " << this->NumberLeftOut << "\n";
+}

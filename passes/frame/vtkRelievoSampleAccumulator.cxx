@@ -1,0 +1,340 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoSampleAccumulator.h"
+
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointData.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoSceneFingerprint.h"
+#include "vtkRelievoScopedState.h"
+#include "vtkRenderer.h"
+#include "vtkRendererCollection.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+
+namespace
+{
+// A picture in tiles is drawn once for each, one of several views in turn with the others: none is
+// followed by a second of the same.
+bool IsOneOfSeveral(const vtkRelievoFrameContext& context)
+{
+  vtkRenderWindow* window = context.Window;
+  if (window->GetTileScale()[0] > 1 || window->GetTileScale()[1] > 1 || window->GetStereoRender())
+  {
+    return true;
+  }
+  vtkRendererCollection* renderers = window->GetRenderers();
+  vtkCollectionSimpleIterator it;
+  renderers->InitTraversal(it);
+  while (vtkRenderer* other = renderers->GetNextRenderer(it))
+  {
+    if (other != context.Renderer && other->GetDraw() && other->GetPass() &&
+      other->GetPass() == context.Renderer->GetPass())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleAccumulator::Sum::Release(vtkWindow* window)
+{
+  this->Target.Release(window);
+  this->Quad.Release(window);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoSampleAccumulator::Demand vtkRelievoSampleAccumulator::GetDemand(
+  const vtkRelievoFrameContext& context, const std::vector<vtkRelievoFramePlan::Node>& nodes,
+  bool hasColor)
+{
+  Demand demand;
+  for (const vtkRelievoFramePlan::Node& node : nodes)
+  {
+    const vtkRelievoDeclaration& declaration = node.Declaration;
+    // A picture that is not made of the linear colour cannot be a mean.
+    if (!node.Needed || declaration.Samples <= 1 || (context.Picture && !hasColor))
+    {
+      continue;
+    }
+    demand.Samples = std::max(demand.Samples, declaration.Samples);
+    demand.AtOnce = demand.AtOnce || declaration.AtOnce || context.Waits;
+    demand.Color = demand.Color ||
+      (hasColor && std::any_of(node.Asked.begin(), node.Asked.end(), [&](const std::string& asked) {
+        const auto& offers = declaration.OptionalWrites;
+        return std::find(offers.begin(), offers.end(), asked) != offers.end();
+      }));
+  }
+  for (const auto& light : context.Lights)
+  {
+    demand.Layers.push_back(light.first);
+  }
+  return demand;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleAccumulator::Begin(vtkRelievoFrameContext& context,
+  const std::vector<vtkRelievoFramePlan::Node>& nodes, bool hasColor,
+  const std::vector<vtkRelievoStage*>& stages)
+{
+  context.Samples = 1;
+  context.Sample = 0;
+  context.Last = true;
+  const int before = this->Before;
+  ++this->Turns;
+  this->Asked = GetDemand(context, nodes, hasColor);
+  this->Before = this->Asked.Samples;
+  const bool nothing = !this->Asked.Color && this->Asked.Layers.empty();
+  if (this->Asked.Samples == 1 || nothing)
+  {
+    this->Asked.Samples = 1;
+    this->Before = 1;
+    this->Release(context.Window);
+    return;
+  }
+  // Within a frame only once: what changes whenever it is drawn would never be gathered.
+  if (this->Turns == 1 &&
+    (this->Asked.Samples != before ||
+      vtkRelievoSceneFingerprint::Take(context, stages) != this->State))
+  {
+    this->Release(context.Window);
+  }
+  if (!this->Fault.empty())
+  {
+    this->Asked.Samples = 1; // until something changes
+    return;
+  }
+  this->Choose(context);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleAccumulator::Choose(vtkRelievoFrameContext& context)
+{
+  const Demand& demand = this->Asked;
+  for (auto it = this->Layers.begin(); it != this->Layers.end();)
+  {
+    const bool kept =
+      std::find(demand.Layers.begin(), demand.Layers.end(), it->first) != demand.Layers.end();
+    if (!kept)
+    {
+      it->second->Release(context.Window);
+    }
+    it = kept ? std::next(it) : this->Layers.erase(it);
+  }
+  int next = demand.Samples;
+  for (const std::string& layer : demand.Layers)
+  {
+    auto& sum = this->Layers[layer];
+    if (!sum)
+    {
+      sum.reset(new Sum);
+    }
+    next = std::min(next, sum->Count);
+  }
+  if (demand.Color)
+  {
+    if (this->Color && this->ColorOfPicture != context.Picture)
+    {
+      this->Color->Release(context.Window);
+      this->Color.reset();
+    }
+    if (!this->Color)
+    {
+      this->Color.reset(new Sum);
+      this->ColorOfPicture = context.Picture;
+    }
+    next = std::min(next, this->Color->Count);
+  }
+  // When all are there the last one stays, and nothing that depends on it is made anew.
+  context.Samples = demand.Samples;
+  context.Sample = std::min(next, demand.Samples - 1);
+  const bool atOnce = demand.AtOnce || IsOneOfSeveral(context);
+  context.Last = !atOnce || next + 1 >= demand.Samples || this->Turns >= demand.Samples;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoSampleAccumulator::Add(vtkRelievoFrameContext& context, Sum& sum,
+  const std::string& resource, const std::string& defines, int channels)
+{
+  if (sum.Count != context.Sample || context.Window->GetAbortRender())
+  {
+    return {}; // it has this sample, or not all of this was drawn
+  }
+  vtkRelievoScreenTarget::Format format;
+  format.Channels = channels;
+  format.Halves = false;
+  std::string wrong = sum.Target.Prepare(context, format);
+  if (wrong.empty() && !sum.Quad.Ready(context, "frame/gatherFS.glsl", { resource }, defines))
+  {
+    wrong = sum.Quad.GetWrong();
+  }
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  sum.Count == 0 ? sum.Target.Begin(context) : sum.Target.GoOn(context);
+  vtkOpenGLState* state = context.Window->GetState();
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  sum.Quad.Draw(context, sum.Target.GetArea());
+  sum.Target.End();
+  ++sum.Count;
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoSampleAccumulator::GatherColor(vtkRelievoFrameContext& context)
+{
+  if (!context.Find("color"))
+  {
+    return "the frame has made no linear colour";
+  }
+  std::string wrong = this->Add(context, *this->Color, "color", "", 4);
+  const bool own = this->Color->Count == 1 && !context.Window->GetAbortRender();
+  if (!wrong.empty() || this->Color->Count == 0 || own)
+  {
+    return wrong; // one is its own mean
+  }
+  context.Provide("gathered", &this->Color->Target);
+  vtkShaderProgram* program = this->Mean.Ready(context, "frame/meanFS.glsl", { "gathered" });
+  if (!program)
+  {
+    return this->Mean.GetWrong();
+  }
+  program->SetUniformf("relievoCount", static_cast<float>(this->Color->Count));
+  context.DrawColor(this->Mean);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleAccumulator::Gather(vtkRelievoFrameContext& context)
+{
+  if (context.Samples <= 1)
+  {
+    return;
+  }
+  for (const std::string& layer : this->Asked.Layers)
+  {
+    Sum& sum = *this->Layers[layer];
+    sum.There = context.FindLayer(layer) != nullptr;
+    if (!sum.There)
+    {
+      sum.Count = this->Asked.Samples; // nobody waits for it
+    }
+    else if (this->Fault.empty())
+    {
+      this->Fault = this->Add(context, sum, layer,
+        "#define RELIEVO_GATHERED_PLACE RELIEVO_SHADOW_PLACE_" +
+          std::to_string(context.Lights.at(layer)) + "\n",
+        1);
+    }
+  }
+  if (this->Fault.empty() && this->Asked.Color)
+  {
+    this->Fault = this->GatherColor(context);
+  }
+  if (!this->Fault.empty())
+  {
+    this->ReleaseSums(context.Window);
+    context.Last = context.Sample == 0; // or once more, with that
+  }
+  else if (!context.Last &&
+    (context.Window->GetAbortRender() || context.Window->CheckAbortStatus()))
+  {
+    context.Last = true; // the mean of those so far
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleAccumulator::End(
+  const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages)
+{
+  if (context.Last && (context.Samples > 1 || !this->Fault.empty()))
+  {
+    this->State = vtkRelievoSceneFingerprint::Take(context, stages);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoSampleAccumulator::Has(const std::string& layer) const
+{
+  const auto found = this->Layers.find(layer);
+  return this->Asked.Samples > 1 && this->Fault.empty() && found != this->Layers.end() &&
+    found->second->There && found->second->Count > 0;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoSampleAccumulator::Read(const std::string& layer, vtkImageData* image)
+{
+  Sum& sum = *this->Layers.at(layer);
+  const std::string wrong = sum.Target.Read(layer, 1, image);
+  if (!wrong.empty())
+  {
+    return "The layer '" + layer + "' cannot be read: " + wrong + ".";
+  }
+  auto* values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(layer.c_str()));
+  float* value = values->GetPointer(0);
+  const auto count = static_cast<float>(sum.Count);
+  std::for_each(
+    value, value + values->GetNumberOfValues(), [count](float& each) { each /= count; });
+  return {};
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoSampleAccumulator::GetLeft() const
+{
+  int least = this->Asked.Samples;
+  for (const auto& layer : this->Layers)
+  {
+    least = std::min(least, layer.second->Count);
+  }
+  // The window's picture waits also while a capture is made.
+  if (this->Color && (this->Asked.Color || this->ColorOfPicture))
+  {
+    least = std::min(least, this->Color->Count);
+  }
+  return this->Asked.Samples > 1 ? this->Asked.Samples - least : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoSampleAccumulator::GetBytes() const
+{
+  vtkIdType bytes = this->Color ? this->Color->Target.GetBytes() : 0;
+  for (const auto& layer : this->Layers)
+  {
+    bytes += layer.second->Target.GetBytes();
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleAccumulator::ReleaseSums(vtkWindow* window)
+{
+  for (auto& layer : this->Layers)
+  {
+    layer.second->Release(window);
+  }
+  this->Layers.clear();
+  if (this->Color)
+  {
+    this->Color->Release(window);
+    this->Color.reset();
+  }
+  this->Mean.Release(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoSampleAccumulator::Release(vtkWindow* window)
+{
+  this->ReleaseSums(window);
+  this->State.clear();
+  this->Fault.clear();
+}

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoSceneFingerprint.h"
+
+#include "vtkActor.h"
+#include "vtkActor2D.h"
+#include "vtkBillboardTextActor3D.h"
+#include "vtkCameraPass.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkImageProcessingPass.h"
+#include "vtkLODProp3D.h"
+#include "vtkLight.h"
+#include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPBRIrradianceTexture.h"
+#include "vtkPBRLUTTexture.h"
+#include "vtkPBRPrefilterTexture.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRelievoCompositeMapper.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePass.h"
+#include "vtkRelievoPropMTime.h"
+#include "vtkRelievoPropParts.h"
+#include "vtkRelievoStage.h"
+#include "vtkRenderPass.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderer.h"
+#include "vtkSequencePass.h"
+#include "vtkShaderProperty.h"
+#include "vtkTextActor3D.h"
+#include "vtkTextProperty.h"
+#include "vtkTexture.h"
+#include "vtkUniforms.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace
+{
+class State
+{
+public:
+  std::vector<std::uint64_t> Values;
+
+  void Add(std::uint64_t value) { this->Values.push_back(value); }
+  void Add(double value)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    this->Values.push_back(bits);
+  }
+  void Add(const double* values, int count)
+  {
+    std::for_each(values, values + count, [this](double value) { this->Add(value); });
+  }
+  void Add(vtkObject* object)
+  {
+    this->Add(static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(object)));
+    this->Add(static_cast<std::uint64_t>(object ? object->GetMTime() : 0));
+  }
+  void Add(vtkTexture* texture)
+  {
+    this->Add(static_cast<vtkObject*>(texture));
+    this->Add(static_cast<std::uint64_t>(vtkRelievoPropMTime::OfTexture(texture)));
+  }
+};
+
+void AddView(State& state, const vtkRelievoFrameContext& context)
+{
+  const vtkRelievoFrameCamera& view = context.View;
+  state.Add(&view.WorldToView[0][0], 16);
+  state.Add(&view.ViewToNDC[0][0], 16);
+  for (const int value : view.Viewport)
+  {
+    state.Add(static_cast<double>(value));
+  }
+  double tile[4];
+  context.Window->GetTileViewport(tile);
+  state.Add(tile, 4);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    state.Add(static_cast<double>(context.Window->GetSize()[axis]));
+  }
+  state.Add(static_cast<double>(context.Window->GetMultiSamples()));
+  state.Add(context.Window->GetUseSRGBColorSpace() ? 1.0 : 0.0);
+}
+
+// VTK's offsets in depth, of the process.
+void AddOffsets(State& state)
+{
+  double values[5];
+  vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(values[0], values[1]);
+  vtkMapper::GetResolveCoincidentTopologyLineOffsetParameters(values[2], values[3]);
+  vtkMapper::GetResolveCoincidentTopologyPointOffsetParameter(values[4]);
+  state.Add(values, 5);
+  state.Add(static_cast<double>(vtkMapper::GetResolveCoincidentTopology()));
+  state.Add(static_cast<double>(vtkMapper::GetResolveCoincidentTopologyPolygonOffsetFaces()));
+}
+
+// With what it hands on to, and what that does.
+void AddPass(State& state, vtkRenderPass* pass)
+{
+  state.Add(static_cast<vtkObject*>(pass));
+  if (auto* sequence = vtkSequencePass::SafeDownCast(pass))
+  {
+    vtkRenderPassCollection* passes = sequence->GetPasses();
+    vtkCollectionSimpleIterator it;
+    if (passes)
+    {
+      passes->InitTraversal(it);
+      while (vtkRenderPass* each = passes->GetNextRenderPass(it))
+      {
+        AddPass(state, each);
+      }
+    }
+  }
+  else if (auto* camera = vtkCameraPass::SafeDownCast(pass))
+  {
+    AddPass(state, camera->GetDelegatePass());
+  }
+  else if (auto* image = vtkImageProcessingPass::SafeDownCast(pass))
+  {
+    AddPass(state, image->GetDelegatePass());
+  }
+  else if (auto* frame = vtkRelievoFramePass::SafeDownCast(pass))
+  {
+    AddPass(state, frame->GetDelegatePass());
+  }
+}
+
+// What VTK makes of the environment texture, by settings of its own.
+void AddEnvironment(State& state, vtkOpenGLRenderer* renderer)
+{
+  if (renderer && renderer->GetUseImageBasedLighting())
+  {
+    state.Add(static_cast<vtkObject*>(renderer->GetEnvMapLookupTable()));
+    state.Add(static_cast<vtkObject*>(renderer->GetEnvMapIrradiance()));
+    state.Add(static_cast<vtkObject*>(renderer->GetEnvMapPrefiltered()));
+    state.Add(static_cast<vtkObject*>(renderer->GetSphericalHarmonics()));
+  }
+}
+
+void AddRenderer(State& state, vtkRenderer* renderer)
+{
+  // What is set on the renderer itself; the camera and the lights are added by their values.
+  state.Add(static_cast<std::uint64_t>(renderer->vtkViewport::GetMTime()));
+  state.Add(renderer->GetBackground(), 3);
+  state.Add(renderer->GetBackground2(), 3);
+  state.Add(renderer->GetAmbient(), 3);
+  state.Add(renderer->GetBackgroundTexture());
+  state.Add(renderer->GetEnvironmentTexture());
+  AddEnvironment(state, vtkOpenGLRenderer::SafeDownCast(renderer));
+  for (const vtkRelievoFrameLight& light : vtkRelievoFrameScene::FindLights(renderer))
+  {
+    double place[3];
+    state.Add(static_cast<vtkObject*>(light.Light));
+    light.Light->GetTransformedPosition(place);
+    state.Add(place, 3);
+    light.Light->GetTransformedFocalPoint(place);
+    state.Add(place, 3);
+  }
+}
+
+void AddActor(State& state, vtkActor* actor)
+{
+  vtkProperty* property = actor->GetProperty();
+  state.Add(static_cast<vtkObject*>(property));
+  state.Add(static_cast<vtkObject*>(actor->GetBackfaceProperty()));
+  state.Add(actor->GetTexture());
+  for (const auto& named : property->GetAllTextures())
+  {
+    state.Add(named.second);
+  }
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  state.Add(static_cast<std::uint64_t>(shaders->GetShaderMTime()));
+  state.Add(static_cast<vtkObject*>(shaders->GetVertexCustomUniforms()));
+  state.Add(static_cast<vtkObject*>(shaders->GetGeometryCustomUniforms()));
+  state.Add(static_cast<vtkObject*>(shaders->GetFragmentCustomUniforms()));
+  vtkMapper* mapper = actor->GetMapper();
+  state.Add(static_cast<vtkObject*>(mapper));
+  if (mapper)
+  {
+    state.Add(static_cast<std::uint64_t>(vtkRelievoPropMTime::OfInputs(mapper)));
+  }
+  if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
+  {
+    state.Add(static_cast<vtkObject*>(glyphs->GetBlockAttributes()));
+  }
+  else if (auto* blocks = vtkRelievoCompositeMapper::SafeDownCast(mapper))
+  {
+    state.Add(static_cast<vtkObject*>(blocks->GetCompositeDataDisplayAttributes()));
+  }
+}
+
+// Texts in the scene, whose settings tell nobody that they have changed.
+void AddText(State& state, vtkProp* prop)
+{
+  if (auto* text = vtkTextActor3D::SafeDownCast(prop))
+  {
+    state.Add(static_cast<vtkObject*>(text->GetTextProperty()));
+  }
+  else if (auto* billboard = vtkBillboardTextActor3D::SafeDownCast(prop))
+  {
+    state.Add(static_cast<vtkObject*>(billboard->GetTextProperty()));
+  }
+}
+
+// Which of its levels of detail a prop shows: chosen by time, before the frame. Actors that choose
+// while they draw do so in the time that is set on the renderer.
+void AddLevel(State& state, vtkProp* prop)
+{
+  if (auto* levels = vtkLODProp3D::SafeDownCast(prop))
+  {
+    state.Add(static_cast<double>(levels->GetLastRenderedLODID()));
+  }
+}
+
+void AddProps(State& state, vtkRenderer* renderer)
+{
+  std::vector<vtkRelievoPropParts::Part> parts;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator it;
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    if (!prop->GetVisibility() || vtkActor2D::SafeDownCast(prop))
+    {
+      continue;
+    }
+    prop->GetBounds(); // brings what it draws up to date
+    state.Add(static_cast<vtkObject*>(prop));
+    state.Add(static_cast<std::uint64_t>(prop->GetRedrawMTime()));
+    AddLevel(state, prop);
+    vtkRelievoPropParts::Collect(prop, parts);
+    for (const vtkRelievoPropParts::Part& part : parts)
+    {
+      state.Add(static_cast<vtkObject*>(part.Prop));
+      AddText(state, part.Prop);
+      vtkMatrix4x4* matrix = part.Matrix ? part.Matrix : part.Prop->GetMatrix();
+      if (matrix)
+      {
+        state.Add(matrix->GetData(), 16);
+      }
+      if (auto* actor = vtkActor::SafeDownCast(part.Prop))
+      {
+        AddActor(state, actor);
+        continue;
+      }
+      // What annotations are made of.
+      vtkNew<vtkPropCollection> inner;
+      part.Prop->GetActors(inner);
+      vtkCollectionSimpleIterator each;
+      inner->InitTraversal(each);
+      while (vtkProp* piece = inner->GetNextProp(each))
+      {
+        state.Add(static_cast<vtkObject*>(piece));
+        if (auto* actor = vtkActor::SafeDownCast(piece))
+        {
+          AddActor(state, actor);
+        }
+      }
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint64_t> vtkRelievoSceneFingerprint::Take(
+  const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages)
+{
+  State state;
+  AddView(state, context);
+  AddRenderer(state, context.Renderer);
+  AddProps(state, context.Renderer);
+  AddOffsets(state);
+  AddPass(state, context.Delegate);
+  for (vtkRelievoStage* stage : stages)
+  {
+    state.Add(static_cast<vtkObject*>(stage));
+    state.Add(static_cast<std::uint64_t>(stage->GetDataTime()));
+  }
+  return state.Values;
+}

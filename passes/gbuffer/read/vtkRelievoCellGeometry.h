@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The point, line or triangle of a mesh that a pixel shows, and the pixel's ray to it, in double.
+#ifndef vtkRelievoCellGeometry_h
+#define vtkRelievoCellGeometry_h
+
+#include "vtkRelievoDrawTable.h"
+
+class vtkIdList;
+struct vtkRelievoFrameCamera;
+
+// The points of a cell. Other than vtkPolyData's own look-up this builds nothing in the mesh, and
+// threads may do it at once, each with a scratch list of its own, which must outlive the cell.
+struct vtkRelievoCell
+{
+  enum Kinds
+  {
+    Verts,
+    Lines,
+    Polys,
+    Strips
+  };
+  int Kind = Polys;
+  vtkIdType Count = 0;
+  const vtkIdType* Points = nullptr;
+
+  vtkRelievoCell(vtkPolyData* mesh, vtkIdType cell, vtkIdList* scratch);
+};
+
+struct vtkRelievoCellGeometry
+{
+  int Count = 0; // 1 point, 2 line, 3 triangle; 0: not known
+  vtkIdType Points[3] = { -1, -1, -1 };
+  glm::dvec3 Corners[3]; // model coordinates
+
+  vtkRelievoCellGeometry() = default;
+
+  // The primitive of the hit, as VTK's mappers cut the cell.
+  vtkRelievoCellGeometry(const vtkRelievoDrawTable::Hit& hit, vtkIdList* scratch);
+
+  // Shares of the corners where the ray meets the primitive, or comes nearest to it.
+  void GetWeights(const glm::dvec3& from, const glm::dvec3& along, double weights[3]) const;
+
+  // Where the ray meets the triangle's plane, as from + t along. False if it is parallel to it.
+  bool Intersect(const glm::dvec3& from, const glm::dvec3& along, double& t) const;
+};
+
+// The ray of a pixel's centre in model coordinates; from + t along is at depth t.
+struct vtkRelievoPixelRay
+{
+  glm::dvec3 From;
+  glm::dvec3 Along;
+
+  vtkRelievoPixelRay(
+    const vtkRelievoFrameCamera& view, const glm::dmat4& viewToModel, int x, int y);
+};
+
+#endif

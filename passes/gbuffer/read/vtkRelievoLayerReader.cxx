@@ -1,0 +1,441 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoLayerReader.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkLightCollection.h"
+#include "vtkPointData.h"
+#include "vtkRelievoArraySampler.h"
+#include "vtkRelievoDepthRefiner.h"
+#include "vtkRelievoDrawTable.h"
+#include "vtkRelievoFrameCamera.h"
+#include "vtkRelievoGBufferLayout.h"
+#include "vtkRelievoGBufferTarget.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoLayersStage.h"
+#include "vtkRelievoRows.h"
+#include "vtkRelievoWordDecoder.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using relievo::f64::relievoEyePosition;
+using relievo::f64::relievoNdcFromPixel;
+
+template <typename Array>
+vtkSmartPointer<Array> NewArray(int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+// Also of a light by its name, which the catalogue alone does not know.
+const vtkRelievoLayer& Know(const std::string& layer, const vtkRelievoGBufferLayout& layout)
+{
+  return layout.GetLight(layer) >= 0 ? vtkRelievoLayerCatalogue::GetOfLight()
+                                     : vtkRelievoLayerCatalogue::Find(layer);
+}
+
+// Calls f(pixel, x, y) for every pixel, in several threads.
+template <typename Function>
+void ForPixels(const int region[4], Function f)
+{
+  const vtkIdType width = region[2];
+  vtkRelievoForRows(region[3], region[2], [&](vtkIdType from, vtkIdType to) {
+    for (vtkIdType y = from; y < to; ++y)
+    {
+      for (vtkIdType x = 0; x < width; ++x)
+      {
+        f(y * width + x, static_cast<int>(x), static_cast<int>(y));
+      }
+    }
+  });
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoLayerReader::vtkRelievoLayerReader(const vtkRelievoGBufferLayout& layout,
+  vtkRelievoGBufferTarget& target, const int region[4], const vtkRelievoFrameCamera& view)
+  : Layout(layout)
+  , Target(target)
+  , Region{ region[0], region[1], region[2], region[3] }
+  , View(view)
+  , Words(static_cast<std::size_t>(layout.GetNumberOfAttachments()))
+{
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayerReader::AddChannels(const std::string& layer, vtkRelievoGBufferLayout& layout)
+{
+  const int light = layout.GetLight(layer);
+  const int source = Know(layer, layout).Source;
+  layout.Normal = layout.Normal || (source & vtkRelievoLayer::FROM_NORMAL) != 0;
+  layout.GeometricNormal =
+    layout.GeometricNormal || (source & vtkRelievoLayer::FROM_GEOMETRIC_NORMAL) != 0;
+  layout.Albedo = layout.Albedo || (source & vtkRelievoLayer::FROM_ALBEDO) != 0;
+  // A named array is looked up in the mesh, at the pixel's place in the pixel's cell.
+  layout.Depth = layout.Depth || (source & vtkRelievoLayer::FROM_DEPTH) != 0;
+  layout.Ids = layout.Ids || (source & vtkRelievoLayer::FROM_ID) != 0;
+  if (light >= 0 &&
+    std::find(layout.Shadows.begin(), layout.Shadows.end(), light) == layout.Shadows.end())
+  {
+    layout.Shadows.insert(
+      std::upper_bound(layout.Shadows.begin(), layout.Shadows.end(), light), light);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoLayerReader::GetNumberOfPixels() const
+{
+  return static_cast<vtkIdType>(this->Region[2]) * this->Region[3];
+}
+
+//------------------------------------------------------------------------------
+const std::uint32_t* vtkRelievoLayerReader::GetWords(int word, int& stride)
+{
+  const int attachment = word / 4;
+  stride = this->Layout.GetNumberOfChannels(attachment);
+  std::unique_ptr<std::uint32_t[]>& words = this->Words[attachment];
+  if (!words)
+  {
+    // Not cleared first: all of it is read.
+    words.reset(new std::uint32_t[static_cast<std::size_t>(this->GetNumberOfPixels()) * stride]);
+    this->Target.Read(attachment, this->Region, words.get());
+  }
+  return words.get() + word % 4;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLayerReader::Read(const std::string& layer, vtkImageData* image)
+{
+  if (image->GetNumberOfPoints() == 0)
+  {
+    image->SetDimensions(this->Region[2], this->Region[3], 1);
+  }
+  if (image->GetNumberOfPoints() != this->GetNumberOfPixels())
+  {
+    return "the image has " + std::to_string(image->GetNumberOfPoints()) + " points, the layers " +
+      std::to_string(this->GetNumberOfPixels()) + " pixels";
+  }
+  vtkRelievoGBufferLayout needed;
+  needed.Lights = this->Layout.Lights;
+  AddChannels(layer, needed);
+  if ((needed.Depth && !this->Layout.Depth) || (needed.Normal && !this->Layout.Normal) ||
+    (needed.GeometricNormal && !this->Layout.GeometricNormal) ||
+    (needed.Albedo && !this->Layout.Albedo) || (needed.Ids && !this->Layout.Ids) ||
+    !std::includes(this->Layout.Shadows.begin(), this->Layout.Shadows.end(), needed.Shadows.begin(),
+      needed.Shadows.end()))
+  {
+    return "the last frame did not make it; ask for it (RequestLayer) and render before";
+  }
+  std::string wrong;
+  vtkSmartPointer<vtkDataArray> array;
+  const vtkRelievoLayer& known = Know(layer, this->Layout);
+  switch (known.Source)
+  {
+    case vtkRelievoLayer::FROM_DEPTH:
+      array = known.OfPoint ? this->ReadPoints(known) : this->GetDepth();
+      break;
+    case vtkRelievoLayer::FROM_NORMAL:
+      array = this->ReadNormal(this->Layout.NormalWord);
+      break;
+    case vtkRelievoLayer::FROM_GEOMETRIC_NORMAL:
+      array = this->ReadNormal(this->Layout.GeometricNormalWord);
+      break;
+    case vtkRelievoLayer::FROM_ALBEDO:
+      array = this->ReadAlbedo();
+      break;
+    case vtkRelievoLayer::FROM_ID:
+      array = this->ReadId(layer);
+      break;
+    case vtkRelievoLayer::FROM_SHADOW:
+      array = this->ReadShadow(needed.Shadows.front(), wrong);
+      break;
+    case vtkRelievoLayer::FROM_PICTURE:
+      wrong = "it is the picture's; read it with vtkRelievoPass::ReadLayers";
+      break;
+    default:
+      array = this->ReadNamedArray(layer, wrong);
+      wrong += !wrong.empty() && vtkRelievoLayerCatalogue::GetIsOfLight(layer)
+        ? ", and no light has this name (vtkRelievoShadowStage::GetShadowLayers)"
+        : "";
+  }
+  if (array)
+  {
+    array->SetName(layer.c_str());
+    image->GetPointData()->AddArray(array);
+  }
+  return wrong;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkFloatArray> vtkRelievoLayerReader::ReadDepth()
+{
+  auto array = NewArray<vtkFloatArray>(1, this->GetNumberOfPixels());
+  float* out = array->GetPointer(0);
+  int stride = 0;
+  if (this->Layout.NormalDepthWord >= 0)
+  {
+    const std::uint32_t* words = this->GetWords(this->Layout.NormalDepthWord, stride);
+    ForPixels(this->Region, [&](vtkIdType i, int, int) {
+      out[i] = vtkRelievoWordDecoder::DecodeNormalDepth(
+        words + i * stride, this->Layout.NormalDepth, this->View)
+                 .w;
+    });
+    return array;
+  }
+  const std::uint32_t* words = this->GetWords(this->Layout.DepthWord, stride);
+  const bool isFloat = this->Layout.DepthFormat == vtkRelievoLayersStage::DEPTH_32F;
+  ForPixels(this->Region, [&](vtkIdType i, int, int) {
+    const std::uint32_t word = words[i * stride];
+    out[i] = isFloat ? relievo::f32::relievoUnpackDepth32F(word)
+                     : static_cast<float>(vtkRelievoWordDecoder::DecodeDepth(
+                         word, this->Layout.DepthFormat, this->View));
+  });
+  if (this->Refines && isFloat && this->Layout.IdWord >= 0)
+  {
+    this->RefineDepth(out);
+  }
+  return array;
+}
+
+//------------------------------------------------------------------------------
+vtkFloatArray* vtkRelievoLayerReader::GetDepth()
+{
+  if (!this->Depth)
+  {
+    this->Depth = this->ReadDepth();
+  }
+  return this->Depth;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayerReader::ResolveDraws()
+{
+  if (!this->Resolved)
+  {
+    this->Draws->Resolve(this->Renderer, this->View);
+    this->Resolved = true;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayerReader::RefineDepth(float* depths)
+{
+  this->ResolveDraws();
+  int stride = 0;
+  const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
+  vtkRelievoDepthRefiner(*this->Draws, this->View, words, stride).Refine(depths, *this->Links);
+}
+
+//------------------------------------------------------------------------------
+template <typename Array>
+vtkSmartPointer<Array> vtkRelievoLayerReader::MakeOfPoints(const vtkRelievoLayer& layer)
+{
+  const float* depths = this->GetDepth()->GetPointer(0);
+  const int components = layer.Components;
+  auto array = NewArray<Array>(components, this->GetNumberOfPixels());
+  auto* out = array->GetPointer(0);
+  using Value = typename Array::ValueType;
+  const glm::dvec2 size(this->Region[2], this->Region[3]);
+  const glm::dmat4 viewToWorld = glm::inverse(this->View.WorldToView);
+  ForPixels(this->Region, [&](vtkIdType i, int x, int y) {
+    double values[vtkRelievoArraySampler::MaximumComponents];
+    std::fill_n(values, components, layer.Background);
+    if (std::isfinite(depths[i]))
+    {
+      const glm::dvec3 eye = relievoEyePosition(
+        relievoNdcFromPixel(glm::dvec2(x, y), size), depths[i], this->View.ViewToNDC);
+      const glm::dvec3 point = layer.Space == vtkRelievoLayer::WORLD
+        ? relievo::f64::relievoWorldPosition(eye, viewToWorld)
+        : eye;
+      layer.OfPoint(&point[0], values);
+    }
+    std::transform(values, values + components, out + i * components,
+      [](double value) { return static_cast<Value>(value); });
+  });
+  return array;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadPoints(const vtkRelievoLayer& layer)
+{
+  return layer.Type == VTK_DOUBLE
+    ? vtkSmartPointer<vtkDataArray>(this->MakeOfPoints<vtkDoubleArray>(layer))
+    : vtkSmartPointer<vtkDataArray>(this->MakeOfPoints<vtkFloatArray>(layer));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNormal(int firstWord)
+{
+  auto array = NewArray<vtkFloatArray>(3, this->GetNumberOfPixels());
+  float* out = array->GetPointer(0);
+  const bool together = firstWord < 0;
+  // Words may begin in one attachment and end in the next.
+  const int count = together
+    ? vtkRelievoGBufferLayout::GetNormalDepthWords(this->Layout.NormalDepth)
+    : vtkRelievoGBufferLayout::GetNormalWords(this->Layout.ChosenNormalFormat);
+  const std::uint32_t* words[4] = {};
+  int strides[4] = {};
+  const int first = together ? this->Layout.NormalDepthWord : firstWord;
+  for (int k = 0; k < count; ++k)
+  {
+    words[k] = this->GetWords(first + k, strides[k]);
+  }
+  // From view to world: the transposed matrix is right for normals whatever the matrix scales.
+  const glm::mat3 toSpace = this->WorldNormals
+    ? glm::mat3(glm::transpose(glm::dmat3(this->View.WorldToView)))
+    : glm::mat3(1.0f);
+  const vtkIdType width = this->Region[2];
+  vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
+    // Neighbours mostly show the background or one flat triangle.
+    std::uint32_t packed[4] = {};
+    glm::vec3 normal(0.0f);
+    for (vtkIdType i = from * width; i < to * width; ++i)
+    {
+      bool same = i > from * width;
+      for (int k = 0; k < count; ++k)
+      {
+        const std::uint32_t word = words[k][i * strides[k]];
+        same = same && word == packed[k];
+        packed[k] = word;
+      }
+      if (!same)
+      {
+        normal = together
+          ? glm::vec3(vtkRelievoWordDecoder::DecodeNormalDepth(
+              packed, this->Layout.NormalDepth, this->View))
+          : vtkRelievoWordDecoder::DecodeNormal(packed, this->Layout.ChosenNormalFormat);
+        if (normal != glm::vec3(0.0f))
+        {
+          normal = glm::normalize(toSpace * normal);
+        }
+      }
+      out[3 * i] = normal.x;
+      out[3 * i + 1] = normal.y;
+      out[3 * i + 2] = normal.z;
+    }
+  });
+  return array;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadId(const std::string& layer)
+{
+  this->ResolveDraws();
+  auto array = NewArray<vtkIntArray>(1, this->GetNumberOfPixels());
+  int* out = array->GetPointer(0);
+  int stride = 0;
+  const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
+  const vtkIdType width = this->Region[2];
+  vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
+    std::uint32_t last = vtkRelievoDrawTable::Nothing;
+    int value = -1;
+    for (vtkIdType i = from * width; i < to * width; ++i)
+    {
+      const std::uint32_t word = words[i * stride];
+      if (word != last)
+      {
+        last = word;
+        const auto hit = this->Draws->Find(word);
+        value = layer == "actor" ? hit.Actor
+          : layer == "block"     ? hit.Block
+                                 : static_cast<int>(hit.Cell);
+      }
+      out[i] = value;
+    }
+  });
+  return array;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadNamedArray(
+  const std::string& layer, std::string& wrong)
+{
+  this->ResolveDraws();
+  vtkRelievoArraySampler sampler(layer, *this->Draws, this->View);
+  int components = 0;
+  const int type = sampler.Prepare(this->Renderer, components, wrong);
+  if (!wrong.empty())
+  {
+    return nullptr;
+  }
+  vtkSmartPointer<vtkDataArray> array;
+  array.TakeReference(vtkDataArray::CreateDataArray(type));
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(this->GetNumberOfPixels());
+  int stride = 0;
+  const std::uint32_t* words = this->GetWords(this->Layout.IdWord, stride);
+  const vtkIdType width = this->Region[2];
+  vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
+    vtkRelievoArraySampler::Place place;
+    double values[vtkRelievoArraySampler::MaximumComponents];
+    for (vtkIdType i = from * width; i < to * width; ++i)
+    {
+      sampler.Enter(words[i * stride], place);
+      sampler.Sample(place, static_cast<int>(i % width), static_cast<int>(i / width), values);
+      array->SetTuple(i, values);
+    }
+  });
+  return array;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadAlbedo()
+{
+  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  array->SetNumberOfComponents(4);
+  array->SetNumberOfTuples(this->GetNumberOfPixels());
+  unsigned char* out = array->GetPointer(0);
+  int stride = 0;
+  const std::uint32_t* words = this->GetWords(this->Layout.AlbedoWord, stride);
+  const vtkIdType width = this->Region[2];
+  vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
+    for (vtkIdType i = from * width; i < to * width; ++i)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        out[4 * i + k] = static_cast<unsigned char>(words[i * stride] >> (8 * k));
+      }
+    }
+  });
+  return array;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadShadow(int light, std::string& wrong)
+{
+  const int lights = this->Renderer ? this->Renderer->GetLights()->GetNumberOfItems() : 0;
+  if (light >= lights)
+  {
+    wrong = "the renderer has " + std::to_string(lights) + (lights == 1 ? " light" : " lights") +
+      ", counted from 0";
+    return nullptr;
+  }
+  const std::vector<int>& shadows = this->Layout.Shadows;
+  const int place =
+    static_cast<int>(std::lower_bound(shadows.begin(), shadows.end(), light) - shadows.begin());
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetNumberOfTuples(this->GetNumberOfPixels());
+  float* out = array->GetPointer(0);
+  int stride = 0;
+  const std::uint32_t* words = this->GetWords(this->Layout.ShadowWord + place / 2, stride);
+  const int shift = 16 * (place % 2);
+  const vtkIdType width = this->Region[2];
+  vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
+    for (vtkIdType i = from * width; i < to * width; ++i)
+    {
+      out[i] = static_cast<float>((words[i * stride] >> shift) & 0xffffu) / 65535.0f;
+    }
+  });
+  return array;
+}

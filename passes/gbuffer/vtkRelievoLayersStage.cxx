@@ -1,0 +1,764 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoLayersStage.h"
+
+#include "vtkActor.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProperty.h"
+#include "vtkRelievoDrawTable.h"
+#include "vtkRelievoFrameCamera.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePlan.h"
+#include "vtkRelievoGBufferLayout.h"
+#include "vtkRelievoGBufferSplice.h"
+#include "vtkRelievoGBufferTarget.h"
+#include "vtkRelievoGBufferTextures.h"
+#include "vtkRelievoGlyphDraws.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoLayerReader.h"
+#include "vtkRelievoMeshLinks.h"
+#include "vtkRelievoOpaqueProps.h"
+#include "vtkRelievoPrimitiveIds.h"
+#include "vtkRelievoScopedState.h"
+#include "vtkRelievoSurfaces.h"
+#include "vtkRelievoTrialCompile.h"
+#include "vtkRelievoVTKVersions.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkRelievoLayersStage::Internals
+{
+public:
+  vtkRelievoGBufferLayout Layout;
+  vtkRelievoGBufferSplice::Mode Mode;
+  vtkTimeStamp StructureTime; // of the layout and the mode: shaders older than it are built anew
+  vtkRelievoGBufferTarget Target;
+  vtkRelievoGBufferTextures Textures;
+  vtkRelievoFrameCamera View;
+  int Offset[2] = { 0, 0 }; // of the viewport within the textures
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkRelievoDrawTable Draws;
+  vtkRelievoGlyphReach Glyphs;
+  vtkRelievoMeshLinks Links; // built when a read needs them
+  vtkRelievoOpaqueProps Props;
+  std::set<std::string> Reported; // refusals that have been reported, by reason and mapper's class
+  std::string NotShared;          // why the delegate's geometry pass cannot be shared
+  vtkRelievoPrimitiveIds::Route PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
+  bool Writing = false;
+  bool RefinesDepth = true;              // of the last frame
+  bool ShadingAsked = false;             // surfaces are to be lit by a later stage
+  bool Shading = false;                  // and can be
+  std::map<vtkMapper*, int> LineShaders; // vtkRelievoSurfaces::LineShaders, where VTK has several
+  bool Alternating = false; // an actor's shaders are wrong for another that shares its mapper
+  std::map<vtkMapper*, std::string> Lit;            // then: why VTK has to light what they draw
+  std::map<vtkShaderProgram*, std::string> LeftOut; // the same of this frame's programs
+  bool DrawsWithoutLayers =
+    false;                     // something is drawn that writes no layers, and cannot be told apart
+  bool BuiltUnspliced = false; // shaders without layers were built with this pass in their keys
+  bool Valid = false;          // the textures hold the last frame's layers
+
+  // The layout for what is asked of the stage.
+  void Arrange(vtkRelievoLayersStage& self, const vtkRelievoFrameContext& context);
+
+  void CountLeft(vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
+  std::string WhyLit(vtkActor* actor) const;
+
+  void SetMode(const vtkRelievoGBufferSplice::Mode& mode)
+  {
+    if (this->Mode != mode)
+    {
+      this->Mode = mode;
+      this->StructureTime.Modified();
+    }
+  }
+};
+
+vtkStandardNewMacro(vtkRelievoLayersStage);
+
+//------------------------------------------------------------------------------
+vtkRelievoLayersStage::vtkRelievoLayersStage()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoLayersStage::~vtkRelievoLayersStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayersStage::Describe(vtkRelievoStageDescription& description)
+{
+  description.Name = "gbuffer";
+  description.Label = "Layers";
+  description.Help = "Makes the layers: depth, normals, albedo, ids per pixel.";
+  description.Slot = vtkRelievoStageDescription::SURFACES;
+  description.OnByDefault = true;
+  for (const vtkRelievoLayer& layer : vtkRelievoLayerCatalogue::GetAll())
+  {
+    constexpr int Elsewhere = vtkRelievoLayer::FROM_PICTURE | vtkRelievoLayer::FROM_STAGE;
+    if ((layer.Source & Elsewhere) == 0 && !layer.OfLight)
+    {
+      description.Layers.push_back(layer.Name);
+    }
+  }
+  description.WritesArrays = true;
+  // For stages that light: beside VTK's own light, and in its place.
+  description.Writes = { "surface", "shading" };
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkRelievoLayersStage::GetReadsFor(
+  const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const
+{
+  const bool visibility = std::any_of(asked.begin(), asked.end(),
+    [&context](const std::string& layer) { return context.Lights.count(layer) > 0; });
+  return visibility ? std::vector<std::string>{ "visibility" } : std::vector<std::string>();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoLayersStage::Prepare(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  in.Arrange(*this, context);
+  in.Renderer = context.Renderer;
+  in.View = context.View;
+  in.Draws.Clear();
+  in.Links.Prune();
+  in.Valid = false;
+  in.Writing = false;
+  this->Shared = false;
+  this->DrawCalls = 0;
+
+  in.Props.Collect(context.Scene);
+  std::map<vtkMapper*, std::string> lit;
+  if (in.Shading)
+  {
+    lit = vtkRelievoSurfaces::FindLit(context.Scene, context.Renderer, in.View.GetWinding() < 0.0);
+  }
+  if (lit != in.Lit)
+  {
+    // Actors that share a mapper share its shaders: one may change what is right for all.
+    in.Lit = lit;
+    in.StructureTime.Modified();
+  }
+  if (RELIEVO_VTK_WIDE_LINE_NORMALS)
+  {
+    // After a change a mapper may still have the shaders of an actor that is hidden now.
+    std::map<vtkMapper*, int> lines = vtkRelievoSurfaces::FindLineShaders(context.Scene);
+    if (lines != in.LineShaders)
+    {
+      in.LineShaders = std::move(lines);
+      in.StructureTime.Modified();
+    }
+    in.Alternating = in.Layout.TakesNormals() &&
+      std::any_of(in.LineShaders.begin(), in.LineShaders.end(),
+        [](const auto& each) { return each.second == vtkRelievoSurfaces::BothKinds; });
+  }
+  in.PrimitiveIds = vtkRelievoPrimitiveIds::AsWritten;
+  if (in.Layout.IdWord >= 0)
+  {
+    in.PrimitiveIds = vtkRelievoPrimitiveIds::Get(context.Window);
+    if (in.PrimitiveIds == vtkRelievoPrimitiveIds::Unreliable &&
+      in.Reported.insert("primitives").second)
+    {
+      vtkErrorMacro("This OpenGL gives fragment shaders wrong numbers of primitives: cell ids are "
+                    "-1, arrays are not read, and depth is as the rasteriser rounds it. Update its "
+                    "driver, or choose another.");
+    }
+  }
+  in.LeftOut.clear();
+  in.NotShared.clear();
+  if (in.ShadingAsked && !in.Shading && context.GetAsked(this).size() == 1)
+  {
+    in.NotShared = in.Textures.WhyNot; // nothing else is asked for
+  }
+  else if (!this->ShareGeometryPass)
+  {
+    in.NotShared = "ShareGeometryPass is off";
+  }
+  else if (!in.Props.GetForeign().empty())
+  {
+    in.NotShared = "a " + in.Props.GetForeign() + " is drawn among the opaque geometry";
+  }
+  else if (in.View.Far > 1e4 * in.View.Near && !in.View.Parallel)
+  {
+    in.NotShared = "far / near is beyond 1e4, where window z orders fragments no more";
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayersStage::BeginOpaque(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  if (!in.NotShared.empty() || in.Writing)
+  {
+    return;
+  }
+  const int* v = in.View.Viewport;
+  in.NotShared = in.Target.Allocate(context.Window, in.Layout, v[0] + v[2], v[1] + v[3]);
+  if (in.NotShared.empty())
+  {
+    in.NotShared = in.Target.AttachShared(in.Layout, v);
+  }
+  if (!in.NotShared.empty())
+  {
+    return;
+  }
+  in.SetMode(vtkRelievoGBufferSplice::Mode{ false, false, in.PrimitiveIds, in.Shading });
+  in.Offset[0] = v[0];
+  in.Offset[1] = v[1];
+  in.Draws.Clear();
+  in.Writing = true;
+  in.Props.AddPass(this);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayersStage::EndOpaque(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  if (!in.Writing)
+  {
+    return;
+  }
+  in.Props.RemovePass(this);
+  in.Target.DetachShared();
+  in.Writing = false;
+  in.Valid = true;
+  this->Shared = true;
+  if (in.Shading)
+  {
+    in.Textures.Set(in.Layout, in.Target, in.Offset, this->NormalSpace == WORLD);
+    context.Provide("shading", &in.Textures);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayersStage::Execute(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  if (in.Writing)
+  {
+    this->EndOpaque(context);
+    in.NotShared = "the delegate does not draw all of its opaque geometry in one go";
+    in.Valid = this->Shared = false;
+    in.DrawsWithoutLayers = in.DrawsWithoutLayers || in.Shading;
+  }
+  const std::vector<std::string>& asked = context.GetAsked(this);
+  if (!in.Valid && in.NotShared.empty())
+  {
+    in.NotShared = context.Picture ? "the delegate draws no opaque geometry of this renderer"
+                                   : "only the layers are asked for, without the picture";
+  }
+  if (in.ShadingAsked && !in.Valid)
+  {
+    in.Textures.WhyNot = in.Textures.WhyNot.empty() ? in.NotShared : in.Textures.WhyNot;
+    context.Provide("shading", &in.Textures);
+    if (asked.size() == 1)
+    {
+      in.Target.Release(context.Window);
+      this->Explain(
+        "idle", "nothing but shading is asked for, and VTK lights: " + in.Textures.WhyNot);
+      return;
+    }
+  }
+  if (!in.Valid && in.View.Viewport[2] > 0 && in.View.Viewport[3] > 0)
+  {
+    this->DrawOwnPass(context);
+  }
+  if (!in.Valid)
+  {
+    return;
+  }
+  std::string words = "asked for:";
+  in.Textures.Set(in.Layout, in.Target, in.Offset, this->NormalSpace == WORLD);
+  for (const std::string& layer : asked)
+  {
+    const bool internal = layer == "surface" || layer == "shading";
+    internal ? context.Provide(layer, &in.Textures) : context.ProvideLayer(layer, &in.Textures);
+    words += " " + layer;
+  }
+  this->Explain("ran",
+    words +
+      (this->Shared ? "; written while the delegate draws its opaque geometry"
+                    : "; in a geometry pass of its own, since " + in.NotShared));
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayersStage::DrawOwnPass(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  const vtkRelievoScopedState kept(context.Window->GetState());
+  std::string wrong =
+    in.Target.Allocate(context.Window, in.Layout, in.View.Viewport[2], in.View.Viewport[3]);
+  if (wrong.empty())
+  {
+    wrong = in.Target.BeginOwn(in.Layout);
+  }
+  if (wrong.empty())
+  {
+    in.SetMode(vtkRelievoGBufferSplice::Mode{
+      true, in.View.Far > 1e4 * in.View.Near && !in.View.Parallel, in.PrimitiveIds, false });
+    in.Offset[0] = in.Offset[1] = 0;
+    in.Draws.Clear();
+    in.Writing = true;
+    in.Props.AddPass(this);
+    // As the picture has it: of VTK's ways to draw one, only the renderer's own removes them.
+    in.Props.RenderOpaque(
+      context.Renderer, context.Renderer->GetUseHiddenLineRemoval() && context.OwnSteps);
+    in.Props.RemovePass(this);
+    in.Writing = false;
+    in.Target.EndOwn();
+    in.Valid = true;
+  }
+  else
+  {
+    this->Explain("failed", wrong);
+    if (in.Reported.insert(wrong).second)
+    {
+      vtkErrorMacro("No layers: " << wrong << ".");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLayersStage::ReadLayers(
+  const std::vector<std::string>& names, vtkImageData* image)
+{
+  Internals& in = *this->Internal;
+  const int region[4] = { in.Offset[0], in.Offset[1], in.View.Viewport[2], in.View.Viewport[3] };
+  vtkRelievoLayerReader reader(in.Layout, in.Target, region, in.View);
+  reader.SetNormalSpaceIsWorld(this->NormalSpace == WORLD);
+  reader.SetRefineDepth(in.RefinesDepth);
+  reader.SetDraws(&in.Draws, &in.Links, in.Renderer);
+  for (const std::string& name : names)
+  {
+    const std::string wrong = in.Valid && in.Renderer
+      ? reader.Read(name, image)
+      : "the last frame made no layers; ask for it (RequestLayer) and render before";
+    if (!wrong.empty())
+    {
+      return "The layer '" + name + "' cannot be read: " + wrong + ".";
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLayersStage::GetPrimitiveIds()
+{
+  return this->Internal->Layout.IdWord >= 0
+    ? vtkRelievoPrimitiveIds::ToString(this->Internal->PrimitiveIds)
+    : "";
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, vtkVariant> vtkRelievoLayersStage::GetFacts()
+{
+  const std::string ids = this->GetPrimitiveIds();
+  return { { "primitive_ids", ids.empty() ? vtkVariant() : vtkVariant(ids) } };
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLayersStage::ProbePrimitiveIds(vtkOpenGLRenderWindow* window)
+{
+  window->MakeCurrent();
+  return vtkRelievoPrimitiveIds::ToString(vtkRelievoPrimitiveIds::Get(window));
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoLayersStage::GetBytesHeld()
+{
+  return this->Internal->Target.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayersStage::GetSize(int size[2])
+{
+  size[0] = this->Internal->View.Viewport[2];
+  size[1] = this->Internal->View.Viewport[3];
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoLayersStage::GetHoldsLayers()
+{
+  return this->Internal->Valid;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayersStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Target.Release(window);
+  this->Internal->Draws.Clear();
+  this->Internal->Valid = false;
+  this->Internal->DrawsWithoutLayers = false;
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayersStage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NormalFormat: " << this->NormalFormat << "\n";
+  os << indent << "DepthFormat: " << this->DepthFormat << "\n";
+  os << indent << "NormalTolerance: " << this->NormalTolerance << "\n";
+  os << indent << "DepthTolerance: " << this->DepthTolerance << "\n";
+  os << indent << "NormalDepthFormat: " << this->NormalDepthFormat << "\n";
+  os << indent << "NormalSpace: " << (this->NormalSpace == WORLD ? "World" : "View") << "\n";
+  os << indent << "ShareGeometryPass: " << this->ShareGeometryPass << "\n";
+  os << indent << "RefineDepth: " << this->RefineDepth << "\n";
+  os << indent << "Shared: " << this->Shared << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayersStage::Internals::Arrange(
+  vtkRelievoLayersStage& self, const vtkRelievoFrameContext& context)
+{
+  this->RefinesDepth = self.RefineDepth;
+  vtkRelievoGBufferLayout layout;
+  layout.Lights = context.Lights;
+  layout.NormalFormat = self.GetNormalFormatUsed();
+  layout.DepthFormat = self.GetDepthFormatUsed();
+  const bool separate = self.NormalTolerance > 0.0 || self.DepthTolerance > 0.0;
+  layout.NormalDepth = separate ? static_cast<int>(NORMAL_DEPTH_SEPARATE) : self.NormalDepthFormat;
+  for (const std::string& layer : context.GetAsked(&self))
+  {
+    if (layer == "surface" || layer == "shading")
+    {
+      layout.Surface = true;
+    }
+    else
+    {
+      vtkRelievoLayerReader::AddChannels(layer, layout);
+    }
+  }
+  // A depth that shares its texel with the normal is as it was written.
+  const bool together =
+    layout.NormalDepth != NORMAL_DEPTH_SEPARATE && layout.Normal && layout.Depth;
+  const bool refines = self.RefineDepth && layout.DepthFormat == DEPTH_32F && !together;
+  for (const std::string& layer : context.ReadBack)
+  {
+    layout.Ids = layout.Ids ||
+      (refines && vtkRelievoLayerCatalogue::Find(layer).Source == vtkRelievoLayer::FROM_DEPTH);
+  }
+  if (layout.Surface)
+  {
+    const vtkRelievoSurfaces surfaces = vtkRelievoSurfaces::Find(context.Scene);
+    layout.SurfaceDetail = surfaces.Detail;
+    layout.SurfaceSpecular = surfaces.Specular;
+    layout.SurfacePbr = surfaces.Pbr;
+  }
+  std::vector<int> asked; // lights whose visibility is a layer
+  this->Textures.WhyNot.clear();
+  this->Textures.Left.clear();
+  this->Textures.Deferred = this->Textures.NumberOfLights = 0;
+  this->ShadingAsked = context.IsAsked(&self, "shading");
+  if (this->ShadingAsked)
+  {
+    this->Textures.WhyNot = this->DrawsWithoutLayers
+      ? "something has been drawn by a shader that takes no splice, or not in one go"
+      : context.ColorsLight ? "translucent surfaces colour the light that passes them"
+                            : vtkRelievoSurfaces::WhyAllLit(context.Scene, context.Window);
+  }
+  this->Shading = this->ShadingAsked && this->Textures.WhyNot.empty();
+  if (this->Shading)
+  {
+    layout.Depth = layout.Normal = true;
+    asked = layout.Shadows;
+    if (context.IsPlanned("shadow maps"))
+    {
+      layout.Shadows.resize(context.Renderer->GetLights()->GetNumberOfItems());
+      std::iota(layout.Shadows.begin(), layout.Shadows.end(), 0);
+      this->Textures.NumberOfLights = static_cast<int>(layout.Shadows.size());
+    }
+  }
+  layout.Arrange();
+  if (this->Shading && layout.GetNumberOfAttachments() > vtkRelievoGBufferLayout::MostAttachments)
+  {
+    this->Textures.WhyNot = "the visibility of " + std::to_string(layout.Shadows.size()) +
+      " lights takes more than " + std::to_string(vtkRelievoGBufferLayout::MostAttachments) +
+      " attachments";
+    this->Shading = false;
+    layout.Shadows = asked;
+    layout.Arrange();
+  }
+  const bool changed = layout != this->Layout;
+  this->Layout = layout;
+  if (changed)
+  {
+    this->StructureTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoLayersStage::PreReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  if (this->Internal->Writing && vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    vtkRelievoGBufferSplice::Mark(vertexShader, geometryShader, fragmentShader);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoLayersStage::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* abstractMapper,
+  vtkProp* prop)
+{
+  Internals& in = *this->Internal;
+  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!in.Writing || !mapper || !actor)
+  {
+    return true;
+  }
+  const std::string own[3] = { vertexShader, geometryShader, fragmentShader };
+  // Returns what is wrong, in words, and leaves the shaders as they were then.
+  auto fill = [&](vtkRelievoGBufferSplice::Mode mode, bool& compiles) {
+    mode.Deferred =
+      mode.Deferred && actor->GetProperty()->GetLighting() && in.WhyLit(actor).empty();
+    std::string wrong = vtkRelievoGBufferSplice::Fill(
+      vertexShader, geometryShader, fragmentShader, mapper, actor, in.Layout, mode);
+    compiles = true;
+    if (wrong.empty())
+    {
+      wrong = vtkRelievoTrialCompile::Compile(
+        static_cast<vtkOpenGLRenderWindow*>(in.Renderer->GetRenderWindow()),
+        actor->GetShaderProperty(), vertexShader, geometryShader, fragmentShader);
+      compiles = wrong.empty();
+    }
+    if (!wrong.empty())
+    {
+      vertexShader = own[0];
+      geometryShader = own[1];
+      fragmentShader = own[2];
+    }
+    return wrong;
+  };
+  bool compiles = true;
+  std::string wrong = fill(in.Mode, compiles);
+  if (!compiles && in.Mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader)
+  {
+    vtkRelievoGBufferSplice::Mode without = in.Mode;
+    without.PrimitiveIds = vtkRelievoPrimitiveIds::Unreliable;
+    wrong = fill(without, compiles);
+  }
+  const std::string name = mapper->GetClassName();
+  if (!wrong.empty() && in.Reported.insert(name + (compiles ? wrong : "compiles not")).second)
+  {
+    vtkErrorMacro("No layers of what " << name << " draws: " << wrong << ".");
+  }
+  const bool numbered = vtkRelievoGBufferSplice::GetPrimitiveSource(mapper, actor) !=
+    vtkRelievoGBufferSplice::GetPrimitiveSource(fragmentShader);
+  if (wrong.empty() && numbered && in.Layout.IdWord >= 0 &&
+    in.Mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader &&
+    in.Reported.insert(name + "ids").second)
+  {
+    vtkErrorMacro("No cell ids of what "
+      << name << " draws: with this OpenGL they need a geometry shader, which cannot hand on all "
+      << "that its vertex shader puts out. Declare one output of a simple type on a line.");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoLayersStage::SetShaderParameters(vtkShaderProgram* program,
+  vtkAbstractMapper* abstractMapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  Internals& in = *this->Internal;
+  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!in.Writing || !mapper || !actor)
+  {
+    return true;
+  }
+  // Nor into the depth buffer alone (hidden line removal).
+  unsigned char mask[4] = { 1, 1, 1, 1 };
+  static_cast<vtkOpenGLRenderWindow*>(in.Renderer->GetRenderWindow())
+    ->GetState()
+    ->vtkglGetBooleanv(GL_COLOR_WRITEMASK, mask);
+  const bool writes = (mask[0] || mask[1] || mask[2] || mask[3]) &&
+    program->GetFragmentShader()->GetSource().find("relievoOutput1") != std::string::npos;
+  in.Target.WriteLayers(writes);
+  if (!writes)
+  {
+    const bool seen = mask[0] || mask[1] || mask[2] || mask[3];
+    in.DrawsWithoutLayers = in.DrawsWithoutLayers || (seen && in.Mode.Deferred);
+    return true;
+  }
+  ++this->DrawCalls;
+  if (in.Layout.IdWord >= 0)
+  {
+    const int source =
+      vtkRelievoGBufferSplice::GetPrimitiveSource(program->GetFragmentShader()->GetSource());
+    const std::uint32_t first = in.Draws.Add(actor, mapper, source);
+    if (in.Draws.IsLastAmbiguous() && in.Reported.insert("blocks").second)
+    {
+      vtkErrorMacro("No cell and block ids of some composite data: this VTK gives primitives of "
+                    "several of its blocks the same numbers where cells have normals but no "
+                    "colours. Colour the cells, or compute the normals at the points.");
+    }
+    program->SetUniformi("relievoFirstPrimitive", static_cast<int>(first));
+    if (first == vtkRelievoDrawTable::Nothing && in.Reported.insert("words").second)
+    {
+      vtkErrorMacro("More primitives are drawn than 32 bits count: what is drawn last has the ids "
+                    "-1, no arrays, and depth as the rasteriser rounds it. Draw less at once.");
+    }
+  }
+  in.Glyphs.SetUniforms(program, mapper);
+  program->SetUniformi(
+    "relievoFaces", actor->GetProperty()->GetRepresentation() == VTK_SURFACE ? 1 : 0);
+  if (in.Layout.SurfaceWord >= 0)
+  {
+    vtkRelievoSurfaces::SetUniforms(program, actor);
+    in.CountLeft(program, mapper, actor);
+  }
+  const double winding = actor->GetMatrix()->Determinant() * in.View.GetWinding();
+  program->SetUniformf("relievoWinding", winding < 0.0 ? -1.0f : 1.0f);
+  program->SetUniformf("relievoNear", static_cast<float>(in.View.Near));
+  program->SetUniformf("relievoFar", static_cast<float>(in.View.Far));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Counts the draw among those whose light is left out, or those that VTK lights, and why.
+void vtkRelievoLayersStage::Internals::CountLeft(
+  vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
+  if (!this->Mode.Deferred || !actor->GetProperty()->GetLighting())
+  {
+    return; // there is nothing to leave out
+  }
+  auto known = this->LeftOut.find(program);
+  if (known == this->LeftOut.end())
+  {
+    const std::string fragment = program->GetFragmentShader()->GetSource();
+    const bool out = fragment.find("#define RELIEVO_LIGHT_LEFT_OUT") != std::string::npos;
+    std::string why = out ? std::string() : this->WhyLit(actor);
+    why = out || !why.empty() ? why : vtkRelievoSurfaces::WhyLit(mapper, fragment);
+    why = out || !why.empty() ? why : "has no light in its shader as VTK writes it";
+    known = this->LeftOut.emplace(program, why).first;
+  }
+  ++(known->second.empty() ? this->Textures.Deferred : this->Textures.Left[known->second]);
+}
+
+//------------------------------------------------------------------------------
+// Why VTK has to light the actor: for itself, or for another one that shares its mapper's shaders.
+std::string vtkRelievoLayersStage::Internals::WhyLit(vtkActor* actor) const
+{
+  const auto found = this->Lit.find(actor->GetMapper());
+  return found != this->Lit.end() ? found->second
+                                  : vtkRelievoSurfaces::WhyLit(actor, this->Renderer);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoLayersStage::GetShaderStageMTime()
+{
+  // Asked outside of its own drawing by keys that were copied meanwhile: there it splices nothing.
+  // Where actors take turns in a mapper's shaders, each needs its own.
+  Internals& in = *this->Internal;
+  if (!in.Writing || in.BuiltUnspliced || in.Alternating)
+  {
+    in.StructureTime.Modified();
+    in.BuiltUnspliced = !in.Writing;
+  }
+  return in.StructureTime.GetMTime();
+}
+
+namespace
+{
+// Largest errors, rounded up: what the tests of formats hold them to (docs/choosing-formats.md).
+// From small to large; of the same size, the cheaper one first.
+struct Format
+{
+  int Code;
+  double Error;
+};
+using Pass = vtkRelievoLayersStage;
+constexpr Format Normals[] = { // degrees
+  { Pass::NORMAL_OCT8, 0.96 }, { Pass::NORMAL_OCT8_PRECISE, 0.65 }, { Pass::NORMAL_RGB8, 0.4 },
+  { Pass::NORMAL_RGB10A2, 0.098 }, { Pass::NORMAL_OCT16, 0.0038 },
+  { Pass::NORMAL_OCT16_PRECISE, 0.0026 }, { Pass::NORMAL_FLOAT32, 1e-5 }
+};
+constexpr Format Depths[] = { // of the depth
+  { Pass::DEPTH_16F, 4.9e-4 }, { Pass::DEPTH_32F, 6e-8 }
+};
+
+template <typename Formats>
+int Choose(const Formats& formats, double tolerance)
+{
+  const auto first = std::find_if(std::begin(formats), std::end(formats),
+    [tolerance](const Format& format) { return format.Error <= tolerance; });
+  return first == std::end(formats) ? (std::end(formats) - 1)->Code : first->Code;
+}
+
+template <typename Formats>
+bool IsTolerance(const Formats& formats, double tolerance, double most)
+{
+  return tolerance == 0.0 || (tolerance >= (std::end(formats) - 1)->Error && tolerance <= most);
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayersStage::SetNormalTolerance(double degrees)
+{
+  if (!IsTolerance(Normals, degrees, 180.0))
+  {
+    vtkErrorMacro("SetNormalTolerance was given "
+      << degrees << "; give it 1e-5, the error of the most accurate format, to 180 degrees, or 0 "
+      << "for the format that is set.");
+    return;
+  }
+  if (this->NormalTolerance != degrees)
+  {
+    this->NormalTolerance = degrees;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayersStage::SetDepthTolerance(double share)
+{
+  if (!IsTolerance(Depths, share, 1.0))
+  {
+    vtkErrorMacro("SetDepthTolerance was given "
+      << share << "; give it 6e-8, the error of the most accurate format, to 1, as a share of the "
+      << "depth, or 0 for the format that is set.");
+    return;
+  }
+  if (this->DepthTolerance != share)
+  {
+    this->DepthTolerance = share;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoLayersStage::GetNormalFormatUsed()
+{
+  return this->NormalTolerance > 0.0 ? Choose(Normals, this->NormalTolerance) : this->NormalFormat;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoLayersStage::GetDepthFormatUsed()
+{
+  return this->DepthTolerance > 0.0 ? Choose(Depths, this->DepthTolerance) : this->DepthFormat;
+}

@@ -1,0 +1,366 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoCasterDraw.h"
+
+#include "vtkActor.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLIndexBufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLVertexBufferObject.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRelievoAccess.h"
+#include "vtkRelievoFrameCamera.h"
+#include "vtkRelievoScopedContext.h"
+#include "vtkRelievoShaderLibrary.h"
+#include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+#include "vtkSmartPointer.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <set>
+
+namespace
+{
+using Access = vtkRelievoAccess::Mapper;
+
+std::set<std::string>& GetActorClasses()
+{
+  static std::set<std::string> classes{ "vtkOpenGLActor" };
+  return classes;
+}
+
+#ifdef RELIEVO_VTK_COMPOSITE_HELPERS
+// A composite mapper's helpers, if all is current, seen and opaque; else none.
+std::vector<vtkOpenGLPolyDataMapper*> GetHelpers(
+  vtkCompositePolyDataMapper2* mapper, vtkActor* actor)
+{
+  using Composite = vtkRelievoAccess::CompositeMapper;
+  using Helper = vtkRelievoAccess::CompositeHelper;
+  if (!Composite::AreHelpersOf(mapper, actor))
+  {
+    return {};
+  }
+  // The helpers' may be gone, where blocks within blocks have changed.
+  std::set<vtkPolyData*> leaves;
+  std::size_t drawn = 0;
+  auto* tree = vtkCompositeDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  if (!tree)
+  {
+    return {};
+  }
+  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    auto* leaf = vtkPolyData::SafeDownCast(it->GetCurrentDataObject());
+    drawn += leaf && leaf->GetNumberOfCells() > 0 ? 1 : 0;
+    leaves.insert(leaf);
+  }
+  std::size_t blocks = 0;
+  for (const auto& named : Composite::GetHelpers(mapper))
+  {
+    for (const auto& block : Helper::Blocks(named.second))
+    {
+      ++blocks;
+      if (leaves.count(block.first) == 0)
+      {
+        return {};
+      }
+    }
+  }
+  if (blocks < drawn)
+  {
+    return {};
+  }
+  std::vector<vtkOpenGLPolyDataMapper*> found;
+  for (const auto& named : Composite::GetHelpers(mapper))
+  {
+    vtkCompositeMapperHelper2* helper = named.second;
+    if (std::strcmp(helper->GetClassName(), "vtkCompositeMapperHelper2") != 0 ||
+      Access::BuildTime(helper) < helper->GetMTime() || !Helper::AreBuffersOf(helper, actor))
+    {
+      return {};
+    }
+    for (const auto& block : Helper::Blocks(helper))
+    {
+      if (!block.second->Visibility || !block.second->IsOpaque)
+      {
+        return {};
+      }
+    }
+    found.push_back(helper);
+  }
+  return found;
+}
+#endif
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoCasterDraw::~vtkRelievoCasterDraw()
+{
+  this->Release(this->Window);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterDraw::AddActorClass(const std::string& name)
+{
+  GetActorClasses().insert(name);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::IsPlainClass(vtkActor* actor)
+{
+  return GetActorClasses().count(actor->GetClassName()) != 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::HasOwnShaders(vtkActor* actor)
+{
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  return shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode() ||
+    shaders->HasFragmentShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
+}
+
+//------------------------------------------------------------------------------
+glm::vec2 vtkRelievoCasterDraw::GetOffset(vtkActor* actor)
+{
+  double factor = 0.0;
+  double units = 0.0;
+  if (actor->GetMapper() && vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_POLYGON_OFFSET)
+  {
+    actor->GetMapper()->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+  }
+  return glm::vec2(factor, units);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::IsOffset(vtkActor* actor)
+{
+  return GetOffset(actor) != glm::vec2(0.f);
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkRelievoCasterDraw::GetPlainActor(vtkProp* prop) const
+{
+  vtkActor* actor = this->GetSurface(prop);
+  return actor && !IsOffset(actor) ? actor : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkRelievoCasterDraw::GetSurface(vtkProp* prop) const
+{
+  auto* actor = vtkActor::SafeDownCast(prop);
+  return actor && !this->GetBuffers(actor).empty() ? actor : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoCasterDraw::GetBuildTime(vtkActor* actor) const
+{
+  vtkMTimeType time = 0;
+  for (vtkOpenGLPolyDataMapper* mapper : this->GetBuffers(actor))
+  {
+    time = std::max(time, Access::BuildTime(mapper));
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor* actor) const
+{
+  // Exactly these classes, of actors and of mappers: a derived one may draw otherwise.
+  vtkMapper* mapper = actor->GetMapper();
+  if (!mapper || !IsPlainClass(actor))
+  {
+    return {};
+  }
+  vtkProperty* property = actor->GetProperty();
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  if (property->GetRepresentation() != VTK_SURFACE || property->GetVertexVisibility() ||
+    property->GetEdgeVisibility() || actor->GetTexture() ||
+    vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_SHIFT_ZBUFFER ||
+    property->GetNumberOfTextures() > 0 || HasOwnShaders(actor) ||
+    (planes && planes->GetNumberOfItems() > 0))
+  {
+    return {};
+  }
+  std::vector<vtkOpenGLPolyDataMapper*> mappers;
+  if (std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0)
+  {
+    auto* own = static_cast<vtkOpenGLPolyDataMapper*>(mapper);
+    vtkPolyData* input = own->GetInput();
+    const bool current = input && own->CurrentInput == input &&
+      Access::BuildTime(own) >= input->GetMTime() && Access::BuildTime(own) >= own->GetMTime() &&
+      Access::AreBuffersOf(own, actor);
+    mappers.assign(current ? 1 : 0, own);
+  }
+#ifdef RELIEVO_VTK_COMPOSITE_HELPERS
+  else if (std::strcmp(mapper->GetClassName(), "vtkCompositePolyDataMapper2") == 0)
+  {
+    mappers = GetHelpers(static_cast<vtkCompositePolyDataMapper2*>(mapper), actor);
+  }
+#endif
+  const bool built = std::all_of(mappers.begin(), mappers.end(),
+    [this](vtkOpenGLPolyDataMapper* each) { return this->IsBuilt(each); });
+  return built ? mappers : std::vector<vtkOpenGLPolyDataMapper*>();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::IsBuilt(vtkOpenGLPolyDataMapper* mapper) const
+{
+  const auto known = this->Built.find(mapper);
+  if (known == this->Built.end() || known->second.Mapper != mapper ||
+    known->second.BuildTime != Access::BuildTime(mapper))
+  {
+    return false;
+  }
+  vtkOpenGLVertexBufferObject* vertices = Access::Buffers(mapper)->GetVBO("vertexMC");
+  const bool flat = Access::IndexCount(mapper, vtkOpenGLPolyDataMapper::PrimitivePoints) == 0 &&
+    Access::IndexCount(mapper, vtkOpenGLPolyDataMapper::PrimitiveLines) == 0;
+  return vertices && vertices->GetDataType() == VTK_FLOAT &&
+    vertices->GetNumberOfComponents() == 3 && flat;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterDraw::SetWindow(vtkOpenGLRenderWindow* window)
+{
+  if (this->Window != window)
+  {
+    this->Release(this->Window);
+    this->Window = window;
+  }
+  // Of mappers that are gone.
+  for (auto it = this->Built.begin(); it != this->Built.end();)
+  {
+    it = it->second.Mapper ? std::next(it) : this->Built.erase(it);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterDraw::Learn(vtkOpenGLPolyDataMapper* mapper)
+{
+  Known& known = this->Built[mapper];
+  if (known.Mapper != mapper)
+  {
+    known.Mapper = mapper;
+  }
+  known.BuildTime = Access::BuildTime(mapper);
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC)
+{
+  return this->Begin(
+    window, worldToNDC, glm::dmat4(1.0), "shadow/casterVS.glsl", "shadow/casterFS.glsl");
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCasterDraw::Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC,
+  const glm::dmat4& worldToView, const std::string& vertexShader, const std::string& fragmentShader,
+  const std::string& defines)
+{
+  std::string fragment = vtkRelievoShaderLibrary::Get(fragmentShader);
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::System::Dec", "//VTK::System::Dec\n" + defines, false);
+  this->WorldToNDC = worldToNDC;
+  this->WorldToView = worldToView;
+  this->Program = window->GetShaderCache()->ReadyShaderProgram(
+    vtkRelievoShaderLibrary::Get(vertexShader).c_str(), fragment.c_str(), "");
+  if (!this->Program)
+  {
+    return false;
+  }
+  if (this->Arrays == 0)
+  {
+    glGenVertexArrays(1, &this->Arrays);
+  }
+  glBindVertexArray(this->Arrays);
+  this->Attribute =
+    glGetAttribLocation(static_cast<unsigned int>(this->Program->GetHandle()), "vertexMC");
+  glEnableVertexAttribArray(static_cast<unsigned int>(this->Attribute));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoCasterDraw::Draw(vtkActor* actor)
+{
+  int calls = 0;
+  for (vtkOpenGLPolyDataMapper* mapper : this->GetBuffers(actor))
+  {
+    calls += this->Draw(mapper, actor);
+  }
+  return calls;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoCasterDraw::Draw(vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
+  vtkOpenGLVertexBufferObject* vertices = Access::Buffers(mapper)->GetVBO("vertexMC");
+  glm::dmat4 modelToWorld = vtkRelievoToGlm(actor->GetMatrix());
+  if (vertices->GetCoordShiftAndScaleEnabled())
+  {
+    modelToWorld = modelToWorld * glm::transpose(vtkRelievoToGlm(Access::ShiftScale(mapper)));
+  }
+  const glm::mat4 matrix(this->WorldToNDC * modelToWorld);
+  this->Program->SetUniformMatrix4x4("MCDCMatrix", const_cast<float*>(&matrix[0][0]));
+  if (this->Program->IsUniformUsed("MCVCMatrix"))
+  {
+    const glm::mat4 toView(this->WorldToView * modelToWorld);
+    this->Program->SetUniformMatrix4x4("MCVCMatrix", const_cast<float*>(&toView[0][0]));
+  }
+  if (this->Program->IsUniformUsed("relievoSeenOffset"))
+  {
+    const glm::vec2 offset = GetOffset(actor);
+    this->Program->SetUniform2f("relievoSeenOffset", &offset.x);
+  }
+  vertices->Bind();
+  glVertexAttribPointer(static_cast<unsigned int>(this->Attribute), 3, GL_FLOAT, GL_FALSE,
+    static_cast<GLsizei>(vertices->GetStride()), nullptr);
+  const int last = Access::Buffers(mapper)->GetNumberOfTuples("vertexMC") - 1;
+  int calls = 0;
+  for (const int type :
+    { vtkOpenGLPolyDataMapper::PrimitiveTris, vtkOpenGLPolyDataMapper::PrimitiveTriStrips })
+  {
+    const int count = Access::IndexCount(mapper, type);
+    if (count > 0)
+    {
+      Access::Indices(mapper, type)->Bind();
+      glDrawRangeElements(
+        GL_TRIANGLES, 0, static_cast<GLuint>(last), count, GL_UNSIGNED_INT, nullptr);
+      ++calls;
+    }
+  }
+  vertices->Release();
+  return calls;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterDraw::End()
+{
+  glBindVertexArray(0);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCasterDraw::Release(vtkWindow* window)
+{
+  if (window && this->Window && this->Window != window)
+  {
+    return; // what is held is another window's
+  }
+  if (window && this->Arrays)
+  {
+    const vtkRelievoScopedContext context(window);
+    glDeleteVertexArrays(1, &this->Arrays);
+  }
+  this->Arrays = 0;
+  this->Program = nullptr;
+  this->Built.clear();
+}

@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoGlyphPlaces.h"
+
+#include "vtkBitArray.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSet.h"
+#include "vtkMath.h"
+#include "vtkPolyData.h"
+#include "vtkQuaternion.h"
+#include "vtkRelievoAccess.h"
+#include "vtkRelievoPropMTime.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace
+{
+using Access = vtkRelievoAccess::GlyphMapper;
+using Matrices = vtkRelievoGlyphPlaces::Matrices;
+using Meshes = std::vector<vtkPolyData*>;
+
+constexpr vtkIdType Most = 1 << 22;
+constexpr double Flat = 1e-2; // of the longest side
+
+template <typename Visit>
+void ForEachLeaf(vtkCompositeDataSet* blocks, Visit visit)
+{
+  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    visit(it->GetCurrentDataObject());
+  }
+}
+
+// For each source its meshes. False if VTK draws none of them, or a line of its own.
+bool FindSources(vtkGlyph3DMapper* mapper, std::vector<Meshes>& sources)
+{
+  if (!mapper->GetUseSourceTableTree())
+  {
+    for (int i = 0; i < mapper->GetNumberOfInputConnections(1); ++i)
+    {
+      sources.push_back({ mapper->GetSource(i) });
+      if (!sources.back()[0])
+      {
+        return false;
+      }
+    }
+    return !sources.empty();
+  }
+  vtkDataObjectTree* tree = mapper->GetSourceTableTree();
+  if (!tree || mapper->GetNumberOfInputConnections(1) > 1)
+  {
+    return false;
+  }
+  auto it = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  it->TraverseSubTreeOff();
+  it->VisitOnlyLeavesOff();
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    Meshes meshes;
+    vtkDataObject* source = it->GetCurrentDataObject();
+    const auto add = [&](vtkDataObject* leaf) {
+      if (auto* mesh = vtkPolyData::SafeDownCast(leaf))
+      {
+        meshes.push_back(mesh);
+      }
+    };
+    if (auto* parts = vtkCompositeDataSet::SafeDownCast(source))
+    {
+      ForEachLeaf(parts, add);
+    }
+    else if (vtkPolyData::SafeDownCast(source))
+    {
+      add(source);
+    }
+    else
+    {
+      return false;
+    }
+    sources.push_back(meshes);
+  }
+  return !sources.empty();
+}
+
+// The inputs that are drawn. False if that depends on more than there is here: VTK's versions hand
+// attributes of blocks down in different ways.
+bool FindInputs(vtkGlyph3DMapper* mapper, std::vector<vtkDataSet*>& inputs)
+{
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  if (auto* points = vtkDataSet::SafeDownCast(input))
+  {
+    inputs.push_back(points);
+    return true;
+  }
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(input);
+  vtkCompositeDataDisplayAttributes* attributes = mapper->GetBlockAttributes();
+  if (!blocks ||
+    (attributes && (attributes->HasBlockVisibilities() || attributes->HasBlockOpacities())))
+  {
+    return false;
+  }
+  ForEachLeaf(blocks, [&](vtkDataObject* block) {
+    if (auto* points = vtkDataSet::SafeDownCast(block))
+    {
+      inputs.push_back(points);
+    }
+  });
+  return true;
+}
+
+// How a mapper makes a matrix of a point's data.
+class Rules
+{
+public:
+  Rules(vtkGlyph3DMapper* mapper, vtkDataSet* points, int sources)
+    : Mapper(mapper)
+    , Points(points)
+    , Last(sources - 1)
+    , Index(Access::SourceIndexArray(mapper, points))
+    , Orient(Access::OrientationArray(mapper, points))
+    , Scale(Access::ScaleArray(mapper, points))
+  {
+    if (mapper->GetMasking())
+    {
+      this->Mask = vtkBitArray::SafeDownCast(Access::MaskArray(mapper, points));
+    }
+  }
+
+  // Otherwise VTK draws nothing, with an error.
+  bool AreSound() const
+  {
+    const bool four = this->Mapper->GetOrientationMode() == vtkGlyph3DMapper::QUATERNION;
+    return (!this->Mask || this->Mask->GetNumberOfComponents() == 1) &&
+      (!this->Orient || this->Orient->GetNumberOfComponents() == (four ? 4 : 3)) &&
+      (!this->Scale || this->Scale->GetNumberOfComponents() == 3 ||
+        this->Mapper->GetScaleMode() != vtkGlyph3DMapper::SCALE_BY_COMPONENTS);
+  }
+
+  bool IsDrawn(vtkIdType point) const { return !this->Mask || this->Mask->GetValue(point) != 0; }
+
+  int GetSource(vtkIdType point) const
+  {
+    if (!this->Index)
+    {
+      return 0;
+    }
+    const double value =
+      vtkMath::Norm(this->Index->GetTuple(point), this->Index->GetNumberOfComponents());
+    return std::max(0, std::min(this->Last, static_cast<int>(value)));
+  }
+
+  glm::dmat3 GetTurn(vtkIdType point) const
+  {
+    if (!this->Orient)
+    {
+      return glm::dmat3(1.0);
+    }
+    double v[4] = { 0.0, 0.0, 0.0, 0.0 };
+    this->Orient->GetTuple(point, v);
+    vtkQuaterniond turn;
+    if (this->Mapper->GetOrientationMode() == vtkGlyph3DMapper::QUATERNION)
+    {
+      turn.Set(v);
+    }
+    else if (this->Mapper->GetOrientationMode() == vtkGlyph3DMapper::ROTATION)
+    {
+      const glm::dvec3 half = 0.5 * glm::radians(glm::dvec3(v[0], v[1], v[2]));
+      turn = vtkQuaterniond(std::cos(half.z), 0.0, 0.0, std::sin(half.z)) *
+        vtkQuaterniond(std::cos(half.x), std::sin(half.x), 0.0, 0.0) *
+        vtkQuaterniond(std::cos(half.y), 0.0, std::sin(half.y), 0.0);
+    }
+    else if (v[1] == 0.0 && v[2] == 0.0)
+    {
+      if (v[0] < 0.0)
+      {
+        turn.Set(0.0, 0.0, 1.0, 0.0); // half a turn about y
+      }
+    }
+    else
+    {
+      // Half a turn about the axis between x and the direction.
+      const glm::dvec3 axis = glm::normalize(glm::dvec3(v[0] + vtkMath::Norm(v), v[1], v[2]));
+      turn.Set(0.0, axis.x, axis.y, axis.z);
+    }
+    double rows[3][3];
+    turn.ToMatrix3x3(rows);
+    glm::dmat3 matrix;
+    for (int i = 0; i < 9; ++i)
+    {
+      matrix[i % 3][i / 3] = rows[i / 3][i % 3];
+    }
+    return matrix;
+  }
+
+  glm::dvec3 GetSize(vtkIdType point) const
+  {
+    if (!this->Mapper->GetScaling())
+    {
+      return glm::dvec3(1.0);
+    }
+    glm::dvec3 size(1.0);
+    const int mode = this->Mapper->GetScaleMode();
+    if (this->Scale && mode != vtkGlyph3DMapper::NO_DATA_SCALING)
+    {
+      const double* v = this->Scale->GetTuple(point);
+      size = mode == vtkGlyph3DMapper::SCALE_BY_COMPONENTS
+        ? glm::dvec3(v[0], v[1], v[2])
+        : glm::dvec3(vtkMath::Norm(v, this->Scale->GetNumberOfComponents()));
+      if (this->Mapper->GetClamping())
+      {
+        const double* range = this->Mapper->GetRange();
+        const double width = range[1] - range[0];
+        size =
+          (glm::min(glm::max(size, range[0]), range[1]) - range[0]) / (width == 0.0 ? 1.0 : width);
+      }
+    }
+    size *= this->Mapper->GetScaleFactor();
+    for (int i = 0; i < 3; ++i)
+    {
+      size[i] = size[i] == 0.0 ? 1e-10 : size[i];
+    }
+    return size;
+  }
+
+  glm::dvec3 GetPoint(vtkIdType point) const
+  {
+    glm::dvec3 p;
+    this->Points->GetPoint(point, &p.x);
+    return p;
+  }
+
+private:
+  vtkGlyph3DMapper* Mapper;
+  vtkDataSet* Points;
+  int Last;
+  vtkDataArray* Index;
+  vtkDataArray* Orient;
+  vtkDataArray* Scale;
+  vtkBitArray* Mask = nullptr;
+};
+
+// Appends to the places of each source. False if one of them is flat: no way back from the world.
+bool AddPlaces(const Rules& rules, vtkIdType points, std::vector<std::shared_ptr<Matrices>>& places)
+{
+  for (vtkIdType i = 0; i < points; ++i)
+  {
+    if (!rules.IsDrawn(i))
+    {
+      continue;
+    }
+    const glm::dvec3 size = rules.GetSize(i);
+    const glm::dvec3 sides = glm::abs(size);
+    if (std::min({ sides.x, sides.y, sides.z }) < Flat * std::max({ sides.x, sides.y, sides.z }))
+    {
+      return false;
+    }
+    const glm::dmat3 turn = rules.GetTurn(i);
+    const glm::mat4 place(
+      glm::dmat4(glm::dvec4(size.x * turn[0], 0.0), glm::dvec4(size.y * turn[1], 0.0),
+        glm::dvec4(size.z * turn[2], 0.0), glm::dvec4(rules.GetPoint(i), 1.0)));
+    // What has no place is drawn nowhere.
+    if (std::all_of(&place[0][0], &place[0][0] + 16, [](float x) { return std::isfinite(x); }))
+    {
+      places[rules.GetSource(i)]->push_back(place);
+    }
+  }
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<vtkRelievoGlyphPlaces::Group>* vtkRelievoGlyphPlaces::Find(
+  vtkGlyph3DMapper* mapper)
+{
+  for (auto it = this->Mappers.begin(); it != this->Mappers.end();)
+  {
+    it = it->second.Mapper ? std::next(it) : this->Mappers.erase(it);
+  }
+  std::vector<Meshes> sources;
+  std::vector<vtkDataSet*> inputs;
+  if (mapper->GetCullingAndLOD() || !FindSources(mapper, sources) || !FindInputs(mapper, inputs))
+  {
+    this->Mappers.erase(mapper);
+    return nullptr;
+  }
+  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
+  std::vector<std::uint64_t> state = { mapper->GetMTime(), vtkRelievoPropMTime::OfData(input),
+    reinterpret_cast<std::uintptr_t>(input) };
+  for (const Meshes& meshes : sources)
+  {
+    state.push_back(meshes.size());
+    for (vtkPolyData* mesh : meshes)
+    {
+      state.push_back(reinterpret_cast<std::uintptr_t>(mesh));
+    }
+  }
+  for (vtkDataSet* points : inputs)
+  {
+    state.push_back(reinterpret_cast<std::uintptr_t>(points));
+    state.push_back(points->GetMTime());
+  }
+  Held& held = this->Mappers[mapper];
+  if (held.State != state)
+  {
+    held = { mapper, state, true, {} };
+    std::vector<std::shared_ptr<Matrices>> places(sources.size());
+    std::generate(places.begin(), places.end(), []() { return std::make_shared<Matrices>(); });
+    vtkIdType count = 0;
+    for (vtkDataSet* points : inputs)
+    {
+      const Rules rules(mapper, points, static_cast<int>(sources.size()));
+      count += points->GetNumberOfPoints();
+      held.Known = held.Known && count <= Most && rules.AreSound() &&
+        AddPlaces(rules, points->GetNumberOfPoints(), places);
+    }
+    for (std::size_t i = 0; i < sources.size() && held.Known; ++i)
+    {
+      for (vtkPolyData* mesh : sources[i])
+      {
+        held.Groups.push_back({ mesh, places[i] });
+      }
+    }
+  }
+  return held.Known ? &held.Groups : nullptr;
+}

@@ -1,0 +1,456 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowProps.h"
+
+#include "vtkActor.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkMapper.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProp.h"
+#include "vtkProperty.h"
+#include "vtkRelievoCasterDraw.h"
+#include "vtkRelievoCasterRays.h"
+#include "vtkRelievoFrameScene.h"
+#include "vtkRelievoPropMTime.h"
+#include "vtkRelievoPropParts.h"
+#include "vtkRelievoShadowFit.h"
+#include "vtkRelievoTriangleCasters.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+#include "vtkTexture.h"
+#include "vtkUniforms.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace
+{
+bool IsPlain(vtkMapper* mapper)
+{
+  return std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
+}
+
+// Of what a mapper draws, not of how it colours it.
+vtkMTimeType GetMapperTime(vtkMapper* mapper)
+{
+  const vtkMTimeType time = vtkRelievoPropMTime::OfInputs(mapper);
+  // A plain mapper's own settings are about colour; others' may be sizes, blocks, orientations.
+  return IsPlain(mapper) ? time : std::max(time, mapper->GetMTime());
+}
+
+bool GetBox(vtkProp* prop, vtkRelievoBox& box)
+{
+  const double* b = prop->GetBounds();
+  if (!b || !vtkMath::AreBoundsInitialized(b))
+  {
+    return false;
+  }
+  box.Min = glm::dvec3(b[0], b[2], b[4]);
+  box.Max = glm::dvec3(b[1], b[3], b[5]);
+  return !glm::any(glm::isnan(box.Min)) && !glm::any(glm::isnan(box.Max)) &&
+    !glm::any(glm::isinf(box.Min)) && !glm::any(glm::isinf(box.Max));
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowProps::Choice& vtkRelievoShadowProps::GetChoice(vtkProp* prop)
+{
+  this->Choices.erase(std::remove_if(this->Choices.begin(), this->Choices.end(),
+                        [](const Choice& choice) { return !choice.Prop; }),
+    this->Choices.end());
+  for (Choice& choice : this->Choices)
+  {
+    if (choice.Prop == prop)
+    {
+      return choice;
+    }
+  }
+  this->Choices.emplace_back();
+  this->Choices.back().Prop = prop;
+  return this->Choices.back();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProps::Collect(
+  vtkRenderer* renderer, const std::vector<vtkRelievoFrameProp>& drawnProps)
+{
+  this->Spliced.clear();
+  this->Seen.clear();
+  this->Mixed.clear();
+  this->MereReceivers = false;
+  this->TranslucentCasters = false;
+  this->Casters.clear();
+  this->CasterBoxes.clear();
+  this->ReceiverBoxes.clear();
+  this->AllBoxes.clear();
+  this->Parts.clear();
+  this->NotReceiving.clear();
+  this->State.clear();
+  this->SceneState.clear();
+  this->Culling.clear();
+  this->Unsteady = false;
+  std::set<vtkProp*> drawn;
+  for (const vtkRelievoFrameProp& drawnProp : drawnProps)
+  {
+    drawn.insert(drawnProp.Prop);
+  }
+  for (vtkRelievoFrameProp& visible : vtkRelievoFrameScene::FindVisible(renderer))
+  {
+    vtkProp* prop = visible.Prop;
+    std::vector<vtkRelievoPropParts::Part>& parts = visible.Parts;
+    Choice choice;
+    for (const Choice& made : this->Choices)
+    {
+      choice = made.Prop == prop ? made : choice;
+    }
+    const bool mixed = vtkRelievoPropParts::IsMixed(prop, parts);
+    parts.erase(std::remove_if(parts.begin(), parts.end(),
+                  [](const vtkRelievoPropParts::Part& part) {
+                    return !vtkRelievoPropParts::GetMeshActor(part);
+                  }),
+      parts.end());
+    vtkRelievoBox box;
+    box.Number = visible.Number;
+    // The bounds bring the mapper's input up to date as well.
+    if (parts.empty() || !GetBox(prop, box))
+    {
+      continue;
+    }
+    this->Spliced.push_back(prop);
+    if (mixed)
+    {
+      this->Mixed.insert(prop);
+    }
+    const Caster caster = this->GetCaster(prop, choice);
+    const bool casts = caster.InMaps;
+    if (casts || caster.Attenuates)
+    {
+      this->Casters.push_back(caster);
+      this->CasterBoxes.push_back(box);
+    }
+    if (casts)
+    {
+      this->State.push_back(reinterpret_cast<std::uintptr_t>(prop));
+      this->State.push_back(caster.Translucent ? 1 : 0);
+    }
+    this->TranslucentCasters = this->TranslucentCasters ||
+      (caster.Attenuates && prop->HasTranslucentPolygonalGeometry() != 0);
+    this->AllBoxes.push_back(box);
+    if (choice.Receives)
+    {
+      this->ReceiverBoxes.push_back(box);
+    }
+    if (drawn.count(prop))
+    {
+      this->Seen.push_back(prop);
+      for (const vtkRelievoPropParts::Part& part : parts)
+      {
+        vtkProperty* property = vtkRelievoPropParts::GetMeshActor(part)->GetProperty();
+        this->Culling.push_back(property->GetBackfaceCulling() != 0);
+        this->Culling.push_back(property->GetFrontfaceCulling() != 0);
+      }
+      this->MereReceivers = this->MereReceivers || !casts;
+    }
+    for (const vtkRelievoPropParts::Part& part : parts)
+    {
+      vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
+      this->Parts.insert(actor);
+      if (!choice.Receives)
+      {
+        this->NotReceiving.insert(actor);
+      }
+      this->Part.clear();
+      vtkMatrix4x4* matrix = part.Matrix ? part.Matrix : actor->GetMatrix();
+      std::for_each(&matrix->Element[0][0], &matrix->Element[0][0] + 16,
+        [this](double value) { this->AddDouble(value); });
+      this->AddState(actor);
+      if (casts)
+      {
+        this->State.insert(this->State.end(), this->Part.begin(), this->Part.end());
+      }
+      vtkProperty* property = actor->GetProperty();
+      this->Part.push_back((property->GetBackfaceCulling() ? 1 : 0) +
+        (property->GetFrontfaceCulling() ? 2 : 0) + (casts ? 4 : 0) + (choice.Receives ? 8 : 0) +
+        (caster.Translucent ? 16 : 0) + (caster.Attenuates ? 32 : 0));
+      this->AddDouble(property->GetOpacity());
+      this->SceneState.insert(this->SceneState.end(), this->Part.begin(), this->Part.end());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowProps::Receives(vtkProp* part) const
+{
+  if (this->Parts.count(part))
+  {
+    return this->NotReceiving.count(part) == 0;
+  }
+  // A level of detail draws an actor of its own, with the keys of the one that was chosen for.
+  return std::none_of(
+    this->NotReceiving.begin(), this->NotReceiving.end(), [part](vtkProp* chosen) {
+      return chosen->GetPropertyKeys() && chosen->GetPropertyKeys() == part->GetPropertyKeys();
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProps::AddDouble(double value)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  this->Part.push_back(bits);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProps::AddState(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  this->Unsteady = this->Unsteady || !IsPlain(mapper);
+  this->Part.push_back(reinterpret_cast<std::uintptr_t>(actor));
+  this->Part.push_back(reinterpret_cast<std::uintptr_t>(mapper));
+  this->Part.push_back(reinterpret_cast<std::uintptr_t>(mapper->GetInputDataObject(0, 0)));
+  this->Part.push_back(GetMapperTime(mapper));
+  this->Part.push_back(actor->GetVisibility() ? 1 : 0);
+  this->Part.push_back(actor->HasOpaqueGeometry() ? 1 : 0);
+  vtkProperty* property = actor->GetProperty();
+  this->Part.push_back(property->GetRepresentation());
+  this->Part.push_back((property->GetVertexVisibility() ? 1 : 0) +
+    (property->GetRenderPointsAsSpheres() ? 2 : 0) + (property->GetRenderLinesAsTubes() ? 4 : 0) +
+    (property->GetEdgeVisibility() ? 8 : 0));
+  // VTK's offsets in depth, of the process and of the mapper.
+  double factor = 0.0;
+  double units = 0.0;
+  mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+  this->Part.push_back(vtkMapper::GetResolveCoincidentTopology());
+  this->AddDouble(factor);
+  this->AddDouble(units);
+  mapper->GetCoincidentTopologyLineOffsetParameters(factor, units);
+  this->AddDouble(factor);
+  this->AddDouble(units);
+  mapper->GetCoincidentTopologyPointOffsetParameter(units);
+  this->AddDouble(units);
+  this->AddDouble(property->GetPointSize());
+  this->AddDouble(property->GetLineWidth());
+  // Cut-outs: what is not there casts nothing.
+  this->Part.push_back(vtkRelievoPropMTime::OfTexture(actor->GetTexture()));
+  for (const auto& named : property->GetAllTextures())
+  {
+    this->Part.push_back(vtkRelievoPropMTime::OfTexture(named.second));
+  }
+  if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
+  {
+    vtkObject* blocks = glyphs->GetBlockAttributes();
+    this->Part.push_back(blocks ? blocks->GetMTime() : 0);
+  }
+  // Replacements and uniforms of a user may move vertices, by arrays that the mapper hands on.
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  this->Part.push_back(
+    shaders->HasVertexShaderCode() || shaders->GetNumberOfShaderReplacements() > 0
+      ? mapper->GetMTime()
+      : 0);
+  this->Part.push_back(shaders->GetShaderMTime());
+  this->Part.push_back(shaders->GetVertexCustomUniforms()->GetMTime());
+  this->Part.push_back(shaders->GetGeometryCustomUniforms()->GetMTime());
+  this->Part.push_back(shaders->GetFragmentCustomUniforms()->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProps::AddPass(vtkOpenGLRenderPass* pass)
+{
+  for (vtkProp* prop : this->Spliced)
+  {
+    this->Keys.Add(prop, pass);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProps::RemovePass(vtkOpenGLRenderPass* pass)
+{
+  this->Keys.Remove(pass);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowProps::Render(vtkProp* prop, bool translucent, vtkRenderer* renderer)
+{
+  if (this->Mixed.count(prop))
+  {
+    vtkRelievoPropParts::RenderMeshes(prop, translucent, renderer);
+  }
+  else if (translucent)
+  {
+    prop->RenderTranslucentPolygonalGeometry(renderer);
+  }
+  else
+  {
+    prop->RenderOpaqueGeometry(renderer);
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowProps::RenderCasters(vtkRenderer* renderer, const vtkRelievoShadowView& view,
+  vtkRelievoCasterDraw& plainDraw, bool withoutFollowed)
+{
+  std::vector<vtkActor*> plain;
+  for (std::size_t i = 0; i < this->Casters.size(); ++i)
+  {
+    const Caster& caster = this->Casters[i];
+    if (!this->IsInMaps(caster, withoutFollowed) || !view.Sees(this->CasterBoxes[i]))
+    {
+      continue;
+    }
+    if (vtkActor* actor = plainDraw.GetPlainActor(caster.Prop))
+    {
+      plain.push_back(actor);
+      continue;
+    }
+    this->Render(caster.Prop, false, renderer);
+    if (caster.Translucent)
+    {
+      this->Render(caster.Prop, true, renderer);
+    }
+  }
+  return RenderPlain(renderer, plain, view.ViewToNDC * view.WorldToView, plainDraw);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowProps::RenderSurfaces(
+  vtkRenderer* renderer, const glm::dmat4& worldToNDC, vtkRelievoCasterDraw& plainDraw)
+{
+  std::vector<vtkActor*> plain;
+  for (vtkProp* prop : this->Seen)
+  {
+    vtkActor* actor = plainDraw.GetPlainActor(prop);
+    // What is culled is not seen.
+    const bool culls = actor &&
+      (actor->GetProperty()->GetBackfaceCulling() || actor->GetProperty()->GetFrontfaceCulling());
+    if (actor && !culls && actor->HasOpaqueGeometry())
+    {
+      plain.push_back(actor);
+    }
+    else
+    {
+      this->Render(prop, false, renderer);
+    }
+  }
+  return RenderPlain(renderer, plain, worldToNDC, plainDraw);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowProps::RenderPlain(vtkRenderer* renderer, const std::vector<vtkActor*>& actors,
+  const glm::dmat4& worldToNDC, vtkRelievoCasterDraw& plainDraw)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  int calls = 0;
+  const bool begun = !actors.empty() && plainDraw.Begin(window, worldToNDC);
+  for (vtkActor* actor : actors)
+  {
+    if (begun)
+    {
+      calls += plainDraw.Draw(actor);
+    }
+    else
+    {
+      actor->RenderOpaqueGeometry(renderer);
+    }
+  }
+  if (begun)
+  {
+    plainDraw.End();
+  }
+  return calls;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowProps::Caster vtkRelievoShadowProps::GetCaster(
+  vtkProp* prop, const Choice& choice) const
+{
+  const bool always = choice.Casts == 1;
+  const bool bySight = choice.Casts == -1;
+  return { prop, always, always || (bySight && this->Attenuates),
+    always || (bySight && prop->HasOpaqueGeometry() != 0) };
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowProps::IsInMaps(const Caster& caster, bool withoutFollowed) const
+{
+  return caster.InMaps && !(withoutFollowed && this->Followed.count(caster.Prop) > 0);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoCaster> vtkRelievoShadowProps::Follow()
+{
+  std::vector<vtkRelievoCaster> followed;
+  this->Followed.clear();
+  for (const Caster& caster : this->Casters)
+  {
+    if (vtkRelievoTriangleCasters::Collect(caster.Prop, caster.Attenuates, this->Glyphs, followed))
+    {
+      this->Followed.insert(caster.Prop);
+    }
+  }
+  return followed;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint64_t> vtkRelievoShadowProps::GetState(bool withoutFollowed) const
+{
+  std::vector<std::uint64_t> state = this->State;
+  for (const Caster& caster : this->Casters)
+  {
+    if (caster.InMaps)
+    {
+      state.push_back(this->IsInMaps(caster, withoutFollowed) ? 1 : 0);
+    }
+  }
+  return state;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoBox> vtkRelievoShadowProps::GetCasterBoxes(bool withoutFollowed) const
+{
+  std::vector<vtkRelievoBox> boxes;
+  for (std::size_t i = 0; i < this->Casters.size(); ++i)
+  {
+    if (this->IsInMaps(this->Casters[i], withoutFollowed))
+    {
+      boxes.push_back(this->CasterBoxes[i]);
+    }
+  }
+  return boxes;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoSurface> vtkRelievoShadowProps::CollectSurfaces(
+  bool attenuates, std::vector<vtkRelievoBox>& others) const
+{
+  std::vector<vtkRelievoSurface> surfaces;
+  for (std::size_t i = 0; i < this->Spliced.size(); ++i)
+  {
+    vtkProp* const prop = this->Spliced[i];
+    Choice choice;
+    for (const Choice& made : this->Choices)
+    {
+      choice = made.Prop == prop ? made : choice;
+    }
+    vtkRelievoSurface surface;
+    const Caster kind = this->GetCaster(prop, choice);
+    const bool translucent = attenuates ? kind.Attenuates : kind.Translucent;
+    surface.Casts = kind.InMaps || translucent;
+    surface.Receives = choice.Receives;
+    std::vector<vtkRelievoCaster> casters;
+    if (!vtkRelievoTriangleCasters::Collect(prop, translucent, this->Glyphs, casters))
+    {
+      others.push_back(this->AllBoxes[i]); // one for each of Spliced
+    }
+    for (const vtkRelievoCaster& caster : casters)
+    {
+      surface.Caster = caster;
+      surface.Seen = caster.Passes <= 0.0; // also outside the view, which may be stepped
+      surface.Caster.Passes = attenuates ? caster.Passes : 0.0;
+      surfaces.push_back(surface);
+    }
+  }
+  return surfaces;
+}

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowFit.h"
+
+#include "vtkMath.h"
+#include "vtkRelievoLightSpace.h"
+#include "vtkRelievoShadowLight.h"
+#include "vtkRelievoShadowSnapping.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+using Frame = vtkRelievoLightSpace;
+using vtkRelievoShadowFit::Request;
+using vtkRelievoShadowRegion::GetPoints;
+using vtkRelievoShadowRegion::Polygon;
+
+// Half the opening, in tangents, up to which one perspective map serves a lamp; beyond it texels at
+// the rim get too small for what they cost.
+constexpr double WidestTangent = 1.43; // 55 degrees
+// Sides of a cube reach a little over their edges, for the filter.
+constexpr double CubeTangent = 1.01;
+
+// What of the region is within the pyramid of the frame.
+std::vector<glm::dvec3> GetPointsWithin(
+  const std::vector<Polygon>& region, const Frame& frame, double tangent, double nearest)
+{
+  std::vector<glm::dvec3> points;
+  for (Polygon polygon : region)
+  {
+    for (const glm::dvec4& plane : { frame.GetPlane(0, 0, 1) - glm::dvec4(0, 0, 0, nearest),
+           frame.GetPlane(1, 0, tangent), frame.GetPlane(-1, 0, tangent),
+           frame.GetPlane(0, 1, tangent), frame.GetPlane(0, -1, tangent) })
+    {
+      polygon = vtkRelievoShadowRegion::Clip(polygon, plane);
+    }
+    points.insert(points.end(), polygon.begin(), polygon.end());
+  }
+  return points;
+}
+
+double GetReach(const glm::dvec3& place, const std::vector<glm::dvec3>& points)
+{
+  double reach = 0.0;
+  for (const glm::dvec3& point : points)
+  {
+    reach = std::max(reach, glm::length(point - place));
+  }
+  return reach;
+}
+
+// The tangent of half the angle of a cone about the axis that holds all points; -1 from 90 degrees
+// on.
+double GetTangent(
+  const glm::dvec3& tip, const glm::dvec3& axis, const std::vector<glm::dvec3>& points)
+{
+  double cosine = 1.0;
+  for (const glm::dvec3& point : points)
+  {
+    const double distance = glm::length(point - tip);
+    cosine = distance > 0.0 ? std::min(cosine, glm::dot(point - tip, axis) / distance) : cosine;
+  }
+  return cosine <= 1e-3 ? -1.0 : std::sqrt(1.0 - cosine * cosine) / cosine;
+}
+
+// The middle of the points' directions; zero if they are all around.
+glm::dvec3 GetAxis(const glm::dvec3& tip, const std::vector<glm::dvec3>& points)
+{
+  glm::dvec3 low(1e300);
+  glm::dvec3 high(-1e300);
+  for (const glm::dvec3& point : points)
+  {
+    const double distance = glm::length(point - tip);
+    if (distance > 0.0)
+    {
+      low = glm::min(low, (point - tip) / distance);
+      high = glm::max(high, (point - tip) / distance);
+    }
+  }
+  const glm::dvec3 axis = 0.5 * (low + high);
+  const double length = glm::length(axis);
+  return length > 1e-3 && low.x <= high.x ? axis / length : glm::dvec3(0.0);
+}
+
+// One perspective map, if one can serve what is visible.
+struct Cone
+{
+  glm::dvec3 Axis{ 0.0 };
+  double Tangent = -1.0;
+
+  bool IsNarrow() const { return this->Tangent >= 0.0 && this->Tangent <= WidestTangent; }
+
+  // A little more: the rim is computed in float.
+  double GetOpening() const { return 1.001 * std::max(this->Tangent, 1e-4); }
+};
+
+Cone GetCone(const glm::dvec3& tip, const glm::dvec3& axis, const std::vector<glm::dvec3>& points)
+{
+  Cone cone;
+  if (axis != glm::dvec3(0.0))
+  {
+    cone.Axis = axis;
+    cone.Tangent = GetTangent(tip, axis, points);
+  }
+  return cone;
+}
+
+// Of a lamp, for all that the camera may see.
+Cone GetWholeCone(const vtkRelievoShadowLight& light, const std::vector<glm::dvec3>& all)
+{
+  const double tangent =
+    light.IsSpot() ? std::tan(vtkMath::RadiansFromDegrees(light.ConeAngle)) : -1.0;
+  if (tangent > 0.0 && tangent <= WidestTangent)
+  {
+    Cone cone;
+    cone.Axis = light.Direction;
+    cone.Tangent = tangent;
+    return cone;
+  }
+  return GetCone(light.Position, GetAxis(light.Position, all), all);
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowFit::IsCube(
+  const vtkRelievoShadowLight& light, const std::vector<Polygon>& scene)
+{
+  return light.Positional && !GetWholeCone(light, GetPoints(scene)).IsNarrow();
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoShadowView> vtkRelievoShadowFit::Fit(const vtkRelievoShadowLight& light,
+  const std::vector<Polygon>& visible, const std::vector<Polygon>& scene,
+  const std::vector<vtkRelievoBox>& casters, const Request& request)
+{
+  std::vector<vtkRelievoShadowView> views;
+  vtkRelievoShadowView view;
+  const std::vector<glm::dvec3> points = GetPoints(visible);
+  const std::vector<glm::dvec3> all = GetPoints(scene);
+  if (points.empty() || all.empty())
+  {
+    return views;
+  }
+  if (!light.Positional)
+  {
+    const Frame frame(vtkRelievoShadowRegion::GetMiddle(scene), light.Direction);
+    if (frame.Fit(true, points, all, casters, request, view))
+    {
+      views.push_back(view);
+    }
+    return views;
+  }
+  const glm::dvec3& place = light.Position;
+  const double nearest = Frame::NearestShare *
+    vtkRelievoShadowSnapping::Up(GetReach(place, points), GetReach(place, all), 2);
+  auto add = [&](const Frame& frame, double tangent) {
+    if (frame.Fit(false, GetPointsWithin(visible, frame, tangent, nearest),
+          GetPointsWithin(scene, frame, tangent, nearest), casters, request, view))
+    {
+      views.push_back(view);
+    }
+  };
+  Cone cone = GetWholeCone(light, all);
+  if (!cone.IsNarrow())
+  {
+    const glm::dvec3 axis = GetAxis(place, points);
+    cone = axis == glm::dvec3(0.0)
+      ? cone
+      : GetCone(place, vtkRelievoShadowSnapping::Direction(axis), points);
+    cone.Tangent = cone.IsNarrow() ? WidestTangent : -1.0;
+  }
+  if (cone.IsNarrow())
+  {
+    add(Frame(place, cone.Axis), cone.GetOpening());
+    return views;
+  }
+  const glm::dvec3 first = light.IsSpot() ? light.Direction : glm::dvec3(0, 0, -1);
+  const glm::dvec3 second = Frame::AnySquareTo(first);
+  const glm::dvec3 third = glm::cross(first, second);
+  const glm::dvec3 sides[6] = { first, second, -second, third, -third, -first };
+  for (int side = 0; side < 6; ++side)
+  {
+    if (light.IsSpot() && side == 5)
+    {
+      continue; // behind the lamp
+    }
+    const bool alongFirst = side == 0 || side == 5;
+    view = vtkRelievoShadowView();
+    view.Side = side;
+    add(Frame(place, sides[side], alongFirst ? second : first), CubeTangent);
+  }
+  return views;
+}

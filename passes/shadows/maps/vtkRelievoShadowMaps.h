@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The maps of a frame's lights on the GPU: the layers of one array of depth textures, so that any
+// number of lights takes one texture unit.
+#ifndef vtkRelievoShadowMaps_h
+#define vtkRelievoShadowMaps_h
+
+#include "vtkNew.h"
+#include "vtkRelievoScopedState.h"
+#include "vtkRelievoShadowFit.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+#include "vtkWeakPointer.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+class vtkCamera;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkWindow;
+
+class vtkRelievoShadowMaps
+{
+public:
+  vtkRelievoShadowMaps();
+  ~vtkRelievoShadowMaps();
+  vtkRelievoShadowMaps(const vtkRelievoShadowMaps&) = delete;
+  void operator=(const vtkRelievoShadowMaps&) = delete;
+
+  // Room for maps of size x size texels. True if what was drawn before is lost. The window's
+  // context must be current.
+  bool Allocate(vtkOpenGLRenderWindow* window, int size, int layers);
+
+  // Whether OpenGL has the room that was asked last.
+  bool IsThere() const { return this->Texture != 0; }
+
+  // A texture of so many layers, looked up texel by texel; 0 if OpenGL has no memory for it.
+  static unsigned int MakeArray(unsigned int format, int width, int height, int layers);
+
+  // The largest map of this OpenGL.
+  static int GetLargestSize();
+
+  // How many maps a shader of this OpenGL has room for in its uniforms.
+  static int GetMostFaces();
+
+  // NDC to map space: texels from the centre of the lowest left one, depth in [0, 1].
+  static glm::dmat4 GetNDCToMap(int size);
+
+  // Draws one map: `casters` is called with the view as the renderer's camera, once for each piece
+  // of a map whose texels are not evenly spent, between Begin and
+  // End, which keep OpenGL's state. The view's matrices become exactly those that were drawn with.
+  void Begin();
+  void Draw(int layer, vtkRelievoShadowView& view, vtkRenderer* renderer,
+    const std::function<void(const vtkRelievoShadowView&)>& casters);
+  void End();
+
+  // The depths of the map drawn last, row by row, and others in their place.
+  void Read(std::vector<float>& depths);
+  void Write(int layer, const std::vector<float>& depths);
+
+  // For the draw call that follows: a sheet blocks light from both sides.
+  static void DrawBothSides(vtkOpenGLRenderWindow* window);
+
+  // Binds the maps for looking up, or an empty texture that stands in for them while they are
+  // drawn. Returns false if no texture unit is free.
+  bool Bind(bool maps);
+  void Unbind();
+  int GetTextureUnit() const { return this->Unit; }
+
+  int GetSize() const { return this->Size; }
+  vtkIdType GetBytes() const { return this->Texture ? GetBytes(this->Size, this->Layers) : 0; }
+  static vtkIdType GetBytes(int size, int maps);
+  void Release(vtkWindow* window);
+
+private:
+  void DrawPiece(const vtkRelievoShadowView& view, const int region[4], vtkRenderer* renderer,
+    const std::function<void(const vtkRelievoShadowView&)>& casters);
+  void BindTexture(unsigned int texture);
+
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkSmartPointer<vtkOpenGLFramebufferObject> Framebuffer;
+  std::unique_ptr<vtkRelievoScopedState> Kept; // between Begin and End
+  vtkSmartPointer<vtkCamera> Camera;
+  unsigned int Texture = 0;
+  unsigned int Empty = 0;
+  int Size = 0;
+  int Layers = 0;
+  int Unit = -1;
+};
+
+#endif

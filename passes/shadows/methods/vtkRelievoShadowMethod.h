@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How it is found out what a light reaches: the views that its maps are drawn from, what is made of
+// the maps, the shaders' part of it, and what it costs and errs. The stage knows no method by name;
+// a method is made once, and lives until another takes its place.
+#ifndef vtkRelievoShadowMethod_h
+#define vtkRelievoShadowMethod_h
+
+#include "vtkRelievoShadowEstimate.h"
+#include "vtkRelievoShadowFit.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkWindow;
+struct vtkRelievoShadowLight;
+struct vtkRelievoShadowContext;
+
+class vtkRelievoShadowMethod
+{
+public:
+  // One of vtkRelievoShadowStage::Methods.
+  static std::unique_ptr<vtkRelievoShadowMethod> Make(int method);
+
+  vtkRelievoShadowMethod() = default;
+  virtual ~vtkRelievoShadowMethod() = default;
+  vtkRelievoShadowMethod(const vtkRelievoShadowMethod&) = delete;
+  void operator=(const vtkRelievoShadowMethod&) = delete;
+
+  // Before maps are fitted: takes the casters that need none. Returns why the frame's shadows
+  // cannot be made this way, in words; `map` makes them then.
+  virtual std::string Prepare(vtkRelievoShadowContext&, vtkRenderer*) { return std::string(); }
+
+  // The views of a light's maps, as vtkRelievoShadowFit::Fit, which is what is done by default.
+  virtual std::vector<vtkRelievoShadowView> Fit(const vtkRelievoShadowLight& light,
+    const std::vector<vtkRelievoShadowRegion::Polygon>& visible,
+    const std::vector<vtkRelievoShadowRegion::Polygon>& scene,
+    const std::vector<vtkRelievoBox>& casters, const vtkRelievoShadowFit::Request& request) const;
+
+  // After the maps were drawn: what else is drawn before the picture. Returns the draw calls; what
+  // mappers draw through the stage's callbacks is counted there.
+  virtual int Draw(vtkRelievoShadowContext&, vtkRenderer*) { return 0; }
+
+  // What Draw could not do, in words; the picture is as the maps alone make it then.
+  virtual std::string GetFault() const { return std::string(); }
+
+  // After the picture, if drawing has changed what the casters' state says: nothing moved.
+  virtual void Settle(const vtkRelievoShadowContext&) {}
+
+  // What was drawn was not all of it: nothing of it is kept.
+  virtual void Forget() {}
+
+  // After the picture: texture units are given back.
+  virtual void Unbind() {}
+
+  // The source with the section MethodDec that shaders/shadow/receive.glsl asks for.
+  virtual std::string GetShader() const = 0;
+
+  // Whether rays decide, after what the maps say: the sections PlaceImpl and TraceDec, TraceImpl,
+  // or FoundImpl for actors whose verdicts about so many lights are found by Draw.
+  virtual bool Traces() const { return false; }
+  virtual bool Colors() const { return false; } // what passes surfaces has their colours
+  virtual std::vector<vtkActor*> GetFound(std::size_t /*lights*/) const { return {}; }
+
+  // Depth of a map that is taken off receivers for a bias in texels, before the shader's section.
+  virtual double GetBias(const vtkRelievoShadowView& view, double texels) const
+  {
+    return texels * view.Texel;
+  }
+
+  // The uniforms of the section, once in a frame and for each actor.
+  virtual void SetFrameUniforms(vtkShaderProgram*, const vtkRelievoShadowContext&) const {}
+  virtual void SetActorUniforms(vtkShaderProgram*, const vtkRelievoShadowContext&, vtkActor*) const
+  {
+  }
+
+  virtual vtkRelievoShadowEstimate Estimate(const vtkRelievoShadowDemand& demand) const = 0;
+
+  // For the frame's report: ", WORDS".
+  virtual std::string GetReport() const { return std::string(); }
+
+  // What is held beside the maps.
+  virtual vtkIdType GetBytes() const { return 0; }
+  virtual void Release(vtkWindow*) {}
+};
+
+#endif

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowMethodExact.h"
+
+#include "vtkActor.h"
+#include "vtkMapper.h"
+#include "vtkObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkProperty.h"
+#include "vtkRelievoCasterExchange.h"
+#include "vtkRelievoCasterMessage.h"
+#include "vtkRelievoShadowContext.h"
+#include "vtkRelievoShadowMethodMap.h"
+#include "vtkRelievoShadowRegion.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+namespace
+{
+// The share of wrong verdicts that testShadowExact allows, whatever the maps' size.
+constexpr vtkRelievoShadowErrorLaw Law = { 2e-5, 0.0 };
+
+// More where floats have no digits left: testShadowStability has 0.11 % at a farness of 27000, and
+// 0.02 % at 3800.
+constexpr double FarLaw = 5e-8;
+
+// Roundings on a place's way from the vertex buffer through the camera's matrix and the raster.
+constexpr double Roundings = 4.0;
+constexpr double Ulp = 1.0 / (1 << 23);
+
+// Half of what the picture's height shows of the world at a point.
+double GetSizeInView(const vtkRelievoFrameCamera& view, const glm::dvec3& center)
+{
+  const double away = -(view.WorldToView * glm::dvec4(center, 1.0)).z;
+  return (view.Parallel ? 1.0 : std::abs(away)) / std::abs(view.ViewToNDC[1][1]);
+}
+
+// The middle of what the view shows of the receivers.
+glm::dvec3 GetCenter(const vtkRelievoFrameCamera& view, const std::vector<vtkRelievoBox>& receivers)
+{
+  return vtkRelievoShadowRegion::GetMiddle(
+    vtkRelievoShadowRegion::Cut(receivers, view.ViewToNDC * view.WorldToView));
+}
+
+// A point near it, of a grid about as wide as the view: few moves of the camera take another.
+glm::dvec3 GetOrigin(const vtkRelievoFrameCamera& view, const std::vector<vtkRelievoBox>& receivers)
+{
+  const glm::dvec3 center = GetCenter(view, receivers);
+  const double size = GetSizeInView(view, center);
+  if (!(size > 0.0) || !std::isfinite(size))
+  {
+    return center;
+  }
+  const double step = std::exp2(std::ceil(std::log2(size)));
+  return step * glm::round(center / step);
+}
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowMethodExact::GetFarness(const vtkRelievoShadowContext& work)
+{
+  // With several processes, what all of them receive on.
+  const std::vector<vtkRelievoBox>& others = work.Others.GetWhole().Receivers;
+  const glm::dvec3 center =
+    GetCenter(work.View, others.empty() ? work.Props.GetReceiverBoxes() : others);
+  const double size = GetSizeInView(work.View, center);
+  double away = glm::length(glm::dvec3(work.View.WorldToView * glm::dvec4(center, 1.0)));
+  for (const auto* boxes : { &work.Props.GetAllBoxes(), &others })
+  {
+    for (const vtkRelievoBox& box : *boxes)
+    {
+      away = std::max(away, glm::length(glm::clamp(center, box.Min, box.Max) - center));
+    }
+  }
+  return size > 0.0 && std::isfinite(away / size) ? away / size : 0.0;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowMethodExact::Prepare(
+  vtkRelievoShadowContext& work, vtkRenderer* renderer)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkRelievoCasterPart part;
+  part.Casters = work.Props.Follow();
+  part.Receivers = work.Props.GetReceiverBoxes();
+  part.InMaps = work.Props.GetCasterBoxes(true);
+  this->InMaps = part.InMaps.size();
+  std::string fault;
+  if (work.Others.IsOn())
+  {
+    const glm::dvec3 origin = GetOrigin(work.View, work.Others.GetWhole().Receivers);
+    const bool ready =
+      this->Tree.IsIn(window, origin) && this->Tree.Bind() && this->Seen.TakeUnits(window);
+    fault = work.Others.Share(part, ready);
+    if (!fault.empty())
+    {
+      return fault;
+    }
+    part = work.Others.GetWhole();
+  }
+  fault = this->Tree.Update(window, part.Casters, GetOrigin(work.View, part.Receivers));
+  this->Colored = fault.empty() && work.ColoredShadows && this->Tree.HasColors();
+  const vtkRelievoVisibilityPrepass::Kind kind = this->Colored ? vtkRelievoVisibilityPrepass::Colors
+    : this->Tree.HasTranslucent()                              ? vtkRelievoVisibilityPrepass::Shares
+                                                               : vtkRelievoVisibilityPrepass::Whole;
+  if (fault.empty() && !(this->Tree.Bind() && this->Seen.Begin(window, work.View, kind)))
+  {
+    fault = "all texture units of this OpenGL are taken";
+  }
+  if (work.Others.IsOn())
+  {
+    fault = work.Others.Confirm(fault);
+  }
+  work.WithoutFollowed = fault.empty();
+  this->Surfaces.clear();
+  if (fault.empty())
+  {
+    this->Alone = work.OwnSteps && window->GetMultiSamples() <= 1;
+    this->FindSurfaces(work);
+  }
+  return fault;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMethodExact::FindSurfaces(const vtkRelievoShadowContext& work)
+{
+  for (vtkProp* prop : work.Props.GetSeen())
+  {
+    vtkActor* actor =
+      this->Alone ? work.PlainDraw.GetSurface(prop) : work.PlainDraw.GetPlainActor(prop);
+    vtkProperty* property = actor ? actor->GetProperty() : nullptr;
+    if (actor && actor->HasOpaqueGeometry() && !property->GetBackfaceCulling() &&
+      !property->GetFrontfaceCulling())
+    {
+      this->Surfaces.push_back(actor);
+    }
+  }
+  // A mapper has one shader for all of its actors.
+  const std::set<vtkProp*> plain(this->Surfaces.begin(), this->Surfaces.end());
+  std::set<vtkMapper*> others;
+  for (vtkProp* part : work.Props.GetParts())
+  {
+    auto* actor = vtkActor::SafeDownCast(part);
+    if (actor && plain.count(actor) == 0)
+    {
+      others.insert(actor->GetMapper());
+    }
+  }
+  this->Surfaces.erase(std::remove_if(this->Surfaces.begin(), this->Surfaces.end(),
+                         [&](vtkActor* actor) { return others.count(actor->GetMapper()) > 0; }),
+    this->Surfaces.end());
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkActor*> vtkRelievoShadowMethodExact::GetFound(std::size_t lights) const
+{
+  return this->Alone && lights <= static_cast<std::size_t>(this->Seen.GetMostLights())
+    ? this->Surfaces
+    : std::vector<vtkActor*>();
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowMethodExact::Rays vtkRelievoShadowMethodExact::GetRays(
+  const vtkRelievoShadowContext& work) const
+{
+  Rays rays;
+  // As vtkRelievoShadowUniforms hands the center to the shader.
+  const glm::dvec3& center = work.Cache.GetCenter();
+  rays.Center = glm::vec3(work.View.WorldToView * glm::dvec4(center, 1.0));
+  const glm::dmat4 viewToWorld = glm::inverse(work.View.WorldToView);
+  glm::dmat4 toLocal{ glm::dmat3(viewToWorld) };
+  toLocal[3] = glm::dvec4(
+    glm::dvec3(viewToWorld * glm::dvec4(glm::dvec3(rays.Center), 1.0)) - this->Tree.GetOrigin(),
+    1.0);
+  rays.ToLocal = glm::mat4(toLocal);
+  rays.Blur = glm::vec2(Roundings * Ulp * GetSizeInView(work.View, center), Roundings * Ulp);
+  for (const auto& entry : work.Cache.GetEntries())
+  {
+    const vtkRelievoShadowLight& light = entry.Light;
+    rays.Sources.emplace_back(light.Positional
+        ? glm::dvec4(light.Position - this->Tree.GetOrigin(), 1.0)
+        : glm::dvec4(-light.Direction, 0.0));
+  }
+  return rays;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMethodExact::Tell(
+  vtkShaderProgram* program, const Rays& rays, bool walks) const
+{
+  program->SetUniformi("relievoShadowTree", this->Tree.GetTextureUnit());
+  program->SetUniformi("relievoShadowCasters", walks ? this->Tree.GetNumberOfNodes() : 0);
+  program->SetUniformi("relievoShadowRecords", this->Tree.GetFirstRecord());
+  program->SetUniformMatrix4x4("relievoShadowToLocal", const_cast<float*>(&rays.ToLocal[0][0]));
+  program->SetUniform2f("relievoShadowBlur", &rays.Blur.x);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowMethodExact::Draw(vtkRelievoShadowContext& work, vtkRenderer*)
+{
+  const Rays rays = this->GetRays(work);
+  std::vector<double> state(1, this->Tree.GetVersion());
+  state.insert(state.end(), &rays.ToLocal[0][0], &rays.ToLocal[0][0] + 16);
+  state.insert(state.end(), &rays.Center.x, &rays.Center.x + 3);
+  state.insert(state.end(), &rays.Blur.x, &rays.Blur.x + 2);
+  const int calls = this->Seen.DrawSurfaces(this->Surfaces, work.PlainDraw);
+  return calls + this->Seen.DrawVerdicts(rays.Sources, state, [&](vtkShaderProgram* program) {
+    this->Tell(program, rays, true);
+    program->SetUniform3f("relievoShadowCenter", &rays.Center.x);
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMethodExact::SetFrameUniforms(
+  vtkShaderProgram* program, const vtkRelievoShadowContext& work) const
+{
+  const Rays rays = this->GetRays(work);
+  this->Tell(program, rays, !work.DrawingAnyMaps);
+  program->SetUniform4fv("relievoShadowSource", static_cast<int>(rays.Sources.size()),
+    reinterpret_cast<const float(*)[4]>(&rays.Sources[0].x));
+  this->Seen.SetUniforms(program);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowMethodExact::SetActorUniforms(
+  vtkShaderProgram* program, const vtkRelievoShadowContext&, vtkActor* actor) const
+{
+  this->Seen.SetActorUniforms(program, actor);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowEstimate vtkRelievoShadowMethodExact::Estimate(
+  const vtkRelievoShadowDemand& demand) const
+{
+  vtkRelievoShadowEstimate estimate;
+  // The triangles, 56 bytes each, come to it.
+  estimate.Bytes = vtkRelievoVisibilityPrepass::GetBytes(demand.Width, demand.Height);
+  estimate.WrongShare =
+    std::min(1.0, std::max(Law.GetShare(demand.MapSize), FarLaw * demand.Farness));
+  if (this->InMaps > 0)
+  {
+    estimate.WrongShare =
+      std::max(estimate.WrongShare, vtkRelievoShadowMethodMap().Estimate(demand).WrongShare);
+  }
+  return estimate;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowMethodExact::GetReport() const
+{
+  std::ostringstream out;
+  out << ", rays past " << this->Tree.GetNumberOfTriangles() << " triangles of "
+      << this->Tree.GetNumberOfCasters()
+      << (this->Tree.GetNumberOfCasters() == 1 ? " caster" : " casters");
+  if (this->Tree.GetNumberOfGlyphs() > 0)
+  {
+    out << " at the places of " << this->Tree.GetNumberOfGlyphs() << " glyphs";
+  }
+  if (this->InMaps > 0)
+  {
+    out << "; " << this->InMaps << (this->InMaps == 1 ? " prop" : " props")
+        << " that cannot be followed in maps";
+  }
+  return out.str();
+}

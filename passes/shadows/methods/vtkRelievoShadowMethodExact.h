@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Sends a ray from each pixel's own place to the light, past the casters' triangles. What casts and
+// is no triangle is drawn into maps, as of the method map, and blocks what the rays let pass.
+#ifndef vtkRelievoShadowMethodExact_h
+#define vtkRelievoShadowMethodExact_h
+
+#include "vtkRelievoShadowMethod.h"
+#include "vtkRelievoShadowTree.h"
+#include "vtkRelievoVisibilityPrepass.h"
+
+class vtkRelievoShadowMethodExact : public vtkRelievoShadowMethod
+{
+public:
+  std::string Prepare(vtkRelievoShadowContext& work, vtkRenderer* renderer) override;
+  int Draw(vtkRelievoShadowContext& work, vtkRenderer* renderer) override;
+  void Unbind() override
+  {
+    this->Tree.Unbind();
+    this->Seen.Unbind();
+  }
+  std::string GetShader() const override { return "shadow/exact.glsl"; }
+  bool Traces() const override { return true; }
+  bool Colors() const override { return this->Colored; }
+  void SetFrameUniforms(
+    vtkShaderProgram* program, const vtkRelievoShadowContext& work) const override;
+  std::vector<vtkActor*> GetFound(std::size_t lights) const override;
+  void SetActorUniforms(
+    vtkShaderProgram* program, const vtkRelievoShadowContext& work, vtkActor* actor) const override;
+  // Of the frame's scene, as a vtkRelievoShadowDemand has it: how many times more than the view
+  // shows is rounded.
+  static double GetFarness(const vtkRelievoShadowContext& work);
+
+  vtkRelievoShadowEstimate Estimate(const vtkRelievoShadowDemand& demand) const override;
+  std::string GetReport() const override;
+  vtkIdType GetBytes() const override { return this->Tree.GetBytes() + this->Seen.GetBytes(); }
+  void Forget() override { this->Seen.Forget(); }
+  void Release(vtkWindow* window) override
+  {
+    this->Tree.Release(window);
+    this->Seen.Release(window);
+  }
+
+private:
+  struct Rays // what a shader is told of them
+  {
+    glm::mat4 ToLocal{ 1.f };
+    glm::vec3 Center{ 0.f }; // eye space
+    glm::vec2 Blur{ 0.f };
+    std::vector<glm::vec4> Sources;
+  };
+  void FindSurfaces(const vtkRelievoShadowContext& work);
+  Rays GetRays(const vtkRelievoShadowContext& work) const;
+  void Tell(vtkShaderProgram* program, const Rays& rays, bool walks) const;
+
+  vtkRelievoShadowTree Tree;
+  vtkRelievoVisibilityPrepass Seen;
+  std::size_t InMaps = 0;          // casters that cannot be followed
+  std::vector<vtkActor*> Surfaces; // of this frame, whose verdicts are found
+  bool Colored = false;            // some of them colour what passes
+  bool Alone = false;              // each of their pixels shows what is seen at its centre
+};
+
+#endif

@@ -1,0 +1,1480 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowStage.h"
+
+#include "vtkActor.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPointData.h"
+#include "vtkProp.h"
+#include "vtkRelievoAccess.h"
+#include "vtkRelievoCasterRays.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePass.h"
+#include "vtkRelievoFramePlan.h"
+#include "vtkRelievoLampMaps.h"
+#include "vtkRelievoLightSamples.h"
+#include "vtkRelievoProbeView.h"
+#include "vtkRelievoShadowCertificate.h"
+#include "vtkRelievoShadowCertifier.h"
+#include "vtkRelievoShadowContext.h"
+#include "vtkRelievoShadowLights.h"
+#include "vtkRelievoShadowMethod.h"
+#include "vtkRelievoShadowMethodExact.h"
+#include "vtkRelievoShadowPlanner.h"
+#include "vtkRelievoShadowProbe.h"
+#include "vtkRelievoShadowSchedule.h"
+#include "vtkRelievoShadowStrengths.h"
+#include "vtkRelievoShadowUniforms.h"
+#include "vtkRelievoTrialCompile.h"
+#include "vtkRenderState.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
+#include "vtkWeakPointer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iomanip>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+class vtkRelievoShadowStage::Internals
+{
+public:
+  vtkRelievoShadowLights Lights;
+  vtkRelievoLightSizes Sizes; // of lights
+  int Samples = 1;            // of them, in this frame
+  int Gathered = 0;
+  vtkRelievoShadowCasters Casters; // of all maps
+  vtkRelievoShadowContext Work{ Casters };
+  vtkRelievoShadowSchedule Schedule;
+  vtkRelievoLampMaps Lamps{ Casters }; // from data
+  vtkRelievoShadowProbe Probe;
+  vtkRelievoShadowPlanner Planner;
+  vtkRelievoShadowPlanner::Plan Plan; // of the frame; without a goal, what is set
+  vtkRelievoShadowPlanner::SceneCost Cost;
+  bool Planned = false;
+  double RoomRefused = 0.0; // texels of maps that OpenGL had no memory for; 0: none
+  bool Fresh = false;       // other than in the frame before
+  bool Failed = false;      // what was chosen could not be made
+  double Began = 0.0;       // milliseconds
+  double Took = -1.0;       // the last picture
+  double Planning = 0.0;    // of this frame
+  vtkMTimeType TimedStructure = 0;
+  glm::dmat4 TimedView{ 0.0 };
+  std::vector<std::uint64_t> TimedCasters;
+  std::vector<double> TimedLights;
+  vtkRelievoShadowPlanner::Invalidated Moves; // since the frame before
+  std::unique_ptr<vtkRelievoShadowMethod> Method = vtkRelievoShadowMethod::Make(METHOD_MAP);
+  int MethodMade = METHOD_MAP;
+  int MethodRefused = -1; // could not make shadows of what cast so
+  std::vector<std::uint64_t> Refused;
+  vtkTimeStamp StructureTime;
+  bool LayersAsked = false;                     // visibility is asked for as a layer
+  bool LightsAsked = false;                     // shadows of the renderer's lights
+  bool LampsAsked = false;                      // and of lamps from data
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the frame
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkWeakPointer<vtkRelievoFramePass> Frame;
+  vtkSmartPointer<vtkRelievoShadowCertificate> Certificate;
+  std::set<vtkShaderProgram*> ProgramsWithUniforms; // programs that have this frame's uniforms
+  std::set<std::string> Reported;                   // warnings and errors
+  vtkRelievoShadowStrengths Strengths;              // of the lights of this frame
+  bool Spliced = false;
+  bool BuiltUnspliced = false; // shaders without shadows were built with this pass in their keys
+
+  // Makes the method, if it is another one than in the frame before. The context is current.
+  void UseMethod(int method, vtkOpenGLRenderWindow* window);
+
+  void BeginTiming(bool picture);
+  void FindMoves(const vtkRelievoFrameCamera& view);
+
+  // Whether a map is being drawn: notes the program that draws into it.
+  bool IsDrawingMaps(vtkShaderProgram* program);
+
+  // Shaders are built anew if they are to be others than in the frame before.
+  void UpdateStructure();
+};
+
+vtkStandardNewMacro(vtkRelievoShadowStage);
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowStage::vtkRelievoShadowStage()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowStage::~vtkRelievoShadowStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::SetLightCasts(vtkLight* light, bool casts)
+{
+  this->Internal->Lights.SetCasts(light, casts);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowStage::GetLightCasts(vtkLight* light)
+{
+  return this->Internal->Lights.Casts(light);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::SetLightName(vtkLight* light, const std::string& name)
+{
+  this->Internal->Lights.SetName(light, name);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowStage::GetLightName(vtkRenderer* renderer, vtkLight* light)
+{
+  return this->Internal->Lights.GetName(renderer, light);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowStage::GetLightLayer(vtkRenderer* renderer, vtkLight* light)
+{
+  return this->Internal->Lights.GetLayer(renderer, light);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkRelievoShadowStage::GetShadowLayers(vtkRenderer* renderer)
+{
+  return this->Internal->Lights.GetLayers(renderer);
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, int> vtkRelievoShadowStage::FindLights(
+  const std::vector<std::string>& layers, vtkRenderer* renderer) const
+{
+  return this->Internal->Lights.Find(layers, renderer);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::SetPropCasts(vtkProp* prop, int casts)
+{
+  if (!prop || casts < CASTS_IF_OPAQUE || casts > CASTS_ALWAYS)
+  {
+    vtkErrorMacro("SetPropCasts was given " << (prop ? "casting " : "no prop and casting ") << casts
+                                            << "; give it a vtkProp of the renderer, and "
+                                            << "-1 (if opaque), 0 (never) or 1 (always).");
+    return;
+  }
+  this->Internal->Work.Props.GetChoice(prop).Casts = casts;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowStage::GetPropCasts(vtkProp* prop)
+{
+  return this->Internal->Work.Props.GetChoice(prop).Casts;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::AddPlainActorClass(const std::string& name)
+{
+  vtkRelievoCasterDraw::AddActorClass(name);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::SetPropReceives(vtkProp* prop, bool receives)
+{
+  if (!prop)
+  {
+    vtkErrorMacro("SetPropReceives was given no prop; give it a vtkProp of the renderer.");
+    return;
+  }
+  this->Internal->Work.Props.GetChoice(prop).Receives = receives;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowStage::GetPropReceives(vtkProp* prop)
+{
+  return this->Internal->Work.Props.GetChoice(prop).Receives;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::SetController(vtkMultiProcessController* controller)
+{
+  if (this->GetController() != controller)
+  {
+    this->Internal->Schedule.Exchange.SetController(controller);
+    this->Internal->Lamps.Schedule.Exchange.SetController(controller);
+    this->Internal->Work.Others.SetController(controller);
+    this->Internal->Lamps.Work.Cache.Clear();
+    this->Internal->Work.Cache.Clear(); // maps of this process alone, or of others that are gone
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkRelievoShadowStage::GetController()
+{
+  return this->Internal->Schedule.Exchange.GetController();
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowStage::GetMergeSeconds()
+{
+  return this->Internal->Schedule.Exchange.GetSeconds();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowStage::GetNumberOfCastingLights()
+{
+  return static_cast<int>(this->Internal->Lights.GetCasting().size());
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowStage::GetNumberOfMaps()
+{
+  return this->Internal->Work.Cache.GetNumberOfMaps();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowStage::Prepare(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  in.BeginTiming(context.Picture);
+  vtkRelievoAccess::Renderer::FollowCamera(context.Renderer);
+  // The shaders that draw the maps are built for the lights that VTK counts here.
+  static_cast<vtkOpenGLRenderer*>(context.Renderer)->UpdateLights();
+  in.LayersAsked = context.IsAsked(this, "visibility");
+  in.LampsAsked = context.IsAsked(this, "lamp shadows");
+  const bool lights = in.LayersAsked || context.IsAsked(this, "shadow maps");
+  lights ? this->CollectLights(context) : in.Lights.Clear();
+  if (in.Lights.GetCasting().empty() && !in.LampsAsked)
+  {
+    in.Planned = false;
+    this->Explain("no_lights", "no light casts" + in.Lights.GetReport());
+    return false;
+  }
+  if (!in.LampsAsked)
+  {
+    in.Lamps.Release(context.Window);
+  }
+  this->DrawCalls = 0;
+  this->NumberOfMapsDrawn = 0;
+  in.Work.View = context.View;
+  in.Work.Props.SetAttenuates(this->ColoredShadows);
+  in.Work.Props.Collect(context.Renderer, context.Scene.Props);
+  const bool traces =
+    this->Method == METHOD_EXACT || this->Tolerance > 0.0 || this->TimeBudget > 0.0;
+  // What is translucent may be another process's.
+  context.ColorsLight = this->Visible && this->ColoredShadows && traces &&
+    !in.Lights.GetCasting().empty() &&
+    (in.Work.Others.IsOn() || in.Work.Props.HasTranslucentCasters());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  vtkRelievoShadowContext& work = in.Work;
+  if (work.View.Viewport[2] <= 0 || work.View.Viewport[3] <= 0)
+  {
+    return;
+  }
+  in.Window = context.Window;
+  in.Renderer = context.Renderer;
+  in.Frame = context.Frame;
+  work.PlainDraw.SetWindow(in.Window);
+  const bool lights = !in.Lights.GetCasting().empty();
+  std::string fault;
+  if (lights)
+  {
+    work.Bias = this->Bias;
+    work.ColoredShadows = this->ColoredShadows;
+    fault = this->MakeMaps(context);
+    if (!in.Planned && !in.Method->Traces())
+    {
+      work.Props.ForgetGlyphs();
+    }
+  }
+  else
+  {
+    in.Planned = false;
+    in.UseMethod(METHOD_MAP, context.Window);
+    work.WithoutFollowed = false;
+    work.Maps.Release(context.Window);
+    work.Cache.Clear();
+    work.Others.Clear();
+  }
+  // Processes that draw together fit their maps together, though there be none.
+  const bool lamps =
+    in.LampsAsked && (!context.CastingLamps.empty() || in.Lamps.Schedule.Exchange.IsOn());
+  std::vector<std::string> words;
+  if (!fault.empty())
+  {
+    this->SayOnce("No shadows: " + fault);
+    words.push_back(fault);
+    work.Cache.Clear();
+    in.Method->Unbind(); // what it took in Prepare
+  }
+  in.UpdateStructure();
+  if (!lamps)
+  {
+    in.Lamps.Release(context.Window);
+  }
+  if ((!lights || !fault.empty()) && !lamps)
+  {
+    this->Explain(lights ? "failed" : "idle", lights ? fault : "no lamp that is seen casts");
+    return;
+  }
+  in.Spliced = true;
+  work.Props.AddPass(this);
+  in.ProgramsWithUniforms.clear();
+  if (lights && fault.empty())
+  {
+    this->DrawLights(context);
+    words.push_back(this->DescribeMaps());
+  }
+  if (lamps)
+  {
+    words.push_back(this->DrawLamps(context));
+  }
+  in.ProgramsWithUniforms.clear();
+  std::string all;
+  for (const std::string& each : words)
+  {
+    all += (all.empty() ? "" : "; ") + each;
+  }
+  this->Explain("ran", all);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::SayOnce(const std::string& error)
+{
+  if (this->Internal->Reported.insert(error).second)
+  {
+    vtkErrorMacro(<< error << ".");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::Finish(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  if (in.Spliced)
+  {
+    in.Work.Props.RemovePass(this);
+    in.Work.Maps.Unbind();
+    in.Lamps.Unbind();
+    in.Method->Unbind();
+    in.Spliced = false;
+    if (in.Work.Props.ChangesByDrawing())
+    {
+      // Some mappers count themselves as modified when they draw.
+      const bool probed = in.Probe.HasScene(in.Work.Props);
+      in.Work.Props.Collect(context.Renderer, context.Scene.Props);
+      in.Work.Cache.SetCasters(in.Work.Props, in.Work.WithoutFollowed);
+      in.Lamps.Work.Cache.SetCasters(in.Work.Props, false);
+      in.Method->Settle(in.Work);
+      if (probed)
+      {
+        in.Probe.Settle(in.Work.Props);
+      }
+    }
+  }
+  if (context.Window->GetAbortRender())
+  {
+    // Mappers draw nothing from there on: what maps and masks hold is not all that casts.
+    in.Work.Cache.Invalidate();
+    in.Lamps.Work.Cache.Invalidate();
+    in.Method->Forget();
+    in.TimedView = glm::dmat4(0.0); // the next frame finds everything anew
+  }
+  else
+  {
+    this->EndTiming(context); // of an aborted frame the time tells nothing
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoShadowStage::GetBytesHeld()
+{
+  return this->Internal->Work.Maps.GetBytes() + this->Internal->Method->GetBytes() +
+    this->Internal->Lamps.Work.Maps.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Work.Maps.Release(window);
+  this->Internal->Method->Release(window);
+  this->Internal->Lamps.Release(window);
+  this->Internal->Work.PlainDraw.Release(window);
+  this->Internal->Work.Props.ForgetGlyphs();
+  this->Internal->Work.Cache.Clear();
+  this->Internal->Lights.Clear();
+  this->Internal->MethodRefused = -1; // another window's OpenGL may hold what this one did not
+  this->Internal->RoomRefused = 0.0;
+  this->Internal->Probe.Release();
+  this->NumberOfMapsDrawn = 0;
+  this->DrawCalls = 0;
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::Internals::UseMethod(int method, vtkOpenGLRenderWindow* window)
+{
+  if (method == this->MethodMade)
+  {
+    return;
+  }
+  this->Method = vtkRelievoShadowMethod::Make(method);
+  this->MethodMade = method;
+  this->Work.Cache.Refit();
+  window->MakeCurrent(); // what the one before held may have been another window's
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::Internals::UpdateStructure()
+{
+  vtkRelievoShadowSplice::Structure structure;
+  structure.Method = this->Method->GetShader();
+  structure.Traced = this->Method->Traces();
+  structure.Colored = this->Method->Colors();
+  structure.Maps = !structure.Traced || this->Work.Cache.GetNumberOfMaps() > 0;
+  structure.Numbers = static_cast<int>(this->Lights.GetAll().size());
+  structure.Unlit = this->LayersAsked;
+  structure.WideFilter = this->Work.Radius > 1;
+  for (const auto& entry : this->Work.Cache.GetEntries())
+  {
+    structure.Lights.push_back({ entry.Light.ShaderIndex, !entry.Light.Positional, entry.Cube });
+  }
+  for (vtkActor* actor : this->Method->GetFound(structure.Lights.size()))
+  {
+    structure.Found.emplace_back(actor, actor->GetMapper());
+  }
+  if (!(structure == this->Work.Structure))
+  {
+    this->Work.Structure = structure;
+    this->StructureTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowStage::Internals::IsDrawingMaps(vtkShaderProgram* program)
+{
+  if (this->Work.DrawingMaps)
+  {
+    this->Schedule.AddProgram(program);
+  }
+  if (this->Lamps.Work.DrawingMaps)
+  {
+    this->Lamps.Schedule.AddProgram(program);
+  }
+  return this->Work.DrawingMaps || this->Lamps.Work.DrawingMaps;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
+{
+  description.Name = "shadows";
+  description.Help = "Shadows of lights (suns, spots and points) and of lamps from data.";
+  description.Slot = vtkRelievoStageDescription::LIGHT_MAPS;
+  description.Writes = { "shadow maps", "visibility", "lamp shadows" };
+  description.OnByDefault = true;
+  description.AddFlag(
+    "visible", this->Visible, [this](bool on) { this->SetVisible(on); },
+    "Whether shadows are seen in the picture.");
+  description.AddChoice(
+    "method", this->Method, [this](int method) { this->SetMethod(method); },
+    { "map", "forward", "warped", "exact" }, "How shadows are computed.");
+  description.AddWhole(
+    "map_size", this->MapSize, [this](int size) { this->SetMapSize(size); }, 16, 16384, "texels",
+    "Width and height of each light's map.");
+  description.AddWhole(
+    "filter_radius", this->FilterRadius, [this](int radius) { this->SetFilterRadius(radius); }, 0,
+    16, "texels", "How soft the edges of shadows are.");
+  description.AddNumber(
+    "bias", this->Bias, [this](double bias) { this->SetBias(bias); }, 0.0, 100.0, "texels",
+    "Distance by which receivers are moved towards the light before the comparison.");
+  description.AddNumber(
+    "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0, 1.0,
+    "", "Fraction of a blocked light that is removed.");
+  description.AddFlag(
+    "colored_shadows", this->ColoredShadows, [this](bool on) { this->SetColoredShadows(on); },
+    "Exact shadows: translucent surfaces cast, and colour the light that passes them.");
+  description.AddNumber(
+    "tolerance", this->Tolerance, [this](double share) { this->SetTolerance(share); }, 0.0, 1.0, "",
+    "Share of wrong pixels that method and map size are chosen for; 0: as they are set.");
+  description.AddNumber(
+    "time_budget", this->TimeBudget, [this](double time) { this->SetTimeBudget(time); }, 0.0,
+    3600000.0, "ms", "Time of a frame that method and map size are chosen for; 0: any.");
+  description.AddWhole(
+    "lamp_map_size", this->LampMapSize, [this](int size) { this->SetLampMapSize(size); }, 16, 16384,
+    "texels", "Width and height of each map of a lamp from data; a lamp has up to six.");
+  this->DescribeSoft(description);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::Declare(
+  const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
+{
+  // The visibility is for layers, and lamps are lit by their own stage, whether shadows of lights
+  // are seen or not.
+  declaration.OptionalWrites.clear();
+  if (this->Visible)
+  {
+    declaration.OptionalWrites.emplace_back("shadow maps");
+  }
+  declaration.Reason = this->Visible ? "" : "shadows are off";
+  this->DeclareSoft(context, declaration);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Visible: " << this->Visible << "\n";
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "MapSize: " << this->MapSize << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
+  os << indent << "LampMapSize: " << this->LampMapSize << "\n";
+  os << indent << "FilterRadius: " << this->FilterRadius << "\n";
+  os << indent << "Bias: " << this->Bias << "\n";
+  os << indent << "Strength: " << this->Strength << "\n";
+  os << indent << "ColoredShadows: " << this->ColoredShadows << "\n";
+  os << indent << "SoftSamples: " << this->SoftSamples << "\n";
+  os << indent << "SoftAtOnce: " << this->SoftAtOnce << "\n";
+  os << indent << "SunAngle: " << this->SunAngle << "\n";
+  os << indent << "LampRadius: " << this->LampRadius << "\n";
+  os << indent << "Casting lights: " << this->GetNumberOfCastingLights() << "\n";
+  os << indent << "Maps: " << this->GetNumberOfMaps() << "\n";
+}
+
+namespace
+{
+constexpr int MostSamples = 4096;
+constexpr double WidestSun = 90.0;
+constexpr double LargestLamp = 1e9;
+
+const int Sizes[] = { 1024, 2048, 4096, 8192 };
+
+// Where rays cannot tell: measurements are within so many times the law.
+constexpr double LawsFactor = 2.5;
+
+// Maps of more bytes are not chosen.
+constexpr vtkIdType MostBytes = vtkIdType(1) << 31;
+
+bool IsSoftware()
+{
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string renderer = name ? name : "";
+  return renderer.find("llvmpipe") != std::string::npos ||
+    renderer.find("softpipe") != std::string::npos;
+}
+
+double GetNow()
+{
+  using Clock = std::chrono::steady_clock;
+  return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();
+}
+
+bool IsPossible(int method, const vtkRelievoShadowDemand& demand)
+{
+  return method >= vtkRelievoShadowStage::METHOD_MAP &&
+    method <= vtkRelievoShadowStage::METHOD_EXACT &&
+    std::min({ demand.MapSize - 1, demand.Maps, demand.Lights, demand.Props, demand.Width,
+      demand.Height }) >= 0;
+}
+
+const char* const Depth = "depth";
+constexpr double MostTexels = 8.0;
+
+// Whether all of them have a half float's 11 bits.
+bool AreHalf(const float* depths, vtkIdType count)
+{
+  return std::all_of(depths, depths + count, [](float depth) {
+    int power = 0;
+    const float bits = std::ldexp(std::frexp(depth, &power), 11);
+    return !std::isfinite(depth) || bits == std::floor(bits);
+  });
+}
+
+// The renderer alone draws the layers, into a framebuffer of the frame's own; "" or what is wrong.
+std::string DrawLayers(vtkRenderer* renderer, vtkRelievoFramePass* frame,
+  const std::vector<std::string>& layers, vtkImageData* image)
+{
+  std::vector<std::string> added;
+  for (const std::string& layer : layers)
+  {
+    if (!frame->IsLayerRequested(layer))
+    {
+      frame->RequestLayer(layer);
+      added.push_back(layer);
+    }
+  }
+  const bool layersOnly = frame->GetLayersOnly();
+  frame->SetLayersOnly(true);
+  renderer->GetRenderWindow()->Start();
+  renderer->Render();
+  frame->SetLayersOnly(layersOnly);
+  std::string fault = frame->TryReadLayers(layers, image);
+  renderer->GetRenderWindow()->End();
+  for (const std::string& layer : added)
+  {
+    frame->ReleaseLayer(layer);
+  }
+  return fault;
+}
+
+// What is drawn into maps as points and lines is wider there than its box, by some texels.
+double GetWidth(const vtkRelievoShadowCache& cache)
+{
+  double widest = 0.0;
+  for (const auto& entry : cache.GetEntries())
+  {
+    for (const auto& map : entry.Maps)
+    {
+      widest = std::max(widest, map.View.Texel * (map.View.Parallel ? 1.0 : map.View.Far));
+    }
+  }
+  return MostTexels * widest;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::SetSunAngle(double degrees)
+{
+  if (!std::isfinite(degrees))
+  {
+    vtkErrorMacro(
+      "SetSunAngle was given " << degrees << "; give it 0 to " << WidestSun << " degrees.");
+    return;
+  }
+  degrees = std::min(std::max(degrees, 0.0), WidestSun);
+  if (this->SunAngle != degrees)
+  {
+    this->SunAngle = this->Internal->Sizes.SunAngle = degrees;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::SetLampRadius(double radius)
+{
+  if (!std::isfinite(radius))
+  {
+    vtkErrorMacro(
+      "SetLampRadius was given " << radius << "; give it 0 to " << LargestLamp << " world units.");
+    return;
+  }
+  radius = std::min(std::max(radius, 0.0), LargestLamp);
+  if (this->LampRadius != radius)
+  {
+    this->LampRadius = this->Internal->Sizes.LampRadius = radius;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::SetLightSize(vtkLight* light, double size)
+{
+  const double most = light && light->GetPositional() ? LargestLamp : WidestSun;
+  if (!light || !(size <= most))
+  {
+    vtkErrorMacro("SetLightSize was given "
+      << (light ? "size " + std::to_string(size) : std::string("no light"))
+      << "; give it a vtkLight, and 0 to " << most << (most == WidestSun ? " degrees" : "")
+      << ", or -1 for the pass's own size.");
+    return;
+  }
+  this->Internal->Sizes.Set(light, size);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowStage::GetLightSize(vtkLight* light)
+{
+  return light ? this->Internal->Sizes.Get(light) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::SetLightEdges(
+  vtkLight* light, const double first[3], const double second[3])
+{
+  bool finite = light && light->GetPositional();
+  for (int i = 0; i < 3 && finite; ++i)
+  {
+    finite = std::isfinite(first[i]) && std::isfinite(second[i]);
+  }
+  if (!finite)
+  {
+    vtkErrorMacro("SetLightEdges was given "
+      << (!light                      ? "no light"
+             : light->GetPositional() ? "edges that are not finite"
+                                      : "a directional light")
+      << "; give it a positional vtkLight and two edges in world units.");
+    return;
+  }
+  this->Internal->Sizes.SetEdges(
+    light, glm::dvec3(first[0], first[1], first[2]), glm::dvec3(second[0], second[1], second[2]));
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::DescribeSoft(vtkRelievoStageDescription& description)
+{
+  description.AddWhole(
+    "soft_samples", this->SoftSamples, [this](int samples) { this->SetSoftSamples(samples); }, 0,
+    MostSamples, "samples",
+    "Soft shadows: samples of each light's shape that are gathered; 0: lights are points.");
+  description.AddFlag(
+    "soft_at_once", this->SoftAtOnce, [this](bool on) { this->SetSoftAtOnce(on); },
+    "Whether every frame gathers all samples; otherwise one in each frame.");
+  description.AddNumber(
+    "sun_angle", this->SunAngle, [this](double degrees) { this->SetSunAngle(degrees); }, 0.0,
+    WidestSun, "degrees", "Soft shadows: angle that directional lights appear under.");
+  description.AddNumber(
+    "lamp_radius", this->LampRadius, [this](double radius) { this->SetLampRadius(radius); }, 0.0,
+    LargestLamp, "world units", "Soft shadows: radius of positional lights.");
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::DeclareSoft(
+  const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
+{
+  const Internals& in = *this->Internal;
+  if (this->SoftSamples > 1 && !in.Schedule.Exchange.IsOn() &&
+    in.Lights.AreSized(context.Renderer, in.Sizes))
+  {
+    declaration.Samples = this->SoftSamples;
+    declaration.AtOnce = this->SoftAtOnce;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowStage::DescribeSamples() const
+{
+  const Internals& in = *this->Internal;
+  if (this->SoftSamples <= 1)
+  {
+    return {};
+  }
+  return in.Samples > 1 ? ", " + std::to_string(in.Gathered) + " of " + std::to_string(in.Samples) +
+      " samples of the lights' shapes gathered"
+    : in.Schedule.Exchange.IsOn()
+    ? ", lights are points: several processes draw together"
+    : ", lights are points: none has a size, or there is no linear colour here";
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::SetTolerance(double share)
+{
+  if (!(share >= 0.0 && share <= 1.0))
+  {
+    vtkErrorMacro("SetTolerance was given " << share << "; give it the share of wrong pixels that "
+                                            << "is tolerable, from 0 (none is set) to 1; 0.05 % "
+                                            << "is 0.0005.");
+    return;
+  }
+  if (this->Tolerance != share)
+  {
+    this->Tolerance = share;
+    this->Internal->RoomRefused = 0.0;
+    if (this->Tolerance + this->TimeBudget == 0.0)
+    {
+      this->Internal->Probe.Release();
+    }
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::SetTimeBudget(double milliseconds)
+{
+  if (!(milliseconds >= 0.0 && std::isfinite(milliseconds)))
+  {
+    vtkErrorMacro("SetTimeBudget was given " << milliseconds << "; give it the milliseconds that a "
+                                             << "frame may take, or 0 for any.");
+    return;
+  }
+  if (this->TimeBudget != milliseconds)
+  {
+    this->TimeBudget = milliseconds;
+    this->Internal->RoomRefused = 0.0;
+    if (this->Tolerance + this->TimeBudget == 0.0)
+    {
+      this->Internal->Probe.Release();
+    }
+    this->Internal->Planner.Forget();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowStage::EstimateWrongShareInView(int method, int size)
+{
+  Internals& in = *this->Internal;
+  const double law = this->EstimateWrongShare(method, size);
+  if (law < 0.0)
+  {
+    return law;
+  }
+  if (in.Lights.GetCasting().empty() || !in.Renderer)
+  {
+    vtkErrorMacro("EstimateWrongShareInView: the last frame made no shadows of lights. Switch them "
+                  "on, add a light that casts, and render first.");
+    return -1.0;
+  }
+  this->UpdateProbe();
+  return this->GetShareInView(method, size);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::UpdateProbe()
+{
+  Internals& in = *this->Internal;
+  if (!in.Schedule.Exchange.IsOn())
+  {
+    in.Work.Bias = this->Bias;
+    in.Work.Radius = this->FilterRadius;
+    in.Probe.Update(
+      in.Work, in.Lights.GetUnmoved(), vtkRelievoProbeView::GetPicture(in.Work.View, in.Renderer));
+  }
+}
+
+//------------------------------------------------------------------------------
+// As the probe is.
+double vtkRelievoShadowStage::GetShareInView(int method, int size)
+{
+  const Internals& in = *this->Internal;
+  const double law = this->EstimateWrongShare(method, size);
+  const bool alone = !in.Schedule.Exchange.IsOn();
+  if (method == METHOD_EXACT)
+  {
+    vtkRelievoShadowDemand demand;
+    demand.Farness = vtkRelievoShadowMethodExact::GetFarness(in.Work);
+    // What cannot be followed is looked up in maps.
+    return alone && !in.Probe.HasUnfollowed()
+      ? vtkRelievoShadowMethod::Make(METHOD_EXACT)->Estimate(demand).WrongShare
+      : std::min(1.0, LawsFactor * this->EstimateWrongShare(METHOD_MAP, this->MapSize));
+  }
+  if (!alone || !in.Probe.IsKnown())
+  {
+    return std::min(1.0, LawsFactor * law);
+  }
+  const double share = in.Probe.GetWrongShare(size, method == METHOD_WARPED);
+  return method == METHOD_FORWARD
+    ? std::min(1.0, share * law / this->EstimateWrongShare(METHOD_MAP, size))
+    : share;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::MakePlan(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  const vtkRelievoShadowPlanner::Choice before = in.Plan.Chosen;
+  const bool planned = in.Planned;
+  // Several processes have no time in common.
+  in.Planned = this->Tolerance > 0.0 || (this->TimeBudget > 0.0 && !in.Schedule.Exchange.IsOn());
+  const bool refused = in.MethodRefused == METHOD_EXACT && in.Work.Props.GetState() == in.Refused;
+  const auto hasRoom = [&](int size) {
+    const double texels = static_cast<double>(size) * size * in.Cost.Maps;
+    return in.RoomRefused == 0.0 || texels < in.RoomRefused;
+  };
+  const vtkRelievoFrameCamera picture =
+    vtkRelievoProbeView::GetPicture(context.View, context.Renderer);
+  const bool tiled = picture.Viewport[2] != context.View.Viewport[2] ||
+    picture.Viewport[3] != context.View.Viewport[3];
+  const int updates = in.Probe.GetUpdates();
+  if (in.Planned)
+  {
+    const double began = GetNow();
+    this->UpdateProbe();
+    in.Planning += GetNow() - began;
+  }
+  const bool part = !context.Picture || tiled || context.Sample > 0;
+  if (planned && in.Planned && this->TimeBudget > 0.0 && part && updates == in.Probe.GetUpdates() &&
+    !(refused && before.Method == METHOD_EXACT) && hasRoom(before.Size))
+  {
+    return; // layers, tiles and samples of a picture are made as the picture was
+  }
+  in.Plan = vtkRelievoShadowPlanner::Plan();
+  in.Plan.Chosen.Method = this->Method;
+  in.Plan.Chosen.Size = this->MapSize;
+  if (!in.Planned)
+  {
+    return;
+  }
+  const std::vector<vtkRelievoShadowLight>& casting = in.Lights.GetCasting();
+  const bool together = in.Schedule.Exchange.IsOn();
+  const bool suns = std::any_of(casting.begin(), casting.end(),
+    [](const vtkRelievoShadowLight& light) { return !light.Positional; });
+  in.Cost.Pixels = static_cast<double>(picture.Viewport[2]) * picture.Viewport[3];
+  in.Cost.Lights = static_cast<double>(casting.size());
+  // Processes choose alike: by what all of them know.
+  const auto own = [together](double load) { return together ? 0.0 : load; };
+  in.Cost.Maps = together ? in.Cost.Lights : in.Probe.GetNumberOfMaps();
+  in.Cost.Triangles = own(static_cast<double>(in.Probe.GetNumberOfTriangles()));
+  in.Cost.Props = own(static_cast<double>(in.Work.Props.GetAllBoxes().size()));
+  in.Cost.Software = !together && IsSoftware();
+  const auto fits = [&](int method, int size) {
+    const int maps = static_cast<int>(in.Cost.Maps);
+    return size <= vtkRelievoShadowMaps::GetLargestSize() && hasRoom(size) &&
+      this->EstimateBytes(method, size, maps, static_cast<int>(casting.size()), 0, 0) <= MostBytes;
+  };
+  std::vector<vtkRelievoShadowPlanner::Choice> choices;
+  for (const int method : { METHOD_MAP, METHOD_WARPED })
+  {
+    for (const int size : Sizes)
+    {
+      if ((method == METHOD_MAP || suns) && fits(method, size))
+      {
+        choices.push_back({ method, size, this->GetShareInView(method, size) });
+      }
+    }
+  }
+  // What cannot be followed by rays needs maps.
+  if (!together && !refused && (!in.Probe.HasUnfollowed() || hasRoom(this->MapSize)))
+  {
+    if (this->ColoredShadows && in.Work.Props.HasTranslucentCasters())
+    {
+      choices.clear(); // maps have neither shares nor colours: the picture would be another
+    }
+    choices.push_back({ METHOD_EXACT, 0, this->GetShareInView(METHOD_EXACT, 1) });
+  }
+  if (choices.empty())
+  {
+    in.Plan.Words = "nothing was chosen: no maps fit in the memory";
+    return;
+  }
+  in.Plan = in.Planner.Choose({ this->Tolerance, own(this->TimeBudget) }, choices, in.Cost);
+  in.Fresh = !(in.Plan.Chosen == before);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::PrepareMethod(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  const int method = in.Plan.Chosen.Method;
+  bool refused = method == in.MethodRefused && in.Work.Props.GetState() == in.Refused;
+  const bool together = in.Schedule.Exchange.IsOn();
+  if (together && (refused || method != METHOD_EXACT))
+  {
+    const bool again = in.Work.Others.Decline(refused && method == METHOD_EXACT);
+    refused = refused && !again;
+  }
+  in.UseMethod(refused ? METHOD_MAP : method, context.Window);
+  in.Work.WithoutFollowed = false;
+  in.Work.OwnSteps = context.OwnSteps;
+  const std::string fault = in.Method->Prepare(in.Work, context.Renderer);
+  if (fault.empty() && !refused && method == in.MethodRefused)
+  {
+    in.MethodRefused = -1; // it can be done now
+  }
+  else if (method == in.MethodRefused && !refused)
+  {
+    in.MethodRefused = -1; // what was refused once may fit by now
+  }
+  if (!fault.empty())
+  {
+    in.MethodRefused = in.Work.Others.IsDeclined() ? -1 : method;
+    in.Refused = in.Work.Props.GetState();
+    in.UseMethod(METHOD_MAP, context.Window);
+    // One process speaks for all.
+    if ((!together || in.Schedule.Exchange.IsRoot()) && in.Reported.insert(fault).second)
+    {
+      vtkWarningMacro("Shadows are made with maps: " << fault << ".");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Ways that OpenGL has no memory for are remembered, and the choice is made among the others.
+std::string vtkRelievoShadowStage::MakeMaps(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  in.FindMoves(context.View);
+  for (;;)
+  {
+    this->MakePlan(context);
+    this->PrepareMethod(context);
+    const vtkRelievoShadowPlanner::Choice& chosen = in.Plan.Chosen;
+    const bool planned = in.Planned && in.Plan.Milliseconds > 0.0;
+    if (planned && chosen.Method == METHOD_EXACT && in.MethodMade != METHOD_EXACT)
+    {
+      continue;
+    }
+    const int size = chosen.Size > 0 ? chosen.Size : this->MapSize;
+    std::string fault = in.Schedule.Fit(in.Work, in.Lights.GetCasting(), *in.Method,
+      this->GetSizeHere(size), this->FilterRadius, context.Renderer);
+    if (fault.empty() || !planned)
+    {
+      in.Failed = !fault.empty() || in.MethodMade != chosen.Method;
+      return fault;
+    }
+    if (chosen.Method == METHOD_EXACT)
+    {
+      in.MethodRefused = METHOD_EXACT;
+      in.Refused = in.Work.Props.GetState();
+      continue;
+    }
+    const double texels = static_cast<double>(size) * size * in.Cost.Maps;
+    in.RoomRefused = in.RoomRefused > 0.0 ? std::min(in.RoomRefused, texels) : texels;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Frames of layers alone leave what the picture took.
+void vtkRelievoShadowStage::Internals::BeginTiming(bool picture)
+{
+  this->Began = GetNow();
+  this->Took = picture ? -1.0 : this->Took;
+  this->Planning = 0.0;
+}
+
+//------------------------------------------------------------------------------
+// Of frames with a plan that draw a picture; those that build shaders tell nothing of the next.
+void vtkRelievoShadowStage::EndTiming(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  in.TimedCasters = in.Work.Props.GetState(); // some have changed by being drawn
+  if (!in.Planned || !context.Picture)
+  {
+    return;
+  }
+  glFinish();
+  in.Took = GetNow() - in.Began;
+  const bool built = in.TimedStructure != in.StructureTime.GetMTime();
+  in.TimedStructure = in.StructureTime.GetMTime();
+  if (in.Fresh || built)
+  {
+    return; // what is drawn anew for that tells nothing either
+  }
+  const bool maps = this->NumberOfMapsDrawn > 0;
+  in.Planner.AddFrame({ in.Moves.Maps || maps, in.Moves.Rays });
+  if (!in.Failed)
+  {
+    in.Planner.AddTime(in.Plan.Chosen, in.Cost, { maps, in.Moves.Rays }, in.Took, in.Planning);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What has moved since the frame before, for every method: maps are drawn anew when casters or
+// lights move, and verdicts of rays are kept only while the view stays as well.
+void vtkRelievoShadowStage::Internals::FindMoves(const vtkRelievoFrameCamera& view)
+{
+  const glm::dmat4 seen = view.ViewToNDC * view.WorldToView;
+  std::vector<double> lights;
+  for (const vtkRelievoShadowLight& light : this->Lights.GetCasting())
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lights.push_back(light.Positional ? light.Position[axis] : 0.0);
+      lights.push_back(light.Direction[axis]);
+    }
+    lights.push_back(light.ConeAngle);
+  }
+  const bool first = this->TimedLights.empty();
+  const bool moved =
+    !first && (lights != this->TimedLights || this->Work.Props.GetState() != this->TimedCasters);
+  this->Moves = { moved, moved || (!first && seen != this->TimedView) };
+  this->TimedView = seen;
+  this->TimedLights = lights;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowStage::GetPlan()
+{
+  return this->Internal->Planned ? this->Internal->Plan.Words : std::string();
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowStage::GetMethodUsed()
+{
+  return this->Internal->MethodMade;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowStage::GetMapSizeUsed()
+{
+  return this->Internal->Work.Maps.GetSize();
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowStage::GetExpectedMilliseconds()
+{
+  return this->Internal->Planned ? this->Internal->Plan.Milliseconds : -1.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowStage::GetMillisecondsTaken()
+{
+  return this->Internal->Planned ? this->Internal->Took : -1.0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoShadowStage::EstimateBytes(
+  int method, int size, int maps, int lights, int width, int height)
+{
+  vtkRelievoShadowDemand demand;
+  demand.MapSize = size;
+  demand.Maps = maps;
+  demand.Lights = lights;
+  demand.Width = width;
+  demand.Height = height;
+  if (!IsPossible(method, demand))
+  {
+    vtkErrorMacro("EstimateBytes was given method "
+      << method << ", size " << size << ", " << maps << " maps, " << lights << " lights, " << width
+      << " x " << height
+      << " pixels; give it a method from 0 (map) to 3 (exact), a size from 1 on, "
+      << "and no negative numbers.");
+    return -1;
+  }
+  return vtkRelievoShadowMethod::Make(method)->Estimate(demand).Bytes;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowStage::EstimateDrawCalls(int method, int maps, int props)
+{
+  vtkRelievoShadowDemand demand;
+  demand.Maps = maps;
+  demand.Props = props;
+  if (!IsPossible(method, demand))
+  {
+    vtkErrorMacro("EstimateDrawCalls was given method "
+      << method << ", " << maps << " maps and " << props << " props; give it a method from 0 (map) "
+      << "to 3 (exact), and no negative numbers.");
+    return -1;
+  }
+  return vtkRelievoShadowMethod::Make(method)->Estimate(demand).DrawCalls;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowStage::EstimateWrongShare(int method, int size)
+{
+  vtkRelievoShadowDemand demand;
+  demand.MapSize = size;
+  if (!IsPossible(method, demand))
+  {
+    vtkErrorMacro("EstimateWrongShare was given method "
+      << method << " and size " << size << "; give it a method from 0 (map) to 3 (exact), and a "
+      << "size from 1 on.");
+    return -1.0;
+  }
+  return vtkRelievoShadowMethod::Make(method)->Estimate(demand).WrongShare;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowStage::GetExpectedWrongShare() const
+{
+  if (this->Internal->Planned && this->Internal->Plan.Chosen.Method == this->Internal->MethodMade)
+  {
+    return this->Internal->Plan.Chosen.WrongShare;
+  }
+  vtkRelievoShadowDemand demand;
+  demand.MapSize = this->Internal->Work.Maps.GetSize();
+  demand.Farness = vtkRelievoShadowMethodExact::GetFarness(this->Internal->Work);
+  return this->Internal->Method->Estimate(demand).WrongShare;
+}
+
+//------------------------------------------------------------------------------
+std::map<std::string, vtkVariant> vtkRelievoShadowStage::GetFacts()
+{
+  const Internals& in = *this->Internal;
+  const vtkRelievoShadowContext& lamps = in.Lamps.Work;
+  const bool ran = this->GetReasonCode() == "ran" && !in.Lights.GetCasting().empty();
+  return { { "expected_wrong_share",
+             ran ? vtkVariant(this->GetExpectedWrongShare()) : vtkVariant() },
+    { "soft_samples", vtkVariant(ran ? in.Samples : 1) },
+    { "soft_gathered", vtkVariant(ran ? in.Gathered : 1) },
+    { "shadow_plan", in.Planned ? vtkVariant(in.Plan.Words) : vtkVariant() },
+    { "expected_frame_ms", in.Planned ? vtkVariant(in.Plan.Milliseconds) : vtkVariant() },
+    { "frame_ms", in.Planned && in.Took >= 0.0 ? vtkVariant(in.Took) : vtkVariant() },
+    { "lamp_maps", vtkVariant(lamps.Cache.GetNumberOfMaps()) },
+    { "lamp_maps_drawn", vtkVariant(lamps.MapsDrawn) },
+    { "lamp_maps_bytes", vtkVariant(static_cast<long long>(lamps.Maps.GetBytes())) } };
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::CollectLights(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  in.Lights.Collect(context.Renderer, vtkRelievoShadowMaps::GetMostFaces());
+  if (in.Schedule.Exchange.IsOn())
+  {
+    in.Lights.KeepOnly(in.Schedule.Exchange.FindCommon(in.Lights.GetNumbers()));
+  }
+  in.Samples = context.Samples;
+  in.Gathered = context.Sample + 1;
+  if (context.Samples > 1)
+  {
+    in.Lights.Move(in.Sizes, context.Sample, context.Samples);
+  }
+  for (const vtkRelievoShadowLight& light : in.Lights.GetAll())
+  {
+    if (light.Broken && in.Reported.insert(std::to_string(light.Number) + light.NoShadow).second)
+    {
+      vtkWarningMacro(<< in.Lights.GetName(light) << " casts no shadow: " << light.NoShadow << ".");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoShadowStage::GetSizeHere(int size)
+{
+  const int largest = vtkRelievoShadowMaps::GetLargestSize();
+  if (size > largest && this->Internal->Reported.insert("size" + std::to_string(size)).second)
+  {
+    vtkWarningMacro("Shadow maps of "
+      << size << " x " << size << " texels were asked for, this OpenGL makes at most " << largest
+      << " x " << largest << ": these are used.");
+  }
+  return std::min(size, largest);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::DrawLights(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  vtkRelievoShadowContext& work = in.Work;
+  const int mapDraws = in.Schedule.Draw(work, context.Renderer);
+  this->NumberOfMapsDrawn = work.MapsDrawn;
+  work.Maps.Bind(true);
+  in.Strengths.Set(work, this->Visible ? this->Strength : 0.0);
+  context.Provide("shadow maps", &in.Strengths);
+  in.ProgramsWithUniforms.clear();
+  const int methodDraws = in.Method->Draw(work, context.Renderer);
+  in.ProgramsWithUniforms.clear();
+  this->DrawCalls += mapDraws + methodDraws; // mappers that draw by themselves counted theirs
+  if (!in.Method->GetFault().empty())
+  {
+    this->SayOnce("Shadows are looked up in the maps alone: " + in.Method->GetFault());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Returns what was done, in words.
+std::string vtkRelievoShadowStage::DrawLamps(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  in.Lamps.Work.Bias = this->Bias;
+  const std::string fault = in.Lamps.Draw(
+    context, this->GetSizeHere(this->LampMapSize), this->FilterRadius, this->Strength);
+  if (!fault.empty())
+  {
+    this->SayOnce("No shadows of lamps: " + fault);
+    in.Lamps.Release(context.Window);
+    return "no shadows of lamps: " + fault;
+  }
+  this->DrawCalls += in.Lamps.GetDrawCalls();
+  context.Provide("lamp shadows", &in.Lamps);
+  return in.Lamps.GetReport();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoShadowStage::DescribeMaps() const
+{
+  const Internals& in = *this->Internal;
+  const auto& casting = in.Lights.GetCasting();
+  std::ostringstream out;
+  out << casting.size() << (casting.size() == 1 ? " light casts" : " lights cast");
+  for (const vtkRelievoShadowLight& light : casting)
+  {
+    out << (&light == casting.data() ? " (" : ", ") << in.Lights.GetName(light);
+  }
+  out << "), " << in.Work.Cache.GetNumberOfMaps()
+      << (in.Work.Cache.GetNumberOfMaps() == 1 ? " map of " : " maps of ") << in.Work.Maps.GetSize()
+      << " x " << in.Work.Maps.GetSize() << " texels, " << this->NumberOfMapsDrawn
+      << " drawn anew, expected share of wrong pixels " << std::setprecision(2)
+      << 100.0 * this->GetExpectedWrongShare() << " %" << std::setprecision(6)
+      << (in.Planned ? ", " + in.Plan.Words : std::string()) << in.Method->GetReport()
+      << in.Work.Others.GetReport() << this->DescribeSamples() << in.Schedule.Exchange.GetReport()
+      << in.Lights.GetReport();
+  return out.str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowStage::PreReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+{
+  if (this->Internal->Spliced && vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    vtkRelievoShadowSplice::Mark(vertexShader, geometryShader, fragmentShader);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowStage::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* abstractMapper,
+  vtkProp* prop)
+{
+  Internals& in = *this->Internal;
+  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!in.Spliced || !mapper || !actor)
+  {
+    return true;
+  }
+  const std::string own[3] = { vertexShader, geometryShader, fragmentShader };
+  std::string missing = vtkRelievoShadowSplice::Fill(
+    vertexShader, geometryShader, fragmentShader, mapper, actor, in.Work.Structure);
+  std::string key = mapper->GetClassName() + missing;
+  if (missing.empty())
+  {
+    key += "compiles not";
+    missing = vtkRelievoTrialCompile::Compile(
+      in.Window, actor->GetShaderProperty(), vertexShader, geometryShader, fragmentShader);
+    if (!missing.empty())
+    {
+      vertexShader = own[0];
+      geometryShader = own[1];
+      fragmentShader = own[2];
+    }
+  }
+  // Gaussian splats are known to cast and not to receive: nothing that a user could mend.
+  const bool known = mapper->IsA("vtkOpenGLPointGaussianMapperHelper") != 0;
+  if (!missing.empty() && !known && in.Reported.insert(key).second)
+  {
+    vtkErrorMacro("No shadows on what " << mapper->GetClassName() << " draws: " << missing << ".");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowStage::SetShaderParameters(vtkShaderProgram* program,
+  vtkAbstractMapper* abstractMapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  Internals& in = *this->Internal;
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!in.Spliced || !actor)
+  {
+    return true;
+  }
+  if (auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper))
+  {
+    in.Work.PlainDraw.Learn(mapper);
+  }
+  const bool drawingMaps = in.IsDrawingMaps(program);
+  this->DrawCalls += drawingMaps || in.Work.DrawingDepth ? 1 : 0;
+  if (drawingMaps)
+  {
+    // A sheet blocks light from both sides.
+    vtkRelievoShadowMaps::DrawBothSides(in.Window);
+  }
+  if (!program->IsUniformUsed("relievoShadowMaps") &&
+    !program->IsUniformUsed("relievoSeenVerdicts"))
+  {
+    return true;
+  }
+  if (in.ProgramsWithUniforms.insert(program).second)
+  {
+    vtkRelievoShadowUniforms::SetFrame(
+      program, in.Work, *in.Method, this->Visible ? this->Strength : 0.0);
+    in.Method->SetFrameUniforms(program, in.Work);
+  }
+  vtkRelievoShadowUniforms::SetActor(program, in.Work, actor);
+  in.Method->SetActorUniforms(program, in.Work, actor);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkRelievoShadowStage::GetShaderStageMTime()
+{
+  // Asked outside of its own drawing by keys that were copied meanwhile: there it splices nothing.
+  Internals& in = *this->Internal;
+  if (!in.Spliced || in.BuiltUnspliced)
+  {
+    in.StructureTime.Modified();
+    in.BuiltUnspliced = !in.Spliced;
+  }
+  return in.StructureTime.GetMTime();
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoShadowCertificate* vtkRelievoShadowStage::Certify(int rays, int seed)
+{
+  Internals& in = *this->Internal;
+  in.Certificate = nullptr;
+  if (rays <= 0)
+  {
+    vtkErrorMacro("Certify was given " << rays << " rays; give it 1 or more. 6000 without an error "
+                                       << "prove a share of wrong verdicts below 0.05 %.");
+    return nullptr;
+  }
+  if (this->SoftSamples > 1 && !in.Schedule.Exchange.IsOn())
+  {
+    vtkErrorMacro("Certify judges verdicts of lights that are points, and SoftSamples is "
+      << this->SoftSamples << "; set it to 0 and render first.");
+    return nullptr;
+  }
+  vtkRenderer* const renderer = in.Renderer;
+  vtkRelievoFramePass* const frame = in.Frame;
+  if (!frame || !renderer || !renderer->GetRenderWindow() || in.Lights.GetCasting().empty())
+  {
+    vtkErrorMacro("Certify has no picture: the last frame made no shadows of lights. Switch them "
+                  "on, add a light that casts, and render first.");
+    return nullptr;
+  }
+  std::vector<std::string> layers;
+  for (const vtkRelievoShadowLight& light : in.Lights.GetCasting())
+  {
+    layers.push_back(in.Lights.GetLayer(renderer, light.Light));
+  }
+  const std::size_t casting = layers.size();
+  layers.emplace_back(Depth);
+  vtkNew<vtkImageData> image;
+  const std::string fault = DrawLayers(renderer, frame, layers, image);
+  if (!fault.empty() || in.Lights.GetCasting().size() != casting)
+  {
+    vtkErrorMacro("Certify could not draw the picture again: " << fault << ".");
+    return nullptr;
+  }
+  const auto read = [&image](const std::string& layer) {
+    auto* array = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(layer.c_str()));
+    return array ? array->GetPointer(0) : nullptr;
+  };
+  vtkRelievoShadowCertifier judge;
+  judge.View = in.Work.View;
+  judge.Attenuates = in.Method->Traces();
+  judge.Lights = in.Lights.GetCasting();
+  judge.Depth = read(Depth);
+  judge.CoarseDepth = AreHalf(judge.Depth, image->GetNumberOfPoints());
+  for (std::size_t i = 0; i < casting; ++i)
+  {
+    judge.Visibility.push_back(read(layers[i]));
+  }
+  // Maps know translucent casters as opaque ones.
+  std::vector<vtkRelievoSurface> surfaces =
+    in.Work.Props.CollectSurfaces(in.Method->Traces(), judge.Unfollowed);
+  if (in.Method->Traces() && in.Work.Others.IsOn())
+  {
+    in.Work.Others.AddTo(surfaces);
+    const std::vector<vtkRelievoBox>& others = in.Work.Others.GetWhole().InMaps;
+    judge.Unfollowed.insert(judge.Unfollowed.end(), others.begin(), others.end());
+  }
+  judge.Rays.SetSurfaces(surfaces);
+  const double wider = GetWidth(in.Work.Cache);
+  for (vtkRelievoBox& box : judge.Unfollowed)
+  {
+    box.Min -= wider;
+    box.Max += wider;
+  }
+  in.Certificate = vtkSmartPointer<vtkRelievoShadowCertificate>::New();
+  judge.Certify(rays, seed, in.Certificate);
+  return in.Certificate;
+}
