@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
+#include "Charts.h"
 #include "Renderer.h"
+#include "Table.h"
 
-#include <algorithm>
 #include <iostream>
 
 namespace
@@ -79,32 +79,13 @@ int RelievoBench(const std::string& name, const std::string& outDir)
   {
     if (name == entry.Name)
     {
-      return relievoBench::MakeFolder(outDir) && relievoBench::WriteRenderer(outDir)
-        ? entry.Run(outDir)
-        : 1;
+      if (!relievoBench::MakeFolder(outDir) || !relievoBench::WriteRenderer(outDir))
+      {
+        return 1;
+      }
+      const int status = entry.Run(outDir);
+      return status == 0 && !relievoBench::DrawCharts(name, outDir) ? 1 : status;
     }
   }
   return RefuseName(name);
-}
-
-//------------------------------------------------------------------------------
-int RelievoBenchRedraw(
-  const std::string& name, const std::string& csvDir, const std::string& outDir)
-{
-  const std::vector<RelievoBenchEntry>& entries = RelievoBenchEntries();
-  if (!name.empty() &&
-    std::none_of(entries.begin(), entries.end(),
-      [&name](const RelievoBenchEntry& entry) { return name == entry.Name; }))
-  {
-    return RefuseName(name);
-  }
-  bool drawn = relievoBench::MakeFolder(outDir);
-  for (const std::string& bench : relievoBench::BenchesWithCharts())
-  {
-    if (name.empty() || name == bench)
-    {
-      drawn = drawn && relievoBench::DrawBenchCharts(bench, csvDir, outDir);
-    }
-  }
-  return drawn ? 0 : 1;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RelievoBench.h
- * @brief The benches by name: each measures, writes CSV, and draws its charts as PNG and SVG.
+ * @brief The benches by name: each measures and writes CSV, of which charts are drawn (Charts.h).
  */
 #ifndef RelievoBench_h
 #define RelievoBench_h
@@ -24,17 +24,10 @@ const std::vector<RelievoBenchEntry>& RelievoBenchEntries();
 /**
  * Runs one bench; its files, and what has drawn (Renderer.h), are written into outDir, which is
  * made when it is not there. Progress and measured values go to the standard output, errors to the
- * standard error. Charts need a display. Returns 0 when done, 1 when the work failed, 2 when there
+ * standard error. Most need a display. Returns 0 when done, 1 when the work failed, 2 when there
  * is no bench of that name.
  */
 int RelievoBench(const std::string& name, const std::string& outDir);
-
-/**
- * Draws the charts of a bench from the CSV files in csvDir that it wrote once; those of all benches
- * that have charts when the name is empty. Returns as RelievoBench.
- */
-int RelievoBenchRedraw(
-  const std::string& name, const std::string& csvDir, const std::string& outDir);
 
 /** Chart 1: error of the normal formats against bits and time. About half a minute. */
 int RelievoBenchNormals(const std::string& outDir);

@@ -18,15 +18,6 @@ std::string PathIn(const std::string& folder)
 {
   return folder + "/renderer.txt";
 }
-
-void Replace(std::string& text, const std::string& words, const std::string& by)
-{
-  const std::size_t at = text.find(words);
-  if (at != std::string::npos)
-  {
-    text.replace(at, words.size(), by);
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -71,16 +62,5 @@ std::string FindRenderer(const std::string& report)
   const std::size_t end = report.find('\n', at);
   const std::size_t begin = report.find_first_not_of(' ', at + key.size());
   return begin < end ? report.substr(begin, end - begin) : std::string();
-}
-
-//------------------------------------------------------------------------------
-std::string NameRenderer(std::string text, const std::string& renderer)
-{
-  Replace(text, Software, renderer);
-  if (renderer != Software)
-  {
-    Replace(text, "Software OpenGL", renderer); // where a sentence begins
-  }
-  return text;
 }
 }

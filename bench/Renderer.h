@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Renderer.h
- * @brief What has drawn what a folder of tables measures: charts and summaries name it.
+ * @brief What has drawn what a folder of tables measures: summaries and charts.py name it.
  */
 #ifndef relievoBenchRenderer_h
 #define relievoBenchRenderer_h
@@ -25,9 +25,6 @@ std::string ReadRenderer(const std::string& folder);
 
 /** The name in a report of VTK's (vtkRenderWindow::ReportCapabilities); empty: it has none. */
 std::string FindRenderer(const std::string& report);
-
-/** The text about software OpenGL with the renderer's name in that place. */
-std::string NameRenderer(std::string text, const std::string& renderer);
 }
 
 #endif

@@ -9,7 +9,6 @@
 // the receiver's plane; and vtkShadowMapPass, which has no bias to set, as a point.
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "ShadowSimulation.h"
 #include "ShadowVerdicts.h"
 #include "Table.h"
@@ -131,7 +130,5 @@ int RelievoBenchBias(const std::string& outDir)
       Number(r.Wrong()), Number(r.FalseShadow()), Number(r.Leak()),
       std::to_string(r.Errors.Flipping) });
   }
-  const bool written =
-    table.WriteCsv(outDir + "/bias.csv") && DrawBenchCharts("bias", outDir, outDir);
-  return written ? 0 : 1;
+  return table.WriteCsv(outDir + "/bias.csv") ? 0 : 1;
 }

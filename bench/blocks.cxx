@@ -7,7 +7,6 @@
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "BlockShapes.h"
 #include "FrameBench.h"
 #include "Table.h"
@@ -363,7 +362,7 @@ int relievoBench::BenchBlocks(const std::string& outDir, const BlockSizes& sizes
   }
   vtkSMPTools::Initialize(0);
   const bool written = BenchBlockThreads(outDir, sizes) && table.WriteCsv(outDir + "/blocks.csv") &&
-    real.WriteCsv(outDir + "/blocks-labels.csv") && DrawBenchCharts("blocks", outDir, outDir);
+    real.WriteCsv(outDir + "/blocks-labels.csv");
   return written ? 0 : 1;
 }
 

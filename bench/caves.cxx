@@ -7,7 +7,6 @@
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "CaveShape.h"
 #include "FrameBench.h"
 #include "Table.h"
@@ -165,8 +164,8 @@ int relievoBench::BenchCaves(const std::string& outDir, const CaveSizes& sizes)
   {
     MeasureWidth(width, sizes, widths);
   }
-  const bool written = orders.WriteCsv(outDir + "/caves.csv") &&
-    widths.WriteCsv(outDir + "/caves-width.csv") && DrawBenchCharts("caves", outDir, outDir);
+  const bool written =
+    orders.WriteCsv(outDir + "/caves.csv") && widths.WriteCsv(outDir + "/caves-width.csv");
   return written ? 0 : 1;
 }
 

@@ -6,7 +6,6 @@
 // lights. Frames in turn in one process.
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "BenchSizes.h"
 #include "FrameBench.h"
 #include "Table.h"
@@ -124,9 +123,7 @@ int BenchDeferred(const std::string& outDir, const DeferredSizes& sizes)
       }
     }
   }
-  return table.WriteCsv(outDir + "/deferred.csv") && DrawBenchCharts("deferred", outDir, outDir)
-    ? 0
-    : 1;
+  return table.WriteCsv(outDir + "/deferred.csv") ? 0 : 1;
 }
 }
 

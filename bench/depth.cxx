@@ -7,7 +7,6 @@
 // float, as shaders do; the truth is the depth in double before it was rounded to float.
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "Statistics.h"
 #include "Table.h"
 #include "vtkRelievoFormulas.h"
@@ -157,7 +156,5 @@ int RelievoBenchDepth(const std::string& outDir)
                 << Number(100. * order.Swapped) << " %" << std::endl;
     }
   }
-  const bool written =
-    table.WriteCsv(outDir + "/depth.csv") && DrawBenchCharts("depth", outDir, outDir);
-  return written ? 0 : 1;
+  return table.WriteCsv(outDir + "/depth.csv") ? 0 : 1;
 }

@@ -8,7 +8,6 @@
 // environment itself, in double, at directions spread evenly over the sphere.
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "BenchSizes.h"
 #include "EnvironmentMaps.h"
 #include "Table.h"
@@ -245,8 +244,7 @@ int relievoBench::BenchEnvironment(const std::string& outDir, const EnvironmentS
     }
   }
   const bool written = table.WriteCsv(outDir + "/environment.csv") &&
-    byAngle.WriteCsv(outDir + "/environment-angle.csv") &&
-    DrawBenchCharts("environment", outDir, outDir) && BenchEnvironmentFrames(outDir, sizes);
+    byAngle.WriteCsv(outDir + "/environment-angle.csv") && BenchEnvironmentFrames(outDir, sizes);
   return written ? 0 : 1;
 }
 

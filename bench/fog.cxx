@@ -7,7 +7,6 @@
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "FogChord.h"
 #include "FogTruth.h"
 #include "FrameBench.h"
@@ -225,8 +224,8 @@ int relievoBench::BenchFog(const std::string& outDir, const FogSizes& sizes)
     }
     MeasureFrames(name, mesh, sizes, frames);
   }
-  const bool written = chords.WriteCsv(outDir + "/fog.csv") &&
-    frames.WriteCsv(outDir + "/fog-frames.csv") && DrawBenchCharts("fog", outDir, outDir);
+  const bool written =
+    chords.WriteCsv(outDir + "/fog.csv") && frames.WriteCsv(outDir + "/fog-frames.csv");
   return written ? 0 : 1;
 }
 

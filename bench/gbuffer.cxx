@@ -6,7 +6,6 @@
 // one sample per pixel.
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "FrameBench.h"
 #include "Table.h"
 
@@ -141,7 +140,5 @@ int RelievoBenchGBuffer(const std::string& outDir)
       }
     }
   }
-  const bool written =
-    table.WriteCsv(outDir + "/gbuffer.csv") && DrawBenchCharts("gbuffer", outDir, outDir);
-  return written ? 0 : 1;
+  return table.WriteCsv(outDir + "/gbuffer.csv") ? 0 : 1;
 }

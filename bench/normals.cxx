@@ -7,7 +7,6 @@
 // as shaders do, and compared with the direction in double.
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "NormalPeers.h"
 #include "Statistics.h"
 #include "Table.h"
@@ -229,7 +228,5 @@ int RelievoBenchNormals(const std::string& outDir)
       Number(result.Uniform.P99), Number(result.Uniform.Max), Number(result.Special.Max),
       Number(result.EncodeNs, 3), Number(result.DecodeNs, 3) });
   }
-  const bool written =
-    table.WriteCsv(outDir + "/normals.csv") && DrawBenchCharts("normals", outDir, outDir);
-  return written ? 0 : 1;
+  return table.WriteCsv(outDir + "/normals.csv") ? 0 : 1;
 }

@@ -6,7 +6,6 @@
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "FrameBench.h"
 #include "Solids.h"
 #include "Table.h"
@@ -269,8 +268,8 @@ int relievoBench::BenchParticles(const std::string& outDir, const ParticleSizes&
     MeasureTimes(body, sizes, times);
     MeasureDrift(body, sizes, drift);
   }
-  const bool written = times.WriteCsv(outDir + "/particles.csv") &&
-    drift.WriteCsv(outDir + "/particles-drift.csv") && DrawBenchCharts("particles", outDir, outDir);
+  const bool written =
+    times.WriteCsv(outDir + "/particles.csv") && drift.WriteCsv(outDir + "/particles-drift.csv");
   return written ? 0 : 1;
 }
 

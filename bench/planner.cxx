@@ -8,7 +8,6 @@
 // moves, so that maps are drawn anew, all ways in turn.
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "BenchSizes.h"
 #include "FrameBench.h"
 #include "Rounds.h"
@@ -350,7 +349,7 @@ int relievoBench::BenchPlanner(const std::string& outDir, const PlannerSizes& si
         tables.Times.WriteCsv(outDir + "/planner-times.csv");
     }
   }
-  return written && DrawBenchCharts("planner", outDir, outDir) ? 0 : 1;
+  return written ? 0 : 1;
 }
 
 //------------------------------------------------------------------------------

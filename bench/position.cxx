@@ -10,7 +10,6 @@
 // truth rounded so.
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "EmbreeScene.h"
 #include "FrameBench.h"
 #include "PositionFormats.h"
@@ -307,7 +306,5 @@ int RelievoBenchPosition(const std::string& outDir)
         method.IsOffered() ? "itself" : method.StandIn, Number(LoadAverage(), 2) });
     }
   }
-  const bool written =
-    table.WriteCsv(outDir + "/position.csv") && DrawBenchCharts("position", outDir, outDir);
-  return written ? 0 : 1;
+  return table.WriteCsv(outDir + "/position.csv") ? 0 : 1;
 }

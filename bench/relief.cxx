@@ -9,7 +9,6 @@
 // full geometry. Looks are counted by the same steps on the CPU.
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "BenchSizes.h"
 #include "EmbreeScene.h"
 #include "FrameBench.h"
@@ -334,8 +333,7 @@ int relievoBench::BenchRelief(const std::string& outDir, const ReliefSizes& size
     }
   }
   windows.clear();
-  const bool written = BenchGeometry(outDir) && table.WriteCsv(outDir + "/relief.csv") &&
-    DrawBenchCharts("relief", outDir, outDir);
+  const bool written = BenchGeometry(outDir) && table.WriteCsv(outDir + "/relief.csv");
   return written ? 0 : 1;
 }
 

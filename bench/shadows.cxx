@@ -9,7 +9,6 @@
 // of whole frames, still and with a light that moves, drawn in turn with the plain frame.
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "FrameBench.h"
 #include "ShadowVerdicts.h"
 #include "Table.h"
@@ -318,7 +317,6 @@ int RelievoBenchShadows(const std::string& outDir)
       }
     }
   }
-  const bool written = MakeTable(results).WriteCsv(outDir + "/shadows.csv") &&
-    DrawBenchCharts("shadows", outDir, outDir);
+  const bool written = MakeTable(results).WriteCsv(outDir + "/shadows.csv");
   return written ? 0 : 1;
 }

@@ -6,7 +6,6 @@
 // pixel in a penumbra.
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "BenchSizes.h"
 #include "CodedScenes.h"
 #include "EmbreeScene.h"
@@ -126,9 +125,7 @@ int relievoBench::BenchSoftShadows(const std::string& outDir, const SoftShadowSi
       }
     }
   }
-  const bool written =
-    table.WriteCsv(outDir + "/soft-shadows.csv") && DrawBenchCharts("soft-shadows", outDir, outDir);
-  return written ? 0 : 1;
+  return table.WriteCsv(outDir + "/soft-shadows.csv") ? 0 : 1;
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,6 @@
 // costs a frame.
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "BenchSizes.h"
 #include "FrameBench.h"
 #include "Table.h"
@@ -255,7 +254,7 @@ bool MeasureFrames(const std::string& outDir, const ToneSizes& sizes)
 int relievoBench::BenchTone(const std::string& outDir, const ToneSizes& sizes)
 {
   const bool written = MakeFolder(outDir) && MeasureOperators(outDir, sizes) &&
-    MeasureCurves(outDir) && MeasureBands(outDir) && DrawBenchCharts("tone", outDir, outDir) &&
+    MeasureCurves(outDir) && MeasureBands(outDir) &&
     (sizes.Rounds == 0 || MeasureFrames(outDir, sizes));
   return written ? 0 : 1;
 }

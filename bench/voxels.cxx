@@ -6,7 +6,6 @@
 #include "BenchSizes.h"
 #include "RelievoBench.h"
 
-#include "BenchCharts.h"
 #include "EmbreeScene.h"
 #include "FrameBench.h"
 #include "Solids.h"
@@ -329,9 +328,7 @@ int relievoBench::BenchVoxels(const std::string& outDir, const VoxelSizes& sizes
     Measure(
       { "sphere", sphere->GetOutput(), InsideFunction() }, sizes.Large, 3, false, false, table);
   }
-  const bool written =
-    table.WriteCsv(outDir + "/voxels.csv") && DrawBenchCharts("voxels", outDir, outDir);
-  return written ? 0 : 1;
+  return table.WriteCsv(outDir + "/voxels.csv") ? 0 : 1;
 }
 
 //------------------------------------------------------------------------------

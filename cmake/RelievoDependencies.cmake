@@ -4,12 +4,12 @@
 set(Python3_FIND_STRATEGY LOCATION)
 set(relievo_vtk_components
   CommonColor CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
-  ChartsCore FiltersCore FiltersGeneral FiltersGeometry FiltersHybrid FiltersModeling FiltersSources
+  FiltersCore FiltersGeneral FiltersGeometry FiltersHybrid FiltersModeling FiltersSources
   IOExport IOGeometry IOImage IOImport IOLegacy IOPLY IOXML ImagingCore ImagingHybrid
   InteractionStyle
   ParallelCore
-  RenderingAnnotation RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
-  RenderingOpenGL2 RenderingVolumeOpenGL2 ViewsContext2D WrappingTools)
+  RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolumeOpenGL2
+  WrappingTools)
 
 if (RELIEVO_USE_PARAVIEW)
   # Named components: without them ParaView also asks for the developer files of Qt, GDAL, FFmpeg

@@ -3,6 +3,7 @@
 """Good runs: the picture's size and pixels, the EXR's channels and values, the report."""
 
 import base64
+import importlib.util
 import json
 import math
 import unittest
@@ -338,15 +339,31 @@ class Report(CliTest):
 @unittest.skipUnless(BENCHES, "built without benches")
 class Bench(CliTest):
     def test_depth(self):
+        """Charts are drawn where this Python, which the command runs too, has matplotlib."""
         done = self.relievo("bench", "depth", "--out", "charts/new")
         self.assertEqual(done.stderr, "")
         names = {path.name for path in (self.folder / "charts" / "new").iterdir()}
         self.assertIn("depth.csv", names)
         pictures = [name for name in names if name.endswith(".png")]
-        self.assertTrue(pictures)
+        has_matplotlib = importlib.util.find_spec("matplotlib") is not None
+        self.assertEqual(bool(pictures), has_matplotlib)
+        self.assertEqual("bench/charts.py charts/new" in done.stdout, not has_matplotlib)
         for name in pictures:
             self.assertIn(name.replace(".png", ".svg"), names)
             self.assertGreater(min(read_png(self.folder / "charts" / "new" / name).shape[:2]), 100)
+
+    def test_without_matplotlib(self):
+        """It measures, and says in one line how charts are drawn."""
+        (self.folder / "matplotlib.py").write_text(
+            "raise ModuleNotFoundError('none', name='matplotlib')")  # fmt: skip
+        done = self.relievo("bench", "depth", "--out", "new",
+                            environment={"PYTHONPATH": str(self.folder)})  # fmt: skip
+        self.assertEqual(done.stderr, "")
+        said = [line for line in done.stdout.splitlines() if "charts" in line]
+        self.assertEqual(len(said), 1, done.stdout)
+        self.assertIn("bench/charts.py new", said[0])
+        names = {path.name for path in (self.folder / "new").iterdir()}
+        self.assertEqual(names, {"depth.csv", "renderer.txt"})
 
     def test_several(self):
         """One fails for want of meshes, the other is done, and is not run again; the summary tells

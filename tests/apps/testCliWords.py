@@ -172,17 +172,6 @@ class Words(CliTest):
         self.refused("bench", status=2, says=["NAME", "normals"])
         self.refused("bench", "depth", "speed", status=2, says=["'speed'", "normals", "all"])
 
-    def test_redraw(self):
-        if not BENCHES:
-            self.skipTest("built without benches")
-        self.refused("bench", "normals", "depth", "--redraw", "x", status=2,
-                     says=["normals", "depth", "one NAME"])  # fmt: skip
-        self.refused("bench", "all", "--redraw", "x", status=2, says=["'all'", "normals"])
-        self.refused("bench", "--redraw", "x", "--beside", "y", status=2, says=["--beside"])
-        self.refused("bench", "--redraw", "x", "--quick", status=2, says=["--quick"])
-        self.refused("bench", "--redraw=", status=2, says=["--redraw", "empty"])
-        self.refused("bench", "depth", "--redraw", "nowhere", status=1, says=["nowhere/depth.csv"])
-
 
 class Help(CliTest):
     def test_help_knows_every_option(self):

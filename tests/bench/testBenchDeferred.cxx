@@ -3,6 +3,7 @@
 //
 // Runs the bench of deferred shading with small sizes, and checks its CSV.
 #include "BenchSizes.h"
+#include "Charts.h"
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
@@ -32,5 +33,6 @@ int main()
     RELIEVO_CHECK_THAT(Value(row, "bytes a pixel") == (own ? 0. : 4. * words),
       row.at("surface") + " " + row.at("bytes a pixel"));
   }
+  RELIEVO_CHECK(relievoBench::DrawCharts("deferred", folder));
   return session.Result();
 }

@@ -4,6 +4,7 @@
 // Runs the bench of lamps with small sizes, and checks its CSV: all rows; the same lamps reach a
 // pixel however they are found, and no way computes fewer.
 #include "BenchSizes.h"
+#include "Charts.h"
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
@@ -58,5 +59,6 @@ int main()
   RELIEVO_CHECK(relievoBench::BenchLampShadows(folder, sizes) == 0);
   const std::vector<relievoTest::Row> shadows = relievoTest::ReadCsv(folder + "/lamp-shadows.csv");
   RELIEVO_CHECK(shadows.size() == 4 && Value(shadows[3], "times without") > 0.);
+  RELIEVO_CHECK(relievoBench::DrawCharts("lights", folder));
   return session.Result();
 }

@@ -5,10 +5,10 @@
 // columns as the charts' page names them, and errors as the methods must have them.
 //   testBenchMaterials environment|relief
 #include "BenchSizes.h"
+#include "Charts.h"
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
-#include "TextTools.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -173,24 +173,12 @@ void CheckRelief(const std::string& folder)
 //------------------------------------------------------------------------------
 int main(int argc, char* argv[])
 {
-  relievoTest::TextTools text;
   relievoTest::Session session;
   const std::string name = argc > 1 ? argv[1] : "";
   const std::string folder = relievoTest::OutputFolder() + "/" + name;
   vtksys::SystemTools::RemoveADirectory(folder);
   const bool relief = name == "relief";
   (relief ? CheckRelief : CheckEnvironment)(folder);
-  const std::vector<std::string> charts = relief
-    ? std::vector<std::string>{ "relief-error", "relief-cost", "relief-missed" }
-    : std::vector<std::string>{ "environment-texels", "environment-angle" };
-  for (const std::string& chart : charts)
-  {
-    for (const char* kind : { ".png", ".svg" })
-    {
-      const std::string path = folder + "/" + chart + kind;
-      RELIEVO_CHECK_THAT(vtksys::SystemTools::FileLength(path) > 1000, path);
-    }
-  }
-  text.Release();
+  RELIEVO_CHECK(relievoBench::DrawCharts(name, folder));
   return session.Result();
 }

@@ -3,10 +3,10 @@
 //
 // The bench of soft shadows, small: its rows, that more samples err less, and its chart.
 #include "BenchSizes.h"
+#include "Charts.h"
 #include "Check.h"
 #include "CsvFile.h"
 #include "Session.h"
-#include "TextTools.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -16,7 +16,6 @@
 //------------------------------------------------------------------------------
 int main()
 {
-  relievoTest::TextTools text;
   relievoTest::Session session;
   const std::string folder = relievoTest::OutputFolder() + "/soft-shadows";
   vtksys::SystemTools::RemoveADirectory(folder);
@@ -38,10 +37,6 @@ int main()
     const double share = rows[i].at("method") == "map" ? 0.75 : 0.5;
     RELIEVO_CHECK_AT_MOST(many, share * few, "error of 32 samples in group " + std::to_string(i));
   }
-  for (const char* end : { ".png", ".svg" })
-  {
-    RELIEVO_CHECK(vtksys::SystemTools::FileLength(folder + "/soft-shadows" + end) > 1000);
-  }
-  text.Release();
+  RELIEVO_CHECK(relievoBench::DrawCharts("soft-shadows", folder));
   return session.Result();
 }

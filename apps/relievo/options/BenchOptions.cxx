@@ -10,8 +10,7 @@ BenchOptions ParseBench(const std::vector<std::string>& words)
 {
   BenchOptions options;
   ParseArguments(
-    words, "bench",
-    { { "--out", false }, { "--redraw", false }, { "--beside", false }, { "--quick", true } },
+    words, "bench", { { "--out", false }, { "--beside", false }, { "--quick", true } },
     [&](const std::string& name, const std::string& value) {
       if (name == "--quick")
       {
@@ -22,24 +21,9 @@ BenchOptions ParseBench(const std::vector<std::string>& words)
       {
         throw UsageError(name + ": its value is empty; give a folder");
       }
-      (name == "--out"         ? options.Folder
-          : name == "--redraw" ? options.Redraw
-                               : options.Beside) = value;
+      (name == "--out" ? options.Folder : options.Beside) = value;
     },
     [&](const std::string& word) { options.Names.push_back(word); });
-  if (options.Names.size() > 1 && !options.Redraw.empty())
-  {
-    throw UsageError("bench: got '" + options.Names[0] + "' and '" + options.Names[1] +
-      "', expected one NAME with --redraw");
-  }
-  if (!options.Redraw.empty() && !options.Beside.empty())
-  {
-    throw UsageError("--beside: compares what is measured, expected without --redraw");
-  }
-  if (!options.Redraw.empty() && options.Quick)
-  {
-    throw UsageError("--quick: of what is measured, expected without --redraw");
-  }
   return options;
 }
 }

@@ -18,7 +18,7 @@ const char* const Page = R"(relievo - pictures and measurable layers of meshes a
   relievo render FILE... [options] --png F | --exr F | --report F
   relievo cave [options] -o FILE.vti
   relievo stages
-  relievo bench NAME... [--out DIR] [--beside DIR] [--quick] [--redraw DIR]
+  relievo bench NAME... [--out DIR] [--beside DIR] [--quick]
   relievo --help | --version
 
 render draws the FILEs off screen and writes the outputs that you request.
@@ -160,18 +160,17 @@ cave makes winding caves from a seed and writes them as an image.
 
 stages lists the stages of the frame, and the values that their parameters take.
 
-bench measures, prints what it found, and writes CSV, PNG and SVG to a folder. Without a known
-  NAME it lists them. Several NAMEs, or all, run in processes of their own: none stops another,
-  what they print is in DIR/logs, and DIR/summary.md says how they ended and how long they took.
-  The same call again runs those that are not done.
+bench measures, prints what it found, and writes CSV to a folder, and charts where Python has
+  matplotlib; elsewhere bench/charts.py draws them. Without a known NAME it lists them. Several
+  NAMEs, or all, run in processes of their own: none stops another, what they print is in DIR/logs,
+  and DIR/summary.md says how they ended and how long they took. The same call again runs those
+  that are not done.
 
   --out DIR               where to write (the current folder)
   --beside DIR            writes the summary, also for one NAME, with figures beside those of the
                           CSV files in DIR, such as docs/charts
   --quick                 times everything three times instead of up to 31 times, for a first
                           look; the same call without it measures again
-  --redraw DIR            draws the charts from the CSV files in DIR, without measuring; without
-                          NAME, all of them
 
 Options are written --name value or --name=value, those without a value alone; -- ends them.
 Either all requested files are written, or none; of a sequence, those of each frame.

@@ -119,9 +119,8 @@ struct RenderOptions
 
 struct BenchOptions
 {
-  std::vector<std::string> Names; ///< may be empty with Redraw: all that have charts
+  std::vector<std::string> Names;
   std::string Folder = ".";
-  std::string Redraw; ///< folder of CSV files; empty: measure
   std::string Beside; ///< folder of CSV files that the summary compares with; may be empty
   bool Quick = false; ///< fewer rounds of what is timed
 };

@@ -64,20 +64,19 @@ int Bench(const BenchOptions& options)
   const bool several = options.Names.size() > 1 || !options.Beside.empty() ||
     (options.Names.size() == 1 && options.Names.front() == All);
   const std::string expected = "one of " + Join(names, ", ") + ", or all";
-  if (options.Names.empty() && options.Redraw.empty())
+  if (options.Names.empty())
   {
     throw UsageError("bench: no NAME given, expected " + expected);
   }
   for (const std::string& name : options.Names)
   {
-    if (std::find(names.begin(), names.end(), name) == names.end() &&
-      (name != All || !options.Redraw.empty()))
+    if (std::find(names.begin(), names.end(), name) == names.end() && name != All)
     {
       RefuseValue("bench", name, expected);
     }
   }
   {
-    vtkNew<vtkRenderWindow> probe; // the charts are drawn in windows that the bench makes itself
+    vtkNew<vtkRenderWindow> probe; // benches draw in windows that they make themselves
     CheckDisplay(probe);
   }
   if (several)
@@ -85,9 +84,7 @@ int Bench(const BenchOptions& options)
     return RunSeveral(options, names);
   }
   relievoBench::SetMostRounds(options.Quick ? QuickRounds : 0);
-  const std::string name = options.Names.empty() ? "" : options.Names.front();
-  return options.Redraw.empty() ? RelievoBench(name, options.Folder)
-                                : RelievoBenchRedraw(name, options.Redraw, options.Folder);
+  return RelievoBench(options.Names.front(), options.Folder);
 #else
   (void)options;
   throw UsageError("bench: this relievo was built without its benches (RELIEVO_BUILD_BENCH=OFF)");

@@ -7,8 +7,8 @@ namespace cli
 {
 struct BenchOptions;
 
-/// `relievo bench`: one chart's data and picture. Throws UsageError for an unknown name. Returns
-/// the exit status; a bench that fails has said why.
+/// `relievo bench`: what benches measure, and its charts. Throws UsageError for an unknown name.
+/// Returns the exit status; a bench that fails has said why.
 int Bench(const BenchOptions& options);
 }
 

@@ -64,7 +64,7 @@ _relievo()
         -o) _filedir vti; return ;;
         --normal-map | --height-map | --environment) _filedir "$images"; return ;;
         --lamps | --fog | --markers) _filedir "$meshes"; return ;;
-        --beside | --out | --redraw) _filedir -d; return ;;
+        --beside | --out) _filedir -d; return ;;
         *) [[ $wants_value ]] && return ;;
     esac
     [[ ! $values && ($cur == -* || ${words[1]} != render) ]] && values=$options
