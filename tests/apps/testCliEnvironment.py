@@ -8,6 +8,7 @@ import numpy
 from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGWriter
 
 from cli import CliTest, main, read_png, write_image
+from srgb import decoded
 
 # Seen along x, y, z from the front and from the back: faces the camera with both sides.
 PLANE = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n"
@@ -78,12 +79,6 @@ def write_hdr(path, values):
 def shown(light):
     """The byte of a picture that stands for a light, by a power of 1 / 2.2."""
     return 255 * light ** (1 / 2.2)
-
-
-def linear(byte):
-    """The light of an sRGB byte (IEC 61966-2-1)."""
-    value = byte / 255
-    return value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
 
 
 def words_of(vector):
@@ -181,7 +176,7 @@ class Environments(CliTest):
         even = numpy.full((8, 16, 3), 188, numpy.uint8)
         write_image(vtkPNGWriter(), self.folder / "even.png", even)
         seen = self.sky((1, 0, 0), "--environment", "even.png")
-        self.assert_colour(seen, shown(linear(188)), 1)
+        self.assert_colour(seen, shown(decoded(188 / 255)), 1)
         seen = self.sky((1, 0, 0), "--environment", self.uniform(188 / 255))
         self.assert_colour(seen, shown(188 / 255), 1)
         write_hdr(self.folder / "even.hdr", numpy.full((8, 16, 3), 0.25))
@@ -216,7 +211,7 @@ class Environments(CliTest):
         dark = ground & (seen["shadow_0.V"] == 0)
         self.assertGreater(dark.sum(), 100)
         # EXR's colour is the picture's, taken as sRGB.
-        expected = linear(shown(0.25))
+        expected = decoded(shown(0.25) / 255)
         numpy.testing.assert_allclose(seen["R"][dark], expected, atol=0.005)
         # Lit, there is the lamp's as well: one over the root of two of it, coded as colours are.
         lit = ground & (seen["shadow_0.V"] == 1)

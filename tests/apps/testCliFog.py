@@ -6,6 +6,7 @@ import math
 
 from cli import CliTest, main, read_png
 from points import polydata
+from srgb import encoded
 
 SIZE = ["--size", "101x101"]
 
@@ -56,9 +57,7 @@ class Fog(CliTest):
             self.render(*SIZE, "--fog", "fog.vtp" + "".join(words), "--png", "a.png")
             found = read_png(self.folder / "a.png")[48, 50]
             for value, share in zip(found, color):
-                linear = share * (1 - math.exp(-0.8))
-                expected = 12.92 * linear if linear <= 0.0031308 else (
-                    1.055 * linear ** (1 / 2.4) - 0.055)  # fmt: skip
+                expected = encoded(share * (1 - math.exp(-0.8)))
                 self.assertAlmostEqual(value, 255 * expected, delta=2)
 
     def test_notes(self):

@@ -8,6 +8,7 @@ import numpy
 
 from cli import CliTest, main, read_png
 from points import polydata
+from srgb import decoded, encoded
 
 SIZE = ["--size", "101x101"]
 PLACE = (-0.4, -0.4)  # on the triangle
@@ -76,11 +77,8 @@ class Markers(CliTest):
         away, _ = distances()
         row, column = numpy.unravel_index(away.argmin(), away.shape)
         for i, share in enumerate((1, 0.5, 0)):
-            srgb = before[row, column, i] / 255
-            linear = srgb / 12.92 if srgb <= 0.04045 else ((srgb + 0.055) / 1.055) ** 2.4
-            linear = 0.5 * linear + 0.5 * share
-            expected = 12.92 * linear if linear <= 0.0031308 else (
-                1.055 * linear ** (1 / 2.4) - 0.055)  # fmt: skip
+            linear = 0.5 * decoded(before[row, column, i] / 255) + 0.5 * share
+            expected = encoded(linear)
             self.assertAlmostEqual(after[row, column, i], 255 * expected, delta=2)
         self.assertEqual(tuple(after[0, 100]), tuple(before[0, 100]))
 

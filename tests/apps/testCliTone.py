@@ -7,19 +7,12 @@ import json
 import numpy
 
 from cli import CliTest, main, read_png
+from srgb import decoded, encoded
 
 # A plate under three suns from where the camera is: its display colour is 3 times white.
 LOOK = ["--camera", "0,0,5,0,0,0,0,1,0", "--parallel-scale", "2", "--size", "40x40",
         "--shading", "flat", *(3 * ["--light", "sun:0,0,1"])]  # fmt: skip
 WEIGHTS = numpy.array([0.2126, 0.7152, 0.0722])
-
-
-def to_srgb(x):
-    return numpy.where(x <= 0.0031308, 12.92 * x, 1.055 * numpy.power(x, 1 / 2.4) - 0.055)
-
-
-def to_linear(x):
-    return numpy.where(x <= 0.04045, x / 12.92, ((x + 0.055) / 1.055) ** 2.4)
 
 
 def curve(x, white):
@@ -32,7 +25,7 @@ class Tone(CliTest):
         (self.folder / "plate.off").write_text("OFF\n4 1 0\n-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n"
                                                "4 0 1 2 3\n")  # fmt: skip
         self.before = self.names()
-        self.light = to_linear(numpy.array([3.0, 3.0, 3.0]))
+        self.light = decoded(numpy.array([3.0, 3.0, 3.0]))
 
     def draw(self, *words, **more):
         return self.relievo("render", "plate.off", *LOOK, *words, **more)
@@ -40,7 +33,7 @@ class Tone(CliTest):
     def check_picture(self, expected, *words):
         self.draw(*words, "--png", "a.png", "--exr", "a.exr")
         pixel = read_png(self.folder / "a.png")[20, 20].astype(float)
-        numpy.testing.assert_allclose(pixel, 255 * to_srgb(expected), atol=0.6)
+        numpy.testing.assert_allclose(pixel, 255 * encoded(expected), atol=0.6)
         _, channels = self.exr("a.exr")
         color = [channels[name][20, 20] for name in "RGB"]
         numpy.testing.assert_allclose(color, self.light, rtol=2e-3)
@@ -67,7 +60,7 @@ class Tone(CliTest):
     def test_dithering_beside_it(self):
         self.draw("--tone", "simple", "--stage", "tone:dither=blue_noise", "--png", "a.png")
         plate = read_png(self.folder / "a.png")[12:28, 12:28, 0]
-        expected = 255 * to_srgb(self.light[0] / (1 + self.light[0]))
+        expected = 255 * encoded(self.light[0] / (1 + self.light[0]))
         self.assertEqual(sorted(set(plate.ravel())), [int(expected), int(expected) + 1])
         self.assertAlmostEqual(plate.mean(), expected, delta=0.1)
 

@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scenes of known depth, and the rays of a camera in double."""
 
+import unittest
+
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkPointSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 
@@ -68,6 +70,32 @@ def window_of(renderer, columns=300, rows=200):
     window.SetSize(columns, rows)
     window.AddRenderer(renderer)
     return window
+
+
+def point_source(place):
+    """A port with one point, which SetCenter moves."""
+    source = vtkPointSource()
+    source.SetNumberOfPoints(1)
+    source.SetRadius(0)
+    source.SetCenter(*place)
+    return source
+
+
+class PointsTest(unittest.TestCase):
+    """A scene of 90 x 60 pixels, to add points to."""
+
+    def setUp(self):
+        self.renderer = plane_and_sphere()
+        self.window = window_of(self.renderer, 90, 60)
+
+    def check_refusals(self, add, first, data, table):
+        """Wrong arguments are named, and change nothing; `first` is the name of the data's."""
+        for wrong, says in table:
+            with self.assertRaisesRegex(ValueError, f"{add.__name__}: {says}"):
+                add(self.renderer, **{first: data, **wrong})
+        self.assertIsNone(self.renderer.GetPass())
+        with self.assertRaises(ValueError):
+            add(None, data)
 
 
 def rays(camera, columns, rows):

@@ -9,6 +9,7 @@ import unittest
 import numpy
 import relievo
 import scenes
+import srgb
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingAnnotation import vtkCubeAxesActor
@@ -51,8 +52,7 @@ class Environment(unittest.TestCase):
         camera.SetViewUp(*up)
         self.renderer.ResetCameraClippingRange()
         color = relievo.layer(relievo.capture(self.renderer, ["color"]), "color")[..., :3]
-        return numpy.where(color <= 0.0031308, color * 12.92,
-                           1.055 * numpy.maximum(color, 1e-9) ** (1 / 2.4) - 0.055) * 255
+        return 255 * srgb.encoded(color)
 
     def test_sky_lies_as_it_should(self):
         """In each direction its colour, at the picture's side; what is above stays above."""
@@ -94,7 +94,7 @@ class Environment(unittest.TestCase):
         writer.SetFileName(str(path))
         writer.Write()
         relievo.environment(self.renderer, path, roughness=0)
-        light = ((128 / 255 + 0.055) / 1.055) ** 2.4
+        light = srgb.decoded(128 / 255)
         numpy.testing.assert_allclose(self.look((0, 0, -1))[3, 3], encoded(light), atol=1)
 
     def test_taken_away(self):

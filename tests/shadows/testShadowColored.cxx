@@ -11,6 +11,7 @@
 #include "Session.h"
 #include "ShadowPictures.h"
 #include "ShadowScenes.h"
+#include "SrgbCurve.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -41,6 +42,7 @@
 
 namespace
 {
+using relievoTest::LinearFromSrgb;
 using relievoTest::Picture;
 using relievoTest::ShadowStage;
 
@@ -333,12 +335,6 @@ void TestArrays()
     relievoTest::SamePicture(Picture(panes.Stage.Window), shown, "opacities that vary"));
 }
 
-// What the frame gathers: the picture without the curve of sRGB.
-double ToLinear(double shown)
-{
-  return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
-}
-
 // Soft: the mean of coloured samples, each with the sun elsewhere, fades where a pane's edge does.
 void TestSoft()
 {
@@ -370,10 +366,11 @@ void TestSoft()
     between += share > 0.2 && share < 0.8 ? 1 : 0;
     for (int channel = 0; channel < 3; ++channel)
     {
-      const double passes = 1. - share * (1. - ToLinear(0.7 * glm::dvec3(1., 0.2, 0.1)[channel]));
+      const double passes =
+        1. - share * (1. - LinearFromSrgb(0.7 * glm::dvec3(1., 0.2, 0.1)[channel]));
       const double shown =
         picture->GetPointData()->GetScalars()->GetComponent(static_cast<vtkIdType>(i), channel);
-      largest = std::max(largest, std::abs(ToLinear(shown / 255.) - passes));
+      largest = std::max(largest, std::abs(LinearFromSrgb(shown / 255.) - passes));
     }
   }
   RELIEVO_CHECK(between > 300);

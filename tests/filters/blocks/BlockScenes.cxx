@@ -10,6 +10,7 @@
 #include <vtkErrorCode.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -112,7 +113,7 @@ void ForEachPolygon(vtkPolyData* surface, Each&& each)
   for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
   {
     polygons->GetCellAtId(i, points);
-    each(points.Get());
+    each(i, points.Get());
   }
 }
 
@@ -123,10 +124,33 @@ Edge EdgeOf(const Place& a, const Place& b)
 }
 
 //------------------------------------------------------------------------------
+void ForEachTriangle(
+  vtkPolyData* surface, const std::function<void(vtkIdType, vtkIdList*, const Place*)>& each)
+{
+  ForEachPolygon(surface, [&](vtkIdType triangle, vtkIdList* points) {
+    Place corners[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      corners[i] = PlaceOf(surface, points->GetId(i));
+    }
+    each(triangle, points, corners);
+  });
+}
+
+//------------------------------------------------------------------------------
+void AreaOf(const Place* corners, double area[3])
+{
+  double sides[2][3];
+  vtkMath::Subtract(corners[1].data(), corners[0].data(), sides[0]);
+  vtkMath::Subtract(corners[2].data(), corners[0].data(), sides[1]);
+  vtkMath::Cross(sides[0], sides[1], area);
+}
+
+//------------------------------------------------------------------------------
 std::map<Edge, int> EdgeUses(vtkPolyData* surface)
 {
   std::map<Edge, int> uses;
-  ForEachPolygon(surface, [&](vtkIdList* points) {
+  ForEachPolygon(surface, [&](vtkIdType, vtkIdList* points) {
     const vtkIdType count = points->GetNumberOfIds();
     for (vtkIdType i = 0; i < count; ++i)
     {
@@ -168,12 +192,7 @@ int UnlistedEdges(vtkPolyData* surface, vtkPolyData* seams)
 double SmallestArea(vtkPolyData* surface)
 {
   double smallest = std::numeric_limits<double>::infinity();
-  ForEachPolygon(surface, [&](vtkIdList* points) {
-    Place corners[3];
-    for (int i = 0; i < 3; ++i)
-    {
-      corners[i] = PlaceOf(surface, points->GetId(i));
-    }
+  ForEachTriangle(surface, [&](vtkIdType, vtkIdList*, const Place* corners) {
     smallest = std::min(
       smallest, vtkTriangle::TriangleArea(corners[0].data(), corners[1].data(), corners[2].data()));
   });
@@ -184,7 +203,7 @@ double SmallestArea(vtkPolyData* surface)
 double VolumeOf(vtkPolyData* surface)
 {
   double volume = 0.;
-  ForEachPolygon(surface, [&](vtkIdList* points) {
+  ForEachPolygon(surface, [&](vtkIdType, vtkIdList* points) {
     const Place a = PlaceOf(surface, points->GetId(0));
     for (vtkIdType i = 1; i + 1 < points->GetNumberOfIds(); ++i)
     {

@@ -15,6 +15,7 @@
 #include <map>
 #include <vector>
 
+class vtkIdList;
 class vtkImageData;
 class vtkPolyData;
 class vtkRelievoSmoothBlocks;
@@ -38,6 +39,13 @@ vtkPolyData* Run(vtkRelievoSmoothBlocks* filter, vtkImageData* image);
 
 using Place = std::array<double, 3>;
 using Edge = std::array<Place, 2>; // the smaller one first
+
+/** Calls `each` with the number of each triangle, the ids of its corners, and their places. */
+void ForEachTriangle(
+  vtkPolyData* surface, const std::function<void(vtkIdType, vtkIdList*, const Place*)>& each);
+
+/** The normal of a triangle, twice as long as its area is large. */
+void AreaOf(const Place* corners, double area[3]);
 
 /** How many polygons use an edge, by the places of its ends. */
 std::map<Edge, int> EdgeUses(vtkPolyData* surface);

@@ -3,12 +3,12 @@
 //
 // Caves that are refused, empty or aborted: a message, and an output without points or arrays.
 #include "Check.h"
+#include "Refusal.h"
 #include "Session.h"
 #include "vtkRelievoCaveFunction.h"
 #include "vtkRelievoCaves.h"
 
 #include <vtkCommand.h>
-#include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -29,11 +29,7 @@ void TestRefusals()
   const auto refuses = [](const std::string& words, const std::function<void(Caves*)>& setUp) {
     vtkNew<Caves> caves;
     setUp(caves);
-    ExpectMessage expect(words);
-    caves->Update();
-    RELIEVO_CHECK_THAT(expect.Count() == 1, words);
-    RELIEVO_CHECK(caves->GetErrorCode() == vtkErrorCode::UserError);
-    RELIEVO_CHECK(caves->GetOutput()->GetNumberOfPoints() == 0);
+    relievoTest::CheckRefused(caves.Get(), words);
   };
   refuses("Size is 0 5 5", [](Caves* caves) { caves->SetSize(0, 5, 5); });
   refuses("expected at most 32, half of Scale", [](Caves* caves) { caves->SetTunnelWidth(33.); });

@@ -4,6 +4,7 @@
 // What smooth blocks take: all integer types, blanked blocks; and what they refuse, with a message.
 #include "BlockScenes.h"
 #include "Check.h"
+#include "Refusal.h"
 #include "Session.h"
 #include "vtkRelievoCaves.h"
 #include "vtkRelievoSmoothBlocks.h"
@@ -261,11 +262,7 @@ void TestMessages()
   const auto refuses = [](vtkImageData* image, const std::string& words) {
     vtkNew<Filter> filter;
     filter->SetInputData(image);
-    ExpectMessage expect(words);
-    filter->Update();
-    RELIEVO_CHECK(expect.Count() == 1);
-    RELIEVO_CHECK(filter->GetErrorCode() == vtkErrorCode::UserError);
-    RELIEVO_CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
+    CheckRefused(filter.Get(), words);
   };
   refuses(MakeBlocks({ 3, 3, 3 }, label, VTK_FLOAT), "'labels' is of type float");
   refuses(MakeBlocks({ 3, 3, 3 }, label, VTK_DOUBLE), "'labels' is of type double");

@@ -8,7 +8,6 @@
 #include "Session.h"
 #include "vtkRelievoSmoothBlocks.h"
 
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
@@ -28,30 +27,6 @@ namespace
 {
 using namespace relievoTest;
 using Filter = vtkRelievoSmoothBlocks;
-
-template <typename Each>
-void ForEachTriangle(vtkPolyData* surface, Each&& each)
-{
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < surface->GetNumberOfPolys(); ++i)
-  {
-    surface->GetPolys()->GetCellAtId(i, ids);
-    Place corners[3];
-    for (int c = 0; c < 3; ++c)
-    {
-      surface->GetPoint(ids->GetId(c), corners[c].data());
-    }
-    each(i, ids.Get(), corners);
-  }
-}
-
-void AreaOf(const Place* corners, double area[3])
-{
-  double sides[2][3];
-  vtkMath::Subtract(corners[1].data(), corners[0].data(), sides[0]);
-  vtkMath::Subtract(corners[2].data(), corners[0].data(), sides[1]);
-  vtkMath::Cross(sides[0], sides[1], area);
-}
 
 // Each normal is the sum of the areas of all triangles at its place that have its material, or any.
 // The corners at both ends of a diagonal see both triangles, the others one: so quads are compared.

@@ -5,13 +5,13 @@
 // finite, surfaces of nothing, depth images, given points, far from the origin, too much memory.
 #include "Check.h"
 #include "Particles.h"
+#include "Refusal.h"
 #include "Session.h"
 #include "Solids.h"
 #include "vtkRelievoSurfaceParticles.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkDoubleArray.h>
-#include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
@@ -188,33 +188,25 @@ void TestNothing()
   RELIEVO_CHECK(PlacesAt(none, 5.).empty());
 }
 
-void CheckRefused(Particles* filter, const std::string& words)
-{
-  relievoTest::ExpectMessage expect("No particles: " + words);
-  filter->Update();
-  RELIEVO_CHECK_THAT(expect.Count() == 1, words);
-  RELIEVO_CHECK_THAT(filter->GetErrorCode() == vtkErrorCode::UserError, words);
-  RELIEVO_CHECK_THAT(filter->GetOutput()->GetNumberOfPoints() == 0, words);
-}
-
 void TestRefused()
 {
   vtkNew<Particles> filter;
-  CheckRefused(filter, "there is no input; give a surface");
+  relievoTest::CheckRefused(filter.Get(), "No particles: there is no input; give a surface");
   SetUp(filter, relievoTest::Sheet());
   filter->SetFieldArray("no such");
-  CheckRefused(filter, "the field has no array 'no such' of vectors");
+  relievoTest::CheckRefused(
+    filter.Get(), "No particles: the field has no array 'no such' of vectors");
   filter->SetFieldArray("");
   filter->SetMemoryLimit(1000.);
-  CheckRefused(filter, "for 400 of them it would take");
+  relievoTest::CheckRefused(filter.Get(), "No particles: for 400 of them it would take");
   filter->SetMemoryLimit(0.);
   filter->SetTexelSize(1e-12);
-  CheckRefused(filter, "2e+12 x 2e+12 x ");
+  relievoTest::CheckRefused(filter.Get(), "No particles: 2e+12 x 2e+12 x ");
   filter->SetTexelSize(0.);
   vtkNew<vtkImageData> image;
   image->SetDimensions(4, 4, 1);
   filter->SetInputDataObject(1, image);
-  CheckRefused(filter, "depth image 0: it has no layer 'depth'");
+  relievoTest::CheckRefused(filter.Get(), "No particles: depth image 0: it has no layer 'depth'");
   filter->SetInputConnection(1, nullptr);
   RELIEVO_CHECK(PlacesAt(filter, 0.).size() == 400);
 }
