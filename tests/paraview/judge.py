@@ -7,6 +7,16 @@ import pv
 import stage
 
 
+class StageTest(pv.PluginTest):
+    """In each case a new stage."""
+
+    def setUp(self):
+        super().setUp()
+        self.scene = stage.Stage()
+        self.view = self.scene.view
+        self.scene.render()
+
+
 def shadows(test, pictures, truth, what, share=3e-4, least=0.02):
     """Every sure pixel of the found picture is the lit picture's or the dark one's, as rays say.
 

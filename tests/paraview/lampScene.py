@@ -7,6 +7,7 @@ import sys
 import numpy
 import pv
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 PLACES = ((-1.2, 0.3, 0.6), (0.9, -0.8, 0.5), (0.4, 1.1, 0.9), (-0.5, -1.0, 0.3))
 RADII = (1.4, 1.1, 1.6, 0.8)
@@ -53,6 +54,24 @@ class Scene:
         simple.Render(self.view)
         self.view.CameraPosition, self.view.CameraFocalPoint = [1, -4, 4], [0, 0, 0.2]
         self.view.CameraViewUp = [0, 0, 1]
+
+
+class Test(pv.PluginTest):
+    """In each case a new scene."""
+
+    def setUp(self):
+        super().setUp()
+        self.scene = Scene()
+        self.view, self.shown = self.scene.view, self.scene.lamps
+
+    def layers(self, *names):
+        grab = simple.RelievoLayers(View=self.view)
+        grab.Layers = list(names)
+        grab.UpdatePipeline()
+        image = simple.FetchData(grab)[0].GetPointData()
+        found = [vtk_to_numpy(image.GetArray(name)).astype(float) for name in names]
+        simple.Delete(grab)
+        return found
 
 
 def light(place, normal, places=PLACES, radii=RADII):

@@ -192,6 +192,28 @@ class Test(unittest.TestCase):
             write(OUTPUT / f"{stem}-{name}.png", colours)
 
 
+class PluginTest(Test):
+    """With the plugin, and without views and sources at the start of each case."""
+
+    @classmethod
+    def setUpClass(cls):
+        load()
+
+    def setUp(self):
+        clear()
+
+
+def values(proxy, properties):
+    """The values of properties as Python's own objects, of the kinds of their defaults, which are
+    the first of what `properties` has by name."""
+    found = {}
+    for name, (default, *_) in properties.items():
+        value = getattr(proxy, name)
+        text, several = isinstance(default, str), isinstance(default, list)
+        found[name] = str(value).strip("'") if text else list(value) if several else value
+    return found
+
+
 def run(script, *words, tool="pvpython", status=0, timeout=600, launcher=()):
     """Runs a script in a process of its own; returns all it wrote. `status` None: any."""
     done = subprocess.run(

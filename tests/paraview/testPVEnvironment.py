@@ -32,14 +32,14 @@ def write_hdr(name, upper, lower):
     return str(path)
 
 
-class Environment(pv.Test):
+class Environment(pv.PluginTest):
     @classmethod
     def setUpClass(cls):
-        pv.load()
+        super().setUpClass()
         cls.axes = materialScene.write_axes("axes.png")
 
     def setUp(self):
-        pv.clear()
+        super().setUp()
         self.scene = materialScene.Scene()
         self.view, self.shown = self.scene.view, self.scene.shown
         self.own = pv.picture(self.view)

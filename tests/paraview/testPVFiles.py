@@ -7,6 +7,7 @@ With the word `provoke`: what must be refused.
 
 import sys
 
+import judge
 import layers
 import numpy
 import pv
@@ -33,13 +34,7 @@ def opened(path):
     return reader, layers.image(reader)
 
 
-class Files(pv.Test):
-    def setUp(self):
-        pv.clear()
-        self.scene = stage.Stage()
-        self.scene.render()
-        self.view = self.scene.view
-
+class Files(judge.StageTest):
     def check(self, found, expected, what):
         for name, values in expected.items():
             with self.subTest(f"{what}: {name}"):
@@ -203,5 +198,4 @@ if sys.argv[1:2] == ["provoke"]:
     provoke(sys.argv[2])
     pv.leave()
 elif __name__ == "__main__":
-    pv.load()
     pv.main()

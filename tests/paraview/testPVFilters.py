@@ -35,14 +35,7 @@ def points(source, name):
     return found.reshape(made.GetNumberOfPoints(), -1)
 
 
-class Filters(pv.Test):
-    @classmethod
-    def setUpClass(cls):
-        pv.load()
-
-    def setUp(self):
-        pv.clear()
-
+class Filters(pv.PluginTest):
     def read_axes(self):
         image = simple.PNGSeriesReader(FileNames=[materialScene.write_axes("axes.png")])
         image.UpdatePipeline()

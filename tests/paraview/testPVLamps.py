@@ -8,7 +8,6 @@ import lampScene
 import numpy
 import pv
 from paraview import simple, smtrace
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SCENE = pathlib.Path(__file__).with_name("lampScene.py")
 STEPS = ("off", "on", "far", "cast", "hidden", "fog", "markers")
@@ -29,39 +28,12 @@ PROPERTIES = {
 }
 
 
-def values(shown):
-    found = {}
-    for name, (default, _) in PROPERTIES.items():
-        value = getattr(shown, name)
-        text, several = isinstance(default, str), isinstance(default, list)
-        found[name] = str(value).strip("'") if text else list(value) if several else value
-    return found
-
-
-class Lamps(pv.Test):
-    @classmethod
-    def setUpClass(cls):
-        pv.load()
-
-    def setUp(self):
-        pv.clear()
-        self.scene = lampScene.Scene()
-        self.view, self.lamps = self.scene.view, self.scene.lamps
-
-    def layers(self, *names):
-        grab = simple.RelievoLayers(View=self.view)
-        grab.Layers = list(names)
-        grab.UpdatePipeline()
-        image = simple.FetchData(grab)[0].GetPointData()
-        found = [vtk_to_numpy(image.GetArray(name)).astype(float) for name in names]
-        simple.Delete(grab)
-        return found
-
+class Lamps(lampScene.Test):
     def test_light(self):
         """The layer is the sum over the points, wherever the representation is moved."""
-        self.lamps.RelievoLamps = 1
+        self.shown.RelievoLamps = 1
         for move in ((0, 0, 0), (0.3, 0.2, 0.1)):
-            setattr(self.lamps, pv.TRANSLATION, list(move))
+            setattr(self.shown, pv.TRANSLATION, list(move))
             light, place, normal, depth = self.layers("light", "position", "normal", "depth")
             there = numpy.isfinite(depth)
             truth = lampScene.light(place, normal, numpy.array(lampScene.PLACES) + move)
@@ -75,11 +47,11 @@ class Lamps(pv.Test):
         """The layer is what all spheres together let through, before surfaces and the sky."""
         names = ("Fog", "FogRadius", "FogRadiusArray", "FogDensity", "FogDensityArray", "FogColor",
                  "FogColorArray")  # fmt: skip
-        found = [getattr(self.lamps, "Relievo" + name) for name in names]
+        found = [getattr(self.shown, "Relievo" + name) for name in names]
         self.assertEqual([str(value).strip("'") for value in found[:5]],
                          ["0", "1.0", "radius", "1.0", "density"])  # fmt: skip
         self.assertEqual((list(found[5]), str(found[6]).strip("'")), ([1, 1, 1], "color"))
-        self.lamps.RelievoFog, self.lamps.RelievoFogDensity = 1, 0.7
+        self.shown.RelievoFog, self.shown.RelievoFogDensity = 1, 0.7
         fog, depth, place = self.layers("fog", "depth", "position")
         eye = numpy.array(self.view.CameraPosition)
         there = numpy.isfinite(depth)
@@ -96,7 +68,7 @@ class Lamps(pv.Test):
         numpy.testing.assert_allclose(fog[there], numpy.exp(-0.7 * length), rtol=1e-3, atol=2e-5)
         self.assertLess(fog[there].min(), 0.4)
         off = pv.picture(self.view)
-        self.lamps.RelievoFog = 0
+        self.shown.RelievoFog = 0
         self.differ(off, pv.picture(self.view), "fog", share=0.2)
         self.assertTrue((self.layers("fog")[0] == 1).all(), "all passes")
 
@@ -106,9 +78,9 @@ class Lamps(pv.Test):
         shown = simple.Show(pane, self.view)
         shown.Opacity, shown.Ambient, shown.Diffuse = 0.999, 0.0, 0.0
         for smooth in (1, 0):
-            self.view.UseFXAA, self.lamps.RelievoLamps = smooth, 0
+            self.view.UseFXAA, self.shown.RelievoLamps = smooth, 0
             off = pv.picture(self.view)
-            self.lamps.RelievoLamps = 1
+            self.shown.RelievoLamps = 1
             on = pv.picture(self.view)
             self.assertEqual(pv.stage(self.view, "blend")["ran"], not smooth)
             (self.differ if smooth else self.near)(off, on, f"FXAA {smooth}", share=0.01)
@@ -116,16 +88,17 @@ class Lamps(pv.Test):
 
     def test_properties(self):
         """Defaults, pictures that change and come back, trace and state."""
-        self.assertEqual(values(self.lamps), {n: first for n, (first, _) in PROPERTIES.items()})
+        defaults = {name: first for name, (first, _) in PROPERTIES.items()}
+        self.assertEqual(pv.values(self.shown, PROPERTIES), defaults)
         off = pv.picture(self.view)
-        self.lamps.RelievoLamps = 1
+        self.shown.RelievoLamps = 1
         on = pv.picture(self.view)
         self.differ(off, on, "lamps", share=0.2)
         self.assertFalse((on.astype(int) < off.astype(int) - 1).any(), "nothing gets darker")
         for name, (default, other) in PROPERTIES.items():
             if name in ("RelievoLamps", "RelievoLampAttenuation"):
                 continue
-            setattr(self.lamps, name, other)
+            setattr(self.shown, name, other)
             # Of the arrays, only `radius` is there.
             changes = not name.endswith((
                 "IntensityArray", "ColorArray", "LampRadius", "CastsArray"))
@@ -134,11 +107,11 @@ class Lamps(pv.Test):
                 self.differ(on, changed, name, share=0.0005 if name.endswith("Casts") else 0.01)
             else:
                 self.same(on, changed, name)
-            setattr(self.lamps, name, default)
+            setattr(self.shown, name, default)
         self.same(on, pv.picture(self.view), "as before")
-        self.lamps.Visibility = 0
+        self.shown.Visibility = 0
         self.same(off, pv.picture(self.view), "hidden")
-        self.lamps.Visibility = 1
+        self.shown.Visibility = 1
         self.view.RelievoStageLamps = 0
         self.same(off, pv.picture(self.view), "switched off in the view")
         self.view.RelievoStageLamps = 1
@@ -146,8 +119,8 @@ class Lamps(pv.Test):
 
         smtrace.start_trace()
         item = smtrace._create_trace_item_internal(
-            "PropertiesModified", kwargs={"proxy": self.lamps})
-        self.lamps.RelievoLampIntensity = 2.0
+            "PropertiesModified", kwargs={"proxy": self.shown})
+        self.shown.RelievoLampIntensity = 2.0
         item.finalize()
         del item
         self.traced(smtrace.stop_trace(), "RelievoLampIntensity", 2.0)

@@ -8,9 +8,11 @@ must be refused.
 
 import sys
 
+import judge
 import layers
 import numpy
 import pv
+import srgb
 import stage
 from paraview import simple, smstate
 
@@ -22,13 +24,7 @@ def distance(first, second):
     return numpy.linalg.norm(first - second, axis=-1)
 
 
-class Layers(pv.Test):
-    def setUp(self):
-        pv.clear()
-        self.scene = stage.Stage()
-        self.scene.render()
-        self.view = self.scene.view
-
+class Layers(judge.StageTest):
     def check_values(self, source):
         found, true = layers.arrays(source), layers.truth(self.scene)
         sure = true["sure"]
@@ -113,9 +109,7 @@ class Layers(pv.Test):
         wrong = (found["shadow_5"] > 0.5) != (verdicts == stage.LIT)
         facing = true["normal"] @ stage.sun() > 0.05
         self.assertLess((wrong & sure & facing).sum() / (sure & facing).sum(), 2e-3)
-        linear = found["color"][..., :3].astype(float)
-        curve = 1.055 * numpy.maximum(linear, 1e-9) ** (1 / 2.4) - 0.055
-        display = numpy.where(linear <= 0.0031308, linear * 12.92, curve)
+        display = srgb.encoded(found["color"][..., :3].astype(float))
         self.near(numpy.rint(display * 255), pv.picture(self.view), "colour", level=0, share=0.0)
 
     def test_when_they_are_grabbed(self):
@@ -269,5 +263,4 @@ elif sys.argv[1:2] == ["provoke"]:
     provoke()
     pv.leave()
 elif __name__ == "__main__":
-    pv.load()
     pv.main()

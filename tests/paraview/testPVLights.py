@@ -31,17 +31,7 @@ def almanac(days, latitude, longitude):
     return numpy.degrees(numpy.arctan2(east, north)) % 360, numpy.degrees(numpy.arcsin(up))
 
 
-class Lights(pv.Test):
-    @classmethod
-    def setUpClass(cls):
-        pv.load()
-
-    def setUp(self):
-        pv.clear()
-        self.scene = stage.Stage()
-        self.view = self.scene.view
-        self.scene.render()
-
+class Lights(judge.StageTest):
     def add(self, **values):
         """A light that a user adds, alone in the view."""
         self.view.UseLight = 0

@@ -27,34 +27,7 @@ PROPERTIES = {
 }
 
 
-def values(shown):
-    found = {}
-    for name, (default, _) in PROPERTIES.items():
-        value = getattr(shown, name)
-        text, several = isinstance(default, str), isinstance(default, list)
-        found[name] = str(value).strip("'") if text else list(value) if several else value
-    return found
-
-
-class Markers(pv.Test):
-    @classmethod
-    def setUpClass(cls):
-        pv.load()
-
-    def setUp(self):
-        pv.clear()
-        self.scene = lampScene.Scene()
-        self.view, self.shown = self.scene.view, self.scene.lamps
-
-    def layers(self, *names):
-        grab = simple.RelievoLayers(View=self.view)
-        grab.Layers = list(names)
-        grab.UpdatePipeline()
-        image = simple.FetchData(grab)[0].GetPointData()
-        found = [vtk_to_numpy(image.GetArray(name)).astype(float) for name in names]
-        simple.Delete(grab)
-        return found
-
+class Markers(lampScene.Test):
     def check(self, places, radii, opacity, what):
         """Discs: within the radius of any of the places, and nowhere else, but for the edges."""
         marked, place, depth = self.layers("marker", "position", "depth")
@@ -92,7 +65,8 @@ class Markers(pv.Test):
 
     def test_properties(self):
         """Defaults, and pictures that change and come back."""
-        self.assertEqual(values(self.shown), {n: first for n, (first, _) in PROPERTIES.items()})
+        defaults = {name: first for name, (first, _) in PROPERTIES.items()}
+        self.assertEqual(pv.values(self.shown, PROPERTIES), defaults)
         off = pv.picture(self.view)
         self.shown.RelievoMarkers = 1
         on = pv.picture(self.view)

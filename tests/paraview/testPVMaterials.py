@@ -41,21 +41,9 @@ PROPERTIES = {
 }
 
 
-def value(shown, name):
-    """A property's value, as Python's own objects."""
-    found, default = getattr(shown, name), PROPERTIES[name][0]
-    if isinstance(default, str):
-        return str(found).strip("'")
-    return list(found) if isinstance(default, list) else found
-
-
-class Materials(pv.Test):
-    @classmethod
-    def setUpClass(cls):
-        pv.load()
-
+class Materials(pv.PluginTest):
     def setUp(self):
-        pv.clear()
+        super().setUp()
         self.scene = materialScene.Scene()
         self.view, self.shown = self.scene.view, self.scene.shown
 
@@ -83,8 +71,9 @@ class Materials(pv.Test):
             points = ("RelievoLamp", "RelievoFog", "RelievoMarker")
             known = [name for name in known if not name.startswith(points)]
             self.assertEqual(sorted(known), sorted(PROPERTIES), source)
-            for name, (default, _) in PROPERTIES.items():
-                self.assertEqual(value(shown, name), default, name)
+            defaults = {name: first for name, (first, _) in PROPERTIES.items()}
+            self.assertEqual(pv.values(shown, PROPERTIES), defaults)
+            for name in PROPERTIES:
                 self.assertGreater(len(getattr(type(shown), name).__doc__.strip()), 15, name)
             simple.Delete(shown)
         own = pv.picture(self.view)

@@ -85,14 +85,7 @@ def count_on_ranks(path):
     pathlib.Path(path).write_text(json.dumps(found))
 
 
-class Models(pv.Test):
-    @classmethod
-    def setUpClass(cls):
-        pv.load()
-
-    def setUp(self):
-        pv.clear()
-
+class Models(pv.PluginTest):
     def test_opened_and_played(self):
         reader = simple.OpenDataFile(WALK)
         self.assertEqual(reader.SMProxy.GetXMLName(), "RelievoModelReader")

@@ -18,17 +18,7 @@ def screenshot(what, **more):
     return pv.read(NAME)
 
 
-class Pictures(pv.Test):
-    @classmethod
-    def setUpClass(cls):
-        pv.load()
-
-    def setUp(self):
-        pv.clear()
-        self.scene = stage.Stage()
-        self.view = self.scene.view
-        self.scene.render()
-
+class Pictures(judge.StageTest):
     def test_screenshots_larger_than_the_view_and_of_another_shape(self):
         for size in ((1200, 780), (410, 600)):
 

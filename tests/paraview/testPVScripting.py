@@ -10,6 +10,7 @@ import json
 import re
 import sys
 
+import judge
 import materialScene
 import numpy
 import pv
@@ -159,17 +160,11 @@ def set_wrong_values():
         print("RuntimeError", refused, file=sys.stderr, flush=True)
 
 
-class Scripting(pv.Test):
+class Scripting(judge.StageTest):
     @classmethod
     def setUpClass(cls):
-        pv.load()
+        super().setUpClass()
         materialScene.write_axes("axes.png")
-
-    def setUp(self):
-        pv.clear()
-        self.scene = stage.Stage()
-        self.view = self.scene.view
-        self.scene.render()
 
     def set_all(self):
         for name, (_, other) in PROPERTIES.items():
