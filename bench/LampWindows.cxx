@@ -57,7 +57,7 @@ LitWindow::LitWindow(vtkPolyData* mesh, int pixels, vtkPolyData* lamps, double r
   this->Lamps->SetRadius(radius);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(this->Window->Scene.Renderer);
   this->Stage = vtkRelievoLampsStage::SafeDownCast(frame->GetStage("lamps"));
-  this->Stage->AddLamps(this->Lamps);
+  this->Stage->AddPoints(this->Lamps);
   this->Stage->SetWay(way);
 }
 

@@ -45,7 +45,7 @@ struct LitWindow
   vtkRelievoLampsStage* Stage = nullptr;
 };
 
-/** As many lights of VTK's, at the same places. */
+/** Lights of VTK's at the lamps' places, one for each. */
 std::unique_ptr<SceneWindow> MakePeer(vtkPolyData* mesh, int pixels, vtkPolyData* lamps);
 }
 

@@ -47,7 +47,7 @@ double NumberIn(const CsvRow& row, const std::string& column);
  */
 bool ReadCsv(const std::string& path, std::vector<CsvRow>& rows);
 
-/** The same as rows of fields, the first of which are the columns. */
+/** The table as rows of fields, the first of which are the columns. */
 bool ReadRows(const std::string& path, std::vector<std::vector<std::string>>& rows);
 
 /** Makes the folder and its parents; false, with a message on the standard error, on failure. */

@@ -108,7 +108,7 @@ bool Measure(const std::string& name, Table& table)
   {
     source->AddLayer(layer);
   }
-  // As the source does it, step by step.
+  // Step by step what the source does.
   vtkRelievoPass* pass = vtkRelievoPass::Attach(split.Scene.Renderer);
   for (const std::string& layer : Layers)
   {

@@ -161,7 +161,7 @@ struct Result
 Result Measure(
   const Way& way, int texels, const Radiance& light, double mean, const EnvironmentSizes& sizes)
 {
-  // As many looks for each texel as the finest map has for its own and more.
+  // For each texel no fewer looks than the finest map has for its own.
   const int samples =
     std::clamp(static_cast<int>(std::lround(sizes.Detail / std::sqrt(texels))), 3, 40);
   Result result;

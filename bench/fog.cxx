@@ -180,7 +180,7 @@ void MeasureFrames(const std::string& name, vtkPolyData* mesh, const FogSizes& s
       vtkNew<vtkRelievoFogSpheres> fog;
       fog->SetInputData(MakeSpheres(way, renderer, double(sizes.Width) / sizes.Height));
       fog->SetDensity(0.5);
-      pass->GetFog()->AddFog(fog);
+      pass->GetFogStage()->AddPoints(fog);
     }
     frames.push_back(windows.back()->Frame());
   }

@@ -113,14 +113,14 @@ Places PlacesOf(Particles* filter)
   return places;
 }
 
-// The same rule by the closest point of the mesh, with the field from its formula.
+// The particles' rule by the closest point of the mesh, with the field from its formula.
 class ClosestPoints
 {
 public:
   ClosestPoints(const Body& body, int resolution)
     : Flow(body.Mesh, resolution)
   {
-    // As far as a step leads.
+    // To where a step leads.
     this->Near = 1.001 * 0.5 * body.Mesh->GetLength() / resolution;
     this->Locator->SetDataSet(body.Mesh);
     this->Locator->BuildLocator();

@@ -209,7 +209,7 @@ bool MeasureFrames(const std::string& outDir, const ToneSizes& sizes)
     std::function<void(vtkRelievoPass*)> Set;
   };
   const auto on = [](vtkRelievoPass* frame) {
-    vtkRelievoToneStage* tone = frame->GetTone();
+    vtkRelievoToneStage* tone = frame->GetToneStage();
     tone->EnabledOn();
     return tone;
   };

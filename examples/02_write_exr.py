@@ -26,7 +26,7 @@ known = relievo.attributes(back)
 print("near and far:", known["near"], known["far"])
 print("light 0:", known["lights"][0])
 
-# The same pixel of two layers belongs to the same point of the same surface.
+# Layers agree: a pixel shows one point of one surface in all of them.
 depth, actor = relievo.layer(back, "depth"), relievo.layer(back, "actor")
 for i in range(actor.max() + 1):
     print(f"actor {i}: {(actor == i).sum()} pixels, nearest at {depth[actor == i].min():.4f}")

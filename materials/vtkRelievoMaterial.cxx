@@ -13,16 +13,16 @@
 #include "vtkOpenGLGlyph3DHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCompositeMapper.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoEnvironmentTextures.h"
-#include "vtkRelievoMaterialAccess.h"
 #include "vtkRelievoMaterialEye.h"
 #include "vtkRelievoMaterialMap.h"
 #include "vtkRelievoMaterialSplice.h"
 #include "vtkRelievoReflection.h"
-#include "vtkRelievoTrialCompile.h"
+#include "vtkRelievoTrialSplice.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
@@ -87,6 +87,30 @@ vtkStandardNewMacro(vtkRelievoMaterial);
 
 namespace
 {
+// What VTK's mappers keep protected, named through a derived class that is never made.
+class MapperAccess : public vtkOpenGLPolyDataMapper
+{
+public:
+  using Self = MapperAccess;
+
+  static bool DrawsTriangles(vtkOpenGLPolyDataMapper* mapper)
+  {
+    vtkOpenGLHelper* bound = mapper->*(&Self::LastBoundBO);
+    return bound &&
+      (bound->PrimitiveType == PrimitiveTris || bound->PrimitiveType == PrimitiveTriStrips);
+  }
+  // Of a vertex attribute; 0: the mesh has none.
+  static int GetComponents(vtkOpenGLPolyDataMapper* mapper, const char* attribute)
+  {
+    return (mapper->*(&Self::VBOs))->GetNumberOfComponents(attribute);
+  }
+  // Texture coordinates are those of a colour table.
+  static bool ColorsByTexture(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return mapper->*(&Self::InterpolateScalarsBeforeMapping) && mapper->*(&Self::ColorCoordinates);
+  }
+};
+
 // VTK's composite mappers hand on texture coordinates only to who has a texture. Its shaders
 // declare this one and look at none that is a cube.
 constexpr const char* Carrier = "relievoCarrier";
@@ -384,65 +408,58 @@ bool vtkRelievoMaterial::PostReplaceShaderValues(std::string& vertexShader,
   auto* actor = vtkActor::SafeDownCast(prop);
   const bool maps = in.Structure.NormalMap || in.Structure.HeightMap;
   const bool mirrors = in.EnvironmentStructure.Projection != 0;
-  if (!mapper || !actor || (!maps && !mirrors) ||
-    !vtkRelievoMaterialAccess::DrawsTriangles(mapper) ||
+  if (!mapper || !actor || (!maps && !mirrors) || !MapperAccess::DrawsTriangles(mapper) ||
     actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
   {
     return true;
   }
-  auto say = [&](const char* what, const std::string& missing, bool compiles = true) {
-    const std::string key = mapper->GetClassName() + (compiles ? missing : "compiles not");
-    if (!missing.empty() && in.Reported.insert(key).second)
+  const auto report = [&](const char* what, const vtkRelievoTrialSplice::Outcome& outcome) {
+    if (!outcome.Wrong.empty() && in.Reported.insert(outcome.GetKey(mapper)).second)
     {
-      vtkErrorMacro(
-        "No " << what << " on what " << mapper->GetClassName() << " draws: " << missing << ".");
+      vtkErrorMacro("No " << what << " on what " << mapper->GetClassName()
+                          << " draws: " << outcome.Wrong << ".");
     }
   };
-  const std::string own[3] = { vertexShader, geometryShader, fragmentShader };
-  std::string missing;
-  if (vtkOpenGLGlyph3DHelper::SafeDownCast(mapper))
-  {
-    missing = "glyphs carry no maps";
-  }
-  else if (vtkRelievoMaterialAccess::GetComponents(mapper, "tcoord") < 2)
-  {
-    missing = "its mesh has no texture coordinates of two components; vtkRelievoTextureCoordinates "
-              "makes some";
-  }
-  else if (vtkRelievoMaterialAccess::ColorsByTexture(mapper))
-  {
-    missing = "InterpolateScalarsBeforeMapping takes the texture coordinates for colours; switch "
-              "it off";
-  }
-  if (maps && missing.empty())
-  {
-    missing = vtkRelievoMaterialSplice::Fill(vertexShader, geometryShader, fragmentShader,
-      in.Structure, vtkRelievoMaterialAccess::GetComponents(mapper, "tangentMC") == 3);
-  }
-  if (maps)
-  {
-    say("maps", missing);
-  }
-  if (mirrors)
-  {
-    say("environment",
-      vtkRelievoReflection::Fill(
-        vertexShader, geometryShader, fragmentShader, in.EnvironmentStructure));
-  }
-  vtkRenderer* renderer = this->FindRenderer(prop);
-  if (renderer && fragmentShader != own[2])
-  {
-    missing = vtkRelievoTrialCompile::Compile(
-      static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()), actor->GetShaderProperty(),
-      vertexShader, geometryShader, fragmentShader);
-    if (!missing.empty())
+  // Maps and environment each go without the other.
+  const auto fill = [&]() {
+    if (maps)
     {
-      vertexShader = own[0];
-      geometryShader = own[1];
-      fragmentShader = own[2];
-      say(maps ? "maps" : "environment", missing, false);
+      std::string missing;
+      if (vtkOpenGLGlyph3DHelper::SafeDownCast(mapper))
+      {
+        missing = "glyphs carry no maps";
+      }
+      else if (MapperAccess::GetComponents(mapper, "tcoord") < 2)
+      {
+        missing = "its mesh has no texture coordinates of two components; "
+                  "vtkRelievoTextureCoordinates makes some";
+      }
+      else if (MapperAccess::ColorsByTexture(mapper))
+      {
+        missing = "InterpolateScalarsBeforeMapping takes the texture coordinates for colours; "
+                  "switch it off";
+      }
+      else
+      {
+        missing = vtkRelievoMaterialSplice::Fill(vertexShader, geometryShader, fragmentShader,
+          in.Structure, MapperAccess::GetComponents(mapper, "tangentMC") == 3);
+      }
+      report("maps", { missing });
     }
-  }
+    if (mirrors)
+    {
+      report("environment",
+        { vtkRelievoReflection::Fill(
+          vertexShader, geometryShader, fragmentShader, in.EnvironmentStructure) });
+    }
+    return std::string();
+  };
+  vtkRenderer* renderer = this->FindRenderer(prop);
+  auto* window =
+    renderer ? static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()) : nullptr;
+  report(maps ? "maps" : "environment",
+    vtkRelievoTrialSplice::Try(
+      { vertexShader, geometryShader, fragmentShader }, window, actor->GetShaderProperty(), fill));
   return true;
 }
 
@@ -531,8 +548,8 @@ bool vtkRelievoMaterial::ActivateMap(
   }
   else
   {
-    // As if it were flat, from a unit that others leave alone: samplers of two kinds on one unit
-    // are an error.
+    // The sampler reads as if the map were flat, from a unit that others leave alone: samplers of
+    // two kinds on one unit are an error.
     GLint units = 0;
     glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);
     program->SetUniformi(sampler, units - 1);

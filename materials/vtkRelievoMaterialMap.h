@@ -34,7 +34,7 @@ public:
   // Least and greatest known value of the first component; 0, 1 for integers, as shaders have them.
   void GetRange(double range[2]) const;
 
-  // As messages call it.
+  // What messages call the map.
   const char* GetName() const { return this->Name; }
 
   // Whether there is an image that can be a map, as it is now: it may be mended or spoilt in place.

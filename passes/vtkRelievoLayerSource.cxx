@@ -210,7 +210,7 @@ int vtkRelievoLayerSource::RequestData(
   std::vector<std::string> added;
   const bool waits = pass->GetWaitForSamples();
   bool color = false;
-  vtkRelievoToneStage* tone = pass->GetTone();
+  vtkRelievoToneStage* tone = pass->GetToneStage();
   const bool toned = tone && tone->GetChangesPicture();
   for (const std::string& layer : this->Layers)
   {

@@ -110,19 +110,19 @@ vtkRelievoShadowStage* vtkRelievoPass::GetShadowStage()
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoToneStage* vtkRelievoPass::GetTone()
+vtkRelievoToneStage* vtkRelievoPass::GetToneStage()
 {
   return Find<vtkRelievoToneStage>(this, "tone");
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoFogStage* vtkRelievoPass::GetFog()
+vtkRelievoFogStage* vtkRelievoPass::GetFogStage()
 {
   return Find<vtkRelievoFogStage>(this, "fog");
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoMarkersStage* vtkRelievoPass::GetMarkers()
+vtkRelievoMarkersStage* vtkRelievoPass::GetMarkersStage()
 {
   return Find<vtkRelievoMarkersStage>(this, "markers");
 }

@@ -44,8 +44,8 @@ public:
   ///@}
 
   /**
-   * The stage that makes the layers: its formats and spaces are set there. As the other stages here
-   * nullptr if a stage of another class has taken its place (AddStage).
+   * The stage that makes the layers: its formats and spaces are set there. This and the other
+   * getters of stages return nullptr if a stage of another class has taken the place (AddStage).
    */
   vtkRelievoLayersStage* GetLayersStage();
 
@@ -70,13 +70,13 @@ public:
   ///@}
 
   /** The stage that maps the linear colour's highlights to the display's range. Default off. */
-  vtkRelievoToneStage* GetTone();
+  vtkRelievoToneStage* GetToneStage();
 
-  /** The stage that shows fog, once there is any: vtkRelievoFogStage::AddFog. */
-  vtkRelievoFogStage* GetFog();
+  /** The stage that shows fog, once there is any: vtkRelievoFogStage::AddPoints. */
+  vtkRelievoFogStage* GetFogStage();
 
-  /** The stage that marks surfaces, once there are markers: vtkRelievoMarkersStage::AddMarkers. */
-  vtkRelievoMarkersStage* GetMarkers();
+  /** The stage that marks surfaces, once there are markers: vtkRelievoMarkersStage::AddPoints. */
+  vtkRelievoMarkersStage* GetMarkersStage();
 
   ///@{
   /**

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-// As of PNG's chunks: ISO 3309.
+// The checksum (CRC-32) of a PNG chunk: ISO 3309.
 inline std::uint32_t vtkRelievoPngChecksum(const std::vector<char>& bytes)
 {
   static const auto table = [] {

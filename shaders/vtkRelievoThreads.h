@@ -20,7 +20,7 @@ void vtkRelievoWithThreads(Work&& work)
   if (std::string(vtkSMPTools::GetBackend()) == "Sequential" &&
     !std::getenv("VTK_SMP_BACKEND_IN_USE"))
   {
-    // As many as vtkSMPTools::Initialize was given.
+    // The number of threads stays what vtkSMPTools::Initialize was given.
     vtkSMPTools::Config config(vtk::detail::smp::vtkSMPToolsAPI::GetInstance());
     config.Backend = "STDThread";
     vtkSMPTools::LocalScope(config, work);

@@ -25,8 +25,8 @@ NodeParts GetParts(const glm::dmat4& m);
 std::vector<glm::dmat4> GetLocalMatrices(
   const Model& model, const ModelAnimation& animation, double time, bool slerp);
 
-/// The same of two animations, each at a time of its own: `weight` of the way from the first to the
-/// second. Parts that one of them leaves alone are as at rest there.
+/// Node to parent for every node, of two animations, each at a time of its own: `weight` of the way
+/// from the first to the second. Parts that one of them leaves alone are as at rest there.
 std::vector<glm::dmat4> GetBlendedMatrices(const Model& model, const ModelAnimation& first,
   double firstTime, const ModelAnimation& second, double secondTime, double weight, bool slerp);
 

@@ -47,7 +47,10 @@ public:
   ///@}
 
   ///@{
-  /** The same by name, which goes before Bone; needs the skeleton. Default: none. */
+  /**
+   * The name of the bone whose weights are shown, which goes before Bone; needs the skeleton.
+   * Default: none.
+   */
   vtkSetStringMacro(BoneName);
   vtkGetStringMacro(BoneName);
   ///@}

@@ -295,7 +295,7 @@ void vtkRelievoSkinnedActor::GetKeyMatrices(vtkMatrix4x4*& toWorld, vtkMatrix3x3
   {
     return;
   }
-  // As OpenGL has matrices: the move is the last row.
+  // The matrix is transposed, as OpenGL has matrices: the move is the last row.
   in.PlacedTransposed->DeepCopy(toWorld);
   for (int i = 0; i < 4; ++i)
   {

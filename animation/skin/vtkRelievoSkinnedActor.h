@@ -92,7 +92,7 @@ public:
    * larger than the mesh itself.
    */
   double* GetBounds() override;
-  /** The same box before the actor's matrix; uninitialized without a mesh. */
+  /** The box around the moved mesh before the actor's matrix; uninitialized without a mesh. */
   void GetMovedBounds(double bounds[6]) override;
 
   vtkMTimeType GetRedrawMTime() override;

@@ -34,7 +34,7 @@ public:
 
   /**
    * The movement in blocks of the vertex amid blocks of which some are solid: bit x + 2 y + 4 z,
-   * with 1 for the upper side of an axis. The same for the complement.
+   * with 1 for the upper side of an axis. The complement of the bits moves it equally.
    */
   const Offset& Of(unsigned int solid) const { return this->Table[solid]; }
 

@@ -209,7 +209,7 @@ private:
         ++i;
         continue;
       }
-      // As many more samples as the noise needs at least to come back.
+      // The noise cannot come back to the limit within so many more samples: they are rock.
       const double steps = (wall - Writer::Limit - this->Margin) * this->PerStep;
       const int more =
         this->Settings.Skipping && steps > 0. ? static_cast<int>(std::min(steps, 1e6)) : 0;

@@ -37,8 +37,9 @@ public:
 
   ///@{
   /**
-   * As in vtkRelievoEnvironmentConvert: the projection, 0 to 3 (default 0, AUTOMATIC, by size);
-   * whether values are sRGB (default off); whether the image is mirrored (default off).
+   * The input's projection, one of vtkRelievoEnvironmentConvert::ProjectionType (default 0,
+   * AUTOMATIC, by size); whether its values are sRGB (default off); whether it is mirrored (default
+   * off).
    */
   vtkSetClampMacro(InputProjection, int, 0, 3);
   vtkGetMacro(InputProjection, int);

@@ -25,7 +25,8 @@ struct vtkRelievoParticleOutput
   const vtkRelievoParticleField& Field;
   bool Inside;
   bool Orientations;
-  // The same at all times, and shared by their outputs; made where they are not there.
+  // Numbers and cells of the particles, which the outputs of all times share; Write makes them if
+  // there are none of that count.
   vtkSmartPointer<vtkIdTypeArray>& Numbers;
   vtkSmartPointer<vtkCellArray>& Vertices;
 

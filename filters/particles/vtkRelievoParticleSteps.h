@@ -24,7 +24,7 @@ public:
   vtkRelievoParticleSteps(
     const vtkRelievoParticleMaps& maps, const vtkRelievoParticleField& field, bool inside);
 
-  // As many steps are kept as checkpoints, beside the first and the last one computed.
+  // Starts anew; keeps up to so many checkpoints, beside the first and the last step computed.
   void Begin(vtkRelievoParticleState start, double timeStep, int numberOfSteps, int checkpoints);
 
   // The particles after so many steps, a part of one included. Between steps, goesOn is asked with

@@ -88,8 +88,8 @@ public:
 
   ///@{
   /**
-   * The same everywhere, in world units per unit of time. Default 0 0 0. This, noise and the array
-   * add up; on a surface, particles move by what is tangential of them.
+   * A velocity that is equal everywhere, in world units per unit of time. Default 0 0 0. This, the
+   * noise and the array add up; on a surface, particles move by what is tangential of them.
    */
   vtkSetVector3Macro(Velocity, double);
   vtkGetVector3Macro(Velocity, double);

@@ -91,8 +91,8 @@ public:
   ///@}
 
   /**
-   * The same by name, in lower case: none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa, dwab.
-   * Returns false, with an error, for other names.
+   * The compression by its name in lower case: none, rle, zips, zip, piz, pxr24, b44, b44a, dwaa,
+   * dwab. Returns false, with an error, for other names.
    */
   virtual bool SetCompressionByName(const char* name);
   const char* GetCompressionName();

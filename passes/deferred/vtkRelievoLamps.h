@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoLamps
- * @brief Lamps from data: each point is a lamp (vtkRelievoLampsStage::AddLamps).
+ * @brief Lamps from data: each point is a lamp (vtkRelievoLampsStage::AddPoints).
  *
  * The input's point arrays `radius`, `intensity`, `color` and `casts` (SetArray takes others) give
  * each lamp its own values; the values set here are for lamps without. A lamp shines in all

@@ -16,10 +16,8 @@
 #include "vtkRelievoResource.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoTranslucentLamps.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <set>
 #include <sstream>
 #include <vector>
 
@@ -68,16 +66,12 @@ std::string DescribeCasting(const vtkRelievoFrameContext& context)
 class vtkRelievoLampsStage::Internals
 {
 public:
-  std::vector<vtkSmartPointer<vtkRelievoLamps>> Sets;
-  vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkRelievoLampLight Light;
   vtkRelievoScreenQuad Colors;
   vtkNew<vtkRelievoTranslucentLamps> Translucent;
-  std::set<std::string> Reported;
   int LeftOut = 0;
-  bool SomeCast = false; // in this frame, perhaps: on all processes alike
-
-  std::vector<vtkRelievoLamps*> GetSets() const { return { this->Sets.begin(), this->Sets.end() }; }
+  bool Any = false;      // lamps in this frame, perhaps: on all processes alike
+  bool SomeCast = false; // of them
 };
 
 //------------------------------------------------------------------------------
@@ -88,58 +82,6 @@ vtkRelievoLampsStage::vtkRelievoLampsStage()
 
 //------------------------------------------------------------------------------
 vtkRelievoLampsStage::~vtkRelievoLampsStage() = default;
-
-//------------------------------------------------------------------------------
-void vtkRelievoLampsStage::AddLamps(vtkRelievoLamps* lamps)
-{
-  auto& sets = this->Internal->Sets;
-  if (!lamps || std::find(sets.begin(), sets.end(), lamps) != sets.end())
-  {
-    vtkErrorMacro("AddLamps was given " << (lamps ? "lamps that are there already." : "no lamps."));
-    return;
-  }
-  sets.emplace_back(lamps);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoLampsStage::RemoveLamps(vtkRelievoLamps* lamps)
-{
-  auto& sets = this->Internal->Sets;
-  sets.erase(std::remove(sets.begin(), sets.end(), lamps), sets.end());
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoLampsStage::RemoveAllLamps()
-{
-  this->Internal->Sets.clear();
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-int vtkRelievoLampsStage::GetNumberOfLampSets()
-{
-  return static_cast<int>(this->Internal->Sets.size());
-}
-
-//------------------------------------------------------------------------------
-vtkRelievoLamps* vtkRelievoLampsStage::GetLamps(int i)
-{
-  return i >= 0 && i < this->GetNumberOfLampSets() ? this->Internal->Sets[i] : nullptr;
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoLampsStage::SetController(vtkMultiProcessController* controller)
-{
-  this->Internal->Controller = controller;
-}
-
-//------------------------------------------------------------------------------
-vtkMultiProcessController* vtkRelievoLampsStage::GetController()
-{
-  return this->Internal->Controller;
-}
 
 //------------------------------------------------------------------------------
 void vtkRelievoLampsStage::Describe(vtkRelievoStageDescription& description)
@@ -168,33 +110,37 @@ void vtkRelievoLampsStage::Describe(vtkRelievoStageDescription& description)
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoLampsStage::Synchronize(vtkRelievoFrameContext& context)
+{
+  this->Superclass::Synchronize(context);
+  Internals& in = *this->Internal;
+  const auto sets = this->GetSets<vtkRelievoLamps>();
+  in.Any = this->IsTogether() ||
+    std::any_of(sets.begin(), sets.end(), [](auto* lamps) { return !lamps->GetRows().empty(); });
+  int casts = in.Any && this->Casting > 0 ? 1 : 0;
+  for (vtkRelievoLamps* lamps : sets)
+  {
+    casts = casts || lamps->GetSomeCastAlways() ? 1 : 0;
+  }
+  if (this->IsTogether())
+  {
+    const int here = casts;
+    this->GetController()->AllReduce(&here, &casts, 1, vtkCommunicator::MAX_OP);
+  }
+  in.SomeCast = casts != 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoLampsStage::Declare(
   const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
 {
-  const auto& sets = this->Internal->Sets;
-  // Another process may have lamps where this one has none, and must not wait for it.
-  const bool together = this->Internal->Controller != nullptr;
-  const bool any = std::any_of(sets.begin(), sets.end(),
-    [together](const auto& lamps) { return together || lamps->GetNumberOfPoints() > 0; });
   declaration.Reason = "lights surfaces with lamps";
-  if (!any)
+  if (!this->Internal->Any)
   {
     // Without lamps the layers are still what they say: no light.
     declaration.Writes.clear();
     declaration.Reason = "there are no lamps";
   }
-  int casts = any && this->Casting > 0 ? 1 : 0;
-  for (const auto& lamps : sets)
-  {
-    lamps->GetNumberOfPoints(); // brings them up to date
-    casts = casts || lamps->GetSomeCastAlways() ? 1 : 0;
-  }
-  if (together && any)
-  {
-    const int here = casts;
-    this->Internal->Controller->AllReduce(&here, &casts, 1, vtkCommunicator::MAX_OP);
-  }
-  this->Internal->SomeCast = casts != 0;
 }
 
 //------------------------------------------------------------------------------
@@ -218,11 +164,7 @@ std::vector<std::string> vtkRelievoLampsStage::GetReadsFor(
 bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  const std::vector<vtkRelievoLamps*> sets = in.GetSets();
-  for (vtkRelievoLamps* lamps : sets)
-  {
-    lamps->Share(in.Controller);
-  }
+  const auto sets = this->GetSets<vtkRelievoLamps>();
   in.Light.Take(context, sets, this->Casting);
   const auto others = static_cast<int>(in.Light.GetList().GetLamps().size());
   this->NumberCasting = static_cast<int>(in.Light.GetCasting().GetLamps().size());
@@ -245,7 +187,10 @@ bool vtkRelievoLampsStage::Prepare(vtkRelievoFrameContext& context)
   {
     wrong = in.Translucent->Begin(context, sets);
   }
-  this->Say(wrong);
+  if (!wrong.empty())
+  {
+    this->ReportFault(wrong);
+  }
   return wrong.empty();
 }
 
@@ -289,7 +234,7 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
     }
     wrong = in.Colors.GetWrong();
   }
-  this->Say(wrong);
+  this->ReportFault(wrong);
   if (wrong.empty())
   {
     this->Explain("ran",
@@ -303,21 +248,6 @@ void vtkRelievoLampsStage::Execute(vtkRelievoFrameContext& context)
 void vtkRelievoLampsStage::Finish(vtkRelievoFrameContext&)
 {
   this->Internal->Translucent->End();
-}
-
-//------------------------------------------------------------------------------
-// What is wrong, if anything is: once as an error, and as the reason.
-void vtkRelievoLampsStage::Say(const std::string& wrong)
-{
-  if (wrong.empty())
-  {
-    return;
-  }
-  this->Explain("failed", wrong);
-  if (this->Internal->Reported.insert(wrong).second)
-  {
-    vtkErrorMacro("No light of lamps: " << wrong << ".");
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -353,17 +283,6 @@ std::map<std::string, vtkVariant> vtkRelievoLampsStage::GetFacts()
 }
 
 //------------------------------------------------------------------------------
-vtkMTimeType vtkRelievoLampsStage::GetDataTime()
-{
-  vtkMTimeType time = 0;
-  for (const auto& each : this->Internal->Sets)
-  {
-    time = std::max(time, each->GetUpdatedTime());
-  }
-  return time;
-}
-
-//------------------------------------------------------------------------------
 vtkIdType vtkRelievoLampsStage::GetBytesHeld()
 {
   return this->Internal->Light.GetBytes() + this->Internal->Translucent->GetBytes();
@@ -392,9 +311,4 @@ void vtkRelievoLampsStage::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Casting: " << this->Casting << "\n";
   os << indent << "NumberCasting: " << this->NumberCasting << "\n";
   os << indent << "NumberOfLamps: " << this->NumberOfLamps << "\n";
-  os << indent << "NumberDrawn: " << this->NumberDrawn << "\n";
-  for (const auto& lamps : this->Internal->Sets)
-  {
-    os << indent << "Lamps: " << lamps.GetPointer() << "\n";
-  }
 }

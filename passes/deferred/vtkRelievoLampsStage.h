@@ -23,28 +23,16 @@
 #define vtkRelievoLampsStage_h
 
 #include "vtkRelievoDeferredModule.h" // for the export macro
-#include "vtkRelievoStage.h"
+#include "vtkRelievoPointStage.h"
 
 #include <memory> // for the internals
 
-class vtkMultiProcessController;
-class vtkRelievoLamps;
-
-class VTKRELIEVODEFERRED_EXPORT vtkRelievoLampsStage : public vtkRelievoStage
+class VTKRELIEVODEFERRED_EXPORT vtkRelievoLampsStage : public vtkRelievoPointStage
 {
 public:
   static vtkRelievoLampsStage* New();
-  vtkTypeMacro(vtkRelievoLampsStage, vtkRelievoStage);
+  vtkTypeMacro(vtkRelievoLampsStage, vtkRelievoPointStage);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /** The lamps; any number of sets, each once. */
-  void AddLamps(vtkRelievoLamps* lamps);
-  void RemoveLamps(vtkRelievoLamps* lamps);
-  void RemoveAllLamps();
-  int GetNumberOfLampSets();
-  vtkRelievoLamps* GetLamps(int i);
-  ///@}
 
   /** Ways to find the lamps of a pixel; see the class. */
   enum Ways
@@ -82,15 +70,6 @@ public:
   vtkGetMacro(Casting, int);
   ///@}
 
-  ///@{
-  /**
-   * Processes that each draw a part of the scene, all in step (ParaView's ranks): the lamps of each
-   * light what all draw. All have the same sets, which may be empty. Default nullptr.
-   */
-  virtual void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  ///@}
-
   /** The way of the last frame. */
   vtkGetMacro(WayTaken, int);
 
@@ -101,17 +80,13 @@ public:
   vtkBooleanMacro(Floats, bool);
   ///@}
 
-  ///@{
-  /** Lamps of the last frame, and those of them that the picture can have light of. */
+  /** Lamps of the last frame; GetNumberDrawn: those that the picture can have light of. */
   vtkGetMacro(NumberOfLamps, int);
-  vtkGetMacro(NumberDrawn, int);
-  ///@}
 
   /** Lamps of the last frame that cast shadows. */
   vtkGetMacro(NumberCasting, int);
 
   vtkIdType GetBytesHeld() override;
-  vtkMTimeType GetDataTime() override;
   std::map<std::string, vtkVariant> GetFacts() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -119,6 +94,9 @@ protected:
   vtkRelievoLampsStage();
   ~vtkRelievoLampsStage() override;
 
+  const char* GetPointsClass() const override { return "vtkRelievoLamps"; }
+  const char* GetFailure() const override { return "No light of lamps"; }
+  void Synchronize(vtkRelievoFrameContext& context) override;
   void Describe(vtkRelievoStageDescription& description) override;
   void Declare(
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
@@ -134,15 +112,12 @@ protected:
   bool Floats = false;
   bool Translucent = false;
   int NumberOfLamps = 0;
-  int NumberDrawn = 0;
   int NumberCasting = 0;
   int Casting = 0;
 
 private:
   vtkRelievoLampsStage(const vtkRelievoLampsStage&) = delete;
   void operator=(const vtkRelievoLampsStage&) = delete;
-
-  void Say(const std::string& wrong);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

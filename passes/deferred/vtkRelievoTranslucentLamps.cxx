@@ -11,7 +11,6 @@
 #include "vtkRelievoShaderLibrary.h"
 #include "vtkRelievoSpliceText.h"
 #include "vtkRelievoThreads.h"
-#include "vtkRelievoTrialCompile.h"
 #include "vtkRenderState.h"
 #include "vtkShaderProgram.h"
 
@@ -69,7 +68,7 @@ std::string vtkRelievoTranslucentLamps::Begin(
   if (this->Parallel != this->View.Parallel)
   {
     this->Parallel = this->View.Parallel;
-    this->StructureTime.Modified();
+    this->ModifyShaders();
   }
   this->Window = context.Window;
   for (vtkProp* prop : props)
@@ -96,60 +95,51 @@ void vtkRelievoTranslucentLamps::End()
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoTranslucentLamps::PreReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+bool vtkRelievoTranslucentLamps::IsSplicing() const
 {
-  if (this->Window && vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
-  {
-    MarkVaryings(vertexShader, geometryShader, fragmentShader);
-    MarkBehind(fragmentShader, "//VTK::System::Dec", Extensions);
-    MarkBehind(fragmentShader, "//VTK::Light::Dec", Dec);
-    MarkBehind(fragmentShader, "//VTK::Light::Impl", Impl);
-  }
-  return true;
+  return this->Window != nullptr;
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoTranslucentLamps::PostReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
-  vtkProp* prop)
+void vtkRelievoTranslucentLamps::MarkShaders(const vtkRelievoShaderTexts& shaders)
 {
-  auto* actor = vtkActor::SafeDownCast(prop);
-  const bool lit = Has(fragmentShader, "normalVCVSOutput") && Has(fragmentShader, Extensions) &&
-    Has(fragmentShader, Dec) && Has(fragmentShader, Impl);
-  if (!this->Window || !actor || !lit)
+  MarkVaryings(shaders.Vertex, shaders.Geometry, shaders.Fragment);
+  MarkBehind(shaders.Fragment, "//VTK::System::Dec", Extensions);
+  MarkBehind(shaders.Fragment, "//VTK::Light::Dec", Dec);
+  MarkBehind(shaders.Fragment, "//VTK::Light::Impl", Impl);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoTranslucentLamps::SpliceShaders(
+  const vtkRelievoShaderTexts& shaders, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
+{
+  std::string& fragment = shaders.Fragment;
+  if (!Has(fragment, "normalVCVSOutput") || !Has(fragment, Extensions) || !Has(fragment, Dec) ||
+    !Has(fragment, Impl))
   {
-    return true;
+    return; // it is not lit
   }
-  const std::string own[3] = { vertexShader, geometryShader, fragmentShader };
-  std::string wrong = EnsurePosition(vertexShader, geometryShader, fragmentShader)
-    ? std::string()
-    : "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl; use VTK's templates";
-  if (wrong.empty())
-  {
-    std::string defines = this->Parallel ? "#define RELIEVO_LINEAR_SLICES\n" : "";
-    defines += Has(fragmentShader, "vec3 albedo =") ? "#define RELIEVO_LAMPS_ON_PBR\n" : "";
-    defines += Has(fragmentShader, "float diffuseIntensityBF;")
-      ? "#define RELIEVO_LAMPS_ON_BACKFACES\n"
-      : "";
-    FillMark(fragmentShader, Extensions, defines);
-    FillMark(fragmentShader, Dec, vtkRelievoShaderLibrary::GetSection(File, "Dec"));
-    FillMark(fragmentShader, Impl, vtkRelievoShaderLibrary::GetSection(File, "Impl"));
-    wrong = vtkRelievoTrialCompile::Compile(
-      this->Window, actor->GetShaderProperty(), vertexShader, geometryShader, fragmentShader);
-  }
-  if (!wrong.empty())
-  {
-    vertexShader = own[0];
-    geometryShader = own[1];
-    fragmentShader = own[2];
-    if (this->Reported.insert(mapper->GetClassName() + wrong).second)
+  const auto fill = [&]() -> std::string {
+    if (!EnsurePosition(shaders.Vertex, shaders.Geometry, fragment))
     {
-      vtkErrorMacro("No light of lamps on what " << mapper->GetClassName()
-                                                 << " draws translucent: " << wrong << ".");
+      return "its shaders lack VTK's tags PositionVC::Dec and PositionVC::Impl; use VTK's "
+             "templates";
     }
+    std::string defines = this->Parallel ? "#define RELIEVO_LINEAR_SLICES\n" : "";
+    defines += Has(fragment, "vec3 albedo =") ? "#define RELIEVO_LAMPS_ON_PBR\n" : "";
+    defines +=
+      Has(fragment, "float diffuseIntensityBF;") ? "#define RELIEVO_LAMPS_ON_BACKFACES\n" : "";
+    FillMark(fragment, Extensions, defines);
+    FillMark(fragment, Dec, vtkRelievoShaderLibrary::GetSection(File, "Dec"));
+    FillMark(fragment, Impl, vtkRelievoShaderLibrary::GetSection(File, "Impl"));
+    return {};
+  };
+  const vtkRelievoTrialSplice::Outcome outcome = TrySplice(shaders, this->Window, actor, fill);
+  if (this->IsNews(mapper, outcome))
+  {
+    vtkErrorMacro("No light of lamps on what " << mapper->GetClassName()
+                                               << " draws translucent: " << outcome.Wrong << ".");
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -176,18 +166,6 @@ bool vtkRelievoTranslucentLamps::SetShaderParameters(
   program->SetUniformMatrix4x4("relievoLampProjection", &projection[0][0]);
   program->SetUniform2f("relievoLampPixels", pixels);
   return true;
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkRelievoTranslucentLamps::GetShaderStageMTime()
-{
-  // Asked outside of Begin and End by keys that were copied meanwhile: there it splices nothing.
-  if (!this->Window || this->BuiltUnspliced)
-  {
-    this->StructureTime.Modified();
-    this->BuiltUnspliced = !this->Window;
-  }
-  return this->StructureTime.GetMTime();
 }
 
 //------------------------------------------------------------------------------

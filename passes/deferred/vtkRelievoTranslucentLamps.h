@@ -6,25 +6,23 @@
 #ifndef vtkRelievoTranslucentLamps_h
 #define vtkRelievoTranslucentLamps_h
 
-#include "vtkOpenGLRenderPass.h"
 #include "vtkRelievoLampClusters.h"
 #include "vtkRelievoLampList.h"
 #include "vtkRelievoSplicedKeys.h"
+#include "vtkRelievoSplicedPass.h"
 #include "vtkRelievoTextureBuffer.h"
-#include "vtkTimeStamp.h"
 
-#include <set>
 #include <string>
 #include <vector>
 
 class vtkRelievoFrameContext;
 class vtkRelievoLamps;
 
-class vtkRelievoTranslucentLamps : public vtkOpenGLRenderPass
+class vtkRelievoTranslucentLamps : public vtkRelievoSplicedPass
 {
 public:
   static vtkRelievoTranslucentLamps* New();
-  vtkTypeMacro(vtkRelievoTranslucentLamps, vtkOpenGLRenderPass);
+  vtkTypeMacro(vtkRelievoTranslucentLamps, vtkRelievoSplicedPass);
 
   // From here to End, the lamps' light is in what VTK draws translucent. The sets are shared or up
   // to date. Returns what is wrong, in words.
@@ -37,22 +35,20 @@ public:
   vtkIdType GetBytes() const;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-  ///@{
   // Called by VTK's mappers.
-  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* VAO = nullptr) override;
-  vtkMTimeType GetShaderStageMTime() override;
-  ///@}
 
   void Render(const vtkRenderState*) override {}
 
 protected:
   vtkRelievoTranslucentLamps() = default;
   ~vtkRelievoTranslucentLamps() override = default;
+
+  bool IsSplicing() const override;
+  void MarkShaders(const vtkRelievoShaderTexts& shaders) override;
+  void SpliceShaders(const vtkRelievoShaderTexts& shaders, vtkOpenGLPolyDataMapper* mapper,
+    vtkActor* actor) override;
 
 private:
   vtkRelievoTranslucentLamps(const vtkRelievoTranslucentLamps&) = delete;
@@ -66,12 +62,9 @@ private:
   vtkRelievoTextureBuffer Cells;
   vtkRelievoTextureBuffer Lists;
   vtkRelievoSplicedKeys Keys;
-  vtkTimeStamp StructureTime;
   vtkOpenGLRenderWindow* Window = nullptr; // between Begin and End
   int NumberOfProps = 0;
   bool Parallel = false;
-  bool BuiltUnspliced = false; // shaders without lamps were built with this pass in their keys
-  std::set<std::string> Reported;
 };
 
 #endif

@@ -27,7 +27,7 @@ public:
     std::function<void()> OpaqueBegins;
     std::function<void()> OpaqueEnds;
     std::function<void()> TranslucentAsked; // before it is drawn by most delegates, not by all
-    // With the prop that marks it, which has the keys of the passes that draw.
+    // With the sentinel, which has the keys of the passes that draw.
     std::function<void(vtkProp*)> TranslucentBegins;
     std::function<void()> VolumesBegin;
     std::function<void()> OverlayBegins;
@@ -48,7 +48,7 @@ private:
   vtkNew<vtkRelievoSentinelProp> Begin;
   vtkNew<vtkRelievoSentinelProp> End;
   vtkNew<vtkRelievoWireFrameSentinel> EndOfWireFrames;
-  std::vector<vtkProp*> Props; // of the frame, between the markers
+  std::vector<vtkProp*> Props; // of the frame, between the sentinels
 };
 
 #endif

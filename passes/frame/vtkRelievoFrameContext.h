@@ -85,7 +85,8 @@ public:
   void Provide(const std::string& name, vtkRelievoResource* resource);
   vtkRelievoResource* Find(const std::string& name) const;
 
-  // The same of a layer, by the name that users give it: an array may be called as a resource is.
+  // A layer that a stage wrote, by the name that users give it: an array may be called as a
+  // resource is. nullptr if it does not exist (yet).
   void ProvideLayer(const std::string& name, vtkRelievoResource* resource);
   vtkRelievoResource* FindLayer(const std::string& name) const;
   ///@}

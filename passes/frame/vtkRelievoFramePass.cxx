@@ -41,8 +41,8 @@ public:
   vtkRelievoDelegate Picture;
   vtkRelievoColorTarget Color;
   vtkRelievoTranslucentLayers Translucent;
-  vtkRelievoSampleAccumulator Gather;
-  vtkRelievoFrameReader Reader{ Color, Gather };
+  vtkRelievoSampleAccumulator Samples;
+  vtkRelievoFrameReader Reader{ Color, Samples };
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
 
   std::vector<vtkRelievoStage*> GetStages()
@@ -274,7 +274,7 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
   }
 
   vtkRelievoLeakedTextureUnits::Release(window);
-  in.Gather.BeginFrame();
+  in.Samples.BeginFrame();
   in.Timer.BeginFrame(window);
   while (!this->DrawSample(s))
   {
@@ -306,7 +306,9 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
     return in.Reader.Read(names, image);
   };
   const std::vector<vtkRelievoStage*> stages = in.GetStages();
-  vtkRelievoFrameRun run(context, stages, in.Color, in.Translucent, in.Gather, in.Timer);
+  vtkRelievoFrameRun run(context, stages, in.Color, in.Translucent, in.Samples, in.Timer);
+  run.Synchronize();
+  run.Declare();
   for (const std::string& wrong : run.Plan())
   {
     if (in.Reported.insert(wrong).second)
@@ -329,13 +331,18 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   in.Reader.SetFrame(run.GetWriters(), run.GetMissing());
 
   in.Timer.Begin("frame");
-  this->NumberOfRenderedProps = run.Execute(in.Picture, in.Delegate);
+  run.Prepare();
+  run.DrawLightMaps();
+  this->NumberOfRenderedProps = run.DrawDelegate(in.Picture, in.Delegate);
+  run.DrawStages();
+  run.Present();
+  run.Finish();
   in.Timer.End("frame");
 
-  in.Gather.End(context, stages);
-  if (!in.Gather.GetFault().empty() && in.Reported.insert(in.Gather.GetFault()).second)
+  in.Samples.End(context, stages);
+  if (!in.Samples.GetFault().empty() && in.Reported.insert(in.Samples.GetFault()).second)
   {
-    vtkErrorMacro("Samples are not gathered: " << in.Gather.GetFault() << ".");
+    vtkErrorMacro("Samples are not gathered: " << in.Samples.GetFault() << ".");
   }
   run.Report(in.Report, in.Delegate);
   return context.Last;
@@ -344,7 +351,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
 //------------------------------------------------------------------------------
 int vtkRelievoFramePass::GetSamplesLeft()
 {
-  return this->Internal->Gather.GetLeft();
+  return this->Internal->Samples.GetLeft();
 }
 
 //------------------------------------------------------------------------------
@@ -357,7 +364,7 @@ std::string vtkRelievoFramePass::GetFrameReport()
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoFramePass::GetBytesHeld()
 {
-  vtkIdType bytes = this->Internal->Color.GetBytes() + this->Internal->Gather.GetBytes();
+  vtkIdType bytes = this->Internal->Color.GetBytes() + this->Internal->Samples.GetBytes();
   for (vtkRelievoStage* stage : this->Internal->GetStages())
   {
     bytes += stage->GetBytesHeld();
@@ -377,7 +384,7 @@ void vtkRelievoFramePass::ReleaseStages(vtkWindow* window)
   }
   this->Internal->Color.Release(window);
   this->Internal->Translucent.Release(window);
-  this->Internal->Gather.Release(window);
+  this->Internal->Samples.Release(window);
   this->Internal->Timer.Release();
 }
 

@@ -102,7 +102,10 @@ public:
   bool ReadLayers(const std::vector<std::string>& names, vtkImageData* image);
   ///@}
 
-  /** As ReadLayers, but says what is wrong instead of reporting it; "" if all were read. */
+  /**
+   * Reads layers into the image, and returns what is wrong in words instead of reporting it; "" if
+   * all were read.
+   */
   std::string TryReadLayers(const std::vector<std::string>& names, vtkImageData* image);
 
   /**

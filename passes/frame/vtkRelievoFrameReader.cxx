@@ -37,7 +37,7 @@ vtkRelievoStage* vtkRelievoFrameReader::FindWriter(const std::string& name) cons
 //------------------------------------------------------------------------------
 bool vtkRelievoFrameReader::IsAlone(const std::string& name) const
 {
-  return name == "color" || this->Gather.Has(name);
+  return name == "color" || this->Samples.Has(name);
 }
 
 //------------------------------------------------------------------------------
@@ -67,9 +67,9 @@ std::string vtkRelievoFrameReader::Read(const std::vector<std::string>& names, v
       wrong = this->Color.Read(image);
       wrong = wrong.empty() ? wrong : "The layer 'color' cannot be read: " + wrong + ".";
     }
-    else if (this->Gather.Has(names[from]))
+    else if (this->Samples.Has(names[from]))
     {
-      wrong = this->Gather.Read(names[from], image);
+      wrong = this->Samples.Read(names[from], image);
     }
     else
     {

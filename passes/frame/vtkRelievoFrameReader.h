@@ -17,9 +17,9 @@ class vtkRelievoStage;
 class vtkRelievoFrameReader
 {
 public:
-  vtkRelievoFrameReader(vtkRelievoColorTarget& color, vtkRelievoSampleAccumulator& gather)
+  vtkRelievoFrameReader(vtkRelievoColorTarget& color, vtkRelievoSampleAccumulator& samples)
     : Color(color)
-    , Gather(gather)
+    , Samples(samples)
   {
   }
 
@@ -40,7 +40,7 @@ private:
   bool IsAlone(const std::string& name) const; // no stage's
 
   vtkRelievoColorTarget& Color;
-  vtkRelievoSampleAccumulator& Gather;
+  vtkRelievoSampleAccumulator& Samples;
   std::map<std::string, vtkRelievoStage*> Writers;
   std::map<std::string, std::string> Missing;
 };

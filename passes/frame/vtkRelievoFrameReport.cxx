@@ -6,51 +6,38 @@
 #include "vtkRelievoStage.h"
 #include "vtkRenderer.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
-#include <cstdio>
+#include <locale>
 #include <sstream>
 
 namespace
 {
-std::string Quote(const std::string& text)
-{
-  std::string out = "\"";
-  for (unsigned char c : text)
-  {
-    if (c == '"' || c == '\\')
-    {
-      out += '\\';
-    }
-    if (c < 0x20)
-    {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      out += escape;
-    }
-    else
-    {
-      out += static_cast<char>(c);
-    }
-  }
-  return out + "\"";
-}
+using Json = nlohmann::ordered_json;
 
-std::string Number(double value)
+// Bytes and counts with all digits, anything else with six; null for what is not known.
+Json Number(double value)
 {
   if (value < 0.0)
   {
-    return "null";
+    return nullptr;
   }
-  std::ostringstream out;
   if (value == std::floor(value) && std::abs(value) < 1e15)
   {
-    out << static_cast<long long>(value); // bytes and counts with all digits
+    return static_cast<long long>(value);
   }
-  else
-  {
-    out << value;
-  }
-  return out.str();
+  std::ostringstream rounded;
+  rounded.imbue(std::locale::classic());
+  rounded << value;
+  return Json::parse(rounded.str(), nullptr, false);
+}
+
+Json Fact(const vtkVariant& fact)
+{
+  return !fact.IsValid() ? Json(nullptr)
+    : fact.IsNumeric()   ? Number(fact.ToDouble())
+                         : Json(fact.ToString());
 }
 }
 
@@ -89,36 +76,27 @@ void vtkRelievoFrameReport::Add(vtkRelievoStage* stage, bool ran)
 //------------------------------------------------------------------------------
 std::string vtkRelievoFrameReport::GetJSON(const vtkRelievoGpuTimer& timer) const
 {
-  std::ostringstream out;
   long long bytes = this->Bytes;
-  out << "{\n  \"size\": [" << this->Size[0] << ", " << this->Size[1] << "],\n  \"stages\": [";
-  const char* separator = "\n";
+  Json stages = Json::array();
   for (const Line& line : this->Lines)
   {
     bytes += line.Bytes;
-    out << separator << "    {\"name\": " << Quote(line.Name)
-        << ", \"ran\": " << (line.Ran ? "true" : "false") << ", \"code\": " << Quote(line.Code)
-        << ", \"reason\": " << Quote(line.Reason)
-        << ", \"gpu_ms\": " << (line.Ran ? Number(timer.GetMilliseconds(line.Name)) : "null")
-        << ", \"bytes\": " << line.Bytes << ", \"draw_calls\": " << Number(line.DrawCalls)
-        << ", \"label\": " << Quote(line.Label) << "}";
-    separator = ",\n";
+    stages.push_back({ { "name", line.Name }, { "ran", line.Ran }, { "code", line.Code },
+      { "reason", line.Reason },
+      { "gpu_ms", Number(line.Ran ? timer.GetMilliseconds(line.Name) : -1.0) },
+      { "bytes", line.Bytes }, { "draw_calls", Number(line.DrawCalls) }, { "label", line.Label } });
   }
-  out << "\n  ],\n  \"gpu_ms\": " << Number(timer.GetMilliseconds("frame"))
-      << ",\n  \"bytes\": " << bytes;
+  Json report = { { "size", { this->Size[0], this->Size[1] } }, { "stages", stages },
+    { "gpu_ms", Number(timer.GetMilliseconds("frame")) }, { "bytes", bytes } };
   if (timer.IsUntimed())
   {
-    out << ",\n  \"untimed\": "
-        << Quote("this OpenGL draws when a frame's commands are all there; stages are timed in the "
-                 "frames after a report was read");
+    report["untimed"] = "this OpenGL draws when a frame's commands are all there; stages are timed "
+                        "in the frames after a report was read";
   }
   for (const auto& fact : this->Facts)
   {
-    out << ",\n  " << Quote(fact.first) << ": "
-        << (!fact.second.IsValid()       ? "null"
-               : fact.second.IsNumeric() ? Number(fact.second.ToDouble())
-                                         : Quote(fact.second.ToString()));
+    report[fact.first] = Fact(fact.second);
   }
-  out << "\n}\n";
-  return out.str();
+  // Names that are no UTF-8 get a sign for what cannot be written.
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

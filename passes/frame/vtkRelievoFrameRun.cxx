@@ -21,17 +21,29 @@
 //------------------------------------------------------------------------------
 vtkRelievoFrameRun::vtkRelievoFrameRun(vtkRelievoFrameContext& context,
   const std::vector<vtkRelievoStage*>& stages, vtkRelievoColorTarget& color,
-  vtkRelievoTranslucentLayers& translucent, vtkRelievoSampleAccumulator& gather,
+  vtkRelievoTranslucentLayers& translucent, vtkRelievoSampleAccumulator& samples,
   vtkRelievoGpuTimer& timer)
   : Context(context)
   , Stages(stages)
   , Color(color)
   , Translucent(translucent)
-  , Gather(gather)
+  , Samples(samples)
   , Timer(timer)
   , Nodes(stages.size() + 1)
   , Dropped(stages.size() + 1, false)
 {
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameRun::Synchronize()
+{
+  for (vtkRelievoStage* stage : this->Stages)
+  {
+    if (stage->GetEnabled())
+    {
+      stage->Synchronize(this->Context);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -79,6 +91,7 @@ void vtkRelievoFrameRun::Declare()
       uses.insert(uses.end(), description.Writes.begin(), description.Writes.end());
     }
   }
+  this->FindLights();
 }
 
 //------------------------------------------------------------------------------
@@ -112,8 +125,6 @@ void vtkRelievoFrameRun::FindLights()
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkRelievoFrameRun::Plan()
 {
-  this->Declare();
-  this->FindLights();
   const std::vector<vtkRelievoFramePlan::Node> declared = this->Nodes;
   std::vector<std::string> wrong =
     this->Order.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
@@ -127,7 +138,7 @@ std::vector<std::string> vtkRelievoFrameRun::Plan()
       wrong = this->Order.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
     }
   }
-  this->Gather.Begin(this->Context, this->Nodes, this->Order.NeedsColor(), this->Stages);
+  this->Samples.Begin(this->Context, this->Nodes, this->Order.NeedsColor(), this->Stages);
   for (std::size_t i = 0; i < this->Stages.size(); ++i)
   {
     const vtkRelievoFramePlan::Node& node = this->Nodes[i + 1];
@@ -181,7 +192,51 @@ std::map<std::string, vtkRelievoStage*> vtkRelievoFrameRun::GetWriters() const
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoFrameRun::ExecuteStage(int place)
+// The stages that run, in their order.
+std::vector<vtkRelievoStage*> vtkRelievoFrameRun::GetRunning() const
+{
+  std::vector<vtkRelievoStage*> running;
+  for (const int place : this->Order.GetOrder())
+  {
+    if (place > 0 && !this->Dropped[place])
+    {
+      running.push_back(this->Stages[place - 1]);
+    }
+  }
+  return running;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameRun::Prepare()
+{
+  const std::vector<int>& order = this->Order.GetOrder();
+  if (std::any_of(order.begin(), order.end(), [](int place) { return place > 0; }))
+  {
+    this->Context.Scene.Take(this->Context.State);
+  }
+  for (const int place : order)
+  {
+    if (place > 0 && !this->Stages[place - 1]->Prepare(this->Context))
+    {
+      this->Dropped[place] = true;
+      this->Stages[place - 1]->ReleaseGraphicsResources(this->Context.Window);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The next ones of the order, as far as their slots go.
+void vtkRelievoFrameRun::RunStages(int lastSlot)
+{
+  const std::vector<int>& order = this->Order.GetOrder();
+  for (; this->Next < order.size() && this->Nodes[order[this->Next]].Slot <= lastSlot; ++this->Next)
+  {
+    this->Run(order[this->Next]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameRun::Run(int place)
 {
   if (place > 0 && !this->Dropped[place])
   {
@@ -194,78 +249,30 @@ void vtkRelievoFrameRun::ExecuteStage(int place)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoFrameRun::ExecuteRest()
+void vtkRelievoFrameRun::DrawLightMaps()
 {
-  vtkRelievoLeakedTextureUnits::Release(this->Context.Window);
-  const std::vector<int>& order = this->Order.GetOrder();
-  if (this->ColorOpen)
-  {
-    this->Translucent.End();
-    this->Color.End(this->Context);
-    this->ColorOpen = false;
-  }
-  for (; this->Next < order.size(); ++this->Next)
-  {
-    // What makes the picture of the colour does so itself; what shows something else as the picture
-    // draws over it.
-    const vtkRelievoFramePlan::Node& node = this->Nodes[order[this->Next]];
-    if (node.Slot == vtkRelievoStageDescription::DISPLAY)
-    {
-      this->FinishColor();
-      if (!this->Context.Last)
-      {
-        continue;
-      }
-      if (!node.Declaration.Presents)
-      {
-        this->Present();
-      }
-    }
-    this->ExecuteStage(order[this->Next]);
-  }
-  this->FinishColor();
-  this->Present();
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoFrameRun::FinishColor()
-{
-  if (!this->Gathered)
-  {
-    this->Gather.Gather(this->Context);
-    this->Gathered = true;
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoFrameRun::Present()
-{
-  if (this->Context.Picture && this->Context.Last && this->Context.Color)
-  {
-    this->Color.Present(this->Context);
-  }
+  this->RunStages(vtkRelievoStageDescription::LIGHT_MAPS);
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass* pass)
 {
-  // Those that draw along while the delegate draws its opaque geometry.
-  std::vector<vtkRelievoStage*> along;
-  for (const int place : this->Order.GetOrder())
+  auto* renderer = static_cast<vtkOpenGLRenderer*>(this->Context.Renderer);
+  if (!this->Nodes[0].Needed)
   {
-    if (place > 0 && !this->Dropped[place])
-    {
-      along.push_back(this->Stages[place - 1]);
-    }
+    // The delegate would have done it: VTK's shaders are built for the lights that it counts.
+    renderer->UpdateLights();
+    return 0;
   }
-  // The delegate's time is without theirs.
+  // The delegate's time is without that of what interrupts it.
   const auto interrupt = [this](const auto& work) {
     this->Timer.End("delegate");
     work();
     this->Timer.Begin("delegate");
   };
+  const std::vector<vtkRelievoStage*> running = this->GetRunning();
   const auto forEach = [&](void (vtkRelievoStage::*work)(vtkRelievoFrameContext&)) {
-    for (vtkRelievoStage* stage : along)
+    for (vtkRelievoStage* stage : running)
     {
       this->Timer.Begin(stage->GetStageName());
       (stage->*work)(this->Context);
@@ -273,7 +280,8 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
     }
   };
   vtkRelievoDelegate::DelegateEvents events;
-  if (!along.empty())
+  // Opaque geometry: stages write beside the colour while VTK draws it.
+  if (!running.empty())
   {
     events.OpaqueBegins = [&]() { interrupt([&]() { forEach(&vtkRelievoStage::BeginOpaque); }); };
     events.OpaqueEnds = [&]() {
@@ -287,21 +295,25 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
     this->Color.Begin(this->Context);
     this->ColorOpen = true;
     this->Context.Color = &this->Color;
+    // Translucent geometry, and volumes: each into a layer of its own, if a stage wants it apart.
     if (this->Context.Translucent)
     {
       this->Translucent.Begin(this->Context, this->Color);
       events.TranslucentAsked = [&]() { interrupt([&]() { this->Translucent.Ask(); }); };
-      events.TranslucentBegins = [&](vtkProp* marker) {
-        interrupt([&]() { this->Translucent.BeginSurfaces(marker); });
+      events.TranslucentBegins = [&](vtkProp* sentinel) {
+        interrupt([&]() { this->Translucent.BeginSurfaces(sentinel); });
       };
       events.VolumesBegin = [&]() { interrupt([&]() { this->Translucent.BeginVolumes(); }); };
     }
-    // Texts and bars are drawn over the finished picture, not into the colour that stages change;
-    // without a picture, nowhere.
+    // Overlay: texts and bars are drawn over the finished picture, not into the colour that stages
+    // change; without a picture, nowhere.
     events.OverlayBegins = [&]() {
       if (this->ColorOpen && this->Color.IsBound())
       {
-        interrupt([&]() { this->ExecuteRest(); });
+        interrupt([&]() {
+          this->DrawStages();
+          this->Present();
+        });
         aside = !this->Context.Picture || !this->Context.Last;
         if (aside)
         {
@@ -312,7 +324,6 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
   }
   // Linear colours are half floats; the next picture may be drawn without them, or without a frame.
   const bool linear = this->ColorOpen;
-  auto* renderer = static_cast<vtkOpenGLRenderer*>(this->Context.Renderer);
   if (linear)
   {
     vtkRelievoAccess::Renderer::ForgetColorFormat(renderer);
@@ -332,57 +343,70 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoFrameRun::Execute(vtkRelievoDelegate& delegate, vtkRenderPass* pass)
+void vtkRelievoFrameRun::DrawStages()
 {
+  if (this->StagesDrawn)
+  {
+    return;
+  }
+  this->StagesDrawn = true;
+  vtkRelievoLeakedTextureUnits::Release(this->Context.Window);
+  if (this->ColorOpen)
+  {
+    this->Translucent.End();
+    this->Color.End(this->Context);
+    this->ColorOpen = false;
+  }
+  this->RunStages(vtkRelievoStageDescription::COMPOSITE);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameRun::Present()
+{
+  if (this->Presented)
+  {
+    return;
+  }
+  this->Presented = true;
+  this->Samples.Accumulate(this->Context);
   const std::vector<int>& order = this->Order.GetOrder();
-  if (std::any_of(order.begin(), order.end(), [](int place) { return place > 0; }))
+  for (; this->Next < order.size() && this->Context.Last; ++this->Next)
   {
-    this->Context.Scene.Take(this->Context.State);
-  }
-  for (const int place : order)
-  {
-    if (place > 0 && !this->Stages[place - 1]->Prepare(this->Context))
+    // What makes the picture of the colour does so itself; what shows something else as the picture
+    // draws over it.
+    if (!this->Nodes[order[this->Next]].Declaration.Presents)
     {
-      this->Dropped[place] = true;
-      this->Stages[place - 1]->ReleaseGraphicsResources(this->Context.Window);
+      this->PresentColor();
     }
+    this->Run(order[this->Next]);
   }
-  int drawn = 0;
-  for (; this->Next < order.size() && order[this->Next] > 0 &&
-       this->Nodes[order[this->Next]].Slot < vtkRelievoStageDescription::SURFACES;
-       ++this->Next)
+  this->PresentColor();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameRun::PresentColor()
+{
+  if (this->Context.Picture && this->Context.Last && this->Context.Color)
   {
-    this->ExecuteStage(order[this->Next]);
+    this->Color.Present(this->Context);
   }
-  if (this->Nodes[0].Needed)
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoFrameRun::Finish()
+{
+  std::vector<vtkRelievoStage*> running = this->GetRunning();
+  for (auto stage = running.rbegin(); stage != running.rend(); ++stage)
   {
-    if (this->Next < order.size() && order[this->Next] == 0)
-    {
-      ++this->Next;
-    }
-    drawn = this->DrawDelegate(delegate, pass);
+    (*stage)->Finish(this->Context);
   }
-  else
-  {
-    // The delegate would have done it: VTK's shaders are built for the lights that it counts.
-    static_cast<vtkOpenGLRenderer*>(this->Context.Renderer)->UpdateLights();
-  }
-  this->ExecuteRest();
-  for (auto place = order.rbegin(); place != order.rend(); ++place)
-  {
-    if (*place > 0 && !this->Dropped[*place])
-    {
-      this->Stages[*place - 1]->Finish(this->Context);
-    }
-  }
-  return drawn;
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoFrameRun::Report(vtkRelievoFrameReport& report, vtkRenderPass* pass) const
 {
   const bool draws = this->Nodes[0].Needed;
-  report.Begin(this->Context.Renderer, this->Color.GetBytes() + this->Gather.GetBytes());
+  report.Begin(this->Context.Renderer, this->Color.GetBytes() + this->Samples.GetBytes());
   report.Add("delegate", draws, draws ? "ran" : "not_asked",
     !draws   ? "only the layers are asked for"
       : pass ? std::string("draws the picture: ") + pass->GetClassName()

@@ -26,13 +26,40 @@ class vtkRelievoFrameRun
 public:
   vtkRelievoFrameRun(vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages,
     vtkRelievoColorTarget& color, vtkRelievoTranslucentLayers& translucent,
-    vtkRelievoSampleAccumulator& gather, vtkRelievoGpuTimer& timer);
+    vtkRelievoSampleAccumulator& samples, vtkRelievoGpuTimer& timer);
+
+  ///@{
+  // The phases of a frame, to be called in this order.
+
+  // Stages learn of each other's processes what they have to know before they declare.
+  void Synchronize();
+
+  // Stages say what they would read and write.
+  void Declare();
 
   // Works out what runs, and tells the others why not. Returns what cannot run for what it reads.
   std::vector<std::string> Plan();
 
-  // Runs it; the number of props that the delegate drew.
-  int Execute(vtkRelievoDelegate& delegate, vtkRenderPass* pass);
+  // What the plan needs is made ready; a stage may still find that it cannot run.
+  void Prepare();
+
+  // Stages that draw for lights.
+  void DrawLightMaps();
+
+  // VTK's own picture. Delegates draw in one go, so it is interrupted where a later phase must come
+  // first: what lies over the picture (texts, bars) waits for DrawStages and Present. Returns the
+  // number of props that the delegate drew.
+  int DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass* pass);
+
+  // Stages that follow the surfaces, up to the finished linear colour; once.
+  void DrawStages();
+
+  // Samples are accumulated, stages show what they show, and the colour becomes the picture; once.
+  void Present();
+
+  // Stages let go of the frame, in the opposite order.
+  void Finish();
+  ///@}
 
   bool NeedsColor() const { return this->Order.NeedsColor(); }
   // What was done and why; the pass is the delegate.
@@ -47,26 +74,25 @@ public:
   const std::map<std::string, std::string>& GetMissing() const { return this->Order.GetMissing(); }
 
 private:
-  void Declare();
   void FindLights();
-  void ExecuteStage(int place);
-  void ExecuteRest();
-  void FinishColor();
-  void Present();
-  int DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass* pass);
+  std::vector<vtkRelievoStage*> GetRunning() const;
+  void RunStages(int lastSlot);
+  void Run(int place);
+  void PresentColor();
 
   vtkRelievoFrameContext& Context;
   const std::vector<vtkRelievoStage*>& Stages; // node i + 1 is stage i
   vtkRelievoColorTarget& Color;
   vtkRelievoTranslucentLayers& Translucent;
-  vtkRelievoSampleAccumulator& Gather;
+  vtkRelievoSampleAccumulator& Samples;
   vtkRelievoGpuTimer& Timer;
   vtkRelievoFramePlan Order;
   std::vector<vtkRelievoFramePlan::Node> Nodes; // the first is the delegate
   std::vector<bool> Dropped;                    // of Nodes: needed, and cannot run after all
   std::size_t Next = 0;                         // in the order
-  bool Gathered = false;
-  bool ColorOpen = false; // the delegate draws into the colour target
+  bool ColorOpen = false;                       // the delegate draws into the colour target
+  bool StagesDrawn = false;
+  bool Presented = false;
 };
 
 #endif

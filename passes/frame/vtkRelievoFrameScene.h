@@ -37,10 +37,10 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoFrameScene
   void Take(const vtkRenderState* s);
 
   // What the renderer's visible props draw, in its order: those outside the view, too, whose
-  // shadows may be seen. As they are now: drawing may choose another level of detail.
+  // shadows may be seen. What they draw is as of now: drawing may choose another level of detail.
   static std::vector<vtkRelievoFrameProp> FindVisible(vtkRenderer* renderer);
 
-  // As they are now: VTK makes one while it draws a renderer that has none.
+  // The renderer's lights now: VTK makes one while it draws a renderer that has none.
   static std::vector<vtkRelievoFrameLight> FindLights(vtkRenderer* renderer);
 };
 

@@ -191,7 +191,7 @@ std::string vtkRelievoSampleAccumulator::Add(vtkRelievoFrameContext& context, Su
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoSampleAccumulator::GatherColor(vtkRelievoFrameContext& context)
+std::string vtkRelievoSampleAccumulator::AccumulateColor(vtkRelievoFrameContext& context)
 {
   if (!context.Find("color"))
   {
@@ -215,7 +215,7 @@ std::string vtkRelievoSampleAccumulator::GatherColor(vtkRelievoFrameContext& con
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoSampleAccumulator::Gather(vtkRelievoFrameContext& context)
+void vtkRelievoSampleAccumulator::Accumulate(vtkRelievoFrameContext& context)
 {
   if (context.Samples <= 1)
   {
@@ -239,7 +239,7 @@ void vtkRelievoSampleAccumulator::Gather(vtkRelievoFrameContext& context)
   }
   if (this->Fault.empty() && this->Asked.Color)
   {
-    this->Fault = this->GatherColor(context);
+    this->Fault = this->AccumulateColor(context);
   }
   if (!this->Fault.empty())
   {

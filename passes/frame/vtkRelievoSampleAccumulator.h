@@ -34,7 +34,7 @@ public:
     bool hasColor, const std::vector<vtkRelievoStage*>& stages);
 
   // When all but the display has been made: adds the sample, and makes the colour the mean.
-  void Gather(vtkRelievoFrameContext& context);
+  void Accumulate(vtkRelievoFrameContext& context);
 
   // When it is drawn: mappers may have counted themselves as modified.
   void End(const vtkRelievoFrameContext& context, const std::vector<vtkRelievoStage*>& stages);
@@ -74,7 +74,7 @@ private:
     const std::vector<vtkRelievoFramePlan::Node>& nodes, bool hasColor);
   void Choose(vtkRelievoFrameContext& context);
   void ReleaseSums(vtkWindow* window);
-  std::string GatherColor(vtkRelievoFrameContext& context);
+  std::string AccumulateColor(vtkRelievoFrameContext& context);
   std::string Add(vtkRelievoFrameContext& context, Sum& sum, const std::string& resource,
     const std::string& defines, int channels);
 

@@ -4,6 +4,11 @@
 // Props that draw nothing: put before and behind the props of a frame, they tell when the opaque
 // geometry of whatever delegate begins and ends, when what is translucent and volumes begin, and
 // when what lies over the picture does.
+//
+// VTK's passes ask all props whether they are translucent just before they bind the framebuffers in
+// which they peel or average: that question (TranslucentAsked) is the last moment at which the
+// opaque picture can be taken, and so it begins the translucent phase. Passes that do not ask begin
+// it by drawing.
 #ifndef vtkRelievoSentinelProp_h
 #define vtkRelievoSentinelProp_h
 
@@ -21,7 +26,7 @@ public:
 
   std::function<void()> Opaque;
   std::function<void()> Translucent;
-  std::function<void()> TranslucentAsked; // whether there is any, before it is drawn
+  std::function<void()> TranslucentAsked; // before it is drawn, by passes that ask
   std::function<void()> Volumes;
   std::function<void()> Overlay;
 

@@ -12,6 +12,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
 #include "vtkRelievoDrawTable.h"
+#include "vtkRelievoFormatChoice.h"
 #include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
@@ -27,7 +28,6 @@
 #include "vtkRelievoPrimitiveIds.h"
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoSurfaces.h"
-#include "vtkRelievoTrialCompile.h"
 #include "vtkRelievoVTKVersions.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -49,7 +49,6 @@ class vtkRelievoLayersStage::Internals
 public:
   vtkRelievoGBufferLayout Layout;
   vtkRelievoGBufferSplice::Mode Mode;
-  vtkTimeStamp StructureTime; // of the layout and the mode: shaders older than it are built anew
   vtkRelievoGBufferTarget Target;
   vtkRelievoGBufferTextures Textures;
   vtkRelievoFrameCamera View;
@@ -71,9 +70,8 @@ public:
   std::map<vtkMapper*, std::string> Lit;            // then: why VTK has to light what they draw
   std::map<vtkShaderProgram*, std::string> LeftOut; // the same of this frame's programs
   bool DrawsWithoutLayers =
-    false;                     // something is drawn that writes no layers, and cannot be told apart
-  bool BuiltUnspliced = false; // shaders without layers were built with this pass in their keys
-  bool Valid = false;          // the textures hold the last frame's layers
+    false;            // something is drawn that writes no layers, and cannot be told apart
+  bool Valid = false; // the textures hold the last frame's layers
 
   // The layout for what is asked of the stage.
   void Arrange(vtkRelievoLayersStage& self, const vtkRelievoFrameContext& context);
@@ -81,12 +79,12 @@ public:
   void CountLeft(vtkShaderProgram* program, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor);
   std::string WhyLit(vtkActor* actor) const;
 
-  void SetMode(const vtkRelievoGBufferSplice::Mode& mode)
+  void SetMode(vtkRelievoLayersStage& self, const vtkRelievoGBufferSplice::Mode& mode)
   {
     if (this->Mode != mode)
     {
       this->Mode = mode;
-      this->StructureTime.Modified();
+      self.ModifyShaders();
     }
   }
 };
@@ -156,7 +154,7 @@ bool vtkRelievoLayersStage::Prepare(vtkRelievoFrameContext& context)
   {
     // Actors that share a mapper share its shaders: one may change what is right for all.
     in.Lit = lit;
-    in.StructureTime.Modified();
+    this->ModifyShaders();
   }
   if (RELIEVO_VTK_WIDE_LINE_NORMALS)
   {
@@ -165,7 +163,7 @@ bool vtkRelievoLayersStage::Prepare(vtkRelievoFrameContext& context)
     if (lines != in.LineShaders)
     {
       in.LineShaders = std::move(lines);
-      in.StructureTime.Modified();
+      this->ModifyShaders();
     }
     in.Alternating = in.Layout.TakesNormals() &&
       std::any_of(in.LineShaders.begin(), in.LineShaders.end(),
@@ -222,7 +220,7 @@ void vtkRelievoLayersStage::BeginOpaque(vtkRelievoFrameContext& context)
   {
     return;
   }
-  in.SetMode(vtkRelievoGBufferSplice::Mode{ false, false, in.PrimitiveIds, in.Shading });
+  in.SetMode(*this, vtkRelievoGBufferSplice::Mode{ false, false, in.PrimitiveIds, in.Shading });
   in.Offset[0] = v[0];
   in.Offset[1] = v[1];
   in.Draws.Clear();
@@ -314,13 +312,15 @@ void vtkRelievoLayersStage::DrawOwnPass(vtkRelievoFrameContext& context)
   }
   if (wrong.empty())
   {
-    in.SetMode(vtkRelievoGBufferSplice::Mode{
-      true, in.View.Far > 1e4 * in.View.Near && !in.View.Parallel, in.PrimitiveIds, false });
+    in.SetMode(*this,
+      vtkRelievoGBufferSplice::Mode{
+        true, in.View.Far > 1e4 * in.View.Near && !in.View.Parallel, in.PrimitiveIds, false });
     in.Offset[0] = in.Offset[1] = 0;
     in.Draws.Clear();
     in.Writing = true;
     in.Props.AddPass(this);
-    // As the picture has it: of VTK's ways to draw one, only the renderer's own removes them.
+    // Hidden lines are removed where the picture's are: of VTK's ways to draw a picture, only the
+    // renderer's own steps remove them.
     in.Props.RenderOpaque(
       context.Renderer, context.Renderer->GetUseHiddenLineRemoval() && context.OwnSteps);
     in.Props.RemovePass(this);
@@ -503,72 +503,51 @@ void vtkRelievoLayersStage::Internals::Arrange(
   this->Layout = layout;
   if (changed)
   {
-    this->StructureTime.Modified();
+    self.ModifyShaders();
   }
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoLayersStage::PreReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+bool vtkRelievoLayersStage::IsSplicing() const
 {
-  if (this->Internal->Writing && vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
-  {
-    vtkRelievoGBufferSplice::Mark(vertexShader, geometryShader, fragmentShader);
-  }
-  return true;
+  return this->Internal->Writing;
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoLayersStage::PostReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* abstractMapper,
-  vtkProp* prop)
+void vtkRelievoLayersStage::MarkShaders(const vtkRelievoShaderTexts& shaders)
+{
+  vtkRelievoGBufferSplice::Mark(shaders.Vertex, shaders.Geometry, shaders.Fragment);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLayersStage::SpliceShaders(
+  const vtkRelievoShaderTexts& shaders, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
 {
   Internals& in = *this->Internal;
-  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
-  auto* actor = vtkActor::SafeDownCast(prop);
-  if (!in.Writing || !mapper || !actor)
-  {
-    return true;
-  }
-  const std::string own[3] = { vertexShader, geometryShader, fragmentShader };
-  // Returns what is wrong, in words, and leaves the shaders as they were then.
-  auto fill = [&](vtkRelievoGBufferSplice::Mode mode, bool& compiles) {
+  const auto splice = [&](vtkRelievoGBufferSplice::Mode mode) {
     mode.Deferred =
       mode.Deferred && actor->GetProperty()->GetLighting() && in.WhyLit(actor).empty();
-    std::string wrong = vtkRelievoGBufferSplice::Fill(
-      vertexShader, geometryShader, fragmentShader, mapper, actor, in.Layout, mode);
-    compiles = true;
-    if (wrong.empty())
-    {
-      wrong = vtkRelievoTrialCompile::Compile(
-        static_cast<vtkOpenGLRenderWindow*>(in.Renderer->GetRenderWindow()),
-        actor->GetShaderProperty(), vertexShader, geometryShader, fragmentShader);
-      compiles = wrong.empty();
-    }
-    if (!wrong.empty())
-    {
-      vertexShader = own[0];
-      geometryShader = own[1];
-      fragmentShader = own[2];
-    }
-    return wrong;
+    return TrySplice(
+      shaders, static_cast<vtkOpenGLRenderWindow*>(in.Renderer->GetRenderWindow()), actor, [&]() {
+        return vtkRelievoGBufferSplice::Fill(
+          shaders.Vertex, shaders.Geometry, shaders.Fragment, mapper, actor, in.Layout, mode);
+      });
   };
-  bool compiles = true;
-  std::string wrong = fill(in.Mode, compiles);
-  if (!compiles && in.Mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader)
+  vtkRelievoTrialSplice::Outcome outcome = splice(in.Mode);
+  if (!outcome.Compiles && in.Mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader)
   {
     vtkRelievoGBufferSplice::Mode without = in.Mode;
     without.PrimitiveIds = vtkRelievoPrimitiveIds::Unreliable;
-    wrong = fill(without, compiles);
+    outcome = splice(without);
   }
   const std::string name = mapper->GetClassName();
-  if (!wrong.empty() && in.Reported.insert(name + (compiles ? wrong : "compiles not")).second)
+  if (this->IsNews(mapper, outcome))
   {
-    vtkErrorMacro("No layers of what " << name << " draws: " << wrong << ".");
+    vtkErrorMacro("No layers of what " << name << " draws: " << outcome.Wrong << ".");
   }
   const bool numbered = vtkRelievoGBufferSplice::GetPrimitiveSource(mapper, actor) !=
-    vtkRelievoGBufferSplice::GetPrimitiveSource(fragmentShader);
-  if (wrong.empty() && numbered && in.Layout.IdWord >= 0 &&
+    vtkRelievoGBufferSplice::GetPrimitiveSource(shaders.Fragment);
+  if (outcome.Wrong.empty() && numbered && in.Layout.IdWord >= 0 &&
     in.Mode.PrimitiveIds == vtkRelievoPrimitiveIds::ThroughGeometryShader &&
     in.Reported.insert(name + "ids").second)
   {
@@ -576,7 +555,6 @@ bool vtkRelievoLayersStage::PostReplaceShaderValues(std::string& vertexShader,
       << name << " draws: with this OpenGL they need a geometry shader, which cannot hand on all "
       << "that its vertex shader puts out. Declare one output of a simple type on a line.");
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -672,55 +650,18 @@ std::string vtkRelievoLayersStage::Internals::WhyLit(vtkActor* actor) const
 //------------------------------------------------------------------------------
 vtkMTimeType vtkRelievoLayersStage::GetShaderStageMTime()
 {
-  // Asked outside of its own drawing by keys that were copied meanwhile: there it splices nothing.
   // Where actors take turns in a mapper's shaders, each needs its own.
-  Internals& in = *this->Internal;
-  if (!in.Writing || in.BuiltUnspliced || in.Alternating)
+  if (this->Internal->Alternating)
   {
-    in.StructureTime.Modified();
-    in.BuiltUnspliced = !in.Writing;
+    this->ModifyShaders();
   }
-  return in.StructureTime.GetMTime();
-}
-
-namespace
-{
-// Largest errors, rounded up: what the tests of formats hold them to (docs/choosing-formats.md).
-// From small to large; of the same size, the cheaper one first.
-struct Format
-{
-  int Code;
-  double Error;
-};
-using Pass = vtkRelievoLayersStage;
-constexpr Format Normals[] = { // degrees
-  { Pass::NORMAL_OCT8, 0.96 }, { Pass::NORMAL_OCT8_PRECISE, 0.65 }, { Pass::NORMAL_RGB8, 0.4 },
-  { Pass::NORMAL_RGB10A2, 0.098 }, { Pass::NORMAL_OCT16, 0.0038 },
-  { Pass::NORMAL_OCT16_PRECISE, 0.0026 }, { Pass::NORMAL_FLOAT32, 1e-5 }
-};
-constexpr Format Depths[] = { // of the depth
-  { Pass::DEPTH_16F, 4.9e-4 }, { Pass::DEPTH_32F, 6e-8 }
-};
-
-template <typename Formats>
-int Choose(const Formats& formats, double tolerance)
-{
-  const auto first = std::find_if(std::begin(formats), std::end(formats),
-    [tolerance](const Format& format) { return format.Error <= tolerance; });
-  return first == std::end(formats) ? (std::end(formats) - 1)->Code : first->Code;
-}
-
-template <typename Formats>
-bool IsTolerance(const Formats& formats, double tolerance, double most)
-{
-  return tolerance == 0.0 || (tolerance >= (std::end(formats) - 1)->Error && tolerance <= most);
-}
+  return this->Superclass::GetShaderStageMTime();
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoLayersStage::SetNormalTolerance(double degrees)
 {
-  if (!IsTolerance(Normals, degrees, 180.0))
+  if (!vtkRelievoFormatChoice::IsNormalTolerance(degrees))
   {
     vtkErrorMacro("SetNormalTolerance was given "
       << degrees << "; give it 1e-5, the error of the most accurate format, to 180 degrees, or 0 "
@@ -737,7 +678,7 @@ void vtkRelievoLayersStage::SetNormalTolerance(double degrees)
 //------------------------------------------------------------------------------
 void vtkRelievoLayersStage::SetDepthTolerance(double share)
 {
-  if (!IsTolerance(Depths, share, 1.0))
+  if (!vtkRelievoFormatChoice::IsDepthTolerance(share))
   {
     vtkErrorMacro("SetDepthTolerance was given "
       << share << "; give it 6e-8, the error of the most accurate format, to 1, as a share of the "
@@ -754,11 +695,13 @@ void vtkRelievoLayersStage::SetDepthTolerance(double share)
 //------------------------------------------------------------------------------
 int vtkRelievoLayersStage::GetNormalFormatUsed()
 {
-  return this->NormalTolerance > 0.0 ? Choose(Normals, this->NormalTolerance) : this->NormalFormat;
+  return this->NormalTolerance > 0.0 ? vtkRelievoFormatChoice::ChooseNormal(this->NormalTolerance)
+                                     : this->NormalFormat;
 }
 
 //------------------------------------------------------------------------------
 int vtkRelievoLayersStage::GetDepthFormatUsed()
 {
-  return this->DepthTolerance > 0.0 ? Choose(Depths, this->DepthTolerance) : this->DepthFormat;
+  return this->DepthTolerance > 0.0 ? vtkRelievoFormatChoice::ChooseDepth(this->DepthTolerance)
+                                    : this->DepthFormat;
 }

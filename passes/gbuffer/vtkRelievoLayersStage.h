@@ -163,17 +163,14 @@ public:
   std::string GetPrimitiveIds();
 
   /**
-   * The same for a window's OpenGL, found by drawing a few triangles on the first call. The window
-   * must be initialized, and is made current.
+   * How a window's OpenGL gives the number of a pixel's primitive, in GetPrimitiveIds' words: found
+   * by drawing a few triangles on the first call. The window must be initialized, and is made
+   * current.
    */
   static std::string ProbePrimitiveIds(vtkOpenGLRenderWindow* window);
 
   std::map<std::string, vtkVariant> GetFacts() override;
 
-  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* VAO = nullptr) override;
   vtkMTimeType GetShaderStageMTime() override;
@@ -183,6 +180,12 @@ protected:
   vtkRelievoLayersStage();
   ~vtkRelievoLayersStage() override;
 
+#ifndef __VTK_WRAP__
+  bool IsSplicing() const override;
+  void MarkShaders(const vtkRelievoShaderTexts& shaders) override;
+  void SpliceShaders(const vtkRelievoShaderTexts& shaders, vtkOpenGLPolyDataMapper* mapper,
+    vtkActor* actor) override;
+#endif
   void Describe(vtkRelievoStageDescription& description) override;
   std::vector<std::string> GetReadsFor(
     const vtkRelievoFrameContext& context, const std::vector<std::string>& asked) const override;

@@ -110,7 +110,8 @@ bool Try(vtkOpenGLRenderWindow* window, int varyings, bool geometryShader)
   std::string geometry;
   if (geometryShader)
   {
-    // As many as the vertex shader has without its conditions.
+    // The vertex shader's conditions are resolved here: MakeGeometryShader takes every varying that
+    // it finds in the text.
     std::string plain;
     std::istringstream lines(vertex);
     std::string line;

@@ -37,11 +37,13 @@ struct vtkRelievoSurfaces
   // Why VTK has to light the actor, in words; empty if it has not.
   static std::string WhyLit(vtkActor* actor, vtkRenderer* renderer);
 
-  // The same of all that is drawn by a mapper, where it is not empty; `mirrors`: the view does.
+  // Why VTK has to light what each mapper draws, in words; mappers that it need not light are left
+  // out. `mirrors`: the view does.
   static std::map<vtkMapper*, std::string> FindLit(
     const vtkRelievoFrameScene& scene, vtkRenderer* renderer, bool mirrors);
 
-  // The same of what a mapper draws now with this fragment shader.
+  // Why VTK has to light what the mapper draws now with this fragment shader, in words; empty if it
+  // has not.
   static std::string WhyLit(vtkOpenGLPolyDataMapper* mapper, const std::string& fragment);
 
   // What each mapper draws for the visible actors: lines wider than 1, something else, or both.

@@ -3,37 +3,29 @@
 #include "vtkRelievoShadowStage.h"
 
 #include "vtkActor.h"
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkLight.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
-#include "vtkPointData.h"
 #include "vtkProp.h"
 #include "vtkRelievoAccess.h"
-#include "vtkRelievoCasterRays.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePass.h"
 #include "vtkRelievoFramePlan.h"
 #include "vtkRelievoLampMaps.h"
 #include "vtkRelievoLightSamples.h"
-#include "vtkRelievoProbeView.h"
 #include "vtkRelievoShadowCertificate.h"
 #include "vtkRelievoShadowCertifier.h"
 #include "vtkRelievoShadowContext.h"
 #include "vtkRelievoShadowLights.h"
 #include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoShadowMethodExact.h"
-#include "vtkRelievoShadowPlanner.h"
-#include "vtkRelievoShadowProbe.h"
+#include "vtkRelievoShadowPlanning.h"
 #include "vtkRelievoShadowSchedule.h"
 #include "vtkRelievoShadowStrengths.h"
 #include "vtkRelievoShadowUniforms.h"
-#include "vtkRelievoTrialCompile.h"
 #include "vtkRenderState.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -63,27 +55,11 @@ public:
   vtkRelievoShadowContext Work{ Casters };
   vtkRelievoShadowSchedule Schedule;
   vtkRelievoLampMaps Lamps{ Casters }; // from data
-  vtkRelievoShadowProbe Probe;
-  vtkRelievoShadowPlanner Planner;
-  vtkRelievoShadowPlanner::Plan Plan; // of the frame; without a goal, what is set
-  vtkRelievoShadowPlanner::SceneCost Cost;
-  bool Planned = false;
-  double RoomRefused = 0.0; // texels of maps that OpenGL had no memory for; 0: none
-  bool Fresh = false;       // other than in the frame before
-  bool Failed = false;      // what was chosen could not be made
-  double Began = 0.0;       // milliseconds
-  double Took = -1.0;       // the last picture
-  double Planning = 0.0;    // of this frame
-  vtkMTimeType TimedStructure = 0;
-  glm::dmat4 TimedView{ 0.0 };
-  std::vector<std::uint64_t> TimedCasters;
-  std::vector<double> TimedLights;
-  vtkRelievoShadowPlanner::Invalidated Moves; // since the frame before
+  vtkRelievoShadowPlanning Planning;
   std::unique_ptr<vtkRelievoShadowMethod> Method = vtkRelievoShadowMethod::Make(METHOD_MAP);
   int MethodMade = METHOD_MAP;
   int MethodRefused = -1; // could not make shadows of what cast so
   std::vector<std::uint64_t> Refused;
-  vtkTimeStamp StructureTime;
   bool LayersAsked = false;                     // visibility is asked for as a layer
   bool LightsAsked = false;                     // shadows of the renderer's lights
   bool LampsAsked = false;                      // and of lamps from data
@@ -95,19 +71,27 @@ public:
   std::set<std::string> Reported;                   // warnings and errors
   vtkRelievoShadowStrengths Strengths;              // of the lights of this frame
   bool Spliced = false;
-  bool BuiltUnspliced = false; // shaders without shadows were built with this pass in their keys
 
   // Makes the method, if it is another one than in the frame before. The context is current.
   void UseMethod(int method, vtkOpenGLRenderWindow* window);
 
-  void BeginTiming(bool picture);
-  void FindMoves(const vtkRelievoFrameCamera& view);
+  // What the plan is made for.
+  static vtkRelievoShadowPlanning::Settings GetSettings(const vtkRelievoShadowStage& self)
+  {
+    return { self.Method, self.MapSize, self.Tolerance, self.TimeBudget, self.Bias,
+      self.FilterRadius, self.ColoredShadows };
+  }
+  vtkRelievoShadowPlanning::Scene GetScene()
+  {
+    return { this->Work, this->Lights, this->Schedule.Exchange.IsOn(),
+      this->MethodRefused == METHOD_EXACT && this->Work.Props.GetState() == this->Refused };
+  }
 
   // Whether a map is being drawn: notes the program that draws into it.
   bool IsDrawingMaps(vtkShaderProgram* program);
 
-  // Shaders are built anew if they are to be others than in the frame before.
-  void UpdateStructure();
+  // Whether shaders are to be others than in the frame before.
+  bool UpdateStructure();
 };
 
 vtkStandardNewMacro(vtkRelievoShadowStage);
@@ -251,7 +235,7 @@ int vtkRelievoShadowStage::GetNumberOfMaps()
 bool vtkRelievoShadowStage::Prepare(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  in.BeginTiming(context.Picture);
+  in.Planning.Begin(context.Picture);
   vtkRelievoAccess::Renderer::FollowCamera(context.Renderer);
   // The shaders that draw the maps are built for the lights that VTK counts here.
   static_cast<vtkOpenGLRenderer*>(context.Renderer)->UpdateLights();
@@ -261,7 +245,7 @@ bool vtkRelievoShadowStage::Prepare(vtkRelievoFrameContext& context)
   lights ? this->CollectLights(context) : in.Lights.Clear();
   if (in.Lights.GetCasting().empty() && !in.LampsAsked)
   {
-    in.Planned = false;
+    in.Planning.SetNone();
     this->Explain("no_lights", "no light casts" + in.Lights.GetReport());
     return false;
   }
@@ -303,14 +287,14 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
     work.Bias = this->Bias;
     work.ColoredShadows = this->ColoredShadows;
     fault = this->MakeMaps(context);
-    if (!in.Planned && !in.Method->Traces())
+    if (!in.Planning.IsPlanned() && !in.Method->Traces())
     {
       work.Props.ForgetGlyphs();
     }
   }
   else
   {
-    in.Planned = false;
+    in.Planning.SetNone();
     in.UseMethod(METHOD_MAP, context.Window);
     work.WithoutFollowed = false;
     work.Maps.Release(context.Window);
@@ -323,12 +307,15 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
   std::vector<std::string> words;
   if (!fault.empty())
   {
-    this->SayOnce("No shadows: " + fault);
+    this->ReportOnce("No shadows: " + fault);
     words.push_back(fault);
     work.Cache.Clear();
     in.Method->Unbind(); // what it took in Prepare
   }
-  in.UpdateStructure();
+  if (in.UpdateStructure())
+  {
+    this->ModifyShaders();
+  }
   if (!lamps)
   {
     in.Lamps.Release(context.Window);
@@ -360,7 +347,7 @@ void vtkRelievoShadowStage::Execute(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowStage::SayOnce(const std::string& error)
+void vtkRelievoShadowStage::ReportOnce(const std::string& error)
 {
   if (this->Internal->Reported.insert(error).second)
   {
@@ -382,14 +369,14 @@ void vtkRelievoShadowStage::Finish(vtkRelievoFrameContext& context)
     if (in.Work.Props.ChangesByDrawing())
     {
       // Some mappers count themselves as modified when they draw.
-      const bool probed = in.Probe.HasScene(in.Work.Props);
+      const bool probed = in.Planning.GetProbe().HasScene(in.Work.Props);
       in.Work.Props.Collect(context.Renderer, context.Scene.Props);
       in.Work.Cache.SetCasters(in.Work.Props, in.Work.WithoutFollowed);
       in.Lamps.Work.Cache.SetCasters(in.Work.Props, false);
       in.Method->Settle(in.Work);
       if (probed)
       {
-        in.Probe.Settle(in.Work.Props);
+        in.Planning.GetProbe().Settle(in.Work.Props);
       }
     }
   }
@@ -399,11 +386,13 @@ void vtkRelievoShadowStage::Finish(vtkRelievoFrameContext& context)
     in.Work.Cache.Invalidate();
     in.Lamps.Work.Cache.Invalidate();
     in.Method->Forget();
-    in.TimedView = glm::dmat4(0.0); // the next frame finds everything anew
+    in.Planning.ForgetView();
   }
   else
   {
-    this->EndTiming(context); // of an aborted frame the time tells nothing
+    // Of an aborted frame the time tells nothing.
+    in.Planning.End(
+      in.GetScene(), context.Picture, this->NumberOfMapsDrawn > 0, this->GetShaderTime());
   }
 }
 
@@ -425,8 +414,7 @@ void vtkRelievoShadowStage::ReleaseGraphicsResources(vtkWindow* window)
   this->Internal->Work.Cache.Clear();
   this->Internal->Lights.Clear();
   this->Internal->MethodRefused = -1; // another window's OpenGL may hold what this one did not
-  this->Internal->RoomRefused = 0.0;
-  this->Internal->Probe.Release();
+  this->Internal->Planning.ForgetRoom({});
   this->NumberOfMapsDrawn = 0;
   this->DrawCalls = 0;
   this->Superclass::ReleaseGraphicsResources(window);
@@ -446,7 +434,7 @@ void vtkRelievoShadowStage::Internals::UseMethod(int method, vtkOpenGLRenderWind
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowStage::Internals::UpdateStructure()
+bool vtkRelievoShadowStage::Internals::UpdateStructure()
 {
   vtkRelievoShadowSplice::Structure structure;
   structure.Method = this->Method->GetShader();
@@ -464,11 +452,12 @@ void vtkRelievoShadowStage::Internals::UpdateStructure()
   {
     structure.Found.emplace_back(actor, actor->GetMapper());
   }
-  if (!(structure == this->Work.Structure))
+  const bool changed = !(structure == this->Work.Structure);
+  if (changed)
   {
     this->Work.Structure = structure;
-    this->StructureTime.Modified();
   }
+  return changed;
 }
 
 //------------------------------------------------------------------------------
@@ -569,28 +558,6 @@ constexpr int MostSamples = 4096;
 constexpr double WidestSun = 90.0;
 constexpr double LargestLamp = 1e9;
 
-const int Sizes[] = { 1024, 2048, 4096, 8192 };
-
-// Where rays cannot tell: measurements are within so many times the law.
-constexpr double LawsFactor = 2.5;
-
-// Maps of more bytes are not chosen.
-constexpr vtkIdType MostBytes = vtkIdType(1) << 31;
-
-bool IsSoftware()
-{
-  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string renderer = name ? name : "";
-  return renderer.find("llvmpipe") != std::string::npos ||
-    renderer.find("softpipe") != std::string::npos;
-}
-
-double GetNow()
-{
-  using Clock = std::chrono::steady_clock;
-  return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();
-}
-
 bool IsPossible(int method, const vtkRelievoShadowDemand& demand)
 {
   return method >= vtkRelievoShadowStage::METHOD_MAP &&
@@ -599,59 +566,6 @@ bool IsPossible(int method, const vtkRelievoShadowDemand& demand)
       demand.Height }) >= 0;
 }
 
-const char* const Depth = "depth";
-constexpr double MostTexels = 8.0;
-
-// Whether all of them have a half float's 11 bits.
-bool AreHalf(const float* depths, vtkIdType count)
-{
-  return std::all_of(depths, depths + count, [](float depth) {
-    int power = 0;
-    const float bits = std::ldexp(std::frexp(depth, &power), 11);
-    return !std::isfinite(depth) || bits == std::floor(bits);
-  });
-}
-
-// The renderer alone draws the layers, into a framebuffer of the frame's own; "" or what is wrong.
-std::string DrawLayers(vtkRenderer* renderer, vtkRelievoFramePass* frame,
-  const std::vector<std::string>& layers, vtkImageData* image)
-{
-  std::vector<std::string> added;
-  for (const std::string& layer : layers)
-  {
-    if (!frame->IsLayerRequested(layer))
-    {
-      frame->RequestLayer(layer);
-      added.push_back(layer);
-    }
-  }
-  const bool layersOnly = frame->GetLayersOnly();
-  frame->SetLayersOnly(true);
-  renderer->GetRenderWindow()->Start();
-  renderer->Render();
-  frame->SetLayersOnly(layersOnly);
-  std::string fault = frame->TryReadLayers(layers, image);
-  renderer->GetRenderWindow()->End();
-  for (const std::string& layer : added)
-  {
-    frame->ReleaseLayer(layer);
-  }
-  return fault;
-}
-
-// What is drawn into maps as points and lines is wider there than its box, by some texels.
-double GetWidth(const vtkRelievoShadowCache& cache)
-{
-  double widest = 0.0;
-  for (const auto& entry : cache.GetEntries())
-  {
-    for (const auto& map : entry.Maps)
-    {
-      widest = std::max(widest, map.View.Texel * (map.View.Parallel ? 1.0 : map.View.Far));
-    }
-  }
-  return MostTexels * widest;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -792,11 +706,7 @@ void vtkRelievoShadowStage::SetTolerance(double share)
   if (this->Tolerance != share)
   {
     this->Tolerance = share;
-    this->Internal->RoomRefused = 0.0;
-    if (this->Tolerance + this->TimeBudget == 0.0)
-    {
-      this->Internal->Probe.Release();
-    }
+    this->Internal->Planning.ForgetRoom(Internals::GetSettings(*this));
     this->Modified();
   }
 }
@@ -813,12 +723,8 @@ void vtkRelievoShadowStage::SetTimeBudget(double milliseconds)
   if (this->TimeBudget != milliseconds)
   {
     this->TimeBudget = milliseconds;
-    this->Internal->RoomRefused = 0.0;
-    if (this->Tolerance + this->TimeBudget == 0.0)
-    {
-      this->Internal->Probe.Release();
-    }
-    this->Internal->Planner.Forget();
+    this->Internal->Planning.ForgetRoom(Internals::GetSettings(*this));
+    this->Internal->Planning.ForgetTimes();
     this->Modified();
   }
 }
@@ -838,137 +744,15 @@ double vtkRelievoShadowStage::EstimateWrongShareInView(int method, int size)
                   "on, add a light that casts, and render first.");
     return -1.0;
   }
-  this->UpdateProbe();
-  return this->GetShareInView(method, size);
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoShadowStage::UpdateProbe()
-{
-  Internals& in = *this->Internal;
-  if (!in.Schedule.Exchange.IsOn())
-  {
-    in.Work.Bias = this->Bias;
-    in.Work.Radius = this->FilterRadius;
-    in.Probe.Update(
-      in.Work, in.Lights.GetUnmoved(), vtkRelievoProbeView::GetPicture(in.Work.View, in.Renderer));
-  }
-}
-
-//------------------------------------------------------------------------------
-// As the probe is.
-double vtkRelievoShadowStage::GetShareInView(int method, int size)
-{
-  const Internals& in = *this->Internal;
-  const double law = this->EstimateWrongShare(method, size);
-  const bool alone = !in.Schedule.Exchange.IsOn();
-  if (method == METHOD_EXACT)
-  {
-    vtkRelievoShadowDemand demand;
-    demand.Farness = vtkRelievoShadowMethodExact::GetFarness(in.Work);
-    // What cannot be followed is looked up in maps.
-    return alone && !in.Probe.HasUnfollowed()
-      ? vtkRelievoShadowMethod::Make(METHOD_EXACT)->Estimate(demand).WrongShare
-      : std::min(1.0, LawsFactor * this->EstimateWrongShare(METHOD_MAP, this->MapSize));
-  }
-  if (!alone || !in.Probe.IsKnown())
-  {
-    return std::min(1.0, LawsFactor * law);
-  }
-  const double share = in.Probe.GetWrongShare(size, method == METHOD_WARPED);
-  return method == METHOD_FORWARD
-    ? std::min(1.0, share * law / this->EstimateWrongShare(METHOD_MAP, size))
-    : share;
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoShadowStage::MakePlan(vtkRelievoFrameContext& context)
-{
-  Internals& in = *this->Internal;
-  const vtkRelievoShadowPlanner::Choice before = in.Plan.Chosen;
-  const bool planned = in.Planned;
-  // Several processes have no time in common.
-  in.Planned = this->Tolerance > 0.0 || (this->TimeBudget > 0.0 && !in.Schedule.Exchange.IsOn());
-  const bool refused = in.MethodRefused == METHOD_EXACT && in.Work.Props.GetState() == in.Refused;
-  const auto hasRoom = [&](int size) {
-    const double texels = static_cast<double>(size) * size * in.Cost.Maps;
-    return in.RoomRefused == 0.0 || texels < in.RoomRefused;
-  };
-  const vtkRelievoFrameCamera picture =
-    vtkRelievoProbeView::GetPicture(context.View, context.Renderer);
-  const bool tiled = picture.Viewport[2] != context.View.Viewport[2] ||
-    picture.Viewport[3] != context.View.Viewport[3];
-  const int updates = in.Probe.GetUpdates();
-  if (in.Planned)
-  {
-    const double began = GetNow();
-    this->UpdateProbe();
-    in.Planning += GetNow() - began;
-  }
-  const bool part = !context.Picture || tiled || context.Sample > 0;
-  if (planned && in.Planned && this->TimeBudget > 0.0 && part && updates == in.Probe.GetUpdates() &&
-    !(refused && before.Method == METHOD_EXACT) && hasRoom(before.Size))
-  {
-    return; // layers, tiles and samples of a picture are made as the picture was
-  }
-  in.Plan = vtkRelievoShadowPlanner::Plan();
-  in.Plan.Chosen.Method = this->Method;
-  in.Plan.Chosen.Size = this->MapSize;
-  if (!in.Planned)
-  {
-    return;
-  }
-  const std::vector<vtkRelievoShadowLight>& casting = in.Lights.GetCasting();
-  const bool together = in.Schedule.Exchange.IsOn();
-  const bool suns = std::any_of(casting.begin(), casting.end(),
-    [](const vtkRelievoShadowLight& light) { return !light.Positional; });
-  in.Cost.Pixels = static_cast<double>(picture.Viewport[2]) * picture.Viewport[3];
-  in.Cost.Lights = static_cast<double>(casting.size());
-  // Processes choose alike: by what all of them know.
-  const auto own = [together](double load) { return together ? 0.0 : load; };
-  in.Cost.Maps = together ? in.Cost.Lights : in.Probe.GetNumberOfMaps();
-  in.Cost.Triangles = own(static_cast<double>(in.Probe.GetNumberOfTriangles()));
-  in.Cost.Props = own(static_cast<double>(in.Work.Props.GetAllBoxes().size()));
-  in.Cost.Software = !together && IsSoftware();
-  const auto fits = [&](int method, int size) {
-    const int maps = static_cast<int>(in.Cost.Maps);
-    return size <= vtkRelievoShadowMaps::GetLargestSize() && hasRoom(size) &&
-      this->EstimateBytes(method, size, maps, static_cast<int>(casting.size()), 0, 0) <= MostBytes;
-  };
-  std::vector<vtkRelievoShadowPlanner::Choice> choices;
-  for (const int method : { METHOD_MAP, METHOD_WARPED })
-  {
-    for (const int size : Sizes)
-    {
-      if ((method == METHOD_MAP || suns) && fits(method, size))
-      {
-        choices.push_back({ method, size, this->GetShareInView(method, size) });
-      }
-    }
-  }
-  // What cannot be followed by rays needs maps.
-  if (!together && !refused && (!in.Probe.HasUnfollowed() || hasRoom(this->MapSize)))
-  {
-    if (this->ColoredShadows && in.Work.Props.HasTranslucentCasters())
-    {
-      choices.clear(); // maps have neither shares nor colours: the picture would be another
-    }
-    choices.push_back({ METHOD_EXACT, 0, this->GetShareInView(METHOD_EXACT, 1) });
-  }
-  if (choices.empty())
-  {
-    in.Plan.Words = "nothing was chosen: no maps fit in the memory";
-    return;
-  }
-  in.Plan = in.Planner.Choose({ this->Tolerance, own(this->TimeBudget) }, choices, in.Cost);
-  in.Fresh = !(in.Plan.Chosen == before);
+  in.Planning.UpdateProbe(in.GetScene(), Internals::GetSettings(*this), in.Renderer);
+  return in.Planning.GetShareInView(in.GetScene(), Internals::GetSettings(*this), method, size);
 }
 
 //------------------------------------------------------------------------------
 void vtkRelievoShadowStage::PrepareMethod(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  const int method = in.Plan.Chosen.Method;
+  const int method = in.Planning.Get().Chosen.Method;
   bool refused = method == in.MethodRefused && in.Work.Props.GetState() == in.Refused;
   const bool together = in.Schedule.Exchange.IsOn();
   if (together && (refused || method != METHOD_EXACT))
@@ -1006,13 +790,13 @@ void vtkRelievoShadowStage::PrepareMethod(vtkRelievoFrameContext& context)
 std::string vtkRelievoShadowStage::MakeMaps(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  in.FindMoves(context.View);
+  in.Planning.FindMoves(in.GetScene(), context.View);
   for (;;)
   {
-    this->MakePlan(context);
+    in.Planning.Make(in.GetScene(), Internals::GetSettings(*this), context);
     this->PrepareMethod(context);
-    const vtkRelievoShadowPlanner::Choice& chosen = in.Plan.Chosen;
-    const bool planned = in.Planned && in.Plan.Milliseconds > 0.0;
+    const vtkRelievoShadowPlanner::Choice& chosen = in.Planning.Get().Chosen;
+    const bool planned = in.Planning.IsPlanned() && in.Planning.Get().Milliseconds > 0.0;
     if (planned && chosen.Method == METHOD_EXACT && in.MethodMade != METHOD_EXACT)
     {
       continue;
@@ -1022,7 +806,7 @@ std::string vtkRelievoShadowStage::MakeMaps(vtkRelievoFrameContext& context)
       this->GetSizeHere(size), this->FilterRadius, context.Renderer);
     if (fault.empty() || !planned)
     {
-      in.Failed = !fault.empty() || in.MethodMade != chosen.Method;
+      in.Planning.SetMade(fault.empty() && in.MethodMade == chosen.Method);
       return fault;
     }
     if (chosen.Method == METHOD_EXACT)
@@ -1031,74 +815,15 @@ std::string vtkRelievoShadowStage::MakeMaps(vtkRelievoFrameContext& context)
       in.Refused = in.Work.Props.GetState();
       continue;
     }
-    const double texels = static_cast<double>(size) * size * in.Cost.Maps;
-    in.RoomRefused = in.RoomRefused > 0.0 ? std::min(in.RoomRefused, texels) : texels;
+    in.Planning.RefuseRoom(size);
   }
-}
-
-//------------------------------------------------------------------------------
-// Frames of layers alone leave what the picture took.
-void vtkRelievoShadowStage::Internals::BeginTiming(bool picture)
-{
-  this->Began = GetNow();
-  this->Took = picture ? -1.0 : this->Took;
-  this->Planning = 0.0;
-}
-
-//------------------------------------------------------------------------------
-// Of frames with a plan that draw a picture; those that build shaders tell nothing of the next.
-void vtkRelievoShadowStage::EndTiming(vtkRelievoFrameContext& context)
-{
-  Internals& in = *this->Internal;
-  in.TimedCasters = in.Work.Props.GetState(); // some have changed by being drawn
-  if (!in.Planned || !context.Picture)
-  {
-    return;
-  }
-  glFinish();
-  in.Took = GetNow() - in.Began;
-  const bool built = in.TimedStructure != in.StructureTime.GetMTime();
-  in.TimedStructure = in.StructureTime.GetMTime();
-  if (in.Fresh || built)
-  {
-    return; // what is drawn anew for that tells nothing either
-  }
-  const bool maps = this->NumberOfMapsDrawn > 0;
-  in.Planner.AddFrame({ in.Moves.Maps || maps, in.Moves.Rays });
-  if (!in.Failed)
-  {
-    in.Planner.AddTime(in.Plan.Chosen, in.Cost, { maps, in.Moves.Rays }, in.Took, in.Planning);
-  }
-}
-
-//------------------------------------------------------------------------------
-// What has moved since the frame before, for every method: maps are drawn anew when casters or
-// lights move, and verdicts of rays are kept only while the view stays as well.
-void vtkRelievoShadowStage::Internals::FindMoves(const vtkRelievoFrameCamera& view)
-{
-  const glm::dmat4 seen = view.ViewToNDC * view.WorldToView;
-  std::vector<double> lights;
-  for (const vtkRelievoShadowLight& light : this->Lights.GetCasting())
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      lights.push_back(light.Positional ? light.Position[axis] : 0.0);
-      lights.push_back(light.Direction[axis]);
-    }
-    lights.push_back(light.ConeAngle);
-  }
-  const bool first = this->TimedLights.empty();
-  const bool moved =
-    !first && (lights != this->TimedLights || this->Work.Props.GetState() != this->TimedCasters);
-  this->Moves = { moved, moved || (!first && seen != this->TimedView) };
-  this->TimedView = seen;
-  this->TimedLights = lights;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoShadowStage::GetPlan()
 {
-  return this->Internal->Planned ? this->Internal->Plan.Words : std::string();
+  return this->Internal->Planning.IsPlanned() ? this->Internal->Planning.Get().Words
+                                              : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -1116,13 +841,14 @@ int vtkRelievoShadowStage::GetMapSizeUsed()
 //------------------------------------------------------------------------------
 double vtkRelievoShadowStage::GetExpectedMilliseconds()
 {
-  return this->Internal->Planned ? this->Internal->Plan.Milliseconds : -1.0;
+  return this->Internal->Planning.IsPlanned() ? this->Internal->Planning.Get().Milliseconds : -1.0;
 }
 
 //------------------------------------------------------------------------------
 double vtkRelievoShadowStage::GetMillisecondsTaken()
 {
-  return this->Internal->Planned ? this->Internal->Took : -1.0;
+  return this->Internal->Planning.IsPlanned() ? this->Internal->Planning.GetMillisecondsTaken()
+                                              : -1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -1181,9 +907,10 @@ double vtkRelievoShadowStage::EstimateWrongShare(int method, int size)
 //------------------------------------------------------------------------------
 double vtkRelievoShadowStage::GetExpectedWrongShare() const
 {
-  if (this->Internal->Planned && this->Internal->Plan.Chosen.Method == this->Internal->MethodMade)
+  if (this->Internal->Planning.IsPlanned() &&
+    this->Internal->Planning.Get().Chosen.Method == this->Internal->MethodMade)
   {
-    return this->Internal->Plan.Chosen.WrongShare;
+    return this->Internal->Planning.Get().Chosen.WrongShare;
   }
   vtkRelievoShadowDemand demand;
   demand.MapSize = this->Internal->Work.Maps.GetSize();
@@ -1195,15 +922,20 @@ double vtkRelievoShadowStage::GetExpectedWrongShare() const
 std::map<std::string, vtkVariant> vtkRelievoShadowStage::GetFacts()
 {
   const Internals& in = *this->Internal;
+  const vtkRelievoShadowPlanning& planning = in.Planning;
   const vtkRelievoShadowContext& lamps = in.Lamps.Work;
   const bool ran = this->GetReasonCode() == "ran" && !in.Lights.GetCasting().empty();
   return { { "expected_wrong_share",
              ran ? vtkVariant(this->GetExpectedWrongShare()) : vtkVariant() },
     { "soft_samples", vtkVariant(ran ? in.Samples : 1) },
     { "soft_gathered", vtkVariant(ran ? in.Gathered : 1) },
-    { "shadow_plan", in.Planned ? vtkVariant(in.Plan.Words) : vtkVariant() },
-    { "expected_frame_ms", in.Planned ? vtkVariant(in.Plan.Milliseconds) : vtkVariant() },
-    { "frame_ms", in.Planned && in.Took >= 0.0 ? vtkVariant(in.Took) : vtkVariant() },
+    { "shadow_plan", planning.IsPlanned() ? vtkVariant(planning.Get().Words) : vtkVariant() },
+    { "expected_frame_ms",
+      planning.IsPlanned() ? vtkVariant(planning.Get().Milliseconds) : vtkVariant() },
+    { "frame_ms",
+      planning.IsPlanned() && planning.GetMillisecondsTaken() >= 0.0
+        ? vtkVariant(planning.GetMillisecondsTaken())
+        : vtkVariant() },
     { "lamp_maps", vtkVariant(lamps.Cache.GetNumberOfMaps()) },
     { "lamp_maps_drawn", vtkVariant(lamps.MapsDrawn) },
     { "lamp_maps_bytes", vtkVariant(static_cast<long long>(lamps.Maps.GetBytes())) } };
@@ -1262,7 +994,7 @@ void vtkRelievoShadowStage::DrawLights(vtkRelievoFrameContext& context)
   this->DrawCalls += mapDraws + methodDraws; // mappers that draw by themselves counted theirs
   if (!in.Method->GetFault().empty())
   {
-    this->SayOnce("Shadows are looked up in the maps alone: " + in.Method->GetFault());
+    this->ReportOnce("Shadows are looked up in the maps alone: " + in.Method->GetFault());
   }
 }
 
@@ -1276,7 +1008,7 @@ std::string vtkRelievoShadowStage::DrawLamps(vtkRelievoFrameContext& context)
     context, this->GetSizeHere(this->LampMapSize), this->FilterRadius, this->Strength);
   if (!fault.empty())
   {
-    this->SayOnce("No shadows of lamps: " + fault);
+    this->ReportOnce("No shadows of lamps: " + fault);
     in.Lamps.Release(context.Window);
     return "no shadows of lamps: " + fault;
   }
@@ -1289,6 +1021,7 @@ std::string vtkRelievoShadowStage::DrawLamps(vtkRelievoFrameContext& context)
 std::string vtkRelievoShadowStage::DescribeMaps() const
 {
   const Internals& in = *this->Internal;
+  const vtkRelievoShadowPlanning& planning = in.Planning;
   const auto& casting = in.Lights.GetCasting();
   std::ostringstream out;
   out << casting.size() << (casting.size() == 1 ? " light casts" : " lights cast");
@@ -1301,58 +1034,40 @@ std::string vtkRelievoShadowStage::DescribeMaps() const
       << " x " << in.Work.Maps.GetSize() << " texels, " << this->NumberOfMapsDrawn
       << " drawn anew, expected share of wrong pixels " << std::setprecision(2)
       << 100.0 * this->GetExpectedWrongShare() << " %" << std::setprecision(6)
-      << (in.Planned ? ", " + in.Plan.Words : std::string()) << in.Method->GetReport()
-      << in.Work.Others.GetReport() << this->DescribeSamples() << in.Schedule.Exchange.GetReport()
-      << in.Lights.GetReport();
+      << (planning.IsPlanned() ? ", " + planning.Get().Words : std::string())
+      << in.Method->GetReport() << in.Work.Others.GetReport() << this->DescribeSamples()
+      << in.Schedule.Exchange.GetReport() << in.Lights.GetReport();
   return out.str();
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoShadowStage::PreReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+bool vtkRelievoShadowStage::IsSplicing() const
 {
-  if (this->Internal->Spliced && vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
-  {
-    vtkRelievoShadowSplice::Mark(vertexShader, geometryShader, fragmentShader);
-  }
-  return true;
+  return this->Internal->Spliced;
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoShadowStage::PostReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* abstractMapper,
-  vtkProp* prop)
+void vtkRelievoShadowStage::MarkShaders(const vtkRelievoShaderTexts& shaders)
+{
+  vtkRelievoShadowSplice::Mark(shaders.Vertex, shaders.Geometry, shaders.Fragment);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowStage::SpliceShaders(
+  const vtkRelievoShaderTexts& shaders, vtkOpenGLPolyDataMapper* mapper, vtkActor* actor)
 {
   Internals& in = *this->Internal;
-  auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
-  auto* actor = vtkActor::SafeDownCast(prop);
-  if (!in.Spliced || !mapper || !actor)
-  {
-    return true;
-  }
-  const std::string own[3] = { vertexShader, geometryShader, fragmentShader };
-  std::string missing = vtkRelievoShadowSplice::Fill(
-    vertexShader, geometryShader, fragmentShader, mapper, actor, in.Work.Structure);
-  std::string key = mapper->GetClassName() + missing;
-  if (missing.empty())
-  {
-    key += "compiles not";
-    missing = vtkRelievoTrialCompile::Compile(
-      in.Window, actor->GetShaderProperty(), vertexShader, geometryShader, fragmentShader);
-    if (!missing.empty())
-    {
-      vertexShader = own[0];
-      geometryShader = own[1];
-      fragmentShader = own[2];
-    }
-  }
+  const vtkRelievoTrialSplice::Outcome outcome = TrySplice(shaders, in.Window, actor, [&]() {
+    return vtkRelievoShadowSplice::Fill(
+      shaders.Vertex, shaders.Geometry, shaders.Fragment, mapper, actor, in.Work.Structure);
+  });
   // Gaussian splats are known to cast and not to receive: nothing that a user could mend.
   const bool known = mapper->IsA("vtkOpenGLPointGaussianMapperHelper") != 0;
-  if (!missing.empty() && !known && in.Reported.insert(key).second)
+  if (!known && this->IsNews(mapper, outcome))
   {
-    vtkErrorMacro("No shadows on what " << mapper->GetClassName() << " draws: " << missing << ".");
+    vtkErrorMacro(
+      "No shadows on what " << mapper->GetClassName() << " draws: " << outcome.Wrong << ".");
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -1393,19 +1108,6 @@ bool vtkRelievoShadowStage::SetShaderParameters(vtkShaderProgram* program,
 }
 
 //------------------------------------------------------------------------------
-vtkMTimeType vtkRelievoShadowStage::GetShaderStageMTime()
-{
-  // Asked outside of its own drawing by keys that were copied meanwhile: there it splices nothing.
-  Internals& in = *this->Internal;
-  if (!in.Spliced || in.BuiltUnspliced)
-  {
-    in.StructureTime.Modified();
-    in.BuiltUnspliced = !in.Spliced;
-  }
-  return in.StructureTime.GetMTime();
-}
-
-//------------------------------------------------------------------------------
 vtkRelievoShadowCertificate* vtkRelievoShadowStage::Certify(int rays, int seed)
 {
   Internals& in = *this->Internal;
@@ -1430,51 +1132,12 @@ vtkRelievoShadowCertificate* vtkRelievoShadowStage::Certify(int rays, int seed)
                   "on, add a light that casts, and render first.");
     return nullptr;
   }
-  std::vector<std::string> layers;
-  for (const vtkRelievoShadowLight& light : in.Lights.GetCasting())
-  {
-    layers.push_back(in.Lights.GetLayer(renderer, light.Light));
-  }
-  const std::size_t casting = layers.size();
-  layers.emplace_back(Depth);
-  vtkNew<vtkImageData> image;
-  const std::string fault = DrawLayers(renderer, frame, layers, image);
-  if (!fault.empty() || in.Lights.GetCasting().size() != casting)
+  std::string fault;
+  in.Certificate = vtkRelievoShadowCertifier::CertifyPicture(
+    { frame, renderer, in.Work, in.Lights, in.Method }, rays, seed, fault);
+  if (!fault.empty())
   {
     vtkErrorMacro("Certify could not draw the picture again: " << fault << ".");
-    return nullptr;
   }
-  const auto read = [&image](const std::string& layer) {
-    auto* array = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(layer.c_str()));
-    return array ? array->GetPointer(0) : nullptr;
-  };
-  vtkRelievoShadowCertifier judge;
-  judge.View = in.Work.View;
-  judge.Attenuates = in.Method->Traces();
-  judge.Lights = in.Lights.GetCasting();
-  judge.Depth = read(Depth);
-  judge.CoarseDepth = AreHalf(judge.Depth, image->GetNumberOfPoints());
-  for (std::size_t i = 0; i < casting; ++i)
-  {
-    judge.Visibility.push_back(read(layers[i]));
-  }
-  // Maps know translucent casters as opaque ones.
-  std::vector<vtkRelievoSurface> surfaces =
-    in.Work.Props.CollectSurfaces(in.Method->Traces(), judge.Unfollowed);
-  if (in.Method->Traces() && in.Work.Others.IsOn())
-  {
-    in.Work.Others.AddTo(surfaces);
-    const std::vector<vtkRelievoBox>& others = in.Work.Others.GetWhole().InMaps;
-    judge.Unfollowed.insert(judge.Unfollowed.end(), others.begin(), others.end());
-  }
-  judge.Rays.SetSurfaces(surfaces);
-  const double wider = GetWidth(in.Work.Cache);
-  for (vtkRelievoBox& box : judge.Unfollowed)
-  {
-    box.Min -= wider;
-    box.Max += wider;
-  }
-  in.Certificate = vtkSmartPointer<vtkRelievoShadowCertificate>::New();
-  judge.Certify(rays, seed, in.Certificate);
   return in.Certificate;
 }

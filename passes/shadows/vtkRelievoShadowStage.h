@@ -96,7 +96,10 @@ public:
    */
   vtkSetClampMacro(MapSize, int, 16, VTK_INT_MAX);
   vtkGetMacro(MapSize, int);
-  /** The same of a lamp from data (vtkRelievoLampsStage::SetCasting): up to six. Default 1024. */
+  /**
+   * Side of each of up to six maps of a lamp from data (vtkRelievoLampsStage::SetCasting). Default
+   * 1024.
+   */
   vtkSetClampMacro(LampMapSize, int, 16, VTK_INT_MAX);
   vtkGetMacro(LampMapSize, int);
   ///@}
@@ -120,8 +123,8 @@ public:
   ///@}
 
   /**
-   * As EstimateWrongShare, but for the scene, the lights and the camera of the last frame, by rays
-   * as for SetTolerance; 2.5 times EstimateWrongShare where they cannot tell (several processes,
+   * The expected share of wrong pixels in the last frame's view of the scene, by rays as for
+   * SetTolerance; 2.5 times EstimateWrongShare where they cannot tell (several processes,
    * casters that are not followed triangle by triangle). -1 if no frame has made shadows of lights.
    */
   double EstimateWrongShareInView(int method, int size);
@@ -330,16 +333,9 @@ public:
   std::map<std::string, vtkVariant> GetFacts() override;
 #endif
 
-  ///@{
   /** Called by VTK's mappers. */
-  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* VAO = nullptr) override;
-  vtkMTimeType GetShaderStageMTime() override;
-  ///@}
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -347,6 +343,12 @@ protected:
   vtkRelievoShadowStage();
   ~vtkRelievoShadowStage() override;
 
+#ifndef __VTK_WRAP__
+  bool IsSplicing() const override;
+  void MarkShaders(const vtkRelievoShaderTexts& shaders) override;
+  void SpliceShaders(const vtkRelievoShaderTexts& shaders, vtkOpenGLPolyDataMapper* mapper,
+    vtkActor* actor) override;
+#endif
   void Describe(vtkRelievoStageDescription& description) override;
   void Declare(
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
@@ -378,18 +380,14 @@ private:
 
   void DescribeSoft(vtkRelievoStageDescription& description);
   void DeclareSoft(const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const;
-  std::string DescribeSamples() const; // "; WORDS"
-  void UpdateProbe();
-  double GetShareInView(int method, int size);
-  void MakePlan(vtkRelievoFrameContext& context);
+  std::string DescribeSamples() const;                   // "; WORDS"
   std::string MakeMaps(vtkRelievoFrameContext& context); // as planned, or why there are none
-  void EndTiming(vtkRelievoFrameContext& context);
-  void PrepareMethod(vtkRelievoFrameContext& context); // or maps, with a warning
+  void PrepareMethod(vtkRelievoFrameContext& context);   // or maps, with a warning
   void CollectLights(vtkRelievoFrameContext& context);
   void DrawLights(vtkRelievoFrameContext& context);
   std::string DrawLamps(vtkRelievoFrameContext& context);
   std::string DescribeMaps() const;
-  void SayOnce(const std::string& error);
+  void ReportOnce(const std::string& error);
   double GetExpectedWrongShare() const; // of the frame's maps
   int GetSizeHere(int size);            // or OpenGL's limit, with a warning
 

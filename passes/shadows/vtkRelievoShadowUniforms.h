@@ -12,8 +12,8 @@ struct vtkRelievoShadowContext;
 
 namespace vtkRelievoShadowUniforms
 {
-// The same for all that a program draws in a frame. strength: share of a blocked light that is
-// removed from the picture.
+// Sets the uniforms that have one value for all that a program draws in a frame. strength: share of
+// a blocked light that is removed from the picture.
 void SetFrame(vtkShaderProgram* program, const vtkRelievoShadowContext& work,
   const vtkRelievoShadowMethod& method, double strength);
 

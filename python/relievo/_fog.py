@@ -23,7 +23,7 @@ def fog(renderer, points, radius=None, density=None, color=None, mode=None, over
     stage's, and so of all fog of the renderer; None leaves them as they are, "beer" and "sum" at
     first.
 
-    Returns the vtkRelievoFogSpheres. attach(renderer).GetFog().RemoveFog(it) takes them away.
+    Returns the vtkRelievoFogSpheres. attach(renderer).GetFogStage().RemovePoints(it) takes them away.
     Raises ValueError for wrong arguments; then nothing is changed.
     """
     require(renderer, "vtkRenderer", "renderer")
@@ -39,8 +39,8 @@ def fog(renderer, points, radius=None, density=None, color=None, mode=None, over
         if word not in choices[name]:
             expected = ", ".join(choices[name])
             raise ValueError(f"fog: {name}: got {word!r}, expected one of {expected}")
-    stage = attach(renderer).GetFog()
+    stage = attach(renderer).GetFogStage()
     for name, word in given.items():
         stage.SetParameter(name, word)
-    stage.AddFog(made)
+    stage.AddPoints(made)
     return made

@@ -122,7 +122,7 @@ void main()
   vec2 place = relievoNdcFromPixel(vec2(relievoPixel), relievoSize);
   relievoPlaceVC = relievoEyePosition(place, depth, relievoProjection);
   relievoNormalVC = relievoFetchNormal(relievoPixel);
-  // As VTK's shaders have it, in parallel views, too.
+  // The direction to the eye as VTK's shaders have it: to the origin, also in parallel views.
   relievoToEyeVC = normalize(-relievoPlaceVC);
   RELIEVO_LIGHTS
   vec3 color = relievoLit.diffuse * relievoLit.color * relievoDiffuseLight +

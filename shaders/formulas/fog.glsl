@@ -88,10 +88,11 @@ float relievoFogChord(
   return max(inside, float(0.0)) * sqrt(square);
 }
 
-// The same at a pixel, from what is known of the sphere (vtkRelievoSphereRays): the polynomial and
-// what it lacks; last in linear and linearLacks the depth of the centre, last in square 1 / radius;
-// origin and offsets: from the centre to the ray at the centre's depth, in radii, and its change by
-// pixels in x and y. `direction` is of the ray: x and y per unit of depth.
+// The length of a pixel's ray inside the sphere, in radii, from what is known of the sphere
+// (vtkRelievoSphereRays): the polynomial and what it lacks; last in linear and linearLacks the
+// depth of the centre, last in square 1 / radius; origin and offsets: from the centre to the ray at
+// the centre's depth, in radii, and its change by pixels in x and y. `direction` is of the ray: x
+// and y per unit of depth.
 float relievoFogChordAt(vec2 pixel, vec4 linear, vec4 linearLacks, vec4 square, vec4 squareLacks,
   vec2 origin, vec4 offsets, vec2 direction, float end)
 {

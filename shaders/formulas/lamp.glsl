@@ -19,7 +19,8 @@ float relievoLampInverseSquare(float range, float radius)
   return window * window / (nearest * nearest);
 }
 
-// As vtkLight's attenuation values a, b, c: 1 / (a + b d + c d^2), nothing beyond the radius.
+// The fall-off by vtkLight's attenuation values a, b, c: 1 / (a + b d + c d^2), nothing beyond the
+// radius.
 float relievoLampAttenuated(float range, float radius, vec3 values)
 {
   float sum = values.x + range * (values.y + range * values.z);

@@ -25,7 +25,8 @@ vec4 relievoQuaternionNlerp(vec4 a, vec4 b, float share)
   return normalize(a * (float(1.0) - share) + relievoQuaternionNear(b, a) * share);
 }
 
-// The same at constant angular speed. The angle by the arc tangent, which small angles keep.
+// Between two unit quaternions along the shorter arc, at constant angular speed. The angle is found
+// by the arc tangent, which keeps small angles.
 vec4 relievoQuaternionSlerp(vec4 a, vec4 b, float share)
 {
   vec4 c = relievoQuaternionNear(b, a);
@@ -108,7 +109,8 @@ vec3 relievoTurnDirection(mat3 m, vec3 v)
   return size > float(1e-30) && size < float(1e30) ? normalize(turned / size) : v;
 }
 
-// The same for a normal, where points follow m. Without its size m has cofactors that are numbers.
+// The normal, of unit length, that m makes of a normal where points follow m. Without its size m
+// has cofactors that are numbers.
 vec3 relievoTurnNormal(mat3 m, vec3 normal)
 {
   vec3 most = max(abs(m[0]), max(abs(m[1]), abs(m[2])));

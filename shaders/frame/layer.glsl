@@ -9,6 +9,7 @@ vec4 relievoFetchLayer(ivec2 pixel)
 {
   vec4 layer = texelFetch(relievoDrawn, pixel + relievoDrawnOffset, 0);
   float cover = relievoAveraged != 0 ? relievoAveragedCover(layer.a) : layer.a;
-  // As in bytes: what adds to alpha covers no more than all, nor less than nothing.
+  // The layer is clamped as bytes would clamp it: what adds to alpha covers no more than all, nor
+  // less than nothing.
   return vec4(max(layer.rgb, vec3(0.0)), clamp(cover, 0.0, 1.0));
 }

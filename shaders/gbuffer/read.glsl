@@ -146,7 +146,7 @@ vec3 relievoFetchGeometricNormal(ivec2 pixel)
 #endif
 
 #ifdef RELIEVO_ALBEDO_WORD
-// As VTK has it for display, with the opacity; 0 where nothing is.
+// The albedo as VTK has it for display, with the opacity; 0 where nothing is.
 vec4 relievoFetchAlbedo(ivec2 pixel)
 {
   return unpackUnorm4x8(relievoFetchWord(pixel, RELIEVO_ALBEDO_WORD));

@@ -32,7 +32,7 @@ namespace
 {
 using namespace relievoTest;
 
-// The same numbers from every standard library, as its distributions do not promise.
+// A number below the count; standard libraries agree on it, which distributions do not promise.
 std::size_t Below(std::mt19937& random, std::size_t count)
 {
   return count > 0 ? random() % count : 0;

@@ -238,7 +238,7 @@ void TestModels()
   }
 }
 
-// The same picture as in a file of its own.
+// An embedded texture is the picture that another copy of the model has in a file of its own.
 void TestAgainstFile()
 {
   vtkNew<vtkRelievoModelReader> reader;

@@ -198,7 +198,7 @@ void TestKeyMatrices()
   }
 }
 
-// As many threads as one likes: the same bits.
+// The number of threads changes no bit of points and normals.
 void TestThreads()
 {
   const vtkSmartPointer<vtkPolyData> tube = MakeTwoBoneTube(1001, 40); // several shares of the work

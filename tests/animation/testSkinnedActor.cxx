@@ -205,7 +205,7 @@ void TestModel()
     vtkNew<vtkPolyData> skeleton;
     skeleton->DeepCopy(reader->GetOutputDataObject(1));
     pair.Set(mesh, skeleton, vtkRelievoSkin::DUAL_QUATERNION);
-    // As users do, who set it once.
+    // Users connect the reader once, and its skeleton changes with time.
     pair.GPU.Skinned->SetSkeletonConnection(reader->GetOutputPort(1));
     pair.CompareLayers("a model at " + std::to_string(time));
     const auto now = Picture(pair.GPU.Stage.Window);

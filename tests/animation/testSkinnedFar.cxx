@@ -84,7 +84,7 @@ struct Rig
     points->SetDataType(VTK_DOUBLE);
     for (vtkIdType i = 0; i < tube->GetNumberOfPoints(); ++i)
     {
-      // As a float has it, so that nothing but the place differs.
+      // Points near the origin are rounded to floats, so that nothing but the place differs.
       const glm::dvec3 p = glm::dvec3(glm::vec3(0.25 * PointOf(tube, i))) + at;
       points->InsertNextPoint(p.x, p.y, p.z);
     }

@@ -94,7 +94,7 @@ void TestAgainstRays()
                   << errors.ToString() << "\n";
         RELIEVO_CHECK(errors.Dark > 300);
       }
-      // As right as the same mesh that stands still, but for pixels at edges.
+      // Shadows are as right as those of a still mesh, but for pixels at edges.
       RELIEVO_CHECK_AT_MOST(wrong[1], wrong[0] + 5e-5,
         MethodName(skin) + ", " + method.Name + ": wrong beside a still mesh");
     }

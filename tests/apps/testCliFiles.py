@@ -206,6 +206,23 @@ class Outputs(CliTest):
         for name in ("a.png", "a.exr", "a.json"):
             self.assertEqual((self.folder / name).read_text(), "precious")
 
+    def test_a_place_that_is_lost_meanwhile(self):
+        """The second file's place becomes a folder while the first is being written."""
+        words = ["render", "triangle.off", *LOOK, "--size", "3000x3000"]
+        words += ["--png", "a.png", "--exr", "a.exr"]
+        (self.folder / "a.png").write_text("precious")
+        before = self.names()
+        run = subprocess.Popen([RELIEVO, *words], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        until = time.monotonic() + 600
+        while run.poll() is None and time.monotonic() < until and self.names() == before:
+            time.sleep(0.002)
+        (self.folder / "a.exr").mkdir()
+        said = run.communicate(timeout=600)[1]
+        self.assertEqual(run.returncode, 1, said)
+        self.assertIn("a.exr", said)
+        self.assertEqual((self.folder / "a.png").read_text(), "precious")
+        self.assertEqual(self.names(), sorted([*before, "a.exr"]))
+
     def test_an_interrupted_run_leaves_nothing(self):
         words = ["render", "triangle.off", *LOOK, "--size", "4000x4000", *OUTPUTS]
         for wanted in (signal.SIGINT, signal.SIGTERM):

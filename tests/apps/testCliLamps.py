@@ -7,6 +7,7 @@ import json
 import numpy
 
 from cli import CliTest, main, read_png
+from srgb import encoded
 
 # A floor of half width 2 at z = 0; a parallel camera looks down on it, 25 pixels to a unit.
 FLOOR = "OFF\n4 1 0\n-2 -2 0\n2 -2 0\n2 2 0\n-2 2 0\n4 0 1 2 3\n"
@@ -14,7 +15,7 @@ SIDE = 100
 LOOK = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10", "--parallel-scale", "2",
         "--size", f"{SIDE}x{SIDE}", "--shading", "flat"]  # fmt: skip
 
-# The same with a plate of half width 0.3 above it, at z = 0.3.
+# FLOOR with a plate of half width 0.3 above it, at z = 0.3.
 PLATE = ("OFF\n8 2 0\n-2 -2 0\n2 -2 0\n2 2 0\n-2 2 0\n-.3 -.3 .3\n.3 -.3 .3\n.3 .3 .3\n"
          "-.3 .3 .3\n4 0 1 2 3\n4 4 5 6 7\n")  # fmt: skip
 
@@ -101,9 +102,8 @@ class Lamps(CliTest):
                   "--report", "a.json", "--stage", "lamps:way=clusters")
         seen = read_png(self.folder / "a.png")[..., 0] / 255.0
         sum_of_light = light(RADII, numpy.ones((3, 3)), linear)[..., 0]
-        shown = numpy.where(sum_of_light <= 0.0031308, 12.92 * sum_of_light,
-                            1.055 * sum_of_light ** (1 / 2.4) - 0.055)  # fmt: skip
-        numpy.testing.assert_allclose(seen, numpy.minimum(shown, 1), atol=1.01 / 255)
+        shown = numpy.minimum(encoded(sum_of_light), 1)
+        numpy.testing.assert_allclose(seen, shown, atol=1.01 / 255)
         report = json.loads((self.folder / "a.json").read_text())
         self.assertEqual((report["lamps"], report["lamps_drawn"]), (3, 3))
         self.assertEqual(report["lamps_way"], "clusters")

@@ -4,16 +4,14 @@
 
 #include "Check.h"
 #include "Layers.h"
+#include "PointArrays.h"
 #include "Window.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkConeSource.h>
-#include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkPlaneSource.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyDataAlgorithm.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkSphereSource.h>
@@ -71,6 +69,15 @@ LampScene::LampScene(int width, int height, const glm::dvec3& offset)
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkRelievoLamps> LampScene::AddLamps(const std::vector<Lamp>& lamps)
+{
+  auto set = vtkSmartPointer<vtkRelievoLamps>::New();
+  set->SetInputData(ToPolyData(lamps));
+  this->Stage->AddPoints(set);
+  return set;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> LampScene::Read(const std::vector<std::string>& layers)
 {
   for (const std::string& layer : layers)
@@ -106,29 +113,8 @@ std::vector<Lamp> RandomLamps(int count, double radius, bool white, const glm::d
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> ToPolyData(const std::vector<Lamp>& lamps)
 {
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> radius;
-  radius->SetName("radius");
-  vtkNew<vtkDoubleArray> intensity;
-  intensity->SetName("intensity");
-  vtkNew<vtkDoubleArray> color;
-  color->SetName("color");
-  color->SetNumberOfComponents(3);
-  for (const Lamp& lamp : lamps)
-  {
-    points->InsertNextPoint(lamp.Place.x, lamp.Place.y, lamp.Place.z);
-    radius->InsertNextValue(lamp.Radius);
-    intensity->InsertNextValue(lamp.Intensity);
-    color->InsertNextTuple3(lamp.Color.x, lamp.Color.y, lamp.Color.z);
-  }
-  data->SetPoints(points);
-  for (vtkDataArray* array : { radius.Get(), intensity.Get(), color.Get() })
-  {
-    data->GetPointData()->AddArray(array);
-  }
-  return data;
+  return MakePoints(lamps, &Lamp::Place,
+    { { "radius", &Lamp::Radius }, { "intensity", &Lamp::Intensity } }, &Lamp::Color);
 }
 
 //------------------------------------------------------------------------------

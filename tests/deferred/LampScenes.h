@@ -25,11 +25,23 @@ class vtkImageData;
 
 namespace relievoTest
 {
+/** One lamp, as data. */
+struct Lamp
+{
+  glm::dvec3 Place;
+  double Radius;
+  double Intensity;
+  glm::dvec3 Color;
+};
+
 /** A sphere and a cone on a floor with a wall behind, in a window with a frame and its lamps. */
 struct LampScene
 {
   /** All is moved by `offset`, camera included. */
   LampScene(int width, int height, const glm::dvec3& offset = glm::dvec3(0.0));
+
+  /** Adds a set of lamps to the stage. */
+  vtkSmartPointer<vtkRelievoLamps> AddLamps(const std::vector<Lamp>& lamps);
 
   /** Renders, and reads layers of the frame. */
   vtkSmartPointer<vtkImageData> Read(const std::vector<std::string>& layers);
@@ -40,20 +52,11 @@ struct LampScene
   vtkRelievoLampsStage* Stage;
 };
 
-/** One lamp, as data. */
-struct Lamp
-{
-  glm::dvec3 Place;
-  double Radius;
-  double Intensity;
-  glm::dvec3 Color;
-};
-
 /** Lamps in a box around the scene of LampScene; the same for the same numbers. */
 std::vector<Lamp> RandomLamps(
   int count, double radius, bool white, const glm::dvec3& offset = glm::dvec3(0.0));
 
-/** As points with the arrays radius, intensity and color. */
+/** The lamps as points with the arrays radius, intensity and color. */
 vtkSmartPointer<vtkPolyData> ToPolyData(const std::vector<Lamp>& lamps);
 
 /** What lamps add at a point. */

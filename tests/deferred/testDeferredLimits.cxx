@@ -187,7 +187,7 @@ void TestCombinations()
   });
   TestPicture(
     "FXAA", [](DeferredScene& s) { s.Renderer->UseFXAAOn(); }, 4);
-  TestPicture("tone", [](DeferredScene& s) { s.Frame->GetTone()->EnabledOn(); });
+  TestPicture("tone", [](DeferredScene& s) { s.Frame->GetToneStage()->EnabledOn(); });
   TestPicture("gradient", [](DeferredScene& s) {
     s.Renderer->GradientBackgroundOn();
     s.Renderer->SetBackground2(0.9, 0.5, 0.1);

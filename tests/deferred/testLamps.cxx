@@ -65,9 +65,7 @@ void TestNumbers()
     {
       LampScene scene(each.Width, each.Height);
       const std::vector<Lamp> truth = RandomLamps(each.Count, each.Radius, white);
-      vtkNew<vtkRelievoLamps> lamps;
-      lamps->SetInputData(ToPolyData(truth));
-      scene.Stage->AddLamps(lamps);
+      const auto lamps = scene.AddLamps(truth);
       CheckWays(scene, lamps, truth,
         std::to_string(each.Count) + (white ? " white lamps" : " coloured lamps"));
       RELIEVO_CHECK(scene.Stage->GetNumberOfLamps() == each.Count);
@@ -80,9 +78,7 @@ void TestFalloffs()
 {
   LampScene scene(120, 90);
   const std::vector<Lamp> truth = RandomLamps(60, 1.5, false);
-  vtkNew<vtkRelievoLamps> lamps;
-  lamps->SetInputData(ToPolyData(truth));
-  scene.Stage->AddLamps(lamps);
+  const auto lamps = scene.AddLamps(truth);
   lamps->SetFalloffToInverseSquare();
   CheckWays(scene, lamps, truth, "inverse square");
   lamps->SetFalloffToVTK();
@@ -93,14 +89,14 @@ void TestFalloffs()
   vtkNew<vtkRelievoLamps> others;
   const std::vector<Lamp> second = RandomLamps(7, 2.0, true);
   others->SetInputData(ToPolyData(second));
-  scene.Stage->AddLamps(others);
+  scene.Stage->AddPoints(others);
   vtkSmartPointer<vtkImageData> both = scene.Read(Needed);
-  scene.Stage->RemoveLamps(others);
+  scene.Stage->RemovePoints(others);
   vtkSmartPointer<vtkImageData> first = scene.Read(Needed);
-  scene.Stage->RemoveAllLamps();
-  scene.Stage->AddLamps(others);
+  scene.Stage->RemoveAllPoints();
+  scene.Stage->AddPoints(others);
   vtkSmartPointer<vtkImageData> last = scene.Read(Needed);
-  scene.Stage->RemoveAllLamps();
+  scene.Stage->RemoveAllPoints();
   vtkSmartPointer<vtkImageData> none = scene.Read(Needed);
   double worst = 0.0;
   for (vtkIdType i = 0; i < 3 * both->GetNumberOfPoints(); ++i)
@@ -120,9 +116,7 @@ void TestViews()
   const std::vector<Lamp> truth = RandomLamps(300, 0.8, false);
   const auto check = [&](const std::string& what, const auto& change, double place = 1e-6) {
     LampScene scene(130, 70);
-    vtkNew<vtkRelievoLamps> lamps;
-    lamps->SetInputData(ToPolyData(truth));
-    scene.Stage->AddLamps(lamps);
+    const auto lamps = scene.AddLamps(truth);
     change(scene);
     CheckWays(scene, lamps, truth, what, place);
   };
@@ -158,9 +152,7 @@ void TestFarAway()
   const glm::dvec3 offset(1e6, -2e6, 3e6);
   LampScene scene(120, 90, offset);
   const std::vector<Lamp> truth = RandomLamps(100, 0.8, false, offset);
-  vtkNew<vtkRelievoLamps> lamps;
-  lamps->SetInputData(ToPolyData(truth));
-  scene.Stage->AddLamps(lamps);
+  const auto lamps = scene.AddLamps(truth);
   CheckWays(scene, lamps, truth, "far from the origin");
 }
 }

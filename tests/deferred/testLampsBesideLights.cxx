@@ -23,14 +23,6 @@ using namespace relievoTest;
 
 const std::vector<std::string> Light{ "light" };
 
-vtkSmartPointer<vtkRelievoLamps> Add(LampScene& scene, const std::vector<Lamp>& lamps)
-{
-  auto set = vtkSmartPointer<vtkRelievoLamps>::New();
-  set->SetInputData(ToPolyData(lamps));
-  scene.Stage->AddLamps(set);
-  return set;
-}
-
 void AddSun(LampScene& scene)
 {
   vtkNew<vtkLight> light;
@@ -44,7 +36,7 @@ void TestFirstFrame()
 {
   LampScene scene(120, 90);
   AddSun(scene);
-  Add(scene, { { glm::dvec3(0.2, 2.4, 0.3), 6.0, 1.0, glm::dvec3(1.0) } });
+  scene.AddLamps({ { glm::dvec3(0.2, 2.4, 0.3), 6.0, 1.0, glm::dvec3(1.0) } });
   scene.Stage->SetCasting(1);
   const vtkSmartPointer<vtkImageData> first = Picture(scene.Window);
   SamePicture(Picture(scene.Window), first, "the first frame of lamps' maps beside a sun's");
@@ -63,14 +55,14 @@ void TestBesideLights()
     { glm::dvec3(0.2, 2.4, 0.3), 6.0, 1.0, glm::dvec3(1.0) } };
   LampScene scene(120, 90);
   AddSun(scene);
-  Add(scene, lamps);
+  scene.AddLamps(lamps);
   const Layers open(scene.Read(Light));
   scene.Stage->SetCasting(8);
   const Layers cast(scene.Read(Light));
   RELIEVO_CHECK(CountDifferent(open, cast, "light") > 200);
   LampScene other(120, 90);
   AddSun(other);
-  Add(other, lamps);
+  other.AddLamps(lamps);
   other.Stage->SetCasting(8);
   vtkRelievoShadowStage* shadows = other.Frame->GetShadowStage();
   shadows->SetMethodToExact();

@@ -34,14 +34,6 @@ using namespace relievoTest;
 const glm::dvec3 White(1.0);
 const std::vector<std::string> Light{ "light" };
 
-vtkSmartPointer<vtkRelievoLamps> Add(LampScene& scene, const std::vector<Lamp>& lamps)
-{
-  auto set = vtkSmartPointer<vtkRelievoLamps>::New();
-  set->SetInputData(ToPolyData(lamps));
-  scene.Stage->AddLamps(set);
-  return set;
-}
-
 int GetFact(vtkRelievoStage* stage, const char* name)
 {
   return stage->GetFacts().at(name).ToInt();
@@ -60,7 +52,7 @@ void CheckAgainstRays(LampScene& scene, const glm::dvec3* places, const std::str
   }
   EmbreeScene truth;
   truth.AddActors(scene.Renderer);
-  vtkSmartPointer<vtkRelievoLamps> set = Add(scene, lamps);
+  vtkSmartPointer<vtkRelievoLamps> set = scene.AddLamps(lamps);
   set->SetCasts(vtkRelievoLamps::CASTS_NEVER);
   const Layers open(scene.Read(Light));
   set->SetCasts(vtkRelievoLamps::CASTS_ALWAYS);
@@ -88,7 +80,7 @@ void CheckAgainstRays(LampScene& scene, const glm::dvec3* places, const std::str
     RELIEVO_CHECK_AT_MOST(errors.Wrong(), 0.002, what + ", lamp " + std::to_string(c));
     RELIEVO_CHECK(errors.Dark > 100);
   }
-  scene.Stage->RemoveAllLamps();
+  scene.Stage->RemoveAllPoints();
 }
 
 const glm::dvec3 Around[3] = { { -2.0, 1.6, 2.0 }, { 0.2, 2.4, 0.3 }, { 2.6, 0.4, -0.8 } };
@@ -120,7 +112,7 @@ void TestRays()
   CheckAgainstRays(scene, within, "inside and on surfaces");
 }
 
-// The same as VTK's own positional light with the shadow stage's maps, where surfaces are white:
+// A lamp lights white surfaces as VTK's own positional light does with the shadow stage's maps:
 // there VTK's picture is the light.
 void TestPointLight()
 {
@@ -148,7 +140,7 @@ void TestPointLight()
     scene.Frame->GetShadowStage()->SetLampMapSize(scene.Frame->GetShadowStage()->GetMapSize());
     vtkSmartPointer<vtkImageData> expected = Picture(scene.Window);
     light->SwitchOff();
-    vtkSmartPointer<vtkRelievoLamps> lamps = Add(scene, { { place, 100.0, 1.0, White } });
+    vtkSmartPointer<vtkRelievoLamps> lamps = scene.AddLamps({ { place, 100.0, 1.0, White } });
     lamps->SetFalloffToVTK();
     lamps->SetAttenuationValues(attenuation[0], attenuation[1], attenuation[2]);
     scene.Stage->SetCasting(1);
@@ -179,7 +171,7 @@ void TestCasters()
   vtkRelievoShadowStage* shadows = scene.Frame->GetShadowStage();
   auto* ball = vtkActor::SafeDownCast(scene.Renderer->GetActors()->GetItemAsObject(0));
   std::vector<Lamp> lamps{ { Around[1], 6.0, 1.0, White } };
-  vtkSmartPointer<vtkRelievoLamps> set = Add(scene, lamps);
+  vtkSmartPointer<vtkRelievoLamps> set = scene.AddLamps(lamps);
   const Layers open(scene.Read(Light));
   scene.Stage->SetCasting(8);
   const Layers cast(scene.Read(Light));
@@ -240,7 +232,7 @@ void TestReceivers()
 {
   LampScene scene(120, 90);
   vtkActorCollection* actors = scene.Renderer->GetActors();
-  Add(scene, { { Around[0], 6.0, 1.0, White }, { Around[1], 6.0, 1.0, White } });
+  scene.AddLamps({ { Around[0], 6.0, 1.0, White }, { Around[1], 6.0, 1.0, White } });
   scene.Stage->SetCasting(8);
   const Layers all(scene.Read(Light));
   for (int i = actors->GetNumberOfItems() - 1; i >= 0; --i)
@@ -258,7 +250,7 @@ void TestAtEye()
   LampScene scene(120, 90);
   const double* eye = scene.Renderer->GetActiveCamera()->GetPosition();
   vtkSmartPointer<vtkRelievoLamps> set =
-    Add(scene, { { glm::dvec3(eye[0], eye[1], eye[2]), 30.0, 1.0, White } });
+    scene.AddLamps({ { glm::dvec3(eye[0], eye[1], eye[2]), 30.0, 1.0, White } });
   const Layers open(scene.Read(Light));
   set->SetCasts(vtkRelievoLamps::CASTS_ALWAYS);
   const Layers cast(scene.Read(Light));
@@ -279,7 +271,7 @@ void TestSmallLamp()
     {
       floor->SetScale(1e3, 1.0, 1e3);
     }
-    Add(scene, { { glm::dvec3(0.3, 1.5, 1.2), 2.2, 1.0, White } });
+    scene.AddLamps({ { glm::dvec3(0.3, 1.5, 1.2), 2.2, 1.0, White } });
     scene.Stage->SetCasting(1);
     const Layers cast(scene.Read(Light));
     dark[large] = 0.0;
@@ -299,7 +291,7 @@ void TestSmallLamp()
 void TestToggles()
 {
   LampScene scene(100, 80);
-  vtkSmartPointer<vtkRelievoLamps> set = Add(scene, RandomLamps(40, 2.0, false));
+  vtkSmartPointer<vtkRelievoLamps> set = scene.AddLamps(RandomLamps(40, 2.0, false));
   vtkSmartPointer<vtkImageData> none = Picture(scene.Window);
   const vtkIdType bytes = scene.Frame->GetBytesHeld();
   const GLObjects objects = CountGLObjects(scene.Window);
@@ -337,7 +329,7 @@ void TestToggles()
   scene.Stage->SetCasting(8);
   SamePicture(none, Picture(scene.Window), "none may");
   RELIEVO_CHECK(scene.Stage->GetNumberCasting() == 0);
-  scene.Stage->RemoveAllLamps();
+  scene.Stage->RemoveAllPoints();
   scene.Window->Render();
   RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);
 }
@@ -348,10 +340,10 @@ void TestRefusals()
   LampScene scene(60, 45);
   vtkSmartPointer<vtkImageData> plain = Picture(scene.Window);
   scene.Stage->SetCasting(8);
-  Add(scene, { { Around[1], 0.0, 1.0, White }, { Around[0], 2.0, 0.0, White } });
+  scene.AddLamps({ { Around[1], 0.0, 1.0, White }, { Around[0], 2.0, 0.0, White } });
   SamePicture(plain, Picture(scene.Window), "lamps without radius or intensity");
-  scene.Stage->RemoveAllLamps();
-  Add(scene, { { Around[1], 4.0, 1.0, White } });
+  scene.Stage->RemoveAllPoints();
+  scene.AddLamps({ { Around[1], 4.0, 1.0, White } });
   scene.Frame->GetStage("shadows")->EnabledOff();
   {
     const ExpectMessage expect("it reads 'lamp shadows', which the stage shadows would write");

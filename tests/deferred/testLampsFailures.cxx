@@ -33,16 +33,14 @@ const int Ways[] = { vtkRelievoLampsStage::QUADS, vtkRelievoLampsStage::CLUSTERS
 
 void CheckWays(LampScene& scene, const std::vector<Lamp>& lamps, const std::string& what)
 {
-  vtkNew<vtkRelievoLamps> set;
-  set->SetInputData(ToPolyData(lamps));
-  scene.Stage->AddLamps(set);
+  const auto set = scene.AddLamps(lamps);
   for (const int way : Ways)
   {
     scene.Stage->SetWay(way);
     CheckLight(scene.Read(Needed), lamps, vtkRelievoLamps::LINEAR, glm::dvec3(1.0, 0.0, 0.0),
       what + ", way " + std::to_string(way));
   }
-  scene.Stage->RemoveLamps(set);
+  scene.Stage->RemovePoints(set);
 }
 
 void TestPlaces()
@@ -61,9 +59,7 @@ void TestPlaces()
   CheckWays(scene, many, "20000 lamps at one place");
 
   std::vector<Lamp> behind(100, { eye - 5.0 * forward, 1.0, 1.0, White });
-  vtkNew<vtkRelievoLamps> set;
-  set->SetInputData(ToPolyData(behind));
-  scene.Stage->AddLamps(set);
+  const auto set = scene.AddLamps(behind);
   scene.Read(Needed);
   RELIEVO_CHECK(scene.Stage->GetNumberOfLamps() == 100);
   RELIEVO_CHECK(scene.Stage->GetNumberDrawn() == 0);
@@ -84,9 +80,7 @@ void TestValues()
   all.push_back({ glm::dvec3(0.0, 0.6, 1.0), 0.0, 1.0, White });
   all.push_back({ glm::dvec3(0.0, 0.6, 1.0), -2.0, 1.0, White });
   all.push_back({ glm::dvec3(0.0, 0.6, 1.0), 2.0, 0.0, White });
-  vtkNew<vtkRelievoLamps> set;
-  set->SetInputData(ToPolyData(all));
-  scene.Stage->AddLamps(set);
+  const auto set = scene.AddLamps(all);
   RELIEVO_CHECK(CheckLight(scene.Read(Needed), good, vtkRelievoLamps::LINEAR, White,
                   "among lamps that are none") > 0);
   RELIEVO_CHECK(set->GetNumberOfPoints() == 1);
@@ -180,7 +174,7 @@ void TestToggles()
   vtkNew<vtkRelievoLamps> set;
   set->SetInputData(ToPolyData(RandomLamps(200, 1.0, false)));
   RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);
-  scene.Stage->AddLamps(set);
+  scene.Stage->AddPoints(set);
   vtkSmartPointer<vtkImageData> lit = Picture(scene.Window);
   RELIEVO_CHECK(FailuresOf([&]() { SamePicture(plain, lit, "lit"); }) > 0);
   const vtkIdType bytes = scene.Frame->GetBytesHeld();
@@ -191,10 +185,10 @@ void TestToggles()
     switch (i % 4)
     {
       case 0:
-        scene.Stage->RemoveLamps(set);
+        scene.Stage->RemovePoints(set);
         scene.Window->Render();
         RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);
-        scene.Stage->AddLamps(set);
+        scene.Stage->AddPoints(set);
         break;
       case 1:
         scene.Stage->SetWay(i % 3 + 1);
@@ -222,7 +216,7 @@ void TestToggles()
     RELIEVO_CHECK(i <= 20 || now.Bytes <= objects.Bytes);
   }
   SamePicture(lit, Picture(scene.Window), "after 200 changes");
-  scene.Stage->RemoveAllLamps();
+  scene.Stage->RemoveAllPoints();
   SamePicture(plain, Picture(scene.Window), "without lamps again");
   gl.Poll("end of the test");
 }

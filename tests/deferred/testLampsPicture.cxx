@@ -7,6 +7,7 @@
 #include "LampScenes.h"
 #include "Layers.h"
 #include "Session.h"
+#include "SrgbCurve.h"
 #include "Window.h"
 
 #include <vtkActor.h>
@@ -23,12 +24,6 @@
 namespace
 {
 using namespace relievoTest;
-
-// IEC 61966-2-1.
-double LinearFromSrgb(double value)
-{
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
 
 // What one lamp's unit of light adds to the linear colour at a point beside diffuse light.
 using Gloss = std::function<glm::dvec3(
@@ -57,9 +52,7 @@ void CheckColor(const std::function<void(vtkProperty*)>& set, const glm::dvec3& 
   }
   const Layers plain(scene.Read({ "color" }));
   const std::vector<Lamp> truth = RandomLamps(60, 1.5, false);
-  vtkNew<vtkRelievoLamps> lamps;
-  lamps->SetInputData(ToPolyData(truth));
-  scene.Stage->AddLamps(lamps);
+  const auto lamps = scene.AddLamps(truth);
   const double* eye = scene.Renderer->GetActiveCamera()->GetPosition();
   for (const int way : { vtkRelievoLampsStage::QUADS, vtkRelievoLampsStage::CLUSTERS })
   {
@@ -168,7 +161,7 @@ void TestCost()
   RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);
   RELIEVO_CHECK(scene.Stage->GetReasonCode() == "not_asked");
   vtkNew<vtkRelievoLamps> lamps;
-  scene.Stage->AddLamps(lamps);
+  scene.Stage->AddPoints(lamps);
   scene.Window->Render();
   RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);
   lamps->SetInputData(ToPolyData(RandomLamps(3, 1.0, true)));

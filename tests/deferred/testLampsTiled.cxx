@@ -36,9 +36,7 @@ void AddLamps(LampScene& scene)
     { { 0.2, 0.6, 1.4 }, 1.6, 1.2, white }, { { 2.0, 1.2, -1.2 }, 1.5, 0.8, white },
     { { 1.9, 0.5, 1.2 }, 1.3, 0.8, white }, { { -0.4, 2.0, -1.6 }, 1.3, 0.8, white },
     { { 3.6, 0.5, 2.4 }, 1.7, 0.8, white } };
-  vtkNew<vtkRelievoLamps> set;
-  set->SetInputData(ToPolyData(lamps));
-  scene.Stage->AddLamps(set);
+  scene.AddLamps(lamps);
   scene.Stage->SetCasting(2);
 }
 

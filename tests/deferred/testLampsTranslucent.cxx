@@ -8,6 +8,7 @@
 #include "LampScenes.h"
 #include "Layers.h"
 #include "Session.h"
+#include "SrgbCurve.h"
 #include "View.h"
 #include "Window.h"
 
@@ -37,11 +38,6 @@ constexpr double Bytes = 2.0 * 2.4 / 255.0;
 constexpr double Z = 1.5; // of the pane
 constexpr double Opacity = 0.4;
 const glm::dvec3 Color(0.8, 0.5, 0.3);
-
-double LinearFromSrgb(double value)
-{
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
 
 glm::dvec3 GetLinear()
 {
@@ -81,9 +77,7 @@ double CheckPane(PaneScene& scene, const std::vector<Lamp>& lamps, const glm::dv
   double limit, const std::string& what, bool absolute = false)
 {
   const GLCheck gl(scene.Window);
-  vtkNew<vtkRelievoLamps> set;
-  set->SetInputData(ToPolyData(lamps));
-  scene.Stage->AddLamps(set);
+  const auto set = scene.AddLamps(lamps);
   const std::vector<std::string> wanted{ "blend", "depth", "light" };
   scene.Stage->TranslucentOff();
   const Layers unlit(scene.Read(wanted));
@@ -93,7 +87,7 @@ double CheckPane(PaneScene& scene, const std::vector<Lamp>& lamps, const glm::dv
   scene.Stage->TranslucentOff();
   RELIEVO_CHECK(CountDifferent(unlit, lit, "light") == 0);
   RELIEVO_CHECK(CountDifferent(unlit, Layers(scene.Read(wanted)), "blend") == 0);
-  scene.Stage->RemoveLamps(set);
+  scene.Stage->RemovePoints(set);
   const View view(scene.Renderer);
   double worst = 0.0;
   double most = 0.0;
@@ -196,7 +190,7 @@ void TestToggles()
   SamePicture(plain, Picture(scene.Window), "without lamps");
   vtkNew<vtkRelievoLamps> set;
   set->SetInputData(ToPolyData(RandomLamps(20, 1.5, true)));
-  scene.Stage->AddLamps(set);
+  scene.Stage->AddPoints(set);
   vtkSmartPointer<vtkImageData> lit = Picture(scene.Window);
   const vtkIdType bytes = scene.Frame->GetBytesHeld();
   scene.Stage->TranslucentOff();
@@ -220,7 +214,7 @@ void TestToggles()
   scene.Stage->TranslucentOn();
   RELIEVO_CHECK(FailuresOf([&]() { SamePicture(smooth, Picture(scene.Window), "FXAA"); }) > 0);
   scene.Renderer->UseFXAAOff();
-  scene.Stage->RemoveLamps(set);
+  scene.Stage->RemovePoints(set);
   SamePicture(plain, Picture(scene.Window), "without lamps again");
   RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);
 }

@@ -4,6 +4,7 @@
 
 #include "Check.h"
 #include "Props.h"
+#include "SrgbCurve.h"
 #include "Window.h"
 
 #include <vtkCamera.h>
@@ -56,12 +57,6 @@ vtkSmartPointer<vtkActor> AddSquare(
   plane->SetPoint2(left, 0.1 * (to[1] - Height / 2), z);
   plane->Update();
   return AddActor(renderer, plane->GetOutput());
-}
-
-// IEC 61966-2-1.
-double LinearFromSrgb(double value)
-{
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
 vtkSmartPointer<vtkProp> MakeVolume()
@@ -152,7 +147,7 @@ BlendScene::BlendScene(int samples)
   lamps->SetInputData(places);
   lamps->SetRadius(3.0);
   lamps->SetIntensity(2.5);
-  this->Lamps->AddLamps(lamps);
+  this->Lamps->AddPoints(lamps);
 }
 
 //------------------------------------------------------------------------------
@@ -214,7 +209,7 @@ bool BlendScene::IsBefore(int i, int x, int y) const
 //------------------------------------------------------------------------------
 glm::dvec4 BlendScene::GetBlend(int x, int y, Blending blending) const
 {
-  // As VTK blends, in values for display.
+  // VTK blends values for display, not light.
   glm::dvec4 sum(0.0);
   double opacities = 0.0;
   for (int i = 0; i < 2; ++i)

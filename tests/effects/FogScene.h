@@ -7,22 +7,10 @@
 #ifndef relievoTestFogScene_h
 #define relievoTestFogScene_h
 
-#include "Layers.h"
+#include "EffectScene.h"
 
-#include <vtkNew.h>
 #include <vtkRelievoFogSpheres.h>
 #include <vtkRelievoFogStage.h>
-#include <vtkRelievoPass.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
-
-#include <glm/glm.hpp>
-
-#include <string>
-#include <vector>
-
-class vtkPolyData;
 
 namespace relievoTest
 {
@@ -45,7 +33,7 @@ struct FogErrors
   int Sky = 0;         // of these, without a surface
 };
 
-class FogScene
+class FogScene : public EffectScene
 {
 public:
   FogScene(int width, int height, const glm::dvec3& origin = glm::dvec3(0.));
@@ -56,20 +44,13 @@ public:
   /** A translucent square before everything. */
   void AddGlass();
 
-  /** Layers of a frame that draws the picture as well; depth as the pixel's centre has it. */
-  Layers Read(const std::vector<std::string>& names);
-
   /** The layer and the picture against sums over the spheres, with the depths of that frame. */
   FogErrors Compare();
 
-  vtkNew<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkRenderWindow> Window;
-  vtkRelievoPass* Frame = nullptr;
-  vtkRelievoFogStage* Stage = nullptr;
+  vtkRelievoFogStage* Stage;
   vtkNew<vtkRelievoFogSpheres> Fog;
 
 private:
-  glm::dvec3 Origin;
   std::vector<FogSphere> Spheres; // as they are in the world
 };
 }

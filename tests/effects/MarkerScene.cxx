@@ -2,22 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MarkerScene.h"
 
-#include "Check.h"
 #include "FogTruth.h"
+#include "PointArrays.h"
 #include "Props.h"
 #include "Stage.h"
-#include "Window.h"
 
-#include <vtkCamera.h>
-#include <vtkDoubleArray.h>
-#include <vtkImageData.h>
 #include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkProperty.h>
-#include <vtkRelievoLayersStage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,17 +17,6 @@ namespace relievoTest
 {
 namespace
 {
-// IEC 61966-2-1.
-double LinearFromSrgb(double v)
-{
-  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
-
-double SrgbFromLinear(double v)
-{
-  return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1. / 2.4) - 0.055;
-}
-
 // A pixel's point in the world, and its changes by pixels on the plane that the depths around say.
 struct Place
 {
@@ -214,58 +194,23 @@ double Share(const Mark& mark, int shape, const Place& place, const glm::dvec3& 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeMarkerPoints(const std::vector<Mark>& marks)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  const char* const names[] = { "radius", "width", "reach", "opacity", "color" };
-  vtkNew<vtkDoubleArray> arrays[5];
-  for (int i = 0; i < 5; ++i)
-  {
-    arrays[i]->SetName(names[i]);
-  }
-  arrays[4]->SetNumberOfComponents(3);
-  for (const Mark& mark : marks)
-  {
-    points->InsertNextPoint(mark.Center.x, mark.Center.y, mark.Center.z);
-    arrays[0]->InsertNextValue(mark.Radius);
-    arrays[1]->InsertNextValue(mark.Width);
-    arrays[2]->InsertNextValue(mark.Reach);
-    arrays[3]->InsertNextValue(mark.Opacity);
-    arrays[4]->InsertNextTuple3(mark.Color.x, mark.Color.y, mark.Color.z);
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  for (const auto& array : arrays)
-  {
-    data->GetPointData()->AddArray(array);
-  }
-  return data;
+  return MakePoints(marks, &Mark::Center,
+    { { "radius", &Mark::Radius }, { "width", &Mark::Width }, { "reach", &Mark::Reach },
+      { "opacity", &Mark::Opacity } },
+    &Mark::Color);
 }
 
 //------------------------------------------------------------------------------
 MarkerScene::MarkerScene(int width, int height, const glm::dvec3& origin)
-  : Window(MakeWindow(width, height, Renderer))
-  , Origin(origin)
+  : EffectScene(width, height, origin)
+  , Stage(this->Frame->GetMarkersStage())
 {
-  auto floor = AddActor(this->Renderer, MakeBox(6., 0.1, 6.));
-  floor->SetPosition(origin.x, origin.y - 0.05, origin.z);
-  floor->GetProperty()->SetColor(0.5, 0.55, 0.5);
-  this->Ball = AddActor(this->Renderer, MakeBall(0.5));
-  this->Ball->SetPosition(origin.x, origin.y + 0.5, origin.z);
-  this->Ball->GetProperty()->SetColor(0.9, 0.4, 0.2);
-  this->Wall = AddActor(this->Renderer, MakeBox(3., 2., 0.1));
-  this->Wall->SetPosition(origin.x - 0.5, origin.y + 1., origin.z - 1.6);
+  this->Add(MakeBox(6., 0.1, 6.), { 0., -0.05, 0. }, 0.5, 0.55, 0.5);
+  this->Ball = this->Add(MakeBall(0.5), { 0., 0.5, 0. }, 0.9, 0.4, 0.2);
+  this->Wall = this->Add(MakeBox(3., 2., 0.1), { -0.5, 1., -1.6 }, 0.6, 0.6, 0.7);
   this->Wall->RotateY(30.);
-  this->Wall->GetProperty()->SetColor(0.6, 0.6, 0.7);
-  this->Renderer->SetBackground(0.2, 0.3, 0.4);
-  this->Renderer->SetBackgroundAlpha(1.);
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  camera->SetPosition(origin.x + 0.3, origin.y + 1.6, origin.z + 4.5);
-  camera->SetFocalPoint(origin.x, origin.y + 0.4, origin.z);
-  camera->SetViewAngle(50.);
-  camera->SetClippingRange(0.5, 12.);
-  this->Frame = vtkRelievoPass::Attach(this->Renderer);
-  this->Stage = this->Frame->GetMarkers();
-  this->Stage->AddMarkers(this->Markers);
+  this->LookFrom({ 0.3, 1.6, 4.5 }, { 0., 0.4, 0. });
+  this->Stage->AddPoints(this->Markers);
 }
 
 //------------------------------------------------------------------------------
@@ -294,33 +239,11 @@ void MarkerScene::Set(int shape, const std::vector<Mark>& marks)
 }
 
 //------------------------------------------------------------------------------
-Layers MarkerScene::Read(const std::vector<std::string>& names)
-{
-  // As the stage reads it: refined depths are computed for readers alone.
-  this->Frame->GetLayersStage()->RefineDepthOff();
-  for (const std::string& name : names)
-  {
-    this->Frame->RequestLayer(name);
-  }
-  this->Window->Render();
-  vtkNew<vtkImageData> image;
-  for (const std::string& name : names)
-  {
-    RELIEVO_CHECK(this->Frame->ReadLayer(name, image));
-    this->Frame->ReleaseLayer(name);
-  }
-  return Layers(image);
-}
-
-//------------------------------------------------------------------------------
 MarkerErrors MarkerScene::Compare()
 {
   const int shape = this->Markers->GetShape();
   const bool shadow = shape == vtkRelievoMarkers::SHADOW;
-  this->Stage->EnabledOff();
-  const vtkSmartPointer<vtkImageData> plain = Picture(this->Window);
-  this->Stage->EnabledOn();
-  const vtkSmartPointer<vtkImageData> marked = Picture(this->Window);
+  const EffectPictures pictures = this->Draw(this->Stage);
   std::vector<std::string> names{ "depth", "marker" };
   if (shadow)
   {
@@ -352,15 +275,7 @@ MarkerErrors MarkerScene::Compare()
       errors.Covered = error > errors.Covered || std::isnan(error) ? error : errors.Covered;
       errors.Marked += passes < 0.99 ? 1 : 0;
       errors.Edges += passes < 0.99 && passes > 0.25 ? 1 : 0;
-      for (int i = 0; i < 3; ++i)
-      {
-        const double before = LinearFromSrgb(plain->GetScalarComponentAsDouble(x, y, 0, i) / 255.);
-        const double after = std::min(before * passes + color[i], 1.);
-        // One level of the plain picture is more of the marked one where that is dark.
-        const double difference =
-          std::abs(marked->GetScalarComponentAsDouble(x, y, 0, i) - 255. * SrgbFromLinear(after));
-        errors.Picture = std::max(errors.Picture, difference);
-      }
+      errors.Picture = std::max(errors.Picture, pictures.GetError(x, y, passes, color));
     }
   }
   return errors;

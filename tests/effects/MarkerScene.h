@@ -8,23 +8,10 @@
 #ifndef relievoTestMarkerScene_h
 #define relievoTestMarkerScene_h
 
-#include "Layers.h"
+#include "EffectScene.h"
 
-#include <vtkActor.h>
-#include <vtkNew.h>
 #include <vtkRelievoMarkers.h>
 #include <vtkRelievoMarkersStage.h>
-#include <vtkRelievoPass.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
-
-#include <glm/glm.hpp>
-
-#include <string>
-#include <vector>
-
-class vtkPolyData;
 
 namespace relievoTest
 {
@@ -57,7 +44,7 @@ struct MarkerErrors
   int Edges = 0;       // of these, not wholly
 };
 
-class MarkerScene
+class MarkerScene : public EffectScene
 {
 public:
   MarkerScene(int width, int height, const glm::dvec3& origin = glm::dvec3(0.));
@@ -65,22 +52,15 @@ public:
   /** What the set draws: points, moved by the origin, and actors, which share the last's values. */
   void Set(int shape, const std::vector<Mark>& marks);
 
-  /** Layers of a frame that draws the picture as well; depth as the pixel's centre has it. */
-  Layers Read(const std::vector<std::string>& names);
-
   /** The layer and the picture against the markers in double, with the depths of that frame. */
   MarkerErrors Compare();
 
-  vtkNew<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkRenderWindow> Window;
   vtkSmartPointer<vtkActor> Ball;
   vtkSmartPointer<vtkActor> Wall;
-  vtkRelievoPass* Frame = nullptr;
-  vtkRelievoMarkersStage* Stage = nullptr;
+  vtkRelievoMarkersStage* Stage;
   vtkNew<vtkRelievoMarkers> Markers;
 
 private:
-  glm::dvec3 Origin;
   std::vector<Mark> Marks; // as they are in the world
 };
 }

@@ -53,7 +53,7 @@ void TestFog()
       fog->SetInputData(places);
       fog->SetRadius(0.6);
       fog->SetDensity(2.0);
-      scene.Frame->GetFog()->AddFog(fog);
+      scene.Frame->GetFogStage()->AddPoints(fog);
       scene.ShowPanes(false);
       const Layers behind = scene.Read({ "color", "fog" });
       scene.ShowPanes(true);
@@ -77,10 +77,10 @@ void TestFog()
       }
       RELIEVO_CHECK_AT_MOST(worst, peeling ? Bytes : Halves, what + ": linear colour");
       RELIEVO_CHECK(fogged > 50);
-      const vtkIdType bytes = scene.Frame->GetFog()->GetBytesHeld();
+      const vtkIdType bytes = scene.Frame->GetFogStage()->GetBytesHeld();
       scene.ShowPanes(false);
       scene.Window->Render();
-      RELIEVO_CHECK(scene.Frame->GetFog()->GetBytesHeld() == bytes - 4 * 60 * 40);
+      RELIEVO_CHECK(scene.Frame->GetFogStage()->GetBytesHeld() == bytes - 4 * 60 * 40);
     }
   }
 }

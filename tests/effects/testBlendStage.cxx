@@ -131,7 +131,7 @@ void TestWays()
     s.Wall->GetProperty()->SetLineWidth(30.0);
   });
   check("SSAO", Blending::Averaged, Halves, 0, [](BlendScene& s) { s.Renderer->UseSSAOOn(); });
-  // As in ParaView: a camera pass is around the frame.
+  // ParaView has a camera pass around the frame.
   check("nested", Blending::Averaged, Halves, 0, [](BlendScene& s) {
     vtkNew<vtkOrderIndependentTranslucentPass> translucent;
     translucent->SetTranslucentPass(vtkNew<vtkTranslucentPass>());

@@ -51,7 +51,7 @@ vtkRelievoFrameCamera MakeView(bool parallel, double half, const glm::dvec2& cen
                                 top * view.Near, view.Near, view.Far);
   if (shear != 0.)
   {
-    // As vtkCamera::SetViewShear: x and y move with the distance from a plane.
+    // A shear like that of vtkCamera::SetViewShear: x and y move with the distance from a plane.
     glm::dmat4 sheared(1.);
     sheared[2][0] = shear;
     sheared[2][1] = -0.5 * shear;

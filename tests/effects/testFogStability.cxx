@@ -10,14 +10,8 @@
 #include "Window.h"
 
 #include <vtkCamera.h>
-#include <vtkDoubleArray.h>
-#include <vtkFloatArray.h>
-#include <vtkImageData.h>
-#include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkRelievoDisplayStage.h>
-#include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <cmath>
@@ -54,9 +48,7 @@ void TestData()
     { { 0., 0., 0. }, 1., -Infinity, White }, { { 0., 0., 0. }, 1., 1., { NaN, 0., 0. } }, Good,
     { { 0., 0., 0. }, 0., 1., White }, { { 0., 0., 0. }, -1., 1., White },
     { { 0., 0., 0. }, 1., 0., White }, { { 0., 0., 0. }, 1., -2., White } });
-  const Layers found = scene.Read({ "fog", "color" });
-  RELIEVO_CHECK(CountDifferent(expected, found, "fog") == 0);
-  RELIEVO_CHECK(CountDifferent(expected, found, "color") == 0);
+  CheckSame(expected, scene, "fog");
   RELIEVO_CHECK(scene.Fog->GetNumberLeftOut() == 10 && scene.Stage->GetNumberDrawn() == 1);
 
   // None at all: nothing is held, and the picture is VTK's own.
@@ -69,68 +61,32 @@ void TestData()
   RELIEVO_CHECK(SamePicture(plain, Picture(scene.Window), "empty polydata"));
   scene.Fog->SetInputData(nullptr);
   RELIEVO_CHECK(SamePicture(plain, Picture(scene.Window), "no data"));
-  scene.Stage->RemoveAllFog();
+  scene.Stage->RemoveAllPoints();
   RELIEVO_CHECK(SamePicture(plain, Picture(scene.Window), "no fog"));
   RELIEVO_CHECK(scene.Stage->GetBytesHeld() == 0 && scene.Frame->GetBytesHeld() == 0);
 
   // Blocks, and one value for all.
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, MakeFogPoints({ Good }));
-  blocks->SetBlock(2, MakeFogPoints({ { { 5., 5., 5. }, -1., 1., White } }));
-  scene.Stage->AddFog(scene.Fog);
-  scene.Stage->AddFog(scene.Fog);
-  RELIEVO_CHECK(scene.Stage->GetNumberOfFogs() == 1);
-  scene.Fog->SetInputData(blocks);
-  RELIEVO_CHECK(CountDifferent(expected, scene.Read({ "fog" }), "fog") == 0);
-  const vtkSmartPointer<vtkPolyData> bare = MakeFogPoints({ Good });
-  bare->GetPointData()->Initialize();
-  scene.Fog->SetInputData(bare);
+  CheckBlocks(scene, scene.Stage, scene.Fog, MakeFogPoints({ Good }),
+    MakeFogPoints({ { { 5., 5., 5. }, -1., 1., White } }), expected, "fog");
   scene.Fog->SetRadius(Good.Radius);
   scene.Fog->SetDensity(Good.Density);
-  const Layers forAll = scene.Read({ "fog", "color" });
-  RELIEVO_CHECK(CountDifferent(expected, forAll, "fog") == 0);
-  RELIEVO_CHECK(CountDifferent(expected, forAll, "color") == 0);
+  CheckSame(expected, scene, "fog");
 }
 
 void TestArrays()
 {
   FogScene scene(60, 45);
   const vtkSmartPointer<vtkPolyData> points = MakeFogPoints({ Good });
-  vtkNew<vtkDoubleArray> pairs;
-  pairs->SetName("pairs");
-  pairs->SetNumberOfComponents(2);
-  pairs->InsertNextTuple2(1., 2.);
-  points->GetPointData()->AddArray(pairs);
-  vtkNew<vtkStringArray> words;
-  words->SetName("words");
-  words->InsertNextValue("thick");
-  points->GetPointData()->AddArray(words);
   vtkNew<vtkUnsignedCharArray> bytes;
   bytes->SetName("bytes");
   bytes->SetNumberOfComponents(4);
   bytes->InsertNextTuple4(255, 51, 0, 7);
   points->GetPointData()->AddArray(bytes);
-  scene.Fog->SetInputData(points);
-  const struct
-  {
-    const char* Value;
-    const char* Array;
-    const char* Says;
-  } wrong[] = { { "radius", "size", "not among the point arrays" },
-    { "density", "pairs", "has 2 components; needed: one number per point" },
-    { "color", "density", "has 1 components; needed: red, green and blue" },
-    { "radius", "words", "holds no numbers" } };
-  for (const auto& each : wrong)
-  {
-    scene.Fog->SetArray(each.Value, each.Array);
-    ExpectMessage expect(std::string("'") + each.Array + "'");
-    scene.Window->Render();
-    scene.Window->Render();
-    RELIEVO_CHECK_THAT(
-      expect.Count() == 1 && expect.Messages()[0].find(each.Says) != std::string::npos,
-      std::string(each.Array) + ": " + (expect.Count() ? expect.Messages()[0] : "said nothing"));
-    scene.Fog->SetArray(each.Value, each.Value);
-  }
+  CheckWrongArrays(scene, scene.Fog, points,
+    { { "radius", "size", "not among the point arrays" },
+      { "density", "pairs", "has 2 components; needed: one number per point" },
+      { "color", "density", "has 1 components; needed: red, green and blue" },
+      { "radius", "words", "holds no numbers" } });
   {
     ExpectMessage expect("one of radius, density, color");
     scene.Fog->SetArray("colour", "density");
@@ -215,16 +171,7 @@ void TestPlaces()
   const Layers alone = one.Read({ "fog" });
   const Layers beside = both.Read({ "fog" });
   RELIEVO_CHECK(beside.Width == 60 && LargestDifference(alone, beside, "fog") < 1e-6);
-  const auto left = Picture(one.Window);
-  const auto right = Picture(both.Window);
-  for (const int x : { 5, 30, 31, 40 })
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      RELIEVO_CHECK_NEAR(right->GetScalarComponentAsDouble(60 + x, 22, 0, i),
-        left->GetScalarComponentAsDouble(x, 22, 0, i), 1., "beside another viewport");
-    }
-  }
+  CheckBeside(one, both, { 5, 30, 31, 40 }, 22);
 }
 
 void TestToggles()
@@ -238,22 +185,10 @@ void TestToggles()
   const auto fogged = Picture(scene.Window);
   const vtkIdType held = scene.Frame->GetBytesHeld();
   RELIEVO_CHECK(held > 60 * 45 * 16 && scene.Stage->GetBytesHeld() == 60 * 45 * 16 + 128);
-  const GLObjects objects = CountGLObjects(scene.Window);
-  for (int i = 0; i < 200; ++i)
-  {
-    scene.Stage->SetEnabled(i % 2 != 0);
-    scene.Stage->SetOverlap(i % 3 == 0); // of frames that are judged again below
-    scene.Window->Render();
-    RELIEVO_CHECK(i % 2 != 0 || scene.Frame->GetBytesHeld() == 0);
-  }
-  scene.Stage->SetOverlapToSum();
-  RELIEVO_CHECK(SamePicture(fogged, Picture(scene.Window), "after 200 times off and on"));
-  RELIEVO_CHECK(scene.Frame->GetBytesHeld() == held);
-  RELIEVO_CHECK_THAT(CountGLObjects(scene.Window).Bytes == objects.Bytes, "OpenGL's bytes grew");
-  scene.Window->SetSize(90, 70);
-  scene.Window->Render();
-  scene.Window->SetSize(60, 45);
-  RELIEVO_CHECK(SamePicture(fogged, Picture(scene.Window), "after resizing"));
+  CheckToggles(scene, scene.Stage, fogged, [&](int i) {
+    // SUM, of frames that are judged again below.
+    scene.Stage->SetOverlap(i % 3 == 0);
+  });
   scene.Stage->EnabledOff();
   RELIEVO_CHECK(SamePicture(plain, Picture(scene.Window), "off"));
   RELIEVO_CHECK(scene.Frame->GetBytesHeld() == 0);
@@ -282,15 +217,10 @@ void TestRequests()
   RELIEVO_CHECK(!scene.Stage->TrySetParameter("mode", "linear").empty());
 
   // Without any fog all passes; a stage that is off makes no layer.
-  scene.Stage->RemoveAllFog();
+  scene.Stage->RemoveAllPoints();
   const Layers without = scene.Read({ "fog" });
   RELIEVO_CHECK(without.Value("fog", 30, 22) == 1. && without.Value("fog", 0, 0) == 1.);
-  scene.Stage->EnabledOff();
-  scene.Frame->RequestLayer("fog");
-  scene.Window->Render();
-  vtkNew<vtkImageData> image;
-  ExpectMessage expect("the stage fog would write, but does not run: switched off");
-  RELIEVO_CHECK(!scene.Frame->ReadLayer("fog", image));
+  CheckOff(scene, "fog", "fog");
 }
 }
 

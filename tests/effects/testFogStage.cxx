@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -33,14 +32,7 @@ std::vector<FogSphere> SomeSpheres()
     { { 1.6, 1.5, 0. }, 0.3, 1.5, { 1., 1., 0. } } };
 }
 
-struct Look
-{
-  const char* Name;
-  std::function<void(vtkCamera*)> Set;
-};
-
-const Look Looks[] = {
-  { "perspective", [](vtkCamera*) {} },
+const std::vector<Look> Looks = {
   { "wide",
     [](vtkCamera* camera) {
       camera->SetViewAngle(110.);
@@ -48,23 +40,13 @@ const Look Looks[] = {
     } },
   { "off-centre", [](vtkCamera* camera) { camera->SetWindowCenter(0.4, -0.3); } },
   { "sheared", [](vtkCamera* camera) { camera->SetViewShear(0.2, -0.1, 1.1); } },
-  { "parallel",
-    [](vtkCamera* camera) {
-      camera->ParallelProjectionOn();
-      camera->SetParallelScale(1.7);
-    } },
-  { "parallel, sheared, off-centre",
-    [](vtkCamera* camera) {
-      camera->ParallelProjectionOn();
-      camera->SetParallelScale(2.);
-      camera->SetViewShear(0.3, 0.2, 0.9);
-      camera->SetWindowCenter(-0.2, 0.1);
-    } },
 };
 
 void TestLayer()
 {
-  for (const Look& look : Looks)
+  std::vector<Look> looks = PlainLooks;
+  looks.insert(looks.end(), Looks.begin(), Looks.end());
+  for (const Look& look : looks)
   {
     for (const bool chord : { false, true })
     {

@@ -13,13 +13,7 @@
 #include "Window.h"
 
 #include <vtkCamera.h>
-#include <vtkDoubleArray.h>
-#include <vtkImageData.h>
-#include <vtkMultiBlockDataSet.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkStringArray.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <cmath>
 #include <limits>
@@ -69,9 +63,7 @@ void TestData()
     { nowhere, away, far, colorless, With(&Mark::Radius, 0.), With(&Mark::Radius, -1.),
       With(&Mark::Radius, NaN), With(&Mark::Radius, Infinity), With(&Mark::Width, 0.),
       With(&Mark::Width, -0.5), With(&Mark::Opacity, 0.), With(&Mark::Opacity, -1.), Good });
-  const Layers found = scene.Read({ "marker", "color" });
-  RELIEVO_CHECK(CountDifferent(expected, found, "marker") == 0);
-  RELIEVO_CHECK(CountDifferent(expected, found, "color") == 0);
+  CheckSame(expected, scene, "marker");
   RELIEVO_CHECK(scene.Markers->GetNumberLeftOut() == 11 && scene.Stage->GetNumberDrawn() == 1);
   scene.Set(M::SHADOW, { With(&Mark::Reach, 0.), With(&Mark::Reach, -1.), With(&Mark::Width, 0.) });
   scene.Window->Render();
@@ -91,63 +83,27 @@ void TestData()
   scene.Markers->AddActor(vtkNew<vtkActor>());
   RELIEVO_CHECK(SamePicture(plain, Picture(scene.Window), "an actor of nothing"));
   scene.Markers->RemoveAllActors();
-  scene.Stage->RemoveAllMarkers();
+  scene.Stage->RemoveAllPoints();
   RELIEVO_CHECK(SamePicture(plain, Picture(scene.Window), "no markers"));
   RELIEVO_CHECK(scene.Stage->GetBytesHeld() == 0 && scene.Frame->GetBytesHeld() == 0);
 
   // Blocks, and one value for all.
-  scene.Stage->AddMarkers(scene.Markers);
-  scene.Stage->AddMarkers(scene.Markers);
-  RELIEVO_CHECK(scene.Stage->GetNumberOfMarkerSets() == 1);
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, MakeMarkerPoints({ Good }));
-  blocks->SetBlock(2, MakeMarkerPoints({ With(&Mark::Radius, -1.) }));
-  scene.Markers->SetInputData(blocks);
-  RELIEVO_CHECK(CountDifferent(expected, scene.Read({ "marker" }), "marker") == 0);
-  const vtkSmartPointer<vtkPolyData> bare = MakeMarkerPoints({ Good });
-  bare->GetPointData()->Initialize();
-  scene.Markers->SetInputData(bare);
+  CheckBlocks(scene, scene.Stage, scene.Markers, MakeMarkerPoints({ Good }),
+    MakeMarkerPoints({ With(&Mark::Radius, -1.) }), expected, "marker");
   scene.Markers->SetRadius(Good.Radius);
-  const Layers forAll = scene.Read({ "marker", "color" });
-  RELIEVO_CHECK(CountDifferent(expected, forAll, "marker") == 0);
-  RELIEVO_CHECK(CountDifferent(expected, forAll, "color") == 0);
+  CheckSame(expected, scene, "marker");
 }
 
 void TestArrays()
 {
   MarkerScene scene(60, 45);
   const vtkSmartPointer<vtkPolyData> points = MakeMarkerPoints({ Good });
-  vtkNew<vtkDoubleArray> pairs;
-  pairs->SetName("pairs");
-  pairs->SetNumberOfComponents(2);
-  pairs->InsertNextTuple2(1., 2.);
-  points->GetPointData()->AddArray(pairs);
-  vtkNew<vtkStringArray> words;
-  words->SetName("words");
-  words->InsertNextValue("wide");
-  points->GetPointData()->AddArray(words);
-  scene.Markers->SetInputData(points);
-  const struct
-  {
-    const char* Value;
-    const char* Array;
-    const char* Says;
-  } wrong[] = { { "radius", "size", "not among the point arrays" },
-    { "width", "pairs", "has 2 components; needed: one share of the radius" },
-    { "reach", "words", "holds no numbers" },
-    { "opacity", "pairs", "needed: one number from 0 to 1" },
-    { "color", "reach", "has 1 components; needed: red, green and blue" } };
-  for (const auto& each : wrong)
-  {
-    scene.Markers->SetArray(each.Value, each.Array);
-    ExpectMessage expect(std::string("'") + each.Array + "'");
-    scene.Window->Render();
-    scene.Window->Render();
-    RELIEVO_CHECK_THAT(
-      expect.Count() == 1 && expect.Messages()[0].find(each.Says) != std::string::npos,
-      std::string(each.Array) + ": " + (expect.Count() ? expect.Messages()[0] : "said nothing"));
-    scene.Markers->SetArray(each.Value, each.Value);
-  }
+  CheckWrongArrays(scene, scene.Markers, points,
+    { { "radius", "size", "not among the point arrays" },
+      { "width", "pairs", "has 2 components; needed: one share of the radius" },
+      { "reach", "words", "holds no numbers" },
+      { "opacity", "pairs", "needed: one number from 0 to 1" },
+      { "color", "reach", "has 1 components; needed: red, green and blue" } });
   {
     ExpectMessage expect("one of radius, width, reach, opacity, color");
     scene.Markers->SetArray("colour", "radius");
@@ -217,16 +173,7 @@ void TestPlaces()
   RELIEVO_CHECK(beside.Width == 60);
   RELIEVO_CHECK_AT_MOST(
     LargestDifference(alone.Read({ "marker" }), beside, "marker"), Limit, "two viewports");
-  const auto left = Picture(alone.Window);
-  const auto right = Picture(both.Window);
-  for (const int x : { 30, 40, 50 })
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      RELIEVO_CHECK_NEAR(right->GetScalarComponentAsDouble(60 + x, 12, 0, i),
-        left->GetScalarComponentAsDouble(x, 12, 0, i), 1., "beside another viewport");
-    }
-  }
+  CheckBeside(alone, both, { 30, 40, 50 }, 12);
 }
 
 // Things of one pixel's width before something far away are marked as anything else.
@@ -261,20 +208,7 @@ void TestToggles()
   const vtkIdType held = scene.Frame->GetBytesHeld();
   RELIEVO_CHECK(scene.Stage->GetBytesHeld() == 60 * 45 * 16 + 144);
   RELIEVO_CHECK(scene.Stage->GetDrawCalls() == 2);
-  const GLObjects objects = CountGLObjects(scene.Window);
-  for (int i = 0; i < 200; ++i)
-  {
-    scene.Stage->SetEnabled(i % 2 != 0);
-    scene.Window->Render();
-    RELIEVO_CHECK(i % 2 != 0 || scene.Frame->GetBytesHeld() == 0);
-  }
-  RELIEVO_CHECK(SamePicture(marked, Picture(scene.Window), "after 200 times off and on"));
-  RELIEVO_CHECK(scene.Frame->GetBytesHeld() == held);
-  RELIEVO_CHECK_THAT(CountGLObjects(scene.Window).Bytes == objects.Bytes, "OpenGL's bytes grew");
-  scene.Window->SetSize(90, 70);
-  scene.Window->Render();
-  scene.Window->SetSize(60, 45);
-  RELIEVO_CHECK(SamePicture(marked, Picture(scene.Window), "after resizing"));
+  CheckToggles(scene, scene.Stage, marked);
   scene.Set(M::SHADOW, { Good });
   scene.Window->Render();
   scene.Set(M::RING, { Good });
@@ -304,15 +238,10 @@ void TestRequests()
   scene.Frame->SetDisplayLayer(nullptr);
 
   // Without any markers nothing is covered; a stage that is off makes no layer.
-  scene.Stage->RemoveAllMarkers();
+  scene.Stage->RemoveAllPoints();
   const Layers without = scene.Read({ "marker" });
   RELIEVO_CHECK(without.Value("marker", 40, 12) == 0.);
-  scene.Stage->EnabledOff();
-  scene.Frame->RequestLayer("marker");
-  scene.Window->Render();
-  vtkNew<vtkImageData> image;
-  ExpectMessage expect("the stage markers would write, but does not run: switched off");
-  RELIEVO_CHECK(!scene.Frame->ReadLayer("marker", image));
+  CheckOff(scene, "markers", "marker");
 }
 }
 

@@ -316,7 +316,7 @@ void TestTwice()
 }
 #endif
 
-// As words, by name.
+// The stage's parameters are set as words, by name.
 void TestParameters()
 {
   vtkNew<vtkRelievoPass> frame;

@@ -7,6 +7,7 @@
 #include "Check.h"
 #include "GLCheck.h"
 #include "Session.h"
+#include "SrgbCurve.h"
 #include "ToneScene.h"
 
 #include <vtkDataArray.h>
@@ -20,6 +21,7 @@ namespace
 {
 using relievoTest::IsSame;
 using relievoTest::PaintStage;
+using relievoTest::SrgbFromLinear;
 using relievoTest::ToneScene;
 
 // The nearest step, but for the last bits of float.
@@ -123,9 +125,7 @@ void TestShownColor()
       for (int c = 0; c < 3; ++c)
       {
         const double light = std::min(1., PaintStage::GetHalf(scene.Paint->Pixels[i][c]) / most);
-        const double srgb =
-          light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1. / 2.4) - 0.055;
-        error = std::max(error, std::abs(bytes[4 * i + c] - 255. * srgb));
+        error = std::max(error, std::abs(bytes[4 * i + c] - 255. * SrgbFromLinear(light)));
       }
     }
     RELIEVO_CHECK_AT_MOST(error, Rounding, "the colour before tone");
@@ -259,7 +259,7 @@ void TestAutoExposure()
   }
 }
 
-// The same, whatever was drawn before; nothing drawn: of everything.
+// Auto exposure does not depend on earlier frames; where nothing is drawn, it is of all pixels.
 void TestAutoExposureIsOfThisFrame()
 {
   ToneScene scene(50, 40);

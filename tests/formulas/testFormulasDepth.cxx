@@ -31,7 +31,7 @@ double MatrixWindowZ(double depth, double zNear, double zFar, bool perspective)
   return 0.5 * (perspective ? clipZ / depth : clipZ) + 0.5;
 }
 
-// The same with a clip range from zero to one and near and far exchanged.
+// Window z through projection matrices with a clip range from 0 to 1, near and far exchanged.
 double MatrixReversedZ(double depth, double zNear, double zFar, bool perspective)
 {
   const double size = zFar - zNear;

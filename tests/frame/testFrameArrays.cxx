@@ -74,7 +74,7 @@ void TestArrays()
       vtkRelievoPass::Detach(scene.Renderer);
     }
   }
-  // As the picture, and beneath it: an array of one value is of one colour, another's of another.
+  // Arrays shown as the picture: each has one value and so one colour, another array another.
   scene.Renderer->SetBackground(0.0, 0.0, 0.0);
   vtkRelievoPass* frame = vtkRelievoPass::Attach(scene.Renderer);
   frame->SetDisplayRange(0.0, 5.0);

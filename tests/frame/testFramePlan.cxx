@@ -324,7 +324,7 @@ void TestNoColor()
 
 // What joins in changes the colour where another does before it; what it writes beside can be read
 // anyway, and then there is a linear colour.
-void TestJoins()
+void TestOnlyIfColorChanges()
 {
   std::vector<Plan::Node> nodes = MakeOwn(true);
   nodes[0].Declaration.Writes.emplace_back("translucent");
@@ -373,6 +373,6 @@ int main()
   TestNames();
   TestMissing();
   TestNoColor();
-  TestJoins();
+  TestOnlyIfColorChanges();
   return session.Result();
 }

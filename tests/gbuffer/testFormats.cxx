@@ -116,7 +116,7 @@ void TestNormals()
     }
   }
   RELIEVO_CHECK_THAT(coarsest > 0.3, "no format is coarse: the formats are not in use");
-  // The same normals in view space: turned as the camera turns.
+  // Normals in view space are those in world space, turned as the camera turns.
   const Layers view(fixture.Renderer, { "normal", "depth" }, Way::Own, [](G* g) {
     g->SetNormalFormat(G::NORMAL_FLOAT32);
     g->SetNormalSpace(G::VIEW);

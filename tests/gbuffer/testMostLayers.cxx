@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// As many layers as a G-buffer holds, and more.
+// A G-buffer with as many layers as it holds, and with more.
 #include "Check.h"
 #include "GLCheck.h"
 #include "Layers.h"

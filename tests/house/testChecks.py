@@ -34,7 +34,6 @@ MISTAKES = {
     "blanks": ("shaders/b.glsl", LICENCE + "float b; \n", "white space"),
     "tab": ("python/relievo/c.py", CLEAN["python/relievo/a.py"] + "\tx = 1\n", "tab"),
     "wide": ("shaders/c.glsl", LICENCE + "// " + "x" * 100 + "\n", "100 columns"),
-    "long": ("shaders/d.glsl", LICENCE + "float d;\n" * 400, "over 400"),
     "version": ("io/vtkV.h", LICENCE + "#if VTK_VERSION_NUMBER > 1\n#endif\n",
                 "vtkRelievoVTKVersions.h"),
     "ParaView": ("passes/vtkC.h", LICENCE + "class vtkPVView;\n", "plugin/ only"),
@@ -62,6 +61,8 @@ MISTAKES = {
                 "may not stand on this one"),
     "neighbours": ("apps/tool/a.cxx", LICENCE + '#include "../../plugin/vtkP.h"\n',
                    "do not know each other"),
+    "window kit": ("qt/a.cxx", LICENCE + '#include "../apps/viewer/docks/Panel.h"\n',
+                   "knows neither the viewer"),
 }
 
 

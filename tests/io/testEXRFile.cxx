@@ -233,7 +233,7 @@ void TestChoices()
   }
 }
 
-// The same picture gives the same bytes.
+// A picture that is written twice gives the same bytes.
 void TestSameBytes()
 {
   auto image = ioTest::MakeLayers(33, 20);

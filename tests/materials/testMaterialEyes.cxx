@@ -16,7 +16,8 @@ namespace
 {
 using namespace relievoTest;
 
-// As MirrorScene::Worst, for a view whose rays only the camera's matrices know.
+// The greatest difference from the truth, in 255ths, for a view whose rays only the camera's
+// matrices know; else MirrorScene::Worst gives it.
 double WorstThrough(vtkRenderer* renderer, const Light& truth)
 {
   const Photo photo(renderer->GetRenderWindow());

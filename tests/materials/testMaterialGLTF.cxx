@@ -115,7 +115,7 @@ struct Errors
   double Mean = 0., Worst = 0., Bent = 0.; // degrees; Bent: how far the map bends normals, mean
 };
 
-// The same normals as floats, which count as they are.
+// The map's normals as floats, which count as they are.
 vtkSmartPointer<vtkImageData> AsFloats(vtkImageData* image)
 {
   auto floats = vtkSmartPointer<vtkImageData>::New();

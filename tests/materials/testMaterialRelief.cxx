@@ -112,7 +112,7 @@ void TestPosts()
     RELIEVO_CHECK_AT_MOST(
       Measure(renderer, seen).Missed, 0.01, what + ": missed at the default steps");
   }
-  // The same with the fixed steps of the simple methods: they must be seen to miss.
+  // The fixed steps of the simple methods must be seen to miss posts.
   scene.Material->SetMaximumSteps(16);
   RELIEVO_CHECK_THAT(Measure(renderer, seen).Missed > 0.02, "16 steps miss posts at 75");
 }

@@ -345,7 +345,7 @@ void TestKeeps()
   RELIEVO_CHECK(scene.Environment->GetBytesHeld() == 0);
   RELIEVO_CHECK_THAT(Photo(scene.Stage.Window).Bytes == with.Bytes, "again after a release");
 
-  // The same environment in another window, with another sky.
+  // One environment in two windows, with a sky for each.
   relievoTest::Stage other(160, 120);
   vtkNew<vtkRelievoSkybox> sky;
   sky->SetEnvironment(scene.Environment);

@@ -230,7 +230,7 @@ void TestNoTransition()
   Compare(truth, scene, "no transition");
 }
 
-// The same again changes nothing, nor does what is not finite.
+// Settings that are given again change nothing, nor do those that are not finite.
 void TestSame()
 {
   Scene scene(true);

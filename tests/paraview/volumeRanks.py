@@ -56,7 +56,7 @@ table = CALL if data.GetNumberOfPoints() else numpy.zeros((0, 1))
 numpy.save("FILE-%d.npy" % rank, table)
 """
 
-# The same on every rank: voxels and particles need the whole surface.
+# Every rank makes the whole ball: voxels and particles need the whole surface.
 BALL = """
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 sphere = vtkSphereSource()

@@ -261,7 +261,7 @@ void TestFloatFramebuffer(bool part, bool withDelegate)
   const std::string what = std::string("float framebuffer") + (part ? ", part of the window" : "") +
     (withDelegate ? ", with a delegate" : "");
   RELIEVO_CHECK(layers.Covered() > 1000);
-  // As the rasteriser has it, not refined; at edges it may take the neighbour.
+  // The depth is the rasteriser's, not refined; at edges it may be the neighbour's.
   RELIEVO_CHECK_AT_MOST(worst, 2e-3, what + ": depth in world units");
   framebuffer->ReleaseGraphicsResources(stage.Window);
   stage.Renderer->SetPass(nullptr);

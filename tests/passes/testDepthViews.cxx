@@ -69,7 +69,7 @@ struct Scene
     this->Window = MakeWindow(width, height, this->Renderer);
   }
 
-  // The same geometry as data, in double.
+  // The geometry of both actors as data, in double.
   vtkSmartPointer<vtkPolyData> Data()
   {
     vtkNew<vtkAppendPolyData> both;

@@ -186,7 +186,7 @@ void Test(const Case& c)
     relievoTest::SamePicture(expected.Shadows, shown.Shadows, what + ", with shadows");
     for (const std::string& name : Names)
     {
-      // The same ball drawn twice is one actor of the two.
+      // A ball that is drawn twice is one actor of the two.
       RELIEVO_CHECK_AT_MOST(relievoTest::CountDifferent(*expected.Beside, *shown.Beside, name), 0,
         what + ": pixels of " + name);
     }

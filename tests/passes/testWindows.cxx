@@ -108,7 +108,7 @@ void TestTiled()
   frame->SetDisplayLayer("geometric_normal");
   const auto shown = Tiled(stage.Window);
   vtkRelievoPass::Detach(stage.Renderer);
-  // The same at once: in a window of that size.
+  // The whole picture at once, in a window of its size.
   const Stage large(180, 120);
   Fill(large.Renderer);
   vtkRelievoPass::Attach(large.Renderer)->SetDisplayLayer("geometric_normal");
@@ -189,7 +189,7 @@ void TestRendererLayers()
   }
 }
 
-// The same actors in two renderers, of which one makes layers.
+// Actors that two renderers share, of which one makes layers.
 void TestSharedActors()
 {
   const Stage stage(200, 100);

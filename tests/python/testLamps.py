@@ -6,16 +6,11 @@ import unittest
 
 import numpy
 import relievo
-from vtkmodules.vtkFiltersSources import vtkPointSource
 
-from scenes import plane_and_sphere, points_at, window_of
+from scenes import PointsTest, point_source, points_at
 
 
-class Lamps(unittest.TestCase):
-    def setUp(self):
-        self.renderer = plane_and_sphere()
-        self.window = window_of(self.renderer, 90, 60)
-
+class Lamps(PointsTest):
     def light(self):
         return relievo.layer(relievo.capture(self.renderer, ["light"]), "light")
 
@@ -43,13 +38,10 @@ class Lamps(unittest.TestCase):
         self.assertGreater(expected.max(), 0.5)
         numpy.testing.assert_allclose(self.light(), expected, rtol=1e-4, atol=5e-5)
         stage = relievo.attach(self.renderer).GetStage("lamps")
-        stage.RemoveLamps(lamps)
+        stage.RemovePoints(lamps)
         self.assertFalse(self.light().any())
 
-        source = vtkPointSource()
-        source.SetNumberOfPoints(1)
-        source.SetRadius(0)
-        source.SetCenter(*places[0])
+        source = point_source(places[0])
         relievo.lamps(self.renderer, source, radius=5)
         white = numpy.ones(3)
         numpy.testing.assert_allclose(
@@ -70,7 +62,7 @@ class Lamps(unittest.TestCase):
             relievo.stage(self.renderer, "lamps", casting=number)
             self.window.Render()
             stage = relievo.attach(self.renderer).GetStage("lamps")
-            stage.RemoveLamps(lamps)
+            stage.RemovePoints(lamps)
             return stage.GetNumberCasting()
 
         self.assertEqual(casting(), 0)
@@ -84,7 +76,7 @@ class Lamps(unittest.TestCase):
     def test_refusals(self):
         """Wrong arguments are named, and change nothing."""
         data = points_at([(0, 0, 4)])
-        for wrong, says in (
+        self.check_refusals(relievo.lamps, "points", data, (
             ({"points": 5}, "points"),
             ({"radius": -1}, "radius.*0 or more"),
             ({"radius": (1, 2)}, "radius"),
@@ -94,12 +86,7 @@ class Lamps(unittest.TestCase):
             ({"falloff": "cubic"}, "falloff.*inverse-square"),
             ({"attenuation": (1, 0, 0)}, "attenuation.*falloff='vtk'"),
             ({"casts": 3}, "casts.*True, False"),
-        ):
-            with self.assertRaisesRegex(ValueError, f"lamps: {says}"):
-                relievo.lamps(self.renderer, **{"points": data, **wrong})
-        self.assertIsNone(self.renderer.GetPass())
-        with self.assertRaises(ValueError):
-            relievo.lamps(None, data)
+        ))  # fmt: skip
 
 
 if __name__ == "__main__":

@@ -6,16 +6,11 @@ import unittest
 
 import numpy
 import relievo
-from vtkmodules.vtkFiltersSources import vtkPointSource
 
-from scenes import plane_and_sphere, points_at, window_of
+from scenes import PointsTest, point_source, points_at
 
 
-class Markers(unittest.TestCase):
-    def setUp(self):
-        self.renderer = plane_and_sphere()
-        self.window = window_of(self.renderer, 90, 60)
-
+class Markers(PointsTest):
     def read(self, *names):
         relievo.attach(self.renderer).GetLayersStage().RefineDepthOff()
         image = relievo.capture(self.renderer, list(names))
@@ -43,13 +38,10 @@ class Markers(unittest.TestCase):
             self.renderer, points_at([place], radius=[2.5], dim=[0.4]), shape="disc",
             opacity="dim", color=(1, 0.5, 0.25))
         self.check(self.ball(place, 2.5), 0.4)
-        relievo.attach(self.renderer).GetMarkers().RemoveMarkers(made)
+        relievo.attach(self.renderer).GetMarkersStage().RemovePoints(made)
         self.assertFalse(self.read("marker").any())
 
-        source = vtkPointSource()
-        source.SetNumberOfPoints(1)
-        source.SetRadius(0)
-        source.SetCenter(*place)
+        source = point_source(place)
         relievo.markers(self.renderer, source, shape="disc", radius=2, opacity=1)
         self.check(self.ball(place, 2), 1)
         source.SetCenter(-1, 1, 0)
@@ -82,12 +74,12 @@ class Markers(unittest.TestCase):
                 self.assertGreater(covered[away < 1.2].min(), covered[away > 1.7].max())
             else:
                 self.assertFalse(covered[found[..., 2] > 2.51].any())
-            relievo.attach(self.renderer).GetMarkers().RemoveMarkers(made)
+            relievo.attach(self.renderer).GetMarkersStage().RemovePoints(made)
 
     def test_refusals(self):
         """Wrong arguments are named, and change nothing."""
         data = points_at([(0, 0, 4)])
-        for wrong, says in (
+        self.check_refusals(relievo.markers, "things", data, (
             ({"things": 5}, "points"),
             ({"things": [data]}, "things.*vtkProp3D"),
             ({"things": []}, "things"),
@@ -98,12 +90,7 @@ class Markers(unittest.TestCase):
             ({"color": (1, 2)}, "color.*three numbers"),
             ({"up": (0, 0, 0)}, "up.*a direction"),
             ({"up": 3}, "up.*three numbers"),
-        ):
-            with self.assertRaisesRegex(ValueError, f"markers: {says}"):
-                relievo.markers(self.renderer, **{"things": data, **wrong})
-        self.assertIsNone(self.renderer.GetPass())
-        with self.assertRaises(ValueError):
-            relievo.markers(None, data)
+        ))  # fmt: skip
 
 
 if __name__ == "__main__":

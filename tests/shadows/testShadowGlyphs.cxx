@@ -148,7 +148,7 @@ struct Swarm
     this->Stage.GetShadows()->SetMethodToExact();
   }
 
-  // As vtkGlyph3DMapper's documentation and vtkTransform have it.
+  // Where a glyph is, by vtkGlyph3DMapper's documentation and vtkTransform.
   void Place(vtkIdType i, vtkTransform* transform) const
   {
     double p[3];
@@ -287,7 +287,7 @@ void TestWays()
   }
 }
 
-// The same picture as a mapper has that was never anything else.
+// A mapper that was changed draws the picture of one that was never anything else.
 void TestChanges()
 {
   Swarm swarm(800, Way::Rotation);

@@ -125,7 +125,7 @@ void TestSamples()
       }
     }
     std::cout << n << " samples: largest discrepancy " << worst << " on a square\n";
-    // As a lattice's, log(n) / n; of random points it is about 0.5 / sqrt(n).
+    // A lattice's discrepancy is about log(n) / n; that of random points, 0.5 / sqrt(n).
     RELIEVO_CHECK_AT_MOST(worst, (1. + 0.5 * std::log2(n)) / n, "discrepancy on a square");
   }
 }

@@ -86,6 +86,13 @@ def soft():
     save(relievo.capture(renderer, ["color", "shadow_0", "shadow_1"]))
 
 
+def remove(renderer, stage, made):
+    """Takes points away from a stage, whatever its method for that is called."""
+    held = relievo.attach(renderer).GetStage(stage)
+    names = ("RemovePoints", f"Remove{stage.capitalize()}")
+    getattr(held, next(name for name in names if hasattr(held, name)))(made)
+
+
 def lamps():
     renderer, window = room("ground", "things", "glass")
     made = relievo.lamps(renderer, read("lamps"), casts="casts", falloff="inverse-square")
@@ -95,7 +102,7 @@ def lamps():
         save(relievo.capture(renderer, names), way)
     relievo.lamps(renderer, read("lamps"), radius=1, color=(1, 1, 1), casts=False)
     grab(window)
-    relievo.attach(renderer).GetStage("lamps").RemoveLamps(made)
+    remove(renderer, "lamps", made)
     grab(window, "removed")
 
 
@@ -106,7 +113,7 @@ def fog():
         relievo.stage(renderer, "fog", mode=mode, overlap="dominant")
         save(relievo.capture(renderer, ["fog", "color"]), mode)
     grab(window)
-    relievo.attach(renderer).GetStage("fog").RemoveFog(made)
+    remove(renderer, "fog", made)
     grab(window, "removed")
 
 
@@ -116,7 +123,7 @@ def markers():
         relievo.markers(renderer, read("markers"), shape=shape)
     made = relievo.markers(renderer, list(renderer.GetActors())[1], shape="shadow", up=(0, 1, 0))
     save(relievo.capture(renderer, ["marker", "color"]))
-    relievo.attach(renderer).GetStage("markers").RemoveMarkers(made)
+    remove(renderer, "markers", made)
     grab(window)
 
 

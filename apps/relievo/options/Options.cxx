@@ -249,7 +249,7 @@ bool SetsShadows(
 }
 
 //------------------------------------------------------------------------------
-// The same thing said in two ways may be said differently.
+// An option and a parameter of --stage that set one thing may contradict each other.
 void CheckShadowStage(const RenderOptions& options, const std::set<std::string>& given)
 {
   constexpr std::pair<const char*, const char*> same[] = { { "--shadows", "visible" },

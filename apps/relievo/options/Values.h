@@ -19,8 +19,8 @@ namespace cli
 /// The parts of a word between separators; an empty word has one empty part.
 std::vector<std::string> Split(const std::string& word, char separator);
 
-/// The same of a word in which a backslash before a separator or a backslash stands for the letter
-/// itself.
+/// The parts of a word between separators; a backslash before a separator or a backslash stands for
+/// the letter itself.
 std::vector<std::string> SplitEscaped(const std::string& word, char separator);
 
 /// The word that SplitEscaped takes apart so.

@@ -116,7 +116,7 @@ void Outputs::Add(
     std::memcpy(Temporaries[slot], temporary.c_str(), temporary.size() + 1);
     TemporaryCount = slot + 1;
   }
-  this->Entries.push_back({ path, place.string(), temporary });
+  this->Entries.push_back({ path, place.string(), temporary, {} });
 }
 
 //------------------------------------------------------------------------------
@@ -144,20 +144,58 @@ std::string Outputs::WithGivenNames(std::string text) const
 //------------------------------------------------------------------------------
 void Outputs::Commit()
 {
+  // What is replaced stays under a name of its own until all are in place.
   std::error_code trouble;
-  for (std::size_t i = 0; i < this->Entries.size(); ++i)
+  std::size_t moved = 0;
+  for (; moved < this->Entries.size() && !trouble; ++moved)
   {
-    fs::rename(this->Entries[i].Temporary, this->Entries[i].Place, trouble);
+    Entry& entry = this->Entries[moved];
+    std::error_code none; // there may be nothing to keep
+    if (fs::is_regular_file(fs::status(entry.Place, none)))
+    {
+      // By a second name of the file, so that its place is never empty; not all file systems have such.
+      entry.Kept = entry.Temporary + ".old";
+      fs::create_hard_link(entry.Place, entry.Kept, trouble);
+      if (trouble)
+      {
+        fs::rename(entry.Place, entry.Kept, trouble);
+      }
+      if (trouble)
+      {
+        entry.Kept.clear();
+        break;
+      }
+    }
+    fs::rename(entry.Temporary, entry.Place, trouble);
     if (trouble)
     {
-      std::error_code ignored;
-      for (std::size_t moved = 0; moved < i; ++moved)
-      {
-        fs::remove(this->Entries[moved].Place, ignored);
-      }
-      throw WorkError(this->Entries[i].Given + ": " + trouble.message());
+      break;
     }
   }
+  if (!trouble)
+  {
+    for (const Entry& entry : this->Entries)
+    {
+      std::error_code none;
+      fs::remove(entry.Kept, none);
+    }
+    return;
+  }
+  const std::string wrong = this->Entries[moved].Given + ": " + trouble.message();
+  for (std::size_t i = 0; i <= moved; ++i)
+  {
+    const Entry& entry = this->Entries[i];
+    std::error_code none;
+    if (!entry.Kept.empty())
+    {
+      fs::rename(entry.Kept, entry.Place, none);
+    }
+    else if (i < moved)
+    {
+      fs::remove(entry.Place, none);
+    }
+  }
+  throw WorkError(wrong);
 }
 
 //------------------------------------------------------------------------------

@@ -32,8 +32,8 @@ public:
   /// A text with the temporary names in it replaced by the names that the user gave.
   std::string WithGivenNames(std::string text) const;
 
-  /// Every file is written: moves them into place. WorkError if one cannot be; then those moved
-  /// already are removed again.
+  /// Every file is written: moves them into place. WorkError if one cannot be; then all places have
+  /// again what they had before.
   void Commit();
 
   /// From here on an interrupt that ends the run removes the temporary files first.
@@ -48,6 +48,7 @@ private:
     std::string Given;     // as the user wrote it
     std::string Place;     // the same, links followed
     std::string Temporary; // beside Place
+    std::string Kept;      // what was there before, until all are in place; empty: nothing
   };
   std::vector<Entry> Entries;
 };

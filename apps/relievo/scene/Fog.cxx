@@ -57,10 +57,10 @@ std::vector<vtkSmartPointer<vtkRelievoFogSpheres>> ReadFogs(
 void AddFogs(vtkRelievoPass* pass, const std::vector<FogChoice>& choices,
   const std::vector<vtkSmartPointer<vtkRelievoFogSpheres>>& fogs)
 {
-  vtkRelievoFogStage* stage = pass->GetFog();
+  vtkRelievoFogStage* stage = pass->GetFogStage();
   for (vtkRelievoFogSpheres* fog : fogs)
   {
-    stage->AddFog(fog);
+    stage->AddPoints(fog);
   }
   for (const FogChoice& choice : choices) // also where the fog itself comes later, as in the viewer
   {

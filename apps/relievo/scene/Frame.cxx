@@ -80,12 +80,12 @@ void AddFramePoints(vtkRelievoPass* pass, const RenderOptions& options, const Fr
 {
   for (vtkRelievoLamps* each : points.Lamps)
   {
-    vtkRelievoLampsStage::SafeDownCast(pass->GetStage("lamps"))->AddLamps(each);
+    vtkRelievoLampsStage::SafeDownCast(pass->GetStage("lamps"))->AddPoints(each);
   }
   AddFogs(pass, options.Fogs, points.Fogs);
   for (vtkRelievoMarkers* each : points.Markers)
   {
-    pass->GetMarkers()->AddMarkers(each);
+    pass->GetMarkersStage()->AddPoints(each);
   }
 }
 }

@@ -13,6 +13,8 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
@@ -20,7 +22,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <system_error>
 
 namespace cli
@@ -68,15 +69,29 @@ std::string Decode(const std::string& uri)
 // VTK crashes without a buffer, and draws nothing without an image.
 void CheckNamedFiles(const std::string& path)
 {
-  static const std::regex named("\"uri\"\\s*:\\s*\"(?!data:)([^\"]{0,4096})\"");
-  const std::string text = ReadJSON(path);
-  for (std::sregex_iterator it(text.begin(), text.end(), named), end; it != end; ++it)
+  const nlohmann::json model = nlohmann::json::parse(ReadJSON(path), nullptr, false);
+  for (const char* list : { "buffers", "images" })
   {
-    const std::string name = Decode((*it)[1]);
-    std::error_code unknown;
-    if (!std::filesystem::exists(std::filesystem::path(path).parent_path() / name, unknown))
+    const auto found = model.is_object() ? model.find(list) : model.end();
+    if (found == model.end() || !found->is_array())
     {
-      throw WorkError(path + ": names " + name + ", which is not there");
+      continue;
+    }
+    for (const auto& each : *found)
+    {
+      const auto uri = each.is_object() ? each.find("uri") : each.end();
+      if (uri == each.end() || !uri->is_string())
+      {
+        continue;
+      }
+      const auto& coded = uri->get_ref<const std::string&>();
+      std::error_code unknown;
+      if (coded.rfind("data:", 0) != 0 &&
+        !std::filesystem::exists(
+          std::filesystem::path(path).parent_path() / Decode(coded), unknown))
+      {
+        throw WorkError(path + ": names " + Decode(coded) + ", which is not there");
+      }
     }
   }
 }

@@ -47,7 +47,7 @@ public:
     this->TakeArray(points, name, value.Number.has_value(), value.Array);
   }
 
-  /// The same of a colour.
+  /// Sets one colour for all points, or the array to take, by the rules of Take().
   template <typename Points>
   void TakeColor(Points* points, const ColorValue& color) const
   {

@@ -103,7 +103,7 @@ Written Write(const std::vector<double>& values)
   return fixed.Longest.size() <= std::max(Short, scientific.Longest.size()) ? fixed : scientific;
 }
 
-// As a share of the picture.
+// The text's width as a share of the picture's.
 double GetWidth(vtkRenderer* renderer, vtkTextProperty* property, const std::string& text)
 {
   const int dpi = renderer->GetRenderWindow() ? renderer->GetRenderWindow()->GetDPI() : 72;

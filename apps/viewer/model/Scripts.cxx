@@ -20,7 +20,8 @@ bool IsPrinted(const std::string& word)
       [](char letter) { return std::iscntrl(static_cast<unsigned char>(letter)); });
 }
 
-// As bash, zsh and POSIX of 2024 read it; of three digits, which no letter behind them prolongs.
+// The word as $'...', which bash, zsh and POSIX of 2024 read; a byte has three octal digits, which
+// no letter behind them prolongs.
 std::string QuoteBytes(const std::string& word)
 {
   std::string quoted = "$'";

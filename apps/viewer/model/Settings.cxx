@@ -30,7 +30,7 @@ const std::set<std::string> SaidByStages = { "--stage", "--shadow-size", "--soft
 
 constexpr const char* BeginWithPath[] = { "--normal-map", "--height-map", "--environment" };
 
-// As cli::ParseFileAndValues reads them.
+// Options whose word begins with a path that is escaped for cli::ParseFileAndValues.
 constexpr const char* BeginWithEscapedPath[] = { "--lamps", "--fog", "--markers" };
 
 // The frames of a sequence are files; the window plays what moves.

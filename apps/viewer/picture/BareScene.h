@@ -28,7 +28,7 @@ public:
   /// The scene's renderer leaves its window.
   explicit BareScene(const cli::Scene& scene);
 
-  /// As it was read; what surfaces wear stays, and the sky.
+  /// Brings the scene back to how it was read; what surfaces wear stays, and the sky.
   cli::Scene& Undress();
 
   /// Sets what surfaces wear, and the sky, instead of what there was; that stays, without its files

@@ -297,7 +297,7 @@ void Picture::SetFrame(const cli::RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
-// As the command line does before its frame.
+// Fits the scalar bar and the clipping range before each frame, as the command line does.
 void Picture::FitClipping()
 {
   if (!this->Now.Renderer)

@@ -10,10 +10,10 @@
 
 namespace viewer
 {
-/// As text. Throws cli::WorkError for bytes that are not UTF-8.
+/// The text as a Python string. Throws cli::WorkError for bytes that are not UTF-8.
 std::string Quote(const std::string& text);
 
-/// As bytes, of any encoding.
+/// The text, of any encoding, as Python bytes.
 std::string QuoteBytes(const std::string& text);
 
 /// "x, y, z".

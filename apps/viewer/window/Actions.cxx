@@ -8,14 +8,15 @@
 #include "PictureView.h"
 #include "PythonScript.h"
 #include "RecentFiles.h"
-#include "SavePlace.h"
 #include "Scripts.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QSignalBlocker>
 
 #include <exception>
@@ -25,6 +26,32 @@ namespace viewer
 {
 namespace
 {
+// A path to save to that ends in the suffix, such as ".png", in letters of any case; empty if the
+// user wants none. Nothing that exists is given without the user's word.
+QString AskPlace(QWidget* parent, const QString& title, const QString& suffix)
+{
+  QFileDialog dialog(parent, title, QString(), "*" + suffix);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(suffix.mid(1));
+  while (dialog.exec() == QDialog::Accepted)
+  {
+    QString path = dialog.selectedFiles().value(0);
+    if (path.endsWith(suffix, Qt::CaseInsensitive))
+    {
+      return path; // which the dialog has asked about
+    }
+    path += suffix; // the dialog takes what is behind any other dot for one
+    if (!QFileInfo::exists(path) ||
+      QMessageBox::question(parent, title,
+        QFileInfo(path).fileName() + " exists already. Do you want to replace it?",
+        QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes)
+    {
+      return path;
+    }
+  }
+  return QString();
+}
+
 QAction* Add(QMenu* menu, MainWindow* window, const QString& text, const QKeySequence& key,
   const QString& name, const std::function<void()>& run)
 {

@@ -42,7 +42,7 @@ void vtkRelievoFogBuffer::Clear()
 }
 
 //------------------------------------------------------------------------------
-// As shaders/fog/sphereVS.glsl reads them.
+// Appends the spheres' texels, in the order in which shaders/fog/sphereVS.glsl reads them.
 void vtkRelievoFogBuffer::Add(
   const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog, bool linear)
 {

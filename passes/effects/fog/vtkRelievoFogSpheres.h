@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoFogSpheres
- * @brief Spheres of fog from data: each point is a sphere (vtkRelievoFogStage::AddFog).
+ * @brief Spheres of fog from data: each point is a sphere (vtkRelievoFogStage::AddPoints).
  *
  * The input's point arrays `radius`, `density` and `color` (SetArray takes others) give each sphere
  * its own values; the values set here are for spheres without. The fog of a sphere is even.

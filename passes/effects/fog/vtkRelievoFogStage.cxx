@@ -4,7 +4,6 @@
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
@@ -19,7 +18,6 @@
 #include "vtkRelievoSphereRays.h"
 #include "vtkRelievoTranslucentDepth.h"
 #include "vtkShaderProgram.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,12 +27,9 @@ vtkStandardNewMacro(vtkRelievoFogStage);
 class vtkRelievoFogStage::Internals
 {
 public:
-  std::vector<vtkSmartPointer<vtkRelievoFogSpheres>> Fogs;
-  vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkRelievoFogBuffer Buffer;
   vtkRelievoTranslucentDepth Translucent;
   vtkRelievoScreenQuad Quad;
-  std::string Reported; // what was wrong in the last frame: said once
 };
 
 namespace
@@ -65,72 +60,11 @@ vtkRelievoFogStage::vtkRelievoFogStage()
 vtkRelievoFogStage::~vtkRelievoFogStage() = default;
 
 //------------------------------------------------------------------------------
-void vtkRelievoFogStage::AddFog(vtkRelievoFogSpheres* fog)
-{
-  auto& fogs = this->Internal->Fogs;
-  if (fog && std::find(fogs.begin(), fogs.end(), fog) == fogs.end())
-  {
-    fogs.emplace_back(fog);
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoFogStage::RemoveFog(vtkRelievoFogSpheres* fog)
-{
-  auto& fogs = this->Internal->Fogs;
-  const auto found = std::find(fogs.begin(), fogs.end(), fog);
-  if (found != fogs.end())
-  {
-    fogs.erase(found);
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoFogStage::RemoveAllFog()
-{
-  if (!this->Internal->Fogs.empty())
-  {
-    this->Internal->Fogs.clear();
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkRelievoFogStage::GetNumberOfFogs()
-{
-  return static_cast<int>(this->Internal->Fogs.size());
-}
-
-//------------------------------------------------------------------------------
-vtkRelievoFogSpheres* vtkRelievoFogStage::GetFog(int i)
-{
-  return i >= 0 && i < this->GetNumberOfFogs() ? this->Internal->Fogs[i].Get() : nullptr;
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoFogStage::SetController(vtkMultiProcessController* controller)
-{
-  this->Internal->Controller = controller;
-}
-
-//------------------------------------------------------------------------------
-vtkMultiProcessController* vtkRelievoFogStage::GetController()
-{
-  return this->Internal->Controller;
-}
-
-//------------------------------------------------------------------------------
 bool vtkRelievoFogStage::Prepare(vtkRelievoFrameContext& context)
 {
   if (context.IsAsked(this, "color"))
   {
     context.WantTranslucentDepth(&this->Internal->Translucent);
-  }
-  for (const auto& fog : this->Internal->Fogs)
-  {
-    fog->Share(this->Internal->Controller);
   }
   return true;
 }
@@ -161,11 +95,9 @@ void vtkRelievoFogStage::Declare(
   const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
   const vtkRelievoSphereRays rays(context.View);
-  const auto& fogs = this->Internal->Fogs;
-  // Another process may have fog where this one has none, and must not wait for it.
-  const bool together = this->Internal->Controller && !fogs.empty();
-  if (rays.IsUsual() && !together &&
-    std::none_of(fogs.begin(), fogs.end(), [&rays](const auto& fog) { return Sees(rays, fog); }))
+  const auto fogs = this->GetSets<vtkRelievoFogSpheres>();
+  if (rays.IsUsual() && !this->IsTogether() &&
+    std::none_of(fogs.begin(), fogs.end(), [&rays](auto* fog) { return Sees(rays, fog); }))
   {
     // Without fog in view the layer is still what it says: all passes.
     declaration.Writes.clear();
@@ -189,7 +121,7 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
   else
   {
     in.Buffer.Clear();
-    for (const auto& fog : in.Fogs)
+    for (vtkRelievoFogSpheres* fog : this->GetSets<vtkRelievoFogSpheres>())
     {
       in.Buffer.Add(rays, fog, this->Mode == CHORD);
       spheres += static_cast<int>(fog->GetSharedRows().size()) / fog->GetRowWidth();
@@ -223,15 +155,7 @@ void vtkRelievoFogStage::Execute(vtkRelievoFrameContext& context)
       wrong = in.Quad.GetWrong();
     }
   }
-  if (!wrong.empty())
-  {
-    this->Explain("failed", wrong);
-    if (in.Reported != wrong)
-    {
-      vtkErrorMacro("There is no fog: " << wrong << ".");
-    }
-  }
-  in.Reported = wrong;
+  this->ReportFault(wrong);
 }
 
 //------------------------------------------------------------------------------
@@ -295,17 +219,6 @@ std::string vtkRelievoFogStage::ReadLayers(
     image->GetPointData()->AddArray(passes);
   }
   return {};
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkRelievoFogStage::GetDataTime()
-{
-  vtkMTimeType time = 0;
-  for (const auto& each : this->Internal->Fogs)
-  {
-    time = std::max(time, each->GetUpdatedTime());
-  }
-  return time;
 }
 
 //------------------------------------------------------------------------------

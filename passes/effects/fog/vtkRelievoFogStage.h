@@ -25,28 +25,17 @@
 #define vtkRelievoFogStage_h
 
 #include "vtkRelievoEffectsModule.h" // for the export macro
-#include "vtkRelievoStage.h"
+#include "vtkRelievoPointStage.h"
 
 #include <memory> // for what is drawn
 
-class vtkMultiProcessController;
 class vtkRelievoSphereRays;
-class vtkRelievoFogSpheres;
 
-class VTKRELIEVOEFFECTS_EXPORT vtkRelievoFogStage : public vtkRelievoStage
+class VTKRELIEVOEFFECTS_EXPORT vtkRelievoFogStage : public vtkRelievoPointStage
 {
 public:
   static vtkRelievoFogStage* New();
-  vtkTypeMacro(vtkRelievoFogStage, vtkRelievoStage);
-
-  ///@{
-  /** The fog that the stage shows: any number; each once. */
-  void AddFog(vtkRelievoFogSpheres* fog);
-  void RemoveFog(vtkRelievoFogSpheres* fog);
-  void RemoveAllFog();
-  int GetNumberOfFogs();
-  vtkRelievoFogSpheres* GetFog(int i);
-  ///@}
+  vtkTypeMacro(vtkRelievoFogStage, vtkRelievoPointStage);
 
   enum Modes
   {
@@ -76,26 +65,15 @@ public:
   void SetOverlapToDominant() { this->SetOverlap(DOMINANT); }
   ///@}
 
-  ///@{
-  /**
-   * Processes that each draw a part of the scene, all in step (ParaView's ranks): the fog of each
-   * is before what all draw. All have the same fogs, which may be empty. Default nullptr.
-   */
-  virtual void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  ///@}
-
-  /** Spheres that the last frame drew: those of which anything is in view. */
-  vtkGetMacro(NumberDrawn, int);
-
   vtkIdType GetBytesHeld() override;
-  vtkMTimeType GetDataTime() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
   vtkRelievoFogStage();
   ~vtkRelievoFogStage() override;
 
+  const char* GetPointsClass() const override { return "vtkRelievoFogSpheres"; }
+  const char* GetFailure() const override { return "There is no fog"; }
   void Describe(vtkRelievoStageDescription& description) override;
   void Declare(
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
@@ -107,7 +85,6 @@ protected:
 
   int Mode = BEER;
   int Overlap = SUM;
-  int NumberDrawn = 0;
 
 private:
   vtkRelievoFogStage(const vtkRelievoFogStage&) = delete;

@@ -24,7 +24,7 @@ public:
     const vtkRelievoFrameCamera& view, const std::vector<vtkRelievoMarkers*>& sets, bool shared);
   void Clear();
 
-  // As shaders/marker/markerVS.glsl reads them: 9 texels each.
+  // The markers as shaders/marker/markerVS.glsl reads them: 9 texels each.
   const std::vector<float>& GetTexels() const { return this->Texels; }
 
   int GetNumberDrawn() const { return static_cast<int>(this->Texels.size() / 36); }

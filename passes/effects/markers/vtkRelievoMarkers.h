@@ -3,7 +3,7 @@
 /**
  * @class vtkRelievoMarkers
  * @brief Markers on surfaces, around points of data and around actors
- * (vtkRelievoMarkersStage::AddMarkers).
+ * (vtkRelievoMarkersStage::AddPoints).
  *
  * Each point of the input is one; its point arrays `radius`, `width`, `reach`, `opacity` and
  * `color` (SetArray takes others) give it its own values, and the values set here are for points

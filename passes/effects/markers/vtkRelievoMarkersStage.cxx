@@ -3,7 +3,6 @@
 #include "vtkRelievoMarkersStage.h"
 
 #include "vtkImageData.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLRenderWindow.h"
@@ -16,7 +15,6 @@
 #include "vtkRelievoScopedState.h"
 #include "vtkRelievoScreenQuad.h"
 #include "vtkShaderProgram.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 
@@ -25,17 +23,9 @@ vtkStandardNewMacro(vtkRelievoMarkersStage);
 class vtkRelievoMarkersStage::Internals
 {
 public:
-  std::vector<vtkSmartPointer<vtkRelievoMarkers>> Sets;
-  vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkRelievoMarkerList List;
   vtkRelievoMarkerBuffer Buffer;
   vtkRelievoScreenQuad Quad;
-  std::string Reported; // what was wrong in the last frame: said once
-
-  std::vector<vtkRelievoMarkers*> GetSets() const
-  {
-    return { this->Sets.begin(), this->Sets.end() };
-  }
 };
 
 //------------------------------------------------------------------------------
@@ -46,63 +36,6 @@ vtkRelievoMarkersStage::vtkRelievoMarkersStage()
 
 //------------------------------------------------------------------------------
 vtkRelievoMarkersStage::~vtkRelievoMarkersStage() = default;
-
-//------------------------------------------------------------------------------
-void vtkRelievoMarkersStage::AddMarkers(vtkRelievoMarkers* markers)
-{
-  auto& sets = this->Internal->Sets;
-  if (markers && std::find(sets.begin(), sets.end(), markers) == sets.end())
-  {
-    sets.emplace_back(markers);
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoMarkersStage::RemoveMarkers(vtkRelievoMarkers* markers)
-{
-  auto& sets = this->Internal->Sets;
-  const auto found = std::find(sets.begin(), sets.end(), markers);
-  if (found != sets.end())
-  {
-    sets.erase(found);
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoMarkersStage::RemoveAllMarkers()
-{
-  if (!this->Internal->Sets.empty())
-  {
-    this->Internal->Sets.clear();
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkRelievoMarkersStage::GetNumberOfMarkerSets()
-{
-  return static_cast<int>(this->Internal->Sets.size());
-}
-
-//------------------------------------------------------------------------------
-vtkRelievoMarkers* vtkRelievoMarkersStage::GetMarkers(int i)
-{
-  return i >= 0 && i < this->GetNumberOfMarkerSets() ? this->Internal->Sets[i].Get() : nullptr;
-}
-
-//------------------------------------------------------------------------------
-void vtkRelievoMarkersStage::SetController(vtkMultiProcessController* controller)
-{
-  this->Internal->Controller = controller;
-}
-
-//------------------------------------------------------------------------------
-vtkMultiProcessController* vtkRelievoMarkersStage::GetController()
-{
-  return this->Internal->Controller;
-}
 
 //------------------------------------------------------------------------------
 void vtkRelievoMarkersStage::Describe(vtkRelievoStageDescription& description)
@@ -122,35 +55,24 @@ void vtkRelievoMarkersStage::Describe(vtkRelievoStageDescription& description)
 void vtkRelievoMarkersStage::Declare(
   const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
-  const Internals& in = *this->Internal;
-  // Another process may have markers where this one has none, and must not wait for it.
-  const bool together = in.Controller && !in.Sets.empty();
+  const auto sets = this->GetSets<vtkRelievoMarkers>();
   vtkRelievoMarkerList list;
-  list.Take(context.View, in.GetSets(), false);
+  list.Take(context.View, sets, false);
   const bool shadows = list.GetShadows() ||
-    (together && std::any_of(in.Sets.begin(), in.Sets.end(), [](const auto& markers) {
+    (this->IsTogether() && std::any_of(sets.begin(), sets.end(), [](auto* markers) {
       return markers->GetShape() == vtkRelievoMarkers::SHADOW;
     }));
   if (!shadows)
   {
     declaration.Reads = { "depth" };
   }
-  if (!together && list.GetNumberDrawn() == 0 && vtkRelievoSphereRays(context.View).IsUsual())
+  if (!this->IsTogether() && list.GetNumberDrawn() == 0 &&
+    vtkRelievoSphereRays(context.View).IsUsual())
   {
     // Without markers in view the layer is still what it says: nothing is covered.
     declaration.Writes.clear();
     declaration.Reason = "no markers are in view";
   }
-}
-
-//------------------------------------------------------------------------------
-bool vtkRelievoMarkersStage::Prepare(vtkRelievoFrameContext&)
-{
-  for (const auto& markers : this->Internal->Sets)
-  {
-    markers->Share(this->Internal->Controller);
-  }
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -161,7 +83,7 @@ std::string vtkRelievoMarkersStage::Draw(vtkRelievoFrameContext& context)
   {
     return "the camera's projection has depths that change across the picture";
   }
-  in.List.Take(context.View, in.GetSets(), true);
+  in.List.Take(context.View, this->GetSets<vtkRelievoMarkers>(), true);
   const std::string wrong = in.Buffer.Draw(context, in.List);
   if (!wrong.empty())
   {
@@ -194,16 +116,7 @@ void vtkRelievoMarkersStage::Execute(vtkRelievoFrameContext& context)
 {
   this->DrawCalls = 0;
   this->NumberDrawn = 0;
-  const std::string wrong = this->Draw(context);
-  if (!wrong.empty())
-  {
-    this->Explain("failed", wrong);
-    if (this->Internal->Reported != wrong)
-    {
-      vtkErrorMacro("There are no markers: " << wrong << ".");
-    }
-  }
-  this->Internal->Reported = wrong;
+  this->ReportFault(this->Draw(context));
 }
 
 //------------------------------------------------------------------------------
@@ -219,17 +132,6 @@ std::string vtkRelievoMarkersStage::ReadLayers(
     }
   }
   return {};
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkRelievoMarkersStage::GetDataTime()
-{
-  vtkMTimeType time = 0;
-  for (const auto& each : this->Internal->Sets)
-  {
-    time = std::max(time, each->GetUpdatedTime());
-  }
-  return time;
 }
 
 //------------------------------------------------------------------------------

@@ -17,56 +17,30 @@
 #define vtkRelievoMarkersStage_h
 
 #include "vtkRelievoEffectsModule.h" // for the export macro
-#include "vtkRelievoStage.h"
+#include "vtkRelievoPointStage.h"
 
 #include <memory> // for what is drawn
 
-class vtkMultiProcessController;
-class vtkRelievoMarkers;
-
-class VTKRELIEVOEFFECTS_EXPORT vtkRelievoMarkersStage : public vtkRelievoStage
+class VTKRELIEVOEFFECTS_EXPORT vtkRelievoMarkersStage : public vtkRelievoPointStage
 {
 public:
   static vtkRelievoMarkersStage* New();
-  vtkTypeMacro(vtkRelievoMarkersStage, vtkRelievoStage);
-
-  ///@{
-  /** Sets of markers: any number; each once. Later ones lie over earlier ones. */
-  void AddMarkers(vtkRelievoMarkers* markers);
-  void RemoveMarkers(vtkRelievoMarkers* markers);
-  void RemoveAllMarkers();
-  int GetNumberOfMarkerSets();
-  vtkRelievoMarkers* GetMarkers(int i);
-  ///@}
-
-  ///@{
-  /**
-   * Processes that each draw a part of the scene, all in step (ParaView's ranks): the points of
-   * each mark what all draw. All have the same sets, which may be empty. Default nullptr.
-   */
-  virtual void SetController(vtkMultiProcessController* controller);
-  vtkMultiProcessController* GetController();
-  ///@}
-
-  /** Markers that the last frame drew: those of which anything is in view. */
-  vtkGetMacro(NumberDrawn, int);
+  vtkTypeMacro(vtkRelievoMarkersStage, vtkRelievoPointStage);
 
   vtkIdType GetBytesHeld() override;
-  vtkMTimeType GetDataTime() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
   vtkRelievoMarkersStage();
   ~vtkRelievoMarkersStage() override;
 
+  const char* GetPointsClass() const override { return "vtkRelievoMarkers"; }
+  const char* GetFailure() const override { return "There are no markers"; }
   void Describe(vtkRelievoStageDescription& description) override;
   void Declare(
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
-  bool Prepare(vtkRelievoFrameContext& context) override;
   void Execute(vtkRelievoFrameContext& context) override;
   std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
-
-  int NumberDrawn = 0;
 
 private:
   vtkRelievoMarkersStage(const vtkRelievoMarkersStage&) = delete;

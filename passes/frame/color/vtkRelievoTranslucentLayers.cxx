@@ -89,7 +89,7 @@ void vtkRelievoTranslucentLayers::Ask()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoTranslucentLayers::BeginSurfaces(vtkProp* marker)
+void vtkRelievoTranslucentLayers::BeginSurfaces(vtkProp* sentinel)
 {
   if (!this->Context)
   {
@@ -97,7 +97,7 @@ void vtkRelievoTranslucentLayers::BeginSurfaces(vtkProp* marker)
   }
   // Dual peeling asks nothing, and comes here when its own framebuffer is bound for drawing.
   const bool bound = this->Color->IsBound() ||
-    (this->Color->IsBound(true) && IsDrawnBy<vtkDualDepthPeelingPass>(marker));
+    (this->Color->IsBound(true) && IsDrawnBy<vtkDualDepthPeelingPass>(sentinel));
   if (!this->IsOpen && bound && HasSurfaces(*this->Context))
   {
     this->Open();
@@ -106,7 +106,7 @@ void vtkRelievoTranslucentLayers::BeginSurfaces(vtkProp* marker)
   {
     this->Drawn = true;
 #ifdef RELIEVO_VTK_AVERAGED_TRANSMITTANCE
-    this->Averaged = IsDrawnBy<vtkOrderIndependentTranslucentPass>(marker);
+    this->Averaged = IsDrawnBy<vtkOrderIndependentTranslucentPass>(sentinel);
     if (this->Averaged)
     {
       this->Color->Clear(*this->Context, -1.0f);

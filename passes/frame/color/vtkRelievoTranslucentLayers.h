@@ -25,9 +25,9 @@ public:
 
   ///@{
   // What comes now. A delegate asks which props are translucent before it draws these, or it does
-  // not; `marker` has the keys of the passes that draw.
+  // not; `sentinel` has the keys of the passes that draw.
   void Ask();
-  void BeginSurfaces(vtkProp* marker);
+  void BeginSurfaces(vtkProp* sentinel);
   void BeginVolumes();
   ///@}
 

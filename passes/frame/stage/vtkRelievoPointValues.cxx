@@ -294,7 +294,7 @@ void vtkRelievoPointValues::Fill(vtkDataSet* data, const Value& value, double* c
   }
   if (!wrong.empty())
   {
-    this->Say("The array '" + value.Array + "', asked for the " + value.Name + ", " + wrong +
+    this->ReportOnce("The array '" + value.Array + "', asked for the " + value.Name + ", " + wrong +
       "; needed: " + value.Expects + ". One " + value.Name + " is taken for all points.");
     array = nullptr;
   }
@@ -323,7 +323,7 @@ void vtkRelievoPointValues::Fill(vtkDataSet* data, const Value& value, double* c
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoPointValues::Say(const std::string& words)
+void vtkRelievoPointValues::ReportOnce(const std::string& words)
 {
   if (this->Reported.insert(words).second)
   {

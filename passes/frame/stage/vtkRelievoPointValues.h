@@ -126,7 +126,7 @@ private:
 
   void Take(vtkDataSet* data);
   void Fill(vtkDataSet* data, const Value& value, double* column);
-  void Say(const std::string& words);
+  void ReportOnce(const std::string& words);
 
   std::vector<Value> Values;
   vtkSmartPointer<vtkMatrix4x4> UserMatrix;

@@ -15,8 +15,8 @@
 #ifndef vtkRelievoStage_h
 #define vtkRelievoStage_h
 
-#include "vtkOpenGLRenderPass.h"
-#include "vtkRelievoFrameModule.h"      // for the export macro
+#include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkRelievoSplicedPass.h"
 #include "vtkRelievoStageDescription.h" // for the description
 #include "vtkVariant.h"                 // for facts
 
@@ -30,10 +30,10 @@ class vtkRelievoFrameContext;
 class vtkRenderer;
 struct vtkRelievoDeclaration;
 
-class VTKRELIEVOFRAME_EXPORT vtkRelievoStage : public vtkOpenGLRenderPass
+class VTKRELIEVOFRAME_EXPORT vtkRelievoStage : public vtkRelievoSplicedPass
 {
 public:
-  vtkTypeMacro(vtkRelievoStage, vtkOpenGLRenderPass);
+  vtkTypeMacro(vtkRelievoStage, vtkRelievoSplicedPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -61,7 +61,10 @@ public:
   bool SetParameter(const std::string& name, const std::string& words);
   ///@}
 
-  /** As SetParameter, but says what is wrong instead of reporting it; "" if the value was set. */
+  /**
+   * Sets a parameter, and returns what is wrong in words instead of reporting it; "" if the value
+   * was set.
+   */
   std::string TrySetParameter(const std::string& name, const std::string& words);
 
   /** Bytes of GPU memory that the stage holds now. */
@@ -118,8 +121,15 @@ protected:
   virtual void Describe(vtkRelievoStageDescription& description) = 0;
 
   /**
+   * Brings what the stage is given up to date, together with the processes that draw with this one:
+   * what all of them have to know before any of them declares. Called in each frame for a stage
+   * that is switched on.
+   */
+  virtual void Synchronize(vtkRelievoFrameContext&) {}
+
+  /**
    * What the stage would do in this frame if it is needed. By default, what the description says.
-   * Changes nothing.
+   * Changes nothing, and talks to no other process.
    */
   virtual void Declare(
     const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const;

@@ -123,8 +123,9 @@ public:
 class Camera : public vtkCamera
 {
 public:
-  // As vtkOpenGLCamera::Render does, which comes after the first stage has asked for matrices; VTK
-  // keeps those until the camera is modified, which it does not do itself.
+  // Sets whether the camera is in stereo, as vtkOpenGLCamera::Render does, but before the first
+  // stage asks for matrices: VTK keeps those until the camera is modified, and Render does not
+  // modify it.
   static void SetStereo(vtkCamera* camera, int stereo)
   {
     int& own = camera->*(&Camera::Stereo);
@@ -188,7 +189,7 @@ public:
     vtkOpenGLHelper* bound = mapper->*(&Mapper::LastBoundBO);
     return bound ? bound->PrimitiveType : static_cast<int>(PrimitiveEnd);
   }
-  // As opposed to points and lines.
+  // Whether triangles are drawn now, as opposed to points and lines.
   static bool DrawsTriangles(vtkOpenGLPolyDataMapper* mapper)
   {
     const int type = BoundPrimitiveType(mapper);
@@ -251,7 +252,8 @@ public:
   {
     return helper->*(&CompositeHelper::Data);
   }
-  // As Mapper's, for all blocks.
+  // Whether the buffers were built for this actor's property and texture and for all blocks, as
+  // they are now.
   static bool AreBuffersOf(vtkCompositeMapperHelper2* helper, vtkActor* actor)
   {
     vtkStateStorage state;

@@ -33,7 +33,8 @@ public:
 
   void Build(const std::vector<Box>& boxes, int leafSize);
 
-  // The boxes have moved: the same tree around them. As many as it was built of.
+  // The boxes have moved: the tree keeps its shape around them. There must be as many boxes as it
+  // was built of.
   void Refit(const std::vector<Box>& boxes);
 
   const std::vector<Node>& GetNodes() const { return this->Nodes; }

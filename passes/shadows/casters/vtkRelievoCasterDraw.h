@@ -47,7 +47,7 @@ public:
   // mappers.
   vtkActor* GetPlainActor(vtkProp* prop) const;
 
-  // Likewise, though VTK may move its depths by a little.
+  // What GetPlainActor gives, and also an actor whose depths VTK moves by a little (IsOffset).
   vtkActor* GetSurface(vtkProp* prop) const;
   static bool IsOffset(vtkActor* actor);
   static glm::vec2 GetOffset(vtkActor* actor); // by slope, and constant
@@ -58,7 +58,8 @@ public:
   // Between Begin and End, into what is bound for drawing. False if the shader does not compile.
   bool Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC);
 
-  // Likewise with another program, which may read MCVCMatrix and relievoSeenOffset as well.
+  // Begins drawing with another program, which may read MCVCMatrix and relievoSeenOffset as well.
+  // False if the shader does not compile.
   bool Begin(vtkOpenGLRenderWindow* window, const glm::dmat4& worldToNDC,
     const glm::dmat4& worldToView, const std::string& vertexShader,
     const std::string& fragmentShader, const std::string& defines = std::string());

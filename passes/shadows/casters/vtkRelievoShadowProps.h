@@ -50,10 +50,11 @@ public:
   // The state of what casts into maps, for comparison.
   const std::vector<std::uint64_t>& GetState() const { return this->State; }
 
-  // The same, with what is left out of them.
+  // The state of what casts into maps, and which of it is left out of them: if `withoutFollowed`,
+  // what Follow has taken.
   std::vector<std::uint64_t> GetState(bool withoutFollowed) const;
 
-  // The same of everything that casts or is seen, and who receives.
+  // The state of everything that casts or is seen, and of what receives, for comparison.
   const std::vector<std::uint64_t>& GetSceneState() const { return this->SceneState; }
 
   // Whether drawing alone may change the state: to be collected again after it.
@@ -114,7 +115,7 @@ private:
     bool Attenuates;  // the same where rays follow it
     bool InMaps;      // not only there
   };
-  // As which of these a prop casts.
+  // What a prop casts as.
   Caster GetCaster(vtkProp* prop, const Choice& choice) const;
   bool IsInMaps(const Caster& caster, bool withoutFollowed) const;
   std::vector<Choice> Choices;

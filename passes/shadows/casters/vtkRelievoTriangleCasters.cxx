@@ -175,7 +175,8 @@ bool AddMesh(vtkPolyData* mesh, const Manner& manner, std::vector<vtkRelievoCast
   return true;
 }
 
-// As VTK's composite mappers hand their attributes down.
+// Adds the blocks' meshes, with the attributes that VTK's composite mappers hand down to them.
+// False if one cannot be followed.
 bool AddBlocks(vtkDataObject* data, vtkCompositeDataDisplayAttributes* attributes, Manner manner,
   std::vector<vtkRelievoCaster>& casters)
 {

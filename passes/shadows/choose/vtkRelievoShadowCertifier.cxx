@@ -2,8 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoShadowCertifier.h"
 
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRelievoFramePass.h"
 #include "vtkRelievoShadowCertificate.h"
+#include "vtkRelievoShadowContext.h"
+#include "vtkRelievoShadowLights.h"
+#include "vtkRelievoShadowMethod.h"
 #include "vtkRelievoThreads.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +30,116 @@ constexpr double DepthWindow = 1e-3;
 
 constexpr double TransmittanceSlack = 0.02;
 constexpr std::size_t Batch = 8192;
+const char* const DepthLayer = "depth";
+constexpr double MostTexels = 8.0;
+
+// Whether all of them have a half float's 11 bits.
+bool AreHalf(const float* depths, vtkIdType count)
+{
+  return std::all_of(depths, depths + count, [](float depth) {
+    int power = 0;
+    const float bits = std::ldexp(std::frexp(depth, &power), 11);
+    return !std::isfinite(depth) || bits == std::floor(bits);
+  });
+}
+
+// The renderer alone draws the layers, into a framebuffer of the frame's own; "" or what is wrong.
+std::string DrawLayers(vtkRenderer* renderer, vtkRelievoFramePass* frame,
+  const std::vector<std::string>& layers, vtkImageData* image)
+{
+  std::vector<std::string> added;
+  for (const std::string& layer : layers)
+  {
+    if (!frame->IsLayerRequested(layer))
+    {
+      frame->RequestLayer(layer);
+      added.push_back(layer);
+    }
+  }
+  const bool layersOnly = frame->GetLayersOnly();
+  frame->SetLayersOnly(true);
+  renderer->GetRenderWindow()->Start();
+  renderer->Render();
+  frame->SetLayersOnly(layersOnly);
+  std::string fault = frame->TryReadLayers(layers, image);
+  renderer->GetRenderWindow()->End();
+  for (const std::string& layer : added)
+  {
+    frame->ReleaseLayer(layer);
+  }
+  return fault;
+}
+
+// What is drawn into maps as points and lines is wider there than its box, by some texels.
+double GetWidth(const vtkRelievoShadowCache& cache)
+{
+  double widest = 0.0;
+  for (const auto& entry : cache.GetEntries())
+  {
+    for (const auto& map : entry.Maps)
+    {
+      widest = std::max(widest, map.View.Texel * (map.View.Parallel ? 1.0 : map.View.Far));
+    }
+  }
+  return MostTexels * widest;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkRelievoShadowCertificate> vtkRelievoShadowCertifier::CertifyPicture(
+  const Picture& picture, int rays, int seed, std::string& fault)
+{
+  const std::vector<vtkRelievoShadowLight>& casting = picture.Lights.GetCasting();
+  std::vector<std::string> layers;
+  for (const vtkRelievoShadowLight& light : casting)
+  {
+    layers.push_back(picture.Lights.GetLayer(picture.Renderer, light.Light));
+  }
+  const std::size_t count = layers.size();
+  layers.emplace_back(DepthLayer);
+  vtkNew<vtkImageData> image;
+  fault = DrawLayers(picture.Renderer, picture.Frame, layers, image);
+  if (fault.empty() && casting.size() != count)
+  {
+    fault = "other lights cast now";
+  }
+  if (!fault.empty())
+  {
+    return nullptr;
+  }
+  const auto read = [&image](const std::string& layer) {
+    auto* array = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(layer.c_str()));
+    return array ? array->GetPointer(0) : nullptr;
+  };
+  vtkRelievoShadowCertifier certifier;
+  certifier.View = picture.Work.View;
+  certifier.Attenuates = picture.Method->Traces();
+  certifier.Lights = casting;
+  certifier.Depth = read(DepthLayer);
+  certifier.CoarseDepth = AreHalf(certifier.Depth, image->GetNumberOfPoints());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    certifier.Visibility.push_back(read(layers[i]));
+  }
+  // Maps know translucent casters as opaque ones.
+  std::vector<vtkRelievoSurface> surfaces =
+    picture.Work.Props.CollectSurfaces(certifier.Attenuates, certifier.Unfollowed);
+  if (certifier.Attenuates && picture.Work.Others.IsOn())
+  {
+    picture.Work.Others.AddTo(surfaces);
+    const std::vector<vtkRelievoBox>& others = picture.Work.Others.GetWhole().InMaps;
+    certifier.Unfollowed.insert(certifier.Unfollowed.end(), others.begin(), others.end());
+  }
+  certifier.Rays.SetSurfaces(surfaces);
+  const double wider = GetWidth(picture.Work.Cache);
+  for (vtkRelievoBox& box : certifier.Unfollowed)
+  {
+    box.Min -= wider;
+    box.Max += wider;
+  }
+  auto certificate = vtkSmartPointer<vtkRelievoShadowCertificate>::New();
+  certifier.Certify(rays, seed, certificate);
+  return certificate;
 }
 
 //------------------------------------------------------------------------------

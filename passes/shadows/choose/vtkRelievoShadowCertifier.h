@@ -9,14 +9,36 @@
 #include "vtkRelievoShadowLight.h"
 #include "vtkRelievoShadowPixels.h"
 #include "vtkRelievoShadowRegion.h"
+#include "vtkSmartPointer.h"
 
+#include <memory>
+#include <string>
 #include <vector>
 
+class vtkRelievoFramePass;
 class vtkRelievoShadowCertificate;
+class vtkRelievoShadowLights;
+class vtkRelievoShadowMethod;
+class vtkRenderer;
+struct vtkRelievoShadowContext;
 
 class vtkRelievoShadowCertifier
 {
 public:
+  // What drew a picture.
+  struct Picture
+  {
+    vtkRelievoFramePass* Frame;
+    vtkRenderer* Renderer;
+    const vtkRelievoShadowContext& Work;
+    const vtkRelievoShadowLights& Lights;
+    const std::unique_ptr<vtkRelievoShadowMethod>& Method; // drawing may make another
+  };
+
+  // Draws the picture again as layers, and judges it. Null if it cannot be drawn, for the fault.
+  static vtkSmartPointer<vtkRelievoShadowCertificate> CertifyPicture(
+    const Picture& picture, int rays, int seed, std::string& fault);
+
   enum Findings
   {
     RIGHT,

@@ -28,7 +28,9 @@ public:
   std::string GetName(const vtkRelievoShadowLight& light) const;
   std::string GetName(vtkRenderer* renderer, vtkLight* light) const;
 
-  // As vtkRelievoShadowStage and vtkRelievoStage document them.
+  // The layer of a light's visibility (vtkRelievoShadowStage::GetLightLayer), the layers of all
+  // lights that cast by what was chosen, and the indices of the lights whose layers are among
+  // `layers`.
   std::string GetLayer(vtkRenderer* renderer, vtkLight* light) const;
   std::vector<std::string> GetLayers(vtkRenderer* renderer) const;
   std::map<std::string, int> Find(

@@ -45,7 +45,8 @@ struct vtkRelievoShadowView
   // Whether a map of one is a map of the other.
   bool IsSame(const vtkRelievoShadowView& other) const;
 
-  // The same view of one piece of the map only; its place in the map, x y width height in texels.
+  // This view, cut to one piece of the map; `region`: the piece's place in the map, x y width
+  // height in texels.
   vtkRelievoShadowView GetPiece(int u, int v, int size, int region[4]) const;
 
   // Whether something in the box may cast into the map.

@@ -32,3 +32,9 @@ std::vector<vtkRelievoShadowView> vtkRelievoShadowMethod::Fit(const vtkRelievoSh
 {
   return vtkRelievoShadowFit::Fit(light, visible, scene, casters, request);
 }
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowErrorLaw::GetShare(int mapSize) const
+{
+  return std::min(1.0, this->At2048 * std::pow(mapSize / 2048.0, -this->Power));
+}

@@ -169,7 +169,7 @@ vtkRelievoShadowMethodExact::Rays vtkRelievoShadowMethodExact::GetRays(
   const vtkRelievoShadowContext& work) const
 {
   Rays rays;
-  // As vtkRelievoShadowUniforms hands the center to the shader.
+  // The center in eye space, rounded to float as vtkRelievoShadowUniforms hands it to the shader.
   const glm::dvec3& center = work.Cache.GetCenter();
   rays.Center = glm::vec3(work.View.WorldToView * glm::dvec4(center, 1.0));
   const glm::dmat4 viewToWorld = glm::inverse(work.View.WorldToView);

@@ -12,7 +12,8 @@
 
 namespace
 {
-// As of vtkRelievoShadowMethodMap, of maps of 512 and 1024 texels: larger ones were not measured.
+// Fitted as vtkRelievoShadowMethodMap's law is, but only to maps of 512 and 1024 texels: larger
+// ones were not measured.
 constexpr vtkRelievoShadowErrorLaw Law = { 4.19e-4, 1.092 };
 }
 

@@ -50,7 +50,8 @@ public:
   // Takes texture units for the frame. False if there are none left.
   bool TakeUnits(vtkOpenGLRenderWindow* window);
 
-  // The same; nothing is known in the frame yet.
+  // Begins a frame, of which nothing is known yet, and takes texture units for it. False if there
+  // are none left.
   bool Begin(vtkOpenGLRenderWindow* window, const vtkRelievoFrameCamera& view, Kind kind);
 
   // How many lights' verdicts can be found in it; 0: of none.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The layers of processes that each hold a part of the scene, put together: in every pixel the
-// process with the least depth gives all layers. As many exchanges as the number of processes has
-// binary digits, each of one image.
+// process with the least depth gives all layers. Each exchange is of one image; there are as many
+// exchanges as the number of processes has binary digits.
 #ifndef vtkPVRelievoLayerMerge_h
 #define vtkPVRelievoLayerMerge_h
 

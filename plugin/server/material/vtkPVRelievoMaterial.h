@@ -65,7 +65,7 @@ public:
   void SetInterpolateScalarsBeforeMapping(bool on);
 
   ///@{
-  /** As of vtkRelievoMaterial. */
+  /** The settings of vtkRelievoMaterial. */
   void SetNormalStrength(double factor);
   void SetFlipGreen(bool on);
   void SetHeightScale(double depth);

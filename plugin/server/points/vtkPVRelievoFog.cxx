@@ -32,17 +32,17 @@ void vtkPVRelievoFog::Prepare(
       wanted.push_back(fog->Fog);
     }
   }
-  bool same = stage->GetNumberOfFogs() == static_cast<int>(wanted.size());
+  bool same = stage->GetNumberOfPointSets() == static_cast<int>(wanted.size());
   for (std::size_t i = 0; same && i < wanted.size(); ++i)
   {
-    same = stage->GetFog(static_cast<int>(i)) == wanted[i];
+    same = stage->GetPoints(static_cast<int>(i)) == wanted[i];
   }
   if (!same)
   {
-    stage->RemoveAllFog();
+    stage->RemoveAllPoints();
     for (vtkRelievoFogSpheres* fog : wanted)
     {
-      stage->AddFog(fog);
+      stage->AddPoints(fog);
     }
   }
   stage->SetController(controller);

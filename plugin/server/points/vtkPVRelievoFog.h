@@ -21,7 +21,7 @@ public:
   vtkTypeMacro(vtkPVRelievoFog, vtkPVRelievoPoints);
 
   ///@{
-  /** As of vtkRelievoFogSpheres. */
+  /** The settings of vtkRelievoFogSpheres. */
   void SetRadius(double radius) override;
   void SetColor(double red, double green, double blue) override;
   void SetDensity(double density);

@@ -32,17 +32,17 @@ void vtkPVRelievoLamps::Prepare(
       wanted.push_back(lamps->Lamps);
     }
   }
-  bool same = stage->GetNumberOfLampSets() == static_cast<int>(wanted.size());
+  bool same = stage->GetNumberOfPointSets() == static_cast<int>(wanted.size());
   for (std::size_t i = 0; same && i < wanted.size(); ++i)
   {
-    same = stage->GetLamps(static_cast<int>(i)) == wanted[i];
+    same = stage->GetPoints(static_cast<int>(i)) == wanted[i];
   }
   if (!same)
   {
-    stage->RemoveAllLamps();
+    stage->RemoveAllPoints();
     for (vtkRelievoLamps* lamps : wanted)
     {
-      stage->AddLamps(lamps);
+      stage->AddPoints(lamps);
     }
   }
   stage->SetController(controller);

@@ -21,7 +21,7 @@ public:
   vtkTypeMacro(vtkPVRelievoLamps, vtkPVRelievoPoints);
 
   ///@{
-  /** As of vtkRelievoLamps. */
+  /** The settings of vtkRelievoLamps. */
   void SetRadius(double radius) override;
   void SetColor(double red, double green, double blue) override;
   void SetIntensity(double intensity);

@@ -41,17 +41,17 @@ void vtkPVRelievoMarkers::Prepare(vtkPVView* view, vtkPVRelievoSelection& select
   }
   const std::vector<vtkRelievoMarkers*> selected = selection.FindIn(view);
   wanted.insert(wanted.end(), selected.begin(), selected.end());
-  bool same = stage->GetNumberOfMarkerSets() == static_cast<int>(wanted.size());
+  bool same = stage->GetNumberOfPointSets() == static_cast<int>(wanted.size());
   for (std::size_t i = 0; same && i < wanted.size(); ++i)
   {
-    same = stage->GetMarkers(static_cast<int>(i)) == wanted[i];
+    same = stage->GetPoints(static_cast<int>(i)) == wanted[i];
   }
   if (!same)
   {
-    stage->RemoveAllMarkers();
+    stage->RemoveAllPoints();
     for (vtkRelievoMarkers* markers : wanted)
     {
-      stage->AddMarkers(markers);
+      stage->AddPoints(markers);
     }
   }
   stage->SetController(controller);

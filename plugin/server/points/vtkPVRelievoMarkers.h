@@ -22,7 +22,7 @@ public:
   vtkTypeMacro(vtkPVRelievoMarkers, vtkPVRelievoPoints);
 
   ///@{
-  /** As of vtkRelievoMarkers. */
+  /** The settings of vtkRelievoMarkers. */
   void SetShape(int shape);
   void SetRadius(double radius) override;
   void SetWidth(double width);

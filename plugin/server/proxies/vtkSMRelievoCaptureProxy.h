@@ -43,7 +43,7 @@ public:
     vtkSMViewProxy* view, const std::vector<std::string>& layers, int destination, bool quiet);
 
   ///@{
-  /** The same around a picture that the view draws anyway: Start() before, Finish() after it. */
+  /** Takes the layers of a picture that is drawn anyway: Start() before it, Finish() after it. */
   void Start(vtkSMViewProxy* view, const std::vector<std::string>& layers);
   void Finish(int destination, bool quiet);
   ///@}

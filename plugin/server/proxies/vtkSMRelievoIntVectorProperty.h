@@ -4,8 +4,8 @@
  * @class vtkSMRelievoIntVectorProperty
  * @brief A property that has the value that is used: one out of its range is brought into it.
  *
- * As it is pushed, with a warning: so after scripts, state files and links as well. The range is
- * that of its domain, or of its hint Accepts (vtkSMRelievoRange.h).
+ * The value is changed when it is pushed, with a warning: after scripts, state files and links too.
+ * The range is that of its domain, or of its hint Accepts (vtkSMRelievoRange.h).
  */
 #ifndef vtkSMRelievoIntVectorProperty_h
 #define vtkSMRelievoIntVectorProperty_h

@@ -89,7 +89,7 @@ public:
   vtkNew<vtkRelievoPass> Frame;
   vtkNew<vtkPVDefaultPass> Delegate;
   vtkPVRelievoSun Sun;
-  vtkPVRelievoEnvironment Surroundings;
+  vtkPVRelievoEnvironment Environment;
   vtkPVRelievoSelection Selection;
   unsigned long EarlyTag = 0;
   unsigned long StartTag = 0;
@@ -106,8 +106,8 @@ vtkPVRelievoView::vtkPVRelievoView()
   this->Internal->Frame->SetDelegatePass(this->Internal->Delegate);
   // The actor of all of ParaView's surfaces; what it has more is a coarse mapper for interaction.
   vtkRelievoShadowStage::AddPlainActorClass("vtkPVLODActor");
-  this->Internal->Surroundings.Environment->GammaCorrectOn();
-  this->Internal->Surroundings.Environment->SetUpAxis(2);
+  this->Internal->Environment.Environment->GammaCorrectOn();
+  this->Internal->Environment.Environment->SetUpAxis(2);
   GetAll().push_back(this);
 }
 
@@ -121,7 +121,7 @@ vtkPVRelievoView::~vtkPVRelievoView()
     renderer->RemoveObserver(this->Internal->EarlyTag);
     renderer->RemoveObserver(this->Internal->StartTag);
     renderer->RemoveObserver(this->Internal->EndTag);
-    this->Internal->Surroundings.Leave(this->Internal->View);
+    this->Internal->Environment.Leave(this->Internal->View);
     this->Internal->Sun.On = false;
     this->Internal->Sun.Place(renderer, vtkPVRelievoAccess::View::Kit(this->Internal->View));
     auto* passes = vtkPVRelievoAccess::View::Passes(this->Internal->View);
@@ -236,13 +236,13 @@ void vtkPVRelievoView::Prepare()
     ++this->NumberOfFrames;
     in.Frame->SetWaitForSamples(vtkPVRelievoAccess::View::IsSaving(in.View));
   }
-  this->Internal->Surroundings.Prepare(this, this->Internal->View);
+  this->Internal->Environment.Prepare(this, this->Internal->View);
 }
 
 //------------------------------------------------------------------------------
 void vtkPVRelievoView::Finish()
 {
-  this->Internal->Surroundings.Finish(this->Internal->View);
+  this->Internal->Environment.Finish(this->Internal->View);
 }
 
 //------------------------------------------------------------------------------
@@ -345,7 +345,7 @@ const char* vtkPVRelievoView::GetShadowLayers()
   in.ShadowLayers.clear();
   if (in.View)
   {
-    // As the settings are now, whenever the last frame was.
+    // The names are those of the settings now, whenever the last frame was.
     in.Sun.Place(in.View->GetRenderer(), vtkPVRelievoAccess::View::Kit(in.View));
     this->ChooseCasters();
     for (const std::string& layer :
@@ -400,7 +400,7 @@ vtkPVRelievoSelection& vtkPVRelievoView::GetSelection()
 //------------------------------------------------------------------------------
 vtkPVRelievoEnvironment& vtkPVRelievoView::GetEnvironment()
 {
-  return this->Internal->Surroundings;
+  return this->Internal->Environment;
 }
 
 //------------------------------------------------------------------------------
@@ -410,12 +410,12 @@ void vtkPVRelievoView::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "View: " << this->Internal->View.GetPointer() << "\n";
   os << indent << "LightKitCasts: " << this->LightKitCasts << "\n";
   this->Internal->Sun.Print(os, indent);
-  os << indent << "Skybox: " << this->Internal->Surroundings.Sky << "\n";
+  os << indent << "Skybox: " << this->Internal->Environment.Sky << "\n";
   os << indent << "MarkSelection: " << this->Internal->Selection.On << "\n";
   this->Internal->Selection.Look->PrintSelf(os, indent.GetNextIndent());
   os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
   os << indent << "Environment:\n";
-  this->Internal->Surroundings.Environment->PrintSelf(os, indent.GetNextIndent());
+  this->Internal->Environment.Environment->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Frame:\n";
   this->Internal->Frame->PrintSelf(os, indent.GetNextIndent());
 }
@@ -637,7 +637,7 @@ void vtkPVRelievoView::SetEnvironment(const char* file)
 //------------------------------------------------------------------------------
 void vtkPVRelievoView::SetEnvironmentRotation(double degrees)
 {
-  // As with the sun's azimuth, 370 is as good as 10.
+  // 370 is as good as 10; what has no direction is not.
   this->GetEnvironment().Environment->SetRotation(std::isfinite(degrees)
       ? degrees
       : vtkPVRelievoClamped(this, "EnvironmentRotation", degrees, 0.0, 360.0));

@@ -46,7 +46,7 @@ public:
   ///@}
 
   ///@{
-  /** As of vtkRelievoShadowStage. */
+  /** The settings of vtkRelievoShadowStage. */
   void SetShadowMethod(int method);
   void SetShadowMapSize(int size);
   void SetShadowLampMapSize(int size);
@@ -113,7 +113,7 @@ public:
   ///@}
 
   ///@{
-  /** As of vtkRelievoEnvironment, but that colours stand for light (GammaCorrect), and z is up. */
+  /** The settings of vtkRelievoEnvironment. By default GammaCorrect is on, and z is up. */
   void SetEnvironmentRotation(double degrees);
   void SetEnvironmentIntensity(double factor);
   void SetEnvironmentUp(int axis);
@@ -134,7 +134,7 @@ public:
   void SetSkybox(bool on);
 
   ///@{
-  /** As of vtkRelievoPass. */
+  /** The settings of vtkRelievoPass for the layer that is shown. */
   void SetDisplayLayer(const char* name);
   void SetDisplayRange(double first, double last);
   void SetDisplayGrey(bool on);
@@ -173,7 +173,7 @@ public:
   /** The frame report of the last picture that this process drew, as JSON; empty before. */
   const char* GetFrameReport();
 
-  /** As of vtkRelievoFramePass. */
+  /** How many samples the last frame is short of (vtkRelievoFramePass). */
   int GetSamplesLeft();
 
   /** Pictures that this process has drawn with Relievo on. */

@@ -150,7 +150,7 @@ void TestNaive()
         one.Name + ": the mask differs from the naive loop" + (skipping ? ", skipping" : ""));
       RELIEVO_CHECK(caves->GetNumberOfAirSamples() == air);
     }
-    // The same from the function, and as labels.
+    // The function and the labels tell air from rock where the naive mask does.
     caves->SetContent(Caves::LABELS);
     caves->SetAirLabel(9);
     caves->SetRockLabel(4);

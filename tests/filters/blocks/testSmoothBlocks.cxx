@@ -235,8 +235,8 @@ void TestVolumes()
   RELIEVO_CHECK(EulerNumber(Run(filter, MakeBlocks({ 20, 20, 10 }, ring))) == 0);
 }
 
-// The same blocks in an image with a direction, negative spacing and another origin: the same
-// surface, moved; it faces outwards, and labels on points give it, too, half a block away.
+// An image with a direction, negative spacing and another origin moves the surface of blocks; it
+// faces outwards, and labels on points give it, too, half a block away.
 void TestGeometry()
 {
   vtkNew<Filter> filter;

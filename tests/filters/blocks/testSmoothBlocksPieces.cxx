@@ -332,7 +332,7 @@ void TestNoGhosts()
   RELIEVO_CHECK(expect.Count() == 1);
 }
 
-// The same arrays, in the same order.
+// The number of threads changes neither the polygons nor their order.
 void TestThreads()
 {
   std::vector<Polygon> first;

@@ -77,7 +77,7 @@ void TestThin()
   {
     RELIEVO_CHECK_NEAR(count, 500., 90., "particles in an eighth of a ring");
   }
-  // The same by any number of threads, in one piece or three.
+  // Particles start in the same places by any number of threads, in one piece or three.
   vtkSMPTools::Initialize(1);
   vtkNew<Particles> alone;
   alone->SetInputData(ring);

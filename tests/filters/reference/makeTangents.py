@@ -131,7 +131,7 @@ def main():
     print("# position, normal, texture coordinate; per triangle three points, three tangents.")
     for make in (shuffled, mirrored, fins):
         points, triangles = make(random.Random(20081))
-        # As short as they are written; the same floats on both sides.
+        # Points are as short as they are written, so that both sides read the same floats.
         points = [[single(round(c, 4)) for c in point] for point in points]
         tangents = tangents_of(godot, points, triangles)
         print(make.__name__, len(points), len(triangles))

@@ -98,7 +98,7 @@ class Window(pv.Test):
         self.assertLess(notes["sun night"][1], -10)
         # What is shown is what the view has, beyond the sliders' ranges too; and what is typed.
         self.assertEqual(notes["by script"], [5, -30])
-        self.assertEqual(notes["typed"], [40, -90])
+        self.assertEqual(notes["typed"], [40, 270])
         self.assertEqual(notes["sun night"][2], lights - 4, "at night neither it nor its 3 fills")
 
     def testSunUndo(self):

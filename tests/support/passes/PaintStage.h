@@ -70,7 +70,7 @@ protected:
     {
       return;
     }
-    // As they are stored: OpenGL may round to half floats either way.
+    // Pixels are rounded to half floats, as they are stored: OpenGL may round either way.
     std::vector<glm::vec4> halves = this->Pixels;
     for (glm::vec4& pixel : halves)
     {

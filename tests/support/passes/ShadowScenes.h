@@ -80,7 +80,7 @@ vtkSmartPointer<vtkImageData> CaptureShadow(ShadowStage& stage, int number);
 /** What every pixel of the stage must show of its light N, with the pixel's surface. */
 ShadowTruth TraceStage(ShadowStage& stage, int number, const EmbreeScene* truth = nullptr);
 
-/** The same without the pixels that have a neighbour of another verdict, or of none. */
+/** The truth without the pixels that have a neighbour of another verdict, or of none. */
 ShadowTruth GetInner(const ShadowTruth& truth, int radius = 1);
 }
 

@@ -51,7 +51,7 @@ struct ReferenceScene
   /** False when the mesh could not be read; the failure is counted then. */
   bool IsValid() const { return this->Mesh != nullptr; }
 
-  /** The same actors as truth: actor 0 is the mesh, actor 1 the ground. */
+  /** The scene's actors for the truth: actor 0 is the mesh, actor 1 the ground. */
   std::shared_ptr<EmbreeScene> MakeTruth() const;
 };
 

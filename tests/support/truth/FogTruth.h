@@ -65,7 +65,7 @@ inline long double ChordTruth(const vtkRelievoFrameCamera& view, double x, doubl
   return std::max(0.0L, std::min(middle + half, last) - std::max(middle - half, 0.0L));
 }
 
-/** The same by adding up steps: what the closed form must agree with to a step or two. */
+/** ChordTruth's length by adding up steps: the closed form must agree with it to a step or two. */
 inline long double ChordByQuadrature(const vtkRelievoFrameCamera& view, double x, double y,
   const glm::dvec3& center, double radius, double end, int steps)
 {

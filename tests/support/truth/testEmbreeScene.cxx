@@ -79,7 +79,7 @@ void TestBoxes(const std::string& name, const glm::dvec3& origin, double depthLi
     {
       const PixelTruth& s = seen.Pixels[i];
       const PixelTruth& t = truth.Pixels[i];
-      // The same actor, and where it has edges, the same face.
+      // Both tracers must see the same actor, and where it has edges, the same face.
       if (s.Hit != t.Hit || s.Actor != t.Actor ||
         (s.Hit && relievoTest::AngleDegrees(s.Normal, t.Normal) > 1.))
       {

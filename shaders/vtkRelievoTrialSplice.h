@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whether a mapper's shaders still compile once something is spliced into them. VTK's mappers draw
-// without a program, or crash, when theirs does not.
-#ifndef vtkRelievoTrialCompile_h
-#define vtkRelievoTrialCompile_h
+// Puts text into a mapper's shaders, and takes it back if they do not compile with it: VTK's mappers
+// draw without a program, or crash, when theirs does not.
+#ifndef vtkRelievoTrialSplice_h
+#define vtkRelievoTrialSplice_h
 
 #include "vtkNew.h"
 #include "vtkObject.h"
@@ -17,8 +17,29 @@
 #include <map>
 #include <string>
 
-namespace vtkRelievoTrialCompile
+// The texts of a shader program that is being built.
+struct vtkRelievoShaderTexts
 {
+  std::string& Vertex;
+  std::string& Geometry;
+  std::string& Fragment;
+};
+
+namespace vtkRelievoTrialSplice
+{
+// What is wrong, in words (empty: nothing), and whether it is that the shaders do not compile.
+struct Outcome
+{
+  std::string Wrong;
+  bool Compiles = true;
+
+  // For reporting once: the compiler's words differ from shader to shader.
+  std::string GetKey(vtkObject* mapper) const
+  {
+    return mapper->GetClassName() + (this->Compiles ? this->Wrong : "compiles not");
+  }
+};
+
 // What is wrong with the shaders, in words; empty if OpenGL takes them. The user's replacements
 // that VTK makes last are made in the trial as well. The program stays in the window's cache, where
 // VTK finds it if nothing else changes the shaders.
@@ -67,6 +88,33 @@ inline std::string Compile(vtkOpenGLRenderWindow* window, vtkShaderProperty* pro
     }
   }
   return "its shaders do not link with them";
+}
+
+// Fills the texts by `fill`, which returns what is wrong. If anything is, they are as before. Without
+// a window, and where nothing was filled, nothing is compiled.
+template <typename Fill>
+Outcome Try(const vtkRelievoShaderTexts& texts, vtkOpenGLRenderWindow* window,
+  vtkShaderProperty* property, const Fill& fill)
+{
+  const std::string vertex = texts.Vertex;
+  const std::string geometry = texts.Geometry;
+  const std::string fragment = texts.Fragment;
+  Outcome outcome;
+  outcome.Wrong = fill();
+  const bool changed =
+    texts.Vertex != vertex || texts.Geometry != geometry || texts.Fragment != fragment;
+  if (outcome.Wrong.empty() && window && changed)
+  {
+    outcome.Wrong = Compile(window, property, texts.Vertex, texts.Geometry, texts.Fragment);
+    outcome.Compiles = outcome.Wrong.empty();
+  }
+  if (!outcome.Wrong.empty())
+  {
+    texts.Vertex = vertex;
+    texts.Geometry = geometry;
+    texts.Fragment = fragment;
+  }
+  return outcome;
 }
 }
 

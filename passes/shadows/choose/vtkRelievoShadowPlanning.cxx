@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoShadowPlanning.h"
+
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoProbeView.h"
+#include "vtkRelievoShadowContext.h"
+#include "vtkRelievoShadowLights.h"
+#include "vtkRelievoShadowMethodExact.h"
+#include "vtkRelievoShadowStage.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+
+namespace
+{
+using Stage = vtkRelievoShadowStage;
+
+const int Sizes[] = { 1024, 2048, 4096, 8192 };
+
+// Where rays cannot tell: measurements are within so many times the law.
+constexpr double LawsFactor = 2.5;
+
+// Maps of more bytes are not chosen.
+constexpr vtkIdType MostBytes = vtkIdType(1) << 31;
+
+bool IsSoftware()
+{
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string renderer = name ? name : "";
+  return renderer.find("llvmpipe") != std::string::npos ||
+    renderer.find("softpipe") != std::string::npos;
+}
+
+double GetNow()
+{
+  using Clock = std::chrono::steady_clock;
+  return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();
+}
+
+double GetLaw(int method, int size)
+{
+  vtkRelievoShadowDemand demand;
+  demand.MapSize = size;
+  return vtkRelievoShadowMethod::Make(method)->Estimate(demand).WrongShare;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPlanning::ForgetRoom(const Settings& settings)
+{
+  this->RoomRefused = 0.0;
+  if (!settings.HasGoal())
+  {
+    this->Probe.Release();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPlanning::UpdateProbe(
+  const Scene& scene, const Settings& settings, vtkRenderer* renderer)
+{
+  if (!scene.Together)
+  {
+    scene.Work.Bias = settings.Bias;
+    scene.Work.Radius = settings.FilterRadius;
+    this->Probe.Update(scene.Work, scene.Lights.GetUnmoved(),
+      vtkRelievoProbeView::GetPicture(scene.Work.View, renderer));
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoShadowPlanning::GetShareInView(
+  const Scene& scene, const Settings& settings, int method, int size) const
+{
+  const double law = GetLaw(method, size);
+  if (method == Stage::METHOD_EXACT)
+  {
+    vtkRelievoShadowDemand demand;
+    demand.Farness = vtkRelievoShadowMethodExact::GetFarness(scene.Work);
+    // What cannot be followed is looked up in maps.
+    return !scene.Together && !this->Probe.HasUnfollowed()
+      ? vtkRelievoShadowMethod::Make(Stage::METHOD_EXACT)->Estimate(demand).WrongShare
+      : std::min(1.0, LawsFactor * GetLaw(Stage::METHOD_MAP, settings.MapSize));
+  }
+  if (scene.Together || !this->Probe.IsKnown())
+  {
+    return std::min(1.0, LawsFactor * law);
+  }
+  const double share = this->Probe.GetWrongShare(size, method == Stage::METHOD_WARPED);
+  return method == Stage::METHOD_FORWARD
+    ? std::min(1.0, share * law / GetLaw(Stage::METHOD_MAP, size))
+    : share;
+}
+
+//------------------------------------------------------------------------------
+// Frames of layers alone leave what the picture took.
+void vtkRelievoShadowPlanning::Begin(bool picture)
+{
+  this->Began = GetNow();
+  this->Took = picture ? -1.0 : this->Took;
+  this->Spent = 0.0;
+}
+
+//------------------------------------------------------------------------------
+// What has moved since the frame before, for every method: maps are drawn again when casters or
+// lights move, and verdicts of rays are kept only while the view stays as well.
+void vtkRelievoShadowPlanning::FindMoves(const Scene& scene, const vtkRelievoFrameCamera& view)
+{
+  const glm::dmat4 seen = view.ViewToNDC * view.WorldToView;
+  std::vector<double> lights;
+  for (const vtkRelievoShadowLight& light : scene.Lights.GetCasting())
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lights.push_back(light.Positional ? light.Position[axis] : 0.0);
+      lights.push_back(light.Direction[axis]);
+    }
+    lights.push_back(light.ConeAngle);
+  }
+  const bool first = this->TimedLights.empty();
+  const bool moved =
+    !first && (lights != this->TimedLights || scene.Work.Props.GetState() != this->TimedCasters);
+  this->Moves = { moved, moved || (!first && seen != this->TimedView) };
+  this->TimedView = seen;
+  this->TimedLights = lights;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowPlanning::HasRoom(int size) const
+{
+  const double texels = static_cast<double>(size) * size * this->Cost.Maps;
+  return this->RoomRefused == 0.0 || texels < this->RoomRefused;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPlanning::RefuseRoom(int size)
+{
+  const double texels = static_cast<double>(size) * size * this->Cost.Maps;
+  this->RoomRefused = this->RoomRefused > 0.0 ? std::min(this->RoomRefused, texels) : texels;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoShadowPlanning::Fits(int method, int size, int lights) const
+{
+  vtkRelievoShadowDemand demand;
+  demand.MapSize = size;
+  demand.Maps = static_cast<int>(this->Cost.Maps);
+  demand.Lights = lights;
+  return size <= vtkRelievoShadowMaps::GetLargestSize() && this->HasRoom(size) &&
+    vtkRelievoShadowMethod::Make(method)->Estimate(demand).Bytes <= MostBytes;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoShadowPlanner::Choice> vtkRelievoShadowPlanning::GetChoices(
+  const Scene& scene, const Settings& settings) const
+{
+  const std::vector<vtkRelievoShadowLight>& casting = scene.Lights.GetCasting();
+  const bool suns = std::any_of(casting.begin(), casting.end(),
+    [](const vtkRelievoShadowLight& light) { return !light.Positional; });
+  std::vector<vtkRelievoShadowPlanner::Choice> choices;
+  for (const int method : { Stage::METHOD_MAP, Stage::METHOD_WARPED })
+  {
+    for (const int size : Sizes)
+    {
+      if ((method == Stage::METHOD_MAP || suns) &&
+        this->Fits(method, size, static_cast<int>(casting.size())))
+      {
+        choices.push_back({ method, size, this->GetShareInView(scene, settings, method, size) });
+      }
+    }
+  }
+  // What cannot be followed by rays needs maps.
+  if (!scene.Together && !scene.ExactRefused &&
+    (!this->Probe.HasUnfollowed() || this->HasRoom(settings.MapSize)))
+  {
+    if (settings.ColoredShadows && scene.Work.Props.HasTranslucentCasters())
+    {
+      choices.clear(); // maps have neither shares nor colours: the picture would be another
+    }
+    choices.push_back(
+      { Stage::METHOD_EXACT, 0, this->GetShareInView(scene, settings, Stage::METHOD_EXACT, 1) });
+  }
+  return choices;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoShadowPlanning::Make(
+  const Scene& scene, const Settings& settings, const vtkRelievoFrameContext& context)
+{
+  const vtkRelievoShadowPlanner::Choice before = this->Plan.Chosen;
+  const bool planned = this->Planned;
+  // Several processes have no time in common.
+  this->Planned = settings.Tolerance > 0.0 || (settings.TimeBudget > 0.0 && !scene.Together);
+  const vtkRelievoFrameCamera picture =
+    vtkRelievoProbeView::GetPicture(context.View, context.Renderer);
+  const bool tiled = picture.Viewport[2] != context.View.Viewport[2] ||
+    picture.Viewport[3] != context.View.Viewport[3];
+  const int updates = this->Probe.GetUpdates();
+  if (this->Planned)
+  {
+    const double began = GetNow();
+    this->UpdateProbe(scene, settings, context.Renderer);
+    this->Spent += GetNow() - began;
+  }
+  const bool part = !context.Picture || tiled || context.Sample > 0;
+  if (planned && this->Planned && settings.TimeBudget > 0.0 && part &&
+    updates == this->Probe.GetUpdates() &&
+    !(scene.ExactRefused && before.Method == Stage::METHOD_EXACT) && this->HasRoom(before.Size))
+  {
+    return; // layers, tiles and samples of a picture are made as the picture was
+  }
+  this->Plan = vtkRelievoShadowPlanner::Plan();
+  this->Plan.Chosen.Method = settings.Method;
+  this->Plan.Chosen.Size = settings.MapSize;
+  if (!this->Planned)
+  {
+    return;
+  }
+  // Processes choose alike: by what all of them know.
+  const auto own = [&scene](double cost) { return scene.Together ? 0.0 : cost; };
+  this->Cost.Pixels = static_cast<double>(picture.Viewport[2]) * picture.Viewport[3];
+  this->Cost.Lights = static_cast<double>(scene.Lights.GetCasting().size());
+  this->Cost.Maps = scene.Together ? this->Cost.Lights : this->Probe.GetNumberOfMaps();
+  this->Cost.Triangles = own(static_cast<double>(this->Probe.GetNumberOfTriangles()));
+  this->Cost.Props = own(static_cast<double>(scene.Work.Props.GetAllBoxes().size()));
+  this->Cost.Software = !scene.Together && IsSoftware();
+  const std::vector<vtkRelievoShadowPlanner::Choice> choices = this->GetChoices(scene, settings);
+  if (choices.empty())
+  {
+    this->Plan.Words = "nothing was chosen: no maps fit in the memory";
+    return;
+  }
+  this->Plan =
+    this->Planner.Choose({ settings.Tolerance, own(settings.TimeBudget) }, choices, this->Cost);
+  this->Fresh = !(this->Plan.Chosen == before);
+}
+
+//------------------------------------------------------------------------------
+// Of frames with a plan that draw a picture; those that build shaders tell nothing of the next.
+void vtkRelievoShadowPlanning::End(
+  const Scene& scene, bool picture, bool mapsDrawn, vtkMTimeType shaderTime)
+{
+  this->TimedCasters = scene.Work.Props.GetState(); // some have changed by being drawn
+  if (!this->Planned || !picture)
+  {
+    return;
+  }
+  glFinish();
+  this->Took = GetNow() - this->Began;
+  const bool built = this->TimedShaders != shaderTime;
+  this->TimedShaders = shaderTime;
+  if (this->Fresh || built)
+  {
+    return; // what is drawn again for that tells nothing either
+  }
+  this->Planner.AddFrame({ this->Moves.Maps || mapsDrawn, this->Moves.Rays });
+  if (!this->Failed)
+  {
+    this->Planner.AddTime(
+      this->Plan.Chosen, this->Cost, { mapsDrawn, this->Moves.Rays }, this->Took, this->Spent);
+  }
+}
