@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A bar for each stage that was timed: the longest fills the width.
+ */
+#ifndef TimesChart_h
+#define TimesChart_h
+
+#include "FrameReport.h"
+
+#include <QWidget>
+
+namespace relievoQt
+{
+class TimesChart : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit TimesChart(QWidget* parent = nullptr);
+
+  /// An empty report clears the chart.
+  void SetReport(const FrameReport& report);
+
+  /// Those that have a bar.
+  const QVector<FrameReport::Stage>& GetStages() const { return this->Stages; }
+
+  /// Where a bar is painted.
+  QRect GetPlace(int stage) const;
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return { 80, this->sizeHint().height() }; }
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  int GetRowHeight() const;
+  int GetLabelWidth() const;
+  int GetNumberWidth() const;
+
+  QVector<FrameReport::Stage> Stages;
+};
+}
+
+#endif
