@@ -12,9 +12,9 @@
 namespace relievoBench
 {
 /**
- * Draws the charts of a bench, if it has any, from the CSV files in a folder into that folder. Where
+ * Draws the charts of a bench, if it has any, from a folder's CSV files into that folder. Where
  * charts.py, its Python or matplotlib is missing, it says on the standard output how to draw them
- * elsewhere. False, with a message on the standard error, if they cannot be drawn for another reason.
+ * elsewhere. False, with a message on the standard error, if they cannot be drawn otherwise.
  */
 bool DrawCharts(const std::string& bench, const std::string& folder);
 }

@@ -18,6 +18,7 @@ if (RELIEVO_PLUGIN_GUI)
   find_package("Qt${relievo_qt_version}" QUIET COMPONENTS ${relievo_qt})
   if (Qt${relievo_qt_version}_FOUND AND TARGET ParaView::pqComponents)
     set(relievo_plugin_gui ON)
+    add_subdirectory("${PROJECT_SOURCE_DIR}/qt" "${PROJECT_BINARY_DIR}/qt")
     # What these libraries use inside is the linker's to find, not CMake's: it would ask for all
     # readers again.
     foreach (target IN ITEMS ParaView::pqWidgets ParaView::pqCore ParaView::pqComponents)

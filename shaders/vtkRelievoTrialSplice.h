@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Puts text into a mapper's shaders, and takes it back if they do not compile with it: VTK's mappers
+// Puts text into a mapper's shaders, and takes it back if they do not compile: VTK's mappers
 // draw without a program, or crash, when theirs does not.
 #ifndef vtkRelievoTrialSplice_h
 #define vtkRelievoTrialSplice_h
@@ -90,7 +90,7 @@ inline std::string Compile(vtkOpenGLRenderWindow* window, vtkShaderProperty* pro
   return "its shaders do not link with them";
 }
 
-// Fills the texts by `fill`, which returns what is wrong. If anything is, they are as before. Without
+// Fills the texts by `fill`, which returns what is wrong. If anything is, they stay. Without
 // a window, and where nothing was filled, nothing is compiled.
 template <typename Fill>
 Outcome Try(const vtkRelievoShaderTexts& texts, vtkOpenGLRenderWindow* window,

@@ -17,7 +17,7 @@ namespace relievo
 class SkinShader
 {
 public:
-  /// For points of at most so many bones, 0 for none that move, of a mesh that vtkRelievoSkinRestPose
+  /// For points of at most so many bones, 0: none that move, of a mesh that vtkRelievoSkinRestPose
   /// has prepared. What is set already stays, so that VTK makes no shaders anew.
   void Set(vtkShaderProperty* shaders, vtkPolyDataMapper* mapper, int influences, bool dual);
 

@@ -21,7 +21,7 @@
 // What a stage would do in a frame.
 struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
 {
-  // Whether there is anything to do; if not, ReasonCode and Reason say why, as vtkRelievoStage::GetReason.
+  // Whether there is anything to do; if not, ReasonCode and Reason say why (vtkRelievoStage).
   // The words of what is "refused" are an error, which the frame says once.
   bool Runs = true;
   std::string ReasonCode;
@@ -46,7 +46,7 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
   bool Presents = false;
 
   // Samples of what it draws, of which each frame has one (vtkRelievoFrameContext::Sample) as long
-  // as nothing else changes; the frame gathers lights' visibility, and the colour if one of OptionalWrites
+  // as nothing else changes; the frame gathers lights' visibility, the colour if an OptionalWrites
   // is asked for, and shows the mean. AtOnce: all of them in every frame.
   int Samples = 1;
   bool AtOnce = false;

@@ -8,7 +8,7 @@
 
 namespace vtkRelievoFormatChoice
 {
-// Whether a format can keep the tolerance, or 0 says that none is chosen: normals in degrees, depths
+// Whether a format keeps the tolerance, or 0 says that none is chosen: normals in degrees, depths
 // as a share of the depth.
 bool IsNormalTolerance(double degrees);
 bool IsDepthTolerance(double share);

@@ -2,38 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqRelievoControls.h"
 
-#include "pqRelievoNumber.h"
+#include "Number.h"
 #include "pqView.h"
 #include "vtkCommand.h"
 #include "vtkSMProxy.h"
 
 #include <QComboBox>
-#include <QFormLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 
 //------------------------------------------------------------------------------
 pqRelievoControls::pqRelievoControls(QWidget* parent)
   : Superclass(parent)
 {
-}
-
-//------------------------------------------------------------------------------
-QFormLayout* pqRelievoControls::MakeRows(QWidget* parent)
-{
-  auto* rows = new QFormLayout(parent);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  return rows;
-}
-
-//------------------------------------------------------------------------------
-void pqRelievoControls::AddRow(QFormLayout* rows, const QString& title, QWidget* field)
-{
-  auto* label = new QLabel(title, rows->parentWidget());
-  label->setFixedWidth(label->fontMetrics().horizontalAdvance("Show layers"));
-  label->setBuddy(field);
-  rows->addRow(label, field);
 }
 
 //------------------------------------------------------------------------------
@@ -94,13 +74,14 @@ void pqRelievoControls::Apply(
 }
 
 //------------------------------------------------------------------------------
-void pqRelievoControls::Bind(pqRelievoNumber* number, const char* property, const QString& label)
+void pqRelievoControls::Bind(relievoQt::Number* number, const char* property, const QString& label)
 {
   this->Numbers[number] = property;
-  QObject::connect(number, &pqRelievoNumber::tried, this,
-    [this, property](double value) { this->Try(property, value); });
-  QObject::connect(number, &pqRelievoNumber::settled, this,
-    [this, property, label](double value) { this->Settle(property, value, label); });
+  number->AlignDigits();
+  QObject::connect(
+    number, &relievoQt::Number::edited, this, [this, property, label](double value, bool held) {
+      held ? this->Try(property, value) : this->Settle(property, value, label);
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -19,10 +19,13 @@
 #include "vtkEventQtSlotConnect.h"
 #include "vtkNew.h"
 
+namespace relievoQt
+{
+class Number;
+}
+
 class QComboBox;
-class QFormLayout;
 class QSpinBox;
-class pqRelievoNumber;
 
 class pqRelievoControls : public QWidget
 {
@@ -45,16 +48,10 @@ protected:
   void Apply(const QString& label, const QVector<pqRelievoViewSettings::Change>& changes);
 
   /** Has a number set one of the view's properties, and show it. */
-  void Bind(pqRelievoNumber* number, const char* property, const QString& label);
+  void Bind(relievoQt::Number* number, const char* property, const QString& label);
 
-  /** The same of a choice: the data of its items are the property's values. */
+  /** Has a choice set one of the view's properties to the data of an item, and show it. */
   void Bind(QComboBox* choice, const char* property, const QString& label);
-
-  /** A layout of rows with labels that suits a narrow dock. */
-  static QFormLayout* MakeRows(QWidget* parent);
-
-  /** A row whose label is as wide as those of all sections. */
-  static void AddRow(QFormLayout* rows, const QString& title, QWidget* field);
 
   /** The look of a section's head. */
   static void MakeHead(QWidget* head);
@@ -66,7 +63,7 @@ private:
   void Try(const char* property, double value);
   void Settle(const char* property, double value, const QString& label);
 
-  QMap<pqRelievoNumber*, const char*> Numbers;
+  QMap<relievoQt::Number*, const char*> Numbers;
   QMap<QComboBox*, const char*> Choices;
   QMap<QString, QVariant> Before; // of properties whose sliders are dragged
 };

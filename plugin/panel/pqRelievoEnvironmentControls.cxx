@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqRelievoEnvironmentControls.h"
 
+#include "Number.h"
+#include "Rows.h"
 #include "pqCoreUtilities.h"
 #include "pqFileDialog.h"
-#include "pqRelievoNumber.h"
 #include "pqView.h"
 
 #include <QCheckBox>
@@ -43,16 +44,17 @@ pqRelievoEnvironmentControls::pqRelievoEnvironmentControls(QWidget* parent)
   layout->addWidget(this->Rest);
   this->Rest->setObjectName("rest");
   this->Sky->setObjectName("sky");
-  QFormLayout* rows = MakeRows(this->Rest);
-  auto* rotation = new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 360, 1, this->Rest);
+  QFormLayout* rows = relievoQt::MakeRows(this->Rest);
+  auto* rotation = new relievoQt::Number(0.0, 360.0, 1.0, 2, this->Rest);
   rotation->setObjectName("rotation");
-  rotation->SetUnit(pqRelievoNumber::TURNS);
-  auto* intensity = new pqRelievoNumber(pqRelievoNumber::SLIDER, 0, 4, 0.01, this->Rest);
+  rotation->SetUnit("degrees");
+  rotation->SetWrapping();
+  auto* intensity = new relievoQt::Number(0.0, 4.0, 0.01, 2, this->Rest);
   intensity->setObjectName("intensity");
-  intensity->SetTypedRange(0, 1000);
+  intensity->SetTypedRange(0.0, 1000.0);
   rows->addRow(this->Sky);
-  AddRow(rows, "Rotation", rotation);
-  AddRow(rows, "Intensity", intensity);
+  relievoQt::AddRow(rows, "Rotation", rotation);
+  relievoQt::AddRow(rows, "Intensity", intensity);
   this->Bind(rotation, "RelievoEnvironmentRotation", "Rotation of the environment");
   this->Bind(intensity, "RelievoEnvironmentIntensity", "Intensity of the environment");
   QObject::connect(this->Sky, &QCheckBox::toggled, this, [this](bool on) {

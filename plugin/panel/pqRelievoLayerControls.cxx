@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqRelievoLayerControls.h"
 
+#include "Rows.h"
 #include "pqView.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
@@ -50,7 +51,7 @@ pqRelievoLayerControls::pqRelievoLayerControls(QWidget* parent)
   , Layer(new QComboBox(this))
   , Values(new QLabel(this))
 {
-  QFormLayout* rows = MakeRows(this);
+  QFormLayout* rows = relievoQt::MakeRows(this);
   auto* head = new QLabel("Layers", this);
   MakeHead(head);
   rows->addRow(head);
@@ -61,7 +62,7 @@ pqRelievoLayerControls::pqRelievoLayerControls(QWidget* parent)
   this->Values->setObjectName("values");
   this->Values->setWordWrap(true);
   this->Values->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  AddRow(rows, "Shown", this->Layer);
+  relievoQt::AddRow(rows, "Shown", this->Layer);
   rows->addRow(this->Values);
   QObject::connect(
     this->Layer, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int i) {

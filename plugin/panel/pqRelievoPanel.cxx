@@ -127,7 +127,7 @@ bool pqRelievoPanel::IsWatching() const
 QString pqRelievoPanel::GetTimedStages() const
 {
   QStringList names;
-  for (const pqRelievoFrameReport::Stage& stage : this->Report->GetReport().Stages)
+  for (const relievoQt::FrameReport::Stage& stage : this->Report->GetReport().Stages)
   {
     if (stage.Milliseconds >= 0.0)
     {

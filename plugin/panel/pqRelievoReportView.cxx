@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqRelievoReportView.h"
 
-#include "pqRelievoStageTable.h"
-#include "pqRelievoTimesChart.h"
+#include "StageTable.h"
+#include "TimesChart.h"
 #include "pqRelievoViewSettings.h"
 #include "pqServer.h"
 #include "pqView.h"
@@ -31,8 +31,8 @@ pqRelievoReportView::pqRelievoReportView(QWidget* parent)
   , Fold(new QToolButton(this))
   , Rest(new QWidget(this))
   , Message(new QLabel(Rest))
-  , Table(new pqRelievoStageTable(Rest))
-  , Chart(new pqRelievoTimesChart(Rest))
+  , Table(new relievoQt::StageTable(relievoQt::StageTable::SHORT, Rest))
+  , Chart(new relievoQt::TimesChart(Rest))
 {
   this->Fold->setObjectName("fold");
   this->Fold->setText("Cost of the last picture");
@@ -81,7 +81,7 @@ void pqRelievoReportView::Watch()
   }
   this->Timer.stop();
   this->Watched = this->Fold->isChecked() ? this->View : nullptr;
-  this->Show(pqRelievoFrameReport(), QString());
+  this->Show(relievoQt::FrameReport(), QString());
   if (this->Watched)
   {
     QObject::connect(this->Watched, &pqView::endRender, this, &pqRelievoReportView::Schedule);
@@ -128,18 +128,21 @@ void pqRelievoReportView::Refresh()
     this->Timer.start(RefreshMilliseconds); // the server is at work for somebody else
     return;
   }
-  pqRelievoFrameReport report;
-  const bool drawn = report.Read(this->PullReport());
-  this->Show(report, drawn ? QString() : "Nothing of Relievo is on.");
+  relievoQt::FrameReport report(this->PullReport());
+  for (relievoQt::FrameReport::Stage& stage : report.Stages)
+  {
+    stage.Label = stage.IsDelegate() ? "ParaView's picture" : stage.Label;
+  }
+  this->Show(report, report.Stages.isEmpty() ? "Nothing of Relievo is on." : QString());
 }
 
 //------------------------------------------------------------------------------
-void pqRelievoReportView::Show(const pqRelievoFrameReport& report, const QString& message)
+void pqRelievoReportView::Show(const relievoQt::FrameReport& report, const QString& message)
 {
   this->Report = report;
   this->Table->SetReport(report);
   this->Table->setVisible(!report.Stages.isEmpty());
-  this->Chart->SetStages(report.Stages);
+  this->Chart->SetReport(report);
   this->Message->setText(message);
   this->Message->setVisible(!message.isEmpty());
 }

@@ -10,7 +10,7 @@
 #ifndef pqRelievoReportView_h
 #define pqRelievoReportView_h
 
-#include "pqRelievoFrameReport.h"
+#include "FrameReport.h"
 #include "pqView.h"
 
 #include <QElapsedTimer>
@@ -18,10 +18,14 @@
 #include <QTimer>
 #include <QWidget>
 
+namespace relievoQt
+{
+class StageTable;
+class TimesChart;
+}
+
 class QLabel;
 class QToolButton;
-class pqRelievoStageTable;
-class pqRelievoTimesChart;
 
 class pqRelievoReportView : public QWidget
 {
@@ -38,26 +42,26 @@ public:
   bool IsWatching() const { return !this->Watched.isNull(); }
 
   /** The report that is shown. */
-  const pqRelievoFrameReport& GetReport() const { return this->Report; }
+  const relievoQt::FrameReport& GetReport() const { return this->Report; }
 
 private:
   void Watch();
   void Schedule();
   void Refresh();
   QByteArray PullReport();
-  void Show(const pqRelievoFrameReport& report, const QString& message);
+  void Show(const relievoQt::FrameReport& report, const QString& message);
 
   QPointer<pqView> View;
   QPointer<pqView> Watched; // while it is open
   QTimer Timer;
   QElapsedTimer SinceRefresh;
-  pqRelievoFrameReport Report;
+  relievoQt::FrameReport Report;
 
   QToolButton* Fold;
   QWidget* Rest;
   QLabel* Message;
-  pqRelievoStageTable* Table;
-  pqRelievoTimesChart* Chart;
+  relievoQt::StageTable* Table;
+  relievoQt::TimesChart* Chart;
 };
 
 #endif

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqRelievoShadowControls.h"
 
-#include "pqRelievoNumber.h"
+#include "Number.h"
+#include "Rows.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -24,7 +25,7 @@ pqRelievoShadowControls::pqRelievoShadowControls(QWidget* parent)
   layout->addWidget(this->On);
   layout->addWidget(this->Rest);
   this->Rest->setObjectName("rest");
-  QFormLayout* rows = MakeRows(this->Rest);
+  QFormLayout* rows = relievoQt::MakeRows(this->Rest);
 
   auto* method = new QComboBox(this->Rest);
   method->setObjectName("method");
@@ -47,10 +48,10 @@ pqRelievoShadowControls::pqRelievoShadowControls(QWidget* parent)
   }
   size->setToolTip("Finer maps have sharper edges: twice the size, half the error, four times the "
                    "graphics memory of each light");
-  auto* softness = new pqRelievoNumber(pqRelievoNumber::SLIDER, 0.0, 16.0, 1.0, this->Rest);
+  auto* softness = new relievoQt::Number(0.0, 16.0, 1.0, 0, this->Rest);
   softness->setObjectName("softness");
   softness->setToolTip("How wide edges are, in texels of the map");
-  auto* strength = new pqRelievoNumber(pqRelievoNumber::SLIDER, 0.0, 1.0, 0.01, this->Rest);
+  auto* strength = new relievoQt::Number(0.0, 1.0, 0.01, 2, this->Rest);
   strength->setObjectName("strength");
   strength->setToolTip("The part of a blocked light that is taken away");
   for (QComboBox* choice : { method, size })
@@ -58,10 +59,10 @@ pqRelievoShadowControls::pqRelievoShadowControls(QWidget* parent)
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     choice->setMinimumContentsLength(8);
   }
-  AddRow(rows, "Method", method);
-  AddRow(rows, "Map size", size);
-  AddRow(rows, "Softness", softness);
-  AddRow(rows, "Strength", strength);
+  relievoQt::AddRow(rows, "Method", method);
+  relievoQt::AddRow(rows, "Map size", size);
+  relievoQt::AddRow(rows, "Softness", softness);
+  relievoQt::AddRow(rows, "Strength", strength);
   this->Bind(method, "RelievoShadowMethod", "Shadow method");
   this->Bind(size, "RelievoShadowMapSize", "Shadow map size");
   this->Bind(softness, "RelievoShadowFilterRadius", "Softness of shadows");

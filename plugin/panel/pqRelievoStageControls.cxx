@@ -13,7 +13,7 @@
 
 namespace
 {
-// As describeStages.cxx names them.
+// The view's properties of stages, by the names that describeStages.cxx gives them.
 QStringList FindProperties(vtkSMProxy* view)
 {
   QStringList names;

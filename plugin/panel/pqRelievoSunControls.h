@@ -10,9 +10,12 @@
 
 #include "pqRelievoControls.h"
 
+namespace relievoQt
+{
+class SunEdit;
+}
+
 class QCheckBox;
-class QDateEdit;
-class QLabel;
 
 class pqRelievoSunControls : public pqRelievoControls
 {
@@ -25,19 +28,10 @@ public:
   void ShowState() override;
 
 private:
-  pqRelievoNumber* AddNumber(QFormLayout* rows, const QString& title, pqRelievoNumber* number,
-    const char* property, const char* tip);
-  QWidget* MakeAngles();
-  QWidget* MakeDateAndPlace();
   void ShowPlace();
 
   QCheckBox* On;
-  QWidget* Rest; // shown while it is on
-  QWidget* Angles;
-  QWidget* DateAndPlace;
-  QDateEdit* Date;
-  QLabel* Clock;
-  QLabel* Place; // where it stands, and whether that is night
+  relievoQt::SunEdit* Rest; // shown while it is on
 };
 
 #endif

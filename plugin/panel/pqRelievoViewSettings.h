@@ -34,8 +34,9 @@ QVariant Get(pqView* view, const char* name);
 void Apply(pqView* view, const QString& label, const QVector<Change>& changes);
 
 /**
- * The same while a slider is dragged: no step of undo, no line of a trace. When it is let go, the
- * first values come back with Try(), and Apply() makes one step of all.
+ * Changes the view and renders it while a slider is dragged: without a step of undo or a line of a
+ * trace. When it is let go, the first values come back with Try(), and Apply() makes one step of
+ * all.
  */
 void Try(pqView* view, const QVector<Change>& changes);
 

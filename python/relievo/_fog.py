@@ -23,7 +23,7 @@ def fog(renderer, points, radius=None, density=None, color=None, mode=None, over
     stage's, and so of all fog of the renderer; None leaves them as they are, "beer" and "sum" at
     first.
 
-    Returns the vtkRelievoFogSpheres. attach(renderer).GetFogStage().RemovePoints(it) takes them away.
+    Returns the vtkRelievoFogSpheres; attach(renderer).GetFogStage().RemovePoints(it) takes it away.
     Raises ValueError for wrong arguments; then nothing is changed.
     """
     require(renderer, "vtkRenderer", "renderer")

@@ -36,7 +36,7 @@ def lamps(renderer, points, radius=None, intensity=None, color=None, falloff="li
     that there are: relievo.stage(renderer, "lamps", casting=4), by default none. At most eight
     cast in a picture; all others shine through walls.
 
-    Returns the vtkRelievoLamps. attach(renderer).GetStage("lamps").RemovePoints(it) takes them away.
+    Returns the vtkRelievoLamps; attach(renderer).GetStage("lamps").RemovePoints(it) takes it away.
     Raises ValueError for wrong arguments; then nothing is changed.
     """
     require(renderer, "vtkRenderer", "renderer")

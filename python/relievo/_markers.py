@@ -32,7 +32,7 @@ def markers(renderer, things, shape="ring", radius=None, width=None, reach=None,
     green, blue, or the name of a point array. None takes the array of that name if the points have
     it, else 1, 0.2, 4, 0.8 and orange. up: where shadows fall from, three numbers; None: (0, 1, 0).
 
-    Returns the vtkRelievoMarkers. attach(renderer).GetMarkersStage().RemovePoints(it) takes them away.
+    Returns the vtkRelievoMarkers; attach(renderer).GetMarkersStage().RemovePoints(it) removes it.
     Raises ValueError for wrong arguments; then nothing is changed.
     """
     require(renderer, "vtkRenderer", "renderer")

@@ -212,7 +212,8 @@ class Outputs(CliTest):
         words += ["--png", "a.png", "--exr", "a.exr"]
         (self.folder / "a.png").write_text("precious")
         before = self.names()
-        run = subprocess.Popen([RELIEVO, *words], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        run = subprocess.Popen([RELIEVO, *words], cwd=self.folder, stderr=subprocess.PIPE,
+                               text=True)
         until = time.monotonic() + 600
         while run.poll() is None and time.monotonic() < until and self.names() == before:
             time.sleep(0.002)

@@ -78,8 +78,8 @@ extern const std::vector<Look> PlainLooks;
 void CheckSame(const Layers& expected, EffectScene& scene, const std::string& layer);
 
 /**
- * A set is added once, a second time is an error; of blocks, of which the second has nothing to draw, the layer is as
- * expected. Leaves the set with `good` without its arrays.
+ * A set is added once, a second time is an error; of blocks, of which the second has nothing to
+ * draw, the layer is as expected. Leaves the set with `good` without its arrays.
  */
 void CheckBlocks(EffectScene& scene, vtkRelievoPointStage* stage, vtkRelievoPointValues* set,
   vtkPolyData* good, vtkPolyData* bad, const Layers& expected, const std::string& layer);

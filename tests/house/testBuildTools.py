@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""tools/unpack-vtk and tools/bench-bundle refuse wrong calls, and touch nothing that is not theirs."""
+"""tools/unpack-vtk and tools/bench-bundle refuse wrong calls, and touch nothing of others."""
 
 import os
 import pathlib
@@ -34,7 +34,8 @@ class BuildTools(unittest.TestCase):
         mine.parent.mkdir()
         mine.write_text("chapter 1")
         for words, says in (
-            ((mine.parent,), "holds something else"), (("--wheel", mine.parent), "holds something else"),
+            ((mine.parent,), "holds something else"),
+            (("--wheel", mine.parent), "holds something else"),
             ((mine,), "holds something else"), (("--fast",), "unknown option"),
             (("a", "b"), "usage"), (("--wheel", "a", "b"), "usage"),
         ):  # fmt: skip
@@ -47,7 +48,7 @@ class BuildTools(unittest.TestCase):
         self.assertEqual(self.run_tool("unpack-vtk", "--help").returncode, 0)
 
     def test_unpack_failure(self):
-        """Where nothing can be fetched, a complete VTK of another time stays, and nothing else is left."""
+        """Where nothing can be fetched, an older complete VTK stays, and nothing else is left."""
         old = self.folder / "vtk"
         old.mkdir()
         (old / ".complete").write_text("libvtk8-dev\n")

@@ -5,7 +5,7 @@
 #include "ViewerTest.h"
 
 #include "LightOptions.h"
-#include "NumberEdit.h"
+#include "Number.h"
 #include "Sun.h"
 #include "SunGroup.h"
 
@@ -36,7 +36,7 @@ private:
     return this->Window->findChild<QGroupBox*>(group)->findChild<QWidget*>(name);
   }
 
-  // As the user does who types it.
+  // Types a value into a field, as the user does.
   void Type(const char* group, const char* name, double value)
   {
     this->Find(group, name)->findChild<QDoubleSpinBox*>()->setValue(value);
@@ -120,7 +120,7 @@ private Q_SLOTS:
   // A slider stands where its number is, also before it was ever moved.
   void sliderAndNumber()
   {
-    viewer::NumberEdit edit(-90.0, 90.0, 1.0, 2);
+    relievoQt::Number edit(-90.0, 90.0, 1.0, 2);
     QCOMPARE(edit.findChild<QSlider*>()->value(), 90);
     edit.SetUnit("samples");
     edit.SetValue(1.0);
@@ -130,7 +130,7 @@ private Q_SLOTS:
     QCOMPARE(digits->text(), QString("2.5 samples"));
     edit.SetValue(1.0 / 3.0);
     QCOMPARE(edit.GetValue(), 1.0 / 3.0);
-    viewer::NumberEdit clock(0.0, 24.0, 1.0 / 12.0, 6);
+    relievoQt::Number clock(0.0, 24.0, 1.0 / 12.0, 6);
     clock.SetClock();
     clock.SetValue(15.25);
     digits = clock.findChild<QDoubleSpinBox*>();

@@ -34,7 +34,7 @@ private:
     return self ? self : found->findChild<Widget*>();
   }
 
-  // As the user does who types it.
+  // Types a text into a field, as the user does.
   void Type(const char* stage, const char* name, const QString& text)
   {
     auto* box = this->Find<QComboBox>(stage, name);

@@ -298,7 +298,7 @@ private Q_SLOTS:
     copy->trigger();
     const QString text = QApplication::clipboard()->text();
     QVERIFY2(text.startsWith("relievo render") && text.contains("--shadows map"), qPrintable(text));
-    // As it is pasted in a shell.
+    // The command, pasted into a shell, draws the window's picture.
     QProcess shell;
     QProcessEnvironment variables = QProcessEnvironment::systemEnvironment();
     variables.insert("PATH",

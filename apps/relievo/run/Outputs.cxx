@@ -153,7 +153,7 @@ void Outputs::Commit()
     std::error_code none; // there may be nothing to keep
     if (fs::is_regular_file(fs::status(entry.Place, none)))
     {
-      // By a second name of the file, so that its place is never empty; not all file systems have such.
+      // By a second name of the file, so that its place is never empty; where there are such names.
       entry.Kept = entry.Temporary + ".old";
       fs::create_hard_link(entry.Place, entry.Kept, trouble);
       if (trouble)

@@ -8,6 +8,7 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDial>
 #include <QGroupBox>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -20,7 +21,7 @@ namespace
 bool IsTurnedByWheel(QWidget* widget)
 {
   return qobject_cast<QAbstractSpinBox*>(widget) || qobject_cast<QComboBox*>(widget) ||
-    qobject_cast<QSlider*>(widget);
+    qobject_cast<QSlider*>(widget) || qobject_cast<QDial*>(widget);
 }
 
 bool IsInPanel(QWidget* widget)

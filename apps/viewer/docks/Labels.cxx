@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Labels.h"
 
-#include <QLocale>
 #include <QStringList>
 
 namespace viewer
@@ -19,11 +18,5 @@ QString WriteLabel(const QString& label)
     word = i == 0 || name ? word : word.toLower();
   }
   return words.join(' ');
-}
-
-//------------------------------------------------------------------------------
-QString WriteBytes(double bytes)
-{
-  return QLocale::c().formattedDataSize(static_cast<qint64>(bytes));
 }
 }

@@ -3,7 +3,7 @@
 #include "LightPanel.h"
 
 #include "FileEdit.h"
-#include "NumberEdit.h"
+#include "Number.h"
 #include "Options.h"
 #include "SunGroup.h"
 
@@ -158,7 +158,7 @@ void LightPanel::AddEnvironment()
   this->File->setObjectName("file");
   rows->addRow("Image", this->File);
   const auto add = [&](const char* title, const char* name, double most, double step) {
-    auto* edit = new NumberEdit(0.0, most, step, 3, this->Environment);
+    auto* edit = new relievoQt::Number(0.0, most, step, 3, this->Environment);
     edit->setObjectName(name);
     rows->addRow(title, edit);
     return edit;
@@ -174,16 +174,16 @@ void LightPanel::AddEnvironment()
   // Each writes what it stands for and leaves the other words as they are.
   QObject::connect(this->File, &FileEdit::edited, this,
     [this](const QString& path) { this->SetFile(path.toStdString(), this->Rotation->GetValue()); });
-  QObject::connect(this->Rotation, &NumberEdit::edited, this,
+  QObject::connect(this->Rotation, &relievoQt::Number::edited, this,
     [this](double rotation) { this->SetFile(this->Edited->Get().Parse().Environment, rotation); });
-  QObject::connect(this->Reflectivity, &NumberEdit::edited, this, [this](double value) {
+  QObject::connect(this->Reflectivity, &relievoQt::Number::edited, this, [this](double value) {
     this->Edited->Change([this, value](Settings& settings) {
       const bool both = settings.Get("--reflectivity").find(',') != std::string::npos;
       settings.Set("--reflectivity",
         both ? WriteNumbers({ value, this->Roughness->GetValue() }) : WriteNumber(value));
     });
   });
-  QObject::connect(this->Roughness, &NumberEdit::edited, this, [this](double value) {
+  QObject::connect(this->Roughness, &relievoQt::Number::edited, this, [this](double value) {
     this->Edited->Change([this, value](Settings& settings) {
       settings.Set("--reflectivity", WriteNumbers({ this->Reflectivity->GetValue(), value }));
     });

@@ -14,10 +14,14 @@ class QLabel;
 class QPlainTextEdit;
 class QPushButton;
 
+namespace relievoQt
+{
+class Number;
+}
+
 namespace viewer
 {
 class FileEdit;
-class NumberEdit;
 class SunGroup;
 
 class LightPanel : public Panel
@@ -47,7 +51,7 @@ private:
   std::vector<std::string> ShownLights; // without what is typed
   QGroupBox* Environment;
   FileEdit* File;
-  NumberEdit *Rotation, *Reflectivity, *Roughness;
+  relievoQt::Number *Rotation, *Reflectivity, *Roughness;
   QCheckBox* Sky;
   Settings Kept; // the environment while it is switched off
 };

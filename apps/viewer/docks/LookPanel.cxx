@@ -6,7 +6,7 @@
 #include "ColorButton.h"
 #include "MaterialGroup.h"
 #include "ModelGroup.h"
-#include "NumberEdit.h"
+#include "Number.h"
 #include "OptionEdits.h"
 #include "Options.h"
 
@@ -61,11 +61,11 @@ void LookPanel::AddSurface()
     this->Shading->addItem(kind, kind);
   }
   GetRows(group)->addRow("Shading", this->Shading);
-  this->Opacity = new NumberEdit(0.0, 1.0, 0.01, 2, group);
+  this->Opacity = new relievoQt::Number(0.0, 1.0, 0.01, 2, group);
   this->Opacity->setObjectName("opacity");
   this->Opacity->setToolTip("Of all meshes; 0 is invisible");
   GetRows(group)->addRow("Opacity", this->Opacity);
-  QObject::connect(this->Opacity, &NumberEdit::edited, this, [this](double value) {
+  QObject::connect(this->Opacity, &relievoQt::Number::edited, this, [this](double value) {
     this->Edited->Change([&](Settings& settings) {
       SetOption(settings, "--opacity", value == 1.0 ? "" : WriteNumber(value));
     });
@@ -79,12 +79,12 @@ void LookPanel::AddSurface()
 void LookPanel::AddCamera()
 {
   QGroupBox* group = this->AddGroup("Camera", "camera");
-  this->Angle = new NumberEdit(1.0, 179.0, 1.0, 2, group);
+  this->Angle = new relievoQt::Number(1.0, 179.0, 1.0, 2, group);
   this->Angle->setObjectName("viewangle");
   this->Angle->SetUnit("degrees");
   this->Angle->setToolTip("The full vertical angle of the perspective");
   GetRows(group)->addRow("View angle", this->Angle);
-  QObject::connect(this->Angle, &NumberEdit::edited, this, [this](double angle) {
+  QObject::connect(this->Angle, &relievoQt::Number::edited, this, [this](double angle) {
     this->Edited->Change([&](Settings& settings) {
       SetOption(settings, "--view-angle", angle == StandardViewAngle ? "" : WriteNumber(angle));
     });

@@ -12,10 +12,14 @@
 class QCheckBox;
 class QComboBox;
 
+namespace relievoQt
+{
+class Number;
+}
+
 namespace viewer
 {
 class ColorButton;
-class NumberEdit;
 
 class LookPanel : public Panel
 {
@@ -34,7 +38,7 @@ private:
   QComboBox *Shading, *Background;
   QCheckBox* Edges;
   ColorButton *Bottom, *Top;
-  NumberEdit *Opacity, *Angle;
+  relievoQt::Number *Opacity, *Angle;
 };
 }
 

@@ -3,7 +3,7 @@
 #include "MaterialGroup.h"
 
 #include "FileEdit.h"
-#include "NumberEdit.h"
+#include "Number.h"
 #include "OptionEdits.h"
 #include "Options.h"
 
@@ -37,7 +37,7 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
   , Edited(document)
   , Normals(new FileEdit("Normal map", Images, this))
   , Heights(new FileEdit("Height map", Images, this))
-  , Depth(new NumberEdit(0.0, 1e9, 0.01, 6, this))
+  , Depth(new relievoQt::Number(0.0, 1e9, 0.01, 6, this))
   , Relief(MakeChoice(document, "--relief", this))
   , Coordinates(MakeChoice(document, "--texture-coordinates", this))
 {
@@ -80,7 +80,7 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
   QObject::connect(this->Heights, &FileEdit::edited, this, [this](const QString& path) {
     this->SetHeightMap(path.toStdString(), this->Depth->GetValue());
   });
-  QObject::connect(this->Depth, &NumberEdit::edited, this,
+  QObject::connect(this->Depth, &relievoQt::Number::edited, this,
     [this](double depth) { this->SetHeightMap(this->Edited->Get().Parse().HeightMap, depth); });
   QObject::connect(document, &Document::changed, this, &MaterialGroup::ShowSettings);
   this->ShowSettings();

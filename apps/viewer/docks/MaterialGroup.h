@@ -12,10 +12,14 @@
 
 class QComboBox;
 
+namespace relievoQt
+{
+class Number;
+}
+
 namespace viewer
 {
 class FileEdit;
-class NumberEdit;
 
 class MaterialGroup : public QGroupBox
 {
@@ -31,7 +35,7 @@ private:
 
   Document* Edited;
   FileEdit *Normals, *Heights;
-  NumberEdit* Depth;
+  relievoQt::Number* Depth;
   QComboBox *Relief, *Coordinates;
 };
 }

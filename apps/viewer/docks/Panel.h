@@ -23,7 +23,7 @@ class Panel : public QScrollArea
 public:
   Panel(Document* document, QWidget* parent);
 
-  /// As wide as it needs to be: the room is the picture's.
+  /// The panel asks for its least width only: the rest of the room is the picture's.
   QSize sizeHint() const override;
 
 protected:

@@ -3,7 +3,7 @@
 #include "ParameterEdit.h"
 
 #include "ColorButton.h"
-#include "NumberEdit.h"
+#include "Number.h"
 #include "Settings.h"
 
 #include "vtkRelievoParameter.h"
@@ -72,7 +72,7 @@ QWidget* ParameterEdit::MakeNumber(const vtkRelievoParameter& parameter)
   const bool whole = parameter.Type == vtkRelievoParameter::WHOLE;
   const double range = parameter.Most - parameter.Least;
   const double step = whole ? 1.0 : range <= 1.0 ? 0.001 : range <= 100.0 ? 0.05 : 1.0;
-  auto* number = new NumberEdit(parameter.Least, parameter.Most, step,
+  auto* number = new relievoQt::Number(parameter.Least, parameter.Most, step,
     whole               ? 0
       : range <= 1.0    ? 5
       : range <= 1000.0 ? 3
@@ -80,7 +80,7 @@ QWidget* ParameterEdit::MakeNumber(const vtkRelievoParameter& parameter)
     this);
   number->SetUnit(QString::fromStdString(parameter.Unit));
   this->Show = [number](const QString& words) { number->SetValue(words.toDouble()); };
-  QObject::connect(number, &NumberEdit::edited, this,
+  QObject::connect(number, &relievoQt::Number::edited, this,
     [this](double value) { Q_EMIT this->edited(QString::fromStdString(WriteNumber(value))); });
   return number;
 }

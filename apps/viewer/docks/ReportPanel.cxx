@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReportPanel.h"
 
+#include "FrameReport.h"
 #include "Labels.h"
-#include "StageChart.h"
 #include "StageTable.h"
+#include "TimesChart.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QLabel>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace viewer
@@ -24,18 +23,23 @@ constexpr int MostTries = 8; // some drivers never know
 ReportPanel::ReportPanel(std::function<std::string()> read, QWidget* parent)
   : QWidget(parent)
   , Read(std::move(read))
-  , Table(new StageTable(this))
+  , Table(new relievoQt::StageTable(relievoQt::StageTable::FULL, this))
   , Total(new QLabel(this))
-  , Chart(new StageChart(this))
+  , Chart(new relievoQt::TimesChart(this))
 {
   this->Total->setObjectName("total");
   this->Total->setWordWrap(true);
   this->Chart->setObjectName("chart");
   this->Chart->setToolTip("Milliseconds of each stage on the GPU, of those that were timed");
+  this->Table->setObjectName("stages");
+  this->Table->setContentsMargins(4, 4, 4, 4);
+  auto* rows = new QScrollArea(this);
+  rows->setWidget(this->Table);
+  rows->setWidgetResizable(true);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(this->Total);
   layout->addWidget(this->Chart);
-  layout->addWidget(this->Table, 1);
+  layout->addWidget(rows, 1);
   this->Timer.setSingleShot(true);
   QObject::connect(&this->Timer, &QTimer::timeout, this, [this] { this->Refresh(); });
 }
@@ -66,29 +70,22 @@ void ReportPanel::Renew()
 //------------------------------------------------------------------------------
 void ReportPanel::Refresh()
 {
-  const QJsonObject report =
-    QJsonDocument::fromJson(QByteArray::fromStdString(this->Read())).object();
-  const QJsonArray stages = report["stages"].toArray();
-  this->Total->setText(report.isEmpty()
+  relievoQt::FrameReport report(QByteArray::fromStdString(this->Read()));
+  bool untimed = false;
+  for (relievoQt::FrameReport::Stage& stage : report.Stages)
+  {
+    stage.Label = WriteLabel(stage.Label);
+    untimed = untimed || (stage.Ran && stage.Milliseconds < 0.0);
+  }
+  const bool timed = report.Milliseconds >= 0.0;
+  const QString time = relievoQt::FrameReport::FormatMilliseconds(report.Milliseconds);
+  this->Total->setText(report.Stages.isEmpty()
       ? QString("Nothing of Relievo is on: the picture is VTK's own.")
       : QString("Frame: %1 on the GPU, %2 held")
-          .arg(report["gpu_ms"].isDouble()
-              ? QString::number(report["gpu_ms"].toDouble(), 'f', 2) + " ms"
-              : "not timed yet",
-            WriteBytes(report["bytes"].toDouble())));
-  std::vector<StageChart::Bar> bars;
-  bool untimed = false;
-  for (const QJsonValue& value : stages)
-  {
-    const QJsonObject stage = value.toObject();
-    untimed = untimed || (stage["ran"].toBool() && !stage["gpu_ms"].isDouble());
-    if (stage["ran"].toBool() && stage["gpu_ms"].isDouble())
-    {
-      bars.push_back({ WriteLabel(stage["label"].toString()), stage["gpu_ms"].toDouble() });
-    }
-  }
-  this->Chart->SetBars(bars);
-  this->Table->SetStages(stages);
+          .arg(timed ? time + " ms" : "not timed yet",
+            relievoQt::FrameReport::FormatBytes(report.Bytes)));
+  this->Chart->SetReport(report);
+  this->Table->SetReport(report);
   if (untimed && this->isVisible() && this->Tries > 0)
   {
     --this->Tries;

@@ -14,11 +14,14 @@
 
 class QLabel;
 
+namespace relievoQt
+{
+class StageTable;
+class TimesChart;
+}
+
 namespace viewer
 {
-class StageChart;
-class StageTable;
-
 class ReportPanel : public QWidget
 {
   Q_OBJECT
@@ -44,9 +47,9 @@ private:
   void Refresh();
 
   std::function<std::string()> Read;
-  StageTable* Table;
+  relievoQt::StageTable* Table;
   QLabel* Total;
-  StageChart* Chart;
+  relievoQt::TimesChart* Chart;
   QTimer Timer;
   int Tries = 0; // frames that may still be asked for
 };

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SunGroup.h"
 
-#include "NumberEdit.h"
+#include "Number.h"
 #include "Options.h"
+#include "SunEdit.h"
 
 #include "vtkMath.h"
 
 #include <QComboBox>
 #include <QDateEdit>
-#include <QFormLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -21,18 +20,11 @@ namespace viewer
 {
 namespace
 {
-const QString Degrees = QString(QChar(0x00b0));
-
 // How large it is stays as it was said.
 std::string GetSize(const std::string& word)
 {
   const std::string::size_type at = word.find(",size=");
   return at == std::string::npos ? "" : word.substr(at);
-}
-
-QFormLayout* GetRows(QWidget* part)
-{
-  return static_cast<QFormLayout*>(part->layout());
 }
 
 bool AreClose(const SunAngles& a, const SunAngles& b)
@@ -54,65 +46,25 @@ int GetUpAxis(const Settings& settings)
 SunGroup::SunGroup(Document* document, QWidget* parent)
   : QGroupBox("Sun", parent)
   , Edited(document)
-  , Angles(new QWidget(this))
-  , Place(new QWidget(this))
-  , By(new QComboBox(this))
-  , Date(new QDateEdit(QDate(2026, 6, 21), this))
-  , Words(new QLabel(this))
+  , Sun(new relievoQt::SunEdit(this))
 {
   this->setCheckable(true);
   this->setToolTip("A light that stays where it is when the camera moves");
-  this->By->setObjectName("by");
-  this->By->addItems({ "Angles", "Date and place" });
-  auto* column = new QVBoxLayout(this);
-  auto* first = new QFormLayout();
-  first->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  first->addRow("Placed by", this->By);
-  column->addLayout(first);
-  for (QWidget* part : { this->Angles, this->Place }) // one of which is hidden
-  {
-    auto* rows = new QFormLayout(part);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    column->addWidget(part);
-  }
-  this->Azimuth = this->AddNumber(this->Angles, "Azimuth", "azimuth", 0.0, 360.0, 1.0, 2, Degrees,
-    "From north, clockwise seen from above: 90 is east, 180 south");
-  this->Azimuth->SetWrapping();
-  this->Elevation = this->AddNumber(
-    this->Angles, "Elevation", "elevation", -90.0, 90.0, 1.0, 2, Degrees, "Above the horizon");
-  this->Date->setObjectName("date");
-  this->Date->setDisplayFormat("yyyy-MM-dd");
-  this->Date->setCalendarPopup(true);
-  this->Date->setDateRange(QDate(1900, 1, 1), QDate(2100, 12, 31));
-  GetRows(this->Place)->addRow("Date", this->Date);
-  this->Hour = this->AddNumber(
-    this->Place, "Time", "hour", 0.0, 24.0, 1.0 / 12.0, 6, "", "What the clock says");
-  this->Hour->SetClock();
-  this->Latitude = this->AddNumber(
-    this->Place, "Latitude", "latitude", -90.0, 90.0, 0.1, 4, Degrees, "North is positive");
-  this->Longitude = this->AddNumber(
-    this->Place, "Longitude", "longitude", -180.0, 180.0, 0.2, 4, Degrees, "East is positive");
-  this->TimeZone = this->AddNumber(this->Place, "Time zone", "timeZone", -12.0, 14.0, 0.25, 2, "h",
-    "Hours that the clock is ahead of universal time (UTC), summer time included");
-  this->Words->setObjectName("place");
-  this->Words->setWordWrap(true);
-  column->addWidget(this->Words);
+  (new QVBoxLayout(this))->addWidget(this->Sun);
   this->SetTime(SunTime(), false);
   const auto place = [this] { this->PlaceSun(); };
-  QObject::connect(
-    this->By, static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged), this, [this] {
-      this->ShowRows();
+  QObject::connect(this->Sun->By,
+    static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged), this, [this] {
       if (this->IsByTime()) // the angles are those that it has already
       {
         this->PlaceSun();
       }
       this->ShowSettings();
     });
-  QObject::connect(this->Date, &QDateEdit::dateChanged, this, place);
-  for (NumberEdit* edit : this->findChildren<NumberEdit*>())
+  QObject::connect(this->Sun->Date, &QDateEdit::dateChanged, this, place);
+  for (relievoQt::Number* edit : this->Sun->findChildren<relievoQt::Number*>())
   {
-    QObject::connect(edit, &NumberEdit::edited, this, place);
+    QObject::connect(edit, &relievoQt::Number::edited, this, place);
   }
   QObject::connect(this, &QGroupBox::toggled, this, &SunGroup::Switch);
   QObject::connect(document, &Document::changed, this, &SunGroup::ShowSettings);
@@ -120,42 +72,31 @@ SunGroup::SunGroup(Document* document, QWidget* parent)
 }
 
 //------------------------------------------------------------------------------
-NumberEdit* SunGroup::AddNumber(QWidget* rows, const QString& title, const QString& name,
-  double least, double most, double step, int decimals, const QString& unit, const QString& tip)
-{
-  auto* edit = new NumberEdit(least, most, step, decimals, this);
-  edit->setObjectName(name);
-  edit->SetUnit(unit);
-  edit->setToolTip(tip);
-  GetRows(rows)->addRow(title, edit);
-  return edit;
-}
-
-//------------------------------------------------------------------------------
 bool SunGroup::IsByTime() const
 {
-  return this->By->currentIndex() == 1;
+  return this->Sun->IsByPlace();
 }
 
 //------------------------------------------------------------------------------
 SunTime SunGroup::GetTime() const
 {
-  const QDate date = this->Date->date();
-  return { date.year(), date.month(), date.day(), this->Hour->GetValue(),
-    this->TimeZone->GetValue(), this->Latitude->GetValue(), this->Longitude->GetValue() };
+  const QDate date = this->Sun->Date->date();
+  return { date.year(), date.month(), date.day(), this->Sun->Time->GetValue(),
+    this->Sun->TimeZone->GetValue(), this->Sun->Latitude->GetValue(),
+    this->Sun->Longitude->GetValue() };
 }
 
 //------------------------------------------------------------------------------
 void SunGroup::SetTime(const SunTime& time, bool byTime)
 {
-  const QSignalBlocker quiet[] = { QSignalBlocker(this->Date), QSignalBlocker(this->By) };
-  this->Date->setDate(QDate(time.Year, time.Month, time.Day));
-  this->Hour->SetValue(time.Hour);
-  this->TimeZone->SetValue(time.TimeZone);
-  this->Latitude->SetValue(time.Latitude);
-  this->Longitude->SetValue(time.Longitude);
-  this->By->setCurrentIndex(byTime ? 1 : 0);
-  this->ShowRows();
+  const QSignalBlocker quiet[] = { QSignalBlocker(this->Sun->Date), QSignalBlocker(this->Sun->By) };
+  this->Sun->Date->setDate(QDate(time.Year, time.Month, time.Day));
+  this->Sun->Time->SetValue(time.Hour);
+  this->Sun->TimeZone->SetValue(time.TimeZone);
+  this->Sun->Latitude->SetValue(time.Latitude);
+  this->Sun->Longitude->SetValue(time.Longitude);
+  this->Sun->By->setCurrentIndex(byTime ? 1 : 0);
+  this->Sun->ShowRows();
 }
 
 //------------------------------------------------------------------------------
@@ -165,13 +106,6 @@ void SunGroup::FollowUpAxis()
   {
     this->PlaceSun();
   }
-}
-
-//------------------------------------------------------------------------------
-void SunGroup::ShowRows()
-{
-  this->Angles->setVisible(!this->IsByTime());
-  this->Place->setVisible(this->IsByTime());
 }
 
 //------------------------------------------------------------------------------
@@ -193,7 +127,7 @@ void SunGroup::ShowSettings()
   this->NextOwn = this->Own;
   const QSignalBlocker quiet(this);
   this->setChecked(this->Own >= 0);
-  this->Words->hide();
+  this->Sun->SetWords(QString());
   if (this->Own >= 0)
   {
     const std::string& sun = lights[static_cast<std::size_t>(this->Own)];
@@ -208,10 +142,10 @@ void SunGroup::ShowSettings()
       }
       this->Written = sun;
       this->WrittenUp = up;
-      this->Azimuth->SetValue(angles.Azimuth);
-      this->Elevation->SetValue(angles.Elevation);
+      this->Sun->Azimuth->SetValue(angles.Azimuth);
+      this->Sun->Elevation->SetValue(angles.Elevation);
     }
-    this->ShowPlace({ this->Azimuth->GetValue(), this->Elevation->GetValue() });
+    this->ShowPlace({ this->Sun->Azimuth->GetValue(), this->Sun->Elevation->GetValue() });
   }
 }
 
@@ -219,12 +153,9 @@ void SunGroup::ShowSettings()
 void SunGroup::ShowPlace(const SunAngles& angles)
 {
   const bool night = angles.Elevation <= 0.0;
-  this->Words->setText(QString("Azimuth %1%3, elevation %2%3")
-                         .arg(angles.Azimuth, 0, 'f', 1)
-                         .arg(angles.Elevation, 0, 'f', 1)
-                         .arg(Degrees) +
-    (night ? ": below the horizon, it lights from beneath" : ""));
-  this->Words->setVisible(night || this->IsByTime());
+  const QString words = relievoQt::SunEdit::WriteAngles(angles.Azimuth, angles.Elevation) +
+    (night ? ": below the horizon, it lights from beneath" : "");
+  this->Sun->SetWords(night || this->IsByTime() ? words : QString());
 }
 
 //------------------------------------------------------------------------------
@@ -236,9 +167,9 @@ void SunGroup::PlaceSun()
   }
   const SunAngles angles = this->IsByTime()
     ? GetSunAngles(this->GetTime())
-    : SunAngles{ this->Azimuth->GetValue(), this->Elevation->GetValue() };
-  this->Azimuth->SetValue(angles.Azimuth);
-  this->Elevation->SetValue(angles.Elevation);
+    : SunAngles{ this->Sun->Azimuth->GetValue(), this->Sun->Elevation->GetValue() };
+  this->Sun->Azimuth->SetValue(angles.Azimuth);
+  this->Sun->Elevation->SetValue(angles.Elevation);
   this->WrittenUp = GetUpAxis(this->Edited->Get());
   const std::string sun = WriteSun(GetSunDirection(angles, this->WrittenUp));
   if (this->Own < 0)
@@ -315,10 +246,11 @@ void SunGroup::Switch(bool on)
     this->FollowUpAxis();
     return;
   }
-  if (!this->IsByTime() && this->Azimuth->GetValue() == 0.0 && this->Elevation->GetValue() == 0.0)
+  if (!this->IsByTime() && this->Sun->Azimuth->GetValue() == 0.0 &&
+    this->Sun->Elevation->GetValue() == 0.0)
   {
-    this->Azimuth->SetValue(135.0);
-    this->Elevation->SetValue(45.0);
+    this->Sun->Azimuth->SetValue(135.0);
+    this->Sun->Elevation->SetValue(45.0);
   }
   this->PlaceSun();
 }

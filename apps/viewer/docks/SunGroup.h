@@ -15,14 +15,13 @@
 #include <string>
 #include <vector>
 
-class QComboBox;
-class QDateEdit;
-class QLabel;
+namespace relievoQt
+{
+class SunEdit;
+}
 
 namespace viewer
 {
-class NumberEdit;
-
 class SunGroup : public QGroupBox
 {
   Q_OBJECT
@@ -45,10 +44,7 @@ public:
   void SetOthers(const std::vector<std::string>& others);
 
 private:
-  NumberEdit* AddNumber(QWidget* rows, const QString& title, const QString& name, double least,
-    double most, double step, int decimals, const QString& unit, const QString& tip);
   void ShowSettings();
-  void ShowRows();
   void ShowPlace(const SunAngles& angles);
   void PlaceSun();
   void Switch(bool on);
@@ -56,11 +52,7 @@ private:
   void Insert(const std::string& sun, std::size_t place);
 
   Document* Edited;
-  QWidget *Angles, *Place;
-  QComboBox* By;
-  QDateEdit* Date;
-  QLabel* Words;
-  NumberEdit *Azimuth, *Elevation, *Hour, *Latitude, *Longitude, *TimeZone;
+  relievoQt::SunEdit* Sun;
   std::vector<std::string> Lights, Next; // as they were seen last, and as they are set now
   int Own = -1, NextOwn = -1;            // which of them is the sun; -1: none
   std::string Written;                   // the sun whose angles are shown

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The plan of a frame's shadows: method and map size, as they are set, or chosen for a tolerance or a
-// time by vtkRelievoShadowPlanner from what rays and earlier frames tell.
+// The plan of a frame's shadows: method and map size, as they are set, or for a tolerance or a
+// time chosen by vtkRelievoShadowPlanner from what rays and earlier frames tell.
 #ifndef vtkRelievoShadowPlanning_h
 #define vtkRelievoShadowPlanning_h
 
@@ -60,8 +60,8 @@ public:
   ///@}
 
   ///@{
-  // A frame: its plan, again if what was planned could not be had, and what it took. `built`: shaders
-  // were.
+  // A frame: its plan, made again if what was planned could not be had, and what the frame
+  // took.
   void Begin(bool picture);
   void FindMoves(const Scene& scene, const vtkRelievoFrameCamera& view);
   void Make(const Scene& scene, const Settings& settings, const vtkRelievoFrameContext& context);
