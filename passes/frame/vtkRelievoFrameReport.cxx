@@ -33,6 +33,23 @@ Json Number(double value)
   return Json::parse(rounded.str(), nullptr, false);
 }
 
+// One line, with a blank behind each colon and comma. Names that are no UTF-8 get a sign for what
+// cannot be written.
+std::string Write(const Json& value)
+{
+  if (!value.is_structured())
+  {
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+  std::string line;
+  for (const auto& each : value.items())
+  {
+    line += (line.empty() ? "" : ", ") +
+      (value.is_object() ? Write(each.key()) + ": " : std::string()) + Write(each.value());
+  }
+  return value.is_object() ? "{" + line + "}" : "[" + line + "]";
+}
+
 Json Fact(const vtkVariant& fact)
 {
   return !fact.IsValid() ? Json(nullptr)
@@ -97,6 +114,22 @@ std::string vtkRelievoFrameReport::GetJSON(const vtkRelievoGpuTimer& timer) cons
   {
     report[fact.first] = Fact(fact.second);
   }
-  // Names that are no UTF-8 get a sign for what cannot be written.
-  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  std::string text;
+  for (const auto& each : report.items())
+  {
+    text += (text.empty() ? "{\n  " : ",\n  ") + Write(each.key()) + ": ";
+    if (each.key() != "stages")
+    {
+      text += Write(each.value());
+      continue;
+    }
+    const char* separator = "[\n    ";
+    for (const Json& stage : each.value())
+    {
+      text += separator + Write(stage);
+      separator = ",\n    ";
+    }
+    text += "\n  ]";
+  }
+  return text + "\n}\n";
 }

@@ -193,8 +193,8 @@ void TestRegistry()
   stage->EnabledOn();
   RELIEVO_CHECK(stage->SetParameter("factor", "0.5"));
   RELIEVO_CHECK(!IsSame(plain, Picture(scene.Window)));
-  RELIEVO_CHECK(frame->GetFrameReport().find("\"name\": \"registered\",\n      \"ran\": true") !=
-    std::string::npos);
+  RELIEVO_CHECK(
+    frame->GetFrameReport().find("\"name\": \"registered\", \"ran\": true") != std::string::npos);
   const auto own = MakeStage("registered", 1.5, 0.0);
   frame->AddStage(own);
   RELIEVO_CHECK(frame->GetNumberOfStages() == count && frame->GetStage("registered") == own);
