@@ -123,7 +123,8 @@ std::string vtkRelievoFrameReport::GetJSON(const vtkRelievoGpuTimer& timer) cons
       text += Write(each.value());
       continue;
     }
-    const char* separator = "[\n    ";
+    text += "[";
+    const char* separator = "\n    ";
     for (const Json& stage : each.value())
     {
       text += separator + Write(stage);

@@ -217,6 +217,7 @@ class Attach(unittest.TestCase):
             relievo.report(self.renderer)
         self.assertIn("attach()", str(caught.exception))
         frame = relievo.attach(self.renderer)
+        self.assertEqual(relievo.report(frame)["stages"], [])  # no frame has been drawn yet
         self.window.Render()
         idle = {stage["name"]: stage for stage in relievo.report(frame)["stages"]}
         self.assertFalse(idle["gbuffer"]["ran"])
