@@ -43,7 +43,7 @@ public:
   int GetNumberGiven() const { return this->NumberGiven; }
   bool IsWhite() const { return this->White; }
 
-  // For shaders/deferred/lamps.glsl: two texels of four floats for each lamp.
+  // For shaders/deferred/lamp.glsl: two texels of four floats for each lamp.
   const std::vector<float>& GetTexels() const { return this->Texels; }
 
   // And one for each set: its attenuation values.

@@ -127,18 +127,18 @@ std::vector<std::string> vtkRelievoFrameRun::Plan()
 {
   const std::vector<vtkRelievoFramePlan::Node> declared = this->Nodes;
   std::vector<std::string> wrong =
-    this->Order.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
-  if (this->Order.NeedsColor())
+    this->Planned.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
+  if (this->Planned.NeedsColor())
   {
     const std::string noColor = this->Color.Prepare(this->Context);
     if (!noColor.empty())
     {
-      this->Order.SetNoColor(noColor);
+      this->Planned.SetNoColor(noColor);
       this->Nodes = declared;
-      wrong = this->Order.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
+      wrong = this->Planned.Make(this->Nodes, this->Context.ReadBack, this->Context.Picture);
     }
   }
-  this->Samples.Begin(this->Context, this->Nodes, this->Order.NeedsColor(), this->Stages);
+  this->Samples.Begin(this->Context, this->Nodes, this->Planned.NeedsColor(), this->Stages);
   for (std::size_t i = 0; i < this->Stages.size(); ++i)
   {
     const vtkRelievoFramePlan::Node& node = this->Nodes[i + 1];
@@ -196,7 +196,7 @@ std::map<std::string, vtkRelievoStage*> vtkRelievoFrameRun::GetWriters() const
 std::vector<vtkRelievoStage*> vtkRelievoFrameRun::GetRunning() const
 {
   std::vector<vtkRelievoStage*> running;
-  for (const int place : this->Order.GetOrder())
+  for (const int place : this->Planned.GetOrder())
   {
     if (place > 0 && !this->Dropped[place])
     {
@@ -209,7 +209,7 @@ std::vector<vtkRelievoStage*> vtkRelievoFrameRun::GetRunning() const
 //------------------------------------------------------------------------------
 void vtkRelievoFrameRun::Prepare()
 {
-  const std::vector<int>& order = this->Order.GetOrder();
+  const std::vector<int>& order = this->Planned.GetOrder();
   if (std::any_of(order.begin(), order.end(), [](int place) { return place > 0; }))
   {
     this->Context.Scene.Take(this->Context.State);
@@ -228,7 +228,7 @@ void vtkRelievoFrameRun::Prepare()
 // The next ones of the order, as far as their slots go.
 void vtkRelievoFrameRun::RunStages(int lastSlot)
 {
-  const std::vector<int>& order = this->Order.GetOrder();
+  const std::vector<int>& order = this->Planned.GetOrder();
   for (; this->Next < order.size() && this->Nodes[order[this->Next]].Slot <= lastSlot; ++this->Next)
   {
     this->Run(order[this->Next]);
@@ -290,7 +290,7 @@ int vtkRelievoFrameRun::DrawDelegate(vtkRelievoDelegate& delegate, vtkRenderPass
     };
   }
   bool aside = false;
-  if (this->Order.NeedsColor())
+  if (this->Planned.NeedsColor())
   {
     this->Color.Begin(this->Context);
     this->ColorOpen = true;
@@ -369,7 +369,7 @@ void vtkRelievoFrameRun::Present()
   }
   this->Presented = true;
   this->Samples.Accumulate(this->Context);
-  const std::vector<int>& order = this->Order.GetOrder();
+  const std::vector<int>& order = this->Planned.GetOrder();
   for (; this->Next < order.size() && this->Context.Last; ++this->Next)
   {
     // What makes the picture of the colour does so itself; what shows something else as the picture

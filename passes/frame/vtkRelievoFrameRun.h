@@ -61,7 +61,7 @@ public:
   void Finish();
   ///@}
 
-  bool NeedsColor() const { return this->Order.NeedsColor(); }
+  bool NeedsColor() const { return this->Planned.NeedsColor(); }
   // What was done and why; the pass is the delegate.
   void Report(vtkRelievoFrameReport& report, vtkRenderPass* pass) const;
 
@@ -71,7 +71,10 @@ public:
   std::map<std::string, vtkRelievoStage*> GetWriters() const;
 
   // Layers that were asked for and cannot be made, and why, in words.
-  const std::map<std::string, std::string>& GetMissing() const { return this->Order.GetMissing(); }
+  const std::map<std::string, std::string>& GetMissing() const
+  {
+    return this->Planned.GetMissing();
+  }
 
 private:
   void FindLights();
@@ -86,7 +89,7 @@ private:
   vtkRelievoTranslucentLayers& Translucent;
   vtkRelievoSampleAccumulator& Samples;
   vtkRelievoGpuTimer& Timer;
-  vtkRelievoFramePlan Order;
+  vtkRelievoFramePlan Planned;
   std::vector<vtkRelievoFramePlan::Node> Nodes; // the first is the delegate
   std::vector<bool> Dropped;                    // of Nodes: needed, and cannot run after all
   std::size_t Next = 0;                         // in the order
