@@ -5,7 +5,6 @@
 #include "vtkActor.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLError.h" // for OpenGL
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
@@ -31,11 +30,9 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
-#include "vtkTimeStamp.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <memory>
@@ -61,7 +58,6 @@ public:
   int MethodRefused = -1; // could not make shadows of what cast so
   std::vector<std::uint64_t> Refused;
   bool LayersAsked = false;                     // visibility is asked for as a layer
-  bool LightsAsked = false;                     // shadows of the renderer's lights
   bool LampsAsked = false;                      // and of lamps from data
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the frame
   vtkWeakPointer<vtkRenderer> Renderer;

@@ -89,6 +89,14 @@ class Inputs(CliTest):
             with self.subTest(file=name):
                 self.refused("render", name, *OUTPUTS, status=1, says=name)
 
+    def test_many_blanks(self):
+        """Valid JSON, however much is between its words."""
+        images = '"images": [{"uri"' + " " * 300000 + ': "none.png"}]'
+        (self.folder / "blanks.gltf").write_text('{"asset": {"version": "2.0"}, ' + images + "}")
+        self.before = self.names()
+        self.refused("render", "blanks.gltf", *OUTPUTS, status=1,
+                     says=["blanks.gltf", "names none.png, which is not there"])  # fmt: skip
+
     def test_no_geometry(self):
         (self.folder / "points.off").write_text("OFF\n0 0 0\n")
         self.before = self.names()

@@ -59,6 +59,18 @@ class BuildTools(unittest.TestCase):
         self.assertTrue((self.folder / "called").exists())
         self.assertEqual({each.name for each in self.folder.iterdir()}, {"bin", "called", "vtk"})
 
+    def test_unreachable(self):
+        """Where PyPI cannot be reached, that is a status of its own, and nothing is left."""
+        if subprocess.run(["/usr/bin/python3", "-m", "pip", "--version"], capture_output=True,
+                          check=False).returncode:  # fmt: skip
+            self.skipTest("no pip")
+        os.environ["PIP_NO_INDEX"] = "1"
+        self.addCleanup(os.environ.pop, "PIP_NO_INDEX")
+        done = self.run_tool("unpack-vtk", "--wheel", self.folder / "vtk")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("PyPI cannot be reached", done.stderr)
+        self.assertEqual({each.name for each in self.folder.iterdir()}, {"bin"})
+
     def test_bundle_refusals(self):
         """Without a build that fits, nothing is left behind."""
         there = self.folder / "there"
