@@ -2,11 +2,11 @@
 
 include(RelievoStages)
 set(relievo_rooms shaders layers passes/frame passes/gbuffer passes/shadows passes/deferred
-  passes/effects passes materials io filters animation)
+  passes/effects passes materials io filters animation scene)
 set(relievo_module_files ${relievo_rooms})
 list(TRANSFORM relievo_module_files REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/\\1/vtk.module")
 set(relievo_requested Relievo::Shaders Relievo::Layers Relievo::Passes Relievo::Materials
-  Relievo::IO Relievo::Filters Relievo::Animation)
+  Relievo::IO Relievo::Filters Relievo::Animation Relievo::Scene)
 # Of ParaView's plugin: not for Python, which reaches it through ParaView's server manager.
 set(relievo_plugin_modules)
 if (RELIEVO_USE_PARAVIEW)

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench.h"
+#include "BenchOptions.h"
 #include "Cave.h"
 #include "CaveOptions.h"
 #include "Errors.h"
 #include "Help.h"
-#include "Options.h"
 #include "Outputs.h"
 #include "Render.h"
 #include "Stages.h"
@@ -28,19 +28,19 @@ int Run(std::vector<std::string> words)
   }
   if (std::find(words.begin(), end, "--version") != end)
   {
-    std::fputs(cli::DescribeVersions().c_str(), stdout);
+    std::fputs(scene::DescribeVersions().c_str(), stdout);
     return 0;
   }
   if (words.empty())
   {
-    throw cli::UsageError(
+    throw scene::UsageError(
       "no command given, expected render, cave, stages or bench; see relievo --help");
   }
   const std::string command = words.front();
   words.erase(words.begin());
   if (command == "render")
   {
-    cli::Render(cli::ParseRender(words));
+    cli::Render(words);
   }
   else if (command == "cave")
   {
@@ -50,9 +50,9 @@ int Run(std::vector<std::string> words)
   {
     if (!words.empty())
     {
-      throw cli::UsageError("stages: got '" + words.front() + "', expected nothing behind it");
+      throw scene::UsageError("stages: got '" + words.front() + "', expected nothing behind it");
     }
-    std::fputs(cli::DescribeStages().c_str(), stdout);
+    std::fputs(scene::DescribeStages().c_str(), stdout);
   }
   else if (command == "bench")
   {
@@ -60,7 +60,7 @@ int Run(std::vector<std::string> words)
   }
   else
   {
-    throw cli::UsageError("got '" + command +
+    throw scene::UsageError("got '" + command +
       "', expected render, cave, stages, bench, --help or --version; see relievo --help");
   }
   return 0;
@@ -68,19 +68,19 @@ int Run(std::vector<std::string> words)
 
 int Fail(const char* text, int status)
 {
-  std::fprintf(cli::StandardError(), "relievo: %s\n", text);
+  std::fprintf(scene::StandardError(), "relievo: %s\n", text);
   return status;
 }
 }
 
 int main(int argc, char* argv[])
 {
-  cli::Outputs::RemoveOnSignals();
+  scene::Outputs::RemoveOnSignals();
   try
   {
     return Run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
   }
-  catch (const cli::UsageError& error)
+  catch (const scene::UsageError& error)
   {
     return Fail(error.what(), 2);
   }

@@ -55,8 +55,8 @@ void End(int status)
 // empty window.
 void EndWithoutOpenGL()
 {
-  std::fputs(
-    "relievo-viewer: nothing can be drawn: this display has no OpenGL 3.2\n", cli::StandardError());
+  std::fputs("relievo-viewer: nothing can be drawn: this display has no OpenGL 3.2\n",
+    scene::StandardError());
   End(1);
 }
 
@@ -76,7 +76,7 @@ void OnMessage(QtMsgType type, const QMessageLogContext& context, const QString&
   }
   else if (type == QtFatalMsg)
   {
-    std::fprintf(cli::StandardError(),
+    std::fprintf(scene::StandardError(),
       "relievo-viewer: no window can be opened: %s; start it where there is a screen, or under "
       "xvfb-run, or use relievo render\n",
       reason.toUtf8().constData());
@@ -106,7 +106,7 @@ void EndAfterPicture(viewer::MainWindow& window)
     if (view->GetPicture().IsEmpty() && !window.GetTrouble().isEmpty())
     {
       std::fprintf(
-        cli::StandardError(), "relievo-viewer: %s\n", window.GetTrouble().toUtf8().constData());
+        scene::StandardError(), "relievo-viewer: %s\n", window.GetTrouble().toUtf8().constData());
       End(1);
     }
   };
@@ -125,7 +125,7 @@ int main(int argc, char* argv[])
   }
   if (Has(words, "--version"))
   {
-    std::fputs(cli::DescribeVersions().c_str(), stdout);
+    std::fputs(scene::DescribeVersions().c_str(), stdout);
     return 0;
   }
   const auto timed = std::remove(words.begin(), words.end(), "--once");
@@ -133,20 +133,28 @@ int main(int argc, char* argv[])
   words.erase(timed, words.end());
   const bool isSession =
     words.size() == 1 && QFileInfo(QString::fromStdString(words[0])).suffix().toLower() == "json";
-  cli::Messages::Collect(); // notes, too, on what the words say
-  viewer::Settings settings;
+  scene::BeProgram();
+  const scene::Messages::Scope scope; // notes, too, on what the words say
+  scene::Settings settings;
   try
   {
-    settings = isSession ? settings : viewer::Settings::FromWords(words);
+    settings = isSession ? settings : scene::Settings::FromWords(words);
     if (once && !isSession && settings.Files.empty())
     {
-      throw cli::UsageError("--once: no FILE given; there is nothing to draw");
+      throw scene::UsageError("--once: no FILE given; there is nothing to draw");
+    }
+    if (std::any_of(words.begin(), words.end(), [](const std::string& word) {
+          return word == "--times" || word.rfind("--times=", 0) == 0;
+        }))
+    {
+      scene::Messages::Note(
+        "--times: the window plays the animation itself, from the first of the times");
     }
     settings.MakePathsAbsolute(QDir::currentPath().toStdString());
   }
-  catch (const cli::UsageError& error)
+  catch (const scene::UsageError& error)
   {
-    std::fprintf(cli::StandardError(), "relievo-viewer: %s\n", error.what());
+    std::fprintf(scene::StandardError(), "relievo-viewer: %s\n", error.what());
     return 2;
   }
 
@@ -158,7 +166,7 @@ int main(int argc, char* argv[])
   const QtMessageHandler before = qInstallMessageHandler(OnMessage);
   QApplication application(ours, argv);
   QtsOwn = before;
-  cli::Outputs::RemoveOnSignals();
+  scene::Outputs::RemoveOnSignals();
   viewer::MainWindow window;
   window.RestoreLayout();
   QObject::connect(window.GetView(), &viewer::PictureView::openGLTooOld, qApp, EndWithoutOpenGL);

@@ -8,6 +8,7 @@
     relievo.write_exr("frame.exr", image)
 
     relievo.environment(renderer, "forest.exr")           # light, mirrors and sky
+    relievo.scene("bike.obj", up="z", preset="studio").render("bike.png")
 
 Rows of numpy arrays run downwards, VTK's upwards: layer(), from_image() and to_image() turn them.
 
@@ -75,6 +76,7 @@ from ._lamps import lamps
 from ._layers import layers
 from ._markers import markers
 from ._points import depth_to_points
+from ._scene import scene
 from ._stages import stage, stages
 
 __all__ = [
@@ -93,6 +95,7 @@ __all__ = [
     "markers",
     "read_exr",
     "report",
+    "scene",
     "stage",
     "stages",
     "to_image",

@@ -3,8 +3,8 @@
 #include "ViewerTest.h"
 
 #include "Messages.h"
-#include "PythonScript.h"
 #include "QtVersions.h"
+#include "Scripts.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
@@ -243,8 +243,8 @@ void ViewerTest::Compare(const char* what)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ViewerTest::RunPython()
 {
-  const std::string script = viewer::WritePython(this->Window->GetView()->GetPicture(),
-    this->Window->GetViewSettings(), this->Path("python.png"));
+  const std::string script =
+    viewer::WritePython(this->Window->GetViewSettings(), this->Path("python.png"));
   QProcess python;
   python.start(qEnvironmentVariable("PYTHON"), { "-c", QString::fromStdString(script) });
   if (!python.waitForFinished(60000) || python.exitCode() != 0)
@@ -285,7 +285,7 @@ int Run(QObject& tests, int argc, char* argv[])
   QSettings().clear(); // of the run before
   viewer::UseHighDpi();
   QApplication application(argc, argv);
-  cli::Messages::Collect();
+  const scene::Messages::Scope scope;
   return QTest::qExec(&tests, argc, argv);
 }
 }

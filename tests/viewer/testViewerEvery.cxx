@@ -125,7 +125,7 @@ private Q_SLOTS:
         covered.insert(word.toStdString());
       }
     }
-    for (const cli::KnownOption& option : cli::GetRenderOptions())
+    for (const scene::KnownOption& option : scene::GetRenderOptions())
     {
       QVERIFY2(covered.count(option.Name) != 0, option.Name.c_str());
     }
@@ -155,7 +155,7 @@ private Q_SLOTS:
       own.push_back(
         word.replace("IMAGE", QString::fromStdString(this->WriteImage())).toStdString());
     }
-    this->Window->GetDocument()->Set(Settings::FromWords(own));
+    this->Window->GetDocument()->Set(scene::Settings::FromWords(own));
     this->WaitUntilRead();
     this->CompareAll(QTest::currentDataTag());
   }
@@ -179,10 +179,10 @@ private Q_SLOTS:
     this->Open({ this->WriteScene(), this->WriteOBJ(), "--light", "sun:0.4,1,0.6", "--shadows",
       "map", "--lamps", points, "--fog", points + ",density=0.4", "--markers", points, "--stage",
       "display:layer=" });
-    const Settings before = this->Window->GetDocument()->Get();
+    const scene::Settings before = this->Window->GetDocument()->Get();
     const std::string name = stage.toStdString();
     const vtkNew<vtkRelievoPass> frame;
-    this->Change([&name](Settings& settings) { settings.AskStage(name, true); });
+    this->Change([&name](scene::Settings& settings) { settings.AskStage(name, true); });
     this->CompareAll(name);
     for (const vtkRelievoParameter& parameter : frame->GetStage(name)->GetDescription().Parameters)
     {
@@ -193,7 +193,7 @@ private Q_SLOTS:
           continue;
         }
         this->Window->GetDocument()->Set(before);
-        this->Change([&](Settings& settings) {
+        this->Change([&](scene::Settings& settings) {
           settings.AskStage(name, true);
           settings.SetParameter(name, parameter.Name, value);
         });
@@ -212,7 +212,7 @@ private Q_SLOTS:
       const std::string given = vtkRelievoLayerCatalogue::GetLayerName(i);
       const std::string name = vtkRelievoLayerCatalogue::GetIsLayer(given) ? given : "shadow_0";
       this->Change(
-        [&name](Settings& settings) { settings.SetParameter("display", "layer", name); });
+        [&name](scene::Settings& settings) { settings.SetParameter("display", "layer", name); });
       this->Compare(name.c_str());
     }
   }

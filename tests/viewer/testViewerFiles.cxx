@@ -50,7 +50,7 @@ private Q_SLOTS:
       this->Window->GetTrouble().contains("--scalar-bar"), qPrintable(this->Window->GetTrouble()));
     QCOMPARE(this->Window->GetViewSettings().GetWords(), words);
     QCOMPARE(CountDifferent(before, this->Grab()), 0);
-    this->Change([](Settings& settings) { settings.SetParameter("tone", "exposure", "1"); });
+    this->Change([](scene::Settings& settings) { settings.SetParameter("tone", "exposure", "1"); });
     this->Compare("after it");
   }
 
@@ -61,18 +61,18 @@ private Q_SLOTS:
     this->Open({ this->WriteScene(), "--environment", image, "--skybox" });
     QCOMPARE(this->Window->GetTrouble(), QString());
     const vtkSmartPointer<vtkImageData> before = this->Grab();
-    const Settings shown = this->Window->GetDocument()->Get();
+    const scene::Settings shown = this->Window->GetDocument()->Get();
     QVERIFY(QFile::remove(QString::fromStdString(image)));
     for (int i = 0; i < 2; ++i)
     {
-      this->Change([](Settings& settings) { settings.Set("--reflectivity", "0.9,0.1"); });
+      this->Change([](scene::Settings& settings) { settings.Set("--reflectivity", "0.9,0.1"); });
       QVERIFY2(
         this->Window->GetTrouble().contains("waves.png"), qPrintable(this->Window->GetTrouble()));
       QVERIFY(this->Window->GetDocument()->Get() == shown);
       QCOMPARE(CountDifferent(before, this->Grab()), 0);
     }
     // What needs no file goes on.
-    this->Change([](Settings& settings) { settings.SetParameter("tone", "exposure", "1"); });
+    this->Change([](scene::Settings& settings) { settings.SetParameter("tone", "exposure", "1"); });
     QCOMPARE(this->Window->GetTrouble(), QString());
     QVERIFY(CountDifferent(before, this->Grab()) > 100);
   }
@@ -82,8 +82,8 @@ private Q_SLOTS:
     this->Window = std::make_unique<viewer::MainWindow>();
     this->Window->show();
     const QString png = QString::fromStdString(this->Path("none.png"));
-    QVERIFY_EXCEPTION_THROWN(this->Window->SavePicture(png), cli::WorkError);
-    QVERIFY_EXCEPTION_THROWN(this->Window->SaveLayers(png, { "depth" }), cli::WorkError);
+    QVERIFY_EXCEPTION_THROWN(this->Window->SavePicture(png), scene::WorkError);
+    QVERIFY_EXCEPTION_THROWN(this->Window->SaveLayers(png, { "depth" }), scene::WorkError);
     const char* const names[] = { "copyCommand", "copyPython", "savePicture", "saveLayers", "fit",
       "look1", "parallel" };
     for (const char* name : names)
@@ -104,10 +104,11 @@ private Q_SLOTS:
     this->Window = std::make_unique<viewer::MainWindow>();
     this->Window->show();
     this->Window->GetDocument()->Change(
-      [](Settings& settings) { settings.Set("--preset", "studio"); });
+      [](scene::Settings& settings) { settings.Set("--preset", "studio"); });
     const QString path = QString::fromStdString(this->Path("empty.json"));
     this->Window->SaveSession(path);
-    this->Window->GetDocument()->Change([](Settings& settings) { settings.Remove("--preset"); });
+    this->Window->GetDocument()->Change(
+      [](scene::Settings& settings) { settings.Remove("--preset"); });
     this->Window->OpenFiles({ path });
     QCOMPARE(this->Window->GetTrouble(), QString());
     QCOMPARE(this->Window->GetDocument()->Get().Get("--preset"), std::string("studio"));

@@ -79,7 +79,7 @@ private Q_SLOTS:
     this->Press(Qt::Key_P);
     QVERIFY(std::abs(this->GetCamera()->GetDistance() - 3.5) < 1e-9);
     this->Press(Qt::Key_P);
-    this->Change([](Settings& settings) { settings.Set("--view-angle", "60"); });
+    this->Change([](scene::Settings& settings) { settings.Set("--view-angle", "60"); });
     this->Press(Qt::Key_P);
     QVERIFY(std::abs(this->GetCamera()->GetViewAngle() - 60.0) < 1e-9);
     QVERIFY(std::abs(this->GetCamera()->GetDistance() - 0.5 * half * std::sqrt(3.0)) < 1e-9);
@@ -142,7 +142,7 @@ private Q_SLOTS:
     }
     QVERIFY(controls.size() > 20 && panel->verticalScrollBar()->maximum() > 100);
     this->Window->GetView()->setFocus();
-    const Settings before = this->Window->GetDocument()->Get();
+    const scene::Settings before = this->Window->GetDocument()->Get();
     for (QWidget* control : controls)
     {
       panel->verticalScrollBar()->setValue(0);
@@ -193,7 +193,7 @@ private Q_SLOTS:
   void undo()
   {
     this->Open({ this->WriteScene(), "--edges" });
-    const Settings opened = this->Window->GetDocument()->Get();
+    const scene::Settings opened = this->Window->GetDocument()->Get();
     auto* undo = this->Window->findChild<QAction*>("undo");
     auto* redo = this->Window->findChild<QAction*>("redo");
     QVERIFY(!undo->isEnabled() && !redo->isEnabled()); // opening is no edit
@@ -204,9 +204,9 @@ private Q_SLOTS:
       opacity->setValue(value);
     }
     this->Window->findChild<QCheckBox*>("edges")->setChecked(false);
-    this->Change([](Settings& settings) { settings.Set("--color-by", "nothing"); });
+    this->Change([](scene::Settings& settings) { settings.Set("--color-by", "nothing"); });
     QVERIFY(this->Window->GetTrouble().contains("--color-by"));
-    const Settings edited = this->Window->GetDocument()->Get();
+    const scene::Settings edited = this->Window->GetDocument()->Get();
     const vtkSmartPointer<vtkImageData> after = this->Grab();
     this->Window->findChild<QDockWidget*>("look")->raise();
     QTRY_VERIFY(opacity->isVisible());

@@ -85,7 +85,8 @@ private Q_SLOTS:
     sun->setChecked(true);
     QCOMPARE(this->GetLights(), lights);
     // One angle is edited; the other is not rounded.
-    const double elevation = viewer::GetSunAngles(cli::ParseLight(lights[1]).Position, 1).Elevation;
+    const double elevation =
+      viewer::GetSunAngles(scene::ParseLight(lights[1]).Position, 1).Elevation;
     this->Type("sun", "azimuth", -30.0);
     QCOMPARE(this->Shown("sun", "azimuth"), 330.0); // the same direction
     const Words after = this->GetLights();
@@ -93,7 +94,7 @@ private Q_SLOTS:
     QCOMPARE(after[0], lights[0]);
     QCOMPARE(after[2], lights[2]);
     QVERIFY(after[1].find(",size=2") != std::string::npos);
-    const viewer::SunAngles angles = viewer::GetSunAngles(cli::ParseLight(after[1]).Position, 1);
+    const viewer::SunAngles angles = viewer::GetSunAngles(scene::ParseLight(after[1]).Position, 1);
     QVERIFY(std::abs(angles.Elevation - elevation) < 1e-12);
     QVERIFY(std::abs(angles.Azimuth - 330.0) < 1e-9);
     // The other sun is edited with the other lights, and all are in their places.
@@ -153,7 +154,7 @@ private Q_SLOTS:
     this->Type("environment", "roughness", 0.5);
     QCOMPARE(get("--environment"), image);
     QCOMPARE(get("--reflectivity"), std::string("0.123456,0.5"));
-    const Settings before = this->Window->GetDocument()->Get();
+    const scene::Settings before = this->Window->GetDocument()->Get();
     auto* group = this->Window->findChild<QGroupBox*>("environment");
     group->setChecked(false);
     for (const char* option : { "--environment", "--reflectivity", "--skybox" })
@@ -183,7 +184,7 @@ private Q_SLOTS:
     apply->click();
     QVERIFY(!wrong->isHidden());
     QVERIFY2(wrong->text().contains("1,2"), qPrintable(wrong->text()));
-    this->Change([](Settings& settings) { settings.Set("--edges", ""); });
+    this->Change([](scene::Settings& settings) { settings.Set("--edges", ""); });
     QCOMPARE(text->toPlainText(), QString("point:1,2\nspot:0,3,2,0,0,0,30"));
     QCOMPARE(this->GetLights(), Words{ "point:1,2,3" });
     text->setPlainText("point:1,2,4\nspot:0,3,2,0,0,0,30");

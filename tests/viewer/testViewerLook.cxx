@@ -51,7 +51,7 @@ private Q_SLOTS:
   {
     const std::string image = this->WriteImage();
     this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6" });
-    const Settings before = this->Window->GetDocument()->Get();
+    const scene::Settings before = this->Window->GetDocument()->Get();
     QVERIFY(!this->Find<QComboBox>("material", "relief")->isEnabled());
     QVERIFY(!this->Find<QComboBox>("material", "texturecoordinates")->isEnabled());
     this->SetFile("normalmap", image);

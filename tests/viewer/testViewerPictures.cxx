@@ -72,8 +72,8 @@ private Q_SLOTS:
       whole.replace("POINTS", QString::fromStdString(points));
       own.push_back(whole.replace("IMAGE", QString::fromStdString(image)).toStdString());
     }
-    const Settings before = this->Window->GetDocument()->Get();
-    Settings wanted = Settings::FromWords(own);
+    const scene::Settings before = this->Window->GetDocument()->Get();
+    scene::Settings wanted = scene::Settings::FromWords(own);
     wanted.Remove("--parallel-scale"); // which is the camera's
     this->Window->GetView()->GetPicture().SetParallel(words.contains("--parallel-scale"));
     this->Window->GetDocument()->Set(wanted);
@@ -124,7 +124,7 @@ private Q_SLOTS:
       this->Window->findChild<QLabel*>("words")->text(), QString("Stopped: nothing was saved."));
     QTRY_VERIFY(this->Window->GetTrouble().contains("missing.vtp"));
     this->Change(
-      [](Settings& settings) { settings.SetParameter("shadows", "soft_samples", "24"); });
+      [](scene::Settings& settings) { settings.SetParameter("shadows", "soft_samples", "24"); });
     this->Window->SavePicture(png);
     QVERIFY(this->RenderCommand());
     QFile saved(png), made(QString::fromStdString(this->Path("command.png")));

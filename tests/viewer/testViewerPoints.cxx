@@ -133,12 +133,12 @@ private Q_SLOTS:
     const std::string points = this->WritePoints();
     this->Open({ this->WriteScene(), "--lamps", points + ",radius=0.7", "--stage",
       "lamps:way=quads", "--stage", "tone:exposure=1,white=3" });
-    const Settings before = this->Window->GetDocument()->Get();
+    const scene::Settings before = this->Window->GetDocument()->Get();
     for (const char* stage : { "lamps", "tone" })
     {
       this->Group(stage)->setChecked(false);
       this->WaitUntilRead();
-      const Settings& off = this->Window->GetDocument()->Get();
+      const scene::Settings& off = this->Window->GetDocument()->Get();
       QVERIFY2(!off.IsStageAsked(stage) && !off.Has(std::string("--") + stage), stage);
       this->Group(stage)->setChecked(true);
       this->WaitUntilRead();

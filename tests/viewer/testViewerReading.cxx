@@ -132,7 +132,7 @@ private Q_SLOTS:
     this->Open({ scene, "--edges" });
     const vtkSmartPointer<vtkImageData> before = this->Grab();
     std::unique_ptr<SlowFile> slow = this->OpenSlow();
-    this->Window->GetDocument()->Change([](Settings& settings) {
+    this->Window->GetDocument()->Change([](scene::Settings& settings) {
       settings.SetParameter("tone", "exposure", "1");
       settings.Remove("--edges");
     });
@@ -140,7 +140,7 @@ private Q_SLOTS:
     const vtkSmartPointer<vtkImageData> during = this->Grab();
     QVERIFY(CountDifferent(before, during) > 100);
     this->StopSlow(std::move(slow));
-    const Settings& after = this->Window->GetDocument()->Get();
+    const scene::Settings& after = this->Window->GetDocument()->Get();
     QCOMPARE(after.Files, std::vector<std::string>{ scene });
     QCOMPARE(after.GetParameter("tone", "exposure"), std::string("1"));
     QVERIFY(!after.Has("--edges"));
@@ -155,7 +155,8 @@ private Q_SLOTS:
     this->Open({ this->WriteScene(), "--camera", "30,40,50,0,0,0,0,1,0" });
     QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
     this->Window->OpenFiles({ QString::fromStdString(this->WriteScene("next.vtp")) });
-    this->Window->GetDocument()->Change([](Settings& settings) { settings.Set("--up", "z"); });
+    this->Window->GetDocument()->Change(
+      [](scene::Settings& settings) { settings.Set("--up", "z"); });
     QVERIFY(ready.wait(60000));
     vtkCamera* camera = this->Window->GetView()->GetPicture().GetRenderer()->GetActiveCamera();
     QVERIFY(std::abs(camera->GetDirectionOfProjection()[1] - 1.0) < 1e-9);
@@ -183,12 +184,13 @@ private Q_SLOTS:
     this->Open({ missing, "--preset", "studio", "--camera", "3,4,5,0,0,0,0,1,0", "--color-by",
       "height", "--skin", "off" });
     QVERIFY(this->Window->GetTrouble().contains("missing.glb"));
-    this->Window->GetDocument()->Change([](Settings& settings) { settings.Remove("--skin"); });
+    this->Window->GetDocument()->Change(
+      [](scene::Settings& settings) { settings.Remove("--skin"); });
     QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
     this->Window->OpenFiles({ QString::fromStdString(this->WriteScene()) });
     QVERIFY(ready.wait(60000));
     QCOMPARE(this->Window->GetTrouble(), QString());
-    const Settings view = this->Window->GetViewSettings();
+    const scene::Settings view = this->Window->GetViewSettings();
     QCOMPARE(view.Get("--preset"), std::string("studio"));
     QCOMPARE(view.Get("--color-by"), std::string("height"));
     QCOMPARE(view.Get("--camera"), std::string("3,4,5,0,0,0,0,1,0"));

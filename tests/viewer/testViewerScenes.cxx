@@ -22,11 +22,11 @@ private Q_SLOTS:
     this->Open({ this->WriteScene(), "--fog", fog + "chord" });
     const vtkSmartPointer<vtkImageData> chord = this->Grab();
     QVERIFY(CountDifferent(beer, chord) > 100);
-    this->Change([](Settings& settings) { settings.SetParameter("tone", "exposure", "1"); });
+    this->Change([](scene::Settings& settings) { settings.SetParameter("tone", "exposure", "1"); });
     this->Compare("fog and tone");
-    this->Change([](Settings& settings) { settings.AskStage("tone", false); });
+    this->Change([](scene::Settings& settings) { settings.AskStage("tone", false); });
     QCOMPARE(CountDifferent(this->Grab(), chord), 0);
-    this->Change([](Settings& settings) { settings.SetParameter("fog", "mode", "beer"); });
+    this->Change([](scene::Settings& settings) { settings.SetParameter("fog", "mode", "beer"); });
     QCOMPARE(CountDifferent(this->Grab(), beer), 0);
   }
 
@@ -35,10 +35,10 @@ private Q_SLOTS:
     this->Open({ this->WriteOBJ(), "--light", "sun:0.2,0.1,1", "--shadows", "map" });
     this->Compare("materials");
     const vtkSmartPointer<vtkImageData> worn = this->Grab();
-    this->Change([](Settings& settings) { settings.Set("--color", "#336699"); });
+    this->Change([](scene::Settings& settings) { settings.Set("--color", "#336699"); });
     this->Compare("a colour instead");
     QVERIFY(CountDifferent(worn, this->Grab()) > 100);
-    this->Change([](Settings& settings) { settings.Remove("--color"); });
+    this->Change([](scene::Settings& settings) { settings.Remove("--color"); });
     QCOMPARE(CountDifferent(worn, this->Grab()), 0);
   }
 
@@ -47,13 +47,13 @@ private Q_SLOTS:
     const std::string models = qgetenv("RELIEVO_DATA").toStdString() + "/models/glTF2/";
     this->Open({ models + "simple_skin/simple_skin.gltf" });
     this->Compare("as it lies");
-    this->Change([](Settings& settings) { settings.Set("--time", "0"); });
+    this->Change([](scene::Settings& settings) { settings.Set("--time", "0"); });
     this->Compare("at its first time");
     const vtkSmartPointer<vtkImageData> rest = this->Grab();
-    this->Change([](Settings& settings) { settings.Set("--time", "1.5"); });
+    this->Change([](scene::Settings& settings) { settings.Set("--time", "1.5"); });
     this->Compare("at a time");
     QVERIFY(CountDifferent(rest, this->Grab()) > 100);
-    this->Change([](Settings& settings) { settings.Set("--skeleton", ""); });
+    this->Change([](scene::Settings& settings) { settings.Set("--skeleton", ""); });
     this->Compare("with its bones");
   }
 

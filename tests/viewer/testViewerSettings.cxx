@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Settings say what the words said, in words again.
+// scene::Settings say what the words said, in words again.
 #include "ViewerTest.h"
 
 #include "Errors.h"
@@ -20,7 +20,9 @@ class TestViewerSettings : public QObject
 private Q_SLOTS:
   void words()
   {
-    const auto words = [](const Words& given) { return Settings::FromWords(given).GetWords(); };
+    const auto words = [](const Words& given) {
+      return scene::Settings::FromWords(given).GetWords();
+    };
     QCOMPARE(words({ "a.vtp", "--edges", "--opacity=0.5" }),
       (Words{ "--opacity", "0.5", "--edges", "a.vtp" }));
     QCOMPARE(words({ "a.vtp", "--deferred" }), (Words{ "--stage", "deferred", "a.vtp" }));
@@ -34,46 +36,46 @@ private Q_SLOTS:
       (Words{ "--shadows", "exact", "a.vtp" }));
     QCOMPARE(words({ "a.vtp", "--png", "a.png" }), Words{ "a.vtp" });
     QCOMPARE(words({ "--", "-a.vtp" }), (Words{ "--", "-a.vtp" }));
-    QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--wrong", "1" }), cli::UsageError);
-    QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--opacity", "2" }), cli::UsageError);
+    QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--wrong", "1" }), scene::UsageError);
+    QVERIFY_EXCEPTION_THROWN(words({ "a.vtp", "--opacity", "2" }), scene::UsageError);
   }
 
   // What is said again is the same.
   void again()
   {
-    const Settings once = Settings::FromWords({ "a.vtp", "b.vtp", "--tone", "simple", "--light",
-      "sun:1,2,3", "--light", "point:0.1,0.2,0.3,size=0.5", "--shadows", "warped", "--shadow-size",
-      "512", "--preset", "town", "--fog", "f.vtp,density=2" });
-    QVERIFY(Settings::FromWords(once.GetWords()) == once);
-    QVERIFY(once != Settings());
+    const scene::Settings once = scene::Settings::FromWords({ "a.vtp", "b.vtp", "--tone", "simple",
+      "--light", "sun:1,2,3", "--light", "point:0.1,0.2,0.3,size=0.5", "--shadows", "warped",
+      "--shadow-size", "512", "--preset", "town", "--fog", "f.vtp,density=2" });
+    QVERIFY(scene::Settings::FromWords(once.GetWords()) == once);
+    QVERIFY(once != scene::Settings());
   }
 
   void shadows()
   {
-    Settings settings = Settings::FromWords({ "a.vtp" });
+    scene::Settings settings = scene::Settings::FromWords({ "a.vtp" });
     settings.SetParameter("shadows", "method", "exact");
     QCOMPARE(settings.GetParameter("shadows", "visible"), std::string("off"));
-    QVERIFY(settings.Parse().ShadowMethod == cli::Shadows::Off);
+    QVERIFY(settings.Parse().ShadowMethod == scene::Shadows::Off);
     settings.SetParameter("shadows", "visible", "on");
-    QVERIFY(settings.Parse().ShadowMethod == cli::Shadows::Exact);
+    QVERIFY(settings.Parse().ShadowMethod == scene::Shadows::Exact);
     QCOMPARE(settings.GetParameter("shadows", "method"), std::string("exact"));
     settings.SetParameter("shadows", "visible", "off");
-    QVERIFY(settings.Parse().ShadowMethod == cli::Shadows::Off);
+    QVERIFY(settings.Parse().ShadowMethod == scene::Shadows::Off);
     QCOMPARE(settings.GetParameter("shadows", "method"), std::string("exact"));
     settings.SetParameter("shadows", "method", "map");
     QCOMPARE(settings.GetWords(), Words{ "a.vtp" });
     settings.Set("--preset", "studio"); // which shows them
     QCOMPARE(settings.GetParameter("shadows", "visible"), std::string("on"));
     settings.SetParameter("shadows", "visible", "off");
-    QVERIFY(settings.Parse().ShadowMethod == cli::Shadows::Off);
+    QVERIFY(settings.Parse().ShadowMethod == scene::Shadows::Off);
   }
 
   // Changes are taken over one by one, where other things are said besides.
   void changes()
   {
     const auto take = [](const Words& to, const Words& before, const Words& after) {
-      Settings settings = Settings::FromWords(to);
-      settings.TakeChanges(Settings::FromWords(before), Settings::FromWords(after));
+      scene::Settings settings = scene::Settings::FromWords(to);
+      settings.TakeChanges(scene::Settings::FromWords(before), scene::Settings::FromWords(after));
       return settings.GetWords();
     };
     const Words before = { "b.vtp", "--edges", "--stage", "tone:operator=reinhard,exposure=2" };
@@ -90,11 +92,11 @@ private Q_SLOTS:
   // Shadows that are shown otherwise than before, and are the option's and the stage's at once.
   void changesOfShadows()
   {
-    Settings before = Settings::FromWords({ "a.vtp" });
+    scene::Settings before = scene::Settings::FromWords({ "a.vtp" });
     before.SetParameter("shadows", "method", "exact");
-    Settings after = before;
+    scene::Settings after = before;
     after.SetParameter("shadows", "visible", "on");
-    Settings other = before;
+    scene::Settings other = before;
     other.Set("--edges", "");
     other.TakeChanges(before, after);
     QCOMPARE(other.GetWords(), (Words{ "--edges", "--shadows", "exact", "a.vtp" }));
@@ -106,9 +108,9 @@ private Q_SLOTS:
   void history()
   {
     const auto at = [](const char* opacity) {
-      return Settings::FromWords({ "a.vtp", "--opacity", opacity });
+      return scene::Settings::FromWords({ "a.vtp", "--opacity", opacity });
     };
-    Settings edged = at("0.5");
+    scene::Settings edged = at("0.5");
     edged.Set("--edges", "");
     viewer::History history;
     QVERIFY(!history.CanUndo() && !history.Undo(at("0.1")));
@@ -135,29 +137,30 @@ private Q_SLOTS:
   // The mode is the stage's, and said once; the last word counts, as in the command line.
   void fogMode()
   {
-    const Settings settings = Settings::FromWords(
+    const scene::Settings settings = scene::Settings::FromWords(
       { "a.vtp", "--fog", "f.vtp,mode=chord,density=2", "--stage", "fog:mode=beer" });
     QCOMPARE(settings.GetWords(),
       (Words{ "--fog", "f.vtp,density=2", "--stage", "fog:mode=chord", "a.vtp" }));
-    QCOMPARE(Settings::FromWords({ "a.vtp", "--lamps", "l.vtp,casting=2,radius=3" }).GetWords(),
+    QCOMPARE(
+      scene::Settings::FromWords({ "a.vtp", "--lamps", "l.vtp,casting=2,radius=3" }).GetWords(),
       (Words{ "--lamps", "l.vtp,radius=3", "--stage", "lamps:casting=2", "a.vtp" }));
-    QCOMPARE(Settings::FromWords({ "a.vtp", "--fog", "f.vtp,mode=beer" }).GetWords(),
+    QCOMPARE(scene::Settings::FromWords({ "a.vtp", "--fog", "f.vtp,mode=beer" }).GetWords(),
       (Words{ "--fog", "f.vtp", "a.vtp" }));
   }
 
   void absolutePaths()
   {
-    Settings settings =
-      Settings::FromWords({ "a.vtp", "/there/b.vtp", "--environment", "sky.exr,90", "--normal-map",
-        "n.png", "--height-map", "h.png,0.5", "--lamps", "l.vtp,color=1/0.5/0", "--fog",
-        "/there/f.vtp", "--fog", "f.vtp", "--markers", "m.vtp", "--color-by", "a" });
+    scene::Settings settings =
+      scene::Settings::FromWords({ "a.vtp", "/there/b.vtp", "--environment", "sky.exr,90",
+        "--normal-map", "n.png", "--height-map", "h.png,0.5", "--lamps", "l.vtp,color=1/0.5/0",
+        "--fog", "/there/f.vtp", "--fog", "f.vtp", "--markers", "m.vtp", "--color-by", "a" });
     settings.MakePathsAbsolute("/here");
     QCOMPARE(settings.GetWords(),
       (Words{ "--color-by", "a", "--lamps", "/here/l.vtp,color=1/0.5/0", "--normal-map",
         "/here/n.png", "--height-map", "/here/h.png,0.5", "--environment", "/here/sky.exr,90",
         "--fog", "/there/f.vtp", "--fog", "/here/f.vtp", "--markers", "/here/m.vtp", "/here/a.vtp",
         "/there/b.vtp" }));
-    settings = Settings::FromWords(
+    settings = scene::Settings::FromWords(
       { "a.vtp", "--environment", "sky,1", "--fog", R"(f\,g.vtp,density=a\,mode=b,mode=beer)" });
     settings.MakePathsAbsolute("/a,b");
     QCOMPARE(settings.GetWords(),

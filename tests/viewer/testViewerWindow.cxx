@@ -104,11 +104,11 @@ private Q_SLOTS:
   {
     this->Open({ this->WriteScene() });
     const vtkSmartPointer<vtkImageData> before = this->Grab();
-    this->Change([](Settings& settings) { settings.Set("--color-by", "nothing"); });
+    this->Change([](scene::Settings& settings) { settings.Set("--color-by", "nothing"); });
     QVERIFY(this->Window->GetTrouble().contains("--color-by"));
-    this->Change([](Settings& settings) { settings.SetParameter("tone", "white", "none"); });
+    this->Change([](scene::Settings& settings) { settings.SetParameter("tone", "white", "none"); });
     QVERIFY(this->Window->GetTrouble().contains("white"));
-    this->Change([](Settings& settings) { settings.Set("--lamps", "missing.vtp"); });
+    this->Change([](scene::Settings& settings) { settings.Set("--lamps", "missing.vtp"); });
     QVERIFY(this->Window->GetTrouble().contains("missing.vtp"));
     QVERIFY(!this->Window->GetDocument()->Get().Has("--color-by"));
     QCOMPARE(CountDifferent(before, this->Grab()), 0);
@@ -148,7 +148,7 @@ private Q_SLOTS:
       QVERIFY2(group && group->isCheckable(), stage);
       const vtkSmartPointer<vtkImageData> before = this->Grab();
       group->setChecked(true);
-      const Settings& on = this->Window->GetDocument()->Get();
+      const scene::Settings& on = this->Window->GetDocument()->Get();
       QVERIFY(QString(stage) == "shadows" ? on.Has("--shadows") : on.IsStageAsked(stage));
       vtkRelievoPass* frame = this->Window->GetView()->GetPicture().GetFrame();
       QVERIFY(frame);
@@ -291,7 +291,7 @@ private Q_SLOTS:
   void copiesTheCommand()
   {
     this->Open({ this->WriteScene("it's a scene.vtp"), "--shadows", "map" });
-    QCOMPARE(viewer::WriteCommand(Settings::FromWords({ "it's.vtp" }), "a b.png"),
+    QCOMPARE(viewer::WriteCommand(scene::Settings::FromWords({ "it's.vtp" }), "a b.png"),
       std::string("relievo render --png 'a b.png' 'it'\\''s.vtp'"));
     auto* copy = this->Window->findChild<QAction*>("copyCommand");
     QVERIFY(copy);

@@ -29,7 +29,7 @@ int main(int argc, char* argv[])
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
   int ours = 1;
   QApplication application(ours, argv);
-  cli::Messages::Collect();
+  const scene::Messages::Scope scope;
   viewer::MainWindow window;
   const QStringList size = QString(argv[2]).split('x');
   window.resize(size.value(0).toInt(), size.value(1).toInt());
@@ -50,6 +50,6 @@ int main(int argc, char* argv[])
       QApplication::quit();
     });
   });
-  window.Open(viewer::Settings::FromWords({ argv + 4, argv + argc }));
+  window.Open(scene::Settings::FromWords({ argv + 4, argv + argc }));
   return QApplication::exec();
 }

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "BenchOptions.h"
+
+#include "Arguments.h"
 #include "Errors.h"
-#include "Options.h"
 
 namespace cli
 {
@@ -9,7 +11,7 @@ namespace cli
 BenchOptions ParseBench(const std::vector<std::string>& words)
 {
   BenchOptions options;
-  ParseArguments(
+  scene::ParseArguments(
     words, "bench", { { "--out", false }, { "--beside", false }, { "--quick", true } },
     [&](const std::string& name, const std::string& value) {
       if (name == "--quick")
@@ -19,7 +21,7 @@ BenchOptions ParseBench(const std::vector<std::string>& words)
       }
       if (value.empty())
       {
-        throw UsageError(name + ": its value is empty; give a folder");
+        throw scene::UsageError(name + ": its value is empty; give a folder");
       }
       (name == "--out" ? options.Folder : options.Beside) = value;
     },

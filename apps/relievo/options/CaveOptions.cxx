@@ -17,25 +17,25 @@ constexpr int MostSamples = 1 << 20; // along an axis
 
 double ParseLength(const std::string& name, const std::string& value)
 {
-  return ParseNumberBetween(name, value, 0., std::numeric_limits<double>::infinity());
+  return scene::ParseNumberBetween(name, value, 0., std::numeric_limits<double>::infinity());
 }
 
 std::array<double, 3> ParseTriple(const std::string& name, const std::string& value)
 {
-  const std::vector<double> numbers = ParseNumbers(name, value, 3, "X,Y,Z");
+  const std::vector<double> numbers = scene::ParseNumbers(name, value, 3, "X,Y,Z");
   return { numbers[0], numbers[1], numbers[2] };
 }
 
 void ParseSize(const std::string& name, const std::string& value, std::array<int, 3>& size)
 {
-  const std::vector<std::string> parts = Split(value, 'x');
+  const std::vector<std::string> parts = scene::Split(value, 'x');
   if (parts.size() != 3)
   {
-    RefuseValue(name, value, "WxHxD, such as 256x128x256");
+    scene::RefuseValue(name, value, "WxHxD, such as 256x128x256");
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    size[axis] = ParseWhole(name, parts[axis], 1, MostSamples);
+    size[axis] = scene::ParseWhole(name, parts[axis], 1, MostSamples);
   }
 }
 }
@@ -44,7 +44,7 @@ void ParseSize(const std::string& name, const std::string& value, std::array<int
 CaveOptions ParseCave(const std::vector<std::string>& words)
 {
   CaveOptions options;
-  ParseArguments(
+  scene::ParseArguments(
     words, "cave",
     { { "-o", false }, { "--size", false }, { "--seed", false }, { "--width", false },
       { "--scale", false }, { "--vertical-scale", false }, { "--up", false }, { "--origin", false },
@@ -60,8 +60,8 @@ CaveOptions ParseCave(const std::vector<std::string>& words)
       }
       else if (name == "--seed")
       {
-        options.Seed =
-          ParseWhole(name, value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+        options.Seed = scene::ParseWhole(
+          name, value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
       }
       else if (name == "--width")
       {
@@ -77,12 +77,12 @@ CaveOptions ParseCave(const std::vector<std::string>& words)
       }
       else if (name == "--up")
       {
-        options.Up = static_cast<int>(ParseChoice(name, value, { "x", "y", "z" }));
+        options.Up = static_cast<int>(scene::ParseChoice(name, value, { "x", "y", "z" }));
       }
       else if (name == "--content")
       {
         options.Content =
-          static_cast<int>(ParseChoice(name, value, { "mask", "density", "labels" }));
+          static_cast<int>(scene::ParseChoice(name, value, { "mask", "density", "labels" }));
       }
       else
       {
@@ -90,17 +90,17 @@ CaveOptions ParseCave(const std::vector<std::string>& words)
       }
     },
     [&](const std::string& word) {
-      throw UsageError(
+      throw scene::UsageError(
         "cave: got '" + word + "', expected options; the file is given as -o FILE.vti");
     });
   const std::string::size_type dot = options.File.rfind('.');
   if (options.File.empty())
   {
-    throw UsageError("cave: no file to write; give -o FILE.vti");
+    throw scene::UsageError("cave: no file to write; give -o FILE.vti");
   }
   if (dot == std::string::npos || options.File.substr(dot) != ".vti")
   {
-    RefuseValue("-o", options.File, "a name that ends in .vti");
+    scene::RefuseValue("-o", options.File, "a name that ends in .vti");
   }
   return options;
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench.h"
 
+#include "BenchOptions.h"
 #include "Errors.h"
-#include "Options.h"
 
 #ifdef RELIEVO_HAVE_BENCH
 #include "BenchRuns.h"
@@ -42,9 +42,9 @@ int RunSeveral(const BenchOptions& options, const std::vector<std::string>& name
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error)
   {
-    throw WorkError("bench: cannot find its own program: " + error.message());
+    throw scene::WorkError("bench: cannot find its own program: " + error.message());
   }
-  std::vector<std::string> machine = Split(DescribeVersions(), '\n');
+  std::vector<std::string> machine = scene::Split(scene::DescribeVersions(), '\n');
   machine.erase(std::remove(machine.begin(), machine.end(), ""), machine.end());
   return relievoBench::RunBenches(
     program.string(), asked, options.Folder, options.Beside, machine, options.Quick);
@@ -63,21 +63,21 @@ int Bench(const BenchOptions& options)
   }
   const bool several = options.Names.size() > 1 || !options.Beside.empty() ||
     (options.Names.size() == 1 && options.Names.front() == All);
-  const std::string expected = "one of " + Join(names, ", ") + ", or all";
+  const std::string expected = "one of " + scene::Join(names, ", ") + ", or all";
   if (options.Names.empty())
   {
-    throw UsageError("bench: no NAME given, expected " + expected);
+    throw scene::UsageError("bench: no NAME given, expected " + expected);
   }
   for (const std::string& name : options.Names)
   {
     if (std::find(names.begin(), names.end(), name) == names.end() && name != All)
     {
-      RefuseValue("bench", name, expected);
+      scene::RefuseValue("bench", name, expected);
     }
   }
   {
     vtkNew<vtkRenderWindow> probe; // benches draw in windows that they make themselves
-    CheckDisplay(probe);
+    scene::CheckDisplay(probe);
   }
   if (several)
   {
@@ -87,7 +87,8 @@ int Bench(const BenchOptions& options)
   return RelievoBench(options.Names.front(), options.Folder);
 #else
   (void)options;
-  throw UsageError("bench: this relievo was built without its benches (RELIEVO_BUILD_BENCH=OFF)");
+  throw scene::UsageError(
+    "bench: this relievo was built without its benches (RELIEVO_BUILD_BENCH=OFF)");
 #endif
 }
 }

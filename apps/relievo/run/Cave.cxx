@@ -39,8 +39,8 @@ std::string NameOptions(std::string text)
 //------------------------------------------------------------------------------
 void Cave(const CaveOptions& options)
 {
-  Messages::Collect();
-  Outputs outputs;
+  const scene::Messages::Scope scope;
+  scene::Outputs outputs;
   outputs.Add("-o", options.File, {});
   vtkNew<vtkRelievoCaves> caves;
   caves->SetSize(options.Size[0], options.Size[1], options.Size[2]);
@@ -53,22 +53,22 @@ void Cave(const CaveOptions& options)
   caves->SetUp(options.Up);
   caves->SetContent(options.Content);
   {
-    Progress progress;
+    scene::Progress progress;
     progress.Begin("making caves");
     progress.Observe(caves);
     caves->Update();
     try
     {
-      Messages::Check("cave", caves->GetErrorCode() != vtkErrorCode::NoError);
+      scene::Messages::Check("cave", caves->GetErrorCode() != vtkErrorCode::NoError);
     }
-    catch (const WorkError& error)
+    catch (const scene::WorkError& error)
     {
       const std::string text = NameOptions(error.what());
       if (text.find(", expected ") != std::string::npos) // and not that the memory is too small
       {
-        throw UsageError(text);
+        throw scene::UsageError(text);
       }
-      throw WorkError(text);
+      throw scene::WorkError(text);
     }
     vtkNew<vtkXMLImageDataWriter> writer;
     writer->SetInputData(caves->GetOutput());
@@ -78,7 +78,7 @@ void Cave(const CaveOptions& options)
     progress.Begin("writing " + options.File);
     progress.Observe(writer);
     const bool written = writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
-    Messages::Check(
+    scene::Messages::Check(
       "-o " + options.File, !written, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
   }
   outputs.Commit();

@@ -3,13 +3,13 @@
 #ifndef Render_h
 #define Render_h
 
+#include <string>
+#include <vector>
+
 namespace cli
 {
-struct RenderOptions;
-
-/// `relievo render`: reads, draws and writes what was asked for, and nothing else. Throws
-/// UsageError or WorkError; then none of the outputs is written.
-void Render(const RenderOptions& options);
+/// The words after "render": reads, draws and writes. Throws scene::UsageError or scene::WorkError.
+void Render(const std::vector<std::string>& words);
 }
 
 #endif

@@ -28,7 +28,8 @@ struct ByValue
   QString Component;
 };
 
-ByValue GetByValue(const Settings& settings, const cli::LookChoice& look, const Facts& facts)
+ByValue GetByValue(
+  const scene::Settings& settings, const scene::LookChoice& look, const Facts& facts)
 {
   const std::string given = settings.Get("--color-by");
   if (given.empty() || facts.Components.count(given) != 0)
@@ -69,10 +70,10 @@ ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
   rows->addRow("Colour map", this->Colormap);
   {
     const QSignalBlocker quiet(this->Colormap);
-    for (const std::string& name : cli::GetColormapNames())
+    for (const std::string& name : scene::GetColormapNames())
     {
       const QString words = QString::fromStdString(name);
-      this->Colormap->addItem(words, name == cli::DefaultColormap ? QString() : words);
+      this->Colormap->addItem(words, name == scene::DefaultColormap ? QString() : words);
     }
   }
   this->AddRange();
@@ -127,7 +128,7 @@ void ColorsGroup::AddRange()
 //------------------------------------------------------------------------------
 void ColorsGroup::SetColorBy(const QString& name, const QString& component)
 {
-  this->Edited->Change([&](Settings& settings) {
+  this->Edited->Change([&](scene::Settings& settings) {
     const QString words = name.isEmpty() || component.isEmpty() ? name : name + "," + component;
     SetOption(settings, "--color-by", words.toStdString());
     if (!name.isEmpty())
@@ -143,14 +144,14 @@ void ColorsGroup::SwitchRange(bool automatic)
 {
   if (automatic)
   {
-    this->Edited->Change([](Settings& settings) { settings.Remove("--range"); });
+    this->Edited->Change([](scene::Settings& settings) { settings.Remove("--range"); });
   }
   else if (const std::optional<std::array<double, 2>> range = this->ReadRange())
   {
-    this->Edited->Change([&range](Settings& settings) {
+    this->Edited->Change([&range](scene::Settings& settings) {
       // A range of one value has no first and last colour.
       const double most = (*range)[0] < (*range)[1] ? (*range)[1] : (*range)[0] + 1.0;
-      settings.Set("--range", WriteNumbers({ (*range)[0], most }));
+      settings.Set("--range", scene::WriteNumbers({ (*range)[0], most }));
       settings.Remove("--color");
     });
   }
@@ -164,14 +165,14 @@ void ColorsGroup::SetRange()
     (this->Least->text().trimmed() + "," + this->Most->text().trimmed()).toStdString();
   if (!this->Automatic->isChecked() && words != this->Edited->Get().Get("--range"))
   {
-    this->Edited->Change([&words](Settings& settings) { settings.Set("--range", words); });
+    this->Edited->Change([&words](scene::Settings& settings) { settings.Set("--range", words); });
   }
 }
 
 //------------------------------------------------------------------------------
 void ColorsGroup::Paint()
 {
-  this->Edited->Change([this](Settings& settings) {
+  this->Edited->Change([this](scene::Settings& settings) {
     settings.Remove("--color");
     if (this->Solid->isChecked())
     {
@@ -229,8 +230,8 @@ void ColorsGroup::ShowSettings()
 {
   const QSignalBlocker quiet[] = { QSignalBlocker(this->ColorBy), QSignalBlocker(this->Automatic),
     QSignalBlocker(this->Solid) };
-  const Settings& settings = this->Edited->Get();
-  const cli::LookChoice look = settings.Parse().Look;
+  const scene::Settings& settings = this->Edited->Get();
+  const scene::LookChoice look = settings.Parse().Look;
   const ByValue by = GetByValue(settings, look, this->Edited->GetFacts());
   const QString name = QString::fromStdString(by.Name);
   if (this->ColorBy->findData(name) < 0)
@@ -251,7 +252,7 @@ void ColorsGroup::ShowSettings()
   this->Solid->setChecked(look.Solid.has_value());
   if (look.Solid)
   {
-    const cli::Color& color = *look.Solid;
+    const scene::Color& color = *look.Solid;
     this->Color->SetColor(QColor::fromRgbF(color[0], color[1], color[2]));
   }
 }

@@ -65,13 +65,13 @@ LayersPanel::LayersPanel(Document* document, QWidget* parent)
   this->Fill(probe);
   QObject::connect(this->Layer,
     static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged), this, [this] {
-      this->Edited->Change([this](Settings& settings) {
+      this->Edited->Change([this](scene::Settings& settings) {
         settings.SetParameter(Stage, "layer", this->Layer->currentData().toString().toStdString());
       });
     });
   QObject::connect(this->Grey, &QCheckBox::toggled, this, [this](bool on) {
     this->Edited->Change(
-      [on](Settings& settings) { settings.SetParameter(Stage, "grey", on ? "on" : "off"); });
+      [on](scene::Settings& settings) { settings.SetParameter(Stage, "grey", on ? "on" : "off"); });
   });
   QObject::connect(this->Probing, &QCheckBox::toggled, this, [this](bool on) {
     this->Values->setRowCount(0);
@@ -117,7 +117,7 @@ void LayersPanel::ShowLayers()
 void LayersPanel::ShowSettings()
 {
   const QSignalBlocker quiet[] = { QSignalBlocker(this->Layer), QSignalBlocker(this->Grey) };
-  const Settings& settings = this->Edited->Get();
+  const scene::Settings& settings = this->Edited->Get();
   const QString words = QString::fromStdString(settings.GetParameter(Stage, "layer"));
   if (this->Layer->findData(words) < 0)
   {

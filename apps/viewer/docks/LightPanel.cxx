@@ -74,13 +74,13 @@ void LightPanel::AddScene()
   GetRows(group)->addRow("Up", this->Up);
   const auto changed = static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged);
   QObject::connect(this->Preset, changed, this, [this] {
-    this->Edited->Change([this](Settings& settings) {
+    this->Edited->Change([this](scene::Settings& settings) {
       const std::string name = this->Preset->currentData().toString().toStdString();
       name.empty() ? settings.Remove("--preset") : settings.Set("--preset", name);
     });
   });
   QObject::connect(this->Up, changed, this, [this] {
-    this->Edited->Change([this](Settings& settings) {
+    this->Edited->Change([this](scene::Settings& settings) {
       const std::string axis = this->Up->currentText().toStdString();
       axis == "y" ? settings.Remove("--up") : settings.Set("--up", axis);
     });
@@ -132,7 +132,7 @@ void LightPanel::ApplyLights()
   {
     for (const std::string& line : lines)
     {
-      cli::ParseLight(line);
+      scene::ParseLight(line);
     }
   }
   catch (const std::exception& error) // what was typed stays, to be mended
@@ -177,19 +177,21 @@ void LightPanel::AddEnvironment()
   QObject::connect(this->Rotation, &relievoQt::Number::edited, this,
     [this](double rotation) { this->SetFile(this->Edited->Get().Parse().Environment, rotation); });
   QObject::connect(this->Reflectivity, &relievoQt::Number::edited, this, [this](double value) {
-    this->Edited->Change([this, value](Settings& settings) {
+    this->Edited->Change([this, value](scene::Settings& settings) {
       const bool both = settings.Get("--reflectivity").find(',') != std::string::npos;
       settings.Set("--reflectivity",
-        both ? WriteNumbers({ value, this->Roughness->GetValue() }) : WriteNumber(value));
+        both ? scene::WriteNumbers({ value, this->Roughness->GetValue() })
+             : scene::WriteNumber(value));
     });
   });
   QObject::connect(this->Roughness, &relievoQt::Number::edited, this, [this](double value) {
-    this->Edited->Change([this, value](Settings& settings) {
-      settings.Set("--reflectivity", WriteNumbers({ this->Reflectivity->GetValue(), value }));
+    this->Edited->Change([this, value](scene::Settings& settings) {
+      settings.Set(
+        "--reflectivity", scene::WriteNumbers({ this->Reflectivity->GetValue(), value }));
     });
   });
   QObject::connect(this->Sky, &QCheckBox::toggled, this, [this](bool on) {
-    this->Edited->Change([on](Settings& settings) {
+    this->Edited->Change([on](scene::Settings& settings) {
       on ? settings.Set("--skybox", "") : settings.Remove("--skybox");
     });
   });
@@ -199,7 +201,7 @@ void LightPanel::AddEnvironment()
 //------------------------------------------------------------------------------
 void LightPanel::SetFile(const std::string& file, double rotation)
 {
-  this->Edited->Change([&](Settings& settings) {
+  this->Edited->Change([&](scene::Settings& settings) {
     if (file.empty())
     {
       settings.Remove("--environment");
@@ -207,7 +209,7 @@ void LightPanel::SetFile(const std::string& file, double rotation)
       settings.Remove("--skybox");
       return;
     }
-    settings.Set("--environment", WriteFileAndNumber(file, rotation));
+    settings.Set("--environment", scene::WriteFileAndNumber(file, rotation));
   });
   this->ShowSettings();
 }
@@ -221,15 +223,15 @@ void LightPanel::SwitchEnvironment(bool on)
     this->ShowSettings(); // off again, if there is none
     return;
   }
-  Settings kept;
-  this->Edited->Change([&](Settings& settings) {
+  scene::Settings kept;
+  this->Edited->Change([&](scene::Settings& settings) {
     for (const char* option : EnvironmentWords)
     {
       kept.SetAll(option, settings.GetAll(option));
       settings.SetAll(option, on ? this->Kept.GetAll(option) : std::vector<std::string>());
     }
   });
-  this->Kept = on ? Settings() : kept;
+  this->Kept = on ? scene::Settings() : kept;
   this->ShowSettings();
 }
 
@@ -238,10 +240,10 @@ void LightPanel::ShowSettings()
 {
   const QSignalBlocker quiet[] = { QSignalBlocker(this->Preset), QSignalBlocker(this->Up),
     QSignalBlocker(this->Environment), QSignalBlocker(this->Sky) };
-  const Settings& settings = this->Edited->Get();
+  const scene::Settings& settings = this->Edited->Get();
   this->Preset->setCurrentIndex(
     this->Preset->findData(QString::fromStdString(settings.Get("--preset"))));
-  const cli::RenderOptions options = settings.Parse();
+  const scene::RenderOptions options = settings.Parse();
   this->Up->setCurrentIndex(options.UpAxis);
   if (this->Sun->GetOthers() != this->ShownLights) // but not what is typed and not yet applied
   {
@@ -250,7 +252,7 @@ void LightPanel::ShowSettings()
   this->Environment->setChecked(!options.Environment.empty());
   if (!options.Environment.empty())
   {
-    this->Kept = Settings();
+    this->Kept = scene::Settings();
     this->File->SetPath(QString::fromStdString(options.Environment));
     this->Rotation->SetValue(options.EnvironmentRotation);
     this->Sky->setChecked(options.Skybox);

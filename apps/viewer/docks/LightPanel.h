@@ -53,7 +53,7 @@ private:
   FileEdit* File;
   relievoQt::Number *Rotation, *Reflectivity, *Roughness;
   QCheckBox* Sky;
-  Settings Kept; // the environment while it is switched off
+  scene::Settings Kept; // the environment while it is switched off
 };
 }
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LookPanel.h"
 
-#include "CameraPlace.h"
 #include "ColorButton.h"
 #include "MaterialGroup.h"
 #include "ModelGroup.h"
 #include "Number.h"
 #include "OptionEdits.h"
 #include "Options.h"
+#include "Scene.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -28,7 +28,7 @@ std::string Words(const QColor& color)
   return color.name().toStdString();
 }
 
-QColor FromColor(const cli::Color& color)
+QColor FromColor(const scene::Color& color)
 {
   return QColor::fromRgbF(color[0], color[1], color[2]);
 }
@@ -66,8 +66,8 @@ void LookPanel::AddSurface()
   this->Opacity->setToolTip("Of all meshes; 0 is invisible");
   GetRows(group)->addRow("Opacity", this->Opacity);
   QObject::connect(this->Opacity, &relievoQt::Number::edited, this, [this](double value) {
-    this->Edited->Change([&](Settings& settings) {
-      SetOption(settings, "--opacity", value == 1.0 ? "" : WriteNumber(value));
+    this->Edited->Change([&](scene::Settings& settings) {
+      SetOption(settings, "--opacity", value == 1.0 ? "" : scene::WriteNumber(value));
     });
   });
   this->Edges = MakeFlag(this->Edited, "Show edges", "--edges", group);
@@ -85,8 +85,9 @@ void LookPanel::AddCamera()
   this->Angle->setToolTip("The full vertical angle of the perspective");
   GetRows(group)->addRow("View angle", this->Angle);
   QObject::connect(this->Angle, &relievoQt::Number::edited, this, [this](double angle) {
-    this->Edited->Change([&](Settings& settings) {
-      SetOption(settings, "--view-angle", angle == StandardViewAngle ? "" : WriteNumber(angle));
+    this->Edited->Change([&](scene::Settings& settings) {
+      SetOption(settings, "--view-angle",
+        angle == scene::StandardViewAngle ? "" : scene::WriteNumber(angle));
     });
   });
 }
@@ -117,7 +118,7 @@ void LookPanel::AddBackground()
 //------------------------------------------------------------------------------
 void LookPanel::SetBackground()
 {
-  this->Edited->Change([this](Settings& settings) {
+  this->Edited->Change([this](scene::Settings& settings) {
     const int kind = this->Background->currentIndex();
     if (kind == 0)
     {
@@ -133,13 +134,13 @@ void LookPanel::SetBackground()
 void LookPanel::ShowSettings()
 {
   const QSignalBlocker quiet(this->Background);
-  const Settings& settings = this->Edited->Get();
-  const cli::RenderOptions options = settings.Parse();
+  const scene::Settings& settings = this->Edited->Get();
+  const scene::RenderOptions options = settings.Parse();
   ShowChoice(this->Shading, settings, "--shading");
   ShowFlag(this->Edges, settings, "--edges");
   this->Opacity->SetValue(options.Look.Opacity);
-  this->Angle->SetValue(options.ViewAngle.value_or(StandardViewAngle));
-  const std::vector<cli::Color>& background = options.Look.Background;
+  this->Angle->SetValue(options.ViewAngle.value_or(scene::StandardViewAngle));
+  const std::vector<scene::Color>& background = options.Look.Background;
   const bool own = settings.Has("--background");
   this->Background->setCurrentIndex(own ? static_cast<int>(background.size()) : 0);
   if (own)

@@ -18,7 +18,7 @@ namespace
 const char* const Images = "Images (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.hdr *.exr)";
 
 // Options that say how maps are used are refused where there is none.
-void RemoveIdle(Settings& settings)
+void RemoveIdle(scene::Settings& settings)
 {
   if (!settings.Has("--height-map"))
   {
@@ -89,7 +89,7 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
 //------------------------------------------------------------------------------
 void MaterialGroup::SetNormalMap(const std::string& file)
 {
-  this->Edited->Change([&file](Settings& settings) {
+  this->Edited->Change([&file](scene::Settings& settings) {
     SetOption(settings, "--normal-map", file);
     RemoveIdle(settings);
   });
@@ -98,8 +98,9 @@ void MaterialGroup::SetNormalMap(const std::string& file)
 //------------------------------------------------------------------------------
 void MaterialGroup::SetHeightMap(const std::string& file, double depth)
 {
-  this->Edited->Change([&](Settings& settings) {
-    SetOption(settings, "--height-map", file.empty() ? file : WriteFileAndNumber(file, depth));
+  this->Edited->Change([&](scene::Settings& settings) {
+    SetOption(
+      settings, "--height-map", file.empty() ? file : scene::WriteFileAndNumber(file, depth));
     RemoveIdle(settings);
   });
 }
@@ -107,8 +108,8 @@ void MaterialGroup::SetHeightMap(const std::string& file, double depth)
 //------------------------------------------------------------------------------
 void MaterialGroup::ShowSettings()
 {
-  const Settings& settings = this->Edited->Get();
-  const cli::RenderOptions options = settings.Parse();
+  const scene::Settings& settings = this->Edited->Get();
+  const scene::RenderOptions options = settings.Parse();
   const bool heights = !options.HeightMap.empty();
   this->Normals->SetPath(QString::fromStdString(options.NormalMap));
   this->Heights->SetPath(QString::fromStdString(options.HeightMap));

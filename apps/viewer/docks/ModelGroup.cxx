@@ -63,12 +63,12 @@ void ModelGroup::ShowAnimations()
 //------------------------------------------------------------------------------
 void ModelGroup::ShowSettings()
 {
-  const Settings& settings = this->Edited->Get();
+  const scene::Settings& settings = this->Edited->Get();
   ShowChoice(this->Animation, settings, "--animation");
   ShowChoice(this->Skin, settings, "--skin");
   ShowFlag(this->Loop, settings, "--loop");
   ShowFlag(this->Skeleton, settings, "--skeleton");
   this->setVisible(std::any_of(settings.Files.begin(), settings.Files.end(),
-    [](const std::string& file) { return cli::IsModel(file) || cli::IsGLTF(file); }));
+    [](const std::string& file) { return scene::IsModel(file) || scene::IsGLTF(file); }));
 }
 }

@@ -9,7 +9,7 @@
 namespace viewer
 {
 //------------------------------------------------------------------------------
-void SetOption(Settings& settings, const char* option, const std::string& value)
+void SetOption(scene::Settings& settings, const char* option, const std::string& value)
 {
   value.empty() ? settings.Remove(option) : settings.Set(option, value);
 }
@@ -21,7 +21,7 @@ QComboBox* MakeChoice(Document* document, const char* option, QWidget* parent)
   box->setObjectName(QString(option).remove('-'));
   QObject::connect(box, static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged),
     document, [document, box, option] {
-      document->Change([&](Settings& settings) {
+      document->Change([&](scene::Settings& settings) {
         SetOption(settings, option, box->currentData().toString().toStdString());
       });
     });
@@ -29,7 +29,7 @@ QComboBox* MakeChoice(Document* document, const char* option, QWidget* parent)
 }
 
 //------------------------------------------------------------------------------
-void ShowChoice(QComboBox* box, const Settings& settings, const char* option)
+void ShowChoice(QComboBox* box, const scene::Settings& settings, const char* option)
 {
   const QSignalBlocker quiet(box);
   const QString words = QString::fromStdString(settings.Get(option));
@@ -47,13 +47,13 @@ QCheckBox* MakeFlag(Document* document, const QString& title, const char* option
   box->setObjectName(QString(option).remove('-'));
   QObject::connect(box, &QCheckBox::toggled, document, [document, option](bool on) {
     document->Change(
-      [&](Settings& settings) { on ? settings.Set(option, "") : settings.Remove(option); });
+      [&](scene::Settings& settings) { on ? settings.Set(option, "") : settings.Remove(option); });
   });
   return box;
 }
 
 //------------------------------------------------------------------------------
-void ShowFlag(QCheckBox* box, const Settings& settings, const char* option)
+void ShowFlag(QCheckBox* box, const scene::Settings& settings, const char* option)
 {
   const QSignalBlocker quiet(box);
   box->setChecked(settings.Has(option));

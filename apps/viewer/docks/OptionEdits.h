@@ -21,14 +21,14 @@ namespace viewer
 QComboBox* MakeChoice(Document* document, const char* option, QWidget* parent);
 
 /// Shows the option's value, as a new entry where there is none for it. Sends no signal.
-void ShowChoice(QComboBox* box, const Settings& settings, const char* option);
+void ShowChoice(QComboBox* box, const scene::Settings& settings, const char* option);
 
 /// An option without a value.
 QCheckBox* MakeFlag(Document* document, const QString& title, const char* option, QWidget* parent);
-void ShowFlag(QCheckBox* box, const Settings& settings, const char* option);
+void ShowFlag(QCheckBox* box, const scene::Settings& settings, const char* option);
 
 /// The option's one value, or none.
-void SetOption(Settings& settings, const char* option, const std::string& value);
+void SetOption(scene::Settings& settings, const char* option, const std::string& value);
 }
 
 #endif

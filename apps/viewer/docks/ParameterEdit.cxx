@@ -80,8 +80,9 @@ QWidget* ParameterEdit::MakeNumber(const vtkRelievoParameter& parameter)
     this);
   number->SetUnit(QString::fromStdString(parameter.Unit));
   this->Show = [number](const QString& words) { number->SetValue(words.toDouble()); };
-  QObject::connect(number, &relievoQt::Number::edited, this,
-    [this](double value) { Q_EMIT this->edited(QString::fromStdString(WriteNumber(value))); });
+  QObject::connect(number, &relievoQt::Number::edited, this, [this](double value) {
+    Q_EMIT this->edited(QString::fromStdString(scene::WriteNumber(value)));
+  });
   return number;
 }
 
@@ -117,7 +118,7 @@ QWidget* ParameterEdit::MakeColor()
   };
   QObject::connect(button, &ColorButton::edited, this, [this](const QColor& color) {
     Q_EMIT this->edited(QString::fromStdString(
-      WriteNumbers({ color.red() / 255.0, color.green() / 255.0, color.blue() / 255.0 })));
+      scene::WriteNumbers({ color.red() / 255.0, color.green() / 255.0, color.blue() / 255.0 })));
   });
   return button;
 }

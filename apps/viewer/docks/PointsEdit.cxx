@@ -199,8 +199,8 @@ void PointsEdit::Ask()
   {
     std::vector<std::string> words = this->Edited->Get().GetAll(this->Option);
     const int last = static_cast<int>(words.size());
-    words.push_back(cli::WriteFileAndValues(file.toStdString(), {}));
-    this->Edited->Change([&](Settings& settings) { settings.SetAll(this->Option, words); });
+    words.push_back(scene::WriteFileAndValues(file.toStdString(), {}));
+    this->Edited->Change([&](scene::Settings& settings) { settings.SetAll(this->Option, words); });
     this->Files->setCurrentRow(last);
   }
 }
@@ -213,7 +213,7 @@ void PointsEdit::Remove()
   if (row >= 0 && row < static_cast<int>(words.size()))
   {
     words.erase(words.begin() + row);
-    this->Edited->Change([&](Settings& settings) {
+    this->Edited->Change([&](scene::Settings& settings) {
       settings.SetAll(this->Option, words);
       settings.AskStage(this->Stage, !words.empty() && settings.IsStageAsked(this->Stage));
     });
@@ -231,14 +231,14 @@ void PointsEdit::Write(const std::string& name, const QString& text)
   }
   std::string& word = words[static_cast<std::size_t>(row)];
   Pairs values;
-  const std::string file = cli::ParseFileAndValues(this->Option, word, "", values);
+  const std::string file = scene::ParseFileAndValues(this->Option, word, "", values);
   Set(values, name, text.toStdString());
   if (name == "falloff" && text != "vtk") // which alone has it
   {
     Set(values, "attenuation", "");
   }
-  word = cli::WriteFileAndValues(file, values);
-  this->Edited->Change([&](Settings& settings) { settings.SetAll(this->Option, words); });
+  word = scene::WriteFileAndValues(file, values);
+  this->Edited->Change([&](scene::Settings& settings) { settings.SetAll(this->Option, words); });
   this->ShowValues(true); // as it was, if it was refused
 }
 
@@ -253,7 +253,7 @@ void PointsEdit::ShowSettings()
     for (const std::string& word : words)
     {
       Pairs values;
-      const QString path = Words(cli::ParseFileAndValues(this->Option, word, "", values));
+      const QString path = Words(scene::ParseFileAndValues(this->Option, word, "", values));
       auto* item = new QListWidgetItem(QFileInfo(path).fileName(), this->Files);
       item->setToolTip(Words(word));
     }
@@ -275,7 +275,7 @@ void PointsEdit::ShowValues(bool again)
     return;
   }
   Pairs values;
-  cli::ParseFileAndValues(this->Option, words[static_cast<std::size_t>(file)], "", values);
+  scene::ParseFileAndValues(this->Option, words[static_cast<std::size_t>(file)], "", values);
   for (Row& row : this->Rows)
   {
     const QString text = Words(Find(values, row.Name));

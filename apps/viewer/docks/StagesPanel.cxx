@@ -89,8 +89,9 @@ void StagesPanel::AddStage(vtkRelievoStage* stage)
     group.Edits[name] = edit;
     QObject::connect(
       edit, &ParameterEdit::edited, this, [this, stage = group.Stage, name](const QString& words) {
-        this->Edited->Change(
-          [&](Settings& settings) { settings.SetParameter(stage, name, words.toStdString()); });
+        this->Edited->Change([&](scene::Settings& settings) {
+          settings.SetParameter(stage, name, words.toStdString());
+        });
       });
   }
   if (switched)
@@ -104,7 +105,7 @@ void StagesPanel::AddStage(vtkRelievoStage* stage)
 //------------------------------------------------------------------------------
 bool StagesPanel::IsOn(const Group& group) const
 {
-  const Settings& settings = this->Edited->Get();
+  const scene::Settings& settings = this->Edited->Get();
   return group.Points          ? settings.Has(GetOption(group.Stage))
     : group.Stage == "shadows" ? settings.GetParameter("shadows", "visible") == "on"
                                : settings.IsStageAsked(group.Stage);
@@ -116,8 +117,9 @@ void StagesPanel::Switch(Group& group, bool on)
 {
   if (group.Stage == "shadows")
   {
-    this->Edited->Change(
-      [on](Settings& settings) { settings.SetParameter("shadows", "visible", on ? "on" : "off"); });
+    this->Edited->Change([on](scene::Settings& settings) {
+      settings.SetParameter("shadows", "visible", on ? "on" : "off");
+    });
     return;
   }
   if (group.Points && on && !group.Kept)
@@ -126,9 +128,9 @@ void StagesPanel::Switch(Group& group, bool on)
     this->ShowSettings(); // off again, if there is none
     return;
   }
-  const Settings before = this->Edited->Get();
-  const Settings from = on ? group.Kept.value_or(before) : Settings();
-  this->Edited->Change([&](Settings& settings) {
+  const scene::Settings before = this->Edited->Get();
+  const scene::Settings from = on ? group.Kept.value_or(before) : scene::Settings();
+  this->Edited->Change([&](scene::Settings& settings) {
     settings.AskStage(group.Stage, false);
     for (const auto& edit : group.Edits)
     {
@@ -146,14 +148,14 @@ void StagesPanel::Switch(Group& group, bool on)
       settings.AskStage(group.Stage, true);
     }
   });
-  group.Kept = on ? std::nullopt : std::optional<Settings>(before);
+  group.Kept = on ? std::nullopt : std::optional<scene::Settings>(before);
   this->ShowSettings();
 }
 
 //------------------------------------------------------------------------------
 void StagesPanel::ShowSettings()
 {
-  const Settings& settings = this->Edited->Get();
+  const scene::Settings& settings = this->Edited->Get();
   for (auto& [stage, group] : this->Groups)
   {
     const QSignalBlocker quiet(group.Box);

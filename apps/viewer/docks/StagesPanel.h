@@ -41,7 +41,7 @@ private:
     QLabel* Reason;
     PointsEdit* Points = nullptr; // of a stage that works on data
     std::map<std::string, ParameterEdit*> Edits;
-    std::optional<Settings> Kept; // while it is switched off
+    std::optional<scene::Settings> Kept; // while it is switched off
   };
 
   void AddStage(vtkRelievoStage* stage);

@@ -35,7 +35,7 @@ bool AreClose(const SunAngles& a, const SunAngles& b)
     std::abs(turn) * std::cos(vtkMath::RadiansFromDegrees(a.Elevation)) < near;
 }
 
-int GetUpAxis(const Settings& settings)
+int GetUpAxis(const scene::Settings& settings)
 {
   const std::string up = settings.Get("--up");
   return up == "x" ? 0 : up == "z" ? 2 : 1;
@@ -111,7 +111,7 @@ void SunGroup::FollowUpAxis()
 //------------------------------------------------------------------------------
 void SunGroup::ShowSettings()
 {
-  const Settings& settings = this->Edited->Get();
+  const scene::Settings& settings = this->Edited->Get();
   const std::vector<std::string> lights = settings.GetAll("--light");
   if (lights == this->Next)
   {
@@ -134,7 +134,7 @@ void SunGroup::ShowSettings()
     const int up = GetUpAxis(settings);
     if (sun != this->Written || up != this->WrittenUp)
     {
-      const SunAngles angles = GetSunAngles(cli::ParseLight(sun).Position, up);
+      const SunAngles angles = GetSunAngles(scene::ParseLight(sun).Position, up);
       if (sun != this->Written && this->IsByTime() &&
         !AreClose(angles, GetSunAngles(this->GetTime())))
       {
@@ -198,7 +198,8 @@ void SunGroup::SetLights(const std::vector<std::string>& lights, int own)
 {
   this->Next = lights;
   this->NextOwn = own;
-  this->Edited->Change([&lights](Settings& settings) { settings.SetAll("--light", lights); });
+  this->Edited->Change(
+    [&lights](scene::Settings& settings) { settings.SetAll("--light", lights); });
   this->ShowSettings(); // where nothing has changed, too
 }
 

@@ -94,7 +94,7 @@ double TimeBar::GetTime() const
 void TimeBar::SetTime(double seconds)
 {
   this->Edited->Change(
-    [seconds](Settings& settings) { settings.Set("--time", WriteNumber(seconds)); });
+    [seconds](scene::Settings& settings) { settings.Set("--time", scene::WriteNumber(seconds)); });
 }
 
 //------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ Document::Document(QObject* parent)
 }
 
 //------------------------------------------------------------------------------
-void Document::Set(const Settings& settings)
+void Document::Set(const scene::Settings& settings)
 {
   if (settings == this->Now)
   {
@@ -36,7 +36,7 @@ void Document::Set(const Settings& settings)
 }
 
 //------------------------------------------------------------------------------
-void Document::GoTo(const std::optional<Settings>& settings)
+void Document::GoTo(const std::optional<scene::Settings>& settings)
 {
   if (settings)
   {
@@ -67,15 +67,15 @@ void Document::ForgetPast()
 }
 
 //------------------------------------------------------------------------------
-void Document::Change(const std::function<void(Settings&)>& edit)
+void Document::Change(const std::function<void(scene::Settings&)>& edit)
 {
-  Settings settings = this->Now;
+  scene::Settings settings = this->Now;
   edit(settings);
   this->Set(settings);
 }
 
 //------------------------------------------------------------------------------
-void Document::Return(const Settings& good)
+void Document::Return(const scene::Settings& good)
 {
   this->Now = good;
   this->Past.DropUntil(good);
@@ -84,7 +84,7 @@ void Document::Return(const Settings& good)
 }
 
 //------------------------------------------------------------------------------
-void Document::Refuse(const Settings& good, const QString& why)
+void Document::Refuse(const scene::Settings& good, const QString& why)
 {
   this->Return(good);
   Q_EMIT this->refused(why);

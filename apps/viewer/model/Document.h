@@ -26,17 +26,17 @@ class Document : public QObject
 public:
   explicit Document(QObject* parent = nullptr);
 
-  const Settings& Get() const { return this->Now; }
+  const scene::Settings& Get() const { return this->Now; }
 
   /// Refuses settings that the command line would refuse.
-  void Set(const Settings& settings);
-  void Change(const std::function<void(Settings&)>& edit);
+  void Set(const scene::Settings& settings);
+  void Change(const std::function<void(scene::Settings&)>& edit);
 
   ///@{
   /// Goes back to settings that are known to be good: because the user wants so, or after a picture
   /// of the new ones failed.
-  void Return(const Settings& good);
-  void Refuse(const Settings& good, const QString& why);
+  void Return(const scene::Settings& good);
+  void Refuse(const scene::Settings& good, const QString& why);
   ///@}
 
   ///@{
@@ -66,9 +66,9 @@ Q_SIGNALS:
   void refused(const QString& why);
 
 private:
-  void GoTo(const std::optional<Settings>& settings);
+  void GoTo(const std::optional<scene::Settings>& settings);
 
-  Settings Now;
+  scene::Settings Now;
   History Past;
   QElapsedTimer Clock;
   Facts Known;

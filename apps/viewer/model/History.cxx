@@ -9,22 +9,22 @@ namespace
 constexpr std::int64_t OneEdit = 1000; // milliseconds
 constexpr std::size_t Most = 200;
 
-std::optional<Settings> Step(
-  std::vector<Settings>& from, std::vector<Settings>& to, const Settings& now)
+std::optional<scene::Settings> Step(
+  std::vector<scene::Settings>& from, std::vector<scene::Settings>& to, const scene::Settings& now)
 {
   if (from.empty())
   {
     return std::nullopt;
   }
   to.push_back(now);
-  const Settings next = from.back();
+  const scene::Settings next = from.back();
   from.pop_back();
   return next;
 }
 }
 
 //------------------------------------------------------------------------------
-void History::Add(const Settings& before, const Settings& after, std::int64_t time)
+void History::Add(const scene::Settings& before, const scene::Settings& after, std::int64_t time)
 {
   const std::set<std::string> changed = before.GetChanges(after);
   const bool played = changed == std::set<std::string>{ "--time" }; // as long as it takes
@@ -49,21 +49,21 @@ void History::Add(const Settings& before, const Settings& after, std::int64_t ti
 }
 
 //------------------------------------------------------------------------------
-std::optional<Settings> History::Undo(const Settings& now)
+std::optional<scene::Settings> History::Undo(const scene::Settings& now)
 {
   this->Changed.clear();
   return Step(this->Past, this->Future, now);
 }
 
 //------------------------------------------------------------------------------
-std::optional<Settings> History::Redo(const Settings& now)
+std::optional<scene::Settings> History::Redo(const scene::Settings& now)
 {
   this->Changed.clear();
   return Step(this->Future, this->Past, now);
 }
 
 //------------------------------------------------------------------------------
-void History::DropUntil(const Settings& settings)
+void History::DropUntil(const scene::Settings& settings)
 {
   while (!this->Past.empty() && this->Past.back() == settings)
   {

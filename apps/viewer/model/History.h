@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Settings as they were before each edit, to go back to and forth again. What follows soon and
+ * scene::Settings as they were before each edit, to go back to and forth again. What follows soon and
  * changes the same, as a slider that is drawn, is one edit.
  */
 #ifndef History_h
@@ -21,16 +21,16 @@ class History
 {
 public:
   /// An edit, at a time in milliseconds.
-  void Add(const Settings& before, const Settings& after, std::int64_t time);
+  void Add(const scene::Settings& before, const scene::Settings& after, std::int64_t time);
 
   ///@{
   /// The settings to go to from those of now; none: there are no more.
-  std::optional<Settings> Undo(const Settings& now);
-  std::optional<Settings> Redo(const Settings& now);
+  std::optional<scene::Settings> Undo(const scene::Settings& now);
+  std::optional<scene::Settings> Redo(const scene::Settings& now);
   ///@}
 
   /// Edits that led away from these settings, to which the program itself went back, were none.
-  void DropUntil(const Settings& settings);
+  void DropUntil(const scene::Settings& settings);
 
   void Clear();
 
@@ -38,7 +38,7 @@ public:
   bool CanRedo() const { return !this->Future.empty(); }
 
 private:
-  std::vector<Settings> Past, Future;
+  std::vector<scene::Settings> Past, Future;
   std::set<std::string> Changed; // by the last edit
   std::int64_t Time = 0;         // of it
 };

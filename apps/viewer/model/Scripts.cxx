@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scripts.h"
 
+#include "Options.h"
+
 #include <QString>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <vector>
 
 namespace viewer
 {
@@ -55,10 +58,47 @@ std::string Quote(const std::string& word)
   }
   return quoted + "'";
 }
+
+//------------------------------------------------------------------------------
+// The text as a Python string, or as bytes where it is not UTF-8.
+std::string QuoteForPython(const std::string& text)
+{
+  const bool isText = QString::fromStdString(text).toStdString() == text;
+  std::string quoted = isText ? "\"" : "b\"";
+  for (const char letter : text)
+  {
+    const auto byte = static_cast<unsigned char>(letter);
+    char number[5];
+    std::snprintf(number, sizeof number, "\\x%02x", byte);
+    const bool plain = (byte >= ' ' && byte < 0x7f) || (isText && byte >= 0x80);
+    quoted += letter == '"' || letter == '\\' ? std::string("\\") + letter
+      : plain                                 ? std::string(1, letter)
+                                              : number;
+  }
+  return quoted + "\"";
+}
+
+// A keyword of relievo.scene.
+std::string GetKeyword(std::string option)
+{
+  option.erase(0, option.find_first_not_of('-'));
+  std::replace(option.begin(), option.end(), '-', '_');
+  return option;
+}
+
+std::string WriteList(const std::vector<std::string>& values)
+{
+  std::string list;
+  for (const std::string& value : values)
+  {
+    list += (list.empty() ? "" : ", ") + QuoteForPython(value);
+  }
+  return "[" + list + "]";
+}
 }
 
 //------------------------------------------------------------------------------
-std::string WriteCommand(const Settings& view, const std::string& png)
+std::string WriteCommand(const scene::Settings& view, const std::string& png)
 {
   std::string line = "relievo render --png " + Quote(png);
   for (const std::string& word : view.GetWords())
@@ -66,5 +106,28 @@ std::string WriteCommand(const Settings& view, const std::string& png)
     line += " " + Quote(word);
   }
   return line;
+}
+
+//------------------------------------------------------------------------------
+std::string WritePython(const scene::Settings& view, const std::string& png)
+{
+  std::string text = "import relievo\n\nscene = relievo.scene(\n";
+  for (const std::string& file : view.Files)
+  {
+    text += "    " + QuoteForPython(file) + ",\n";
+  }
+  for (const scene::KnownOption& option : scene::GetRenderOptions())
+  {
+    const std::vector<std::string> values = view.GetAllWords(option.Name);
+    if (!values.empty())
+    {
+      text += "    " + GetKeyword(option.Name) + "=" +
+        (option.IsFlag       ? "True"
+            : option.Repeats ? WriteList(values)
+                             : QuoteForPython(values.front())) +
+        ",\n";
+    }
+  }
+  return text + ")\nscene.render(" + QuoteForPython(png) + ")\n";
 }
 }

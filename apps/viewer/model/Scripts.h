@@ -13,7 +13,10 @@
 namespace viewer
 {
 /// `relievo render ...` for a shell, one line. `view`: settings with camera and size.
-std::string WriteCommand(const Settings& view, const std::string& png);
+std::string WriteCommand(const scene::Settings& view, const std::string& png);
+
+/// A Python program of the package `relievo`, which writes the picture to `png`.
+std::string WritePython(const scene::Settings& view, const std::string& png);
 }
 
 #endif

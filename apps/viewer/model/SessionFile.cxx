@@ -19,7 +19,7 @@ constexpr int Version = 1;
 
 [[noreturn]] void Fail(const QString& path, const QString& why)
 {
-  throw cli::WorkError((path + ": " + why).toStdString());
+  throw scene::WorkError((path + ": " + why).toStdString());
 }
 }
 
@@ -79,9 +79,9 @@ Session LoadSession(const QString& path)
   Session session;
   try
   {
-    session.View = Settings::FromWords(words);
+    session.View = scene::Settings::FromWords(words);
   }
-  catch (const cli::UsageError& error)
+  catch (const scene::UsageError& error)
   {
     Fail(path, error.what());
   }

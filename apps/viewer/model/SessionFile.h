@@ -16,12 +16,12 @@ namespace viewer
 {
 struct Session
 {
-  Settings View; ///< with --camera and --size
+  scene::Settings View; ///< with --camera and --size
   SunTime Sun;
   bool SunByTime = false;
 };
 
-/// Both throw cli::WorkError with the file's name. No half-written file is left.
+/// Both throw scene::WorkError with the file's name. No half-written file is left.
 void SaveSession(const QString& path, const Session& session);
 Session LoadSession(const QString& path);
 }

@@ -65,7 +65,7 @@ SunAngles GetSunAngles(const std::array<double, 3>& d, int upAxis)
 //------------------------------------------------------------------------------
 std::string WriteSun(const std::array<double, 3>& direction)
 {
-  return "sun:" + WriteNumbers({ direction.begin(), direction.end() });
+  return "sun:" + scene::WriteNumbers({ direction.begin(), direction.end() });
 }
 
 //------------------------------------------------------------------------------

@@ -28,7 +28,7 @@ Loader::~Loader()
 }
 
 //------------------------------------------------------------------------------
-void Loader::Start(const Settings& settings, bool pointsOnly)
+void Loader::Start(const scene::Settings& settings, bool pointsOnly)
 {
   this->Stop();
   this->Asked = settings;
@@ -47,8 +47,8 @@ void Loader::Stop()
   this->Stopped = true;
   if (!this->Thread.joinable()) // which else still writes them
   {
-    this->Scene = cli::Scene();
-    this->Points = cli::FramePoints();
+    this->Scene = scene::Scene();
+    this->Points = scene::FramePoints();
   }
 }
 
@@ -63,19 +63,19 @@ void Loader::Begin()
 }
 
 //------------------------------------------------------------------------------
-void Loader::Read(const Settings& settings, bool pointsOnly)
+void Loader::Read(const scene::Settings& settings, bool pointsOnly)
 {
   QString trouble;
   try
   {
-    const cli::RenderOptions options = settings.Parse();
-    cli::CheckInputs(options);
-    cli::Progress progress(this);
+    const scene::RenderOptions options = settings.Parse();
+    scene::CheckInputs(options);
+    scene::Progress progress(this);
     if (!pointsOnly)
     {
-      this->Scene = cli::ReadScene(options, progress);
+      this->Scene = scene::ReadScene(options, progress);
     }
-    this->Points = cli::ReadFramePoints(options, progress);
+    this->Points = scene::ReadFramePoints(options, progress);
   }
   catch (const std::bad_alloc&)
   {
@@ -99,15 +99,15 @@ void Loader::End(const QString& trouble)
     Q_EMIT this->ended(trouble);
     return;
   }
-  this->Scene = cli::Scene();
-  this->Points = cli::FramePoints();
-  cli::Messages::TakeNotes();
-  cli::Messages::TakeWarnings();
+  this->Scene = scene::Scene();
+  this->Points = scene::FramePoints();
+  scene::Messages::TakeNotes();
+  scene::Messages::TakeWarnings();
   try
   {
-    cli::Messages::Check("");
+    scene::Messages::Check("");
   }
-  catch (const cli::WorkError&) // of what nobody waits for
+  catch (const scene::WorkError&) // of what nobody waits for
   {
   }
   if (this->Wanted)
@@ -127,18 +127,18 @@ void Loader::Say(const std::string& what, double share)
 }
 
 //------------------------------------------------------------------------------
-cli::Scene Loader::TakeScene()
+scene::Scene Loader::TakeScene()
 {
-  cli::Scene scene = this->Scene;
-  this->Scene = cli::Scene();
+  scene::Scene scene = this->Scene;
+  this->Scene = scene::Scene();
   return scene;
 }
 
 //------------------------------------------------------------------------------
-cli::FramePoints Loader::TakePoints()
+scene::FramePoints Loader::TakePoints()
 {
-  cli::FramePoints points = this->Points;
-  this->Points = cli::FramePoints();
+  scene::FramePoints points = this->Points;
+  this->Points = scene::FramePoints();
   return points;
 }
 }

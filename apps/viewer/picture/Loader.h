@@ -22,7 +22,7 @@ namespace viewer
 {
 class Loader
   : public QObject
-  , private cli::ProgressListener
+  , private scene::ProgressListener
 {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ public:
 
   /// Returns at once; ended() follows. `pointsOnly`: no scene, but the points of lamps, fog and
   /// markers.
-  void Start(const Settings& settings, bool pointsOnly = false);
+  void Start(const scene::Settings& settings, bool pointsOnly = false);
 
   /// Ends the reading, without a signal. Returns at once.
   void Stop();
@@ -43,8 +43,8 @@ public:
   bool IsBusy() const { return this->Thread.joinable(); }
 
   /// What was read is given away.
-  cli::Scene TakeScene();
-  cli::FramePoints TakePoints();
+  scene::Scene TakeScene();
+  scene::FramePoints TakePoints();
 
 Q_SIGNALS:
   void progressed(const QString& what, int percent);
@@ -54,7 +54,7 @@ Q_SIGNALS:
 
 private:
   void Begin();
-  void Read(const Settings& settings, bool pointsOnly);
+  void Read(const scene::Settings& settings, bool pointsOnly);
   void Say(const std::string& what, double share) override;
   bool IsStopped() override { return this->Stopped; }
   void End(const QString& trouble);
@@ -63,10 +63,10 @@ private:
   std::atomic<bool> Stopped{ false };
   std::atomic<int> Percent{ -1 };
   bool Wanted = false;
-  Settings Asked;
+  scene::Settings Asked;
   bool PointsOnly = false;
-  cli::Scene Scene;
-  cli::FramePoints Points;
+  scene::Scene Scene;
+  scene::FramePoints Points;
 };
 }
 

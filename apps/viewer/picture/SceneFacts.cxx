@@ -63,7 +63,7 @@ std::vector<std::vector<std::string>> GetPointArrays(
   for (const vtkSmartPointer<Points>& file : files)
   {
     Arrays arrays;
-    cli::ForEachDataSet(
+    scene::ForEachDataSet(
       file->GetInputDataObject(0, 0), [&arrays](vtkDataSet* block) { AddArrays(block, arrays); });
     names.emplace_back();
     for (const auto& array : arrays[0])
@@ -78,7 +78,7 @@ std::vector<std::vector<std::string>> GetPointArrays(
 //------------------------------------------------------------------------------
 Facts GetFacts(const Picture& picture)
 {
-  const BareScene& scene = picture.GetBare();
+  const scene::BareScene& scene = picture.GetScene().GetBare();
   Arrays arrays;
   vtkActorCollection* actors = scene.Get().Renderer->GetActors();
   for (int i = 0; i < actors->GetNumberOfItems(); ++i)
@@ -86,7 +86,7 @@ Facts GetFacts(const Picture& picture)
     vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
     if (actor->GetMapper() && scene.Find(actor)) // and no skeleton
     {
-      cli::ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0),
+      scene::ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0),
         [&arrays](vtkDataSet* block) { AddArrays(block, arrays); });
     }
   }
@@ -105,7 +105,7 @@ Facts GetFacts(const Picture& picture)
   std::sort(facts.Layers.begin(), facts.Layers.end());
   facts.Times = scene.Get().Times.value_or(facts.Times);
   std::set<std::string> known;
-  for (const cli::PosedModel& model : scene.Get().Models)
+  for (const scene::PosedModel& model : scene.Get().Models)
   {
     for (int i = 0; i < model.Reader->GetNumberOfAnimations(); ++i)
     {
@@ -116,9 +116,9 @@ Facts GetFacts(const Picture& picture)
       }
     }
   }
-  facts.PointArrays = { { "lamps", GetPointArrays(picture.GetPoints().Lamps) },
-    { "fog", GetPointArrays(picture.GetPoints().Fogs) },
-    { "markers", GetPointArrays(picture.GetPoints().Markers) } };
+  facts.PointArrays = { { "lamps", GetPointArrays(picture.GetScene().GetPoints().Lamps) },
+    { "fog", GetPointArrays(picture.GetScene().GetPoints().Fogs) },
+    { "markers", GetPointArrays(picture.GetScene().GetPoints().Markers) } };
   return facts;
 }
 
@@ -129,11 +129,11 @@ std::optional<std::array<double, 2>> GetColorRange(const Picture& picture)
   {
     return std::nullopt;
   }
-  vtkActorCollection* actors = picture.GetBare().Get().Renderer->GetActors();
+  vtkActorCollection* actors = picture.GetScene().GetBare().Get().Renderer->GetActors();
   for (int i = 0; i < actors->GetNumberOfItems(); ++i)
   {
     vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
-    vtkMapper* mapper = picture.GetBare().Find(actor) ? actor->GetMapper() : nullptr;
+    vtkMapper* mapper = picture.GetScene().GetBare().Find(actor) ? actor->GetMapper() : nullptr;
     if (mapper && mapper->GetScalarVisibility() && mapper->GetUseLookupTableScalarRange())
     {
       const double* range = mapper->GetLookupTable()->GetRange();

@@ -6,7 +6,6 @@
 #include "MainWindow.h"
 #include "Picture.h"
 #include "PictureView.h"
-#include "PythonScript.h"
 #include "RecentFiles.h"
 #include "Scripts.h"
 
@@ -157,8 +156,8 @@ void AddEditMenu(MainWindow* window)
       }));
   NeedPicture(window,
     Add(menu, window, "Copy as &Python", QKeySequence("Ctrl+Shift+P"), "copyPython", [window] {
-      QApplication::clipboard()->setText(QString::fromStdString(
-        WritePython(window->GetView()->GetPicture(), window->GetViewSettings(), "picture.png")));
+      QApplication::clipboard()->setText(
+        QString::fromStdString(WritePython(window->GetViewSettings(), "picture.png")));
       window->Say("Copied: the Python program that makes this picture");
     }));
 }

@@ -110,13 +110,14 @@ template <typename Writer>
 void Write(const QString& path, vtkImageData* image)
 {
   const std::string place = path.toStdString();
-  cli::Outputs outputs;
+  scene::Outputs outputs;
   outputs.Add("Save", place, {});
   vtkNew<Writer> writer;
   writer->SetInputData(image);
   writer->SetFileName(outputs.Temporary(place).c_str());
   writer->Write();
-  cli::Messages::Check(place, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
+  scene::Messages::Check(
+    place, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
   outputs.Commit();
 }
 }
@@ -280,7 +281,7 @@ void MainWindow::SetViewSize(const std::string& words)
   {
     return;
   }
-  Settings asked;
+  scene::Settings asked;
   asked.Set("--size", words);
   const std::array<int, 2> pixels = asked.Parse().Size;
   const bool fixed = this->isMaximized() || this->isFullScreen();
@@ -302,7 +303,7 @@ void MainWindow::SetViewSize(const std::string& words)
   }
   if (share < 1.0)
   {
-    cli::Messages::Note(
+    scene::Messages::Note(
       "--size " + words + ": the screen has no room for so many pixels; the view is smaller");
   }
 }
@@ -339,7 +340,7 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
       this->OpenSession(paths[0]);
       return;
     }
-    Settings settings = this->Edited->Get();
+    scene::Settings settings = this->Edited->Get();
     const bool first = this->Good.Files.empty(); // what was said before it is meant for it
     settings.Files = beside ? settings.Files : std::vector<std::string>();
     if (!beside && !first)
@@ -348,7 +349,7 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
       {
         settings.Remove(word);
       }
-      for (const std::string& word : cli::GetModelOptions())
+      for (const std::string& word : scene::GetModelOptions())
       {
         settings.Remove(word);
       }
@@ -415,7 +416,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
 }
 
 //------------------------------------------------------------------------------
-void MainWindow::Open(const Settings& settings)
+void MainWindow::Open(const scene::Settings& settings)
 {
   QStringList paths;
   for (const std::string& file : settings.Files)
@@ -426,12 +427,12 @@ void MainWindow::Open(const Settings& settings)
 }
 
 //------------------------------------------------------------------------------
-void MainWindow::Open(const Settings& settings, const QStringList& recent)
+void MainWindow::Open(const scene::Settings& settings, const QStringList& recent)
 {
   settings.Parse(); // what is refused leaves everything as it is
   this->Opening = recent;
-  this->Place = Settings();
-  Settings rest = settings;
+  this->Place = scene::Settings();
+  scene::Settings rest = settings;
   for (const char* word : PlaceWords)
   {
     this->Place.SetAll(word, settings.GetAll(word));
@@ -445,7 +446,7 @@ void MainWindow::Open(const Settings& settings, const QStringList& recent)
 //------------------------------------------------------------------------------
 void MainWindow::Follow()
 {
-  const Settings settings = this->Edited->Get();
+  const scene::Settings settings = this->Edited->Get();
   const std::string key = GetReadingKey(settings);
   this->Reading.Forget();
   if (settings.Files.empty())
@@ -507,9 +508,9 @@ void MainWindow::Update()
 
 //------------------------------------------------------------------------------
 // What is set while a file is read is seen at once, where that needs no file.
-void MainWindow::ChangeShown(const Settings& settings)
+void MainWindow::ChangeShown(const scene::Settings& settings)
 {
-  Settings changed = this->Meanwhile;
+  scene::Settings changed = this->Meanwhile;
   changed.TakeChanges(this->Asked, settings);
   this->Asked = settings;
   Picture& picture = this->Shown->GetPicture();
@@ -625,7 +626,7 @@ void MainWindow::GiveUp()
     // For the next file.
     this->Good = this->Edited->Get();
     this->Good.Files.clear();
-    this->Good.TakeChanges(Settings(), this->Place);
+    this->Good.TakeChanges(scene::Settings(), this->Place);
   }
   else if (this->Meanwhile != this->Good)
   {
@@ -664,8 +665,8 @@ QString MainWindow::ShowRead()
   this->Begin();
   Picture& picture = this->Shown->GetPicture();
   QWidget* page = this->Pages->currentWidget();
-  const cli::Scene scene = this->Reader->TakeScene();
-  const cli::FramePoints points = this->Reader->TakePoints();
+  const scene::Scene scene = this->Reader->TakeScene();
+  const scene::FramePoints points = this->Reader->TakePoints();
   try
   {
     if (this->PointsOnly)
@@ -674,8 +675,8 @@ QString MainWindow::ShowRead()
     }
     else
     {
-      Settings settings = this->Edited->Get();
-      settings.TakeChanges(Settings(), this->Place);
+      scene::Settings settings = this->Edited->Get();
+      settings.TakeChanges(scene::Settings(), this->Place);
       this->Pages->setCurrentWidget(this->Shown);
       this->SetViewSize(this->Place.Get("--size"));
       picture.Show(scene, points, settings, this->KeepCamera);
@@ -703,7 +704,7 @@ QString MainWindow::ShowRead()
 void MainWindow::EndReading()
 {
   this->Report->Renew();
-  this->Place = Settings();
+  this->Place = scene::Settings();
   this->Shown->Draw();
   Q_EMIT this->Edited->shown();
   Q_EMIT this->ready();
@@ -723,11 +724,11 @@ void MainWindow::Remember()
 void MainWindow::TellMessages()
 {
   QStringList all;
-  for (const std::string& text : cli::Messages::TakeNotes())
+  for (const std::string& text : scene::Messages::TakeNotes())
   {
     all += QString::fromStdString(text);
   }
-  for (const std::string& text : cli::Messages::TakeWarnings())
+  for (const std::string& text : scene::Messages::TakeWarnings())
   {
     all += "Warning: " + QString::fromStdString(text);
   }
@@ -747,7 +748,7 @@ void MainWindow::OnDrawn()
   {
     if (!this->Reader->IsBusy()) // whose messages are the thread's
     {
-      cli::Messages::Check("Picture");
+      scene::Messages::Check("Picture");
     }
   }
   catch (const std::exception& error)
@@ -757,7 +758,7 @@ void MainWindow::OnDrawn()
 }
 
 //------------------------------------------------------------------------------
-Settings MainWindow::GetViewSettings()
+scene::Settings MainWindow::GetViewSettings()
 {
   return this->Shown->GetPicture().GetView(this->Good);
 }
@@ -848,7 +849,7 @@ void MainWindow::SaveLayers(const QString& path, const std::vector<std::string>&
     source->AddLayer(layer);
   }
   source->Update();
-  cli::Messages::Check(path.toStdString(), source->GetErrorCode() != 0);
+  scene::Messages::Check(path.toStdString(), source->GetErrorCode() != 0);
   Write<vtkRelievoEXRWriter>(path, source->GetOutput());
   this->Say("Saved " + path);
 }

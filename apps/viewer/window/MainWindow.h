@@ -41,16 +41,16 @@ public:
   Document* GetDocument() { return this->Edited; }
   PictureView* GetView() { return this->Shown; }
 
-  /// Shows these settings; files are read in the background. Throws cli::UsageError, and changes
+  /// Shows these settings; files are read in the background. Throws scene::UsageError, and changes
   /// nothing, for those that the command line refuses.
-  void Open(const Settings& settings);
+  void Open(const scene::Settings& settings);
 
   /// Files, of which a session is opened alone, instead of those shown or `beside` them.
   void OpenFiles(const QStringList& paths, bool beside = false);
 
   ///@{
   /// Pictures with every sample of soft shadows: the user sees how far it is, and may end it, which
-  /// saves nothing. Each throws cli::WorkError or cli::UsageError.
+  /// saves nothing. Each throws scene::WorkError or scene::UsageError.
   void OpenSession(const QString& path);
   void SaveSession(const QString& path);
   void SavePicture(const QString& path);
@@ -58,7 +58,7 @@ public:
   ///@}
 
   /// What is shown with its camera and size.
-  Settings GetViewSettings();
+  scene::Settings GetViewSettings();
 
   /// A line that stays until the next.
   void Say(const QString& text, bool isTrouble = false);
@@ -87,11 +87,11 @@ private:
   void AddPanels();
   void AddStatus();
   void Connect();
-  void Open(const Settings& settings, const QStringList& recent);
+  void Open(const scene::Settings& settings, const QStringList& recent);
   void Follow();
   void ShowNothing();
   void Update();
-  void ChangeShown(const Settings& settings);
+  void ChangeShown(const scene::Settings& settings);
   void Read();
   void Begin();
   void ShowReading();
@@ -125,13 +125,13 @@ private:
   QProgressBar* Bar;
   QPushButton* Cancel;
   QString Trouble;
-  Settings Good;      // what is shown
-  Settings Asked;     // what is being read
-  Settings Meanwhile; // what is shown, with all that was set since the reading began
+  scene::Settings Good;      // what is shown
+  scene::Settings Asked;     // what is being read
+  scene::Settings Meanwhile; // what is shown, with all that was set since the reading began
   bool SetMeanwhile = false;
   bool PointsOnly = false; // is being read, and the scene stays
   std::string ReadingKey;  // of what is shown, or being read; empty: what the user opens now
-  Settings Place;          // camera and size of what is being read
+  scene::Settings Place;   // camera and size of what is being read
   bool KeepCamera = false; // instead
   bool Saving = false;
   std::optional<QString> Late; // what a reading came to while a picture was saved

@@ -1,0 +1,194 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scenes of files, as `relievo render` makes them."""
+
+import json
+import numbers
+import os
+import warnings
+
+from vtkmodules.vtkCommonCore import vtkStringArray
+
+from ._errors import Watch
+from ._wrapped import vtkRelievoScene
+
+_OPTIONS = {row["name"][2:].replace("-", "_"): row for row in json.loads(vtkRelievoScene.GetOptions())}
+
+# What stands between the numbers of a tuple; a comma for the others.
+_BETWEEN = {"size": "x", "color": "/", "background": "/"}
+
+_OUTPUTS = ("png", "exr", "report", "layers", "hdr", "certify")
+
+
+def _word(name, value):
+    """A value as the word behind an option."""
+    if isinstance(value, (bytes, str, os.PathLike)):
+        return os.fsencode(value)
+    if isinstance(value, numbers.Real):
+        return repr(value + 0).encode()
+    try:
+        words = [_word(name, each) for each in value]
+    except TypeError:
+        raise ValueError(
+            f"{name}: got {value!r}, expected text, a number, or several of them"
+        ) from None
+    is_text = any(isinstance(each, (bytes, str)) for each in value)
+    return (b"," if is_text else _BETWEEN.get(name, ",").encode()).join(words)
+
+
+def _words(name, value):
+    """The words of an option: --name value, as often as it is given."""
+    if name not in _OPTIONS:
+        raise ValueError(f"{name}: got an option that there is not, expected {', '.join(_OPTIONS)}")
+    option = _OPTIONS[name]
+    if value is None or value is False:
+        return []
+    if not option["value"]:
+        if value is not True:
+            raise ValueError(f"{name}: got {value!r}, expected True or False")
+        return [option["name"].encode()]
+    if value is True:
+        raise ValueError(f"{name}: got True, expected {option['value']}")
+    several = isinstance(value, list) if option["repeats"] else False
+    return [
+        word
+        for each in (value if several else [value])
+        for word in (option["name"].encode(), _word(name, each))
+    ]
+
+
+class Scene:
+    """Files, and how they are shown; see scene()."""
+
+    def __init__(self, files, options):
+        self._scene = vtkRelievoScene()
+        self._files = [os.fsencode(path) for path in files]
+        self._options = {}
+        self._stale = True
+        self.set(**options)
+
+    def set(self, **options):
+        """Changes options; None takes one back. Returns the scene."""
+        bad = sorted(set(options) & set(_OUTPUTS))
+        if bad:
+            raise ValueError(f"{bad[0]}: got an option of outputs, which render() takes")
+        wanted = {**self._options, **options}
+        self._say(wanted)
+        self._options = {name: value for name, value in wanted.items() if value is not None}
+        self._stale = True
+        return self
+
+    def update(self):
+        """Reads what has not been read and sets what has changed. Returns the scene.
+
+        The camera goes where the options put it: fitted, if none is given.
+        """
+        self._say(self._options)
+        self._run(self._scene.Update)
+        self._stale = False
+        return self
+
+    def render(self, png=None, *, exr=None, report=None, layers=None, hdr=False, certify=None):
+        """Draws the scene and writes files: a picture, layers, the frame's report; all or none.
+
+        png, exr, report: paths. layers: names of layers in the EXR beside its colour (depth).
+        hdr: its colour as the lights give it. certify: as many verdicts of the shadows are judged by
+        rays in double precision, and the finding is returned in words.
+        """
+        outputs = {"png": png, "exr": exr, "report": report, "hdr": hdr, "certify": certify}
+        outputs["layers"] = ",".join(layers) if layers and not isinstance(layers, str) else layers
+        try:
+            self._say({**self._options, **outputs})
+            self._run(self._scene.Write)
+            self._stale = False
+        finally:
+            if self._stale or self._scene.GetFailure():
+                self._stale = True
+        return self._scene.GetCertificate() or None
+
+    @property
+    def renderer(self):
+        """The vtkRenderer that shows the scene, up to date with its options.
+
+        What a script changes in it stays until an option changes that as well.
+        """
+        if self._stale:
+            self.update()
+        return self._scene.GetRenderer()
+
+    @property
+    def window(self):
+        """The vtkRenderWindow that the renderer is in: off screen, unless another was set."""
+        if self._stale:
+            self.update()
+        return self._scene.GetRenderWindow()
+
+    @window.setter
+    def window(self, window):
+        self._scene.SetRenderWindow(window)
+        self._stale = True
+
+    @property
+    def frame(self):
+        """The vtkRelievoPass around what VTK draws; None where no option needs one."""
+        if self._stale:
+            self.update()
+        return self._scene.GetPass()
+
+    @property
+    def notes(self):
+        """What the last update or picture left out or mended, a line each."""
+        notes = self._scene.GetNotes()
+        return [notes.GetValue(i) for i in range(notes.GetNumberOfValues())]
+
+    def _say(self, options):
+        words = vtkStringArray()
+        for name, value in options.items():
+            for word in _words(name, value):
+                words.InsertNextValue(word)
+        words.InsertNextValue("--")
+        for path in self._files:
+            words.InsertNextValue(path)
+        self._run(lambda: self._scene.SetWords(words))
+
+    def _run(self, work):
+        with Watch(self._scene):
+            done = work()
+        if not done:
+            scene = self._scene
+            kinds = {
+                scene.USAGE_FAILURE: ValueError,
+                scene.FILE_FAILURE: OSError,
+                scene.DRAW_FAILURE: RuntimeError,
+            }
+            raise kinds[scene.GetFailure()](scene.GetFailureText())
+        found = self._scene.GetWarnings()
+        for i in range(found.GetNumberOfValues()):
+            warnings.warn(found.GetValue(i), RuntimeWarning, stacklevel=4)
+
+
+def scene(*files, **options):
+    files = [files] if isinstance(files, (str, bytes)) else files
+    return Scene(files, options)
+
+
+def _describe():
+    """The docstring of scene(), with every option of the command."""
+    text = '''A scene of files, as `relievo render` makes it: render() draws it, renderer is VTK's.
+
+    relievo.scene("bike.obj", up="z", preset="studio").render("bike.png")
+
+files: what `relievo --help` lists. Options are those of the command, with _ for -: text as behind
+the option, a number, a tuple of numbers, True for an option without a value; a list for one that may
+be repeated. Wrong options raise ValueError, a file that cannot be read or written OSError, drawing
+that fails RuntimeError.
+
+'''
+    for name, row in _OPTIONS.items():
+        if name not in _OUTPUTS:
+            value = f"={row['value']}" if row["value"] else "=True"
+            text += f"{name}{value}\n" + "".join(f"    {line}\n" for line in row["help"].split("\n"))
+    return text
+
+
+scene.__doc__ = _describe()

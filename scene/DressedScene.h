@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A scene that was read, shown as options say: only what changed is set anew, and the picture is
+ * that of a scene which was never shown otherwise.
+ */
+#ifndef DressedScene_h
+#define DressedScene_h
+
+#include "BareScene.h"
+#include "Frame.h"
+#include "Options.h"
+#include "Settings.h"
+
+#include <array>
+#include <string>
+
+class vtkRelievoPass;
+
+namespace scene
+{
+///@{
+/// What of the settings a reader needs: when this changes, files are read again. The scene's part
+/// is all but the points of lamps, fog and markers.
+std::string GetReadingKey(const Settings& settings);
+std::string GetSceneKey(const Settings& settings);
+///@}
+
+class DressedScene
+{
+public:
+  DressedScene() = default;
+
+  /// The scene's renderer leaves its window.
+  DressedScene(const Scene& scene, const FramePoints& points);
+
+  /// Shows the scene by these options, which are those of the settings; `keepCamera`: but with the
+  /// renderer's camera. The renderer must be in a window. Throws UsageError or WorkError, and leaves
+  /// the scene between what it was and what it was to be: another update mends it.
+  void Update(const Settings& settings, const RenderOptions& options, bool keepCamera);
+
+  /// Other points for the lamps, fog and markers of the options that are shown next.
+  void SetPoints(const FramePoints& points);
+
+  /// Whether an update reads no file.
+  bool IsDressedAlike(const Settings& settings) const;
+
+  /// Whether a colour bar that is shown was made for another size of the window.
+  bool IsBarOutgrown() const;
+
+  vtkRenderer* GetRenderer() const { return this->Bare.Get().Renderer; }
+  vtkRelievoPass* GetFrame() const; ///< null: the picture is VTK's own
+  Scene& GetScene() { return this->Bare.Get(); }
+  const BareScene& GetBare() const { return this->Bare; }
+  const FramePoints& GetPoints() const { return this->Points; }
+  const RenderOptions& GetOptions() const { return this->Options; } ///< that are shown
+  const double* GetBounds() const { return this->Bounds; }          ///< of what is shown
+
+private:
+  void SetFrame(const RenderOptions& options);
+
+  BareScene Bare;
+  FramePoints Points;
+  RenderOptions Options;
+  std::string Dress = "\n", Surface = "\n"; // the words it was made of; at first like no words
+  double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  std::array<int, 2> BarSize{}; // of the window that the scalar bar was made for
+};
+}
+
+#endif

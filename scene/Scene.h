@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * From files and options to a window with one renderer, ready to draw: actors, lights, camera.
+ */
+#ifndef Scene_h
+#define Scene_h
+
+#include "Models.h"
+
+#include "vtkRenderWindow.h" // for the scene's own
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+class vtkCamera;
+
+namespace scene
+{
+class Progress;
+struct CameraPlace;
+struct RenderOptions;
+
+struct Scene
+{
+  vtkSmartPointer<vtkRenderWindow> Window; ///< off screen, single sample, of the asked size
+  vtkSmartPointer<vtkRenderer> Renderer;
+  std::vector<PosedModel> Models;
+  std::vector<int> Counts;          ///< how many actors each file gave, skeletons apart
+  std::set<std::string> Arrays;     ///< names of the point and cell arrays that can be layers
+  std::set<std::string> Placed;     ///< the same as point:NAME and cell:NAME
+  std::set<std::string> Incomplete; ///< files of which cells with infinite points are left out
+  std::map<vtkActor*, std::optional<std::string>> ObjMaterials; ///< names of parts of OBJ files
+  std::map<vtkActor*, double> Opacities; ///< of glTF's materials, which VTK does not always take
+  std::optional<std::array<double, 2>> Times; ///< seconds that animations last; none: nothing moves
+};
+
+/// Reads every file. Throws WorkError with the name of the file that cannot be read or shows
+/// nothing.
+Scene ReadScene(const RenderOptions& options, Progress& progress);
+
+/// Shading, colours and lights of what was read, and the camera.
+void DressScene(Scene& scene, const RenderOptions& options);
+
+constexpr double StandardViewAngle = 30.0; ///< VTK's, degrees
+
+/// The camera alone.
+void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options);
+
+/// Where a camera stands.
+CameraPlace GetPlace(vtkCamera* camera);
+
+/// Fits the camera so that it sees every frame of a sequence, from one place.
+void FitTimes(Scene& scene, const RenderOptions& options, Progress& progress);
+
+/// Moves the models to a time in seconds; the camera stays.
+void PlayScene(Scene& scene, const RenderOptions& options, double time, Progress& progress);
+}
+
+#endif

@@ -1,0 +1,360 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WriteOutputs.h"
+
+#include "DressedScene.h"
+#include "Errors.h"
+#include "Frame.h"
+#include "Messages.h"
+#include "Options.h"
+#include "Outputs.h"
+#include "Progress.h"
+#include "Scene.h"
+#include "Shadows.h"
+#include "StandardError.h"
+#include "Values.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkRelievoEXRWriter.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoLayerSource.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoShadowCertificate.h"
+#include "vtkRelievoShadowStage.h"
+#include "vtkRelievoStage.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+
+namespace scene
+{
+namespace
+{
+// An EXR file without a word about layers holds the colour and the depth.
+const std::vector<std::string> DefaultLayers = { "depth" };
+
+// GPU times are read a frame or more later and never waited for, so a report needs a few frames.
+constexpr int FramesUntilTimed = 4;
+
+// Throws UsageError if nothing that is drawn can have the layer.
+void CheckLayer(const std::string& option, const std::string& name, const Scene& scene)
+{
+  if (vtkRelievoLayerCatalogue::GetIsLayer(name) || scene.Arrays.count(name) != 0 ||
+    scene.Placed.count(name) != 0)
+  {
+    return;
+  }
+  const std::vector<std::string> arrays(scene.Arrays.begin(), scene.Arrays.end());
+  RefuseValue(option, name,
+    "one of " + vtkRelievoLayerCatalogue::GetLayerNames() +
+      (arrays.empty() ? "; the files hold no arrays" : ", or an array: " + Join(arrays, ", ")));
+}
+
+// The layer that is shown as the picture, if one is.
+void CheckShownLayer(const RenderOptions& options, const Scene& scene)
+{
+  for (const StageChoice& stage : options.Stages)
+  {
+    for (const auto& [parameter, value] : stage.Parameters)
+    {
+      if (stage.Name == "display" && parameter == "layer" && !value.empty())
+      {
+        CheckLayer(stage.Option + " display:layer", value, scene);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> LayersToCapture(const RenderOptions& options, const Scene& scene)
+{
+  std::vector<std::string> layers;
+  if (!options.EXR.empty())
+  {
+    layers.push_back(vtkRelievoLayerCatalogue::GetPicture().Name);
+  }
+  const bool unnamed = options.Layers.empty() && !options.EXR.empty();
+  for (const std::string& name : unnamed ? DefaultLayers : options.Layers)
+  {
+    CheckLayer("--layers", name, scene);
+    if (std::find(layers.begin(), layers.end(), name) == layers.end())
+    {
+      layers.push_back(name);
+    }
+  }
+  return layers;
+}
+
+//------------------------------------------------------------------------------
+void WritePNG(
+  vtkRenderWindow* window, const RenderOptions& options, const Outputs& outputs, Progress& progress)
+{
+  progress.Begin("writing " + options.PNG);
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetFileName(outputs.Temporary(options.PNG).c_str());
+  progress.Observe(writer);
+  {
+    const SilentLibraries silence; // libpng prints what the writer says
+    writer->Write();
+  }
+  progress.End();
+  Messages::Check(options.PNG, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
+}
+
+//------------------------------------------------------------------------------
+void WriteEXR(
+  vtkImageData* image, const RenderOptions& options, const Outputs& outputs, Progress& progress)
+{
+  progress.Begin("writing " + options.EXR);
+  vtkNew<vtkRelievoEXRWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(outputs.Temporary(options.EXR).c_str());
+  progress.Observe(writer);
+  writer->Write();
+  progress.End();
+  Messages::Check(options.EXR, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
+}
+
+//------------------------------------------------------------------------------
+void WriteReport(vtkRelievoPass* pass, const RenderOptions& options, const Outputs& outputs)
+{
+  std::ofstream file(outputs.Temporary(options.Report), std::ios::binary);
+  file << pass->GetFrameReport() << '\n';
+  file.close();
+  if (!file)
+  {
+    throw WorkError(options.Report + ": cannot be written; is the disk full?");
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string Certify(vtkRelievoPass* pass, int rays)
+{
+  vtkRelievoShadowCertificate* certificate = pass->GetShadowStage()->Certify(rays);
+  Messages::Check("--certify");
+  return certificate->GetWords();
+}
+
+//------------------------------------------------------------------------------
+// Somebody who asks for a stage should not have to guess why nothing of it is seen.
+void NoteIdleStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages)
+{
+  for (const StageChoice& choice : stages)
+  {
+    vtkRelievoStage* stage = pass->GetStage(choice.Name);
+    if (stage->GetReasonCode() != "ran")
+    {
+      const std::string asked =
+        choice.Option + (choice.Option == StageChoice().Option ? " " + choice.Name : "");
+      Messages::Note(asked + " changed nothing: " + stage->GetReason());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The options of one frame of a sequence: its time, and the names of its files.
+RenderOptions FrameOptions(const RenderOptions& options, int frame)
+{
+  RenderOptions own = options;
+  own.Model.Time = options.Model.Times[static_cast<std::size_t>(frame)];
+  own.Model.Times.clear();
+  for (std::string RenderOptions::*name :
+    { &RenderOptions::PNG, &RenderOptions::EXR, &RenderOptions::Report })
+  {
+    own.*name = (own.*name).empty() ? "" : GetFrameName(own.*name, frame);
+  }
+  return own;
+}
+
+//------------------------------------------------------------------------------
+// Draws the scene as it is and writes what is asked for, whole.
+void DrawFrame(vtkRenderer* renderer, vtkRelievoPass* pass, const std::vector<std::string>& layers,
+  const RenderOptions& options, Outputs& outputs, Progress& progress, const std::string& what)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  progress.Begin(what);
+  if (!options.Report.empty())
+  {
+    pass->GetFrameReport(); // from now on frames are timed, whatever the OpenGL
+  }
+  for (int frame = 1; !options.Report.empty() && frame < FramesUntilTimed; ++frame)
+  {
+    window->Render();
+    progress.Update(double(frame) / FramesUntilTimed);
+  }
+  vtkNew<vtkRelievoLayerSource> source;
+  if (!options.EXR.empty())
+  {
+    source->SetRenderer(renderer);
+    source->SetHDR(options.HDR);
+    for (const std::string& name : layers)
+    {
+      source->AddLayer(name);
+    }
+    source->Update();
+  }
+  if (options.EXR.empty() || (options.HDR && !options.PNG.empty())) // which leaves the window alone
+  {
+    window->Render();
+  }
+  progress.End();
+  Messages::Check(what);
+  NoteIdleStages(pass, options.Stages);
+
+  try
+  {
+    if (!options.PNG.empty())
+    {
+      WritePNG(window, options, outputs, progress);
+    }
+    if (!options.EXR.empty())
+    {
+      // The image and not the source's port: a source of layers draws anew whenever it is asked.
+      WriteEXR(source->GetOutput(), options, outputs, progress);
+    }
+    if (!options.Report.empty())
+    {
+      WriteReport(pass, options, outputs);
+    }
+    for (const std::string& warning : Messages::TakeWarnings())
+    {
+      Messages::Warn(outputs.WithGivenNames(warning));
+    }
+  }
+  catch (const WorkError& error)
+  {
+    throw FileError(outputs.WithGivenNames(error.what()));
+  }
+}
+}
+
+namespace
+{
+// The frame that draws the outputs; afterwards the renderer is as it was.
+class OutputFrame
+{
+public:
+  OutputFrame(
+    DressedScene& dressed, const RenderOptions& options, const std::vector<std::string>& layers)
+    : Renderer(dressed.GetRenderer())
+    , Pass(dressed.GetFrame())
+  {
+    this->Own =
+      !this->Pass && (!layers.empty() || !options.Report.empty() || options.Certify.has_value());
+    if (this->Own)
+    {
+      this->Pass = vtkRelievoPass::Attach(this->Renderer);
+      SetFrame(this->Pass, this->Renderer, options, dressed.GetPoints());
+    }
+    if (this->Pass)
+    {
+      this->Waited = this->Pass->GetWaitForSamples();
+      this->Pass->WaitForSamplesOn();
+    }
+    for (const std::string& name : layers)
+    {
+      if (name != vtkRelievoLayerCatalogue::GetPicture().Name) // which is drawn anyway
+      {
+        this->Pass->RequestLayer(name);
+        this->Layers.push_back(name);
+      }
+    }
+  }
+  ~OutputFrame()
+  {
+    for (const std::string& name : this->Layers)
+    {
+      this->Pass->ReleaseLayer(name);
+    }
+    if (this->Pass)
+    {
+      this->Pass->SetWaitForSamples(this->Waited);
+    }
+    if (this->Own)
+    {
+      vtkRelievoPass::Detach(this->Renderer);
+    }
+  }
+  OutputFrame(const OutputFrame&) = delete;
+  void operator=(const OutputFrame&) = delete;
+
+  vtkRelievoPass* Get() const { return this->Pass; }
+
+private:
+  vtkRenderer* Renderer;
+  vtkRelievoPass* Pass;
+  bool Own = false, Waited = false;
+  std::vector<std::string> Layers;
+};
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<Outputs> OpenOutputs(
+  const RenderOptions& options, const std::vector<std::string>& inputs)
+{
+  const RenderOptions first = options.Model.Times.empty() ? options : FrameOptions(options, 0);
+  auto outputs = std::make_unique<Outputs>();
+  const std::pair<const char*, const std::string&> places[] = { { "--png", first.PNG },
+    { "--exr", first.EXR }, { "--report", first.Report } };
+  for (const auto& [option, path] : places)
+  {
+    if (!path.empty())
+    {
+      outputs->Add(option, path, inputs);
+    }
+  }
+  return outputs;
+}
+
+//------------------------------------------------------------------------------
+std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
+  const std::vector<std::string>& inputs, std::unique_ptr<Outputs> outputs, Progress& progress)
+{
+  vtkRenderer* renderer = dressed.GetRenderer();
+  const std::vector<std::string> layers = LayersToCapture(options, dressed.GetScene());
+  CheckShownLayer(options, dressed.GetScene());
+  const int lights = CountLights(renderer);
+  CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
+  const std::string size = std::to_string(options.Size[0]) + "x" + std::to_string(options.Size[1]);
+  progress.Begin("rendering " + size);
+  const OutputFrame frame(dressed, options, layers);
+  vtkRelievoPass* pass = frame.Get();
+  const int frames = static_cast<int>(options.Model.Times.size());
+  if (frames == 0)
+  {
+    DrawFrame(renderer, pass, layers, options, *outputs, progress, "rendering " + size);
+  }
+  const std::string certificate = options.Certify ? Certify(pass, *options.Certify) : "";
+  if (frames == 0)
+  {
+    outputs->Commit();
+  }
+  for (int number = 0; number < frames; ++number)
+  {
+    const RenderOptions own = FrameOptions(options, number);
+    if (number > 0)
+    {
+      outputs.reset(); // before the next one, which may have the same temporary names
+      outputs = OpenOutputs(own, inputs);
+      PlayScene(dressed.GetScene(), options, *own.Model.Time, progress);
+    }
+    DrawFrame(renderer, pass, layers, own, *outputs, progress,
+      "rendering " + size + ", frame " + std::to_string(number + 1) + " of " +
+        std::to_string(frames));
+    outputs->Commit();
+  }
+  return certificate;
+}
+}

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Images.h"
+
+#include "CrashGuard.h"
+#include "Errors.h"
+#include "Messages.h"
+#include "Progress.h"
+#include "Readers.h"
+#include "Values.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
+#include "vtkRelievoImageFile.h"
+
+#include <algorithm>
+
+namespace scene
+{
+namespace
+{
+vtkInformationStringKey* FileKey()
+{
+  static vtkInformationStringKey* const key = vtkInformationStringKey::MakeKey("FILE", "cliImages");
+  return key;
+}
+}
+
+//------------------------------------------------------------------------------
+void CheckImage(
+  const std::string& option, const std::string& path, const std::vector<std::string>& extensions)
+{
+  if (std::find(extensions.begin(), extensions.end(), ExtensionOf(path)) == extensions.end())
+  {
+    RefuseValue(option, path, "an image: " + Join(extensions, " "));
+  }
+  CheckReadable(path);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, Progress& progress)
+{
+  progress.Begin("reading " + path);
+  std::string failure;
+  vtkSmartPointer<vtkImageData> image;
+  {
+    const CrashGuard guard(path);
+    image = vtkRelievoImageFile::Read(
+      path, failure, [&progress](vtkAlgorithm* reader) { progress.Observe(reader); });
+  }
+  progress.End();
+  Messages::Check(path, !image, "expected " + failure);
+  image->GetInformation()->Set(FileKey(), path);
+  return image;
+}
+
+//------------------------------------------------------------------------------
+std::string GetImageFile(vtkImageData* image)
+{
+  const char* path = image ? image->GetInformation()->Get(FileKey()) : nullptr;
+  return path ? path : "";
+}
+}

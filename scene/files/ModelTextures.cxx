@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ModelTextures.h"
+
+#include "CrashGuard.h"
+#include "Errors.h"
+#include "Images.h"
+#include "Messages.h"
+#include "Progress.h"
+
+#include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkRelievoModelReader.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+namespace scene
+{
+namespace
+{
+const std::vector<std::string> Extensions = { ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp" };
+
+// Files name textures by paths of the machine that wrote them: the name alone is looked for too.
+std::string FindFile(std::string name, const std::string& path)
+{
+  std::replace(name.begin(), name.end(), '\\', '/');
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  for (const std::filesystem::path& candidate :
+    { folder / name, folder / std::filesystem::path(name).filename() })
+  {
+    std::error_code trouble;
+    if (std::filesystem::is_regular_file(candidate, trouble))
+    {
+      return candidate.string();
+    }
+  }
+  return "";
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ModelTextures::Read(const std::string& name, Progress& progress)
+{
+  if (this->Reader->HasEmbeddedTexture(name.c_str()))
+  {
+    const CrashGuard guard(this->Path);
+    vtkSmartPointer<vtkImageData> image = this->Reader->GetEmbeddedTexture(name.c_str());
+    Messages::Check("in the file", !image, "expected an image");
+    return image;
+  }
+  const std::string file = FindFile(name, this->Path);
+  if (file.empty())
+  {
+    throw WorkError("there is no such file");
+  }
+  CheckImage("texture", file, Extensions);
+  return ReadImage(file, progress);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ModelTextures::Find(
+  vtkDataSet* mesh, const char* array, const std::string& what, Progress& progress)
+{
+  auto* names = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(array));
+  if (!names || names->GetNumberOfValues() == 0 || !mesh->GetPointData()->GetTCoords())
+  {
+    return nullptr;
+  }
+  const std::string name = names->GetValue(0);
+  try
+  {
+    return this->Read(name, progress);
+  }
+  catch (const std::exception& error)
+  {
+    Messages::Note(this->Path + ": drawn without the " + what + " " + name + ": " + error.what());
+    return nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+void ModelTextures::Put(vtkActor* actor, vtkDataSet* mesh, Progress& progress)
+{
+  if (const auto image = this->Find(mesh, "base_color_texture", "texture", progress))
+  {
+    vtkSmartPointer<vtkTexture>& texture = this->Textures[image];
+    if (!texture)
+    {
+      texture = vtkSmartPointer<vtkTexture>::New();
+      texture->SetInputData(image);
+      texture->InterpolateOn();
+      texture->MipmapOn();
+    }
+    actor->SetTexture(texture);
+    actor->GetProperty()->SetColor(1., 1., 1.); // the texture's colours are the whole
+  }
+  if (const auto image = this->Find(mesh, "normal_texture", "normal map", progress))
+  {
+    vtkDataArray* given = mesh->GetFieldData()->GetArray("normal_strength");
+    const double strength = given ? given->GetComponent(0, 0) : 1.;
+    vtkSmartPointer<vtkRelievoMaterial>& material = this->Materials[{ image.Get(), strength }];
+    if (!material)
+    {
+      material = vtkSmartPointer<vtkRelievoMaterial>::New();
+      material->SetNormalMap(image);
+      material->SetNormalStrength(strength);
+    }
+    material->Attach(actor);
+  }
+}
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Textures and normal maps of models with bones, from images in the model's file and beside it.
+ */
+#ifndef ModelTextures_h
+#define ModelTextures_h
+
+#include "vtkImageData.h"
+#include "vtkRelievoMaterial.h"
+#include "vtkSmartPointer.h"
+#include "vtkTexture.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+class vtkActor;
+class vtkDataSet;
+class vtkRelievoModelReader;
+
+namespace scene
+{
+class Progress;
+
+class ModelTextures
+{
+public:
+  ModelTextures(vtkRelievoModelReader* reader, const std::string& path)
+    : Reader(reader)
+    , Path(path)
+  {
+  }
+
+  /// Those that the mesh names, on its actor. What cannot be read is noted.
+  void Put(vtkActor* actor, vtkDataSet* mesh, Progress& progress);
+
+private:
+  vtkSmartPointer<vtkImageData> Find(
+    vtkDataSet* mesh, const char* array, const std::string& what, Progress& progress);
+  vtkSmartPointer<vtkImageData> Read(const std::string& name, Progress& progress);
+
+  vtkRelievoModelReader* Reader;
+  std::string Path;
+  // Meshes share them, where they are alike.
+  std::map<vtkImageData*, vtkSmartPointer<vtkTexture>> Textures;
+  std::map<std::pair<vtkImageData*, double>, vtkSmartPointer<vtkRelievoMaterial>> Materials;
+};
+}
+
+#endif

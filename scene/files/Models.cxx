@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Models.h"
+
+#include "Actors.h"
+#include "CrashGuard.h"
+#include "Errors.h"
+#include "Messages.h"
+#include "ModelOptions.h"
+#include "ModelTextures.h"
+#include "Progress.h"
+#include "Readers.h"
+
+#include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRelievoModelReader.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace scene
+{
+namespace
+{
+void SetColor(vtkActor* actor, vtkDataSet* mesh)
+{
+  vtkDataArray* color = mesh->GetFieldData()->GetArray("base_color");
+  if (color && color->GetNumberOfComponents() == 4)
+  {
+    double c[4];
+    color->GetTuple(0, c);
+    for (double& part : c)
+    {
+      part = std::clamp(part, 0., 1.);
+    }
+    actor->GetProperty()->SetColor(c);
+    if (c[3] > 0.) // some writers leave it at none
+    {
+      actor->GetProperty()->SetOpacity(c[3]);
+    }
+  }
+}
+
+vtkSmartPointer<vtkPolyData> CopySkeleton(vtkRelievoModelReader* reader)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(reader->GetOutputDataObject(1));
+  return copy;
+}
+
+// Throws UsageError for an animation or a bone that the file does not have.
+void CheckNames(vtkRelievoModelReader* reader, const ModelChoice& choice, const std::string& path)
+{
+  const auto lacks = [](vtkStringArray* names, const std::string& name) {
+    return !name.empty() && names && names->GetNumberOfValues() > 0 && names->LookupValue(name) < 0;
+  };
+  if (lacks(reader->GetAnimationNames(), choice.Animation) ||
+    lacks(reader->GetAnimationNames(), choice.Blend) ||
+    lacks(reader->GetBoneNames(), choice.BoneWeight))
+  {
+    try
+    {
+      Messages::Check(path);
+    }
+    catch (const WorkError& error)
+    {
+      throw UsageError(error.what());
+    }
+  }
+}
+
+// Lines as they are, not lit, with the colours of their axes.
+vtkSmartPointer<vtkActor> MakeSkeletonActor(vtkRelievoModelReader* reader)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(CopySkeleton(reader));
+  mapper->SetScalarModeToUseCellData();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetLineWidth(2.f);
+  return actor;
+}
+}
+
+//------------------------------------------------------------------------------
+PosedModel ReadModel(
+  const std::string& path, const ModelChoice& choice, bool smooth, Progress& progress)
+{
+  progress.Begin("reading " + path);
+  PosedModel model;
+  model.Path = path;
+  model.Smooth = smooth;
+  model.Reader = vtkSmartPointer<vtkRelievoModelReader>::New();
+  vtkRelievoModelReader* reader = model.Reader;
+  {
+    const CrashGuard guard(path);
+    reader->SetFileName(path.c_str());
+    reader->SetAnimation(choice.Animation.c_str());
+    reader->SetBlendAnimation(choice.Blend.c_str());
+    reader->SetBlendWeight(choice.BlendWeight);
+    reader->SetLoop(choice.Loop);
+    reader->SetSkeletonAxes(choice.Skeleton);
+    reader->SetFirstBone(choice.FirstBone);
+    reader->SetWeightsOf(choice.BoneWeight.c_str());
+    if (choice.Skin == SkinChoice::Off)
+    {
+      reader->SetPose(vtkRelievoModelReader::POSE_BIND);
+    }
+    else
+    {
+      reader->SetMethod(static_cast<int>(choice.Skin) - static_cast<int>(SkinChoice::Linear));
+    }
+    progress.Observe(reader);
+    if (choice.Time)
+    {
+      reader->UpdateTimeStep(*choice.Time);
+    }
+    else
+    {
+      reader->Update();
+    }
+  }
+  progress.End();
+  CheckNames(reader, choice, path);
+  Messages::Check(path, reader->GetErrorCode() != 0, NotAsNamed(path));
+  for (int i = 0; i < reader->GetNumberOfNotes(); ++i)
+  {
+    Messages::Note(path + ": " + reader->GetNote(i));
+  }
+  const std::pair<const char*, bool> ofAnimations[] = { { "--times", !choice.Times.empty() },
+    { "--time", choice.Time && choice.Times.empty() }, { "--animation", !choice.Animation.empty() },
+    { "--blend", !choice.Blend.empty() } };
+  for (const auto& [option, given] : ofAnimations)
+  {
+    if (given && reader->GetNumberOfAnimations() == 0)
+    {
+      Messages::Note(path + ": " + option + " changed nothing: the file has no animation");
+    }
+  }
+  vtkMultiBlockDataSet* output = reader->GetOutput();
+  ModelTextures textures(reader, path);
+  for (unsigned int i = 0; i < output->GetNumberOfBlocks(); ++i)
+  {
+    vtkDataSet* mesh = vtkDataSet::SafeDownCast(output->GetBlock(i));
+    if (mesh && mesh->GetNumberOfCells() > 0)
+    {
+      const vtkSmartPointer<vtkActor> actor = MakeActor(mesh, smooth, path, progress);
+      SetColor(actor, mesh);
+      textures.Put(actor, mesh, progress);
+      model.Parts.push_back({ i, actor });
+    }
+  }
+  model.Skeleton = choice.Skeleton ? MakeSkeletonActor(reader) : nullptr;
+  return model;
+}
+
+//------------------------------------------------------------------------------
+void PlayModel(PosedModel& model, double time, Progress& progress)
+{
+  model.Reader->UpdateTimeStep(time);
+  Messages::Check(model.Path, model.Reader->GetErrorCode() != 0, NotAsNamed(model.Path));
+  for (const PosedModel::Part& part : model.Parts)
+  {
+    const vtkSmartPointer<vtkDataObject> surface = MakeSurface(
+      model.Reader->GetOutput()->GetBlock(part.Block), model.Smooth, model.Path, progress);
+    part.Actor->GetMapper()->SetInputDataObject(surface);
+  }
+  if (model.Skeleton)
+  {
+    model.Skeleton->GetMapper()->SetInputDataObject(CopySkeleton(model.Reader));
+  }
+}
+}

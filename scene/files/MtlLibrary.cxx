@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MtlLibrary.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <locale>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+namespace scene
+{
+namespace
+{
+const char* const Blanks = " \t\r";
+
+//------------------------------------------------------------------------------
+std::string TakeWord(std::string& rest)
+{
+  const std::string::size_type end = std::min(rest.find_first_of(Blanks), rest.size());
+  const std::string word = rest.substr(0, end);
+  rest = TrimLine(rest.substr(end));
+  return word;
+}
+
+//------------------------------------------------------------------------------
+std::optional<double> ToNumber(const std::string& word)
+{
+  std::istringstream in(word);
+  in.imbue(std::locale::classic());
+  double number = 0.0;
+  return in >> number && in.peek() == std::char_traits<char>::eof() ? std::optional(number)
+                                                                    : std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+// What stands behind an option: up to three numbers behind some, of which the first must be there;
+// one word behind the others, or two.
+std::vector<std::string> TakeArguments(const std::string& option, std::string& rest)
+{
+  std::vector<std::string> words;
+  if (option == "-s" || option == "-o" || option == "-t")
+  {
+    for (std::string before = rest; words.size() < 3; before = rest)
+    {
+      const std::string word = TakeWord(rest);
+      if (!ToNumber(word))
+      {
+        rest = before;
+        break;
+      }
+      words.push_back(word);
+    }
+    return words;
+  }
+  words.push_back(TakeWord(rest));
+  if (option == "-mm")
+  {
+    words.push_back(TakeWord(rest));
+  }
+  return words;
+}
+
+//------------------------------------------------------------------------------
+bool IsWithoutEffect(const std::string& option, const std::vector<std::string>& words)
+{
+  // How it is filtered and stored is left to VTK, and -bm is for bumps.
+  const std::vector<std::string> others = { "-blendu", "-blendv", "-boost", "-texres", "-bm",
+    "-type" };
+  const auto isEach = [&words](double value) {
+    return std::all_of(words.begin(), words.end(),
+      [value](const std::string& word) { return ToNumber(word) == value; });
+  };
+  return std::count(others.begin(), others.end(), option) != 0 ||
+    ((option == "-clamp" || option == "-cc") && words[0] == "off") ||
+    (option == "-t" && isEach(0.0)) ||
+    (option == "-mm" && ToNumber(words[0]) == 0.0 && ToNumber(words[1]) == 1.0);
+}
+
+//------------------------------------------------------------------------------
+// Options, then the file, whose name may have blanks and slashes of either kind.
+void TakeTexture(std::string rest, const std::filesystem::path& folder, MtlMaterial& material)
+{
+  std::fill_n(material.TextureScale, 2, 1.0);
+  std::fill_n(material.TextureOffset, 2, 0.0);
+  material.TextureWithout.clear();
+  while (!rest.empty() && rest[0] == '-')
+  {
+    const std::string option = TakeWord(rest);
+    const std::vector<std::string> words = TakeArguments(option, rest);
+    if (option == "-s" || option == "-o")
+    {
+      double* const values = option == "-s" ? material.TextureScale : material.TextureOffset;
+      for (std::size_t i = 0; i < std::min<std::size_t>(words.size(), 2); ++i)
+      {
+        values[i] = *ToNumber(words[i]);
+      }
+    }
+    else if (!IsWithoutEffect(option, words))
+    {
+      material.TextureWithout += (material.TextureWithout.empty() ? "" : " ") + option;
+      for (const std::string& word : words)
+      {
+        material.TextureWithout += " " + word;
+      }
+    }
+  }
+  std::replace(rest.begin(), rest.end(), '\\', '/');
+  material.Texture = rest.empty() ? "" : (folder / rest).lexically_normal().string();
+}
+
+//------------------------------------------------------------------------------
+void TakeLine(const std::string& line, const std::filesystem::path& folder, MtlMaterial& material)
+{
+  std::string rest = line;
+  const std::string name = TakeWord(rest);
+  std::istringstream words(rest);
+  words.imbue(std::locale::classic());
+  const auto take = [&words](double(&color)[3]) {
+    double read[3];
+    if (words >> read[0] >> read[1] >> read[2])
+    {
+      std::transform(read, read + 3, color, [](double n) { return std::clamp(n, 0.0, 1.0); });
+    }
+  };
+  double number = 0.0;
+  if (name == "Kd")
+  {
+    take(material.Diffuse);
+  }
+  else if (name == "Ks")
+  {
+    take(material.Specular);
+  }
+  else if (name == "Ns" && words >> number)
+  {
+    material.Exponent = std::clamp(number, 1.0, 1000.0);
+    material.Highlights = material.Highlights && number > 0.0;
+  }
+  else if (name == "illum" && words >> number)
+  {
+    material.Highlights = material.Highlights && number >= 2.0;
+  }
+  else if (name == "d")
+  {
+    // Behind -halo.
+    if (const std::optional<double> last = ToNumber(rest.substr(rest.find_last_of(Blanks) + 1)))
+    {
+      material.Opacity = std::clamp(*last, 0.0, 1.0);
+      material.Dissolves = true;
+    }
+  }
+  else if (name == "Tr" && !material.Dissolves && words >> number)
+  {
+    // Some programs write 1 for what is opaque; then they write d as well.
+    material.Opacity = 1.0 - std::clamp(number, 0.0, 1.0);
+  }
+  else if (name == "map_Kd")
+  {
+    TakeTexture(rest, folder, material);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::string TrimLine(const std::string& line)
+{
+  const std::string::size_type first = line.find_first_not_of(Blanks);
+  return first == std::string::npos ? ""
+                                    : line.substr(first, line.find_last_not_of(Blanks) + 1 - first);
+}
+
+//------------------------------------------------------------------------------
+void ReadMtlLibrary(const std::string& path, std::map<std::string, MtlMaterial>& materials)
+{
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::ifstream file(path, std::ios::binary);
+  MtlMaterial* material = nullptr;
+  for (std::string line; std::getline(file, line);)
+  {
+    line = TrimLine(line);
+    const std::string begin = "newmtl";
+    if (line.compare(0, begin.size(), begin) == 0)
+    {
+      material = &materials[TrimLine(line.substr(begin.size()))];
+      *material = {};
+    }
+    else if (material)
+    {
+      TakeLine(line, folder, *material);
+    }
+  }
+}
+}

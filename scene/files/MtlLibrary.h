@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Material libraries of OBJ files (Wavefront's MTL): of each material what VTK's lighting knows.
+ */
+#ifndef MtlLibrary_h
+#define MtlLibrary_h
+
+#include <map>
+#include <string>
+
+namespace scene
+{
+struct MtlMaterial
+{
+  double Diffuse[3] = { 0.8, 0.8, 0.8 };
+  double Specular[3] = { 0.0, 0.0, 0.0 };
+  double Exponent = 1.0;
+  double Opacity = 1.0;
+  bool Dissolves = false; ///< opacity is given as such, and not as transparency alone
+  bool Highlights = true;
+  std::string Texture; ///< path; empty: none
+  /// Texture coordinates are multiplied by the scale, then the offset is added.
+  double TextureScale[2] = { 1.0, 1.0 };
+  double TextureOffset[2] = { 0.0, 0.0 };
+  std::string TextureWithout; ///< options that would change the texture, and are left out
+};
+
+/// Adds the materials of a library, by name; later ones replace earlier ones. Of what a line gives,
+/// the parts that cannot be read keep their defaults.
+void ReadMtlLibrary(const std::string& path, std::map<std::string, MtlMaterial>& materials);
+
+/// The line without blanks at its ends.
+std::string TrimLine(const std::string& line);
+}
+
+#endif

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Readers.h"
+
+#include "CrashGuard.h"
+#include "Errors.h"
+#include "Messages.h"
+#include "Progress.h"
+#include "Validate.h"
+#include "Values.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkGenericDataObjectReader.h"
+#include "vtkOBJReader.h"
+#include "vtkPLYReader.h"
+#include "vtkRelievoOFFReader.h"
+#include "vtkSTLReader.h"
+#include "vtkXMLGenericDataObjectReader.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+namespace scene
+{
+namespace
+{
+template <typename Reader>
+vtkSmartPointer<vtkAlgorithm> Open(const std::string& path)
+{
+  vtkSmartPointer<Reader> reader = vtkSmartPointer<Reader>::New();
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+
+struct ReaderRow
+{
+  const char* Extension;
+  vtkSmartPointer<vtkAlgorithm> (*Make)(
+    const std::string& path); // nullptr: glTF, and models with bones
+};
+
+constexpr auto XML = Open<vtkXMLGenericDataObjectReader>;
+const ReaderRow Rows[] = {
+  { ".vtp", XML },
+  { ".vtu", XML },
+  { ".vti", XML },
+  { ".vtr", XML },
+  { ".vts", XML },
+  { ".vtm", XML },
+  { ".vtmb", XML },
+  { ".pvtp", XML },
+  { ".pvtu", XML },
+  { ".pvti", XML },
+  { ".pvtr", XML },
+  { ".pvts", XML },
+  { ".vtk", Open<vtkGenericDataObjectReader> },
+  { ".stl", Open<vtkSTLReader> },
+  { ".ply", Open<vtkPLYReader> },
+  { ".obj", Open<vtkOBJReader> },
+  { ".off", Open<vtkRelievoOFFReader> },
+  { ".gltf", nullptr },
+  { ".glb", nullptr },
+  { ".bvh", nullptr },
+  { ".dae", nullptr },
+  { ".fbx", nullptr },
+  { ".iqm", nullptr },
+  { ".ms3d", nullptr },
+  { ".x", nullptr },
+};
+
+const ReaderRow* FindRow(const std::string& path)
+{
+  const std::string extension = ExtensionOf(path);
+  const auto row = std::find_if(std::begin(Rows), std::end(Rows),
+    [&extension](const ReaderRow& candidate) { return extension == candidate.Extension; });
+  return row == std::end(Rows) ? nullptr : row;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string ExtensionOf(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](char letter) { return letter >= 'A' && letter <= 'Z' ? char(letter - 'A' + 'a') : letter; });
+  return extension;
+}
+
+//------------------------------------------------------------------------------
+void CheckExtension(const std::string& path)
+{
+  if (!FindRow(path))
+  {
+    std::vector<std::string> known;
+    for (const ReaderRow& row : Rows)
+    {
+      known.push_back(row.Extension);
+    }
+    throw UsageError(path + ": no reader for this extension; expected one of " + Join(known, " "));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool IsGLTF(const std::string& path)
+{
+  const std::string extension = ExtensionOf(path);
+  return extension == ".gltf" || extension == ".glb";
+}
+
+//------------------------------------------------------------------------------
+bool IsModel(const std::string& path)
+{
+  const ReaderRow* row = FindRow(path);
+  return row && !row->Make && !IsGLTF(path);
+}
+
+//------------------------------------------------------------------------------
+void CheckReadable(const std::string& path)
+{
+  std::error_code trouble;
+  if (std::filesystem::is_directory(path, trouble))
+  {
+    throw WorkError(path + ": is a folder, expected a file");
+  }
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if (!file)
+  {
+    throw WorkError(path + ": " + std::strerror(errno));
+  }
+  std::fclose(file);
+}
+
+//------------------------------------------------------------------------------
+std::string NotAsNamed(const std::string& path)
+{
+  return "cannot be read as " + ExtensionOf(path) + "; is it what its name says, and whole?";
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, Progress& progress)
+{
+  progress.Begin("reading " + path);
+  const CrashGuard guard(path);
+  const vtkSmartPointer<vtkAlgorithm> reader = FindRow(path)->Make(path);
+  progress.Observe(reader);
+  reader->Update();
+  const vtkSmartPointer<vtkDataObject> data = reader->GetOutputDataObject(0);
+  progress.End();
+  Messages::Check(path, !data || reader->GetErrorCode() != 0, NotAsNamed(path));
+  CheckCells(data, path);
+  return data;
+}
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Files of data to VTK data objects, by the extension of the name. glTF is a whole scene and not
+ * data: SceneFiles reads it into a renderer instead.
+ */
+#ifndef Readers_h
+#define Readers_h
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+
+namespace scene
+{
+class Progress;
+
+/// The extension in lower case with its dot, ".vtp"; "" without one.
+std::string ExtensionOf(const std::string& path);
+
+/// Throws UsageError if no reader takes the path's extension.
+void CheckExtension(const std::string& path);
+
+/// Whether the path's extension is that of glTF.
+bool IsGLTF(const std::string& path);
+
+/// Whether the path's extension is that of models with bones, which ReadModel reads.
+bool IsModel(const std::string& path);
+
+/// Throws WorkError unless the path is a file that can be opened.
+void CheckReadable(const std::string& path);
+
+/// What is said of a file that no reader understands and VTK has no words for.
+std::string NotAsNamed(const std::string& path);
+
+/// What the file holds. Throws WorkError with the file's name.
+vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, Progress& progress);
+}
+
+#endif

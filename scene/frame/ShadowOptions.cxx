@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShadowOptions.h"
+
+#include "Errors.h"
+#include "Options.h"
+#include "Values.h"
+
+#include "vtkRelievoLayerCatalogue.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace scene
+{
+namespace
+{
+bool SetsShadows(const RenderOptions& options)
+{
+  return std::any_of(options.Stages.begin(), options.Stages.end(),
+    [](const StageChoice& stage) { return stage.Name == "shadows"; });
+}
+}
+
+//------------------------------------------------------------------------------
+void TakeShadowTolerance(RenderOptions& options, const std::string& word)
+{
+  options.ShadowTolerance = ParseShare("--shadow-tolerance", word);
+}
+
+//------------------------------------------------------------------------------
+void TakeTimeBudget(RenderOptions& options, const std::string& word)
+{
+  options.TimeBudget =
+    ParseNumberBetween("--time-budget", word, 0.0, std::numeric_limits<double>::infinity());
+}
+
+//------------------------------------------------------------------------------
+void TakeCertify(RenderOptions& options, const std::string& word)
+{
+  options.Certify = ParseWhole("--certify", word, 1, MostRays);
+}
+
+//------------------------------------------------------------------------------
+void CheckShadowWishes(RenderOptions& options, const std::set<std::string>& given)
+{
+  for (const char* wish : { "--shadow-tolerance", "--time-budget" })
+  {
+    for (const char* choice : { "--shadows", "--shadow-size" })
+    {
+      if (given.count(wish) && given.count(choice))
+      {
+        throw UsageError(std::string(wish) + " and " + choice +
+          ": the first chooses the method and the size of maps; give one of them");
+      }
+    }
+    if (given.count(wish))
+    {
+      options.ShadowMethod = Shadows::Map; // seen, by the method that is chosen
+    }
+  }
+  if (options.Certify && options.ShadowMethod == Shadows::Off && !SetsShadows(options) &&
+    std::all_of(options.Layers.begin(), options.Layers.end(),
+      [](const std::string& name) { return vtkRelievoLayerCatalogue::GetLight(name) < 0; }))
+  {
+    throw UsageError("--certify: there are no shadows to judge: give --shadows METHOD or "
+                     "--shadow-tolerance SHARE as well");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool ShowsShadows(const RenderOptions& options)
+{
+  return options.ShadowMethod != Shadows::Off ||
+    std::any_of(options.Stages.begin(), options.Stages.end(), [](const StageChoice& stage) {
+      return stage.Name == "shadows" &&
+        std::any_of(stage.Parameters.begin(), stage.Parameters.end(),
+          [](const auto& given) { return given.first == "visible" && given.second == "on"; });
+    });
+}
+}

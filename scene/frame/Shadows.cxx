@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shadows.h"
+
+#include "Options.h"
+#include "Values.h"
+
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoShadowStage.h"
+#include "vtkRenderer.h"
+#include "vtkTextureObject.h"
+
+namespace scene
+{
+//------------------------------------------------------------------------------
+void CheckShadowLayers(const RenderOptions& options, int lights, const std::string& whose)
+{
+  for (const std::string& name : options.Layers)
+  {
+    if (vtkRelievoLayerCatalogue::GetLight(name) >= lights)
+    {
+      const std::string last =
+        vtkRelievoLayerCatalogue::GetOfLight().Name + std::to_string(lights - 1);
+      RefuseValue("--layers", name,
+        (lights == 1 ? "no shadow layer but " + last : "none beyond " + last) + ": there " +
+          (lights == 1 ? "is 1 " : "are " + std::to_string(lights) + " ") + whose +
+          ", counted from 0");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+int CountLights(vtkRenderer* renderer)
+{
+  const int lights = renderer->GetLights()->GetNumberOfItems();
+  return lights == 0 && renderer->GetAutomaticLightCreation() ? 1 : lights;
+}
+
+//------------------------------------------------------------------------------
+void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options)
+{
+  for (std::size_t i = 0; i < options.Lights.size(); ++i)
+  {
+    // The file's lights are gone where others are asked for.
+    vtkObject* light = renderer->GetLights()->GetItemAsObject(static_cast<int>(i));
+    pass->GetShadowStage()->SetLightCasts(vtkLight::SafeDownCast(light), options.Lights[i].Casts);
+    if (options.Lights[i].Size)
+    {
+      pass->GetShadowStage()->SetLightSize(vtkLight::SafeDownCast(light), *options.Lights[i].Size);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetShadows(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& options)
+{
+  pass->SetShadows(options.ShadowMethod != Shadows::Off);
+  SetCasters(pass, renderer, options);
+  if (options.ShadowSize)
+  {
+    vtkOpenGLRenderWindow* gl = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    const int limit = gl ? vtkTextureObject::GetMaximumTextureSize(gl) : *options.ShadowSize;
+    if (*options.ShadowSize > limit)
+    {
+      RefuseValue("--shadow-size", std::to_string(*options.ShadowSize),
+        "a whole number from " + std::to_string(SmallestShadowSize) + " to " +
+          std::to_string(limit) + ", the largest map that OpenGL makes here");
+    }
+    pass->GetShadowStage()->SetMapSize(*options.ShadowSize);
+  }
+  if (options.SoftShadows)
+  {
+    pass->GetShadowStage()->SetSoftSamples(*options.SoftShadows);
+  }
+  pass->GetShadowStage()->SetColoredShadows(options.ColoredShadows);
+  pass->WaitForSamplesOn();
+  pass->GetShadowStage()->SetTolerance(options.ShadowTolerance.value_or(0.0));
+  pass->GetShadowStage()->SetTimeBudget(options.TimeBudget.value_or(0.0));
+  constexpr int methods[] = { vtkRelievoShadowStage::METHOD_MAP, vtkRelievoShadowStage::METHOD_MAP,
+    vtkRelievoShadowStage::METHOD_FORWARD, vtkRelievoShadowStage::METHOD_WARPED,
+    vtkRelievoShadowStage::METHOD_EXACT };
+  pass->GetShadowStage()->SetMethod(methods[static_cast<int>(options.ShadowMethod)]);
+}
+}

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stages.h"
+
+#include "Arguments.h"
+#include "Errors.h"
+#include "Values.h"
+
+#include "vtkNew.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoStage.h"
+
+namespace scene
+{
+//------------------------------------------------------------------------------
+StageChoice& AddStage(
+  std::vector<StageChoice>& stages, const std::string& name, const std::string& option)
+{
+  StageChoice choice;
+  choice.Name = name;
+  choice.Option = option;
+  stages.push_back(choice);
+  return stages.back();
+}
+
+//------------------------------------------------------------------------------
+StageChoice ParseStage(const std::string& word)
+{
+  const char* const expected = "NAME or NAME:PARAMETER=VALUE,..., such as those of relievo stages";
+  StageChoice stage;
+  const std::size_t colon = word.find(':');
+  stage.Name = word.substr(0, colon);
+  if (stage.Name.empty())
+  {
+    RefuseValue("--stage", word, expected);
+  }
+  if (colon == std::string::npos)
+  {
+    return stage;
+  }
+  for (const std::string& piece : Split(word.substr(colon + 1), ','))
+  {
+    const std::size_t equals = piece.find('=');
+    if (equals != std::string::npos && equals > 0)
+    {
+      stage.Parameters.emplace_back(piece.substr(0, equals), piece.substr(equals + 1));
+    }
+    else if (equals == std::string::npos && !stage.Parameters.empty())
+    {
+      stage.Parameters.back().second += "," + piece;
+    }
+    else
+    {
+      RefuseValue("--stage", word, expected);
+    }
+  }
+  return stage;
+}
+
+//------------------------------------------------------------------------------
+void CheckStages(const std::vector<StageChoice>& stages)
+{
+  if (!stages.empty())
+  {
+    vtkNew<vtkRelievoPass> pass;
+    SetStages(pass, stages);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages)
+{
+  for (const StageChoice& choice : stages)
+  {
+    vtkRelievoStage* stage = pass->GetStage(choice.Name);
+    if (!stage)
+    {
+      std::vector<std::string> names;
+      for (int i = 0; i < pass->GetNumberOfStages(); ++i)
+      {
+        names.push_back(pass->GetStage(i)->GetStageName());
+      }
+      RefuseValue("--stage", choice.Name, "one of " + Join(names, ", "));
+    }
+    stage->EnabledOn();
+    for (const auto& [name, value] : choice.Parameters)
+    {
+      const std::string wrong = stage->TrySetParameter(name, value);
+      if (!wrong.empty())
+      {
+        throw UsageError(choice.Option + " " + wrong);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeStages()
+{
+  vtkNew<vtkRelievoPass> pass;
+  std::string text;
+  for (int i = 0; i < pass->GetNumberOfStages(); ++i)
+  {
+    const vtkRelievoStageDescription& stage = pass->GetStage(i)->GetDescription();
+    text += stage.Name + (stage.OnByDefault ? " (always there)" : "") + "\n  " + stage.Help + "\n";
+    for (const vtkRelievoParameter& parameter : stage.Parameters)
+    {
+      const std::string value = parameter.Format();
+      text += "    " + parameter.Name + "=" + (value.empty() ? "TEXT" : value) + "\n      " +
+        parameter.Help + " Takes " + parameter.GetExpected() + ".\n";
+    }
+  }
+  return text;
+}
+}

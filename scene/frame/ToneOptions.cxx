@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ToneOptions.h"
+
+#include "Errors.h"
+#include "Options.h"
+#include "Values.h"
+
+#include <algorithm>
+
+namespace scene
+{
+namespace
+{
+const char* const Stage = "tone";
+}
+
+//------------------------------------------------------------------------------
+void TakeTone(RenderOptions& options, const std::string& word)
+{
+  const char* const form = "clamp, simple, reinhard or reinhard-rgb, the latter two with ,white=W";
+  const std::vector<std::string> pieces = Split(word, ',');
+  const char* const operators[] = { "clamp", "simple", "reinhard", "reinhard_rgb" };
+  const std::size_t which =
+    ParseChoice("--tone", pieces[0], { "clamp", "simple", "reinhard", "reinhard-rgb" });
+  StageChoice& choice = AddStage(options.Stages, Stage, "--tone");
+  choice.Parameters.emplace_back("operator", operators[which]);
+  for (std::size_t i = 1; i < pieces.size(); ++i)
+  {
+    const std::string name = "white=";
+    if (i > 1 || pieces[i].rfind(name, 0) != 0)
+    {
+      RefuseValue("--tone", word, form);
+    }
+    if (which < 2)
+    {
+      RefuseValue(
+        "--tone", word, pieces[0] + " alone: only reinhard and reinhard-rgb have a white point");
+    }
+    choice.Parameters.emplace_back("white", pieces[i].substr(name.size()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void TakeExposure(RenderOptions& options, const std::string& word)
+{
+  StageChoice& choice = AddStage(options.Stages, Stage, "--exposure");
+  if (word == "auto")
+  {
+    choice.Parameters.emplace_back("auto_exposure", "on");
+    return;
+  }
+  if (word.find_first_not_of("0123456789.eE+-") != std::string::npos)
+  {
+    RefuseValue("--exposure", word, "a number of stops from -20 to 20, or auto");
+  }
+  choice.Parameters.emplace_back("exposure", word);
+}
+
+//------------------------------------------------------------------------------
+void CheckToneOptions(const RenderOptions& options)
+{
+  const auto isOfStage = [](const StageChoice& choice) {
+    return choice.Name == Stage && choice.Option == StageChoice().Option;
+  };
+  for (const StageChoice& own : options.Stages)
+  {
+    for (const auto& said : own.Parameters)
+    {
+      const bool twice = !isOfStage(own) && own.Name == Stage &&
+        std::any_of(options.Stages.begin(), options.Stages.end(), [&](const StageChoice& other) {
+          return isOfStage(other) &&
+            std::any_of(other.Parameters.begin(), other.Parameters.end(),
+              [&said](const auto& parameter) { return parameter.first == said.first; });
+        });
+      if (twice)
+      {
+        throw UsageError(
+          own.Option + " and --stage tone:" + said.first + ": both set the same; give one of them");
+      }
+    }
+  }
+}
+}

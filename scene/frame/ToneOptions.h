@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * --tone and --exposure: parameters of the stage `tone`. All throw UsageError.
+ */
+#ifndef ToneOptions_h
+#define ToneOptions_h
+
+#include <string>
+
+namespace scene
+{
+struct RenderOptions;
+
+void TakeTone(RenderOptions& options, const std::string& word);
+void TakeExposure(RenderOptions& options, const std::string& word);
+
+/// Refuses what --stage tone says as well, in other words.
+void CheckToneOptions(const RenderOptions& options);
+}
+
+#endif

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Actors.h"
+
+#include "DataSets.h"
+#include "Errors.h"
+#include "FinitePoints.h"
+#include "Messages.h"
+#include "Progress.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkGeometryFilter.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkProperty.h"
+#include "vtkRelievoCompositeMapper.h"
+
+#include <vector>
+
+namespace scene
+{
+namespace
+{
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> Run(vtkAlgorithm* filter, vtkDataObject* data, Progress& progress)
+{
+  progress.Observe(filter);
+  filter->SetInputDataObject(data);
+  filter->Update();
+  return filter->GetOutputDataObject(0);
+}
+
+//------------------------------------------------------------------------------
+// The polygons to draw. `vtkOriginalCellIds` says for each polygon of a grid which cell of the file
+// it bounds.
+vtkSmartPointer<vtkDataObject> Surface(vtkDataObject* data, Progress& progress)
+{
+  bool polygonal = true;
+  ForEachDataSet(
+    data, [&polygonal](vtkDataSet* block) { polygonal = polygonal && block->IsA("vtkPolyData"); });
+  if (polygonal)
+  {
+    return data;
+  }
+  // The filter's own numbers are those of its copy without nonlinear cells, where there are any.
+  const vtkSmartPointer<vtkDataObject> numbered = CopyDataSets(data);
+  ForEachDataSet(numbered, NumberCells);
+  vtkNew<vtkGeometryFilter> surface;
+  return Run(surface, numbered, progress);
+}
+
+//------------------------------------------------------------------------------
+bool LacksNormals(vtkPolyData* mesh)
+{
+  return mesh && !mesh->GetPointData()->GetNormals() && !mesh->GetCellData()->GetNormals() &&
+    mesh->GetNumberOfPolys() > 0;
+}
+
+// Whether vertices or lines have points that no polygon has: these would have no normal, or any.
+bool LeavesUnlit(vtkPolyData* mesh)
+{
+  std::vector<bool> ofPolygons(static_cast<std::size_t>(mesh->GetNumberOfPoints()), false);
+  const auto forEach = [](vtkCellArray* cells, const auto& visit) {
+    vtkDataArray* corners = cells->GetConnectivityArray();
+    for (vtkIdType i = 0; i < corners->GetNumberOfTuples(); ++i)
+    {
+      visit(static_cast<std::size_t>(corners->GetTuple1(i)));
+    }
+  };
+  if (mesh->GetNumberOfVerts() + mesh->GetNumberOfLines() == 0)
+  {
+    return false;
+  }
+  for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+  {
+    forEach(cells, [&ofPolygons](std::size_t point) { ofPolygons[point] = true; });
+  }
+  bool unlit = false;
+  for (vtkCellArray* cells : { mesh->GetVerts(), mesh->GetLines() })
+  {
+    forEach(cells, [&](std::size_t point) { unlit = unlit || !ofPolygons[point]; });
+  }
+  return unlit;
+}
+
+//------------------------------------------------------------------------------
+// Meshes whose lines would be black by that stay as they are.
+vtkSmartPointer<vtkDataObject> WithNormals(
+  vtkDataObject* data, const std::string& path, Progress& progress)
+{
+  bool needed = false;
+  ForEachDataSet(data, [&needed](vtkDataSet* block) {
+    needed = needed || LacksNormals(vtkPolyData::SafeDownCast(block));
+  });
+  if (!needed)
+  {
+    return data;
+  }
+  bool unlit = false;
+  const auto smooth = ReplaceDataSets(data, [&](vtkDataObject* block) {
+    vtkPolyData* mesh = vtkPolyData::SafeDownCast(block);
+    const bool kept = LacksNormals(mesh) && LeavesUnlit(mesh);
+    unlit = unlit || kept;
+    if (kept || !LacksNormals(mesh))
+    {
+      return vtkSmartPointer<vtkDataObject>(block);
+    }
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->ConsistencyOff(); // the file's own winding is what its author sees everywhere else
+    return Run(normals, block, progress);
+  });
+  if (unlit)
+  {
+    Messages::Note(path +
+      ": drawn without smooth normals, which would leave its lines or points "
+      "without any; give it normals to smooth it");
+  }
+  return smooth;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> MakeSurface(
+  vtkDataObject* data, bool smooth, const std::string& path, Progress& progress)
+{
+  if (!vtkDataSet::SafeDownCast(data) && !vtkCompositeDataSet::SafeDownCast(data))
+  {
+    throw WorkError(
+      path + ": holds a " + data->GetClassName() + ", expected a mesh, a grid or an image");
+  }
+  vtkSmartPointer<vtkDataObject> surface = LeaveOutInfinite(Surface(data, progress), path);
+  if (smooth)
+  {
+    surface = WithNormals(surface, path, progress);
+  }
+  Messages::Check(path);
+  return surface;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkActor> MakeActor(
+  vtkDataObject* data, bool smooth, const std::string& path, Progress& progress)
+{
+  const vtkSmartPointer<vtkDataObject> surface = MakeSurface(data, smooth, path, progress);
+  vtkSmartPointer<vtkMapper> mapper;
+  if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(surface))
+  {
+    vtkNew<vtkPolyDataMapper> single;
+    single->SetInputData(mesh);
+    mapper = single;
+  }
+  else
+  {
+    vtkNew<vtkRelievoCompositeMapper> composite;
+    composite->SetInputDataObject(surface);
+    mapper = composite;
+  }
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetInterpolationToPhong();
+  return actor;
+}
+
+//------------------------------------------------------------------------------
+void AddArrayNames(vtkActor* actor, std::set<std::string>& names, std::set<std::string>& placed)
+{
+  if (!actor->GetMapper())
+  {
+    return;
+  }
+  actor->GetMapper()->Update();
+  const auto add = [&](vtkDataSetAttributes* attributes, const char* place) {
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = attributes->GetArray(i);
+      if (array && array->GetName() && array->GetDataType() != VTK_BIT) // which VTK cannot draw
+      {
+        names.insert(array->GetName());
+        placed.insert(std::string(place) + array->GetName());
+      }
+    }
+  };
+  ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0), [&add](vtkDataSet* block) {
+    add(block->GetPointData(), "point:");
+    add(block->GetCellData(), "cell:");
+  });
+}
+}

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * From data to an actor as a user expects to see it. Polygons are drawn as they are; grids, images
+ * and volumes by their outer surface; composite data block by block.
+ */
+#ifndef Actors_h
+#define Actors_h
+
+#include "vtkSmartPointer.h"
+
+#include <set>
+#include <string>
+
+class vtkActor;
+class vtkDataObject;
+
+namespace scene
+{
+class Progress;
+
+/// An actor for the data of the file `path`, in phong shading. `smooth`: meshes that bring no point
+/// normals get them, split at edges sharper than 30 degrees; cells keep their order. Throws
+/// WorkError with the path for data that has no geometry, such as tables.
+vtkSmartPointer<vtkActor> MakeActor(
+  vtkDataObject* data, bool smooth, const std::string& path, Progress& progress);
+
+/// What MakeActor draws of the data: polygons, finite, with normals if `smooth`.
+vtkSmartPointer<vtkDataObject> MakeSurface(
+  vtkDataObject* data, bool smooth, const std::string& path, Progress& progress);
+
+/// Adds the names of the numeric point and cell arrays that the actor's mapper draws from, and the
+/// same as point:NAME and cell:NAME.
+void AddArrayNames(vtkActor* actor, std::set<std::string>& names, std::set<std::string>& placed);
+}
+
+#endif

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Environment.h"
+
+#include "Errors.h"
+#include "Images.h"
+#include "Messages.h"
+#include "Options.h"
+#include "Progress.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCamera.h"
+#include "vtkNew.h"
+#include "vtkRelievoEnvironment.h"
+#include "vtkRelievoEnvironmentLight.h"
+#include "vtkRelievoSkybox.h"
+#include "vtkRenderer.h"
+
+namespace scene
+{
+namespace
+{
+// What the levels' sums may err by: a command waits for them.
+constexpr double LevelTolerance = 2e-3;
+}
+
+//------------------------------------------------------------------------------
+void CheckEnvironment(const RenderOptions& options)
+{
+  if (!options.Environment.empty())
+  {
+    CheckImage("--environment", options.Environment, { ".exr", ".hdr", ".png", ".jpg", ".jpeg" });
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
+  const RenderOptions& options, Progress& progress)
+{
+  if (options.Environment.empty())
+  {
+    return nullptr;
+  }
+  const vtkSmartPointer<vtkImageData> image = ReadImage(options.Environment, progress);
+  vtkRelievoEnvironmentLight light;
+  std::string failure;
+  if (!light.SetImage(image, failure))
+  {
+    throw WorkError(options.Environment + ": expected " + failure);
+  }
+  progress.Begin("preparing " + options.Environment);
+  light.MakeIrradiance();
+  if (options.Roughness > 0.0)
+  {
+    light.MakeLevels(
+      LevelTolerance, [&progress](vtkAlgorithm* levels) { progress.Observe(levels); });
+  }
+  auto environment = vtkSmartPointer<vtkRelievoEnvironment>::New();
+  environment->SetImage(light.Image);
+  environment->SetSRGB(light.SRGB);
+  environment->SetLevels(light.Levels);
+  environment->SetIrradiance(light.Irradiance);
+  environment->SetRotation(options.EnvironmentRotation);
+  environment->SetUpAxis(options.UpAxis);
+  environment->GammaCorrectOn(); // pictures are for displays: the sky's are to look as they did
+  progress.End();
+  Messages::Check(options.Environment);
+  return environment;
+}
+
+//------------------------------------------------------------------------------
+void ShowSky(vtkRenderer* renderer, vtkRelievoEnvironment* environment)
+{
+  vtkNew<vtkRelievoSkybox> sky;
+  sky->SetEnvironment(environment);
+  // Rays that are parallel would all see one place of it.
+  sky->SetParallelViewAngle(renderer->GetActiveCamera()->GetViewAngle());
+  renderer->AddViewProp(sky);
+}
+}

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Look.h"
+
+#include "Colormaps.h"
+#include "DataSets.h"
+#include "Errors.h"
+#include "Options.h"
+#include "ScalarBar.h"
+#include "Scene.h"
+#include "Values.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkRelievoMaterial.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace scene
+{
+namespace
+{
+void ForEachActor(vtkRenderer* renderer, const std::function<void(vtkActor*)>& visit)
+{
+  vtkActorCollection* actors = renderer->GetActors();
+  vtkCollectionSimpleIterator it;
+  actors->InitTraversal(it);
+  while (vtkActor* actor = actors->GetNextActor(it))
+  {
+    if (actor->GetMapper())
+    {
+      visit(actor);
+    }
+  }
+}
+
+// What colours an actor.
+struct Coloring
+{
+  vtkMapper* Mapper;
+  std::vector<vtkDataArray*> Arrays;
+  bool OfPoints = false;
+  std::string Name;    // of the array; may be empty
+  bool Mapped = false; // with a normal map or heights
+};
+
+bool AreColors(const std::vector<vtkDataArray*>& arrays, const LookChoice& look)
+{
+  return !look.Magnitude && !look.Component && vtkUnsignedCharArray::SafeDownCast(arrays[0]) &&
+    arrays[0]->GetNumberOfComponents() >= 3;
+}
+
+//------------------------------------------------------------------------------
+// The chosen array of an actor's data, or else the active scalars; of points before cells.
+Coloring Find(vtkActor* actor, const LookChoice& look, bool mapped)
+{
+  const bool ofPoints = look.Place != LookChoice::OfCells;
+  const bool ofCells = look.Place != LookChoice::OfPoints;
+  vtkRelievoMaterial* material = vtkRelievoMaterial::Get(actor);
+  Coloring found = { actor->GetMapper(), {}, true, look.ColorBy,
+    mapped || (material && material->GetNormalMap()) };
+  found.Mapper->Update();
+  for (const bool points : { true, false })
+  {
+    if (!(points ? ofPoints : ofCells))
+    {
+      continue;
+    }
+    ForEachDataSet(found.Mapper->GetInputDataObject(0, 0), [&](vtkDataSet* block) {
+      vtkDataSetAttributes* attributes = points
+        ? static_cast<vtkDataSetAttributes*>(block->GetPointData())
+        : static_cast<vtkDataSetAttributes*>(block->GetCellData());
+      vtkDataArray* array = look.ColorBy.empty() ? attributes->GetScalars()
+                                                 : attributes->GetArray(look.ColorBy.c_str());
+      if (array && array->GetDataType() != VTK_BIT) // which VTK maps to no colours
+      {
+        found.Arrays.push_back(array);
+      }
+    });
+    if (!found.Arrays.empty())
+    {
+      found.OfPoints = points;
+      found.Name = found.Arrays[0]->GetName() ? found.Arrays[0]->GetName() : "";
+      break;
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+void CheckFound(const std::map<std::string, std::vector<Coloring>>& all, const Scene& scene,
+  const LookChoice& look)
+{
+  if (all.empty() && !look.ColorBy.empty())
+  {
+    const std::vector<std::string> names(scene.Arrays.begin(), scene.Arrays.end());
+    throw UsageError("--color-by: got '" + look.ColorBy + "', expected " +
+      (names.empty() ? "no array: nothing that is drawn has any"
+                     : "an array of what is drawn: " + Join(names, ", ")));
+  }
+  for (const auto& named : all)
+  {
+    for (const Coloring& each : named.second)
+    {
+      for (vtkDataArray* array : each.Arrays)
+      {
+        const int components = array->GetNumberOfComponents();
+        if (look.Component && *look.Component >= components)
+        {
+          throw UsageError("--color-by: got component " + std::to_string(*look.Component) +
+            " of '" + look.ColorBy + "', expected one from 0 to " + std::to_string(components - 1));
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> FindRange(const std::vector<Coloring>& all, const LookChoice& look)
+{
+  std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  for (const Coloring& each : all)
+  {
+    if (AreColors(each.Arrays, look))
+    {
+      continue;
+    }
+    for (vtkDataArray* array : each.Arrays)
+    {
+      double own[2];
+      // -1 is the magnitude.
+      array->GetFiniteRange(
+        own, look.Component.value_or(array->GetNumberOfComponents() > 1 ? -1 : 0));
+      range = { std::min(range[0], own[0]), std::max(range[1], own[1]) };
+    }
+  }
+  return range;
+}
+
+//------------------------------------------------------------------------------
+void SetColoring(const Coloring& coloring, vtkColorTransferFunction* map, const LookChoice& look)
+{
+  vtkMapper* mapper = coloring.Mapper;
+  mapper->ScalarVisibilityOn();
+  if (!look.ColorBy.empty())
+  {
+    coloring.OfPoints ? mapper->SetScalarModeToUsePointFieldData()
+                      : mapper->SetScalarModeToUseCellFieldData();
+    mapper->SelectColorArray(look.ColorBy.c_str());
+  }
+  if (AreColors(coloring.Arrays, look))
+  {
+    return;
+  }
+  mapper->SetColorModeToMapScalars();
+  mapper->SetLookupTable(map);
+  mapper->UseLookupTableScalarRangeOn();
+  // Between points values are interpolated, not colours: each colour is one of the map's. A normal
+  // map or heights need the texture coordinates that this takes.
+  mapper->SetInterpolateScalarsBeforeMapping(coloring.OfPoints && !coloring.Mapped);
+}
+
+//------------------------------------------------------------------------------
+// Arrays of one name have one range of colours.
+std::map<std::string, std::vector<Coloring>> FindAll(
+  const Scene& scene, const LookChoice& look, bool mapped)
+{
+  std::map<std::string, std::vector<Coloring>> all;
+  ForEachActor(scene.Renderer, [&](vtkActor* actor) {
+    // A file may have coloured it already (glTF).
+    if (look.ColorBy.empty() && actor->GetMapper()->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS)
+    {
+      return;
+    }
+    const Coloring coloring = Find(actor, look, mapped);
+    if (!coloring.Arrays.empty())
+    {
+      all[coloring.Name].push_back(coloring);
+    }
+    else
+    {
+      actor->GetMapper()->ScalarVisibilityOff();
+    }
+  });
+  return all;
+}
+
+//------------------------------------------------------------------------------
+void SetColors(const Scene& scene, const LookChoice& look, bool mapped)
+{
+  const std::map<std::string, std::vector<Coloring>> all = FindAll(scene, look, mapped);
+  CheckFound(all, scene, look);
+  int bars = 0;
+  for (const auto& [name, colorings] : all)
+  {
+    std::array<double, 2> range = FindRange(colorings, look);
+    const bool values = range[0] <= range[1];
+    range = look.Range.value_or(values ? range : std::array<double, 2>{ 0.0, 1.0 });
+    const vtkSmartPointer<vtkColorTransferFunction> map = MakeColormap(look.Colormap, range);
+    look.Component ? map->SetVectorModeToComponent() : map->SetVectorModeToMagnitude();
+    map->SetVectorComponent(look.Component.value_or(0));
+    for (const Coloring& each : colorings)
+    {
+      SetColoring(each, map, look);
+    }
+    if (look.ScalarBar && values && ++bars == 1)
+    {
+      AddScalarBar(
+        scene.Renderer, map, name + (look.Component ? " " + std::to_string(*look.Component) : ""));
+    }
+  }
+  if (look.ScalarBar && bars != 1)
+  {
+    throw UsageError(std::string("--scalar-bar: ") +
+      (bars == 0 ? "no values give the colours" : "several arrays give the colours") +
+      "; give --color-by NAME as well");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void SetLook(Scene& scene, const RenderOptions& options)
+{
+  LookChoice look = options.Look;
+  if (scene.Arrays.count(look.ColorByAsGiven))
+  {
+    // What looks like a component belongs to the name.
+    look.ColorBy = look.ColorByAsGiven;
+    look.Component.reset();
+    look.Magnitude = false;
+  }
+  else if (scene.Arrays.count(look.ColorBy) == 0 && scene.Placed.count(look.ColorBy))
+  {
+    const std::size_t colon = look.ColorBy.find(':');
+    look.Place = look.ColorBy[0] == 'p' ? LookChoice::OfPoints : LookChoice::OfCells;
+    look.ColorBy = look.ColorBy.substr(colon + 1);
+  }
+  if (!look.Background.empty())
+  {
+    const Color& bottom = look.Background.front();
+    const Color& top = look.Background.back();
+    scene.Renderer->SetBackground(bottom[0], bottom[1], bottom[2]);
+    scene.Renderer->SetBackground2(top[0], top[1], top[2]);
+    scene.Renderer->SetGradientBackground(look.Background.size() > 1);
+  }
+  SetColors(scene, look, !options.NormalMap.empty() || !options.HeightMap.empty());
+  bool translucent = false;
+  ForEachActor(scene.Renderer, [&](vtkActor* actor) {
+    vtkProperty* property = actor->GetProperty();
+    if (look.Solid || !look.ColorBy.empty())
+    {
+      // A texture would be multiplied with the colours.
+      actor->SetTexture(nullptr);
+      property->RemoveTexture("albedoTex");
+    }
+    if (look.Solid)
+    {
+      actor->GetMapper()->ScalarVisibilityOff();
+      property->SetColor((*look.Solid)[0], (*look.Solid)[1], (*look.Solid)[2]);
+    }
+    if (look.Opacity < 1.0)
+    {
+      property->SetOpacity(look.Opacity * property->GetOpacity());
+    }
+    translucent = translucent || actor->HasTranslucentPolygonalGeometry() != 0;
+    if (look.Edges)
+    {
+      property->EdgeVisibilityOn();
+      property->SetEdgeColor(0.1, 0.1, 0.1);
+    }
+  });
+  if (translucent)
+  {
+    scene.Renderer->UseDepthPeelingOn();
+  }
+}
+}

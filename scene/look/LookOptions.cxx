@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LookOptions.h"
+
+#include "Colormaps.h"
+#include "Errors.h"
+#include "Options.h"
+#include "Values.h"
+
+#include "vtkNamedColors.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+
+namespace scene
+{
+namespace
+{
+bool IsHexadecimal(const std::string& word)
+{
+  return word.size() == 7 && word[0] == '#' &&
+    word.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+}
+}
+
+//------------------------------------------------------------------------------
+Color ParseColor(const std::string& option, const std::string& word)
+{
+  Color color;
+  vtkNew<vtkNamedColors> names;
+  if (IsHexadecimal(word))
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      color[i] = std::stoi(word.substr(1 + 2 * i, 2), nullptr, 16) / 255.0;
+    }
+    return color;
+  }
+  if (names->ColorExists(word))
+  {
+    names->GetColorRGB(word, color.data());
+    return color;
+  }
+  const std::vector<std::string> parts = Split(word, '/');
+  const char* const form = "R/G/B from 0 to 1, #rrggbb, or a colour's name";
+  if (parts.size() != 3)
+  {
+    RefuseValue(option, word, form);
+  }
+  const std::vector<double> numbers = ParseNumbers(option, Join(parts, ","), 3, form);
+  if (std::any_of(numbers.begin(), numbers.end(), [](double n) { return n < 0.0 || n > 1.0; }))
+  {
+    RefuseValue(option, word, form);
+  }
+  std::copy(numbers.begin(), numbers.end(), color.begin());
+  return color;
+}
+
+//------------------------------------------------------------------------------
+void TakeColorBy(RenderOptions& options, const std::string& word)
+{
+  LookChoice& look = options.Look;
+  look.ColorBy = look.ColorByAsGiven = word;
+  // An array's name may hold commas.
+  const std::string::size_type comma = word.rfind(',');
+  const std::string last = comma == std::string::npos ? "" : word.substr(comma + 1);
+  look.Magnitude = last == "magnitude";
+  const bool number =
+    !last.empty() && last.size() < 7 && last.find_first_not_of("0123456789") == std::string::npos;
+  if (number)
+  {
+    look.Component = std::stoi(last);
+  }
+  if (number || look.Magnitude)
+  {
+    look.ColorBy.erase(comma);
+  }
+  if (look.ColorBy.empty())
+  {
+    RefuseValue("--color-by", word, "NAME[,COMPONENT]");
+  }
+}
+
+//------------------------------------------------------------------------------
+void TakeRange(RenderOptions& options, const std::string& word)
+{
+  const std::vector<double> n = ParseNumbers("--range", word, 2, "MIN,MAX");
+  if (n[0] >= n[1])
+  {
+    RefuseValue("--range", word, "MIN,MAX with MIN < MAX");
+  }
+  options.Look.Range = { n[0], n[1] };
+}
+
+//------------------------------------------------------------------------------
+void TakeColormap(RenderOptions& options, const std::string& word)
+{
+  const std::vector<std::string> names = GetColormapNames();
+  if (std::find(names.begin(), names.end(), word) == names.end())
+  {
+    RefuseValue("--colormap", word, "one of " + Join(names, ", "));
+  }
+  options.Look.Colormap = word;
+}
+
+//------------------------------------------------------------------------------
+void TakeColor(RenderOptions& options, const std::string& word)
+{
+  options.Look.Solid = ParseColor("--color", word);
+}
+
+//------------------------------------------------------------------------------
+void TakeOpacity(RenderOptions& options, const std::string& word)
+{
+  const double opacity = ParseNumbers("--opacity", word, 1, "0 to 1")[0];
+  if (opacity < 0.0 || opacity > 1.0)
+  {
+    RefuseValue("--opacity", word, "a number from 0 to 1");
+  }
+  options.Look.Opacity = opacity;
+}
+
+//------------------------------------------------------------------------------
+void TakeBackground(RenderOptions& options, const std::string& word)
+{
+  const std::vector<std::string> parts = Split(word, ',');
+  if (parts.size() > 2)
+  {
+    RefuseValue("--background", word, "COLOR, or COLOR,COLOR for the bottom and the top");
+  }
+  options.Look.Background.clear();
+  for (const std::string& part : parts)
+  {
+    options.Look.Background.push_back(ParseColor("--background", part));
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckLookOptions(const RenderOptions& options, const std::set<std::string>& given)
+{
+  if (options.Look.Solid)
+  {
+    for (const char* option : { "--color-by", "--colormap", "--range", "--scalar-bar" })
+    {
+      if (given.count(option))
+      {
+        throw UsageError(std::string(option) +
+          " and --color: colours follow values, or are one for all; give one of them");
+      }
+    }
+  }
+}
+}

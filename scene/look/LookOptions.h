@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * How meshes and the background look: colours by values or one for all, edges, opacity. All
+ * functions throw UsageError.
+ */
+#ifndef LookOptions_h
+#define LookOptions_h
+
+#include <array>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace scene
+{
+struct RenderOptions;
+
+using Color = std::array<double, 3>; ///< as displays show it, 0 to 1
+
+/// The colour map of active scalars, too.
+constexpr const char* DefaultColormap = "viridis";
+
+struct LookChoice
+{
+  std::string ColorByAsGiven;
+  std::string ColorBy; ///< name of an array, or point:NAME; empty: the active scalars
+  enum Places
+  {
+    Anywhere, ///< of points before cells
+    OfPoints,
+    OfCells
+  };
+  Places Place = Anywhere;      ///< of arrays of that name
+  std::optional<int> Component; ///< of it; none: colours as they are, else the magnitude
+  bool Magnitude = false;       ///< of arrays that could be colours
+  std::optional<std::array<double, 2>> Range;
+  std::string Colormap = DefaultColormap;
+  bool ScalarBar = false;
+  std::optional<Color> Solid;
+  double Opacity = 1.0;
+  bool Edges = false;
+  std::vector<Color> Background; ///< none: VTK's; two: bottom and top
+};
+
+void TakeColorBy(RenderOptions& options, const std::string& word);
+void TakeRange(RenderOptions& options, const std::string& word);
+void TakeColormap(RenderOptions& options, const std::string& word);
+void TakeColor(RenderOptions& options, const std::string& word);
+void TakeOpacity(RenderOptions& options, const std::string& word);
+void TakeBackground(RenderOptions& options, const std::string& word);
+
+/// "#rrggbb", "R/G/B" from 0 to 1, or a name of HTML's.
+Color ParseColor(const std::string& option, const std::string& word);
+
+void CheckLookOptions(const RenderOptions& options, const std::set<std::string>& given);
+}
+
+#endif

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Surface.h"
+
+#include "Environment.h"
+#include "Images.h"
+#include "Options.h"
+#include "ShadowOptions.h"
+
+#include "vtkActor.h"
+#include "vtkActorCollection.h"
+#include "vtkImageData.h"
+#include "vtkRelievoEnvironment.h"
+#include "vtkRelievoMaterial.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scene
+{
+namespace
+{
+const std::vector<std::string> Extensions = { ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp",
+  ".hdr", ".exr" };
+
+// Without a word about it, relief is this share of the scene's longest side deep.
+constexpr double DefaultDepth = 0.02;
+
+//------------------------------------------------------------------------------
+void SetHeights(vtkRelievoMaterial* material, vtkRenderer* renderer, const RenderOptions& options,
+  Progress& progress)
+{
+  double bounds[6];
+  renderer->ComputeVisiblePropBounds(bounds);
+  const double longest =
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  material->SetHeightMap(ReadImage(options.HeightMap, progress));
+  material->SetHeightScale(options.HeightScale.value_or(DefaultDepth * longest));
+  constexpr int methods[] = { vtkRelievoMaterial::METHOD_OFF, vtkRelievoMaterial::METHOD_PARALLAX,
+    vtkRelievoMaterial::METHOD_STEEP, vtkRelievoMaterial::METHOD_OCCLUSION,
+    vtkRelievoMaterial::METHOD_RELIEF };
+  material->SetMethod(methods[static_cast<int>(options.ReliefMethod)]);
+  material->SetDepthCorrection(options.ReliefMethod != Relief::Off);
+  material->SetSelfShadow(ShowsShadows(options));
+}
+
+//------------------------------------------------------------------------------
+// `own`: of a model that brings a normal map, which stays where the words name none; or null.
+vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
+  vtkRelievoEnvironment* environment, vtkRenderer* renderer, const RenderOptions& options,
+  Progress& progress)
+{
+  auto material = vtkSmartPointer<vtkRelievoMaterial>::New();
+  if (!options.NormalMap.empty())
+  {
+    material->SetNormalMap(ReadImage(options.NormalMap, progress));
+  }
+  else if (own)
+  {
+    material->SetNormalMap(own->GetNormalMap());
+    material->SetNormalStrength(own->GetNormalStrength());
+  }
+  if (!options.HeightMap.empty())
+  {
+    SetHeights(material, renderer, options, progress);
+  }
+  if (environment)
+  {
+    material->SetEnvironment(environment);
+    material->SetReflectivity(options.Reflectivity);
+    material->SetRoughness(options.Roughness);
+  }
+  return material;
+}
+}
+
+//------------------------------------------------------------------------------
+void CheckSurface(const RenderOptions& options)
+{
+  for (const auto& [option, path] :
+    { std::pair<const char*, std::string>("--normal-map", options.NormalMap),
+      std::pair<const char*, std::string>("--height-map", options.HeightMap) })
+  {
+    if (!path.empty())
+    {
+      CheckImage(option, path, Extensions);
+    }
+  }
+  CheckEnvironment(options);
+}
+
+//------------------------------------------------------------------------------
+void SetSurface(vtkRenderer* renderer, const RenderOptions& options, Progress& progress)
+{
+  if (options.NormalMap.empty() && options.HeightMap.empty() && options.Environment.empty())
+  {
+    return;
+  }
+  vtkSmartPointer<vtkRelievoEnvironment> environment;
+  if (!options.Environment.empty())
+  {
+    environment = ReadEnvironment(options, progress);
+    if (options.Skybox)
+    {
+      ShowSky(renderer, environment);
+    }
+  }
+  std::map<vtkRelievoMaterial*, vtkSmartPointer<vtkRelievoMaterial>> materials;
+  vtkActorCollection* actors = renderer->GetActors();
+  vtkCollectionSimpleIterator it;
+  actors->InitTraversal(it);
+  while (vtkActor* actor = actors->GetNextActor(it))
+  {
+    vtkRelievoMaterial* own = vtkRelievoMaterial::Get(actor);
+    vtkSmartPointer<vtkRelievoMaterial>& material = materials[own];
+    if (!material)
+    {
+      material = MakeMaterial(own, environment, renderer, options, progress);
+    }
+    material->Attach(actor);
+  }
+}
+}

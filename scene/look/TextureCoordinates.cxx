@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TextureCoordinates.h"
+
+#include "DataSets.h"
+#include "Messages.h"
+#include "Options.h"
+
+#include "vtkActor.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
+#include "vtkMapper.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRelievoTextureCoordinates.h"
+#include "vtkRelievoVTKVersions.h"
+#include "vtkTriangleFilter.h"
+
+namespace scene
+{
+namespace
+{
+bool NeedsTextureCoordinates(vtkDataObject* data)
+{
+  vtkPolyData* mesh = vtkPolyData::SafeDownCast(data);
+  return mesh && mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0 &&
+    !mesh->GetPointData()->GetTCoords();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> WithTextureCoordinates(
+  vtkDataObject* data, const RenderOptions& options)
+{
+  vtkSmartPointer<vtkPolyData> mesh = vtkPolyData::SafeDownCast(data);
+  if (mesh->GetNumberOfStrips() > 0)
+  {
+    vtkNew<vtkTriangleFilter> triangles;
+    triangles->SetInputData(mesh);
+    triangles->PassVertsOn();
+    triangles->PassLinesOn();
+    triangles->Update();
+    mesh = triangles->GetOutput();
+  }
+  constexpr int mappings[] = { vtkRelievoTextureCoordinates::BOX,
+    vtkRelievoTextureCoordinates::PLANE, vtkRelievoTextureCoordinates::SPHERE };
+  vtkNew<vtkRelievoTextureCoordinates> filter;
+  filter->SetInputData(mesh);
+  filter->SetMapping(mappings[static_cast<int>(options.TextureMapping.value_or(Mapping::Box))]);
+  filter->SetUp(options.UpAxis);
+  filter->Update();
+  mesh = filter->GetOutput();
+  mesh->GetPointData()->RemoveArray("vtkOriginalPointIds");
+  return mesh;
+}
+}
+
+//------------------------------------------------------------------------------
+void TurnTextureCoordinates(vtkActor* actor)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+  vtkMapper* mapper = actor->GetMapper();
+  if (!mapper || !keys || keys->Length(vtkProp::RELIEVO_VTK_TEXTURE_TRANSFORM()) != 16)
+  {
+    return;
+  }
+  mapper->Update();
+  vtkPolyData* mesh = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  vtkDataArray* before = mesh ? mesh->GetPointData()->GetTCoords() : nullptr;
+  if (!before || before->GetNumberOfComponents() < 2)
+  {
+    return;
+  }
+  const double* turn = keys->Get(vtkProp::RELIEVO_VTK_TEXTURE_TRANSFORM()); // by rows
+  vtkNew<vtkFloatArray> after;
+  after->SetName(before->GetName());
+  after->SetNumberOfComponents(2);
+  after->SetNumberOfTuples(before->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
+  {
+    const double u = before->GetComponent(i, 0);
+    const double v = before->GetComponent(i, 1);
+    after->SetComponent(i, 0, turn[0] * u + turn[1] * v + turn[3]);
+    after->SetComponent(i, 1, turn[4] * u + turn[5] * v + turn[7]);
+  }
+  vtkNew<vtkPolyData> turned;
+  turned->ShallowCopy(mesh);
+  turned->GetPointData()->SetTCoords(after);
+  mapper->SetInputDataObject(turned);
+  keys->Remove(vtkProp::RELIEVO_VTK_TEXTURE_TRANSFORM());
+}
+
+//------------------------------------------------------------------------------
+void AddTextureCoordinates(vtkActor* actor, const RenderOptions& options, const std::string& path)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  if (!mapper)
+  {
+    return;
+  }
+  mapper->Update();
+  vtkDataObject* data = mapper->GetInputDataObject(0, 0);
+  bool needed = false;
+  ForEachDataSet(
+    data, [&needed](vtkDataSet* block) { needed = needed || NeedsTextureCoordinates(block); });
+  if (!needed)
+  {
+    return;
+  }
+  if (vtkCompositeDataSet* blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    vtkSmartPointer<vtkCompositeDataSet> copy;
+    copy.TakeReference(blocks->NewInstance());
+    copy->ShallowCopy(blocks);
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(blocks->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      vtkDataObject* block = it->GetCurrentDataObject();
+      if (NeedsTextureCoordinates(block))
+      {
+        copy->SetDataSet(it, WithTextureCoordinates(block, options));
+      }
+    }
+    mapper->SetInputDataObject(copy);
+  }
+  else
+  {
+    mapper->SetInputDataObject(WithTextureCoordinates(data, options));
+  }
+  if (!options.TextureMapping)
+  {
+    Messages::Note(path +
+      ": a mesh has no texture coordinates; maps are laid on it as on a box "
+      "(--texture-coordinates)");
+  }
+  Messages::Check(path);
+}
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Display.h"
+
+#include "Errors.h"
+#include "Messages.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRelievoDisplay.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <string>
+
+namespace scene
+{
+//------------------------------------------------------------------------------
+void CheckDisplay(vtkRenderWindow* window)
+{
+  const std::string wrong = vtkRelievoDisplay::Check(window);
+  if (!wrong.empty())
+  {
+    throw WorkError(wrong);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckSize(vtkRenderWindow* window, const std::array<int, 2>& size)
+{
+  vtkOpenGLRenderWindow* gl = vtkOpenGLRenderWindow::SafeDownCast(window);
+  if (!gl)
+  {
+    return;
+  }
+  // The context is made small: asking for it at the full size would already meet the limit.
+  window->SetSize(1, 1);
+  gl->Initialize();
+  Messages::Check("OpenGL");
+  const int limit = vtkTextureObject::GetMaximumTextureSize(gl);
+  if (std::max(size[0], size[1]) > limit)
+  {
+    throw WorkError("--size " + std::to_string(size[0]) + "x" + std::to_string(size[1]) +
+      ": OpenGL here draws at most " + std::to_string(limit) + " pixels each way");
+  }
+  window->SetSize(size[0], size[1]);
+}
+}

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Outputs.h"
+
+#include "Errors.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace scene
+{
+namespace
+{
+// What a signal handler may touch: plain memory that never moves.
+constexpr std::size_t MaxTemporaries = 8;
+char Temporaries[MaxTemporaries][4096];
+volatile std::sig_atomic_t TemporaryCount = 0;
+
+extern "C" void RemoveAndEnd(int signal)
+{
+  Outputs::RemoveTemporaries();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+// Where a file of that name is, or would be: at the end of links, which may lead nowhere yet.
+fs::path Follow(const std::string& path, std::error_code& trouble)
+{
+  constexpr int most = 40; // links, as Linux has it
+  fs::path place = fs::weakly_canonical(fs::absolute(path), trouble);
+  std::error_code none; // there may be nothing of that name
+  for (int i = 0; i < most && !trouble && fs::is_symlink(fs::symlink_status(place, none)); ++i)
+  {
+    const fs::path target = fs::read_symlink(place, trouble);
+    place = fs::weakly_canonical(place.parent_path() / target, trouble);
+  }
+  return place;
+}
+
+bool Same(const fs::path& a, const fs::path& b)
+{
+  std::error_code ignored;
+  return a == b || fs::equivalent(a, b, ignored);
+}
+}
+
+//------------------------------------------------------------------------------
+Outputs::~Outputs()
+{
+  std::error_code ignored;
+  for (const Entry& entry : this->Entries)
+  {
+    fs::remove(entry.Temporary, ignored);
+  }
+  TemporaryCount = 0;
+}
+
+//------------------------------------------------------------------------------
+void Outputs::Add(
+  const std::string& option, const std::string& path, const std::vector<std::string>& inputs)
+{
+  std::error_code trouble;
+  const std::string named = option + " " + path + ": ";
+  const fs::path place = Follow(path, trouble);
+  if (trouble)
+  {
+    throw WorkError(named + trouble.message());
+  }
+  const fs::path folder = place.parent_path();
+  if (!fs::is_directory(folder, trouble))
+  {
+    throw WorkError(named + "there is no folder " + folder.string());
+  }
+  const fs::file_status status = fs::status(place, trouble);
+  if (fs::is_directory(status) || !place.has_filename())
+  {
+    throw WorkError(named + "is a folder; give the name of a file");
+  }
+  if (fs::exists(status) && !fs::is_regular_file(status))
+  {
+    throw WorkError(named + "is not a regular file, so it cannot be replaced by one");
+  }
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+  {
+    throw WorkError(named + "folder " + folder.string() + ": " + std::strerror(errno));
+  }
+  for (const std::string& input : inputs)
+  {
+    if (Same(place, fs::weakly_canonical(fs::absolute(input), trouble)))
+    {
+      throw UsageError(named + "is also a FILE to read; give another name");
+    }
+  }
+  for (const Entry& entry : this->Entries)
+  {
+    if (Same(place, entry.Place))
+    {
+      throw UsageError(named + "another option writes the same file; give another name");
+    }
+  }
+
+  const std::string temporary = (folder /
+    ("." + place.stem().string() + "." + std::to_string(getpid()) + ".tmp" +
+      place.extension().string()))
+                                  .string();
+  const int slot = TemporaryCount;
+  if (static_cast<std::size_t>(slot) < MaxTemporaries &&
+    temporary.size() < sizeof(Temporaries[slot]))
+  {
+    std::memcpy(Temporaries[slot], temporary.c_str(), temporary.size() + 1);
+    TemporaryCount = slot + 1;
+  }
+  this->Entries.push_back({ path, place.string(), temporary, {} });
+}
+
+//------------------------------------------------------------------------------
+std::string Outputs::Temporary(const std::string& path) const
+{
+  const auto entry = std::find_if(this->Entries.begin(), this->Entries.end(),
+    [&path](const Entry& candidate) { return candidate.Given == path; });
+  return entry->Temporary;
+}
+
+//------------------------------------------------------------------------------
+std::string Outputs::WithGivenNames(std::string text) const
+{
+  for (const Entry& entry : this->Entries)
+  {
+    for (std::string::size_type at = text.find(entry.Temporary); at != std::string::npos;
+         at = text.find(entry.Temporary, at + entry.Given.size()))
+    {
+      text.replace(at, entry.Temporary.size(), entry.Given);
+    }
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+void Outputs::Commit()
+{
+  // What is replaced stays under a name of its own until all are in place.
+  std::error_code trouble;
+  std::size_t moved = 0;
+  for (; moved < this->Entries.size() && !trouble; ++moved)
+  {
+    Entry& entry = this->Entries[moved];
+    std::error_code none; // there may be nothing to keep
+    if (fs::is_regular_file(fs::status(entry.Place, none)))
+    {
+      // By a second name of the file, so that its place is never empty; where there are such names.
+      entry.Kept = entry.Temporary + ".old";
+      fs::create_hard_link(entry.Place, entry.Kept, trouble);
+      if (trouble)
+      {
+        fs::rename(entry.Place, entry.Kept, trouble);
+      }
+      if (trouble)
+      {
+        entry.Kept.clear();
+        break;
+      }
+    }
+    fs::rename(entry.Temporary, entry.Place, trouble);
+    if (trouble)
+    {
+      break;
+    }
+  }
+  if (!trouble)
+  {
+    for (const Entry& entry : this->Entries)
+    {
+      std::error_code none;
+      fs::remove(entry.Kept, none);
+    }
+    return;
+  }
+  const std::string wrong = this->Entries[moved].Given + ": " + trouble.message();
+  for (std::size_t i = 0; i <= moved; ++i)
+  {
+    const Entry& entry = this->Entries[i];
+    std::error_code none;
+    if (!entry.Kept.empty())
+    {
+      fs::rename(entry.Kept, entry.Place, none);
+    }
+    else if (i < moved)
+    {
+      fs::remove(entry.Place, none);
+    }
+  }
+  throw WorkError(wrong);
+}
+
+//------------------------------------------------------------------------------
+void Outputs::RemoveOnSignals()
+{
+  for (const int signal : { SIGINT, SIGTERM, SIGHUP })
+  {
+    std::signal(signal, RemoveAndEnd);
+  }
+  // A file that grows over its limit is then a write error, which is said, and not the end.
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+//------------------------------------------------------------------------------
+void Outputs::RemoveTemporaries()
+{
+  for (int i = 0; i < TemporaryCount; ++i)
+  {
+    unlink(Temporaries[i]);
+  }
+}
+}

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StandardError.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace scene
+{
+namespace
+{
+bool Ours = false;
+}
+
+//------------------------------------------------------------------------------
+void BeProgram()
+{
+  Ours = true;
+}
+
+//------------------------------------------------------------------------------
+bool IsProgram()
+{
+  return Ours;
+}
+
+//------------------------------------------------------------------------------
+std::FILE* StandardError()
+{
+  static std::FILE* const kept = [] {
+    const int copy = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
+    std::FILE* file = copy < 0 ? nullptr : fdopen(copy, "w");
+    if (file)
+    {
+      std::setvbuf(file, nullptr, _IONBF, 0); // as stderr
+    }
+    return file ? file : stderr;
+  }();
+  return kept;
+}
+
+//------------------------------------------------------------------------------
+SilentLibraries::SilentLibraries()
+{
+  if (!Ours)
+  {
+    return;
+  }
+  StandardError(); // before there is nothing left to copy
+  std::fflush(stderr);
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (nowhere >= 0)
+  {
+    dup2(nowhere, STDERR_FILENO);
+    close(nowhere);
+  }
+}
+
+//------------------------------------------------------------------------------
+SilentLibraries::~SilentLibraries()
+{
+  if (Ours)
+  {
+    std::fflush(stderr);
+    dup2(fileno(StandardError()), STDERR_FILENO);
+  }
+}
+}

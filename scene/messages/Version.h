@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What draws here: the versions of Relievo, VTK and OpenGL, for reports of defects.
+ */
+#ifndef Version_h
+#define Version_h
+
+#include <string>
+
+namespace scene
+{
+/// One line each. OpenGL is asked in a window of its own; where none can open, its line says why.
+std::string DescribeVersions();
+}
+
+#endif

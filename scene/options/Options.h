@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What a scene shows and what is written of it: the words of `relievo render` as a struct. Parsing
+ * touches no file; it throws UsageError.
+ */
+#ifndef Options_h
+#define Options_h
+
+#include "Arguments.h"
+#include "FogOptions.h"
+#include "LampOptions.h"
+#include "LightOptions.h"
+#include "LookOptions.h"
+#include "MarkerOptions.h"
+#include "ModelOptions.h"
+#include "Stages.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scene
+{
+/// FromFile: phong, except that a glTF file keeps the shading of its own materials.
+enum class Shading
+{
+  FromFile,
+  Flat,
+  Gouraud,
+  Phong,
+  PBR
+};
+
+enum class Shadows
+{
+  Off,
+  Map,
+  Forward,
+  Warped,
+  Exact
+};
+
+enum class Relief
+{
+  Off,
+  Parallax,
+  Steep,
+  Occlusion,
+  Relief
+};
+
+/// How meshes without texture coordinates get some.
+enum class Mapping
+{
+  Box,
+  Plane,
+  Sphere
+};
+
+/// Width and height in texels of the smallest shadow map.
+constexpr int SmallestShadowSize = 16;
+
+/// Samples of each light's shape.
+constexpr int MostSoftSamples = 4096;
+
+/// Pixels or texels each way. OpenGL's own limit, which may be lower, is asked when there is one.
+constexpr int LargestSize = 16384;
+
+/// Rays of --certify.
+constexpr int MostRays = 100000000;
+
+struct CameraPlace
+{
+  std::array<double, 3> Position;
+  std::array<double, 3> FocalPoint;
+  std::array<double, 3> ViewUp;
+};
+
+struct RenderOptions
+{
+  std::vector<std::string> Files;
+  std::array<int, 2> Size = { 1024, 768 }; ///< width, height in pixels
+  std::optional<CameraPlace> Camera;       ///< none: fitted to the scene
+  std::optional<double> ViewAngle;         ///< full vertical angle, degrees
+  std::optional<double> ParallelScale;     ///< half the height, world units
+  std::optional<std::array<double, 2>> Clip;
+  Shading ShadingKind = Shading::FromFile;
+  std::string Preset; ///< of lights, shadows and background; empty: none
+  LookChoice Look;
+  ModelChoice Model;               ///< what models with bones show
+  std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
+  std::vector<LampChoice> Lamps;
+  Shadows ShadowMethod = Shadows::Off;
+  std::optional<int> ShadowSize;         ///< of each map, texels
+  std::optional<int> SoftShadows;        ///< samples of each light's shape
+  bool ColoredShadows = false;           ///< what is translucent casts, and colours the light
+  std::optional<double> ShadowTolerance; ///< share of wrong pixels, 0 to 1
+  std::optional<double> TimeBudget;      ///< of a frame, milliseconds
+  std::optional<int> Certify;            ///< rays
+  std::string NormalMap, HeightMap;      ///< files; empty: none
+  std::optional<double> HeightScale;     ///< depth of the relief, world units
+  Relief ReliefMethod = Relief::Relief;
+  std::optional<Mapping> TextureMapping; ///< none: as a box, with a note
+  std::string Environment;               ///< file; empty: none
+  double EnvironmentRotation = 0.0;      ///< degrees about the up axis
+  double Reflectivity = 0.04;            ///< share of the environment's light that is mirrored
+  double Roughness = 0.2;                ///< of that mirror
+  bool Skybox = false;
+  int UpAxis = 1; ///< of the world: 0, 1, 2 for x, y, z
+  std::vector<FogChoice> Fogs;
+  std::vector<MarkerChoice> Markers;
+  std::vector<StageChoice> Stages; ///< of the frame, as given
+  bool HDR = false;                ///< the colour of the EXR unclamped
+  std::vector<std::string> Layers; ///< each once; those of the EXR beside its colour
+  std::string PNG, EXR, Report;    ///< empty: not asked for
+};
+
+/// Every option of render.
+std::vector<KnownOption> GetRenderOptions();
+
+/// What an option is, for people.
+struct OptionHelp
+{
+  std::string Name;
+  std::string Value; ///< its placeholder; empty: a flag, which stands alone
+  std::string Help;  ///< paragraphs, and lines of tables, which begin with blanks
+  bool Repeats;
+};
+
+/// Of every option of render.
+std::vector<OptionHelp> GetRenderHelp();
+
+/// Files and options in the words of `relievo render`; files may come later.
+RenderOptions ParseOptions(const std::vector<std::string>& words);
+
+/// Throws UsageError unless there is a file, and something to write.
+void CheckOutputs(const RenderOptions& options);
+}
+
+#endif

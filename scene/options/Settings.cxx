@@ -1,0 +1,439 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Settings.h"
+
+#include "Options.h"
+#include "Values.h"
+#include "vtkNew.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoStage.h"
+#include "vtkRelievoStageDescription.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace scene
+{
+namespace
+{
+const std::set<std::string> Outputs = { "--png", "--exr", "--report", "--certify", "--hdr",
+  "--layers" };
+
+// Said as parameters of stages instead.
+const std::set<std::string> SaidByStages = { "--stage", "--shadow-size", "--soft-shadows",
+  "--shadow-tolerance", "--time-budget", "--deferred", "--tone", "--exposure" };
+
+constexpr const char* BeginWithPath[] = { "--normal-map", "--height-map", "--environment" };
+
+// Options whose word begins with a path that is escaped for ParseFileAndValues.
+constexpr const char* BeginWithEscapedPath[] = { "--lamps", "--fog", "--markers" };
+
+std::string GetFirstTime(const std::string& times)
+{
+  RenderOptions options;
+  TakeTimes(options, times);
+  return WriteNumber(options.Model.Times.front());
+}
+
+vtkRelievoPass* GetNewFrame()
+{
+  static const vtkNew<vtkRelievoPass> frame;
+  return frame;
+}
+}
+
+//------------------------------------------------------------------------------
+Settings Settings::FromWords(const std::vector<std::string>& words)
+{
+  Settings settings;
+  ParseArguments(
+    words, "render", GetRenderOptions(),
+    [&settings](const std::string& name, const std::string& value) {
+      if (name == "--times")
+      {
+        settings.Set("--time", GetFirstTime(value));
+      }
+      else if (Outputs.count(name) == 0)
+      {
+        settings.Values[name].push_back(value);
+      }
+    },
+    [&settings](const std::string& word) { settings.Files.push_back(word); });
+  if (!settings.Files.empty() || !settings.Values.empty())
+  {
+    settings.TakeStages(settings.Parse());
+  }
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+void Settings::TakeStages(const RenderOptions& options)
+{
+  if (this->Has("--shadow-tolerance") || this->Has("--time-budget"))
+  {
+    this->Set("--shadows", "map");
+  }
+  if (options.ShadowSize)
+  {
+    this->SetParameter("shadows", "map_size", std::to_string(*options.ShadowSize));
+  }
+  if (options.SoftShadows)
+  {
+    this->SetParameter("shadows", "soft_samples", std::to_string(*options.SoftShadows));
+  }
+  if (options.ShadowTolerance)
+  {
+    this->SetParameter("shadows", "tolerance", WriteNumber(*options.ShadowTolerance));
+  }
+  if (options.TimeBudget)
+  {
+    this->SetParameter("shadows", "time_budget", WriteNumber(*options.TimeBudget));
+  }
+  for (const std::string& option : SaidByStages)
+  {
+    this->Remove(option);
+  }
+  for (const StageChoice& choice : options.Stages)
+  {
+    this->AskStage(choice.Name, true);
+    for (const auto& [name, value] : choice.Parameters)
+    {
+      this->SetParameter(choice.Name, name, value);
+    }
+  }
+  for (const FogChoice& fog : options.Fogs)
+  {
+    if (!fog.Mode.empty())
+    {
+      this->SetParameter("fog", "mode", fog.Mode);
+    }
+  }
+  this->DropValue("--fog", "mode");
+  this->DropValue("--lamps", "casting");
+  for (auto stage = this->Stages.begin(); stage != this->Stages.end();)
+  {
+    const bool idle =
+      stage->second.empty() && GetNewFrame()->GetStage(stage->first)->GetDescription().OnByDefault;
+    stage = idle ? this->Stages.erase(stage) : std::next(stage);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Of files of points; it is said as the stage's parameter.
+void Settings::DropValue(const std::string& option, const std::string& name)
+{
+  std::vector<std::string> words = this->GetAll(option);
+  for (std::string& word : words)
+  {
+    std::vector<std::string> parts = SplitEscaped(word, ',');
+    const auto dropped = std::remove_if(parts.begin() + 1, parts.end(),
+      [&name](const std::string& part) { return part.rfind(name + "=", 0) == 0; });
+    parts.erase(dropped, parts.end());
+    word = JoinEscaped(parts, ',');
+  }
+  this->SetAll(option, words);
+}
+
+//------------------------------------------------------------------------------
+void Settings::MakePathsAbsolute(const std::string& folder)
+{
+  const auto complete = [](std::string& path, const std::string& in) {
+    if (!path.empty())
+    {
+      path = (std::filesystem::path(in) / path).string(); // as it is, if it is absolute
+    }
+  };
+  for (std::string& file : this->Files)
+  {
+    complete(file, folder);
+  }
+  const auto completeAll = [&](const char* option, const std::string& in) {
+    std::vector<std::string> words = this->GetAll(option);
+    for (std::string& word : words)
+    {
+      complete(word, in);
+    }
+    this->SetAll(option, words);
+  };
+  for (const char* option : BeginWithPath)
+  {
+    completeAll(option, folder);
+  }
+  for (const char* option : BeginWithEscapedPath)
+  {
+    completeAll(option, JoinEscaped({ folder }, ','));
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Settings::GetAllWords(const std::string& option) const
+{
+  std::vector<std::string> words = this->GetAll(option);
+  for (const auto& [name, parameters] :
+    option == "--stage" ? this->Stages : std::map<std::string, Parameters>())
+  {
+    std::string word = name;
+    for (const auto& [parameter, value] : parameters)
+    {
+      word += (word == name ? ":" : ",") + parameter + "=" + value;
+    }
+    words.push_back(word);
+  }
+  return words;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Settings::GetWords() const
+{
+  std::vector<std::string> words;
+  for (const KnownOption& option : GetRenderOptions())
+  {
+    for (const std::string& value : this->GetAllWords(option.Name))
+    {
+      words.push_back(option.Name);
+      if (!option.IsFlag)
+      {
+        words.push_back(value);
+      }
+    }
+  }
+  const bool dashed = std::any_of(this->Files.begin(), this->Files.end(),
+    [](const std::string& file) { return !file.empty() && file[0] == '-'; });
+  if (dashed)
+  {
+    words.emplace_back("--");
+  }
+  words.insert(words.end(), this->Files.begin(), this->Files.end());
+  return words;
+}
+
+//------------------------------------------------------------------------------
+RenderOptions Settings::Parse() const
+{
+  return ParseOptions(this->GetWords());
+}
+
+//------------------------------------------------------------------------------
+std::string Settings::Get(const std::string& option) const
+{
+  const auto found = this->Values.find(option);
+  return found == this->Values.end() || found->second.empty() ? "" : found->second.front();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Settings::GetAll(const std::string& option) const
+{
+  const auto found = this->Values.find(option);
+  return found == this->Values.end() ? std::vector<std::string>() : found->second;
+}
+
+//------------------------------------------------------------------------------
+void Settings::Set(const std::string& option, const std::string& value)
+{
+  this->Values[option] = { value };
+}
+
+//------------------------------------------------------------------------------
+void Settings::SetAll(const std::string& option, const std::vector<std::string>& values)
+{
+  values.empty() ? this->Remove(option) : void(this->Values[option] = values);
+}
+
+//------------------------------------------------------------------------------
+void Settings::AskStage(const std::string& stage, bool asked)
+{
+  asked ? void(this->Stages[stage]) : void(this->Stages.erase(stage));
+}
+
+//------------------------------------------------------------------------------
+const std::string* Settings::Find(const std::string& stage, const std::string& parameter) const
+{
+  const auto found = this->Stages.find(stage);
+  if (found != this->Stages.end())
+  {
+    for (const auto& [name, value] : found->second)
+    {
+      if (name == parameter)
+      {
+        return &value;
+      }
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool Settings::ShowsShadows() const
+{
+  if (!this->Has("--preset") || this->Has("--shadows"))
+  {
+    return this->Has("--shadows") && this->Get("--shadows") != "off";
+  }
+  return this->Parse().ShadowMethod != Shadows::Off;
+}
+
+//------------------------------------------------------------------------------
+std::string Settings::GetParameter(const std::string& stage, const std::string& parameter) const
+{
+  if (stage == "shadows" && parameter == "visible")
+  {
+    return this->ShowsShadows() ? "on" : "off";
+  }
+  if (stage == "shadows" && parameter == "method" && this->Has("--shadows") && this->ShowsShadows())
+  {
+    return this->Get("--shadows");
+  }
+  if (stage == "shadows" && parameter == "colored_shadows" && this->Has("--colored-shadows"))
+  {
+    return "on";
+  }
+  const std::string* value = this->Find(stage, parameter);
+  return value ? *value : GetStandard(stage, parameter);
+}
+
+//------------------------------------------------------------------------------
+std::string Settings::GetStandard(const std::string& stage, const std::string& parameter)
+{
+  return GetNewFrame()->GetStage(stage)->GetParameterDefault(parameter);
+}
+
+//------------------------------------------------------------------------------
+void Settings::SetShadows(bool visible, const std::string& method)
+{
+  this->SetGiven("shadows", "method", "map"); // which is the default
+  if (!visible || method != "exact")
+  {
+    this->Remove("--colored-shadows"); // which others refuse
+  }
+  if (visible)
+  {
+    this->Set("--shadows", method);
+  }
+  else if (this->Has("--preset")) // which may show them
+  {
+    this->Set("--shadows", "off");
+  }
+  else
+  {
+    this->Remove("--shadows");
+    this->SetGiven("shadows", "method", method);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Settings::SetParameter(
+  const std::string& stage, const std::string& parameter, const std::string& value)
+{
+  if (stage == "shadows" && parameter == "visible")
+  {
+    this->SetShadows(value == "on", this->GetParameter(stage, "method"));
+  }
+  else if (stage == "shadows" && parameter == "method")
+  {
+    this->SetShadows(this->ShowsShadows(), value);
+  }
+  else if (stage == "shadows" && parameter == "colored_shadows" && this->Has("--colored-shadows"))
+  {
+    value == "on" ? void() : this->Remove("--colored-shadows");
+  }
+  else
+  {
+    this->SetGiven(stage, parameter, value);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Settings::SetGiven(
+  const std::string& stage, const std::string& parameter, const std::string& value)
+{
+  vtkRelievoStage* fresh = GetNewFrame()->GetStage(stage);
+  Parameters& given = this->Stages[stage];
+  given.erase(std::remove_if(given.begin(), given.end(),
+                [&parameter](const auto& each) { return each.first == parameter; }),
+    given.end());
+  if (value != fresh->GetParameterDefault(parameter))
+  {
+    given.emplace_back(parameter, value);
+  }
+  else if (given.empty() && fresh->GetDescription().OnByDefault)
+  {
+    this->Stages.erase(stage);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Settings::operator==(const Settings& other) const
+{
+  return this->Files == other.Files && this->Values == other.Values && this->Stages == other.Stages;
+}
+
+//------------------------------------------------------------------------------
+std::set<std::string> Settings::GetChanges(const Settings& other) const
+{
+  std::set<std::string> changes;
+  if (this->Files != other.Files)
+  {
+    changes.insert("");
+  }
+  for (const KnownOption& option : GetRenderOptions())
+  {
+    if (this->GetAll(option.Name) != other.GetAll(option.Name))
+    {
+      changes.insert(option.Name);
+    }
+  }
+  std::map<std::string, Parameters> stages = this->Stages;
+  stages.insert(other.Stages.begin(), other.Stages.end());
+  for (const auto& stage : stages)
+  {
+    const std::string& name = stage.first;
+    if (this->IsStageAsked(name) != other.IsStageAsked(name))
+    {
+      changes.insert(name + ":");
+    }
+    for (const Settings* each : { this, &other })
+    {
+      const auto found = each->Stages.find(name);
+      for (const auto& parameter : found == each->Stages.end() ? Parameters() : found->second)
+      {
+        const std::string* mine = this->Find(name, parameter.first);
+        const std::string* others = other.Find(name, parameter.first);
+        if (!mine || !others || *mine != *others)
+        {
+          changes.insert(name + ":" + parameter.first);
+        }
+      }
+    }
+  }
+  return changes;
+}
+
+//------------------------------------------------------------------------------
+void Settings::TakeChanges(const Settings& before, const Settings& after)
+{
+  for (const std::string& change : before.GetChanges(after))
+  {
+    const std::size_t colon = change.find(':');
+    if (change.empty())
+    {
+      continue; // files are each one's own
+    }
+    if (colon == std::string::npos)
+    {
+      this->SetAll(change, after.GetAll(change));
+      continue;
+    }
+    const std::string stage = change.substr(0, colon), parameter = change.substr(colon + 1);
+    if (parameter.empty() || !after.IsStageAsked(stage))
+    {
+      this->AskStage(stage, after.IsStageAsked(stage));
+    }
+    else
+    {
+      const std::string* value = after.Find(stage, parameter);
+      this->SetGiven(stage, parameter, value ? *value : GetStandard(stage, parameter));
+    }
+  }
+}
+}

@@ -1,0 +1,342 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoScene.h"
+
+#include "Display.h"
+#include "DressedScene.h"
+#include "Errors.h"
+#include "Messages.h"
+#include "Options.h"
+#include "Progress.h"
+#include "WriteOutputs.h"
+
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkRelievoPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+
+#include <nlohmann/json.hpp>
+
+#include <exception>
+#include <new>
+#include <vector>
+
+vtkStandardNewMacro(vtkRelievoScene);
+
+struct vtkRelievoScene::Internals : public scene::ProgressListener
+{
+  explicit Internals(vtkRelievoScene* owner)
+    : Owner(owner)
+  {
+  }
+
+  void Say(const std::string& what, double share) override
+  {
+    this->Doing = what;
+    this->Owner->InvokeEvent(vtkCommand::ProgressEvent, &share);
+  }
+  bool IsStopped() override { return this->Owner->Abort; }
+
+  void MakeWindow();
+  void Read(scene::Progress& progress);
+  void Update(scene::Progress& progress);
+
+  vtkRelievoScene* Owner;
+  vtkNew<vtkStringArray> Words, Notes, Warnings;
+  scene::RenderOptions Options; // of the words
+  scene::Settings Settings;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  bool IsOwnWindow = false;
+  std::string ReadingKey; // of what was read; empty: nothing
+  scene::DressedScene Dressed;
+  std::string Certificate, Doing;
+};
+
+namespace
+{
+// Of work on files, what fails is a file.
+template <typename Work>
+auto OnFiles(Work work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const scene::WorkError& error)
+  {
+    throw scene::FileError(error.what());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoScene::vtkRelievoScene()
+  : Self(new Internals(this))
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoScene::~vtkRelievoScene()
+{
+  if (vtkRenderer* renderer = this->GetRenderer())
+  {
+    vtkRelievoPass::Detach(renderer); // while there is a context
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoScene::Try(const std::function<void()>& work)
+{
+  this->Abort = false;
+  this->Failure = NO_FAILURE;
+  this->FailureText.clear();
+  {
+    const scene::Messages::Scope scope;
+    try
+    {
+      work();
+    }
+    catch (const scene::UsageError& error)
+    {
+      this->Failure = USAGE_FAILURE;
+      this->FailureText = error.what();
+    }
+    catch (const scene::FileError& error)
+    {
+      this->Failure = FILE_FAILURE;
+      this->FailureText = error.what();
+    }
+    catch (const std::bad_alloc&)
+    {
+      this->Failure = DRAW_FAILURE;
+      this->FailureText = "out of memory; a smaller --size or fewer --layers need less";
+    }
+    catch (const std::exception& error)
+    {
+      this->Failure = DRAW_FAILURE;
+      this->FailureText = error.what();
+    }
+    const auto keep = [](const std::vector<std::string>& texts, vtkStringArray* list) {
+      list->Initialize();
+      for (const std::string& text : texts)
+      {
+        list->InsertNextValue(text);
+      }
+    };
+    keep(scene::Messages::TakeNotes(), this->Self->Notes);
+    keep(scene::Messages::TakeWarnings(), this->Self->Warnings);
+  }
+  if (this->Failure != NO_FAILURE)
+  {
+    vtkErrorMacro(<< this->FailureText);
+  }
+  return this->Failure == NO_FAILURE;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoScene::SetWords(vtkStringArray* words)
+{
+  return this->Try([this, words] {
+    std::vector<std::string> given;
+    for (vtkIdType i = 0; words && i < words->GetNumberOfValues(); ++i)
+    {
+      given.push_back(words->GetValue(i));
+    }
+    const scene::RenderOptions options = scene::ParseOptions(given);
+    this->Self->Settings = scene::Settings::FromWords(given);
+    this->Self->Options = options;
+    this->Self->Words->Initialize();
+    for (const std::string& word : given)
+    {
+      this->Self->Words->InsertNextValue(word);
+    }
+    this->Modified();
+  });
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkRelievoScene::GetWords()
+{
+  return this->Self->Words;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoScene::SetRenderWindow(vtkRenderWindow* window)
+{
+  if (this->Self->Window != window)
+  {
+    vtkRenderer* renderer = this->GetRenderer();
+    if (renderer && this->Self->Window)
+    {
+      this->Self->Window->RemoveRenderer(renderer);
+    }
+    if (renderer && window)
+    {
+      window->AddRenderer(renderer);
+    }
+    this->Self->Window = window;
+    this->Self->IsOwnWindow = false;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkRenderWindow* vtkRelievoScene::GetRenderWindow()
+{
+  return this->Self->Window;
+}
+
+//------------------------------------------------------------------------------
+// Before the first that asks its OpenGL.
+void vtkRelievoScene::Internals::MakeWindow()
+{
+  if (!this->Window)
+  {
+    this->Window = vtkSmartPointer<vtkRenderWindow>::New();
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->IsOwnWindow = true;
+  }
+  scene::CheckDisplay(this->Window);
+  if (this->IsOwnWindow)
+  {
+    scene::CheckSize(this->Window, this->Options.Size);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoScene::Internals::Read(scene::Progress& progress)
+{
+  // The array of the strongest bones is read where a layer asks for it, too.
+  const std::string key =
+    scene::GetReadingKey(this->Settings) + (this->Options.Model.FirstBone ? "first_bone" : "");
+  if (key == this->ReadingKey && this->Dressed.GetRenderer())
+  {
+    return;
+  }
+  const scene::Scene read = OnFiles([&] { return scene::ReadScene(this->Options, progress); });
+  const scene::FramePoints points =
+    OnFiles([&] { return scene::ReadFramePoints(this->Options, progress); });
+  if (vtkRenderer* before = this->Dressed.GetRenderer())
+  {
+    vtkRelievoPass::Detach(before);
+    this->Window->RemoveRenderer(before);
+  }
+  this->Dressed = scene::DressedScene(read, points);
+  this->ReadingKey = key;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoScene::Internals::Update(scene::Progress& progress)
+{
+  if (this->Options.Files.empty())
+  {
+    throw scene::UsageError("there is no file to show: give one among the words");
+  }
+  this->Read(progress);
+  this->MakeWindow();
+  vtkRenderer* renderer = this->Dressed.GetRenderer();
+  if (!this->Window->HasRenderer(renderer))
+  {
+    this->Window->AddRenderer(renderer);
+  }
+  this->Dressed.Update(this->Settings, this->Options, false);
+  if (!this->Options.Camera && this->Options.Model.Times.size() > 1)
+  {
+    scene::FitTimes(this->Dressed.GetScene(), this->Options, progress);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoScene::Update()
+{
+  return this->Try([this] {
+    OnFiles([this] { return scene::CheckInputs(this->Self->Options); });
+    scene::Progress progress(this->Self.get());
+    this->Self->Update(progress);
+  });
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoScene::Write()
+{
+  return this->Try([this] {
+    // What can be refused at once is refused before the long work.
+    const scene::RenderOptions& options = this->Self->Options;
+    this->Self->Certificate.clear();
+    scene::CheckOutputs(options);
+    const std::vector<std::string> inputs =
+      OnFiles([&options] { return scene::CheckInputs(options); });
+    std::unique_ptr<scene::Outputs> outputs =
+      OnFiles([&] { return scene::OpenOutputs(options, inputs); });
+    scene::Progress progress(this->Self.get());
+    this->Self->Update(progress);
+    this->Self->Certificate =
+      scene::WriteOutputs(this->Self->Dressed, options, inputs, std::move(outputs), progress);
+  });
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* vtkRelievoScene::GetRenderer()
+{
+  return this->Self->Dressed.GetRenderer();
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoPass* vtkRelievoScene::GetPass()
+{
+  return this->Self->Dressed.GetFrame();
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkRelievoScene::GetNotes()
+{
+  return this->Self->Notes;
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkRelievoScene::GetWarnings()
+{
+  return this->Self->Warnings;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoScene::GetCertificate()
+{
+  return this->Self->Certificate;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoScene::GetProgressText()
+{
+  return this->Self->Doing;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoScene::GetOptions()
+{
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const scene::OptionHelp& option : scene::GetRenderHelp())
+  {
+    all.push_back({ { "name", option.Name }, { "value", option.Value },
+      { "repeats", option.Repeats }, { "help", option.Help } });
+  }
+  return all.dump();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoScene::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Words:";
+  for (vtkIdType i = 0; i < this->Self->Words->GetNumberOfValues(); ++i)
+  {
+    os << ' ' << this->Self->Words->GetValue(i);
+  }
+  os << "\n" << indent << "Renderer: " << this->GetRenderer() << "\n";
+  os << indent << "RenderWindow: " << this->Self->Window << "\n";
+  os << indent << "Failure: " << this->Failure << "\n";
+}
