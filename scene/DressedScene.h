@@ -34,9 +34,9 @@ public:
   /// The scene's renderer leaves its window.
   DressedScene(const Scene& scene, const FramePoints& points);
 
-  /// Shows the scene by these options, which are those of the settings; `keepCamera`: but with the
-  /// renderer's camera. The renderer must be in a window. Throws UsageError or WorkError, and leaves
-  /// the scene between what it was and what it was to be: another update mends it.
+  /// Shows the scene by these options, which are those of the settings; `keepCamera`: but with
+  /// the renderer's camera. The renderer must be in a window. Throws UsageError or WorkError, and
+  /// leaves the scene between what it was and what it was to be: another update mends it.
   void Update(const Settings& settings, const RenderOptions& options, bool keepCamera);
 
   /// Other points for the lamps, fog and markers of the options that are shown next.

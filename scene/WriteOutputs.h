@@ -18,14 +18,14 @@ class DressedScene;
 class Progress;
 struct RenderOptions;
 
-/// The files that the options ask for; of a sequence, those of its first frame. Throws UsageError or
-/// WorkError for a place that cannot be written, or that is one of the inputs.
+/// The files that the options ask for; of a sequence, those of its first frame. Throws UsageError
+/// or WorkError for a place that cannot be written, or that is one of the inputs.
 std::unique_ptr<Outputs> OpenOutputs(
   const RenderOptions& options, const std::vector<std::string>& inputs);
 
-/// Draws the scene, which is shown by the options, and writes the files; of a sequence, each frame's
-/// before the next one is drawn. Returns the shadows' certificate in words, if it is asked for.
-/// Throws UsageError for layers that the scene does not have, WorkError.
+/// Draws the scene, which is shown by the options, and writes the files; of a sequence, each
+/// frame's before the next one is drawn. Returns the shadows' certificate in words, if it is
+/// asked for. Throws UsageError for layers that the scene does not have, WorkError.
 std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
   const std::vector<std::string>& inputs, std::unique_ptr<Outputs> outputs, Progress& progress);
 }

@@ -13,8 +13,8 @@
  * SetAbort() ends the work with an error.
  *
  * Errors: a function that fails returns false and invokes one error event, which names the option
- * or the file; GetFailureText() is its text, GetFailure() tells its kind. The renderer then shows what
- * it did, or part of what it was to show, and another Update() mends it.
+ * or the file; GetFailureText() is its text, GetFailure() tells its kind. The renderer then shows
+ * what it did, or part of what it was to show, and another Update() mends it.
  */
 #ifndef vtkRelievoScene_h
 #define vtkRelievoScene_h
@@ -48,8 +48,8 @@ public:
   ///@}
 
   /**
-   * The window that the renderer is in, which keeps its size; set it before Update(). Default: one of
-   * the scene's own, off screen, of the size that the words say.
+   * The window that the renderer is in, which keeps its size; set it before Update(). Default:
+   * one of the scene's own, off screen, of the size that the words say.
    */
   void SetRenderWindow(vtkRenderWindow* window);
   vtkRenderWindow* GetRenderWindow();

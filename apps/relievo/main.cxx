@@ -75,6 +75,7 @@ int Fail(const char* text, int status)
 
 int main(int argc, char* argv[])
 {
+  scene::BeProgram();
   scene::Outputs::RemoveOnSignals();
   try
   {

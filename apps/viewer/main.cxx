@@ -138,17 +138,10 @@ int main(int argc, char* argv[])
   scene::Settings settings;
   try
   {
-    settings = isSession ? settings : scene::Settings::FromWords(words);
+    settings = isSession ? settings : viewer::Document::FromWords(words);
     if (once && !isSession && settings.Files.empty())
     {
       throw scene::UsageError("--once: no FILE given; there is nothing to draw");
-    }
-    if (std::any_of(words.begin(), words.end(), [](const std::string& word) {
-          return word == "--times" || word.rfind("--times=", 0) == 0;
-        }))
-    {
-      scene::Messages::Note(
-        "--times: the window plays the animation itself, from the first of the times");
     }
     settings.MakePathsAbsolute(QDir::currentPath().toStdString());
   }

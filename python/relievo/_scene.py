@@ -5,6 +5,7 @@
 import json
 import numbers
 import os
+import textwrap
 import warnings
 
 from vtkmodules.vtkCommonCore import vtkStringArray
@@ -12,7 +13,9 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 from ._errors import Watch
 from ._wrapped import vtkRelievoScene
 
-_OPTIONS = {row["name"][2:].replace("-", "_"): row for row in json.loads(vtkRelievoScene.GetOptions())}
+_OPTIONS = {
+    row["name"][2:].replace("-", "_"): row for row in json.loads(vtkRelievoScene.GetOptions())
+}
 
 # What stands between the numbers of a tuple; a comma for the others.
 _BETWEEN = {"size": "x", "color": "/", "background": "/"}
@@ -92,18 +95,15 @@ class Scene:
         """Draws the scene and writes files: a picture, layers, the frame's report; all or none.
 
         png, exr, report: paths. layers: names of layers in the EXR beside its colour (depth).
-        hdr: its colour as the lights give it. certify: as many verdicts of the shadows are judged by
-        rays in double precision, and the finding is returned in words.
+        hdr: its colour as the lights give it. certify: as many verdicts of the shadows are judged
+        by rays in double precision, and the finding is returned in words.
         """
         outputs = {"png": png, "exr": exr, "report": report, "hdr": hdr, "certify": certify}
         outputs["layers"] = ",".join(layers) if layers and not isinstance(layers, str) else layers
-        try:
-            self._say({**self._options, **outputs})
-            self._run(self._scene.Write)
-            self._stale = False
-        finally:
-            if self._stale or self._scene.GetFailure():
-                self._stale = True
+        self._stale = True
+        self._say({**self._options, **outputs})
+        self._run(self._scene.Write)
+        self._stale = False
         return self._scene.GetCertificate() or None
 
     @property
@@ -179,15 +179,16 @@ def _describe():
     relievo.scene("bike.obj", up="z", preset="studio").render("bike.png")
 
 files: what `relievo --help` lists. Options are those of the command, with _ for -: text as behind
-the option, a number, a tuple of numbers, True for an option without a value; a list for one that may
-be repeated. Wrong options raise ValueError, a file that cannot be read or written OSError, drawing
-that fails RuntimeError.
+the option, a number, a tuple of numbers, True for an option without a value; a list for one that
+may be repeated. Raises ValueError for wrong options, OSError for a file that cannot be read or
+written, RuntimeError for drawing that fails.
 
 '''
     for name, row in _OPTIONS.items():
         if name not in _OUTPUTS:
             value = f"={row['value']}" if row["value"] else "=True"
-            text += f"{name}{value}\n" + "".join(f"    {line}\n" for line in row["help"].split("\n"))
+            lines = textwrap.indent(row["help"], "    ")
+            text += f"{name}{value}\n{lines}\n"
     return text
 
 

@@ -9,10 +9,10 @@
 
 namespace scene
 {
-/// While it lives, a crash of the command or the viewer, or its end by exit(), is said in one line that names the
-/// file being read, and ends it with exit status 1. Some of VTK's readers (PLY's is one) crash on
-/// files that are cut short, and a user must not be left to guess which of the files it was. What
-/// libraries print meanwhile is dropped.
+/// While it lives, a crash of the command or the viewer, or its end by exit(), is said in one
+/// line that names the file being read, and ends it with exit status 1. Some of VTK's readers
+/// (PLY's is one) crash on files that are cut short, and a user must not be left to guess which
+/// of the files it was. What libraries print meanwhile is dropped.
 class CrashGuard
 {
 public:

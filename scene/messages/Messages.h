@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Collects what VTK would print, so that each thing is said once, in one line, with the file's name;
- * VTK's own text names source files and addresses, which tell a user nothing.
+ * Collects what VTK would print, so that each thing is said once, in one line, with the file's
+ * name; VTK's own text names source files and addresses, which tell a user nothing.
  */
 #ifndef Messages_h
 #define Messages_h

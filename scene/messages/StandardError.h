@@ -11,8 +11,8 @@
 
 namespace scene
 {
-/// The process is the command or the viewer, and its error output ours. Elsewhere, as in Python, what
-/// others print stays theirs, and a crash too.
+/// The process is the command or the viewer, and its error output ours. Elsewhere, as in Python,
+/// what others print stays theirs, and a crash too.
 void BeProgram();
 bool IsProgram();
 

@@ -178,7 +178,7 @@ void ViewerTest::Open(const std::vector<std::string>& words)
   this->Window->show();
   QVERIFY(QTest::qWaitForWindowExposed(this->Window.get()));
   QSignalSpy ready(this->Window.get(), &viewer::MainWindow::ready);
-  this->Window->Open(viewer::Settings::FromWords(words));
+  this->Window->Open(viewer::Document::FromWords(words));
   QVERIFY(ready.wait(60000));
 }
 
@@ -189,7 +189,7 @@ void ViewerTest::WaitUntilRead()
 }
 
 //------------------------------------------------------------------------------
-void ViewerTest::Change(const std::function<void(viewer::Settings&)>& edit)
+void ViewerTest::Change(const std::function<void(scene::Settings&)>& edit)
 {
   this->Window->GetDocument()->Change(edit);
   this->WaitUntilRead();

@@ -52,7 +52,7 @@ protected:
   void Open(const std::vector<std::string>& words);
 
   /// The window changes its settings and has read what it needs.
-  void Change(const std::function<void(viewer::Settings&)>& edit);
+  void Change(const std::function<void(scene::Settings&)>& edit);
   void WaitUntilRead();
 
   /// What the window shows, and what `relievo render` makes of the words that the window copies.

@@ -57,7 +57,7 @@ private Q_SLOTS:
     QCOMPARE(play->text(), QString("Pause"));
     QTRY_VERIFY(this->Window->GetDocument()->Get().Parse().Model.Time.value_or(time) != time);
     this->Window->GetDocument()->Change(
-      [](viewer::Settings& settings) { settings.Set("--opacity", "7"); });
+      [](scene::Settings& settings) { settings.Set("--opacity", "7"); });
     QVERIFY(!play->isChecked());
     this->WaitUntilRead();
     slider->setValue(0);

@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-using viewer::Settings;
+using scene::Settings;
 
 namespace
 {
@@ -89,7 +89,7 @@ std::vector<std::string> GetValues(const vtkRelievoParameter& parameter)
       {
         value = before + (whole ? 1.0 : std::min(1.0, 0.1 * (parameter.Most - before)));
       }
-      return { viewer::WriteNumber(value) };
+      return { scene::WriteNumber(value) };
     }
   }
 }

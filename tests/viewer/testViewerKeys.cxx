@@ -25,7 +25,7 @@
 
 #include <cmath>
 
-using viewer::Settings;
+using scene::Settings;
 
 class TestViewerKeys : public viewerTest::ViewerTest
 {

@@ -21,7 +21,7 @@
 
 #include <cmath>
 
-using viewer::Settings;
+using scene::Settings;
 using Words = std::vector<std::string>;
 
 class TestViewerLight : public viewerTest::ViewerTest

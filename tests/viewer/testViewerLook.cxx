@@ -13,7 +13,7 @@
 #include <QLineEdit>
 #include <QtTest>
 
-using viewer::Settings;
+using scene::Settings;
 
 class TestViewerLook : public viewerTest::ViewerTest
 {

@@ -13,7 +13,7 @@
 #include <QTimer>
 #include <QtTest>
 
-using viewer::Settings;
+using scene::Settings;
 
 class TestViewerPictures : public viewerTest::ViewerTest
 {

@@ -16,7 +16,7 @@
 #include <QPushButton>
 #include <QtTest>
 
-using viewer::Settings;
+using scene::Settings;
 using Words = std::vector<std::string>;
 
 class TestViewerPoints : public viewerTest::ViewerTest

@@ -172,10 +172,10 @@ private Q_SLOTS:
     const std::string path = this->WriteTexturedOBJ();
     this->CompareAll({ "--camera", "3,2,6,1,1,0,0,1,0", path });
     const vtkSmartPointer<vtkImageData> plain = this->Grab();
-    this->Change([](viewer::Settings& settings) { settings.Set("--shading", "pbr"); });
+    this->Change([](scene::Settings& settings) { settings.Set("--shading", "pbr"); });
     this->CompareBoth("pbr");
     QVERIFY(CountDifferent(plain, this->Grab()) > 100);
-    this->Change([](viewer::Settings& settings) { settings.Remove("--shading"); });
+    this->Change([](scene::Settings& settings) { settings.Remove("--shading"); });
     QCOMPARE(CountDifferent(plain, this->Grab()), 0);
     this->CompareAll({ "--shading", "pbr", "--color", "gray", path });
     this->CompareAll({ "--shading", "flat", "--normal-map", this->Path("waves.png"), path });

@@ -30,7 +30,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-using viewer::Settings;
+using scene::Settings;
 
 namespace
 {

@@ -6,7 +6,7 @@
 
 #include <QtTest>
 
-using viewer::Settings;
+using scene::Settings;
 
 class TestViewerScenes : public viewerTest::ViewerTest
 {

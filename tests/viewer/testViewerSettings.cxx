@@ -10,7 +10,7 @@
 
 #include <QtTest>
 
-using viewer::Settings;
+using scene::Settings;
 using Words = std::vector<std::string>;
 
 class TestViewerSettings : public QObject
@@ -171,7 +171,7 @@ private Q_SLOTS:
   void numbers()
   {
     QCOMPARE(
-      viewer::WriteNumbers({ 0.1, 100.0, 1.0 / 3.0 }), std::string("0.1,100,0.3333333333333333"));
+      scene::WriteNumbers({ 0.1, 100.0, 1.0 / 3.0 }), std::string("0.1,100,0.3333333333333333"));
   }
 };
 

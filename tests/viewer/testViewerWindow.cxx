@@ -37,7 +37,7 @@
 #include <malloc.h>
 #include <unistd.h>
 
-using viewer::Settings;
+using scene::Settings;
 
 namespace
 {

@@ -50,6 +50,6 @@ int main(int argc, char* argv[])
       QApplication::quit();
     });
   });
-  window.Open(scene::Settings::FromWords({ argv + 4, argv + argc }));
+  window.Open(viewer::Document::FromWords({ argv + 4, argv + argc }));
   return QApplication::exec();
 }

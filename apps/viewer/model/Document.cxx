@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Document.h"
 
+#include "Messages.h"
 #include "Options.h"
 
+#include <algorithm>
 #include <exception>
 
 namespace viewer
@@ -13,6 +15,20 @@ Document::Document(QObject* parent)
   : QObject(parent)
 {
   this->Clock.start();
+}
+
+//------------------------------------------------------------------------------
+scene::Settings Document::FromWords(const std::vector<std::string>& words)
+{
+  const scene::Settings settings = scene::Settings::FromWords(words);
+  if (std::any_of(words.begin(), words.end(), [](const std::string& word) {
+        return word == "--times" || word.rfind("--times=", 0) == 0;
+      }))
+  {
+    scene::Messages::Note(
+      "--times: the window plays the animation itself, from the first of the times");
+  }
+  return settings;
 }
 
 //------------------------------------------------------------------------------

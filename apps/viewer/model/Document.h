@@ -26,6 +26,10 @@ class Document : public QObject
 public:
   explicit Document(QObject* parent = nullptr);
 
+  /// Settings in the words of the command line, outputs left out; notes what a window does
+  /// otherwise. Throws scene::UsageError.
+  static scene::Settings FromWords(const std::vector<std::string>& words);
+
   const scene::Settings& Get() const { return this->Now; }
 
   /// Refuses settings that the command line would refuse.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * scene::Settings as they were before each edit, to go back to and forth again. What follows soon and
+ * Settings as they were before each edit, to go back to and forth again. What follows soon and
  * changes the same, as a slider that is drawn, is one edit.
  */
 #ifndef History_h

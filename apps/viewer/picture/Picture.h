@@ -45,8 +45,8 @@ public:
   /// Throws scene::WorkError if it is empty.
   void CheckShown(const std::string& what) const;
 
-  /// The settings of the scene that is shown, or of what is given to it. Throws scene::UsageError or
-  /// scene::WorkError; the picture is then as it was before.
+  /// The settings of the scene that is shown, or of what is given to it. Throws scene::UsageError
+  /// or scene::WorkError; the picture is then as it was before.
   void Update(const scene::Settings& settings);
 
   /// Whether an update to these settings reads no file.

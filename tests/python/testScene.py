@@ -1,0 +1,230 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""relievo.scene(): what the command draws, in every order of settings, and VTK left as it was."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+import warnings
+
+import numpy
+import relievo
+from vtkmodules.vtkCommonCore import vtkOutputWindow
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+
+# A roof over a floor, in two heights, with values at the points.
+MESH = """# vtk DataFile Version 3.0
+roof
+ASCII
+DATASET POLYDATA
+POINTS 7 float
+-2 0 -2  2 0 -2  2 0 2  -2 0 2  -1 1 -1  1 1.3 -1  0 1 1
+POLYGONS 2 9
+4 0 3 2 1
+3 4 6 5
+POINT_DATA 7
+SCALARS height float 1
+LOOKUP_TABLE default
+0 0 0 0 1 1.3 1
+"""
+LAMPS = """# vtk DataFile Version 3.0
+lamps
+ASCII
+DATASET POLYDATA
+POINTS 2 float
+1.5 0.5 1.5  -1.5 0.5 1.5
+"""
+CAMERA = (2.5, 3, 6, 0, 0.5, 0, 0, 1, 0)
+SIZE = (120, 90)
+
+
+class Scene(unittest.TestCase):
+    def setUp(self):
+        kept = tempfile.TemporaryDirectory()
+        self.addCleanup(kept.cleanup)
+        self.folder = pathlib.Path(kept.name)
+        self.mesh = self.folder / "roof.vtk"
+        self.mesh.write_text(MESH)
+        self.lamps = self.folder / "lamps.vtk"
+        self.lamps.write_text(LAMPS)
+
+    def path(self, name):
+        return str(self.folder / name)
+
+    def command(self, *words):
+        """The bytes of the command's picture."""
+        png = self.path("command.png")
+        subprocess.run(
+            [os.environ["RELIEVO"], "render", self.mesh, "--png", png, *words], check=True
+        )
+        return pathlib.Path(png).read_bytes()
+
+    def picture(self, scene):
+        scene.render(self.path("scene.png"))
+        return (self.folder / "scene.png").read_bytes()
+
+    def test_every_kind_of_value(self):
+        """Text, numbers, tuples, flags, lists: what the command makes of the same words."""
+        made = relievo.scene(
+            self.mesh,
+            size=SIZE,
+            camera=CAMERA,
+            clip=(1, 20.5),
+            view_angle=40,
+            color=(0.5, 0.25, 1),
+            background="white,skyblue",
+            edges=True,
+            scalar_bar=False,
+            light=["sun:3,5,2", "spot:1,4,1,0,0,0,30"],
+            lamps=[f"{self.lamps},radius=2"],
+            shadows="exact",
+            tone=None,
+        )
+        words = "--size 120x90 --camera 2.5,3,6,0,0.5,0,0,1,0 --clip 1,20.5 --view-angle 40".split()
+        words += "--color 0.5/0.25/1 --background white,skyblue --edges --light sun:3,5,2".split()
+        words += ["--light", "spot:1,4,1,0,0,0,30", "--lamps", f"{self.lamps},radius=2"]
+        self.assertEqual(self.picture(made), self.command(*words, "--shadows", "exact"))
+
+    def test_any_order(self):
+        """After other settings, files and cameras a picture is that of a new scene."""
+        look = {"size": SIZE, "camera": CAMERA}
+        ways = [
+            {},
+            {"preset": "studio"},
+            {"color_by": "height", "scalar_bar": True, "shadows": "map", "light": "sun:1,3,2"},
+            {"shading": "flat", "opacity": 0.5},
+            {"lamps": str(self.lamps), "tone": "reinhard"},
+            {"size": (90, 120), "camera": None, "up": "z"},
+        ]
+        fresh = [self.picture(relievo.scene(self.mesh, **{**look, **way})) for way in ways]
+        self.assertEqual(len(set(fresh)), len(ways))
+        scene = relievo.scene(self.mesh, **look)
+        before = {}
+        for i in (3, 0, 2, 5, 1, 4, 2, 3, 5, 0):
+            scene.set(**{**dict.fromkeys(before), **look, **ways[i]})
+            before = ways[i]
+            self.assertEqual(self.picture(scene), fresh[i], ways[i])
+
+    def test_layers_leave_nothing(self):
+        """Layers of the file are the capture's; the renderer has no frame afterwards."""
+        scene = relievo.scene(self.mesh, size=SIZE, camera=CAMERA)
+        plain = self.picture(scene)
+        self.assertIsNone(scene.frame)
+        scene.render(exr=self.path("a.exr"), layers=["depth", "cell", "height"])
+        self.assertIsNone(scene.frame)
+        written = relievo.read_exr(self.path("a.exr"))
+        captured = relievo.capture(scene.renderer, ["depth", "cell", "height"])
+        for name in ("depth", "cell", "height"):
+            numpy.testing.assert_array_equal(
+                relievo.layer(written, name), relievo.layer(captured, name)
+            )
+        self.assertEqual(set(numpy.unique(relievo.layer(captured, "cell"))), {-1, 0, 1})
+        self.assertEqual(self.picture(scene), plain)
+
+    def test_a_window_of_ones_own(self):
+        """The renderer lives in the window that was given, beside another."""
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(1)
+        window.SetSize(*SIZE)
+        other = vtkRenderer()
+        other.SetViewport(0.5, 0, 1, 1)
+        window.AddRenderer(other)
+        scene = relievo.scene(self.mesh)
+        scene.window = window
+        scene.renderer.SetViewport(0, 0, 0.5, 1)
+        window.Render()
+        self.assertTrue(window.HasRenderer(scene.renderer))
+        self.assertTrue(window.HasRenderer(other))
+        self.assertEqual(window.GetSize(), SIZE)
+        self.assertGreater(scene.renderer.VisibleActorCount(), 0)
+
+    def test_what_a_script_changes_stays(self):
+        """The frame, an actor of the script's, the camera: until update() or render()."""
+        scene = relievo.scene(self.mesh, size=SIZE, shadows="map", light="sun:1,3,2")
+        self.assertIs(scene.frame, relievo.attach(scene.renderer))
+        scene.renderer.GetActiveCamera().SetPosition(9, 9, 9)
+        self.assertEqual(scene.renderer.GetActiveCamera().GetPosition(), (9, 9, 9))
+        scene.update()
+        self.assertNotEqual(scene.renderer.GetActiveCamera().GetPosition(), (9, 9, 9))
+
+    def test_vtk_is_left_as_it_was(self):
+        """Neither messages nor the error output are taken from others, be it a good file or not."""
+        window = vtkOutputWindow.GetInstance()
+        relievo.scene(self.mesh, size=SIZE).update()
+        self.assertIs(vtkOutputWindow.GetInstance(), window)
+        (self.folder / "torn.vtp").write_text("<VTKFile")
+        with self.assertRaisesRegex(OSError, "torn.vtp"):
+            relievo.scene(self.path("torn.vtp")).update()
+        self.assertIs(vtkOutputWindow.GetInstance(), window)
+
+    def test_errors(self):
+        """What was given and expected; the scene keeps what it had."""
+        scene = relievo.scene(self.mesh, size=SIZE, camera=CAMERA)
+        plain = self.picture(scene)
+        for options, says in (
+            ({"colour": "red"}, "colour"),
+            ({"size": "big"}, "--size: got 'big'"),
+            ({"size": True}, "size: got True, expected WxH"),
+            ({"edges": "yes"}, "edges: got 'yes'"),
+            ({"light": 3.5}, "--light: got '3.5'"),
+            ({"light": object()}, "light: got <object"),
+            ({"shadows": "map", "shadow_size": 2}, "--shadow-size"),
+            ({"view_angle": 30, "parallel_scale": 1}, "--view-angle and --parallel-scale"),
+            ({"png": "a.png"}, "png"),
+        ):
+            with self.assertRaisesRegex(ValueError, says):
+                scene.set(**options)
+        with self.assertRaisesRegex(ValueError, "--color-by"):
+            scene.set(color_by="nothing").update()
+        scene.set(color_by=None)
+        self.assertEqual(self.picture(scene), plain)
+        for png, says in (("a.jpg", "--png"), (None, "nothing to write")):
+            with self.assertRaisesRegex(ValueError, says):
+                scene.render(png)
+        with self.assertRaisesRegex(ValueError, "--layers"):
+            scene.render(exr=self.path("a.exr"), layers=["depht"])
+        with self.assertRaisesRegex(ValueError, "no file"):
+            relievo.scene().update()
+        with self.assertRaisesRegex(OSError, "there is not.vtp"):
+            relievo.scene(self.path("there is not.vtp")).update()
+        with self.assertRaises(OSError):
+            scene.render(self.path("no folder/a.png"))
+        self.assertEqual(sorted(os.listdir(self.folder)), ["lamps.vtk", "roof.vtk", "scene.png"])
+        self.assertEqual(self.picture(scene), plain)
+
+    def test_notes_and_warnings(self):
+        """What a command prints is the notes of a scene; a good one has none, and warns of nothing."""
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            scene = relievo.scene(self.mesh, size=SIZE).update()
+        self.assertEqual(scene.notes, [])
+        reader = vtkPolyDataReader()
+        reader.SetFileName(str(self.mesh))
+        reader.Update()
+        mesh = reader.GetOutput()
+        mesh.GetPoints().SetPoint(6, float("nan"), 1, 1)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetDataModeToBinary()  # newer expats make VTK refuse appended data
+        writer.SetInputData(mesh)
+        writer.SetFileName(self.path("hole.vtp"))
+        writer.Write()
+        scene = relievo.scene(self.path("hole.vtp"), size=SIZE).update()
+        self.assertRegex(" ".join(scene.notes), "left out 1 cell")
+
+    def test_names_of_bytes(self):
+        """File names of any bytes, and names that begin with a dash."""
+        for name in (b"-roof.vtk", b"r\xff\xfe.vtk", "dächer.vtk".encode()):
+            path = os.fsencode(self.folder) + b"/" + name
+            pathlib.Path(os.fsdecode(path)).write_text(MESH)
+            self.assertEqual(
+                self.picture(relievo.scene(path, size=SIZE)),
+                self.picture(relievo.scene(os.fsdecode(path), size=SIZE)),
+            )
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
