@@ -90,16 +90,16 @@ def light(view, shown):
     lamps.Representation, lamps.PointSize = "Points", 5
     lamps.AmbientColor = lamps.DiffuseColor = [1.0, 0.85, 0.6]
     lamps.Ambient = 1.0
-    lamps.RelievoLamps, lamps.RelievoLampFalloff = 1, "Inverse Square"
-    lamps.RelievoLampRadius, lamps.RelievoLampIntensity = 9.0, 1.6
-    lamps.RelievoLampColor = [1.0, 0.66, 0.33]
+    lamps.RelievoLamps, lamps.RelievoLampsFalloff = 1, "Inverse Square"
+    lamps.RelievoLampsRadius, lamps.RelievoLampsIntensity = 9.0, 1.6
+    lamps.RelievoLampsColor = [1.0, 0.66, 0.33]
     places = rng.uniform((-WIDTH / 2, 3, 0.2), (WIDTH / 2, LENGTH, 3.0), (150, 3))
     flies = simple.Show(points(places), view)
     flies.Representation = "Points"
     flies.PointSize, flies.Ambient = 3, 1.0
     flies.AmbientColor = flies.DiffuseColor = [0.7, 1.0, 0.5]
-    flies.RelievoLamps, flies.RelievoLampRadius = 1, 1.2
-    flies.RelievoLampIntensity, flies.RelievoLampColor = 0.5, [0.55, 1.0, 0.35]
+    flies.RelievoLamps, flies.RelievoLampsRadius = 1, 1.2
+    flies.RelievoLampsIntensity, flies.RelievoLampsColor = 0.5, [0.55, 1.0, 0.35]
     banks = rng.uniform((-WIDTH / 2, 8, -0.6), (WIDTH / 2, LENGTH, 0.2), (60, 3))
     mist = simple.Show(points(banks, radius=rng.uniform(1.0, 2.6, 60)), view)
     mist.Representation, mist.Opacity = "Points", 0.0
@@ -107,9 +107,9 @@ def light(view, shown):
     mist.RelievoFogColor = [0.16, 0.2, 0.24]
     mark = simple.Show(points([(-1.2, 5, 0)]), view)
     mark.Representation, mark.Opacity = "Points", 0.0
-    mark.RelievoMarkers, mark.RelievoMarkerShape = 1, "Ring"
-    mark.RelievoMarkerRadius, mark.RelievoMarkerWidth = 0.7, 0.08
-    mark.RelievoMarkerColor = [0.1, 0.7, 1.0]
+    mark.RelievoMarkers, mark.RelievoMarkersShape = 1, "Ring"
+    mark.RelievoMarkersRadius, mark.RelievoMarkersWidth = 0.7, 0.08
+    mark.RelievoMarkersColor = [0.1, 0.7, 1.0]
     view.RelievoStageTone, view.RelievoStageToneOperator = 1, "Reinhard"
     view.RelievoStageToneExposure, view.RelievoStageToneWhite = 0.4, 3.0
 

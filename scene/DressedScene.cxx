@@ -21,7 +21,6 @@ namespace
 constexpr const char* Reading[] = { "--time", "--times", "--animation", "--blend", "--loop",
   "--skeleton", "--bone-weight", "--skin", "--normal-map", "--height-map", "--texture-coordinates",
   "--up" };
-constexpr const char* OfPoints[] = { "--lamps", "--fog", "--markers" };
 constexpr const char* Wearing[] = { "--normal-map", "--height-map", "--relief",
   "--texture-coordinates", "--environment", "--reflectivity", "--skybox", "--up" };
 constexpr const char* NoDress[] = { "--camera", "--clip", "--size", "--shadows" };
@@ -90,7 +89,13 @@ std::string GetSceneKey(const Settings& settings)
 //------------------------------------------------------------------------------
 std::string GetReadingKey(const Settings& settings)
 {
-  return GetSceneKey(settings) + MakeKey(settings, OfPoints);
+  std::string key = GetSceneKey(settings);
+  for (const PointStage& stage : GetPointStages())
+  {
+    const std::string option = "--" + stage.Name;
+    key += MakeKey(settings, std::vector<const char*>{ option.c_str() });
+  }
+  return key;
 }
 
 //------------------------------------------------------------------------------
@@ -202,7 +207,7 @@ void DressedScene::SetFrame(const RenderOptions& options)
   SetCasters(frame, renderer, options);
   if (isNew)
   {
-    AddFramePoints(frame, options, this->Points);
+    AddFramePoints(frame, this->Points);
   }
 }
 }

@@ -5,16 +5,36 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <limits>
 
 vtkStandardNewMacro(vtkRelievoLamps);
 
 //------------------------------------------------------------------------------
 vtkRelievoLamps::vtkRelievoLamps()
 {
-  this->AddValue("radius", 1, "one length per point, in world units", 1.0);
-  this->AddValue("intensity", 1, "one number per point", 1.0);
-  this->AddValue("color", 3, "red, green and blue per point", 1.0);
-  this->AddValue("casts", 1, "-1, 0 or 1 per point", -1.0);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double white[3] = { 1.0, 1.0, 1.0 };
+  this->SetThings("lamps", "places must be finite, radii above 0 and intensities other than 0");
+  this->AddValue("radius", 1.0, 0.0, infinity, "world units", "How far the lamps shine.");
+  this
+    ->AddValue("intensity", 1.0, -infinity, infinity, "",
+      "How bright the lamps are; a negative one takes light away.")
+    .Usual = 5.0;
+  this->AddColorValue("color", white, "Linear colour of their light.");
+  this->AddChoiceValue("casts", { "if-large", "never", "always" }, CASTS_IF_LARGE, CASTS_IF_LARGE,
+    "Whether the lamps cast shadows, or shine through walls; if-large: as many of the largest of "
+    "all lamps as the stage's casting says. At most eight cast. An array has -1, 0 or 1 for them.");
+  this->Description.AddChoice(
+    "falloff", this->Falloff, [this](int falloff) { this->SetFalloff(falloff); },
+    { "linear", "inverse-square", "vtk" },
+    "How light fades with the distance d of a lamp of radius r: linear, 1 - d / r; "
+    "inverse-square, 1 / d^2, brought to 0 at r; vtk, 1 / (A + B d + C d^2), nothing beyond r.");
+  this->Description
+    .AddVector(
+      "attenuation", this->AttenuationValues,
+      [this](const double* values) { this->SetAttenuationValues(values[0], values[1], values[2]); },
+      "A, B and C of the falloff vtk.")
+    .OnlyIf = "falloff=vtk";
 }
 
 //------------------------------------------------------------------------------

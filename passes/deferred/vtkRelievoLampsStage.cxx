@@ -84,6 +84,12 @@ vtkRelievoLampsStage::vtkRelievoLampsStage()
 vtkRelievoLampsStage::~vtkRelievoLampsStage() = default;
 
 //------------------------------------------------------------------------------
+vtkRelievoPointValues* vtkRelievoLampsStage::NewPoints()
+{
+  return vtkRelievoLamps::New();
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoLampsStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "lamps";

@@ -86,6 +86,7 @@ public:
   /** Lamps of the last frame that cast shadows. */
   vtkGetMacro(NumberCasting, int);
 
+  VTK_NEWINSTANCE vtkRelievoPointValues* NewPoints() override;
   vtkIdType GetBytesHeld() override;
   std::map<std::string, vtkVariant> GetFacts() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -94,7 +95,6 @@ protected:
   vtkRelievoLampsStage();
   ~vtkRelievoLampsStage() override;
 
-  const char* GetPointsClass() const override { return "vtkRelievoLamps"; }
   const char* GetFailure() const override { return "No light of lamps"; }
   void Synchronize(vtkRelievoFrameContext& context) override;
   void Describe(vtkRelievoStageDescription& description) override;

@@ -4,7 +4,8 @@
 // describeStages TEMPLATE OUTPUT: writes the XML of the view's properties, in which the stages' own
 // are made from the stages' descriptions, and lists of layers from the catalogue. Run by the build.
 //
-// A comment `stages: properties` in the template becomes the properties of every stage that is not
+// A comment `points` in the template becomes the proxies of points of surfaces, for every stage that
+// draws such; `stages: properties` becomes the properties of every stage that is not
 // always there, `stages: exposed` their groups in the render view, `layers` the names of layers,
 // `layers: shown` those that can be shown as the picture. In other lines @layers: help@ is what
 // they are, @layers: count@ how many values a selection of layers has, and @layers: A B@ the values
@@ -12,7 +13,9 @@
 #include "vtkNew.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
+#include "vtkRelievoPointStage.h"
 #include "vtkRelievoStage.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -156,6 +159,158 @@ std::string MakeExposed(const vtkRelievoStageDescription& stage)
   return out.str();
 }
 
+// Of points of surfaces. What a control shows beyond is taken from scripts as well.
+std::string MakeRange(const vtkRelievoParameter& parameter)
+{
+  std::ostringstream out;
+  out.precision(17);
+  const bool colored = parameter.Type == vtkRelievoParameter::COLOR;
+  const bool slides = parameter.Usual > 0.0;
+  if (colored)
+  {
+    out << "        <DoubleRangeDomain name=\"range\" min=\"0 0 0\" max=\"1 1 1\"/>\n";
+  }
+  else if (slides)
+  {
+    out << "        <DoubleRangeDomain name=\"range\" min=\"0\" max=\"" << parameter.Usual
+        << "\"/>\n";
+  }
+  else
+  {
+    out << Range(parameter, "DoubleRangeDomain");
+  }
+  return out.str();
+}
+
+std::string MakeHints(const std::string& stage, const vtkRelievoParameterList& points,
+  const vtkRelievoParameter& parameter, bool ofArray)
+{
+  std::ostringstream out;
+  out << "        <Hints>\n";
+  if (parameter.Usual > 0.0 && !ofArray)
+  {
+    out << "          <Accepts min=\"" << std::max(parameter.Least, -1e30) << "\" max=\""
+        << std::min(parameter.Most, 1e30) << "\"/>\n";
+  }
+  const auto decorate = [&out](const std::string& property, int value) {
+    out << "          <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\" "
+        << "property=\"Relievo" << property << "\" value=\"" << value << "\"/>\n";
+  };
+  decorate(vtkRelievoCapitalize(stage, false), 1);
+  const std::size_t equals = parameter.OnlyIf.find('=');
+  if (equals != std::string::npos && !ofArray)
+  {
+    const std::string other = parameter.OnlyIf.substr(0, equals);
+    const std::vector<std::string>& choices = points.Find(other)->Choices;
+    decorate(vtkRelievoCapitalize(stage, false) + vtkRelievoCapitalize(other, false),
+      static_cast<int>(
+        std::find(choices.begin(), choices.end(), parameter.OnlyIf.substr(equals + 1)) -
+        choices.begin()));
+  }
+  out << "        </Hints>\n";
+  return out.str();
+}
+
+std::string MakeEntry(std::size_t value, const std::string& choice)
+{
+  const std::string text = choice == "vtk" ? "VTK" : vtkRelievoCapitalize(choice, true);
+  return "          <Entry value=\"" + std::to_string(value) + "\" text=\"" + Escape(text) +
+    "\"/>\n";
+}
+
+std::string MakePointProperty(const std::string& stage, const vtkRelievoParameterList& points,
+  const vtkRelievoParameter& parameter)
+{
+  using P = vtkRelievoParameter;
+  const bool choice = parameter.Type == P::CHOICE;
+  const std::string name = vtkRelievoCapitalize(parameter.Name, false);
+  const std::string kind = choice ? "Int" : "Double";
+  const std::string element =
+    (parameter.Type == P::VECTOR ? "" : "Relievo") + kind + "VectorProperty";
+  // ParaView's worlds have z up.
+  const std::string standard = parameter.Name == "up" ? "0 0 1" : Numbers(parameter.GetValues());
+  std::ostringstream out;
+  out << "      <" << element << " name=\"" << name << "\" label=\"" << Escape(parameter.GetLabel())
+      << "\" command=\"SetValue\" initial_string=\"" << stage << ":" << parameter.Name
+      << "\" number_of_elements=\"" << parameter.GetNumberOfComponents() << "\" default_values=\""
+      << standard << "\" si_class=\"vtkSI" << kind << "VectorProperty\""
+      << (parameter.Type == P::COLOR ? " panel_widget=\"color_selector\"" : "") << ">\n";
+  if (choice)
+  {
+    out << "        <EnumerationDomain name=\"enum\">\n";
+    for (std::size_t i = 0; i < parameter.Choices.size(); ++i)
+    {
+      out << MakeEntry(i, parameter.Choices[i]);
+    }
+    out << "        </EnumerationDomain>\n";
+  }
+  else if (parameter.Type != P::VECTOR)
+  {
+    out << MakeRange(parameter);
+  }
+  const std::string unit = parameter.Unit.empty() ? "" : " (" + parameter.Unit + ")";
+  out << Documentation(
+           parameter.Help + unit + (parameter.PerPoint ? " For points without the array." : ""))
+      << MakeHints(stage, points, parameter, false) << "      </" << element << ">\n";
+  if (parameter.PerPoint)
+  {
+    out << "      <StringVectorProperty name=\"" << name << "Array\" label=\""
+        << Escape(parameter.GetLabel()) << " Array\" command=\"SetArray\" initial_string=\""
+        << stage << ":" << parameter.Name << "\" number_of_elements=\"1\" default_values=\""
+        << parameter.Name << "\" animateable=\"0\" panel_visibility=\"advanced\">\n"
+        << Documentation(
+             "Point array of the " + parameter.Name + " of each; empty takes one for all.")
+        << MakeHints(stage, points, parameter, true) << "      </StringVectorProperty>\n";
+  }
+  return out.str();
+}
+
+// The proxy of a stage's points, and how every surface of render views begins with it.
+std::string MakePoints(vtkRelievoPointStage* stage)
+{
+  const auto points = vtkSmartPointer<vtkRelievoPointValues>::Take(stage->NewPoints());
+  const std::string name = vtkRelievoCapitalize(stage->GetStageName(), false);
+  const std::string things = points->GetThings();
+  std::ostringstream out;
+  std::ostringstream exposed;
+  const auto expose = [&](const std::string& property, const std::string& as) {
+    exposed << "            <Property name=\"" << property << "\" exposed_name=\"Relievo" << name
+            << as << "\"/>\n";
+  };
+  out << "  <ProxyGroup name=\"relievo\">\n    <RelievoSurfaceProxy name=\"" << name
+      << "\" class=\"vtkPVRelievoPoints\" processes=\"client|renderserver\">\n"
+      << "      <Documentation short_help=\"Points as " << things << "\">Each point of a surface "
+      << "representation, as " << things << " in what the view shows.</Documentation>\n"
+      << "      <RelievoIntVectorProperty name=\"Enabled\" label=\"" << name
+      << "\" command=\"SetEnabled\" number_of_elements=\"1\" default_values=\"0\" "
+      << "si_class=\"vtkSIIntVectorProperty\">\n        <BooleanDomain name=\"bool\"/>\n"
+      << Documentation("Whether the points are " + things +
+           " in what the view shows. For the representations Surface, Points, Wireframe and the "
+           "like.")
+      << "      </RelievoIntVectorProperty>\n";
+  expose("Enabled", "");
+  const vtkRelievoParameterList& description = points->GetDescription();
+  for (const vtkRelievoParameter& parameter : description.Parameters)
+  {
+    out << MakePointProperty(stage->GetStageName(), description, parameter);
+    const std::string property = vtkRelievoCapitalize(parameter.Name, false);
+    expose(property, property);
+    if (parameter.PerPoint)
+    {
+      expose(property + "Array", property + "Array");
+    }
+  }
+  out << "    </RelievoSurfaceProxy>\n  </ProxyGroup>\n"
+      << "  <ProxyGroup name=\"internal_representations\">\n"
+      << "    <Extension name=\"PVRepresentationBase\">\n      <SubProxy>\n"
+      << "        <Proxy name=\"Relievo" << name << "\" proxygroup=\"relievo\" proxyname=\"" << name
+      << "\"/>\n        <ExposedProperties>\n          <PropertyGroup label=\"" << name
+      << " (Relievo)\">\n"
+      << exposed.str() << "          </PropertyGroup>\n        </ExposedProperties>\n"
+      << "      </SubProxy>\n    </Extension>\n  </ProxyGroup>\n";
+  return out.str();
+}
+
 // Those that have a name of their own: not those of lights.
 std::vector<vtkRelievoLayer> GetNamedLayers()
 {
@@ -236,6 +391,7 @@ int main(int argc, char* argv[])
   }
   std::string properties;
   std::string exposed;
+  std::string points;
   vtkNew<vtkRelievoPass> frame;
   for (int i = 0; i < frame->GetNumberOfStages(); ++i)
   {
@@ -245,12 +401,17 @@ int main(int argc, char* argv[])
       properties += MakeProperties(stage);
       exposed += MakeExposed(stage);
     }
+    if (auto* drawsPoints = vtkRelievoPointStage::SafeDownCast(frame->GetStage(i)))
+    {
+      points += MakePoints(drawsPoints);
+    }
   }
   std::ifstream in(argv[1]);
   std::ostringstream out;
   for (std::string line; std::getline(in, line);)
   {
     out << (line.find("<!-- stages: properties -->") != std::string::npos ? properties
+        : line.find("<!-- points -->") != std::string::npos               ? points
         : line.find("<!-- stages: exposed -->") != std::string::npos      ? exposed
         : line.find("<!-- layers -->") != std::string::npos               ? MakeLayers(true)
         : line.find("<!-- layers: shown -->") != std::string::npos        ? MakeLayers(false)

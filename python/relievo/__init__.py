@@ -69,30 +69,28 @@ from ._wrapped import *  # noqa: F401,F403
 from ._capture import capture
 from ._environment import environment
 from ._exr import read_exr, write_exr
-from ._fog import fog
 from ._frame import attach, detach, report, vtkRelievoPass
 from ._image import attributes, from_image, layer, layer_names, to_image
-from ._lamps import lamps
 from ._layers import layers
-from ._markers import markers
 from ._points import depth_to_points
 from ._scene import scene
 from ._stages import stage, stages
+from ._things import functions as _functions
+
+globals().update(_functions())  # lamps, fog, markers: each stage that draws points
 
 __all__ = [
+    *_functions(),
     "attach",
     "attributes",
     "capture",
     "depth_to_points",
     "detach",
     "environment",
-    "fog",
     "from_image",
-    "lamps",
     "layer",
     "layer_names",
     "layers",
-    "markers",
     "read_exr",
     "report",
     "scene",

@@ -19,7 +19,7 @@ switch them on first.
 
 import pyvista
 
-from . import _capture, _environment, _exr, _fog, _frame, _image, _lamps, _markers, _stages
+from . import _capture, _environment, _exr, _frame, _image, _stages, _things
 
 
 @pyvista.register_plotter_component("relievo")
@@ -51,18 +51,6 @@ class RelievoComponent:
     def stage(self, name, on=True, **parameters):
         """As relievo.stage(): one of the frame's stages by name."""
         return _stages.stage(self._renderer(), name, on, **parameters)
-
-    def lamps(self, points, **values):
-        """As relievo.lamps(): a lamp at each point."""
-        return _lamps.lamps(self._renderer(), points, **values)
-
-    def fog(self, points, **values):
-        """As relievo.fog(): a sphere of fog around each point."""
-        return _fog.fog(self._renderer(), points, **values)
-
-    def markers(self, things, **values):
-        """As relievo.markers(): marks on surfaces around points or actors."""
-        return _markers.markers(self._renderer(), things, **values)
 
     def show(self, layer):
         """Shows a layer as the picture; None shows the picture again."""
@@ -98,6 +86,21 @@ class RelievoComponent:
     def __plotter_close__(self):
         for renderer in list(self._renderers):
             self._clear(renderer)
+
+
+def _add(name, function):
+    """Makes a function of a renderer a method of the accessor."""
+
+    def method(self, points, **values):
+        return function(self._renderer(), points, **values)
+
+    method.__name__ = name
+    method.__doc__ = f"As relievo.{name}() for the plotter's active renderer."
+    setattr(RelievoComponent, name, method)
+
+
+for _name, _function in _things.functions().items():
+    _add(_name, _function)
 
 
 def read_exr(path, **options):

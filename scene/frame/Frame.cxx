@@ -2,18 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame.h"
 
-#include "Fog.h"
-#include "Lamps.h"
-#include "Markers.h"
 #include "Options.h"
-#include "Points.h"
 #include "Readers.h"
 #include "Shadows.h"
 #include "Surface.h"
-
-#include "vtkRelievoLampsStage.h"
-#include "vtkRelievoMarkersStage.h"
-#include "vtkRelievoPass.h"
 
 #include <algorithm>
 
@@ -29,19 +21,9 @@ std::vector<std::string> CheckInputs(const RenderOptions& options)
   }
   CheckSurface(options);
   std::vector<std::string> inputs = options.Files;
-  for (const LampChoice& choice : options.Lamps)
+  for (const PointsChoice& choice : options.Points)
   {
-    CheckPointFile("--lamps", choice.File);
-    inputs.push_back(choice.File);
-  }
-  for (const FogChoice& choice : options.Fogs)
-  {
-    CheckPointFile("--fog", choice.File);
-    inputs.push_back(choice.File);
-  }
-  for (const MarkerChoice& choice : options.Markers)
-  {
-    CheckPointFile("--markers", choice.File);
+    CheckPointFile(choice);
     inputs.push_back(choice.File);
   }
   inputs.insert(inputs.end(), { options.NormalMap, options.HeightMap, options.Environment });
@@ -50,20 +32,9 @@ std::vector<std::string> CheckInputs(const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
-FramePoints ReadFramePoints(const RenderOptions& options, Progress& progress)
-{
-  FramePoints points;
-  points.Lamps = ReadLamps(options.Lamps, progress);
-  points.Fogs = ReadFogs(options.Fogs, progress);
-  points.Markers = ReadMarkers(options.Markers, options.UpAxis, progress);
-  return points;
-}
-
-//------------------------------------------------------------------------------
 bool NeedsFrame(const RenderOptions& options)
 {
-  return options.ShadowMethod != Shadows::Off || !options.Stages.empty() ||
-    !options.Lamps.empty() || !options.Fogs.empty() || !options.Markers.empty();
+  return options.ShadowMethod != Shadows::Off || !options.Stages.empty() || !options.Points.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -72,20 +43,6 @@ void SetFrame(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions& 
 {
   SetShadows(pass, renderer, options);
   SetStages(pass, options.Stages);
-  AddFramePoints(pass, options, points);
-}
-
-//------------------------------------------------------------------------------
-void AddFramePoints(vtkRelievoPass* pass, const RenderOptions& options, const FramePoints& points)
-{
-  for (vtkRelievoLamps* each : points.Lamps)
-  {
-    vtkRelievoLampsStage::SafeDownCast(pass->GetStage("lamps"))->AddPoints(each);
-  }
-  AddFogs(pass, options.Fogs, points.Fogs);
-  for (vtkRelievoMarkers* each : points.Markers)
-  {
-    pass->GetMarkersStage()->AddPoints(each);
-  }
+  AddFramePoints(pass, points);
 }
 }

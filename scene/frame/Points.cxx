@@ -5,84 +5,308 @@
 #include "DataSets.h"
 #include "Errors.h"
 #include "Messages.h"
+#include "Options.h"
 #include "Readers.h"
 #include "Values.h"
 
 #include "vtkDataSet.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoPointStage.h"
 
+#include <algorithm>
 #include <set>
-#include <vector>
 
 namespace scene
 {
-//------------------------------------------------------------------------------
-void CheckPointFile(const std::string& option, const std::string& path)
+namespace
 {
-  CheckExtension(path);
-  if (IsGLTF(path))
+const char* const Form = "FILE[,NAME=VALUE]...";
+
+std::vector<PointStage> FindPointStages()
+{
+  std::vector<PointStage> found;
+  vtkNew<vtkRelievoPass> frame;
+  for (int i = 0; i < frame->GetNumberOfStages(); ++i)
   {
-    throw UsageError(option + ": " + path + " is a scene; expected a file of points");
+    if (auto* stage = vtkRelievoPointStage::SafeDownCast(frame->GetStage(i)))
+    {
+      found.push_back({ stage->GetStageName(),
+        vtkSmartPointer<vtkRelievoPointValues>::Take(stage->NewPoints()), {} });
+      for (int k = 0; k < stage->GetNumberOfParameters(); ++k)
+      {
+        found.back().Parameters.push_back(stage->GetParameterName(k));
+      }
+    }
   }
-  CheckReadable(path);
-}
-
-//------------------------------------------------------------------------------
-PointFile::PointFile(const std::string& option, const std::string& path, Progress& progress)
-  : Option(option)
-  , Path(path)
-  , Data(ReadData(path, progress))
-{
-}
-
-//------------------------------------------------------------------------------
-bool PointFile::Has(const std::string& array) const
-{
-  bool found = false;
-  ForEachDataSet(this->Data, [&](vtkDataSet* part) {
-    found = found || part->GetPointData()->GetArray(array.c_str()) != nullptr;
-  });
   return found;
 }
 
+const PointStage& FindStage(const std::string& name)
+{
+  const std::vector<PointStage>& stages = GetPointStages();
+  return *std::find_if(
+    stages.begin(), stages.end(), [&name](const PointStage& stage) { return stage.Name == name; });
+}
+
+vtkSmartPointer<vtkRelievoPointValues> MakePoints(const std::string& stage)
+{
+  return vtkSmartPointer<vtkRelievoPointValues>::Take(FindStage(stage).Points->NewInstance());
+}
+
+// A parameter of the stage is that of all points.
+void TakeStageParameter(RenderOptions& options, const std::string& stage, const std::string& name,
+  const std::string& value)
+{
+  const std::string option = "--" + stage + " " + name;
+  for (const StageChoice& choice : options.Stages)
+  {
+    for (const auto& given : choice.Parameters)
+    {
+      if (choice.Option == option && given.second != value)
+      {
+        throw UsageError("--" + stage + ": got " + name + "=" + given.second + " and " + name +
+          "=" + value + ", expected one " + name + " for all " + stage);
+      }
+    }
+  }
+  AddStage(options.Stages, stage, option).Parameters.emplace_back(name, value);
+}
+
+// Throws UsageError for a value that has no effect beside the others.
+void CheckTogether(
+  const std::string& option, vtkRelievoPointValues* points, const NamedWords& values)
+{
+  for (const auto& given : values)
+  {
+    const std::string& condition = points->GetDescription().Find(given.first)->OnlyIf;
+    const std::size_t equals = condition.find('=');
+    if (!condition.empty() &&
+      points->GetParameter(condition.substr(0, equals)) != condition.substr(equals + 1))
+    {
+      throw UsageError(option + " " + given.first + ": got '" + given.second + "', expected " +
+        condition + " with it");
+    }
+  }
+}
+
 //------------------------------------------------------------------------------
-void PointFile::TakeArray(
-  vtkRelievoPointValues* points, const char* name, bool isSet, const std::string& array) const
+std::set<std::string> GetArrays(vtkDataObject* data)
 {
   std::set<std::string> names;
-  ForEachDataSet(this->Data, [&names](vtkDataSet* part) {
+  ForEachDataSet(data, [&names](vtkDataSet* part) {
     for (int i = 0; i < part->GetPointData()->GetNumberOfArrays(); ++i)
     {
       const char* own = part->GetPointData()->GetArrayName(i);
       names.insert(own ? own : "");
     }
   });
-  if (!array.empty() && names.count(array) == 0)
+  return names;
+}
+
+// Throws UsageError if a value is to come from an array that the file does not have.
+void CheckArrays(const PointsChoice& choice, vtkRelievoPointValues* points)
+{
+  const std::set<std::string> names = GetArrays(points->GetInputDataObject(0, 0));
+  for (const auto& given : choice.Values)
   {
-    RefuseValue(this->Option + " " + this->Path + "," + name, array,
-      "a number, or a point array of the file" +
-        (names.empty() ? ", which has none"
-                       : ": " + Join(std::vector<std::string>(names.begin(), names.end()), ", ")));
-  }
-  if (isSet || !array.empty())
-  {
-    points->SetArray(name, array);
+    const std::string array = points->GetArray(given.first);
+    if (!array.empty() && names.count(array) == 0)
+    {
+      RefuseValue("--" + choice.Stage + " " + choice.File + "," + given.first, array,
+        "a number, or a point array of the file" +
+          (names.empty()
+              ? ", which has none"
+              : ": " + Join(std::vector<std::string>(names.begin(), names.end()), ", ")));
+    }
   }
 }
 
-//------------------------------------------------------------------------------
-void PointFile::Check(
-  vtkRelievoPointValues* points, const std::string& things, const std::string& needs) const
+// Throws WorkError if no point has an effect; notes those that have none.
+void CheckPoints(const std::string& path, vtkRelievoPointValues* points)
 {
+  const std::string things = points->GetThings(), needs = points->GetNeeds();
   const int count = points->GetNumberOfPoints();
   const int leftOut = points->GetNumberLeftOut();
-  Messages::Check(this->Path, count == 0,
+  Messages::Check(path, count == 0,
     leftOut == 0 ? "holds no points, expected " + things
                  : "holds no points that are " + things + ": " + needs);
   if (leftOut > 0)
   {
-    Messages::Note(this->Path + ": left out " + std::to_string(leftOut) + " of " +
+    Messages::Note(path + ": left out " + std::to_string(leftOut) + " of " +
       std::to_string(count + leftOut) + " points that are no " + things + ": " + needs);
+  }
+}
+
+// Sizes that neither the file nor the words give: what is right depends on the scene.
+void NoteDefaults(const PointsChoice& choice, vtkRelievoPointValues* points)
+{
+  const std::set<std::string> names = GetArrays(points->GetInputDataObject(0, 0));
+  std::string defaults;
+  for (const vtkRelievoParameter& parameter : points->GetDescription().Parameters)
+  {
+    const bool given = std::any_of(choice.Values.begin(), choice.Values.end(),
+      [&parameter](const auto& each) { return each.first == parameter.Name; });
+    if (!given && parameter.PerPoint && names.count(parameter.Name) == 0 &&
+      parameter.Unit.find("world unit") != std::string::npos)
+    {
+      defaults += (defaults.empty() ? "" : " and ") + parameter.Name + " " + parameter.Default;
+    }
+  }
+  if (!defaults.empty())
+  {
+    Messages::Note(choice.File + ": " + points->GetThings() + " with " + defaults +
+      ", for the file has no such array");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<PointStage>& GetPointStages()
+{
+  static const std::vector<PointStage> stages = FindPointStages();
+  return stages;
+}
+
+//------------------------------------------------------------------------------
+std::string DescribePoints(const PointStage& stage)
+{
+  std::string text = "the points of FILE as " + stage.Points->GetThings() +
+    "; may be repeated. Values of points are numbers for all, or names of point arrays (those of "
+    "the values' names)";
+  for (const vtkRelievoParameter& parameter : stage.Points->GetDescription().Parameters)
+  {
+    const std::string unit = parameter.Unit.empty() ? "" : ", " + parameter.Unit;
+    std::string form = parameter.GetNumberOfComponents() == 3 ? "A/B/C" : "N";
+    for (const std::string& choice : parameter.Choices)
+    {
+      form = (choice == parameter.Choices.front() ? "" : form + "|") + choice;
+    }
+    std::string standard = parameter.Default;
+    std::replace(standard.begin(), standard.end(), ',', '/');
+    text +=
+      "\n  " + parameter.Name + "=" + form + "  " + parameter.Help + " (" + standard + unit + ")";
+  }
+  return stage.Parameters.empty()
+    ? text
+    : text + "\nand the stage's " + Join(stage.Parameters, ", ") + " (relievo stages)";
+}
+
+//------------------------------------------------------------------------------
+void TakePoints(RenderOptions& options, const std::string& name, const std::string& word)
+{
+  const PointStage& stage = FindStage(name);
+  const std::string option = "--" + name;
+  PointsChoice choice;
+  choice.Stage = name;
+  NamedWords values;
+  choice.File = ParseFileAndValues(option, word, values);
+  const vtkSmartPointer<vtkRelievoPointValues> points = MakePoints(name);
+  for (const auto& [parameter, value] : values)
+  {
+    const bool ofPoints = points->GetDescription().Find(parameter) != nullptr;
+    if (!ofPoints &&
+      std::find(stage.Parameters.begin(), stage.Parameters.end(), parameter) !=
+        stage.Parameters.end())
+    {
+      TakeStageParameter(options, name, parameter, value);
+      continue;
+    }
+    if (!ofPoints)
+    {
+      RefuseValue(option, parameter + "=" + value,
+        "one of " + points->GetDescription().GetNames() + ", " + Join(stage.Parameters, ", "));
+    }
+    const std::string wrong = points->TrySetParameter(parameter, value);
+    if (!wrong.empty())
+    {
+      throw UsageError(option + " " + parameter + ": " + wrong);
+    }
+    choice.Values.emplace_back(parameter, value);
+  }
+  CheckTogether(option, points, choice.Values);
+  options.Points.push_back(choice);
+}
+
+//------------------------------------------------------------------------------
+std::string ParseFileAndValues(
+  const std::string& option, const std::string& word, NamedWords& values)
+{
+  const std::vector<std::string> parts = SplitEscaped(word, ',');
+  if (parts.front().empty())
+  {
+    RefuseValue(option, word, Form);
+  }
+  std::set<std::string> given;
+  for (std::size_t i = 1; i < parts.size(); ++i)
+  {
+    const std::size_t equals = parts[i].find('=');
+    const std::string name = parts[i].substr(0, equals);
+    if (equals == std::string::npos || !given.insert(name).second)
+    {
+      RefuseValue(option, parts[i], std::string(Form) + ", each once");
+    }
+    values.emplace_back(name, parts[i].substr(equals + 1));
+  }
+  return parts.front();
+}
+
+//------------------------------------------------------------------------------
+std::string WriteFileAndValues(const std::string& file, const NamedWords& values)
+{
+  std::vector<std::string> parts = { file };
+  for (const auto& value : values)
+  {
+    parts.push_back(value.first + "=" + value.second);
+  }
+  return JoinEscaped(parts, ',');
+}
+
+//------------------------------------------------------------------------------
+void CheckPointFile(const PointsChoice& choice)
+{
+  CheckExtension(choice.File);
+  if (IsGLTF(choice.File))
+  {
+    throw UsageError(
+      "--" + choice.Stage + ": " + choice.File + " is a scene; expected a file of points");
+  }
+  CheckReadable(choice.File);
+}
+
+//------------------------------------------------------------------------------
+FramePoints ReadFramePoints(const RenderOptions& options, Progress& progress)
+{
+  FramePoints all;
+  for (const PointsChoice& choice : options.Points)
+  {
+    const vtkSmartPointer<vtkRelievoPointValues> points = MakePoints(choice.Stage);
+    points->SetInputData(ReadData(choice.File, progress));
+    if (points->GetDescription().Find("up")) // unless it is given
+    {
+      points->SetParameter("up",
+        std::string(options.UpAxis == 0 ? "1" : "0") + "," + (options.UpAxis == 1 ? "1" : "0") +
+          "," + (options.UpAxis == 2 ? "1" : "0"));
+    }
+    for (const auto& [parameter, value] : choice.Values)
+    {
+      points->SetParameter(parameter, value);
+    }
+    CheckArrays(choice, points);
+    CheckPoints(choice.File, points);
+    NoteDefaults(choice, points);
+    all.push_back({ choice.Stage, points });
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+void AddFramePoints(vtkRelievoPass* pass, const FramePoints& points)
+{
+  for (const FramePointSet& set : points)
+  {
+    vtkRelievoPointStage::SafeDownCast(pass->GetStage(set.Stage))->AddPoints(set.Points);
   }
 }
 }

@@ -1,75 +1,80 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What --lamps, --fog and --markers do with their files: points with values.
+ * Files of points with values, for the stages that draw such: --lamps, --fog, --markers. Which
+ * stages these are, and which values they take, they say themselves.
  */
 #ifndef Points_h
 #define Points_h
 
-#include "PointValue.h"
-
-#include "vtkDataObject.h"
 #include "vtkRelievoPointValues.h"
 #include "vtkSmartPointer.h"
 
-#include <functional>
 #include <string>
+#include <utility>
+#include <vector>
+
+class vtkRelievoPass;
 
 namespace scene
 {
 class Progress;
+struct RenderOptions;
+
+/// A stage that draws points; its option is --NAME.
+struct PointStage
+{
+  std::string Name;
+  vtkSmartPointer<vtkRelievoPointValues> Points; ///< new ones, for what they say of themselves
+  std::vector<std::string> Parameters;           ///< of the stage, which its option takes as well
+};
+
+/// Of a frame, in its order.
+const std::vector<PointStage>& GetPointStages();
+
+/// What the option of a stage means, for people.
+std::string DescribePoints(const PointStage& stage);
+
+using NamedWords = std::vector<std::pair<std::string, std::string>>;
+
+/// What an option asks for.
+struct PointsChoice
+{
+  std::string Stage;
+  std::string File;
+  NamedWords Values; ///< of points, by name
+};
+
+/// FILE[,NAME=VALUE]... behind the option of a stage: values of points, or parameters of the stage.
+/// Throws UsageError.
+void TakePoints(RenderOptions& options, const std::string& stage, const std::string& word);
+
+/// The file, and the names with their values, each once; a comma of one is written \,. Throws
+/// UsageError.
+std::string ParseFileAndValues(
+  const std::string& option, const std::string& word, NamedWords& values);
+
+/// The word that ParseFileAndValues reads so.
+std::string WriteFileAndValues(const std::string& file, const NamedWords& values);
 
 /// Throws UsageError or WorkError, which name the option or the file, for one that cannot be read
 /// or is no points.
-void CheckPointFile(const std::string& option, const std::string& path);
+void CheckPointFile(const PointsChoice& choice);
 
-/// A file of points, and what an option makes of it.
-class PointFile
+/// Points for a stage of that name.
+struct FramePointSet
 {
-public:
-  /// Reads the file. Throws WorkError if it cannot be read.
-  PointFile(const std::string& option, const std::string& path, Progress& progress);
-
-  vtkDataObject* GetData() const { return this->Data; }
-
-  /// Whether any of the points have a value in an array of that name.
-  bool Has(const std::string& array) const;
-
-  /// Sets one number for all points, which comes before an array that the file has, or the array to
-  /// take. Throws UsageError, with the arrays that there are, if there is none of that name.
-  template <typename Points, typename Set>
-  void Take(Points* points, const char* name, const PointValue& value, Set set) const
-  {
-    if (value.Number)
-    {
-      std::invoke(set, points, *value.Number);
-    }
-    this->TakeArray(points, name, value.Number.has_value(), value.Array);
-  }
-
-  /// Sets one colour for all points, or the array to take, by the rules of Take().
-  template <typename Points>
-  void TakeColor(Points* points, const ColorValue& color) const
-  {
-    if (color.Color)
-    {
-      points->SetColor(color.Color->data());
-    }
-    this->TakeArray(points, "color", color.Color.has_value(), color.Array);
-  }
-
-  /// Throws WorkError with the file's name if arrays do not fit, or nothing of it is one of
-  /// `things` (such as "lamps"), which `needs` says. Notes how many are not.
-  void Check(
-    vtkRelievoPointValues* points, const std::string& things, const std::string& needs) const;
-
-private:
-  void TakeArray(
-    vtkRelievoPointValues* points, const char* name, bool isSet, const std::string& array) const;
-
-  std::string Option, Path;
-  vtkSmartPointer<vtkDataObject> Data;
+  std::string Stage;
+  vtkSmartPointer<vtkRelievoPointValues> Points;
 };
+using FramePoints = std::vector<FramePointSet>;
+
+/// Throws UsageError for arrays that a file does not have, WorkError with the file's name: what
+/// cannot be read, arrays that do not fit, files without a point that has an effect.
+FramePoints ReadFramePoints(const RenderOptions& options, Progress& progress);
+
+/// Gives the points to a pass that has none.
+void AddFramePoints(vtkRelievoPass* pass, const FramePoints& points);
 }
 
 #endif

@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -149,200 +151,202 @@ std::string NamedAs(
 //------------------------------------------------------------------------------
 struct OptionRow
 {
-  const char* Name;
-  const char* Value; // its placeholder in the help; empty: a flag, which stands alone
-  const char* Help;  // lines that begin with blanks stay; @layers@ stands for the layers' names
-  void (*Take)(RenderOptions&, const std::string& word);
+  std::string Name;
+  std::string Value; // its placeholder in the help; empty: a flag, which stands alone
+  std::string Help;  // lines that begin with blanks stay; @layers@ stands for the layers' names
+  std::function<void(RenderOptions&, const std::string& word)> Take;
   bool Repeats = false;
 
-  bool IsFlag() const { return this->Value[0] == '\0'; }
+  bool IsFlag() const { return this->Value.empty(); }
 };
 
-const OptionRow RenderRows[] = {
-  { "--size", "WxH", "size of the picture in pixels, 1 to 16384 (1024x768)", TakeSize },
-  { "--camera", "PX,PY,PZ,FX,FY,FZ,UX,UY,UZ",
-    "position, focal point, up (fitted to the scene, looking along -z, y up, or as "
-    "--up says)",
-    TakeCamera },
-  { "--view-angle", "DEG", "full vertical angle of the perspective, above 0 and below 180 (30)",
-    [](RenderOptions& options, const std::string& word) {
-      options.ViewAngle = ParseNumberBetween("--view-angle", word, 0.0, 180.0);
-    } },
-  { "--parallel-scale", "S", "parallel projection; S is half the picture's height in world units",
-    [](RenderOptions& options, const std::string& word) {
-      options.ParallelScale = ParseNumberBetween("--parallel-scale", word, 0.0, Infinity);
-    } },
-  { "--clip", "NEAR,FAR", "clipping distances, 0 < NEAR < FAR (around the scene)", TakeClip },
-  { "--shading", "KIND", "flat, gouraud, phong or pbr (phong; glTF keeps its own materials)",
-    TakeShading },
-  { "--preset", "NAME",
-    "studio, town or print: lights, shadows and background, where no other option "
-    "says them",
-    TakePreset },
-  { "--color-by", "NAME[,COMPONENT]",
-    "colours by a point or cell array, point:NAME or cell:NAME where two share a "
-    "name; COMPONENT a number from 0, or magnitude (the magnitude; bytes of 3 or 4 "
-    "components are colours)",
-    TakeColorBy },
-  { "--range", "MIN,MAX", "values of the first and the last colour (those of all files together)",
-    TakeRange },
-  { "--colormap", "NAME", "viridis, cool-warm, grey, hot or rainbow (viridis)", TakeColormap },
-  { "--scalar-bar", "", "shows the colours and their values at the right",
-    [](RenderOptions& options, const std::string&) { options.Look.ScalarBar = true; } },
-  { "--color", "COLOR",
-    "one colour for all meshes; COLOR is R/G/B from 0 to 1 as displays show it, "
-    "#rrggbb, or a name such as slategray",
-    TakeColor },
-  { "--opacity", "A", "of all meshes, 0 to 1 (1)", TakeOpacity },
-  { "--edges", "", "draws the edges of cells",
-    [](RenderOptions& options, const std::string&) { options.Look.Edges = true; } },
-  { "--background", "COLOR[,COLOR]", "one colour, or the bottom's and the top's (black)",
-    TakeBackground },
-  { "--light", "LIGHT",
-    "may be repeated (the file's lights, else the environment alone, else a "
-    "headlight); LIGHT is\n"
-    "  sun:DX,DY,DZ                    direction towards the sun\n"
-    "  spot:PX,PY,PZ,FX,FY,FZ,CONE     CONE: half the opening, degrees\n"
-    "  point:PX,PY,PZ\n"
-    "and may end with ,size=S for --soft-shadows: a sun's angle in degrees (0.53), "
-    "the radius of others in world units (0)",
-    TakeNext<&RenderOptions::Lights, ParseLight>, true },
-  { "--time", "T", "the time of models with bones, in seconds (the animation's start)", TakeTime },
-  { "--times", "START:END:STEP",
-    "a frame for each of these times, the end included; the names of --png, --exr "
-    "and --report hold %d or %04d, the frame's number from 0. The fitted camera "
-    "sees all of them, and each frame's files are written whole before the next "
-    "frame",
-    TakeTimes },
-  { "--animation", "NAME", "which of their animations (the first)", TakeAnimation },
-  { "--blend", "NAME=W", "blends in another animation, W of the way, 0 to 1", TakeBlend },
-  { "--loop", "", "times after an animation's end start anew (the end holds)", TakeLoop },
-  { "--skin", "METHOD",
-    "how their bones move points: linear, dual-quaternion, key-matrix, or off for "
-    "the mesh at rest (linear)",
-    TakeSkin },
-  { "--skeleton", "",
-    "draws the bones, and the axes of their joints in red, green and blue; "
-    "--opacity makes the mesh see-through, not them",
-    TakeSkeleton },
-  { "--bone-weight", "BONE",
-    "colours by the weight of one bone; --color-by first_bone by the strongest. "
-    "With any of these from --time on, glTF is read as a model with bones, without "
-    "lights",
-    TakeBoneWeight },
-  { "--lamps", "FILE[,radius=R][,intensity=I][,color=R/G/B][,falloff=F][,casts=C][,casting=N]",
-    "each point of the file is a lamp that shines up to its radius; may be "
-    "repeated. Values are numbers for all, or names of point arrays (the arrays "
-    "radius, intensity and color, else 1, 1 and white); F is linear (linear), "
-    "inverse-square, or vtk with attenuation=A/B/C. Lamps shine through walls: "
-    "casts=always (or never, or an array of 1 and 0) gives these shadows, casting=N "
-    "the N largest of all lamps (0); at most eight cast",
-    TakeLamps, true },
-  { "--shadows", "METHOD",
-    "shadows of the lights in the picture: off, map, forward, warped or exact (off)", TakeShadows },
-  { "--shadow-size", "N", "side of each shadow map in texels, 16 to 16384 (2048)", TakeShadowSize },
-  { "--soft-shadows", "N",
-    "shadows of lights with a size: the mean of N samples of each light's shape, 1 "
-    "to 4096",
-    TakeSoftShadows },
-  { "--colored-shadows", "",
-    "translucent meshes cast as well, and colour the light that passes them, as "
-    "stained glass does; needs --shadows exact",
-    [](RenderOptions& options, const std::string&) { options.ColoredShadows = true; } },
-  { "--shadow-tolerance", "S",
-    "shadows by the cheapest method that is expected to get at most this share of "
-    "the pixels wrong, such as 0.05% or 0.0005",
-    TakeShadowTolerance },
-  { "--time-budget", "MS",
-    "shadows by the most accurate method whose frames are expected to take at most "
-    "so many milliseconds",
-    TakeTimeBudget },
-  { "--certify", "N",
-    "judges N verdicts of the shadows, chosen at random, by rays in double "
-    "precision, and prints the share that is wrong, with its 95 % bound",
-    TakeCertify },
-  { "--normal-map", "F",
-    "normals from an image (.png .jpg .tif .bmp .hdr .exr; OpenGL's green), placed "
-    "by the meshes' texture coordinates; linear values, not sRGB",
-    TakePath<&RenderOptions::NormalMap> },
-  { "--height-map", "F[,SCALE]",
-    "heights from an image; the ground lies SCALE below the mesh, in world units "
-    "(0.02 of the scene's longest side)",
-    TakeHeightMap },
-  { "--relief", "METHOD",
-    "how heights are drawn: off (as normals only), parallax, steep, occlusion or "
-    "relief (relief)",
-    TakeRelief },
-  { "--texture-coordinates", "METHOD",
-    "for meshes without them, to place maps: box, plane or sphere (box, with a "
-    "note)",
-    TakeTextureCoordinates },
-  { "--environment", "F[,DEG]",
-    "light from all directions, which surfaces mirror and are lit by, from an image "
-    "(.exr .hdr .png .jpg) that is twice as wide as high, or from a square one of a "
-    "mirror ball; rotated by DEG about the up axis (0). 8 and 16 bits are sRGB, "
-    "floats linear light",
-    TakeEnvironment },
-  { "--reflectivity", "R[,ROUGHNESS]",
-    "share of the environment that is mirrored at normal incidence, and roughness "
-    "of the mirror, each 0 to 1 (0.04,0.2)",
-    TakeReflectivity },
-  { "--skybox", "", "shows the environment behind everything",
-    [](RenderOptions& options, const std::string&) { options.Skybox = true; } },
-  { "--up", "AXIS",
-    "the up axis, x, y or z, of --environment, the fitted camera, shadows of "
-    "--markers and --texture-coordinates (y)",
-    TakeUp },
-  { "--fog", "F[,radius=R][,density=D][,color=R/G/B][,mode=MODE]",
-    "spheres of fog at the points of F; numbers, linear colours or names of point "
-    "arrays (the arrays radius, density and color, else 1, 1 and white); MODE beer "
-    "(e^-density length passes) or chord (what is held back grows in a line, to "
-    "density at the diameter) (beer); may be repeated",
-    TakeNext<&RenderOptions::Fogs, ParseFog>, true },
-  { "--markers",
-    "F[,shape=SHAPE][,radius=R][,width=W][,reach=H][,opacity=A][,color=R/G/B][,up=X/Y/Z]",
-    "marks surfaces within R of each point of F; SHAPE ring (W of the radius wide), "
-    "glow, disc, or shadow, a blob below the point, up to H radii along the up "
-    "axis, or X/Y/Z; numbers, linear colours or names of point arrays (the arrays "
-    "radius, width, reach, opacity and color, else 1, 0.2, 4, 0.8 and orange) "
-    "(ring); may be repeated",
-    TakeNext<&RenderOptions::Markers, ParseMarkers>, true },
-  { "--deferred", "",
-    "shades opaque surfaces once for each pixel, after they are drawn: the same "
-    "picture, sooner where much is drawn over each other",
-    [](RenderOptions& options, const std::string&) {
-      AddStage(options.Stages, "deferred", "--deferred");
-    } },
-  { "--stage", "NAME[:PARAMETER=VALUE,...]",
-    "runs a stage of the frame with these parameters; may be repeated; `relievo "
-    "stages` lists them",
-    TakeNext<&RenderOptions::Stages, ParseStage>, true },
-  { "--tone", "OPERATOR[,white=W]",
-    "how light above 1 is shown in the picture: clamp, simple, reinhard or "
-    "reinhard-rgb; W is the light that becomes white (reinhard,white=4, if "
-    "--exposure is given). The EXR's colour is the light before",
-    TakeTone },
-  { "--exposure", "STOPS", "multiplies the light by 2 to this power, -20 to 20, or auto (0)",
-    TakeExposure },
-  { "--layers", "A,B,...",
-    "layers in the EXR besides its colour (depth), of "
-    "@layers@ "
-    "(shadow_N: visibility of the Nth --light, from 0: 1 lit, 0 dark), or the name "
-    "of a point or cell array",
-    TakeLayers, true },
-  { "--png", "F", "the picture",
-    [](RenderOptions& options, const std::string& word) {
-      options.PNG = NamedAs(".png", "--png", word);
-    } },
-  { "--exr", "F", "OpenEXR: the colour as R G B A, then the layers as depth.Z normal.X ...",
-    [](RenderOptions& options, const std::string& word) {
-      options.EXR = NamedAs(".exr", "--exr", word);
-    } },
-  { "--hdr", "", "the colour of the EXR as the lights give it, unclamped, half floats",
-    [](RenderOptions& options, const std::string&) { options.HDR = true; } },
-  { "--report", "F", "frame report, JSON: what ran and why, GPU ms, bytes held",
-    TakePath<&RenderOptions::Report> },
-};
+std::vector<OptionRow> MakeRows()
+{
+  std::vector<OptionRow> rows = {
+    { "--size", "WxH", "size of the picture in pixels, 1 to 16384 (1024x768)", TakeSize },
+    { "--camera", "PX,PY,PZ,FX,FY,FZ,UX,UY,UZ",
+      "position, focal point, up (fitted to the scene, looking along -z, y up, or as "
+      "--up says)",
+      TakeCamera },
+    { "--view-angle", "DEG", "full vertical angle of the perspective, above 0 and below 180 (30)",
+      [](RenderOptions& options, const std::string& word) {
+        options.ViewAngle = ParseNumberBetween("--view-angle", word, 0.0, 180.0);
+      } },
+    { "--parallel-scale", "S", "parallel projection; S is half the picture's height in world units",
+      [](RenderOptions& options, const std::string& word) {
+        options.ParallelScale = ParseNumberBetween("--parallel-scale", word, 0.0, Infinity);
+      } },
+    { "--clip", "NEAR,FAR", "clipping distances, 0 < NEAR < FAR (around the scene)", TakeClip },
+    { "--shading", "KIND", "flat, gouraud, phong or pbr (phong; glTF keeps its own materials)",
+      TakeShading },
+    { "--preset", "NAME",
+      "studio, town or print: lights, shadows and background, where no other option "
+      "says them",
+      TakePreset },
+    { "--color-by", "NAME[,COMPONENT]",
+      "colours by a point or cell array, point:NAME or cell:NAME where two share a "
+      "name; COMPONENT a number from 0, or magnitude (the magnitude; bytes of 3 or 4 "
+      "components are colours)",
+      TakeColorBy },
+    { "--range", "MIN,MAX", "values of the first and the last colour (those of all files together)",
+      TakeRange },
+    { "--colormap", "NAME", "viridis, cool-warm, grey, hot or rainbow (viridis)", TakeColormap },
+    { "--scalar-bar", "", "shows the colours and their values at the right",
+      [](RenderOptions& options, const std::string&) { options.Look.ScalarBar = true; } },
+    { "--color", "COLOR",
+      "one colour for all meshes; COLOR is R/G/B from 0 to 1 as displays show it, "
+      "#rrggbb, or a name such as slategray",
+      TakeColor },
+    { "--opacity", "A", "of all meshes, 0 to 1 (1)", TakeOpacity },
+    { "--edges", "", "draws the edges of cells",
+      [](RenderOptions& options, const std::string&) { options.Look.Edges = true; } },
+    { "--background", "COLOR[,COLOR]", "one colour, or the bottom's and the top's (black)",
+      TakeBackground },
+    { "--light", "LIGHT",
+      "may be repeated (the file's lights, else the environment alone, else a "
+      "headlight); LIGHT is\n"
+      "  sun:DX,DY,DZ                    direction towards the sun\n"
+      "  spot:PX,PY,PZ,FX,FY,FZ,CONE     CONE: half the opening, degrees\n"
+      "  point:PX,PY,PZ\n"
+      "and may end with ,size=S for --soft-shadows: a sun's angle in degrees (0.53), "
+      "the radius of others in world units (0)",
+      TakeNext<&RenderOptions::Lights, ParseLight>, true },
+    { "--time", "T", "the time of models with bones, in seconds (the animation's start)",
+      TakeTime },
+    { "--times", "START:END:STEP",
+      "a frame for each of these times, the end included; the names of --png, --exr "
+      "and --report hold %d or %04d, the frame's number from 0. The fitted camera "
+      "sees all of them, and each frame's files are written whole before the next "
+      "frame",
+      TakeTimes },
+    { "--animation", "NAME", "which of their animations (the first)", TakeAnimation },
+    { "--blend", "NAME=W", "blends in another animation, W of the way, 0 to 1", TakeBlend },
+    { "--loop", "", "times after an animation's end start anew (the end holds)", TakeLoop },
+    { "--skin", "METHOD",
+      "how their bones move points: linear, dual-quaternion, key-matrix, or off for "
+      "the mesh at rest (linear)",
+      TakeSkin },
+    { "--skeleton", "",
+      "draws the bones, and the axes of their joints in red, green and blue; "
+      "--opacity makes the mesh see-through, not them",
+      TakeSkeleton },
+    { "--bone-weight", "BONE",
+      "colours by the weight of one bone; --color-by first_bone by the strongest. "
+      "With any of these from --time on, glTF is read as a model with bones, without "
+      "lights",
+      TakeBoneWeight },
+    { "--shadows", "METHOD",
+      "shadows of the lights in the picture: off, map, forward, warped or exact (off)",
+      TakeShadows },
+    { "--shadow-size", "N", "side of each shadow map in texels, 16 to 16384 (2048)",
+      TakeShadowSize },
+    { "--soft-shadows", "N",
+      "shadows of lights with a size: the mean of N samples of each light's shape, 1 "
+      "to 4096",
+      TakeSoftShadows },
+    { "--colored-shadows", "",
+      "translucent meshes cast as well, and colour the light that passes them, as "
+      "stained glass does; needs --shadows exact",
+      [](RenderOptions& options, const std::string&) { options.ColoredShadows = true; } },
+    { "--shadow-tolerance", "S",
+      "shadows by the cheapest method that is expected to get at most this share of "
+      "the pixels wrong, such as 0.05% or 0.0005",
+      TakeShadowTolerance },
+    { "--time-budget", "MS",
+      "shadows by the most accurate method whose frames are expected to take at most "
+      "so many milliseconds",
+      TakeTimeBudget },
+    { "--certify", "N",
+      "judges N verdicts of the shadows, chosen at random, by rays in double "
+      "precision, and prints the share that is wrong, with its 95 % bound",
+      TakeCertify },
+    { "--normal-map", "F",
+      "normals from an image (.png .jpg .tif .bmp .hdr .exr; OpenGL's green), placed "
+      "by the meshes' texture coordinates; linear values, not sRGB",
+      TakePath<&RenderOptions::NormalMap> },
+    { "--height-map", "F[,SCALE]",
+      "heights from an image; the ground lies SCALE below the mesh, in world units "
+      "(0.02 of the scene's longest side)",
+      TakeHeightMap },
+    { "--relief", "METHOD",
+      "how heights are drawn: off (as normals only), parallax, steep, occlusion or "
+      "relief (relief)",
+      TakeRelief },
+    { "--texture-coordinates", "METHOD",
+      "for meshes without them, to place maps: box, plane or sphere (box, with a "
+      "note)",
+      TakeTextureCoordinates },
+    { "--environment", "F[,DEG]",
+      "light from all directions, which surfaces mirror and are lit by, from an image "
+      "(.exr .hdr .png .jpg) that is twice as wide as high, or from a square one of a "
+      "mirror ball; rotated by DEG about the up axis (0). 8 and 16 bits are sRGB, "
+      "floats linear light",
+      TakeEnvironment },
+    { "--reflectivity", "R[,ROUGHNESS]",
+      "share of the environment that is mirrored at normal incidence, and roughness "
+      "of the mirror, each 0 to 1 (0.04,0.2)",
+      TakeReflectivity },
+    { "--skybox", "", "shows the environment behind everything",
+      [](RenderOptions& options, const std::string&) { options.Skybox = true; } },
+    { "--up", "AXIS",
+      "the up axis, x, y or z, of --environment, the fitted camera, shadows of "
+      "--markers and --texture-coordinates (y)",
+      TakeUp },
+    { "--deferred", "",
+      "shades opaque surfaces once for each pixel, after they are drawn: the same "
+      "picture, sooner where much is drawn over each other",
+      [](RenderOptions& options, const std::string&) {
+        AddStage(options.Stages, "deferred", "--deferred");
+      } },
+    { "--stage", "NAME[:PARAMETER=VALUE,...]",
+      "runs a stage of the frame with these parameters; may be repeated; `relievo "
+      "stages` lists them",
+      TakeNext<&RenderOptions::Stages, ParseStage>, true },
+    { "--tone", "OPERATOR[,white=W]",
+      "how light above 1 is shown in the picture: clamp, simple, reinhard or "
+      "reinhard-rgb; W is the light that becomes white (reinhard,white=4, if "
+      "--exposure is given). The EXR's colour is the light before",
+      TakeTone },
+    { "--exposure", "STOPS", "multiplies the light by 2 to this power, -20 to 20, or auto (0)",
+      TakeExposure },
+    { "--layers", "A,B,...",
+      "layers in the EXR besides its colour (depth), of "
+      "@layers@ "
+      "(shadow_N: visibility of the Nth --light, from 0: 1 lit, 0 dark), or the name "
+      "of a point or cell array",
+      TakeLayers, true },
+    { "--png", "F", "the picture",
+      [](RenderOptions& options, const std::string& word) {
+        options.PNG = NamedAs(".png", "--png", word);
+      } },
+    { "--exr", "F", "OpenEXR: the colour as R G B A, then the layers as depth.Z normal.X ...",
+      [](RenderOptions& options, const std::string& word) {
+        options.EXR = NamedAs(".exr", "--exr", word);
+      } },
+    { "--hdr", "", "the colour of the EXR as the lights give it, unclamped, half floats",
+      [](RenderOptions& options, const std::string&) { options.HDR = true; } },
+    { "--report", "F", "frame report, JSON: what ran and why, GPU ms, bytes held",
+      TakePath<&RenderOptions::Report> },
+  };
+  // Stages that draw points have options of their names, before those of other stages.
+  auto place = std::find_if(
+    rows.begin(), rows.end(), [](const OptionRow& row) { return row.Name == "--deferred"; });
+  for (const PointStage& stage : GetPointStages())
+  {
+    place = std::next(rows.insert(place,
+      { "--" + stage.Name, "FILE[,NAME=VALUE]...", DescribePoints(stage),
+        [name = stage.Name](
+          RenderOptions& options, const std::string& word) { TakePoints(options, name, word); },
+        true }));
+  }
+  return rows;
+}
+
+const std::vector<OptionRow>& GetRows()
+{
+  static const std::vector<OptionRow> rows = MakeRows();
+  return rows;
+}
 
 //------------------------------------------------------------------------------
 // Whether --stage sets a parameter of the shadows, to this value if there is one.
@@ -424,7 +428,6 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
   CheckModelOptions(options);
   CheckLookOptions(options, given);
   CheckToneOptions(options);
-  CheckFogs(options.Fogs);
   CheckStages(options.Stages);
   if (!options.Lights.empty())
   {
@@ -441,7 +444,7 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
 std::vector<KnownOption> GetRenderOptions()
 {
   std::vector<KnownOption> known;
-  for (const OptionRow& row : RenderRows)
+  for (const OptionRow& row : GetRows())
   {
     known.push_back({ row.Name, row.IsFlag(), row.Repeats });
   }
@@ -452,7 +455,7 @@ std::vector<KnownOption> GetRenderOptions()
 std::vector<OptionHelp> GetRenderHelp()
 {
   std::vector<OptionHelp> all;
-  for (const OptionRow& row : RenderRows)
+  for (const OptionRow& row : GetRows())
   {
     std::string help = row.Help;
     const std::string mark = "@layers@";
@@ -488,7 +491,7 @@ RenderOptions ParseOptions(const std::vector<std::string>& words)
   ParseArguments(
     words, "render", GetRenderOptions(),
     [&](const std::string& name, const std::string& value) {
-      const auto row = std::find_if(std::begin(RenderRows), std::end(RenderRows),
+      const auto row = std::find_if(GetRows().begin(), GetRows().end(),
         [&name](const OptionRow& candidate) { return name == candidate.Name; });
       if (!seen.insert(name).second && !row->Repeats)
       {

@@ -8,12 +8,10 @@
 #define Options_h
 
 #include "Arguments.h"
-#include "FogOptions.h"
-#include "LampOptions.h"
 #include "LightOptions.h"
 #include "LookOptions.h"
-#include "MarkerOptions.h"
 #include "ModelOptions.h"
+#include "Points.h"
 #include "Stages.h"
 
 #include <array>
@@ -91,7 +89,6 @@ struct RenderOptions
   LookChoice Look;
   ModelChoice Model;               ///< what models with bones show
   std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
-  std::vector<LampChoice> Lamps;
   Shadows ShadowMethod = Shadows::Off;
   std::optional<int> ShadowSize;         ///< of each map, texels
   std::optional<int> SoftShadows;        ///< samples of each light's shape
@@ -108,13 +105,12 @@ struct RenderOptions
   double Reflectivity = 0.04;            ///< share of the environment's light that is mirrored
   double Roughness = 0.2;                ///< of that mirror
   bool Skybox = false;
-  int UpAxis = 1; ///< of the world: 0, 1, 2 for x, y, z
-  std::vector<FogChoice> Fogs;
-  std::vector<MarkerChoice> Markers;
-  std::vector<StageChoice> Stages; ///< of the frame, as given
-  bool HDR = false;                ///< the colour of the EXR unclamped
-  std::vector<std::string> Layers; ///< each once; those of the EXR beside its colour
-  std::string PNG, EXR, Report;    ///< empty: not asked for
+  int UpAxis = 1;                   ///< of the world: 0, 1, 2 for x, y, z
+  std::vector<PointsChoice> Points; ///< for stages that draw points
+  std::vector<StageChoice> Stages;  ///< of the frame, as given
+  bool HDR = false;                 ///< the colour of the EXR unclamped
+  std::vector<std::string> Layers;  ///< each once; those of the EXR beside its colour
+  std::string PNG, EXR, Report;     ///< empty: not asked for
 };
 
 /// Every option of render.

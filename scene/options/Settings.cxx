@@ -26,9 +26,6 @@ const std::set<std::string> SaidByStages = { "--stage", "--shadow-size", "--soft
 
 constexpr const char* BeginWithPath[] = { "--normal-map", "--height-map", "--environment" };
 
-// Options whose word begins with a path that is escaped for ParseFileAndValues.
-constexpr const char* BeginWithEscapedPath[] = { "--lamps", "--fog", "--markers" };
-
 std::string GetFirstTime(const std::string& times)
 {
   RenderOptions options;
@@ -102,15 +99,13 @@ void Settings::TakeStages(const RenderOptions& options)
       this->SetParameter(choice.Name, name, value);
     }
   }
-  for (const FogChoice& fog : options.Fogs)
+  for (const PointStage& stage : GetPointStages())
   {
-    if (!fog.Mode.empty())
+    for (const std::string& parameter : stage.Parameters)
     {
-      this->SetParameter("fog", "mode", fog.Mode);
+      this->DropValue("--" + stage.Name, parameter);
     }
   }
-  this->DropValue("--fog", "mode");
-  this->DropValue("--lamps", "casting");
   for (auto stage = this->Stages.begin(); stage != this->Stages.end();)
   {
     const bool idle =
@@ -148,7 +143,7 @@ void Settings::MakePathsAbsolute(const std::string& folder)
   {
     complete(file, folder);
   }
-  const auto completeAll = [&](const char* option, const std::string& in) {
+  const auto completeAll = [&](const std::string& option, const std::string& in) {
     std::vector<std::string> words = this->GetAll(option);
     for (std::string& word : words)
     {
@@ -160,9 +155,9 @@ void Settings::MakePathsAbsolute(const std::string& folder)
   {
     completeAll(option, folder);
   }
-  for (const char* option : BeginWithEscapedPath)
+  for (const PointStage& stage : GetPointStages())
   {
-    completeAll(option, JoinEscaped({ folder }, ','));
+    completeAll("--" + stage.Name, JoinEscaped({ folder }, ','));
   }
 }
 

@@ -98,10 +98,10 @@ def draw_ranks(folder, name, port=None, threshold="0"):
         scene.lamps.RelievoLamps, scene.lamps.RelievoFog = lamps, fog
         scene.lamps.RelievoMarkers = markers
         far = step in ("far", "cast")
-        scene.lamps.RelievoLampRadiusArray = "" if far else "radius"
-        scene.lamps.RelievoLampRadius = 5 if far else 1
-        scene.lamps.RelievoLampIntensity = 0.2 if far else 1
-        scene.lamps.RelievoLampCasts = "Always" if step == "cast" else "If Large"
+        scene.lamps.RelievoLampsRadiusArray = "" if far else "radius"
+        scene.lamps.RelievoLampsRadius = 5 if far else 1
+        scene.lamps.RelievoLampsIntensity = 0.2 if far else 1
+        scene.lamps.RelievoLampsCasts = "Always" if step == "cast" else "If Large"
         scene.lamps.Visibility = visible
         simple.Render(scene.view)
         simple.SaveScreenshot(f"{folder}/{name}-{step}.png", scene.view)

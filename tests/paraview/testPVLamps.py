@@ -15,16 +15,16 @@ STEPS = ("off", "on", "far", "cast", "hidden", "fog", "markers")
 # Every property of a representation: default, another value as a script gives it.
 PROPERTIES = {
     "RelievoLamps": (0, 1),
-    "RelievoLampRadius": (1.0, 2.0),
-    "RelievoLampRadiusArray": ("radius", ""),
-    "RelievoLampIntensity": (1.0, 2.5),
-    "RelievoLampIntensityArray": ("intensity", ""),
-    "RelievoLampColor": ([1.0, 1.0, 1.0], [1.0, 0.5, 0.25]),
-    "RelievoLampColorArray": ("color", ""),
-    "RelievoLampFalloff": ("Linear", "Inverse Square"),
-    "RelievoLampAttenuation": ([1.0, 0.0, 0.0], [1.0, 2.0, 3.0]),
-    "RelievoLampCasts": ("If Large", "Always"),
-    "RelievoLampCastsArray": ("casts", ""),
+    "RelievoLampsRadius": (1.0, 2.0),
+    "RelievoLampsRadiusArray": ("radius", ""),
+    "RelievoLampsIntensity": (1.0, 2.5),
+    "RelievoLampsIntensityArray": ("intensity", ""),
+    "RelievoLampsColor": ([1.0, 1.0, 1.0], [1.0, 0.5, 0.25]),
+    "RelievoLampsColorArray": ("color", ""),
+    "RelievoLampsFalloff": ("Linear", "Inverse Square"),
+    "RelievoLampsAttenuation": ([1.0, 0.0, 0.0], [1.0, 2.0, 3.0]),
+    "RelievoLampsCasts": ("If Large", "Always"),
+    "RelievoLampsCastsArray": ("casts", ""),
 }
 
 
@@ -96,7 +96,7 @@ class Lamps(lampScene.Test):
         self.differ(off, on, "lamps", share=0.2)
         self.assertFalse((on.astype(int) < off.astype(int) - 1).any(), "nothing gets darker")
         for name, (default, other) in PROPERTIES.items():
-            if name in ("RelievoLamps", "RelievoLampAttenuation"):
+            if name in ("RelievoLamps", "RelievoLampsAttenuation"):
                 continue
             setattr(self.shown, name, other)
             # Of the arrays, only `radius` is there.
@@ -120,10 +120,10 @@ class Lamps(lampScene.Test):
         smtrace.start_trace()
         item = smtrace._create_trace_item_internal(
             "PropertiesModified", kwargs={"proxy": self.shown})
-        self.shown.RelievoLampIntensity = 2.0
+        self.shown.RelievoLampsIntensity = 2.0
         item.finalize()
         del item
-        self.traced(smtrace.stop_trace(), "RelievoLampIntensity", 2.0)
+        self.traced(smtrace.stop_trace(), "RelievoLampsIntensity", 2.0)
         state = pv.OUTPUT / "lamps.pvsm"
         picture = pv.picture(self.view)
         simple.SaveState(str(state))

@@ -12,18 +12,18 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 # Every property of a representation: default, another value as a script gives it.
 PROPERTIES = {
     "RelievoMarkers": (0, 1),
-    "RelievoMarkerShape": ("Ring", "Disc"),
-    "RelievoMarkerRadius": (1.0, 2.0),
-    "RelievoMarkerRadiusArray": ("radius", ""),
-    "RelievoMarkerWidth": (0.2, 0.5),
-    "RelievoMarkerWidthArray": ("width", ""),
-    "RelievoMarkerReach": (4.0, 2.5),
-    "RelievoMarkerReachArray": ("reach", ""),
-    "RelievoMarkerUp": ([0.0, 0.0, 1.0], [0.0, 0.5, 1.0]),
-    "RelievoMarkerOpacity": (0.8, 0.3),
-    "RelievoMarkerOpacityArray": ("opacity", ""),
-    "RelievoMarkerColor": ([1.0, 0.5, 0.0], [0.0, 0.5, 1.0]),
-    "RelievoMarkerColorArray": ("color", ""),
+    "RelievoMarkersShape": ("Ring", "Disc"),
+    "RelievoMarkersRadius": (1.0, 2.0),
+    "RelievoMarkersRadiusArray": ("radius", ""),
+    "RelievoMarkersWidth": (0.2, 0.5),
+    "RelievoMarkersWidthArray": ("width", ""),
+    "RelievoMarkersReach": (4.0, 2.5),
+    "RelievoMarkersReachArray": ("reach", ""),
+    "RelievoMarkersUp": ([0.0, 0.0, 1.0], [0.0, 0.5, 1.0]),
+    "RelievoMarkersOpacity": (0.8, 0.3),
+    "RelievoMarkersOpacityArray": ("opacity", ""),
+    "RelievoMarkersColor": ([1.0, 0.5, 0.0], [0.0, 0.5, 1.0]),
+    "RelievoMarkersColorArray": ("color", ""),
 }
 
 
@@ -42,15 +42,15 @@ class Markers(lampScene.Test):
 
     def test_points(self):
         """Discs on floor and ball, wherever the representation is moved."""
-        self.shown.RelievoMarkers, self.shown.RelievoMarkerShape = 1, "Disc"
+        self.shown.RelievoMarkers, self.shown.RelievoMarkersShape = 1, "Disc"
         for move in ((0, 0, 0), (0.3, 0.2, 0.1)):
             setattr(self.shown, pv.TRANSLATION, list(move))
             self.check(numpy.array(lampScene.PLACES) + move, lampScene.RADII, 0.8, move)
 
     def test_shadow(self):
         """Dark below the points, as their height says."""
-        self.shown.RelievoMarkers, self.shown.RelievoMarkerShape = 1, "Shadow"
-        self.shown.RelievoMarkerOpacity = 1.0
+        self.shown.RelievoMarkers, self.shown.RelievoMarkersShape = 1, "Shadow"
+        self.shown.RelievoMarkersOpacity = 1.0
         self.scene.ball.Visibility = 0
         marked, place, depth = self.layers("marker", "position", "depth")
         there = numpy.isfinite(depth)

@@ -125,14 +125,14 @@ def points():
     sun(view)
     view.RelievoSunIntensity = 0.3
     shown["lamps.vtp"].RelievoLamps = 1
-    shown["lamps.vtp"].RelievoLampFalloff = "Inverse Square"
+    shown["lamps.vtp"].RelievoLampsFalloff = "Inverse Square"
     save(view, "lamps")
     shown["fog.vtp"].RelievoFog = 1
     save(view, "fog")
     shown["markers.vtp"].RelievoMarkers = 1
     for shape in ("Ring", "Glow", "Disc", "Shadow"):
-        shown["markers.vtp"].RelievoMarkerShape = shape
-        shown["markers.vtp"].RelievoMarkerUp = [0, 1, 0]
+        shown["markers.vtp"].RelievoMarkersShape = shape
+        shown["markers.vtp"].RelievoMarkersUp = [0, 1, 0]
         save(view, f"markers-{shape}")
     view.RelievoStageTone, view.RelievoStageToneOperator = 1, "Reinhard"
     view.RelievoStageToneExposure = 0.5

@@ -81,22 +81,36 @@ Examples
   relievo bench all --out here --beside docs/charts
 )";
 //------------------------------------------------------------------------------
-// A paragraph in lines that begin under each other; the first goes on behind what is there.
-void AddParagraph(const std::string& text, std::string& page)
+// A paragraph, of which the first line goes on behind what is there, and the others are indented.
+void AddParagraph(const std::string& text, std::size_t indent, std::string& page)
 {
   std::istringstream words(text);
   std::size_t column = Indent;
-  for (std::string word; words >> word;)
+  bool first = true;
+  for (std::string word; words >> word; first = false)
   {
-    if (column > Indent && column + 1 + word.size() > Columns)
+    if (!first && column + 1 + word.size() > Columns)
     {
-      page += "\n" + std::string(Indent, ' ');
-      column = Indent;
+      page += "\n" + std::string(indent, ' ');
+      column = indent;
+      first = true;
     }
-    page += (column > Indent ? " " : "") + word;
-    column += (column > Indent ? 1 : 0) + word.size();
+    page += (first ? "" : " ") + word;
+    column += (first ? 0 : 1) + word.size();
   }
   page += '\n';
+}
+
+// A line of a table, which keeps its blanks where it is short.
+void AddTableLine(const std::string& line, std::string& page)
+{
+  if (Indent + line.size() <= Columns)
+  {
+    page += line + "\n";
+    return;
+  }
+  page += "  ";
+  AddParagraph(line, Indent + 6, page);
 }
 
 std::string DescribeOption(const scene::OptionHelp& option)
@@ -109,7 +123,7 @@ std::string DescribeOption(const scene::OptionHelp& option)
   for (std::string paragraph; std::getline(paragraphs, paragraph); first = false)
   {
     page += first ? "" : std::string(Indent, ' ');
-    paragraph[0] == ' ' ? void(page += paragraph + "\n") : AddParagraph(paragraph, page);
+    paragraph[0] == ' ' ? AddTableLine(paragraph, page) : AddParagraph(paragraph, Indent, page);
   }
   return page;
 }

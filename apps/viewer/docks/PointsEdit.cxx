@@ -3,9 +3,8 @@
 #include "PointsEdit.h"
 
 #include "ColorButton.h"
+#include "Labels.h"
 #include "LinearColor.h"
-#include "PointValue.h"
-#include "PointsValues.h"
 
 #include <QComboBox>
 #include <QFileDialog>
@@ -26,7 +25,7 @@ namespace viewer
 {
 namespace
 {
-using Pairs = std::vector<std::pair<std::string, std::string>>;
+using Pairs = scene::NamedWords;
 
 QString Words(const std::string& text)
 {
@@ -85,11 +84,17 @@ PointsEdit::PointsEdit(Document* document, const std::string& stage, QWidget* pa
   auto* rows = new QFormLayout(this->Values);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  const std::vector<PointsValue> values = GetPointsValues(stage);
-  this->Rows.reserve(values.size());
-  for (const PointsValue& value : values)
+  for (const scene::PointStage& known : scene::GetPointStages())
   {
-    this->AddRow(rows, value);
+    if (known.Name == stage)
+    {
+      const auto& values = known.Points->GetDescription().Parameters;
+      this->Rows.reserve(values.size());
+      for (const vtkRelievoParameter& value : values)
+      {
+        this->AddRow(rows, value);
+      }
+    }
   }
   QObject::connect(add, &QPushButton::clicked, this, &PointsEdit::Ask);
   QObject::connect(this->RemoveFile, &QPushButton::clicked, this, &PointsEdit::Remove);
@@ -103,30 +108,32 @@ PointsEdit::PointsEdit(Document* document, const std::string& stage, QWidget* pa
 }
 
 //------------------------------------------------------------------------------
-void PointsEdit::AddRow(QFormLayout* rows, const PointsValue& value)
+void PointsEdit::AddRow(QFormLayout* rows, const vtkRelievoParameter& value)
 {
   this->Rows.emplace_back();
   Row& row = this->Rows.back();
   row.Name = value.Name;
-  row.Edit = value.Is == PointsValue::Color ? this->MakeColor(row, value)
-                                            : this->MakeBox(row, value, this->Values);
+  row.Default = value.Default;
+  row.OnlyIf = value.OnlyIf;
+  row.Edit = value.Type == vtkRelievoParameter::COLOR ? this->MakeColor(row, value)
+                                                      : this->MakeBox(row, value, this->Values);
   row.Edit->setObjectName(Words(value.Name));
-  row.Edit->setToolTip(Words(value.Help));
-  row.Label = new QLabel(Words(value.Label), this->Values);
+  row.Edit->setToolTip(Words(value.Help + " Takes " + value.GetExpected() + "."));
+  row.Label = new QLabel(WriteLabel(Words(value.GetLabel())), this->Values);
   row.Label->setToolTip(row.Edit->toolTip());
   row.Label->setBuddy(row.Edit);
   rows->addRow(row.Label, row.Edit);
 }
 
 //------------------------------------------------------------------------------
-QComboBox* PointsEdit::MakeBox(Row& row, const PointsValue& value, QWidget* parent)
+QComboBox* PointsEdit::MakeBox(Row& row, const vtkRelievoParameter& value, QWidget* parent)
 {
   auto* box = new QComboBox(parent);
-  if (value.Is == PointsValue::Choice)
+  if (!value.Choices.empty() && !value.PerPoint)
   {
     for (const std::string& choice : value.Choices)
     {
-      box->addItem(Words(choice), box->count() == 0 ? QString() : Words(choice));
+      box->addItem(Words(choice), choice == value.Default ? QString() : Words(choice));
     }
     row.Show = [box](const QString& text) {
       const QSignalBlocker quiet(box);
@@ -140,13 +147,14 @@ QComboBox* PointsEdit::MakeBox(Row& row, const PointsValue& value, QWidget* pare
   box->setInsertPolicy(QComboBox::NoInsert);
   box->setCompleter(nullptr); // a number is no beginning of a name
   box->setMinimumContentsLength(8);
-  box->lineEdit()->setPlaceholderText(Words(value.Standard));
+  box->lineEdit()->setPlaceholderText(
+    Words((value.PerPoint ? "array " + value.Name + ", or " : "") + value.Default));
   for (const std::string& choice : value.Choices)
   {
     box->addItem(Words(choice));
   }
   box->setEditText(QString()); // the first is no choice yet
-  if (value.Is != PointsValue::Three)
+  if (value.PerPoint)
   {
     row.Arrays = box;
     row.Own = box->count();
@@ -170,7 +178,7 @@ void PointsEdit::Connect(QComboBox* box, const std::string& name)
 
 //------------------------------------------------------------------------------
 // A name or three numbers, and the colour that they are on the screen.
-QWidget* PointsEdit::MakeColor(Row& row, const PointsValue& value)
+QWidget* PointsEdit::MakeColor(Row& row, const vtkRelievoParameter& value)
 {
   auto* both = new QWidget(this->Values);
   auto* layout = new QHBoxLayout(both);
@@ -221,6 +229,23 @@ void PointsEdit::Remove()
 }
 
 //------------------------------------------------------------------------------
+bool PointsEdit::HasEffect(const Row& row, const scene::NamedWords& values) const
+{
+  const std::size_t equals = row.OnlyIf.find('=');
+  if (equals == std::string::npos)
+  {
+    return true;
+  }
+  const std::string name = row.OnlyIf.substr(0, equals);
+  std::string value = Find(values, name);
+  for (const Row& other : this->Rows)
+  {
+    value = value.empty() && other.Name == name ? other.Default : value;
+  }
+  return value == row.OnlyIf.substr(equals + 1);
+}
+
+//------------------------------------------------------------------------------
 void PointsEdit::Write(const std::string& name, const QString& text)
 {
   const int row = this->Files->currentRow();
@@ -231,11 +256,14 @@ void PointsEdit::Write(const std::string& name, const QString& text)
   }
   std::string& word = words[static_cast<std::size_t>(row)];
   Pairs values;
-  const std::string file = scene::ParseFileAndValues(this->Option, word, "", values);
+  const std::string file = scene::ParseFileAndValues(this->Option, word, values);
   Set(values, name, text.toStdString());
-  if (name == "falloff" && text != "vtk") // which alone has it
+  for (const Row& other : this->Rows)
   {
-    Set(values, "attenuation", "");
+    if (!this->HasEffect(other, values))
+    {
+      Set(values, other.Name, "");
+    }
   }
   word = scene::WriteFileAndValues(file, values);
   this->Edited->Change([&](scene::Settings& settings) { settings.SetAll(this->Option, words); });
@@ -253,7 +281,7 @@ void PointsEdit::ShowSettings()
     for (const std::string& word : words)
     {
       Pairs values;
-      const QString path = Words(scene::ParseFileAndValues(this->Option, word, "", values));
+      const QString path = Words(scene::ParseFileAndValues(this->Option, word, values));
       auto* item = new QListWidgetItem(QFileInfo(path).fileName(), this->Files);
       item->setToolTip(Words(word));
     }
@@ -275,7 +303,7 @@ void PointsEdit::ShowValues(bool again)
     return;
   }
   Pairs values;
-  scene::ParseFileAndValues(this->Option, words[static_cast<std::size_t>(file)], "", values);
+  scene::ParseFileAndValues(this->Option, words[static_cast<std::size_t>(file)], values);
   for (Row& row : this->Rows)
   {
     const QString text = Words(Find(values, row.Name));
@@ -284,7 +312,7 @@ void PointsEdit::ShowValues(bool again)
       row.Shown = text;
       row.Show(text);
     }
-    const bool has = row.Name != "attenuation" || Find(values, "falloff") == "vtk";
+    const bool has = this->HasEffect(row, values);
     row.Edit->setEnabled(has);
     row.Label->setEnabled(has);
   }

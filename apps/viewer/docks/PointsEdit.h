@@ -8,6 +8,7 @@
 #define PointsEdit_h
 
 #include "Document.h"
+#include "Points.h"
 
 #include <QString>
 #include <QWidget>
@@ -24,14 +25,12 @@ class QPushButton;
 
 namespace viewer
 {
-struct PointsValue;
-
 class PointsEdit : public QWidget
 {
   Q_OBJECT
 
 public:
-  /// `stage`: lamps, fog or markers, which are options too.
+  /// `stage`: one that draws points, such as fog; its name is an option too.
   PointsEdit(Document* document, const std::string& stage, QWidget* parent = nullptr);
 
   /// Asks for another file.
@@ -40,7 +39,7 @@ public:
 private:
   struct Row
   {
-    std::string Name;
+    std::string Name, Default, OnlyIf; // as of the parameter
     QLabel* Label;
     QWidget* Edit;
     std::function<void(const QString&)> Show;
@@ -49,10 +48,11 @@ private:
     int Own = 0;                 // entries before them
   };
 
-  void AddRow(QFormLayout* rows, const PointsValue& value);
-  QComboBox* MakeBox(Row& row, const PointsValue& value, QWidget* parent);
-  QWidget* MakeColor(Row& row, const PointsValue& value);
+  void AddRow(QFormLayout* rows, const vtkRelievoParameter& value);
+  QComboBox* MakeBox(Row& row, const vtkRelievoParameter& value, QWidget* parent);
+  QWidget* MakeColor(Row& row, const vtkRelievoParameter& value);
   void Connect(QComboBox* box, const std::string& name);
+  bool HasEffect(const Row& row, const scene::NamedWords& values) const;
   void Remove();
   void Write(const std::string& name, const QString& text);
   void ShowSettings();

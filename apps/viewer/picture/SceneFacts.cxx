@@ -53,26 +53,6 @@ bool NeedsPrefix(const std::string& name, const Arrays& arrays)
   return like || vtkRelievoLayerCatalogue::GetIsLayer(name) ||
     (arrays[0].count(name) != 0 && arrays[1].count(name) != 0);
 }
-
-// Of each file of points.
-template <typename Points>
-std::vector<std::vector<std::string>> GetPointArrays(
-  const std::vector<vtkSmartPointer<Points>>& files)
-{
-  std::vector<std::vector<std::string>> names;
-  for (const vtkSmartPointer<Points>& file : files)
-  {
-    Arrays arrays;
-    scene::ForEachDataSet(
-      file->GetInputDataObject(0, 0), [&arrays](vtkDataSet* block) { AddArrays(block, arrays); });
-    names.emplace_back();
-    for (const auto& array : arrays[0])
-    {
-      names.back().push_back(array.first);
-    }
-  }
-  return names;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -116,9 +96,18 @@ Facts GetFacts(const Picture& picture)
       }
     }
   }
-  facts.PointArrays = { { "lamps", GetPointArrays(picture.GetScene().GetPoints().Lamps) },
-    { "fog", GetPointArrays(picture.GetScene().GetPoints().Fogs) },
-    { "markers", GetPointArrays(picture.GetScene().GetPoints().Markers) } };
+  for (const scene::FramePointSet& set : picture.GetScene().GetPoints())
+  {
+    Arrays ofPoints;
+    scene::ForEachDataSet(set.Points->GetInputDataObject(0, 0),
+      [&ofPoints](vtkDataSet* block) { AddArrays(block, ofPoints); });
+    std::vector<std::string> names;
+    for (const auto& array : ofPoints[0])
+    {
+      names.push_back(array.first);
+    }
+    facts.PointArrays[set.Stage].push_back(names);
+  }
   return facts;
 }
 

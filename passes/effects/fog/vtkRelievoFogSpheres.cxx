@@ -5,15 +5,23 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <limits>
 
 vtkStandardNewMacro(vtkRelievoFogSpheres);
 
 //------------------------------------------------------------------------------
 vtkRelievoFogSpheres::vtkRelievoFogSpheres()
 {
-  this->AddValue("radius", 1, "one length per point, in world units", 1.0);
-  this->AddValue("density", 1, "one number per point", 1.0);
-  this->AddValue("color", 3, "red, green and blue per point", 1.0);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double white[3] = { 1.0, 1.0, 1.0 };
+  this->SetThings("fog", "places must be finite, radii and densities above 0");
+  this->AddValue("radius", 1.0, 0.0, infinity, "world units", "How large the spheres are.");
+  this
+    ->AddValue("density", 1.0, 0.0, infinity, "per world unit",
+      "How dense the fog is: over a length of 1 / density, 63 % of the light is held back; in the "
+      "mode chord, 0 to 1, what is held back through a sphere's centre.")
+    .Usual = 5.0;
+  this->AddColorValue("color", white, "Linear colour of the fog.");
 }
 
 //------------------------------------------------------------------------------

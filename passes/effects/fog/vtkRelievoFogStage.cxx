@@ -70,6 +70,12 @@ bool vtkRelievoFogStage::Prepare(vtkRelievoFrameContext& context)
 }
 
 //------------------------------------------------------------------------------
+vtkRelievoPointValues* vtkRelievoFogStage::NewPoints()
+{
+  return vtkRelievoFogSpheres::New();
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoFogStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "fog";

@@ -65,6 +65,7 @@ public:
   void SetOverlapToDominant() { this->SetOverlap(DOMINANT); }
   ///@}
 
+  VTK_NEWINSTANCE vtkRelievoPointValues* NewPoints() override;
   vtkIdType GetBytesHeld() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -72,7 +73,6 @@ protected:
   vtkRelievoFogStage();
   ~vtkRelievoFogStage() override;
 
-  const char* GetPointsClass() const override { return "vtkRelievoFogSpheres"; }
   const char* GetFailure() const override { return "There is no fog"; }
   void Describe(vtkRelievoStageDescription& description) override;
   void Declare(

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 vtkStandardNewMacro(vtkRelievoMarkers);
 
@@ -87,12 +88,26 @@ bool FindBox(const double bounds[6], vtkMatrix4x4* matrix, vtkRelievoMarkers::Bo
 vtkRelievoMarkers::vtkRelievoMarkers()
   : Internal(new Internals)
 {
-  this->AddValue("radius", 1, "one length per point, in world units", 1.0);
-  this->AddValue("width", 1, "one share of the radius per point", 0.2);
-  this->AddValue("reach", 1, "one number of radii per point", 4.0);
-  this->AddValue("opacity", 1, "one number from 0 to 1 per point", 0.8);
-  this->AddValue("color", 3, "red, green and blue per point", 1.0);
-  this->SetForAll(COLOR, Orange);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  this->SetThings("markers",
+    "places must be finite, radii, opacities, widths of rings and reaches of shadows above 0");
+  this->AddValue("radius", 1.0, 0.0, infinity, "world units", "How far the markers reach.");
+  this->AddValue("width", 0.2, 0.0, 1.0, "radii", "How wide rings are.").OnlyIf = "shape=ring";
+  vtkRelievoParameter& reach =
+    this->AddValue("reach", 4.0, 0.0, infinity, "radii", "How far down shadows fall.");
+  reach.OnlyIf = "shape=shadow";
+  reach.Usual = 20.0;
+  this->AddValue("opacity", 0.8, 0.0, 1.0, "", "How much of what is below is covered.");
+  this->AddColorValue("color", Orange, "Linear colour of the markers; shadows have none.");
+  this->Description.AddChoice(
+    "shape", this->Shape, [this](int shape) { this->SetShape(shape); },
+    { "ring", "glow", "disc", "shadow" },
+    "What is drawn around each point; shadow is a soft dark blob on what lies below it.");
+  this->Description
+    .AddVector(
+      "up", this->Up, [this](const double* up) { this->SetUp(up[0], up[1], up[2]); },
+      "Where shadows fall from: up, or the way to the light.")
+    .OnlyIf = "shape=shadow";
 }
 
 //------------------------------------------------------------------------------

@@ -38,6 +38,12 @@ vtkRelievoMarkersStage::vtkRelievoMarkersStage()
 vtkRelievoMarkersStage::~vtkRelievoMarkersStage() = default;
 
 //------------------------------------------------------------------------------
+vtkRelievoPointValues* vtkRelievoMarkersStage::NewPoints()
+{
+  return vtkRelievoMarkers::New();
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoMarkersStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "markers";

@@ -27,6 +27,7 @@ public:
   static vtkRelievoMarkersStage* New();
   vtkTypeMacro(vtkRelievoMarkersStage, vtkRelievoPointStage);
 
+  VTK_NEWINSTANCE vtkRelievoPointValues* NewPoints() override;
   vtkIdType GetBytesHeld() override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -34,7 +35,6 @@ protected:
   vtkRelievoMarkersStage();
   ~vtkRelievoMarkersStage() override;
 
-  const char* GetPointsClass() const override { return "vtkRelievoMarkers"; }
   const char* GetFailure() const override { return "There are no markers"; }
   void Describe(vtkRelievoStageDescription& description) override;
   void Declare(

@@ -39,12 +39,12 @@ bool ReadNumber(const std::string& word, double& value)
   return (in >> value) && in.peek() == std::istringstream::traits_type::eof();
 }
 
-std::vector<std::string> SplitAtCommas(const std::string& words)
+std::vector<std::string> SplitNumbers(const std::string& words)
 {
   std::vector<std::string> parts(1);
   for (char c : words)
   {
-    if (c == ',')
+    if (c == ',' || c == '/')
     {
       parts.emplace_back();
     }
@@ -79,7 +79,7 @@ std::string vtkRelievoCapitalize(const std::string& name, bool spaces)
 //------------------------------------------------------------------------------
 int vtkRelievoParameter::GetNumberOfComponents() const
 {
-  return this->Type == TEXT ? 0 : this->Type == COLOR ? 3 : 1;
+  return this->Type == TEXT ? 0 : this->Type == COLOR || this->Type == VECTOR ? 3 : 1;
 }
 
 //------------------------------------------------------------------------------
@@ -120,16 +120,19 @@ std::string vtkRelievoParameter::GetExpected() const
   const std::string range = bounded ? " from " + Write(this->Least) + " to " + Write(this->Most)
     : std::isfinite(this->Least)    ? ", " + Write(this->Least) + " or more"
                                     : "";
+  const std::string orArray = this->PerPoint ? ", or the name of a point array" : "";
   switch (this->Type)
   {
     case FLAG:
       return "on or off";
     case WHOLE:
-      return "a whole number" + range + unit;
+      return "a whole number" + range + unit + orArray;
     case NUMBER:
-      return "a number" + range + unit;
+      return "a number" + range + unit + orArray;
     case COLOR:
-      return "red,green,blue, each from 0 to 1";
+      return "red,green,blue" + (range.empty() ? range : ", each" + range) + orArray;
+    case VECTOR:
+      return "three numbers" + unit;
     case CHOICE:
     {
       std::string names;
@@ -137,11 +140,27 @@ std::string vtkRelievoParameter::GetExpected() const
       {
         names += (names.empty() ? "" : ", ") + choice;
       }
-      return "one of " + names;
+      return "one of " + names + orArray;
     }
     default:
       return "a text";
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoParameter::IsValue(const std::string& words) const
+{
+  if (!this->PerPoint || words.empty())
+  {
+    return true;
+  }
+  if (this->Type == CHOICE)
+  {
+    return std::find(this->Choices.begin(), this->Choices.end(), words) != this->Choices.end();
+  }
+  double number = 0.0;
+  const bool several = this->GetNumberOfComponents() > 1 && SplitNumbers(words).size() > 1;
+  return several || ReadNumber(words, number);
 }
 
 //------------------------------------------------------------------------------
@@ -190,7 +209,7 @@ std::string vtkRelievoParameter::Parse(const std::string& words) const
       : this->Set({ static_cast<double>(found - this->Choices.begin()) });
   }
   std::vector<double> values;
-  for (const std::string& part : SplitAtCommas(words))
+  for (const std::string& part : SplitNumbers(words))
   {
     double value = 0.0;
     if (!ReadNumber(part, value))

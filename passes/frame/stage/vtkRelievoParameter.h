@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One parameter of a stage: what it is called, what values it takes, and how to get and set it.
+// One parameter of a stage, or of points that a stage draws: what it is called, what values it takes,
+// and how to get and set it.
 #ifndef vtkRelievoParameter_h
 #define vtkRelievoParameter_h
 
@@ -19,7 +20,8 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoParameter
     WHOLE,  // a whole number from Least to Most
     NUMBER, // a finite number from Least to Most
     CHOICE, // the place of one of Choices
-    COLOR,  // red, green, blue, 0 to 1 each
+    COLOR,  // red, green, blue, from Least to Most each
+    VECTOR, // three finite numbers
     TEXT
   };
 
@@ -31,6 +33,9 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoParameter
   std::string Help;    // one line
   std::string Default; // of a new stage, in words as Format
   std::vector<std::string> Choices;
+  double Usual = 0.0;    // up to which a slider goes; 0: to Most
+  bool PerPoint = false; // the name of a point array gives each point its own value
+  std::string OnlyIf;    // "falloff=vtk": without effect where another parameter has another value
 
   std::function<std::vector<double>()> GetValues;
   std::function<void(const std::vector<double>&)> SetValues;
@@ -43,7 +48,7 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoParameter
   // The label for people: "Map Size" for "map_size".
   std::string GetLabel() const;
 
-  // The value in words, which Parse takes: "0.5", "on", "warped", "1,0.5,0".
+  // The value in words, which Parse takes: "0.5", "on", "warped", "1,0.5,0" or "1/0.5/0".
   std::string Format() const;
 
   // Sets the value that the words say. Returns what is wrong with them, in words; nothing is set
@@ -52,6 +57,9 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoParameter
 
   // Sets the value; what is wrong, in words, as Parse.
   std::string Set(const std::vector<double>& values) const;
+
+  // Whether the words are meant as a value, right or wrong, and not as the name of a point array.
+  bool IsValue(const std::string& words) const;
 
   // The values that it takes, in words: "a number from 0 to 1".
   std::string GetExpected() const;

@@ -15,14 +15,16 @@ vtkRelievoPointStage::~vtkRelievoPointStage() = default;
 //------------------------------------------------------------------------------
 void vtkRelievoPointStage::AddPoints(vtkRelievoPointValues* points)
 {
-  const bool fits = points && points->IsA(this->GetPointsClass());
+  const std::string expected =
+    vtkSmartPointer<vtkRelievoPointValues>::Take(this->NewPoints())->GetClassName();
+  const bool fits = points && points->IsA(expected.c_str());
   if (!fits || std::find(this->Sets.begin(), this->Sets.end(), points) != this->Sets.end())
   {
     vtkErrorMacro("AddPoints was given "
       << (!points    ? std::string("no points")
              : !fits ? std::string("a ") + points->GetClassName()
                      : std::string("points that are there already"))
-      << "; give it a " << this->GetPointsClass() << ", each once.");
+      << "; give it a " << expected << ", each once.");
     return;
   }
   this->Sets.emplace_back(points);

@@ -38,6 +38,9 @@ public:
   vtkRelievoPointValues* GetPoints(int i);
   ///@}
 
+  /** New points of the class that the stage draws; not yet among its sets. */
+  VTK_NEWINSTANCE virtual vtkRelievoPointValues* NewPoints() = 0;
+
   ///@{
   /**
    * Processes that each draw a part of the scene, all in step (ParaView's ranks): the points of
@@ -56,9 +59,6 @@ protected:
   vtkRelievoPointStage();
   ~vtkRelievoPointStage() override;
 
-  /** The class of points that the stage draws. */
-  virtual const char* GetPointsClass() const = 0;
-
   /** What an error begins with: "There is no fog". */
   virtual const char* GetFailure() const = 0;
 
@@ -75,7 +75,7 @@ protected:
   void ReportFault(const std::string& fault);
 
 #ifndef __VTK_WRAP__
-  /** The sets, of the class that GetPointsClass names. */
+  /** The sets, of the class that NewPoints makes. */
   template <typename Points>
   std::vector<Points*> GetSets() const
   {

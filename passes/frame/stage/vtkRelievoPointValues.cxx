@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 //------------------------------------------------------------------------------
 vtkRelievoPointValues::vtkRelievoPointValues()
@@ -33,11 +34,166 @@ vtkRelievoPointValues::vtkRelievoPointValues()
 vtkRelievoPointValues::~vtkRelievoPointValues() = default;
 
 //------------------------------------------------------------------------------
-void vtkRelievoPointValues::AddValue(
-  const std::string& name, int components, const std::string& expects, double forAll)
+void vtkRelievoPointValues::SetThings(const std::string& things, const std::string& needs)
 {
-  this->Values.push_back({ name, components, expects, { forAll, forAll, forAll }, name });
+  this->Things = things;
+  this->Needs = needs;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoParameter& vtkRelievoPointValues::AddPerPoint(
+  const vtkRelievoParameter& described, const double* forAll, double first)
+{
+  const int components = described.GetNumberOfComponents();
+  const std::size_t place = this->Values.size();
+  this->Values.push_back({ described.Name, components, {}, described.Name });
+  std::copy_n(forAll, components, this->Values.back().ForAll);
   this->Width += components;
+  vtkRelievoParameter parameter = described;
+  parameter.PerPoint = true;
+  parameter.GetValues = [this, place, components, first]() {
+    std::vector<double> values(this->Values[place].ForAll, this->Values[place].ForAll + components);
+    values[0] -= first;
+    return values;
+  };
+  parameter.SetValues = [this, place, first](const std::vector<double>& given) {
+    std::vector<double> values = given;
+    values[0] += first;
+    this->SetForAll(static_cast<int>(place), values.data());
+  };
+  return this->Description.Add(parameter);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoParameter& vtkRelievoPointValues::AddValue(const std::string& name, double forAll,
+  double least, double most, const std::string& unit, const std::string& help)
+{
+  vtkRelievoParameter parameter;
+  parameter.Name = name;
+  parameter.Type = vtkRelievoParameter::NUMBER;
+  parameter.Least = least;
+  parameter.Most = most;
+  parameter.Unit = unit;
+  parameter.Help = help;
+  return this->AddPerPoint(parameter, &forAll, 0.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointValues::AddColorValue(
+  const std::string& name, const double forAll[3], const std::string& help)
+{
+  vtkRelievoParameter parameter;
+  parameter.Name = name;
+  parameter.Type = vtkRelievoParameter::COLOR;
+  parameter.Least = -std::numeric_limits<double>::infinity();
+  parameter.Most = std::numeric_limits<double>::infinity();
+  parameter.Help = help;
+  this->AddPerPoint(parameter, forAll, 0.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPointValues::AddChoiceValue(const std::string& name,
+  const std::vector<std::string>& choices, int first, int forAll, const std::string& help)
+{
+  vtkRelievoParameter parameter;
+  parameter.Name = name;
+  parameter.Type = vtkRelievoParameter::CHOICE;
+  parameter.Most = static_cast<double>(choices.size()) - 1.0;
+  parameter.Choices = choices;
+  parameter.Help = help;
+  const double value = forAll;
+  this->AddPerPoint(parameter, &value, first);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoPointValues::GetNumberOfParameters()
+{
+  return static_cast<int>(this->Description.Parameters.size());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoPointValues::GetParameterName(int i)
+{
+  return i >= 0 && i < this->GetNumberOfParameters() ? this->Description.Parameters[i].Name
+                                                     : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoPointValues::GetParameterHelp(const std::string& name)
+{
+  const vtkRelievoParameter* parameter = this->Description.Find(name);
+  return parameter ? parameter->Help + " Takes " + parameter->GetExpected() + "." : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoPointValues::GetParameterDefault(const std::string& name)
+{
+  const vtkRelievoParameter* parameter = this->Description.Find(name);
+  return parameter ? parameter->Default : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoPointValues::GetParameter(const std::string& name)
+{
+  const vtkRelievoParameter* parameter = this->Description.Find(name);
+  const Value* value = this->FindValue(name);
+  return value && !value->Array.empty() ? value->Array
+    : parameter                         ? parameter->Format()
+                                        : std::string();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPointValues::SetParameter(const std::string& name, const std::string& words)
+{
+  const std::string wrong = this->TrySetParameter(name, words);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< name << ": " << wrong << ".");
+  }
+  return wrong.empty();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoPointValues::TrySetParameter(
+  const std::string& name, const std::string& words)
+{
+  const vtkRelievoParameter* parameter = this->Description.Find(name);
+  if (!parameter)
+  {
+    return "'" + name + "' was given, expected one of " + this->Description.GetNames();
+  }
+  if (!parameter->IsValue(words))
+  {
+    this->SetArray(name, words);
+    return {};
+  }
+  const std::string wrong = parameter->Parse(words);
+  if (wrong.empty() && parameter->PerPoint)
+  {
+    this->SetArray(name, {});
+  }
+  return wrong;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoPointValues::GetParameterCondition(const std::string& name)
+{
+  const vtkRelievoParameter* parameter = this->Description.Find(name);
+  return parameter ? parameter->OnlyIf : std::string();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPointValues::IsPerPoint(const std::string& name)
+{
+  return this->FindValue(name) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+const vtkRelievoPointValues::Value* vtkRelievoPointValues::FindValue(const std::string& name) const
+{
+  const auto found = std::find_if(this->Values.begin(), this->Values.end(),
+    [&name](const Value& value) { return value.Name == name; });
+  return found == this->Values.end() ? nullptr : &*found;
 }
 
 //------------------------------------------------------------------------------
@@ -81,14 +237,8 @@ void vtkRelievoPointValues::SetArray(const std::string& value, const std::string
 //------------------------------------------------------------------------------
 std::string vtkRelievoPointValues::GetArray(const std::string& value)
 {
-  for (const Value& known : this->Values)
-  {
-    if (known.Name == value)
-    {
-      return known.Array;
-    }
-  }
-  return {};
+  const Value* known = this->FindValue(value);
+  return known ? known->Array : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -295,7 +445,8 @@ void vtkRelievoPointValues::Fill(vtkDataSet* data, const Value& value, double* c
   if (!wrong.empty())
   {
     this->ReportOnce("The array '" + value.Array + "', asked for the " + value.Name + ", " + wrong +
-      "; needed: " + value.Expects + ". One " + value.Name + " is taken for all points.");
+      "; needed: " + (value.Components == 3 ? "red, green and blue" : "one number") +
+      " per point. One " + value.Name + " is taken for all points.");
     array = nullptr;
   }
   if (!array)

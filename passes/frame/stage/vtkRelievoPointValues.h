@@ -8,6 +8,9 @@
  * value comes from a point array, by default the array of the value's name, or is one for all
  * points. Points whose place or values are not finite, and ghosts, are left out and counted.
  *
+ * A class that derives from it describes its values once, in its constructor; the command line,
+ * Python, ParaView and the viewer take them from there.
+ *
  * Errors, once each: an array that was named and does not exist, or is not of the right number of
  * components or length; the one value for all is taken instead.
  */
@@ -15,8 +18,9 @@
 #define vtkRelievoPointValues_h
 
 #include "vtkAlgorithm.h"
-#include "vtkRelievoFrameModule.h" // for the export macro
-#include "vtkSmartPointer.h"       // for the matrix
+#include "vtkRelievoFrameModule.h"   // for the export macro
+#include "vtkRelievoParameterList.h" // for the description
+#include "vtkSmartPointer.h"         // for the matrix
 
 #include <set>    // for what was said
 #include <string> // for names
@@ -47,6 +51,36 @@ public:
 
   ///@{
   /**
+   * Parameters by name: values of points, and others that all points share. Words are numbers
+   * ("0.5", "1,0.5,0"), a choice, or for a value of points the name of a point array. Set returns
+   * false, with an error, and changes nothing if there is no such parameter or it does not take the
+   * words. The default is that of new points, where they have no array of the value's name.
+   */
+  int GetNumberOfParameters();
+  std::string GetParameterName(int i);
+  std::string GetParameterHelp(const std::string& name);
+  std::string GetParameterDefault(const std::string& name);
+  std::string GetParameter(const std::string& name);
+  bool SetParameter(const std::string& name, const std::string& words);
+  ///@}
+
+  /** Sets a parameter, and returns what is wrong instead of reporting it; "" if it was set. */
+  std::string TrySetParameter(const std::string& name, const std::string& words);
+
+  /** Whether the name of a point array gives each point its own value. */
+  bool IsPerPoint(const std::string& name);
+
+  /** "falloff=vtk" of a parameter that has no effect where falloff is another; "" of others. */
+  std::string GetParameterCondition(const std::string& name);
+
+  /** What the points are: "lamps". */
+  std::string GetThings() { return this->Things; }
+
+  /** What a point must be so that it has an effect: "places must be finite, radii above 0". */
+  std::string GetNeeds() { return this->Needs; }
+
+  ///@{
+  /**
    * Where the data lies in the world, as of vtkProp3D: moves the points, but no other values.
    * Default nullptr: the data is in world coordinates.
    */
@@ -66,6 +100,12 @@ public:
   vtkGetMacro(NumberLeftOut, int);
 
 #ifndef __VTK_WRAP__
+  // What the points say of their parameters.
+  const vtkRelievoParameterList& GetDescription() const
+  {
+    return this->Description;
+  }
+
   // Row by row: x, y, z, and the values in their order. Up to date after GetNumberOfPoints.
   const std::vector<double>& GetRows() const
   {
@@ -89,17 +129,20 @@ protected:
   vtkRelievoPointValues();
   ~vtkRelievoPointValues() override;
 
-  struct Value
-  {
-    std::string Name;
-    int Components;      // 1, or 3 of a colour, whose arrays may have a fourth and may be bytes
-    std::string Expects; // in words: "one length per point"
-    double ForAll[3];
-    std::string Array;
-  };
+  ///@{
+  // For constructors: what the points are, and their values in the order of the rows. A value has
+  // one component, or three of a colour, whose arrays may have a fourth and may be bytes. A choice
+  // of points is the number of its first choice, or the next ones.
+  void SetThings(const std::string& things, const std::string& needs);
+  vtkRelievoParameter& AddValue(const std::string& name, double forAll, double least, double most,
+    const std::string& unit, const std::string& help);
+  void AddColorValue(const std::string& name, const double forAll[3], const std::string& help);
+  void AddChoiceValue(const std::string& name, const std::vector<std::string>& choices, int first,
+    int forAll, const std::string& help);
+  ///@}
 
-  // Adds a value; for constructors.
-  void AddValue(const std::string& name, int components, const std::string& expects, double forAll);
+  // Of the values, and of parameters that all points share.
+  vtkRelievoParameterList Description;
 
   void SetForAll(int value, const double* forAll);
   const double* GetForAll(int value) const
@@ -124,11 +167,24 @@ private:
   vtkRelievoPointValues(const vtkRelievoPointValues&) = delete;
   void operator=(const vtkRelievoPointValues&) = delete;
 
+  struct Value
+  {
+    std::string Name;
+    int Components;
+    double ForAll[3];
+    std::string Array;
+  };
+
+  vtkRelievoParameter& AddPerPoint(
+    const vtkRelievoParameter& parameter, const double* forAll, double first);
+  const Value* FindValue(const std::string& name) const;
   void Take(vtkDataSet* data);
   void Fill(vtkDataSet* data, const Value& value, double* column);
   void ReportOnce(const std::string& words);
 
   std::vector<Value> Values;
+  std::string Things;
+  std::string Needs;
   vtkSmartPointer<vtkMatrix4x4> UserMatrix;
   std::vector<double> Rows;
   std::vector<double> All; // of all processes

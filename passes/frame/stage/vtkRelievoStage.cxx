@@ -84,11 +84,7 @@ std::string vtkRelievoStage::TrySetParameter(const std::string& name, const std:
     const std::string wrong = parameter->Parse(words);
     return wrong.empty() ? wrong : description.Name + ":" + name + ": " + wrong;
   }
-  std::string names;
-  for (const vtkRelievoParameter& parameter : description.Parameters)
-  {
-    names += (names.empty() ? "" : ", ") + parameter.Name;
-  }
+  const std::string names = description.GetNames();
   return "the stage " + description.Name + " has no parameter '" + name + "', " +
     (names.empty() ? "nor any other" : "only " + names);
 }

@@ -7,12 +7,12 @@
 #define vtkRelievoStageDescription_h
 
 #include "vtkRelievoFrameModule.h" // for the export macro
-#include "vtkRelievoParameter.h"
+#include "vtkRelievoParameterList.h"
 
 #include <string>
 #include <vector>
 
-struct VTKRELIEVOFRAME_EXPORT vtkRelievoStageDescription
+struct VTKRELIEVOFRAME_EXPORT vtkRelievoStageDescription : vtkRelievoParameterList
 {
   // When a stage runs. Within a slot, what writes a resource runs before what reads it.
   enum Slots
@@ -41,26 +41,7 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoStageDescription
   // Whether it works on things that are given to it, beside its parameters: idle without any.
   bool TakesData = false;
 
-  std::vector<vtkRelievoParameter> Parameters;
-
-  const vtkRelievoParameter* Find(const std::string& parameter) const;
   static const char* GetSlotName(int slot);
-
-  ///@{
-  // Adds a parameter: the member that holds its value, and the function that sets it.
-  void AddFlag(const std::string& name, const bool& value, std::function<void(bool)> set,
-    const std::string& help);
-  void AddWhole(const std::string& name, const int& value, std::function<void(int)> set, int least,
-    int most, const std::string& unit, const std::string& help);
-  void AddNumber(const std::string& name, const double& value, std::function<void(double)> set,
-    double least, double most, const std::string& unit, const std::string& help);
-  void AddChoice(const std::string& name, const int& value, std::function<void(int)> set,
-    const std::vector<std::string>& choices, const std::string& help);
-  void AddColor(const std::string& name, const double (&value)[3],
-    std::function<void(const double*)> set, const std::string& help);
-  void AddText(const std::string& name, std::function<std::string()> get,
-    std::function<void(const std::string&)> set, const std::string& help);
-  ///@}
 };
 
 #endif

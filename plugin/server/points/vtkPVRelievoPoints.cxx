@@ -4,16 +4,26 @@
 
 #include "vtkActor.h"
 #include "vtkMapper.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRelievoAccess.h"
+#include "vtkPVRelievoClamped.h"
 #include "vtkPVView.h"
-#include "vtkRelievoPointValues.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoPointStage.h"
+#include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
 
+vtkStandardNewMacro(vtkPVRelievoPoints);
+
 namespace
 {
+constexpr double Huge = 1e30;
+
 std::vector<vtkPVRelievoPoints*>& GetAll()
 {
   // Never destroyed: ParaView may delete its proxies' objects after this library's statics.
@@ -26,6 +36,8 @@ class vtkPVRelievoPoints::Internals
 {
 public:
   vtkWeakPointer<vtkGeometryRepresentation> Representation;
+  std::string Stage;
+  vtkSmartPointer<vtkRelievoPointValues> Values;
 };
 
 //------------------------------------------------------------------------------
@@ -59,7 +71,8 @@ void vtkPVRelievoPoints::SetRepresentation(vtkPVDataRepresentation* representati
 bool vtkPVRelievoPoints::IsIn(vtkPVView* view)
 {
   vtkGeometryRepresentation* surface = this->Internal->Representation;
-  return this->Enabled && surface && surface->GetView() == view && surface->GetVisibility();
+  return this->Enabled && this->Internal->Values && surface && surface->GetView() == view &&
+    surface->GetVisibility();
 }
 
 //------------------------------------------------------------------------------
@@ -70,18 +83,33 @@ bool vtkPVRelievoPoints::IsAny(vtkPVView* view)
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkPVRelievoPoints*> vtkPVRelievoPoints::FindIn(vtkPVView* view)
+void vtkPVRelievoPoints::Prepare(vtkPVView* view, vtkRelievoPointStage* stage,
+  const std::vector<vtkRelievoPointValues*>& more, vtkMultiProcessController* controller)
 {
-  std::vector<vtkPVRelievoPoints*> found;
+  std::vector<vtkRelievoPointValues*> wanted;
   for (vtkPVRelievoPoints* each : GetAll())
   {
-    if (each->IsIn(view))
+    if (each->IsIn(view) && each->Internal->Stage == stage->GetStageName())
     {
-      TakeInput(each->Internal->Representation, each->GetValues());
-      found.push_back(each);
+      TakeInput(each->Internal->Representation, each->Internal->Values);
+      wanted.push_back(each->Internal->Values);
     }
   }
-  return found;
+  wanted.insert(wanted.end(), more.begin(), more.end());
+  bool same = stage->GetNumberOfPointSets() == static_cast<int>(wanted.size());
+  for (std::size_t i = 0; same && i < wanted.size(); ++i)
+  {
+    same = stage->GetPoints(static_cast<int>(i)) == wanted[i];
+  }
+  if (!same)
+  {
+    stage->RemoveAllPoints();
+    for (vtkRelievoPointValues* points : wanted)
+    {
+      stage->AddPoints(points);
+    }
+  }
+  stage->SetController(controller);
 }
 
 //------------------------------------------------------------------------------
@@ -102,9 +130,73 @@ void vtkPVRelievoPoints::TakeInput(
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoPoints::SetArray(const std::string& value, const char* name)
+// The parameter's name without its stage.
+std::string vtkPVRelievoPoints::TakeName(const char* parameter)
 {
-  this->GetValues()->SetArray(value, name ? name : "");
+  const std::string words = parameter ? parameter : "";
+  const std::size_t colon = words.find(':');
+  if (!this->Internal->Values && colon != std::string::npos)
+  {
+    vtkNew<vtkRelievoPass> frame;
+    this->Internal->Stage = words.substr(0, colon);
+    if (auto* stage = vtkRelievoPointStage::SafeDownCast(frame->GetStage(this->Internal->Stage)))
+    {
+      this->Internal->Values.TakeReference(stage->NewPoints());
+    }
+  }
+  if (!this->Internal->Values)
+  {
+    vtkErrorMacro("'" << words << "' was given, expected STAGE:PARAMETER of a stage of points.");
+    return {};
+  }
+  return words.substr(colon + 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoPoints::Set(const char* words, const std::vector<double>& values)
+{
+  const std::string name = this->TakeName(words);
+  const vtkRelievoParameter* parameter =
+    name.empty() ? nullptr : this->Internal->Values->GetDescription().Find(name);
+  if (!parameter)
+  {
+    return;
+  }
+  const std::string property =
+    vtkRelievoCapitalize(this->Internal->Stage, false) + vtkRelievoCapitalize(name, false);
+  std::vector<double> taken;
+  for (const double value : values)
+  {
+    taken.push_back(vtkPVRelievoClamped(this, property.c_str(), value,
+      std::max(parameter->Least, -Huge), std::min(parameter->Most, Huge)));
+  }
+  const std::string wrong = parameter->Set(taken);
+  if (!wrong.empty() && vtkPVRelievoReports())
+  {
+    vtkWarningMacro("Relievo" << property << ": " << wrong << "; it stays as it was.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoPoints::SetValue(const char* parameter, double value)
+{
+  this->Set(parameter, { value });
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoPoints::SetValue(const char* parameter, double first, double second, double third)
+{
+  this->Set(parameter, { first, second, third });
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoPoints::SetArray(const char* parameter, const char* array)
+{
+  const std::string name = this->TakeName(parameter);
+  if (!name.empty())
+  {
+    this->Internal->Values->SetArray(name, array ? array : "");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -113,6 +205,9 @@ void vtkPVRelievoPoints::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Representation: " << this->Internal->Representation.GetPointer() << "\n";
   os << indent << "Enabled: " << this->Enabled << "\n";
-  os << indent << "Values:\n";
-  this->GetValues()->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Stage: " << this->Internal->Stage << "\n";
+  if (this->Internal->Values)
+  {
+    this->Internal->Values->PrintSelf(os, indent.GetNextIndent());
+  }
 }

@@ -8,8 +8,9 @@
  * While it is on and the representation is visible, each point of what it draws is one. With
  * several ranks, the points of each are there for all.
  *
- * Every setting is a property of the representation's proxy (lamps.xml, fog.xml, markers.xml). A
- * value out of its range is brought into it, with a warning that says so.
+ * Every setting is a property of the representation's proxy, made from what the points say of
+ * themselves (points.xml). A parameter is named with its stage, "fog:radius". A value out of its
+ * range is brought into it, with a warning that says so.
  */
 #ifndef vtkPVRelievoPoints_h
 #define vtkPVRelievoPoints_h
@@ -19,17 +20,20 @@
 
 #include <memory> // for the internals
 #include <string> // for names
-#include <vector> // for those in a view
+#include <vector> // for values
 
 class vtkGeometryRepresentation;
+class vtkMultiProcessController;
 class vtkPVDataRepresentation;
 class vtkPVView;
+class vtkRelievoPointStage;
 class vtkRelievoPointValues;
 
 class VTKRELIEVOPLUGINSERVER_EXPORT vtkPVRelievoPoints : public vtkObject
 {
 public:
-  vtkAbstractTypeMacro(vtkPVRelievoPoints, vtkObject);
+  static vtkPVRelievoPoints* New();
+  vtkTypeMacro(vtkPVRelievoPoints, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** The representation, a vtkGeometryRepresentation. Given once, when its proxy is made. */
@@ -42,16 +46,13 @@ public:
   ///@}
 
   ///@{
-  /** How far each reaches, world units, for points without the array. Default 1. */
-  virtual void SetRadius(double radius) = 0;
-  virtual void SetColor(double red, double green, double blue) = 0;
+  /** A parameter's value for all points without the array, or their place in its choices. */
+  void SetValue(const char* parameter, double value);
+  void SetValue(const char* parameter, double first, double second, double third);
   ///@}
 
-  ///@{
-  /** Point arrays that the values are taken from; empty: one for all. */
-  void SetRadiusArray(const char* name) { this->SetArray("radius", name); }
-  void SetColorArray(const char* name) { this->SetArray("color", name); }
-  ///@}
+  /** The point array that a value is taken from; empty: one for all. */
+  void SetArray(const char* parameter, const char* array);
 
   /** Whether any points in the view are anything. */
   static bool IsAny(vtkPVView* view);
@@ -59,17 +60,16 @@ public:
   /** Gives the points that the representation draws, where it draws them; nullptr: none. */
   static void TakeInput(vtkGeometryRepresentation* representation, vtkRelievoPointValues* values);
 
-  /** What the points are, as of vtkRelievoPointValues. */
-  virtual vtkRelievoPointValues* GetValues() = 0;
+  /**
+   * Before each picture: gives the stage the points in the view that are for it, and `more`, which
+   * are there beside them.
+   */
+  static void Prepare(vtkPVView* view, vtkRelievoPointStage* stage,
+    const std::vector<vtkRelievoPointValues*>& more, vtkMultiProcessController* controller);
 
 protected:
   vtkPVRelievoPoints();
   ~vtkPVRelievoPoints() override;
-
-  // Those that are on in the view, with the input of their representations.
-  static std::vector<vtkPVRelievoPoints*> FindIn(vtkPVView* view);
-
-  void SetArray(const std::string& value, const char* name);
 
   bool Enabled = false;
 
@@ -78,6 +78,10 @@ private:
   void operator=(const vtkPVRelievoPoints&) = delete;
 
   bool IsIn(vtkPVView* view);
+
+  // Sets a parameter of the points, which are made of the stage's first.
+  void Set(const char* parameter, const std::vector<double>& values);
+  std::string TakeName(const char* parameter);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

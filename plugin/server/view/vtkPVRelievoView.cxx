@@ -15,16 +15,11 @@
 #include "vtkPVRelievoAccess.h"
 #include "vtkPVRelievoClamped.h"
 #include "vtkPVRelievoEnvironment.h"
-#include "vtkPVRelievoFog.h"
-#include "vtkPVRelievoLamps.h"
-#include "vtkPVRelievoMarkers.h"
 #include "vtkPVRelievoPoints.h"
 #include "vtkPVRelievoSelection.h"
 #include "vtkPVRelievoSun.h"
 #include "vtkPVView.h"
 #include "vtkPropCollection.h"
-#include "vtkRelievoFogStage.h"
-#include "vtkRelievoLampsStage.h"
 #include "vtkRelievoLayersStage.h"
 #include "vtkRelievoMarkersStage.h"
 #include "vtkRelievoPass.h"
@@ -788,10 +783,17 @@ void vtkPVRelievoView::SetStageText(const char* parameter, const char* text)
 void vtkPVRelievoView::GivePoints(vtkPVView* view, vtkMultiProcessController* controller)
 {
   vtkRelievoPass* frame = this->GetFrame();
-  vtkPVRelievoLamps::Prepare(
-    view, vtkRelievoLampsStage::SafeDownCast(frame->GetStage("lamps")), controller);
-  vtkPVRelievoFog::Prepare(
-    view, vtkRelievoFogStage::SafeDownCast(frame->GetStage("fog")), controller);
-  vtkPVRelievoMarkers::Prepare(view, this->GetSelection(),
-    vtkRelievoMarkersStage::SafeDownCast(frame->GetStage("markers")), controller);
+  for (int i = 0; i < frame->GetNumberOfStages(); ++i)
+  {
+    if (auto* stage = vtkRelievoPointStage::SafeDownCast(frame->GetStage(i)))
+    {
+      std::vector<vtkRelievoPointValues*> selected;
+      if (stage == frame->GetMarkersStage())
+      {
+        const std::vector<vtkRelievoMarkers*> marked = this->GetSelection().FindIn(view);
+        selected.assign(marked.begin(), marked.end());
+      }
+      vtkPVRelievoPoints::Prepare(view, stage, selected, controller);
+    }
+  }
 }

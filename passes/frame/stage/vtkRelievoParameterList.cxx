@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoParameterList.h"
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+vtkRelievoParameter Make(const std::string& name, vtkRelievoParameter::Types type, double least,
+  double most, const std::string& unit, const std::string& help)
+{
+  vtkRelievoParameter parameter;
+  parameter.Name = name;
+  parameter.Type = type;
+  parameter.Least = least;
+  parameter.Most = most;
+  parameter.Unit = unit;
+  parameter.Help = help;
+  return parameter;
+}
+}
+
+//------------------------------------------------------------------------------
+const vtkRelievoParameter* vtkRelievoParameterList::Find(const std::string& parameter) const
+{
+  for (const vtkRelievoParameter& each : this->Parameters)
+  {
+    if (each.Name == parameter)
+    {
+      return &each;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoParameterList::GetNames() const
+{
+  std::string names;
+  for (const vtkRelievoParameter& each : this->Parameters)
+  {
+    names += (names.empty() ? "" : ", ") + each.Name;
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoParameter& vtkRelievoParameterList::Add(const vtkRelievoParameter& parameter)
+{
+  this->Parameters.push_back(parameter);
+  this->Parameters.back().Default = parameter.Format();
+  return this->Parameters.back();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoParameterList::AddFlag(const std::string& name, const bool& value,
+  std::function<void(bool)> set, const std::string& help)
+{
+  vtkRelievoParameter parameter = Make(name, vtkRelievoParameter::FLAG, 0.0, 1.0, "", help);
+  parameter.GetValues = [&value]() { return std::vector<double>{ value ? 1.0 : 0.0 }; };
+  parameter.SetValues = [set](const std::vector<double>& v) { set(v[0] != 0.0); };
+  this->Add(parameter);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoParameterList::AddWhole(const std::string& name, const int& value,
+  std::function<void(int)> set, int least, int most, const std::string& unit,
+  const std::string& help)
+{
+  vtkRelievoParameter parameter = Make(name, vtkRelievoParameter::WHOLE, least, most, unit, help);
+  parameter.GetValues = [&value]() { return std::vector<double>{ double(value) }; };
+  parameter.SetValues = [set](const std::vector<double>& v) { set(int(std::lround(v[0]))); };
+  this->Add(parameter);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoParameterList::AddNumber(const std::string& name, const double& value,
+  std::function<void(double)> set, double least, double most, const std::string& unit,
+  const std::string& help)
+{
+  vtkRelievoParameter parameter = Make(name, vtkRelievoParameter::NUMBER, least, most, unit, help);
+  parameter.GetValues = [&value]() { return std::vector<double>{ value }; };
+  parameter.SetValues = [set](const std::vector<double>& v) { set(v[0]); };
+  this->Add(parameter);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoParameterList::AddChoice(const std::string& name, const int& value,
+  std::function<void(int)> set, const std::vector<std::string>& choices, const std::string& help)
+{
+  vtkRelievoParameter parameter =
+    Make(name, vtkRelievoParameter::CHOICE, 0.0, double(choices.size()) - 1.0, "", help);
+  parameter.Choices = choices;
+  parameter.GetValues = [&value]() { return std::vector<double>{ double(value) }; };
+  parameter.SetValues = [set](const std::vector<double>& v) { set(int(std::lround(v[0]))); };
+  this->Add(parameter);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoParameterList::AddColor(const std::string& name, const double (&value)[3],
+  std::function<void(const double*)> set, const std::string& help)
+{
+  vtkRelievoParameter parameter = Make(name, vtkRelievoParameter::COLOR, 0.0, 1.0, "", help);
+  parameter.GetValues = [&value]() { return std::vector<double>(value, value + 3); };
+  parameter.SetValues = [set](const std::vector<double>& v) { set(v.data()); };
+  this->Add(parameter);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoParameter& vtkRelievoParameterList::AddVector(const std::string& name,
+  const double (&value)[3], std::function<void(const double*)> set, const std::string& help)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  vtkRelievoParameter parameter =
+    Make(name, vtkRelievoParameter::VECTOR, -infinity, infinity, "", help);
+  parameter.GetValues = [&value]() { return std::vector<double>(value, value + 3); };
+  parameter.SetValues = [set](const std::vector<double>& v) { set(v.data()); };
+  return this->Add(parameter);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoParameterList::AddText(const std::string& name, std::function<std::string()> get,
+  std::function<void(const std::string&)> set, const std::string& help)
+{
+  vtkRelievoParameter parameter = Make(name, vtkRelievoParameter::TEXT, 0.0, 0.0, "", help);
+  parameter.GetText = std::move(get);
+  parameter.SetText = std::move(set);
+  this->Add(parameter);
+}

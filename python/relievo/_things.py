@@ -1,0 +1,180 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A function for each stage that draws points: lamps(), fog(), markers()."""
+
+import inspect
+import numbers
+
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
+
+from ._errors import require
+from ._frame import attach
+from ._stages import _words
+from ._wrapped import vtkRelievoPass
+
+# What is said beside the descriptions of the values.
+_EXAMPLES = {
+    "fog": "relievo.fog(renderer, swamps, radius=30, density=0.05, color=(0.6, 0.7, 0.7))",
+    "lamps": "relievo.lamps(renderer, street_lamps, radius=12, color=(1, 0.8, 0.5))",
+    "markers": 'relievo.markers(renderer, [ship, buoy], shape="shadow", up=(0, 0, 1))',
+}
+
+
+def _set_points(made, name, points):
+    """Connects points to data, to what makes it, or to actors."""
+    several = isinstance(points, (list, tuple, set))
+    props = list(points) if several else [points]
+    is_props = all(getattr(each, "IsA", lambda name: False)("vtkProp3D") for each in props)
+    if hasattr(made, "AddActor") and (several or is_props):
+        if not is_props:
+            raise ValueError(f"{name}: points: got {points!r}, expected vtkProp3Ds")
+        for each in props:
+            made.AddActor(each)
+    elif isinstance(points, vtkAlgorithmOutput):
+        made.SetInputConnection(points)
+    elif isinstance(points, vtkAlgorithm) and points.GetNumberOfOutputPorts() > 0:
+        made.SetInputConnection(points.GetOutputPort())
+    else:
+        kinds = ("vtkDataSet", "vtkCompositeDataSet")
+        if not any(getattr(points, "IsA", lambda name: False)(kind) for kind in kinds):
+            raise ValueError(
+                f"{name}: points: got {points!r}, expected a vtkDataSet, a composite dataset, or "
+                f"an algorithm"
+            )
+        made.SetInputData(points)
+
+
+def _set_value(made, name, parameter, value):
+    """Sets a parameter of the points from a number, numbers, a word or the name of an array."""
+    if isinstance(value, bool) and made.IsPerPoint(parameter):
+        value = "always" if value else "never"
+    text = isinstance(value, str)
+    wrong = ""
+    try:
+        words = _words(value)
+    except (TypeError, ValueError, OverflowError):
+        words, wrong = "", f"got {value!r}, expected a number, three numbers or a word"
+    if text and words and made.IsPerPoint(parameter) and _is_number(words):
+        made.SetArray(parameter, words)  # arrays may have such names
+    elif not wrong:
+        wrong = made.TrySetParameter(parameter, words)
+    if wrong:
+        raise ValueError(f"{name}: {parameter}: {wrong}")
+
+
+def _is_number(words):
+    try:
+        float(words)
+    except ValueError:
+        return False
+    return True
+
+
+def _check_together(made, name, given):
+    """Raises ValueError for a value that has no effect beside the others."""
+    for parameter, value in given.items():
+        condition = made.GetParameterCondition(parameter)
+        other, _, needed = condition.partition("=")
+        if condition and made.GetParameter(other) != needed:
+            raise ValueError(f"{name}: {parameter}: got {value!r}, expected {other}={needed!r} with it")
+
+
+def _describe(stage, made):
+    """The docstring of a stage's function."""
+    things = made.GetThings()
+    lines = [
+        f"Adds {things} to what the renderer draws: each point is one.",
+        "",
+        f"    {_EXAMPLES.get(stage.GetStageName(), '')}",
+        "",
+        "renderer: a vtkRenderer; the frame is attached if there is none. points: a vtkDataSet, a",
+        "composite dataset, or an algorithm or its output port, followed when it changes"
+        + ("; or a" if hasattr(made, "AddActor") else "."),
+    ]
+    if hasattr(made, "AddActor"):
+        lines += [
+            "vtkProp3D, such as an actor, or several, followed as they move: distances are those from",
+            "their boxes.",
+        ]
+    lines += [
+        "",
+        "A value is a number for all points, three for a colour or a direction, or the name of a point",
+        "array; None takes the array of the value's name if the points have it, else the default.",
+        "",
+    ]
+    for i in range(made.GetNumberOfParameters()):
+        parameter = made.GetParameterName(i)
+        lines.append(
+            f"{parameter}: {made.GetParameterHelp(parameter)} Default "
+            f"{made.GetParameterDefault(parameter)}."
+        )
+    for i in range(stage.GetNumberOfParameters()):
+        parameter = stage.GetParameterName(i)
+        lines.append(
+            f"{parameter}: of all {things} of the renderer. {stage.GetParameterHelp(parameter)} None "
+            f"leaves it; at first {stage.GetParameterDefault(parameter)}."
+        )
+    return "\n".join(lines) + (
+        f"\n\nReturns the {made.GetClassName()}; attach(renderer).GetStage"
+        f'("{stage.GetStageName()}").RemovePoints(it) takes it away.\n'
+        "Raises ValueError for wrong arguments; then nothing is changed.\n"
+    )
+
+
+def _make(stage, made):
+    """The function of a stage, with the parameters that it and its points say that they have."""
+    name = stage.GetStageName()
+    of_points = [made.GetParameterName(i) for i in range(made.GetNumberOfParameters())]
+    of_stage = [stage.GetParameterName(i) for i in range(stage.GetNumberOfParameters())]
+    kind = inspect.Parameter.POSITIONAL_OR_KEYWORD
+    signature = inspect.Signature(
+        [inspect.Parameter(each, kind) for each in ("renderer", "points")]
+        + [inspect.Parameter(each, kind, default=None) for each in of_points + of_stage]
+    )
+
+    def function(*arguments, **keywords):
+        try:
+            bound = signature.bind(*arguments, **keywords).arguments
+        except TypeError as error:
+            raise TypeError(f"{name}() {error}") from None
+        renderer = bound.pop("renderer")
+        require(renderer, "vtkRenderer", "renderer")
+        things = type(made)()
+        _set_points(things, name, bound.pop("points"))
+        given = {each: value for each, value in bound.items() if value is not None}
+        values = {each: value for each, value in given.items() if each in of_points}
+        for each, value in values.items():
+            _set_value(things, name, each, value)
+        _check_together(things, name, values)
+        trial = vtkRelievoPass().GetStage(name)
+        words = {}
+        for each in given.keys() - values.keys():
+            try:
+                words[each] = _words(given[each])
+            except (TypeError, ValueError, OverflowError):
+                raise ValueError(f"{name}: {each}: got {given[each]!r}, expected a word") from None
+            wrong = trial.TrySetParameter(each, words[each])
+            if wrong:
+                raise ValueError(f"{name}: {wrong}")
+        there = attach(renderer).GetStage(name)
+        for each, text in words.items():
+            there.SetParameter(each, text)
+        there.AddPoints(things)
+        return things
+
+    function.__name__ = function.__qualname__ = name
+    function.__module__ = __name__
+    function.__signature__ = signature
+    function.__doc__ = _describe(stage, made)
+    return function
+
+
+def functions():
+    """The functions by name."""
+    frame = vtkRelievoPass()
+    stages = [frame.GetStage(i) for i in range(frame.GetNumberOfStages())]
+    return {
+        each.GetStageName(): _make(each, each.NewPoints())
+        for each in stages
+        if each.IsA("vtkRelievoPointStage")
+    }
