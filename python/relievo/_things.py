@@ -26,7 +26,7 @@ def _set_points(made, name, points):
     props = list(points) if several else [points]
     is_props = all(getattr(each, "IsA", lambda name: False)("vtkProp3D") for each in props)
     if hasattr(made, "AddActor") and (several or is_props):
-        if not is_props:
+        if not props or not is_props:
             raise ValueError(f"{name}: points: got {points!r}, expected vtkProp3Ds")
         for each in props:
             made.AddActor(each)
@@ -58,6 +58,8 @@ def _set_value(made, name, parameter, value):
         made.SetArray(parameter, words)  # arrays may have such names
     elif not wrong:
         wrong = made.TrySetParameter(parameter, words)
+        if not (wrong or text) and made.IsPerPoint(parameter) and made.GetArray(parameter):
+            wrong = f"got {value!r}. {made.GetParameterHelp(parameter)}"
     if wrong:
         raise ValueError(f"{name}: {parameter}: {wrong}")
 
@@ -71,9 +73,9 @@ def _is_number(words):
 
 
 def _check_together(made, name, given):
-    """Raises ValueError for a value that has no effect beside the others."""
+    """Raises ValueError for what has no effect beside the others, values of points apart."""
     for parameter, value in given.items():
-        condition = made.GetParameterCondition(parameter)
+        condition = "" if made.IsPerPoint(parameter) else made.GetParameterCondition(parameter)
         other, _, needed = condition.partition("=")
         if condition and made.GetParameter(other) != needed:
             raise ValueError(f"{name}: {parameter}: got {value!r}, expected {other}={needed!r} with it")
@@ -155,7 +157,7 @@ def _make(stage, made):
                 raise ValueError(f"{name}: {each}: got {given[each]!r}, expected a word") from None
             wrong = trial.TrySetParameter(each, words[each])
             if wrong:
-                raise ValueError(f"{name}: {wrong}")
+                raise ValueError(f"{name}: {each}: {wrong.split(': ', 1)[-1]}")
         there = attach(renderer).GetStage(name)
         for each, text in words.items():
             there.SetParameter(each, text)

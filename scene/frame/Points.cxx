@@ -74,7 +74,8 @@ void TakeStageParameter(RenderOptions& options, const std::string& stage, const 
   AddStage(options.Stages, stage, option).Parameters.emplace_back(name, value);
 }
 
-// Throws UsageError for a value that has no effect beside the others.
+// Throws UsageError for what has no effect beside the others; values of points may be for another
+// shape, too.
 void CheckTogether(
   const std::string& option, vtkRelievoPointValues* points, const NamedWords& values)
 {
@@ -82,7 +83,7 @@ void CheckTogether(
   {
     const std::string& condition = points->GetDescription().Find(given.first)->OnlyIf;
     const std::size_t equals = condition.find('=');
-    if (!condition.empty() &&
+    if (!condition.empty() && !points->IsPerPoint(given.first) &&
       points->GetParameter(condition.substr(0, equals)) != condition.substr(equals + 1))
     {
       throw UsageError(option + " " + given.first + ": got '" + given.second + "', expected " +
@@ -216,7 +217,8 @@ void TakePoints(RenderOptions& options, const std::string& name, const std::stri
     if (!ofPoints)
     {
       RefuseValue(option, parameter + "=" + value,
-        "one of " + points->GetDescription().GetNames() + ", " + Join(stage.Parameters, ", "));
+        "one of " + points->GetDescription().GetNames() + (stage.Parameters.empty() ? "" : ", ") +
+          Join(stage.Parameters, ", "));
     }
     const std::string wrong = points->TrySetParameter(parameter, value);
     if (!wrong.empty())

@@ -62,7 +62,7 @@ class Fog(CliTest):
 
     def test_notes(self):
         done = self.render("--fog", "bare.vtp", "--png", "a.png")
-        self.assertIn("bare.vtp: its fog has radius 1 and density 1", done.stderr)
+        self.assertIn("bare.vtp: fog with radius 1 and density 1", done.stderr)
         done = self.render("--fog", "fog.vtp", "--png", "a.png")
         self.assertEqual(done.stderr, "")
         self.write("some.vtp", [(0, 0, 0), (1, 0, 0)], radius=(1, [0.8, 0]), density=(1, [1, 1]))
@@ -71,14 +71,14 @@ class Fog(CliTest):
 
     def test_refused_words(self):
         for word, says in (
-            ("fog.vtp,depth=1", ["'depth'", "radius, density, color, mode"]),
+            ("fog.vtp,depth=1", ["'depth=1'", "radius, density, color, mode"]),
             ("fog.vtp,density=-0.5", ["density", "'-0.5'"]),
             ("fog.vtp,radius=-1", ["radius", "'-1'"]),
             ("fog.vtp,radius=", ["radius", "the name of a point array"]),
             ("fog.vtp,color=1/0", ["color", "three numbers"]),
             ("fog.vtp,mode=linear", ["mode", "'linear'", "beer, chord"]),
-            ("fog.vtp,mode=beer,mode=beer", ["FILE[,radius=R]", "each once"]),
-            (",density=1", ["FILE[,radius=R]"]),
+            ("fog.vtp,mode=beer,mode=beer", ["FILE[,NAME=VALUE]", "each once"]),
+            (",density=1", ["FILE[,NAME=VALUE]"]),
             ("fog.xyz", ["fog.xyz", ".vtp"]),
             ("scene.gltf", ["scene.gltf", "a file of points"]),
         ):

@@ -153,7 +153,7 @@ class Lamps(CliTest):
         for word, says in {
             ",radius=1": "--lamps",
             "lamps.vtk,size=1": ["size", "radius"],
-            "lamps.vtk,radius": ["--lamps", "radius=R"],
+            "lamps.vtk,radius": ["--lamps", "NAME=VALUE"],
             "lamps.vtk,radius=1,radius=2": "each once",
             "lamps.vtk,radius=-1": ["--lamps radius", "-1", "0 or more"],
             "lamps.vtk,radius=": ["--lamps radius", "a number, or the name of a point array"],

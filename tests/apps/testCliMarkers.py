@@ -84,7 +84,7 @@ class Markers(CliTest):
 
     def test_notes(self):
         done = self.render("--markers", "bare.vtp", "--png", "a.png")
-        self.assertIn("bare.vtp: its markers have radius 1", done.stderr)
+        self.assertIn("bare.vtp: markers with radius 1", done.stderr)
         done = self.render("--markers", "marks.vtp", "--png", "a.png")
         self.assertEqual(done.stderr, "")
         self.write("some.vtp", [(0, 0, 0), (1, 0, 0)], radius=(1, [0.8, 0]))
@@ -93,13 +93,13 @@ class Markers(CliTest):
 
     def test_refused_words(self):
         for word, says in (
-            ("marks.vtp,size=1", ["'size'", "radius, width, reach, opacity, color, shape, up"]),
+            ("marks.vtp,size=1", ["'size=1'", "radius, width, reach, opacity, color, shape, up"]),
             ("marks.vtp,radius=-1", ["radius", "'-1'"]),
             ("marks.vtp,shape=square", ["shape", "'square'", "ring, glow, disc, shadow"]),
             ("marks.vtp,up=0/0/0", ["up", "a direction"]),
             ("marks.vtp,up=0/1", ["up", "three numbers"]),
             ("marks.vtp,color=1/0", ["color", "three numbers"]),
-            ("marks.vtp,radius=1,radius=2", ["FILE[,shape=", "each once"]),
+            ("marks.vtp,radius=1,radius=2", ["FILE[,NAME=VALUE]", "each once"]),
             ("marks.xyz", ["marks.xyz", ".vtp"]),
         ):
             with self.subTest(word):

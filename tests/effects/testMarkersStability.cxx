@@ -100,9 +100,9 @@ void TestArrays()
   const vtkSmartPointer<vtkPolyData> points = MakeMarkerPoints({ Good });
   CheckWrongArrays(scene, scene.Markers, points,
     { { "radius", "size", "not among the point arrays" },
-      { "width", "pairs", "has 2 components; needed: one share of the radius" },
+      { "width", "pairs", "has 2 components; needed: one number per point" },
       { "reach", "words", "holds no numbers" },
-      { "opacity", "pairs", "needed: one number from 0 to 1" },
+      { "opacity", "pairs", "needed: one number per point" },
       { "color", "reach", "has 1 components; needed: red, green and blue" } });
   {
     ExpectMessage expect("one of radius, width, reach, opacity, color");

@@ -85,7 +85,7 @@ class Lamps(PointsTest):
             ({"intensity": None, "color": (1, 2)}, "color.*three numbers"),
             ({"falloff": "cubic"}, "falloff.*inverse-square"),
             ({"attenuation": (1, 0, 0)}, "attenuation.*falloff='vtk'"),
-            ({"casts": 3}, "casts.*True, False"),
+            ({"casts": 3}, "casts.*never, always"),
         ))  # fmt: skip
 
 

@@ -79,10 +79,10 @@ class Markers(PointsTest):
     def test_refusals(self):
         """Wrong arguments are named, and change nothing."""
         data = points_at([(0, 0, 4)])
-        self.check_refusals(relievo.markers, "things", data, (
-            ({"things": 5}, "points"),
-            ({"things": [data]}, "things.*vtkProp3D"),
-            ({"things": []}, "things"),
+        self.check_refusals(relievo.markers, "points", data, (
+            ({"points": 5}, "points"),
+            ({"points": [data]}, "points.*vtkProp3D"),
+            ({"points": []}, "points"),
             ({"shape": "square"}, "shape.*ring, glow, disc, shadow"),
             ({"radius": -1}, "radius.*0 or more"),
             ({"width": (1, 2)}, "width"),

@@ -138,7 +138,7 @@ private Q_SLOTS:
   void fogMode()
   {
     const scene::Settings settings = scene::Settings::FromWords(
-      { "a.vtp", "--fog", "f.vtp,mode=chord,density=2", "--stage", "fog:mode=beer" });
+      { "a.vtp", "--stage", "fog:mode=beer", "--fog", "f.vtp,mode=chord,density=2" });
     QCOMPARE(settings.GetWords(),
       (Words{ "--fog", "f.vtp,density=2", "--stage", "fog:mode=chord", "a.vtp" }));
     QCOMPARE(
@@ -156,9 +156,9 @@ private Q_SLOTS:
         "--fog", "/there/f.vtp", "--fog", "f.vtp", "--markers", "m.vtp", "--color-by", "a" });
     settings.MakePathsAbsolute("/here");
     QCOMPARE(settings.GetWords(),
-      (Words{ "--color-by", "a", "--lamps", "/here/l.vtp,color=1/0.5/0", "--normal-map",
-        "/here/n.png", "--height-map", "/here/h.png,0.5", "--environment", "/here/sky.exr,90",
-        "--fog", "/there/f.vtp", "--fog", "/here/f.vtp", "--markers", "/here/m.vtp", "/here/a.vtp",
+      (Words{ "--color-by", "a", "--normal-map", "/here/n.png", "--height-map", "/here/h.png,0.5",
+        "--environment", "/here/sky.exr,90", "--lamps", "/here/l.vtp,color=1/0.5/0", "--fog",
+        "/there/f.vtp", "--fog", "/here/f.vtp", "--markers", "/here/m.vtp", "/here/a.vtp",
         "/there/b.vtp" }));
     settings = scene::Settings::FromWords(
       { "a.vtp", "--environment", "sky,1", "--fog", R"(f\,g.vtp,density=a\,mode=b,mode=beer)" });

@@ -107,7 +107,7 @@ vtkRelievoMarkers::vtkRelievoMarkers()
     .AddVector(
       "up", this->Up, [this](const double* up) { this->SetUp(up[0], up[1], up[2]); },
       "Where shadows fall from: up, or the way to the light.")
-    .OnlyIf = "shape=shadow";
+    .IsDirection = true;
 }
 
 //------------------------------------------------------------------------------

@@ -64,7 +64,7 @@ std::string vtkRelievoCapitalize(const std::string& name, bool spaces)
   bool first = true;
   for (char c : name)
   {
-    if (c == '_')
+    if (c == '_' || c == '-')
     {
       label += spaces ? " " : "";
       first = true;
@@ -130,9 +130,10 @@ std::string vtkRelievoParameter::GetExpected() const
     case NUMBER:
       return "a number" + range + unit + orArray;
     case COLOR:
-      return "red,green,blue" + (range.empty() ? range : ", each" + range) + orArray;
+      return range.empty() ? "three numbers, red, green and blue" + orArray
+                           : "red,green,blue, each" + range + orArray;
     case VECTOR:
-      return "three numbers" + unit;
+      return (this->IsDirection ? "a direction, three numbers" : "three numbers") + unit;
     case CHOICE:
     {
       std::string names;
@@ -176,6 +177,9 @@ std::string vtkRelievoParameter::Set(const std::vector<double>& values) const
         value == std::floor(value));
     given += (given.empty() ? "" : ",") + Write(value);
   }
+  good = good && (!this->IsDirection || std::any_of(values.begin(), values.end(), [](double v) {
+    return v != 0.0;
+  }));
   if (!good)
   {
     return "'" + given + "' was given, expected " + this->GetExpected();

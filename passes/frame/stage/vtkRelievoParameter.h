@@ -33,9 +33,10 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoParameter
   std::string Help;    // one line
   std::string Default; // of a new stage, in words as Format
   std::vector<std::string> Choices;
-  double Usual = 0.0;    // up to which a slider goes; 0: to Most
-  bool PerPoint = false; // the name of a point array gives each point its own value
-  std::string OnlyIf;    // "falloff=vtk": without effect where another parameter has another value
+  bool IsDirection = false; // of a vector: not 0 0 0
+  double Usual = 0.0;       // up to which a slider goes; 0: to Most
+  bool PerPoint = false;    // the name of a point array gives each point its own value
+  std::string OnlyIf; // "falloff=vtk": without effect where another parameter has another value
 
   std::function<std::vector<double>()> GetValues;
   std::function<void(const std::vector<double>&)> SetValues;
