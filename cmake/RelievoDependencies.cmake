@@ -9,7 +9,8 @@ set(relievo_vtk_components
   InteractionStyle
   ParallelCore
   RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolumeOpenGL2
-  WrappingTools)
+  WrappingTools
+  jpeg tiff zlib)
 
 if (RELIEVO_USE_PARAVIEW)
   # Named components: without them ParaView also asks for the developer files of Qt, GDAL, FFmpeg

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <initializer_list>
 
 namespace relievo
@@ -54,6 +55,8 @@ void ReadImage(const aiTexture* texture, const std::string& name, Model& model)
   {
     const auto* bytes = reinterpret_cast<const unsigned char*>(texture->pcData);
     image.Bytes.assign(bytes, bytes + texture->mWidth);
+    const char* hint = texture->achFormatHint;
+    image.Format.assign(hint, strnlen(hint, HINTMAXTEXTURELEN));
   }
   else if (std::max(texture->mWidth, texture->mHeight) <= WidestImage)
   {

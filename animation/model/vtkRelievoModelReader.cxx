@@ -413,7 +413,8 @@ vtkImageData* vtkRelievoModelReader::GetEmbeddedTexture(const char* name)
     known->second = relievo::DecodeImage(found->second, wrong);
     if (!wrong.empty())
     {
-      vtkErrorMacro(<< self.Path << ": the image '" << found->first << "' in it: " << wrong);
+      vtkErrorMacro(<< self.Path << ": the image '" << found->first << "' in it: expected "
+                    << wrong);
     }
   }
   return known->second;

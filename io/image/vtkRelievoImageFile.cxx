@@ -5,16 +5,18 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
-#include "vtkImageReader2.h"
-#include "vtkImageReader2Factory.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRelievoEXRReader.h"
+#include "vtkRelievoFormulas.h"
+#include "vtkRelievoImageBytes.h"
 #include "vtkRelievoMessageText.h"
-#include "vtkRelievoPngDamage.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -22,10 +24,13 @@
 #include <map>
 #include <system_error>
 #include <utility>
+#include <vector>
 #include <vtksys/SystemTools.hxx>
 
 namespace
 {
+using relievo::image::Bytes;
+using relievo::image::Failure;
 using Time = std::filesystem::file_time_type;
 
 // Images that are in use, and when their files were written.
@@ -45,70 +50,95 @@ void Keep(vtkObject*, unsigned long, void* words, void* text)
   }
 }
 
-// What is wrong with a PNG file, empty if nothing is.
-std::string FindDamage(const std::string& path)
+bool BeginsLikeEXR(const Bytes& bytes)
 {
-  std::ifstream file(path, std::ios::binary);
-  return vtkRelievoFindPngDamage(file);
+  return bytes.BeginsWith("\x76\x2f\x31\x01");
 }
 
-vtkSmartPointer<vtkImageAlgorithm> MakeReader(const std::string& path)
+// By the name, or by what the newer ones end with.
+bool IsTGA(const Bytes& bytes, const std::string& name)
 {
-  vtkNew<vtkRelievoEXRReader> exr;
-  if (exr->CanReadFile(path.c_str()))
+  const std::string footer("TRUEVISION-XFILE.\0", 18);
+  if (bytes.Size() > footer.size() && bytes.From(bytes.Size() - footer.size()).BeginsWith(footer))
   {
-    exr->SetFileName(path.c_str());
-    return exr;
+    return true;
   }
-  // By its name first: asked about any file, some readers have something to print.
-  const std::string ending =
-    vtksys::SystemTools::LowerCase(std::filesystem::path(path).extension().string());
-  auto reader =
-    vtk::TakeSmartPointer(vtkImageReader2Factory::CreateImageReader2FromExtension(ending.c_str()));
-  if (ending.empty() || !reader || !reader->CanReadFile(path.c_str()))
+  const std::string low = vtksys::SystemTools::LowerCase(name);
+  const auto ends = [&low](const std::string& with) {
+    return low.size() >= with.size() &&
+      low.compare(low.size() - with.size(), with.size(), with) == 0;
+  };
+  return ends(".tga") || ends("image/tga") || ends("image/x-tga") || ends("image/x-targa") ||
+    low == "tga";
+}
+
+using Decoder = vtkSmartPointer<vtkImageData> (*)(const Bytes&);
+
+Decoder FindDecoder(const Bytes& bytes, const std::string& name)
+{
+  using namespace relievo::image;
+  if (bytes.BeginsWith("\x89PNG\r\n\x1a\n"))
   {
+    return DecodePNG;
+  }
+  if (bytes.BeginsWith("\xff\xd8\xff"))
+  {
+    return DecodeJPEG;
+  }
+  if (bytes.BeginsWith(std::string("II*\0", 4)) || bytes.BeginsWith(std::string("MM\0*", 4)) ||
+    bytes.BeginsWith(std::string("II+\0", 4)) || bytes.BeginsWith(std::string("MM\0+", 4)))
+  {
+    return DecodeTIFF;
+  }
+  if (bytes.BeginsWith("BM"))
+  {
+    return DecodeBMP;
+  }
+  if (bytes.BeginsWith("#?RADIANCE") || bytes.BeginsWith("#?RGBE"))
+  {
+    return DecodeHDR;
+  }
+  return IsTGA(bytes, name) ? DecodeTGA : nullptr;
+}
+
+const char* const Expected =
+  "an image (png, jpg, tif, bmp, tga, hdr, exr), but its first bytes are of none";
+
+vtkSmartPointer<vtkImageData> DecodeBytes(
+  const Bytes& bytes, const std::string& name, std::string& failure)
+{
+  const Decoder decode = FindDecoder(bytes, name);
+  if (!decode)
+  {
+    failure = bytes.Size() == 0 ? "an image, but it is empty"
+      : BeginsLikeEXR(bytes)    ? "an image, but OpenEXR is read from files of its own alone"
+                                : Expected;
     return nullptr;
   }
-  reader->SetFileName(path.c_str());
-  return reader;
-}
+  try
+  {
+    return decode(bytes);
+  }
+  catch (const std::exception& thrown) // memory may be short as well
+  {
+    const bool ours = dynamic_cast<const Failure*>(&thrown) != nullptr;
+    failure = std::string("an image, but it cannot be read: ") +
+      (ours ? thrown.what() : "there is no memory for it");
+    return nullptr;
+  }
 }
 
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(
+vtkSmartPointer<vtkImageData> ReadEXR(
   const std::string& path, std::string& failure, const std::function<void(vtkAlgorithm*)>& watch)
 {
-  std::error_code error;
-  const Time written = std::filesystem::last_write_time(path, error);
-  if (error || std::filesystem::is_directory(path, error))
-  {
-    failure = error ? "an image, but there is no such file" : "an image, but it is a folder";
-    return nullptr;
-  }
-  errno = 0;
-  if (!std::ifstream(path, std::ios::binary))
-  {
-    failure = std::string("an image, but it cannot be opened: ") + std::strerror(errno);
-    return nullptr;
-  }
-  auto& held = Held()[path];
-  if (held.second && held.first == written)
-  {
-    return held.second.GetPointer();
-  }
-  const vtkSmartPointer<vtkImageAlgorithm> reader = MakeReader(path);
-  if (!reader)
-  {
-    failure =
-      "an image (png, jpg, tif, bmp, hdr, exr), but its name or its first bytes are of none";
-    return nullptr;
-  }
-  std::string said = reader->IsA("vtkPNGReader") ? FindDamage(path) : std::string();
+  std::string said;
+  vtkNew<vtkRelievoEXRReader> reader;
+  reader->SetFileName(path.c_str());
   vtkNew<vtkCallbackCommand> keep;
   keep->SetCallback(Keep);
   keep->SetClientData(&said);
   for (vtkObject* speaker :
-    { static_cast<vtkObject*>(reader), static_cast<vtkObject*>(reader->GetExecutive()) })
+    { static_cast<vtkObject*>(reader.Get()), static_cast<vtkObject*>(reader->GetExecutive()) })
   {
     speaker->AddObserver(vtkCommand::ErrorEvent, keep);
     speaker->AddObserver(vtkCommand::WarningEvent, keep);
@@ -117,26 +147,118 @@ vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(
   {
     watch(reader);
   }
-  if (said.empty())
-  {
-    try
-    {
-      reader->Update();
-    }
-    catch (const std::exception& thrown) // for a header's sizes that there is no memory for
-    {
-      said = thrown.what();
-    }
-  }
-  vtkSmartPointer<vtkImageData> image = reader->GetOutput();
+  reader->Update();
+  vtkImageData* image = reader->GetOutput();
   if (!said.empty() || !image || !image->GetPointData()->GetScalars() ||
     image->GetNumberOfPoints() == 0 || reader->GetErrorCode() != 0)
   {
     failure = "an image, but it cannot be read" + (said.empty() ? said : ": " + said);
     return nullptr;
   }
-  vtkNew<vtkImageData> alone; // which does not hold the reader
+  auto alone = vtkSmartPointer<vtkImageData>::New(); // which does not hold the reader
   alone->ShallowCopy(image);
-  held = { written, alone.Get() };
   return alone;
+}
+
+vtkSmartPointer<vtkImageData> ReadFile(
+  const std::string& path, std::string& failure, const std::function<void(vtkAlgorithm*)>& watch)
+{
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+  {
+    failure = std::string("an image, but it cannot be opened: ") + std::strerror(errno);
+    return nullptr;
+  }
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  std::vector<unsigned char> bytes(4);
+  file.read(reinterpret_cast<char*>(bytes.data()), 4);
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  if (BeginsLikeEXR({ bytes.data(), bytes.size() }))
+  {
+    return ReadEXR(path, failure, watch);
+  }
+  if (error || size > vtkRelievoImageFile::MostBytes)
+  {
+    failure = "an image of at most " + std::to_string(vtkRelievoImageFile::MostBytes >> 30) +
+      " GiB, but the file has " + std::to_string(size) + " bytes";
+    return nullptr;
+  }
+  try
+  {
+    bytes.resize(size);
+  }
+  catch (const std::exception&)
+  {
+    failure = "an image, but there is no memory for it";
+    return nullptr;
+  }
+  file.clear();
+  file.seekg(0);
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  return DecodeBytes({ bytes.data(), static_cast<std::size_t>(file.gcount()) }, path, failure);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(
+  const std::string& path, std::string& failure, const std::function<void(vtkAlgorithm*)>& watch)
+{
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  const Time written = std::filesystem::last_write_time(path, error);
+  if (!std::filesystem::is_regular_file(status)) // others might have opening wait for ever
+  {
+    failure = !std::filesystem::exists(status) ? "an image, but there is no such file"
+      : std::filesystem::is_directory(status)  ? "an image, but it is a folder"
+                                               : "an image, but it is a device or a pipe";
+    return nullptr;
+  }
+  auto& held = Held()[path];
+  if (held.second && held.first == written)
+  {
+    return held.second.GetPointer();
+  }
+  vtkSmartPointer<vtkImageData> image = ReadFile(path, failure, watch);
+  held = { written, image.Get() };
+  return image;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Decode(
+  const void* bytes, std::size_t size, const std::string& name, std::string& failure)
+{
+  return DecodeBytes({ static_cast<const unsigned char*>(bytes), size }, name, failure);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkRelievoImageFile::ToColors(vtkImageData* image)
+{
+  vtkDataArray* values = image ? image->GetPointData()->GetScalars() : nullptr;
+  if (!values || values->GetDataType() == VTK_UNSIGNED_CHAR)
+  {
+    return image;
+  }
+  const bool whole = values->GetDataType() == VTK_UNSIGNED_SHORT;
+  const int components = std::min(4, values->GetNumberOfComponents());
+  vtkNew<vtkUnsignedCharArray> bytes;
+  bytes->SetName(values->GetName());
+  bytes->SetNumberOfComponents(components);
+  bytes->SetNumberOfTuples(values->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      const double value = values->GetComponent(i, c) / (whole ? 65535. : 1.);
+      const double kept = std::isnan(value) ? 0. : std::clamp(value, 0., 1.);
+      const bool alpha = components % 2 == 0 && c == components - 1;
+      const double shown = whole || alpha ? kept : relievo::f64::relievoSrgbFromLinear(kept);
+      bytes->SetTypedComponent(i, c, static_cast<unsigned char>(std::lround(255. * shown)));
+    }
+  }
+  auto made = vtkSmartPointer<vtkImageData>::New();
+  made->SetDimensions(image->GetDimensions());
+  made->GetPointData()->SetScalars(bytes);
+  return made;
 }

@@ -1,8 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pictures in files, for maps and environments. Whoever asks for a file that another holds already
-// gets the same image, unless the file has changed since.
+// Pictures in files and in memory, for maps, textures and environments: PNG, JPEG, TIFF, BMP, TGA,
+// Radiance (hdr) and OpenEXR, told by their first bytes. A damaged image is refused in words, never
+// read in part.
+//
+// Images have one slice, row 0 at the bottom, and the numbers of the file: unsigned char for up to
+// 8 bits, unsigned short for 16, float for others; 1 component (grey), 2 (and alpha), 3 (RGB) or 4.
+// Palettes become RGB or RGBA. TIFF is turned by its orientation; EXIF's in JPEG is not applied, as
+// texture coordinates are made for the texels as stored. CMYK becomes RGB.
 #ifndef vtkRelievoImageFile_h
 #define vtkRelievoImageFile_h
 
@@ -10,6 +16,8 @@
 #include "vtkRelievoIOModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -17,11 +25,27 @@ class vtkAlgorithm;
 
 namespace vtkRelievoImageFile
 {
-// The image, row 0 at the bottom, with the numbers of the file: of OpenEXR files `color`, or else
-// the first layer. nullptr if it cannot be read; then `failure` says what was expected and what is
-// wrong. `watch` is called with the reader before it reads.
+// Larger images are refused before memory is taken for them.
+constexpr std::uint64_t MostTexels = std::uint64_t(1) << 28; // as many as 16384 x 16384
+constexpr std::uint64_t MostBytes = std::uint64_t(1) << 31;  // of the image, and of a file
+
+// The image in a file: of OpenEXR files `color`, or else the first layer. Whoever asks for a file
+// that another holds already gets the same image, unless the file has changed since. nullptr if it
+// cannot be read; then `failure` says what was expected and what is wrong. `watch` is called with
+// a reader of OpenEXR before it reads; other images are read at once.
 VTKRELIEVOIO_EXPORT vtkSmartPointer<vtkImageData> Read(const std::string& path,
   std::string& failure, const std::function<void(vtkAlgorithm*)>& watch = nullptr);
+
+// The image in memory, of any format but OpenEXR. `name` is that of a file, or a MIME type, or
+// empty: needed for TGA alone, which cannot be told by its first bytes. nullptr if it cannot be
+// read; then `failure` says what was expected and what is wrong, as of Read.
+VTKRELIEVOIO_EXPORT vtkSmartPointer<vtkImageData> Decode(
+  const void* bytes, std::size_t size, const std::string& name, std::string& failure);
+
+// The image as colours for vtkTexture, which sends all but unsigned char through a table of
+// colours: the image itself if it is unsigned char; 16 bits rounded to 8; floats, which are linear
+// light, clamped to 0 .. 1 and encoded by the curve of sRGB (alpha rounded only).
+VTKRELIEVOIO_EXPORT vtkSmartPointer<vtkImageData> ToColors(vtkImageData* image);
 }
 
 #endif

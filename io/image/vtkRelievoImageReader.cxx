@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoImageReader.h"
+
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkRelievoImageFile.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+vtkStandardNewMacro(vtkRelievoImageReader);
+
+//------------------------------------------------------------------------------
+vtkRelievoImageReader::vtkRelievoImageReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoImageReader::~vtkRelievoImageReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoImageReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Colors: " << this->Colors << "\n";
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkRelievoImageReader::GetImage()
+{
+  // The size is asked for first, then the image, by one reading; and a refusal is said once.
+  if (this->ImageTime != this->GetMTime())
+  {
+    const char* name = this->FileName ? this->FileName : "";
+    std::string failure = "the name of an image, but got none; set it with SetFileName";
+    this->Image = *name ? vtkRelievoImageFile::Read(name, failure) : nullptr;
+    this->ImageTime = this->GetMTime();
+    this->SetErrorCode(this->Image ? vtkErrorCode::NoError : vtkErrorCode::FileFormatError);
+    if (!this->Image)
+    {
+      vtkErrorMacro(<< name << ": expected " << failure << ".");
+    }
+    else if (this->Colors)
+    {
+      this->Image = vtkRelievoImageFile::ToColors(this->Image);
+    }
+  }
+  return this->Image;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoImageReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  if (vtkImageData* image = this->GetImage())
+  {
+    image->GetExtent(extent);
+    vtkDataArray* values = image->GetPointData()->GetScalars();
+    vtkDataObject::SetPointDataActiveScalarInfo(
+      information, values->GetDataType(), values->GetNumberOfComponents());
+    information->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);
+    information->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
+  }
+  information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoImageReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  output->Initialize();
+  if (vtkImageData* image = this->GetImage())
+  {
+    output->ShallowCopy(image);
+  }
+  return 1;
+}
