@@ -107,7 +107,7 @@ const char* const Expected =
 vtkSmartPointer<vtkImageData> DecodeBytes(
   const Bytes& bytes, const std::string& name, std::string& failure)
 {
-  const Decoder decode = FindDecoder(bytes, name);
+  const Decoder decode = bytes.Size() > 0 ? FindDecoder(bytes, name) : nullptr;
   if (!decode)
   {
     failure = bytes.Size() == 0 ? "an image, but it is empty"
