@@ -16,6 +16,7 @@
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCompositeMapper.h"
+#include "vtkRelievoCutoff.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoEnvironmentTextures.h"
 #include "vtkRelievoMaterialEye.h"
@@ -194,6 +195,7 @@ void vtkRelievoMaterial::Attach(vtkActor* actor)
   actor->GetPropertyKeys()->Append(vtkOpenGLRenderPass::RenderPasses(), this);
   AddCarrier(actor);
   this->Internal->Actors.emplace_back(actor);
+  vtkRelievoCutoff::Tell(actor, this->Enabled ? this->AlphaCutoff : 0.0);
   actor->Modified();
 }
 
@@ -209,6 +211,7 @@ void vtkRelievoMaterial::Detach(vtkActor* actor)
       keys->Remove(vtkOpenGLRenderPass::RenderPasses());
     }
     RemoveCarrier(actor);
+    vtkRelievoCutoff::Tell(actor, 0.0);
     auto& actors = this->Internal->Actors;
     actors.erase(std::remove_if(actors.begin(), actors.end(),
                    [actor](vtkActor* each) { return !each || each == actor; }),
@@ -229,6 +232,7 @@ void vtkRelievoMaterial::UpdateStructure()
   structure.SelfShadow = structure.Method && this->SelfShadow;
   structure.DepthCorrection = structure.Method && this->DepthCorrection;
   structure.Clip = structure.Method && this->ClipAtBorders;
+  structure.Cut = this->Enabled && this->AlphaCutoff > 0.0;
   if (!(structure == in.Structure))
   {
     in.Structure = structure;
@@ -247,7 +251,32 @@ void vtkRelievoMaterial::Restructure()
 void vtkRelievoMaterial::SetEnabled(bool enabled)
 {
   this->Enabled = enabled;
+  this->TellCutoff();
   this->Restructure();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMaterial::SetAlphaCutoff(double cutoff)
+{
+  const double clamped = std::clamp(cutoff, 0.0, 1.0);
+  if (clamped != this->AlphaCutoff)
+  {
+    this->AlphaCutoff = clamped;
+    this->TellCutoff();
+    this->Restructure();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoMaterial::TellCutoff()
+{
+  for (const vtkWeakPointer<vtkActor>& actor : this->Internal->Actors)
+  {
+    if (actor)
+    {
+      vtkRelievoCutoff::Tell(actor, this->Enabled ? this->AlphaCutoff : 0.0);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -378,6 +407,7 @@ void vtkRelievoMaterial::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TextureOffset: " << this->TextureOffset[0] << " " << this->TextureOffset[1]
      << "\n";
   os << indent << "Repeat: " << this->Repeat << "\n";
+  os << indent << "AlphaCutoff: " << this->AlphaCutoff << "\n";
   os << indent << "Environment: " << this->GetEnvironment() << "\n";
   os << indent << "Reflectivity: " << this->Reflectivity << "\n";
   os << indent << "Roughness: " << this->Roughness << "\n";
@@ -393,6 +423,7 @@ bool vtkRelievoMaterial::PreReplaceShaderValues(std::string& vertexShader,
   {
     this->GetShaderStageMTime(); // a mapper's first shader is made without asking
     vtkRelievoMaterialSplice::Mark(vertexShader, geometryShader, fragmentShader);
+    vtkRelievoCutoff::Mark(fragmentShader); // before what is mirrored: that hides what is behind
     vtkRelievoReflection::Mark(fragmentShader);
   }
   return true;
@@ -408,8 +439,7 @@ bool vtkRelievoMaterial::PostReplaceShaderValues(std::string& vertexShader,
   auto* actor = vtkActor::SafeDownCast(prop);
   const bool maps = in.Structure.NormalMap || in.Structure.HeightMap;
   const bool mirrors = in.EnvironmentStructure.Projection != 0;
-  if (!mapper || !actor || (!maps && !mirrors) || !MapperAccess::DrawsTriangles(mapper) ||
-    actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
+  if (!mapper || !actor)
   {
     return true;
   }
@@ -420,6 +450,15 @@ bool vtkRelievoMaterial::PostReplaceShaderValues(std::string& vertexShader,
                           << " draws: " << outcome.Wrong << ".");
     }
   };
+  if (in.Structure.Cut)
+  {
+    report("cutoff", { vtkRelievoCutoff::Fill(fragmentShader) });
+  }
+  if ((!maps && !mirrors) || !MapperAccess::DrawsTriangles(mapper) ||
+    actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
+  {
+    return true;
+  }
   // Maps and environment each go without the other.
   const auto fill = [&]() {
     if (maps)
@@ -485,6 +524,10 @@ bool vtkRelievoMaterial::SetShaderParameters(vtkShaderProgram* program,
   auto* actor = vtkActor::SafeDownCast(prop);
   const bool maps = program->IsUniformUsed("relievoTextureTransform");
   const bool mirrors = in.Environment && vtkRelievoReflection::IsIn(program);
+  if (program->IsUniformUsed("relievoAlphaCutoff"))
+  {
+    program->SetUniformf("relievoAlphaCutoff", static_cast<float>(this->AlphaCutoff));
+  }
   if (!mapper || !actor || (!maps && !mirrors))
   {
     return true;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRelievoMaterial
- * @brief Fine structure of an actor's surface from images (normals and relief), and its mirroring.
+ * @brief Fine structure of an actor's surface from images (normals, relief, cut-outs), and its
+ * mirroring.
  *
  * A material can be attached to any number of actors. Each keeps its colours, textures, shading
  * (Phong, flat or PBR), shadows and layers. Maps are placed by the mesh's texture coordinates; row
@@ -20,6 +21,8 @@
  * Detailed shape representation with parallax mapping, 2001), steep parallax (M. McGuire, M.
  * McGuire, 2005), parallax occlusion (N. Tatarchuk, 2006), relief (F. Policarpo, M. Oliveira, J.
  * Comba, Real-time relief mapping on arbitrary polygonal surfaces, 2005).
+ *
+ * Surfaces can be cut out where their opacity is below a cutoff (glTF 2.0, alphaMode MASK).
  *
  * An actor that lacks what a material needs is drawn without the material, with one error.
  */
@@ -193,6 +196,17 @@ public:
 
   ///@{
   /**
+   * Opacity, 0 to 1, below which nothing is drawn; everything else is opaque, in the picture, in
+   * all layers and as a caster of shadows. The opacity is that of the property times that of the
+   * colours times that of the textures (vtkActor::SetTexture, albedoTex). The actor is forced to be
+   * opaque meanwhile (vtkActor::ForceOpaque). Needs no texture coordinates. 0 (default): off.
+   */
+  void SetAlphaCutoff(double cutoff);
+  vtkGetMacro(AlphaCutoff, double);
+  ///@}
+
+  ///@{
+  /**
    * The environment, which is mirrored about the (mapped) normal and lights by its irradiance. It
    * needs no texture coordinates, but normals, which VTK's shaders have only with lighting: an
    * actor with lighting off, or in a renderer without lights, shows none. nullptr (default): none.
@@ -276,6 +290,7 @@ protected:
   double TextureScale[2] = { 1.0, 1.0 };
   double TextureOffset[2] = { 0.0, 0.0 };
   bool Repeat = true;
+  double AlphaCutoff = 0.0;
   double Reflectivity = 0.04;
   double Roughness = 0.0;
   double ReflectionWeight = 1.0;
@@ -287,6 +302,7 @@ private:
 
   void UpdateStructure();
   void Restructure();
+  void TellCutoff();
   void TellFaults();
   vtkRenderer* FindRenderer(vtkProp* prop);
   void SetMapParameters(vtkShaderProgram* program, vtkActor* actor);

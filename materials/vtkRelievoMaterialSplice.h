@@ -17,12 +17,14 @@ struct Structure
   bool SelfShadow = false;
   bool DepthCorrection = false;
   bool Clip = false;
+  bool Cut = false; // by vtkRelievoCutoff
 
   bool operator==(const Structure& other) const
   {
     return this->NormalMap == other.NormalMap && this->HeightMap == other.HeightMap &&
       this->Method == other.Method && this->SelfShadow == other.SelfShadow &&
-      this->DepthCorrection == other.DepthCorrection && this->Clip == other.Clip;
+      this->DepthCorrection == other.DepthCorrection && this->Clip == other.Clip &&
+      this->Cut == other.Cut;
   }
 };
 

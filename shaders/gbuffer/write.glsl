@@ -230,6 +230,7 @@ uvec3 relievoPackNormal(vec3 n)
   }
 #endif
 #ifdef RELIEVO_ALBEDO_WORD
+  relievoAlbedo.a = RELIEVO_ALPHA(relievoAlbedo.a);
   relievoWords[RELIEVO_ALBEDO_WORD] = packUnorm4x8(relievoAlbedo);
 #endif
 

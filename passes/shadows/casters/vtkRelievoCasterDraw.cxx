@@ -16,6 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoAccess.h"
+#include "vtkRelievoCutSurface.h"
 #include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoScopedContext.h"
 #include "vtkRelievoShaderLibrary.h"
@@ -188,6 +189,7 @@ std::vector<vtkOpenGLPolyDataMapper*> vtkRelievoCasterDraw::GetBuffers(vtkActor*
     property->GetEdgeVisibility() || actor->GetTexture() ||
     vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_SHIFT_ZBUFFER ||
     property->GetNumberOfTextures() > 0 || HasOwnShaders(actor) ||
+    vtkRelievoCutSurface::GetCutoff(actor->GetPropertyKeys()) > 0.0 ||
     (planes && planes->GetNumberOfItems() > 0))
   {
     return {};

@@ -13,6 +13,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoCasterDraw.h"
 #include "vtkRelievoCasterRays.h"
+#include "vtkRelievoCutSurface.h"
 #include "vtkRelievoFrameScene.h"
 #include "vtkRelievoPropMTime.h"
 #include "vtkRelievoPropParts.h"
@@ -234,6 +235,13 @@ void vtkRelievoShadowProps::AddState(vtkActor* actor)
   this->AddDouble(property->GetPointSize());
   this->AddDouble(property->GetLineWidth());
   // Cut-outs: what is not there casts nothing.
+  const double cutoff = vtkRelievoCutSurface::GetCutoff(actor->GetPropertyKeys());
+  this->AddDouble(cutoff);
+  if (cutoff > 0.0)
+  {
+    this->AddDouble(property->GetOpacity());
+    this->Part.push_back(mapper->GetMTime()); // its colours have opacities
+  }
   this->Part.push_back(vtkRelievoPropMTime::OfTexture(actor->GetTexture()));
   for (const auto& named : property->GetAllTextures())
   {

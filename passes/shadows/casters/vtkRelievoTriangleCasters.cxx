@@ -23,6 +23,7 @@
 #include "vtkProperty.h"
 #include "vtkRelievoCasterDraw.h"
 #include "vtkRelievoCompositeMapper.h"
+#include "vtkRelievoCutSurface.h"
 #include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoGlyphPlaces.h"
 #include "vtkRelievoMovedMesh.h"
@@ -94,7 +95,8 @@ bool IsSurface(vtkActor* actor)
     vtkRelievoCasterDraw::IsPlainClass(actor) && !vtkRelievoCasterDraw::HasOwnShaders(actor);
   bool surface = (plain || GetMoved(actor)) && property->GetRepresentation() == VTK_SURFACE &&
     !property->GetVertexVisibility() && (!planes || planes->GetNumberOfItems() == 0) &&
-    IsOpaque(actor->GetTexture());
+    IsOpaque(actor->GetTexture()) &&
+    vtkRelievoCutSurface::GetCutoff(actor->GetPropertyKeys()) <= 0.0;
   for (const auto& named : property->GetAllTextures())
   {
     surface = surface && IsOpaque(named.second);
