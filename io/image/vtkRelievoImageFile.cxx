@@ -262,3 +262,29 @@ vtkSmartPointer<vtkImageData> vtkRelievoImageFile::ToColors(vtkImageData* image)
   made->GetPointData()->SetScalars(bytes);
   return made;
 }
+
+//------------------------------------------------------------------------------
+bool vtkRelievoImageFile::IsCutOut(vtkImageData* image)
+{
+  vtkDataArray* values = image ? image->GetPointData()->GetScalars() : nullptr;
+  const int components = values ? values->GetNumberOfComponents() : 1;
+  if (components != 2 && components != 4)
+  {
+    return false;
+  }
+  const int type = values->GetDataType();
+  const double most = type == VTK_FLOAT || type == VTK_DOUBLE ? 1.0 : values->GetDataTypeMax();
+  bool cuts = false;
+  bool shows = false;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    const double alpha = values->GetComponent(i, components - 1);
+    if (alpha != 0.0 && alpha != most)
+    {
+      return false;
+    }
+    cuts = cuts || alpha == 0.0;
+    shows = shows || alpha == most;
+  }
+  return cuts && shows;
+}

@@ -46,6 +46,9 @@ VTKRELIEVOIO_EXPORT vtkSmartPointer<vtkImageData> Decode(
 // colours: the image itself if it is unsigned char; 16 bits rounded to 8; floats, which are linear
 // light, clamped to 0 .. 1 and encoded by the curve of sRGB (alpha rounded only).
 VTKRELIEVOIO_EXPORT vtkSmartPointer<vtkImageData> ToColors(vtkImageData* image);
+
+// Whether the image cuts out: it has alpha, which is 0 somewhere and its greatest everywhere else.
+VTKRELIEVOIO_EXPORT bool IsCutOut(vtkImageData* image);
 }
 
 #endif

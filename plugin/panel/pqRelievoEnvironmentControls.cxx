@@ -74,7 +74,7 @@ void pqRelievoEnvironmentControls::Choose()
     return;
   }
   pqFileDialog dialog(this->View->getServer(), pqCoreUtilities::mainWidget(), "Environment",
-    QString(), "Images (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff *.bmp)");
+    QString(), "Images (*.hdr *.exr *.png *.jpg *.jpeg *.tif *.tiff *.bmp *.tga)");
   dialog.setObjectName("RelievoEnvironmentDialog");
   dialog.setFileMode(pqFileDialog::ExistingFile);
   if (dialog.exec() == QDialog::Accepted && !dialog.getSelectedFiles().isEmpty())

@@ -2,19 +2,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The light of a picture of all directions, in one line."""
 
+import errno
 import os
 
-import vtkmodules.vtkIOImage  # noqa: F401  (the readers' factory knows its formats)
 from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkImageReader2Factory
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from ._errors import Watch, require
-from ._exr import read_exr
 from ._renderers import inner_renderer
 from ._values import number
 from .vtkRelievoFilters import vtkRelievoEnvironmentIrradiance, vtkRelievoEnvironmentPrefilter
+from .vtkRelievoIO import vtkRelievoImageReader
 from .vtkRelievoMaterials import vtkRelievoEnvironment, vtkRelievoMaterial, vtkRelievoSkybox
 
 _NO_SURFACES = ("vtkAxisActor", "vtkCubeAxesActor", "vtkSkybox")
@@ -35,7 +34,7 @@ def environment(renderer, path, rotation=0, up="y", intensity=1, reflectivity=0.
         at the time of the call, except unlit ones, lines or points alone, cube axes and VTK's
         skies. An actor's own vtkRelievoMaterial stays and gets
         the environment; None gives its former one back.
-    path: a file (exr, hdr, png, jpg, tif, bmp), or a vtkImageData with row 0 at the bottom, as
+    path: a file (exr, hdr, png, jpg, tif, bmp, tga), or a vtkImageData with row 0 at the bottom, as
         to_image() makes it; twice as wide as high (all directions) or square (a mirror ball). Whole
         numbers are decoded from sRGB, floats are linear light. None takes the environment away.
     rotation: degrees about the up axis, counter-clockwise seen from above. up: the world's axis
@@ -190,21 +189,15 @@ def _make(path, rough):
 
 
 def _read(path):
-    with open(path, "rb") as file:  # Python's own errors for what is missing or forbidden
-        start = file.read(4)
-    if start == b"\x76\x2f\x31\x01":
-        image = read_exr(path)
-        data = image.GetPointData()
-        data.SetActiveScalars("color" if data.HasArray("color") else data.GetArrayName(0))
-        return image
-    reader = vtkImageReader2Factory.CreateImageReader2FromExtension(
-        os.path.splitext(path)[1].lower())
-    if reader is None or not reader.CanReadFile(path):
-        raise ValueError(f"environment: {path}: expected an image (exr, hdr, png, jpg, tif, bmp)")
+    # Python's own errors for what is missing or forbidden, without waiting for what is a pipe.
+    os.close(os.open(path, os.O_RDONLY | os.O_NONBLOCK))
+    if os.path.isdir(path):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), path)
+    reader = vtkRelievoImageReader()
     reader.SetFileName(path)
     with Watch(reader) as watch:
         reader.Update()
-    watch.raise_as(ValueError, f"environment: {path}")
+    watch.raise_as(ValueError, "environment")
     image = vtkImageData()
     image.ShallowCopy(reader.GetOutput())
     return image

@@ -9,10 +9,12 @@
 #include "Readers.h"
 #include "Values.h"
 
+#include "vtkActor.h"
 #include "vtkAlgorithm.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationStringKey.h"
+#include "vtkProperty.h"
 #include "vtkRelievoImageFile.h"
 
 #include <algorithm>
@@ -29,9 +31,10 @@ vtkInformationStringKey* FileKey()
 }
 
 //------------------------------------------------------------------------------
-void CheckImage(
-  const std::string& option, const std::string& path, const std::vector<std::string>& extensions)
+void CheckImage(const std::string& option, const std::string& path)
 {
+  static const std::vector<std::string> extensions = { ".exr", ".hdr", ".png", ".jpg", ".jpeg",
+    ".tif", ".tiff", ".bmp", ".tga" };
   if (std::find(extensions.begin(), extensions.end(), ExtensionOf(path)) == extensions.end())
   {
     RefuseValue(option, path, "an image: " + Join(extensions, " "));
@@ -54,6 +57,23 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, Progress& progr
   Messages::Check(path, !image, "expected " + failure);
   image->GetInformation()->Set(FileKey(), path);
   return image;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkTexture> MakeTexture(vtkImageData* image)
+{
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(vtkRelievoImageFile::ToColors(image));
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  return texture;
+}
+
+//------------------------------------------------------------------------------
+double FindCutoff(vtkImageData* image, vtkActor* actor)
+{
+  const bool whole = actor->GetProperty()->GetOpacity() >= 1.0;
+  return whole && vtkRelievoImageFile::IsCutOut(image) ? 0.5 : 0.0;
 }
 
 //------------------------------------------------------------------------------

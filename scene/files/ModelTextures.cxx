@@ -27,8 +27,6 @@ namespace scene
 {
 namespace
 {
-const std::vector<std::string> Extensions = { ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp" };
-
 // Files name textures by paths of the machine that wrote them: the name alone is looked for too.
 std::string FindFile(std::string name, const std::string& path)
 {
@@ -62,7 +60,7 @@ vtkSmartPointer<vtkImageData> ModelTextures::Read(const std::string& name, Progr
   {
     throw WorkError("there is no such file");
   }
-  CheckImage("texture", file, Extensions);
+  CheckImage("texture", file);
   return ReadImage(file, progress);
 }
 
@@ -90,29 +88,31 @@ vtkSmartPointer<vtkImageData> ModelTextures::Find(
 //------------------------------------------------------------------------------
 void ModelTextures::Put(vtkActor* actor, vtkDataSet* mesh, Progress& progress)
 {
+  double cutoff = 0.0;
   if (const auto image = this->Find(mesh, "base_color_texture", "texture", progress))
   {
     vtkSmartPointer<vtkTexture>& texture = this->Textures[image];
     if (!texture)
     {
-      texture = vtkSmartPointer<vtkTexture>::New();
-      texture->SetInputData(image);
-      texture->InterpolateOn();
-      texture->MipmapOn();
+      texture = MakeTexture(image);
     }
+    cutoff = FindCutoff(image, actor);
     actor->SetTexture(texture);
     actor->GetProperty()->SetColor(1., 1., 1.); // the texture's colours are the whole
   }
-  if (const auto image = this->Find(mesh, "normal_texture", "normal map", progress))
+  const auto normals = this->Find(mesh, "normal_texture", "normal map", progress);
+  if (normals || cutoff > 0.0)
   {
     vtkDataArray* given = mesh->GetFieldData()->GetArray("normal_strength");
     const double strength = given ? given->GetComponent(0, 0) : 1.;
-    vtkSmartPointer<vtkRelievoMaterial>& material = this->Materials[{ image.Get(), strength }];
+    vtkSmartPointer<vtkRelievoMaterial>& material =
+      this->Materials[{ normals.Get(), strength, cutoff }];
     if (!material)
     {
       material = vtkSmartPointer<vtkRelievoMaterial>::New();
-      material->SetNormalMap(image);
+      material->SetNormalMap(normals);
       material->SetNormalStrength(strength);
+      material->SetAlphaCutoff(cutoff);
     }
     material->Attach(actor);
   }

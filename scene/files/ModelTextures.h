@@ -13,7 +13,7 @@
 
 #include <map>
 #include <string>
-#include <utility>
+#include <tuple>
 
 class vtkActor;
 class vtkDataSet;
@@ -44,7 +44,8 @@ private:
   std::string Path;
   // Meshes share them, where they are alike.
   std::map<vtkImageData*, vtkSmartPointer<vtkTexture>> Textures;
-  std::map<std::pair<vtkImageData*, double>, vtkSmartPointer<vtkRelievoMaterial>> Materials;
+  std::map<std::tuple<vtkImageData*, double, double>, vtkSmartPointer<vtkRelievoMaterial>>
+    Materials; ///< by normal map, its strength, and cutoff
 };
 }
 

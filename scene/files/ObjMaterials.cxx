@@ -20,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRelievoMaterial.h"
 #include "vtkTexture.h"
 #include "vtkTransform.h"
 
@@ -34,8 +35,6 @@ namespace scene
 namespace
 {
 const char* const CellIds = "vtkOriginalCellIds";
-const std::vector<std::string> TextureExtensions = { ".png", ".jpg", ".jpeg", ".tif", ".tiff",
-  ".bmp", ".hdr", ".exr" };
 
 //------------------------------------------------------------------------------
 // What an OBJ file says of materials. VTK's reader has it as well, but forgets the first one of
@@ -179,11 +178,9 @@ void Wear(vtkActor* actor, const MtlMaterial& material, const std::string& path,
   }
   try
   {
-    CheckImage("map_Kd", material.Texture, TextureExtensions);
-    vtkNew<vtkTexture> texture;
-    texture->SetInputData(ReadImage(material.Texture, progress));
-    texture->InterpolateOn();
-    texture->MipmapOn();
+    CheckImage("map_Kd", material.Texture);
+    const vtkSmartPointer<vtkImageData> image = ReadImage(material.Texture, progress);
+    const vtkSmartPointer<vtkTexture> texture = MakeTexture(image);
     const auto& [scaleU, scaleV] = material.TextureScale;
     const auto& [offsetU, offsetV] = material.TextureOffset;
     if (scaleU != 1.0 || scaleV != 1.0 || offsetU != 0.0 || offsetV != 0.0)
@@ -199,6 +196,12 @@ void Wear(vtkActor* actor, const MtlMaterial& material, const std::string& path,
         path + ": " + material.Texture + " is drawn without " + material.TextureWithout);
     }
     actor->SetTexture(texture);
+    if (const double cutoff = FindCutoff(image, actor))
+    {
+      vtkNew<vtkRelievoMaterial> cut;
+      cut->SetAlphaCutoff(cutoff);
+      cut->Attach(actor);
+    }
   }
   catch (const std::exception& error)
   {

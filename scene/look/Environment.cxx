@@ -29,7 +29,7 @@ void CheckEnvironment(const RenderOptions& options)
 {
   if (!options.Environment.empty())
   {
-    CheckImage("--environment", options.Environment, { ".exr", ".hdr", ".png", ".jpg", ".jpeg" });
+    CheckImage("--environment", options.Environment);
   }
 }
 

@@ -25,9 +25,6 @@ namespace scene
 {
 namespace
 {
-const std::vector<std::string> Extensions = { ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp",
-  ".hdr", ".exr" };
-
 // Without a word about it, relief is this share of the scene's longest side deep.
 constexpr double DefaultDepth = 0.02;
 
@@ -65,6 +62,10 @@ vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
     material->SetNormalMap(own->GetNormalMap());
     material->SetNormalStrength(own->GetNormalStrength());
   }
+  if (own)
+  {
+    material->SetAlphaCutoff(own->GetAlphaCutoff());
+  }
   if (!options.HeightMap.empty())
   {
     SetHeights(material, renderer, options, progress);
@@ -88,7 +89,7 @@ void CheckSurface(const RenderOptions& options)
   {
     if (!path.empty())
     {
-      CheckImage(option, path, Extensions);
+      CheckImage(option, path);
     }
   }
   CheckEnvironment(options);

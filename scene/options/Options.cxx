@@ -231,9 +231,7 @@ std::vector<OptionRow> MakeRows()
       "--opacity makes the mesh see-through, not them",
       TakeSkeleton },
     { "--bone-weight", "BONE",
-      "colours by the weight of one bone; --color-by first_bone by the strongest. "
-      "With any of these from --time on, glTF is read as a model with bones, without "
-      "lights",
+      "colours by the weight of one bone; --color-by first_bone by the strongest",
       TakeBoneWeight },
     { "--shadows", "METHOD",
       "shadows of the lights in the picture: off, map, forward, warped or exact (off)",
@@ -261,7 +259,7 @@ std::vector<OptionRow> MakeRows()
       "precision, and prints the share that is wrong, with its 95 % bound",
       TakeCertify },
     { "--normal-map", "F",
-      "normals from an image (.png .jpg .tif .bmp .hdr .exr; OpenGL's green), placed "
+      "normals from an image (.png .jpg .tif .bmp .tga .hdr .exr; OpenGL's green), placed "
       "by the meshes' texture coordinates; linear values, not sRGB",
       TakePath<&RenderOptions::NormalMap> },
     { "--height-map", "F[,SCALE]",
@@ -278,7 +276,7 @@ std::vector<OptionRow> MakeRows()
       TakeTextureCoordinates },
     { "--environment", "F[,DEG]",
       "light from all directions, which surfaces mirror and are lit by, from an image "
-      "(.exr .hdr .png .jpg) that is twice as wide as high, or from a square one of a "
+      "(.exr .hdr .png .jpg .tif .bmp .tga) that is twice as wide as high, or from a square one of a "
       "mirror ball; rotated by DEG about the up axis (0). 8 and 16 bits are sRGB, "
       "floats linear light",
       TakeEnvironment },
@@ -504,6 +502,9 @@ RenderOptions ParseOptions(const std::vector<std::string>& words)
       row->Take(options, value);
     },
     [&](const std::string& word) { options.Files.push_back(word); });
+  // What the points' own options say of their stage counts more than --stage.
+  std::stable_partition(options.Stages.begin(), options.Stages.end(),
+    [](const StageChoice& choice) { return choice.Option.find(' ') == std::string::npos; });
   ApplyPreset(options, seen);
   CheckShadowWishes(options, seen);
   CheckTogether(options, seen);

@@ -236,7 +236,7 @@ class Environments(CliTest):
         """What is no environment is named with what was expected, and nothing is written."""
         look = ["render", "plane.obj", "--png", "a.png"]
         (self.folder / "torn.png").write_text("not a picture")
-        (self.folder / "torn.exr").write_bytes((self.folder / "axes.png").read_bytes())
+        (self.folder / "torn.exr").write_bytes(b"v/1\1" + (self.folder / "axes.png").read_bytes())
         (self.folder / "torn.hdr").write_bytes(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X")
         write_exr(self.folder / "cut.exr", numpy.ones((64, 128, 3)))
         write_hdr(self.folder / "cut.hdr", numpy.ones((64, 128, 3)))
@@ -249,8 +249,8 @@ class Environments(CliTest):
             self.refused(*look, "--environment", name, status=1, says=name)
         self.refused(*look, "--environment", "wide.png", status=1,
                      says=["wide.png", "30 x 8", "twice as wide as high"])  # fmt: skip
-        self.refused(*look, "--environment", "sky.tga", status=2,
-                     says=["--environment", "sky.tga", ".hdr"])  # fmt: skip
+        self.refused(*look, "--environment", "sky.gif", status=2,
+                     says=["--environment", "sky.gif", ".hdr"])  # fmt: skip
         self.refused(*look, "--skybox", status=2, says=["--skybox", "--environment"])
         self.refused(*look, "--reflectivity", "1", status=2,
                      says=["--reflectivity", "--environment"])  # fmt: skip

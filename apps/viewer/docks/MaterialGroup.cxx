@@ -15,7 +15,7 @@ namespace viewer
 {
 namespace
 {
-const char* const Images = "Images (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.hdr *.exr)";
+const char* const Images = "Images (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.tga *.hdr *.exr)";
 
 // Options that say how maps are used are refused where there is none.
 void RemoveIdle(scene::Settings& settings)
