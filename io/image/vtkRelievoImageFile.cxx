@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoImageFile.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
-#include "vtkExecutive.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkRelievoEXRReader.h"
+#include "vtkRelievoEXRImage.h"
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoImageBytes.h"
-#include "vtkRelievoMessageText.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWeakPointer.h"
 
@@ -21,6 +17,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <system_error>
 #include <utility>
@@ -38,16 +35,6 @@ std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>>& Held()
 {
   static std::map<std::string, std::pair<Time, vtkWeakPointer<vtkImageData>>> held;
   return held;
-}
-
-// The first thing that a reader has to say against a file; it is not printed.
-void Keep(vtkObject*, unsigned long, void* words, void* text)
-{
-  auto* kept = static_cast<std::string*>(words);
-  if (kept->empty() && text)
-  {
-    *kept = vtkRelievoMessageText::OfMessage(static_cast<const char*>(text));
-  }
 }
 
 bool BeginsLikeEXR(const Bytes& bytes)
@@ -104,6 +91,27 @@ Decoder FindDecoder(const Bytes& bytes, const std::string& name)
 const char* const Expected =
   "an image (png, jpg, tif, bmp, tga, hdr, exr), but its first bytes are of none";
 
+// What is thrown becomes the failure.
+vtkSmartPointer<vtkImageData> Attempt(
+  const std::function<vtkSmartPointer<vtkImageData>()>& read, std::string& failure)
+{
+  std::string wrong;
+  try
+  {
+    return read();
+  }
+  catch (const Failure& thrown)
+  {
+    wrong = thrown.what();
+  }
+  catch (const std::exception&) // memory is short
+  {
+    wrong = "there is no memory for it";
+  }
+  failure = "an image, but it cannot be read: " + wrong;
+  return nullptr;
+}
+
 vtkSmartPointer<vtkImageData> DecodeBytes(
   const Bytes& bytes, const std::string& name, std::string& failure)
 {
@@ -115,53 +123,11 @@ vtkSmartPointer<vtkImageData> DecodeBytes(
                                 : Expected;
     return nullptr;
   }
-  try
-  {
-    return decode(bytes);
-  }
-  catch (const std::exception& thrown) // memory may be short as well
-  {
-    const bool ours = dynamic_cast<const Failure*>(&thrown) != nullptr;
-    failure = std::string("an image, but it cannot be read: ") +
-      (ours ? thrown.what() : "there is no memory for it");
-    return nullptr;
-  }
+  return Attempt([&] { return decode(bytes); }, failure);
 }
 
-vtkSmartPointer<vtkImageData> ReadEXR(
-  const std::string& path, std::string& failure, const std::function<void(vtkAlgorithm*)>& watch)
-{
-  std::string said;
-  vtkNew<vtkRelievoEXRReader> reader;
-  reader->SetFileName(path.c_str());
-  vtkNew<vtkCallbackCommand> keep;
-  keep->SetCallback(Keep);
-  keep->SetClientData(&said);
-  for (vtkObject* speaker :
-    { static_cast<vtkObject*>(reader.Get()), static_cast<vtkObject*>(reader->GetExecutive()) })
-  {
-    speaker->AddObserver(vtkCommand::ErrorEvent, keep);
-    speaker->AddObserver(vtkCommand::WarningEvent, keep);
-  }
-  if (watch)
-  {
-    watch(reader);
-  }
-  reader->Update();
-  vtkImageData* image = reader->GetOutput();
-  if (!said.empty() || !image || !image->GetPointData()->GetScalars() ||
-    image->GetNumberOfPoints() == 0 || reader->GetErrorCode() != 0)
-  {
-    failure = "an image, but it cannot be read" + (said.empty() ? said : ": " + said);
-    return nullptr;
-  }
-  auto alone = vtkSmartPointer<vtkImageData>::New(); // which does not hold the reader
-  alone->ShallowCopy(image);
-  return alone;
-}
-
-vtkSmartPointer<vtkImageData> ReadFile(
-  const std::string& path, std::string& failure, const std::function<void(vtkAlgorithm*)>& watch)
+vtkSmartPointer<vtkImageData> ReadFile(const std::string& path, std::string& failure,
+  std::string& note, const std::function<void(vtkAlgorithm*)>& watch)
 {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
@@ -177,7 +143,7 @@ vtkSmartPointer<vtkImageData> ReadFile(
   bytes.resize(static_cast<std::size_t>(file.gcount()));
   if (BeginsLikeEXR({ bytes.data(), bytes.size() }))
   {
-    return ReadEXR(path, failure, watch);
+    return Attempt([&] { return relievo::image::ReadEXR(path, note, watch); }, failure);
   }
   if (error || size > vtkRelievoImageFile::MostBytes)
   {
@@ -202,8 +168,8 @@ vtkSmartPointer<vtkImageData> ReadFile(
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(
-  const std::string& path, std::string& failure, const std::function<void(vtkAlgorithm*)>& watch)
+vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(const std::string& path,
+  std::string& failure, const std::function<void(vtkAlgorithm*)>& watch, std::string* note)
 {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
@@ -220,7 +186,12 @@ vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(
   {
     return held.second.GetPointer();
   }
-  vtkSmartPointer<vtkImageData> image = ReadFile(path, failure, watch);
+  std::string said;
+  vtkSmartPointer<vtkImageData> image = ReadFile(path, failure, said, watch);
+  if (note)
+  {
+    *note = said;
+  }
   held = { written, image.Get() };
   return image;
 }

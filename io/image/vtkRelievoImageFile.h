@@ -29,12 +29,15 @@ namespace vtkRelievoImageFile
 constexpr std::uint64_t MostTexels = std::uint64_t(1) << 28; // as many as 16384 x 16384
 constexpr std::uint64_t MostBytes = std::uint64_t(1) << 31;  // of the image, and of a file
 
-// The image in a file: of OpenEXR files `color`, or else the first layer. Whoever asks for a file
-// that another holds already gets the same image, unless the file has changed since. nullptr if it
-// cannot be read; then `failure` says what was expected and what is wrong. `watch` is called with
-// a reader of OpenEXR before it reads; other images are read at once.
+// The image in a file. Of OpenEXR it is the picture of the display window, 0 where there are no
+// data, of the channels R G B [A], r g b [a], Y [A] (grey) or else those of the first layer, and of
+// the first part. Whoever asks for a file that another holds already gets the same image, unless
+// the file has changed since. nullptr if it cannot be read; then `failure` says what was expected
+// and what is wrong. `watch` is called with a reader of OpenEXR before it reads; other images are
+// read at once. `note`: what of the file is left out, in words, or nothing.
 VTKRELIEVOIO_EXPORT vtkSmartPointer<vtkImageData> Read(const std::string& path,
-  std::string& failure, const std::function<void(vtkAlgorithm*)>& watch = nullptr);
+  std::string& failure, const std::function<void(vtkAlgorithm*)>& watch = nullptr,
+  std::string* note = nullptr);
 
 // The image in memory, of any format but OpenEXR. `name` is that of a file, or a MIME type, or
 // empty: needed for TGA alone, which cannot be told by its first bytes. nullptr if it cannot be

@@ -42,14 +42,19 @@ vtkImageData* vtkRelievoImageReader::GetImage()
   {
     const char* name = this->FileName ? this->FileName : "";
     std::string failure = "the name of an image, but got none; set it with SetFileName";
-    this->Image = *name ? vtkRelievoImageFile::Read(name, failure) : nullptr;
+    std::string note;
+    this->Image = *name ? vtkRelievoImageFile::Read(name, failure, nullptr, &note) : nullptr;
     this->ImageTime = this->GetMTime();
     this->SetErrorCode(this->Image ? vtkErrorCode::NoError : vtkErrorCode::FileFormatError);
     if (!this->Image)
     {
       vtkErrorMacro(<< name << ": expected " << failure << ".");
     }
-    else if (this->Colors)
+    if (!note.empty())
+    {
+      vtkWarningMacro(<< name << ": " << note << ".");
+    }
+    if (this->Image && this->Colors)
     {
       this->Image = vtkRelievoImageFile::ToColors(this->Image);
     }

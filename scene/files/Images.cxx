@@ -47,14 +47,19 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, Progress& progr
 {
   progress.Begin("reading " + path);
   std::string failure;
+  std::string note;
   vtkSmartPointer<vtkImageData> image;
   {
     const CrashGuard guard(path);
     image = vtkRelievoImageFile::Read(
-      path, failure, [&progress](vtkAlgorithm* reader) { progress.Observe(reader); });
+      path, failure, [&progress](vtkAlgorithm* reader) { progress.Observe(reader); }, &note);
   }
   progress.End();
   Messages::Check(path, !image, "expected " + failure);
+  if (!note.empty())
+  {
+    Messages::Note(path + ": " + note);
+  }
   image->GetInformation()->Set(FileKey(), path);
   return image;
 }
