@@ -108,6 +108,9 @@ vtkSmartPointer<vtkImageData> Attempt(
   {
     wrong = "there is no memory for it";
   }
+  // Some of it may come from the file.
+  std::replace_if(
+    wrong.begin(), wrong.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   failure = "an image, but it cannot be read: " + wrong;
   return nullptr;
 }

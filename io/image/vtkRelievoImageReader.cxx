@@ -44,8 +44,8 @@ vtkImageData* vtkRelievoImageReader::GetImage()
     std::string failure = "the name of an image, but got none; set it with SetFileName";
     std::string note;
     this->Image = *name ? vtkRelievoImageFile::Read(name, failure, nullptr, &note) : nullptr;
-    this->ImageTime = this->GetMTime();
     this->SetErrorCode(this->Image ? vtkErrorCode::NoError : vtkErrorCode::FileFormatError);
+    this->ImageTime = this->GetMTime(); // which the code has changed
     if (!this->Image)
     {
       vtkErrorMacro(<< name << ": expected " << failure << ".");
