@@ -33,6 +33,7 @@ PROPERTIES = {
     "RelievoTextureScale": ([1.0, 1.0], [2.0, 3.0]),
     "RelievoTextureOffset": ([0.0, 0.0], [0.5, 0.25]),
     "RelievoRepeat": (1, 0),
+    "RelievoAlphaCutoff": (0.0, 0.5),
     "RelievoMirror": (0, 1),
     "RelievoReflectivity": (0.04, 0.5),
     "RelievoRoughness": (0.0, 0.5),

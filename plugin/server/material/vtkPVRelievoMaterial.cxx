@@ -127,8 +127,9 @@ void vtkPVRelievoMaterial::Apply()
   {
     in.Material->SetEnvironment(nullptr);
   }
-  const bool on =
-    this->Enabled && (in.Normals.Image || in.Heights.Image || in.Material->GetEnvironment());
+  const bool on = this->Enabled &&
+    (in.Normals.Image || in.Heights.Image || in.Material->GetEnvironment() ||
+      in.Material->GetAlphaCutoff() > 0.0);
   this->KeepCoordinates();
   for (vtkActor* actor : vtkPVRelievoAccess::Surface::Actors(in.Representation))
   {
@@ -355,6 +356,14 @@ void vtkPVRelievoMaterial::SetTextureOffset(double u, double v)
 void vtkPVRelievoMaterial::SetRepeat(bool on)
 {
   this->Internal->Material->SetRepeat(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoMaterial::SetAlphaCutoff(double cutoff)
+{
+  this->Internal->Material->SetAlphaCutoff(
+    vtkPVRelievoClamped(this, "AlphaCutoff", cutoff, 0.0, 1.0));
+  this->Apply();
 }
 
 //------------------------------------------------------------------------------

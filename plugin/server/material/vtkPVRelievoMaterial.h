@@ -81,6 +81,7 @@ public:
   void SetTextureScale(double u, double v);
   void SetTextureOffset(double u, double v);
   void SetRepeat(bool on);
+  void SetAlphaCutoff(double cutoff);
   void SetReflectivity(double share);
   void SetRoughness(double roughness);
   void SetReflectionWeight(double factor);
