@@ -136,6 +136,29 @@ class Materials(pv.PluginTest):
         depth = self.scene.middle()[0] / 255
         self.assertLess(numpy.abs(depth - 0.5).max(), 0.005)
 
+    def test_cut_outs(self):
+        """Below the cutoff there is nothing, above it all is opaque: by opacity and by texture."""
+        own = pv.picture(self.view)
+        self.shown.Opacity, self.shown.RelievoMaterial = 0.4, 1
+        self.shown.RelievoAlphaCutoff = 0.5
+        self.assertEqual(pv.picture(self.view).max(), 0)
+        self.shown.RelievoAlphaCutoff = 0.3
+        self.same(pv.picture(self.view), own, "opaque above the cutoff")
+        self.shown.Opacity, self.shown.RelievoAlphaCutoff = 1.0, 0.5
+        texels = numpy.full((8, 8, 4), 255)
+        texels[:, :4, 3] = 0
+        pv.write(pv.OUTPUT / "half.png", texels)
+        self.shown.Texture = simple.CreateTexture(str(pv.OUTPUT / "half.png"))
+        middle = own.shape[1] // 2
+        expected = own.copy()
+        expected[:, :middle] = 0
+        seen = pv.picture(self.view)
+        self.assertLess(abs(seen.astype(int) - expected)[:, : middle - 1].max(), 2)
+        self.assertLess(abs(seen.astype(int) - expected)[:, middle + 1 :].max(), 2)
+        self.shown.RelievoAlphaCutoff = 0.0
+        self.shown.Texture, self.shown.RelievoMaterial = None, 0
+        self.same(pv.picture(self.view), own, "off")
+
     def test_coarse_data_blocks_and_backs(self):
         """The mapped shade on coarse data while the camera moves, on every block, on backs."""
         cosine = math.cos(math.radians(30))
