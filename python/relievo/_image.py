@@ -68,7 +68,8 @@ def to_image(values, name="scalars"):
     name: of the array, if it is one.
 
     Returns vtkImageData of (columns, rows, 1) points with copies of the arrays, VTK's row 0 at the
-    BOTTOM: what all of VTK that takes images expects. from_image() and layer() turn it back.
+    BOTTOM: what all of VTK that takes images expects. from_image() and layer() turn it back. A
+    vtkTexture takes uint8 as colours and sends other numbers through its table of colours.
 
     Raises ValueError for other shapes, types that VTK has not (such as complex), masked whole
     numbers, and no rows.

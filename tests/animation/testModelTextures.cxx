@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Images inside of models' files, against the colours that were written into them: glTF with bytes
-// of PNG and JPEG, in its binary form and as text; damaged ones; those of FBX, and bare texels.
+// of PNG, JPEG, BMP and TGA, in its binary form and as text; damaged ones; those of FBX, and bare texels.
 #include "Check.h"
 #include "GltfScene.h"
 #include "ReaderErrors.h"
@@ -64,6 +64,46 @@ std::string MakeBytes()
   vtkUnsignedCharArray* bytes = writer->GetResult();
   return std::string(
     reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
+}
+
+// By the formats' descriptions: the lowest row first, blue first.
+std::string MakeRows()
+{
+  std::string rows;
+  for (int y = 0; y < 24; ++y)
+  {
+    for (int x = 0; x < 16; ++x)
+    {
+      int color[3];
+      ColorOf(x, y, color);
+      rows +=
+        { static_cast<char>(color[2]), static_cast<char>(color[1]), static_cast<char>(color[0]) };
+    }
+  }
+  return rows;
+}
+
+std::string MakeTGA()
+{
+  std::string header(18, '\0');
+  header[2] = 2;
+  header[12] = 16;
+  header[14] = 24;
+  header[16] = 24;
+  return header + MakeRows();
+}
+
+std::string MakeBMP()
+{
+  std::string header(54, '\0');
+  header.replace(0, 2, "BM");
+  header[10] = 54;
+  header[14] = 40;
+  header[18] = 16;
+  header[22] = 24;
+  header[26] = 1;
+  header[28] = 24;
+  return header + MakeRows();
 }
 
 // A triangle whose colour and whose normals are of this image; a path that ends in .glb has the
@@ -139,6 +179,8 @@ void TestWritten()
 {
   const std::string png = MakeBytes<vtkPNGWriter>();
   const std::string jpeg = MakeBytes<vtkJPEGWriter>();
+  const std::string bmp = MakeBMP();
+  const std::string tga = MakeTGA();
   struct
   {
     const char* Path;
@@ -146,7 +188,9 @@ void TestWritten()
     const char* Type;
     double Slack;
   } const cases[] = { { "textured.glb", png, "png", 0. }, { "textured.gltf", png, "png", 0. },
-    { "photo.glb", jpeg, "jpeg", 12. }, { "photo.gltf", jpeg, "jpeg", 12. } };
+    { "bitmap.glb", bmp, "bmp", 0. }, { "targa.glb", tga, "tga", 0. },
+    { "targa.gltf", tga, "tga", 0. }, { "photo.glb", jpeg, "jpeg", 12. },
+    { "photo.gltf", jpeg, "jpeg", 12. } };
   for (const auto& each : cases)
   {
     WriteModel(each.Path, each.Bytes, each.Type);
