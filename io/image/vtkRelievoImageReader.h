@@ -8,9 +8,9 @@
  * or its end. The output has one slice, row 0 at the bottom, and the numbers of the file: unsigned
  * char for up to 8 bits, unsigned short for 16, float for others; 1 component (grey), 2 (grey and
  * alpha), 3 (RGB) or 4 (RGBA). Palettes become RGB or RGBA, CMYK becomes RGB. TIFF is turned by its
- * orientation; EXIF's in JPEG is not applied. Of OpenEXR
- * it is the picture of the display window, 0 where there are no data, of the channels R G B [A], r g
- * b [a], Y [A] (grey) or else those of the first layer, and of the first part.
+ * orientation; EXIF's in JPEG is not applied. Of OpenEXR it is the picture of the display window,
+ * 0 where there are no data, of the channels R G B [A], r g b [a], Y [A] (grey) or else those of
+ * the first layer, and of the first part.
  *
  * Damaged files, and images of more than 2^28 texels or 2 GiB, are refused before memory is taken
  * for them: one error names the file and says what is wrong, the output is empty, and

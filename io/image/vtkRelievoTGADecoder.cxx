@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Truevision TGA: the types 1, 2, 3 and their run-length forms 9, 10, 11, of 8, 15, 16, 24 and 32
-// bits (Truevision, TGA File Format Specification, version 2.0). Alpha is what the descriptor counts
-// as attribute bits; without any, 32 bits are opaque.
+// bits (Truevision, TGA File Format Specification, version 2.0). Alpha is what the descriptor
+// counts as attribute bits; without any, 32 bits are opaque.
 #include "vtkRelievoImageBytes.h"
 
 #include <algorithm>

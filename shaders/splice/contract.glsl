@@ -18,8 +18,8 @@
 //                                                    to from eye space: where what is seen at
 //                                                    `place` (vec4 there, of the mesh) receives
 //                                                    its light; after //VTK::UniformFlow::Impl
-// RELIEVO_ALPHA(alpha)        material     gbuffer   float, 0 to 1: the opacity of what is drawn, of
-//                                                    that of colours and textures
+// RELIEVO_ALPHA(alpha)        material     gbuffer   float, 0 to 1: the opacity that is drawn,
+//                                                    of that of colours and textures
 //
 // A macro is expanded where it is read: what it names must be declared further up by then.
 // material/ declares behind //VTK::PositionVC::Dec, shadow/ behind //VTK::Light::Dec, gbuffer/

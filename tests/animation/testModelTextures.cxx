@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Images inside of models' files, against the colours that were written into them: glTF with bytes
-// of PNG, JPEG, BMP and TGA, in its binary form and as text; damaged ones; those of FBX, and bare texels.
+// of PNG, JPEG, BMP and TGA, in its binary form and as text; damaged ones; those of FBX, and bare
+// texels.
 #include "Check.h"
 #include "GltfScene.h"
 #include "ReaderErrors.h"

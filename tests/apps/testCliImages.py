@@ -143,7 +143,7 @@ class Images(CliTest):
             self.assertLess(abs(y[3 * SIDE // 4]).max(), 0.02)
 
     def test_damage(self):
-        """One line, with the image's name; a texture that cannot be read is left out with a note."""
+        """One line with the image's name; textures that cannot be read are left out with a note."""
         good = numpy.full((64, 64, 3), 128, numpy.uint8)
         for ending in ("png", "jpg", "tif", "bmp", "tga"):
             Image.fromarray(good).save(self.folder / f"good.{ending}")

@@ -123,7 +123,7 @@ def wrong():
     cut.write_bytes(whole.read_bytes()[:2000])
     return (
         ("RelievoNormalMap", "/nowhere.png", "'/nowhere.png', expected an image, but there is no"),
-        ("RelievoHeightMap", str(text), "expected an image (png, jpg, tif, bmp, tga, hdr, exr), but"),
+        ("RelievoHeightMap", str(text), "expected an image (png, jpg, tif, bmp, tga, hdr, exr)"),
         ("RelievoNormalMap", str(pv.OUTPUT), "expected an image, but it is a folder"),
         ("RelievoNormalMap", str(cut), "expected an image, but it cannot be read"),
         ("RelievoEnvironment", "/nowhere.hdr", "/nowhere.hdr', expected an image, but there is"),

@@ -335,8 +335,8 @@ class Bmp(Files):
 
     def test_fields(self):
         values = texels(5, 7, 4)
-        words = (values[..., 0].astype(numpy.uint32) << 8 | values[..., 1].astype(numpy.uint32) << 16
-                 | values[..., 2].astype(numpy.uint32) << 24 | values[..., 3])
+        red, green, blue, alpha = numpy.moveaxis(values.astype(numpy.uint32), 2, 0)
+        words = red << 8 | green << 16 | blue << 24 | alpha
         masks = struct.pack("<IIII", 0xFF00, 0xFF0000, 0xFF000000, 0xFF)
         data = words[::-1].astype("<u4").tobytes()
         self.check(self.bmp(7, 5, 32, data, packing=6, masks=masks), "fields.bmp", values)
