@@ -5,6 +5,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRelievoEXRImage.h"
+#include "vtkRelievoFileKind.h"
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoImageBytes.h"
 #include "vtkUnsignedCharArray.h"
@@ -175,13 +176,16 @@ vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(const std::string& path,
   std::string& failure, const std::function<void(vtkAlgorithm*)>& watch, std::string* note)
 {
   std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
   const Time written = std::filesystem::last_write_time(path, error);
-  if (!std::filesystem::is_regular_file(status)) // others might have opening wait for ever
+  if (error)
   {
-    failure = !std::filesystem::exists(status) ? "an image, but there is no such file"
-      : std::filesystem::is_directory(status)  ? "an image, but it is a folder"
-                                               : "an image, but it is a device or a pipe";
+    failure = "an image, but there is no such file";
+    return nullptr;
+  }
+  const std::string instead = vtkRelievoFileKind::FindInstead(path);
+  if (!instead.empty())
+  {
+    failure = "an image, but " + instead;
     return nullptr;
   }
   auto& held = Held()[path];

@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRelievoFileKind.h"
 #include "vtkRelievoOFFTokenizer.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
@@ -230,6 +231,11 @@ std::string Load(const char* fileName, Header& header)
   if (!vtksys::SystemTools::FileExists(fileName, true))
   {
     throw Refusal{ vtkErrorCode::FileNotFoundError, "there is no such file" };
+  }
+  const std::string instead = vtkRelievoFileKind::FindInstead(fileName);
+  if (!instead.empty())
+  {
+    throw Refusal{ vtkErrorCode::CannotOpenFileError, "expected a file, but " + instead };
   }
   vtksys::ifstream stream(fileName, std::ios::in | std::ios::binary);
   if (!stream)

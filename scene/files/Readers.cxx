@@ -14,6 +14,7 @@
 #include "vtkGenericDataObjectReader.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
+#include "vtkRelievoFileKind.h"
 #include "vtkRelievoOFFReader.h"
 #include "vtkSTLReader.h"
 #include "vtkXMLGenericDataObjectReader.h"
@@ -121,10 +122,10 @@ bool IsModel(const std::string& path)
 //------------------------------------------------------------------------------
 void CheckReadable(const std::string& path)
 {
-  std::error_code trouble;
-  if (std::filesystem::is_directory(path, trouble))
+  const std::string instead = vtkRelievoFileKind::FindInstead(path);
+  if (!instead.empty())
   {
-    throw WorkError(path + ": is a folder, expected a file");
+    throw WorkError(path + ": expected a file, but " + instead);
   }
   std::FILE* file = std::fopen(path.c_str(), "rb");
   if (!file)

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoOBJReader.h"
+
+#include "vtkErrorCode.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkRelievoFileKind.h"
+#include "vtkRelievoOBJMesh.h"
+#include "vtkRelievoOBJText.h"
+
+#include <vtksys/FStream.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <cerrno>
+#include <cstring>
+#include <exception>
+
+vtkStandardNewMacro(vtkRelievoOBJReader);
+
+namespace
+{
+using namespace relievo::obj;
+
+std::string Load(const char* fileName)
+{
+  const std::string instead = vtkRelievoFileKind::FindInstead(fileName);
+  if (!instead.empty())
+  {
+    throw Refusal{ vtkErrorCode::CannotOpenFileError, "expected a file, but " + instead };
+  }
+  errno = 0;
+  vtksys::ifstream stream(fileName, std::ios::in | std::ios::binary);
+  std::string text(vtksys::SystemTools::FileLength(fileName), '\0');
+  if (!stream || !stream.read(text.data(), static_cast<std::streamsize>(text.size())))
+  {
+    throw Refusal{ errno == ENOENT ? vtkErrorCode::FileNotFoundError
+                                   : vtkErrorCode::CannotOpenFileError,
+      std::strerror(errno) };
+  }
+  return text;
+}
+
+std::string Count(vtkIdType count, const std::string& noun)
+{
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string FirstOf(const Tally& tally)
+{
+  return (tally.Count == 1 ? " (line " : " (the first on line ") + std::to_string(tally.Line) + ")";
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoOBJReader::vtkRelievoOBJReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoOBJReader::~vtkRelievoOBJReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkRelievoOBJReader::GetNote(int index)
+{
+  const bool there = index >= 0 && index < this->GetNumberOfNotes();
+  return there ? this->Notes[static_cast<std::size_t>(index)].c_str() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoOBJReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->Notes.clear();
+  // Never 0 is returned: the pipeline would add an error of its own, which names no file.
+  if (!this->FileName || !*this->FileName)
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("no file name is set: call SetFileName");
+    return 1;
+  }
+  const auto refuse = [&](unsigned long code, const std::string& text) {
+    output->Initialize();
+    this->Notes.clear();
+    this->SetErrorCode(code);
+    vtkErrorMacro("cannot read " << this->FileName << ": " << text);
+  };
+  try
+  {
+    this->Parse(output);
+  }
+  catch (const Refusal& refusal)
+  {
+    refuse(refusal.Code, refusal.Text);
+  }
+  catch (const std::exception& thrown) // where there is not enough memory
+  {
+    refuse(vtkErrorCode::OutOfDiskSpaceError, thrown.what());
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoOBJReader::Parse(vtkPolyData* output)
+{
+  Content content = Read(Load(this->FileName), [this](double share) {
+    this->UpdateProgress(0.8 * share);
+    return !this->GetAbortExecute();
+  });
+  if (this->GetAbortExecute())
+  {
+    return;
+  }
+  const vtkIdType cells = MakeMesh(content,
+    this->OutputPointsPrecision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE,
+    this->Groups, output);
+  if (content.WrongPoints.Count > 0)
+  {
+    this->Notes.push_back("left out " + Count(content.WrongPoints.Count, "point") +
+      " with a coordinate that is no finite number" + FirstOf(content.WrongPoints) + " and the " +
+      Count(cells, "cell") + " of such points");
+  }
+  for (const auto& [wrong, noun] : { std::pair(content.WrongNormals, "normal"),
+         std::pair(content.WrongTextureCoordinates, "texture coordinate") })
+  {
+    if (wrong.Count > 0)
+    {
+      this->Notes.push_back("read without " + Count(wrong.Count, noun) +
+        (wrong.Count == 1 ? " that is not one" : " that are none") + FirstOf(wrong));
+    }
+  }
+  if (content.Curves.Count > 0)
+  {
+    this->Notes.push_back("left out " + Count(content.Curves.Count, "free-form curve or surface") +
+      FirstOf(content.Curves));
+  }
+  this->UpdateProgress(1.);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoOBJReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+  os << indent << "Groups: " << (this->Groups ? "on" : "off") << "\n";
+}

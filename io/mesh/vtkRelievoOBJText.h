@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkRelievoOBJText.h
+ * @brief From the text of an OBJ file to tables; private to vtkRelievoOBJReader.
+ */
+#ifndef vtkRelievoOBJText_h
+#define vtkRelievoOBJText_h
+
+#include "vtkType.h"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace relievo::obj
+{
+// What is wrong with the file, and the kind of error. Does not leave vtkRelievoOBJReader.
+struct Refusal
+{
+  unsigned long Code;
+  std::string Text;
+};
+
+// How often something was found, and the line of the first.
+struct Tally
+{
+  vtkIdType Count = 0;
+  long long Line = 0;
+
+  void Add(long long line) { this->Line = this->Count++ == 0 ? line : this->Line; }
+};
+
+// Names in the order in which the file has them first.
+struct NameList
+{
+  std::vector<std::string> Names;
+  std::unordered_map<std::string, int> Places;
+
+  int Find(const std::string& name)
+  {
+    const auto [place, isNew] = this->Places.emplace(name, static_cast<int>(this->Names.size()));
+    if (isNew)
+    {
+      this->Names.push_back(name);
+    }
+    return place->second;
+  }
+};
+
+// What stands before a cell and holds for it; -1: nothing does.
+struct State
+{
+  int Material = -1;
+  int Group = -1;
+  int Object = -1;
+  int Smoothing = 0;
+};
+
+// The cells of one kind. Of a corner there are its point and, in vectors that are empty where no
+// corner has any, its texture coordinate and normal; -1: none.
+struct CellList
+{
+  std::vector<vtkIdType> Starts = { 0 };
+  std::vector<vtkIdType> Points;
+  std::vector<vtkIdType> TextureCoordinates;
+  std::vector<vtkIdType> Normals;
+  std::vector<int> States;
+};
+
+enum CellKind
+{
+  Verts,
+  Lines,
+  Polys
+};
+
+struct Content
+{
+  std::vector<double> Points;            // three each; NaN where a coordinate is no number
+  std::vector<float> Colors;             // three each; -1: none; empty if no point has any
+  std::vector<float> TextureCoordinates; // two each; NaN where it is no number
+  std::vector<float> Normals;            // three each; NaN where it is none
+  CellList Cells[3];
+  std::vector<State> States = { {} };
+  NameList Materials;
+  NameList Groups;
+  NameList Objects;
+  std::vector<std::string> Libraries; // what stands behind each mtllib
+  Tally WrongPoints;
+  Tally WrongTextureCoordinates;
+  Tally WrongNormals;
+  Tally Curves; // and free-form surfaces
+};
+
+// Reads the text, or throws a Refusal. `goOn` is called now and then with the share that is done;
+// when it returns false, what was read so far is returned.
+Content Read(std::string_view text, const std::function<bool(double)>& goOn);
+}
+
+#endif
+// VTK-HeaderTest-Exclude: vtkRelievoOBJText.h
