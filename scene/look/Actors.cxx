@@ -22,6 +22,7 @@
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCompositeMapper.h"
+#include "vtkRelievoConvexPolygons.h"
 
 #include <vector>
 
@@ -141,6 +142,11 @@ vtkSmartPointer<vtkDataObject> MakeSurface(
   {
     surface = WithNormals(surface, path, progress);
   }
+  surface = ReplaceDataSets(surface, [&progress](vtkDataObject* block) {
+    vtkPolyData* mesh = vtkPolyData::SafeDownCast(block);
+    return mesh ? Run(vtkNew<vtkRelievoConvexPolygons>(), mesh, progress)
+                : vtkSmartPointer<vtkDataObject>(block);
+  });
   Messages::Check(path);
   return surface;
 }

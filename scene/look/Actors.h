@@ -25,7 +25,8 @@ class Progress;
 vtkSmartPointer<vtkActor> MakeActor(
   vtkDataObject* data, bool smooth, const std::string& path, Progress& progress);
 
-/// What MakeActor draws of the data: polygons, finite, with normals if `smooth`.
+/// What MakeActor draws of the data: polygons, finite, with normals if `smooth`, and cut where VTK
+/// would draw too much of them.
 vtkSmartPointer<vtkDataObject> MakeSurface(
   vtkDataObject* data, bool smooth, const std::string& path, Progress& progress);
 

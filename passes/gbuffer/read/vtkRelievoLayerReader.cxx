@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoLayerReader.h"
 
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkLightCollection.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkRelievoArraySampler.h"
 #include "vtkRelievoDepthRefiner.h"
 #include "vtkRelievoDrawTable.h"
@@ -44,6 +47,32 @@ const vtkRelievoLayer& Know(const std::string& layer, const vtkRelievoGBufferLay
   return layout.GetLight(layer) >= 0 ? vtkRelievoLayerCatalogue::GetOfLight()
                                      : vtkRelievoLayerCatalogue::Find(layer);
 }
+
+// The cells that users know: of a polygon that vtkRelievoConvexPolygons cut, the polygon.
+class PolygonNumbers
+{
+public:
+  vtkIdType Get(const vtkRelievoDrawTable::Hit& hit)
+  {
+    if (!hit.Mesh || hit.Cell < 0)
+    {
+      return hit.Cell;
+    }
+    if (hit.Mesh != this->Mesh)
+    {
+      this->Mesh = hit.Mesh;
+      this->Numbers = vtkIdTypeArray::SafeDownCast(
+        this->Mesh->GetCellData()->GetAbstractArray("vtkRelievoPolygonIds"));
+    }
+    return this->Numbers && hit.Cell < this->Numbers->GetNumberOfValues()
+      ? this->Numbers->GetValue(hit.Cell)
+      : hit.Cell;
+  }
+
+private:
+  vtkPolyData* Mesh = nullptr;
+  vtkIdTypeArray* Numbers = nullptr;
+};
 
 // Calls f(pixel, x, y) for every pixel, in several threads.
 template <typename Function>
@@ -340,6 +369,7 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadId(const std::string& l
   vtkRelievoForRows(this->Region[3], this->Region[2], [&](vtkIdType from, vtkIdType to) {
     std::uint32_t last = vtkRelievoDrawTable::Nothing;
     int value = -1;
+    PolygonNumbers numbers;
     for (vtkIdType i = from * width; i < to * width; ++i)
     {
       const std::uint32_t word = words[i * stride];
@@ -349,7 +379,7 @@ vtkSmartPointer<vtkDataArray> vtkRelievoLayerReader::ReadId(const std::string& l
         const auto hit = this->Draws->Find(word);
         value = layer == "actor" ? hit.Actor
           : layer == "block"     ? hit.Block
-                                 : static_cast<int>(hit.Cell);
+                                 : static_cast<int>(numbers.Get(hit));
       }
       out[i] = value;
     }

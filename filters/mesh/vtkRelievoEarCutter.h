@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Cuts a polygon of the plane into triangles by cutting ears, after G. H. Meisters, Polygons Have
+// Ears, 1975. Corners that are not convex are kept in a grid, so that each ear is tested against
+// those near it.
+#ifndef vtkRelievoEarCutter_h
+#define vtkRelievoEarCutter_h
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+class vtkRelievoEarCutter
+{
+public:
+  using Point = std::array<double, 2>;
+  using Triangle = std::array<int, 3>; // places of corners, in the polygon's order
+
+  // The corners run counter-clockwise; they may touch each other, lie on a line, or run to a hole
+  // and back. False if the polygon crosses itself so that no ear is found; then there are
+  // triangles of a part of it.
+  bool Cut(const std::vector<Point>& corners, std::vector<Triangle>& triangles);
+
+private:
+  enum Strictness
+  {
+    Closed, // no other corner on the triangle's edges
+    Open    // none inside
+  };
+
+  double Turn(int a, int b, int c) const;
+  bool IsEar(int corner, Strictness strictness) const;
+  bool Blocks(int other, int a, int b, int c, Strictness strictness) const;
+  void Remove(int corner);
+  void UpdateConvexity(int corner);
+  void MakeGrid();
+  std::size_t GetColumn(double value, int axis) const;
+
+  const Point* Points = nullptr;
+  int Count = 0;
+  std::vector<int> Before;
+  std::vector<int> Behind;
+  std::vector<char> Blocking; // not convex, and still there
+  std::vector<char> InGrid;
+  Point Lowest = {};
+  Point Scale = {}; // columns of the grid by length
+  std::size_t Columns = 1;
+  std::vector<std::vector<int>> Grid;
+};
+
+#endif
+// VTK-HeaderTest-Exclude: vtkRelievoEarCutter.h
