@@ -196,20 +196,15 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     {
       const vtkSmartPointer<vtkDataObject> data = ReadData(path, progress);
       progress.Begin("preparing " + path);
-      if (HasInfinite(data))
+      const vtkSmartPointer<vtkDataObject> surface = MakeSurface(data, smooth, path, progress);
+      const auto parts = SplitByMaterials(surface, path, progress);
+      for (vtkActor* actor : parts)
       {
-        scene.Incomplete.insert(path);
-      }
-      const vtkSmartPointer<vtkActor> actor = MakeActor(data, smooth, path, progress);
-      const std::vector<ObjPart> parts = SplitByMaterials(actor, data, path, progress);
-      for (const ObjPart& part : parts)
-      {
-        scene.Renderer->AddActor(part.Actor);
-        scene.ObjMaterials[part.Actor] = part.Material;
+        scene.Renderer->AddActor(actor);
       }
       if (parts.empty())
       {
-        scene.Renderer->AddActor(actor);
+        scene.Renderer->AddActor(DrawSurface(surface));
       }
       progress.End();
     }

@@ -62,20 +62,19 @@ public:
     }
     const double square = vtkMath::Dot(this->Normal.data(), this->Normal.data());
     this->Least = -this->Tolerance * square;
-    if (!(square > 0.) || !std::isfinite(square) || this->Folds(0) == false)
+    const bool backwards = this->LooksBackwards();
+    if (!(square > 0.) || !std::isfinite(square) || !(backwards || this->Folds(0)))
     {
       return Way::AsItIs;
     }
     // Whoever sees all corners is found early or late; a large outline has hardly one.
-    constexpr std::size_t most = 1000;
-    this->First = 1;
-    while (this->First < std::min(this->Corners.size(), most) && this->Folds(this->First))
+    const std::size_t most = backwards ? 0 : std::min<std::size_t>(this->Corners.size(), 1000);
+    for (this->First = 1; this->First < most; ++this->First)
     {
-      ++this->First;
-    }
-    if (this->First < std::min(this->Corners.size(), most))
-    {
-      return Way::Turned;
+      if (!this->Folds(this->First))
+      {
+        return Way::Turned;
+      }
     }
     return this->Cut() ? Way::Cut : Way::AsItIs;
   }
@@ -107,6 +106,20 @@ private:
       }
     }
     return false;
+  }
+
+  // VTK sums up the triangles at the corners, of which those that turn in may weigh more. Four
+  // corners sum up to twice the area.
+  bool LooksBackwards() const
+  {
+    const std::size_t count = this->Corners.size();
+    Vector sum = {};
+    for (std::size_t i = 0; count > 4 && i < count; ++i)
+    {
+      const Vector cross = this->Cross(i, (i + 1) % count, (i + 2) % count);
+      vtkMath::Add(sum.data(), cross.data(), sum.data());
+    }
+    return vtkMath::Dot(sum.data(), this->Normal.data()) < 0.;
   }
 
   // Without the axis that is next to the normal.

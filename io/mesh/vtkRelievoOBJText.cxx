@@ -305,7 +305,11 @@ private:
     }
     else if (word == "mtllib")
     {
-      this->Out.Libraries.push_back(this->In.TakeRest());
+      const std::string names = this->In.TakeRest();
+      if (!names.empty())
+      {
+        this->Out.Libraries.push_back(names);
+      }
     }
     else if (word == "usemtl")
     {

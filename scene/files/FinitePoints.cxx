@@ -96,17 +96,6 @@ std::string Plural(vtkIdType count, const char* noun)
 }
 
 //------------------------------------------------------------------------------
-bool HasInfinite(vtkDataObject* data)
-{
-  bool found = false;
-  ForEachDataSet(data, [&found](vtkDataSet* block) {
-    vtkPointSet* mesh = vtkPointSet::SafeDownCast(block);
-    found = found || (mesh && !FindInfinite(mesh->GetPoints()).empty());
-  });
-  return found;
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> LeaveOutInfinite(vtkDataObject* surface, const std::string& path)
 {
   Count count;

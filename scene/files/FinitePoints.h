@@ -20,9 +20,6 @@ namespace scene
 /// WorkError if no point is finite. Data that is whole comes back as it is.
 vtkSmartPointer<vtkDataObject> LeaveOutInfinite(vtkDataObject* surface, const std::string& path);
 
-/// Whether LeaveOutInfinite has something to leave out.
-bool HasInfinite(vtkDataObject* data);
-
 /// Throws WorkError if what the prop draws is too far away or too small for OpenGL's floats.
 void CheckReach(vtkProp3D* prop, const std::string& path);
 }

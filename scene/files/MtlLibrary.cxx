@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MtlLibrary.h"
 
+#include "vtkRelievoFileKind.h"
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <locale>
 #include <optional>
 #include <sstream>
@@ -14,7 +19,25 @@ namespace scene
 {
 namespace
 {
-const char* const Blanks = " \t\r";
+const char* const Blanks = " \t";
+
+std::string TrimLine(const std::string& line)
+{
+  const std::string::size_type first = line.find_first_not_of(Blanks);
+  return first == std::string::npos ? ""
+                                    : line.substr(first, line.find_last_not_of(Blanks) + 1 - first);
+}
+
+// A blank before it begins a comment, as names may have the sign.
+std::string WithoutComment(const std::string& line)
+{
+  std::string::size_type sign = line.find('#');
+  while (sign != std::string::npos && sign > 0 && line[sign - 1] != ' ' && line[sign - 1] != '\t')
+  {
+    sign = line.find('#', sign + 1);
+  }
+  return line.substr(0, sign);
+}
 
 //------------------------------------------------------------------------------
 std::string TakeWord(std::string& rest)
@@ -165,26 +188,32 @@ void TakeLine(const std::string& line, const std::filesystem::path& folder, MtlM
 }
 
 //------------------------------------------------------------------------------
-std::string TrimLine(const std::string& line)
+std::string ReadMtlLibrary(const std::string& path, std::map<std::string, MtlMaterial>& materials)
 {
-  const std::string::size_type first = line.find_first_not_of(Blanks);
-  return first == std::string::npos ? ""
-                                    : line.substr(first, line.find_last_not_of(Blanks) + 1 - first);
-}
-
-//------------------------------------------------------------------------------
-void ReadMtlLibrary(const std::string& path, std::map<std::string, MtlMaterial>& materials)
-{
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  std::ifstream file(path, std::ios::binary);
-  MtlMaterial* material = nullptr;
-  for (std::string line; std::getline(file, line);)
+  const std::string instead = vtkRelievoFileKind::FindInstead(path);
+  if (!instead.empty())
   {
-    line = TrimLine(line);
-    const std::string begin = "newmtl";
-    if (line.compare(0, begin.size(), begin) == 0)
+    return instead;
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+  {
+    return std::strerror(errno);
+  }
+  const std::string text{ std::istreambuf_iterator<char>(file), {} };
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  MtlMaterial* material = nullptr;
+  std::size_t begin = text.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
+  while (begin < text.size())
+  {
+    const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+    const std::string line = TrimLine(WithoutComment(text.substr(begin, end - begin)));
+    begin = end + 1;
+    const std::string word = "newmtl";
+    if (line.compare(0, word.size(), word) == 0)
     {
-      material = &materials[TrimLine(line.substr(begin.size()))];
+      material = &materials[TrimLine(line.substr(word.size()))];
       *material = {};
     }
     else if (material)
@@ -192,5 +221,6 @@ void ReadMtlLibrary(const std::string& path, std::map<std::string, MtlMaterial>&
       TakeLine(line, folder, *material);
     }
   }
+  return "";
 }
 }

@@ -27,11 +27,9 @@ struct MtlMaterial
 };
 
 /// Adds the materials of a library, by name; later ones replace earlier ones. Of what a line gives,
-/// the parts that cannot be read keep their defaults.
-void ReadMtlLibrary(const std::string& path, std::map<std::string, MtlMaterial>& materials);
-
-/// The line without blanks at its ends.
-std::string TrimLine(const std::string& line);
+/// the parts that cannot be read keep their defaults. Returns why there are none where the library
+/// cannot be opened, and otherwise nothing.
+std::string ReadMtlLibrary(const std::string& path, std::map<std::string, MtlMaterial>& materials);
 }
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ObjMaterials.h"
 
+#include "Actors.h"
 #include "Errors.h"
 #include "Images.h"
 #include "Messages.h"
@@ -12,70 +13,44 @@
 #include "vtkActor.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRelievoMaterial.h"
+#include "vtkStringArray.h"
 #include "vtkTexture.h"
 #include "vtkTransform.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
+#include <vector>
 
 namespace scene
 {
 namespace
 {
 const char* const CellIds = "vtkOriginalCellIds";
+const char* const PolygonIds = "vtkRelievoPolygonIds";
 
 //------------------------------------------------------------------------------
-// What an OBJ file says of materials. VTK's reader has it as well, but forgets the first one of
-// faces without texture coordinates.
-struct Named
+std::vector<std::string> GetStrings(vtkPolyData* mesh, const char* name)
 {
-  std::vector<std::string> Libraries;
-  std::vector<std::string> Names;
-  std::vector<int> OfFace; // place in Names; -1: none
-};
-
-Named ReadNames(const std::string& path)
-{
-  Named named;
-  int current = -1;
-  std::ifstream file(path, std::ios::binary);
-  for (std::string line; std::getline(file, line);)
+  auto* array = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(name));
+  std::vector<std::string> strings;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
   {
-    line.erase(0, line.find_first_not_of(" \t"));
-    const std::string::size_type end = std::min(line.find_first_of(" \t"), line.size());
-    const std::string word = line.substr(0, end);
-    if (word == "f")
-    {
-      named.OfFace.push_back(current);
-    }
-    else if (word == "usemtl")
-    {
-      const std::string name = TrimLine(line.substr(end));
-      const auto known = std::find(named.Names.begin(), named.Names.end(), name);
-      current = static_cast<int>(known - named.Names.begin());
-      if (known == named.Names.end())
-      {
-        named.Names.push_back(name);
-      }
-    }
-    else if (word == "mtllib")
-    {
-      named.Libraries.push_back(TrimLine(line.substr(end)));
-    }
+    strings.push_back(array->GetValue(i));
   }
-  return named;
+  return strings;
 }
 
 //------------------------------------------------------------------------------
@@ -84,29 +59,27 @@ std::map<std::string, MtlMaterial> ReadLibraries(
 {
   std::map<std::string, MtlMaterial> materials;
   const auto read = [&](const std::string& name) {
-    const std::filesystem::path library = std::filesystem::path(path).parent_path() / name;
-    std::error_code trouble;
-    const bool there = std::filesystem::is_regular_file(library, trouble);
-    if (there)
-    {
-      ReadMtlLibrary(library.string(), materials);
-    }
-    return there;
+    return ReadMtlLibrary((std::filesystem::path(path).parent_path() / name).string(), materials);
+  };
+  const auto note = [&path](const std::string& name, const std::string& wrong) {
+    Messages::Note(path + ": drawn without the materials of " + name + ": " + wrong);
   };
   for (const std::string& line : libraries)
   {
     // One name, which may have blanks, or several names.
-    if (read(line))
+    const std::string ofLine = read(line);
+    std::istringstream words(line);
+    const std::vector<std::string> names(std::istream_iterator<std::string>(words), {});
+    if (names.size() == 1 && !ofLine.empty())
     {
-      continue;
+      note(line, ofLine);
     }
-    std::istringstream names(line);
-    for (std::string name; names >> name;)
+    for (std::size_t i = 0; names.size() > 1 && !ofLine.empty() && i < names.size(); ++i)
     {
-      if (!read(name))
+      const std::string ofName = read(names[i]);
+      if (!ofName.empty())
       {
-        Messages::Note(path + ": drawn without the materials of " + line + ", which is not there");
-        break;
+        note(names[i], ofName);
       }
     }
   }
@@ -114,7 +87,13 @@ std::map<std::string, MtlMaterial> ReadLibraries(
 }
 
 //------------------------------------------------------------------------------
-// These cells; `vtkOriginalCellIds` says which they are in the file.
+vtkIdTypeArray* GetIds(vtkPolyData* mesh, const char* name)
+{
+  return vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray(name));
+}
+
+// These cells; `vtkOriginalCellIds` says which they are in the file, and `vtkRelievoPolygonIds`
+// counts the part's own polygons.
 vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* mesh, const std::vector<vtkIdType>& cells)
 {
   auto part = vtkSmartPointer<vtkPolyData>::New();
@@ -125,41 +104,51 @@ vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* mesh, const std::vector<vtkIdT
   part->GetCellData()->CopyAllocate(mesh->GetCellData(), count);
   vtkNew<vtkIdTypeArray> original;
   original->SetName(CellIds);
-  auto* before = vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetArray(CellIds));
+  vtkNew<vtkIdTypeArray> own;
+  own->SetName(PolygonIds);
+  vtkIdTypeArray* polygons = GetIds(mesh, PolygonIds);
+  vtkIdTypeArray* before = GetIds(mesh, CellIds) ? GetIds(mesh, CellIds) : polygons;
   vtkNew<vtkIdList> points;
+  vtkIdType last = -1;
+  vtkIdType number = -1;
   for (const vtkIdType cell : cells)
   {
     mesh->GetCellPoints(cell, points);
     const vtkIdType next = part->InsertNextCell(mesh->GetCellType(cell), points);
     part->GetCellData()->CopyData(mesh->GetCellData(), cell, next);
     original->InsertNextValue(before ? before->GetValue(cell) : cell);
+    const vtkIdType polygon = polygons ? polygons->GetValue(cell) : cell;
+    number += polygon != last ? 1 : 0;
+    last = polygon;
+    own->InsertNextValue(number);
   }
   part->GetCellData()->AddArray(original);
+  if (polygons)
+  {
+    part->GetCellData()->AddArray(own);
+  }
   return part;
 }
 
 //------------------------------------------------------------------------------
-// Of each cell of the mesh, which may lack some of the file's; empty if VTK reads other faces than
-// the file lists.
-std::vector<int> FindMaterials(vtkPolyData* mesh, vtkPolyData* file, const std::vector<int>& ofFace)
+// Faces without texture coordinates have 0 0 beside others that have some.
+void DropFlatTextureCoordinates(vtkPolyData* part)
 {
-  // VTK counts points and lines before faces.
-  const vtkIdType others = file->GetNumberOfVerts() + file->GetNumberOfLines();
-  if (file->GetNumberOfCells() != others + static_cast<vtkIdType>(ofFace.size()))
+  vtkDataArray* coordinates = part->GetPointData()->GetTCoords();
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; coordinates && cell < part->GetNumberOfCells(); ++cell)
   {
-    return {};
-  }
-  auto* before = vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetArray(CellIds));
-  std::vector<int> ofCell(mesh->GetNumberOfCells(), -1);
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
-  {
-    const vtkIdType inFile = before ? before->GetValue(cell) : cell;
-    if (inFile >= others)
+    part->GetCellPoints(cell, corners);
+    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
     {
-      ofCell[cell] = ofFace[inFile - others];
+      const double* place = coordinates->GetTuple2(corners->GetId(i));
+      if (place[0] != 0. || place[1] != 0.)
+      {
+        return;
+      }
     }
   }
-  return ofCell;
+  part->GetPointData()->SetTCoords(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -211,65 +200,47 @@ void Wear(vtkActor* actor, const MtlMaterial& material, const std::string& path,
 }
 
 //------------------------------------------------------------------------------
-std::vector<ObjPart> SplitByMaterials(
-  vtkActor* actor, vtkDataObject* file, const std::string& path, Progress& progress)
+std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
+  vtkDataObject* surface, const std::string& path, Progress& progress)
 {
-  auto* mesh = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
-  auto* whole = vtkPolyData::SafeDownCast(file);
-  if (ExtensionOf(path) != ".obj" || !mesh || !whole)
+  auto* mesh = vtkPolyData::SafeDownCast(surface);
+  auto* ids =
+    mesh ? vtkIntArray::SafeDownCast(mesh->GetCellData()->GetArray("MaterialIds")) : nullptr;
+  if (ExtensionOf(path) != ".obj" || !mesh)
   {
     return {};
   }
-  const Named named = ReadNames(path);
-  const std::map<std::string, MtlMaterial> materials = ReadLibraries(named.Libraries, path);
-  if (materials.empty())
+  const auto materials = ReadLibraries(GetStrings(mesh, "MaterialLibraries"), path);
+  if (!ids || materials.empty())
   {
     return {};
   }
-  const std::vector<int> ofCell = FindMaterials(mesh, whole, named.OfFace);
-  if (ofCell.empty() && mesh->GetNumberOfCells() > 0)
+  const std::vector<std::string> names = GetStrings(mesh, "MaterialNames");
+  std::vector<std::vector<vtkIdType>> cellsOf(names.size() + 1); // the first: of none
+  for (vtkIdType cell = 0; cell < ids->GetNumberOfValues(); ++cell)
   {
-    Messages::Note(path + ": drawn without its materials: VTK reads other faces than are listed");
-    return {};
+    cellsOf[static_cast<std::size_t>(ids->GetValue(cell) + 1)].push_back(cell);
   }
-  std::vector<ObjPart> parts;
-  std::vector<std::vector<vtkIdType>> cellsOf(named.Names.size() + 1); // the first: of none
-  for (std::size_t cell = 0; cell < ofCell.size(); ++cell)
+  std::vector<vtkSmartPointer<vtkActor>> parts;
+  for (std::size_t i = 0; i < cellsOf.size(); ++i)
   {
-    cellsOf[ofCell[cell] + 1].push_back(static_cast<vtkIdType>(cell));
-  }
-  for (int id = -1; id < static_cast<int>(named.Names.size()); ++id)
-  {
-    if (cellsOf[id + 1].empty())
+    if (cellsOf[i].empty())
     {
       continue;
     }
-    const vtkSmartPointer<vtkPolyData> cells = Extract(mesh, cellsOf[id + 1]);
-    const std::optional<std::string> material =
-      id < 0 ? std::nullopt : std::optional(named.Names[id]);
-    const std::string name = material.value_or("");
-    // The reader has the coordinates of each material in an array of its name's first word.
-    const std::string first = name.substr(0, name.find_first_of(" \t"));
-    vtkDataArray* coordinates = cells->GetPointData()->GetArray(first.c_str());
-    if (coordinates && coordinates->GetNumberOfComponents() == 2)
-    {
-      cells->GetPointData()->SetActiveTCoords(first.c_str());
-    }
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(cells);
-    auto part = vtkSmartPointer<vtkActor>::New();
-    part->SetMapper(mapper);
-    part->GetProperty()->DeepCopy(actor->GetProperty());
-    const auto known = materials.find(name);
-    if (material && known != materials.end())
+    const vtkSmartPointer<vtkPolyData> cells = Extract(mesh, cellsOf[i]);
+    DropFlatTextureCoordinates(cells);
+    const vtkSmartPointer<vtkActor> part = DrawSurface(cells);
+    const auto known = i > 0 ? materials.find(names[i - 1]) : materials.end();
+    if (known != materials.end())
     {
       Wear(part, known->second, path, progress);
     }
-    else if (material)
+    else if (i > 0)
     {
-      Messages::Note(path + ": no library has the material '" + name + "'");
+      Messages::Note(path + ": no library has the material '" + names[i - 1] + "'");
     }
-    parts.push_back({ part, material });
+    parts.push_back(part);
   }
   return parts;
 }

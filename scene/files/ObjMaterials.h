@@ -6,31 +6,24 @@
 #ifndef ObjMaterials_h
 #define ObjMaterials_h
 
-#include "vtkActor.h" // for the parts
 #include "vtkSmartPointer.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
+class vtkActor;
 class vtkDataObject;
 
 namespace scene
 {
 class Progress;
 
-/// What an OBJ file has of one material.
-struct ObjPart
-{
-  vtkSmartPointer<vtkActor> Actor;
-  std::optional<std::string> Material; ///< the name; none: points, lines and faces before any name
-};
-
-/// An actor for each material of an OBJ file, whose cells keep the numbers of the file; none if the
-/// file names no materials. Given are the actor of the whole and what the file holds, of which that
-/// actor may lack cells. What is named and cannot be read is noted, and drawn without.
-std::vector<ObjPart> SplitByMaterials(
-  vtkActor* actor, vtkDataObject* file, const std::string& path, Progress& progress);
+/// An actor for each material of the surface of an OBJ file, those without one first, then by the
+/// first use of the name; the cell array `vtkOriginalCellIds` has the numbers that cells have in the
+/// surface, or had in the file. None if the file is no OBJ file, or no library has a material. What
+/// is named and cannot be read is noted, and drawn without.
+std::vector<vtkSmartPointer<vtkActor>> SplitByMaterials(
+  vtkDataObject* surface, const std::string& path, Progress& progress);
 }
 
 #endif

@@ -12,9 +12,9 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkGenericDataObjectReader.h"
-#include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
 #include "vtkRelievoFileKind.h"
+#include "vtkRelievoOBJReader.h"
 #include "vtkRelievoOFFReader.h"
 #include "vtkSTLReader.h"
 #include "vtkXMLGenericDataObjectReader.h"
@@ -61,7 +61,7 @@ const ReaderRow Rows[] = {
   { ".vtk", Open<vtkGenericDataObjectReader> },
   { ".stl", Open<vtkSTLReader> },
   { ".ply", Open<vtkPLYReader> },
-  { ".obj", Open<vtkOBJReader> },
+  { ".obj", Open<vtkRelievoOBJReader> },
   { ".off", Open<vtkRelievoOFFReader> },
   { ".gltf", nullptr },
   { ".glb", nullptr },
@@ -152,6 +152,13 @@ vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, Progress& progr
   const vtkSmartPointer<vtkDataObject> data = reader->GetOutputDataObject(0);
   progress.End();
   Messages::Check(path, !data || reader->GetErrorCode() != 0, NotAsNamed(path));
+  if (auto* obj = vtkRelievoOBJReader::SafeDownCast(reader))
+  {
+    for (int i = 0; i < obj->GetNumberOfNotes(); ++i)
+    {
+      Messages::Note(path + ": " + obj->GetNote(i));
+    }
+  }
   CheckCells(data, path);
   return data;
 }

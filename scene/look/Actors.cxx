@@ -138,24 +138,23 @@ vtkSmartPointer<vtkDataObject> MakeSurface(
       path + ": holds a " + data->GetClassName() + ", expected a mesh, a grid or an image");
   }
   vtkSmartPointer<vtkDataObject> surface = LeaveOutInfinite(Surface(data, progress), path);
+  // Before normals: those that VTK computes of such polygons may point to their other side.
+  surface = ReplaceDataSets(surface, [&progress](vtkDataObject* block) {
+    vtkNew<vtkRelievoConvexPolygons> convex;
+    return vtkPolyData::SafeDownCast(block) ? Run(convex, block, progress)
+                                            : vtkSmartPointer<vtkDataObject>(block);
+  });
   if (smooth)
   {
     surface = WithNormals(surface, path, progress);
   }
-  surface = ReplaceDataSets(surface, [&progress](vtkDataObject* block) {
-    vtkPolyData* mesh = vtkPolyData::SafeDownCast(block);
-    return mesh ? Run(vtkNew<vtkRelievoConvexPolygons>(), mesh, progress)
-                : vtkSmartPointer<vtkDataObject>(block);
-  });
   Messages::Check(path);
   return surface;
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkActor> MakeActor(
-  vtkDataObject* data, bool smooth, const std::string& path, Progress& progress)
+vtkSmartPointer<vtkActor> DrawSurface(vtkDataObject* surface)
 {
-  const vtkSmartPointer<vtkDataObject> surface = MakeSurface(data, smooth, path, progress);
   vtkSmartPointer<vtkMapper> mapper;
   if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(surface))
   {
@@ -173,6 +172,13 @@ vtkSmartPointer<vtkActor> MakeActor(
   actor->SetMapper(mapper);
   actor->GetProperty()->SetInterpolationToPhong();
   return actor;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkActor> MakeActor(
+  vtkDataObject* data, bool smooth, const std::string& path, Progress& progress)
+{
+  return DrawSurface(MakeSurface(data, smooth, path, progress));
 }
 
 //------------------------------------------------------------------------------

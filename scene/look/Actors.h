@@ -30,6 +30,9 @@ vtkSmartPointer<vtkActor> MakeActor(
 vtkSmartPointer<vtkDataObject> MakeSurface(
   vtkDataObject* data, bool smooth, const std::string& path, Progress& progress);
 
+/// An actor for what MakeSurface made.
+vtkSmartPointer<vtkActor> DrawSurface(vtkDataObject* surface);
+
 /// Adds the names of the numeric point and cell arrays that the actor's mapper draws from, and the
 /// same as point:NAME and cell:NAME.
 void AddArrayNames(vtkActor* actor, std::set<std::string>& names, std::set<std::string>& placed);

@@ -11,6 +11,7 @@ import relievo
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 
 L = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
 FRAMES = {
@@ -140,6 +141,23 @@ class ConvexPolygons(unittest.TestCase):
         for count in (5, 6, 7, 9, 12, 17, 29, 60, 200):
             for _ in range(4):
                 self.check(star(numbers, count), samples=1500)
+
+    def test_normals(self):
+        """What VTK computes of the output points to the side that the outline runs around."""
+        numbers = numpy.random.default_rng(12)
+        zigzag = [(0.1 * i, 8 - 0.3 * (i % 2)) for i in range(20)]  # seen whole from the first corner
+        sides = []
+        for outline in (L, star(numbers, 12), star(numbers, 40), [(1, -9), *zigzag[::-1]]):
+            mesh = mesh_of(numpy.asarray(outline) @ FRAMES["z"][:2], [range(len(outline))])
+            for data in (mesh, cut(mesh)[0]):
+                normals = vtkPolyDataNormals()
+                normals.SetInputData(data)
+                normals.ConsistencyOff()
+                normals.Update()
+                found = vtk_to_numpy(normals.GetOutput().GetPointData().GetNormals())[:, 2]
+                sides.append(found.min())
+        self.assertGreater(min(sides[1::2]), 0.99)
+        self.assertLess(min(sides[::2]), -0.99)  # as VTK has it of whole polygons
 
     def test_holes_in_stars(self):
         """A small star within a large one, joined by a bridge."""
