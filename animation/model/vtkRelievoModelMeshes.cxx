@@ -101,10 +101,13 @@ void ReadCoordinatesAndColors(const aiMesh* mesh, vtkPolyData* output)
     colors->SetName("RGBA");
     colors->SetNumberOfComponents(4);
     colors->SetNumberOfTuples(mesh->mNumVertices);
+    const aiColor4D* first = mesh->mColors[0];
+    const bool opaque = std::none_of(
+      first, first + mesh->mNumVertices, [](const aiColor4D& c) { return c.a > 0.f; });
     for (unsigned int i = 0; i < mesh->mNumVertices; ++i)
     {
-      const aiColor4D& c = mesh->mColors[0][i];
-      const float parts[4] = { c.r, c.g, c.b, c.a };
+      const aiColor4D& c = first[i];
+      const float parts[4] = { c.r, c.g, c.b, opaque ? 1.f : c.a }; // some writers leave it at none
       for (int j = 0; j < 4; ++j)
       {
         const float level = std::isfinite(parts[j]) ? 255.f * parts[j] : 0.f;
@@ -112,7 +115,7 @@ void ReadCoordinatesAndColors(const aiMesh* mesh, vtkPolyData* output)
           i, j, static_cast<unsigned char>(std::clamp(std::round(level), 0.f, 255.f)));
       }
     }
-    output->GetPointData()->AddArray(colors);
+    output->GetPointData()->SetScalars(colors);
   }
 }
 

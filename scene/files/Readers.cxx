@@ -12,10 +12,10 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkGenericDataObjectReader.h"
-#include "vtkPLYReader.h"
 #include "vtkRelievoFileKind.h"
 #include "vtkRelievoOBJReader.h"
 #include "vtkRelievoOFFReader.h"
+#include "vtkRelievoPLYReader.h"
 #include "vtkSTLReader.h"
 #include "vtkXMLGenericDataObjectReader.h"
 
@@ -60,7 +60,7 @@ const ReaderRow Rows[] = {
   { ".pvts", XML },
   { ".vtk", Open<vtkGenericDataObjectReader> },
   { ".stl", Open<vtkSTLReader> },
-  { ".ply", Open<vtkPLYReader> },
+  { ".ply", Open<vtkRelievoPLYReader> },
   { ".obj", Open<vtkRelievoOBJReader> },
   { ".off", Open<vtkRelievoOFFReader> },
   { ".gltf", nullptr },

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoPLYReader.h"
+
+#include "vtkErrorCode.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkRelievoFileKind.h"
+#include "vtkRelievoPLYMesh.h"
+#include "vtkRelievoPLYText.h"
+
+#include <vtksys/FStream.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <cerrno>
+#include <cstring>
+#include <exception>
+
+vtkStandardNewMacro(vtkRelievoPLYReader);
+
+namespace
+{
+using namespace relievo::ply;
+
+std::string Load(const char* fileName)
+{
+  const std::string instead = vtkRelievoFileKind::FindInstead(fileName);
+  if (!instead.empty())
+  {
+    throw Refusal{ vtkErrorCode::CannotOpenFileError, "expected a file, but " + instead };
+  }
+  errno = 0;
+  vtksys::ifstream stream(fileName, std::ios::in | std::ios::binary);
+  std::string text(vtksys::SystemTools::FileLength(fileName), '\0');
+  if (!stream || !stream.read(text.data(), static_cast<std::streamsize>(text.size())))
+  {
+    throw Refusal{ errno == ENOENT ? vtkErrorCode::FileNotFoundError
+                                   : vtkErrorCode::CannotOpenFileError,
+      std::strerror(errno) };
+  }
+  return text;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoPLYReader::vtkRelievoPLYReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoPLYReader::~vtkRelievoPLYReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoPLYReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->SetErrorCode(vtkErrorCode::NoError);
+  // Never 0 is returned: the pipeline would add an error of its own, which names no file.
+  if (!this->FileName || !*this->FileName)
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("no file name is set: call SetFileName");
+    return 1;
+  }
+  const auto refuse = [&](unsigned long code, const std::string& text) {
+    output->Initialize();
+    this->SetErrorCode(code);
+    vtkErrorMacro("cannot read " << this->FileName << ": " << text);
+  };
+  try
+  {
+    Content content = Read(Load(this->FileName), [this](double share) {
+      this->UpdateProgress(0.8 * share);
+      return !this->GetAbortExecute();
+    });
+    if (!this->GetAbortExecute())
+    {
+      MakeMesh(content, output);
+      this->UpdateProgress(1.);
+    }
+  }
+  catch (const Refusal& refusal)
+  {
+    refuse(refusal.Code, refusal.Text);
+  }
+  catch (const std::exception& thrown) // where there is not enough memory
+  {
+    refuse(vtkErrorCode::OutOfDiskSpaceError, thrown.what());
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPLYReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}
