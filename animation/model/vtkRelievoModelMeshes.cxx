@@ -62,9 +62,19 @@ void ReadPoints(const aiMesh* mesh, const std::string& name, const glm::dmat4& p
   output->SetPoints(points);
 }
 
-void ReadNormals(const aiMesh* mesh, const glm::dmat4& place, vtkPolyData* output)
+// Assimp's own solid bones, for files that have no meshes.
+bool IsStandIn(const aiScene* scene, const aiMesh* mesh)
 {
-  const glm::dmat3 turned = f64::relievoNormalMatrix(glm::dmat3(place));
+  return scene->mMaterials && mesh->mMaterialIndex < scene->mNumMaterials &&
+    scene->mMaterials[mesh->mMaterialIndex]->GetName() == aiString("SkeletonMaterial");
+}
+
+// The normals of stand-ins point against their winding: what VTK draws of that is black.
+void ReadNormals(
+  const aiScene* scene, const aiMesh* mesh, const glm::dmat4& place, vtkPolyData* output)
+{
+  const glm::dmat3 turned =
+    f64::relievoNormalMatrix(glm::dmat3(place)) * (IsStandIn(scene, mesh) ? -1. : 1.);
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
@@ -102,8 +112,8 @@ void ReadCoordinatesAndColors(const aiMesh* mesh, vtkPolyData* output)
     colors->SetNumberOfComponents(4);
     colors->SetNumberOfTuples(mesh->mNumVertices);
     const aiColor4D* first = mesh->mColors[0];
-    const bool opaque = std::none_of(
-      first, first + mesh->mNumVertices, [](const aiColor4D& c) { return c.a > 0.f; });
+    const bool opaque =
+      std::none_of(first, first + mesh->mNumVertices, [](const aiColor4D& c) { return c.a > 0.f; });
     for (unsigned int i = 0; i < mesh->mNumVertices; ++i)
     {
       const aiColor4D& c = first[i];
@@ -167,7 +177,7 @@ void ReadMesh(const aiScene* scene, const aiMesh* mesh, int node, const glm::dma
   ReadPoints(mesh, result.Name, place, result.Data, model);
   if (mesh->HasNormals())
   {
-    ReadNormals(mesh, place, result.Data);
+    ReadNormals(scene, mesh, place, result.Data);
   }
   ReadCoordinatesAndColors(mesh, result.Data);
   ReadFaces(mesh, result.Name, result.Data, model);

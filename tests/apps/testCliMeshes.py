@@ -1,0 +1,232 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Meshes as people bring them: OBJ files with their libraries, colours of points in every format,
+skeletons without a mesh."""
+
+import os
+
+import numpy
+from vtkmodules.vtkIOImage import vtkPNGWriter
+
+from cli import CliTest, main, read_png, write_image
+
+SIDE = 100
+# Straight down on -1 to 1: what is seen at a pixel is at its own x and y.
+LOOK = ["--camera", "0,0,5,0,0,0,0,1,0", "--clip", "1,10", "--parallel-scale", "1",
+        "--size", f"{SIDE}x{SIDE}"]  # fmt: skip
+LEFT = "v -1 -1 0\nv 0 -1 0\nv 0 1 0\nv -1 1 0\n"
+RIGHT = "v 1 -1 0\nv 1 1 0\n"
+# Red at the left, blue at the right.
+CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+COLORS = ((1, 0, 0), (0, 0, 1), (0, 0, 1), (1, 0, 0))
+
+COLLADA = """<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit meter="1" name="meter"/><up_axis>Y_UP</up_axis></asset>
+<library_geometries><geometry id="g"><mesh>
+<source id="p"><float_array id="pa" count="12">{points}</float_array><technique_common>
+<accessor source="#pa" count="4" stride="3"><param name="X" type="float"/>
+<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+<source id="c"><float_array id="ca" count="12">{colors}</float_array><technique_common>
+<accessor source="#ca" count="4" stride="3"><param name="R" type="float"/>
+<param name="G" type="float"/><param name="B" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="2"><input semantic="VERTEX" source="#v" offset="0"/>
+<input semantic="COLOR" source="#c" offset="0"/><p>0 1 2 0 2 3</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node id="n"><instance_geometry url="#g"/></node>
+</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>
+"""
+BVH = """HIERARCHY
+ROOT hip
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT knee
+  {
+    OFFSET 0.6 0 0
+    CHANNELS 3 Zrotation Xrotation Yrotation
+    End Site
+    {
+      OFFSET 0 0.6 0
+    }
+  }
+}
+MOTION
+Frames: 1
+Frame Time: 0.04
+0 0 0 0 0 0 0 0 0
+"""
+
+
+class OBJ(CliTest):
+    def write(self, name, text):
+        data = text.encode() if isinstance(text, str) else text
+        (self.folder / name).write_bytes(data)
+
+    def draw(self, name="a.obj", layers="cell", says=(), **more):
+        """The layers, after what is said was compared with the texts."""
+        done = self.relievo("render", name, *LOOK, "--png", "a.png", "--exr", "a.exr",
+                            "--layers", layers, **more)  # fmt: skip
+        said = done.stderr.splitlines()
+        self.assertEqual(len(said), len(says), done.stderr)
+        for line, texts in zip(said, says):
+            for text in texts:
+                self.assertIn(text, line)
+        return self.exr("a.exr")[1]
+
+    def test_normals_of_some(self):
+        """The half without normals is drawn, and lit."""
+        self.write("a.obj", LEFT + RIGHT + "vn 0 0 1\nf 1//1 2//1 3//1 4//1\nf 2 5 6 3\n")
+        cells = self.draw()["cell.id"]
+        numpy.testing.assert_array_equal(cells[:, 0], 0)
+        numpy.testing.assert_array_equal(cells[:, -1], 1)
+        self.assertEqual(read_png(self.folder / "a.png").min(), 255)
+
+    def test_wrong_points(self):
+        """Their faces are left out, and the others keep their numbers."""
+        text = LEFT + RIGHT + "v 1,5 0 0\nf 7 1 2\nf 1 2 3 4\nf 7 1 3\nf 2 5 6 3\n"
+        self.write("a.obj", text)
+        says = [("a.obj: left out 1 point", "(line 7)", "2 cells")]
+        ids = self.draw(layers="vtkOriginalCellIds", says=says)["vtkOriginalCellIds.V"]
+        numpy.testing.assert_array_equal(ids[:, 0], 1)
+        numpy.testing.assert_array_equal(ids[:, -1], 3)
+
+    def test_refused(self):
+        for name, text, says in (
+            ("index.obj", LEFT + "f 1 2 9\n", ["line 5", "from 1 to 4", "not 9"]),
+            ("wide.obj", LEFT.encode("utf-16"), ["UTF-16"]),
+        ):
+            self.write(name, text)
+            self.before = self.names()
+            self.refused("render", name, "--png", "b.png", status=1, says=[name, *says])
+
+    def test_materials(self):
+        """Colours by the names of faces, without one before any name and behind an empty one."""
+        bands = "".join(f"v {x} {y} 0\n" for x in (-1, -0.5, 0, 0.5, 1) for y in (-1, 1))
+        faces = [f"f {i} {i + 2} {i + 3} {i + 1}\n" for i in (1, 3, 5, 7)]
+        for mark, end in (("", "\n"), ("\ufeff", "\r\n"), ("", "\r")):
+            self.write("m.mtl", f"{mark}newmtl red # bright{end}Kd 1 0 0{end}"
+                       f"newmtl two words{end}Kd 0 0 1{end}")  # fmt: skip
+            self.write("a.obj", (mark + "mtllib m.mtl # colours\n" + bands + faces[0]
+                                 + "usemtl red\t# first\n" + faces[1] + "usemtl two words\n"
+                                 + faces[2] + "usemtl\n" + faces[3]).replace("\n", end))  # fmt: skip
+            seen = self.draw(layers="albedo,actor")
+            for x, color, actor in ((10, (1, 1, 1), 0), (40, (1, 0, 0), 1), (60, (0, 0, 1), 2),
+                                    (90, (1, 1, 1), 0)):  # fmt: skip
+                found = [seen["albedo." + name][50, x] for name in "RGB"]
+                self.assertEqual((tuple(found), seen["actor.id"][50, x]), (color, actor))
+
+    def test_named_files(self):
+        """What is not there, or would never end, is named, and the mesh drawn without."""
+        os.mkfifo(self.folder / "pipe.png")
+        os.mkfifo(self.folder / "pipe.mtl")
+        os.symlink("/dev/zero", self.folder / "zero.png")
+        (self.folder / "folder.mtl").mkdir()
+        face = LEFT + RIGHT + "vt 0 0\nvt 1 1\nusemtl a\nf 1/1 5/2 6/2 4/1\n"
+        for name, *says in (("pipe.mtl", "it is a pipe"), ("gone.mtl", "No such file"),
+                            ("folder.mtl", "it is a folder"), ("/dev/zero", "it is a device")):
+            self.write("a.obj", f"mtllib {name}\n" + face)
+            self.draw(says=[("a.obj: drawn without the materials of " + name, *says)])
+        for name, *says in (("pipe.png", "it is a pipe"), ("zero.png", "it is a device"),
+                            ("gone.png", "No such file")):  # fmt: skip
+            self.write("m.mtl", f"newmtl a\nmap_Kd {name}\n")
+            self.write("a.obj", "mtllib m.mtl\n" + face)
+            self.draw(says=[("a.obj: drawn without a texture", name, *says)])
+        self.write("a.obj", "mtllib gone.mtl m.mtl\n" + face)
+        self.write("m.mtl", "newmtl a\nKd 0 1 0\n")
+        seen = self.draw(layers="albedo", says=[("materials of gone.mtl: No such file",)])
+        self.assertEqual(seen["albedo.R"].max(), 0)
+
+    def test_pipes(self):
+        """Of every door: they are not opened, so nobody has to write into them."""
+        for name in ("a.obj", "a.off", "a.ply", "a.stl", "a.vtp", "a.dae", "a.gltf", "a.png"):
+            os.mkfifo(self.folder / name)
+        self.before = self.names()
+        for name in self.before:
+            if name.startswith("a.") and name != "a.png":
+                self.refused("render", name, "--png", "b.png", status=1, says=[name, "it is a pipe"])
+        for option in ("--normal-map", "--height-map", "--environment"):
+            self.refused("render", "triangle.off", option, "a.png", "--png", "b.png", status=1,
+                         says=["a.png", "it is a pipe"])  # fmt: skip
+
+    def test_half_textured(self):
+        """Of two materials the one with coordinates has its texture, the other its colour."""
+        halves = numpy.zeros((8, 8, 3), numpy.uint8)
+        halves[4:, :, 1] = 255  # the upper half is green
+        write_image(vtkPNGWriter(), self.folder / "halves.png", halves)
+        self.write("m.mtl", "newmtl a\nKd 1 1 1\nmap_Kd halves.png\nnewmtl b\nKd 0 0 1\n")
+        self.write("a.obj", "mtllib m.mtl\n" + LEFT + RIGHT + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                   "usemtl a\nf 1/1 2/2 3/3 4/4\nusemtl b\nf 2 5 6 3\n")  # fmt: skip
+        seen = self.draw(layers="albedo")
+        self.assertEqual([seen["albedo.G"][y, 25] for y in (10, 90)], [1, 0])
+        self.assertEqual([seen["albedo." + name][10, 75] for name in "RGB"], [0, 0, 1])
+
+
+class Colors(CliTest):
+    def check(self, name, text):
+        """The picture's colours go from red to blue as those of the points do."""
+        (self.folder / name).write_text(text)
+        done = self.relievo("render", name, *LOOK, "--png", "a.png", "--exr", "a.exr",
+                            "--layers", "albedo,depth")  # fmt: skip
+        self.assertEqual(done.stderr, "")
+        seen = self.exr("a.exr")[1]
+        self.assertTrue(numpy.isfinite(seen["depth.Z"]).all())
+        share = (numpy.arange(SIDE) + 0.5) / SIDE
+        numpy.testing.assert_allclose(seen["albedo.R"], numpy.tile(1 - share, (SIDE, 1)), atol=0.01)
+        numpy.testing.assert_allclose(seen["albedo.G"], 0, atol=0.01)
+        numpy.testing.assert_allclose(seen["albedo.B"], numpy.tile(share, (SIDE, 1)), atol=0.01)
+        picture = read_png(self.folder / "a.png")[50, :, :3] / 255.0
+        numpy.testing.assert_allclose(picture[:, 0], 1 - share, atol=0.02)
+
+    def test_obj(self):
+        for whole in (1, 255):
+            text = "".join("v {} {} 0 {} {} {}\n".format(*place, *(whole * c for c in color))
+                           for place, color in zip(CORNERS, COLORS))  # fmt: skip
+            self.check("a.obj", text + "f 1 2 3 4\n")
+
+    def test_ply(self):
+        for kind, whole in (("uchar", 255), ("ushort", 65535), ("float", 1), ("double", 1.0)):
+            head = "ply\nformat ascii 1.0\nelement vertex 4\n"
+            head += "".join(f"property float {axis}\n" for axis in "xyz")
+            head += "".join(f"property {kind} {name}\n" for name in ("red", "green", "blue"))
+            head += "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+            body = "".join("{} {} 0 {} {} {}\n".format(*place, *(whole * c for c in color))
+                           for place, color in zip(CORNERS, COLORS))  # fmt: skip
+            self.check("a.ply", head + body + "4 0 1 2 3\n")
+
+    def test_collada(self):
+        points = " ".join(f"{x} {y} 0" for x, y in CORNERS)
+        colors = " ".join(" ".join(map(str, color)) for color in COLORS)
+        self.check("a.dae", COLLADA.format(points=points, colors=colors))
+
+    def test_x(self):
+        # Its z points away from the viewer.
+        places = ",".join(f"{x};{y};0;" for x, y in CORNERS)
+        colors = ",".join("{};{};{};{};1;;".format(i, *color) for i, color in enumerate(COLORS))
+        self.check("a.x", "xof 0303txt 0032\nMesh a {\n4;\n" + places + ";\n2;\n3;0;2;1;,3;0;3;2;;\n"
+                   "MeshVertexColors {\n4;\n" + colors + ";\n}\n}\n")  # fmt: skip
+
+
+class Skeletons(CliTest):
+    def test_bvh(self):
+        """Two bones, each a solid that the headlight lights where it is seen."""
+        (self.folder / "a.bvh").write_text(BVH)
+        done = self.relievo("render", "a.bvh", *LOOK, "--png", "a.png", "--exr", "a.exr",
+                            "--layers", "depth,geometric_normal")  # fmt: skip
+        self.assertEqual(done.stderr, "")
+        shown = numpy.isfinite(self.exr("a.exr")[1]["depth.Z"])
+        for x, y in ((0.3, 0), (0.6, 0.3)):  # along the bones
+            column, row = int((x + 1) * SIDE / 2), int((1 - y) * SIDE / 2)
+            self.assertTrue(shown[row - 3 : row + 4, column - 3 : column + 4].any())
+        self.assertGreater(shown.sum(), 50)
+        # By how far the side turns away.
+        facing = self.exr("a.exr")[1]["geometric_normal.Z"]
+        light = read_png(self.folder / "a.png")[..., 0] / 255.0
+        seen = shown & (facing > 0.2)
+        self.assertGreater(seen.sum(), 50)
+        numpy.testing.assert_allclose(light[seen], facing[seen], atol=0.02)
+
+
+if __name__ == "__main__":
+    main()
