@@ -29,9 +29,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <map>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace scene
@@ -61,26 +61,31 @@ std::map<std::string, MtlMaterial> ReadLibraries(
   const auto read = [&](const std::string& name) {
     return ReadMtlLibrary((std::filesystem::path(path).parent_path() / name).string(), materials);
   };
-  const auto note = [&path](const std::string& name, const std::string& wrong) {
-    Messages::Note(path + ": drawn without the materials of " + name + ": " + wrong);
-  };
   for (const std::string& line : libraries)
   {
     // One name, which may have blanks, or several names.
     const std::string ofLine = read(line);
-    std::istringstream words(line);
-    const std::vector<std::string> names(std::istream_iterator<std::string>(words), {});
-    if (names.size() == 1 && !ofLine.empty())
+    if (ofLine.empty())
     {
-      note(line, ofLine);
+      continue;
     }
-    for (std::size_t i = 0; names.size() > 1 && !ofLine.empty() && i < names.size(); ++i)
+    std::istringstream words(line);
+    std::vector<std::pair<std::string, std::string>> unread;
+    std::size_t count = 0;
+    for (std::string name; words >> name; ++count)
     {
-      const std::string ofName = read(names[i]);
-      if (!ofName.empty())
+      if (const std::string ofName = read(name); !ofName.empty())
       {
-        note(names[i], ofName);
+        unread.emplace_back(name, ofName);
       }
+    }
+    if (unread.size() == count)
+    {
+      unread = { { line, ofLine } };
+    }
+    for (const auto& [name, wrong] : unread)
+    {
+      Messages::Note(path + ": drawn without the materials of " + name + ": " + wrong);
     }
   }
   return materials;

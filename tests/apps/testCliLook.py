@@ -285,7 +285,7 @@ class Look(CliTest):
         self.assertIn("drawn without a texture", done.stderr)
         (self.folder / "two squares.mtl").unlink()
         done = self.relievo("render", "two.obj", *LOOK, "--png", "a.png")
-        self.assertIn("two squares.mtl, which is not there", done.stderr)
+        self.assertIn("two squares.mtl: No such file", done.stderr)
 
     def test_refused(self):
         for words, says in (
