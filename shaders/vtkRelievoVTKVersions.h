@@ -75,6 +75,11 @@
 #define RELIEVO_VTK_CHECK_ABORT 1
 #endif
 
+// Faces of polyhedra are in cell arrays, GetPolyhedronFaces() and GetPolyhedronFaceLocations().
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+#define RELIEVO_VTK_POLYHEDRON_CELL_ARRAYS 1
+#endif
+
 // vtkPolygon::Triangulate(ids) is called TriangulateLocalIds(0, ids).
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 #define RELIEVO_VTK_TRIANGULATE_LOCAL_IDS 1

@@ -6,15 +6,39 @@
 #include "Errors.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkRelievoVTKVersions.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
 
 namespace scene
 {
 namespace
 {
-void CheckCellArray(vtkCellArray* cells, vtkIdType numberOfPoints, const std::string& path)
+// Faces of a structured grid's surface: what they take is some gigabytes then.
+constexpr double MostFaces = 3e7;
+
+std::string Count(double count, const std::string& noun)
+{
+  return std::to_string(static_cast<long long>(count)) + " " + noun + (count == 1. ? "" : "s");
+}
+
+//------------------------------------------------------------------------------
+void CheckCellArray(vtkCellArray* cells, vtkIdType numberOfPoints, const std::string& path,
+  const std::string& noun = "point")
 {
   if (!cells || cells->GetNumberOfCells() == 0)
   {
@@ -34,9 +58,349 @@ void CheckCellArray(vtkCellArray* cells, vtkIdType numberOfPoints, const std::st
   if (range[0] < 0 || range[1] >= static_cast<double>(numberOfPoints))
   {
     const double wrong = range[0] < 0 ? range[0] : range[1];
-    throw WorkError(path + ": a cell uses point " + std::to_string(static_cast<long long>(wrong)) +
-      ", but there are points 0 to " + std::to_string(numberOfPoints - 1) +
-      " only; is the file whole?");
+    throw WorkError(path + ": a cell uses " + noun + " " +
+      std::to_string(static_cast<long long>(wrong)) + ", but there are " + noun + "s 0 to " +
+      std::to_string(numberOfPoints - 1) + " only; is the file whole?");
+  }
+}
+
+//------------------------------------------------------------------------------
+// How many points cells of a type have.
+struct Row
+{
+  int Type;
+  const char* Name;
+  int Least;
+  bool Exact; // or more
+};
+const Row Rows[] = {
+  { VTK_EMPTY_CELL, "empty cell", 0, false },
+  { VTK_VERTEX, "vertex", 1, true },
+  { VTK_POLY_VERTEX, "poly-vertex", 1, false },
+  { VTK_LINE, "line", 2, true },
+  { VTK_POLY_LINE, "poly-line", 2, false },
+  { VTK_TRIANGLE, "triangle", 3, true },
+  { VTK_TRIANGLE_STRIP, "triangle strip", 3, false },
+  { VTK_POLYGON, "polygon", 3, false },
+  { VTK_PIXEL, "pixel", 4, true },
+  { VTK_QUAD, "quad", 4, true },
+  { VTK_TETRA, "tetrahedron", 4, true },
+  { VTK_VOXEL, "voxel", 8, true },
+  { VTK_HEXAHEDRON, "hexahedron", 8, true },
+  { VTK_WEDGE, "wedge", 6, true },
+  { VTK_PYRAMID, "pyramid", 5, true },
+  { VTK_PENTAGONAL_PRISM, "pentagonal prism", 10, true },
+  { VTK_HEXAGONAL_PRISM, "hexagonal prism", 12, true },
+  { VTK_QUADRATIC_EDGE, "quadratic edge", 3, true },
+  { VTK_QUADRATIC_TRIANGLE, "quadratic triangle", 6, true },
+  { VTK_QUADRATIC_QUAD, "quadratic quad", 8, true },
+  { VTK_QUADRATIC_POLYGON, "quadratic polygon", 6, false },
+  { VTK_QUADRATIC_TETRA, "quadratic tetrahedron", 10, true },
+  { VTK_QUADRATIC_HEXAHEDRON, "quadratic hexahedron", 20, true },
+  { VTK_QUADRATIC_WEDGE, "quadratic wedge", 15, true },
+  { VTK_QUADRATIC_PYRAMID, "quadratic pyramid", 13, true },
+  { VTK_BIQUADRATIC_QUAD, "biquadratic quad", 9, true },
+  { VTK_TRIQUADRATIC_HEXAHEDRON, "triquadratic hexahedron", 27, true },
+  { VTK_TRIQUADRATIC_PYRAMID, "triquadratic pyramid", 19, true },
+  { VTK_QUADRATIC_LINEAR_QUAD, "quadratic linear quad", 6, true },
+  { VTK_QUADRATIC_LINEAR_WEDGE, "quadratic linear wedge", 12, true },
+  { VTK_BIQUADRATIC_QUADRATIC_WEDGE, "biquadratic quadratic wedge", 18, true },
+  { VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, "biquadratic quadratic hexahedron", 24, true },
+  { VTK_BIQUADRATIC_TRIANGLE, "biquadratic triangle", 7, true },
+  { VTK_CUBIC_LINE, "cubic line", 4, true },
+  { VTK_CONVEX_POINT_SET, "convex point set", 4, false },
+  { VTK_POLYHEDRON, "polyhedron", 4, false },
+};
+
+// Cells of any order.
+struct OrderRow
+{
+  int Types[2]; // of Lagrange and Bezier
+  const char* Name;
+  double (*CountFor)(double order);
+  double (*CountForOrders)(const double* orders); // in each direction; nullptr: always one
+  int Other;                                      // number of points that is one more kind; 0: none
+};
+const OrderRow OrderRows[] = {
+  { { VTK_LAGRANGE_CURVE, VTK_BEZIER_CURVE }, "curve", [](double n) { return n + 1.; }, nullptr,
+    0 },
+  { { VTK_LAGRANGE_TRIANGLE, VTK_BEZIER_TRIANGLE }, "triangle",
+    [](double n) { return (n + 1.) * (n + 2.) / 2.; }, nullptr, 7 },
+  { { VTK_LAGRANGE_QUADRILATERAL, VTK_BEZIER_QUADRILATERAL }, "quadrilateral",
+    [](double n) { return (n + 1.) * (n + 1.); },
+    [](const double* n) { return (n[0] + 1.) * (n[1] + 1.); }, 0 },
+  { { VTK_LAGRANGE_TETRAHEDRON, VTK_BEZIER_TETRAHEDRON }, "tetrahedron",
+    [](double n) { return (n + 1.) * (n + 2.) * (n + 3.) / 6.; }, nullptr, 15 },
+  { { VTK_LAGRANGE_HEXAHEDRON, VTK_BEZIER_HEXAHEDRON }, "hexahedron",
+    [](double n) { return (n + 1.) * (n + 1.) * (n + 1.); },
+    [](const double* n) { return (n[0] + 1.) * (n[1] + 1.) * (n[2] + 1.); }, 0 },
+  { { VTK_LAGRANGE_WEDGE, VTK_BEZIER_WEDGE }, "wedge",
+    [](double n) { return (n + 1.) * (n + 1.) * (n + 2.) / 2.; },
+    [](const double* n) { return (n[0] + 1.) * (n[0] + 2.) * (n[2] + 1.) / 2.; }, 21 },
+};
+
+//------------------------------------------------------------------------------
+// What is wrong with a cell of a grid.
+class CellJudge
+{
+public:
+  explicit CellJudge(vtkUnstructuredGrid* grid)
+    : Orders(grid->GetCellData()->GetHigherOrderDegrees())
+  {
+    for (const Row& row : Rows)
+    {
+      this->RowOf[row.Type] = &row;
+    }
+    for (const OrderRow& row : OrderRows)
+    {
+      for (const int type : row.Types)
+      {
+        this->OrderRowOf[type] = &row;
+      }
+    }
+  }
+
+  std::string Judge(vtkIdType cell, int type, vtkIdType size) const
+  {
+    if (const Row* row = this->RowOf[type])
+    {
+      const bool even = type != VTK_QUADRATIC_POLYGON || size % 2 == 0;
+      const bool fits = row->Exact ? size == row->Least : size >= row->Least;
+      return fits && even
+        ? ""
+        : Name(row->Name, size) + ", expected " + (row->Exact ? "" : "at least ") +
+          std::to_string(row->Least) + (even ? "" : ", an even number");
+    }
+    const OrderRow* row = this->OrderRowOf[type];
+    if (!row)
+    {
+      return "of type " + std::to_string(type) + ", which VTK does not draw";
+    }
+    const std::string name =
+      std::string(type == row->Types[0] ? "Lagrange " : "Bezier ") + row->Name;
+    if (this->Orders && this->Orders->GetNumberOfComponents() == 3 && row->CountForOrders)
+    {
+      double orders[3];
+      this->Orders->GetTuple(cell, orders);
+      const double count = row->CountForOrders(orders);
+      const bool fits = *std::min_element(orders, orders + 3) >= 0. && count >= 2. &&
+        static_cast<double>(size) == count;
+      return fits ? "" : Name(name, size) + ", expected those of its orders";
+    }
+    double order = 1.;
+    while (row->CountFor(order) < static_cast<double>(size))
+    {
+      ++order;
+    }
+    return row->CountFor(order) == static_cast<double>(size) || (size > 0 && size == row->Other)
+      ? ""
+      : Name(name, size) +
+        ", expected those of an order: " + std::to_string(static_cast<int>(row->CountFor(1.))) +
+        ", " + std::to_string(static_cast<int>(row->CountFor(2.))) + ", " +
+        std::to_string(static_cast<int>(row->CountFor(3.))) + ", ...";
+  }
+
+private:
+  static std::string Name(const std::string& name, vtkIdType size)
+  {
+    return "a " + name + " of " + Count(static_cast<double>(size), "point");
+  }
+
+  vtkDataArray* const Orders;
+  const Row* RowOf[256] = {};
+  const OrderRow* OrderRowOf[256] = {};
+};
+
+//------------------------------------------------------------------------------
+// Empty, or what is wrong with the faces of a polyhedron.
+#ifdef RELIEVO_VTK_POLYHEDRON_CELL_ARRAYS
+std::string JudgeFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  vtkCellArray* faces = grid->GetPolyhedronFaces();
+  vtkCellArray* ofCells = grid->GetPolyhedronFaceLocations();
+  if (!faces || !ofCells || cell >= ofCells->GetNumberOfCells() || ofCells->GetCellSize(cell) < 4)
+  {
+    return "a polyhedron without four faces";
+  }
+  vtkIdType count = 0;
+  const vtkIdType* ids = nullptr;
+  ofCells->GetCellAtId(cell, count, ids);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (faces->GetCellSize(ids[i]) < 3)
+    {
+      return "a polyhedron with a face of fewer than 3 points";
+    }
+  }
+  return "";
+}
+
+void CheckFaces(vtkUnstructuredGrid* grid, const std::string& path)
+{
+  vtkCellArray* faces = grid->GetPolyhedronFaces();
+  CheckCellArray(faces, grid->GetNumberOfPoints(), path);
+  CheckCellArray(
+    grid->GetPolyhedronFaceLocations(), faces ? faces->GetNumberOfCells() : 0, path, "face");
+}
+#else
+std::string JudgeFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  vtkIdTypeArray* faces = grid->GetFaces();
+  vtkIdTypeArray* places = grid->GetFaceLocations();
+  const std::string without = "a polyhedron without four faces";
+  if (!faces || !places || cell >= places->GetNumberOfValues())
+  {
+    return without;
+  }
+  const vtkIdType end = faces->GetNumberOfValues();
+  vtkIdType place = places->GetValue(cell);
+  const auto take = [&] { return place >= 0 && place < end ? faces->GetValue(place++) : -1; };
+  const vtkIdType count = take();
+  if (count < 4)
+  {
+    return without;
+  }
+  for (vtkIdType face = 0; face < count; ++face)
+  {
+    const vtkIdType size = take();
+    if (size < 3)
+    {
+      return "a polyhedron with a face of fewer than 3 points";
+    }
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const vtkIdType point = take();
+      if (point < 0 || point >= grid->GetNumberOfPoints())
+      {
+        return "a polyhedron with a face that uses a point which is not there";
+      }
+    }
+  }
+  return "";
+}
+
+void CheckFaces(vtkUnstructuredGrid*, const std::string&) {}
+#endif
+
+//------------------------------------------------------------------------------
+void CheckGrid(vtkUnstructuredGrid* grid, const std::string& path)
+{
+  CheckCellArray(grid->GetCells(), grid->GetNumberOfPoints(), path);
+  CheckFaces(grid, path);
+  if (!grid->GetCells())
+  {
+    return;
+  }
+  const CellJudge judge(grid);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int type = grid->GetCellType(cell);
+    std::string wrong = judge.Judge(cell, type, grid->GetCells()->GetCellSize(cell));
+    if (wrong.empty() && type == VTK_POLYHEDRON)
+    {
+      wrong = JudgeFaces(grid, cell);
+    }
+    if (!wrong.empty())
+    {
+      throw WorkError(path + ": cell " + std::to_string(cell) + " is " + wrong);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckPolygons(vtkPolyData* mesh, const std::string& path)
+{
+  const struct
+  {
+    vtkCellArray* Cells;
+    const char* Name;
+    vtkIdType Least;
+  } kinds[] = { { mesh->GetVerts(), "vertex", 1 }, { mesh->GetLines(), "line", 2 },
+    { mesh->GetPolys(), "polygon", 3 }, { mesh->GetStrips(), "triangle strip", 3 } };
+  vtkIdType before = 0;
+  for (const auto& [cells, name, least] : kinds)
+  {
+    CheckCellArray(cells, mesh->GetNumberOfPoints(), path);
+    const vtkIdType count = cells->GetNumberOfCells();
+    const bool uniform = cells->IsHomogeneous() >= least;
+    for (vtkIdType i = 0; i < count && !uniform; ++i)
+    {
+      if (const vtkIdType size = cells->GetCellSize(i); size < least)
+      {
+        throw WorkError(path + ": cell " + std::to_string(before + i) + " is a " + name + " of " +
+          Count(static_cast<double>(size), "point") + ", expected at least " +
+          std::to_string(least));
+      }
+    }
+    before += count;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Points or coordinates, and the size of the surface.
+void CheckStructure(const int extent[6], const std::function<std::string(const double*)>& find,
+  const std::string& path)
+{
+  double sizes[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    sizes[i] = std::max(0., 1. + extent[2 * i + 1] - static_cast<double>(extent[2 * i]));
+  }
+  const std::string wrong = find(sizes);
+  const std::string grid = std::to_string(static_cast<long long>(sizes[0])) + " x " +
+    std::to_string(static_cast<long long>(sizes[1])) + " x " +
+    std::to_string(static_cast<long long>(sizes[2])) + " points";
+  if (!wrong.empty())
+  {
+    throw WorkError(path + ": its grid of " + grid + " " + wrong);
+  }
+  const double faces = 2. * (sizes[0] * sizes[1] + sizes[1] * sizes[2] + sizes[2] * sizes[0]);
+  if (faces > MostFaces)
+  {
+    throw WorkError(path + ": the surface of its grid of " + grid + " has about " +
+      Count(faces, "face") + ", and at most " + Count(MostFaces, "face") +
+      " are drawn: extract a part, or every second point");
+  }
+}
+
+std::string CheckPoints(vtkStructuredGrid* grid, const double* sizes)
+{
+  const auto points = static_cast<double>(grid->GetPoints() ? grid->GetNumberOfPoints() : 0);
+  const auto held =
+    static_cast<double>(grid->GetPoints() ? grid->GetPoints()->GetNumberOfPoints() : 0);
+  return points == held && held == sizes[0] * sizes[1] * sizes[2]
+    ? ""
+    : "comes with " + Count(held, "point");
+}
+
+std::string CheckCoordinates(vtkRectilinearGrid* grid, const double* sizes)
+{
+  vtkDataArray* const all[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
+    grid->GetZCoordinates() };
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto held = static_cast<double>(all[i] ? all[i]->GetNumberOfTuples() : 0);
+    if (held != sizes[i])
+    {
+      return "comes with " + Count(held, "coordinate") + " along " + "xyz"[i];
+    }
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+void CheckArrays(
+  vtkFieldData* data, vtkIdType count, const std::string& noun, const std::string& path)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    if (array && array->GetNumberOfTuples() < count)
+    {
+      throw WorkError(path + ": its array '" + (array->GetName() ? array->GetName() : "") +
+        "' has " + Count(static_cast<double>(array->GetNumberOfTuples()), "value") + " for " +
+        Count(static_cast<double>(count), noun) + "; is the file whole?");
+    }
   }
 }
 }
@@ -47,16 +411,30 @@ void CheckCells(vtkDataObject* data, const std::string& path)
   ForEachDataSet(data, [&path](vtkDataSet* block) {
     if (vtkPolyData* mesh = vtkPolyData::SafeDownCast(block))
     {
-      for (vtkCellArray* cells :
-        { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
-      {
-        CheckCellArray(cells, mesh->GetNumberOfPoints(), path);
-      }
+      CheckPolygons(mesh, path);
     }
     else if (vtkUnstructuredGrid* grid = vtkUnstructuredGrid::SafeDownCast(block))
     {
-      CheckCellArray(grid->GetCells(), grid->GetNumberOfPoints(), path);
+      CheckGrid(grid, path);
     }
+    else if (vtkStructuredGrid* curved = vtkStructuredGrid::SafeDownCast(block))
+    {
+      CheckStructure(
+        curved->GetExtent(), [&](const double* sizes) { return CheckPoints(curved, sizes); }, path);
+    }
+    else if (vtkRectilinearGrid* straight = vtkRectilinearGrid::SafeDownCast(block))
+    {
+      CheckStructure(
+        straight->GetExtent(),
+        [&](const double* sizes) { return CheckCoordinates(straight, sizes); }, path);
+    }
+    else if (vtkImageData* image = vtkImageData::SafeDownCast(block))
+    {
+      CheckStructure(
+        image->GetExtent(), [](const double*) { return std::string(); }, path);
+    }
+    CheckArrays(block->GetPointData(), block->GetNumberOfPoints(), "point", path);
+    CheckArrays(block->GetCellData(), block->GetNumberOfCells(), "cell", path);
   });
 }
 }

@@ -51,11 +51,20 @@ vtkSmartPointer<vtkDataObject> Surface(vtkDataObject* data, Progress& progress)
   {
     return data;
   }
-  // The filter's own numbers are those of its copy without nonlinear cells, where there are any.
-  const vtkSmartPointer<vtkDataObject> numbered = CopyDataSets(data);
-  ForEachDataSet(numbered, NumberCells);
-  vtkNew<vtkGeometryFilter> surface;
-  return Run(surface, numbered, progress);
+  return ReplaceDataSets(data, [&progress](vtkDataObject* block) {
+    const bool structured = block->IsA("vtkImageData") || block->IsA("vtkRectilinearGrid") ||
+      block->IsA("vtkStructuredGrid");
+    vtkNew<vtkGeometryFilter> surface;
+    if (structured) // of which there may be more cells than memory has numbers for
+    {
+      surface->PassThroughCellIdsOn();
+      return Run(surface, block, progress);
+    }
+    // The filter's own numbers are those of its copy without nonlinear cells, where there are any.
+    const vtkSmartPointer<vtkDataObject> numbered = CopyDataSets(block);
+    ForEachDataSet(numbered, NumberCells);
+    return Run(surface, numbered, progress);
+  });
 }
 
 //------------------------------------------------------------------------------
