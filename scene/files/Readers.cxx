@@ -21,9 +21,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 namespace scene
 {
@@ -35,6 +37,34 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& path)
   vtkSmartPointer<Reader> reader = vtkSmartPointer<Reader>::New();
   reader->SetFileName(path.c_str());
   return reader;
+}
+
+// VTK's reader goes on to the end of the file, whatever the file says that it holds.
+vtkSmartPointer<vtkAlgorithm> OpenSTL(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  unsigned char head[84] = {};
+  file.read(reinterpret_cast<char*>(head), sizeof head);
+  const bool text = std::none_of(
+    head, head + file.gcount(), [](unsigned char byte) { return byte == 0 || byte > 127; });
+  if (!text)
+  {
+    const double size = static_cast<double>(std::filesystem::file_size(path));
+    const double held = std::max(0., std::floor((size - 84.) / 50.));
+    const double said = head[80] + 256. * (head[81] + 256. * (head[82] + 256. * head[83]));
+    const std::string counts = path + ": says that it holds " +
+      std::to_string(static_cast<long long>(said)) + " triangles, and has " +
+      std::to_string(static_cast<long long>(held));
+    if (held < said)
+    {
+      throw WorkError(counts + "; is it whole?");
+    }
+    if (held > said && said > 0.) // some writers leave it at none
+    {
+      Messages::Note(counts + ", which are drawn");
+    }
+  }
+  return Open<vtkSTLReader>(path);
 }
 
 struct ReaderRow
@@ -59,7 +89,7 @@ const ReaderRow Rows[] = {
   { ".pvtr", XML },
   { ".pvts", XML },
   { ".vtk", Open<vtkGenericDataObjectReader> },
-  { ".stl", Open<vtkSTLReader> },
+  { ".stl", OpenSTL },
   { ".ply", Open<vtkRelievoPLYReader> },
   { ".obj", Open<vtkRelievoOBJReader> },
   { ".off", Open<vtkRelievoOFFReader> },

@@ -28,8 +28,10 @@ namespace scene
 {
 namespace
 {
-// Faces of a structured grid's surface: what they take is some gigabytes then.
-constexpr double MostFaces = 3e7;
+// Of a structured grid and of its surface, which take some gigabytes then: VTK numbers all points to
+// find those of the surface.
+constexpr double MostPoints = 1.2e9;
+constexpr double MostFaces = 1e8;
 
 std::string Count(double count, const std::string& noun)
 {
@@ -354,12 +356,15 @@ void CheckStructure(const int extent[6], const std::function<std::string(const d
   {
     throw WorkError(path + ": its grid of " + grid + " " + wrong);
   }
-  const double faces = 2. * (sizes[0] * sizes[1] + sizes[1] * sizes[2] + sizes[2] * sizes[0]);
-  if (faces > MostFaces)
+  const double cells[3] = { sizes[0] - 1., sizes[1] - 1., sizes[2] - 1. };
+  const bool flat = *std::min_element(cells, cells + 3) <= 0.;
+  const double faces =
+    (flat ? 1. : 2.) * (cells[0] * cells[1] + cells[1] * cells[2] + cells[2] * cells[0]);
+  if (sizes[0] * sizes[1] * sizes[2] > MostPoints || faces > MostFaces)
   {
-    throw WorkError(path + ": the surface of its grid of " + grid + " has about " +
-      Count(faces, "face") + ", and at most " + Count(MostFaces, "face") +
-      " are drawn: extract a part, or every second point");
+    throw WorkError(path + ": its grid of " + grid +
+      " is too large: surfaces are drawn of at most 1200 million points, with at most 100 million "
+      "faces; extract a part, or every second point");
   }
 }
 
