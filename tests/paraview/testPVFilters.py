@@ -13,6 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 FILTERS = {
     "TextureCoordinates": ["Mapping", "Up"],
     "Tangents": [],
+    "ConvexPolygons": [],
     "HeightsToNormals": ["Kernel", "Encoding"],
     "EnvironmentConvert": ["InputProjection", "OutputProjection"],
     "EnvironmentPrefilter": ["InputProjection"],
@@ -73,6 +74,22 @@ class Filters(pv.PluginTest):
         self.assertEqual(numpy.ptp(points(placed, "TCoords"), axis=0).tolist(), [1.0, 0.5])
         tangents = points(simple.Tangents(Input=placed, TangentsName="along"), "along")
         self.assertLess(numpy.abs(tangents - (1, 0, 0, 1)).max(), 1e-6)
+
+    def test_convex_polygons(self):
+        """A dart whose first corner sees too much begins with another."""
+        dart = simple.ProgrammableSource(OutputDataSetType="vtkPolyData", Script="""
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+points, cells = vtkPoints(), vtkCellArray()
+for place in ((0, 0, 0), (2, 0, 0), (0.4, 0.4, 0), (0, 2, 0)):
+    points.InsertNextPoint(place)
+cells.InsertNextCell(4, (1, 2, 3, 0))
+output.VTKObject.SetPoints(points)
+output.VTKObject.SetPolys(cells)
+""")  # fmt: skip
+        made = servermanager.Fetch(simple.ConvexPolygons(Input=dart))
+        corners = vtk_to_numpy(made.GetPolys().GetConnectivityArray())
+        self.assertIn(corners[0], (0, 2))
 
     def test_heights_to_normals(self):
         slope = simple.Calculator(

@@ -263,7 +263,8 @@ class Package(unittest.TestCase):
     def test_the_wrapped_classes_are_there(self):
         for name in ("vtkRelievoPass", "vtkRelievoLayersStage", "vtkRelievoLayerSource",
                      "vtkRelievoLinearDepthPass", "vtkRelievoEXRWriter", "vtkRelievoEXRReader",
-                     "vtkRelievoOFFReader", "vtkRelievoDepthToPoints"):  # fmt: skip
+                     "vtkRelievoOFFReader", "vtkRelievoOBJReader", "vtkRelievoPLYReader",
+                     "vtkRelievoDepthToPoints", "vtkRelievoConvexPolygons"):  # fmt: skip
             self.assertTrue(getattr(relievo, name)().IsA(name), name)
 
     def test_import_again(self):
