@@ -231,8 +231,7 @@ std::vector<OptionRow> MakeRows()
       "--opacity makes the mesh see-through, not them",
       TakeSkeleton },
     { "--bone-weight", "BONE",
-      "colours by the weight of one bone; --color-by first_bone by the strongest",
-      TakeBoneWeight },
+      "colours by the weight of one bone; --color-by first_bone by the strongest", TakeBoneWeight },
     { "--shadows", "METHOD",
       "shadows of the lights in the picture: off, map, forward, warped or exact (off)",
       TakeShadows },
@@ -276,7 +275,8 @@ std::vector<OptionRow> MakeRows()
       TakeTextureCoordinates },
     { "--environment", "F[,DEG]",
       "light from all directions, which surfaces mirror and are lit by, from an image "
-      "(.exr .hdr .png .jpg .tif .bmp .tga) that is twice as wide as high, or from a square one of a "
+      "(.exr .hdr .png .jpg .tif .bmp .tga) that is twice as wide as high, or from a square one of "
+      "a "
       "mirror ball; rotated by DEG about the up axis (0). 8 and 16 bits are sRGB, "
       "floats linear light",
       TakeEnvironment },
