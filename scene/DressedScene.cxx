@@ -22,7 +22,7 @@ constexpr const char* Reading[] = { "--time", "--times", "--animation", "--blend
   "--skeleton", "--bone-weight", "--skin", "--normal-map", "--height-map", "--texture-coordinates",
   "--up" };
 constexpr const char* Wearing[] = { "--normal-map", "--height-map", "--relief",
-  "--texture-coordinates", "--environment", "--reflectivity", "--skybox", "--up" };
+  "--texture-coordinates", "--opacity", "--environment", "--reflectivity", "--skybox", "--up" };
 constexpr const char* NoDress[] = { "--camera", "--clip", "--size", "--shadows" };
 
 template <typename Names>

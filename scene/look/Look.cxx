@@ -275,7 +275,8 @@ void SetLook(Scene& scene, const RenderOptions& options)
     {
       property->SetOpacity(look.Opacity * property->GetOpacity());
     }
-    translucent = translucent || actor->HasTranslucentPolygonalGeometry() != 0;
+    translucent =
+      translucent || look.Opacity < 1.0 || actor->HasTranslucentPolygonalGeometry() != 0;
     if (look.Edges)
     {
       property->EdgeVisibilityOn();

@@ -62,7 +62,7 @@ vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
     material->SetNormalMap(own->GetNormalMap());
     material->SetNormalStrength(own->GetNormalStrength());
   }
-  if (own)
+  if (own && options.Look.Opacity >= 1.0) // else VTK draws the holes, and the rest see-through
   {
     material->SetAlphaCutoff(own->GetAlphaCutoff());
   }
@@ -98,7 +98,9 @@ void CheckSurface(const RenderOptions& options)
 //------------------------------------------------------------------------------
 void SetSurface(vtkRenderer* renderer, const RenderOptions& options, Progress& progress)
 {
-  if (options.NormalMap.empty() && options.HeightMap.empty() && options.Environment.empty())
+  const bool plain =
+    options.NormalMap.empty() && options.HeightMap.empty() && options.Environment.empty();
+  if (plain && options.Look.Opacity >= 1.0)
   {
     return;
   }
@@ -118,6 +120,10 @@ void SetSurface(vtkRenderer* renderer, const RenderOptions& options, Progress& p
   while (vtkActor* actor = actors->GetNextActor(it))
   {
     vtkRelievoMaterial* own = vtkRelievoMaterial::Get(actor);
+    if (plain && (!own || own->GetAlphaCutoff() <= 0.0))
+    {
+      continue;
+    }
     vtkSmartPointer<vtkRelievoMaterial>& material = materials[own];
     if (!material)
     {

@@ -100,6 +100,18 @@ class Images(CliTest):
             numpy.testing.assert_array_equal((self.actor == nothing)[known], hole[known])
             numpy.testing.assert_array_equal(seen[known & ~hole], 1)
 
+    def test_see_through_cut_outs(self):
+        """--opacity makes the rest see-through: layers have none of it, and the holes stay."""
+        values = numpy.full((8, 8, 4), 255, numpy.uint8)
+        values[2:6, 2:6, 3] = 0
+        Image.fromarray(values, "RGBA").save(self.folder / "hole.png")
+        self.albedo("hole.png", "--opacity", "0.4")
+        self.assertEqual(set(self.actor.ravel()), {0xFFFFFFFF})
+        self.relievo("render", "plane.obj", *LOOK, "--opacity", "0.4", "--png", "a.png")
+        picture = read_png(self.folder / "a.png")
+        self.assertEqual(picture[SIDE // 2, SIDE // 2].max(), 0)
+        self.assertLess(abs(picture[2, 2].astype(int) - 0.4 * 255).max(), 2)
+
     def test_shadow_of_a_cut_out(self):
         values = numpy.full((8, 8, 4), 255, numpy.uint8)
         values[2:6, 2:6, 3] = 0
