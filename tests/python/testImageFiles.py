@@ -546,8 +546,8 @@ class Colors(Files):
 class NoFiles(Files):
     def test_what_is_no_file(self):
         os.mkfifo(self.folder / "pipe.png")
-        for path, says in ((self.folder / "pipe.png", "a device or a pipe"),
-                           (pathlib.Path("/dev/zero"), "a device or a pipe"),
+        for path, says in ((self.folder / "pipe.png", "a pipe"),
+                           (pathlib.Path("/dev/zero"), "a device"),
                            (self.folder, "a folder"), (self.folder / "none.png", "no such file")):
             reader = vtkRelievoImageReader()
             reader.SetFileName(str(path))
