@@ -9,9 +9,9 @@
  * Output: the same mesh, points and their numbers included, in which
  * - a polygon whose fan folds begins with another corner, if it has one whose fan does not;
  * - otherwise, and where vtkPolygon computes a normal that points to the other side, which
- *   vtkPolyDataNormals would take, it is cut into triangles, which get its cell data. The cell array
- *   `vtkRelievoPolygonIds` (vtkIdType) is there only if a polygon was cut; it says for each cell of
- *   the output which cell of the input it is of. The layer `cell` shows these numbers.
+ *   vtkPolyDataNormals would take, it is cut into triangles, which get its cell data. The cell
+ *   array `vtkRelievoPolygonIds` (vtkIdType) is there only if a polygon was cut; it says for each
+ *   cell of the output which cell of the input it is of. The layer `cell` shows these numbers.
  *
  * A mesh without such polygons passes through, as its own arrays. Polygons may touch themselves,
  * have several corners at one place or on a line, and run to a hole and back. Those that are not

@@ -28,8 +28,8 @@ namespace scene
 {
 namespace
 {
-// Of a structured grid and of its surface, which take some gigabytes then: VTK numbers all points to
-// find those of the surface.
+// Of a structured grid and of its surface, which take some gigabytes then: VTK numbers all points
+// to find those of the surface.
 constexpr double MostPoints = 1.2e9;
 constexpr double MostFaces = 1e8;
 

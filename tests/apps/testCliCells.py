@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files whose cells, grids or arrays do not fit, or that end too early: drawn or refused in one line
-that names the file, never a crash, and never a part without a word."""
+"""Files whose cells, grids or arrays do not fit, or that end too early: drawn or refused in one
+line that names the file, never a crash, and never a part without a word."""
 
 import os
 import struct
@@ -52,8 +52,13 @@ class Cells(CliTest):
         if text is not None:
             data = text.encode() if isinstance(text, str) else text
             (self.folder / name).write_bytes(data)
-        done = subprocess.run([RELIEVO, "render", name, "--size", "32x32", "--png", name + ".png"],
-                              cwd=self.folder, capture_output=True, text=True, timeout=60)  # fmt: skip
+        done = subprocess.run(
+            [RELIEVO, "render", name, "--size", "32x32", "--png", name + ".png"],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=60,
+        )
         return done.returncode, done.stderr
 
     def check_refused(self, name, text, *says):
@@ -75,8 +80,8 @@ class Cells(CliTest):
         def draw(job):
             kind, count = job
             cells = f"{count} " + " ".join(map(str, range(count)))
-            text = (f"{HEAD}UNSTRUCTURED_GRID\nPOINTS 31 float\n{POINTS}CELLS 1 {count + 1}\n{cells}\n"
-                    f"CELL_TYPES 1\n{kind}\n")  # fmt: skip
+            text = (f"{HEAD}UNSTRUCTURED_GRID\nPOINTS 31 float\n{POINTS}"
+                    f"CELLS 1 {count + 1}\n{cells}\nCELL_TYPES 1\n{kind}\n")  # fmt: skip
             return job, *self.render(f"{kind}-{count}.vtk", text)
 
         refused = 0
@@ -98,13 +103,14 @@ class Cells(CliTest):
         def make(faces, offset):
             return ('<VTKFile type="UnstructuredGrid" version="0.1"><UnstructuredGrid><Piece '
                     'NumberOfPoints="4" NumberOfCells="1"><Points><DataArray type="Float32" '
-                    'NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points>'
-                    '<Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 3'
-                    '</DataArray><DataArray type="Int64" Name="offsets" format="ascii">4</DataArray>'
+                    'NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0 0 0 1</DataArray>'
+                    '</Points><Cells><DataArray type="Int64" Name="connectivity" format="ascii">'
+                    '0 1 2 3</DataArray><DataArray type="Int64" Name="offsets" format="ascii">4'
+                    '</DataArray>'
                     '<DataArray type="UInt8" Name="types" format="ascii">42</DataArray>'
                     f'<DataArray type="Int64" Name="faces" format="ascii">{faces}</DataArray>'
-                    f'<DataArray type="Int64" Name="faceoffsets" format="ascii">{offset}</DataArray>'
-                    '</Cells></Piece></UnstructuredGrid></VTKFile>')  # fmt: skip
+                    f'<DataArray type="Int64" Name="faceoffsets" format="ascii">{offset}'
+                    '</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>')  # fmt: skip
 
         whole = "4 3 0 2 1 3 0 1 3 3 1 2 3 3 0 3 2"
         status, said = self.render("whole.vtu", make(whole, 17))
@@ -149,8 +155,9 @@ class Cells(CliTest):
         """What a file of 200 bytes asks for is not allocated."""
         for size in (1500, 40000, 2**31 - 2):
             extent = f"0 {size} 0 {size} 0 {size if size < 40000 else 0}"
-            text = (f'<VTKFile type="ImageData" version="0.1"><ImageData WholeExtent="{extent}" Origin='
-                    f'"0 0 0" Spacing="1 1 1"><Piece Extent="{extent}"/></ImageData></VTKFile>')
+            text = (f'<VTKFile type="ImageData" version="0.1"><ImageData WholeExtent="{extent}" '
+                    f'Origin="0 0 0" Spacing="1 1 1"><Piece Extent="{extent}"/></ImageData>'
+                    '</VTKFile>')  # fmt: skip
             self.check_refused("a.vti", text, f"{size + 1} x {size + 1}", "1200 million points")
 
     # ------------------------------------------------------------------------
@@ -195,12 +202,13 @@ class Cells(CliTest):
         for said, held, rest, status in ((2, 2, b"", 0), (2, 1, b"", 1), (2, 2, b"more", 0),
                                          (1, 2, b"", 0), (0, 2, b"", 0), (2**32 - 1, 2, b"", 1),
                                          (2, 1, b"x" * 49, 1)):  # fmt: skip
-            text = b"made by a test".ljust(80, b"\0") + struct.pack("<I", said) + triangle * held + rest
+            head = b"made by a test".ljust(80, b"\0") + struct.pack("<I", said)
             with self.subTest(said=said, held=held):
-                found, words = self.render("a.stl", text)
+                found, words = self.render("a.stl", head + triangle * held + rest)
                 self.assertEqual(found, status, words)
                 noted = status == 1 or said == 1
-                self.assertEqual(f"says that it holds {said} triangles, and has {held}" in words, noted)
+                says = f"says that it holds {said} triangles, and has {held}"
+                self.assertEqual(says in words, noted)
 
 
 if __name__ == "__main__":

@@ -108,9 +108,9 @@ class OBJ(CliTest):
         for mark, end in (("", "\n"), ("\ufeff", "\r\n"), ("", "\r")):
             self.write("m.mtl", f"{mark}newmtl red # bright{end}Kd 1 0 0{end}"
                        f"newmtl two words{end}Kd 0 0 1{end}")  # fmt: skip
-            self.write("a.obj", (mark + "mtllib m.mtl # colours\n" + bands + faces[0]
-                                 + "usemtl red\t# first\n" + faces[1] + "usemtl two words\n"
-                                 + faces[2] + "usemtl\n" + faces[3]).replace("\n", end))  # fmt: skip
+            text = mark + "mtllib m.mtl # colours\n" + bands + faces[0] + "usemtl red\t# first\n"
+            text += faces[1] + "usemtl two words\n" + faces[2] + "usemtl\n" + faces[3]
+            self.write("a.obj", text.replace("\n", end))
             seen = self.draw(layers="albedo,actor")
             for x, color, actor in ((10, (1, 1, 1), 0), (40, (1, 0, 0), 1), (60, (0, 0, 1), 2),
                                     (90, (1, 1, 1), 0)):  # fmt: skip
@@ -145,7 +145,8 @@ class OBJ(CliTest):
         self.before = self.names()
         for name in self.before:
             if name.startswith("a.") and name != "a.png":
-                self.refused("render", name, "--png", "b.png", status=1, says=[name, "it is a pipe"])
+                self.refused("render", name, "--png", "b.png", status=1,
+                             says=[name, "it is a pipe"])  # fmt: skip
         for option in ("--normal-map", "--height-map", "--environment"):
             self.refused("render", "triangle.off", option, "a.png", "--png", "b.png", status=1,
                          says=["a.png", "it is a pipe"])  # fmt: skip
@@ -204,8 +205,9 @@ class Colors(CliTest):
         # Its z points away from the viewer.
         places = ",".join(f"{x};{y};0;" for x, y in CORNERS)
         colors = ",".join("{};{};{};{};1;;".format(i, *color) for i, color in enumerate(COLORS))
-        self.check("a.x", "xof 0303txt 0032\nMesh a {\n4;\n" + places + ";\n2;\n3;0;2;1;,3;0;3;2;;\n"
-                   "MeshVertexColors {\n4;\n" + colors + ";\n}\n}\n")  # fmt: skip
+        self.check("a.x", "xof 0303txt 0032\nMesh a {\n4;\n" + places + ";\n2;\n"
+                   "3;0;2;1;,3;0;3;2;;\nMeshVertexColors {\n4;\n" + colors
+                   + ";\n}\n}\n")  # fmt: skip
 
 
 class Skeletons(CliTest):

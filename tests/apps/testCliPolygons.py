@@ -49,14 +49,15 @@ def is_inside(polygon):
 
 
 def make_obj(points, polygons):
-    return ("".join("v {} {} {}\n".format(*point) for point in points)
-            + "".join("f " + " ".join(str(i + 1) for i in each) + "\n" for each in polygons))  # fmt: skip
+    faces = [" ".join(str(i + 1) for i in polygon) for polygon in polygons]
+    places = "".join("v {} {} {}\n".format(*point) for point in points)
+    return places + "".join(f"f {face}\n" for face in faces)
 
 
 def make_off(points, polygons):
-    return (f"OFF\n{len(points)} {len(polygons)} 0\n"
-            + "".join("{} {} {}\n".format(*point) for point in points)
-            + "".join(f"{len(each)} {' '.join(map(str, each))}\n" for each in polygons))  # fmt: skip
+    places = "".join("{} {} {}\n".format(*point) for point in points)
+    faces = "".join(f"{len(each)} {' '.join(map(str, each))}\n" for each in polygons)
+    return f"OFF\n{len(points)} {len(polygons)} 0\n{places}{faces}"
 
 
 def make_ply(points, polygons):
@@ -156,8 +157,9 @@ class Polygons(CliTest):
         seen = self.exr("a.exr")[1]
         for i, outline in enumerate(outlines):
             inside = is_inside(outline)
-            for name, value in (("vtkOriginalCellIds.V", i), ("actor.id", i % 2), ("cell.id", i // 2),
-                                ("albedo.R", 1 - i % 2), ("albedo.B", i % 2)):  # fmt: skip
+            for name, value in (("vtkOriginalCellIds.V", i), ("actor.id", i % 2),
+                                ("cell.id", i // 2), ("albedo.R", 1 - i % 2),
+                                ("albedo.B", i % 2)):  # fmt: skip
                 self.assertEqual(set(seen[name][inside]), {value}, name)
 
     def test_shadows(self):
@@ -170,8 +172,8 @@ class Polygons(CliTest):
             inside = is_inside(outline)
             for method in ("map", "exact"):
                 # A slanted sun moves the shadow by a half.
-                self.relievo("render", "a.off", *LOOK, "--light", "sun:0.5,0,1", "--shading", "flat",
-                             "--shadows", method, "--exr", "a.exr",
+                self.relievo("render", "a.off", *LOOK, "--light", "sun:0.5,0,1",
+                             "--shading", "flat", "--shadows", method, "--exr", "a.exr",
                              "--layers", "cell,shadow_0")  # fmt: skip
                 seen = self.exr("a.exr")[1]
                 numpy.testing.assert_array_equal(seen["cell.id"] == 1, inside)

@@ -124,8 +124,10 @@ class ConvexPolygons(unittest.TestCase):
              (3, 1.5), (1, 1.5), (1, 3.5), (4.5, 3.5), (4.5, 0.5), (0, 0.5)],  # a maze
             [(0, 0), (0.5, 0), (1, 0), (2, 0), (2, 1), (1.5, 1), (1, 1), (1, 1.5), (1, 2), (0, 2),
              (0, 1)],  # corners on lines
-            [(0, 0), (2, 0), (2, 0), (2, 1), (1, 1), (1, 1), (1, 1), (1, 2), (0, 2), (0, 0)],  # twice
-            [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0), (1, 1), (1, 3), (3, 3), (3, 1), (1, 1)],  # a hole
+            [(0, 0), (2, 0), (2, 0), (2, 1), (1, 1), (1, 1), (1, 1), (1, 2), (0, 2),
+             (0, 0)],  # corners twice
+            [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0), (1, 1), (1, 3), (3, 3), (3, 1),
+             (1, 1)],  # a hole
             [(0, 0), (9, 0), (9, 9), (0, 9), (0, 0), (1, 1), (1, 2), (2, 2), (2, 1), (6, 1), (6, 3),
              (8, 3), (8, 1), (6, 1), (2, 1), (1, 1)],  # two holes, one behind the other
             [(0, 0), (4, 0), (4, 4), (2, 2), (0, 4)],  # M
@@ -145,7 +147,7 @@ class ConvexPolygons(unittest.TestCase):
     def test_normals(self):
         """What VTK computes of the output points to the side that the outline runs around."""
         numbers = numpy.random.default_rng(12)
-        zigzag = [(0.1 * i, 8 - 0.3 * (i % 2)) for i in range(20)]  # seen whole from the first corner
+        zigzag = [(0.1 * i, 8 - 0.3 * (i % 2)) for i in range(20)]  # all seen from the first corner
         sides = []
         for outline in (L, star(numbers, 12), star(numbers, 40), [(1, -9), *zigzag[::-1]]):
             mesh = mesh_of(numpy.asarray(outline) @ FRAMES["z"][:2], [range(len(outline))])
@@ -206,9 +208,11 @@ class ConvexPolygons(unittest.TestCase):
 
     def test_bent(self):
         """Four corners that are not in a plane are cut where the fan does not fold."""
-        for points, folds in (([(0, 0, 0), (1, 0, 0.3), (1, 1, 0), (0, 1, 0.3)], False),
-                              ([(0, 0, 0), (1, 0, 0), (0.4, 0.4, 2), (0, 1, 0)], False),
-                              ([(0, 0, 0), (1, 0, 0), (0.2, 0.2, 0.1), (0, 1, 0)], True)):  # fmt: skip
+        for points, folds in (
+            ([(0, 0, 0), (1, 0, 0.3), (1, 1, 0), (0, 1, 0.3)], False),
+            ([(0, 0, 0), (1, 0, 0), (0.4, 0.4, 2), (0, 1, 0)], False),
+            ([(0, 0, 0), (1, 0, 0), (0.2, 0.2, 0.1), (0, 1, 0)], True),
+        ):
             for start in range(4):
                 ids = numpy.roll(range(4), -start)
                 output, step = cut(mesh_of(points, [ids]))

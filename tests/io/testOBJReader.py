@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkRelievoOBJReader: what OBJ files say, written out by hand; real meshes against VTK's reader."""
+"""vtkRelievoOBJReader: what OBJ files say, written by hand; real meshes against VTK's reader."""
 
 import locale
 import os
@@ -85,7 +85,8 @@ class OBJ(unittest.TestCase):
     def test_cells(self):
         """Vertices, lines and faces in VTK's order, with names of either sign."""
         self.check(SQUARE + "f 1 2 3 4\nl 1 3 2\np 4 1\nf -4 -3 -2\nl 2 4\nf 1 2\nf 3\np 2\n",
-                   [[3, 0], [2], [1], [0, 2, 1], [1, 3], [0, 1], [0, 1, 2, 3], [0, 1, 2]])  # fmt: skip
+                   [[3, 0], [2], [1], [0, 2, 1], [1, 3], [0, 1], [0, 1, 2, 3],
+                    [0, 1, 2]])  # fmt: skip
 
     def test_later_points(self):
         self.check("f 1 2 3\n" + SQUARE + "f 2 3 4\n", [[0, 1, 2], [1, 2, 3]])
@@ -175,7 +176,8 @@ class OBJ(unittest.TestCase):
 
     def test_both(self):
         """Corners with all four kinds of indices."""
-        self.check(SQUARE + "vt 0 0\nvn 0 0 1\nvn 1 0 0\nf 1/1/1 2/1/1 3/1/1\nf 1/1/2 -2/-1/-2 4//2\n",
+        self.check(SQUARE + "vt 0 0\nvn 0 0 1\nvn 1 0 0\n"
+                   "f 1/1/1 2/1/1 3/1/1\nf 1/1/2 -2/-1/-2 4//2\n",
                    [[0, 1, 2], [4, 2, 3]], count=5)  # fmt: skip
 
     # ------------------------------------------------------------------------
@@ -226,15 +228,15 @@ class OBJ(unittest.TestCase):
     def test_wrong_points(self):
         """What is no number takes its faces along, and nothing else; the rest keeps its numbers."""
         faces = "l 1 5\nl 1 2\nf 1 2 3\nf 3 4 5\nf 5 1 2\nf 1 3 4\n"
-        for wrong in ("inf 0 0", "nan 0 0", "0 -nan 0", "0 0 1,5", "abc 0 0", "0 0", "", "1e999 0 0",
-                      "0 0x10 0", "1.0.0 0 0", "0 0 -inf"):  # fmt: skip
+        for wrong in ("inf 0 0", "nan 0 0", "0 -nan 0", "0 0 1,5", "abc 0 0", "0 0", "",
+                      "1e999 0 0", "0 0x10 0", "1.0.0 0 0", "0 0 -inf"):  # fmt: skip
             with self.subTest(point=wrong):
                 mesh = self.check(f"{SQUARE}v {wrong}\nv 9 9 9\n{faces}",
                                   [[0, 1], [0, 1, 2], [0, 2, 3]], count=6)  # fmt: skip
                 ids = self.array(mesh.GetCellData(), "vtkOriginalCellIds")
                 self.assertEqual(list(ids), [1, 2, 5])
-                self.assertEqual(self.notes, ["left out 1 point with a coordinate that is no finite "
-                                              "number (line 5) and the 3 cells of such points"])  # fmt: skip
+                note = "left out 1 point with a coordinate that is no finite number (line 5) and "
+                self.assertEqual(self.notes, [note + "the 3 cells of such points"])
                 self.assertTrue(numpy.isfinite(self.points(mesh)).all())
         mesh = self.read("v x 0 0\nv 0 0 y\nf 1 2 1\n")
         self.assertEqual(mesh.GetNumberOfCells(), 0)
@@ -282,8 +284,9 @@ class OBJ(unittest.TestCase):
     # ------------------------------------------------------------------------
     def test_broken(self):
         """Broken bytes anywhere: read or refused, never an index out of range."""
-        good = (SQUARE + "v 2 2 2 1 0 0\nvt 0 0\nvt 1 1\nvn 0 0 1\nusemtl a\ns 1\nf 1/1/1 2/2/1 3/1/1\n"
-                "g x\nf 1 2 3\nl 1/2 3\np 4\nf -1//-1 -2//1 -3//1\n").encode()  # fmt: skip
+        good = (SQUARE + "v 2 2 2 1 0 0\nvt 0 0\nvt 1 1\nvn 0 0 1\nusemtl a\ns 1\n"
+                "f 1/1/1 2/2/1 3/1/1\ng x\nf 1 2 3\nl 1/2 3\np 4\n"
+                "f -1//-1 -2//1 -3//1\n").encode()  # fmt: skip
         numbers, counts = random.Random(5), [0, 0]
         for _ in range(2000):
             text = bytearray(good)

@@ -140,8 +140,8 @@ class PLY(unittest.TestCase):
     def test_colors(self):
         """White is white, in every type; VTK's reader takes floats for bytes."""
         shares = ((1, 0, 0), (0, 0.5, 1), (0.2, 1, 0.4), (0, 0, 0))
-        for kind, whole in (("uchar", 255), ("ushort", 65535), ("uint", 2**32 - 1), ("short", 32767),
-                            ("float", 1.0), ("double", 1.0)):  # fmt: skip
+        for kind, whole in (("uchar", 255), ("ushort", 65535), ("uint", 2**32 - 1),
+                            ("short", 32767), ("float", 1.0), ("double", 1.0)):  # fmt: skip
             values = [[each * whole if kind in ("float", "double") else round(each * whole)
                        for each in share] for share in shares]  # fmt: skip
             for before in ("", "diffuse_"):
@@ -167,7 +167,8 @@ class PLY(unittest.TestCase):
         for form in FORMATS:
             mesh = self.read(make(form, [
                 ("camera", [("float", "view"), (("uchar", "float"), "more")], [(1, [2, 3])]),
-                vertices(extra, rows), faces(of_faces, [*colors, ("int", "region")], "vertex_index"),
+                vertices(extra, rows),
+                faces(of_faces, [*colors, ("int", "region")], "vertex_index"),
             ]))  # fmt: skip
             data = mesh.GetPointData()
             numpy.testing.assert_array_equal(vtk_to_numpy(data.GetNormals()), 4 * [(0, 0, 1)])
@@ -189,8 +190,8 @@ class PLY(unittest.TestCase):
         """Texture coordinates of corners split the points where they differ."""
         rows = [([0, 1, 2], [0, 0, 1, 0, 1, 1]), ([0, 2, 3], [0.5, 0, 1, 1, 0, 1]),
                 ([2, 0, 1], [1, 1, 0.5, 0, 1, 0])]  # fmt: skip
-        mesh = self.read(make("ascii", [vertices(),
-                                        faces(rows, [(("uchar", "float"), "texcoord")])]))  # fmt: skip
+        extra = [(("uchar", "float"), "texcoord")]
+        mesh = self.read(make("ascii", [vertices(), faces(rows, extra)]))
         self.assertEqual(self.corners(mesh.GetPolys()), [0, 1, 2, 4, 2, 3, 2, 4, 1])
         numpy.testing.assert_array_equal(
             vtk_to_numpy(mesh.GetPointData().GetTCoords()),
