@@ -12,6 +12,7 @@
 
 #include "vtkObject.h"
 #include "vtkRelievoLayersModule.h" // for the export macro
+#include "vtkRelievoText.h"         // for names that are given
 
 #include <string> // for names
 
@@ -46,13 +47,13 @@ public:
   static std::string GetLayerNames();
 
   /** Whether the name is that of a layer: one of the table, or shadow_N with a number. */
-  static bool GetIsLayer(const std::string& name);
+  static bool GetIsLayer(RELIEVO_TEXT name);
 
   /** The light of a layer shadow_N by its number, or -1. */
-  static int GetLight(const std::string& name);
+  static int GetLight(RELIEVO_TEXT name);
 
   /** Whether the name begins like those of the layers of lights: shadow_0, shadow_key_light. */
-  static bool GetIsOfLight(const std::string& name);
+  static bool GetIsOfLight(RELIEVO_TEXT name);
 
 #ifndef __VTK_WRAP__
   static const std::vector<vtkRelievoLayer>& GetAll();

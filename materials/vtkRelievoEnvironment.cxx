@@ -112,6 +112,11 @@ vtkDataArray* vtkRelievoEnvironment::GetIrradiance()
 //------------------------------------------------------------------------------
 void vtkRelievoEnvironment::GetWorldToEnvironment(vtkMatrix3x3* rotation)
 {
+  if (!rotation)
+  {
+    vtkErrorMacro("GetWorldToEnvironment was given no matrix; give it a vtkMatrix3x3 to fill.");
+    return;
+  }
   // Rows: the environment's x, y, z in the world, not turned about its up axis yet.
   static const double upright[3][3][3] = {
     { { 0, -1, 0 }, { 1, 0, 0 }, { 0, 0, 1 } },

@@ -306,6 +306,11 @@ bool vtkRelievoEnvironmentTextures::Activate(
     held = this->All.insert(this->All.end(), Held());
     held->Window = window;
   }
+  if (held->IsLost())
+  {
+    *held = Held();
+    held->Window = window;
+  }
   if (held->Time != this->LookTime)
   {
     held->Time = this->LookTime;
@@ -360,7 +365,7 @@ vtkIdType vtkRelievoEnvironmentTextures::GetBytes()
   vtkIdType bytes = 0;
   for (const Held& held : this->All)
   {
-    bytes += held.Window && held.Image ? held.Bytes : 0;
+    bytes += held.Window && held.Image && !held.IsLost() ? held.Bytes : 0;
   }
   return bytes;
 }

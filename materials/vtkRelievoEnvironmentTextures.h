@@ -75,6 +75,13 @@ private:
     double Detail = 1.0;
     vtkMTimeType Time = 0;
     vtkIdType Bytes = 0;
+
+    // A window that is finalized frees its textures by itself.
+    bool IsLost() const
+    {
+      return (this->Image && !this->Image->GetHandle()) ||
+        (this->Levels && !this->Levels->GetHandle());
+    }
   };
 
   vtkMTimeType GetImagesTime() const;

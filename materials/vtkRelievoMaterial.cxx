@@ -22,6 +22,7 @@
 #include "vtkRelievoMaterialEye.h"
 #include "vtkRelievoMaterialMap.h"
 #include "vtkRelievoMaterialSplice.h"
+#include "vtkRelievoPassKeys.h"
 #include "vtkRelievoReflection.h"
 #include "vtkRelievoTrialSplice.h"
 #include "vtkRenderer.h"
@@ -192,7 +193,7 @@ void vtkRelievoMaterial::Attach(vtkActor* actor)
     vtkNew<vtkInformation> keys;
     actor->SetPropertyKeys(keys);
   }
-  actor->GetPropertyKeys()->Append(vtkOpenGLRenderPass::RenderPasses(), this);
+  vtkRelievoPassKeys::Add(actor->GetPropertyKeys(), this);
   AddCarrier(actor);
   this->Internal->Actors.emplace_back(actor);
   vtkRelievoCutoff::Tell(actor, this->Enabled ? this->AlphaCutoff : 0.0);
@@ -204,12 +205,7 @@ void vtkRelievoMaterial::Detach(vtkActor* actor)
 {
   if (vtkRelievoMaterial::Get(actor) == this)
   {
-    vtkInformation* keys = actor->GetPropertyKeys();
-    keys->Remove(vtkOpenGLRenderPass::RenderPasses(), this);
-    if (keys->Length(vtkOpenGLRenderPass::RenderPasses()) == 0)
-    {
-      keys->Remove(vtkOpenGLRenderPass::RenderPasses());
-    }
+    vtkRelievoPassKeys::Remove(actor->GetPropertyKeys(), this);
     RemoveCarrier(actor);
     vtkRelievoCutoff::Tell(actor, 0.0);
     auto& actors = this->Internal->Actors;
@@ -381,7 +377,10 @@ void vtkRelievoMaterial::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Internal->Environment->ReleaseGraphicsResources(window);
   }
-  this->Superclass::ReleaseGraphicsResources(window);
+  if (window) // VTK's own method ends the program if there is none
+  {
+    this->Superclass::ReleaseGraphicsResources(window);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -522,9 +521,9 @@ bool vtkRelievoMaterial::SetShaderParameters(vtkShaderProgram* program,
   Internals& in = *this->Internal;
   auto* mapper = vtkOpenGLPolyDataMapper::SafeDownCast(abstractMapper);
   auto* actor = vtkActor::SafeDownCast(prop);
-  const bool maps = program->IsUniformUsed("relievoTextureTransform");
-  const bool mirrors = in.Environment && vtkRelievoReflection::IsIn(program);
-  if (program->IsUniformUsed("relievoAlphaCutoff"))
+  const bool maps = program && program->IsUniformUsed("relievoTextureTransform");
+  const bool mirrors = program && in.Environment && vtkRelievoReflection::IsIn(program);
+  if (program && program->IsUniformUsed("relievoAlphaCutoff"))
   {
     program->SetUniformf("relievoAlphaCutoff", static_cast<float>(this->AlphaCutoff));
   }

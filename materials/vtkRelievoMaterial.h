@@ -257,6 +257,7 @@ public:
   /** Draws nothing; VTK's mappers call the functions below. */
   void Render(const vtkRenderState* s) override;
 
+#ifndef __VTK_WRAP__
   ///@{
   /** Called by VTK's mappers. */
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
@@ -267,6 +268,7 @@ public:
     vtkOpenGLVertexArrayObject* VAO = nullptr) override;
   vtkMTimeType GetShaderStageMTime() override;
   ///@}
+#endif
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

@@ -140,7 +140,8 @@ bool vtkRelievoMaterialMap::Load(vtkOpenGLRenderWindow* window, bool repeat, std
   }
   vtkDataArray* values = GetValues(this->Image);
   const vtkMTimeType time = this->GetTime();
-  if (this->Texture && this->Window == window && this->LoadTime == time && this->Repeat == repeat)
+  if (this->IsLoaded() && this->Window == window && this->LoadTime == time &&
+    this->Repeat == repeat)
   {
     return true;
   }
@@ -227,6 +228,13 @@ bool vtkRelievoMaterialMap::Load(vtkOpenGLRenderWindow* window, bool repeat, std
   this->LoadTime = time;
   this->Repeat = repeat;
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoMaterialMap::IsLoaded() const
+{
+  // A window that is finalized frees its textures by itself.
+  return this->Texture && this->Texture->GetHandle() != 0;
 }
 
 //------------------------------------------------------------------------------

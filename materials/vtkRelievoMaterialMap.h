@@ -53,12 +53,13 @@ public:
 
   int GetWidth() const { return this->Size[0]; }
   int GetHeight() const { return this->Size[1]; }
-  vtkIdType GetBytes() const { return this->Bytes; }
+  vtkIdType GetBytes() const { return this->IsLoaded() ? this->Bytes : 0; }
   void Release(vtkWindow* window);
 
 private:
   vtkMTimeType GetTime() const;
   std::string GetFault() const;
+  bool IsLoaded() const;
 
   const char* Name;
   int LeastComponents;

@@ -108,6 +108,14 @@ vtkRelievoEnvironment* vtkRelievoSkybox::GetEnvironment()
 //------------------------------------------------------------------------------
 void vtkRelievoSkybox::GetScreenToEnvironment(vtkRenderer* renderer, vtkMatrix3x3* matrix)
 {
+  if (!renderer || !renderer->GetRenderWindow() || !matrix)
+  {
+    vtkErrorMacro(
+      "GetScreenToEnvironment was given " << (!matrix ? "no matrix; give it a vtkMatrix3x3 to fill."
+          : renderer ? "a renderer without a window; add it to a vtkRenderWindow."
+                     : "no renderer; give it one that is in a vtkRenderWindow."));
+    return;
+  }
   vtkCamera* camera = renderer->GetActiveCamera();
   vtkMatrix4x4* toView = camera->GetModelViewTransformMatrix();
   vtkNew<vtkMatrix4x4> toNDC;

@@ -133,7 +133,7 @@ vtkRenderer* vtkRelievoLayerSource::GetRenderer()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoLayerSource::AddLayer(const std::string& name)
+void vtkRelievoLayerSource::AddLayer(RELIEVO_TEXT name)
 {
   this->Layers.push_back(name);
   this->Modified();
@@ -313,6 +313,13 @@ bool vtkRelievoLayerSource::Draw(vtkRelievoPass* pass, bool color)
 //------------------------------------------------------------------------------
 void vtkRelievoLayerSource::AddColor(vtkRenderer* renderer, vtkImageData* image)
 {
+  if (!renderer || !renderer->GetRenderWindow() || !image)
+  {
+    vtkGenericWarningMacro(
+      "AddColor was given " << (image ? "no renderer in a window; give it one that was drawn."
+                                      : "no image; give it a vtkImageData to add to."));
+    return;
+  }
   int size[2];
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
@@ -347,6 +354,13 @@ void vtkRelievoLayerSource::AddColor(vtkRenderer* renderer, vtkImageData* image)
 void vtkRelievoLayerSource::AddCamera(
   vtkRenderer* renderer, vtkImageData* image, vtkRelievoPass* frame)
 {
+  if (!renderer || !image)
+  {
+    vtkGenericWarningMacro(
+      "AddCamera was given " << (image ? "no renderer; give it that which was drawn."
+                                       : "no image; give it a vtkImageData to add to."));
+    return;
+  }
   vtkRelievoFrameCamera view;
   view.Take(renderer, nullptr);
   double rows[16];

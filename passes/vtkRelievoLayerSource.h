@@ -29,6 +29,7 @@
 #include "vtkErrorCode.h" // for the code of the error
 #include "vtkImageAlgorithm.h"
 #include "vtkRelievoPassesModule.h" // for the export macro
+#include "vtkRelievoText.h"         // for names that are given
 #include "vtkSmartPointer.h"        // for the renderer
 
 #include <string> // for names
@@ -53,7 +54,7 @@ public:
 
   ///@{
   /** The layers, by name, in the order of the output's arrays. */
-  void AddLayer(const std::string& name);
+  void AddLayer(RELIEVO_TEXT name);
   void RemoveAllLayers();
   int GetNumberOfLayers() { return static_cast<int>(this->Layers.size()); }
   std::string GetLayer(int i);

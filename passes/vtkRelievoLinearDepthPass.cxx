@@ -46,8 +46,11 @@ void vtkRelievoLinearDepthPass::Render(const vtkRenderState* s)
 //------------------------------------------------------------------------------
 void vtkRelievoLinearDepthPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Frame->ReleaseGraphicsResources(window);
-  this->Superclass::ReleaseGraphicsResources(window);
+  this->Frame->ReleaseGraphicsResources(window); // says that there is no window
+  if (window)
+  {
+    this->Superclass::ReleaseGraphicsResources(window);
+  }
 }
 
 //------------------------------------------------------------------------------

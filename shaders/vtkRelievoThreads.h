@@ -20,10 +20,11 @@ void vtkRelievoWithThreads(Work&& work)
   if (std::string(vtkSMPTools::GetBackend()) == "Sequential" &&
     !std::getenv("VTK_SMP_BACKEND_IN_USE"))
   {
-    // The number of threads stays what vtkSMPTools::Initialize was given.
-    vtkSMPTools::Config config(vtk::detail::smp::vtkSMPToolsAPI::GetInstance());
-    config.Backend = "STDThread";
-    vtkSMPTools::LocalScope(config, work);
+    // The number of threads stays what vtkSMPTools::Initialize was given. Names in capitals, and so
+    // no LocalScope: VTK makes capitals of them by the user's locale, and Turkish has no I for i.
+    vtkSMPTools::SetBackend("STDTHREAD");
+    work();
+    vtkSMPTools::SetBackend("SEQUENTIAL");
     return;
   }
 #endif

@@ -274,6 +274,11 @@ vtkMatrix4x4* vtkRelievoSkinnedActor::GetMatrix()
 //------------------------------------------------------------------------------
 void vtkRelievoSkinnedActor::GetMatrix(vtkMatrix4x4* result)
 {
+  if (!result)
+  {
+    vtkErrorMacro("GetMatrix was given no matrix; give it a vtkMatrix4x4 to fill.");
+    return;
+  }
   result->DeepCopy(this->GetMatrix());
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Application.h"
 #include "Errors.h"
 #include "MainWindow.h"
 #include "Messages.h"
@@ -12,7 +13,6 @@
 
 #include "vtkRenderWindow.h"
 
-#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
@@ -157,7 +157,7 @@ int main(int argc, char* argv[])
   QCoreApplication::setApplicationName("relievo-viewer");
   int ours = 1; // Qt has options of its own, which ours might be taken for
   const QtMessageHandler before = qInstallMessageHandler(OnMessage);
-  QApplication application(ours, argv);
+  viewer::Application application(ours, argv);
   QtsOwn = before;
   scene::Outputs::RemoveOnSignals();
   viewer::MainWindow window;

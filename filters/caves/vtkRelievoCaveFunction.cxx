@@ -114,6 +114,18 @@ double vtkRelievoCaveFunction::EvaluateFunction(double point[3])
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoCaveFunction::EvaluateFunction(vtkDataArray* points, vtkDataArray* values)
+{
+  if (!points || !values)
+  {
+    vtkErrorMacro("EvaluateFunction was given no array of " << (points ? "values" : "points")
+                                                            << "; give it two vtkDataArrays.");
+    return;
+  }
+  this->Superclass::EvaluateFunction(points, values);
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoCaveFunction::EvaluateGradient(double point[3], double gradient[3])
 {
   std::fill(gradient, gradient + 3, 0.);

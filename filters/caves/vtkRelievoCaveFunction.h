@@ -88,6 +88,9 @@ public:
   using vtkImplicitFunction::EvaluateFunction;
   double EvaluateFunction(double point[3]) override;
 
+  /** The values of many points; VTK's own method reads arrays that there are not. */
+  void EvaluateFunction(vtkDataArray* points, vtkDataArray* values) override;
+
   /** The gradient, a world unit. */
   void EvaluateGradient(double point[3], double gradient[3]) override;
 

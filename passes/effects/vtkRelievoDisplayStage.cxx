@@ -40,7 +40,7 @@ vtkRelievoDisplayStage::vtkRelievoDisplayStage()
 vtkRelievoDisplayStage::~vtkRelievoDisplayStage() = default;
 
 //------------------------------------------------------------------------------
-void vtkRelievoDisplayStage::SetLayer(const std::string& name)
+void vtkRelievoDisplayStage::SetLayer(RELIEVO_TEXT name)
 {
   if (this->Layer != name)
   {

@@ -14,6 +14,7 @@
 
 #include "vtkRelievoEffectsModule.h" // for the export macro
 #include "vtkRelievoStage.h"
+#include "vtkRelievoText.h" // for names that are given
 
 #include <memory> // for the internals
 #include <string> // for the layer
@@ -26,7 +27,7 @@ public:
 
   ///@{
   /** Name of the layer to show; "" (default) shows the picture itself. */
-  void SetLayer(const std::string& name);
+  void SetLayer(RELIEVO_TEXT name);
   std::string GetLayer() { return this->Layer; }
   const char* GetLayerOrNull() { return this->Layer.empty() ? nullptr : this->Layer.c_str(); }
   ///@}

@@ -170,7 +170,7 @@ vtkRelievoStage* vtkRelievoFramePass::GetStage(int i)
 }
 
 //------------------------------------------------------------------------------
-vtkRelievoStage* vtkRelievoFramePass::GetStage(const std::string& name)
+vtkRelievoStage* vtkRelievoFramePass::GetStage(RELIEVO_TEXT name)
 {
   for (vtkRelievoStage* stage : this->Internal->GetStages())
   {
@@ -183,7 +183,7 @@ vtkRelievoStage* vtkRelievoFramePass::GetStage(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoFramePass::RequestLayer(const std::string& name)
+void vtkRelievoFramePass::RequestLayer(RELIEVO_TEXT name)
 {
   if (name.empty())
   {
@@ -197,7 +197,7 @@ void vtkRelievoFramePass::RequestLayer(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoFramePass::ReleaseLayer(const std::string& name)
+void vtkRelievoFramePass::ReleaseLayer(RELIEVO_TEXT name)
 {
   if (this->Internal->Requested.erase(name))
   {
@@ -213,13 +213,13 @@ void vtkRelievoFramePass::ReleaseLayers()
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoFramePass::IsLayerRequested(const std::string& name)
+bool vtkRelievoFramePass::IsLayerRequested(RELIEVO_TEXT name)
 {
   return this->Internal->Requested.count(name) != 0;
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoFramePass::ReadLayer(const std::string& name, vtkImageData* image)
+bool vtkRelievoFramePass::ReadLayer(RELIEVO_TEXT name, vtkImageData* image)
 {
   return this->ReadLayers({ name }, image);
 }
@@ -391,6 +391,11 @@ void vtkRelievoFramePass::ReleaseStages(vtkWindow* window)
 //------------------------------------------------------------------------------
 void vtkRelievoFramePass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (!window)
+  {
+    vtkErrorMacro("ReleaseGraphicsResources was given no window; give it that which was drawn in.");
+    return;
+  }
   this->ReleaseStages(window);
   this->Internal->Picture.ReleaseGraphicsResources(window);
   if (this->Internal->Delegate)

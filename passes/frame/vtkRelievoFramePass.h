@@ -20,6 +20,7 @@
 #define vtkRelievoFramePass_h
 
 #include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkRelievoText.h"        // for names that are given
 #include "vtkRenderPass.h"
 
 #include <memory> // for the internals
@@ -56,7 +57,7 @@ public:
   ///@{
   /** A stage by its index, or by its name; nullptr if there is none. */
   vtkRelievoStage* GetStage(int i);
-  vtkRelievoStage* GetStage(const std::string& name);
+  vtkRelievoStage* GetStage(RELIEVO_TEXT name);
   ///@}
 
   ///@{
@@ -64,10 +65,10 @@ public:
    * Layers to make in every frame, until released. An array that no visible dataset has, or a layer
    * whose stage does not run, is an error when it is read.
    */
-  void RequestLayer(const std::string& name);
-  void ReleaseLayer(const std::string& name);
+  void RequestLayer(RELIEVO_TEXT name);
+  void ReleaseLayer(RELIEVO_TEXT name);
   void ReleaseLayers();
-  bool IsLayerRequested(const std::string& name);
+  bool IsLayerRequested(RELIEVO_TEXT name);
   ///@}
 
   ///@{
@@ -98,7 +99,7 @@ public:
    * error, at the first layer that the last frame did not make. Reading several at once is faster:
    * they share what comes from the GPU.
    */
-  bool ReadLayer(const std::string& name, vtkImageData* image);
+  bool ReadLayer(RELIEVO_TEXT name, vtkImageData* image);
   bool ReadLayers(const std::vector<std::string>& names, vtkImageData* image);
   ///@}
 

@@ -379,6 +379,11 @@ std::map<std::string, vtkVariant> vtkRelievoLayersStage::GetFacts()
 //------------------------------------------------------------------------------
 std::string vtkRelievoLayersStage::ProbePrimitiveIds(vtkOpenGLRenderWindow* window)
 {
+  if (!window)
+  {
+    vtkGenericWarningMacro("ProbePrimitiveIds was given no window; give it one with a context.");
+    return {};
+  }
   window->MakeCurrent();
   return vtkRelievoPrimitiveIds::ToString(vtkRelievoPrimitiveIds::Get(window));
 }

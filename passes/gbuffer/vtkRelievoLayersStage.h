@@ -153,8 +153,11 @@ public:
   /** Whether the layers of the last frame are held and can be read. */
   bool GetHoldsLayers();
 
+#ifndef __VTK_WRAP__
   /** Reads layers of the last frame: see vtkRelievoStage::ReadLayers. */
   std::string ReadLayers(const std::vector<std::string>& names, vtkImageData* image) override;
+#endif
+
   /**
    * How the last frame got the number of a pixel's primitive, which cell ids and refined depths
    * need: "as written" (by the fragment shader alone), "through a geometry shader", or "unreliable:

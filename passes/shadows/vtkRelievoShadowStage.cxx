@@ -115,7 +115,7 @@ bool vtkRelievoShadowStage::GetLightCasts(vtkLight* light)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowStage::SetLightName(vtkLight* light, const std::string& name)
+void vtkRelievoShadowStage::SetLightName(vtkLight* light, RELIEVO_TEXT name)
 {
   this->Internal->Lights.SetName(light, name);
 }
@@ -123,19 +123,19 @@ void vtkRelievoShadowStage::SetLightName(vtkLight* light, const std::string& nam
 //------------------------------------------------------------------------------
 std::string vtkRelievoShadowStage::GetLightName(vtkRenderer* renderer, vtkLight* light)
 {
-  return this->Internal->Lights.GetName(renderer, light);
+  return renderer ? this->Internal->Lights.GetName(renderer, light) : std::string();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoShadowStage::GetLightLayer(vtkRenderer* renderer, vtkLight* light)
 {
-  return this->Internal->Lights.GetLayer(renderer, light);
+  return renderer ? this->Internal->Lights.GetLayer(renderer, light) : std::string();
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkRelievoShadowStage::GetShadowLayers(vtkRenderer* renderer)
 {
-  return this->Internal->Lights.GetLayers(renderer);
+  return renderer ? this->Internal->Lights.GetLayers(renderer) : std::vector<std::string>();
 }
 
 //------------------------------------------------------------------------------
@@ -166,7 +166,7 @@ int vtkRelievoShadowStage::GetPropCasts(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoShadowStage::AddPlainActorClass(const std::string& name)
+void vtkRelievoShadowStage::AddPlainActorClass(RELIEVO_TEXT name)
 {
   vtkRelievoCasterDraw::AddActorClass(name);
 }

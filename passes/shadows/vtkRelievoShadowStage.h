@@ -27,6 +27,7 @@
 
 #include "vtkRelievoShadowsModule.h" // for the export macro
 #include "vtkRelievoStage.h"
+#include "vtkRelievoText.h" // for names that are given
 
 #include <map>    // for layers of lights
 #include <memory> // for the internals
@@ -226,7 +227,7 @@ public:
   /**
    * A light's name in reports, warnings and layers; "" (default): "light N", N being its index.
    */
-  void SetLightName(vtkLight* light, const std::string& name);
+  void SetLightName(vtkLight* light, RELIEVO_TEXT name);
   std::string GetLightName(vtkRenderer* renderer, vtkLight* light);
   ///@}
 
@@ -279,7 +280,7 @@ public:
    * do. Plain meshes of such actors are drawn into maps without their shaders, which is faster.
    * Applies to all passes of the process.
    */
-  static void AddPlainActorClass(const std::string& name);
+  static void AddPlainActorClass(RELIEVO_TEXT name);
 
   ///@{
   /**

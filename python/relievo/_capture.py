@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From a renderer to an image of layers."""
 
-import functools
+import os
+import threading
 from contextlib import contextmanager
 
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -102,15 +103,31 @@ def _frame_of(renderer):
             vtkRelievoPass.Detach(renderer)
 
 
-@functools.lru_cache(maxsize=1)
+_spare_windows = {}  # by thread: a context is current in one only
+
+
 def _spare_window():
     """The window of renderers that have none, made once: an OpenGL context takes longer to make
     than many a capture, and an X server that loses its only client starts anew, deaf meanwhile."""
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(0)
-    window.SetSize(1, 1)
+    window = _spare_windows.get(threading.get_ident())
+    if window is None:
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(True)
+        window.SetMultiSamples(0)
+        window.SetSize(1, 1)
+        _spare_windows[threading.get_ident()] = window
     return window
+
+
+def _leave_spare_windows():
+    """A forked process leaves them to its parent, whose connection to the display they close."""
+    for window in _spare_windows.values():
+        window.Register(None)
+    _spare_windows.clear()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_leave_spare_windows)
 
 
 @contextmanager
@@ -147,6 +164,11 @@ def _fit(window, renderer, size):
     if no_display:
         raise RuntimeError(f"capture: {no_display}")
     window.Initialize()  # at its own size: X ends the process for sizes that it cannot make
+    window.MakeCurrent()
+    if not window.IsCurrent():
+        raise RuntimeError(
+            "capture: another thread draws in the renderer's window; capture in that thread"
+        )
     limit = vtkTextureObject.GetMaximumTextureSize(window)
     if max(size) > limit:
         raise ValueError(f"size: got {size!r}, expected at most {limit} each way, OpenGL's limit")

@@ -53,10 +53,18 @@ class vtkRelievoPass(vtkRelievoPasses.vtkRelievoPass):
         nothing drawn has, and for anything but a vtkImageData of the frame's size.
         """
         require(image, "vtkImageData", "image")
+        names = list(names)
+        "".join(names).encode()  # VTK's wrapping ends the program where that raises
         with Watch(self) as watch:
-            good = super().ReadLayers(list(names), image)
+            good = super().ReadLayers(names, image)
         watch.raise_as(ValueError, "ReadLayers")
         return good
+
+    def TryReadLayers(self, names, image):
+        """As ReadLayers, but returns what is wrong, in words, or nothing."""
+        names = list(names)
+        "".join(names).encode()
+        return super().TryReadLayers(names, image)
 
 
 def attach(renderer):

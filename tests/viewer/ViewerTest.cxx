@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewerTest.h"
 
+#include "Application.h"
 #include "Messages.h"
 #include "QtVersions.h"
 #include "Scripts.h"
@@ -22,7 +23,6 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkXMLPolyDataWriter.h"
 
-#include <QApplication>
 #include <QFile>
 #include <QMouseEvent>
 #include <QProcess>
@@ -284,7 +284,7 @@ int Run(QObject& tests, int argc, char* argv[])
     QSettings::NativeFormat, QSettings::UserScope, qEnvironmentVariable("RELIEVO_TEST_OUTPUT"));
   QSettings().clear(); // of the run before
   viewer::UseHighDpi();
-  QApplication application(argc, argv);
+  viewer::Application application(argc, argv);
   const scene::Messages::Scope scope;
   return QTest::qExec(&tests, argc, argv);
 }

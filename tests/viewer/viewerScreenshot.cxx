@@ -3,12 +3,12 @@
 //
 // Draws the window as docs/viewer.md shows it:
 //   viewerScreenshot OUT.png WxH PANEL WORD...    the words are those of relievo-viewer
+#include "Application.h"
 #include "MainWindow.h"
 #include "Messages.h"
 #include "PictureView.h"
 #include "Settings.h"
 
-#include <QApplication>
 #include <QDockWidget>
 #include <QSettings>
 #include <QSurfaceFormat>
@@ -28,7 +28,7 @@ int main(int argc, char* argv[])
   const QTemporaryDir folder;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
   int ours = 1;
-  QApplication application(ours, argv);
+  viewer::Application application(ours, argv);
   const scene::Messages::Scope scope;
   viewer::MainWindow window;
   const QStringList size = QString(argv[2]).split('x');

@@ -119,21 +119,21 @@ std::string vtkRelievoPointValues::GetParameterName(int i)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoPointValues::GetParameterHelp(const std::string& name)
+std::string vtkRelievoPointValues::GetParameterHelp(RELIEVO_TEXT name)
 {
   const vtkRelievoParameter* parameter = this->Description.Find(name);
   return parameter ? parameter->Help + " Takes " + parameter->GetExpected() + "." : std::string();
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoPointValues::GetParameterDefault(const std::string& name)
+std::string vtkRelievoPointValues::GetParameterDefault(RELIEVO_TEXT name)
 {
   const vtkRelievoParameter* parameter = this->Description.Find(name);
   return parameter ? parameter->Default : std::string();
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoPointValues::GetParameter(const std::string& name)
+std::string vtkRelievoPointValues::GetParameter(RELIEVO_TEXT name)
 {
   const vtkRelievoParameter* parameter = this->Description.Find(name);
   const Value* value = this->FindValue(name);
@@ -143,7 +143,7 @@ std::string vtkRelievoPointValues::GetParameter(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoPointValues::SetParameter(const std::string& name, const std::string& words)
+bool vtkRelievoPointValues::SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
 {
   const std::string wrong = this->TrySetParameter(name, words);
   if (!wrong.empty())
@@ -155,7 +155,7 @@ bool vtkRelievoPointValues::SetParameter(const std::string& name, const std::str
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoPointValues::TrySetParameter(
-  const std::string& name, const std::string& words)
+  RELIEVO_TEXT name, RELIEVO_TEXT words)
 {
   const vtkRelievoParameter* parameter = this->Description.Find(name);
   if (!parameter)
@@ -176,14 +176,14 @@ std::string vtkRelievoPointValues::TrySetParameter(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoPointValues::GetParameterCondition(const std::string& name)
+std::string vtkRelievoPointValues::GetParameterCondition(RELIEVO_TEXT name)
 {
   const vtkRelievoParameter* parameter = this->Description.Find(name);
   return parameter ? parameter->OnlyIf : std::string();
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoPointValues::IsPerPoint(const std::string& name)
+bool vtkRelievoPointValues::IsPerPoint(RELIEVO_TEXT name)
 {
   return this->FindValue(name) != nullptr;
 }
@@ -214,7 +214,7 @@ void vtkRelievoPointValues::SetInputData(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoPointValues::SetArray(const std::string& value, const std::string& array)
+void vtkRelievoPointValues::SetArray(RELIEVO_TEXT value, RELIEVO_TEXT array)
 {
   std::string names;
   for (Value& known : this->Values)
@@ -235,7 +235,7 @@ void vtkRelievoPointValues::SetArray(const std::string& value, const std::string
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoPointValues::GetArray(const std::string& value)
+std::string vtkRelievoPointValues::GetArray(RELIEVO_TEXT value)
 {
   const Value* known = this->FindValue(value);
   return known ? known->Array : std::string();

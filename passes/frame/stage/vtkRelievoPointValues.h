@@ -20,6 +20,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkRelievoFrameModule.h"   // for the export macro
 #include "vtkRelievoParameterList.h" // for the description
+#include "vtkRelievoText.h"          // for names that are given
 #include "vtkSmartPointer.h"         // for the matrix
 
 #include <set>    // for what was said
@@ -45,8 +46,8 @@ public:
    * The point array that a value, such as "radius", is taken from. Default: the array of that name,
    * if there is one. "" takes the one value for all points.
    */
-  void SetArray(const std::string& value, const std::string& array);
-  std::string GetArray(const std::string& value);
+  void SetArray(RELIEVO_TEXT value, RELIEVO_TEXT array);
+  std::string GetArray(RELIEVO_TEXT value);
   ///@}
 
   ///@{
@@ -58,20 +59,20 @@ public:
    */
   int GetNumberOfParameters();
   std::string GetParameterName(int i);
-  std::string GetParameterHelp(const std::string& name);
-  std::string GetParameterDefault(const std::string& name);
-  std::string GetParameter(const std::string& name);
-  bool SetParameter(const std::string& name, const std::string& words);
+  std::string GetParameterHelp(RELIEVO_TEXT name);
+  std::string GetParameterDefault(RELIEVO_TEXT name);
+  std::string GetParameter(RELIEVO_TEXT name);
+  bool SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words);
   ///@}
 
   /** Sets a parameter, and returns what is wrong instead of reporting it; "" if it was set. */
-  std::string TrySetParameter(const std::string& name, const std::string& words);
+  std::string TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words);
 
   /** Whether the name of a point array gives each point its own value. */
-  bool IsPerPoint(const std::string& name);
+  bool IsPerPoint(RELIEVO_TEXT name);
 
   /** "falloff=vtk" of a parameter that has no effect where falloff is another; "" of others. */
-  std::string GetParameterCondition(const std::string& name);
+  std::string GetParameterCondition(RELIEVO_TEXT name);
 
   /** What the points are: "lamps". */
   std::string GetThings() { return this->Things; }

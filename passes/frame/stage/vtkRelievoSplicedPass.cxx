@@ -37,6 +37,15 @@ bool vtkRelievoSplicedPass::PostReplaceShaderValues(std::string& vertexShader,
 }
 
 //------------------------------------------------------------------------------
+void vtkRelievoSplicedPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (window)
+  {
+    this->Superclass::ReleaseGraphicsResources(window);
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoTrialSplice::Outcome vtkRelievoSplicedPass::TrySplice(
   const vtkRelievoShaderTexts& shaders, vtkOpenGLRenderWindow* window, vtkActor* actor,
   const std::function<std::string()>& fill)

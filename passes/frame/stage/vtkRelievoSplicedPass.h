@@ -44,6 +44,9 @@ public:
   ///@}
 #endif
 
+  /** Frees what is held of a window; VTK's own method ends the program if there is none. */
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
 protected:
   vtkRelievoSplicedPass();
   ~vtkRelievoSplicedPass() override;

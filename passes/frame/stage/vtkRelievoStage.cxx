@@ -55,28 +55,28 @@ std::string vtkRelievoStage::GetParameterName(int i)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoStage::GetParameterHelp(const std::string& name)
+std::string vtkRelievoStage::GetParameterHelp(RELIEVO_TEXT name)
 {
   const vtkRelievoParameter* parameter = this->GetDescription().Find(name);
   return parameter ? parameter->Help + " Takes " + parameter->GetExpected() + "." : std::string();
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoStage::GetParameterDefault(const std::string& name)
+std::string vtkRelievoStage::GetParameterDefault(RELIEVO_TEXT name)
 {
   const vtkRelievoParameter* parameter = this->GetDescription().Find(name);
   return parameter ? parameter->Default : std::string();
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoStage::GetParameter(const std::string& name)
+std::string vtkRelievoStage::GetParameter(RELIEVO_TEXT name)
 {
   const vtkRelievoParameter* parameter = this->GetDescription().Find(name);
   return parameter ? parameter->Format() : std::string();
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoStage::TrySetParameter(const std::string& name, const std::string& words)
+std::string vtkRelievoStage::TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
 {
   const vtkRelievoStageDescription& description = this->GetDescription();
   if (const vtkRelievoParameter* parameter = description.Find(name))
@@ -90,7 +90,7 @@ std::string vtkRelievoStage::TrySetParameter(const std::string& name, const std:
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoStage::SetParameter(const std::string& name, const std::string& words)
+bool vtkRelievoStage::SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
 {
   const std::string wrong = this->TrySetParameter(name, words);
   if (!wrong.empty())

@@ -18,6 +18,7 @@
 #include "vtkRelievoFrameModule.h" // for the export macro
 #include "vtkRelievoSplicedPass.h"
 #include "vtkRelievoStageDescription.h" // for the description
+#include "vtkRelievoText.h"             // for names that are given
 #include "vtkVariant.h"                 // for facts
 
 #include <map>    // for lights
@@ -55,17 +56,17 @@ public:
    */
   int GetNumberOfParameters();
   std::string GetParameterName(int i);
-  std::string GetParameterHelp(const std::string& name);
-  std::string GetParameterDefault(const std::string& name);
-  std::string GetParameter(const std::string& name);
-  bool SetParameter(const std::string& name, const std::string& words);
+  std::string GetParameterHelp(RELIEVO_TEXT name);
+  std::string GetParameterDefault(RELIEVO_TEXT name);
+  std::string GetParameter(RELIEVO_TEXT name);
+  bool SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words);
   ///@}
 
   /**
    * Sets a parameter, and returns what is wrong in words instead of reporting it; "" if the value
    * was set.
    */
-  std::string TrySetParameter(const std::string& name, const std::string& words);
+  std::string TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words);
 
   /** Bytes of GPU memory that the stage holds now. */
   virtual vtkIdType GetBytesHeld() { return 0; }

@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What no method of a wrapped class can use raises, or does nothing; it never ends the program."""
+
+import os
+import re
+import signal
+import sys
+import unittest
+
+import numpy
+import relievo
+import scenes
+
+NUMBERS = {"int": 1, "float": 0.5, "bool": True}
+SURROGATE = "a\ud800"  # no Unicode text
+
+# VTK's macros have them for every class, of VTK as well: they look into a name that is not there.
+# Registering is counting references.
+VTKS_OWN = {"IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase",
+            "GetNumberOfGenerationsFromBaseType", "Register", "UnRegister"}
+
+# VTK's wrapping ends the program on a list of such text: vtkRelievoPass, which derives from these
+# in Python, looks at it first. See Package.
+CHECKED_BELOW = {("vtkRelievoFramePass", "ReadLayers"), ("vtkRelievoFramePass", "TryReadLayers")}
+
+
+def classes():
+    """Those of the package, with what they inherit within it."""
+    found = []
+    for thing in vars(relievo).values():
+        for each in thing.__mro__ if isinstance(thing, type) else ():
+            if each.__name__.startswith("vtkRelievo") and each not in found:
+                found.append(each)
+    return found
+
+
+def made(name):
+    """An object of a class, or None if there is no such class, or it is abstract."""
+    modules = [relievo] + [module for path, module in sys.modules.items()
+                           if path.startswith("vtkmodules.vtk")]
+    for module in modules:
+        kind = getattr(module, name, None)
+        if isinstance(kind, type):
+            try:
+                return kind()
+            except TypeError:
+                return None
+    return None
+
+
+def value_of(kind, text):
+    kind = kind.strip().split("=")[0]
+    if kind == "str":
+        return text
+    if kind.startswith(("(", "[")):
+        return [value_of(part, text) for part in kind[1:-1].split(",") if part.strip()]
+    return NUMBERS[kind] if kind in NUMBERS else made(kind)
+
+
+def signatures(name, words):
+    """The kinds of arguments of each overload, as VTK's wrapping documents them."""
+    for found in re.finditer(rf"^\s*{name}\((.*?)\)\s*->", words or "", re.M | re.S):
+        arguments = re.split(r",\s*(?![^(\[]*[)\]])", " ".join(found[1].split()))
+        yield [each.split(":", 1)[1] for each in arguments if ":" in each]
+
+
+def calls_of(kind, text):
+    """Name and arguments of what is tried: all and each argument None, and of text."""
+    for name, method in vars(kind).items():
+        if name.startswith("_") or name in VTKS_OWN or not callable(method):
+            continue
+        for kinds in signatures(name, method.__doc__):
+            if text is None:
+                yield name, [None] * len(kinds)
+                good = [value_of(each, "a") for each in kinds]
+                for i in range(len(kinds)):
+                    yield name, good[:i] + [None] + good[i + 1:]
+            elif "str" in " ".join(kinds) and (kind.__name__, name) not in CHECKED_BELOW:
+                yield name, [value_of(each, text) for each in kinds]
+
+
+def crashes(kind, text):
+    """The calls that end a process, of all calls of a class; each is in a process of its own class,
+    which begins anew after a crash."""
+    found = []
+    count = skipped = 0
+    while True:
+        read, write = os.pipe()
+        child = os.fork()
+        if child == 0:
+            signal.alarm(60)
+            os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+            thing = made(kind.__name__)
+            for i, (name, arguments) in enumerate(calls_of(kind, text)):
+                if i < skipped:
+                    continue
+                os.write(write, f"{i} {name}{ascii(arguments)}\n".encode())
+                try:
+                    getattr(thing if thing is not None else kind, name)(*arguments)
+                except Exception:
+                    pass
+            os._exit(0)
+        os.close(write)
+        with os.fdopen(read) as pipe:
+            tried = pipe.read().splitlines()
+        status = os.waitpid(child, 0)[1]
+        count += len(tried)
+        if status == 0 or not tried:
+            return found if status == 0 else found + [f"{kind.__name__}: status {status}"], count
+        found.append(f"{kind.__name__}.{tried[-1].split(' ', 1)[1]}: status {status}")
+        skipped = int(tried[-1].split()[0]) + 1
+
+
+class Wrapped(unittest.TestCase):
+    def check(self, text, least):
+        wrong, count = [], 0
+        for kind in classes():
+            found, tried = crashes(kind, text)
+            wrong += found
+            count += tried
+        self.assertEqual(wrong, [])
+        self.assertGreater(count, least)
+
+    def test_none(self):
+        self.check(None, 800)
+
+    def test_text(self):
+        self.check(SURROGATE, 40)
+
+
+class Package(unittest.TestCase):
+    def test_text(self):
+        """Names and files of the package's functions."""
+        renderer = scenes.plane_and_sphere()
+        image = relievo.capture(renderer, ["depth"], (30, 20))
+        frame = relievo.attach(renderer)
+        calls = {
+            "capture": lambda: relievo.capture(renderer, [SURROGATE], (30, 20)),
+            "RequestLayer": lambda: frame.RequestLayer(SURROGATE),
+            "SetDisplayLayer": lambda: frame.SetDisplayLayer(SURROGATE),
+            "ReadLayer": lambda: frame.ReadLayer(SURROGATE, image),
+            "ReadLayers": lambda: frame.ReadLayers(["depth", SURROGATE], image),
+            "TryReadLayers": lambda: frame.TryReadLayers([SURROGATE], image),
+            "stage": lambda: relievo.stage(renderer, SURROGATE),
+            "parameter": lambda: relievo.stage(renderer, "fog", **{SURROGATE: 1}),
+            "value": lambda: relievo.stage(renderer, "fog", mode=SURROGATE),
+            "layer": lambda: relievo.layer(image, SURROGATE),
+            "write_exr": lambda: relievo.write_exr(f"{SURROGATE}.exr", image),
+            "compression": lambda: relievo.write_exr("a.exr", image, compression=SURROGATE),
+            "read_exr": lambda: relievo.read_exr(SURROGATE),
+            "environment": lambda: relievo.environment(renderer, SURROGATE),
+            "to_image": lambda: relievo.to_image({SURROGATE: numpy.zeros((2, 2), "f4")}),
+        }
+        for name, call in calls.items():
+            with self.subTest(name):
+                self.assertRaises((ValueError, OSError), call)
+
+
+if __name__ == "__main__":
+    unittest.main()
