@@ -6,6 +6,7 @@
 #include "DressedScene.h"
 #include "Errors.h"
 #include "Messages.h"
+#include "NumberLocale.h"
 #include "Options.h"
 #include "Progress.h"
 #include "WriteOutputs.h"
@@ -95,6 +96,7 @@ bool vtkRelievoScene::Try(const std::function<void()>& work)
   this->FailureText.clear();
   {
     const scene::Messages::Scope scope;
+    const scene::NumberLocale locale;
     try
     {
       work();

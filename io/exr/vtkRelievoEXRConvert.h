@@ -46,6 +46,8 @@ struct Losses
   vtkIdType Overflows = 0; // finite values that became infinite halfs or floats
   vtkIdType Inexact = 0;   // integers that the pixel type cannot hold
   vtkIdType Rounded = 0;   // whole numbers among doubles, as layers of integers have them
+  vtkIdType Infinite = 0;  // infinities and NaN, where the compression makes numbers of them
+  vtkIdType Clipped = 0;   // numbers that the compression holds as halfs, and that are beyond these
   std::string First;
 };
 

@@ -22,6 +22,8 @@
 #include <OpenEXR/ImfThreading.h>
 #include <OpenEXR/ImfVecAttribute.h>
 
+#include <Imath/half.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -45,6 +47,50 @@ bool IsInteger(vtkDataArray* array)
 const char* TypeName(Imf::PixelType type)
 {
   return type == Imf::UINT ? "UINT" : type == Imf::HALF ? "HALF" : "FLOAT";
+}
+
+const char* CompressionName(Imf::Compression compression)
+{
+  switch (compression)
+  {
+    case Imf::B44_COMPRESSION:
+      return "b44";
+    case Imf::B44A_COMPRESSION:
+      return "b44a";
+    case Imf::DWAA_COMPRESSION:
+      return "dwaa";
+    default:
+      return "dwab";
+  }
+}
+
+bool IsDWA(Imf::Compression compression)
+{
+  return compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
+}
+
+// Whether the channel's pixels come back as others. PXR24 keeps infinities and NaN.
+bool IsLossy(Imf::Compression compression, const std::string& channel, Imf::PixelType type)
+{
+  if (compression == Imf::B44_COMPRESSION || compression == Imf::B44A_COMPRESSION)
+  {
+    return type == Imf::HALF;
+  }
+  static const std::set<std::string> colors = { "R", "G", "B", "Y", "RY", "BY" };
+  const std::string last = channel.substr(channel.rfind('.') + 1);
+  return IsDWA(compression) && type != Imf::UINT && colors.count(last) > 0;
+}
+
+void CountExtremes(const char* line, Imf::PixelType type, vtkIdType width, Losses& losses)
+{
+  for (vtkIdType i = 0; i < width; ++i)
+  {
+    const float value = type == Imf::HALF
+      ? static_cast<float>(reinterpret_cast<const half*>(line)[i])
+      : reinterpret_cast<const float*>(line)[i];
+    losses.Infinite += std::isfinite(value) ? 0 : 1;
+    losses.Clipped += std::isfinite(value) && std::abs(value) > HALF_MAX ? 1 : 0;
+  }
 }
 
 bool IsBackground(const double p[3])
@@ -328,8 +374,7 @@ void Output::Warn()
   const auto add = [this](const std::string& text) {
     this->Warning += (this->Warning.empty() ? "" : "; ") + text;
   };
-  const bool dwa = this->Header.compression() == Imf::DWAA_COMPRESSION ||
-    this->Header.compression() == Imf::DWAB_COMPRESSION;
+  const bool dwa = IsDWA(this->Header.compression());
   std::string rounded;
   for (const Channel& channel : this->Channels)
   {
@@ -344,6 +389,12 @@ void Output::Warn()
       add(std::to_string(channel.Lost.Rounded) + " whole numbers of " + channel.Name +
         " do not fit into " + TypeName(channel.Type) + " and were rounded, the first is " +
         channel.Lost.First);
+    }
+    if (channel.Lost.Clipped > 0)
+    {
+      add(std::to_string(channel.Lost.Clipped) + " values of " + channel.Name +
+        " are beyond 65504, which is what " + CompressionName(this->Header.compression()) +
+        " compression made of them; zip and piz keep them");
     }
     // To DWA any channel named Y is a luminance.
     const std::size_t size = channel.Name.size();
@@ -375,6 +426,10 @@ void Output::EncodeBlock(
       const vtkIdType first = (static_cast<vtkIdType>(window.max.y) - y) * width;
       char* line = pixels[i].get() + lineBytes * (static_cast<vtkIdType>(y) - firstLine);
       Encode(channel.Source, first, width, channel.Type, line, channel.Lost);
+      if (IsLossy(this->Header.compression(), channel.Name, channel.Type))
+      {
+        CountExtremes(line, channel.Type, width, channel.Lost);
+      }
     }
     this->CheckLosses(channel);
   }
@@ -389,6 +444,13 @@ void Output::CheckLosses(const Channel& channel) const
       channel.Lost.First + ", which " + TypeName(channel.Type) + " cannot hold exactly; " +
       (channel.Type == Imf::UINT ? "EXR has 32 bits for integers: convert the array"
                                  : "choose UINT with SetPixelType"));
+  }
+  if (channel.Lost.Infinite > 0)
+  {
+    throw Unfit("the array '" + std::string(channel.Source.Array->GetName()) +
+      "' holds infinities or NaN in the channel " + channel.Name + ", of which " +
+      CompressionName(this->Header.compression()) +
+      " compression makes numbers; choose zip or piz, which keep them");
   }
 }
 }

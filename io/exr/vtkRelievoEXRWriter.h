@@ -62,7 +62,9 @@ public:
    * How pixels are packed. NO_COMPRESSION, RLE, ZIPS (line by line), ZIP (16 lines) and PIZ (32
    * lines) are lossless. PXR24 rounds FLOAT to 24 bits. B44 and B44A lose accuracy in HALF. DWAA
    * and DWAB lose accuracy in channels named R, G, B or Y of any layer, including normal.Y and
-   * position.Y, and the writer warns about it.
+   * position.Y, and the writer warns about it. Infinities and NaN in channels that lose accuracy,
+   * PXR24's excepted, would come back as numbers: Write() refuses them. Of numbers beyond 65504 DWA
+   * makes that, with a warning.
    */
   enum CompressionType
   {

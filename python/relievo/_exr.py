@@ -30,7 +30,8 @@ def write_exr(path, image, compression="zip", pixel_types=None):
     path: name of the file, str or path-like. An existing file is replaced when the new one is
         complete; after an error it is unchanged.
     image: vtkImageData of (columns, rows, 1) points, as returned by capture().
-    compression: none, rle, zips, zip, piz (lossless), pxr24, b44, b44a, dwaa or dwab (not).
+    compression: none, rle, zips, zip, piz (lossless), pxr24, b44, b44a, dwaa or dwab (not). The
+        last four make numbers of infinities and NaN, which raises: b44 in half, dwaa in R, G, B, Y.
     pixel_types: {name: "half" | "float" | "uint"} for layers ("normal") or channels ("normal.X");
         the others keep their own type: floats FLOAT, integers UINT.
 

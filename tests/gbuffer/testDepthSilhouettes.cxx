@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The refined depth of every pixel lies on the triangle whose id the pixel has: all real meshes, 24
-// views of each, silhouettes, slivers and all; the truth is the mesh itself, in double.
+// views of each, silhouettes, slivers and all; and on the mesh of the actor whose id the pixel has,
+// where meshes pass through each other. The truth is the mesh itself, in double.
 #include "Check.h"
 #include "Layers.h"
 #include "Props.h"
@@ -19,12 +20,14 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkSphereSource.h>
 
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <vector>
 
 namespace
 {
@@ -144,12 +147,87 @@ void CheckMesh(const std::string& name)
   // A tenth where the surface runs on, and what the rasteriser's grid of 1/256 moves.
   RELIEVO_CHECK_AT_MOST(worst.Off, 0.15, name + ": pixels off the triangle that is named");
 }
+
+double DistanceToMesh(vtkPolyData* mesh, const glm::dvec3& p)
+{
+  double distance = 1e300;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    distance = std::min(distance, DistanceToCell(mesh, cell, p));
+  }
+  return distance;
+}
+
+// Where spheres pass through each other, a pixel's neighbours show another mesh at nearly its depth.
+void CheckCrossing()
+{
+  Stage stage(300, 300);
+  const double spheres[3][4] = { { 0., 0., 0., 1. }, { 0.7, 0.2, 0.1, 1. },
+    { -0.4, 0.5, 0.6, 0.6 } };
+  std::vector<vtkSmartPointer<vtkPolyData>> meshes;
+  for (const double* sphere : { spheres[0], spheres[1], spheres[2] })
+  {
+    vtkNew<vtkSphereSource> source;
+    source->SetCenter(sphere[0], sphere[1], sphere[2]);
+    source->SetRadius(sphere[3]);
+    source->SetThetaResolution(24);
+    source->SetPhiResolution(24);
+    source->Update();
+    meshes.emplace_back(source->GetOutput());
+    meshes.back()->BuildCells();
+    relievoTest::AddActor(stage.Renderer, meshes.back());
+  }
+  double worst = 0.;
+  long long pixels = 0;
+  for (int view = 0; view < 12; ++view)
+  {
+    vtkCamera* camera = stage.Renderer->GetActiveCamera();
+    camera->SetFocalPoint(0., 0., 0.);
+    camera->SetPosition(0., 0., 6.);
+    camera->SetViewUp(0., 1., 0.);
+    camera->SetViewAngle(30.);
+    camera->Azimuth(13.7 * view);
+    camera->Elevation(3.1 * view);
+    stage.Renderer->ResetCameraClippingRange();
+    const Layers layers(stage.Renderer, { "depth", "actor", "cell" });
+    const View seen(stage.Renderer);
+    for (int y = 0; y < layers.Height; ++y)
+    {
+      for (int x = 0; x < layers.Width; ++x)
+      {
+        const auto value = [&](const char* layer) {
+          return layers.Image->GetPointData()->GetArray(layer)->GetComponent(
+            static_cast<vtkIdType>(y) * layers.Width + x, 0);
+        };
+        if (value("actor") < 0.)
+        {
+          continue;
+        }
+        vtkPolyData* mesh = meshes[static_cast<std::size_t>(value("actor"))];
+        const Ray ray = seen.PixelRay(x + 0.5, y + 0.5);
+        const glm::dvec3 place = ray.At(value("depth"));
+        const double width =
+          glm::length(seen.PixelRay(x + 1.5, y + 0.5).At(value("depth")) - place);
+        const double near = DistanceToCell(mesh, static_cast<vtkIdType>(value("cell")), place);
+        // Others only where its own triangle ends.
+        worst =
+          std::max(worst, (near > 0.003 * width ? DistanceToMesh(mesh, place) : near) / width);
+        ++pixels;
+      }
+    }
+  }
+  std::cout << "spheres: " << pixels << " pixels, the worst " << worst << " pixels off its mesh\n";
+  RELIEVO_CHECK(pixels > 100000);
+  // What the rasteriser's grid of 1/256 moves at a silhouette.
+  RELIEVO_CHECK_AT_MOST(worst, 0.006, "pixels off the mesh that is named");
+}
 }
 
 //------------------------------------------------------------------------------
 int main()
 {
   relievoTest::Session session;
+  CheckCrossing();
   for (const auto& names : { relievoTest::ReferenceMeshes(), relievoTest::OtherMeshes() })
   {
     for (const std::string& name : names)

@@ -24,6 +24,8 @@
 #include <cstring>
 #include <limits>
 #include <random>
+#include <set>
+#include <string>
 
 namespace
 {
@@ -89,6 +91,76 @@ void TestLossyCompressions()
     }
   }
   RELIEVO_CHECK(expect.Count() == 2); // dwaa and dwab
+}
+
+// An infinity or NaN comes back as it was, or the file is refused; a finite number beyond those of a
+// half is either kept or warned of.
+void TestNotFinite()
+{
+  const double values[] = { std::numeric_limits<double>::infinity(),
+    -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e5 };
+  const std::set<std::string> ofHalf = { "b44", "b44a" };
+  const std::set<std::string> ofColor = { "dwaa", "dwab" };
+  int refused = 0;
+  for (const char* name :
+    { "none", "rle", "zips", "zip", "piz", "pxr24", "b44", "b44a", "dwaa", "dwab" })
+  {
+    for (const char* array : { "depth", "normal", "color" })
+    {
+      for (const int type : { int(vtkRelievoEXRWriter::FLOAT), int(vtkRelievoEXRWriter::HALF) })
+      {
+        for (const double value : values)
+        {
+          const bool half = type == vtkRelievoEXRWriter::HALF;
+          if (half && std::isfinite(value))
+          {
+            continue; // becomes infinite, with a warning of its own
+          }
+          const std::string which = std::string(name) + " of " + array;
+          auto image = ioTest::MakeImage(40, 40);
+          auto* layer = ioTest::AddArray(image, array, VTK_FLOAT, array[0] == 'd' ? 1 : 3,
+            [&](int i, int) { return i % 7 == 0 ? value : 0.5; });
+          const bool lossy =
+            (ofHalf.count(name) && half) || (ofColor.count(name) && std::string(array) != "depth");
+          ioTest::WriteBytes(File(), "older");
+          vtkNew<vtkRelievoEXRWriter> writer;
+          writer->SetInputData(image);
+          writer->SetFileName(File().c_str());
+          writer->SetCompressionByName(name);
+          writer->SetPixelType(array, type);
+          if (lossy && !std::isfinite(value))
+          {
+            relievoTest::ExpectMessage expect(
+              "'" + std::string(array) + "' holds infinities or NaN");
+            RELIEVO_CHECK_THAT(writer->Write() == 0, which);
+            RELIEVO_CHECK_THAT(expect.Count() == 1, which);
+            RELIEVO_CHECK_THAT(ioTest::Bytes(File()) == "older", which);
+            ++refused;
+            continue;
+          }
+          if (lossy)
+          {
+            relievoTest::ExpectMessage expect("are beyond 65504");
+            RELIEVO_CHECK_THAT(writer->Write() == 1, which);
+            RELIEVO_CHECK_THAT(expect.Count() == 1, which);
+            continue;
+          }
+          RELIEVO_CHECK_THAT(writer->Write() == 1, which);
+          auto back = ioTest::Read(File());
+          for (vtkIdType i = 0; i < layer->GetNumberOfTuples(); ++i)
+          {
+            const double is = back->GetPointData()->GetArray(array)->GetComponent(i, 0);
+            const double was = layer->GetComponent(i, 0);
+            const bool kept = std::isnan(was) ? std::isnan(is)
+              : std::isinf(was)               ? is == was
+                                              : std::abs(is - was) < 1e-4 * was;
+            RELIEVO_CHECK_THAT(kept, which);
+          }
+        }
+      }
+    }
+  }
+  RELIEVO_CHECK(refused == 2 * 3 * 3 + 2 * 2 * 2 * 3);
 }
 
 void TestFields()
@@ -379,6 +451,7 @@ int main()
   relievoTest::Session session;
   TestCompressions();
   TestLossyCompressions();
+  TestNotFinite();
   TestFields();
   TestFloatBits();
   TestBytes();

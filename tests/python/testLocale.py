@@ -108,6 +108,18 @@ class Locale(unittest.TestCase):
                     # Models of x may be mirrored; coordinates keep their places after the point.
                     self.assertEqual(sorted(map(tuple, numpy.abs(found))), sorted(CORNERS))
 
+    def test_scene(self):
+        """What `relievo render` reads by VTK's readers."""
+        for name in ("a.stl", "a.PLY", "a.obj", "a.OFF"):
+            (self.files / name).write_text(MESHES[name])
+        for _ in self.each():
+            for name in ("a.stl", "a.PLY", "a.obj", "a.OFF"):
+                with self.subTest(name):
+                    shown = relievo.scene(str(self.files / name)).renderer
+                    bounds = shown.ComputeVisiblePropBounds()
+                    self.assertEqual(bounds, (0.25, 1.75, 0.25, 1.75, 0.5, 0.5))
+            self.assertEqual(locale.localeconv()["decimal_point"], ",")
+
     def test_images(self):
         """Of an environment, by their names in capitals."""
         write_hdr(self.files / "SHINING.HDR")

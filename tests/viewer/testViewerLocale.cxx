@@ -65,7 +65,7 @@ private Q_SLOTS:
       "--exposure", "0.5", "--view-angle", "22.5" });
     this->Compare("lamps");
     const vtkSmartPointer<vtkImageData> lit = this->Grab();
-    this->Change([](viewer::Settings& settings) { settings.Set("--exposure", "1.5"); });
+    this->Change([](scene::Settings& settings) { settings.Set("--exposure", "1.5"); });
     this->Compare("a value that was set");
     QVERIFY(CountDifferent(lit, this->Grab()) > 100);
   }

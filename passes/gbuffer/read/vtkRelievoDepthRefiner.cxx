@@ -106,6 +106,8 @@ vtkRelievoDepthRefiner::Triangle vtkRelievoDepthRefiner::GetTriangle(
   {
     const vtkRelievoCellGeometry cell(hit, scratch);
     triangle.Known = cell.Count == 3;
+    triangle.Mesh = hit.Mesh;
+    triangle.Place = hit.ModelToView;
     for (int i = 0; i < cell.Count; ++i)
     {
       this->SetCorner(triangle, i, *hit.ModelToView, cell.Corners[i]);
@@ -203,7 +205,8 @@ vtkRelievoDepthRefiner::Point vtkRelievoDepthRefiner::GetNearest(
 }
 
 //------------------------------------------------------------------------------
-double vtkRelievoDepthRefiner::GetNeighbourDepth(const Pixel& pixel, Recent& recent) const
+double vtkRelievoDepthRefiner::GetNeighbourDepth(
+  Pixel& pixel, const Triangle& shown, Recent& recent) const
 {
   const int x = pixel.X;
   const int y = pixel.Y;
@@ -229,7 +232,9 @@ double vtkRelievoDepthRefiner::GetNeighbourDepth(const Pixel& pixel, Recent& rec
       const double candidate = GetDepth(triangle, this->GetWeights(triangle, x, y), 0.0, inside);
       if (inside && this->RunsOn(pixel.Nearest, candidate))
       {
-        best = std::min(best, candidate);
+        const bool own = triangle.Mesh == shown.Mesh && triangle.Place == shown.Place;
+        double& nearest = own ? best : pixel.Other;
+        nearest = std::min(nearest, candidate);
       }
     }
   }
@@ -301,7 +306,9 @@ void vtkRelievoDepthRefiner::Refine(float* depths, vtkRelievoMeshLinks& links)
   {
     float& depth = depths[static_cast<std::ptrdiff_t>(pixel.Y) * width + pixel.X];
     const double found = this->GetAdjacentDepth(pixel, links);
-    depth = std::isfinite(found) ? static_cast<float>(found) : depth;
+    depth = std::isfinite(found) ? static_cast<float>(found)
+      : std::isfinite(pixel.Other) ? static_cast<float>(pixel.Other)
+                                   : depth;
   }
 }
 
@@ -340,9 +347,9 @@ void vtkRelievoDepthRefiner::RefineRow(
     double depth = GetDepth(triangle, weights, x - first, inside);
     if (!inside || !std::isfinite(depth))
     {
-      const Pixel pixel{ x, y, this->GetNearest(triangle, x, y) };
+      Pixel pixel{ x, y, this->GetNearest(triangle, x, y) };
       depth = pixel.Nearest.Depth;
-      const double found = std::isfinite(depth) ? this->GetNeighbourDepth(pixel, recent) : depth;
+      const double found = std::isfinite(depth) ? this->GetNeighbourDepth(pixel, triangle, recent) : depth;
       if (std::isfinite(found))
       {
         depth = found;
