@@ -25,6 +25,7 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkProperty.h"
+#include "vtkRelievoFramePass.h"
 #include "vtkRelievoNullLight.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTexture.h"
@@ -64,6 +65,21 @@ void SetShading(vtkRenderer* renderer, Shading kind)
       case Shading::FromFile:
         break;
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Before anything is drawn, also where no frame looks.
+void CheckLights(vtkRenderer* renderer, const RenderOptions& options)
+{
+  const std::string wrong = vtkRelievoFramePass::CheckLights(renderer);
+  if (!wrong.empty() && !options.Lights.empty())
+  {
+    throw UsageError("--light: " + wrong + " Give them as points with --lamps FILE");
+  }
+  if (!wrong.empty())
+  {
+    throw WorkError("the files' lights: " + wrong + " Give --light, or points with --lamps FILE");
   }
 }
 
@@ -251,6 +267,7 @@ void DressScene(Scene& scene, const RenderOptions& options)
     }
   }
   AddLights(scene.Renderer, options);
+  CheckLights(scene.Renderer, options);
   PlaceCamera(scene.Renderer, options);
 }
 

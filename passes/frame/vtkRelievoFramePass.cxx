@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoFramePass.h"
 
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
@@ -245,6 +247,22 @@ std::string vtkRelievoFramePass::TryReadLayers(
 }
 
 //------------------------------------------------------------------------------
+std::string vtkRelievoFramePass::CheckLights(vtkRenderer* renderer)
+{
+  int on = 0;
+  vtkCollectionSimpleIterator it;
+  renderer->GetLights()->InitTraversal(it);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
+  {
+    on += light->GetSwitch() ? 1 : 0;
+  }
+  return on <= MOST_LIGHTS
+    ? std::string()
+    : std::to_string(on) + " lights are on, and VTK's shaders, which have code for each, take " +
+      std::to_string(MOST_LIGHTS) + ".";
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoFramePass::Render(const vtkRenderState* s)
 {
   Internals& in = *this->Internal;
@@ -257,6 +275,12 @@ void vtkRelievoFramePass::Render(const vtkRenderState* s)
     return;
   }
   this->NumberOfRenderedProps = 0;
+  const std::string tooMany = CheckLights(renderer);
+  if (!tooMany.empty())
+  {
+    vtkErrorMacro("Nothing is drawn: " << tooMany << " Make them lamps (vtkRelievoLamps).");
+    return;
+  }
   if (in.Window && in.Window != window)
   {
     // One pass in two windows: what a context holds is released in it, before the other is current.

@@ -29,6 +29,7 @@
 
 class vtkImageData;
 class vtkRelievoStage;
+class vtkRenderer;
 
 class VTKRELIEVOFRAME_EXPORT vtkRelievoFramePass : public vtkRenderPass
 {
@@ -36,6 +37,21 @@ public:
   static vtkRelievoFramePass* New();
   vtkTypeMacro(vtkRelievoFramePass, vtkRenderPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The most lights that may be on: more are refused with an error, and nothing is drawn. VTK's
+   * shaders have code for each light. In software OpenGL, on two cores, 100 take 14 s to compile and
+   * 300 take 65 s; 3000 end the program. vtkRelievoLamps has room for any number.
+   */
+  enum Limits
+  {
+    MOST_LIGHTS = 1000
+  };
+
+#ifndef __VTK_WRAP__
+  /** What is wrong with the number of lights that are on, in words; empty if nothing is. */
+  static std::string CheckLights(vtkRenderer* renderer);
+#endif
 
   ///@{
   /** The pass that draws the picture. Default nullptr, which means the renderer's own steps. */

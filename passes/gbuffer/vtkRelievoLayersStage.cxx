@@ -588,6 +588,12 @@ bool vtkRelievoLayersStage::SetShaderParameters(vtkShaderProgram* program,
     return true;
   }
   ++this->DrawCalls;
+  if (vtkRelievoIsProjective(actor->GetMatrix()) && in.Reported.insert("projective").second)
+  {
+    vtkWarningMacro("An actor's matrix is projective: its last row is not 0 0 0 1. VTK lights it "
+                    "elsewhere than it draws it, and its depth, positions, normals and shadows are "
+                    "of there; move its points instead, with vtkTransformFilter.");
+  }
   if (in.Layout.IdWord >= 0)
   {
     const int source =

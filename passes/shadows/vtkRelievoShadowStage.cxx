@@ -10,6 +10,7 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkProp.h"
 #include "vtkRelievoAccess.h"
+#include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePass.h"
 #include "vtkRelievoFramePlan.h"
@@ -1091,6 +1092,12 @@ bool vtkRelievoShadowStage::SetShaderParameters(vtkShaderProgram* program,
     !program->IsUniformUsed("relievoSeenVerdicts"))
   {
     return true;
+  }
+  if (vtkRelievoIsProjective(actor->GetMatrix()) && in.Reported.insert("projective").second)
+  {
+    vtkWarningMacro("An actor's matrix is projective: its last row is not 0 0 0 1. VTK lights it "
+                    "elsewhere than it draws it, and shadows on it are of there; those that it casts "
+                    "are right. Move its points instead, with vtkTransformFilter.");
   }
   if (in.ProgramsWithUniforms.insert(program).second)
   {

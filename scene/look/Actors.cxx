@@ -10,16 +10,20 @@
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkGeometryFilter.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkPolygon.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCompositeMapper.h"
 #include "vtkRelievoConvexPolygons.h"
@@ -135,6 +139,44 @@ vtkSmartPointer<vtkDataObject> WithNormals(
   }
   return smooth;
 }
+
+//------------------------------------------------------------------------------
+// VTK lights the side that a triangle's corners turn around to the left, by its normal; of the other
+// side it turns the normal round. Where the file's normals are against that, both sides are dark.
+void NoteNormals(vtkDataObject* surface, const std::string& path)
+{
+  vtkIdType corners = 0;
+  vtkIdType against = 0;
+  ForEachDataSet(surface, [&](vtkDataSet* block) {
+    auto* mesh = vtkPolyData::SafeDownCast(block);
+    vtkDataArray* normals = mesh ? mesh->GetPointData()->GetNormals() : nullptr;
+    if (!normals || normals->GetNumberOfComponents() != 3)
+    {
+      return;
+    }
+    vtkNew<vtkIdList> points;
+    auto faces = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
+    for (faces->GoToFirstCell(); !faces->IsDoneWithTraversal(); faces->GoToNextCell())
+    {
+      faces->GetCurrentCell(points);
+      double face[3];
+      vtkPolygon::ComputeNormal(mesh->GetPoints(), static_cast<int>(points->GetNumberOfIds()),
+        points->GetPointer(0), face);
+      for (const vtkIdType point : *points)
+      {
+        const double side = vtkMath::Dot(face, normals->GetTuple3(point));
+        corners += side != 0.0 ? 1 : 0;
+        against += side < 0.0 ? 1 : 0;
+      }
+    }
+  });
+  if (2 * against > corners)
+  {
+    Messages::Note(path +
+      ": most of its normals point against the winding of its faces, and VTK draws these dark; turn "
+      "its normals, or the order of its faces' points");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -153,6 +195,7 @@ vtkSmartPointer<vtkDataObject> MakeSurface(
     return vtkPolyData::SafeDownCast(block) ? Run(convex, block, progress)
                                             : vtkSmartPointer<vtkDataObject>(block);
   });
+  NoteNormals(surface, path);
   if (smooth)
   {
     surface = WithNormals(surface, path, progress);

@@ -128,6 +128,11 @@ class Words(CliTest):
                      "shadow_0,shadow_1", status=2,
                      says=["--layers", "'shadow_1'", "1 --light option,"])  # fmt: skip
 
+    def test_more_lights_than_shaders_hold(self):
+        lights = ["--light", "point:0,0,5"] * 1001
+        self.refused("render", "triangle.off", "--png", "a.png", *lights, status=2,
+                     says=["--light", "1001", "1000", "--lamps"])  # fmt: skip
+
     def test_a_size_of_no_shadows(self):
         self.refused("render", "triangle.off", "--png", "a.png", "--shadow-size", "512", status=2,
                      says=["--shadow-size", "--shadows map", "shadow_N"])  # fmt: skip

@@ -9,6 +9,7 @@ import unittest
 
 import numpy
 import scenes
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkWindowToImageFilter
 
@@ -137,6 +138,36 @@ class Shadows(unittest.TestCase):
             off = self.picture()
             self.assertTrue((on <= off).all(), "brighter than without shadows")
             self.assertGreater((on == off).all(axis=2).mean(), 0.7)
+
+    def test_a_projective_matrix(self):
+        """What casts is where it is drawn, by every method; what is wrong on it is said."""
+        rows = numpy.eye(4)
+        rows[3] = 0.25, 0.2, 0.15, 1
+        matrix = vtkMatrix4x4()
+        matrix.DeepCopy(rows.ravel())
+        self.plate.SetUserMatrix(matrix)
+        corners = [rows @ (x, 1, z, 1) for x, z in ((-.5, -.5), (-.5, .5), (.5, .5), (.5, -.5))]
+        corners = [corner[:3] / corner[3] for corner in corners]
+        normal = numpy.cross(corners[1] - corners[0], corners[2] - corners[0])
+        for method in ("map", "warped", "forward", "exact"):
+            stage = relievo.stage(self.renderer, "shadows", visible=True, method=method)
+            said = []
+            stage.AddObserver("WarningEvent", lambda *_, said=said: said.append(1))
+            image, _ = self.capture()
+            position, floor = self.position, self.floor_seen
+            self.assertLessEqual(len(said), 1)
+            for i, name in enumerate(LIGHTS):
+                place, positional, _ = LIGHTS[name]
+                towards = numpy.array(place, float) - (position if positional else 0)
+                along = (corners[0] - position) @ normal / (towards @ normal)
+                at = position + towards * along[..., None]
+                sides = [numpy.cross(b - a, at - a) @ normal
+                         for a, b in zip(corners, corners[1:] + corners[:1])]
+                dark = numpy.all(numpy.array(sides) > 0, axis=0)
+                wrong = floor & (dark != (relievo.layer(image, f"shadow_{i}") < 0.5))
+                self.assertGreater(numpy.count_nonzero(floor & dark), 300)
+                with self.subTest(method=method, light=name):
+                    self.assertLessEqual(numpy.count_nonzero(wrong), 6 if method == "exact" else 60)
 
     def test_who_casts_and_receives(self):
         _, shadows = self.capture()

@@ -61,11 +61,10 @@ private Q_SLOTS:
     this->WriteText("lamps.vtk",
       "# vtk DataFile Version 3.0\na\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0.25 0.5 1.5\n"
       "POINT_DATA 1\nSCALARS radius float 1\nLOOKUP_TABLE default\n2.5\n");
-    this->Open({ this->WriteScene(), "--lamps", this->Path("lamps.vtk") + ",intensity=0.75",
-      "--exposure", "0.5", "--view-angle", "22.5" });
+    this->Open({ this->WriteScene(), "--lamps", this->Path("lamps.vtk") + ",intensity=0.75" });
     this->Compare("lamps");
     const vtkSmartPointer<vtkImageData> lit = this->Grab();
-    this->Change([](scene::Settings& settings) { settings.Set("--exposure", "1.5"); });
+    this->Change([](scene::Settings& settings) { settings.SetParameter("tone", "exposure", "1.5"); });
     this->Compare("a value that was set");
     QVERIFY(CountDifferent(lit, this->Grab()) > 100);
   }

@@ -23,6 +23,13 @@ glm::dmat4 vtkRelievoToGlm(vtkMatrix4x4* matrix)
 }
 
 //------------------------------------------------------------------------------
+bool vtkRelievoIsProjective(vtkMatrix4x4* matrix)
+{
+  return matrix->GetElement(3, 0) != 0.0 || matrix->GetElement(3, 1) != 0.0 ||
+    matrix->GetElement(3, 2) != 0.0 || matrix->GetElement(3, 3) != 1.0;
+}
+
+//------------------------------------------------------------------------------
 glm::mat4 vtkRelievoFrameCamera::GetProjection() const
 {
   return glm::mat4(this->ViewToNDC);

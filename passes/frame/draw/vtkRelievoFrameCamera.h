@@ -17,6 +17,10 @@ class vtkRenderer;
 // Column-major, as GLM has it.
 VTKRELIEVOFRAME_EXPORT glm::dmat4 vtkRelievoToGlm(vtkMatrix4x4* matrix);
 
+// Whether places need a division by w behind it. VTK draws them where they are then, and lights them
+// where they are without.
+VTKRELIEVOFRAME_EXPORT bool vtkRelievoIsProjective(vtkMatrix4x4* matrix);
+
 struct VTKRELIEVOFRAME_EXPORT vtkRelievoFrameCamera
 {
   int Viewport[4] = { 0, 0, 0, 0 }; // x, y, width, height in the framebuffer drawn to

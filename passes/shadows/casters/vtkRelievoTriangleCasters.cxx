@@ -292,9 +292,10 @@ bool AddActor(vtkActor* actor, vtkMatrix4x4* matrix, bool translucent,
   manner.CullsFront = actor->GetProperty()->GetFrontfaceCulling() != 0;
   manner.CullsBack = actor->GetProperty()->GetBackfaceCulling() != 0;
   manner.Translucent = translucent;
-  if (!(std::abs(glm::determinant(manner.MeshToWorld)) > 0.0))
+  if (!(std::abs(glm::determinant(manner.MeshToWorld)) > 0.0) ||
+    vtkRelievoIsProjective(matrix ? matrix : actor->GetMatrix()))
   {
-    return false; // flattened: no way back from the world
+    return false; // flattened: no way back from the world; or rays are bent on the way
   }
   if (auto* composite = vtkRelievoCompositeMapper::SafeDownCast(mapper))
   {
