@@ -116,20 +116,20 @@ const vtkRelievoLayer& vtkRelievoLayerCatalogue::Find(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoLayerCatalogue::GetIsLayer(RELIEVO_TEXT name)
+bool vtkRelievoLayerCatalogue::GetIsLayer(const std::string& name)
 {
   return Find(name).Kind != L::ARRAY;
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoLayerCatalogue::GetIsOfLight(RELIEVO_TEXT name)
+bool vtkRelievoLayerCatalogue::GetIsOfLight(const std::string& name)
 {
   const std::string& prefix = GetOfLight().Name;
   return name.compare(0, prefix.size(), prefix) == 0;
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoLayerCatalogue::GetLight(RELIEVO_TEXT name)
+int vtkRelievoLayerCatalogue::GetLight(const std::string& name)
 {
   const std::string word =
     GetIsOfLight(name) ? name.substr(GetOfLight().Name.size()) : std::string();

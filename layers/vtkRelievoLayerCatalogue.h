@@ -12,7 +12,6 @@
 
 #include "vtkObject.h"
 #include "vtkRelievoLayersModule.h" // for the export macro
-#include "vtkRelievoText.h"         // for names that are given
 
 #include <string> // for names
 
@@ -46,16 +45,21 @@ public:
   /** All names, separated by commas. */
   static std::string GetLayerNames();
 
+  // VTK's wrapping ends the program on text that is no Unicode where it makes a std::string of it.
   /** Whether the name is that of a layer: one of the table, or shadow_N with a number. */
-  static bool GetIsLayer(RELIEVO_TEXT name);
+  static bool GetIsLayer(const char* name) { return GetIsLayer(std::string(name ? name : "")); }
 
   /** The light of a layer shadow_N by its number, or -1. */
-  static int GetLight(RELIEVO_TEXT name);
+  static int GetLight(const char* name) { return GetLight(std::string(name ? name : "")); }
 
   /** Whether the name begins like those of the layers of lights: shadow_0, shadow_key_light. */
-  static bool GetIsOfLight(RELIEVO_TEXT name);
+  static bool GetIsOfLight(const char* name) { return GetIsOfLight(std::string(name ? name : "")); }
 
 #ifndef __VTK_WRAP__
+  static bool GetIsLayer(const std::string& name);
+  static int GetLight(const std::string& name);
+  static bool GetIsOfLight(const std::string& name);
+
   static const std::vector<vtkRelievoLayer>& GetAll();
 
   // What the name means; of kind ARRAY if it is none of the table's. A layer of a light is known by

@@ -195,6 +195,12 @@ int vtkRelievoLayerSource::RequestData(
     vtkErrorMacro(<< noDisplay << ".");
     return 0;
   }
+  const std::string lights = vtkRelievoPass::CheckLights(this->Renderer);
+  if (!lights.empty())
+  {
+    vtkErrorMacro("Nothing is drawn: " << lights << " Make them lamps (vtkRelievoLamps).");
+    return 0;
+  }
   if (!this->Renderer->GetDraw())
   {
     vtkErrorMacro("The renderer is told to draw nothing; switch it on with DrawOn().");

@@ -40,11 +40,13 @@ glm::dmat3 Rows(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z)
 void vtkRelievoParticleMaps::SetSurface(vtkDataObject* data, const vtkRelievoVoxelGrid& grid)
 {
   this->Views.clear();
+  this->Surfaces.clear();
   this->Pairs = true;
   vtkRelievoVoxelSurface surface;
   for (vtkDataSet* leaf : vtkRelievoVoxelMeshes::GetLeaves(data))
   {
-    surface.Add(vtkRelievoVoxelMeshes::GetSurface(leaf), grid);
+    this->Surfaces.push_back(vtkRelievoVoxelMeshes::GetSurface(leaf));
+    surface.Add(this->Surfaces.back(), grid);
   }
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -75,6 +77,7 @@ void vtkRelievoParticleMaps::SetSurface(vtkDataObject* data, const vtkRelievoVox
 std::string vtkRelievoParticleMaps::SetImages(const std::vector<vtkImageData*>& images)
 {
   this->Views.clear();
+  this->Surfaces.clear();
   this->Pairs = false;
   for (std::size_t index = 0; index < images.size(); ++index)
   {
@@ -267,6 +270,35 @@ bool vtkRelievoParticleMaps::PushInside(glm::dvec3& position, double farthest) c
   {
     position = moved;
     return true;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoParticleMaps::FindBest(glm::dvec3& position, int& view) const
+{
+  vtkRelievoParticlePlace other;
+  vtkRelievoParticlePlace best;
+  // At the border of what a view sees, the nearest texel may see nothing.
+  for (const bool snap : { false, true })
+  {
+    bool found = false;
+    for (std::size_t i = 0; i < this->Views.size(); ++i)
+    {
+      if (this->Views[i].Find(position, snap, other) &&
+        glm::distance(other.Position, position) <= this->Views[i].GetTexelSize() &&
+        (!found || other.Facing > best.Facing))
+      {
+        found = true;
+        best = other;
+        view = static_cast<int>(i);
+      }
+    }
+    if (found)
+    {
+      position = best.Position;
+      return true;
+    }
   }
   return false;
 }

@@ -10,6 +10,9 @@
 
 #include "vtkRelievoVoxelGrid.h"
 
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
 #include <string>
 #include <vector>
 
@@ -27,6 +30,7 @@ public:
   std::string SetImages(const std::vector<vtkImageData*>& images);
 
   std::vector<vtkRelievoParticleView> Views;
+  std::vector<vtkSmartPointer<vtkPolyData>> Surfaces; // that the views see; none for depth images
   // Whether the views are pairs that look at each other, each pair with the same texels.
   bool Pairs = false;
 
@@ -45,6 +49,10 @@ public:
   // Moves a place inside by pushing it against the normals of what it is before; at most so far, in
   // world units. False, and the place as it was, if that does not bring it inside.
   bool PushInside(glm::dvec3& position, double farthest) const;
+
+  // Moves the position to the place nearby that is seen from most in front, and says by which view.
+  // False, and nothing is changed, if none sees a place within a texel.
+  bool FindBest(glm::dvec3& position, int& view) const;
 
   // Whether another view sees the same place at a better angle, or as good and earlier in order.
   bool IsSeenBetter(int view, const vtkRelievoParticlePlace& place) const;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoParticleStart.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataSet.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -15,6 +17,29 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+namespace
+{
+struct Triangle
+{
+  glm::dvec3 Corners[3];
+  double Area = 0.;
+};
+
+// Of the fan of triangles that a polygon is, that which ends at a corner from 2 on.
+Triangle GetTriangle(vtkPolyData* surface, vtkIdList* points, vtkIdType last)
+{
+  Triangle triangle;
+  const vtkIdType corners[3] = { 0, last - 1, last };
+  for (int i = 0; i < 3; ++i)
+  {
+    surface->GetPoint(points->GetId(corners[i]), &triangle.Corners[i].x);
+  }
+  const glm::dvec3* p = triangle.Corners;
+  triangle.Area = glm::length(glm::cross(p[1] - p[0], p[2] - p[0])) / 2.;
+  return triangle;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkRelievoParticleStart::vtkRelievoParticleStart(
@@ -58,10 +83,85 @@ vtkRelievoParticleStart::vtkRelievoParticleStart(
       }
     }
   }
+  if (!inside)
+  {
+    this->MeasurePolygons();
+  }
   if (inside && !this->Parts.empty())
   {
     this->Space = std::make_unique<vtkRelievoParticleInterior>(maps, this->Low, this->High, seed);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoParticleStart::MeasurePolygons()
+{
+  double sum = 0.;
+  vtkNew<vtkIdList> points;
+  for (vtkPolyData* surface : this->Maps.Surfaces)
+  {
+    if (surface->GetNumberOfStrips() > 0)
+    {
+      this->Areas.clear(); // texels are spread over
+      return;
+    }
+    this->Firsts.push_back(this->Areas.size());
+    for (vtkIdType cell = 0; cell < surface->GetNumberOfPolys(); ++cell)
+    {
+      surface->GetPolys()->GetCellAtId(cell, points);
+      double area = 0.;
+      for (vtkIdType i = 2; i < points->GetNumberOfIds(); ++i)
+      {
+        area += GetTriangle(surface, points, i).Area;
+      }
+      sum += std::isfinite(area) ? area : 0.;
+      this->Areas.push_back(sum);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// By area, and again where nothing is seen: even to within the texel that a place is moved by.
+bool vtkRelievoParticleStart::SpreadOnPolygons(
+  vtkIdType i, double share, glm::dvec3& position, int& view) const
+{
+  constexpr unsigned int Tries = 32;
+  vtkNew<vtkIdList> points;
+  for (unsigned int attempt = 0; attempt < Tries && !this->Areas.empty(); ++attempt)
+  {
+    const auto random = [&](unsigned int which) {
+      return vtkRelievoParticleRandom(i, 3 * attempt + which, this->Seed);
+    };
+    const double area = (attempt == 0 ? share : random(0)) * this->Areas.back();
+    const auto found = std::upper_bound(this->Areas.begin(), this->Areas.end(), area);
+    const auto polygon = static_cast<std::size_t>(std::min<std::ptrdiff_t>(
+      found - this->Areas.begin(), static_cast<std::ptrdiff_t>(this->Areas.size()) - 1));
+    const auto after = std::upper_bound(this->Firsts.begin(), this->Firsts.end(), polygon);
+    const auto which = static_cast<std::size_t>(after - this->Firsts.begin()) - 1;
+    vtkPolyData* surface = this->Maps.Surfaces[which];
+    surface->GetPolys()->GetCellAtId(static_cast<vtkIdType>(polygon - this->Firsts[which]), points);
+    double rest = area - (polygon > 0 ? this->Areas[polygon - 1] : 0.);
+    Triangle triangle;
+    for (vtkIdType corner = 2; corner < points->GetNumberOfIds(); ++corner)
+    {
+      triangle = GetTriangle(surface, points, corner);
+      rest -= triangle.Area;
+      if (rest <= 0.)
+      {
+        break;
+      }
+    }
+    const double root = std::sqrt(random(1));
+    const double across = random(2);
+    const glm::dvec3* corners = triangle.Corners;
+    position = corners[0] +
+      root * ((1. - across) * (corners[1] - corners[0]) + across * (corners[2] - corners[0]));
+    if (this->Maps.FindBest(position, view))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -85,6 +185,10 @@ void vtkRelievoParticleStart::SpreadOne(
     return vtkRelievoParticleRandom(i, which, this->Seed);
   };
   const double share = (static_cast<double>(i) + random(0)) / static_cast<double>(count);
+  if (this->SpreadOnPolygons(i, share, position, view))
+  {
+    return;
+  }
   const auto found =
     std::upper_bound(this->Shares.begin(), this->Shares.end(), share * this->Shares.back());
   const auto index = std::min<std::ptrdiff_t>(

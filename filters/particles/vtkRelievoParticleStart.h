@@ -39,12 +39,16 @@ private:
     std::size_t Texel;
   };
   void SpreadOne(vtkIdType i, vtkIdType count, glm::dvec3& position, int& view) const;
+  void MeasurePolygons();
+  bool SpreadOnPolygons(vtkIdType i, double share, glm::dvec3& position, int& view) const;
 
   const vtkRelievoParticleMaps& Maps;
   bool Inside;
   unsigned int Seed;
-  std::vector<Part> Parts;    // texels that no other view sees better
-  std::vector<double> Shares; // area of the parts up to each
+  std::vector<Part> Parts;         // texels that no other view sees better
+  std::vector<double> Shares;      // area of the parts up to each
+  std::vector<double> Areas;       // of the surfaces' polygons up to each, if there are surfaces
+  std::vector<std::size_t> Firsts; // of each surface among the polygons
   glm::dvec3 Low;
   glm::dvec3 High;
   std::unique_ptr<vtkRelievoParticleInterior> Space; // where particles are inside

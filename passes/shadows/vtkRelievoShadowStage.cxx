@@ -1095,9 +1095,10 @@ bool vtkRelievoShadowStage::SetShaderParameters(vtkShaderProgram* program,
   }
   if (vtkRelievoIsProjective(actor->GetMatrix()) && in.Reported.insert("projective").second)
   {
-    vtkWarningMacro("An actor's matrix is projective: its last row is not 0 0 0 1. VTK lights it "
-                    "elsewhere than it draws it, and shadows on it are of there; those that it casts "
-                    "are right. Move its points instead, with vtkTransformFilter.");
+    vtkWarningMacro(
+      "An actor's matrix is projective: its last row is not 0 0 0 1. VTK lights it "
+      "elsewhere than it draws it, and shadows on it are of there; those that it casts "
+      "are right. Move its points instead, with vtkTransformFilter.");
   }
   if (in.ProgramsWithUniforms.insert(program).second)
   {

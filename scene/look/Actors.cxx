@@ -141,7 +141,7 @@ vtkSmartPointer<vtkDataObject> WithNormals(
 }
 
 //------------------------------------------------------------------------------
-// VTK lights the side that a triangle's corners turn around to the left, by its normal; of the other
+// VTK lights the side that a triangle's corners turn around to the left by its normal; of the other
 // side it turns the normal round. Where the file's normals are against that, both sides are dark.
 void NoteNormals(vtkDataObject* surface, const std::string& path)
 {
@@ -160,8 +160,8 @@ void NoteNormals(vtkDataObject* surface, const std::string& path)
     {
       faces->GetCurrentCell(points);
       double face[3];
-      vtkPolygon::ComputeNormal(mesh->GetPoints(), static_cast<int>(points->GetNumberOfIds()),
-        points->GetPointer(0), face);
+      vtkPolygon::ComputeNormal(
+        mesh->GetPoints(), static_cast<int>(points->GetNumberOfIds()), points->GetPointer(0), face);
       for (const vtkIdType point : *points)
       {
         const double side = vtkMath::Dot(face, normals->GetTuple3(point));
@@ -173,7 +173,8 @@ void NoteNormals(vtkDataObject* surface, const std::string& path)
   if (2 * against > corners)
   {
     Messages::Note(path +
-      ": most of its normals point against the winding of its faces, and VTK draws these dark; turn "
+      ": most of its normals point against the winding of its faces, and VTK draws these dark; "
+      "turn "
       "its normals, or the order of its faces' points");
   }
 }

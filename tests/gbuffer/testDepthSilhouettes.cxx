@@ -158,7 +158,7 @@ double DistanceToMesh(vtkPolyData* mesh, const glm::dvec3& p)
   return distance;
 }
 
-// Where spheres pass through each other, a pixel's neighbours show another mesh at nearly its depth.
+// Where spheres pass through each other, a pixel's neighbours show another mesh near its depth.
 void CheckCrossing()
 {
   Stage stage(300, 300);

@@ -93,8 +93,8 @@ void TestLossyCompressions()
   RELIEVO_CHECK(expect.Count() == 2); // dwaa and dwab
 }
 
-// An infinity or NaN comes back as it was, or the file is refused; a finite number beyond those of a
-// half is either kept or warned of.
+// An infinity or NaN comes back as it was, or the file is refused; a finite number beyond those of
+// a half is either kept or warned of.
 void TestNotFinite()
 {
   const double values[] = { std::numeric_limits<double>::infinity(),

@@ -208,19 +208,20 @@ class Attach(unittest.TestCase):
     def test_more_lights_than_shaders_hold(self):
         """One message says how many there are, how many there may be, and what to do."""
         frame = relievo.attach(self.renderer)
-        for _ in range(frame.MOST_LIGHTS + 1):
+        for _ in range(frame.MOST_LIGHTS + 1):  # beside the headlight
             self.renderer.AddLight(vtkLight())
         said = []
         frame.AddObserver("ErrorEvent", lambda *_: said.append(1))
         self.window.Render()
         self.assertEqual(len(said), 1)
-        with self.assertRaisesRegex(RuntimeError, "1001 lights are on.* take 1000.*lamps"):
+        with self.assertRaisesRegex(RuntimeError, "1002 lights are on.* take 1000.*lamps"):
             relievo.capture(self.renderer)
         for light in self.renderer.GetLights():
             light.SetSwitch(False)
         next(iter(self.renderer.GetLights())).SetSwitch(True)
         self.window.Render()
-        self.assertTrue(numpy.isfinite(relievo.layer(relievo.capture(self.renderer), "depth")).any())
+        depth = relievo.layer(relievo.capture(self.renderer), "depth")
+        self.assertTrue(numpy.isfinite(depth).any())
 
     def test_errors(self):
         for wrong in (None, "renderer", self.window):

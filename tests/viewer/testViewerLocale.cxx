@@ -64,7 +64,8 @@ private Q_SLOTS:
     this->Open({ this->WriteScene(), "--lamps", this->Path("lamps.vtk") + ",intensity=0.75" });
     this->Compare("lamps");
     const vtkSmartPointer<vtkImageData> lit = this->Grab();
-    this->Change([](scene::Settings& settings) { settings.SetParameter("tone", "exposure", "1.5"); });
+    this->Change(
+      [](scene::Settings& settings) { settings.SetParameter("tone", "exposure", "1.5"); });
     this->Compare("a value that was set");
     QVERIFY(CountDifferent(lit, this->Grab()) > 100);
   }

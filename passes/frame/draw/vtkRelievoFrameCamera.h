@@ -17,8 +17,8 @@ class vtkRenderer;
 // Column-major, as GLM has it.
 VTKRELIEVOFRAME_EXPORT glm::dmat4 vtkRelievoToGlm(vtkMatrix4x4* matrix);
 
-// Whether places need a division by w behind it. VTK draws them where they are then, and lights them
-// where they are without.
+// Whether places need a division by w behind it. VTK draws them where they are then, and lights
+// them where they are without.
 VTKRELIEVOFRAME_EXPORT bool vtkRelievoIsProjective(vtkMatrix4x4* matrix);
 
 struct VTKRELIEVOFRAME_EXPORT vtkRelievoFrameCamera

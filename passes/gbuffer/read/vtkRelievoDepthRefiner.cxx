@@ -306,7 +306,7 @@ void vtkRelievoDepthRefiner::Refine(float* depths, vtkRelievoMeshLinks& links)
   {
     float& depth = depths[static_cast<std::ptrdiff_t>(pixel.Y) * width + pixel.X];
     const double found = this->GetAdjacentDepth(pixel, links);
-    depth = std::isfinite(found) ? static_cast<float>(found)
+    depth = std::isfinite(found)   ? static_cast<float>(found)
       : std::isfinite(pixel.Other) ? static_cast<float>(pixel.Other)
                                    : depth;
   }
@@ -349,7 +349,8 @@ void vtkRelievoDepthRefiner::RefineRow(
     {
       Pixel pixel{ x, y, this->GetNearest(triangle, x, y) };
       depth = pixel.Nearest.Depth;
-      const double found = std::isfinite(depth) ? this->GetNeighbourDepth(pixel, triangle, recent) : depth;
+      const double found =
+        std::isfinite(depth) ? this->GetNeighbourDepth(pixel, triangle, recent) : depth;
       if (std::isfinite(found))
       {
         depth = found;

@@ -5,10 +5,10 @@
 // rasteriser has two errors that this takes away: it interpolates in float, which on a triangle on
 // edge is off by a thousandth; and it rounds corners to parts of a pixel (1/256, as a rule), so
 // that a pixel near an edge may be given to the neighbour and extrapolate from there. The triangle
-// that truly holds the centre is looked for among those of the neighbouring pixels on the mesh shown,
-// then, for slivers that no pixel shows, among those that share a point with the triangle shown, and
-// last among other meshes, which may carry the surface on. Where the surface shown ends (a
-// silhouette), the depth is that of its point next to the centre.
+// that truly holds the centre is looked for among those of the neighbouring pixels on the mesh that
+// is shown, then, for slivers that no pixel shows, among those that share a point with the triangle
+// shown, and last among other meshes, which may carry the surface on. Where the surface shown ends
+// (a silhouette), the depth is that of its point next to the centre.
 #ifndef vtkRelievoDepthRefiner_h
 #define vtkRelievoDepthRefiner_h
 
@@ -85,9 +85,9 @@ private:
   // Whether the surface runs on from the nearest point shown to this depth at the pixel's centre.
   bool RunsOn(const Point& nearest, double depth) const;
 
-  // Depth on the triangle of the mesh shown that holds the pixel's centre, if the surface shown runs
-  // on to it, of the neighbours' and of those that share a point with the triangle shown; infinity if
-  // none does. Of the neighbours' also that on other meshes, which the pixel keeps.
+  // Depth on the triangle of the mesh shown that holds the pixel's centre, if the surface shown
+  // runs on to it, of the neighbours' and of those that share a point with the triangle shown;
+  // infinity if none does. Of the neighbours' also that on other meshes, which the pixel keeps.
   double GetNeighbourDepth(Pixel& pixel, const Triangle& shown, Recent& recent) const;
   double GetAdjacentDepth(const Pixel& pixel, vtkRelievoMeshLinks& links) const;
 
