@@ -22,7 +22,7 @@ namespace
 {
 struct Triangle
 {
-  glm::dvec3 Corners[3];
+  glm::dvec3 Corners[3] = { glm::dvec3(0.), glm::dvec3(0.), glm::dvec3(0.) };
   double Area = 0.;
 };
 

@@ -8,9 +8,11 @@ import pathlib
 import pty
 import signal
 import subprocess
+import tempfile
 import time
 import unittest
 
+import locales
 import numpy
 from cli import LOOK, NEEDS_DISPLAY, RELIEVO, CliTest, main, write_image
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -70,6 +72,23 @@ def write(mesh, path):
 
 
 class Inputs(CliTest):
+    def test_locales(self):
+        """The user's decimal comma has no say in files and words."""
+        (self.folder / "SHAPE.STL").write_text(
+            "solid a\nfacet normal 0 0 1\nouter loop\nvertex -0.75 -0.75 0.5\nvertex 0.75 -0.75 0.5\n"
+            "vertex -0.75 0.75 0.5\nendloop\nendfacet\nendsolid a\n")
+        (self.folder / "lamps.vtk").write_text(
+            "# vtk DataFile Version 3.0\na\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0.25 0.5 1.5\n"
+            "POINT_DATA 1\nSCALARS radius float 1\nLOOKUP_TABLE default\n2.5\n")
+        made = []
+        with tempfile.TemporaryDirectory() as folder:
+            locales.make(folder)
+            for name in ("C", *locales.NAMES):
+                self.relievo("render", "SHAPE.STL", *LOOK, "--lamps", "lamps.vtk,intensity=0.75",
+                             "--exr", "a.exr", "--png", "a.png", environment={"LC_ALL": name})
+                made.append([(self.folder / each).read_bytes() for each in ("a.exr", "a.png")])
+        self.assertEqual(made[1:], [made[0]] * 2)
+
     def test_missing(self):
         self.refused("render", "gone.off", *OUTPUTS, status=1,
                      says=["gone.off", "No such file"])  # fmt: skip

@@ -5,10 +5,13 @@
 With the word `provoke`: what must be refused.
 """
 
+import locale
 import sys
+import tempfile
 
 import judge
 import layers
+import locales
 import numpy
 import pv
 import stage
@@ -103,6 +106,26 @@ class Files(judge.StageTest):
         )
         reader.Channels = ["depth.Z"]
         self.assertEqual(list(layers.arrays(reader)), ["depth"])
+
+    def test_locales(self):
+        """Numbers in text, of files and of field data, where the user's have a comma."""
+        text = pv.OUTPUT / "a.x"
+        text.write_text("xof 0303txt 0032\nMesh a {\n3;\n0.25;0.25;0.5;,\n1.75;0.5;0.5;,\n"
+                        "0.5;1.75;0.5;;\n1;\n3;0,1,2;;\n}\n")
+        self.addCleanup(locale.setlocale, locale.LC_ALL, locale.setlocale(locale.LC_ALL))
+        with tempfile.TemporaryDirectory() as folder:
+            locales.make(folder)
+            for name in locales.NAMES:
+                locale.setlocale(locale.LC_ALL, name)
+                model = simple.ModelWithBonesReader(FileName=str(text))
+                model.UpdatePipeline()
+                bounds = numpy.abs(model.GetDataInformation().GetBounds())
+                self.assertEqual(sorted(bounds), [0.25, 0.25, 0.5, 0.5, 1.75, 1.75])
+                source = simple.RelievoLayers(View=self.view, Layers=["depth"])
+                path = pv.OUTPUT / "locale.exr"
+                simple.SaveData(str(path), source)
+                _, back = opened(path)
+                self.check(layers.arrays(back), layers.arrays(layers.image(source)), name)
 
     def test_the_menus_know_them(self):
         session = servermanager.ActiveConnection.Session

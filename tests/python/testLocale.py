@@ -5,12 +5,11 @@ comma and whose small i may have no dot: what they say and make is what it is ev
 
 import json
 import locale
-import os
 import pathlib
-import subprocess
 import tempfile
 import unittest
 
+import locales
 import numpy
 import relievo
 import scenes
@@ -19,7 +18,6 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkTIFFWriter
 from vtkmodules.vtkRenderingCore import vtkLight
 
-LOCALES = ("de_DE.UTF-8", "tr_TR.UTF-8")
 CORNERS = ((0.25, 0.25, 0.5), (1.75, 0.5, 0.5), (0.5, 1.75, 0.5))
 ROWS = [" ".join(map(str, corner)) for corner in CORNERS]
 MESHES = {
@@ -72,10 +70,7 @@ class Locale(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        os.environ["LOCPATH"] = cls.folder.name
-        for name in LOCALES:
-            subprocess.run(["localedef", "-i", name[:5], "-f", "UTF-8",
-                            f"{cls.folder.name}/{name}"], check=True)
+        locales.make(cls.folder.name)
 
     @classmethod
     def tearDownClass(cls):
@@ -87,7 +82,7 @@ class Locale(unittest.TestCase):
 
     def each(self):
         """Each locale, while it is the program's."""
-        for name in LOCALES:
+        for name in locales.NAMES:
             locale.setlocale(locale.LC_ALL, name)
             self.assertEqual(locale.localeconv()["decimal_point"], ",")
             yield name
