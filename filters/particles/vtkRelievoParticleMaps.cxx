@@ -275,28 +275,34 @@ bool vtkRelievoParticleMaps::PushInside(glm::dvec3& position, double farthest) c
 }
 
 //------------------------------------------------------------------------------
-bool vtkRelievoParticleMaps::FindBest(glm::dvec3& position, int& view) const
+bool vtkRelievoParticleMaps::FindNearest(glm::dvec3& position, int& view) const
 {
-  vtkRelievoParticlePlace other;
-  vtkRelievoParticlePlace best;
+  vtkRelievoParticlePlace place;
+  glm::dvec3 nearest(0.);
   // At the border of what a view sees, the nearest texel may see nothing.
   for (const bool snap : { false, true })
   {
-    bool found = false;
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < this->Views.size(); ++i)
     {
-      if (this->Views[i].Find(position, snap, other) &&
-        glm::distance(other.Position, position) <= this->Views[i].GetTexelSize() &&
-        (!found || other.Facing > best.Facing))
+      const double texel = this->Views[i].GetTexelSize();
+      if (!this->Views[i].Find(position, snap, place))
       {
-        found = true;
-        best = other;
+        continue;
+      }
+      const double distance = glm::distance(place.Position, position) / texel;
+      // Views that graze the surface come last.
+      const double rank = distance + (place.Facing < Grazing ? 1. : 0.);
+      if (distance <= 1. && rank < least)
+      {
+        least = rank;
+        nearest = place.Position;
         view = static_cast<int>(i);
       }
     }
-    if (found)
+    if (std::isfinite(least))
     {
-      position = best.Position;
+      position = nearest;
       return true;
     }
   }

@@ -50,9 +50,9 @@ public:
   // world units. False, and the place as it was, if that does not bring it inside.
   bool PushInside(glm::dvec3& position, double farthest) const;
 
-  // Moves the position to the place nearby that is seen from most in front, and says by which view.
-  // False, and nothing is changed, if none sees a place within a texel.
-  bool FindBest(glm::dvec3& position, int& view) const;
+  // Moves the position to the nearest place that is seen, and says by which view. False if none sees
+  // a place within a texel.
+  bool FindNearest(glm::dvec3& position, int& view) const;
 
   // Whether another view sees the same place at a better angle, or as good and earlier in order.
   bool IsSeenBetter(int view, const vtkRelievoParticlePlace& place) const;

@@ -156,7 +156,7 @@ bool vtkRelievoParticleStart::SpreadOnPolygons(
     const glm::dvec3* corners = triangle.Corners;
     position = corners[0] +
       root * ((1. - across) * (corners[1] - corners[0]) + across * (corners[2] - corners[0]));
-    if (this->Maps.FindBest(position, view))
+    if (this->Maps.FindNearest(position, view))
     {
       return true;
     }
