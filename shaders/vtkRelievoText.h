@@ -19,6 +19,7 @@
 class vtkRelievoText : public std::string
 {
 public:
+  vtkRelievoText() = default;
   vtkRelievoText(const char* text)
     : std::string(text ? text : "")
   {

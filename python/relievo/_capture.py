@@ -165,7 +165,7 @@ def _fit(window, renderer, size):
         raise RuntimeError(f"capture: {no_display}")
     window.Initialize()  # at its own size: X ends the process for sizes that it cannot make
     window.MakeCurrent()
-    if not window.IsCurrent():
+    if not (window.IsCurrent() or window.IsA("vtkGenericOpenGLRenderWindow")):
         raise RuntimeError(
             "capture: another thread draws in the renderer's window; capture in that thread"
         )

@@ -162,9 +162,9 @@ void NoteNormals(vtkDataObject* surface, const std::string& path)
       double face[3];
       vtkPolygon::ComputeNormal(
         mesh->GetPoints(), static_cast<int>(points->GetNumberOfIds()), points->GetPointer(0), face);
-      for (const vtkIdType point : *points)
+      for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
       {
-        const double side = vtkMath::Dot(face, normals->GetTuple3(point));
+        const double side = vtkMath::Dot(face, normals->GetTuple3(points->GetId(i)));
         corners += side != 0.0 ? 1 : 0;
         against += side < 0.0 ? 1 : 0;
       }
@@ -174,8 +174,7 @@ void NoteNormals(vtkDataObject* surface, const std::string& path)
   {
     Messages::Note(path +
       ": most of its normals point against the winding of its faces, and VTK draws these dark; "
-      "turn "
-      "its normals, or the order of its faces' points");
+      "turn its normals, or the order of its faces' points");
   }
 }
 }

@@ -154,8 +154,7 @@ bool vtkRelievoPointValues::SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoPointValues::TrySetParameter(
-  RELIEVO_TEXT name, RELIEVO_TEXT words)
+std::string vtkRelievoPointValues::TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
 {
   const vtkRelievoParameter* parameter = this->Description.Find(name);
   if (!parameter)
