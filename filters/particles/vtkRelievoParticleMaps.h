@@ -50,8 +50,8 @@ public:
   // world units. False, and the place as it was, if that does not bring it inside.
   bool PushInside(glm::dvec3& position, double farthest) const;
 
-  // Moves the position to the nearest place that is seen, and says by which view. False if none sees
-  // a place within a texel.
+  // Moves the position to the nearest place that is seen, and says by which view. False if none
+  // sees a place within a texel.
   bool FindNearest(glm::dvec3& position, int& view) const;
 
   // Whether another view sees the same place at a better angle, or as good and earlier in order.
