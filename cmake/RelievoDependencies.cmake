@@ -1,5 +1,5 @@
 # Finds what Relievo builds on: VTK (ParaView's or a stand-alone one), Python, GLM, OpenEXR, Assimp,
-# nlohmann-json, Embree.
+# Draco, nlohmann-json, Embree.
 
 set(Python3_FIND_STRATEGY LOCATION)
 set(relievo_vtk_components
@@ -46,6 +46,7 @@ set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
 find_package(OpenEXR 3 REQUIRED CONFIG)
 set(CMAKE_MESSAGE_LOG_LEVEL "${relievo_log_level}")
 find_package(assimp 5.2 REQUIRED)
+find_package(draco 1.5 REQUIRED)
 find_package(nlohmann_json 3.10 REQUIRED)
 if (RELIEVO_BUILD_TESTS OR RELIEVO_BUILD_BENCH)
   find_package(embree 3 REQUIRED)

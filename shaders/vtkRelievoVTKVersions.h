@@ -25,6 +25,13 @@
 #define RELIEVO_VTK_PBR_OPACITY_OF_TEXTURES 1
 #endif
 
+// Shading by PBR takes colours of points and cells as sRGB; before, as linear.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 7, 0)
+#define RELIEVO_VTK_PBR_SRGB_VERTEX_COLORS true
+#else
+#define RELIEVO_VTK_PBR_SRGB_VERTEX_COLORS false
+#endif
+
 // Blocks of composite data are drawn by vtkCompositeMapperHelper2, one for each kind of block;
 // since 9.3 by vtkOpenGLBatchedPolyDataMapper.
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 0)

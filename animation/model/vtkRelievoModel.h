@@ -9,22 +9,34 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <map>
+#include <optional>
 #include <string>
+#include <valarray>
 #include <vector>
 
 namespace relievo
 {
+/// A node's place in three parts; what does not fit in (shear) is lost.
+struct NodeParts
+{
+  glm::dvec3 Position = glm::dvec3(0.);
+  glm::dvec4 Rotation = glm::dvec4(0., 0., 0., 1.); ///< a unit quaternion x, y, z, w
+  glm::dvec3 Scale = glm::dvec3(1.);
+};
+
 /// A node of the tree. Parents stand before their children; the root's parent is -1.
 struct ModelNode
 {
   std::string Name;
   int Parent = -1;
   glm::dmat4 Rest = glm::dmat4(1.); ///< to the parent
+  std::optional<NodeParts> Parts;   ///< of Rest, where the file has them
   bool IsBone = false;              ///< of a mesh
 };
 
@@ -56,14 +68,32 @@ struct ModelChannel
   ModelTrack<glm::dvec3> Scale;
 };
 
+/// The weights of the morph targets of one node's meshes.
+using ModelWeights = std::valarray<double>;
+
+struct ModelMorphChannel
+{
+  int Node = 0;
+  ModelTrack<ModelWeights> Weights;
+};
+
 struct ModelAnimation
 {
   std::string Name; ///< no two alike in a model
-  int Number = 0;   ///< among those of the file
   double Start = 0.;
   double End = 0.;
   std::vector<ModelChannel> Channels;
+  std::vector<ModelMorphChannel> Morphs;
   std::vector<double> KeyTimes; ///< of all channels, each once
+};
+
+/// What a morph target of full weight adds to the points, normals and tangents of a mesh at rest,
+/// three numbers a point; empty: nothing.
+struct ModelMorph
+{
+  std::vector<float> Points;
+  std::vector<float> Normals;
+  std::vector<float> Tangents;
 };
 
 /// A mesh in the model's rest space, with all that the filter wants.
@@ -71,6 +101,83 @@ struct ModelMesh
 {
   std::string Name;
   vtkSmartPointer<vtkPolyData> Data;
+  int Node = 0;      ///< below which it hangs
+  int Material = -1; ///< of the model's; -1: what the mesh's field data say
+  std::vector<ModelMorph> Morphs;
+  bool IsPlaced = false;   ///< as its node has it at rest
+  bool IsSkinned = false;  ///< moved by bones, and not by its node
+  bool IsFaceted = false;  ///< without normals of its own: a face's points have its normal
+  bool TurnsFaces = false; ///< whether faces are turned where a mirror would turn them inside out
+  bool IsMirrored = false; ///< at rest, and its faces are turned for it
+};
+
+/// A texture of a material.
+struct ModelTexture
+{
+  std::string Image;      ///< the name among the model's images; empty: no texture
+  int Wrap[2] = { 1, 1 }; ///< along u and v, as vtkTexture has them
+  bool Smooth = true;     ///< interpolated between texels
+  bool Mipmaps = true;
+  int Coordinates = 0;                   ///< which set of the mesh
+  glm::dmat3 Transform = glm::dmat3(1.); ///< of coordinates whose v counts downwards
+};
+
+enum class AlphaMode
+{
+  Opaque, ///< alpha counts for nothing
+  Mask,   ///< nothing is drawn where it is below the cutoff
+  Blend
+};
+
+/// A material as glTF has them; colours are linear.
+struct ModelMaterial
+{
+  std::string Name;
+  glm::dvec4 BaseColor = glm::dvec4(1.);
+  double Metallic = 1.;
+  double Roughness = 1.;
+  double NormalScale = 1.;
+  double OcclusionStrength = 1.;
+  glm::dvec3 Emission = glm::dvec3(0.);
+  AlphaMode Alpha = AlphaMode::Opaque;
+  double AlphaCutoff = 0.5;
+  bool IsDoubleSided = false;
+  bool IsUnlit = false;
+  ModelTexture BaseColorTexture;
+  ModelTexture MetalTexture; ///< green is roughness, blue is metal
+  ModelTexture NormalTexture;
+  ModelTexture OcclusionTexture; ///< in its red
+  ModelTexture EmissionTexture;
+};
+
+/// A light at a node, along whose -z it shines.
+struct ModelLight
+{
+  enum class Kind
+  {
+    Sun,
+    Point,
+    Spot
+  };
+  std::string Name;
+  Kind Is = Kind::Point;
+  int Node = 0;
+  glm::dvec3 Color = glm::dvec3(1.); ///< linear
+  double Intensity = 1.;             ///< candela; of a sun lux
+  double Range = 0.;                 ///< beyond which it does not shine; 0: none
+  double InnerCone = 0.;             ///< half of the opening, in radians
+  double OuterCone = 0.;
+};
+
+/// A camera at a node, along whose -z it looks.
+struct ModelCamera
+{
+  std::string Name;
+  int Node = 0;
+  bool IsPerspective = true;
+  double Height = 1.; ///< the opening from bottom to top in radians, or half of the height
+  double Near = 0.;
+  double Far = 0.; ///< 0: none
 };
 
 /// An image in the model's file: of an image's file the bytes, or texels.
@@ -86,7 +193,11 @@ struct Model
 {
   std::vector<ModelNode> Nodes;
   std::vector<ModelMesh> Meshes;
+  std::vector<ModelWeights> Weights; ///< of morph targets at rest, by nodes; may be empty
   std::vector<ModelAnimation> Animations;
+  std::vector<ModelMaterial> Materials;
+  std::vector<ModelLight> Lights;
+  std::vector<ModelCamera> Cameras;
   std::map<std::string, ModelImage> Images; ///< by the names that meshes have for them
   std::vector<std::string> Notes;           ///< what was left out or mended, a sentence each
 };

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoModelNames.h"
 #include "vtkRelievoModelParts.h"
 
 #include <glm/geometric.hpp>
@@ -106,20 +107,6 @@ void AddNotes(const std::string& name, const KeyFaults& faults, Model& model)
         "'; they are left out");
   }
 }
-
-std::string GetFreeName(const std::string& wanted, const std::vector<ModelAnimation>& taken)
-{
-  const auto isTaken = [&taken](const std::string& name) {
-    return std::any_of(taken.begin(), taken.end(),
-      [&name](const ModelAnimation& other) { return other.Name == name; });
-  };
-  std::string name = wanted.empty() ? "animation" : wanted;
-  for (int i = 2; isTaken(name); ++i)
-  {
-    name = (wanted.empty() ? "animation" : wanted) + " " + std::to_string(i);
-  }
-  return name;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -130,7 +117,6 @@ void ReadAnimations(const aiScene* scene, const NodeNumbers& numbers, Model& mod
     const aiAnimation* source = scene->mAnimations[i];
     ModelAnimation animation;
     animation.Name = GetFreeName(source->mName.C_Str(), model.Animations);
-    animation.Number = static_cast<int>(i);
     double ticks = source->mTicksPerSecond;
     if (!std::isfinite(ticks) || ticks <= 0.)
     {

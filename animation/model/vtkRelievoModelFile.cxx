@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoModelFile.h"
 
+#include "vtkRelievoGltfFile.h"
 #include "vtkRelievoModelParts.h"
 
 #include <assimp/DefaultIOSystem.h>
@@ -265,7 +266,6 @@ std::string Import(const std::string& path, int weights,
     progress(0.9 + 0.1 * static_cast<double>(i) / static_cast<double>(hung.size()));
   }
   ReadAnimations(scene, numbers, model);
-  ReadKeyModes(path, numbers, model);
   return "";
 }
 }
@@ -293,7 +293,11 @@ std::string ReadModel(const std::string& path, int weights,
   std::string wrong;
   try
   {
-    if (!vtksys::SystemTools::FileExists(path, true))
+    if (GetIsGltfExtension(path))
+    {
+      ReadGltf(path, weights, progress, sources, model);
+    }
+    else if (!vtksys::SystemTools::FileExists(path, true))
     {
       wrong = "there is no such file";
     }
@@ -302,7 +306,7 @@ std::string ReadModel(const std::string& path, int weights,
       wrong = Import(path, weights, progress, sources, model);
     }
   }
-  catch (const std::exception& error) // of Assimp, and memory
+  catch (const std::exception& error) // of Assimp, glTF, and memory
   {
     wrong = error.what();
   }
@@ -319,7 +323,8 @@ bool GetIsModelExtension(const std::string& path)
   const std::string extension = vtksys::SystemTools::GetFilenameLastExtension(path);
   try
   {
-    return extension.size() > 1 && Assimp::Importer().IsExtensionSupported(extension);
+    return GetIsGltfExtension(path) ||
+      (extension.size() > 1 && Assimp::Importer().IsExtensionSupported(extension));
   }
   catch (const std::exception&)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * From a file to a model, through Assimp.
+ * From a file to a model: glTF by our own reader, all else through Assimp.
  */
 #ifndef vtkRelievoModelFile_h
 #define vtkRelievoModelFile_h
@@ -20,7 +20,7 @@ namespace relievo
 std::string ReadModel(const std::string& path, int weights,
   const std::function<bool(double)>& progress, ModelSources& sources, Model& model);
 
-/// Whether the extension is one that Assimp reads.
+/// Whether the extension is glTF's or one that Assimp reads.
 bool GetIsModelExtension(const std::string& path);
 }
 

@@ -173,6 +173,7 @@ void ReadMesh(const aiScene* scene, const aiMesh* mesh, int node, const glm::dma
   }
   ModelMesh result;
   result.Name = GetMeshName(mesh, node, model);
+  result.Node = node;
   result.Data = vtkSmartPointer<vtkPolyData>::New();
   ReadPoints(mesh, result.Name, place, result.Data, model);
   if (mesh->HasNormals())

@@ -35,9 +35,6 @@ inline std::string GetMeshName(const aiMesh* mesh, int node, const Model& model)
 /// The animations of the scene, with keys in order and finite; adds notes.
 void ReadAnimations(const aiScene* scene, const NodeNumbers& numbers, Model& model);
 
-/// Which keys of a glTF file are steps or splines, which Assimp does not tell; adds notes.
-void ReadKeyModes(const std::string& path, const NodeNumbers& numbers, Model& model);
-
 /// A mesh that hangs below a node: geometry in the node's place at rest, with bones.
 void ReadMesh(const aiScene* scene, const aiMesh* mesh, int node, const glm::dmat4& place,
   const NodeNumbers& numbers, int weights, Model& model);

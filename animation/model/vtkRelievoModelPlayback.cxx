@@ -45,6 +45,27 @@ SkeletonPose Play(const Model& model, const ModelPlayback& play, double time)
 }
 
 //------------------------------------------------------------------------------
+std::vector<ModelWeights> PlayMorphs(const Model& model, const ModelPlayback& play, double time)
+{
+  if (!play.First || model.Weights.empty())
+  {
+    return model.Weights;
+  }
+  std::vector<ModelWeights> weights =
+    GetMorphWeights(model, *play.First, GetAnimationTime(*play.First, time, play.Loop));
+  if (play.Second)
+  {
+    const std::vector<ModelWeights> second =
+      GetMorphWeights(model, *play.Second, GetAnimationTime(*play.Second, time, play.Loop));
+    for (std::size_t i = 0; i < weights.size(); ++i)
+    {
+      weights[i] = weights[i] * (1. - play.Weight) + second[i] * play.Weight;
+    }
+  }
+  return weights;
+}
+
+//------------------------------------------------------------------------------
 std::vector<double> GetTimes(const ModelPlayback& play)
 {
   std::vector<double> times;

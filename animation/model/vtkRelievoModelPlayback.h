@@ -25,6 +25,9 @@ struct ModelPlayback
 /// Every node at a time in seconds of the animations.
 SkeletonPose Play(const Model& model, const ModelPlayback& play, double time);
 
+/// The weights of morph targets at that time, by nodes; empty where no node has any.
+std::vector<ModelWeights> PlayMorphs(const Model& model, const ModelPlayback& play, double time);
+
 /// The times of all keys, and the ends; ascending, each once.
 std::vector<double> GetTimes(const ModelPlayback& play);
 }

@@ -92,6 +92,11 @@ NodeParts Sample(const ModelChannel& channel, double time, const NodeParts& rest
   return parts;
 }
 
+NodeParts GetPartsOf(const ModelNode& node)
+{
+  return node.Parts ? *node.Parts : GetParts(node.Rest);
+}
+
 bool MovesAll(const ModelChannel& channel)
 {
   return !channel.Position.Times.empty() && !channel.Rotation.Times.empty() &&
@@ -138,7 +143,8 @@ std::vector<glm::dmat4> GetLocalMatrices(
   for (const ModelChannel& channel : animation.Channels)
   {
     glm::dmat4& local = locals[static_cast<std::size_t>(channel.Node)];
-    const NodeParts rest = MovesAll(channel) ? NodeParts() : GetParts(local);
+    const ModelNode& node = model.Nodes[static_cast<std::size_t>(channel.Node)];
+    const NodeParts rest = MovesAll(channel) ? NodeParts() : GetPartsOf(node);
     local = GetMatrix(Sample(channel, time, rest, slerp));
   }
   return locals;
@@ -161,7 +167,7 @@ std::vector<glm::dmat4> GetBlendedMatrices(const Model& model, const ModelAnimat
       // What the channel leaves alone is as a channel before it put it.
       const NodeParts rest = parts[i][node] ? *parts[i][node]
         : MovesAll(channel)                 ? NodeParts()
-                                            : GetParts(model.Nodes[node].Rest);
+                                            : GetPartsOf(model.Nodes[node]);
       parts[i][node] = Sample(channel, times[i], rest, slerp);
     }
   }
@@ -175,8 +181,8 @@ std::vector<glm::dmat4> GetBlendedMatrices(const Model& model, const ModelAnimat
       locals.push_back(rest);
       continue;
     }
-    const NodeParts a = parts[0][i] ? *parts[0][i] : GetParts(rest);
-    const NodeParts b = parts[1][i] ? *parts[1][i] : GetParts(rest);
+    const NodeParts a = parts[0][i] ? *parts[0][i] : GetPartsOf(model.Nodes[i]);
+    const NodeParts b = parts[1][i] ? *parts[1][i] : GetPartsOf(model.Nodes[i]);
     NodeParts mixed;
     mixed.Position = Mix(a.Position, b.Position, weight);
     mixed.Rotation = slerp ? f64::relievoQuaternionSlerp(a.Rotation, b.Rotation, weight)
@@ -185,6 +191,22 @@ std::vector<glm::dmat4> GetBlendedMatrices(const Model& model, const ModelAnimat
     locals.push_back(GetMatrix(mixed));
   }
   return locals;
+}
+
+//------------------------------------------------------------------------------
+std::vector<ModelWeights> GetMorphWeights(
+  const Model& model, const ModelAnimation& animation, double time)
+{
+  std::vector<ModelWeights> weights = model.Weights;
+  const auto mix = [](const ModelWeights& a, const ModelWeights& b, double share) {
+    return ModelWeights(a * (1. - share) + b * share);
+  };
+  for (const ModelMorphChannel& channel : animation.Morphs)
+  {
+    ModelWeights& own = weights[static_cast<std::size_t>(channel.Node)];
+    own = Sample(channel.Weights, time, ModelWeights(own), mix);
+  }
+  return weights;
 }
 
 //------------------------------------------------------------------------------

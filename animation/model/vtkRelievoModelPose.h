@@ -10,14 +10,6 @@
 
 namespace relievo
 {
-/// A node's place in three parts; what does not fit in (shear) is lost.
-struct NodeParts
-{
-  glm::dvec3 Position;
-  glm::dvec4 Rotation;
-  glm::dvec3 Scale;
-};
-
 NodeParts GetParts(const glm::dmat4& m);
 
 /// Node to parent for every node. Before the first key and after the last these hold. `slerp`:
@@ -29,6 +21,10 @@ std::vector<glm::dmat4> GetLocalMatrices(
 /// from the first to the second. Parts that one of them leaves alone are as at rest there.
 std::vector<glm::dmat4> GetBlendedMatrices(const Model& model, const ModelAnimation& first,
   double firstTime, const ModelAnimation& second, double secondTime, double weight, bool slerp);
+
+/// The weights of morph targets by nodes, as the model has them at rest or the animation at a time.
+std::vector<ModelWeights> GetMorphWeights(
+  const Model& model, const ModelAnimation& animation, double time);
 
 /// The bones' matrices for which no mesh moves, node to world; nodes that are no bones follow their
 /// parents.

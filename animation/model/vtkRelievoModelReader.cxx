@@ -2,20 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoModelReader.h"
 
+#include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkLight.h"
+#include "vtkMapper.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRelievoBoneWeights.h"
 #include "vtkRelievoModel.h"
+#include "vtkRelievoModelFacets.h"
 #include "vtkRelievoModelFile.h"
 #include "vtkRelievoModelImages.h"
+#include "vtkRelievoModelLook.h"
+#include "vtkRelievoModelMorphs.h"
 #include "vtkRelievoModelPlayback.h"
 #include "vtkRelievoModelPose.h"
 #include "vtkRelievoModelSources.h"
@@ -24,8 +32,11 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
+#include "vtkTexture.h"
 
 #include <vtksys/SystemTools.hxx>
+
+#include <glm/mat4x4.hpp>
 
 #include <algorithm>
 #include <map>
@@ -46,8 +57,21 @@ struct vtkRelievoModelReader::Internals
   vtkSmartPointer<vtkStringArray> Names = vtkSmartPointer<vtkStringArray>::New();
   vtkSmartPointer<vtkStringArray> Bones = vtkSmartPointer<vtkStringArray>::New();
 
+  relievo::ModelLook Look;
+  std::map<int, vtkSmartPointer<vtkProperty>> Properties; // of blocks that were asked for
+  std::vector<vtkSmartPointer<vtkLight>> Lights;
+  std::vector<vtkSmartPointer<vtkCamera>> Cameras;
+  std::vector<glm::dmat4> Rest; // node to world
+
   // What is played, as the reader's settings have it.
   void Choose(vtkRelievoModelReader& reader, relievo::ModelPlayback& play);
+  // Whether the pose has the node where it is at rest.
+  bool IsAtRest(std::size_t node, const relievo::SkeletonPose& pose) const;
+  // Lights and cameras where their nodes are.
+  void PlaceScene(const std::vector<glm::dmat4>& worlds);
+  // Null for blocks that are not there, or have no material of the model's.
+  const relievo::ModelMaterial* FindMaterial(int block) const;
+  bool HasCoordinates(int block) const;
 };
 
 vtkStandardNewMacro(vtkRelievoModelReader);
@@ -115,46 +139,81 @@ int vtkRelievoModelReader::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoModelReader::MakeSkeleton(double time, vtkPolyData* skeleton)
+struct vtkRelievoModelReader::Moment
+{
+  relievo::SkeletonPose Pose;
+  std::vector<relievo::ModelWeights> Weights; // of morph targets, by nodes; may be empty
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoModelReader::Moment vtkRelievoModelReader::MakeMoment(double time)
 {
   const relievo::Model& model = this->Self->Model;
-  relievo::SkeletonPose pose;
+  Moment moment;
   if (this->Pose == POSE_BIND)
   {
-    pose.Now = relievo::GetBindMatrices(model);
-    pose.Before = pose.Now;
-    pose.After = pose.Now;
+    moment.Pose.Now = relievo::GetBindMatrices(model);
+    moment.Pose.Before = moment.Pose.Now;
+    moment.Pose.After = moment.Pose.Now;
+    moment.Weights = model.Weights;
+    return moment;
   }
-  else
+  relievo::ModelPlayback play;
+  if (this->Pose != POSE_NODES)
   {
-    relievo::ModelPlayback play;
-    if (this->Pose != POSE_NODES)
-    {
-      this->Self->Choose(*this, play);
-    }
-    pose = relievo::Play(model, play, time * this->Speed);
+    this->Self->Choose(*this, play);
   }
-  const double length = this->AxisLength > 0. ? this->AxisLength : relievo::GetAxisLength(model);
-  relievo::MakeSkeleton(model, pose, this->SkeletonAxes ? length : 0., skeleton);
+  moment.Pose = relievo::Play(model, play, time * this->Speed);
+  moment.Weights = relievo::PlayMorphs(model, play, time * this->Speed);
+  return moment;
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoModelReader::MakeMesh(std::size_t place, vtkPolyData* skeleton, vtkPolyData* mesh)
+void vtkRelievoModelReader::MakeSkeleton(const Moment& moment, vtkPolyData* skeleton)
+{
+  const relievo::Model& model = this->Self->Model;
+  const double length = this->AxisLength > 0. ? this->AxisLength : relievo::GetAxisLength(model);
+  relievo::MakeSkeleton(model, moment.Pose, this->SkeletonAxes ? length : 0., skeleton);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoModelReader::MakeMesh(
+  std::size_t place, const Moment& moment, vtkPolyData* skeleton, vtkPolyData* mesh)
 {
   const relievo::ModelMesh& source = this->Self->Model.Meshes[place];
-  if (this->Pose == POSE_REST || this->Pose == POSE_BIND)
+  const auto node = static_cast<std::size_t>(source.Node);
+  const vtkSmartPointer<vtkPolyData> shape = relievo::MorphMesh(
+    source, node < moment.Weights.size() ? moment.Weights[node] : relievo::ModelWeights());
+  const bool rests = this->Pose == POSE_REST || this->Pose == POSE_BIND;
+  bool turned = false;
+  if (rests)
   {
-    mesh->ShallowCopy(source.Data);
+    mesh->ShallowCopy(shape);
+  }
+  else if (source.IsPlaced && this->Self->IsAtRest(node, moment.Pose))
+  {
+    mesh->ShallowCopy(shape);
+    relievo::TakeBones(mesh);
   }
   else
   {
-    const std::string wrong = relievo::SkinMesh(source.Data, skeleton,
+    const std::string wrong = relievo::SkinMesh(shape, skeleton,
       static_cast<relievo::SkinMethod>(this->Method), vtkAlgorithm::DEFAULT_PRECISION, mesh);
     if (!wrong.empty())
     {
       vtkErrorMacro("mesh '" << source.Name << "': " << wrong);
       return;
     }
+    turned =
+      source.TurnsFaces && relievo::IsMirroredBy(source, moment.Pose.Now) != source.IsMirrored;
+  }
+  if (turned)
+  {
+    relievo::TurnFaces(mesh);
+  }
+  if (source.IsFaceted && (shape != source.Data || !rests))
+  {
+    relievo::GiveFaceNormals(mesh);
   }
   const int bone = this->FindBone();
   if (this->FirstBone || bone >= 0)
@@ -207,9 +266,12 @@ int vtkRelievoModelReader::RequestData(
   const bool first = !asker->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) ||
     asker->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) <= 0;
   vtkNew<vtkPolyData> skeleton;
+  Moment moment;
   if (first)
   {
-    this->MakeSkeleton(time, skeleton);
+    moment = this->MakeMoment(time);
+    this->Self->PlaceScene(moment.Pose.Now);
+    this->MakeSkeleton(moment, skeleton);
     skeletonOutput->ShallowCopy(skeleton);
   }
   for (std::size_t i = 0; i < model.Meshes.size(); ++i)
@@ -218,7 +280,7 @@ int vtkRelievoModelReader::RequestData(
     vtkNew<vtkPolyData> mesh;
     if (first)
     {
-      this->MakeMesh(i, skeleton, mesh);
+      this->MakeMesh(i, moment, skeleton, mesh);
     }
     output->SetBlock(block, first ? mesh.Get() : nullptr);
     output->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), model.Meshes[i].Name);
@@ -278,6 +340,15 @@ bool vtkRelievoModelReader::Read()
   const std::string wrong =
     relievo::ReadModel(path, this->WeightsPerPoint, progress, self.Sources, self.Model);
   self.Stands = wrong.empty();
+  self.Lights.resize(self.Model.Lights.size());
+  self.Cameras.resize(self.Model.Cameras.size());
+  std::vector<glm::dmat4> locals;
+  for (const relievo::ModelNode& node : self.Model.Nodes)
+  {
+    locals.push_back(node.Rest);
+  }
+  self.Rest = relievo::GetWorldMatrices(self.Model.Nodes, locals);
+  self.PlaceScene(self.Rest);
   if (!self.Stands)
   {
     this->SetErrorCode(vtksys::SystemTools::FileExists(path, true)
@@ -326,6 +397,48 @@ void vtkRelievoModelReader::Internals::Choose(
   play.Slerp = reader.Slerp;
   play.Loop = reader.Loop;
   play.KeyRate = reader.KeyRate;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoModelReader::Internals::IsAtRest(
+  std::size_t node, const relievo::SkeletonPose& pose) const
+{
+  const glm::dmat4& rest = this->Rest[node];
+  return pose.Now[node] == rest && pose.Before[node] == rest && pose.After[node] == rest;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoModelReader::Internals::PlaceScene(const std::vector<glm::dmat4>& worlds)
+{
+  for (std::size_t i = 0; i < this->Lights.size(); ++i)
+  {
+    vtkSmartPointer<vtkLight>& light = this->Lights[i];
+    light = light ? light : vtkSmartPointer<vtkLight>::New();
+    const relievo::ModelLight& source = this->Model.Lights[i];
+    relievo::PlaceLight(source, worlds[static_cast<std::size_t>(source.Node)], light);
+  }
+  for (std::size_t i = 0; i < this->Cameras.size(); ++i)
+  {
+    vtkSmartPointer<vtkCamera>& camera = this->Cameras[i];
+    camera = camera ? camera : vtkSmartPointer<vtkCamera>::New();
+    const relievo::ModelCamera& source = this->Model.Cameras[i];
+    relievo::PlaceCamera(source, worlds[static_cast<std::size_t>(source.Node)], camera);
+  }
+}
+
+//------------------------------------------------------------------------------
+const relievo::ModelMaterial* vtkRelievoModelReader::Internals::FindMaterial(int block) const
+{
+  const std::vector<relievo::ModelMesh>& meshes = this->Model.Meshes;
+  const bool there = block >= 0 && block < static_cast<int>(meshes.size());
+  const int material = there ? meshes[static_cast<std::size_t>(block)].Material : -1;
+  return material < 0 ? nullptr : &this->Model.Materials[static_cast<std::size_t>(material)];
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoModelReader::Internals::HasCoordinates(int block) const
+{
+  return this->Model.Meshes[static_cast<std::size_t>(block)].Data->GetPointData()->GetTCoords();
 }
 
 //------------------------------------------------------------------------------
@@ -437,4 +550,103 @@ const char* vtkRelievoModelReader::GetNote(int index)
 {
   const bool there = index >= 0 && index < this->GetNumberOfNotes();
   return there ? this->Self->Model.Notes[static_cast<std::size_t>(index)].c_str() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkProperty* vtkRelievoModelReader::GetProperty(int block)
+{
+  const relievo::ModelMaterial* material = this->Self->FindMaterial(block);
+  if (!material)
+  {
+    return nullptr;
+  }
+  vtkSmartPointer<vtkProperty>& property = this->Self->Properties[block];
+  if (!property)
+  {
+    property = this->Self->Look.MakeProperty(*material, this->Self->HasCoordinates(block),
+      [this](const std::string& name) { return this->GetEmbeddedTexture(name.c_str()); });
+  }
+  return property;
+}
+
+//------------------------------------------------------------------------------
+vtkTexture* vtkRelievoModelReader::GetTexture(int block)
+{
+  const relievo::ModelMaterial* material = this->Self->FindMaterial(block);
+  return material
+    ? this->Self->Look
+        .GetActorTexture(*material, this->Self->HasCoordinates(block),
+          [this](const std::string& name) { return this->GetEmbeddedTexture(name.c_str()); })
+        .Get()
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoModelReader::GetAlphaMode(int block)
+{
+  const relievo::ModelMaterial* material = this->Self->FindMaterial(block);
+  return material ? static_cast<int>(material->Alpha) : ALPHA_OPAQUE;
+}
+
+//------------------------------------------------------------------------------
+double vtkRelievoModelReader::GetAlphaCutoff(int block)
+{
+  const relievo::ModelMaterial* material = this->Self->FindMaterial(block);
+  return material && material->Alpha == relievo::AlphaMode::Mask ? material->AlphaCutoff : 0.;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoModelReader::Dress(int block, vtkActor* actor)
+{
+  vtkProperty* property = this->GetProperty(block);
+  if (!property || !actor)
+  {
+    return;
+  }
+  actor->SetProperty(property);
+  actor->SetTexture(this->GetTexture(block));
+  vtkTexture* base = property->GetTexture("albedoTex");
+  const int alpha = this->GetAlphaMode(block);
+  actor->SetForceOpaque(alpha == ALPHA_MASK);
+  // VTK asks the actor's own texture, and not those of its property.
+  actor->SetForceTranslucent(alpha == ALPHA_BLEND && base && base->IsTranslucent());
+  if (vtkMapper* mapper = actor->GetMapper())
+  {
+    const bool colored =
+      this->Self->Model.Meshes[static_cast<std::size_t>(block)].Data->GetPointData()->HasArray(
+        "RGBA");
+    mapper->SetScalarVisibility(colored);
+    if (colored)
+    {
+      mapper->SetScalarModeToUsePointFieldData();
+      mapper->SelectColorArray("RGBA");
+      mapper->SetColorModeToDirectScalars();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoModelReader::GetNumberOfLights()
+{
+  return static_cast<int>(this->Self->Lights.size());
+}
+
+//------------------------------------------------------------------------------
+vtkLight* vtkRelievoModelReader::GetLight(int index)
+{
+  const bool there = index >= 0 && index < this->GetNumberOfLights();
+  return there ? this->Self->Lights[static_cast<std::size_t>(index)] : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoModelReader::GetNumberOfCameras()
+{
+  return static_cast<int>(this->Self->Cameras.size());
+}
+
+//------------------------------------------------------------------------------
+vtkCamera* vtkRelievoModelReader::GetCamera(int index)
+{
+  const bool there = index >= 0 && index < this->GetNumberOfCameras();
+  return there ? this->Self->Cameras[static_cast<std::size_t>(index)] : nullptr;
 }

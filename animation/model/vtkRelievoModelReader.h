@@ -4,8 +4,8 @@
  * @class vtkRelievoModelReader
  * @brief Reads models with bones and plays their animations.
  *
- * Reads what Assimp reads: Collada (.dae), glTF, FBX, BVH, X, MS3D, SMD, MD5, IQM and more. It
- * offers the times of the chosen animation (TIME_STEPS: its keys, irregular as they are;
+ * Reads glTF 2 (.gltf, .glb; Khronos, glTF 2.0 specification, 2021) and what Assimp reads: Collada
+ * (.dae), FBX, BVH, X, MS3D, SMD, MD5, IQM and more. It offers the times of the chosen animation (TIME_STEPS: its keys, irregular as they are;
  * TIME_RANGE) and answers the time that is asked for, so that the time controls of VTK and ParaView
  * play it.
  *
@@ -15,7 +15,13 @@
  * `RGBA` where the file has them. Field data: `base_color`, `base_color_texture`, `normal_texture`
  * (names as in the file; GetEmbeddedTexture() has those that are in it), `normal_strength` (glTF's
  * scale of the normal map), and, at rest only, the bones for vtkRelievoSkin. A mesh without bones
- * follows its node: one bone, weight 1.
+ * follows its node: one bone, weight 1. Of glTF also `Tangents` (four components); `RGBA` there has
+ * the material's base colour in it, and `TextureCoordinates` are those that the material's textures
+ * lie on, with their transform, v upwards. Faces are turned where a node mirrors them, so that the
+ * outside stays outside.
+ *
+ * Of glTF, GetProperty(), GetTexture() and Dress() have a block's material as VTK draws it, and
+ * GetLight() and GetCamera() the lights and cameras of the scene.
  *
  * Port 1 is the skeleton: a point for each node of the file's tree, with the point arrays `pose`,
  * `pose_before`, `pose_after` (16 components, by rows: node to world), `parent`, `is_bone`, `name`,
@@ -25,9 +31,15 @@
  * the key before, its CUBICSPLINE follows the splines. Before the first key and after the last
  * these hold. What was mended or left out while reading is in GetNote().
  *
- * Limits: the up axis and unit are those that Assimp gives; morph targets are not played.
+ * Morph targets of glTF are played; at POSE_REST, too, for vtkRelievoSkin to move what they make.
  *
- * Errors: one error event names the file and what is wrong; GetErrorCode() is set and the output is
+ * Limits: the up axis and unit are those that Assimp gives; its morph targets are not played. Of
+ * glTF 33 554 432 points and 134 217 728 corners are read, each counted at every node that shows
+ * it, 4 GB of files, 2000 nodes below each other. Textures of a material that lie elsewhere than
+ * its first one are left out, with a note. A light has no range, and between its cones it falls
+ * off by a power of the cosine, the nearest one.
+ *
+ * Errors: one error event names the file, what is wrong and where in the file; GetErrorCode() is set and the output is
  * empty. A file is read again only when it, a file that it names, or its name has changed, not when
  * the time has.
  */
@@ -40,9 +52,14 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for what was read
 
+class vtkActor;
+class vtkCamera;
 class vtkImageData;
+class vtkLight;
 class vtkPolyData;
+class vtkProperty;
 class vtkStringArray;
+class vtkTexture;
 
 class VTKRELIEVOANIMATION_EXPORT vtkRelievoModelReader : public vtkMultiBlockDataSetAlgorithm
 {
@@ -57,7 +74,7 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
-  /** Whether the file exists and Assimp reads its extension. */
+  /** Whether the file exists and its extension is glTF's or one that Assimp reads. */
   static bool CanReadFile(VTK_FILEPATH const char* fileName);
 
   ///@{
@@ -84,7 +101,7 @@ public:
 
   enum Poses
   {
-    POSE_REST = 0,      ///< meshes as the file holds them, each in its node's place
+    POSE_REST = 0,      ///< meshes as the file holds them, in their nodes' place if these move them
     POSE_NODES = 1,     ///< bones where the nodes' own matrices put them, without an animation
     POSE_ANIMATION = 2, ///< bones where the animation puts them
     POSE_BIND = 3,      ///< meshes as at POSE_REST, and the bones where these were bound to them
@@ -196,6 +213,58 @@ public:
   ///@}
 
   ///@{
+  /**
+   * The material of a block of port 0 as VTK's shaders take it: shading by PBR with its factors,
+   * and textures for base colour (sRGB), occlusion, roughness and metal, normals, and emission
+   * (sRGB); without lighting where the file says so. Blocks have properties of their own, with
+   * shared textures. nullptr if there is no such block, or the file is no glTF. After Update().
+   */
+  vtkProperty* GetProperty(int block);
+
+  /** The texture of an unlit block, for vtkActor::SetTexture; otherwise nullptr. */
+  vtkTexture* GetTexture(int block);
+
+  enum AlphaModes
+  {
+    ALPHA_OPAQUE = 0, ///< alpha counts for nothing
+    ALPHA_MASK = 1,   ///< nothing is there where alpha is below the cutoff
+    ALPHA_BLEND = 2
+  };
+
+  /** What alpha does on a block: one of AlphaModes. */
+  int GetAlphaMode(int block);
+
+  /** The cutoff of a block with ALPHA_MASK; otherwise 0. */
+  double GetAlphaCutoff(int block);
+
+  /**
+   * Gives an actor, whose mapper draws the block, its property, its texture and its colours of
+   * points, and says whether it is opaque. Nothing happens if GetProperty() is nullptr.
+   */
+  void Dress(int block, vtkActor* actor);
+  ///@}
+
+  ///@{
+  /**
+   * The lights of the scene (KHR_lights_punctual), each where its node is at the time of the last
+   * Update(), shining along -z. Intensity is in candela, of suns in lux, with the attenuation of
+   * inverse squares: a white diffuse surface shaded by PBR, a metre in front of a candela, has the
+   * radiance 1 / pi. nullptr when there is none.
+   */
+  int GetNumberOfLights();
+  vtkLight* GetLight(int index);
+  ///@}
+
+  ///@{
+  /**
+   * The cameras of the scene, each where its node is at the time of the last Update(). The clipping
+   * range is set where the file has both ends of it. nullptr when there is none.
+   */
+  int GetNumberOfCameras();
+  vtkCamera* GetCamera(int index);
+  ///@}
+
+  ///@{
   /** What was mended or left out while reading, a sentence each. */
   int GetNumberOfNotes();
   const char* GetNote(int index); ///< null when there is none
@@ -219,9 +288,11 @@ private:
   int FindAnimation(const char* name);
   // The node of the bone of WeightsOf, or -1.
   int FindBone();
-  // The skeleton at a pipeline time.
-  void MakeSkeleton(double time, vtkPolyData* skeleton);
-  void MakeMesh(std::size_t place, vtkPolyData* skeleton, vtkPolyData* mesh);
+  // The model at a pipeline time.
+  struct Moment;
+  Moment MakeMoment(double time);
+  void MakeSkeleton(const Moment& moment, vtkPolyData* skeleton);
+  void MakeMesh(std::size_t place, const Moment& moment, vtkPolyData* skeleton, vtkPolyData* mesh);
 
   char* FileName = nullptr;
   char* Animation = nullptr;

@@ -158,6 +158,16 @@ Directions MakeDirections(vtkDataArray* array, int attribute, vtkIdType count, v
 }
 
 //------------------------------------------------------------------------------
+void TakeBones(vtkPolyData* mesh)
+{
+  vtkNew<vtkFieldData> field;
+  field->ShallowCopy(mesh->GetFieldData());
+  field->RemoveArray(BoneNodeArray);
+  field->RemoveArray(BoneOffsetArray);
+  mesh->SetFieldData(field);
+}
+
+//------------------------------------------------------------------------------
 std::string SkinMesh(
   vtkPolyData* input, vtkPolyData* skeleton, SkinMethod method, int precision, vtkPolyData* output)
 {
@@ -182,12 +192,7 @@ std::string SkinMesh(
     return missing;
   }
   output->ShallowCopy(input);
-  // Skinned once: without these it is refused a second time.
-  vtkNew<vtkFieldData> field;
-  field->ShallowCopy(input->GetFieldData());
-  field->RemoveArray(BoneNodeArray);
-  field->RemoveArray(BoneOffsetArray);
-  output->SetFieldData(field);
+  TakeBones(output); // skinned once: without them it is refused a second time
   if (vtkDataArray* normals = output->GetCellData()->GetNormals())
   {
     output->GetCellData()->RemoveArray(normals->GetName());

@@ -24,6 +24,9 @@ enum class SkinMethod
 /// "", or what is missing, and then the output is empty.
 std::string SkinMesh(
   vtkPolyData* input, vtkPolyData* skeleton, SkinMethod method, int precision, vtkPolyData* output);
+
+/// Takes the bones' field data away: the mesh is moved.
+void TakeBones(vtkPolyData* mesh);
 }
 
 #endif

@@ -1,0 +1,715 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoGltfDocument.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <system_error>
+
+namespace relievo
+{
+namespace
+{
+// What is read of them; materials' others change how they look, and are noted.
+const std::set<std::string> KnownExtensions = { "KHR_draco_mesh_compression", "KHR_lights_punctual",
+  "KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_mesh_quantization",
+  "KHR_texture_transform" };
+
+std::size_t ReadLittle(const unsigned char* at, int bytes)
+{
+  std::size_t number = 0;
+  for (int i = bytes; i-- > 0;)
+  {
+    number = number << 8 | at[i];
+  }
+  return number;
+}
+
+// The place of a character among those of base64, or -1.
+int FindDigit(char c)
+{
+  return c >= 'A' && c <= 'Z' ? c - 'A'
+    : c >= 'a' && c <= 'z'    ? c - 'a' + 26
+    : c >= '0' && c <= '9'    ? c - '0' + 52
+    : c == '+' || c == '-'    ? 62
+    : c == '/' || c == '_'    ? 63
+                              : -1;
+}
+
+int FindHexDigit(char c)
+{
+  return c >= '0' && c <= '9' ? c - '0'
+    : c >= 'a' && c <= 'f'    ? c - 'a' + 10
+    : c >= 'A' && c <= 'F'    ? c - 'A' + 10
+                              : -1;
+}
+
+// %20 and its like are single characters.
+std::string DecodeUri(const std::string& uri)
+{
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i)
+  {
+    const bool coded = uri[i] == '%' && i + 2 < uri.size() && FindHexDigit(uri[i + 1]) >= 0 &&
+      FindHexDigit(uri[i + 2]) >= 0;
+    text +=
+      coded ? static_cast<char>(16 * FindHexDigit(uri[i + 1]) + FindHexDigit(uri[i + 2])) : uri[i];
+    i += coded ? 2 : 0;
+  }
+  return text;
+}
+
+// A scheme such as http: stands before the first slash.
+bool HasScheme(const std::string& uri)
+{
+  const std::size_t colon = uri.find(':');
+  return colon != std::string::npos && colon > 1 && colon < uri.find('/');
+}
+
+// Throws why the file cannot be read whole. Only regular files are opened: others may never end.
+std::vector<unsigned char> ReadBytes(const std::string& path, std::uintmax_t& read)
+{
+  std::error_code unknown;
+  const std::filesystem::file_status status = std::filesystem::status(path, unknown);
+  if (std::filesystem::is_directory(status))
+  {
+    throw GltfError("is a folder, expected a file");
+  }
+  if (!std::filesystem::exists(status))
+  {
+    throw GltfError("is not there");
+  }
+  if (!std::filesystem::is_regular_file(status))
+  {
+    throw GltfError("is a pipe or a device, expected a file");
+  }
+  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  if (unknown || size > gltf::MostBytes - std::min(read, gltf::MostBytes))
+  {
+    throw GltfError("makes more than " + std::to_string(gltf::MostBytes >> 30) +
+      " GB with what was read before it; at most these are read");
+  }
+  read += size;
+  std::ifstream file(path, std::ios::binary);
+  std::vector<unsigned char> bytes(static_cast<std::size_t>(size));
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (!file)
+  {
+    throw GltfError("cannot be read");
+  }
+  return bytes;
+}
+
+std::size_t GetComponents(std::size_t type)
+{
+  constexpr std::size_t components[] = { 1, 2, 3, 4, 4, 9, 16 };
+  return components[type];
+}
+
+const std::vector<std::string> Types = { "SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4" };
+
+std::string NameComponentType(int type)
+{
+  switch (type)
+  {
+    case gltf::Byte:
+      return "BYTE";
+    case gltf::UnsignedByte:
+      return "UNSIGNED_BYTE";
+    case gltf::Short:
+      return "SHORT";
+    case gltf::UnsignedShort:
+      return "UNSIGNED_SHORT";
+    case gltf::UnsignedInt:
+      return "UNSIGNED_INT";
+    default:
+      return "FLOAT";
+  }
+}
+
+std::size_t GetBytes(int componentType)
+{
+  return componentType <= gltf::UnsignedByte ? 1 : componentType <= gltf::UnsignedShort ? 2 : 4;
+}
+
+double ReadComponent(const unsigned char* at, int type)
+{
+  switch (type)
+  {
+    case gltf::Byte:
+      return static_cast<signed char>(*at);
+    case gltf::UnsignedByte:
+      return *at;
+    case gltf::Short:
+      return static_cast<std::int16_t>(ReadLittle(at, 2));
+    case gltf::UnsignedShort:
+      return static_cast<double>(ReadLittle(at, 2));
+    case gltf::UnsignedInt:
+      return static_cast<double>(ReadLittle(at, 4));
+    default:
+    {
+      const auto bits = static_cast<std::uint32_t>(ReadLittle(at, 4));
+      float number;
+      std::memcpy(&number, &bits, 4);
+      return number;
+    }
+  }
+}
+
+double GetNormalized(double number, int type)
+{
+  switch (type)
+  {
+    case gltf::Byte:
+      return std::max(number / 127., -1.);
+    case gltf::UnsignedByte:
+      return number / 255.;
+    case gltf::Short:
+      return std::max(number / 32767., -1.);
+    case gltf::UnsignedShort:
+      return number / 65535.;
+    default:
+      return number;
+  }
+}
+
+std::string Join(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + words[i];
+  }
+  return text;
+}
+}
+
+// How the values of an accessor lie.
+struct GltfDocument::Layout
+{
+  std::string Type;
+  int ComponentType = gltf::Float;
+  std::size_t Components = 1;
+  std::size_t Count = 0;
+  bool Normalized = false;
+
+  std::size_t GetSize() const { return this->Components * GetBytes(this->ComponentType); }
+
+  void Read(const unsigned char* from, bool normalized, double* to) const
+  {
+    for (std::size_t i = 0; i < this->Components; ++i)
+    {
+      const double number =
+        ReadComponent(from + i * GetBytes(this->ComponentType), this->ComponentType);
+      to[i] = normalized ? GetNormalized(number, this->ComponentType) : number;
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+bool DecodeBase64(const char* text, std::size_t size, std::vector<unsigned char>& bytes)
+{
+  while (size > 0 && text[size - 1] == '=' && size % 4 != 1)
+  {
+    --size;
+  }
+  bytes.clear();
+  bytes.reserve(size / 4 * 3 + 3);
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const int digit = FindDigit(text[i]);
+    if (digit < 0)
+    {
+      return false;
+    }
+    bits = bits << 6 | static_cast<std::uint32_t>(digit);
+    if (i % 4 != 0)
+    {
+      bytes.push_back(static_cast<unsigned char>(bits >> (6 - 2 * (i % 4))));
+    }
+  }
+  return size % 4 != 1;
+}
+
+//------------------------------------------------------------------------------
+GltfDocument::GltfDocument(const std::string& path, ModelSources& sources)
+  : Path(path)
+  , Sources(sources)
+{
+  this->Open();
+  this->CheckExtensions();
+}
+
+//------------------------------------------------------------------------------
+void GltfDocument::Open()
+{
+  std::vector<unsigned char> bytes;
+  try
+  {
+    bytes = ReadBytes(this->Path, this->Read);
+  }
+  catch (const GltfError& error)
+  {
+    throw GltfError(std::string("it ") + error.what());
+  }
+  if (bytes.size() < 4 || std::memcmp(bytes.data(), "glTF", 4) != 0)
+  {
+    this->Parse(bytes.data(), bytes.size());
+    return;
+  }
+  const auto number = [&](std::size_t at) { return ReadLittle(bytes.data() + at, 4); };
+  if (bytes.size() < 20)
+  {
+    throw GltfError("it has " + std::to_string(bytes.size()) +
+      " bytes, expected a head and a chunk of JSON; it is cut short");
+  }
+  if (number(4) != 2)
+  {
+    throw GltfError("it is binary glTF " + std::to_string(number(4)) + ", expected 2");
+  }
+  if (number(8) > bytes.size())
+  {
+    throw GltfError("its head says " + std::to_string(number(8)) + " bytes, and it has " +
+      std::to_string(bytes.size()) + "; it is cut short");
+  }
+  const std::size_t end = number(8);
+  constexpr std::size_t json = 0x4E4F534A;
+  constexpr std::size_t binary = 0x004E4942;
+  std::size_t at = 12;
+  for (int chunk = 0; at + 8 <= end; ++chunk)
+  {
+    const std::size_t size = number(at);
+    const std::size_t kind = number(at + 4);
+    at += 8;
+    if (size > end - at)
+    {
+      throw GltfError("its chunk " + std::to_string(chunk) + " says " + std::to_string(size) +
+        " bytes, and " + std::to_string(end - at) + " are left");
+    }
+    if (chunk == 0)
+    {
+      if (kind != json)
+      {
+        throw GltfError("its first chunk is not JSON");
+      }
+      this->Parse(bytes.data() + at, size);
+    }
+    else if (kind == binary && this->Chunk.empty())
+    {
+      const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(at);
+      this->Chunk.assign(begin, begin + static_cast<std::ptrdiff_t>(size));
+    }
+    at += size;
+  }
+  if (this->Json.is_null())
+  {
+    throw GltfError("it has no chunk of JSON");
+  }
+}
+
+//------------------------------------------------------------------------------
+void GltfDocument::Parse(const unsigned char* text, std::size_t size)
+{
+  if (size >= 2 && (text[0] == 0 || text[1] == 0 || text[0] >= 0xFE))
+  {
+    throw GltfError("it is text in UTF-16 or not text, expected JSON in UTF-8");
+  }
+  // What reads a value may overflow the stack where they are nested without end.
+  const auto check = [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    if (depth > gltf::DeepestValues)
+    {
+      throw GltfError("its JSON is nested more than " + std::to_string(gltf::DeepestValues) +
+        " deep; at most this is read");
+    }
+    return true;
+  };
+  try
+  {
+    this->Json = nlohmann::json::parse(text, text + size, check);
+  }
+  catch (const nlohmann::json::exception& error)
+  {
+    const std::string what = error.what();
+    const std::size_t begin = what.find("] ");
+    throw GltfError(
+      "it is not JSON: " + (begin == std::string::npos ? what : what.substr(begin + 2)));
+  }
+  const GltfValue asset = this->Get("asset");
+  const GltfValue version = asset.Get("version");
+  const std::string given = version.GetText("");
+  if (!version.IsThere() || given.substr(0, 2) != "2.")
+  {
+    version.FailExpecting("\"2.0\"");
+  }
+  const GltfValue least = asset.Get("minVersion");
+  if (least.IsThere() && least.GetText("") != "2.0")
+  {
+    least.FailExpecting("at most \"2.0\"");
+  }
+}
+
+//------------------------------------------------------------------------------
+void GltfDocument::CheckExtensions() const
+{
+  const GltfValue required = this->Get("extensionsRequired");
+  for (std::size_t i = 0; i < required.GetSize(); ++i)
+  {
+    const std::string name = required.At(i).GetText("");
+    if (KnownExtensions.count(name) == 0)
+    {
+      required.At(i).Fail("is " + name +
+        ", which is not read, and without it the file is not "
+        "what it should be");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+GltfValue GltfDocument::Get(const char* key) const
+{
+  return GltfValue(&this->Json, "").Get(key);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GltfDocument::GetUnread() const
+{
+  std::vector<std::string> unread;
+  const GltfValue used = this->Get("extensionsUsed");
+  for (std::size_t i = 0; i < used.GetSize(); ++i)
+  {
+    const std::string name = used.At(i).GetText("");
+    if (KnownExtensions.count(name) == 0)
+    {
+      unread.push_back(name);
+    }
+  }
+  return unread;
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned char> GltfDocument::ReadUri(const GltfValue& owner, const std::string& uri)
+{
+  std::vector<unsigned char> bytes;
+  if (uri.rfind("data:", 0) != 0)
+  {
+    if (HasScheme(uri))
+    {
+      owner.Fail("names " + uri + ", expected a file beside it or data: with base64");
+    }
+    const std::filesystem::path folder = std::filesystem::path(this->Path).parent_path();
+    std::error_code unknown;
+    std::string named = (folder / DecodeUri(uri)).string();
+    if (!std::filesystem::exists(named, unknown) && std::filesystem::exists(folder / uri, unknown))
+    {
+      named = (folder / uri).string(); // of writers that do not code
+    }
+    this->Sources.Add(named);
+    try
+    {
+      bytes = ReadBytes(named, this->Read);
+    }
+    catch (const GltfError& error)
+    {
+      owner.Fail("names " + DecodeUri(uri) + ", which " + error.what());
+    }
+    return bytes;
+  }
+  const std::size_t comma = uri.find(',');
+  if (comma == std::string::npos)
+  {
+    owner.Fail("has data: without a comma before the bytes");
+  }
+  const std::string kind = uri.substr(0, comma);
+  const bool coded = kind.size() >= 7 && kind.compare(kind.size() - 7, 7, ";base64") == 0;
+  if (!coded)
+  {
+    const std::string plain = DecodeUri(uri.substr(comma + 1));
+    return std::vector<unsigned char>(plain.begin(), plain.end());
+  }
+  if (!DecodeBase64(uri.data() + comma + 1, uri.size() - comma - 1, bytes))
+  {
+    owner.Fail("has data: that is not base64");
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+GltfBytes GltfDocument::GetBuffer(std::size_t buffer)
+{
+  const GltfValue value = this->Get("buffers").At(buffer);
+  const std::size_t length = value.Get("byteLength").GetCount(0, 1);
+  const GltfValue uri = value.Get("uri");
+  const auto [found, isNew] = this->Buffers.try_emplace(buffer);
+  if (isNew && uri.IsThere())
+  {
+    found->second = this->ReadUri(value, uri.GetText(""));
+  }
+  else if (isNew && buffer == 0)
+  {
+    found->second = std::move(this->Chunk);
+  }
+  if (found->second.size() < length)
+  {
+    value.Fail("has " + std::to_string(found->second.size()) + " bytes, but its byteLength is " +
+      std::to_string(length));
+  }
+  return { found->second.data(), length };
+}
+
+//------------------------------------------------------------------------------
+GltfBytes GltfDocument::GetView(std::size_t view)
+{
+  const GltfValue value = this->Get("bufferViews").At(view);
+  const int buffer = value.Get("buffer").GetIndex("buffers", this->Get("buffers").GetSize());
+  if (buffer < 0)
+  {
+    value.Get("buffer").FailExpecting("a number");
+  }
+  const GltfBytes whole = this->GetBuffer(static_cast<std::size_t>(buffer));
+  const std::size_t offset = value.Get("byteOffset").GetCount(0);
+  const std::size_t length = value.Get("byteLength").GetCount(0, 1);
+  if (offset > whole.Size || length > whole.Size - offset)
+  {
+    value.Fail("has " + std::to_string(length) + " bytes from byte " + std::to_string(offset) +
+      ", but buffers[" + std::to_string(buffer) + "] has " + std::to_string(whole.Size) + " bytes");
+  }
+  return { whole.Data + offset, length };
+}
+
+//------------------------------------------------------------------------------
+GltfBytes GltfDocument::GetImage(std::size_t image, std::string& name)
+{
+  const GltfValue value = this->Get("images").At(image);
+  const GltfValue uri = value.Get("uri");
+  const std::string text = uri.GetText("");
+  name = uri.IsThere() && text.rfind("data:", 0) != 0 ? DecodeUri(text) : value.GetPlace();
+  if (!uri.IsThere())
+  {
+    const int view =
+      value.Get("bufferView").GetIndex("bufferViews", this->Get("bufferViews").GetSize());
+    if (view < 0)
+    {
+      value.Fail("has neither uri nor bufferView, expected one of them");
+    }
+    return this->GetView(static_cast<std::size_t>(view));
+  }
+  const auto [found, isNew] = this->Images.try_emplace(image);
+  if (isNew)
+  {
+    found->second = this->ReadUri(value, text);
+  }
+  return { found->second.data(), found->second.size() };
+}
+
+//------------------------------------------------------------------------------
+GltfDocument::Layout GltfDocument::GetLayout(const GltfValue& accessor) const
+{
+  Layout layout;
+  if (!accessor.Get("type").IsThere() || !accessor.Get("count").IsThere() ||
+    !accessor.Get("componentType").IsThere())
+  {
+    accessor.Fail("lacks its type, componentType or count");
+  }
+  const std::size_t type = accessor.Get("type").GetWord(Types);
+  layout.Type = Types[type];
+  layout.Components = GetComponents(type);
+  layout.Count = accessor.Get("count").GetCount(0, 1);
+  const std::size_t componentType = accessor.Get("componentType").GetCount(0);
+  const bool known =
+    componentType >= gltf::Byte && componentType <= gltf::Float && componentType != 5124;
+  if (!known)
+  {
+    accessor.Get("componentType").FailExpecting("5120, 5121, 5122, 5123, 5125 or 5126");
+  }
+  layout.ComponentType = static_cast<int>(componentType);
+  layout.Normalized = accessor.Get("normalized").GetFlag(false);
+  return layout;
+}
+
+//------------------------------------------------------------------------------
+const unsigned char* GltfDocument::Find(const GltfValue& owner, const std::string& what,
+  std::size_t count, std::size_t bytes, std::size_t alignment, std::size_t& stride)
+{
+  const GltfValue views = this->Get("bufferViews");
+  const int view = owner.Get("bufferView").GetIndex("bufferViews", views.GetSize());
+  if (view < 0)
+  {
+    owner.Get("bufferView").FailExpecting("a number");
+  }
+  const GltfValue value = views.At(static_cast<std::size_t>(view));
+  const GltfBytes whole = this->GetView(static_cast<std::size_t>(view));
+  const std::size_t given = value.Get("byteStride").GetCount(bytes);
+  stride = given;
+  if (given < bytes || given % alignment != 0)
+  {
+    value.Get("byteStride")
+      .Fail("is " + std::to_string(given) + ", and " + owner.GetPlace() + " has values of " +
+        std::to_string(bytes) + " bytes; expected at least these, and a multiple of " +
+        std::to_string(alignment));
+  }
+  const std::size_t offset = owner.Get("byteOffset").GetCount(0);
+  if (offset > whole.Size || bytes > whole.Size - offset ||
+    count - 1 > (whole.Size - offset - bytes) / given)
+  {
+    owner.Fail("has " + std::to_string(count) + " " + what + " of " + std::to_string(bytes) +
+      " bytes from byte " + std::to_string(offset) +
+      (given == bytes ? "" : ", each " + std::to_string(given) + " bytes on") + ", but " +
+      value.GetPlace() + " has " + std::to_string(whole.Size) + " bytes");
+  }
+  if ((offset + value.Get("byteOffset").GetCount(0)) % alignment != 0)
+  {
+    owner.Fail("begins at byte " + std::to_string(offset) + " of " + value.GetPlace() +
+      ", which begins at byte " + std::to_string(value.Get("byteOffset").GetCount(0)) +
+      " of its buffer; expected a multiple of " + std::to_string(alignment) + " together");
+  }
+  return whole.Data + offset;
+}
+
+//------------------------------------------------------------------------------
+void GltfDocument::ReadDense(const GltfValue& accessor, const Layout& layout, GltfNumbers& numbers)
+{
+  if (!accessor.Get("bufferView").IsThere())
+  {
+    if (layout.Count > gltf::MostZeros)
+    {
+      accessor.Fail("has " + std::to_string(layout.Count) +
+        " values without a bufferView; at most " + std::to_string(gltf::MostZeros) + " are read");
+    }
+    numbers.Values.assign(layout.Count * layout.Components, 0.);
+    return;
+  }
+  std::size_t stride = 0;
+  const unsigned char* from = this->Find(
+    accessor, "values", layout.Count, layout.GetSize(), GetBytes(layout.ComponentType), stride);
+  numbers.Values.resize(layout.Count * layout.Components);
+  for (std::size_t i = 0; i < layout.Count; ++i)
+  {
+    layout.Read(
+      from + i * stride, layout.Normalized, numbers.Values.data() + i * layout.Components);
+  }
+}
+
+//------------------------------------------------------------------------------
+void GltfDocument::ReadSparse(const GltfValue& accessor, const Layout& layout, GltfNumbers& numbers)
+{
+  const GltfValue sparse = accessor.Get("sparse");
+  const std::size_t count = sparse.Get("count").GetCount(0, 1);
+  if (!sparse.Get("count").IsThere() || count > layout.Count)
+  {
+    sparse.Get("count").FailExpecting("1 to " + std::to_string(layout.Count));
+  }
+  const GltfValue indices = sparse.Get("indices");
+  const GltfValue values = sparse.Get("values");
+  const auto type = static_cast<int>(indices.Get("componentType").GetCount(0));
+  if (type != gltf::UnsignedByte && type != gltf::UnsignedShort && type != gltf::UnsignedInt)
+  {
+    indices.Get("componentType").FailExpecting("5121, 5123 or 5125");
+  }
+  std::size_t stride = 0;
+  std::size_t valueStride = 0;
+  const unsigned char* places =
+    this->Find(indices, "values", count, GetBytes(type), GetBytes(type), stride);
+  const unsigned char* from = this->Find(
+    values, "values", count, layout.GetSize(), GetBytes(layout.ComponentType), valueStride);
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto place = static_cast<std::size_t>(ReadComponent(places + i * stride, type));
+    if (place >= layout.Count || (i > 0 && place <= before))
+    {
+      indices.Fail("has " + std::to_string(place) + " as number " + std::to_string(i) +
+        (i > 0 ? ", after " + std::to_string(before) : "") + "; expected ascending numbers below " +
+        std::to_string(layout.Count));
+    }
+    before = place;
+    layout.Read(
+      from + i * valueStride, layout.Normalized, numbers.Values.data() + place * layout.Components);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::size_t GltfDocument::GetCount(const GltfValue& place) const
+{
+  return place.IsThere() ? this->GetLayout(this->GetAccessor(place)).Count : 0;
+}
+
+//------------------------------------------------------------------------------
+GltfValue GltfDocument::GetAccessor(const GltfValue& place) const
+{
+  const GltfValue accessors = this->Get("accessors");
+  const int index = place.GetIndex("accessors", accessors.GetSize());
+  if (index < 0)
+  {
+    place.FailExpecting("the number of an accessor");
+  }
+  return accessors.At(static_cast<std::size_t>(index));
+}
+
+//------------------------------------------------------------------------------
+void GltfDocument::CheckDecoded(const GltfValue& place, GltfNumbers& numbers) const
+{
+  const GltfValue accessor = this->GetAccessor(place);
+  const Layout layout = this->GetLayout(accessor);
+  if (layout.Count != numbers.Count || layout.Components != numbers.Components)
+  {
+    accessor.Fail("has " + std::to_string(layout.Count) + " values of " +
+      std::to_string(layout.Components) + " numbers, and what was compressed has " +
+      std::to_string(numbers.Count) + " of " + std::to_string(numbers.Components));
+  }
+  if (layout.Normalized)
+  {
+    for (double& number : numbers.Values)
+    {
+      number = GetNormalized(number, layout.ComponentType);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool GltfDocument::Check(const GltfValue& place, const GltfKind& kind) const
+{
+  const GltfValue accessor = this->GetAccessor(place);
+  const Layout layout = this->GetLayout(accessor);
+  const auto has = [](const auto& list, const auto& value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+  };
+  if (!has(kind.Types, layout.Type) || !has(kind.ComponentTypes, layout.ComponentType))
+  {
+    std::vector<std::string> names;
+    for (const int type : kind.ComponentTypes)
+    {
+      names.push_back(NameComponentType(type));
+    }
+    place.Fail("names " + accessor.GetPlace() + ", which is " + layout.Type + " of " +
+      NameComponentType(layout.ComponentType) + ", expected " + Join(kind.Types) + " of " +
+      Join(names));
+  }
+  return layout.Normalized || kind.Normalized;
+}
+
+//------------------------------------------------------------------------------
+const GltfNumbers& GltfDocument::GetNumbers(const GltfValue& place, const GltfKind& kind)
+{
+  const bool normalized = this->Check(place, kind);
+  const GltfValue accessor = this->GetAccessor(place);
+  const auto [found, isNew] = this->Numbers.try_emplace({ accessor.GetPlace(), normalized });
+  GltfNumbers& numbers = found->second;
+  if (isNew)
+  {
+    Layout layout = this->GetLayout(accessor);
+    layout.Normalized = normalized;
+    numbers.Count = layout.Count;
+    numbers.Components = layout.Components;
+    this->ReadDense(accessor, layout, numbers);
+    if (accessor.Get("sparse").IsThere())
+    {
+      this->ReadSparse(accessor, layout, numbers);
+    }
+  }
+  return numbers;
+}
+}
