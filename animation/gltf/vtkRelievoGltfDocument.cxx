@@ -333,8 +333,11 @@ void GltfDocument::Parse(const unsigned char* text, std::size_t size)
   }
   catch (const nlohmann::json::exception& error)
   {
-    const std::string what = error.what();
+    std::string what = error.what();
     const std::size_t begin = what.find("] ");
+    // It cites bytes of the file, which need not be text.
+    std::replace_if(
+      what.begin(), what.end(), [](char c) { return static_cast<unsigned char>(c) > 126; }, '?');
     throw GltfError(
       "it is not JSON: " + (begin == std::string::npos ? what : what.substr(begin + 2)));
   }

@@ -157,13 +157,12 @@ void AddDirections(const GltfGeometry& geometry, const glm::dmat4& place, vtkPol
   }
   if (!geometry.Tangents.empty())
   {
-    const auto tangents = MakeArray("Tangents", 4, geometry.Tangents.size());
-    const double side = glm::determinant(axes) < 0. ? -1. : 1.;
+    // The side of the bitangent is that of growing v.
+    const auto tangents = MakeArray("Tangents", 3, geometry.Tangents.size());
     for (std::size_t i = 0; i < geometry.Tangents.size(); ++i)
     {
-      const glm::dvec4& own = geometry.Tangents[i];
-      const glm::dvec3 t = GetUnit(axes * glm::dvec3(own), glm::dvec3(1., 0., 0.));
-      tangents->SetTuple4(static_cast<vtkIdType>(i), t.x, t.y, t.z, own.w < 0. ? -side : side);
+      const glm::dvec3 t = GetUnit(axes * glm::dvec3(geometry.Tangents[i]), glm::dvec3(1., 0., 0.));
+      tangents->SetTuple3(static_cast<vtkIdType>(i), t.x, t.y, t.z);
     }
     output->GetPointData()->SetTangents(tangents);
   }

@@ -15,7 +15,7 @@
  * `RGBA` where the file has them. Field data: `base_color`, `base_color_texture`, `normal_texture`
  * (names as in the file; GetEmbeddedTexture() has those that are in it), `normal_strength` (glTF's
  * scale of the normal map), and, at rest only, the bones for vtkRelievoSkin. A mesh without bones
- * follows its node: one bone, weight 1. Of glTF also `Tangents` (four components); `RGBA` there has
+ * follows its node: one bone, weight 1. Of glTF also `Tangents`, the active ones; `RGBA` there has
  * the material's base colour in it, and `TextureCoordinates` are those that the material's textures
  * lie on, with their transform, v upwards. Faces are turned where a node mirrors them, so that the
  * outside stays outside.
