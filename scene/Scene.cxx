@@ -5,7 +5,6 @@
 #include "Actors.h"
 #include "Errors.h"
 #include "FinitePoints.h"
-#include "Gltf.h"
 #include "Look.h"
 #include "Messages.h"
 #include "Models.h"
@@ -160,6 +159,16 @@ void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options)
 namespace
 {
 //------------------------------------------------------------------------------
+// They follow the reader's time.
+void AddOwnLights(const PosedModel& model, vtkRenderer* renderer)
+{
+  for (int i = 0; i < model.Reader->GetNumberOfLights(); ++i)
+  {
+    renderer->AddLight(model.Reader->GetLight(i));
+  }
+}
+
+//------------------------------------------------------------------------------
 bool IsMapped(const RenderOptions& options)
 {
   return !options.NormalMap.empty() || !options.HeightMap.empty();
@@ -195,7 +204,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
   for (const std::string& path : options.Files)
   {
     const int before = scene.Renderer->GetActors()->GetNumberOfItems();
-    if (IsModel(path) || (IsGLTF(path) && options.Model.Given))
+    if (IsModel(path))
     {
       scene.Models.push_back(ReadModel(path, options.Model, smooth, progress));
       WidenTimes(scene);
@@ -203,10 +212,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
       {
         scene.Renderer->AddActor(part.Actor);
       }
-    }
-    else if (IsGLTF(path))
-    {
-      ImportGLTF(path, scene.Window, progress);
+      AddOwnLights(scene.Models.back(), scene.Renderer);
     }
     else
     {
@@ -227,23 +233,16 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     vtkActorCollection* actors = scene.Renderer->GetActors();
     scene.Counts.push_back(actors->GetNumberOfItems() - before);
     bool shows = false;
-    std::vector<vtkActor*> own;
     for (int i = before; i < actors->GetNumberOfItems(); ++i)
     {
       vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
-      own.push_back(actor);
       AddArrayNames(actor, scene.Arrays, scene.Placed);
       if (IsMapped(options))
       {
-        TurnTextureCoordinates(actor);
         AddTextureCoordinates(actor, options, path);
       }
       CheckReach(actor, path);
       shows = shows || vtkMath::AreBoundsInitialized(actor->GetBounds());
-    }
-    if (IsGLTF(path) && !options.Model.Given)
-    {
-      scene.Opacities.merge(ReadOpacities(path, own));
     }
     Messages::Check(path, !shows, "holds nothing that can be drawn: no points, or no cells");
   }
@@ -254,10 +253,6 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
 void DressScene(Scene& scene, const RenderOptions& options)
 {
   SetShading(scene.Renderer, options.ShadingKind);
-  for (const auto& [actor, opacity] : scene.Opacities)
-  {
-    actor->GetProperty()->SetOpacity(opacity);
-  }
   SetLook(scene, options);
   for (const PosedModel& model : scene.Models)
   {
@@ -281,7 +276,6 @@ void PlayScene(Scene& scene, const RenderOptions& options, double time, Progress
     {
       if (IsMapped(options))
       {
-        TurnTextureCoordinates(part.Actor);
         AddTextureCoordinates(part.Actor, options, model.Path);
       }
       CheckReach(part.Actor, model.Path);

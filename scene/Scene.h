@@ -35,7 +35,6 @@ struct Scene
   std::vector<int> Counts;               ///< how many actors each file gave, skeletons apart
   std::set<std::string> Arrays;          ///< names of the point and cell arrays that can be layers
   std::set<std::string> Placed;          ///< the same as point:NAME and cell:NAME
-  std::map<vtkActor*, double> Opacities; ///< of glTF's materials, which VTK does not always take
   std::optional<std::array<double, 2>> Times; ///< seconds that animations last; none: nothing moves
 };
 

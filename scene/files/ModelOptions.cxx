@@ -166,8 +166,7 @@ void CheckModelOptions(RenderOptions& options)
   model.FirstBone = look.ColorBy == "first_bone" ||
     std::find(options.Layers.begin(), options.Layers.end(), "first_bone") != options.Layers.end();
   if (model.Given && !options.Files.empty() &&
-    std::none_of(options.Files.begin(), options.Files.end(),
-      [](const std::string& path) { return IsModel(path) || IsGLTF(path); }))
+    std::none_of(options.Files.begin(), options.Files.end(), IsModel))
   {
     throw UsageError(Join(GetModelOptions(), ", ") +
       ": no FILE can have bones; expected one of .bvh .dae .fbx .glb .gltf .iqm .ms3d .x");

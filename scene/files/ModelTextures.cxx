@@ -15,6 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoModelReader.h"
+#include "vtkRelievoWrapTexture.h"
 #include "vtkStringArray.h"
 
 #include <algorithm>
@@ -86,32 +87,46 @@ vtkSmartPointer<vtkImageData> ModelTextures::Find(
 }
 
 //------------------------------------------------------------------------------
-void ModelTextures::Put(vtkActor* actor, vtkDataSet* mesh, Progress& progress)
+double ModelTextures::PutColor(vtkActor* actor, vtkDataSet* mesh, Progress& progress)
 {
-  double cutoff = 0.0;
-  if (const auto image = this->Find(mesh, "base_color_texture", "texture", progress))
+  const auto image = this->Find(mesh, "base_color_texture", "texture", progress);
+  if (!image)
   {
-    vtkSmartPointer<vtkTexture>& texture = this->Textures[image];
-    if (!texture)
-    {
-      texture = MakeTexture(image);
-    }
-    cutoff = FindCutoff(image, actor);
-    actor->SetTexture(texture);
-    actor->GetProperty()->SetColor(1., 1., 1.); // the texture's colours are the whole
+    return 0.;
   }
-  const auto normals = this->Find(mesh, "normal_texture", "normal map", progress);
-  if (normals || cutoff > 0.0)
+  vtkSmartPointer<vtkTexture>& texture = this->Textures[image];
+  if (!texture)
+  {
+    texture = MakeTexture(image);
+  }
+  const double cutoff = FindCutoff(image, actor);
+  actor->SetTexture(texture);
+  actor->GetProperty()->SetColor(1., 1., 1.); // the texture's colours are the whole
+  return cutoff;
+}
+
+//------------------------------------------------------------------------------
+void ModelTextures::PutMaterial(
+  vtkActor* actor, vtkDataSet* mesh, double cutoff, Progress& progress)
+{
+  // Where a sampler says more than a map can, VTK's shaders draw the actor's own normal texture.
+  auto* own = vtkRelievoWrapTexture::SafeDownCast(actor->GetProperty()->GetTexture("normalTex"));
+  const bool isMap = !own ||
+    (own->GetWrapU() == own->GetWrapV() && own->GetWrapU() != vtkTexture::MirroredRepeat);
+  const bool repeats = !own || own->GetWrapU() == vtkTexture::Repeat;
+  const auto normals = isMap ? this->Find(mesh, "normal_texture", "normal map", progress) : nullptr;
+  if (normals || cutoff > 0.)
   {
     vtkDataArray* given = mesh->GetFieldData()->GetArray("normal_strength");
     const double strength = given ? given->GetComponent(0, 0) : 1.;
     vtkSmartPointer<vtkRelievoMaterial>& material =
-      this->Materials[{ normals.Get(), strength, cutoff }];
+      this->Materials[{ normals.Get(), strength, cutoff, repeats }];
     if (!material)
     {
       material = vtkSmartPointer<vtkRelievoMaterial>::New();
       material->SetNormalMap(normals);
       material->SetNormalStrength(strength);
+      material->SetRepeat(repeats);
       material->SetAlphaCutoff(cutoff);
     }
     material->Attach(actor);

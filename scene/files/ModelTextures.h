@@ -32,8 +32,12 @@ public:
   {
   }
 
-  /// Those that the mesh names, on its actor. What cannot be read is noted.
-  void Put(vtkActor* actor, vtkDataSet* mesh, Progress& progress);
+  /// The texture that the mesh names, on its actor. Returns the alpha below which the actor is cut
+  /// out; 0: nowhere. What cannot be read is noted.
+  double PutColor(vtkActor* actor, vtkDataSet* mesh, Progress& progress);
+
+  /// The normal map that the mesh names, and the cutoff, on its actor.
+  void PutMaterial(vtkActor* actor, vtkDataSet* mesh, double cutoff, Progress& progress);
 
 private:
   vtkSmartPointer<vtkImageData> Find(
@@ -44,8 +48,8 @@ private:
   std::string Path;
   // Meshes share them, where they are alike.
   std::map<vtkImageData*, vtkSmartPointer<vtkTexture>> Textures;
-  std::map<std::tuple<vtkImageData*, double, double>, vtkSmartPointer<vtkRelievoMaterial>>
-    Materials; ///< by normal map, its strength, and cutoff
+  std::map<std::tuple<vtkImageData*, double, double, bool>, vtkSmartPointer<vtkRelievoMaterial>>
+    Materials; ///< by normal map, its strength, cutoff, and whether it repeats
 };
 }
 

@@ -49,6 +49,25 @@ void SetColor(vtkActor* actor, vtkDataSet* mesh)
   }
 }
 
+// Whether the file has materials of its own for the block. What is wrong with their images is noted.
+bool Dress(vtkRelievoModelReader* reader, int block, vtkActor* actor, const std::string& path)
+{
+  if (!reader->GetProperty(block))
+  {
+    return false;
+  }
+  reader->Dress(block, actor);
+  try
+  {
+    Messages::Check("in the file");
+  }
+  catch (const WorkError& error)
+  {
+    Messages::Note(path + ": drawn without a texture: " + error.what());
+  }
+  return true;
+}
+
 vtkSmartPointer<vtkPolyData> CopySkeleton(vtkRelievoModelReader* reader)
 {
   auto copy = vtkSmartPointer<vtkPolyData>::New();
@@ -111,7 +130,11 @@ PosedModel ReadModel(
     reader->SetSkeletonAxes(choice.Skeleton);
     reader->SetFirstBone(choice.FirstBone);
     reader->SetWeightsOf(choice.BoneWeight.c_str());
-    if (choice.Skin == SkinChoice::Off)
+    if (!choice.Given && IsGLTF(path))
+    {
+      reader->SetPose(vtkRelievoModelReader::POSE_NODES); // a scene stands until it is to move
+    }
+    else if (choice.Skin == SkinChoice::Off)
     {
       reader->SetPose(vtkRelievoModelReader::POSE_BIND);
     }
@@ -154,8 +177,17 @@ PosedModel ReadModel(
     if (mesh && mesh->GetNumberOfCells() > 0)
     {
       const vtkSmartPointer<vtkActor> actor = MakeActor(mesh, smooth, path, progress);
-      SetColor(actor, mesh);
-      textures.Put(actor, mesh, progress);
+      double cutoff = 0.;
+      if (Dress(reader, static_cast<int>(i), actor, path))
+      {
+        cutoff = reader->GetAlphaCutoff(static_cast<int>(i));
+      }
+      else
+      {
+        SetColor(actor, mesh);
+        cutoff = textures.PutColor(actor, mesh, progress);
+      }
+      textures.PutMaterial(actor, mesh, cutoff, progress);
       model.Parts.push_back({ i, actor });
     }
   }

@@ -70,8 +70,7 @@ vtkSmartPointer<vtkAlgorithm> OpenSTL(const std::string& path)
 struct ReaderRow
 {
   const char* Extension;
-  vtkSmartPointer<vtkAlgorithm> (*Make)(
-    const std::string& path); // nullptr: glTF, and models with bones
+  vtkSmartPointer<vtkAlgorithm> (*Make)(const std::string& path); // nullptr: models
 };
 
 constexpr auto XML = Open<vtkXMLGenericDataObjectReader>;
@@ -146,7 +145,7 @@ bool IsGLTF(const std::string& path)
 bool IsModel(const std::string& path)
 {
   const ReaderRow* row = FindRow(path);
-  return row && !row->Make && !IsGLTF(path);
+  return row && !row->Make;
 }
 
 //------------------------------------------------------------------------------

@@ -27,7 +27,7 @@ void CheckExtension(const std::string& path);
 /// Whether the path's extension is that of glTF.
 bool IsGLTF(const std::string& path);
 
-/// Whether the path's extension is that of models with bones, which ReadModel reads.
+/// Whether the path's extension is glTF's or that of other models, which ReadModel reads.
 bool IsModel(const std::string& path);
 
 /// Throws WorkError unless the path is a file that can be opened.

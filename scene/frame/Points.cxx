@@ -269,10 +269,10 @@ std::string WriteFileAndValues(const std::string& file, const NamedWords& values
 void CheckPointFile(const PointsChoice& choice)
 {
   CheckExtension(choice.File);
-  if (IsGLTF(choice.File))
+  if (IsModel(choice.File))
   {
-    throw UsageError(
-      "--" + choice.Stage + ": " + choice.File + " is a scene; expected a file of points");
+    throw UsageError("--" + choice.Stage + ": " + choice.File +
+      " is a model or a scene; expected a file of points");
   }
   CheckReadable(choice.File);
 }

@@ -61,6 +61,7 @@ vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
   {
     material->SetNormalMap(own->GetNormalMap());
     material->SetNormalStrength(own->GetNormalStrength());
+    material->SetRepeat(own->GetRepeat());
   }
   if (own && options.Look.Opacity >= 1.0) // else VTK draws the holes, and the rest see-through
   {

@@ -9,15 +9,11 @@
 #include "vtkActor.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkFloatArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationDoubleVectorKey.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoTextureCoordinates.h"
-#include "vtkRelievoVTKVersions.h"
 #include "vtkTriangleFilter.h"
 
 namespace scene
@@ -56,41 +52,6 @@ vtkSmartPointer<vtkPolyData> WithTextureCoordinates(
   mesh->GetPointData()->RemoveArray("vtkOriginalPointIds");
   return mesh;
 }
-}
-
-//------------------------------------------------------------------------------
-void TurnTextureCoordinates(vtkActor* actor)
-{
-  vtkInformation* keys = actor->GetPropertyKeys();
-  vtkMapper* mapper = actor->GetMapper();
-  if (!mapper || !keys || keys->Length(vtkProp::RELIEVO_VTK_TEXTURE_TRANSFORM()) != 16)
-  {
-    return;
-  }
-  mapper->Update();
-  vtkPolyData* mesh = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
-  vtkDataArray* before = mesh ? mesh->GetPointData()->GetTCoords() : nullptr;
-  if (!before || before->GetNumberOfComponents() < 2)
-  {
-    return;
-  }
-  const double* turn = keys->Get(vtkProp::RELIEVO_VTK_TEXTURE_TRANSFORM()); // by rows
-  vtkNew<vtkFloatArray> after;
-  after->SetName(before->GetName());
-  after->SetNumberOfComponents(2);
-  after->SetNumberOfTuples(before->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
-  {
-    const double u = before->GetComponent(i, 0);
-    const double v = before->GetComponent(i, 1);
-    after->SetComponent(i, 0, turn[0] * u + turn[1] * v + turn[3]);
-    after->SetComponent(i, 1, turn[4] * u + turn[5] * v + turn[7]);
-  }
-  vtkNew<vtkPolyData> turned;
-  turned->ShallowCopy(mesh);
-  turned->GetPointData()->SetTCoords(after);
-  mapper->SetInputDataObject(turned);
-  keys->Remove(vtkProp::RELIEVO_VTK_TEXTURE_TRANSFORM());
 }
 
 //------------------------------------------------------------------------------

@@ -14,10 +14,6 @@ namespace scene
 {
 struct RenderOptions;
 
-/// Puts what turns the actor's textures into its mesh's texture coordinates: those of glTF count v
-/// downwards, and VTK's importer turns textures over instead, of which maps know nothing.
-void TurnTextureCoordinates(vtkActor* actor);
-
 /// Gives the meshes of the actor, which are of the file `path`, texture coordinates where they have
 /// polygons and none. If the options do not say how, as a box, and that is noted.
 void AddTextureCoordinates(vtkActor* actor, const RenderOptions& options, const std::string& path);
