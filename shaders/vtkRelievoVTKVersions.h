@@ -120,11 +120,4 @@
 #define RELIEVO_VTK_LEAKED_TEXTURE_UNITS 1
 #endif
 
-// vtkProp::GeneralTextureTransform() is called GENERAL_TEXTURE_TRANSFORM().
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
-#define RELIEVO_VTK_TEXTURE_TRANSFORM GENERAL_TEXTURE_TRANSFORM
-#else
-#define RELIEVO_VTK_TEXTURE_TRANSFORM GeneralTextureTransform
-#endif
-
 #endif

@@ -139,7 +139,7 @@ vtkSmartPointer<vtkTexture> ModelLook::GetTexture(
   made->SetWrapV(texture.Wrap[1]);
   made->SetInterpolate(texture.Smooth);
   made->SetMipmap(texture.Smooth && texture.Mipmaps);
-  made->SetUseSRGBColorSpace(use == Color || use == OpaqueColor);
+  made->SetUseSRGBColorSpace(use == Color || use == OpaqueColor || use == White);
   found->second = made.Get();
   return found->second;
 }

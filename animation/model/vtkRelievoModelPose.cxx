@@ -144,7 +144,10 @@ std::vector<glm::dmat4> GetLocalMatrices(
   {
     glm::dmat4& local = locals[static_cast<std::size_t>(channel.Node)];
     const ModelNode& node = model.Nodes[static_cast<std::size_t>(channel.Node)];
-    const NodeParts rest = MovesAll(channel) ? NodeParts() : GetPartsOf(node);
+    // What the channel leaves alone is as a channel before it put it.
+    const NodeParts rest = MovesAll(channel) ? NodeParts()
+      : local == node.Rest                   ? GetPartsOf(node)
+                                             : GetParts(local);
     local = GetMatrix(Sample(channel, time, rest, slerp));
   }
   return locals;

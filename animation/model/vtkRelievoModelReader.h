@@ -123,7 +123,7 @@ public:
   ///@}
 
   ///@{
-  /** Most bones of a point; the strongest are kept and rescaled. 1 to 8. Default: 4. */
+  /** Most bones of a point; the strongest are kept and rescaled. 1 to 8. Default: 8. */
   vtkSetClampMacro(WeightsPerPoint, int, 1, 8);
   vtkGetMacro(WeightsPerPoint, int);
   ///@}
@@ -304,7 +304,7 @@ private:
   double AxisLength = 0.;
   int Pose = POSE_ANIMATION;
   int Method = 0;
-  int WeightsPerPoint = 4;
+  int WeightsPerPoint = 8;
   bool Slerp = true;
   double KeyRate = 0.;
   bool Loop = false;

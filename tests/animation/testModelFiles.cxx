@@ -134,7 +134,7 @@ void TestReadAgainAtOnce()
   double first[6];
   double second[6];
   vtkPolyData::SafeDownCast(reader->GetOutput()->GetBlock(0))->GetBounds(first);
-  std::fill(buffer.begin(), buffer.end(), '\0'); // all points in one
+  std::fill(buffer.begin() + 672, buffer.begin() + 960, '\0'); // all points in one
   Store(OutputFolder() + "/AnimatedMorphCube.bin", buffer);
   reader->Modified();
   reader->Update();

@@ -34,14 +34,14 @@ namespace
 {
 using namespace relievoTest;
 
-// Files that tools/unpack-data writes, a buffer of glTF among them.
-constexpr std::size_t NumberOfModels = 61;
+// Files that tools/unpack-data writes, but for glTF, which Assimp does not read for us: the tests in
+// tests/gltf have those.
+constexpr std::size_t NumberOfModels = 58;
 
 // What Assimp 5.2.5 refuses: a number that begins with a space, Irrlicht's XML in two bytes a
-// character, a binary format that has moved on, animations and textures of other files, the buffer.
+// character, a binary format that has moved on, animations and textures of other files.
 const std::set<std::string> Refused = { "library_animation_clips.dae", "animMesh.irr",
-  "multipleAnimators.irr", "scenegraphAnim.irr", "WusonBlitz2.m3d", "man01.mdl", "manT.mdl",
-  "AnimatedMorphCube.bin" };
+  "multipleAnimators.irr", "scenegraphAnim.irr", "WusonBlitz2.m3d", "man01.mdl", "manT.mdl" };
 
 // The numbers of a scene's animations, or -1 without any.
 std::vector<int> AnimationsOf(const aiScene* scene)
@@ -273,7 +273,7 @@ int main()
   std::vector<std::filesystem::path> paths;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
   {
-    if (entry.is_regular_file())
+    if (entry.is_regular_file() && entry.path().string().find("glTF2") == std::string::npos)
     {
       paths.push_back(entry.path());
     }

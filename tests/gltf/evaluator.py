@@ -43,7 +43,8 @@ def slerp(a, b, share):
 
 
 def normalized(vectors):
-    return vectors / numpy.linalg.norm(vectors, axis=-1, keepdims=True)
+    with numpy.errstate(invalid="ignore"):
+        return vectors / numpy.linalg.norm(vectors, axis=-1, keepdims=True)
 
 
 class File:
@@ -261,8 +262,7 @@ class Primitive:
             self.normals = normalized(numpy.einsum("nij,nj->ni", turned, normals))[self.cells]
         elif self.cells.shape[1] == 3:
             a, b, c = self.points.transpose(1, 0, 2)
-            with numpy.errstate(invalid="ignore"):
-                flat = normalized(numpy.cross(b - a, c - a))
+            flat = normalized(numpy.cross(b - a, c - a))
             self.normals = numpy.repeat(flat[:, None], 3, axis=1)
         else:
             self.normals = None

@@ -1,0 +1,401 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of glTF files by the reader's properties, textures and lights: silhouettes against
+triangles that numpy fills, colours against the file's numbers and the specification's formulas."""
+
+import itertools
+import unittest
+
+import numpy
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkWindowToImageFilter,
+)
+
+from evaluator import Scene
+from reading import GltfTest
+from writer import Writer, data_uri, png
+
+SIZE = 120
+REPEAT, CLAMP, MIRROR = 10497, 33071, 33648
+
+
+def picture(reader, lights=False, background=(0, 0, 0), half=1.5, light=None):
+    """Rows from the top, of a view along -z that shows -half to half."""
+    renderer = vtkRenderer()
+    renderer.SetBackground(background)
+    for i in range(reader.GetOutput().GetNumberOfBlocks()):
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputData(reader.GetOutput().GetBlock(i))
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        reader.Dress(i, actor)
+        renderer.AddActor(actor)
+    if lights:
+        for i in range(reader.GetNumberOfLights()):
+            renderer.AddLight(reader.GetLight(i))
+    else:
+        renderer.AddLight(light or vtkLight())
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetPosition(0, 0, 50)
+    camera.SetParallelScale(half)
+    camera.SetClippingRange(1, 100)
+    window = vtkRenderWindow()
+    window.OffScreenRenderingOn()
+    window.SetMultiSamples(0)
+    window.SetSize(SIZE, SIZE)
+    window.AddRenderer(renderer)
+    window.Render()
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    grab.Update()
+    texels = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars())
+    return texels.reshape(SIZE, SIZE, 3)[::-1].astype(int)
+
+
+def fill(triangles, half=1.5):
+    """Which pixels have their centre in a triangle; corners in world coordinates."""
+    centres = (numpy.arange(SIZE) + 0.5) * (2 * half / SIZE) - half
+    x, y = numpy.meshgrid(centres, -centres)
+    covered = numpy.zeros((SIZE, SIZE), bool)
+    for (ax, ay), (bx, by), (cx, cy) in triangles[..., :2]:
+        area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+        if abs(area) < 1e-12:
+            continue
+        s = ((x - ax) * (cy - ay) - (y - ay) * (cx - ax)) / area
+        t = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / area
+        covered |= (s >= 0) & (t >= 0) & (s + t <= 1)
+    return covered
+
+
+def farther_than_a_pixel(seen, truth):
+    """Pixels that differ where the truth is the same all around."""
+    padded = numpy.pad(truth, 1, mode="edge")
+    around = [padded[i : i + SIZE, j : j + SIZE] for i in range(3) for j in range(3)]
+    same = numpy.all(around, axis=0) | ~numpy.any(around, axis=0)
+    return int(((seen != truth) & same).sum())
+
+
+def quad(writer, material=None, scale=1.0, colors=None, **coordinates):
+    """A square from -1 to 1 in the plane z = 0 that looks along z; coordinates from the top left."""
+    corners = numpy.array([[-1.0, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
+    attributes = {"POSITION": writer.accessor(scale * corners, bounds=True)}
+    attributes["NORMAL"] = writer.accessor(numpy.array([[0.0, 0, 1]] * 4))
+    for name, (low, high) in coordinates.items():
+        attributes[name] = writer.accessor(
+            numpy.array([[low, high], [high, high], [high, low], [low, low]], float)
+        )
+    if colors is not None:
+        attributes["COLOR_0"] = writer.accessor(numpy.array(colors, float))
+    primitive = {
+        "attributes": attributes,
+        "indices": writer.accessor(numpy.array([0, 1, 2, 0, 2, 3]), "u2"),
+    }
+    if material is not None:
+        primitive["material"] = writer.add("materials", material)
+    mesh = writer.add("meshes", {"primitives": [primitive]})
+    return writer.add("nodes", {"mesh": mesh})
+
+
+def textured(writer, texels, wrap=(CLAMP, CLAMP), filtering=9728):
+    sampler = {"wrapS": wrap[0], "wrapT": wrap[1], "magFilter": filtering, "minFilter": filtering}
+    texture = {
+        "source": writer.add("images", {"uri": data_uri(png(texels))}),
+        "sampler": writer.add("samplers", sampler),
+    }
+    return {"index": writer.add("textures", texture)}
+
+
+UNLIT = {"extensions": {"KHR_materials_unlit": {}}}
+TEXELS = numpy.random.default_rng(5).integers(0, 256, (4, 4, 4))
+TEXELS[..., 3] = 255
+
+
+class Silhouettes(GltfTest):
+    def check(self, path, sided=False):
+        reader, errors = self.read(path)
+        self.assertEqual(errors, [])
+        seen = picture(reader).any(axis=-1)
+        shown = numpy.concatenate([p.points for p in Scene(path).primitives()])
+        a, b, c = (shown[:, i, :2] for i in range(3))
+        turns = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
+        truth = fill(shown if sided else shown[turns > 0])
+        self.assertEqual(farther_than_a_pixel(seen, truth), 0)
+        return truth.sum()
+
+    def test_sides(self):
+        """Half of a solid, by whatever mirrors: outsides are seen, insides only if doubleSided."""
+        corners = numpy.array([[0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]], float)
+        faces = [[0, 1, 2], [0, 2, 3], [0, 4, 1]]  # one is open
+        counts = set()
+        for own, above in itertools.product(([1, 1, 1], [-1, 1, 1], [-1, -1, -1]), repeat=2):
+            for turned, sided in itertools.product((False, True), repeat=2):
+                writer = Writer()
+                primitive = {
+                    "attributes": {"POSITION": writer.accessor(corners, bounds=True)},
+                    "indices": writer.accessor(numpy.array(faces).ravel(), "u2"),
+                    "material": writer.add("materials", {"doubleSided": sided}),
+                }
+                mesh = writer.add("meshes", {"primitives": [primitive]})
+                node = writer.add("nodes", {"mesh": mesh, "scale": own})
+                turn = [0, 1, 0, 0] if turned else [0, 0, 0.3, 0.954]
+                writer.add("nodes", {"children": [node], "scale": above, "rotation": turn})
+                path = writer.save(self.folder / "sides.glb")
+                with self.subTest(own=own, above=above, turned=turned, sided=sided):
+                    counts.add(self.check(path, sided) > 0)
+        self.assertEqual(counts, {False, True})
+
+    def test_points_and_lines(self):
+        for mode in (0, 1, 3):
+            writer = Writer()
+            points = numpy.array([[-1, -1, 0], [1, 1, 0], [1, -1, 0], [-1, 1, 0]], float)
+            attributes = {"POSITION": writer.accessor(points, bounds=True)}
+            writer.add("meshes", {"primitives": [{"attributes": attributes, "mode": mode}]})
+            writer.add("nodes", {"mesh": 0})
+            reader, _ = self.read(writer.save(self.folder / "lines.glb"))
+            self.assertGreaterEqual((picture(reader) > 0).any(axis=-1).sum(), 4)
+
+
+class Textures(GltfTest):
+    def shown(self, writer, **words):
+        reader, errors = self.read(writer.save(self.folder / "textured.glb"))
+        self.assertEqual(errors, [])
+        return picture(reader, **words)
+
+    def test_wraps(self):
+        """Along u and v apart, within 2 of 255 at the middle of each texel."""
+        at = numpy.arange(12) - 4
+        places = {
+            REPEAT: at % 4,
+            CLAMP: numpy.clip(at, 0, 3),
+            MIRROR: numpy.where(at // 4 % 2, 3 - at % 4, at % 4),
+        }
+        for s, t in itertools.product(places, repeat=2):
+            for lit in (False, True):
+                writer = Writer()
+                info = textured(writer, TEXELS, (s, t))
+                base = {"baseColorTexture": info, "metallicFactor": 0}
+                material = {"pbrMetallicRoughness": base, **({} if lit else UNLIT)}
+                quad(writer, material, TEXCOORD_0=(-1, 2))
+                seen = self.shown(writer, half=1)[5::10, 5::10]
+                wanted = TEXELS[places[t]][:, places[s]][..., :3]
+                with self.subTest(s=s, t=t, lit=lit):
+                    if lit:  # dimmed, in the same order
+                        order = numpy.corrcoef(seen.ravel(), wanted.ravel())[0, 1]
+                        self.assertGreater(order, 0.99)
+                    else:
+                        self.assertLessEqual(numpy.abs(seen - wanted).max(), 2)
+
+    def test_sets(self):
+        """The second set of coordinates, moved, and that of whole numbers."""
+        writer = Writer()
+        info = textured(writer, TEXELS, (REPEAT, REPEAT))
+        info["texCoord"] = 1
+        info["extensions"] = {
+            "KHR_texture_transform": {"offset": [0.25, 0.5], "scale": [2, 1], "rotation": 0}
+        }
+        quad(writer, {"pbrMetallicRoughness": {"baseColorTexture": info}, **UNLIT},
+             TEXCOORD_0=(0, 0.1), TEXCOORD_1=(0, 1))  # fmt: skip
+        seen = self.shown(writer, half=1)[15::30, 7::15]
+        rows = (numpy.arange(4) + 2) % 4
+        columns = (numpy.arange(8) + 1) % 4
+        self.assertLessEqual(numpy.abs(seen - TEXELS[rows][:, columns][..., :3]).max(), 2)
+
+    def test_shared(self):
+        """Textures with equal images and samplers are one; of colours and of values two."""
+        writer = Writer()
+        info = textured(writer, TEXELS)
+        base = {"pbrMetallicRoughness": {"baseColorTexture": info}}
+        for material in (base, {**base, "doubleSided": True}, {**base, "normalTexture": info}):
+            quad(writer, material, TEXCOORD_0=(0, 1))
+        reader, _ = self.read(writer.save(self.folder / "shared.glb"))
+        properties = [reader.GetProperty(i) for i in range(3)]
+        textures = {p.GetTexture("albedoTex") for p in properties}
+        self.assertEqual(len(textures), 1)
+        self.assertTrue(textures.pop().GetUseSRGBColorSpace())
+        normal = properties[2].GetTexture("normalTex")
+        self.assertFalse(normal.GetUseSRGBColorSpace())
+        self.assertEqual([p.GetBackfaceCulling() for p in properties], [1, 0, 1])
+
+    def test_material(self):
+        """Every factor, in the property."""
+        writer = Writer()
+        writer.uses("KHR_materials_emissive_strength")
+        image = TEXELS.copy()
+        info = textured(writer, image)
+        material = {
+            "pbrMetallicRoughness": {
+                "baseColorFactor": [0.1, 0.2, 0.3, 0.4], "metallicFactor": 0.5,
+                "roughnessFactor": 0.25, "metallicRoughnessTexture": info,
+            },
+            "normalTexture": {**info, "scale": 0.75},
+            "occlusionTexture": {**textured(writer, 255 - image), "strength": 0.6},
+            "emissiveTexture": info, "emissiveFactor": [1, 0.5, 0.25],
+            "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 4}},
+            "alphaMode": "BLEND", "doubleSided": True,
+        }  # fmt: skip
+        quad(writer, material, TEXCOORD_0=(0, 1))
+        reader, errors = self.read(writer.save(self.folder / "material.glb"))
+        self.assertEqual(errors, [])
+        own = reader.GetProperty(0)
+        self.assertEqual(own.GetInterpolationAsString(), "Physically based rendering")
+        numpy.testing.assert_allclose(own.GetColor(), [0.1, 0.2, 0.3])
+        self.assertEqual(own.GetOpacity(), 0.4)
+        self.assertEqual((own.GetMetallic(), own.GetRoughness()), (0.5, 0.25))
+        self.assertEqual((own.GetNormalScale(), own.GetOcclusionStrength()), (0.75, 0.6))
+        self.assertEqual(own.GetEmissiveFactor(), (4, 2, 1))
+        self.assertEqual(own.GetBackfaceCulling(), 0)
+        # Red is the occlusion's red, green and blue are roughness and metal.
+        merged = own.GetTexture("materialTex").GetInput().GetPointData().GetScalars()
+        wanted = image[::-1, :, :3].copy()
+        wanted[..., 0] = 255 - image[::-1, :, 0]
+        numpy.testing.assert_array_equal(vtk_to_numpy(merged), wanted.reshape(-1, 3))
+        self.assertTrue(own.GetTexture("emissiveTex").GetUseSRGBColorSpace())
+        self.assertEqual(reader.GetAlphaMode(0), reader.ALPHA_BLEND)
+        self.assertIsNone(reader.GetProperty(1))
+        self.assertIsNone(reader.GetProperty(-1))
+
+    def test_damaged_image(self):
+        """One error, and the mesh without it."""
+        writer = Writer()
+        writer.add("images", {"uri": data_uri(b"\x89PNG\r\n\x1a\n" + bytes(40))})
+        writer.add("textures", {"source": 0})
+        quad(writer, {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}},
+             TEXCOORD_0=(0, 1))  # fmt: skip
+        reader, errors = self.read(writer.save(self.folder / "damaged.glb"))
+        self.assertEqual(errors, [])
+        self.assertTrue(picture(reader).any())
+        self.assertEqual(len(errors), 1, errors)
+        self.assertIn("images[0]", errors[0])
+
+
+class Alpha(GltfTest):
+    def middle(self, writer, **words):
+        reader, errors = self.read(writer.save(self.folder / "alpha.glb"))
+        self.assertEqual(errors, [])
+        return picture(reader, background=(0, 0, 1), **words)[SIZE // 2, SIZE // 2 + 3]
+
+    def test_modes(self):
+        """OPAQUE ignores every alpha; BLEND multiplies those of factor, texture, and colours."""
+        half = numpy.full((2, 2, 4), 128)
+        half[..., :3] = 255
+        for mode in ("OPAQUE", "BLEND"):
+            for factor, texture, colors in itertools.product((False, True), repeat=3):
+                writer = Writer()
+                base = {"baseColorFactor": [1, 1, 1, 0.5 if factor else 1]}
+                if texture:
+                    base["baseColorTexture"] = textured(writer, half)
+                quad(writer, {"alphaMode": mode, "pbrMetallicRoughness": base, **UNLIT},
+                     colors=[[1, 1, 1, 0.5]] * 4 if colors else None,
+                     TEXCOORD_0=(0, 1))  # fmt: skip
+                alpha = 0.5 ** (factor + texture + colors) if mode == "BLEND" else 1
+                wanted = numpy.array([alpha, alpha, 1]) * 255
+                with self.subTest(mode=mode, factor=factor, texture=texture, colors=colors):
+                    self.assertLessEqual(numpy.abs(self.middle(writer) - wanted).max(), 3)
+
+    def test_lit(self):
+        """Of a surface that is lit, too: alpha of factor and texture."""
+        half = numpy.full((2, 2, 4), 128)
+        half[..., :3] = 0
+        for mode, factor, texture in itertools.product(("OPAQUE", "BLEND"), (1, 0.5), (False, True)):
+            writer = Writer()
+            base = {"baseColorFactor": [0, 0, 0, factor], "metallicFactor": 1}
+            if texture:
+                base["baseColorTexture"] = textured(writer, half)
+            quad(writer, {"alphaMode": mode, "pbrMetallicRoughness": base}, TEXCOORD_0=(0, 1))
+            alpha = factor * (0.5 if texture else 1) if mode == "BLEND" else 1
+            with self.subTest(mode=mode, factor=factor, texture=texture):
+                self.assertLessEqual(abs(self.middle(writer)[2] - 255 * (1 - alpha)), 3)
+
+
+class Light(GltfTest):
+    def render(self, light, material, node=None, **words):
+        writer = Writer()
+        writer.json["extensions"] = {"KHR_lights_punctual": {"lights": [light]}}
+        writer.uses("KHR_lights_punctual")
+        quad(writer, material, **words)
+        writer.add("nodes", {"extensions": {"KHR_lights_punctual": {"light": 0}}, **(node or {})})
+        reader, errors = self.read(writer.save(self.folder / "lit.glb"))
+        self.assertEqual(errors, [])
+        return picture(reader, lights=True, half=1)
+
+    def test_candela_and_lux(self):
+        """The specification's BRDF of a white dielectric of roughness 1, straight from above: the
+        diffuse part (1 - F) / pi, the mirrored D V F with D = 1 / pi, V = 1 / 4, F = 0.04."""
+        white = {"pbrMetallicRoughness": {"metallicFactor": 0}}
+        brdf = (0.96 + 0.04 / 4) / numpy.pi
+        for kind, strength, height in (
+            ("point", 1, 1), ("point", 1, 2), ("point", 3, 1), ("directional", 1, 7),
+            ("directional", 2, 1), ("spot", 2, 1),
+        ):  # fmt: skip
+            light = {"type": kind, "intensity": strength}
+            seen = self.render(light, white, {"translation": [0, 0, height]})
+            fall = 1 if kind == "directional" else height**2
+            wanted = 255 * min(brdf * strength / fall, 1) ** (1 / 2.2)
+            with self.subTest(kind=kind, strength=strength, height=height):
+                self.assertLessEqual(abs(seen[SIZE // 2, SIZE // 2, 0] - wanted), 2)
+
+    def test_cone(self):
+        """Nothing outside of the outer cone, and the middle is bright."""
+        light = {"type": "spot", "intensity": 3, "spot": {"outerConeAngle": 0.5}}
+        seen = self.render(light, {"pbrMetallicRoughness": {"metallicFactor": 0}},
+                           {"translation": [0, 0, 1]})[..., 0]  # fmt: skip
+        centres = (numpy.arange(SIZE) + 0.5) * 2 / SIZE - 1
+        radius = numpy.hypot(*numpy.meshgrid(centres, centres))
+        self.assertEqual(seen[radius > numpy.tan(0.5) + 0.02].max(), 0)
+        self.assertGreater(seen[radius < numpy.tan(0.5) - 0.05].min(), 0)
+
+    def test_emission(self):
+        """With a texture and without, also where the mesh has no coordinates; and its strength."""
+        dark = {"type": "point", "intensity": 0}
+        black = {"baseColorFactor": [0, 0, 0, 1], "metallicFactor": 1}
+        for texture, placed, strength in ((False, False, 1), (False, True, 1), (True, True, 1),
+                                          (False, False, 2)):  # fmt: skip
+            writer = Writer()
+            material = {
+                "emissiveFactor": [0.2, 0.1, 0.4],
+                "pbrMetallicRoughness": black,
+                "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": strength}},
+            }
+            if texture:
+                material["emissiveTexture"] = textured(writer, numpy.full((2, 2, 3), 188))
+            writer.json["extensions"] = {"KHR_lights_punctual": {"lights": [dark]}}
+            writer.add("nodes", {"extensions": {"KHR_lights_punctual": {"light": 0}}})
+            quad(writer, material, **({"TEXCOORD_0": (0, 1)} if placed else {}))
+            reader, _ = self.read(writer.save(self.folder / "glows.glb"))
+            seen = picture(reader, lights=True)[SIZE // 2, SIZE // 2]
+            share = ((188 / 255 + 0.055) / 1.055) ** 2.4 if texture else 1
+            wanted = 255 * (strength * share * numpy.array([0.2, 0.1, 0.4])) ** (1 / 2.2)
+            with self.subTest(texture=texture, placed=placed, strength=strength):
+                self.assertLessEqual(numpy.abs(seen - wanted).max(), 2)
+
+    def test_colors(self):
+        """COLOR_0 times the factor, linear: lit by 1 / brdf of a candela, and without light."""
+        colors = [[0.5, 0.25, 1, 1]] * 4
+        base = {"baseColorFactor": [0.5, 1, 0.5, 1], "metallicFactor": 0}
+        product = numpy.array([0.25, 0.25, 0.5])
+        light = {"type": "point", "intensity": 2}
+        seen = self.render(light, {"pbrMetallicRoughness": base}, {"translation": [0, 0, 1]},
+                           colors=colors)  # fmt: skip
+        lit = 2 * (0.96 * product + 0.01) / numpy.pi
+        wanted = 255 * lit ** (1 / 2.2)
+        self.assertLessEqual(numpy.abs(seen[SIZE // 2, SIZE // 2] - wanted).max(), 3)
+        seen = self.render(light, {"pbrMetallicRoughness": base, **UNLIT}, colors=colors)
+        wanted = 255 * product ** (1 / 2.2)
+        self.assertLessEqual(numpy.abs(seen[SIZE // 2, SIZE // 2] - wanted).max(), 2)
+        # Without colours of points the curve of sRGB itself.
+        seen = self.render(light, {"pbrMetallicRoughness": base, **UNLIT})
+        wanted = 255 * (1.055 * numpy.array([0.5, 1, 0.5]) ** (1 / 2.4) - 0.055)
+        self.assertLessEqual(numpy.abs(seen[SIZE // 2, SIZE // 2] - wanted).max(), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
