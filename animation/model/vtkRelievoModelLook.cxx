@@ -166,9 +166,13 @@ vtkSmartPointer<vtkProperty> ModelLook::MakeProperty(
 {
   auto property = vtkSmartPointer<vtkProperty>::New();
   property->SetBackfaceCulling(!material.IsDoubleSided);
-  property->SetOpacity(material.Alpha == AlphaMode::Opaque ? 1. : material.BaseColor.a);
-  glm::dvec3 color(material.BaseColor);
   const bool textured = placed && !material.BaseColorTexture.Image.empty();
+  const double alpha = material.BaseColor.a;
+  property->SetOpacity(material.Alpha == AlphaMode::Opaque ? 1.
+      : material.Alpha == AlphaMode::Blend || textured     ? alpha
+      : alpha < material.AlphaCutoff                       ? 0.
+                                                           : 1.);
+  glm::dvec3 color(material.BaseColor);
   if (material.IsUnlit)
   {
     // Nobody decodes or codes what is not lit. A texture's texels are coded: their product with

@@ -607,7 +607,8 @@ void vtkRelievoModelReader::Dress(int block, vtkActor* actor)
   actor->SetTexture(this->GetTexture(block));
   vtkTexture* base = property->GetTexture("albedoTex");
   const int alpha = this->GetAlphaMode(block);
-  actor->SetForceOpaque(alpha == ALPHA_MASK);
+  // A mask without a texture shows all or nothing.
+  actor->SetForceOpaque(alpha == ALPHA_MASK && property->GetOpacity() > 0.);
   // VTK asks the actor's own texture, and not those of its property.
   actor->SetForceTranslucent(alpha == ALPHA_BLEND && base && base->IsTranslucent());
   if (vtkMapper* mapper = actor->GetMapper())

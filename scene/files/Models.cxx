@@ -59,11 +59,14 @@ bool Dress(vtkRelievoModelReader* reader, int block, vtkActor* actor, const std:
   reader->Dress(block, actor);
   try
   {
-    Messages::Check("in the file");
+    Messages::Check(path);
   }
   catch (const WorkError& error)
   {
-    Messages::Note(path + ": drawn without a texture: " + error.what());
+    const std::string what = error.what();
+    const std::size_t named = what.rfind(path + ": ");
+    Messages::Note(path + ": drawn without a texture: " +
+      (named == std::string::npos ? what : what.substr(named + path.size() + 2)));
   }
   return true;
 }

@@ -114,7 +114,7 @@ class Inputs(CliTest):
         (self.folder / "blanks.gltf").write_text('{"asset": {"version": "2.0"}, ' + images + "}")
         self.before = self.names()
         self.refused("render", "blanks.gltf", *OUTPUTS, status=1,
-                     says=["blanks.gltf", "names none.png, which is not there"])  # fmt: skip
+                     says=["blanks.gltf", "holds nothing that can be drawn"])  # fmt: skip
 
     def test_no_geometry(self):
         (self.folder / "points.off").write_text("OFF\n0 0 0\n")
