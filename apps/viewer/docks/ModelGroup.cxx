@@ -24,7 +24,7 @@ ModelGroup::ModelGroup(Document* document, QWidget* parent)
   , Skeleton(MakeFlag(document, "Show the bones", "--skeleton", this))
 {
   this->setObjectName("model");
-  this->setToolTip("With any of these glTF is read as a model with bones, without its lights");
+  this->setToolTip("Of glTF scenes, too, which stand still without any of these");
   auto* rows = new QFormLayout(this);
   rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   this->Skin->setToolTip("How bones move points");
