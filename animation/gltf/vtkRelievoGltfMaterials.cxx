@@ -167,6 +167,15 @@ private:
     }
     std::string name;
     const GltfBytes bytes = this->Document.GetImage(place, name);
+    // Several may be of the same bytes.
+    this->Bytes += bytes.Size;
+    if (this->Bytes > gltf::MostImageBytes)
+    {
+      this->Document.Get("images").At(place).Fail("makes more than " +
+        std::to_string(gltf::MostImageBytes) +
+        " bytes with the images before it; at most these "
+        "are read");
+    }
     ModelImage image;
     image.Bytes.assign(bytes.Data, bytes.Data + bytes.Size);
     this->Result.Images.emplace(name, std::move(image));
@@ -211,6 +220,7 @@ private:
   GltfDocument& Document;
   Model& Result;
   std::map<std::size_t, std::string> Names;
+  std::size_t Bytes = 0; // of images
 };
 }
 

@@ -4,10 +4,10 @@
  * @class vtkRelievoModelReader
  * @brief Reads models with bones and plays their animations.
  *
- * Reads glTF 2 (.gltf, .glb; Khronos, glTF 2.0 specification, 2021) and what Assimp reads: Collada
- * (.dae), FBX, BVH, X, MS3D, SMD, MD5, IQM and more. It offers the times of the chosen animation (TIME_STEPS: its keys, irregular as they are;
- * TIME_RANGE) and answers the time that is asked for, so that the time controls of VTK and ParaView
- * play it.
+ * Reads glTF 2 (.gltf, .glb; Khronos, glTF 2.0 specification, 2021) and what Assimp reads: Collada,
+ * FBX, BVH, X, MS3D, SMD, MD5, IQM and more. It offers the times of the chosen animation
+ * (TIME_STEPS: its keys, irregular as they are; TIME_RANGE) and answers the time that is asked for,
+ * so that the time controls of VTK and ParaView play it.
  *
  * Port 0 is a vtkMultiBlockDataSet with a polydata block for each mesh of each node, named as in
  * the file, in world coordinates. Point arrays: `joints` (int; places in the mesh's list of bones,
@@ -39,9 +39,9 @@
  * its first one are left out, with a note. A light has no range, and between its cones it falls
  * off by a power of the cosine, the nearest one.
  *
- * Errors: one error event names the file, what is wrong and where in the file; GetErrorCode() is set and the output is
- * empty. A file is read again only when it, a file that it names, or its name has changed, not when
- * the time has.
+ * Errors: one error event names the file, what is wrong and where in the file; GetErrorCode() is
+ * set and the output is empty. A file is read again only when it, a file that it names, or its name
+ * has changed, not when the time has.
  */
 #ifndef vtkRelievoModelReader_h
 #define vtkRelievoModelReader_h

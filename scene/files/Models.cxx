@@ -49,7 +49,7 @@ void SetColor(vtkActor* actor, vtkDataSet* mesh)
   }
 }
 
-// Whether the file has materials of its own for the block. What is wrong with their images is noted.
+// Whether the file has materials of its own for the block. What is wrong with images is noted.
 bool Dress(vtkRelievoModelReader* reader, int block, vtkActor* actor, const std::string& path)
 {
   if (!reader->GetProperty(block))

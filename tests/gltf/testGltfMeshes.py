@@ -266,7 +266,8 @@ class Nodes(GltfTest):
     def test_one_mesh_at_many_nodes(self):
         mesh = Mesh()
         writer = Writer()
-        node = scene(writer, {"attributes": {"POSITION": writer.accessor(mesh.points, bounds=True)}})
+        points = writer.accessor(mesh.points, bounds=True)
+        node = scene(writer, {"attributes": {"POSITION": points}})
         children = [
             writer.add("nodes", {"mesh": 0, "translation": [3 * i, 0, 0], "name": f"n{i}"})
             for i in range(4)
@@ -340,7 +341,8 @@ def skinned(kind="f4", joints="u1", sets=1, inverse=True, mirror=False, above=No
             {"POSITION": writer.accessor(mesh.random.normal(size=(count, 3)), bounds=True)}
         ]
         extra["weights"] = [0.5]
-    node = scene(writer, primitive, {"skin": 0, "translation": [7, 8, 9], "scale": [3, 1, 1]}, **extra)
+    place = {"skin": 0, "translation": [7, 8, 9], "scale": [3, 1, 1]}
+    node = scene(writer, primitive, place, **extra)
     first = None
     for i in range(nodes):
         child = {"translation": [0.1, 1, 0.2 * i], "rotation": [0, 0, 0.6, 0.8], "name": f"j{i}"}

@@ -19,7 +19,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from evaluator import Scene
-from reading import GltfTest
+from reading import VERSION, GltfTest
 from writer import Writer, data_uri, png
 
 SIZE = 120
@@ -85,7 +85,7 @@ def farther_than_a_pixel(seen, truth):
 
 
 def quad(writer, material=None, scale=1.0, colors=None, **coordinates):
-    """A square from -1 to 1 in the plane z = 0 that looks along z; coordinates from the top left."""
+    """A square from -1 to 1 in the plane z = 0, facing +z; coordinates from the top left."""
     corners = numpy.array([[-1.0, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]])
     attributes = {"POSITION": writer.accessor(scale * corners, bounds=True)}
     attributes["NORMAL"] = writer.accessor(numpy.array([[0.0, 0, 1]] * 4))
@@ -305,12 +305,15 @@ class Alpha(GltfTest):
         """Of a surface that is lit, too: alpha of factor and texture."""
         half = numpy.full((2, 2, 4), 128)
         half[..., :3] = 0
-        for mode, factor, texture in itertools.product(("OPAQUE", "BLEND"), (1, 0.5), (False, True)):
+        modes = ("OPAQUE", "BLEND")
+        for mode, factor, texture in itertools.product(modes, (1, 0.5), (False, True)):
             writer = Writer()
             base = {"baseColorFactor": [0, 0, 0, factor], "metallicFactor": 1}
             if texture:
                 base["baseColorTexture"] = textured(writer, half)
             quad(writer, {"alphaMode": mode, "pbrMetallicRoughness": base}, TEXCOORD_0=(0, 1))
+            if texture and VERSION < (9, 2):
+                factor = 1  # which VTK did not look at there
             alpha = factor * (0.5 if texture else 1) if mode == "BLEND" else 1
             with self.subTest(mode=mode, factor=factor, texture=texture):
                 self.assertLessEqual(abs(self.middle(writer)[2] - 255 * (1 - alpha)), 3)

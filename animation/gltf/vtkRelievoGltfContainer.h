@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A glTF 2 file as a container: its JSON, and the bytes of its buffers and images, in it or beside
+ * it. What is wrong is a GltfError.
+ */
+#ifndef vtkRelievoGltfContainer_h
+#define vtkRelievoGltfContainer_h
+
+#include "vtkRelievoGltfValue.h"
+#include "vtkRelievoModelSources.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace relievo
+{
+/// Bytes in a buffer that the container holds.
+struct GltfBytes
+{
+  const unsigned char* Data = nullptr;
+  std::size_t Size = 0;
+};
+
+namespace gltf
+{
+/// Most points and most corners of all meshes of a scene, each counted at each node that shows it;
+/// most numbers of all keys of all animations; most values of an accessor that has no bytes, and is
+/// all zeros but for its sparse ones: small files must not take all memory.
+constexpr std::size_t MostPoints = std::size_t(1) << 25;
+constexpr std::size_t MostCorners = std::size_t(1) << 27;
+constexpr std::size_t MostKeyNumbers = std::size_t(1) << 26;
+constexpr std::size_t MostZeros = std::size_t(1) << 22;
+/// Most bytes of a file together with all those that it names, and of the images that are kept.
+constexpr std::uintmax_t MostBytes = std::uintmax_t(1) << 32;
+constexpr std::size_t MostImageBytes = std::size_t(1) << 30;
+/// Nodes below nodes, and values within values of the JSON.
+constexpr int DeepestNodes = 2000;
+constexpr int DeepestValues = 500;
+}
+
+class GltfContainer
+{
+public:
+  /// Reads the file, and adds it to the sources as it does each file that is named by it.
+  GltfContainer(const std::string& path, ModelSources& sources);
+
+  GltfValue Get(const char* key) const;
+  /// The extensions that the file uses and that are not read.
+  std::vector<std::string> GetUnread() const;
+
+  /// The bytes of a buffer view.
+  GltfBytes GetView(std::size_t view);
+
+  /// The bytes of an image, and its name: what the file names, or its place in the file.
+  GltfBytes GetImage(std::size_t image, std::string& name);
+
+private:
+  void Open();
+  void Parse(const unsigned char* text, std::size_t size);
+  void CheckExtensions() const;
+  GltfBytes GetBuffer(std::size_t buffer);
+  std::vector<unsigned char> ReadUri(const GltfValue& owner, const std::string& uri);
+
+  std::string Path;
+  ModelSources& Sources;
+  nlohmann::json Json;
+  std::vector<unsigned char> Chunk; // of a .glb
+  std::uintmax_t Read = 0;          // bytes
+  std::map<std::size_t, std::vector<unsigned char>> Buffers;
+  std::map<std::size_t, std::vector<unsigned char>> Images;
+};
+}
+
+#endif
