@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoModelLook.h"
 
+#include "vtkRelievoVTKVersions.h"
 #include "vtkRelievoWrapTexture.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -280,12 +282,35 @@ double FitSpotExponent(double inner, double outer)
 }
 
 //------------------------------------------------------------------------------
-void PlaceLight(const ModelLight& light, const glm::dmat4& world, vtkLight* output)
+double GetSunDistance(const Model& model)
 {
-  const glm::dvec3 at(world[3]);
-  const glm::dvec3 back(world[2]);
-  const double length = glm::length(back);
-  const glm::dvec3 along = length > 0. ? back / -length : glm::dvec3(0., 0., -1.);
+#ifdef RELIEVO_VTK_PBR_SUNS_AT_PLACES
+  const auto isSun = [](const ModelLight& light) { return light.Is == ModelLight::Kind::Sun; };
+  if (std::any_of(model.Lights.begin(), model.Lights.end(), isSun) &&
+    !std::all_of(model.Lights.begin(), model.Lights.end(), isSun))
+  {
+    vtkBoundingBox box;
+    box.AddPoint(0., 0., 0.);
+    for (const ModelMesh& mesh : model.Meshes)
+    {
+      box.AddBounds(mesh.Data->GetBounds());
+    }
+    constexpr double sizes = 1e5; // then its rays differ by less than 0.001 degrees
+    return sizes * std::max(box.GetDiagonalLength(), 1.);
+  }
+#else
+  (void)model;
+#endif
+  return 0.;
+}
+
+//------------------------------------------------------------------------------
+void PlaceLight(const ModelLight& light, const glm::dmat4& world, double back, vtkLight* output)
+{
+  const glm::dvec3 z(world[2]);
+  const double length = glm::length(z);
+  const glm::dvec3 along = length > 0. ? z / -length : glm::dvec3(0., 0., -1.);
+  const glm::dvec3 at = glm::dvec3(world[3]) - back * along;
   output->SetLightTypeToSceneLight();
   output->SetPosition(at.x, at.y, at.z);
   output->SetFocalPoint(at.x + along.x, at.y + along.y, at.z + along.z);

@@ -58,8 +58,11 @@ private:
   std::map<Key, vtkSmartPointer<vtkTexture>> Textures;
 };
 
-/// A light where its node is: color linear, intensity in candela or lux.
-void PlaceLight(const ModelLight& light, const glm::dmat4& world, vtkLight* output);
+/// A light where its node is, or so far back: color linear, intensity in candela or lux.
+void PlaceLight(const ModelLight& light, const glm::dmat4& world, double back, vtkLight* output);
+
+/// How far back suns have to stand for VTK to light by them: 0, unless it takes them for lamps.
+double GetSunDistance(const Model& model);
 
 void PlaceCamera(const ModelCamera& camera, const glm::dmat4& world, vtkCamera* output);
 

@@ -62,6 +62,7 @@ struct vtkRelievoModelReader::Internals
   std::vector<vtkSmartPointer<vtkLight>> Lights;
   std::vector<vtkSmartPointer<vtkCamera>> Cameras;
   std::vector<glm::dmat4> Rest; // node to world
+  double SunDistance = 0.;
 
   // What is played, as the reader's settings have it.
   void Choose(vtkRelievoModelReader& reader, relievo::ModelPlayback& play);
@@ -340,6 +341,7 @@ bool vtkRelievoModelReader::Read()
   const std::string wrong =
     relievo::ReadModel(path, this->WeightsPerPoint, progress, self.Sources, self.Model);
   self.Stands = wrong.empty();
+  self.SunDistance = relievo::GetSunDistance(self.Model);
   self.Lights.resize(self.Model.Lights.size());
   self.Cameras.resize(self.Model.Cameras.size());
   std::vector<glm::dmat4> locals;
@@ -415,7 +417,9 @@ void vtkRelievoModelReader::Internals::PlaceScene(const std::vector<glm::dmat4>&
     vtkSmartPointer<vtkLight>& light = this->Lights[i];
     light = light ? light : vtkSmartPointer<vtkLight>::New();
     const relievo::ModelLight& source = this->Model.Lights[i];
-    relievo::PlaceLight(source, worlds[static_cast<std::size_t>(source.Node)], light);
+    const bool isSun = source.Is == relievo::ModelLight::Kind::Sun;
+    relievo::PlaceLight(
+      source, worlds[static_cast<std::size_t>(source.Node)], isSun ? this->SunDistance : 0., light);
   }
   for (std::size_t i = 0; i < this->Cameras.size(); ++i)
   {

@@ -247,7 +247,8 @@ public:
   ///@{
   /**
    * The lights of the scene (KHR_lights_punctual), each where its node is at the time of the last
-   * Update(), shining along -z. Intensity is in candela, of suns in lux, with the attenuation of
+   * Update(), shining along -z; suns beside lamps stand far behind it before VTK 9.5, whose PBR takes
+   * them for lamps. Intensity is in candela, of suns in lux, with the attenuation of
    * inverse squares: a white diffuse surface shaded by PBR, a metre in front of a candela, has the
    * radiance 1 / pi. nullptr when there is none.
    */

@@ -163,7 +163,10 @@ double GetAxisLength(const Model& model)
   }
   for (const ModelMesh& mesh : model.Meshes)
   {
-    box.AddBounds(mesh.Data->GetBounds());
+    if (!mesh.IsSkinned) // whose points may be in another unit, which its bones know
+    {
+      box.AddBounds(mesh.Data->GetBounds());
+    }
   }
   return box.IsValid() ? share * box.GetDiagonalLength() : 0.;
 }

@@ -346,6 +346,23 @@ class Light(GltfTest):
             with self.subTest(kind=kind, strength=strength, height=height):
                 self.assertLessEqual(abs(seen[SIZE // 2, SIZE // 2, 0] - wanted), 2)
 
+    def test_sun_beside_a_lamp(self):
+        """Lights as it does alone, from the side too."""
+        sun = {"type": "directional", "intensity": 2}
+        node = {"translation": [0, 0, 0.1], "rotation": [0.4, 0, 0, 0.9165]}
+        white = {"pbrMetallicRoughness": {"metallicFactor": 0}}
+        alone = self.render(sun, white, node)
+        writer = Writer()
+        lights = [sun, {"type": "point", "intensity": 0}]
+        writer.json["extensions"] = {"KHR_lights_punctual": {"lights": lights}}
+        quad(writer, white)
+        writer.add("nodes", {"extensions": {"KHR_lights_punctual": {"light": 0}}, **node})
+        writer.add("nodes", {"extensions": {"KHR_lights_punctual": {"light": 1}}})
+        reader, _ = self.read(writer.save(self.folder / "both.glb"))
+        both = picture(reader, lights=True, half=1)
+        self.assertGreater(alone.min(), 100)
+        self.assertLessEqual(numpy.abs(alone - both).max(), 1)
+
     def test_cone(self):
         """Nothing outside of the outer cone, and the middle is bright."""
         light = {"type": "spot", "intensity": 3, "spot": {"outerConeAngle": 0.5}}

@@ -43,7 +43,9 @@ class Lights(GltfTest):
         for i, (position, direction, json_) in enumerate(truth):
             light = reader.GetLight(i)
             given = numpy.array(light.GetTransformedPosition())
-            self.assertLess(numpy.abs(given - position).max(), 1e-12)
+            back = (given - position) @ direction if json_["type"] == "directional" else 0
+            size = max(abs(back), 1)  # VTK before 9.5 needs suns that stand far away
+            self.assertLess(numpy.abs(given - back * direction - position).max() / size, 1e-12)
             along = numpy.array(light.GetTransformedFocalPoint()) - given
             along /= numpy.linalg.norm(along)
             self.assertLess(numpy.abs(along - direction).max(), 1e-9)

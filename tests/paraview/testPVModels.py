@@ -16,6 +16,7 @@ from paraview import servermanager, simple, smstate, smtrace
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 WALK = str(pv.DATA / "models/BVH/01_01.bvh")
+STRIP = str(pv.DATA / "models/glTF2/simple_skin/simple_skin.gltf")
 FIGURE = str(pv.DATA / "models/X/Testwuson.X")
 
 # A bone may be called as ParaView calls none elsewhere.
@@ -103,6 +104,18 @@ class Models(pv.PluginTest):
             seen.append(points(reader))
         self.assertGreater(numpy.abs(seen[0] - seen[1]).max(), 1)
         self.assertEqual(points(reader, 1).shape[1], 3)
+
+    def test_gltf(self):
+        """Read by Relievo's reader, where it is asked for: the strip bends in time."""
+        reader = simple.ModelWithBonesReader(FileName=STRIP)
+        reader.UpdatePipelineInformation()
+        times = list(reader.TimestepValues)
+        seen = []
+        for time in (times[0], times[len(times) // 3]):
+            reader.UpdatePipeline(time)
+            seen.append(points(reader))
+        self.assertEqual(seen[0].shape[1], 3)
+        self.assertGreater(numpy.abs(seen[0] - seen[1]).max(), 0.1)
 
     def test_animation_by_name_and_skin(self):
         reader = simple.ModelWithBonesReader(FileName=FIGURE)
