@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoModelFile.h"
 
+#include "vtkRelievoFileKind.h"
 #include "vtkRelievoGltfFile.h"
 #include "vtkRelievoModelParts.h"
 
@@ -300,6 +301,10 @@ std::string ReadModel(const std::string& path, int weights,
     else if (!vtksys::SystemTools::FileExists(path, true))
     {
       wrong = "there is no such file";
+    }
+    else if (const std::string instead = vtkRelievoFileKind::FindInstead(path); !instead.empty())
+    {
+      wrong = "expected a file, but " + instead;
     }
     else
     {

@@ -20,6 +20,7 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
+#include <sys/stat.h>
 #include <utility>
 
 namespace
@@ -45,6 +46,11 @@ void TestNoModel()
 {
   const std::string folder = OutputFolder();
   ExpectRefusal(folder + "/missing.fbx", "there is no such file");
+  const std::string pipe = folder + "/pipe.fbx";
+  std::filesystem::remove(pipe);
+  RELIEVO_CHECK(mkfifo(pipe.c_str(), 0600) == 0);
+  ExpectRefusal(pipe, "it is a pipe");
+  std::filesystem::remove(pipe);
   Store(folder + "/empty.dae", "");
   ExpectRefusal(folder + "/empty.dae", "empty.dae");
   Store(folder + "/text.bvh", "This is not a motion.");
