@@ -4,7 +4,8 @@
 
 In a copy of the tree, tools/new-pass adds a pass; the copy is built, the new pass's own test runs,
 and the pass is used from the command line, Python and ParaView, whose sources nobody has touched.
-So is a layer that one entry adds to the catalogue (newLayer.py).
+So is a layer that one entry adds to the catalogue (newLayer.py), and a value of fog that its class
+and its page have (newValue.py).
 The copy keeps its build, so that a second run compiles only what changed.
 """
 
@@ -17,6 +18,7 @@ import subprocess
 import sys
 
 import newLayer
+import newValue
 
 NAME = "Mist"
 
@@ -69,6 +71,7 @@ def main(source, cmake, ctest, *options):
     assert not complaints, complaints
 
     newLayer.add(tree)
+    newValue.add(tree)
     build = tree / "build" / "dev"
     run([cmake, "-G", "Ninja", "-S", tree, "-B", build, *options])
     paraview = "-DRELIEVO_USE_PARAVIEW=ON" in options and shutil.which("pvpython")
@@ -82,13 +85,16 @@ def main(source, cmake, ctest, *options):
     folder = tree.parent
     on_the_command_line(build)
     newLayer.on_the_command_line(run, build, folder)
+    newValue.on_the_command_line(run, build, folder)
     python = next(each for each in options if each.startswith("-DPython3_EXECUTABLE"))
     python = python.split("=", 1)[1]
     in_python(build, python)
     newLayer.in_python(run, build, python, folder)
+    newValue.in_python(run, build, python, folder)
     if paraview:
         in_paraview(build)
         newLayer.in_paraview(run, build, folder)
+        newValue.in_paraview(run, build, folder)
         in_the_dock(source, build)
     return 0
 

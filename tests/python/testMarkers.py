@@ -86,7 +86,7 @@ class Markers(PointsTest):
             ({"shape": "square"}, "shape.*ring, glow, disc, shadow"),
             ({"radius": -1}, "radius.*0 or more"),
             ({"width": (1, 2)}, "width"),
-            ({"opacity": float("nan")}, "opacity.*0 or more"),
+            ({"opacity": float("nan")}, "opacity.*from 0 to 1"),
             ({"color": (1, 2)}, "color.*three numbers"),
             ({"up": (0, 0, 0)}, "up.*a direction"),
             ({"up": 3}, "up.*three numbers"),
