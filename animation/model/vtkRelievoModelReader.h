@@ -247,10 +247,10 @@ public:
   ///@{
   /**
    * The lights of the scene (KHR_lights_punctual), each where its node is at the time of the last
-   * Update(), shining along -z; suns beside lamps stand far behind it before VTK 9.5, whose PBR takes
-   * them for lamps. Intensity is in candela, of suns in lux, with the attenuation of
-   * inverse squares: a white diffuse surface shaded by PBR, a metre in front of a candela, has the
-   * radiance 1 / pi. nullptr when there is none.
+   * Update(), shining along -z; before VTK 9.5, whose PBR takes suns beside lamps for lamps, these
+   * stand far behind it. Intensity is in candela, of suns in lux, with the attenuation of inverse
+   * squares: a white diffuse surface shaded by PBR, a metre in front of a candela, has the radiance
+   * 1 / pi. nullptr when there is none.
    */
   int GetNumberOfLights();
   vtkLight* GetLight(int index);

@@ -34,7 +34,7 @@ namespace
 {
 using namespace relievoTest;
 
-// Files that tools/unpack-data writes, but for glTF, which is not read by Assimp: tests/gltf has it.
+// Files that tools/unpack-data writes, but for glTF, of which tests/gltf takes care.
 constexpr std::size_t NumberOfModels = 58;
 
 // What Assimp 5.2.5 refuses: a number that begins with a space, Irrlicht's XML in two bytes a

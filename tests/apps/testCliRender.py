@@ -178,6 +178,43 @@ class Picture(CliTest):
             found = float(self.exr("a.exr")[1]["A"][36, 20])
             self.assertAlmostEqual(found, expected, delta=0.003, msg=f"{mode} {alpha}")
 
+    def test_gltf_that_is_wrong(self):
+        """One line says what and where; no picture is written."""
+        for change, says in (
+            (lambda file: file["accessors"][0].update(count=65000), "accessors[0] has 65000"),
+            (lambda file: file["nodes"][0].update(children=[0]), "nodes[0] is below itself"),
+            (lambda file: file.update(extensionsRequired=["EXT_none"]), "EXT_none"),
+            (lambda file: file.update(scenes=[{}]), "holds nothing that can be drawn"),
+        ):
+            file = json.loads(gltf_triangle((1, 1, 1)))
+            change(file)
+            (self.folder / "a.gltf").write_text(json.dumps(file))
+            done = self.relievo("render", "a.gltf", "--png", "a.png", status=1)
+            self.assertIn("a.gltf: ", done.stderr)
+            self.assertIn(says, done.stderr)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertFalse((self.folder / "a.png").exists())
+
+    def test_gltf_lights(self):
+        """Those of the file light, and the headlight where it has none; --light replaces them."""
+        file = json.loads(gltf_triangle((1, 1, 1), doubleSided=True))
+        seen = []
+        for lights in (None, [{"type": "point", "intensity": 0}], [{"type": "point"}]):
+            if lights:
+                file["extensions"] = {"KHR_lights_punctual": {"lights": lights}}
+                own = {"KHR_lights_punctual": {"light": 0}}
+                file["nodes"][1:] = [{"extensions": own, "translation": [-0.5, -0.5, 1]}]
+                file["scenes"][0]["nodes"] = [0, 1]
+            (self.folder / "a.gltf").write_text(json.dumps(file))
+            for words in ((), ("--light", "sun:0,0,1")):
+                self.relievo("render", "a.gltf", *LOOK, *words, "--size", "60x60", "--exr", "a.exr")
+                seen.append(float(self.exr("a.exr")[1]["G"][36, 20]))
+        self.assertGreater(seen[0], 0.1)
+        self.assertEqual(seen[2], 0)
+        self.assertGreater(seen[4], 0.1)
+        self.assertEqual(seen[1], seen[3])
+        self.assertEqual(seen[1], seen[5])
+
     def test_gltf_whose_files_are_missing(self):
         """The missing file is named."""
         text = gltf_triangle((1, 1, 1))
