@@ -9,6 +9,7 @@ import unittest
 import numpy
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLight,
@@ -18,6 +19,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
+import relievo
 from evaluator import Scene
 from reading import VERSION, GltfTest
 from writer import Writer, data_uri, png
@@ -317,6 +319,29 @@ class Alpha(GltfTest):
             alpha = factor * (0.5 if texture else 1) if mode == "BLEND" else 1
             with self.subTest(mode=mode, factor=factor, texture=texture):
                 self.assertLessEqual(abs(self.middle(writer)[2] - 255 * (1 - alpha)), 3)
+
+
+    def test_masks(self):
+        """Factor times texture against the cutoff, in the scene's picture: lit, and not."""
+        texels = numpy.full((4, 4, 4), 200)
+        texels[..., 3] = [0, 100, 180, 255]
+        for lit, factor, shown in ((False, 0.8, 2), (True, 0.8, 2), (True, 1, 2), (True, 0.6, 1)):
+            writer = Writer()
+            base = {"baseColorTexture": textured(writer, texels), "metallicFactor": 0}
+            base["baseColorFactor"] = [1, 1, 1, factor]
+            material = {"alphaMode": "MASK", "alphaCutoff": 0.5, "pbrMetallicRoughness": base}
+            quad(writer, {**material, **({} if lit else UNLIT)}, TEXCOORD_0=(0, 1))
+            path = writer.save(self.folder / "mask.glb")
+            picture_path = self.folder / "mask.png"
+            scene = relievo.scene(path, size="80x80", camera="0,0,5,0,0,0,0,1,0", parallel_scale=1)
+            scene.render(picture_path)
+            reader = vtkPNGReader()
+            reader.SetFileName(str(picture_path))
+            reader.Update()
+            seen = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+            columns = seen.reshape(80, 80, -1)[40, 10::20, 0] > 0
+            with self.subTest(lit=lit, factor=factor):
+                self.assertEqual(columns.tolist(), [False] * (4 - shown) + [True] * shown)
 
 
 class Light(GltfTest):
