@@ -32,9 +32,9 @@ struct Scene
   vtkSmartPointer<vtkRenderWindow> Window; ///< off screen, single sample, of the asked size
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<PosedModel> Models;
-  std::vector<int> Counts;               ///< how many actors each file gave, skeletons apart
-  std::set<std::string> Arrays;          ///< names of the point and cell arrays that can be layers
-  std::set<std::string> Placed;          ///< the same as point:NAME and cell:NAME
+  std::vector<int> Counts;      ///< how many actors each file gave, skeletons apart
+  std::set<std::string> Arrays; ///< names of the point and cell arrays that can be layers
+  std::set<std::string> Placed; ///< the same as point:NAME and cell:NAME
   std::optional<std::array<double, 2>> Times; ///< seconds that animations last; none: nothing moves
 };
 

@@ -4,12 +4,12 @@
 // describeStages TEMPLATE OUTPUT: writes the XML of the view's properties, in which the stages' own
 // are made from the stages' descriptions, and lists of layers from the catalogue. Run by the build.
 //
-// A comment `points` in the template becomes the proxies of points of surfaces, for every stage that
-// draws such; `stages: properties` becomes the properties of every stage that is not
-// always there, `stages: exposed` their groups in the render view, `layers` the names of layers,
+// A comment `points` in the template becomes the proxies of points of surfaces, for every stage
+// that draws such; `stages: properties` becomes the properties of every stage that is not always
+// there, `stages: exposed` their groups in the render view, `layers` the names of layers,
 // `layers: shown` those that can be shown as the picture. In other lines @layers: help@ is what
-// they are, @layers: count@ how many values a selection of layers has, and @layers: A B@ the values
-// of one in which A and B are chosen, A first.
+// they are, @layers: count@ how many values a selection of layers has, and @layers: A B@ the
+// values of one in which A and B are chosen, A first.
 #include "vtkNew.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"

@@ -78,7 +78,9 @@ def _check_together(made, name, given):
         condition = "" if made.IsPerPoint(parameter) else made.GetParameterCondition(parameter)
         other, _, needed = condition.partition("=")
         if condition and made.GetParameter(other) != needed:
-            raise ValueError(f"{name}: {parameter}: got {value!r}, expected {other}={needed!r} with it")
+            raise ValueError(
+                f"{name}: {parameter}: got {value!r}, expected {other}={needed!r} with it"
+            )
 
 
 def _describe(stage, made):
@@ -95,13 +97,14 @@ def _describe(stage, made):
     ]
     if hasattr(made, "AddActor"):
         lines += [
-            "vtkProp3D, such as an actor, or several, followed as they move: distances are those from",
-            "their boxes.",
+            "vtkProp3D, such as an actor, or several, followed as they move: distances are those",
+            "from their boxes.",
         ]
     lines += [
         "",
-        "A value is a number for all points, three for a colour or a direction, or the name of a point",
-        "array; None takes the array of the value's name if the points have it, else the default.",
+        "A value is a number for all points, three for a colour or a direction, or the name of a",
+        "point array; None takes the array of the value's name if the points have it, else the",
+        "default.",
         "",
     ]
     for i in range(made.GetNumberOfParameters()):
@@ -113,8 +116,8 @@ def _describe(stage, made):
     for i in range(stage.GetNumberOfParameters()):
         parameter = stage.GetParameterName(i)
         lines.append(
-            f"{parameter}: of all {things} of the renderer. {stage.GetParameterHelp(parameter)} None "
-            f"leaves it; at first {stage.GetParameterDefault(parameter)}."
+            f"{parameter}: of all {things} of the renderer. {stage.GetParameterHelp(parameter)} "
+            f"None leaves it; at first {stage.GetParameterDefault(parameter)}."
         )
     return "\n".join(lines) + (
         f"\n\nReturns the {made.GetClassName()}; attach(renderer).GetStage"

@@ -111,8 +111,8 @@ void ModelTextures::PutMaterial(
 {
   // Where a sampler says more than a map can, VTK's shaders draw the actor's own normal texture.
   auto* own = vtkRelievoWrapTexture::SafeDownCast(actor->GetProperty()->GetTexture("normalTex"));
-  const bool isMap = !own ||
-    (own->GetWrapU() == own->GetWrapV() && own->GetWrapU() != vtkTexture::MirroredRepeat);
+  const bool isMap =
+    !own || (own->GetWrapU() == own->GetWrapV() && own->GetWrapU() != vtkTexture::MirroredRepeat);
   const bool repeats = !own || own->GetWrapU() == vtkTexture::Repeat;
   const auto normals = isMap ? this->Find(mesh, "normal_texture", "normal map", progress) : nullptr;
   if (normals || cutoff > 0.)

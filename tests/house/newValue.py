@@ -1,11 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A new value of fog is a line of its class and a row of its page: after that the command, its help,
-the viewer's words, Python and ParaView have it. For testNewPass.py, which builds the tree anyway."""
+"""A new value of fog is a line of its class and a row of its page: after that the command, its
+help, the viewer's words, Python and ParaView have it. For testNewPass.py, which builds the tree
+anyway."""
 
 import os
 
-VALUE = """  this->AddValue("share", 1.0, 0.0, 1.0, "", "Fog of less than half a share is not drawn.");
+VALUE = """  this->AddValue(
+    "share", 1.0, 0.0, 1.0, "", "Fog of less than half a share is not drawn.");
 """
 ROW = "| `share` | fog of less than half a share is not drawn | 1 |\n"
 

@@ -101,7 +101,7 @@ class Lamps(lampScene.Test):
             setattr(self.shown, name, other)
             # Of the arrays, only `radius` is there.
             changes = not name.endswith((
-                "IntensityArray", "ColorArray", "LampRadius", "CastsArray"))
+                "IntensityArray", "ColorArray", "LampsRadius", "CastsArray"))
             changed = pv.picture(self.view)
             if changes:
                 self.differ(on, changed, name, share=0.0005 if name.endswith("Casts") else 0.01)

@@ -197,7 +197,7 @@ class Scene(unittest.TestCase):
         self.assertEqual(self.picture(scene), plain)
 
     def test_notes_and_warnings(self):
-        """What a command prints is the notes of a scene; a good one has none, and warns of nothing."""
+        """What a command prints is a scene's notes; a good one has none, and warns of nothing."""
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             scene = relievo.scene(self.mesh, size=SIZE).update()

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One parameter of a stage, or of points that a stage draws: what it is called, what values it takes,
-// and how to get and set it.
+// One parameter of a stage, or of points that a stage draws: what it is called, what values it
+// takes, and how to get and set it.
 #ifndef vtkRelievoParameter_h
 #define vtkRelievoParameter_h
 

@@ -36,8 +36,8 @@ vtkStandardNewMacro(vtkSMRelievoViews);
 
 namespace
 {
-// What older proxies are given: the sub-proxy of view.xml, and those of material.xml and points.xml,
-// in the order in which later ones have them.
+// What older proxies are given: the sub-proxy of view.xml, and those of material.xml and
+// points.xml, in the order in which later ones have them.
 struct Kind
 {
   const char* Group;
