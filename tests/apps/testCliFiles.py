@@ -75,8 +75,8 @@ class Inputs(CliTest):
     def test_locales(self):
         """The user's decimal comma has no say in files and words."""
         (self.folder / "SHAPE.STL").write_text(
-            "solid a\nfacet normal 0 0 1\nouter loop\nvertex -0.75 -0.75 0.5\nvertex 0.75 -0.75 0.5\n"
-            "vertex -0.75 0.75 0.5\nendloop\nendfacet\nendsolid a\n")
+            "solid a\nfacet normal 0 0 1\nouter loop\nvertex -0.75 -0.75 0.5\n"
+            "vertex 0.75 -0.75 0.5\nvertex -0.75 0.75 0.5\nendloop\nendfacet\nendsolid a\n")
         (self.folder / "lamps.vtk").write_text(
             "# vtk DataFile Version 3.0\na\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0.25 0.5 1.5\n"
             "POINT_DATA 1\nSCALARS radius float 1\nLOOKUP_TABLE default\n2.5\n")
