@@ -56,8 +56,6 @@ BareScene::BareScene(const Scene& scene)
   : Read(scene)
 {
   vtkRenderer* renderer = this->Read.Renderer;
-  this->Read.Window->RemoveRenderer(renderer);
-  this->Read.Window = nullptr;
   this->Props = this->Kept = GetProps(renderer);
   for (vtkProp* prop : this->Props)
   {

@@ -25,7 +25,6 @@ class BareScene
 public:
   BareScene() = default;
 
-  /// The scene's renderer leaves its window.
   explicit BareScene(const Scene& scene);
 
   /// Brings the scene back to how it was read; what surfaces wear stays, and the sky.

@@ -31,7 +31,6 @@ class DressedScene
 public:
   DressedScene() = default;
 
-  /// The scene's renderer leaves its window.
   DressedScene(const Scene& scene, const FramePoints& points);
 
   /// Shows the scene by these options, which are those of the settings; `keepCamera`: but with

@@ -193,12 +193,7 @@ void WidenTimes(Scene& scene)
 Scene ReadScene(const RenderOptions& options, Progress& progress)
 {
   Scene scene;
-  scene.Window = vtkSmartPointer<vtkRenderWindow>::New();
-  scene.Window->SetOffScreenRendering(1);
-  scene.Window->SetMultiSamples(0);
-  scene.Window->SetSize(options.Size[0], options.Size[1]);
   scene.Renderer = vtkSmartPointer<vtkRenderer>::New();
-  scene.Window->AddRenderer(scene.Renderer);
 
   const bool smooth = options.ShadingKind != Shading::Flat;
   for (const std::string& path : options.Files)

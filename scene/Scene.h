@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * From files and options to a window with one renderer, ready to draw: actors, lights, camera.
+ * From files and options to a renderer, ready to draw: actors, lights, camera.
  */
 #ifndef Scene_h
 #define Scene_h
 
 #include "Models.h"
 
-#include "vtkRenderWindow.h" // for the scene's own
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
@@ -29,7 +28,6 @@ struct RenderOptions;
 
 struct Scene
 {
-  vtkSmartPointer<vtkRenderWindow> Window; ///< off screen, single sample, of the asked size
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<PosedModel> Models;
   std::vector<int> Counts;      ///< how many actors each file gave, skeletons apart

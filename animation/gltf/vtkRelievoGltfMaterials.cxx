@@ -178,9 +178,21 @@ private:
     }
     ModelImage image;
     image.Bytes.assign(bytes.Data, bytes.Data + bytes.Size);
+    image.Format = this->GetFormat(this->Document.Get("images").At(place));
     this->Result.Images.emplace(name, std::move(image));
     this->Names.emplace(place, name);
     return name;
+  }
+
+  //----------------------------------------------------------------------------
+  // TGA has no mark of its own.
+  static std::string GetFormat(const GltfValue& image)
+  {
+    const std::string uri = image.Get("uri").GetText("");
+    const std::string data = "data:";
+    return image.Get("mimeType").IsThere() ? image.Get("mimeType").GetText("")
+      : uri.rfind(data, 0) == 0 ? uri.substr(data.size(), uri.find_first_of(";,") - data.size())
+                                : uri;
   }
 
   //----------------------------------------------------------------------------

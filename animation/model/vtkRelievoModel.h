@@ -184,7 +184,7 @@ struct ModelCamera
 struct ModelImage
 {
   std::vector<unsigned char> Bytes;
-  std::string Format; ///< of a file, as the model has it: "png", "tga", or nothing
+  std::string Format; ///< of a file, as the model has it: "png", "image/tga", a name, or nothing
   int Width = 0; ///< 0: a file; otherwise each texel has red, green, blue, alpha, the top row first
   int Height = 0;
 };

@@ -22,59 +22,58 @@
 #include <QToolBar>
 #include <QtTest>
 
-#include <atomic>
 #include <cmath>
-#include <thread>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <condition_variable>
+#include <fstream>
+#include <memory>
+#include <mutex>
 
 using scene::Settings;
 
 namespace
 {
-// A file whose readers wait until something writes to it, and then find it empty.
+// A file whose reading, in the loader's thread, waits until it is let go, and then goes on.
 class SlowFile
 {
 public:
-  explicit SlowFile(const std::string& path)
-    : Path(path)
+  SlowFile(viewer::MainWindow* window, const std::string& path)
   {
-    QVERIFY(mkfifo(path.c_str(), 0600) == 0);
+    std::ofstream(path) << "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+                           "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n";
+    this->Connection = QObject::connect(
+      window->findChild<viewer::Loader*>(), &viewer::Loader::progressed, window,
+      [gate = this->Gate, name = QString::fromStdString(path)](const QString& what) {
+        if (what.contains(name))
+        {
+          std::unique_lock<std::mutex> lock(gate->Lock);
+          gate->Opened.wait(lock, [&gate] { return gate->IsOpen; });
+        }
+      },
+      Qt::DirectConnection);
   }
 
-  ~SlowFile() { this->End(); }
+  ~SlowFile()
+  {
+    QObject::disconnect(this->Connection);
+    this->LetGo();
+  }
 
-  /// From now on each reader that waits goes on.
   void LetGo()
   {
-    this->Thread = std::thread([this] {
-      while (!this->Done)
-      {
-        const int file = open(this->Path.c_str(), O_WRONLY | O_NONBLOCK);
-        if (file >= 0)
-        {
-          close(file);
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      }
-    });
-  }
-
-  void End()
-  {
-    if (this->Thread.joinable())
-    {
-      this->Done = true;
-      this->Thread.join();
-    }
+    const std::lock_guard<std::mutex> guard(this->Gate->Lock);
+    this->Gate->IsOpen = true;
+    this->Gate->Opened.notify_all();
   }
 
 private:
-  std::string Path;
-  std::thread Thread;
-  std::atomic<bool> Done{ false };
+  struct Door
+  {
+    std::mutex Lock;
+    std::condition_variable Opened;
+    bool IsOpen = false;
+  };
+  std::shared_ptr<Door> Gate = std::make_shared<Door>(); // readers may outlive the file
+  QMetaObject::Connection Connection;
 };
 }
 
@@ -88,7 +87,7 @@ private:
   // Opens a file that its reader waits for.
   std::unique_ptr<SlowFile> OpenSlow()
   {
-    auto slow = std::make_unique<SlowFile>(this->Path("slow.stl"));
+    auto slow = std::make_unique<SlowFile>(this->Window.get(), this->Path("slow.stl"));
     this->Window->OpenFiles({ QString::fromStdString(this->Path("slow.stl")) });
     return slow;
   }
@@ -107,7 +106,7 @@ private Q_SLOTS:
     this->Open({ this->WriteScene() });
     const vtkSmartPointer<vtkImageData> before = this->Grab();
     const std::string next = this->WriteScene("next.vtp");
-    SlowFile slow(this->Path("slow.stl"));
+    SlowFile slow(this->Window.get(), this->Path("slow.stl"));
     this->Window->OpenFiles({ QString::fromStdString(this->Path("slow.stl")) });
     QVERIFY(this->Window->IsReading());
     QTest::qWait(50);
@@ -120,7 +119,6 @@ private Q_SLOTS:
     QVERIFY(this->Window->IsReading() && ready.isEmpty());
     slow.LetGo();
     QVERIFY(ready.wait(60000));
-    slow.End();
     QCOMPARE(this->Window->GetTrouble(), QString());
     QCOMPARE(this->Window->GetDocument()->Get().Files, std::vector<std::string>{ next });
   }
