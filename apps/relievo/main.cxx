@@ -79,7 +79,12 @@ int main(int argc, char* argv[])
   scene::Outputs::RemoveOnSignals();
   try
   {
-    return Run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+    const int status = Run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+    if (!scene::FlushStandardOutput())
+    {
+      throw scene::WorkError("the standard output cannot be written; is the disk full?");
+    }
+    return status;
   }
   catch (const scene::UsageError& error)
   {

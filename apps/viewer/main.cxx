@@ -44,6 +44,19 @@ bool Has(const std::vector<std::string>& words, const char* word)
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+// Prints; returns the exit status.
+int Print(const char* text)
+{
+  std::fputs(text, stdout);
+  if (scene::FlushStandardOutput())
+  {
+    return 0;
+  }
+  std::fputs("relievo-viewer: the standard output cannot be written; is the disk full?\n",
+    scene::StandardError());
+  return 1;
+}
+
 // Closing the window is not timed.
 void End(int status)
 {
@@ -97,9 +110,7 @@ void EndAfterPicture(viewer::MainWindow& window)
     if (*drawn)
     {
       const int* size = view->renderWindow()->GetSize();
-      std::printf("%dx%d\n", size[0], size[1]);
-      std::fflush(stdout);
-      End(0);
+      End(Print((std::to_string(size[0]) + "x" + std::to_string(size[1]) + "\n").c_str()));
     }
   });
   const auto endInTrouble = [&window, view] {
@@ -117,23 +128,21 @@ void EndAfterPicture(viewer::MainWindow& window)
 
 int main(int argc, char* argv[])
 {
+  scene::BeProgram();
   std::vector<std::string> words(argv + 1, argv + argc);
   if (Has(words, "--help") || Has(words, "-h"))
   {
-    std::fputs(Help, stdout);
-    return 0;
+    return Print(Help);
   }
   if (Has(words, "--version"))
   {
-    std::fputs(scene::DescribeVersions().c_str(), stdout);
-    return 0;
+    return Print(scene::DescribeVersions().c_str());
   }
   const auto timed = std::remove(words.begin(), words.end(), "--once");
   const bool once = timed != words.end();
   words.erase(timed, words.end());
   const bool isSession =
     words.size() == 1 && QFileInfo(QString::fromStdString(words[0])).suffix().toLower() == "json";
-  scene::BeProgram();
   const scene::Messages::Scope scope; // notes, too, on what the words say
   scene::Settings settings;
   try

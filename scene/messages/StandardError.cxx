@@ -16,6 +16,14 @@ bool Ours = false;
 void BeProgram()
 {
   Ours = true;
+  // A file that is opened later must not take the place of a closed one, and what is printed.
+  for (const int each : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
+  {
+    if (fcntl(each, F_GETFD) < 0)
+    {
+      open("/dev/null", each == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -37,6 +45,12 @@ std::FILE* StandardError()
     return file ? file : stderr;
   }();
   return kept;
+}
+
+//------------------------------------------------------------------------------
+bool FlushStandardOutput()
+{
+  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
 }
 
 //------------------------------------------------------------------------------

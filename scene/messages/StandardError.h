@@ -19,6 +19,9 @@ bool IsProgram();
 /// Where the command itself writes, also while libraries are silent.
 std::FILE* StandardError();
 
+/// Writes what is left of the standard output. False if any of it, also before, was lost.
+bool FlushStandardOutput();
+
 /// While it lives, what anybody else writes to the error output of a program of ours is dropped.
 class SilentLibraries
 {

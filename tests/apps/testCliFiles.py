@@ -225,6 +225,18 @@ class Outputs(CliTest):
                 self.refused("render", "triangle.off", *look, *outputs, status=1, says=fails,
                              wrapper=[*full, str(limit)])  # fmt: skip
 
+    def test_standard_output_full(self):
+        """What is printed is the result: where it is lost, the run failed."""
+        cave = ["cave", "--size", "4x4x4", "-o", "a.vti"]
+        for words in (["--help"], ["--version"], ["stages"], cave):
+            for place in ("/dev/full", "&-"):
+                with self.subTest(words=words, place=place):
+                    done = self.relievo(
+                        *words, status=1, wrapper=["/bin/bash", "-c", f'exec "$0" "$@" >{place}']
+                    )
+                    self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+                    self.assertIn("the standard output cannot be written", done.stderr)
+
     def test_a_failed_run_keeps_the_old_files(self):
         for name in ("a.png", "a.exr", "a.json"):
             (self.folder / name).write_text("precious")

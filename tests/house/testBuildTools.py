@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""tools/unpack-vtk and tools/bench-bundle refuse wrong calls, and touch nothing of others."""
+"""The tools that make and fetch packages refuse wrong calls, and touch nothing of others."""
 
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -33,9 +34,13 @@ class BuildTools(unittest.TestCase):
         mine = self.folder / "home" / "thesis.tex"
         mine.parent.mkdir()
         mine.write_text("chapter 1")
+        other = self.folder / "other" / ".complete"  # of another program
+        other.parent.mkdir()
+        other.write_text("download 7\n")
         for words, says in (
             ((mine.parent,), "holds something else"),
             (("--wheel", mine.parent), "holds something else"),
+            ((other.parent,), "holds something else"),
             ((mine,), "holds something else"), (("--fast",), "unknown option"),
             (("a", "b"), "usage"), (("--wheel", "a", "b"), "usage"),
         ):  # fmt: skip
@@ -44,8 +49,62 @@ class BuildTools(unittest.TestCase):
             self.assertIn(says, done.stderr)
             self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
         self.assertEqual(mine.read_text(), "chapter 1")
+        self.assertEqual(other.read_text(), "download 7\n")
         self.assertFalse((self.folder / "called").exists())
         self.assertEqual(self.run_tool("unpack-vtk", "--help").returncode, 0)
+
+    def test_package_refusals(self):
+        """Neither packages nor a bare Debian are put where something else is."""
+        home = self.folder / "home"
+        (home / "letters").mkdir(parents=True)
+        (home / "relievo_0.9_amd64.deb").write_text("old")
+        (home / "letters" / "python3-relievo_0.9_amd64.deb").write_text("kept")
+        debs = self.folder / "debs"
+        debs.mkdir()
+        for name in ("relievo", "libvtkrelievo-dev", "python3-relievo", "paraview-relievo"):
+            (debs / f"{name}_1_amd64.deb").write_text("")
+        root = self.folder / "root"
+        (root / "etc").mkdir(parents=True)
+        (root / "etc" / "debian_version").write_text("12\n")  # this machine's own is one, too
+        there = sorted(self.folder.rglob("*"))
+        for tool, words, says in (
+            ("make-packages", (home,), "holds something else"),
+            ("make-packages", (home / "relievo_0.9_amd64.deb",), "holds something else"),
+            ("make-packages", ("--fast",), "unknown option"),
+            ("make-packages", ("a", "b"), "usage"),
+            ("try-packages", ("--root", root, debs), "holds something else"),
+            ("try-packages", ("--root", home, debs), "holds something else"),
+            ("try-packages", ("--fast",), "unknown option"),
+            ("try-packages", (home,), "run tools/make-packages first"),
+        ):  # fmt: skip
+            done = self.run_tool(tool, *words)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), (words, done.stderr))
+            self.assertIn(says, done.stderr)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        self.assertEqual(sorted(self.folder.rglob("*")), there)
+        for tool in ("make-packages", "try-packages"):
+            self.assertIn("is refused", self.run_tool(tool, "--help").stdout)
+
+    def test_packages_of_before(self):
+        """Packages of a run before are replaced, in a tree whose programs make empty ones."""
+        tree = self.folder / "tree"
+        (tree / "tools").mkdir(parents=True)
+        shutil.copy(ROOT / "tools" / "make-packages", tree / "tools")
+        made = ("case $PWD in *-paraview) first=paraview- ;; esac\n"
+                "mkdir packages\ntouch packages/${first}relievo_2_amd64.deb")
+        for place, does in (("tree/tools/install-packages", ":"), ("tree/tools/unpack-vtk", ":"),
+                            ("bin/cmake", ":"), ("bin/cpack", made)):  # fmt: skip
+            stub = self.folder / place
+            stub.write_text(f"#!/bin/sh\n{does}\n")
+            stub.chmod(0o755)
+        debs = self.folder / "debs"
+        debs.mkdir()
+        (debs / "relievo_1_amd64.deb").write_text("")
+        for _ in range(2):
+            done = self.run_tool(tree / "tools" / "make-packages", debs)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual({each.name for each in debs.iterdir()},
+                             {"relievo_2_amd64.deb", "paraview-relievo_2_amd64.deb"})
 
     def test_unpack_failure(self):
         """Where nothing can be fetched, an older complete VTK stays, and nothing else is left."""
