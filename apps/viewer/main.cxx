@@ -99,8 +99,15 @@ void OnMessage(QtMsgType type, const QMessageLogContext& context, const QString&
 
 //------------------------------------------------------------------------------
 // After the first picture, or when there is none.
-void EndAfterPicture(viewer::MainWindow& window)
+void EndAfterPicture(viewer::MainWindow& window, const std::string& session)
 {
+  if (window.GetTrouble().isEmpty() && window.GetDocument()->Get().Files.empty())
+  {
+    std::fprintf(scene::StandardError(),
+      "relievo-viewer: --once: %s: its \"words\" name no FILE; there is nothing to draw\n",
+      session.c_str());
+    End(1);
+  }
   viewer::PictureView* view = window.GetView();
   const auto drawn = std::make_shared<bool>(false);
   QObject::connect(view, &viewer::PictureView::drawn, qApp,
@@ -183,7 +190,7 @@ int main(int argc, char* argv[])
   window.show(); // while the files are read
   if (once)
   {
-    EndAfterPicture(window);
+    EndAfterPicture(window, words.front());
   }
   const int status = QApplication::exec();
   if (window.IsBusy())

@@ -3,12 +3,15 @@
 #include "SessionFile.h"
 
 #include "Errors.h"
+#include "vtkRelievoFileKind.h"
 
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSaveFile>
+
+#include <exception>
 
 namespace viewer
 {
@@ -19,7 +22,7 @@ constexpr int Version = 1;
 
 [[noreturn]] void Fail(const QString& path, const QString& why)
 {
-  throw scene::WorkError((path + ": " + why).toStdString());
+  throw scene::WorkError((path + ": " + why.simplified()).toStdString()); // one line
 }
 }
 
@@ -50,6 +53,11 @@ void SaveSession(const QString& path, const Session& session)
 //------------------------------------------------------------------------------
 Session LoadSession(const QString& path)
 {
+  const std::string instead = vtkRelievoFileKind::FindInstead(path.toStdString());
+  if (!instead.empty())
+  {
+    Fail(path, "expected a session, but " + QString::fromStdString(instead));
+  }
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly))
   {
@@ -81,7 +89,7 @@ Session LoadSession(const QString& path)
   {
     session.View = scene::Settings::FromWords(words);
   }
-  catch (const scene::UsageError& error)
+  catch (const std::exception& error)
   {
     Fail(path, error.what());
   }
