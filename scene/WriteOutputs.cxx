@@ -346,7 +346,6 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
     const RenderOptions own = FrameOptions(options, number);
     if (number > 0)
     {
-      outputs.reset(); // before the next one, which may have the same temporary names
       outputs = OpenOutputs(own, inputs);
       PlayScene(dressed.GetScene(), options, *own.Model.Time, progress);
     }

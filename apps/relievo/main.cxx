@@ -76,7 +76,7 @@ int Fail(const char* text, int status)
 int main(int argc, char* argv[])
 {
   scene::BeProgram();
-  scene::Outputs::RemoveOnSignals();
+  scene::Outputs::RemoveAtEnd();
   try
   {
     const int status = Run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));

@@ -175,7 +175,7 @@ int main(int argc, char* argv[])
   const QtMessageHandler before = qInstallMessageHandler(OnMessage);
   viewer::Application application(ours, argv);
   QtsOwn = before;
-  scene::Outputs::RemoveOnSignals();
+  scene::Outputs::RemoveAtEnd();
   viewer::MainWindow window;
   window.RestoreLayout();
   QObject::connect(window.GetView(), &viewer::PictureView::openGLTooOld, qApp, EndWithoutOpenGL);

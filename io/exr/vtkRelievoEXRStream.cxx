@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <random>
 #include <system_error>
 
 namespace relievo::exr
@@ -121,39 +120,27 @@ OutputStream::OutputStream(const std::string& fileName)
     }
   }
 
-  std::random_device random;
-  for (int attempt = 0; attempt < 16 && !this->File; ++attempt)
+  this->Temporary = std::make_unique<vtkRelievoTemporaryFile>(
+    std::filesystem::path(this->FileName).parent_path().string(), error);
+  if (!error)
   {
-    const std::string name = ".relievo-" + std::to_string(random()) + ".part";
-    const std::filesystem::path folder = std::filesystem::path(this->FileName).parent_path();
-    this->TemporaryName = (folder / name).string();
-    this->File.reset(std::fopen(this->TemporaryName.c_str(), "wbx")); // x: must not exist
-    if (!this->File && errno != EEXIST)
-    {
-      break;
-    }
+    this->File.reset(std::fopen(this->Temporary->GetName().c_str(), "r+b"));
+    error = this->File ? error : std::error_code(errno, std::generic_category());
   }
-  if (!this->File)
+  if (error)
   {
-    const int reason = errno;
-    this->TemporaryName.clear();
-    this->Throw(reason, "no file can be made in its folder");
+    this->Throw(error.value(), "no file can be made in its folder");
   }
   if (std::filesystem::exists(status))
   {
-    std::filesystem::permissions(this->TemporaryName, status.permissions(), error);
+    std::filesystem::permissions(this->Temporary->GetName(), status.permissions(), error);
   }
 }
 
 //------------------------------------------------------------------------------
 OutputStream::~OutputStream()
 {
-  this->File.reset();
-  if (!this->TemporaryName.empty())
-  {
-    std::error_code ignored;
-    std::filesystem::remove(this->TemporaryName, ignored);
-  }
+  this->File.reset(); // before it is removed
 }
 
 //------------------------------------------------------------------------------
@@ -192,12 +179,11 @@ void OutputStream::Commit()
   }
   this->Check();
   std::error_code error;
-  std::filesystem::rename(this->TemporaryName, this->FileName, error);
+  this->Temporary->MoveTo(this->FileName, error);
   if (error)
   {
     this->Throw(error.value(), "the finished file cannot be given its name");
   }
-  this->TemporaryName.clear();
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,8 @@
 #ifndef vtkRelievoEXRStream_h
 #define vtkRelievoEXRStream_h
 
+#include "vtkRelievoTemporaryFile.h"
+
 #include <OpenEXR/ImfIO.h>
 
 #include <cstdint>
@@ -75,7 +77,7 @@ public:
 
 private:
   std::string FileName;
-  std::string TemporaryName;
+  std::unique_ptr<vtkRelievoTemporaryFile> Temporary;
   FilePointer File;
   uint64_t Position = 0;
   int FirstError = 0; // errno

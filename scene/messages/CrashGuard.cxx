@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CrashGuard.h"
 
-#include "Outputs.h"
+#include "vtkRelievoTemporaryFile.h"
 
 #include <algorithm>
 #include <csignal>
@@ -25,7 +25,7 @@ void (*Before[4])(int);
 extern "C" void SayAndEnd(int)
 {
   // Only what a signal handler may call.
-  Outputs::RemoveTemporaries();
+  vtkRelievoTemporaryFile::RemoveAll();
   if (write(Terminal, Text, TextSize) < 0)
   {
     // There is nobody left to tell.

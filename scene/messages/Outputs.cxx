@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include <unistd.h>
 
@@ -17,18 +17,6 @@ namespace scene
 {
 namespace
 {
-// What a signal handler may touch: plain memory that never moves.
-constexpr std::size_t MaxTemporaries = 8;
-char Temporaries[MaxTemporaries][4096];
-volatile std::sig_atomic_t TemporaryCount = 0;
-
-extern "C" void RemoveAndEnd(int signal)
-{
-  Outputs::RemoveTemporaries();
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-}
-
 // Where a file of that name is, or would be: at the end of links, which may lead nowhere yet.
 fs::path Follow(const std::string& path, std::error_code& trouble)
 {
@@ -48,17 +36,6 @@ bool Same(const fs::path& a, const fs::path& b)
   std::error_code ignored;
   return a == b || fs::equivalent(a, b, ignored);
 }
-}
-
-//------------------------------------------------------------------------------
-Outputs::~Outputs()
-{
-  std::error_code ignored;
-  for (const Entry& entry : this->Entries)
-  {
-    fs::remove(entry.Temporary, ignored);
-  }
-  TemporaryCount = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -86,9 +63,11 @@ void Outputs::Add(
   {
     throw WorkError(named + "is not a regular file, so it cannot be replaced by one");
   }
-  if (access(folder.c_str(), W_OK | X_OK) != 0)
+  const long longest = pathconf(folder.c_str(), _PC_NAME_MAX);
+  if (longest > 0 && place.filename().string().size() > static_cast<std::size_t>(longest))
   {
-    throw WorkError(named + "folder " + folder.string() + ": " + std::strerror(errno));
+    throw WorkError(named + "the name is too long: a file's may have " + std::to_string(longest) +
+      " bytes in folder " + folder.string());
   }
   for (const std::string& input : inputs)
   {
@@ -105,18 +84,13 @@ void Outputs::Add(
     }
   }
 
-  const std::string temporary = (folder /
-    ("." + place.stem().string() + "." + std::to_string(getpid()) + ".tmp" +
-      place.extension().string()))
-                                  .string();
-  const int slot = TemporaryCount;
-  if (static_cast<std::size_t>(slot) < MaxTemporaries &&
-    temporary.size() < sizeof(Temporaries[slot]))
+  auto file = std::make_unique<vtkRelievoTemporaryFile>(folder.string(), trouble);
+  if (trouble)
   {
-    std::memcpy(Temporaries[slot], temporary.c_str(), temporary.size() + 1);
-    TemporaryCount = slot + 1;
+    throw WorkError(named + "folder " + folder.string() + ": " + trouble.message());
   }
-  this->Entries.push_back({ path, place.string(), temporary, {} });
+  const std::string temporary = file->GetName();
+  this->Entries.push_back({ path, place.string(), temporary, std::move(file), {} });
 }
 
 //------------------------------------------------------------------------------
@@ -144,7 +118,8 @@ std::string Outputs::WithGivenNames(std::string text) const
 //------------------------------------------------------------------------------
 void Outputs::Commit()
 {
-  // What is replaced stays under a name of its own until all are in place.
+  // What is replaced stays under a name of its own until all are in place, for no signal to see.
+  const vtkRelievoTemporaryFile::Uninterrupted whole;
   std::error_code trouble;
   std::size_t moved = 0;
   for (; moved < this->Entries.size() && !trouble; ++moved)
@@ -166,7 +141,7 @@ void Outputs::Commit()
         break;
       }
     }
-    fs::rename(entry.Temporary, entry.Place, trouble);
+    entry.File->MoveTo(entry.Place, trouble);
     if (trouble)
     {
       break;
@@ -189,6 +164,10 @@ void Outputs::Commit()
     if (!entry.Kept.empty())
     {
       fs::rename(entry.Kept, entry.Place, none);
+      if (!none)
+      {
+        fs::remove(entry.Kept, none); // still there, where both are names of one file
+      }
     }
     else if (i < moved)
     {
@@ -199,22 +178,10 @@ void Outputs::Commit()
 }
 
 //------------------------------------------------------------------------------
-void Outputs::RemoveOnSignals()
+void Outputs::RemoveAtEnd()
 {
-  for (const int signal : { SIGINT, SIGTERM, SIGHUP })
-  {
-    std::signal(signal, RemoveAndEnd);
-  }
+  vtkRelievoTemporaryFile::RemoveAtEnd();
   // A file that grows over its limit is then a write error, which is said, and not the end.
   std::signal(SIGXFSZ, SIG_IGN);
-}
-
-//------------------------------------------------------------------------------
-void Outputs::RemoveTemporaries()
-{
-  for (int i = 0; i < TemporaryCount; ++i)
-  {
-    unlink(Temporaries[i]);
-  }
 }
 }

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * The files that one run writes: all of them or none. Each is written beside its place under a
- * temporary name, `.NAME.PID.tmp.EXT`; Commit() moves them all into place. A run that fails, or is
- * ended by an interrupt, leaves what was there before.
+ * temporary name, `.relievo-NUMBER.tmp`; Commit() moves them all into place. A run that fails, or
+ * is ended by a signal, leaves what was there before.
  */
 #ifndef Outputs_h
 #define Outputs_h
 
+#include "vtkRelievoTemporaryFile.h"
+
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,7 +20,6 @@ class Outputs
 {
 public:
   Outputs() = default;
-  ~Outputs();
   Outputs(const Outputs&) = delete;
   void operator=(const Outputs&) = delete;
 
@@ -36,19 +38,17 @@ public:
   /// again what they had before.
   void Commit();
 
-  /// From here on an interrupt that ends the run removes the temporary files first.
-  static void RemoveOnSignals();
-
-  /// Removes the temporary files; may be called from a signal handler.
-  static void RemoveTemporaries();
+  /// From here on whatever ends the program removes the temporary files first.
+  static void RemoveAtEnd();
 
 private:
   struct Entry
   {
-    std::string Given;     // as the user wrote it
-    std::string Place;     // the same, links followed
-    std::string Temporary; // beside Place
-    std::string Kept;      // what was there before, until all are in place; empty: nothing
+    std::string Given;                             // as the user wrote it
+    std::string Place;                             // the same, links followed
+    std::string Temporary;                         // the name of File
+    std::unique_ptr<vtkRelievoTemporaryFile> File; // beside Place
+    std::string Kept; // what was there before, until all are in place; empty: nothing
   };
   std::vector<Entry> Entries;
 };

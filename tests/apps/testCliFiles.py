@@ -6,6 +6,7 @@ import ctypes.util
 import os
 import pathlib
 import pty
+import random
 import signal
 import subprocess
 import tempfile
@@ -262,6 +263,65 @@ class Outputs(CliTest):
         self.assertIn("a.exr", said)
         self.assertEqual((self.folder / "a.png").read_text(), "precious")
         self.assertEqual(self.names(), sorted([*before, "a.exr"]))
+
+    def test_long_names(self):
+        """Whatever is a file's name here can be that of an output."""
+        longest = os.pathconf(self.folder, "PC_NAME_MAX")
+        for length in (longest - 1, longest):
+            outputs = [(option, "a" * (length - 4) + end) for option, end in
+                       (("--png", ".png"), ("--exr", ".exr"), ("--report", ".txt"))]  # fmt: skip
+            self.render("--size", "8x8", *(word for each in outputs for word in each))
+            for _, name in outputs:
+                (self.folder / name).unlink()
+        self.assertEqual(self.names(), self.before)
+        self.refused("render", "triangle.off", "--png", "a" * (longest - 3) + ".png", status=1,
+                     says=["--png", "too long"])  # fmt: skip
+
+    def test_signals_at_any_moment(self):
+        """Every file is the old one or the new one, all of them alike, and there is no other."""
+        names = ["a.png", "a.exr", "a.json"]
+        words = ["render", "triangle.off", *LOOK, "--size", "900x900", *OUTPUTS,
+                 "--layers", "depth,normal,position,cell"]  # fmt: skip
+        command = ["/bin/sh", "-c", 'ulimit -c 0; exec "$0" "$@"', RELIEVO, *words]
+        start = time.monotonic()
+        self.relievo(*words)
+        whole = time.monotonic() - start
+        before = self.names()
+        moments = random.Random(20)
+        signals = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGPIPE, signal.SIGQUIT,
+                   signal.SIGXCPU, signal.SIGALRM)  # fmt: skip
+        ended = 0
+        for i in range(30):
+            for name in names:
+                (self.folder / name).write_text("precious")
+            run = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.DEVNULL)
+            if i % 2:  # while the EXR file is written, which has another name besides
+                while run.poll() is None and len(self.names()) < len(before) + 4:
+                    time.sleep(0.001)
+                time.sleep(0.1 * moments.random() * whole)
+            else:
+                time.sleep(moments.random() * whole)
+            run.send_signal(signals[i % len(signals)])
+            status = run.wait(timeout=600)
+            with self.subTest(i=i, signal=signals[i % len(signals)]):
+                self.assertIn(status, (0, -signals[i % len(signals)]))
+                self.assertEqual(self.names(), before)
+                old = [(self.folder / name).read_bytes() == b"precious" for name in names]
+                self.assertEqual(len(set(old)), 1, old)
+                self.assertTrue(status != 0 or not old[0])
+            ended += status != 0
+        self.assertGreater(ended, 15)
+
+    def test_signals_that_are_ignored(self):
+        """As nohup has it."""
+        words = ["render", "triangle.off", *LOOK, "--size", "900x900", "--exr", "a.exr"]
+        run = subprocess.Popen(["/bin/sh", "-c", 'trap "" HUP; exec "$0" "$@"', RELIEVO, *words],
+                               cwd=self.folder)  # fmt: skip
+        while run.poll() is None and self.names() == self.before:
+            time.sleep(0.002)
+        run.send_signal(signal.SIGHUP)
+        self.assertEqual(run.wait(timeout=600), 0)
+        self.assertEqual(self.names(), sorted([*self.before, "a.exr"]))
 
     def test_an_interrupted_run_leaves_nothing(self):
         words = ["render", "triangle.off", *LOOK, "--size", "4000x4000", *OUTPUTS]

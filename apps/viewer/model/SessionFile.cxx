@@ -3,13 +3,13 @@
 #include "SessionFile.h"
 
 #include "Errors.h"
+#include "Outputs.h"
 #include "vtkRelievoFileKind.h"
 
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 
 #include <exception>
 
@@ -41,13 +41,17 @@ void SaveSession(const QString& path, const Session& session)
         { "date", QJsonArray{ sun.Year, sun.Month, sun.Day } }, { "hour", sun.Hour },
         { "time_zone", sun.TimeZone }, { "latitude", sun.Latitude },
         { "longitude", sun.Longitude } } } };
-  QSaveFile file(path);
-  file.open(QIODevice::WriteOnly);
-  file.write(QJsonDocument(root).toJson());
-  if (!file.commit())
+  const std::string place = path.toStdString();
+  scene::Outputs outputs;
+  outputs.Add("Save", place, {});
+  QFile file(QString::fromStdString(outputs.Temporary(place)));
+  const QByteArray text = QJsonDocument(root).toJson();
+  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.flush())
   {
     Fail(path, "cannot be written: " + file.errorString());
   }
+  file.close();
+  outputs.Commit();
 }
 
 //------------------------------------------------------------------------------
