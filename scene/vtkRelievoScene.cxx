@@ -7,6 +7,7 @@
 #include "Errors.h"
 #include "Messages.h"
 #include "NumberLocale.h"
+#include "OpenedFiles.h"
 #include "Options.h"
 #include "Progress.h"
 #include "WriteOutputs.h"
@@ -51,7 +52,8 @@ struct vtkRelievoScene::Internals : public scene::ProgressListener
   scene::Settings Settings;
   vtkSmartPointer<vtkRenderWindow> Window;
   bool IsOwnWindow = false;
-  std::string ReadingKey; // of what was read; empty: nothing
+  std::string ReadingKey;          // of what was read; empty: nothing
+  std::vector<std::string> Opened; // to read it
   scene::DressedScene Dressed;
   std::string Certificate, Doing;
 };
@@ -219,6 +221,8 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
   {
     return;
   }
+  std::vector<std::string> opened;
+  const scene::OpenedFiles listed(opened);
   const scene::Scene read = OnFiles([&] { return scene::ReadScene(this->Options, progress); });
   const scene::FramePoints points =
     OnFiles([&] { return scene::ReadFramePoints(this->Options, progress); });
@@ -229,6 +233,7 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
   }
   this->Dressed = scene::DressedScene(read, points);
   this->ReadingKey = key;
+  this->Opened = opened;
 }
 
 //------------------------------------------------------------------------------
@@ -270,12 +275,14 @@ bool vtkRelievoScene::Write()
     const scene::RenderOptions& options = this->Self->Options;
     this->Self->Certificate.clear();
     scene::CheckOutputs(options);
-    const std::vector<std::string> inputs =
-      OnFiles([&options] { return scene::CheckInputs(options); });
+    std::vector<std::string> inputs = OnFiles([&options] { return scene::CheckInputs(options); });
     std::unique_ptr<scene::Outputs> outputs =
       OnFiles([&] { return scene::OpenOutputs(options, inputs); });
     scene::Progress progress(this->Self.get());
     this->Self->Update(progress);
+    const std::vector<std::string>& opened = this->Self->Opened;
+    outputs->Check(opened);
+    inputs.insert(inputs.end(), opened.begin(), opened.end());
     this->Self->Certificate =
       scene::WriteOutputs(this->Self->Dressed, options, inputs, std::move(outputs), progress);
   });

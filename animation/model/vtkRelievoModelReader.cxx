@@ -557,6 +557,20 @@ const char* vtkRelievoModelReader::GetNote(int index)
 }
 
 //------------------------------------------------------------------------------
+int vtkRelievoModelReader::GetNumberOfFiles()
+{
+  return static_cast<int>(this->Self->Sources.GetPaths().size());
+}
+
+//------------------------------------------------------------------------------
+const char* vtkRelievoModelReader::GetFile(int index)
+{
+  const std::vector<std::string>& paths = this->Self->Sources.GetPaths();
+  const bool there = index >= 0 && index < this->GetNumberOfFiles();
+  return there ? paths[static_cast<std::size_t>(index)].c_str() : nullptr;
+}
+
+//------------------------------------------------------------------------------
 vtkProperty* vtkRelievoModelReader::GetProperty(int block)
 {
   const relievo::ModelMaterial* material = this->Self->FindMaterial(block);

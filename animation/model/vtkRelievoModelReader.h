@@ -214,6 +214,15 @@ public:
 
   ///@{
   /**
+   * The files that were looked for to read the model, its own among them, whether they are there or
+   * not: buffers, images, materials. After Update().
+   */
+  int GetNumberOfFiles();
+  const char* GetFile(int index); ///< null when there is none
+  ///@}
+
+  ///@{
+  /**
    * The material of a block of port 0 as VTK's shaders take it: shading by PBR with its factors,
    * and textures for base colour (sRGB), occlusion, roughness and metal, normals, and emission
    * (sRGB); without lighting where the file says so. Blocks have properties of their own, with

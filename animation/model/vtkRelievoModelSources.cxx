@@ -11,7 +11,10 @@ namespace relievo
 //------------------------------------------------------------------------------
 void ModelSources::Add(const std::string& path)
 {
-  this->States.emplace(path, Look(path));
+  if (this->States.emplace(path, Look(path)).second)
+  {
+    this->Paths.push_back(path);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace relievo
 {
@@ -22,6 +23,9 @@ public:
   /// the file system's times, and has the same size, looks the same.
   bool AreSame() const;
 
+  /// All that were added, in this order.
+  const std::vector<std::string>& GetPaths() const { return this->Paths; }
+
 private:
   struct State
   {
@@ -33,6 +37,7 @@ private:
   static State Look(const std::string& path);
 
   std::map<std::string, State> States;
+  std::vector<std::string> Paths;
 };
 }
 

@@ -8,6 +8,7 @@
 #include "Messages.h"
 #include "ModelOptions.h"
 #include "ModelTextures.h"
+#include "OpenedFiles.h"
 #include "Progress.h"
 #include "Readers.h"
 
@@ -156,6 +157,10 @@ PosedModel ReadModel(
     }
   }
   progress.End();
+  for (int i = 0; i < reader->GetNumberOfFiles(); ++i)
+  {
+    OpenedFiles::Add(reader->GetFile(i));
+  }
   CheckNames(reader, choice, path);
   Messages::Check(path, reader->GetErrorCode() != 0, NotAsNamed(path));
   for (int i = 0; i < reader->GetNumberOfNotes(); ++i)

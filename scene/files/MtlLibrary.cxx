@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MtlLibrary.h"
 
+#include "OpenedFiles.h"
 #include "vtkRelievoFileKind.h"
 
 #include <algorithm>
@@ -201,6 +202,7 @@ std::string ReadMtlLibrary(const std::string& path, std::map<std::string, MtlMat
   {
     return std::strerror(errno);
   }
+  OpenedFiles::Add(path);
   const std::string text{ std::istreambuf_iterator<char>(file), {} };
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   MtlMaterial* material = nullptr;

@@ -5,6 +5,7 @@
 #include "CrashGuard.h"
 #include "Errors.h"
 #include "Messages.h"
+#include "OpenedFiles.h"
 #include "Progress.h"
 #include "Validate.h"
 #include "Values.h"
@@ -26,6 +27,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace scene
 {
@@ -65,6 +70,74 @@ vtkSmartPointer<vtkAlgorithm> OpenSTL(const std::string& path)
     }
   }
   return Open<vtkSTLReader>(path);
+}
+
+std::string WithoutEntities(std::string text)
+{
+  const std::pair<const char*, const char*> entities[] = { { "&lt;", "<" }, { "&gt;", ">" },
+    { "&quot;", "\"" }, { "&apos;", "'" }, { "&amp;", "&" } };
+  for (const auto& [entity, letter] : entities)
+  {
+    for (std::size_t at = text.find(entity); at != std::string::npos;
+         at = text.find(entity, at + 1))
+    {
+      text.replace(at, std::strlen(entity), letter);
+    }
+  }
+  return text;
+}
+
+// The values of an attribute in a text of XML.
+std::vector<std::string> FindValues(const std::string& text, const std::string& attribute)
+{
+  const char* const blanks = " \t\r\n";
+  std::vector<std::string> values;
+  for (std::size_t at = text.find(attribute); at != std::string::npos;
+       at = text.find(attribute, at + 1))
+  {
+    const bool begins = at > 0 && std::strchr(blanks, text[at - 1]);
+    std::size_t next = text.find_first_not_of(blanks, at + attribute.size());
+    if (!begins || next == std::string::npos || text[next] != '=')
+    {
+      continue;
+    }
+    next = text.find_first_not_of(blanks, next + 1);
+    if (next != std::string::npos && (text[next] == '"' || text[next] == '\''))
+    {
+      const std::size_t end = text.find(text[next], next + 1);
+      values.push_back(WithoutEntities(text.substr(next + 1, end - next - 1)));
+    }
+  }
+  return values;
+}
+
+// VTK's files of several pieces name them, and it does not say which it opens.
+void AddPieces(const std::string& path)
+{
+  std::vector<std::string> files = { path };
+  std::set<std::string> known = { path };
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    const std::string of = files[i];
+    OpenedFiles::Add(of);
+    const std::string extension = ExtensionOf(of);
+    const bool isParallel = extension.rfind(".pvt", 0) == 0;
+    const bool hasPieces = isParallel || extension == ".vtm" || extension == ".vtmb";
+    if (!hasPieces || !vtkRelievoFileKind::FindInstead(of).empty())
+    {
+      continue;
+    }
+    std::ifstream file(of, std::ios::binary);
+    const std::string text{ std::istreambuf_iterator<char>(file), {} };
+    for (const std::string& name : FindValues(text, isParallel ? "Source" : "file"))
+    {
+      const std::string piece = (std::filesystem::path(of).parent_path() / name).string();
+      if (known.insert(piece).second)
+      {
+        files.push_back(piece);
+      }
+    }
+  }
 }
 
 struct ReaderRow
@@ -162,6 +235,7 @@ void CheckReadable(const std::string& path)
     throw WorkError(path + ": " + std::strerror(errno));
   }
   std::fclose(file);
+  OpenedFiles::Add(path);
 }
 
 //------------------------------------------------------------------------------
@@ -174,6 +248,7 @@ std::string NotAsNamed(const std::string& path)
 vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, Progress& progress)
 {
   progress.Begin("reading " + path);
+  AddPieces(path);
   const CrashGuard guard(path);
   const vtkSmartPointer<vtkAlgorithm> reader = FindRow(path)->Make(path);
   progress.Observe(reader);

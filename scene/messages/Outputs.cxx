@@ -90,7 +90,24 @@ void Outputs::Add(
     throw WorkError(named + "folder " + folder.string() + ": " + trouble.message());
   }
   const std::string temporary = file->GetName();
-  this->Entries.push_back({ path, place.string(), temporary, std::move(file), {} });
+  this->Entries.push_back({ option, path, place.string(), temporary, std::move(file), {} });
+}
+
+//------------------------------------------------------------------------------
+void Outputs::Check(const std::vector<std::string>& inputs) const
+{
+  for (const Entry& entry : this->Entries)
+  {
+    for (const std::string& input : inputs)
+    {
+      std::error_code trouble;
+      if (Same(entry.Place, fs::weakly_canonical(fs::absolute(input), trouble)))
+      {
+        throw UsageError(entry.Option + " " + entry.Given +
+          ": is read as well, for a FILE names it; give another name");
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 """Files that cannot be read or written: exit status 1, one line with the name, nothing left."""
 
 import ctypes.util
+import json
 import os
 import pathlib
 import pty
@@ -20,6 +21,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 OUTPUTS = ["--png", "a.png", "--exr", "a.exr", "--report", "a.json"]
 
@@ -183,6 +185,97 @@ class Inputs(CliTest):
         (self.folder / "cut.off").write_text(BROKEN["cut.off"])
         self.before = self.names()
         self.refused("render", "triangle.off", "cut.off", *OUTPUTS, status=1, says="cut.off")
+
+
+class InputsOfInputs(CliTest):
+    """Files that no word names, for another file does: no output takes their place."""
+
+    def keeps(self, name, *files):
+        """Each file, which drawing `name` reads, stays, by whatever name an output is asked."""
+        self.render_file(name)  # is read at all
+        self.before = self.names()
+        for file in files:
+            path = self.folder / file
+            content = path.read_bytes()
+            link, hard = self.folder / f"link{path.suffix}", self.folder / f"hard{path.suffix}"
+            link.symlink_to(file)
+            os.link(path, hard)
+            self.before = self.names()
+            for place in (file, f"./{file}", link.name, hard.name):
+                options = ["--report"] + [f"--{end}" for end in ("png", "exr")
+                                          if path.suffix == f".{end}"]  # fmt: skip
+                for option in options:
+                    with self.subTest(name=name, option=option, place=place):
+                        self.refused("render", name, option, place, "--size", "8x8", status=2,
+                                     says=[f"{option} {place}: ", "is read as well"])  # fmt: skip
+                        self.assertEqual(path.read_bytes(), content)
+            link.unlink()
+            hard.unlink()
+            self.before = self.names()
+
+    def render_file(self, name):
+        done = self.relievo("render", name, "--size", "8x8", "--report", "first.json")
+        self.assertEqual(done.stderr, "")
+        (self.folder / "first.json").unlink()
+
+    def texture(self, name):
+        colors = numpy.full((4, 4, 3), 200, numpy.uint8)
+        write_image(vtkPNGWriter(), self.folder / name, colors)
+
+    def test_obj(self):
+        self.texture("wood.png")
+        (self.folder / "a.mtl").write_text("newmtl wood\nKd 1 1 1\nmap_Kd wood.png\n")
+        (self.folder / "a.obj").write_text(
+            "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\n"
+            "usemtl wood\nf 1/1/1 2/2/1 3/3/1\n")
+        self.keeps("a.obj", "a.mtl", "wood.png")
+        # One that is not there is no input.
+        (self.folder / "wood.png").unlink()
+        done = self.relievo("render", "a.obj", "--size", "8x8", "--png", "wood.png")
+        self.assertIn("drawn without a texture", done.stderr)
+        self.assertTrue((self.folder / "wood.png").is_file())
+
+    def test_gltf(self):
+        self.texture("base.png")
+        points = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], "<f4")
+        normals = numpy.array([[0, 0, 1]] * 3, "<f4")
+        places = points[:, :2].copy()
+        parts = [part.tobytes() for part in (points, normals, places)]
+        (self.folder / "a.bin").write_bytes(b"".join(parts))
+        starts = [sum(map(len, parts[:i])) for i in range(3)]
+        (self.folder / "a.gltf").write_text(json.dumps({
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+            "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"material": 0, "attributes": {
+                "POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}}]}],
+            "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+            "textures": [{"source": 0}], "images": [{"uri": "base.png"}],
+            "buffers": [{"uri": "a.bin", "byteLength": sum(map(len, parts))}],
+            "bufferViews": [{"buffer": 0, "byteOffset": start, "byteLength": len(part)}
+                            for start, part in zip(starts, parts)],
+            "accessors": [{"bufferView": i, "componentType": 5126, "count": 3, "type": kind,
+                           **({"min": [0, 0, 0], "max": [1, 1, 0]} if i == 0 else {})}
+                          for i, kind in enumerate(("VEC3", "VEC3", "VEC2"))],
+        }))  # fmt: skip
+        self.keeps("a.gltf", "a.bin", "base.png")
+
+    def test_pieces(self):
+        for name in ("one & two.vtp", "three.vtp"):
+            writer = vtkXMLPolyDataWriter()
+            writer.SetFileName(str(self.folder / name))
+            writer.SetInputData(polydata([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]))
+            writer.SetDataModeToAscii()
+            writer.Write()
+        (self.folder / "a.vtm").write_text(
+            '<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>'
+            '<DataSet index="0" file="one &amp; two.vtp"/><Block index="1">'
+            "<DataSet index='0'\n file = 'three.vtp'/></Block></vtkMultiBlockDataSet></VTKFile>\n")
+        (self.folder / "a.pvtp").write_text(
+            '<VTKFile type="PPolyData" version="1.0"><PPolyData GhostLevel="0"><PPoints>'
+            '<PDataArray type="Float64" NumberOfComponents="3"/></PPoints>'
+            '<Piece Source="three.vtp"/></PPolyData></VTKFile>\n')
+        self.keeps("a.vtm", "one & two.vtp", "three.vtp")
+        self.keeps("a.pvtp", "three.vtp")
 
 
 class Outputs(CliTest):
