@@ -32,6 +32,7 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <utility>
 
 namespace scene
 {
@@ -179,6 +180,18 @@ RenderOptions FrameOptions(const RenderOptions& options, int frame)
 }
 
 //------------------------------------------------------------------------------
+// The files that are asked for, each with its option.
+std::vector<std::pair<std::string, std::string>> GetPlaces(const RenderOptions& options)
+{
+  std::vector<std::pair<std::string, std::string>> places = { { "--png", options.PNG },
+    { "--exr", options.EXR }, { "--report", options.Report } };
+  places.erase(std::remove_if(places.begin(), places.end(),
+                 [](const auto& place) { return place.second.empty(); }),
+    places.end());
+  return places;
+}
+
+//------------------------------------------------------------------------------
 // Draws the scene as it is and writes what is asked for, whole.
 void DrawFrame(vtkRenderer* renderer, vtkRelievoPass* pass, const std::vector<std::string>& layers,
   const RenderOptions& options, Outputs& outputs, Progress& progress, const std::string& what)
@@ -306,14 +319,9 @@ std::unique_ptr<Outputs> OpenOutputs(
 {
   const RenderOptions first = options.Model.Times.empty() ? options : FrameOptions(options, 0);
   auto outputs = std::make_unique<Outputs>();
-  const std::pair<const char*, const std::string&> places[] = { { "--png", first.PNG },
-    { "--exr", first.EXR }, { "--report", first.Report } };
-  for (const auto& [option, path] : places)
+  for (const auto& [option, path] : GetPlaces(first))
   {
-    if (!path.empty())
-    {
-      outputs->Add(option, path, inputs);
-    }
+    outputs->Add(option, path, inputs);
   }
   return outputs;
 }
@@ -327,11 +335,18 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
   CheckShownLayer(options, dressed.GetScene());
   const int lights = CountLights(renderer);
   CheckShadowLayers(options, lights, lights == 1 ? "light" : "lights");
+  const int frames = static_cast<int>(options.Model.Times.size());
+  for (int number = 0; number < std::max(1, frames); ++number)
+  {
+    for (const auto& [option, path] : GetPlaces(frames ? FrameOptions(options, number) : options))
+    {
+      Outputs::Check(option, path, inputs);
+    }
+  }
   const std::string size = std::to_string(options.Size[0]) + "x" + std::to_string(options.Size[1]);
   progress.Begin("rendering " + size);
   const OutputFrame frame(dressed, options, layers);
   vtkRelievoPass* pass = frame.Get();
-  const int frames = static_cast<int>(options.Model.Times.size());
   if (frames == 0)
   {
     DrawFrame(renderer, pass, layers, options, *outputs, progress, "rendering " + size);

@@ -24,7 +24,8 @@ std::unique_ptr<Outputs> OpenOutputs(
   const RenderOptions& options, const std::vector<std::string>& inputs);
 
 /// Draws the scene, which is shown by the options, and writes the files; of a sequence, each
-/// frame's before the next one is drawn. Returns the shadows' certificate in words, if it is
+/// frame's before the next one is drawn. `inputs`: all files that were read, for none to be
+/// replaced, be it by the last frame. Returns the shadows' certificate in words, if it is
 /// asked for. Throws UsageError for layers that the scene does not have, WorkError.
 std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
   const std::vector<std::string>& inputs, std::unique_ptr<Outputs> outputs, Progress& progress);

@@ -281,7 +281,6 @@ bool vtkRelievoScene::Write()
     scene::Progress progress(this->Self.get());
     this->Self->Update(progress);
     const std::vector<std::string>& opened = this->Self->Opened;
-    outputs->Check(opened);
     inputs.insert(inputs.end(), opened.begin(), opened.end());
     this->Self->Certificate =
       scene::WriteOutputs(this->Self->Dressed, options, inputs, std::move(outputs), progress);

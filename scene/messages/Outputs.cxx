@@ -90,22 +90,24 @@ void Outputs::Add(
     throw WorkError(named + "folder " + folder.string() + ": " + trouble.message());
   }
   const std::string temporary = file->GetName();
-  this->Entries.push_back({ option, path, place.string(), temporary, std::move(file), {} });
+  this->Entries.push_back({ path, place.string(), temporary, std::move(file), {} });
 }
 
 //------------------------------------------------------------------------------
-void Outputs::Check(const std::vector<std::string>& inputs) const
+void Outputs::Check(
+  const std::string& option, const std::string& path, const std::vector<std::string>& inputs)
 {
-  for (const Entry& entry : this->Entries)
+  std::error_code trouble;
+  if (!fs::exists(path, trouble))
   {
-    for (const std::string& input : inputs)
+    return;
+  }
+  for (const std::string& input : inputs)
+  {
+    if (fs::equivalent(path, input, trouble))
     {
-      std::error_code trouble;
-      if (Same(entry.Place, fs::weakly_canonical(fs::absolute(input), trouble)))
-      {
-        throw UsageError(entry.Option + " " + entry.Given +
-          ": is read as well, for a FILE names it; give another name");
-      }
+      throw UsageError(option + " " + path + ": is read as well, as " +
+        fs::path(input).filename().string() + "; give another name");
     }
   }
 }

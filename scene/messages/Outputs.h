@@ -28,8 +28,9 @@ public:
   void Add(
     const std::string& option, const std::string& path, const std::vector<std::string>& inputs);
 
-  /// More inputs are known. UsageError if one is a place of an output.
-  void Check(const std::vector<std::string>& inputs) const;
+  /// UsageError if what is at the place of an output is one of the files that are read.
+  static void Check(
+    const std::string& option, const std::string& path, const std::vector<std::string>& inputs);
 
   /// The temporary name to write to instead of the path given to Add().
   std::string Temporary(const std::string& path) const;
@@ -47,7 +48,6 @@ public:
 private:
   struct Entry
   {
-    std::string Option;
     std::string Given;                             // as the user wrote it
     std::string Place;                             // the same, links followed
     std::string Temporary;                         // the name of File

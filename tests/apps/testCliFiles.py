@@ -236,7 +236,7 @@ class InputsOfInputs(CliTest):
         self.assertTrue((self.folder / "wood.png").is_file())
 
     def test_gltf(self):
-        self.texture("base.png")
+        self.texture("base2.png")
         points = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], "<f4")
         normals = numpy.array([[0, 0, 1]] * 3, "<f4")
         places = points[:, :2].copy()
@@ -249,7 +249,7 @@ class InputsOfInputs(CliTest):
             "meshes": [{"primitives": [{"material": 0, "attributes": {
                 "POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}}]}],
             "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
-            "textures": [{"source": 0}], "images": [{"uri": "base.png"}],
+            "textures": [{"source": 0}], "images": [{"uri": "base2.png"}],
             "buffers": [{"uri": "a.bin", "byteLength": sum(map(len, parts))}],
             "bufferViews": [{"buffer": 0, "byteOffset": start, "byteLength": len(part)}
                             for start, part in zip(starts, parts)],
@@ -257,7 +257,10 @@ class InputsOfInputs(CliTest):
                            **({"min": [0, 0, 0], "max": [1, 1, 0]} if i == 0 else {})}
                           for i, kind in enumerate(("VEC3", "VEC3", "VEC2"))],
         }))  # fmt: skip
-        self.keeps("a.gltf", "a.bin", "base.png")
+        self.keeps("a.gltf", "a.bin", "base2.png")
+        # Nor does the last of several frames, of which the first is not drawn then.
+        self.refused("render", "a.gltf", "--times", "0:2:1", "--png", "base%d.png", status=2,
+                     says=["--png base2.png: ", "is read as well"])  # fmt: skip
 
     def test_pieces(self):
         for name in ("one & two.vtp", "three.vtp"):
