@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StandardError.h"
 
+#include <initializer_list>
+
 #include <fcntl.h>
 #include <unistd.h>
 
