@@ -161,11 +161,20 @@ double GetAxisLength(const Model& model)
       box.AddPoint(worlds[i][3].x, worlds[i][3].y, worlds[i][3].z);
     }
   }
-  for (const ModelMesh& mesh : model.Meshes)
+  // Points of skinned meshes may be in another unit, which their bones know: they count where
+  // nothing else has an extent.
+  for (const bool skinned : { false, true })
   {
-    if (!mesh.IsSkinned) // whose points may be in another unit, which its bones know
+    for (const ModelMesh& mesh : model.Meshes)
     {
-      box.AddBounds(mesh.Data->GetBounds());
+      if (mesh.IsSkinned == skinned)
+      {
+        box.AddBounds(mesh.Data->GetBounds());
+      }
+    }
+    if (box.IsValid() && box.GetDiagonalLength() > 0.)
+    {
+      break;
     }
   }
   return box.IsValid() ? share * box.GetDiagonalLength() : 0.;
