@@ -20,6 +20,10 @@ int GetObjectWrap(int wrap)
 //------------------------------------------------------------------------------
 void vtkRelievoWrapTexture::Load(vtkRenderer* renderer)
 {
+  if (!renderer) // which a script may give
+  {
+    return;
+  }
   this->Superclass::Load(renderer);
   vtkTextureObject* object = this->TextureObject;
   const int u = GetObjectWrap(this->WrapU);

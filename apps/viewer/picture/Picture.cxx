@@ -8,6 +8,8 @@
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkRelievoPass.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <exception>

@@ -6,6 +6,8 @@
 
 #include "vtkCamera.h"
 #include "vtkMath.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 
 #include <array>
 #include <cmath>

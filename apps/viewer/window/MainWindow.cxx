@@ -27,6 +27,7 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
 #include "vtkRelievoPass.h"
+#include "vtkRenderWindow.h"
 
 #include <QApplication>
 #include <QCloseEvent>
