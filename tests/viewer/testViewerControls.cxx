@@ -16,6 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRelievoPass.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"

@@ -7,6 +7,7 @@
 #include "Options.h"
 
 #include "vtkCamera.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <QAction>
