@@ -12,6 +12,7 @@
 #include "Progress.h"
 #include "WriteOutputs.h"
 
+#include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRelievoPass.h"
