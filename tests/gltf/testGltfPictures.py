@@ -320,7 +320,6 @@ class Alpha(GltfTest):
             with self.subTest(mode=mode, factor=factor, texture=texture):
                 self.assertLessEqual(abs(self.middle(writer)[2] - 255 * (1 - alpha)), 3)
 
-
     def test_masks(self):
         """Factor times texture against the cutoff, in the scene's picture: lit, and not."""
         texels = numpy.full((4, 4, 4), 200)
@@ -328,6 +327,8 @@ class Alpha(GltfTest):
         for lit, factor, shown in ((False, 0.8, 2), (True, 0.8, 2), (True, 1, 2), (True, 0.6, 1)):
             writer = Writer()
             base = {"baseColorTexture": textured(writer, texels), "metallicFactor": 0}
+            if lit and factor != 1 and VERSION < (9, 2):
+                continue  # VTK did not look at the factor there
             base["baseColorFactor"] = [1, 1, 1, factor]
             material = {"alphaMode": "MASK", "alphaCutoff": 0.5, "pbrMetallicRoughness": base}
             quad(writer, {**material, **({} if lit else UNLIT)}, TEXCOORD_0=(0, 1))
