@@ -153,6 +153,7 @@ void DressedScene::Update(const Settings& settings, const RenderOptions& asked, 
     }
     else if (!keepCamera)
     {
+      renderer->GetActiveCamera()->SetViewAngle(StandardViewAngle);
       PlaceCamera(renderer, options);
     }
     if (wears)

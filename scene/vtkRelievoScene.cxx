@@ -23,6 +23,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <exception>
 #include <new>
 #include <vector>
@@ -53,7 +55,9 @@ struct vtkRelievoScene::Internals : public scene::ProgressListener
   scene::Settings Settings;
   vtkSmartPointer<vtkRenderWindow> Window;
   bool IsOwnWindow = false;
+  std::array<int, 2> Size{};       // that the own window was given
   std::string ReadingKey;          // of what was read; empty: nothing
+  bool Played = false;             // a sequence has moved the models from the time of reading
   std::vector<std::string> Opened; // to read it
   scene::DressedScene Dressed;
   std::string Certificate, Doing;
@@ -184,6 +188,7 @@ void vtkRelievoScene::SetRenderWindow(vtkRenderWindow* window)
     }
     this->Self->Window = window;
     this->Self->IsOwnWindow = false;
+    this->Self->Size = {};
     this->Modified();
   }
 }
@@ -206,9 +211,13 @@ void vtkRelievoScene::Internals::MakeWindow()
     this->IsOwnWindow = true;
   }
   scene::CheckDisplay(this->Window);
-  if (this->IsOwnWindow)
+  const std::array<int, 2>& asked = this->Options.Size;
+  const bool isSized =
+    this->Size == asked && std::equal(asked.begin(), asked.end(), this->Window->GetSize());
+  if (this->IsOwnWindow && !isSized)
   {
-    scene::CheckSize(this->Window, this->Options.Size);
+    scene::CheckSize(this->Window, asked);
+    this->Size = asked;
   }
 }
 
@@ -234,6 +243,7 @@ void vtkRelievoScene::Internals::Read(scene::Progress& progress)
   }
   this->Dressed = scene::DressedScene(read, points);
   this->ReadingKey = key;
+  this->Played = false;
   this->Opened = opened;
 }
 
@@ -245,6 +255,12 @@ void vtkRelievoScene::Internals::Update(scene::Progress& progress)
     throw scene::UsageError("there is no file to show: give one among the words");
   }
   this->Read(progress);
+  if (this->Played) // what is read alike has its time
+  {
+    scene::PlayScene(
+      this->Dressed.GetScene(), this->Options, this->Options.Model.Time.value_or(0.0), progress);
+    this->Played = false;
+  }
   this->MakeWindow();
   vtkRenderer* renderer = this->Dressed.GetRenderer();
   if (!this->Window->HasRenderer(renderer))
@@ -281,6 +297,7 @@ bool vtkRelievoScene::Write()
       OnFiles([&] { return scene::OpenOutputs(options, inputs); });
     scene::Progress progress(this->Self.get());
     this->Self->Update(progress);
+    this->Self->Played = options.Model.Times.size() > 1;
     const std::vector<std::string>& opened = this->Self->Opened;
     inputs.insert(inputs.end(), opened.begin(), opened.end());
     this->Self->Certificate =

@@ -5,41 +5,18 @@
 #include "vtkErrorCode.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkRelievoFileKind.h"
+#include "vtkRelievoMeshText.h"
 #include "vtkRelievoOBJMesh.h"
 #include "vtkRelievoOBJText.h"
 
-#include <vtksys/FStream.hxx>
-#include <vtksys/SystemTools.hxx>
-
-#include <cerrno>
-#include <cstring>
 #include <exception>
 
 vtkStandardNewMacro(vtkRelievoOBJReader);
 
 namespace
 {
+using namespace relievo;
 using namespace relievo::obj;
-
-std::string Load(const char* fileName)
-{
-  const std::string instead = vtkRelievoFileKind::FindInstead(fileName);
-  if (!instead.empty())
-  {
-    throw Refusal{ vtkErrorCode::CannotOpenFileError, "expected a file, but " + instead };
-  }
-  errno = 0;
-  vtksys::ifstream stream(fileName, std::ios::in | std::ios::binary);
-  std::string text(vtksys::SystemTools::FileLength(fileName), '\0');
-  if (!stream || !stream.read(text.data(), static_cast<std::streamsize>(text.size())))
-  {
-    throw Refusal{ errno == ENOENT ? vtkErrorCode::FileNotFoundError
-                                   : vtkErrorCode::CannotOpenFileError,
-      std::strerror(errno) };
-  }
-  return text;
-}
 
 std::string Count(vtkIdType count, const std::string& noun)
 {
@@ -109,7 +86,7 @@ int vtkRelievoOBJReader::RequestData(
 //------------------------------------------------------------------------------
 void vtkRelievoOBJReader::Parse(vtkPolyData* output)
 {
-  Content content = Read(Load(this->FileName), [this](double share) {
+  Content content = Read(LoadMeshText(this->FileName), [this](double share) {
     this->UpdateProgress(0.8 * share);
     return !this->GetAbortExecute();
   });

@@ -7,6 +7,7 @@
 #ifndef vtkRelievoOBJText_h
 #define vtkRelievoOBJText_h
 
+#include "vtkRelievoMeshText.h"
 #include "vtkType.h"
 
 #include <functional>
@@ -17,13 +18,6 @@
 
 namespace relievo::obj
 {
-// What is wrong with the file, and the kind of error. Does not leave vtkRelievoOBJReader.
-struct Refusal
-{
-  unsigned long Code;
-  std::string Text;
-};
-
 // How often something was found, and the line of the first.
 struct Tally
 {

@@ -29,7 +29,7 @@ vtkStandardNewMacro(vtkRelievoOFFReader);
 
 namespace
 {
-using relievo::off::Refusal;
+using relievo::Refusal;
 using relievo::off::Words;
 
 constexpr unsigned char DefaultGrey = 170;

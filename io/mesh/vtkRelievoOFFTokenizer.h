@@ -8,6 +8,7 @@
 #define vtkRelievoOFFTokenizer_h
 
 #include "vtkErrorCode.h"
+#include "vtkRelievoMeshText.h"
 #include "vtkType.h"
 
 #include <algorithm>
@@ -20,13 +21,6 @@
 
 namespace relievo::off
 {
-// What is wrong with the file, and the kind of error. Does not leave vtkRelievoOFFReader.
-struct Refusal
-{
-  unsigned long Code;
-  std::string Text;
-};
-
 // Walks over the words of the text, counting lines and leaving comments out.
 class Words
 {

@@ -5,41 +5,19 @@
 #include "vtkErrorCode.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkRelievoFileKind.h"
+#include "vtkRelievoMeshText.h"
 #include "vtkRelievoPLYMesh.h"
 #include "vtkRelievoPLYText.h"
 
-#include <vtksys/FStream.hxx>
-#include <vtksys/SystemTools.hxx>
-
-#include <cerrno>
-#include <cstring>
 #include <exception>
 
 vtkStandardNewMacro(vtkRelievoPLYReader);
 
 namespace
 {
+using namespace relievo;
 using namespace relievo::ply;
 
-std::string Load(const char* fileName)
-{
-  const std::string instead = vtkRelievoFileKind::FindInstead(fileName);
-  if (!instead.empty())
-  {
-    throw Refusal{ vtkErrorCode::CannotOpenFileError, "expected a file, but " + instead };
-  }
-  errno = 0;
-  vtksys::ifstream stream(fileName, std::ios::in | std::ios::binary);
-  std::string text(vtksys::SystemTools::FileLength(fileName), '\0');
-  if (!stream || !stream.read(text.data(), static_cast<std::streamsize>(text.size())))
-  {
-    throw Refusal{ errno == ENOENT ? vtkErrorCode::FileNotFoundError
-                                   : vtkErrorCode::CannotOpenFileError,
-      std::strerror(errno) };
-  }
-  return text;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -74,7 +52,7 @@ int vtkRelievoPLYReader::RequestData(
   };
   try
   {
-    Content content = Read(Load(this->FileName), [this](double share) {
+    Content content = Read(LoadMeshText(this->FileName), [this](double share) {
       this->UpdateProgress(0.8 * share);
       return !this->GetAbortExecute();
     });

@@ -7,6 +7,7 @@
 #ifndef vtkRelievoPLYText_h
 #define vtkRelievoPLYText_h
 
+#include "vtkRelievoMeshText.h"
 #include "vtkType.h"
 
 #include <functional>
@@ -16,13 +17,6 @@
 
 namespace relievo::ply
 {
-// What is wrong with the file, and the kind of error. Does not leave vtkRelievoPLYReader.
-struct Refusal
-{
-  unsigned long Code;
-  std::string Text;
-};
-
 // A property of an element, with its numbers: one for each of them, or lists one after the other.
 struct Column
 {

@@ -46,12 +46,11 @@ def _set_points(made, name, points):
 
 def _set_value(made, name, parameter, value):
     """Sets a parameter of the points from a number, numbers, a word or the name of an array."""
-    if isinstance(value, bool) and made.IsPerPoint(parameter):
-        value = "always" if value else "never"
     text = isinstance(value, str)
+    is_switch = isinstance(value, bool) and made.IsPerPoint(parameter)
     wrong = ""
     try:
-        words = _words(value)
+        words = _words(value) if not is_switch else "always" if value else "never"
     except (TypeError, ValueError, OverflowError):
         words, wrong = "", f"got {value!r}, expected a number, three numbers or a word"
     if text and words and made.IsPerPoint(parameter) and _is_number(words):

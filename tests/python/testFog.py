@@ -68,6 +68,7 @@ class Fog(PointsTest):
             ({"points": 5}, "points"),
             ({"radius": -1}, "radius.*0 or more"),
             ({"radius": (1, 2)}, "radius"),
+            ({"radius": True}, "radius.*0 or more"),
             ({"density": float("nan")}, "density.*0 or more"),
             ({"color": (1, 2)}, "color.*three numbers"),
             ({"mode": "linear"}, "mode.*beer, chord"),

@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """relievo.scene(): what the command draws, in every order of settings, and VTK left as it was."""
 
+import base64
+import json
 import os
 import pathlib
+import struct
 import subprocess
 import tempfile
 import unittest
@@ -40,6 +43,34 @@ POINTS 2 float
 """
 CAMERA = (2.5, 3, 6, 0, 0.5, 0, 0, 1, 0)
 SIZE = (120, 90)
+
+
+def moving():
+    """A glTF of a triangle that moves by 1 along x in a second."""
+    numbers = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0]
+    data = base64.b64encode(struct.pack("<17f", *numbers)).decode()
+    views = ((0, 36), (36, 8), (44, 24))
+    return json.dumps({
+        "asset": {"version": "2.0"},
+        "buffers": [{"byteLength": 68, "uri": "data:application/octet-stream;base64," + data}],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": start, "byteLength": size} for start, size in views
+        ],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+             "min": [0, 0, 0], "max": [1, 1, 0]},
+            {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR",
+             "min": [0], "max": [1]},
+            {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"},
+        ],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "nodes": [{"mesh": 0}],
+        "scenes": [{"nodes": [0]}],
+        "animations": [{
+            "samplers": [{"input": 1, "output": 2}],
+            "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+        }],
+    })  # fmt: skip
 
 
 class Scene(unittest.TestCase):
@@ -108,6 +139,26 @@ class Scene(unittest.TestCase):
             scene.set(**{**dict.fromkeys(before), **look, **ways[i]})
             before = ways[i]
             self.assertEqual(self.picture(scene), fresh[i], ways[i])
+
+    def test_after_a_sequence(self):
+        """What a sequence moved is back at its time; a script's angle and size do not stay."""
+        path = self.folder / "moving.gltf"
+        path.write_text(moving())
+        look = {"size": SIZE, "camera": (1, 0, 5, 1, 0, 0, 0, 1, 0)}
+        still = self.picture(relievo.scene(path, **look, time=0))
+        scene = relievo.scene(path, **look, times="0:1:0.5")
+        frames = []
+        for _ in range(2):
+            scene.render(self.path("frame%d.png"))
+            frames.append([(self.folder / f"frame{i}.png").read_bytes() for i in range(3)])
+        self.assertEqual(frames[0], frames[1])
+        self.assertEqual(len(set(frames[0])), 3)
+        self.assertEqual(frames[0][0], still)
+        scene.set(times=None, time=0)
+        self.assertEqual(self.picture(scene), still)
+        scene.renderer.GetActiveCamera().SetViewAngle(5)
+        scene.window.SetSize(50, 40)
+        self.assertEqual(self.picture(scene), still)
 
     def test_layers_leave_nothing(self):
         """Layers of the file are the capture's; the renderer has no frame afterwards."""
