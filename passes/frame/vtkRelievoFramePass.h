@@ -40,8 +40,8 @@ public:
 
   /**
    * The most lights that may be on: more are refused with an error, and nothing is drawn. VTK's
-   * shaders have code for each light. In software OpenGL, on two cores, 100 take 14 s to compile
-   * and 300 take 65 s; 3000 end the program. vtkRelievoLamps has room for any number.
+   * shaders have code for each light, which takes long to compile and with some thousands ends the
+   * program. vtkRelievoLamps has room for any number.
    */
   enum Limits
   {
