@@ -3,87 +3,15 @@
 """Layers as pictures, and pictures with captions on one sheet."""
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws the captions' letters)
 from vtkmodules.vtkRenderingCore import vtkTextProperty, vtkTextRenderer
 
+from relievo._picture import IDS, bytes_of, hashed, mapped, picture_of, png_of, where  # noqa: F401
+
 PAPER = (24, 25, 28)
 INK = (0.90, 0.90, 0.88)
-NOTHING = numpy.array((40, 42, 46), numpy.uint8)  # where a layer has no value
-
-# Nine colours of viridis, dark to light and even in lightness.
-MAP = numpy.array(
-    [
-        (0.267, 0.005, 0.329), (0.283, 0.141, 0.458), (0.254, 0.265, 0.530), (0.207, 0.372, 0.553),
-        (0.164, 0.471, 0.558), (0.128, 0.567, 0.551), (0.267, 0.749, 0.441), (0.627, 0.854, 0.223),
-        (0.993, 0.906, 0.144),
-    ]
-)  # fmt: skip
-
-IDS = ("actor", "block", "cell")
-
-
-def picture_of(name, values):
-    """A layer as 8-bit RGB (rows, columns, 3), and words for its caption.
-
-    Scalars go over their own range, but for the last percent at either end; unit vectors are shown
-    as 0.5 v + 0.5, positions within their bounds, ids each in a colour of its own.
-    """
-    if name == "color":
-        return bytes_of(srgb(values[..., :3])), "the picture, shown as sRGB"
-    if name == "albedo":
-        return values[..., :3].copy(), "before lighting"
-    if name in IDS or numpy.issubdtype(values.dtype, numpy.integer):
-        count = len(numpy.unique(values[values >= 0]))
-        return hashed(values), f"{count} {'value' if count == 1 else 'values'} visible"
-    if name == "position":
-        low, high = values.min(axis=(0, 1)), values.max(axis=(0, 1))
-        text = "  ".join(f"{a} {l:.1f} to {h:.1f}" for a, l, h in zip("xyz", low, high))
-        return bytes_of((values - low) / numpy.maximum(high - low, 1e-30)), text
-    if values.ndim == 3:
-        seen = (values != 0).any(axis=2)
-        return where(seen, bytes_of(0.5 * values + 0.5)), "0.5 n + 0.5, world space"
-    seen = numpy.isfinite(values)
-    low, high = numpy.percentile(values[seen], (1, 99)) if seen.any() else (0.0, 1.0)
-    share = numpy.where(seen, (values - low) / max(high - low, 1e-30), 0.0)
-    return where(seen, bytes_of(mapped(share))), f"{low:.3g} to {high:.3g}"
-
-
-def bytes_of(colours):
-    return (numpy.clip(colours, 0, 1) * 255 + 0.5).astype(numpy.uint8)
-
-
-def where(seen, colours):
-    return numpy.where(seen[..., None], colours, NOTHING)
-
-
-def mapped(share):
-    """Shares from 0 to 1 as colours of the map."""
-    place = numpy.clip(share, 0, 1) * (len(MAP) - 1)
-    return numpy.stack([numpy.interp(place, range(len(MAP)), MAP[:, i]) for i in range(3)], axis=-1)
-
-
-def hashed(ids):
-    """A colour for each id: neighbours get hues that are far apart."""
-    mixed = (ids.astype(numpy.int64) + 1).astype(numpy.uint64) * numpy.uint64(0x9E3779B97F4A7C15)
-    mixed ^= mixed >> numpy.uint64(29)
-    hue = (mixed >> numpy.uint64(40)).astype(float) / (1 << 24)
-    light = 0.60 + 0.35 * ((mixed >> numpy.uint64(16)) & numpy.uint64(0xFF)).astype(float) / 255
-    wheel = numpy.abs((hue[..., None] * 6 + (0, 4, 2)) % 6 - 3) - 1
-    colours = light[..., None] * (0.35 + 0.65 * numpy.clip(wheel, 0, 1))
-    return where(ids >= 0, bytes_of(colours))
-
-
-def srgb(linear):
-    """Linear light to sRGB (IEC 61966-2-1)."""
-    linear = numpy.clip(linear, 0, 1)
-    return numpy.where(
-        linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055
-    )
-
-
 def shrunk(picture, factor):
     """The picture with each block of factor x factor pixels as their mean."""
     rows, columns = picture.shape[0] // factor, picture.shape[1] // factor
@@ -138,13 +66,5 @@ def write(sheet, text, left, top, size, bold=False):
 
 def write_png(path, rgb):
     """Writes 8-bit RGB (rows, columns, 3), row 0 at the top."""
-    image = vtkImageData()
-    image.SetDimensions(rgb.shape[1], rgb.shape[0], 1)
-    flat = numpy.ascontiguousarray(rgb[::-1]).reshape(-1, 3)
-    image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
-    writer = vtkPNGWriter()
-    writer.SetInputData(image)
-    writer.SetFileName(str(path))
-    writer.Write()
-    if writer.GetErrorCode():
-        raise OSError(f"{path}: cannot be written")
+    with open(path, "wb") as file:
+        file.write(png_of(rgb))

@@ -26,8 +26,6 @@ from vtkmodules.vtkRenderingCore import (
     vtkTexture,
 )
 
-import demo_sheet
-
 
 def folder():
     """Where an example writes: the first word of the command line, or the current folder."""
@@ -147,8 +145,7 @@ def picture(renderer):
     import relievo
 
     renderer.ResetCameraClippingRange()
-    image = relievo.capture(renderer, ["color"])
-    return demo_sheet.picture_of("color", relievo.layer(image, "color"))[0]
+    return relievo.picture(relievo.capture(renderer, ["color"]), "color")
 
 
 def add_sun(renderer, position):

@@ -72,8 +72,10 @@ from ._exr import read_exr, write_exr
 from ._frame import attach, detach, report, vtkRelievoPass
 from ._image import attributes, from_image, layer, layer_names, to_image
 from ._layers import layers
+from ._picture import picture
 from ._points import depth_to_points
 from ._scene import scene
+from ._show import show
 from ._stages import stage, stages
 from ._things import functions as _functions
 

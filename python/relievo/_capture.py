@@ -6,11 +6,11 @@ import os
 import threading
 from contextlib import contextmanager
 
-from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
 
 from ._errors import Watch
+from ._picture import captured
 from ._renderers import renderer_of
 from .vtkRelievoPasses import vtkRelievoDisplay, vtkRelievoLayerSource, vtkRelievoPass
 
@@ -33,8 +33,9 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
         colour bars; if not, it is the window's picture, converted from 8 bits to linear light
         (the linear colour all the same where the stage `tone` makes the picture).
 
-    Returns vtkImageData of (columns, rows, 1) points with one point array per layer; VTK's row 0 is
-    the BOTTOM of the picture (layer() gives numpy arrays with row 0 at the top). The field data
+    Returns vtkImageData, which notebooks show as pictures, of (columns, rows, 1) points with one
+    point array per layer; VTK's row 0 is the BOTTOM of the picture (layer() gives numpy arrays with
+    row 0 at the top). The field data
     holds the camera: worldToCamera, worldToNDC (16 doubles, by rows), near, far, relievo:origin,
     and lights. depth and range are float in world units, position is double in world space.
 
@@ -63,9 +64,7 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
         )
     wrong_name = not failed and source.GetErrorCode() == vtkRelievoLayerSource.NO_SUCH_LAYER
     watch.raise_as(ValueError if wrong_name else RuntimeError, f"capture {', '.join(layers)}")
-    image = vtkImageData()
-    image.ShallowCopy(source.GetOutput())
-    return image
+    return captured(source.GetOutput())
 
 
 def _names(layers):

@@ -5,10 +5,10 @@
 import os
 import stat
 
-from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 from ._errors import Watch, require
+from ._picture import captured
 from .vtkRelievoIO import vtkRelievoEXRReader, vtkRelievoEXRWriter
 
 _PIXEL_TYPES = {
@@ -92,9 +92,7 @@ def read_exr(path):
         reader.Update()
     if watch.errors or reader.GetErrorCode() != 0:
         raise _refusal(watch, reader, name)
-    image = vtkImageData()
-    image.ShallowCopy(reader.GetOutput())
-    return image
+    return captured(reader.GetOutput())
 
 
 def _refusal(watch, algorithm, name):

@@ -5,6 +5,7 @@
 import json
 import numbers
 import os
+import tempfile
 import textwrap
 import warnings
 
@@ -105,6 +106,14 @@ class Scene:
         self._run(self._scene.Write)
         self._stale = False
         return self._scene.GetCertificate() or None
+
+    def _repr_png_(self):
+        """The picture, which notebooks show."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "scene.png")
+            self.render(path)
+            with open(path, "rb") as file:
+                return file.read()
 
     @property
     def renderer(self):

@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks a built site as readers see it: every link and picture of every page, and in headless
+Chromium the search, the gallery's handles, both themes, the values under the cursor of
+relievo.show(), and that no page is wider than a telephone.
+
+    check.py SITE [PICTURES]     SITE: the folder that tools/site made; PICTURES: for screenshots
+
+Exit status: 0, or 1 with a line for each fault.
+"""
+
+import functools
+import html.parser
+import http.server
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import threading
+import urllib.parse
+
+import numpy
+import relievo
+
+TELEPHONE = (390, 844)
+SCREEN = (1280, 900)
+
+
+class Page(html.parser.HTMLParser):
+    """The links, the pictures without words, and the places of a page."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.links, self.places, self.wordless = [], set(), []
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        values = dict(attributes)
+        if values.get("id"):
+            self.places.add(values["id"])
+        for name in ("href", "src"):
+            if values.get(name):
+                self.links.append(values[name])
+        if tag == "img" and not (values.get("alt") or "").strip():
+            self.wordless.append(values.get("src"))
+
+
+def links(site):
+    """What is wrong with the links and pictures of all pages."""
+    paths = [path for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
+    pages = {path: Page(path) for path in paths}
+    for path, page in pages.items():
+        name = path.relative_to(site)
+        for link in page.links:
+            parts = urllib.parse.urlsplit(link)
+            if parts.scheme in ("http", "https", "mailto", "data", "javascript"):
+                continue
+            target = path
+            if parts.path:
+                target = (path.parent / urllib.parse.unquote(parts.path)).resolve()
+                if target.is_dir():
+                    target /= "index.html"
+                if not target.is_file():
+                    yield f"{name}: {link} leads nowhere"
+                    continue
+            place = urllib.parse.unquote(parts.fragment)
+            if place and target in pages and place not in pages[target].places:
+                yield f"{name}: {link}: there is no such place"
+        for source in page.wordless:
+            if "notebooks" not in name.parts:
+                yield f"{name}: the picture {source} has no words"
+    if len(pages) < 20:
+        yield f"{site} has {len(pages)} pages"
+
+
+class Browser:
+    """Headless Chromium on a server of the folder."""
+
+    def __init__(self, site, scratch):
+        class Handler(http.server.SimpleHTTPRequestHandler):
+            def log_message(self, *_):
+                pass
+
+        self.scratch = scratch
+        handler = functools.partial(Handler, directory=site)
+        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+
+    def run(self, path, *words, size=SCREEN):
+        address = f"http://127.0.0.1:{self.server.server_address[1]}/{path}"
+        return subprocess.run(
+            ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
+             "--force-device-scale-factor=1", f"--user-data-dir={self.scratch}",
+             f"--window-size={size[0]},{size[1]}", "--virtual-time-budget=15000", *words, address],
+            capture_output=True, text=True, timeout=120, check=True).stdout
+
+    def found(self, path, script, size=SCREEN):
+        """What a script of JavaScript says of a page: it runs in a frame around it."""
+        frame = f"""<!doctype html><meta charset=utf-8><body style="margin:0">
+<iframe src="/{path}" style="border:0;width:{size[0]}px;height:{size[1]}px"></iframe><script>
+const frame = document.querySelector("iframe");
+const later = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
+frame.addEventListener("load", async () => {{
+  await later(3000);
+  const page = frame.contentDocument, view = frame.contentWindow;
+  document.body.dataset.found = JSON.stringify(await (async () => {{ {script} }})());
+}});</script>"""
+        self.probe.write_text(frame, encoding="utf-8")
+        text = self.run(self.probe.name, "--dump-dom", size=size)
+        body = text[text.index("<body"):]
+
+        class Found(html.parser.HTMLParser):
+            value = None
+
+            def handle_starttag(self, tag, attributes):
+                if tag == "body":
+                    Found.value = dict(attributes).get("data-found")
+
+        Found().feed(body[:body.index(">") + 1])
+        return json.loads(Found.value) if Found.value else None
+
+
+def in_browser(site, browser, pictures):
+    browser.probe, browser.shown = site / "_probe.html", site / "_shown.html"
+    try:
+        count = browser.found(
+            "search.html?q=penumbra", "return page.querySelectorAll('ul.search li').length")
+        if not count:
+            yield f"search.html: 'penumbra' finds {count}"
+        none = browser.found(
+            "search.html?q=xyzzyplugh", "return page.querySelectorAll('ul.search li').length")
+        if none != 0:
+            yield f"search.html: 'xyzzyplugh' finds {none}"
+        cut = browser.found("gallery.html", """
+            const pair = page.querySelector(".pair"), handle = pair.querySelector("input");
+            const at = () => view.getComputedStyle(pair.querySelectorAll("img")[1]).clipPath;
+            const before = at();
+            handle.value = 20; handle.dispatchEvent(new view.Event("input"));
+            return [before, at()];""")
+        if not cut or cut[0] == cut[1]:
+            yield f"gallery.html: the handle of a pair moves nothing: {cut}"
+        colors = browser.found("index.html", """
+            const color = () => view.getComputedStyle(page.body).backgroundColor;
+            return ["light", "dark"].map((theme) => {
+              page.documentElement.dataset.theme = theme; return color(); });""")
+        if not colors or colors[0] == colors[1]:
+            yield f"index.html: light and dark have one background: {colors}"
+        for page in ("index.html", "gallery.html", "which-shadows.html", "charts/README.html",
+                     "python.html", "api/functions.html"):
+            wide = browser.found(page, "return page.documentElement.scrollWidth", size=TELEPHONE)
+            if wide is None or wide > TELEPHONE[0]:
+                yield f"{page}: {wide} pixels wide on a telephone of {TELEPHONE[0]}"
+        broken = browser.found("index.html", """
+            return [...page.images].filter((image) => !image.naturalWidth).map((i) => i.src);""")
+        if broken != []:
+            yield f"index.html: pictures that are not shown: {broken}"
+        numbers = numpy.arange(12000, dtype=numpy.float32).reshape(100, 120)
+        relievo.show(relievo.to_image({"first": -numbers, "second": numbers}), path=browser.shown)
+        told = browser.found(browser.shown.name, """
+            page.querySelectorAll("button")[1].click();
+            await later(200);
+            const image = page.querySelector("img"), box = image.getBoundingClientRect();
+            const at = { clientX: box.left + 0.625 * box.width,
+                         clientY: box.top + 0.305 * box.height };
+            image.dispatchEvent(new view.PointerEvent("pointermove", at));
+            await later(500);
+            return page.querySelector("output").value;""")
+        if told != f"row 30, column 75\nsecond: {numbers[30, 75]:.0f}":
+            yield f"relievo.show: the value under the cursor: {told!r}"
+    finally:
+        browser.probe.unlink(missing_ok=True)
+        browser.shown.unlink(missing_ok=True)
+    if pictures:
+        pictures.mkdir(parents=True, exist_ok=True)
+        for page in ("index", "gallery", "which-shadows", "shadows", "api/Shadows"):
+            for name, size in (("screen", SCREEN), ("telephone", TELEPHONE)):
+                file = pictures / f"{page.replace('/', '-')}-{name}.png"
+                browser.run(f"{page}.html", f"--screenshot={file}", size=size)
+
+
+def main():
+    if not 2 <= len(sys.argv) <= 3:
+        raise SystemExit(__doc__)
+    site = pathlib.Path(sys.argv[1]).resolve()
+    pictures = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) == 3 else None
+    faults = list(links(site))
+    with tempfile.TemporaryDirectory() as scratch:
+        faults += in_browser(site, Browser(site, scratch), pictures)
+    for fault in faults:
+        print(fault)
+    if faults:
+        raise SystemExit(1)
+    print(f"{site.name}: links, pictures, search and pairs are right")
+
+
+main()

@@ -1,0 +1,40 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sphinx's settings of the site; tools/site runs it on what build.py lays out."""
+
+import os
+
+os.environ["PYDEVD_DISABLE_FILE_VALIDATION"] = "1"  # of the notebooks' kernels, which would warn
+project = "Relievo"
+copyright = "The Relievo authors"
+extensions = ["myst_nb", "sphinx_copybutton", "sphinx_design"]
+myst_enable_extensions = ["colon_fence", "dollarmath"]
+myst_heading_anchors = 4
+myst_number_code_blocks = []
+suppress_warnings = ["myst.header", "mystnb.unknown_mime_type"]
+highlight_language = "none"
+nb_execution_mode = "force"
+nb_execution_timeout = 600
+nb_execution_raise_on_error = True
+nb_merge_streams = True
+exclude_patterns = ["site", "_build"]
+
+html_theme = "pydata_sphinx_theme"
+html_title = "Relievo"
+html_static_path = ["site/static"]
+html_css_files = ["style.css"]
+html_js_files = ["pairs.js"]
+html_sidebars = {"gallery": [], "index": []}
+html_show_sourcelink = False
+html_copy_source = False
+html_theme_options = {
+    "logo": {"text": "Relievo"},
+    "header_links_before_dropdown": 6,
+    "navbar_end": ["theme-switcher"],
+    "show_prev_next": True,
+    "secondary_sidebar_items": ["page-toc"],
+    "footer_start": ["copyright"],
+    "footer_end": [],
+    "pygments_light_style": "tango",
+    "pygments_dark_style": "monokai",
+}

@@ -1,0 +1,107 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The reference's pages: the package's functions, and each wrapped class, from their docstrings."""
+
+import inspect
+import re
+import textwrap
+
+import relievo
+from relievo import _wrapped
+
+
+def escaped(text):
+    """Words of a docstring as reStructuredText that shows them unchanged."""
+    return re.sub(r"([\\*`|_])", r"\\\1", text)
+
+
+def paragraphs(text):
+    """A plain docstring as reStructuredText: indented text, tables and lists as they are."""
+    made = []
+    for block in re.split(r"\n\s*\n", text.strip("\n")):
+        lines = block.split("\n")
+        plain = not block.startswith((" ", "=")) and not any(
+            line.startswith((" ", "- ", "=")) for line in lines[1:])
+        if plain:
+            made.append(escaped(" ".join(line.strip() for line in lines)))
+        else:
+            made.append("::\n\n" + textwrap.indent(block, "   "))
+    return "\n\n".join(made)
+
+
+def entry(directive, signature, text):
+    body = textwrap.indent(paragraphs(text), "   ") if text else ""
+    return f".. py:{directive}:: {signature}\n\n{body}\n\n"
+
+
+def heading(words, line):
+    return f"{words}\n{line * len(words)}\n\n"
+
+
+def functions():
+    for name in sorted(dir(relievo)):
+        what = getattr(relievo, name)
+        if not name.startswith("_") and inspect.isfunction(what):
+            yield name, what
+
+
+def method(what):
+    """Signatures and words of a wrapped method; between them stands the signature of C++."""
+    signatures, words = [], []
+    for block in re.split(r"\n\s*\n", (what.__doc__ or "").strip()):
+        for line in block.split("\n"):
+            if re.match(r"\w+\(.*\)( -> .*)?$", line) and not words:
+                signatures.append(line)
+            elif not line.startswith("C++: "):
+                words.append(line)
+        words.append("")
+    seen = list(dict.fromkeys(re.sub(r"^(\w+)\(self(, )?", r"\1(", line) for line in signatures))
+    return seen, "\n".join(words).strip("\n")
+
+
+def lay_class(cls):
+    words = re.sub(r"\A\w+ - |^Superclass: .*\n*", "", inspect.getdoc(cls), flags=re.M)
+    text = f".. py:class:: {cls.__name__}({cls.__mro__[1].__name__})\n\n"
+    text += textwrap.indent(paragraphs(words), "   ") + "\n\n"
+    for name, what in sorted(vars(cls).items()):
+        usual = ("NewInstance", "IsA", "IsTypeOf", "SafeDownCast", "GetNumberOfGenerationsFromBase",
+                 "GetNumberOfGenerationsFromBaseType")
+        if name.startswith("_") or name in usual or not inspect.ismethoddescriptor(what):
+            continue
+        signatures, words = method(what)
+        if signatures:
+            several = ("\n" + " " * len(".. py:method:: ")).join(signatures)
+            text += textwrap.indent(entry("method", several, words), "   ")
+    return text
+
+
+def modules():
+    """Wrapped classes by their module, without the package's and the module's prefix."""
+    found = {}
+    for name in sorted(vars(_wrapped)):
+        what = getattr(_wrapped, name)
+        if inspect.isclass(what) and name.startswith("vtkRelievo"):
+            module = what.__module__.rsplit(".", 1)[-1].removeprefix("vtkRelievo")
+            found.setdefault(module, []).append(what)
+    return found
+
+
+def lay(dest):
+    dest.mkdir()
+    text = heading("Functions", "=") + ".. py:module:: relievo\n\n"
+    text += paragraphs(inspect.getdoc(relievo)) + "\n\n"
+    for name, what in functions():
+        text += entry("function", f"{name}{inspect.signature(what)}", inspect.getdoc(what))
+    (dest / "functions.rst").write_text(text)
+    names = []
+    for module, classes in sorted(modules().items()):
+        text = heading(module, "=") + f"Classes of the module ``Relievo::{module}``.\n\n"
+        for cls in classes:
+            text += heading(cls.__name__, "-") + lay_class(cls)
+        (dest / f"{module}.rst").write_text(text)
+        names.append(module)
+    listed = "".join(f"   {name}\n" for name in ["functions", *names])
+    (dest / "index.rst").write_text(
+        heading("Classes and functions", "=")
+        + "The functions of the package ``relievo``, and the classes that it wraps, which are those "
+        "of C++.\n\n.. toctree::\n   :maxdepth: 2\n\n" + listed)
