@@ -211,9 +211,8 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     }
     else
     {
-      const vtkSmartPointer<vtkDataObject> data = ReadData(path, progress);
+      const vtkSmartPointer<vtkDataObject> surface = ReadSurface(path, smooth, progress);
       progress.Begin("preparing " + path);
-      const vtkSmartPointer<vtkDataObject> surface = MakeSurface(data, smooth, path, progress);
       const auto parts = SplitByMaterials(surface, path, progress);
       for (vtkActor* actor : parts)
       {

@@ -4,7 +4,9 @@
 
 #include "vtkRelievoFileKind.h"
 #include "vtkRelievoGltfFile.h"
+#include "vtkRelievoModelBytes.h"
 #include "vtkRelievoModelParts.h"
+#include "vtkRelievoReaderProcess.h"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
@@ -18,6 +20,7 @@
 #include <exception>
 #include <limits>
 #include <map>
+#include <new>
 #include <numeric>
 #include <utility>
 
@@ -269,6 +272,69 @@ std::string Import(const std::string& path, int weights,
   ReadAnimations(scene, numbers, model);
   return "";
 }
+
+std::string ReadHere(const std::string& path, int weights,
+  const std::function<bool(double)>& progress, ModelSources& sources, Model& model)
+{
+  sources.Add(path);
+  if (GetIsGltfExtension(path))
+  {
+    ReadGltf(path, weights, progress, sources, model);
+    return "";
+  }
+  if (!vtksys::SystemTools::FileExists(path, true))
+  {
+    return "there is no such file";
+  }
+  const std::string instead = vtkRelievoFileKind::FindInstead(path);
+  return instead.empty() ? Import(path, weights, progress, sources, model)
+                         : "expected a file, but " + instead;
+}
+
+// In the process of the file.
+void AnswerApart(ByteReader& asked, const vtkRelievoReaderProcess::Say& say, ByteWriter& made)
+{
+  const auto path = asked.Get<std::string>();
+  const auto weights = asked.Get<int>();
+  ModelSources sources;
+  Model model;
+  std::string wrong;
+  try
+  {
+    wrong = ReadHere(
+      path, weights, [&say](double share) { return say("", share); }, sources, model);
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw;
+  }
+  catch (const std::exception& error)
+  {
+    wrong = error.what();
+  }
+  made(wrong, sources);
+  PutModel(made, wrong.empty() ? model : Model());
+}
+
+std::string ReadApart(const std::string& path, int weights,
+  const std::function<bool(double)>& progress, ModelSources& sources, Model& model)
+{
+  std::string wrong;
+  const std::string failure = vtkRelievoReaderProcess::Run(
+    AnswerApart, [&](ByteWriter& asked) { asked(path, weights); },
+    [&progress](const std::string&, double share) { return progress(share); },
+    [&](ByteReader& made) {
+      made(wrong, sources);
+      GetModel(made, model);
+    });
+  if (failure.empty())
+  {
+    return wrong;
+  }
+  sources.Add(path); // which is not read again while it is the same
+  const char* const name = GetIsGltfExtension(path) ? "glTF" : "Assimp";
+  return std::string("the reader (") + name + ") " + failure;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -290,26 +356,11 @@ std::string ReadModel(const std::string& path, int weights,
 {
   model = Model();
   sources = ModelSources();
-  sources.Add(path);
   std::string wrong;
   try
   {
-    if (GetIsGltfExtension(path))
-    {
-      ReadGltf(path, weights, progress, sources, model);
-    }
-    else if (!vtksys::SystemTools::FileExists(path, true))
-    {
-      wrong = "there is no such file";
-    }
-    else if (const std::string instead = vtkRelievoFileKind::FindInstead(path); !instead.empty())
-    {
-      wrong = "expected a file, but " + instead;
-    }
-    else
-    {
-      wrong = Import(path, weights, progress, sources, model);
-    }
+    wrong = vtkRelievoReaderProcess::IsThere() ? ReadApart(path, weights, progress, sources, model)
+                                               : ReadHere(path, weights, progress, sources, model);
   }
   catch (const std::exception& error) // of Assimp, glTF, and memory
   {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoModelSources.h"
 
+#include "vtkRelievoReaderProcess.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
@@ -11,9 +13,11 @@ namespace relievo
 //------------------------------------------------------------------------------
 void ModelSources::Add(const std::string& path)
 {
-  if (this->States.emplace(path, Look(path)).second)
+  const auto [added, isNew] = this->States.emplace(path, Look(path));
+  if (isNew)
   {
     this->Paths.push_back(path);
+    vtkRelievoReaderProcess::Allow(added->second.Size);
   }
 }
 

@@ -27,6 +27,12 @@ public:
   const std::vector<std::string>& GetPaths() const { return this->Paths; }
 
 private:
+  template <typename Visit>
+  friend void VisitFields(ModelSources& sources, Visit&& visit)
+  {
+    visit(sources.States, sources.Paths);
+  }
+
   struct State
   {
     std::int64_t Time = 0; // in the file system's own steps, which are finer than seconds

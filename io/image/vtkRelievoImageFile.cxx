@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoImageFile.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkRelievoDataBytes.h"
 #include "vtkRelievoEXRImage.h"
 #include "vtkRelievoFileKind.h"
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoImageBytes.h"
+#include "vtkRelievoReaderProcess.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWeakPointer.h"
 
@@ -130,8 +134,23 @@ vtkSmartPointer<vtkImageData> DecodeBytes(
   return Attempt([&] { return decode(bytes); }, failure);
 }
 
-vtkSmartPointer<vtkImageData> ReadFile(const std::string& path, std::string& failure,
-  std::string& note, const std::function<void(vtkAlgorithm*)>& watch)
+using Share = std::function<bool(double)>;
+
+void Watch(vtkAlgorithm* reader, const Share& progress)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(const_cast<Share*>(&progress));
+  command->SetCallback([](vtkObject* caller, unsigned long, void* client, void* share) {
+    if (share && !(*static_cast<const Share*>(client))(*static_cast<double*>(share)))
+    {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+  });
+  reader->AddObserver(vtkCommand::ProgressEvent, command);
+}
+
+vtkSmartPointer<vtkImageData> ReadFile(
+  const std::string& path, std::string& failure, std::string& note, const Share& progress)
 {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
@@ -147,6 +166,12 @@ vtkSmartPointer<vtkImageData> ReadFile(const std::string& path, std::string& fai
   bytes.resize(static_cast<std::size_t>(file.gcount()));
   if (BeginsLikeEXR({ bytes.data(), bytes.size() }))
   {
+    const auto watch = [&progress](vtkAlgorithm* reader) {
+      if (progress)
+      {
+        Watch(reader, progress);
+      }
+    };
     return Attempt([&] { return relievo::image::ReadEXR(path, note, watch); }, failure);
   }
   if (error || size > vtkRelievoImageFile::MostBytes)
@@ -169,11 +194,57 @@ vtkSmartPointer<vtkImageData> ReadFile(const std::string& path, std::string& fai
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   return DecodeBytes({ bytes.data(), static_cast<std::size_t>(file.gcount()) }, path, failure);
 }
+
+//------------------------------------------------------------------------------
+using relievo::ByteReader;
+using relievo::ByteWriter;
+
+// Both in the process of the image.
+void AnswerFile(ByteReader& asked, const vtkRelievoReaderProcess::Say& say, ByteWriter& made)
+{
+  const auto path = asked.Get<std::string>();
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  vtkRelievoReaderProcess::Allow(error ? 0 : size);
+  std::string failure, note;
+  const vtkSmartPointer<vtkImageData> image =
+    ReadFile(path, failure, note, [&say](double share) { return say("", share); });
+  made(failure, note);
+  relievo::PutData(made, image);
+}
+
+void AnswerBytes(ByteReader& asked, const vtkRelievoReaderProcess::Say&, ByteWriter& made)
+{
+  const auto name = asked.Get<std::string>();
+  const std::size_t size = asked.GetCount(1);
+  const auto* bytes = reinterpret_cast<const unsigned char*>(asked.Take(size));
+  vtkRelievoReaderProcess::Allow(size);
+  std::string failure;
+  const vtkSmartPointer<vtkImageData> image = DecodeBytes({ bytes, size }, name, failure);
+  made(failure, std::string());
+  relievo::PutData(made, image);
+}
+
+vtkSmartPointer<vtkImageData> ReadApart(vtkRelievoReaderProcess::Work work,
+  const std::function<void(ByteWriter&)>& ask, std::string& failure, std::string& note,
+  const Share& progress)
+{
+  vtkSmartPointer<vtkImageData> image;
+  const std::string end = vtkRelievoReaderProcess::Run(
+    work, ask,
+    [&progress](const std::string&, double share) { return !progress || progress(share); },
+    [&](ByteReader& made) {
+      made(failure, note);
+      image = vtkImageData::SafeDownCast(relievo::GetData(made));
+    });
+  failure = end.empty() ? failure : "an image, but its reader " + end;
+  return failure.empty() ? image : nullptr;
+}
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(const std::string& path,
-  std::string& failure, const std::function<void(vtkAlgorithm*)>& watch, std::string* note)
+  std::string& failure, const std::function<bool(double)>& progress, std::string* note)
 {
   std::error_code error;
   const Time written = std::filesystem::last_write_time(path, error);
@@ -194,7 +265,11 @@ vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(const std::string& path,
     return held.second.GetPointer();
   }
   std::string said;
-  vtkSmartPointer<vtkImageData> image = ReadFile(path, failure, said, watch);
+  failure.clear();
+  vtkSmartPointer<vtkImageData> image = vtkRelievoReaderProcess::IsThere()
+    ? ReadApart(
+        AnswerFile, [&path](ByteWriter& asked) { asked(path); }, failure, said, progress)
+    : ReadFile(path, failure, said, progress);
   if (note)
   {
     *note = said;
@@ -207,7 +282,17 @@ vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Read(const std::string& path,
 vtkSmartPointer<vtkImageData> vtkRelievoImageFile::Decode(
   const void* bytes, std::size_t size, const std::string& name, std::string& failure)
 {
-  return DecodeBytes({ static_cast<const unsigned char*>(bytes), size }, name, failure);
+  if (!vtkRelievoReaderProcess::IsThere())
+  {
+    return DecodeBytes({ static_cast<const unsigned char*>(bytes), size }, name, failure);
+  }
+  const auto ask = [&](ByteWriter& asked) {
+    asked(name, static_cast<std::uint64_t>(size));
+    asked.PutBytes(bytes, size);
+  };
+  std::string note;
+  failure.clear();
+  return ReadApart(AnswerBytes, ask, failure, note, nullptr);
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,10 @@
 #include "vtkDataSet.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 
 #include <numeric>
 
@@ -59,6 +63,37 @@ vtkSmartPointer<vtkDataObject> CopyDataSets(vtkDataObject* data)
     auto copy = vtkSmartPointer<vtkDataObject>::Take(block->NewInstance());
     copy->ShallowCopy(block);
     return copy;
+  });
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> KeepPoints(vtkDataObject* data)
+{
+  return ReplaceDataSets(data, [](vtkDataObject* block) -> vtkSmartPointer<vtkDataObject> {
+    auto* from = vtkDataSet::SafeDownCast(block);
+    if (!from)
+    {
+      return block;
+    }
+    auto to = vtkSmartPointer<vtkPolyData>::New();
+    if (auto* set = vtkPointSet::SafeDownCast(from))
+    {
+      to->SetPoints(set->GetPoints());
+    }
+    else
+    {
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      points->SetNumberOfPoints(from->GetNumberOfPoints());
+      for (vtkIdType i = 0; i < from->GetNumberOfPoints(); ++i)
+      {
+        points->SetPoint(i, from->GetPoint(i));
+      }
+      to->SetPoints(points);
+    }
+    to->GetPointData()->ShallowCopy(from->GetPointData());
+    to->SetFieldData(from->GetFieldData());
+    return to;
   });
 }
 

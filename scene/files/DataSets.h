@@ -22,6 +22,10 @@ vtkSmartPointer<vtkDataObject> ReplaceDataSets(
 /// Data sets of its own, which share their arrays with the given one's.
 vtkSmartPointer<vtkDataObject> CopyDataSets(vtkDataObject* data);
 
+/// The points of the object, or of all data sets that it holds, as meshes without cells, with their
+/// point and field data.
+vtkSmartPointer<vtkDataObject> KeepPoints(vtkDataObject* data);
+
 /// Gives each cell its number, from 0, in the cell array vtkOriginalCellIds.
 void NumberCells(vtkDataSet* data);
 }

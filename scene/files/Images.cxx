@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Images.h"
 
-#include "CrashGuard.h"
 #include "Errors.h"
 #include "Messages.h"
 #include "Progress.h"
@@ -10,7 +9,6 @@
 #include "Values.h"
 
 #include "vtkActor.h"
-#include "vtkAlgorithm.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationStringKey.h"
@@ -48,12 +46,11 @@ vtkSmartPointer<vtkImageData> ReadImage(const std::string& path, Progress& progr
   progress.Begin("reading " + path);
   std::string failure;
   std::string note;
-  vtkSmartPointer<vtkImageData> image;
-  {
-    const CrashGuard guard(path);
-    image = vtkRelievoImageFile::Read(
-      path, failure, [&progress](vtkAlgorithm* reader) { progress.Observe(reader); }, &note);
-  }
+  const auto show = [&progress](double share) {
+    progress.Update(share);
+    return !progress.IsStopped();
+  };
+  const vtkSmartPointer<vtkImageData> image = vtkRelievoImageFile::Read(path, failure, show, &note);
   progress.End();
   Messages::Check(path, !image, "expected " + failure);
   if (!note.empty())

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ModelTextures.h"
 
-#include "CrashGuard.h"
 #include "Errors.h"
 #include "Images.h"
 #include "Messages.h"
@@ -51,7 +50,6 @@ vtkSmartPointer<vtkImageData> ModelTextures::Read(const std::string& name, Progr
 {
   if (this->Reader->HasEmbeddedTexture(name.c_str()))
   {
-    const CrashGuard guard(this->Path);
     vtkSmartPointer<vtkImageData> image = this->Reader->GetEmbeddedTexture(name.c_str());
     Messages::Check("in the file", !image, "expected an image");
     return image;

@@ -3,7 +3,6 @@
 #include "Models.h"
 
 #include "Actors.h"
-#include "CrashGuard.h"
 #include "Errors.h"
 #include "Messages.h"
 #include "ModelOptions.h"
@@ -124,37 +123,34 @@ PosedModel ReadModel(
   model.Smooth = smooth;
   model.Reader = vtkSmartPointer<vtkRelievoModelReader>::New();
   vtkRelievoModelReader* reader = model.Reader;
+  reader->SetFileName(path.c_str());
+  reader->SetAnimation(choice.Animation.c_str());
+  reader->SetBlendAnimation(choice.Blend.c_str());
+  reader->SetBlendWeight(choice.BlendWeight);
+  reader->SetLoop(choice.Loop);
+  reader->SetSkeletonAxes(choice.Skeleton);
+  reader->SetFirstBone(choice.FirstBone);
+  reader->SetWeightsOf(choice.BoneWeight.c_str());
+  if (!choice.Given && IsGLTF(path))
   {
-    const CrashGuard guard(path);
-    reader->SetFileName(path.c_str());
-    reader->SetAnimation(choice.Animation.c_str());
-    reader->SetBlendAnimation(choice.Blend.c_str());
-    reader->SetBlendWeight(choice.BlendWeight);
-    reader->SetLoop(choice.Loop);
-    reader->SetSkeletonAxes(choice.Skeleton);
-    reader->SetFirstBone(choice.FirstBone);
-    reader->SetWeightsOf(choice.BoneWeight.c_str());
-    if (!choice.Given && IsGLTF(path))
-    {
-      reader->SetPose(vtkRelievoModelReader::POSE_NODES); // a scene stands until it is to move
-    }
-    else if (choice.Skin == SkinChoice::Off)
-    {
-      reader->SetPose(vtkRelievoModelReader::POSE_BIND);
-    }
-    else
-    {
-      reader->SetMethod(static_cast<int>(choice.Skin) - static_cast<int>(SkinChoice::Linear));
-    }
-    progress.Observe(reader);
-    if (choice.Time)
-    {
-      reader->UpdateTimeStep(*choice.Time);
-    }
-    else
-    {
-      reader->Update();
-    }
+    reader->SetPose(vtkRelievoModelReader::POSE_NODES); // a scene stands until it is to move
+  }
+  else if (choice.Skin == SkinChoice::Off)
+  {
+    reader->SetPose(vtkRelievoModelReader::POSE_BIND);
+  }
+  else
+  {
+    reader->SetMethod(static_cast<int>(choice.Skin) - static_cast<int>(SkinChoice::Linear));
+  }
+  progress.Observe(reader);
+  if (choice.Time)
+  {
+    reader->UpdateTimeStep(*choice.Time);
+  }
+  else
+  {
+    reader->Update();
   }
   progress.End();
   for (int i = 0; i < reader->GetNumberOfFiles(); ++i)

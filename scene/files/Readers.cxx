@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Readers.h"
 
-#include "CrashGuard.h"
+#include "Actors.h"
+#include "Apart.h"
+#include "DataSets.h"
 #include "Errors.h"
 #include "Messages.h"
 #include "OpenedFiles.h"
@@ -222,6 +224,14 @@ bool IsModel(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+std::string GetReaderName(const std::string& path)
+{
+  const std::string extension = ExtensionOf(path);
+  const bool ours = extension == ".ply" || extension == ".obj" || extension == ".off";
+  return ours ? extension.substr(1) : "VTK";
+}
+
+//------------------------------------------------------------------------------
 void CheckReadable(const std::string& path)
 {
   const std::string instead = vtkRelievoFileKind::FindInstead(path);
@@ -244,12 +254,13 @@ std::string NotAsNamed(const std::string& path)
   return "cannot be read as " + ExtensionOf(path) + "; is it what its name says, and whole?";
 }
 
+namespace
+{
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, Progress& progress)
 {
   progress.Begin("reading " + path);
   AddPieces(path);
-  const CrashGuard guard(path);
   const vtkSmartPointer<vtkAlgorithm> reader = FindRow(path)->Make(path);
   progress.Observe(reader);
   reader->Update();
@@ -265,5 +276,33 @@ vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, Progress& progr
   }
   CheckCells(data, path);
   return data;
+}
+
+vtkSmartPointer<vtkDataObject> ReadFaceted(const std::string& path, Progress& progress)
+{
+  return MakeSurface(ReadData(path, progress), false, path, progress);
+}
+
+vtkSmartPointer<vtkDataObject> ReadSmooth(const std::string& path, Progress& progress)
+{
+  return MakeSurface(ReadData(path, progress), true, path, progress);
+}
+
+vtkSmartPointer<vtkDataObject> ReadBare(const std::string& path, Progress& progress)
+{
+  return KeepPoints(ReadData(path, progress));
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> ReadSurface(const std::string& path, bool smooth, Progress& progress)
+{
+  return ReadApart(smooth ? ReadSmooth : ReadFaceted, path, progress);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> ReadPoints(const std::string& path, Progress& progress)
+{
+  return ReadApart(ReadBare, path, progress);
 }
 }

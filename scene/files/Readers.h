@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Files of data to VTK data objects, by the extension of the name. glTF is a whole scene and not
- * data: SceneFiles reads it into a renderer instead.
+ * Files of data to VTK data objects, by the extension of the name. Programs of ours have another
+ * process read them (Apart). Models are whole scenes and not data: ReadModel reads them.
  */
 #ifndef Readers_h
 #define Readers_h
@@ -30,14 +30,21 @@ bool IsGLTF(const std::string& path);
 /// Whether the path's extension is glTF's or that of other models, which ReadModel reads.
 bool IsModel(const std::string& path);
 
+/// Whose reader reads the path, for messages: "VTK", or a format that Relievo itself reads.
+std::string GetReaderName(const std::string& path);
+
 /// Throws WorkError unless the path is a file that can be opened.
 void CheckReadable(const std::string& path);
 
 /// What is said of a file that no reader understands and VTK has no words for.
 std::string NotAsNamed(const std::string& path);
 
-/// What the file holds. Throws WorkError with the file's name.
-vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, Progress& progress);
+/// What there is to draw of a file: its surface, as MakeSurface. Throws WorkError with its name.
+vtkSmartPointer<vtkDataObject> ReadSurface(
+  const std::string& path, bool smooth, Progress& progress);
+
+/// The points of a file with their arrays. Throws WorkError with its name.
+vtkSmartPointer<vtkDataObject> ReadPoints(const std::string& path, Progress& progress);
 }
 
 #endif

@@ -284,7 +284,7 @@ FramePoints ReadFramePoints(const RenderOptions& options, Progress& progress)
   for (const PointsChoice& choice : options.Points)
   {
     const vtkSmartPointer<vtkRelievoPointValues> points = MakePoints(choice.Stage);
-    points->SetInputData(ReadData(choice.File, progress));
+    points->SetInputData(ReadPoints(choice.File, progress));
     if (points->GetDescription().Find("up")) // unless it is given
     {
       points->SetParameter("up",

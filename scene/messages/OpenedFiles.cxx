@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenedFiles.h"
 
+#include "vtkRelievoReaderProcess.h"
+
 #include <filesystem>
 #include <system_error>
 
@@ -31,6 +33,8 @@ void OpenedFiles::Add(const std::string& path)
   std::error_code trouble;
   if (Listed && std::filesystem::exists(path, trouble))
   {
+    const std::uintmax_t size = std::filesystem::file_size(path, trouble);
+    vtkRelievoReaderProcess::Allow(trouble ? 0 : size); // a folder has none
     const std::filesystem::path whole = std::filesystem::absolute(path, trouble);
     Listed->push_back(trouble ? path : whole.string());
   }

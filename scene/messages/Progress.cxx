@@ -42,7 +42,7 @@ Progress::~Progress()
 void Progress::Begin(const std::string& what)
 {
   this->End();
-  if (this->Listener && this->Listener->IsStopped())
+  if (this->IsStopped())
   {
     throw WorkError(what + ": stopped");
   }
@@ -80,6 +80,12 @@ void Progress::Update(double share)
 }
 
 //------------------------------------------------------------------------------
+bool Progress::IsStopped()
+{
+  return this->Listener && this->Listener->IsStopped();
+}
+
+//------------------------------------------------------------------------------
 void Progress::End()
 {
   if (this->Shown && this->OnTerminal)
@@ -102,7 +108,7 @@ void Progress::Observe(vtkObject* algorithm)
       self->Update(*static_cast<double*>(share));
     }
     vtkAlgorithm* working = vtkAlgorithm::SafeDownCast(caller);
-    if (working && self->Listener && self->Listener->IsStopped())
+    if (working && self->IsStopped())
     {
       working->SetAbortExecute(1);
     }

@@ -39,6 +39,9 @@ public:
   /// The step is done by this share, 0 to 1.
   void Update(double share);
 
+  /// Whether the listener wants the work to end.
+  bool IsStopped();
+
   /// The step is over; also called by Begin and the destructor.
   void End();
 

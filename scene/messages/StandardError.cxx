@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StandardError.h"
 
+#include "vtkRelievoReaderProcess.h"
+
 #include <initializer_list>
 
 #include <fcntl.h>
@@ -26,12 +28,7 @@ void BeProgram()
       open("/dev/null", each == STDERR_FILENO ? O_WRONLY : O_RDONLY);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-bool IsProgram()
-{
-  return Ours;
+  vtkRelievoReaderProcess::Start();
 }
 
 //------------------------------------------------------------------------------

@@ -11,10 +11,10 @@
 
 namespace scene
 {
-/// The process is the command or the viewer, and its error output ours. Elsewhere, as in Python,
-/// what others print stays theirs, and a crash too.
+/// The process is the command or the viewer: its error output is ours, and files are read in other
+/// processes. First thing in main(), before there are threads. Elsewhere, as in Python, what others
+/// print stays theirs, and files are read in the process itself.
 void BeProgram();
-bool IsProgram();
 
 /// Where the command itself writes, also while libraries are silent.
 std::FILE* StandardError();

@@ -19,6 +19,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRelievoReaderProcess.h"
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -277,6 +278,7 @@ int ViewerTest::CountDifferent(vtkImageData* a, vtkImageData* b)
 //------------------------------------------------------------------------------
 int Run(QObject& tests, int argc, char* argv[])
 {
+  vtkRelievoReaderProcess::Start(); // as the program
   QSurfaceFormat::setDefaultFormat(viewer::PictureView::GetFormat());
   QCoreApplication::setOrganizationName("Relievo");
   QCoreApplication::setApplicationName("tests");

@@ -1,0 +1,587 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoReaderProcess.h"
+
+#ifdef __linux__
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace
+{
+constexpr std::uint64_t Memory = std::uint64_t(8) << 30;
+constexpr std::uint64_t MemoryOfByte = 32;
+constexpr std::uint64_t ProcessorSeconds = 15;
+constexpr std::uint64_t Seconds = 60;
+constexpr std::uint64_t SecondsOfMiB = 2; // of both
+
+// A file: open, and closed with this.
+class Descriptor
+{
+public:
+  explicit Descriptor(int number = -1)
+    : Number(number)
+  {
+  }
+  ~Descriptor() { this->Close(); }
+  Descriptor(const Descriptor&) = delete;
+  void operator=(const Descriptor&) = delete;
+
+  void Close()
+  {
+    if (this->Number >= 0)
+    {
+      close(this->Number);
+    }
+    this->Number = -1;
+  }
+  void Take(int number)
+  {
+    this->Close();
+    this->Number = number;
+  }
+  int Get() const { return this->Number; }
+  explicit operator bool() const { return this->Number >= 0; }
+
+private:
+  int Number;
+};
+
+// What is sent about the work that goes on, in packets.
+struct Note
+{
+  enum Kinds : int
+  {
+    Progress,
+    Opened,   // Size
+    NoMemory, // which the reader may get over
+    Whole,    // all that was made is written
+    Ended     // Status, of the process
+  };
+  Kinds Kind = Progress;
+  int Status = 0;
+  std::uint64_t Size = 0;
+  double Share = 0.;
+  char What[5000] = "";
+};
+
+struct Request
+{
+  vtkRelievoReaderProcess::Work Work = nullptr;
+  std::uint64_t Size = 0; // of what is asked, which the first file holds; what is made follows it
+};
+
+int Server = -1; // the program's end of the line to the process; -1: there is none
+pid_t Process = 0;
+int Line = -1;            // within a work: to the program
+std::uint64_t Opened = 0; // within a work: bytes of files
+
+//------------------------------------------------------------------------------
+bool Send(int line, const Note& note)
+{
+  ssize_t sent = -1;
+  do
+  {
+    sent = send(line, &note, sizeof note, MSG_NOSIGNAL);
+  } while (sent < 0 && errno == EINTR);
+  return sent == sizeof note;
+}
+
+// False at the end.
+bool Receive(int line, Note& note)
+{
+  ssize_t got = -1;
+  do
+  {
+    got = recv(line, &note, sizeof note, 0);
+  } while (got < 0 && errno == EINTR);
+  note.What[sizeof note.What - 1] = '\0';
+  return got == sizeof note;
+}
+
+constexpr std::size_t FilesSent = 2; // what is asked and made, and the line
+
+bool SendRequest(int server, Request& request, const std::array<int, FilesSent>& files)
+{
+  iovec data = { &request, sizeof request };
+  alignas(cmsghdr) char control[CMSG_SPACE(sizeof files)] = {};
+  msghdr message = {};
+  message.msg_iov = &data;
+  message.msg_iovlen = 1;
+  message.msg_control = control;
+  message.msg_controllen = sizeof control;
+  cmsghdr* header = CMSG_FIRSTHDR(&message);
+  header->cmsg_level = SOL_SOCKET;
+  header->cmsg_type = SCM_RIGHTS;
+  header->cmsg_len = CMSG_LEN(sizeof files);
+  std::memcpy(CMSG_DATA(header), files.data(), sizeof files);
+  ssize_t sent = -1;
+  do
+  {
+    sent = sendmsg(server, &message, MSG_NOSIGNAL);
+  } while (sent < 0 && errno == EINTR);
+  return sent == sizeof request;
+}
+
+bool ReceiveRequest(int server, Request& request, Descriptor& bytes, Descriptor& line)
+{
+  iovec data = { &request, sizeof request };
+  std::array<int, FilesSent> files = {};
+  alignas(cmsghdr) char control[CMSG_SPACE(sizeof files)] = {};
+  msghdr message = {};
+  message.msg_iov = &data;
+  message.msg_iovlen = 1;
+  message.msg_control = control;
+  message.msg_controllen = sizeof control;
+  ssize_t got = -1;
+  do
+  {
+    got = recvmsg(server, &message, MSG_CMSG_CLOEXEC);
+  } while (got < 0 && errno == EINTR);
+  const cmsghdr* header = got == sizeof request ? CMSG_FIRSTHDR(&message) : nullptr;
+  if (!header || header->cmsg_len != CMSG_LEN(sizeof files))
+  {
+    return false;
+  }
+  std::memcpy(files.data(), CMSG_DATA(header), sizeof files);
+  bytes.Take(files[0]);
+  line.Take(files[1]);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t GetSeconds(std::uint64_t least, std::uint64_t size)
+{
+  return least + SecondsOfMiB * (size >> 20);
+}
+
+void Limit(std::uint64_t size)
+{
+  // Sanitizers take terabytes of addresses.
+#ifndef __SANITIZE_ADDRESS__
+  const rlim_t memory = Memory + MemoryOfByte * size;
+  const rlimit data = { memory, RLIM_INFINITY };
+  setrlimit(RLIMIT_DATA, &data);
+  setrlimit(RLIMIT_FSIZE, &data);
+#endif
+  const rlimit time = { GetSeconds(ProcessorSeconds, size), RLIM_INFINITY };
+  setrlimit(RLIMIT_CPU, &time);
+}
+
+void SayNoMemory()
+{
+  Note note;
+  note.Kind = Note::NoMemory;
+  Send(Line, note);
+}
+
+// The process of one file.
+[[noreturn]] void Work(const Request& request, int bytes, int line)
+{
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  prctl(PR_SET_DUMPABLE, 0); // no core
+  Limit(0);
+  Line = line;
+  std::set_new_handler([] {
+    SayNoMemory();
+    throw std::bad_alloc();
+  });
+  // VTK throws where malloc() fails, also out of what may not throw.
+  std::set_terminate([] {
+    try
+    {
+      if (const std::exception_ptr thrown = std::current_exception())
+      {
+        std::rethrow_exception(thrown);
+      }
+    }
+    catch (const std::bad_alloc&)
+    {
+      SayNoMemory();
+    }
+    catch (...)
+    {
+    }
+    std::abort();
+  });
+  try
+  {
+    void* asked =
+      request.Size > 0 ? mmap(nullptr, request.Size, PROT_READ, MAP_PRIVATE, bytes, 0) : nullptr;
+    if (asked == MAP_FAILED)
+    {
+      throw std::bad_alloc();
+    }
+    relievo::ByteReader reader(asked, request.Size);
+    lseek(bytes, 0, SEEK_END);
+    relievo::ByteWriter writer(bytes);
+    int percent = -1;
+    std::string before;
+    const auto say = [&](const std::string& what, double share) {
+      const int now = static_cast<int>(100. * std::clamp(share, 0., 1.));
+      if (now != percent || what != before)
+      {
+        percent = now;
+        before = what;
+        Note note;
+        note.Share = share;
+        std::snprintf(note.What, sizeof note.What, "%s", what.c_str());
+        Send(line, note);
+      }
+      return true;
+    };
+    request.Work(reader, say, writer);
+    writer.Flush();
+    Note note;
+    note.Kind = Note::Whole;
+    Send(line, note);
+  }
+  catch (const std::bad_alloc&)
+  {
+    SayNoMemory();
+  }
+  _exit(0);
+}
+
+//------------------------------------------------------------------------------
+// A process of one file, as the one that forked it knows it.
+struct Child
+{
+  pid_t Number = 0;
+  Descriptor Life; // has an end when the process has
+  Descriptor Line; // to who asked
+};
+
+std::unique_ptr<Child> Fork(const Request& request, int bytes, int line)
+{
+  auto child = std::make_unique<Child>();
+  child->Line.Take(fcntl(line, F_DUPFD_CLOEXEC, 0));
+  int life[2];
+  if (!child->Line || pipe2(life, O_CLOEXEC) != 0)
+  {
+    return nullptr;
+  }
+  child->Life.Take(life[0]);
+  const Descriptor its(life[1]);
+  child->Number = fork();
+  if (child->Number == 0)
+  {
+    Work(request, bytes, line);
+  }
+  return child->Number < 0 ? nullptr : std::move(child);
+}
+
+void Bury(const Child& child)
+{
+  Note note;
+  note.Kind = Note::Ended;
+  while (waitpid(child.Number, &note.Status, 0) < 0 && errno == EINTR)
+  {
+  }
+  Send(child.Line.Get(), note);
+}
+
+[[noreturn]] void Serve(int server)
+{
+  prctl(PR_SET_NAME, "relievo-reader");
+  // What ends the program by these ends this one too, by the end of the line to it.
+  for (const int signal : { SIGHUP, SIGINT, SIGQUIT, SIGTERM })
+  {
+    std::signal(signal, SIG_IGN);
+  }
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  dup2(nowhere, STDOUT_FILENO); // whose end others wait for
+  dup2(nowhere, STDERR_FILENO);
+  std::vector<std::unique_ptr<Child>> children;
+  for (;;)
+  {
+    std::vector<pollfd> ready = { { server, POLLIN, 0 } };
+    for (const std::unique_ptr<Child>& child : children)
+    {
+      ready.push_back({ child->Life.Get(), POLLIN, 0 });
+      ready.push_back({ child->Line.Get(), POLLIN, 0 });
+    }
+    if (poll(ready.data(), ready.size(), -1) < 0)
+    {
+      continue;
+    }
+    for (std::size_t i = children.size(); i-- > 0;)
+    {
+      Child& child = *children[i];
+      if (ready[1 + 2 * i].revents != 0)
+      {
+        Bury(child);
+        children.erase(children.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+      else if (ready[2 + 2 * i].revents != 0) // who asked does not want it any more, or is gone
+      {
+        kill(child.Number, SIGKILL); // nobody else has its number before it is buried
+        pollfd life = { child.Life.Get(), POLLIN, 0 };
+        poll(&life, 1, -1);
+        Bury(child);
+        children.erase(children.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+    }
+    if (ready[0].revents != 0)
+    {
+      Request request;
+      Descriptor bytes, line;
+      if (!ReceiveRequest(server, request, bytes, line))
+      {
+        _exit(0); // and its children with it
+      }
+      if (auto child = Fork(request, bytes.Get(), line.Get()))
+      {
+        children.push_back(std::move(child));
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string InGiB(std::uint64_t size)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, size % (1 << 30) == 0 ? "%.0f GiB" : "%.1f GiB",
+    static_cast<double>(size) / (1 << 30));
+  return text;
+}
+
+std::string DescribeSignal(int signal)
+{
+  const char* name = strsignal(signal);
+  std::string text = name ? name : std::to_string(signal);
+  text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+// What became of a process that made nothing whole.
+std::string Describe(int status, bool lackedMemory, std::uint64_t size)
+{
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGXCPU)
+  {
+    return "did not end within " + std::to_string(GetSeconds(ProcessorSeconds, size)) +
+      " s of processor time";
+  }
+  if (lackedMemory || signal == SIGXFSZ)
+  {
+    return "used more than " + InGiB(Memory + MemoryOfByte * size) + " of memory";
+  }
+  if (signal == SIGKILL)
+  {
+    return "was ended by the system; is there memory for it?";
+  }
+  return signal != 0 ? "crashed (" + DescribeSignal(signal) + ")" : "ended early";
+}
+
+void Stop()
+{
+  if (Server >= 0)
+  {
+    close(Server);
+    Server = -1;
+    waitpid(Process, nullptr, 0);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoReaderProcess::Start()
+{
+  int ends[2];
+  if (Server >= 0 || socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
+  {
+    return Server >= 0;
+  }
+  Process = fork();
+  if (Process == 0)
+  {
+    close(ends[0]);
+    Serve(ends[1]);
+  }
+  close(ends[1]);
+  if (Process < 0)
+  {
+    close(ends[0]);
+    Process = 0;
+    return false;
+  }
+  Server = ends[0];
+  std::atexit(Stop);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoReaderProcess::IsThere()
+{
+  return Server >= 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkRelievoReaderProcess::GetProcess()
+{
+  return Process;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoReaderProcess::Run(Work work,
+  const std::function<void(relievo::ByteWriter&)>& ask, const Say& say,
+  const std::function<void(relievo::ByteReader&)>& take)
+{
+  const Descriptor bytes(memfd_create("relievo", MFD_CLOEXEC));
+  int ends[2] = { -1, -1 };
+  if (!bytes || socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
+  {
+    return std::string("cannot be started: ") + std::strerror(errno);
+  }
+  const Descriptor line(ends[0]);
+  Descriptor other(ends[1]);
+  relievo::ByteWriter writer(bytes.Get());
+  ask(writer);
+  writer.Flush();
+  Request request;
+  request.Work = work;
+  request.Size = static_cast<std::uint64_t>(lseek(bytes.Get(), 0, SEEK_CUR));
+  const auto fail = [] {
+    waitpid(Process, nullptr, WNOHANG);
+    return "cannot be started: the process that reads files has been ended; start the program "
+           "again";
+  };
+  if (!SendRequest(Server, request, { bytes.Get(), other.Get() }))
+  {
+    return fail();
+  }
+  other.Close();
+
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point began = Clock::now();
+  constexpr int patience = 50; // milliseconds between two looks whether to go on
+  std::uint64_t size = 0;
+  std::string what;
+  double share = 0.;
+  bool whole = false, lackedMemory = false, stopped = false, late = false;
+  Note note;
+  for (;;)
+  {
+    pollfd ready = { line.Get(), POLLIN, 0 };
+    const bool waits = poll(&ready, 1, patience) <= 0;
+    if (!waits)
+    {
+      if (!Receive(line.Get(), note))
+      {
+        return fail();
+      }
+      if (note.Kind == Note::Ended)
+      {
+        break;
+      }
+      size += note.Kind == Note::Opened ? note.Size : 0;
+      whole = whole || note.Kind == Note::Whole;
+      lackedMemory = lackedMemory || note.Kind == Note::NoMemory;
+      what = note.Kind == Note::Progress ? note.What : what;
+      share = note.Kind == Note::Progress ? note.Share : share;
+    }
+    const bool ended = stopped || late;
+    stopped = stopped || ((waits || note.Kind == Note::Progress) && !say(what, share));
+    late = late || Clock::now() - began > std::chrono::seconds(GetSeconds(Seconds, size));
+    if (!ended && (stopped || late))
+    {
+      Send(line.Get(), Note());
+    }
+  }
+  if (stopped)
+  {
+    return "was stopped";
+  }
+  if (!whole && late)
+  {
+    return "did not end within " + std::to_string(GetSeconds(Seconds, size)) + " s";
+  }
+  if (!whole)
+  {
+    return Describe(note.Status, lackedMemory, size);
+  }
+  // Nobody else has the file any more: it keeps its size.
+  const off_t end = lseek(bytes.Get(), 0, SEEK_END);
+  const auto all = static_cast<std::size_t>(std::max<off_t>(end, 0));
+  void* made =
+    all > request.Size ? mmap(nullptr, all, PROT_READ, MAP_PRIVATE, bytes.Get(), 0) : nullptr;
+  if (made == MAP_FAILED)
+  {
+    throw std::bad_alloc();
+  }
+  const std::unique_ptr<void, std::function<void(void*)>> mapped(
+    made, [all](void* place) { munmap(place, all); });
+  relievo::ByteReader reader(
+    made ? static_cast<const char*>(made) + request.Size : nullptr, made ? all - request.Size : 0);
+  try
+  {
+    take(reader);
+  }
+  catch (const std::runtime_error&)
+  {
+    return "crashed: what it made of the file is damaged";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoReaderProcess::Allow(std::uint64_t size)
+{
+  if (Line >= 0)
+  {
+    Opened += size;
+    Limit(Opened);
+    Note note;
+    note.Kind = Note::Opened;
+    note.Size = size;
+    Send(Line, note);
+  }
+}
+#else
+bool vtkRelievoReaderProcess::Start()
+{
+  return false;
+}
+
+bool vtkRelievoReaderProcess::IsThere()
+{
+  return false;
+}
+
+int vtkRelievoReaderProcess::GetProcess()
+{
+  return 0;
+}
+
+std::string vtkRelievoReaderProcess::Run(Work, const std::function<void(relievo::ByteWriter&)>&,
+  const Say&, const std::function<void(relievo::ByteReader&)>&)
+{
+  return "";
+}
+
+void vtkRelievoReaderProcess::Allow(std::uint64_t) {}
+#endif
