@@ -322,20 +322,25 @@ vtkSmartPointer<vtkAbstractArray> GetArray(ByteReader& reader)
   return array;
 }
 
-void GetField(ByteReader& reader, vtkFieldData* field)
+// Arrays of at least so many tuples.
+void GetField(ByteReader& reader, vtkFieldData* field, vtkIdType least = 0)
 {
   for (int count = reader.Get<int>(); count > 0; --count)
   {
     if (const vtkSmartPointer<vtkAbstractArray> array = GetArray(reader))
     {
+      if (array->GetNumberOfTuples() < least)
+      {
+        ByteReader::Refuse();
+      }
       field->AddArray(array);
     }
   }
 }
 
-void GetAttributes(ByteReader& reader, vtkDataSetAttributes* attributes)
+void GetAttributes(ByteReader& reader, vtkDataSetAttributes* attributes, vtkIdType least)
 {
-  GetField(reader, attributes);
+  GetField(reader, attributes, least);
   for (int kind = 0; kind < vtkDataSetAttributes::NUM_ATTRIBUTES; ++kind)
   {
     if (const vtkSmartPointer<vtkAbstractArray> array = GetArray(reader))
@@ -357,7 +362,7 @@ vtkSmartPointer<Integers> GetIntegers(ByteReader& reader)
   return array;
 }
 
-vtkSmartPointer<vtkCellArray> GetCells(ByteReader& reader)
+vtkSmartPointer<vtkCellArray> GetCells(ByteReader& reader, vtkIdType points)
 {
   if (!reader.Get<bool>())
   {
@@ -368,7 +373,10 @@ vtkSmartPointer<vtkCellArray> GetCells(ByteReader& reader)
     using Integers = std::remove_pointer_t<decltype(kind)>;
     const vtkSmartPointer<Integers> offsets = GetIntegers<Integers>(reader);
     const vtkSmartPointer<Integers> connectivity = GetIntegers<Integers>(reader);
-    if (offsets->GetNumberOfValues() == 0)
+    const auto* begin = connectivity->GetPointer(0);
+    const bool fits = std::all_of(begin, begin + connectivity->GetNumberOfValues(),
+      [points](auto point) { return point >= 0 && point < points; });
+    if (!fits || offsets->GetNumberOfValues() == 0)
     {
       ByteReader::Refuse();
     }
@@ -402,13 +410,13 @@ vtkSmartPointer<vtkPolyData> GetMesh(ByteReader& reader)
     { static_cast<Set>(&vtkPolyData::SetVerts), static_cast<Set>(&vtkPolyData::SetLines),
       static_cast<Set>(&vtkPolyData::SetPolys), static_cast<Set>(&vtkPolyData::SetStrips) })
   {
-    if (const vtkSmartPointer<vtkCellArray> cells = GetCells(reader))
+    if (const vtkSmartPointer<vtkCellArray> cells = GetCells(reader, mesh->GetNumberOfPoints()))
     {
       (mesh.Get()->*set)(cells);
     }
   }
-  GetAttributes(reader, mesh->GetPointData());
-  GetAttributes(reader, mesh->GetCellData());
+  GetAttributes(reader, mesh->GetPointData(), mesh->GetNumberOfPoints());
+  GetAttributes(reader, mesh->GetCellData(), mesh->GetNumberOfCells());
   GetField(reader, mesh->GetFieldData());
   return mesh;
 }
@@ -429,8 +437,8 @@ vtkSmartPointer<vtkImageData> GetImage(ByteReader& reader)
   }
   image->SetOrigin(origin);
   image->SetSpacing(spacing);
-  GetAttributes(reader, image->GetPointData());
-  GetAttributes(reader, image->GetCellData());
+  GetAttributes(reader, image->GetPointData(), image->GetNumberOfPoints());
+  GetAttributes(reader, image->GetCellData(), image->GetNumberOfCells());
   GetField(reader, image->GetFieldData());
   return image;
 }

@@ -190,13 +190,6 @@ void Limit(std::uint64_t size)
   setrlimit(RLIMIT_CPU, &time);
 }
 
-void SayNoMemory()
-{
-  Note note;
-  note.Kind = Note::NoMemory;
-  Send(Line, note);
-}
-
 // The process of one file.
 [[noreturn]] void Work(const Request& request, int bytes, int line)
 {
@@ -205,7 +198,7 @@ void SayNoMemory()
   Limit(0);
   Line = line;
   std::set_new_handler([] {
-    SayNoMemory();
+    vtkRelievoReaderProcess::LackMemory();
     throw std::bad_alloc();
   });
   // VTK throws where malloc() fails, also out of what may not throw.
@@ -219,7 +212,7 @@ void SayNoMemory()
     }
     catch (const std::bad_alloc&)
     {
-      SayNoMemory();
+      vtkRelievoReaderProcess::LackMemory();
     }
     catch (...)
     {
@@ -260,7 +253,7 @@ void SayNoMemory()
   }
   catch (const std::bad_alloc&)
   {
-    SayNoMemory();
+    vtkRelievoReaderProcess::LackMemory();
   }
   _exit(0);
 }
@@ -561,6 +554,17 @@ void vtkRelievoReaderProcess::Allow(std::uint64_t size)
     Send(Line, note);
   }
 }
+
+//------------------------------------------------------------------------------
+void vtkRelievoReaderProcess::LackMemory()
+{
+  if (Line >= 0)
+  {
+    Note note;
+    note.Kind = Note::NoMemory;
+    Send(Line, note);
+  }
+}
 #else
 bool vtkRelievoReaderProcess::Start()
 {
@@ -584,4 +588,6 @@ std::string vtkRelievoReaderProcess::Run(Work, const std::function<void(relievo:
 }
 
 void vtkRelievoReaderProcess::Allow(std::uint64_t) {}
+
+void vtkRelievoReaderProcess::LackMemory() {}
 #endif

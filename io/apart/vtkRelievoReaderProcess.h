@@ -44,6 +44,9 @@ public:
 
   // Within such work: a file of this size is opened, which takes its memory and time.
   static void Allow(std::uint64_t size);
+
+  // Within such work: a library says that it did not get memory, which a crash is then put down to.
+  static void LackMemory();
 };
 
 #endif

@@ -8,7 +8,6 @@
 #include "OpenedFiles.h"
 #include "Progress.h"
 #include "Readers.h"
-#include "Validate.h"
 
 #include "vtkDataObject.h"
 #include "vtkRelievoDataBytes.h"
@@ -153,7 +152,6 @@ vtkSmartPointer<vtkDataObject> ReadApart(
   {
     throw WorkError(path + ": holds nothing that can be drawn");
   }
-  CheckCells(data, path); // of a process that others may have damaged
   return data;
 }
 }

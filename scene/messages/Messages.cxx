@@ -8,6 +8,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
+#include "vtkRelievoReaderProcess.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -65,6 +66,10 @@ private:
     if (line.rfind("Error reading InformationKey element for vtkDataArray::", 0) == 0)
     {
       return;
+    }
+    if (line.find("Unable to allocate") != std::string::npos)
+    {
+      vtkRelievoReaderProcess::LackMemory(); // before a VTK of Debian aborts
     }
     // Readers of legacy files call a file that ends too early a warning, "Error reading ...".
     this->Add(error || line.compare(0, 5, "Error") == 0 ? &MessageCollector::Errors

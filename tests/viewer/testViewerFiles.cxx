@@ -27,6 +27,19 @@
 
 using scene::Settings;
 
+namespace
+{
+std::string Repeat(const std::string& text, int times)
+{
+  std::string all;
+  for (int i = 0; i < times; ++i)
+  {
+    all += text;
+  }
+  return all;
+}
+}
+
 class TestViewerFiles : public viewerTest::ViewerTest
 {
   Q_OBJECT
@@ -75,6 +88,33 @@ private Q_SLOTS:
     this->Change([](scene::Settings& settings) { settings.SetParameter("tone", "exposure", "1"); });
     QCOMPARE(this->Window->GetTrouble(), QString());
     QVERIFY(CountDifferent(before, this->Grab()) > 100);
+  }
+
+  // A file on which its reader crashes: what was shown stays, and the next file opens.
+  void readersThatCrash()
+  {
+    const std::string scene = this->WriteScene();
+    this->Open({ scene });
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    const scene::Settings shown = this->Window->GetDocument()->Get();
+    this->WriteText("deep.vtp",
+      "<?xml version=\"1.0\"?><VTKFile type=\"PolyData\" version=\"0.1\"><PolyData>" +
+        Repeat("<Piece>", 300000) + Repeat("</Piece>", 300000) + "</PolyData></VTKFile>");
+    for (int i = 0; i < 2; ++i)
+    {
+      this->Window->OpenFiles({ QString::fromStdString(this->Path("deep.vtp")) });
+      this->WaitUntilRead();
+      const QString trouble = this->Window->GetTrouble();
+      QVERIFY2(
+        trouble.contains("deep.vtp: the reader (VTK) crashed (segmentation"), qPrintable(trouble));
+      QVERIFY(this->Window->GetDocument()->Get() == shown);
+      QCOMPARE(CountDifferent(before, this->Grab()), 0);
+    }
+    this->Window->OpenFiles({ QString::fromStdString(this->WriteScene("next.vtp")) });
+    this->WaitUntilRead();
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QCOMPARE(
+      this->Window->GetDocument()->Get().Files, std::vector<std::string>{ this->Path("next.vtp") });
   }
 
   void nothingIsOpen()

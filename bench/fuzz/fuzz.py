@@ -1,0 +1,257 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Damaged files of every format that Relievo reads, the same for the same seed: each is drawn, or
+refused with one message that names it; nothing crashes, hangs or takes too much memory, and nothing
+is left.
+
+    fuzz.py [--seconds N] [--seed N] [--only N] [--formats A,B,...]
+
+--seconds: how long new files are made (RELIEVO_FUZZ_SECONDS, or 300). --seed: another seed, other
+files (RELIEVO_FUZZ_SEED, or one of the clock, which is printed). --only: file N alone, which stays
+in the folder that is printed. A file that fails is kept below RELIEVO_TEST_OUTPUT (or the current
+folder) in fuzz-failures, with the command that repeats it. Exit: 0 no failure, 1 failures.
+
+Environment: RELIEVO_FUZZ (the program relievo-fuzz-files), RELIEVO and VIEWER (the command and the
+viewer; may be missing), RELIEVO_DATA.
+"""
+
+import argparse
+import collections
+import json
+import os
+import pathlib
+import random
+import select
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+from damage import damage
+from PIL import Image
+from samples import all_samples
+
+SECONDS = 20  # that one file may take
+MEMORY = (8 << 30) + (1 << 28)  # of a process: that of small files, and what the program has
+BATCH = 400  # files that one process draws
+BY_COMMAND = 40  # of so many files one is drawn by the command itself, too
+LOOK = ["--size", "48x48", "--background", "0.3/0.5/0.7", "--png", "out.png"]
+
+
+class Driver:
+    """A process that draws one file after the other."""
+
+    def __init__(self, folder, temporary):
+        self.errors = tempfile.TemporaryFile()
+        self.process = subprocess.Popen(
+            [os.environ["RELIEVO_FUZZ"]], cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+            stderr=self.errors, env={**os.environ, "TMPDIR": str(temporary)})  # fmt: skip
+        self.drawn = 0
+
+    def draw(self, words):
+        """What it says, or a text of what became of it."""
+        self.drawn += 1
+        try:
+            self.process.stdin.write(json.dumps(words).encode() + b"\n")
+            self.process.stdin.flush()
+        except BrokenPipeError:
+            pass
+        if not select.select([self.process.stdout], [], [], SECONDS)[0]:
+            self.process.kill()
+            return f"took more than {SECONDS} s"
+        line = self.process.stdout.readline()
+        if line:
+            return json.loads(line)
+        status = self.process.wait()
+        self.errors.seek(0)
+        return f"ended with status {status}: {self.errors.read()[-600:].decode(errors='replace')}"
+
+    def end(self):
+        """The most memory of it and its readers, in bytes."""
+        self.process.stdin.close()
+        self.process.stdout.close()
+        _, _, usage = os.wait4(self.process.pid, 0) if self.process.returncode is None else 3 * [None]
+        self.process.returncode = self.process.returncode or 0
+        self.errors.close()
+        return usage.ru_maxrss << 10 if usage else 0
+
+
+def judge(answer, sample, folder):
+    """What is wrong with an answer, or nothing."""
+    if isinstance(answer, str):
+        return answer
+    said = answer["say"]
+    if answer["status"] == 0:
+        try:
+            with Image.open(folder / "out.png") as picture:
+                colors = picture.convert("RGB").getcolors(1 << 16)
+        except (OSError, SyntaxError) as error:
+            return f"done, but its picture cannot be read: {error}"
+        # What is not as it should be is drawn with a note.
+        return "an empty picture, without a word" if len(colors) == 1 and not said else ""
+    if answer["status"] not in (1, 2):
+        return f"exit status {answer['status']}"
+    if len(said) != 1 or "\n" in said[0] or not said[0].strip():
+        return f"not one line: {said}"
+    if not any(name in said[0] for name in sample.files):
+        return f"a message that names no file: {said[0]}"
+    return ""
+
+
+def by_program(words, program, folder, temporary):
+    """The command or the viewer itself: its answer in the same form."""
+    try:
+        done = subprocess.run([program, *words], cwd=folder, capture_output=True, timeout=SECONDS,
+                              env={**os.environ, "TMPDIR": str(temporary)})  # fmt: skip
+    except subprocess.TimeoutExpired:
+        return f"took more than {SECONDS} s"
+    name = pathlib.Path(program).name + ": "
+    said = [line.removeprefix(name) for line in done.stderr.decode(errors="replace").splitlines()]
+    if done.returncode not in (0, 1, 2):
+        return f"ended with status {done.returncode}: {said}"
+    return {"status": done.returncode, "say": said}
+
+
+class Campaign:
+    def __init__(self, seed, formats):
+        self.seed = seed
+        self.samples = all_samples(pathlib.Path(os.environ["RELIEVO_DATA"]))
+        if not os.environ.get("VIEWER"):
+            self.samples.pop("session")
+        unknown = set(formats or ()) - set(self.samples)
+        if unknown:
+            sys.exit(f"fuzz.py: --formats: no {', '.join(sorted(unknown))}; expected some of "
+                     + ", ".join(self.samples))  # fmt: skip
+        self.kinds = formats or list(self.samples)
+        self.kept = pathlib.Path(os.environ.get("RELIEVO_TEST_OUTPUT", ".")) / "fuzz-failures"
+        self.counts, self.read = collections.Counter(), collections.Counter()
+        self.failures, self.seconds, self.memory = [], collections.Counter(), 0
+        self.lock = threading.Lock()
+
+    def make(self, number, folder):
+        """Writes the files of a number; which sample they are of."""
+        rng = random.Random(f"{self.seed}:{number}")
+        sample = rng.choice(self.samples[self.kinds[number % len(self.kinds)]])
+        name = rng.choice(sample.damaged)
+        other = rng.choice(self.samples[sample.kind])
+        for each, content in sample.files.items():
+            path = folder / each
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(damage(rng, each, content, other.files[rng.choice(other.damaged)])
+                             if each == name else content)  # fmt: skip
+        return sample
+
+    def keep(self, number, sample, folder, words, wrong):
+        kept = self.kept / f"{self.seed}-{number}"
+        shutil.rmtree(kept, ignore_errors=True)
+        shutil.copytree(folder, kept)
+        (kept / "command.txt").write_text(shlex.join(words) + f"\n{wrong}\n")
+        print(f"FAILURE {kept} ({sample.kind}): {wrong}\n  {shlex.join(words)}", flush=True)
+        self.failures.append(number)
+
+    def left(self, sample, folder, temporary):
+        """What was left, or nothing."""
+        expected = {pathlib.Path(name).parts[0] for name in sample.files} | {"out.png"}
+        more = [each.name for each in folder.iterdir() if each.name not in expected]
+        more += [each.name for each in temporary.iterdir()]
+        return f"left {', '.join(more)}" if more else ""
+
+    def try_one(self, number, driver, folder, temporary):
+        """False if the driver is of no use any more."""
+        for each in folder.iterdir():  # the folder itself is the driver's
+            shutil.rmtree(each) if each.is_dir() else each.unlink()
+        sample = self.make(number, folder)
+        session = sample.kind == "session"
+        words = [*sample.words, *([] if session else LOOK)]
+        whole = ([os.environ["VIEWER"], *words, "--once"] if session else
+                 [os.environ.get("RELIEVO", "relievo"), "render", *words])  # fmt: skip
+        began = time.monotonic()
+        if session:
+            answer = by_program(whole[1:], whole[0], folder, temporary)
+            wrong = answer if isinstance(answer, str) else ""
+            if not wrong and answer["status"] != 0:
+                wrong = judge(answer, sample, folder)
+        else:
+            answer = driver.draw(words)
+            wrong = judge(answer, sample, folder)
+        took = time.monotonic() - began
+        wrong = wrong or self.left(sample, folder, temporary)
+        if not wrong and not session and number % BY_COMMAND == 0 and "RELIEVO" in os.environ:
+            (folder / "out.png").unlink(missing_ok=True)
+            command = by_program(whole[1:], whole[0], folder, temporary)
+            alike = command == answer or (command["status"] == 0 == answer["status"])
+            wrong = "" if alike else f"the command: {command}, the driver: {answer}"
+        with self.lock:
+            self.counts[sample.kind] += 1
+            self.seconds[sample.kind] += took
+            self.read[sample.kind] += not isinstance(answer, str) and answer["status"] == 0
+            if wrong:
+                self.keep(number, sample, folder, whole, wrong)
+        return not isinstance(answer, str) or session
+
+    def work(self, first, step, until, only):
+        with tempfile.TemporaryDirectory() as base:
+            folder, temporary = pathlib.Path(base) / "files", pathlib.Path(base) / "temporary"
+            folder.mkdir()
+            temporary.mkdir()
+            driver = Driver(folder, temporary)
+            number = first
+            while time.monotonic() < until or number == first:
+                if driver.drawn >= BATCH:
+                    self.renew(driver)
+                    driver = None
+                driver = driver or Driver(folder, temporary)
+                if not self.try_one(number, driver, folder, temporary):
+                    self.renew(driver)
+                    driver = None
+                if only:
+                    break
+                number += step
+            if driver:
+                self.renew(driver)
+
+    def renew(self, driver):
+        memory = driver.end()
+        with self.lock:
+            self.memory = max(self.memory, memory)
+
+    def run(self, seconds, only):
+        until = time.monotonic() + seconds
+        step = 1 if only is not None else max(1, (os.cpu_count() or 1))
+        threads = [threading.Thread(target=self.work, args=(only or i, step, until, only is not None))
+                   for i in range(step)]  # fmt: skip
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        if self.memory > MEMORY:
+            print(f"FAILURE: a process used {self.memory} bytes")
+            self.failures.append(-1)
+        for kind in sorted(self.counts):
+            print(f"{kind:8} {self.counts[kind]:6} files, {self.read[kind]:6} of them drawn, "
+                  f"{1000 * self.seconds[kind] / self.counts[kind]:6.1f} ms a file")
+        print(f"{sum(self.counts.values())} files, {len(self.failures)} failures, at most "
+              f"{self.memory / 2**20:.0f} MiB; seed {self.seed}")
+        return 1 if self.failures else 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seconds", type=float,
+                        default=float(os.environ.get("RELIEVO_FUZZ_SECONDS", 300)))  # fmt: skip
+    parser.add_argument("--seed", type=int,
+                        default=int(os.environ.get("RELIEVO_FUZZ_SEED", int(time.time()))))  # fmt: skip
+    parser.add_argument("--only", type=int)
+    parser.add_argument("--formats", type=lambda text: text.split(","))
+    given = parser.parse_args()
+    print(f"seed {given.seed}", flush=True)
+    sys.exit(Campaign(given.seed, given.formats).run(given.seconds, given.only))
+
+
+if __name__ == "__main__":
+    main()

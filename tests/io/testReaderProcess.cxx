@@ -1,0 +1,335 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Readers that do wrong, each in a process of its own: what becomes of them is said, and nothing of
+// them is left.
+#include "Check.h"
+#include "Session.h"
+
+#include <vtkRelievoReaderProcess.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace
+{
+using relievo::ByteReader;
+using relievo::ByteWriter;
+using Say = vtkRelievoReaderProcess::Say;
+using Work = vtkRelievoReaderProcess::Work;
+
+bool GoOn(const std::string&, double)
+{
+  return true;
+}
+
+void AskNothing(ByteWriter&) {}
+void TakeNothing(ByteReader&) {}
+
+std::string Run(Work work)
+{
+  return vtkRelievoReaderProcess::Run(work, AskNothing, GoOn, TakeNothing);
+}
+
+//------------------------------------------------------------------------------
+// What readers do wrong.
+void Crash(ByteReader&, const Say&, ByteWriter&)
+{
+  std::raise(SIGSEGV);
+}
+
+// Whose result is needed after the call, so that no compiler makes a loop of it.
+int Dive(volatile int* depth)
+{
+  volatile char room[4096] = {};
+  *depth = *depth + 1;
+  return Dive(depth) + room[*depth % 4096];
+}
+
+void Overflow(ByteReader&, const Say&, ByteWriter&)
+{
+  volatile int depth = 0;
+  Dive(&depth);
+}
+
+void Throw(ByteReader&, const Say&, ByteWriter&)
+{
+  throw std::length_error("of a library");
+}
+
+void Exit(ByteReader&, const Say&, ByteWriter&)
+{
+  std::exit(0);
+}
+
+void Spin(ByteReader&, const Say&, ByteWriter&)
+{
+  for (volatile unsigned int i = 0;; i = i + 1)
+  {
+  }
+}
+
+void Sleep(ByteReader&, const Say&, ByteWriter&)
+{
+  for (;;)
+  {
+    pause();
+  }
+}
+
+void Gorge(ByteReader&, const Say&, ByteWriter&)
+{
+  std::vector<std::unique_ptr<char[]>> all;
+  for (;;)
+  {
+    all.push_back(std::make_unique<char[]>(std::size_t(1) << 30));
+  }
+}
+
+// As VTK does where malloc() fails, out of what may not throw.
+void GorgeWithoutThrowing() noexcept
+{
+  throw std::bad_alloc();
+}
+
+void GorgeInVTK(ByteReader&, const Say&, ByteWriter&)
+{
+  GorgeWithoutThrowing();
+}
+
+void GetOverIt(ByteReader&, const Say&, ByteWriter& made)
+{
+  std::string said = "has all";
+  try
+  {
+    const std::vector<char> all(std::size_t(1) << 40);
+  }
+  catch (const std::bad_alloc&)
+  {
+    said = "does without";
+  }
+  made(said);
+}
+
+void Echo(ByteReader& asked, const Say& say, ByteWriter& made)
+{
+  say("reading", 0.25);
+  const auto numbers = asked.Get<std::vector<double>>();
+  say("writing", 0.75);
+  made(numbers, getpid());
+}
+
+void Half(ByteReader&, const Say&, ByteWriter& made)
+{
+  made(std::uint64_t(1000)); // and nothing more
+}
+
+void AllowAndCount(ByteReader&, const Say&, ByteWriter& made)
+{
+  vtkRelievoReaderProcess::Allow(std::uint64_t(1) << 30);
+  vtkRelievoReaderProcess::Allow(std::uint64_t(1) << 20);
+  rlimit memory = {}, time = {}, core = {};
+  getrlimit(RLIMIT_DATA, &memory);
+  getrlimit(RLIMIT_CPU, &time);
+  getrlimit(RLIMIT_CORE, &core);
+  made(static_cast<std::uint64_t>(memory.rlim_cur), static_cast<std::uint64_t>(time.rlim_cur));
+}
+
+//------------------------------------------------------------------------------
+std::size_t CountFiles()
+{
+  const std::filesystem::directory_iterator open("/proc/self/fd");
+  return static_cast<std::size_t>(std::distance(begin(open), end(open)));
+}
+
+// The processes whose parent is this one.
+std::vector<int> FindChildren(int parent)
+{
+  std::vector<int> found;
+  for (const auto& each : std::filesystem::directory_iterator("/proc"))
+  {
+    std::ifstream file(each.path() / "stat");
+    std::string text{ std::istreambuf_iterator<char>(file), {} };
+    const std::size_t name = text.rfind(')'); // which may have anything in it
+    char state = 0;
+    int its = 0;
+    if (name != std::string::npos &&
+      std::sscanf(text.c_str() + name, ") %c %d", &state, &its) == 2 && its == parent)
+    {
+      found.push_back(std::stoi(each.path().filename().string()));
+    }
+  }
+  return found;
+}
+
+bool WaitFor(const std::function<bool()>& condition)
+{
+  for (int i = 0; i < 5000 && !condition(); ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return condition();
+}
+
+//------------------------------------------------------------------------------
+void TestEnds()
+{
+  const struct
+  {
+    Work Does;
+    const char* Said;
+  } rows[] = {
+    { Crash, "crashed (segmentation fault)" },
+    { Overflow, "crashed (segmentation fault)" },
+    { Throw, "crashed (aborted)" },
+    { Exit, "ended early" },
+#ifndef __SANITIZE_ADDRESS__
+    { Gorge, "used more than 8 GiB of memory" },
+#endif
+    { GorgeInVTK, "used more than 8 GiB of memory" },
+  };
+  for (const auto& row : rows)
+  {
+    const std::string said = Run(row.Does);
+    RELIEVO_CHECK_THAT(said == row.Said, "got '" + said + "', expected '" + row.Said + "'");
+    RELIEVO_CHECK(FindChildren(vtkRelievoReaderProcess::GetProcess()).empty());
+  }
+  std::string text;
+  const std::string end = vtkRelievoReaderProcess::Run(
+    GetOverIt, AskNothing, GoOn, [&text](ByteReader& made) { made(text); });
+  RELIEVO_CHECK(end.empty() && text == "does without");
+  const std::string half = vtkRelievoReaderProcess::Run(
+    Half, AskNothing, GoOn, [](ByteReader& made) { made.Get<std::vector<double>>(); });
+  RELIEVO_CHECK_THAT(half.find("damaged") != std::string::npos, half);
+}
+
+// Large ones, with the steps between, in several threads at once.
+void TestAnswers()
+{
+  const std::size_t files = CountFiles();
+  std::vector<std::thread> threads;
+  std::vector<int> processes(4, 0);
+  std::vector<char> right(4, 0);
+  for (std::size_t i = 0; i < processes.size(); ++i)
+  {
+    threads.emplace_back([&, i] {
+      const std::vector<double> numbers(1000000 * i, 0.5 + static_cast<double>(i));
+      std::vector<double> back;
+      std::vector<std::string> steps;
+      const std::string end = vtkRelievoReaderProcess::Run(
+        Echo, [&](ByteWriter& asked) { asked(numbers); },
+        [&](const std::string& what, double share) {
+          if (!what.empty() && (steps.empty() || steps.back() != what + std::to_string(share)))
+          {
+            steps.push_back(what + std::to_string(share));
+          }
+          return true;
+        },
+        [&](ByteReader& made) { made(back, processes[i]); });
+      right[i] = end.empty() && back == numbers &&
+        steps == std::vector<std::string>{ "reading0.250000", "writing0.750000" };
+    });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (std::size_t i = 0; i < processes.size(); ++i)
+  {
+    RELIEVO_CHECK(right[i] && processes[i] != getpid());
+    RELIEVO_CHECK(i == 0 || processes[i] != processes[i - 1]);
+  }
+  RELIEVO_CHECK(CountFiles() == files);
+  RELIEVO_CHECK(FindChildren(vtkRelievoReaderProcess::GetProcess()).empty());
+  RELIEVO_CHECK(FindChildren(getpid()).size() == 1);
+}
+
+void TestStop()
+{
+  int looks = 0;
+  const auto began = std::chrono::steady_clock::now();
+  const std::string end = vtkRelievoReaderProcess::Run(
+    Sleep, AskNothing, [&looks](const std::string&, double) { return ++looks < 3; }, TakeNothing);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  RELIEVO_CHECK_THAT(end == "was stopped", end);
+  RELIEVO_CHECK_AT_MOST(took.count(), 10., "seconds until it stopped");
+  RELIEVO_CHECK(
+    WaitFor([] { return FindChildren(vtkRelievoReaderProcess::GetProcess()).empty(); }));
+}
+
+void TestLimits()
+{
+#ifndef __SANITIZE_ADDRESS__
+  std::uint64_t memory = 0, time = 0;
+  const std::string end = vtkRelievoReaderProcess::Run(
+    AllowAndCount, AskNothing, GoOn, [&](ByteReader& made) { made(memory, time); });
+  const std::uint64_t size = (std::uint64_t(1) << 30) + (std::uint64_t(1) << 20);
+  RELIEVO_CHECK(end.empty());
+  RELIEVO_CHECK(memory == (std::uint64_t(8) << 30) + 32 * size);
+  RELIEVO_CHECK(time == 15 + 2 * 1025);
+#endif
+}
+
+// One that computes without end, and one that waits.
+void TestTime()
+{
+  std::string spun;
+  std::thread spinning([&spun] { spun = Run(Spin); });
+  const std::string slept = Run(Sleep);
+  spinning.join();
+  RELIEVO_CHECK_THAT(spun == "did not end within 15 s of processor time", spun);
+  RELIEVO_CHECK_THAT(slept == "did not end within 60 s", slept);
+}
+
+// Somebody ends the process that would fork the next: this is said, and what to do.
+void TestGone()
+{
+  std::string killed;
+  std::thread waiting([&killed] { killed = Run(Sleep); });
+  RELIEVO_CHECK(
+    WaitFor([] { return !FindChildren(vtkRelievoReaderProcess::GetProcess()).empty(); }));
+  const std::vector<int> workers = FindChildren(vtkRelievoReaderProcess::GetProcess());
+  kill(workers.front(), SIGKILL);
+  waiting.join();
+  RELIEVO_CHECK_THAT(killed.find("ended by the system") != std::string::npos, killed);
+
+  kill(vtkRelievoReaderProcess::GetProcess(), SIGKILL);
+  for (int i = 0; i < 2; ++i)
+  {
+    const std::string gone = Run(Crash);
+    RELIEVO_CHECK_THAT(gone.find("start the program again") != std::string::npos, gone);
+  }
+  RELIEVO_CHECK(WaitFor([] {
+    Run(Crash);
+    return FindChildren(getpid()).empty();
+  }));
+}
+}
+
+int main()
+{
+  RELIEVO_CHECK(!vtkRelievoReaderProcess::IsThere());
+  RELIEVO_CHECK(vtkRelievoReaderProcess::Start() && vtkRelievoReaderProcess::IsThere());
+  relievoTest::Session session;
+  TestEnds();
+  TestAnswers();
+  TestStop();
+  TestLimits();
+  TestTime();
+  TestGone();
+  return session.Result();
+}
