@@ -243,7 +243,9 @@ def exr(values):
 
 
 def of_models(data):
-    """Models of the data folder, with all files beside them that they name."""
+    """Models of the data folder, with all files beside them that they name: the small ones, or of a
+    format without any the smallest."""
+    found = {}
     for path in sorted(data.rglob("*")):
         kind = path.suffix.lower()[1:]
         if kind not in ("bvh", "dae", "fbx", "iqm", "ms3d", "x", "gltf", "glb"):
@@ -251,9 +253,12 @@ def of_models(data):
         beside = [each for each in path.parent.iterdir() if each.is_file() and each != path
                   and each.name.encode() in path.read_bytes()]  # fmt: skip
         files = {each.name: each.read_bytes() for each in [path, *beside]}
-        if sum(map(len, files.values())) <= LARGEST:
-            damaged = [path.name] + [name for name in files if name.endswith(".bin")]
-            yield Sample(kind, files, damaged, [path.name])
+        damaged = [path.name] + [name for name in files if name.endswith(".bin")]
+        sample = Sample(kind, files, damaged, [path.name])
+        found.setdefault(kind, []).append((sum(map(len, files.values())), sample))
+    for rows in found.values():
+        rows = sorted(rows, key=lambda row: row[0])
+        yield from (row[-1] for i, row in enumerate(rows) if i == 0 or row[0] <= LARGEST)
 
 
 def of_sessions():

@@ -315,7 +315,8 @@ class Alike(CliTest):
         (self.folder / "here").mkdir()
         here = subprocess.run([sys.executable, __file__, "--here", "../words.json"],
                               cwd=self.folder / "here", check=True, text=True,
-                              stdout=subprocess.PIPE, timeout=600).stdout  # fmt: skip
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                              timeout=600).stdout  # fmt: skip
         for i, said in enumerate(json.loads(here)):
             with self.subTest(file=samples[i]):
                 failed = bool(said["failure"])
@@ -330,9 +331,7 @@ class Alike(CliTest):
 def draw_here(words):
     """Draws all in this process, and prints what was said as JSON."""
     from relievo.vtkRelievoScene import vtkRelievoScene
-    from vtkmodules.vtkCommonCore import vtkObject
 
-    vtkObject.GlobalWarningDisplayOff()
     said = []
     for each in json.loads(pathlib.Path(words).read_text()):
         scene, given = vtkRelievoScene(), vtkStringArray()
