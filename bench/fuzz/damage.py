@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Damages files in the ways that matter to readers; the same random numbers give the same damage."""
+"""Damages files in the ways that matter to readers, by the random numbers that it is given."""
 
 import re
 import struct

@@ -74,10 +74,12 @@ class Driver:
         """The most memory of it and its readers, in bytes."""
         self.process.stdin.close()
         self.process.stdout.close()
-        _, _, usage = os.wait4(self.process.pid, 0) if self.process.returncode is None else 3 * [None]
-        self.process.returncode = self.process.returncode or 0
         self.errors.close()
-        return usage.ru_maxrss << 10 if usage else 0
+        if self.process.returncode is not None:
+            return 0  # somebody has waited for it
+        _, status, usage = os.wait4(self.process.pid, 0)
+        self.process.returncode = status
+        return usage.ru_maxrss << 10
 
 
 def judge(answer, sample, folder):
@@ -222,7 +224,8 @@ class Campaign:
     def run(self, seconds, only):
         until = time.monotonic() + seconds
         step = 1 if only is not None else max(1, (os.cpu_count() or 1))
-        threads = [threading.Thread(target=self.work, args=(only or i, step, until, only is not None))
+        alone = only is not None
+        threads = [threading.Thread(target=self.work, args=(only or i, step, until, alone))
                    for i in range(step)]  # fmt: skip
         for thread in threads:
             thread.start()
@@ -245,7 +248,7 @@ def main():
     parser.add_argument("--seconds", type=float,
                         default=float(os.environ.get("RELIEVO_FUZZ_SECONDS", 300)))  # fmt: skip
     parser.add_argument("--seed", type=int,
-                        default=int(os.environ.get("RELIEVO_FUZZ_SEED", int(time.time()))))  # fmt: skip
+                        default=int(os.environ.get("RELIEVO_FUZZ_SEED", time.time())))  # fmt: skip
     parser.add_argument("--only", type=int)
     parser.add_argument("--formats", type=lambda text: text.split(","))
     given = parser.parse_args()

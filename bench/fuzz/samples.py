@@ -28,6 +28,7 @@ from vtkmodules.vtkIOXML import vtkXMLDataSetWriter, vtkXMLMultiBlockDataWriter
 LARGEST = 200000  # bytes of a sample from the data folder
 
 MESH = b"OFF\n4 4 0\n-1 -1 0\n1 -1 0\n-1 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
+COLORED = b"COFF\n3 1 0\n-1 -1 0 0.1 0.2 0.3 1\n1 -1 0 1 0 0 1\n-1 1 0 0 1 0 1\n3 0 1 2\n"
 OBJ = b"""# a comment
 mtllib a.mtl
 o part
@@ -273,7 +274,7 @@ def of_sessions():
 def all_samples(data):
     """By format."""
     samples = [of_one("off", "a.off", MESH),
-               of_one("off", "a.off", MESH.replace(b"OFF", b"COFF").replace(b" 0\n", b" 0 0.1 0.2 0.3 1\n")),
+               of_one("off", "a.off", COLORED),
                Sample("obj", {"a.obj": OBJ, "a.mtl": MTL, "a.png": png()},
                       ["a.obj", "a.obj", "a.mtl"], ["a.obj"])]  # fmt: skip
     samples += [*of_vtk(), *of_images(), *of_models(data), *of_sessions()]

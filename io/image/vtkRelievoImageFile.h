@@ -31,9 +31,9 @@ constexpr std::uint64_t MostBytes = std::uint64_t(1) << 31;  // of the image, an
 // data, of the channels R G B [A], r g b [a], Y [A] (grey) or else those of the first layer, and of
 // the first part. Whoever asks for a file that another holds already gets the same image, unless
 // the file has changed since. nullptr if it cannot be read; then `failure` says what was expected
-// and what is wrong. `progress` is told the share of OpenEXR that is read, and returns whether to go
-// on. `note`: what of the file is left out, in words, or nothing. In our programs another process
-// reads it (vtkRelievoReaderProcess), and decodes what Decode is given.
+// and what is wrong. `progress` is told the share of OpenEXR that is read, and returns whether to
+// go on. `note`: what of the file is left out, in words, or nothing. In our programs another
+// process reads it (vtkRelievoReaderProcess), and decodes what Decode is given.
 VTKRELIEVOIO_EXPORT vtkSmartPointer<vtkImageData> Read(const std::string& path,
   std::string& failure, const std::function<bool(double)>& progress = nullptr,
   std::string* note = nullptr);

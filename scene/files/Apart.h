@@ -19,8 +19,8 @@ class Progress;
 /// Makes something of a file. Throws UsageError or WorkError with its name.
 using ReadingWork = vtkSmartPointer<vtkDataObject> (*)(const std::string& path, Progress& progress);
 
-/// What the work makes of a file, with its notes, warnings, errors and the files that it opens as if
-/// it were done here. Throws WorkError if the process of the file ends badly.
+/// What the work makes of a file, with its notes, warnings, errors and the files that it opens as
+/// if it were done here. Throws WorkError if the process of the file ends badly.
 vtkSmartPointer<vtkDataObject> ReadApart(
   ReadingWork work, const std::string& path, Progress& progress);
 }

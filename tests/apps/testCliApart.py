@@ -304,7 +304,8 @@ class Alike(CliTest):
         return names
 
     def test_every_sample(self):
-        extensions = {".off", ".obj", ".gltf", ".glb", ".bvh", ".dae", ".fbx", ".iqm", ".ms3d", ".x"}
+        extensions = (".off", ".obj", ".gltf", ".glb", ".bvh", ".dae", ".fbx", ".iqm", ".ms3d",
+                      ".x")  # fmt: skip
         samples = [str(path) for path in sorted(DATA.rglob("*"))
                    if path.suffix.lower() in extensions and path.stat().st_size < 30e6]  # fmt: skip
         self.assertGreater(len(samples), 60)
