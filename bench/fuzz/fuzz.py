@@ -22,6 +22,7 @@ import json
 import os
 import pathlib
 import random
+import re
 import select
 import shlex
 import shutil
@@ -35,11 +36,17 @@ from damage import damage
 from PIL import Image
 from samples import all_samples
 
-SECONDS = 20  # that one file may take
+SECONDS = 20  # that one file may take, where nothing else runs
 MEMORY = (8 << 30) + (1 << 28)  # of a process: that of small files, and what the program has
 BATCH = 400  # files that one process draws
 BY_COMMAND = 40  # of so many files one is drawn by the command itself, too
+PROGRESS = re.compile(r"relievo: .* \d+ %")  # of a step that takes more than two seconds
 LOOK = ["--size", "48x48", "--background", "0.3/0.5/0.7", "--png", "out.png"]
+
+
+def patience():
+    """The seconds for a file beside what else runs."""
+    return SECONDS * max(1.0, os.getloadavg()[0] / (os.cpu_count() or 1))
 
 
 class Driver:
@@ -60,9 +67,10 @@ class Driver:
             self.process.stdin.flush()
         except BrokenPipeError:
             pass
-        if not select.select([self.process.stdout], [], [], SECONDS)[0]:
+        seconds = patience()
+        if not select.select([self.process.stdout], [], [], seconds)[0]:
             self.process.kill()
-            return f"took more than {SECONDS} s"
+            return f"took more than {seconds:.0f} s"
         line = self.process.stdout.readline()
         if line:
             return json.loads(line)
@@ -106,13 +114,15 @@ def judge(answer, sample, folder):
 
 def by_program(words, program, folder, temporary):
     """The command or the viewer itself: its answer in the same form."""
+    seconds = patience()
     try:
-        done = subprocess.run([program, *words], cwd=folder, capture_output=True, timeout=SECONDS,
+        done = subprocess.run([program, *words], cwd=folder, capture_output=True, timeout=seconds,
                               env={**os.environ, "TMPDIR": str(temporary)})  # fmt: skip
     except subprocess.TimeoutExpired:
-        return f"took more than {SECONDS} s"
+        return f"took more than {seconds:.0f} s"
     name = pathlib.Path(program).name + ": "
-    said = [line.removeprefix(name) for line in done.stderr.decode(errors="replace").splitlines()]
+    lines = done.stderr.decode(errors="replace").splitlines()
+    said = [line.removeprefix(name) for line in lines if not PROGRESS.fullmatch(line)]
     if done.returncode not in (0, 1, 2):
         return f"ended with status {done.returncode}: {said}"
     return {"status": done.returncode, "say": said}
