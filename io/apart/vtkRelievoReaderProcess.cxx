@@ -177,17 +177,24 @@ std::uint64_t GetSeconds(std::uint64_t least, std::uint64_t size)
   return least + SecondsOfMiB * (size >> 20);
 }
 
-void Limit(std::uint64_t size)
+// The user's own limits, which may be lower, stay.
+template <typename Resource>
+void Limit(Resource resource, std::uint64_t most)
+{
+  rlimit limit = {};
+  getrlimit(resource, &limit);
+  limit.rlim_cur = std::min<rlim_t>(most, limit.rlim_max);
+  setrlimit(resource, &limit);
+}
+
+void LimitAll(std::uint64_t size)
 {
   // Sanitizers take terabytes of addresses.
 #ifndef __SANITIZE_ADDRESS__
-  const rlim_t memory = Memory + MemoryOfByte * size;
-  const rlimit data = { memory, RLIM_INFINITY };
-  setrlimit(RLIMIT_DATA, &data);
-  setrlimit(RLIMIT_FSIZE, &data);
+  Limit(RLIMIT_DATA, Memory + MemoryOfByte * size);
+  Limit(RLIMIT_FSIZE, Memory + MemoryOfByte * size);
 #endif
-  const rlimit time = { GetSeconds(ProcessorSeconds, size), RLIM_INFINITY };
-  setrlimit(RLIMIT_CPU, &time);
+  Limit(RLIMIT_CPU, GetSeconds(ProcessorSeconds, size));
 }
 
 // The process of one file.
@@ -195,7 +202,7 @@ void Limit(std::uint64_t size)
 {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   prctl(PR_SET_DUMPABLE, 0); // no core
-  Limit(0);
+  LimitAll(0);
   Line = line;
   std::set_new_handler([] {
     vtkRelievoReaderProcess::LackMemory();
@@ -520,8 +527,9 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   // Nobody else has the file any more: it keeps its size.
   const off_t end = lseek(bytes.Get(), 0, SEEK_END);
   const auto all = static_cast<std::size_t>(std::max<off_t>(end, 0));
-  void* made =
-    all > request.Size ? mmap(nullptr, all, PROT_READ, MAP_PRIVATE, bytes.Get(), 0) : nullptr;
+  void* made = all > request.Size
+    ? mmap(nullptr, all, PROT_READ, MAP_PRIVATE | MAP_POPULATE, bytes.Get(), 0)
+    : nullptr;
   if (made == MAP_FAILED)
   {
     throw std::bad_alloc();
@@ -547,7 +555,7 @@ void vtkRelievoReaderProcess::Allow(std::uint64_t size)
   if (Line >= 0)
   {
     Opened += size;
-    Limit(Opened);
+    LimitAll(Opened);
     Note note;
     note.Kind = Note::Opened;
     note.Size = size;
