@@ -17,6 +17,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
+#include "vtkPointData.h"
 #include "vtkRelievoEXRWriter.h"
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayerSource.h"
@@ -26,9 +27,11 @@
 #include "vtkRelievoStage.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <fstream>
 #include <memory>
@@ -94,6 +97,25 @@ std::vector<std::string> LayersToCapture(const RenderOptions& options, const Sce
 }
 
 //------------------------------------------------------------------------------
+// Whether the picture is the background and nothing else. Where it has one colour, the depths are
+// looked at, too.
+bool ShowsNothing(vtkRenderWindow* window, vtkImageData* picture)
+{
+  auto* colors = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
+  const auto components = colors ? colors->GetNumberOfComponents() : 0;
+  const auto size = static_cast<std::size_t>(colors ? colors->GetNumberOfValues() : 0);
+  const unsigned char* first = size > 0 ? colors->GetPointer(0) : nullptr;
+  if (!first || !std::equal(first + components, first + size, first))
+  {
+    return false;
+  }
+  const int* extent = window->GetSize();
+  std::vector<float> depths(size / static_cast<std::size_t>(components));
+  return window->GetZbufferData(0, 0, extent[0] - 1, extent[1] - 1, depths.data()) == VTK_OK &&
+    std::all_of(depths.begin(), depths.end(), [](float depth) { return depth >= 1.f; });
+}
+
+//------------------------------------------------------------------------------
 void WritePNG(
   vtkRenderWindow* window, const RenderOptions& options, const Outputs& outputs, Progress& progress)
 {
@@ -112,6 +134,11 @@ void WritePNG(
   }
   progress.End();
   Messages::Check(options.PNG, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
+  if (ShowsNothing(window, grab->GetOutput()))
+  {
+    Messages::Note(options.PNG +
+      ": shows nothing but the background: all else is out of sight, or thinner than a pixel");
+  }
 }
 
 //------------------------------------------------------------------------------

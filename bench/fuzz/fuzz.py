@@ -144,17 +144,31 @@ class Campaign:
         self.failures, self.seconds, self.memory = [], collections.Counter(), 0
         self.lock = threading.Lock()
 
+    def check_samples(self):
+        """Draws what is not damaged: all but models of others are sound."""
+        with tempfile.TemporaryDirectory() as base:
+            folder = pathlib.Path(base)
+            driver = Driver(folder, folder)
+            for kind in set(self.kinds) - {"session"}:
+                sound = []
+                for sample in self.samples[kind]:
+                    sample.write(folder)
+                    answer = driver.draw([*sample.words, *LOOK])
+                    if answer["status"] == 0:
+                        sound.append(sample)
+                    elif not sample.of_others:
+                        sys.exit(f"fuzz.py: a sound {kind} file is refused: {answer['say']}")
+                self.samples[kind] = sound
+            driver.end()
+
     def make(self, number, folder):
         """Writes the files of a number; which sample they are of."""
         rng = random.Random(f"{self.seed}:{number}")
         sample = rng.choice(self.samples[self.kinds[number % len(self.kinds)]])
         name = rng.choice(sample.damaged)
         other = rng.choice(self.samples[sample.kind])
-        for each, content in sample.files.items():
-            path = folder / each
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(damage(rng, each, content, other.files[rng.choice(other.damaged)])
-                             if each == name else content)  # fmt: skip
+        more = other.files[rng.choice(other.damaged)]
+        sample.write(folder, {name: damage(rng, name, sample.files[name], more)})
         return sample
 
     def keep(self, number, sample, folder, words, wrong):
@@ -232,6 +246,7 @@ class Campaign:
             self.memory = max(self.memory, memory)
 
     def run(self, seconds, only):
+        self.check_samples()
         until = time.monotonic() + seconds
         step = 1 if only is not None else max(1, (os.cpu_count() or 1))
         alone = only is not None
@@ -247,6 +262,10 @@ class Campaign:
         for kind in sorted(self.counts):
             print(f"{kind:8} {self.counts[kind]:6} files, {self.read[kind]:6} of them drawn, "
                   f"{1000 * self.seconds[kind] / self.counts[kind]:6.1f} ms a file")
+        drawn = sum(self.read.values()) / sum(self.counts.values())
+        if only is None and not 0.05 < drawn < 0.95:
+            print(f"FAILURE: {100 * drawn:.0f} % are drawn: the damage is of no use")
+            self.failures.append(-1)
         print(f"{sum(self.counts.values())} files, {len(self.failures)} failures, at most "
               f"{self.memory / 2**20:.0f} MiB; seed {self.seed}")
         return 1 if self.failures else 0

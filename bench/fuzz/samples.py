@@ -11,7 +11,7 @@ import json
 import pathlib
 import struct
 import tempfile
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy
 from PIL import Image
@@ -71,7 +71,15 @@ class Sample:
     kind: str
     files: dict
     damaged: list  # names of files
-    words: list = field(default_factory=list)  # the first file's name alone
+    words: list
+    of_others: bool = False  # who may have made it wrong on purpose
+
+    def write(self, folder, instead=()):
+        """Its files, some of them with other bytes."""
+        for name, content in {**self.files, **dict(instead)}.items():
+            path = folder / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
 
 
 def png(color=True):
@@ -196,7 +204,7 @@ def of_vtk():
 
 def of_images():
     rng = numpy.random.default_rng(3)
-    color = rng.integers(0, 256, (24, 20, 4), dtype=numpy.uint8)
+    color = rng.integers(0, 256, (12, 24, 4), dtype=numpy.uint8)
     color[:, :10] = color[:, :1]
     grey, rgb = Image.fromarray(color[..., 0]), Image.fromarray(color[..., :3])
     rgba = Image.fromarray(color)
@@ -212,12 +220,12 @@ def of_images():
         made = io.BytesIO()
         image.save(made, kind, **options)
         images.append(({"jpeg": "jpg", "tiff": "tif"}.get(kind, kind), made.getvalue()))
-    head = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 24 +X 20\n"
+    head = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 12 +X 24\n"
     images.append(("hdr", head + color.tobytes()))
-    images.append(("exr", exr(rng.random((6, 5)).astype(numpy.float32))))
+    images.append(("exr", exr(rng.random((6, 12)).astype(numpy.float32))))
     for kind, content in images:
         name = "a." + kind
-        for option in ("--normal-map", "--environment"):
+        for option in ("--height-map", "--environment"):
             yield Sample(kind, {name: content, "m.off": MESH}, [name], ["m.off", option, name])
 
 
@@ -255,7 +263,7 @@ def of_models(data):
                   and each.name.encode() in path.read_bytes()]  # fmt: skip
         files = {each.name: each.read_bytes() for each in [path, *beside]}
         damaged = [path.name] + [name for name in files if name.endswith(".bin")]
-        sample = Sample(kind, files, damaged, [path.name])
+        sample = Sample(kind, files, damaged, [path.name], of_others=True)
         found.setdefault(kind, []).append((sum(map(len, files.values())), sample))
     for rows in found.values():
         rows = sorted(rows, key=lambda row: row[0])

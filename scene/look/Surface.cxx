@@ -3,13 +3,16 @@
 #include "Surface.h"
 
 #include "Environment.h"
+#include "Errors.h"
 #include "Images.h"
 #include "Options.h"
 #include "ShadowOptions.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoMaterial.h"
 #include "vtkRenderer.h"
@@ -47,6 +50,20 @@ void SetHeights(vtkRelievoMaterial* material, vtkRenderer* renderer, const Rende
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> ReadNormals(const std::string& path, Progress& progress)
+{
+  const vtkSmartPointer<vtkImageData> image = ReadImage(path, progress);
+  const int components = image->GetPointData()->GetScalars()->GetNumberOfComponents();
+  if (components < 3)
+  {
+    throw WorkError(path +
+      ": expected a normal map, which has red, green and blue, but it is grey" +
+      (components == 2 ? " with alpha" : ""));
+  }
+  return image;
+}
+
+//------------------------------------------------------------------------------
 // `own`: of a model that brings a normal map, which stays where the words name none; or null.
 vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
   vtkRelievoEnvironment* environment, vtkRenderer* renderer, const RenderOptions& options,
@@ -55,7 +72,7 @@ vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
   auto material = vtkSmartPointer<vtkRelievoMaterial>::New();
   if (!options.NormalMap.empty())
   {
-    material->SetNormalMap(ReadImage(options.NormalMap, progress));
+    material->SetNormalMap(ReadNormals(options.NormalMap, progress));
   }
   else if (own)
   {

@@ -84,9 +84,12 @@ class Materials(CliTest):
         """What is no map, or not there, is named, and nothing is written."""
         look = ["render", "plane.obj", "--png", "a.png"]
         (self.folder / "torn.png").write_text("not a picture")
+        write_image(vtkPNGWriter(), self.folder / "grey.png", numpy.zeros((4, 4, 1), numpy.uint8))
         self.before = self.names()
         self.refused(*look, "--normal-map", "no.png", status=1, says="no.png")
         self.refused(*look, "--normal-map", "torn.png", status=1, says="torn.png")
+        self.refused(*look, "--normal-map", "grey.png", status=1,
+                     says=["grey.png", "red, green and blue"])  # fmt: skip
         self.refused(*look, "--height-map", "map.xyz", status=2, says=["--height-map", ".png"])
         self.refused(*look, "--height-map", "roof.png,-1", status=2, says=["--height-map", "-1"])
         self.refused(*look, "--relief", "steep", status=2, says="--height-map")

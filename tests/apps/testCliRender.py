@@ -103,6 +103,21 @@ def gltf_triangle(colour, alpha=1, **material):
 
 
 class Picture(CliTest):
+    def test_nothing_is_seen(self):
+        """A picture of the background alone comes with a note, whatever the reason."""
+        sliver = "OFF\n3 1 0\n-1 -1 0\n1 -1 1e9\n-1 1 0\n3 0 1 2\n"
+        (self.folder / "sliver.off").write_text(sliver)
+        says = "relievo: a.png: shows nothing but the background: all else is out of sight, or "
+        says += "thinner than a pixel\n"
+        for words in (["sliver.off"], ["triangle.off", "--camera", "0,0,5,0,0,9,0,1,0"],
+                      ["triangle.off", "--camera", "0,0,5,0,0,9,0,1,0", "--shadows", "map"]):
+            done = self.relievo("render", *words, "--size", "48x48", "--png", "a.png")
+            self.assertEqual(done.stderr, says)
+        # One colour all over, which is that of the mesh.
+        close = ["--camera", "-0.5,-0.5,0.1,-0.5,-0.5,0,0,1,0", "--color", "0/0/0"]
+        done = self.relievo("render", "triangle.off", *close, "--size", "48x48", "--png", "a.png")
+        self.assertEqual(done.stderr, "")
+
     def test_size_and_silence(self):
         done = self.render("--png", "a.png")
         self.assertEqual((done.stdout, done.stderr), ("", ""))
