@@ -196,7 +196,7 @@ int main(int argc, char* argv[])
   if (window.IsBusy())
   {
     QSettings().sync();
-    End(status); // readers may not look up for long
+    End(status); // what is made of files may take long
   }
   return status;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Reads files in a thread of its own. One at a time, for readers' messages are the program's: what
- * is stopped ends when its reader looks up, which may take long, and the next begins after it.
+ * is stopped ends soon, for its reader is another process, and the next begins after it.
  */
 #ifndef Loader_h
 #define Loader_h
