@@ -4,6 +4,7 @@
 // relievo-fuzz-files: `relievo render` many times in one process, for fuzz.py. Each line of the
 // standard input is a JSON list of the words behind `relievo render`; each line of the output is an
 // object with the `status` of the command and the lines that it would `say`.
+#include "Errors.h"
 #include "Messages.h"
 #include "Outputs.h"
 #include "StandardError.h"
@@ -58,6 +59,13 @@ nlohmann::json Render(const nlohmann::json& words, vtkSmartPointer<vtkRenderWind
     Say(lines, "warning: ", scene->GetWarnings());
   }
   scene->SetRenderWindow(nullptr);
+  try
+  {
+    scene::Messages::Check("");
+  }
+  catch (const scene::WorkError&) // the failure, which is an error event, too
+  {
+  }
   return { { "status", status }, { "say", lines } };
 }
 }

@@ -142,6 +142,7 @@ public:
   void GetBytes(void* bytes, std::size_t size);
   // Where the next bytes are, which are passed over.
   const char* Take(std::size_t size);
+  std::size_t GetLeft() const { return static_cast<std::size_t>(this->End - this->At); }
   // A number of things that take at least so many bytes each.
   std::size_t GetCount(std::size_t each);
 

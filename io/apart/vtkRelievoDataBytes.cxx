@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -34,6 +35,8 @@ namespace
 // Composites deeper than that are no user's.
 constexpr int DeepestBlock = 200;
 
+constexpr std::uint64_t MostOfNone = 1 << 16; // components of an array without tuples
+
 enum class Kind : unsigned char
 {
   None,
@@ -42,6 +45,11 @@ enum class Kind : unsigned char
   Blocks,
   Pieces
 };
+
+// Of arrays.
+constexpr int Types[] = { VTK_BIT, VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+  VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
+  VTK_UNSIGNED_LONG_LONG, VTK_FLOAT, VTK_DOUBLE, VTK_ID_TYPE, VTK_STRING };
 
 std::uint64_t CountBytes(vtkAbstractArray* array)
 {
@@ -272,11 +280,18 @@ vtkSmartPointer<vtkAbstractArray> GetArray(ByteReader& reader)
   const auto type = reader.Get<int>();
   const auto components = reader.Get<int>();
   const auto tuples = reader.Get<std::int64_t>();
+  if (std::find(std::begin(Types), std::end(Types), type) == std::end(Types))
+  {
+    ByteReader::Refuse();
+  }
   auto array = vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(type));
   auto* numbers = vtkDataArray::SafeDownCast(array);
   auto* strings = vtkStringArray::SafeDownCast(array);
-  if ((!numbers && !strings) || components < 1 || tuples < 0 ||
-    (tuples > 0 && components > VTK_ID_MAX / tuples))
+  // VTK takes memory for the components, too.
+  const std::uint64_t left = 8 * static_cast<std::uint64_t>(reader.GetLeft()); // bits
+  const auto mostComponents = tuples > 0 ? left / static_cast<std::uint64_t>(tuples) : MostOfNone;
+  if ((!numbers && !strings) || tuples < 0 || components < 1 ||
+    static_cast<std::uint64_t>(components) > mostComponents)
   {
     ByteReader::Refuse();
   }

@@ -492,6 +492,10 @@ std::string vtkRelievoReaderProcess::Run(Work work,
     {
       if (!Receive(line.Get(), note))
       {
+        if (stopped || late) // what was sent may have found nobody any more
+        {
+          break;
+        }
         return fail();
       }
       if (note.Kind == Note::Ended)

@@ -57,6 +57,10 @@ int Dive(volatile int* depth)
 {
   volatile char room[4096] = {};
   *depth = *depth + 1;
+  if (*depth < 0) // which is further than any stack reaches
+  {
+    return 0;
+  }
   return Dive(depth) + room[*depth % 4096];
 }
 
@@ -101,14 +105,19 @@ void Gorge(ByteReader&, const Say&, ByteWriter&)
 }
 
 // As VTK does where malloc() fails, out of what may not throw.
-void GorgeWithoutThrowing() noexcept
+void LackMemory()
 {
   throw std::bad_alloc();
 }
 
+void GorgeWithoutThrowing(void (*allocate)()) noexcept
+{
+  allocate();
+}
+
 void GorgeInVTK(ByteReader&, const Say&, ByteWriter&)
 {
-  GorgeWithoutThrowing();
+  GorgeWithoutThrowing(LackMemory);
 }
 
 void GetOverIt(ByteReader&, const Say&, ByteWriter& made)
@@ -162,15 +171,17 @@ std::vector<int> FindChildren(int parent)
   std::vector<int> found;
   for (const auto& each : std::filesystem::directory_iterator("/proc"))
   {
-    std::ifstream file(each.path() / "stat");
-    std::string text{ std::istreambuf_iterator<char>(file), {} };
+    const std::string number = each.path().filename().string();
+    const bool isProcess = number.find_first_not_of("0123456789") == std::string::npos;
+    std::ifstream file(isProcess ? each.path() / "stat" : std::filesystem::path());
+    const std::string text{ std::istreambuf_iterator<char>(file), {} };
     const std::size_t name = text.rfind(')'); // which may have anything in it
     char state = 0;
     int its = 0;
     if (name != std::string::npos &&
       std::sscanf(text.c_str() + name, ") %c %d", &state, &its) == 2 && its == parent)
     {
-      found.push_back(std::stoi(each.path().filename().string()));
+      found.push_back(std::stoi(number));
     }
   }
   return found;
