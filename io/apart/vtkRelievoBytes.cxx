@@ -5,35 +5,13 @@
 #include "vtkPolyData.h"
 #include "vtkRelievoDataBytes.h"
 
-#include <cerrno>
 #include <cstring>
-#include <new>
-
-#include <unistd.h>
 
 namespace relievo
 {
-namespace
-{
-void Write(int file, const char* at, std::size_t left)
-{
-  while (left > 0)
-  {
-    const auto written = write(file, at, left);
-    if (written < 0 && errno != EINTR)
-    {
-      throw std::bad_alloc();
-    }
-    const auto done = static_cast<std::size_t>(written < 0 ? 0 : written);
-    at += done;
-    left -= done;
-  }
-}
-}
-
 //------------------------------------------------------------------------------
-ByteWriter::ByteWriter(int file)
-  : File(file)
+ByteWriter::ByteWriter(const Give& give)
+  : Giving(give)
 {
 }
 
@@ -48,7 +26,7 @@ void ByteWriter::PutBytes(const void* bytes, std::size_t size)
   }
   if (size > most)
   {
-    Write(this->File, begin, size);
+    this->Giving(begin, size);
   }
   else if (size > 0)
   {
@@ -59,7 +37,7 @@ void ByteWriter::PutBytes(const void* bytes, std::size_t size)
 //------------------------------------------------------------------------------
 void ByteWriter::Flush()
 {
-  Write(this->File, this->Buffer.data(), this->Buffer.size());
+  this->Giving(this->Buffer.data(), this->Buffer.size());
   this->Buffer.clear();
 }
 

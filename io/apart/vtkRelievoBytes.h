@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -37,11 +38,12 @@ struct HasFields<Value,
 {
 };
 
-// Writes to an open file. Throws std::bad_alloc where there is no room.
+// Gives bytes away, some at a time.
 class VTKRELIEVOIO_EXPORT ByteWriter
 {
 public:
-  explicit ByteWriter(int file);
+  using Give = std::function<void(const char* bytes, std::size_t size)>;
+  explicit ByteWriter(const Give& give);
   ByteWriter(const ByteWriter&) = delete;
   void operator=(const ByteWriter&) = delete;
 
@@ -125,7 +127,7 @@ private:
     }
   }
 
-  int File;
+  Give Giving;
   std::vector<char> Buffer;
   std::map<const void*, std::int64_t> Numbers;
 };

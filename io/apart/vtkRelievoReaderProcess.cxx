@@ -22,7 +22,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -32,7 +31,7 @@
 namespace
 {
 constexpr std::uint64_t Memory = std::uint64_t(8) << 30;
-constexpr std::uint64_t MemoryOfByte = 32;
+constexpr std::uint64_t MemoryOfMiB = std::uint64_t(32) << 20;
 constexpr std::uint64_t ProcessorSeconds = 15;
 constexpr std::uint64_t Seconds = 60;
 constexpr std::uint64_t SecondsOfMiB = 2; // of both
@@ -90,13 +89,72 @@ struct Note
 struct Request
 {
   vtkRelievoReaderProcess::Work Work = nullptr;
-  std::uint64_t Size = 0; // of what is asked, which the first file holds; what is made follows it
+  std::uint64_t Size = 0; // of what is asked, which the first socket brings; it takes what is made
 };
 
 int Server = -1; // the program's end of the line to the process; -1: there is none
 pid_t Process = 0;
 int Line = -1;            // within a work: to the program
 std::uint64_t Opened = 0; // within a work: bytes of files
+
+//------------------------------------------------------------------------------
+// What comes out of a socket, in one piece.
+class Buffer
+{
+public:
+  Buffer() = default;
+  ~Buffer() { std::free(this->Bytes); }
+  Buffer(const Buffer&) = delete;
+  void operator=(const Buffer&) = delete;
+
+  // Waits for some bytes, at most so many. False at the end.
+  bool Receive(int socket, std::size_t most)
+  {
+    constexpr std::size_t step = 1 << 20;
+    if (this->Size == this->Room)
+    {
+      const std::size_t room = std::max(2 * this->Room, step);
+      void* grown = std::realloc(this->Bytes, room); // which moves pages and not bytes
+      if (!grown)
+      {
+        throw std::bad_alloc();
+      }
+      this->Bytes = static_cast<char*>(grown);
+      this->Room = room;
+    }
+    ssize_t got = -1;
+    do
+    {
+      got = recv(socket, this->Bytes + this->Size, std::min(most, this->Room - this->Size), 0);
+    } while (got < 0 && errno == EINTR);
+    this->Size += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
+    return got > 0;
+  }
+
+  const char* Get() const { return this->Bytes; }
+  std::size_t GetSize() const { return this->Size; }
+
+private:
+  char* Bytes = nullptr;
+  std::size_t Size = 0;
+  std::size_t Room = 0;
+};
+
+// False if there is nobody to take them.
+bool SendBytes(int socket, const char* bytes, std::size_t size)
+{
+  while (size > 0)
+  {
+    const ssize_t sent = send(socket, bytes, size, MSG_NOSIGNAL);
+    if (sent < 0 && errno != EINTR)
+    {
+      return false;
+    }
+    bytes += std::max<ssize_t>(sent, 0);
+    size -= static_cast<std::size_t>(std::max<ssize_t>(sent, 0));
+  }
+  return true;
+}
 
 //------------------------------------------------------------------------------
 bool Send(int line, const Note& note)
@@ -121,7 +179,7 @@ bool Receive(int line, Note& note)
   return got == sizeof note;
 }
 
-constexpr std::size_t FilesSent = 2; // what is asked and made, and the line
+constexpr std::size_t FilesSent = 2; // the socket of what is asked and made, and the line
 
 bool SendRequest(int server, Request& request, const std::array<int, FilesSent>& files)
 {
@@ -172,6 +230,11 @@ bool ReceiveRequest(int server, Request& request, Descriptor& bytes, Descriptor&
 }
 
 //------------------------------------------------------------------------------
+std::uint64_t GetMemory(std::uint64_t size)
+{
+  return Memory + MemoryOfMiB * (size >> 20);
+}
+
 std::uint64_t GetSeconds(std::uint64_t least, std::uint64_t size)
 {
   return least + SecondsOfMiB * (size >> 20);
@@ -191,8 +254,8 @@ void LimitAll(std::uint64_t size)
 {
   // Sanitizers take terabytes of addresses.
 #ifndef __SANITIZE_ADDRESS__
-  Limit(RLIMIT_DATA, Memory + MemoryOfByte * size);
-  Limit(RLIMIT_FSIZE, Memory + MemoryOfByte * size);
+  Limit(RLIMIT_DATA, GetMemory(size));
+  Limit(RLIMIT_FSIZE, GetMemory(size));
 #endif
   Limit(RLIMIT_CPU, GetSeconds(ProcessorSeconds, size));
 }
@@ -228,15 +291,17 @@ void LimitAll(std::uint64_t size)
   });
   try
   {
-    void* asked =
-      request.Size > 0 ? mmap(nullptr, request.Size, PROT_READ, MAP_PRIVATE, bytes, 0) : nullptr;
-    if (asked == MAP_FAILED)
+    Buffer asked;
+    while (asked.GetSize() < request.Size && asked.Receive(bytes, request.Size - asked.GetSize()))
     {
-      throw std::bad_alloc();
     }
-    relievo::ByteReader reader(asked, request.Size);
-    lseek(bytes, 0, SEEK_END);
-    relievo::ByteWriter writer(bytes);
+    relievo::ByteReader reader(asked.Get(), asked.GetSize());
+    relievo::ByteWriter writer([bytes](const char* part, std::size_t size) {
+      if (!SendBytes(bytes, part, size))
+      {
+        _exit(0); // nobody waits for it
+      }
+    });
     int percent = -1;
     std::string before;
     const auto say = [&](const std::string& what, double share) {
@@ -388,7 +453,7 @@ std::string Describe(int status, bool lackedMemory, std::uint64_t size)
   }
   if (lackedMemory || signal == SIGXFSZ)
   {
-    return "used more than " + InGiB(Memory + MemoryOfByte * size) + " of memory";
+    return "used more than " + InGiB(GetMemory(size)) + " of memory";
   }
   if (signal == SIGKILL)
   {
@@ -451,30 +516,40 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   const std::function<void(relievo::ByteWriter&)>& ask, const Say& say,
   const std::function<void(relievo::ByteReader&)>& take)
 {
-  const Descriptor bytes(memfd_create("relievo", MFD_CLOEXEC));
   int ends[2] = { -1, -1 };
-  if (!bytes || socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
+  int lines[2] = { -1, -1 };
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
   {
     return std::string("cannot be started: ") + std::strerror(errno);
   }
-  const Descriptor line(ends[0]);
-  Descriptor other(ends[1]);
-  relievo::ByteWriter writer(bytes.Get());
+  const Descriptor bytes(ends[0]);
+  Descriptor its(ends[1]);
+  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, lines) != 0)
+  {
+    return std::string("cannot be started: ") + std::strerror(errno);
+  }
+  const Descriptor line(lines[0]);
+  Descriptor itsLine(lines[1]);
+  std::vector<char> asked;
+  relievo::ByteWriter writer(
+    [&asked](const char* part, std::size_t size) { asked.insert(asked.end(), part, part + size); });
   ask(writer);
   writer.Flush();
   Request request;
   request.Work = work;
-  request.Size = static_cast<std::uint64_t>(lseek(bytes.Get(), 0, SEEK_CUR));
+  request.Size = asked.size();
   const auto fail = [] {
     waitpid(Process, nullptr, WNOHANG);
     return "cannot be started: the process that reads files has been ended; start the program "
            "again";
   };
-  if (!SendRequest(Server, request, { bytes.Get(), other.Get() }))
+  if (!SendRequest(Server, request, { its.Get(), itsLine.Get() }))
   {
     return fail();
   }
-  other.Close();
+  its.Close();
+  itsLine.Close();
+  SendBytes(bytes.Get(), asked.data(), asked.size()); // or its end is told in time
 
   using Clock = std::chrono::steady_clock;
   const Clock::time_point began = Clock::now();
@@ -482,36 +557,43 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   std::uint64_t size = 0;
   std::string what;
   double share = 0.;
-  bool whole = false, lackedMemory = false, stopped = false, late = false;
+  bool whole = false, lackedMemory = false, stopped = false, late = false, made = false;
+  Buffer answer;
   Note note;
-  for (;;)
+  for (bool ended = false; !ended;)
   {
-    pollfd ready = { line.Get(), POLLIN, 0 };
-    const bool waits = poll(&ready, 1, patience) <= 0;
-    if (!waits)
+    std::array<pollfd, 2> ready = { { { line.Get(), POLLIN, 0 },
+      { made ? -1 : bytes.Get(), POLLIN, 0 } } };
+    const bool waits = poll(ready.data(), ready.size(), patience) <= 0;
+    bool tells = waits;
+    if (!waits && ready[1].revents != 0)
+    {
+      made = !answer.Receive(bytes.Get(), SIZE_MAX);
+      lackedMemory = lackedMemory || answer.GetSize() > GetMemory(size);
+    }
+    if (!waits && ready[0].revents != 0)
     {
       if (!Receive(line.Get(), note))
       {
-        if (stopped || late) // what was sent may have found nobody any more
+        if (!stopped && !late && !lackedMemory)
         {
-          break;
+          return fail();
         }
-        return fail();
+        break; // what was sent has found nobody any more
       }
-      if (note.Kind == Note::Ended)
-      {
-        break;
-      }
+      ended = note.Kind == Note::Ended;
       size += note.Kind == Note::Opened ? note.Size : 0;
       whole = whole || note.Kind == Note::Whole;
       lackedMemory = lackedMemory || note.Kind == Note::NoMemory;
-      what = note.Kind == Note::Progress ? note.What : what;
-      share = note.Kind == Note::Progress ? note.Share : share;
+      tells = note.Kind == Note::Progress;
+      what = tells ? note.What : what;
+      share = tells ? note.Share : share;
     }
-    const bool ended = stopped || late;
-    stopped = stopped || ((waits || note.Kind == Note::Progress) && !say(what, share));
-    late = late || Clock::now() - began > std::chrono::seconds(GetSeconds(Seconds, size));
-    if (!ended && (stopped || late))
+    const bool unwanted = stopped || late;
+    stopped = stopped || (tells && !say(what, share));
+    late = late || Clock::now() - began > std::chrono::seconds(GetSeconds(Seconds, size)) ||
+      answer.GetSize() > GetMemory(size);
+    if (!unwanted && (stopped || late))
     {
       Send(line.Get(), Note());
     }
@@ -520,7 +602,7 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   {
     return "was stopped";
   }
-  if (!whole && late)
+  if (!whole && late && !lackedMemory)
   {
     return "did not end within " + std::to_string(GetSeconds(Seconds, size)) + " s";
   }
@@ -528,20 +610,10 @@ std::string vtkRelievoReaderProcess::Run(Work work,
   {
     return Describe(note.Status, lackedMemory, size);
   }
-  // Nobody else has the file any more: it keeps its size.
-  const off_t end = lseek(bytes.Get(), 0, SEEK_END);
-  const auto all = static_cast<std::size_t>(std::max<off_t>(end, 0));
-  void* made = all > request.Size
-    ? mmap(nullptr, all, PROT_READ, MAP_PRIVATE | MAP_POPULATE, bytes.Get(), 0)
-    : nullptr;
-  if (made == MAP_FAILED)
+  while (!made && answer.Receive(bytes.Get(), SIZE_MAX)) // until its end, for nobody else has it
   {
-    throw std::bad_alloc();
   }
-  const std::unique_ptr<void, std::function<void(void*)>> mapped(
-    made, [all](void* place) { munmap(place, all); });
-  relievo::ByteReader reader(
-    made ? static_cast<const char*>(made) + request.Size : nullptr, made ? all - request.Size : 0);
+  relievo::ByteReader reader(answer.Get(), answer.GetSize());
   try
   {
     take(reader);

@@ -29,7 +29,6 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <cstdio>
 #include <cstring>
 #include <functional>
 #include <random>
@@ -44,17 +43,11 @@ using relievo::ByteWriter;
 
 std::vector<char> ToBytes(vtkDataObject* data)
 {
-  std::FILE* file = std::tmpfile();
-  {
-    ByteWriter writer(fileno(file));
-    relievo::PutData(writer, data);
-    writer.Flush();
-  }
-  std::fseek(file, 0, SEEK_END);
-  std::vector<char> bytes(static_cast<std::size_t>(std::ftell(file)));
-  std::rewind(file);
-  RELIEVO_CHECK(std::fread(bytes.data(), 1, bytes.size(), file) == bytes.size());
-  std::fclose(file);
+  std::vector<char> bytes;
+  ByteWriter writer(
+    [&bytes](const char* part, std::size_t size) { bytes.insert(bytes.end(), part, part + size); });
+  relievo::PutData(writer, data);
+  writer.Flush();
   return bytes;
 }
 
