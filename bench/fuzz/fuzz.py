@@ -116,8 +116,10 @@ def by_program(words, program, folder, temporary):
     """The command or the viewer itself: its answer in the same form."""
     seconds = patience()
     try:
-        done = subprocess.run([program, *words], cwd=folder, capture_output=True, timeout=seconds,
-                              env={**os.environ, "TMPDIR": str(temporary)})  # fmt: skip
+        with tempfile.TemporaryDirectory() as runtime:  # which Qt would have in TMPDIR
+            done = subprocess.run(
+                [program, *words], cwd=folder, capture_output=True, timeout=seconds,
+                env={**os.environ, "TMPDIR": str(temporary), "XDG_RUNTIME_DIR": runtime})  # fmt: skip
     except subprocess.TimeoutExpired:
         return f"took more than {seconds:.0f} s"
     name = pathlib.Path(program).name + ": "
@@ -188,7 +190,7 @@ class Campaign:
 
     def try_one(self, number, driver, folder, temporary):
         """False if the driver is of no use any more."""
-        for each in folder.iterdir():  # the folder itself is the driver's
+        for each in (*folder.iterdir(), *temporary.iterdir()):  # themselves are the driver's
             shutil.rmtree(each) if each.is_dir() else each.unlink()
         sample = self.make(number, folder)
         session = sample.kind == "session"
@@ -227,18 +229,14 @@ class Campaign:
             driver = Driver(folder, temporary)
             number = first
             while time.monotonic() < until or number == first:
-                if driver.drawn >= BATCH:
+                of_use = self.try_one(number, driver, folder, temporary)
+                if not of_use or driver.drawn >= BATCH:
                     self.renew(driver)
-                    driver = None
-                driver = driver or Driver(folder, temporary)
-                if not self.try_one(number, driver, folder, temporary):
-                    self.renew(driver)
-                    driver = None
+                    driver = Driver(folder, temporary)
                 if only:
                     break
                 number += step
-            if driver:
-                self.renew(driver)
+            self.renew(driver)
 
     def renew(self, driver):
         memory = driver.end()

@@ -18,6 +18,8 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr double LargestHalf = 65504.;
+// Light is cut there: sums and products of brighter texels leave the range of floats.
+constexpr double Brightest = 1e12;
 
 std::string Sizes(const int size[3])
 {
@@ -58,7 +60,8 @@ float Number(double value, double scale, bool sRGB)
     return 0.f;
   }
   const double number = std::isinf(value) ? std::copysign(LargestHalf, value) : value * scale;
-  return static_cast<float>(sRGB ? f64::relievoLinearFromSrgb(number) : number);
+  const double light = sRGB ? f64::relievoLinearFromSrgb(number) : number;
+  return static_cast<float>(std::clamp(light, -Brightest, Brightest));
 }
 }
 
