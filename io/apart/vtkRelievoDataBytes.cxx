@@ -259,6 +259,10 @@ vtkSmartPointer<vtkLookupTable> GetTable(ByteReader& reader)
   const auto colors = reader.Get<std::vector<unsigned char>>();
   double range[2];
   reader(range[0], range[1]);
+  if (!(range[0] <= range[1]))
+  {
+    ByteReader::Refuse();
+  }
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(static_cast<vtkIdType>(colors.size() / 4));
   std::copy_n(colors.begin(), colors.size() / 4 * 4, table->GetTable()->GetPointer(0));

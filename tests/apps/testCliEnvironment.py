@@ -182,6 +182,17 @@ class Environments(CliTest):
         write_hdr(self.folder / "even.hdr", numpy.full((8, 16, 3), 0.25))
         self.assert_colour(self.sky((1, 0, 0), "--environment", "even.hdr"), shown(0.25), 1)
 
+    def test_light_beyond_floats(self):
+        """Light is cut at 1e12: it is drawn as that, in a time as for any other."""
+        light = numpy.full((8, 16, 3), 0.25)
+        seen = []
+        for brightest in (1e12, 1e38):
+            light[3, 2:7] = brightest
+            write_exr(self.folder / "sun.exr", light)
+            seen.append(self.draw("--environment", "sun.exr", "--skybox", "--reflectivity", "0.5,0.4",
+                                  camera=((0, 0, 5), (0, 0, 0), (0, 1, 0))))  # fmt: skip
+        numpy.testing.assert_array_equal(*seen)
+
     def test_even_light(self):
         """In even light a white surface is as bright as the sky, mirrors and lights as they may."""
         name = self.uniform(0.5)
