@@ -117,9 +117,9 @@ def by_program(words, program, folder, temporary):
     seconds = patience()
     try:
         with tempfile.TemporaryDirectory() as runtime:  # which Qt would have in TMPDIR
-            done = subprocess.run(
-                [program, *words], cwd=folder, capture_output=True, timeout=seconds,
-                env={**os.environ, "TMPDIR": str(temporary), "XDG_RUNTIME_DIR": runtime})  # fmt: skip
+            folders = {"TMPDIR": str(temporary), "XDG_RUNTIME_DIR": runtime}
+            done = subprocess.run([program, *words], cwd=folder, capture_output=True,
+                                  timeout=seconds, env={**os.environ, **folders})  # fmt: skip
     except subprocess.TimeoutExpired:
         return f"took more than {seconds:.0f} s"
     name = pathlib.Path(program).name + ": "

@@ -6,8 +6,8 @@
 // forks one more for each file; this one is limited in memory and time and hands back what it made
 // of the file. Elsewhere, as in Python, there is none, and files are read in the process itself.
 //
-// Limits: 8 GiB of memory, 15 s of processor time and 60 s in all; for each MiB of the files that are
-// opened 32 MiB, 2 s of processor time and 2 s in all more.
+// Limits: 8 GiB of memory, 15 s of processor time and 60 s in all; for each MiB of the files that
+// are opened 32 MiB, 2 s of processor time and 2 s in all more.
 #ifndef vtkRelievoReaderProcess_h
 #define vtkRelievoReaderProcess_h
 

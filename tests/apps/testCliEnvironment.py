@@ -189,8 +189,8 @@ class Environments(CliTest):
         for brightest in (1e12, 1e38):
             light[3, 2:7] = brightest
             write_exr(self.folder / "sun.exr", light)
-            seen.append(self.draw("--environment", "sun.exr", "--skybox", "--reflectivity", "0.5,0.4",
-                                  camera=((0, 0, 5), (0, 0, 0), (0, 1, 0))))  # fmt: skip
+            words = ["--environment", "sun.exr", "--skybox", "--reflectivity", "0.5,0.4"]
+            seen.append(self.draw(*words, camera=((0, 0, 5), (0, 0, 0), (0, 1, 0))))
         numpy.testing.assert_array_equal(*seen)
 
     def test_even_light(self):
