@@ -255,7 +255,6 @@ void LimitAll(std::uint64_t size)
   // Sanitizers take terabytes of addresses.
 #ifndef __SANITIZE_ADDRESS__
   Limit(RLIMIT_DATA, GetMemory(size));
-  Limit(RLIMIT_FSIZE, GetMemory(size));
 #endif
   Limit(RLIMIT_CPU, GetSeconds(ProcessorSeconds, size));
 }
@@ -451,7 +450,7 @@ std::string Describe(int status, bool lackedMemory, std::uint64_t size)
     return "did not end within " + std::to_string(GetSeconds(ProcessorSeconds, size)) +
       " s of processor time";
   }
-  if (lackedMemory || signal == SIGXFSZ)
+  if (lackedMemory)
   {
     return "used more than " + InGiB(GetMemory(size)) + " of memory";
   }
