@@ -123,6 +123,7 @@ class Primitives(GltfTest):
                 signed = kind if kind[0] == "i" else "i" + kind[1]
                 most = numpy.iinfo(signed).max
                 points = mesh.random.integers(info.min, info.max, (24, 3), endpoint=True)
+                points[0] = info.min  # of signed numbers beyond -1, and clamped
                 attributes = {
                     "POSITION": writer.accessor(points, kind, whole, aligned=True, bounds=True),
                     "NORMAL": writer.accessor(

@@ -423,6 +423,24 @@ class Light(GltfTest):
             with self.subTest(texture=texture, placed=placed, strength=strength):
                 self.assertLessEqual(numpy.abs(seen - wanted).max(), 2)
 
+    def test_textures(self):
+        """Base colour by sRGB's curve, times the factor, lit by a sun of two lux from above."""
+        writer = Writer()
+        writer.json["extensions"] = {
+            "KHR_lights_punctual": {"lights": [{"type": "directional", "intensity": 2}]}
+        }
+        writer.uses("KHR_lights_punctual")
+        base = {"baseColorTexture": textured(writer, TEXELS), "metallicFactor": 0}
+        base["baseColorFactor"] = [1, 0.5, 0.25, 1]
+        quad(writer, {"pbrMetallicRoughness": base}, TEXCOORD_0=(0, 1))
+        writer.add("nodes", {"extensions": {"KHR_lights_punctual": {"light": 0}}})
+        reader, _ = self.read(writer.save(self.folder / "lit.glb"))
+        seen = picture(reader, lights=True, half=1)[15::30, 15::30]
+        share = TEXELS[..., :3] / 255
+        linear = numpy.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
+        lit = 2 * (0.96 * linear * [1, 0.5, 0.25] + 0.01) / numpy.pi
+        self.assertLessEqual(numpy.abs(seen - 255 * lit ** (1 / 2.2)).max(), 2)
+
     def test_colors(self):
         """COLOR_0 times the factor, linear: lit by 1 / brdf of a candela, and without light."""
         colors = [[0.5, 0.25, 1, 1]] * 4
