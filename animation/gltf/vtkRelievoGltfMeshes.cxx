@@ -310,8 +310,6 @@ public:
     mesh.IsPlaced = !isSkinned && !isFlat;
     mesh.IsSkinned = isSkinned;
     mesh.IsFaceted = geometry.IsFaceted();
-    mesh.TurnsFaces = geometry.CellSize == 3;
-    mesh.IsMirrored = glm::determinant(glm::dmat3(place)) < 0.;
     mesh.Data = vtkSmartPointer<vtkPolyData>::New();
     vtkNew<vtkPoints> points;
     points->SetDataType(
@@ -323,7 +321,7 @@ public:
       points->SetPoint(static_cast<vtkIdType>(i), moved.x, moved.y, moved.z);
     }
     mesh.Data->SetPoints(points);
-    AddCells(geometry, mesh.IsMirrored, mesh.Data);
+    AddCells(geometry, glm::determinant(glm::dmat3(place)) < 0., mesh.Data);
     AddDirections(geometry, place, mesh.Data);
     if (mesh.IsFaceted)
     {

@@ -104,11 +104,9 @@ struct ModelMesh
   int Node = 0;      ///< below which it hangs
   int Material = -1; ///< of the model's; -1: what the mesh's field data say
   std::vector<ModelMorph> Morphs;
-  bool IsPlaced = false;   ///< as its node has it at rest
-  bool IsSkinned = false;  ///< moved by bones, and not by its node
-  bool IsFaceted = false;  ///< without normals of its own: a face's points have its normal
-  bool TurnsFaces = false; ///< whether faces are turned where a mirror would turn them inside out
-  bool IsMirrored = false; ///< at rest, and its faces are turned for it
+  bool IsPlaced = false;  ///< as its node has it at rest
+  bool IsSkinned = false; ///< moved by bones, and not by its node
+  bool IsFaceted = false; ///< without normals of its own: a face's points have its normal
 };
 
 /// A texture of a material.

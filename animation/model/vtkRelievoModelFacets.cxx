@@ -73,11 +73,6 @@ void TurnFaces(vtkPolyData* mesh)
 //------------------------------------------------------------------------------
 bool IsMirroredBy(const ModelMesh& mesh, const std::vector<glm::dmat4>& worlds)
 {
-  const auto mirrors = [](const glm::dmat4& m) { return glm::determinant(glm::dmat3(m)) < 0.; };
-  if (!mesh.IsSkinned)
-  {
-    return mirrors(worlds[static_cast<std::size_t>(mesh.Node)]);
-  }
   vtkDataArray* nodes = mesh.Data->GetFieldData()->GetArray(BoneNodeArray);
   vtkDataArray* offsets = mesh.Data->GetFieldData()->GetArray(BoneOffsetArray);
   vtkIdType mirrored = 0;
@@ -89,7 +84,7 @@ bool IsMirroredBy(const ModelMesh& mesh, const std::vector<glm::dmat4>& worlds)
       offset[j % 4][j / 4] = offsets->GetComponent(i, j);
     }
     const auto node = static_cast<std::size_t>(nodes->GetComponent(i, 0));
-    mirrored += mirrors(worlds[node] * offset) ? 1 : 0;
+    mirrored += glm::determinant(glm::dmat3(worlds[node] * offset)) < 0. ? 1 : 0;
   }
   return 2 * mirrored > nodes->GetNumberOfTuples();
 }

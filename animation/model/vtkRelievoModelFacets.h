@@ -17,7 +17,7 @@ void GiveFaceNormals(vtkPolyData* mesh);
 /// Lets the corners of polygons turn the other way round; each begins with the same.
 void TurnFaces(vtkPolyData* mesh);
 
-/// Whether the pose mirrors the mesh, by its node or by most of its bones.
+/// Whether the pose mirrors the mesh from where it is at rest: most of its bones do, or its node.
 bool IsMirroredBy(const ModelMesh& mesh, const std::vector<glm::dmat4>& worlds);
 }
 

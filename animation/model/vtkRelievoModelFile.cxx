@@ -10,6 +10,7 @@
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/ProgressHandler.hpp>
 #include <assimp/postprocess.h>
 
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <limits>
 #include <map>
@@ -45,6 +47,48 @@ private:
   const std::function<bool(double)>& Progress;
 };
 
+// XML in two bytes a character, of which Assimp expects one, as UTF-8; "" of all else. The stream
+// is at its start again.
+std::string ReadWideXML(Assimp::IOStream& stream)
+{
+  unsigned char head[4] = {};
+  const std::size_t size = stream.FileSize();
+  const bool there = size >= 4 && stream.Read(head, 1, 4) == 4;
+  const bool little = head[0] == 0xff && head[1] == 0xfe && head[2] == '<' && head[3] == 0;
+  const bool large = head[0] == 0xfe && head[1] == 0xff && head[2] == 0 && head[3] == '<';
+  stream.Seek(0, aiOrigin_SET);
+  if (!there || !(little || large))
+  {
+    return "";
+  }
+  std::vector<unsigned char> bytes(size / 2 * 2);
+  stream.Read(bytes.data(), 1, bytes.size());
+  stream.Seek(0, aiOrigin_SET);
+  const auto unit = [&](std::size_t i) {
+    return i + 1 < bytes.size()
+      ? unsigned(bytes[i + (little ? 1 : 0)]) << 8 | bytes[i + (little ? 0 : 1)]
+      : 0u;
+  };
+  std::string text;
+  for (std::size_t i = 2; i < bytes.size(); i += 2)
+  {
+    unsigned int code = unit(i);
+    if (code >= 0xd800 && code < 0xdc00 && unit(i + 2) >= 0xdc00 && unit(i + 2) < 0xe000)
+    {
+      code = 0x10000 + ((code - 0xd800) << 10) + (unit(i + 2) - 0xdc00);
+      i += 2;
+    }
+    const int more = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+    const unsigned int marks[] = { 0, 0xc0, 0xe0, 0xf0 };
+    text += static_cast<char>(marks[more] | code >> (6 * more));
+    for (int j = more - 1; j >= 0; --j)
+    {
+      text += static_cast<char>(0x80 | (code >> (6 * j) & 0x3f));
+    }
+  }
+  return text;
+}
+
 // Files as Assimp looks for them.
 class Files : public Assimp::DefaultIOSystem
 {
@@ -63,7 +107,18 @@ public:
   Assimp::IOStream* Open(const char* path, const char* mode) override
   {
     this->Sources.Add(path);
-    return this->DefaultIOSystem::Open(path, mode);
+    Assimp::IOStream* stream = this->DefaultIOSystem::Open(path, mode);
+    const std::string kind =
+      vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(path));
+    const std::string text = stream && kind == ".dae" ? ReadWideXML(*stream) : "";
+    if (text.empty())
+    {
+      return stream;
+    }
+    this->DefaultIOSystem::Close(stream);
+    auto* bytes = new std::uint8_t[text.size()];
+    std::copy(text.begin(), text.end(), bytes);
+    return new Assimp::MemoryIOStream(bytes, text.size(), true); // which deletes them
   }
 
 private:

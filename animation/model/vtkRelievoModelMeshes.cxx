@@ -3,6 +3,7 @@
 #include "vtkRelievoModelParts.h"
 
 #include "vtkRelievoFormulas.h"
+#include "vtkRelievoModelFacets.h"
 #include "vtkRelievoSkinOrigin.h"
 
 #include "vtkCellArray.h"
@@ -182,6 +183,10 @@ void ReadMesh(const aiScene* scene, const aiMesh* mesh, int node, const glm::dma
   }
   ReadCoordinatesAndColors(mesh, result.Data);
   ReadFaces(mesh, result.Name, result.Data, model);
+  if (glm::determinant(glm::dmat3(place)) < 0.)
+  {
+    TurnFaces(result.Data);
+  }
   if (scene->mMaterials && mesh->mMaterialIndex < scene->mNumMaterials)
   {
     ReadMaterial(scene, scene->mMaterials[mesh->mMaterialIndex], result.Data, model);

@@ -25,11 +25,12 @@ inline glm::dmat4 ToMatrix(const aiMatrix4x4& m)
 /// Nodes by name; of several with one name the first, as Assimp's own search has it.
 using NodeNumbers = std::map<std::string, int>;
 
-/// The mesh's name, or its node's.
+/// The mesh's name, or its node's. Blocks without a name are errors to ParaView.
 inline std::string GetMeshName(const aiMesh* mesh, int node, const Model& model)
 {
-  return mesh->mName.length > 0 ? mesh->mName.C_Str()
-                                : model.Nodes[static_cast<std::size_t>(node)].Name;
+  const std::string name =
+    mesh->mName.length > 0 ? mesh->mName.C_Str() : model.Nodes[static_cast<std::size_t>(node)].Name;
+  return name.empty() ? "node " + std::to_string(node) : name;
 }
 
 /// The animations of the scene, with keys in order and finite; adds notes.

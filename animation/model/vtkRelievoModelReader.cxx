@@ -205,8 +205,7 @@ void vtkRelievoModelReader::MakeMesh(
       vtkErrorMacro("mesh '" << source.Name << "': " << wrong);
       return;
     }
-    turned =
-      source.TurnsFaces && relievo::IsMirroredBy(source, moment.Pose.Now) != source.IsMirrored;
+    turned = relievo::IsMirroredBy(source, moment.Pose.Now);
   }
   if (turned)
   {
