@@ -57,8 +57,15 @@ Names FindColors(const std::set<std::string>& there, const std::string& prefix, 
 
 Names FindColors(const std::set<std::string>& there, const std::string& prefix)
 {
-  const Names large = FindColors(there, prefix, { "R", "G", "B", "A" });
-  return large.empty() ? FindColors(there, prefix, { "r", "g", "b", "a" }) : large;
+  for (const Names& colors : { Names{ "R", "G", "B", "A" }, Names{ "r", "g", "b", "a" },
+         Names{ "red", "green", "blue", "alpha" } }) // the last of Nuke's layers
+  {
+    if (const Names found = FindColors(there, prefix, colors); !found.empty())
+    {
+      return found;
+    }
+  }
+  return {};
 }
 
 // Empty: there are no colours. `note` is about layers that are not taken.
@@ -100,6 +107,18 @@ Names ChooseChannels(const Names& channels, std::string& note)
       layers.front().substr(0, layers.front().size() - 1) + " is taken";
   }
   return FindColors(there, layers.front());
+}
+
+Names ReadNames(vtkRelievoEXRReader* reader, int part)
+{
+  reader->SetPart(part);
+  reader->UpdateInformation();
+  Names names;
+  for (int i = 0; i < reader->GetNumberOfChannels(); ++i)
+  {
+    names.emplace_back(reader->GetChannelName(i));
+  }
+  return names;
 }
 
 struct Source
@@ -200,19 +219,22 @@ vtkSmartPointer<vtkImageData> ReadEXR(
     watch(reader);
   }
   reader->SetFileName(path.c_str());
-  reader->SetPart(0);
-  reader->UpdateInformation();
-  Names channels;
-  for (int i = 0; i < reader->GetNumberOfChannels(); ++i)
+  // The first part with colours, else the first.
+  Names channels = ReadNames(reader, 0);
+  Names chosen = ChooseChannels(channels, note);
+  const int parts = reader->GetNumberOfParts();
+  int part = 0;
+  while (chosen.empty() && ++part < parts)
   {
-    channels.emplace_back(reader->GetChannelName(i));
+    chosen = ChooseChannels(ReadNames(reader, part), note);
   }
-  Names chosen;
-  if (!channels.empty())
+  if (chosen.empty() && parts > 1)
   {
-    // What is wrong with channels that are not asked for is of no interest.
-    chosen = ChooseChannels(channels, note);
+    part = 0;
+    said.clear();
+    channels = ReadNames(reader, part);
   }
+  // What is wrong with channels that are not asked for is of no interest.
   if (!chosen.empty())
   {
     said.clear();
@@ -253,9 +275,17 @@ vtkSmartPointer<vtkImageData> ReadEXR(
   {
     throw Failure("it has no channels");
   }
-  if (reader->GetNumberOfParts() > 1)
+  if (parts > 1)
   {
-    note = "of its " + std::to_string(reader->GetNumberOfParts()) + " parts the first is taken";
+    note = "of its " + std::to_string(parts) + " parts " +
+      (part == 0 ? "the first"
+                 : "number " + std::to_string(part + 1) + ", the first with colours,") +
+      " is taken";
+  }
+  else if (chosen.empty() && channels.size() > sources.size())
+  {
+    note = "it has no colours, and of its " + std::to_string(channels.size()) + " channels " +
+      read->GetPointData()->GetScalars()->GetName() + " is taken";
   }
   const Window data = GetWindow(read, "dataWindow");
   const Window display = GetWindow(read, "displayWindow");

@@ -131,7 +131,8 @@ class Exr(unittest.TestCase):
         numpy.testing.assert_array_equal(got, numpy.asarray(expected, numpy.float32))
 
     def test_names(self):
-        for names in ("RGB", "RGBA", "rgb", "rgba"):
+        nuke = ["red", "green", "blue", "alpha"]
+        for names in ("RGB", "RGBA", "rgb", "rgba", nuke[:3], nuke):
             for prefix in ("", "diffuse.", "main.left."):
                 with self.subTest(names=names, prefix=prefix):
                     channels = planes([prefix + name for name in names])
@@ -193,6 +194,16 @@ class Exr(unittest.TestCase):
         parts = {"beauty": planes("RGB"), "depth": planes("Z", 3, 3)}
         expected = numpy.dstack([parts["beauty"][name] for name in "RGB"])
         self.check(parts_exr(parts), expected, warns=True)
+        last = {"depth": planes("Z"), "ids": planes(["id.V"]), "beauty": parts["beauty"]}
+        self.check(parts_exr(last), expected, warns=True)
+        grey = {"height": planes(["height.V"]), "depth": planes("Z")}
+        self.check(parts_exr(grey), grey["height"]["height.V"], warns=True)
+
+    def test_no_colours(self):
+        """One of the channels, with a word on it."""
+        channels = planes("RG")
+        got = self.read(exr(channels), warns=True)
+        self.assertTrue(any((got == channels[name]).all() for name in "RG"))
 
     def test_refusals(self):
         chroma = {"Y": planes("Y")["Y"], "RY": planes(["RY"])["RY"],
