@@ -105,15 +105,18 @@ class Locale(unittest.TestCase):
 
     def test_scene(self):
         """What `relievo render` reads by VTK's readers."""
-        for name in ("a.stl", "a.PLY", "a.obj", "a.OFF"):
-            (self.files / name).write_text(MESHES[name])
+        texts = {name: MESHES[name] for name in ("a.stl", "a.PLY", "a.obj", "a.OFF")}
+        texts["a.vtk"] = ("# vtk DataFile Version 3.0\na\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+                          + " ".join(ROWS) + "\nPOLYGONS 1 4\n3 0 1 2\n")  # fmt: skip
+        for name, text in texts.items():
+            (self.files / name).write_text(text)
         for _ in self.each():
-            for name in ("a.stl", "a.PLY", "a.obj", "a.OFF"):
+            for name in texts:
                 with self.subTest(name):
                     shown = relievo.scene(str(self.files / name)).renderer
                     bounds = shown.ComputeVisiblePropBounds()
                     self.assertEqual(bounds, (0.25, 1.75, 0.25, 1.75, 0.5, 0.5))
-            self.assertEqual(locale.localeconv()["decimal_point"], ",")
+                    self.assertEqual(locale.localeconv()["decimal_point"], ",")
 
     def test_images(self):
         """Of an environment, by their names in capitals."""
