@@ -49,6 +49,7 @@ class Session(unittest.TestCase):
             (json.dumps(MARK), "is no session"),
             (json.dumps({**MARK, "words": off}), "is no session"),
             (json.dumps({**MARK, "words": [off, 3]}), "are not all text"),
+            (json.dumps({**MARK, "words": ["a\0b.off"]}), "are not all text"),
             (json.dumps({**MARK, "words": []}), "nothing to draw"),
             (json.dumps({**MARK, "words": ["--preset", "studio"]}), "nothing to draw"),
             (json.dumps({**MARK, "words": [off, "--frob"]}), "--frob"),

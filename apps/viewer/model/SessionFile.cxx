@@ -82,7 +82,7 @@ Session LoadSession(const QString& path)
   const QJsonArray given = root["words"].toArray();
   for (const auto& word : given) // whose type differs between versions of Qt
   {
-    if (!word.isString())
+    if (!word.isString() || word.toString().contains(QChar(0)))
     {
       Fail(path, "is no session: its \"words\" are not all text");
     }
