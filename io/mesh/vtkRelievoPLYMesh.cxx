@@ -234,6 +234,83 @@ private:
 };
 
 //------------------------------------------------------------------------------
+// The number as a point's, or a Refusal that names the `place`.
+vtkIdType GetPoint(double index, vtkIdType numberOfPoints, const char* noun, vtkIdType place,
+  const char* otherwise = "")
+{
+  if (!(index >= 0. && index < static_cast<double>(numberOfPoints)))
+  {
+    throw Refusal{ vtkErrorCode::FileFormatError,
+      noun + (" " + std::to_string(place)) + ": expected the index of a vertex, from 0 to " +
+        std::to_string(numberOfPoints - 1) + otherwise + ", not " +
+        std::to_string(static_cast<long long>(index)) };
+  }
+  return static_cast<vtkIdType>(index);
+}
+
+//------------------------------------------------------------------------------
+// The triangles of strips.
+void AddStrips(Element& strips, vtkIdType numberOfPoints, vtkPolyData* mesh)
+{
+  const Column* indices = strips.Find("vertex_indices");
+  if (!indices || indices->CountType == 0 || indices->Starts.empty())
+  {
+    return;
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (vtkIdType strip = 0; strip < strips.Count; ++strip)
+  {
+    const auto place = static_cast<std::size_t>(strip);
+    vtkIdType before[2] = { 0, 0 }; // the last two, which change places with each triangle
+    vtkIdType count = 0;
+    for (vtkIdType i = indices->Starts[place]; i < indices->Starts[place + 1]; ++i)
+    {
+      const double index = indices->Values[static_cast<std::size_t>(i)];
+      if (index == -1.)
+      {
+        count = 0; // a strip of its own
+        continue;
+      }
+      const vtkIdType point = GetPoint(index, numberOfPoints, "tristrips", strip, ", or -1");
+      const vtkIdType corners[3] = { before[0], before[1], point };
+      const bool flat =
+        corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
+      if (count >= 2 && !flat)
+      {
+        triangles->InsertNextCell(3, corners);
+      }
+      before[count % 2] = point;
+      ++count;
+    }
+  }
+  mesh->SetPolys(triangles);
+}
+
+//------------------------------------------------------------------------------
+void AddEdges(Element& edges, vtkIdType numberOfPoints, vtkPolyData* mesh)
+{
+  const Columns ends = FindAll(edges, { "vertex1", "vertex2" });
+  if (ends.empty())
+  {
+    return;
+  }
+  vtkNew<vtkCellArray> lines;
+  std::vector<vtkIdType> order;
+  for (vtkIdType edge = 0; edge < edges.Count; ++edge)
+  {
+    lines->InsertNextCell(2);
+    for (const Column* end : ends)
+    {
+      lines->InsertCellPoint(
+        GetPoint(end->Values[static_cast<std::size_t>(edge)], numberOfPoints, "edge", edge));
+    }
+    order.push_back(edge);
+  }
+  mesh->SetLines(lines);
+  Arrays(edges, order).AddTo(mesh->GetCellData(), ends);
+}
+
+//------------------------------------------------------------------------------
 // The faces by kind, and their order.
 void AddFaces(Element& faces, vtkIdType numberOfPoints, FacePoints& points, vtkPolyData* mesh)
 {
@@ -255,14 +332,7 @@ void AddFaces(Element& faces, vtkIdType numberOfPoints, FacePoints& points, vtkP
     for (vtkIdType corner = 0; corner < count; ++corner)
     {
       const double index = indices->Values[static_cast<std::size_t>(first + corner)];
-      if (!(index >= 0. && index < static_cast<double>(numberOfPoints)))
-      {
-        throw Refusal{ vtkErrorCode::FileFormatError,
-          "face " + std::to_string(face) + ": expected the index of a vertex, from 0 to " +
-            std::to_string(numberOfPoints - 1) + ", not " +
-            std::to_string(static_cast<long long>(index)) };
-      }
-      corners.push_back(points.Get(static_cast<vtkIdType>(index), place, corner));
+      corners.push_back(points.Get(GetPoint(index, numberOfPoints, "face", face), place, corner));
     }
     if (count > 0) // some writers delete faces by it
     {
@@ -298,9 +368,17 @@ void MakeMesh(Content& content, vtkPolyData* mesh)
   Element* faces = content.Find("face");
   const Column* coordinates = faces ? faces->Find("texcoord") : nullptr;
   FacePoints points(order, coordinates && coordinates->CountType != 0 ? coordinates : nullptr);
-  if (faces)
+  if (faces && faces->Count > 0)
   {
     AddFaces(*faces, vertices->Count, points, mesh);
+  }
+  else if (Element* strips = content.Find("tristrips"))
+  {
+    AddStrips(*strips, vertices->Count, mesh);
+  }
+  else if (Element* edges = content.Find("edge"))
+  {
+    AddEdges(*edges, vertices->Count, mesh);
   }
   Arrays arrays(*vertices, order);
   vtkNew<vtkPoints> corners;

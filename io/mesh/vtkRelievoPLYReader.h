@@ -17,7 +17,9 @@
  * Of the element `face` come the polygons (`vertex_indices` or `vertex_index`); faces of two points
  * are lines, of one point vertices. Colours and other numbers of faces are cell arrays, alike. With
  * a list `texcoord`, two numbers for each corner, points at which it differs are split: the first
- * use has the point's number and the others get points at the end. Other elements are skipped.
+ * use has the point's number and the others get points at the end. Without faces, the triangles of
+ * the element `tristrips` are read, else lines of `edge` (`vertex1`, `vertex2`). Other elements are
+ * skipped.
  *
  * Errors: one error event names the file, the element or the line, and what was expected, in
  * particular where the file ends before what its header announces; GetErrorCode() is set and the

@@ -81,7 +81,8 @@ public:
     this->ReadHeader();
     for (Element& element : this->Out.Elements)
     {
-      const bool kept = element.Name == "vertex" || element.Name == "face";
+      const bool kept = element.Name == "vertex" || element.Name == "face" ||
+        element.Name == "tristrips" || element.Name == "edge";
       this->CheckCount(element);
       for (Column& column : element.Columns)
       {

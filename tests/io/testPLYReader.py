@@ -137,6 +137,34 @@ class PLY(unittest.TestCase):
             )
             numpy.testing.assert_array_equal(self.array(mesh.GetPointData(), "RGBA"), colors)
 
+    def test_strips(self):
+        """Triangles whose outside is that of the strip's first; -1 begins anew, and corners that
+        are twice there join strips."""
+        rows = [([0, 1, 2, 3, -1, 3, 2, 2, 0],), ([1, 0],)]
+        strips = ("tristrips", [(("int", "int"), "vertex_indices")], rows)
+        for form in FORMATS:
+            mesh = self.read(make(form, [vertices(), strips]))
+            self.assertEqual(self.corners(mesh.GetPolys()), [0, 1, 2, 2, 1, 3])
+        for wrong in (4, -2):
+            rows[0][0][1] = wrong
+            self.read(make("ascii", [vertices(), strips]),
+                      refused=["tristrips 0", f"from 0 to 3, or -1, not {wrong}"])  # fmt: skip
+
+    def test_edges(self):
+        """Lines, where there are no faces."""
+        edges = ("edge", [("int", "vertex1"), ("int", "vertex2"), ("uchar", "red"),
+                          ("uchar", "green"), ("uchar", "blue")],
+                 [(0, 1, 9, 8, 7), (3, 2, 6, 5, 4)])  # fmt: skip
+        for form in FORMATS:
+            mesh = self.read(make(form, [vertices(), edges]))
+            self.assertEqual(self.corners(mesh.GetLines()), [0, 1, 3, 2])
+            self.assertEqual(self.array(mesh.GetCellData(), "RGBA").tolist(),
+                             [[9, 8, 7, 255], [6, 5, 4, 255]])  # fmt: skip
+        mesh = self.read(make("ascii", [vertices(), WHOLE, edges]))
+        self.assertEqual((mesh.GetNumberOfLines(), mesh.GetNumberOfPolys()), (0, 1))
+        edges[2][1] = (3, 4, 0, 0, 0)
+        self.read(make("ascii", [vertices(), edges]), refused=["edge 1", "from 0 to 3, not 4"])
+
     def test_colors(self):
         """White is white, in every type; VTK's reader takes floats for bytes."""
         shares = ((1, 0, 0), (0, 0.5, 1), (0.2, 1, 0.4), (0, 0, 0))
