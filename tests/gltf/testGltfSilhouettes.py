@@ -109,7 +109,7 @@ class Silhouettes(GltfTest):
                 self.check(path, 0.6)
 
     def test_lines_and_points(self):
-        """Every pixel lies on a line or a point within one pixel, and every place of them has one."""
+        """Each pixel is within one pixel of a line or a point, and each place of them has one."""
         shape = meshes.Mesh(8)
         for mode in range(4):
             writer = Writer()
