@@ -14,6 +14,7 @@
 #include <locale>
 #include <optional>
 #include <sstream>
+#include <system_error>
 #include <vector>
 
 namespace scene
@@ -104,7 +105,7 @@ bool IsWithoutEffect(const std::string& option, const std::vector<std::string>& 
 }
 
 //------------------------------------------------------------------------------
-// Options, then the file, whose name may have blanks and slashes of either kind.
+// Options, then the file.
 void TakeTexture(std::string rest, const std::filesystem::path& folder, MtlMaterial& material)
 {
   std::fill_n(material.TextureScale, 2, 1.0);
@@ -131,8 +132,7 @@ void TakeTexture(std::string rest, const std::filesystem::path& folder, MtlMater
       }
     }
   }
-  std::replace(rest.begin(), rest.end(), '\\', '/');
-  material.Texture = rest.empty() ? "" : (folder / rest).lexically_normal().string();
+  material.Texture = rest.empty() ? "" : FindNamedFile(rest, folder);
 }
 
 //------------------------------------------------------------------------------
@@ -186,6 +186,21 @@ void TakeLine(const std::string& line, const std::filesystem::path& folder, MtlM
     TakeTexture(rest, folder, material);
   }
 }
+}
+
+//------------------------------------------------------------------------------
+std::string FindNamedFile(std::string name, const std::filesystem::path& folder)
+{
+  if (name.size() > 2 && name.front() == '"' && name.back() == '"')
+  {
+    name = name.substr(1, name.size() - 2);
+  }
+  std::replace(name.begin(), name.end(), '\\', '/');
+  const std::filesystem::path named = (folder / name).lexically_normal();
+  const std::filesystem::path beside = folder / named.filename();
+  std::error_code trouble;
+  const bool isThere = std::filesystem::exists(named, trouble);
+  return (!isThere && std::filesystem::is_regular_file(beside, trouble) ? beside : named).string();
 }
 
 //------------------------------------------------------------------------------

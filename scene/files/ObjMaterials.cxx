@@ -59,7 +59,8 @@ std::map<std::string, MtlMaterial> ReadLibraries(
 {
   std::map<std::string, MtlMaterial> materials;
   const auto read = [&](const std::string& name) {
-    return ReadMtlLibrary((std::filesystem::path(path).parent_path() / name).string(), materials);
+    return ReadMtlLibrary(
+      FindNamedFile(name, std::filesystem::path(path).parent_path()), materials);
   };
   for (const std::string& line : libraries)
   {
