@@ -46,19 +46,37 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& path)
   return reader;
 }
 
-// VTK's reader goes on to the end of the file, whatever the file says that it holds.
+// VTK's reader goes on to the end of the file, whatever the file says that it holds, and takes text
+// for binary by the share of its first 256 bytes that are not ASCII.
 vtkSmartPointer<vtkAlgorithm> OpenSTL(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
-  unsigned char head[84] = {};
-  file.read(reinterpret_cast<char*>(head), sizeof head);
-  const bool text = std::none_of(
-    head, head + file.gcount(), [](unsigned char byte) { return byte == 0 || byte > 127; });
-  if (!text)
+  std::string head(1024, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  const auto read = static_cast<std::size_t>(file.gcount());
+  const auto byte = [&head](std::size_t i) { return static_cast<unsigned char>(head[i]); };
+  const double size = static_cast<double>(std::filesystem::file_size(path));
+  const double held = std::max(0., std::floor((size - 84.) / 50.));
+  const double said = byte(80) + 256. * (byte(81) + 256. * (byte(82) + 256. * byte(83)));
+  const bool hasZeros = head.find('\0') < read;
+  if (head.compare(0, 3, "\xef\xbb\xbf") == 0 ||
+    (hasZeros && head.find(std::string("s\0o\0l", 5)) < 4))
   {
-    const double size = static_cast<double>(std::filesystem::file_size(path));
-    const double held = std::max(0., std::floor((size - 84.) / 50.));
-    const double said = head[80] + 256. * (head[81] + 256. * (head[82] + 256. * head[83]));
+    throw WorkError(path +
+      ": expected text that begins with the word solid, and it begins with a byte order mark: save "
+      "it as ASCII");
+  }
+  const auto looked = std::min<std::ptrdiff_t>(256, static_cast<std::ptrdiff_t>(read));
+  const auto foreign = std::count_if(head.begin(), head.begin() + looked,
+    [](char letter) { return static_cast<unsigned char>(letter) > 127; });
+  const bool isText = !hasZeros && size != 84. + 50. * said;
+  if (isText && 20 * foreign >= looked && looked > 0)
+  {
+    throw WorkError(path + ": expected ASCII, and " + std::to_string(foreign) +
+      " of its first bytes are not: give the solid another name");
+  }
+  if (!isText)
+  {
     const std::string counts = path + ": says that it holds " +
       std::to_string(static_cast<long long>(said)) + " triangles, and has " +
       std::to_string(static_cast<long long>(held));
