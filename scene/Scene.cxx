@@ -119,6 +119,55 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
     renderer->AddLight(light);
   }
 }
+
+// What was left out, by the notes on the file.
+std::string WhyNothing(const std::string& path)
+{
+  std::string why;
+  for (const std::string& note : Messages::TakeNotes())
+  {
+    if (note.rfind(path + ": ", 0) == 0)
+    {
+      why += (why.empty() ? "" : "; ") + note.substr(path.size() + 2);
+    }
+  }
+  return why.empty() ? "no points, or no cells" : why;
+}
+
+//------------------------------------------------------------------------------
+// Of a flat scene whose edge alone would be seen, such as a ground: the camera looks at its flat
+// side, from above or from the right.
+void TurnToFlatSide(vtkRenderer* renderer, int up)
+{
+  double bounds[6];
+  renderer->ComputeVisiblePropBounds(bounds);
+  if (!vtkMath::AreBoundsInitialized(bounds))
+  {
+    return;
+  }
+  const std::array<double, 3> sizes = { bounds[1] - bounds[0], bounds[3] - bounds[2],
+    bounds[5] - bounds[4] };
+  const double least = 1e-6 * *std::max_element(sizes.begin(), sizes.end());
+  const auto isFlat = [&](int axis) { return sizes[static_cast<std::size_t>(axis)] <= least; };
+  const int depth = up == 2 ? 1 : 2; // what the camera looks along
+  const int side = 3 - up - depth;
+  const int axis = isFlat(side) ? side : up;
+  if (isFlat(depth) || !isFlat(axis))
+  {
+    return;
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  double direction[3];
+  camera->GetDirectionOfProjection(direction);
+  if (axis == up)
+  {
+    camera->SetViewUp(direction);
+  }
+  double position[3] = { 0., 0., 0. };
+  position[axis] = 1.;
+  camera->SetFocalPoint(0., 0., 0.);
+  camera->SetPosition(position);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -143,6 +192,7 @@ void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options)
     camera->SetPosition(0.0, zUp ? -1.0 : 0.0, zUp ? 0.0 : 1.0);
     camera->SetFocalPoint(0.0, 0.0, 0.0);
     camera->SetViewUp(options.UpAxis == 0, options.UpAxis == 1, options.UpAxis == 2);
+    TurnToFlatSide(renderer, options.UpAxis);
     renderer->ResetCamera();
   }
   if (options.ParallelScale)
@@ -238,7 +288,8 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
       CheckReach(actor, path);
       shows = shows || vtkMath::AreBoundsInitialized(actor->GetBounds());
     }
-    Messages::Check(path, !shows, "holds nothing that can be drawn: no points, or no cells");
+    Messages::Check(
+      path, !shows, shows ? "" : "holds nothing that can be drawn: " + WhyNothing(path));
   }
   return scene;
 }

@@ -97,21 +97,32 @@ std::vector<std::string> LayersToCapture(const RenderOptions& options, const Sce
 }
 
 //------------------------------------------------------------------------------
-// Whether the picture is the background and nothing else. Where it has one colour, the depths are
-// looked at, too.
-bool ShowsNothing(vtkRenderWindow* window, vtkImageData* picture)
+// Whether nothing stands out against the background: each row of the picture has one colour, and
+// nothing is in sight. A fitted camera leaves a margin, so that there the colours alone tell.
+bool ShowsNothing(vtkRenderWindow* window, vtkImageData* picture, const RenderOptions& options)
 {
-  auto* colors = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
-  const auto components = colors ? colors->GetNumberOfComponents() : 0;
-  const auto size = static_cast<std::size_t>(colors ? colors->GetNumberOfValues() : 0);
-  const unsigned char* first = size > 0 ? colors->GetPointer(0) : nullptr;
-  if (!first || !std::equal(first + components, first + size, first))
+  if (std::any_of(options.Stages.begin(), options.Stages.end(),
+        [](const StageChoice& stage) { return stage.Name == "display"; }))
   {
     return false;
   }
-  const int* extent = window->GetSize();
-  std::vector<float> depths(size / static_cast<std::size_t>(components));
-  return window->GetZbufferData(0, 0, extent[0] - 1, extent[1] - 1, depths.data()) == VTK_OK &&
+  const int* size = picture->GetDimensions();
+  const auto components = static_cast<std::size_t>(picture->GetNumberOfScalarComponents());
+  const auto length = components * static_cast<std::size_t>(size[0]);
+  for (int y = 0; y < size[1]; ++y)
+  {
+    const auto* row = static_cast<const unsigned char*>(picture->GetScalarPointer(0, y, 0));
+    if (!std::equal(row + components, row + length, row))
+    {
+      return false;
+    }
+  }
+  if (!options.Camera && !options.ParallelScale && !options.Clip)
+  {
+    return true;
+  }
+  std::vector<float> depths(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]));
+  return window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depths.data()) == VTK_OK &&
     std::all_of(depths.begin(), depths.end(), [](float depth) { return depth >= 1.f; });
 }
 
@@ -134,10 +145,11 @@ void WritePNG(
   }
   progress.End();
   Messages::Check(options.PNG, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
-  if (ShowsNothing(window, grab->GetOutput()))
+  if (ShowsNothing(window, grab->GetOutput(), options))
   {
     Messages::Note(options.PNG +
-      ": shows nothing but the background: all else is out of sight, or thinner than a pixel");
+      ": shows nothing but the background: all else is out of sight, thinner than a pixel, or has "
+      "the background's colour");
   }
 }
 

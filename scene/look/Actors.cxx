@@ -20,6 +20,7 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
@@ -41,6 +42,42 @@ vtkSmartPointer<vtkDataObject> Run(vtkAlgorithm* filter, vtkDataObject* data, Pr
   filter->SetInputDataObject(data);
   filter->Update();
   return filter->GetOutputDataObject(0);
+}
+
+//------------------------------------------------------------------------------
+// Points without cells, such as a laser scan's, get a vertex each: VTK draws cells alone. Where a
+// reader has left out cells, the points are no such cloud.
+vtkSmartPointer<vtkDataObject> WithVertices(vtkDataObject* data)
+{
+  const auto isCloud = [](vtkDataObject* object) {
+    auto* block = vtkPointSet::SafeDownCast(object);
+    return block && block->GetNumberOfCells() == 0 && block->GetNumberOfPoints() > 0 &&
+      !block->GetCellData()->HasArray("vtkOriginalCellIds");
+  };
+  bool any = false;
+  ForEachDataSet(data, [&](vtkDataSet* block) { any = any || isCloud(block); });
+  if (!any)
+  {
+    return data;
+  }
+  return ReplaceDataSets(data, [&isCloud](vtkDataObject* object) {
+    if (!isCloud(object))
+    {
+      return vtkSmartPointer<vtkDataObject>(object);
+    }
+    auto* block = vtkPointSet::SafeDownCast(object);
+    vtkNew<vtkCellArray> vertices;
+    for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
+    {
+      vertices->InsertNextCell(1, &i);
+    }
+    auto cloud = vtkSmartPointer<vtkPolyData>::New();
+    cloud->SetPoints(block->GetPoints());
+    cloud->SetVerts(vertices);
+    cloud->GetPointData()->ShallowCopy(block->GetPointData());
+    cloud->GetFieldData()->ShallowCopy(block->GetFieldData());
+    return vtkSmartPointer<vtkDataObject>(cloud);
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -188,7 +225,8 @@ vtkSmartPointer<vtkDataObject> MakeSurface(
     throw WorkError(
       path + ": holds a " + data->GetClassName() + ", expected a mesh, a grid or an image");
   }
-  vtkSmartPointer<vtkDataObject> surface = LeaveOutInfinite(Surface(data, progress), path);
+  vtkSmartPointer<vtkDataObject> surface =
+    LeaveOutInfinite(Surface(WithVertices(data), progress), path);
   // Before normals: those that VTK computes of such polygons may point to their other side.
   surface = ReplaceDataSets(surface, [&progress](vtkDataObject* block) {
     vtkNew<vtkRelievoConvexPolygons> convex;

@@ -166,7 +166,7 @@ std::vector<OptionRow> MakeRows()
     { "--size", "WxH", "size of the picture in pixels, 1 to 16384 (1024x768)", TakeSize },
     { "--camera", "PX,PY,PZ,FX,FY,FZ,UX,UY,UZ",
       "position, focal point, up (fitted to the scene, looking along -z, y up, or as "
-      "--up says)",
+      "--up says; at a flat scene from its flat side)",
       TakeCamera },
     { "--view-angle", "DEG", "full vertical angle of the perspective, above 0 and below 180 (30)",
       [](RenderOptions& options, const std::string& word) {

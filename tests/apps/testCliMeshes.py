@@ -3,6 +3,7 @@
 """Meshes as people bring them: OBJ files with their libraries, colours of points in every format,
 skeletons without a mesh."""
 
+import json
 import os
 
 import numpy
@@ -117,6 +118,29 @@ class OBJ(CliTest):
                 found = [seen["albedo." + name][50, x] for name in "RGB"]
                 self.assertEqual((tuple(found), seen["actor.id"][50, x]), (color, actor))
 
+    def test_names_of_other_systems(self):
+        """Slashes of either kind, quotes, and paths of the machine that wrote the file: what is not
+        there is looked for beside the file that names it."""
+        write_image(vtkPNGWriter(), self.folder / "green.png",
+                    numpy.tile(numpy.array([0, 255, 0], numpy.uint8), (8, 8, 1)))  # fmt: skip
+        (self.folder / "sub").mkdir()
+        places = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+        for library in ("m.mtl", "sub\\m.mtl", '"a b.mtl"', "C:\\made\\m.mtl", "/gone/m.mtl"):
+            for image in ("green.png", "..\\green.png", '"green.png"', "D:\\maps\\green.png",
+                          "/gone/green.png"):  # fmt: skip
+                is_below = library.startswith("sub")
+                if is_below != image.startswith(".."):
+                    continue
+                name = library.strip('"').replace("\\", "/")
+                name = name if is_below else name.split("/")[-1]
+                self.write(name, f"newmtl a\nKd 1 1 1\nmap_Kd {image}\n")
+                self.write("a.obj", f"mtllib {library}\n" + LEFT + places
+                           + "usemtl a\nf 1/1 2/2 3/3 4/4\n")  # fmt: skip
+                with self.subTest(library=library, image=image):
+                    seen = self.draw(layers="albedo")
+                    found = [seen["albedo." + letter][50, 25] for letter in "RGB"]
+                    self.assertEqual(found, [0, 1, 0])
+
     def test_named_files(self):
         """What is not there, or would never end, is named, and the mesh drawn without."""
         os.mkfifo(self.folder / "pipe.png")
@@ -208,6 +232,117 @@ class Colors(CliTest):
         self.check("a.x", "xof 0303txt 0032\nMesh a {\n4;\n" + places + ";\n2;\n"
                    "3;0;2;1;,3;0;3;2;;\nMeshVertexColors {\n4;\n" + colors
                    + ";\n}\n}\n")  # fmt: skip
+
+
+class Clouds(CliTest):
+    """Points without cells, of every format that can hold them."""
+
+    # In the middle of pixels.
+    PLACES = numpy.array([(-0.49, 0.49, 0), (0.51, 0.39, 0.2), (0.11, -0.31, -0.1)])
+    COLORS = numpy.array([(255, 0, 0), (0, 255, 0), (0, 0, 255)])
+
+    def check(self, name):
+        done = self.relievo("render", name, *LOOK, "--exr", "a.exr",
+                            "--layers", "albedo,depth,cell")  # fmt: skip
+        self.assertEqual(done.stderr, "")
+        seen = self.exr("a.exr")[1]
+        wanted = numpy.full((SIDE, SIDE), numpy.inf)
+        for i, (place, color) in enumerate(zip(self.PLACES, self.COLORS)):
+            at = int((1 - place[1]) * SIDE / 2), int((place[0] + 1) * SIDE / 2)
+            wanted[at] = 5 - place[2]
+            self.assertEqual(seen["cell.id"][at], i)
+            numpy.testing.assert_allclose(
+                [seen["albedo." + letter][at] for letter in "RGB"], color / 255, atol=0.005)
+        numpy.testing.assert_allclose(seen["depth.Z"], wanted, atol=1e-5)
+
+    def test_ply(self):
+        head = "ply\nformat ascii 1.0\nelement vertex 3\n"
+        head += "".join(f"property double {axis}\n" for axis in "xyz")
+        head += "".join(f"property uchar {name}\n" for name in ("red", "green", "blue"))
+        head += "property float scalar_Intensity\nend_header\n"
+        rows = "".join("{} {} {} {} {} {} 0.5\n".format(*place, *color)
+                       for place, color in zip(self.PLACES, self.COLORS))  # fmt: skip
+        (self.folder / "a.ply").write_text(head + rows)
+        self.check("a.ply")
+
+    def test_obj(self):
+        rows = "".join("v {} {} {} {} {} {}\n".format(*place, *(color / 255))
+                       for place, color in zip(self.PLACES, self.COLORS))  # fmt: skip
+        (self.folder / "a.obj").write_text(rows)
+        self.check("a.obj")
+
+    def test_vtk(self):
+        for what in ("POLYDATA", "UNSTRUCTURED_GRID"):
+            text = f"# vtk DataFile Version 3.0\na\nASCII\nDATASET {what}\nPOINTS 3 double\n"
+            text += " ".join(map(str, self.PLACES.ravel()))
+            text += "\nPOINT_DATA 3\nCOLOR_SCALARS c 3\n"
+            text += " ".join(map(str, (self.COLORS / 255).ravel())) + "\n"
+            (self.folder / "a.vtk").write_text(text)
+            with self.subTest(what=what):
+                self.check("a.vtk")
+
+    def test_what_is_left_out(self):
+        """Where nothing is left, the message says what was wrong."""
+        (self.folder / "flat.obj").write_text("v 0 0\nv 1 0\nv 1 1\nf 1 2 3\n")
+        self.before = self.names()
+        self.refused("render", "flat.obj", *LOOK, "--png", "a.png", status=1,
+                     says=["flat.obj: holds nothing", "left out 3 points", "line 1"])  # fmt: skip
+
+
+class FlatScenes(CliTest):
+    def test_fitted_camera(self):
+        """Sees the flat side of a square, wherever it lies, its corner of another colour where it
+        belongs: from above, from the right, else from the front."""
+        for up, flat, right, above in (
+            ("y", 1, 0, -2), ("y", 0, -2, 1), ("y", 2, 0, 1), ("z", 2, 0, 1), ("z", 0, 1, 2),
+            ("z", 1, 0, 2), ("x", 0, -1, -2), ("x", 1, 2, 0),
+        ):  # fmt: skip
+            places = []
+            for x, y in CORNERS:
+                place = numpy.zeros(3)
+                for axis, value in ((right, x), (above, y)):
+                    place[abs(axis)] = -value if axis < 0 else value
+                places.append(place)
+            text = "".join("v {} {} {} {}\n".format(*place, "0 1 0" if i == 2 else "1 0 0")
+                           for i, place in enumerate(places))  # fmt: skip
+            (self.folder / "a.obj").write_text(text + "f 1 2 3 4\n")
+            done = self.relievo("render", "a.obj", "--up", up, "--size", "101x101", "--png",
+                                "a.png", "--exr", "a.exr", "--layers", "depth,albedo")  # fmt: skip
+            with self.subTest(up=up, flat=flat):
+                self.assertEqual(done.stderr, "")
+                seen = self.exr("a.exr")[1]
+                rows, columns = numpy.nonzero(numpy.isfinite(seen["depth.Z"]))
+                self.assertGreater(len(rows), 2000)
+                self.assertEqual(numpy.ptp(rows), numpy.ptp(columns))
+                self.assertGreater(seen["albedo.G"][rows.min() + 1, columns.max() - 1], 0.9)
+                self.assertLess(seen["albedo.G"][rows.max() - 1, columns.min() + 1], 0.1)
+
+
+    def test_empty_pictures(self):
+        """A word where nothing is to be seen: of a wall from behind, which glTF leaves out, and of
+        black on black; none where something is, or where a given camera sees something."""
+        corners = numpy.array([(x, y, 0) for x, y in CORNERS], "<f4")
+        for faces, seen in (([0, 1, 2, 0, 2, 3], True), ([0, 2, 1, 0, 3, 2], False)):
+            data = corners.tobytes() + numpy.array(faces, "<u2").tobytes()
+            (self.folder / "a.bin").write_bytes(data)
+            (self.folder / "a.gltf").write_text(json.dumps({
+                "asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
+                "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+                "buffers": [{"uri": "a.bin", "byteLength": len(data)}],
+                "bufferViews": [{"buffer": 0, "byteLength": 48},
+                                {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+                "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+                               "min": [-1, -1, 0], "max": [1, 1, 0]},
+                              {"bufferView": 1, "componentType": 5123, "count": 6,
+                               "type": "SCALAR"}],
+            }))  # fmt: skip
+            done = self.relievo("render", "a.gltf", "--background", "navy,black", "--size", "50x50",
+                                "--png", "a.png")  # fmt: skip
+            self.assertEqual("nothing but the background" in done.stderr, not seen, done.stderr)
+            done = self.relievo("render", "a.gltf", *LOOK, "--png", "a.png")
+            self.assertEqual(done.stderr, "")
+        done = self.relievo("render", "triangle.off", "--color", "black", "--png", "a.png")
+        self.assertIn("a.png: shows nothing but the background", done.stderr)
 
 
 class Skeletons(CliTest):

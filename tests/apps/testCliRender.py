@@ -107,8 +107,8 @@ class Picture(CliTest):
         """A picture of the background alone comes with a note, whatever the reason."""
         sliver = "OFF\n3 1 0\n-1 -1 0\n1 -1 1e9\n-1 1 0\n3 0 1 2\n"
         (self.folder / "sliver.off").write_text(sliver)
-        says = "relievo: a.png: shows nothing but the background: all else is out of sight, or "
-        says += "thinner than a pixel\n"
+        says = "relievo: a.png: shows nothing but the background: all else is out of sight, "
+        says += "thinner than a pixel, or has the background's colour\n"
         for words in (["sliver.off"], ["triangle.off", "--camera", "0,0,5,0,0,9,0,1,0"],
                       ["triangle.off", "--camera", "0,0,5,0,0,9,0,1,0", "--shadows", "map"]):
             done = self.relievo("render", *words, "--size", "48x48", "--png", "a.png")
