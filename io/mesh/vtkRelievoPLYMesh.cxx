@@ -358,7 +358,7 @@ void MakeMesh(Content& content, vtkPolyData* mesh)
 {
   Element* vertices = content.Find("vertex");
   const Columns places = vertices ? FindAll(*vertices, { "x", "y", "z" }) : Columns();
-  if (places.empty())
+  if (!vertices || places.empty())
   {
     throw Refusal{ vtkErrorCode::FileFormatError,
       "expected an element vertex with the properties x, y and z" };
