@@ -454,6 +454,18 @@ private:
 vtkIdType MakeMesh(Content& content, int typeOfPoints, bool groups, vtkPolyData* mesh)
 {
   const std::vector<bool> wrong = FindWrong(content);
+  const bool isCloud = std::all_of(std::begin(content.Cells), std::end(content.Cells),
+    [](const CellList& cells) { return cells.States.empty(); });
+  for (std::size_t i = 0; isCloud && i < wrong.size(); ++i)
+  {
+    if (!wrong[i])
+    {
+      CellList& vertices = content.Cells[Verts];
+      vertices.Points.push_back(static_cast<vtkIdType>(i));
+      vertices.Starts.push_back(static_cast<vtkIdType>(vertices.Points.size()));
+      vertices.States.emplace_back();
+    }
+  }
   vtkIdType before = 0;
   std::vector<vtkIdType> left;
   for (CellList& cells : content.Cells)
@@ -510,7 +522,7 @@ vtkIdType MakeMesh(Content& content, int typeOfPoints, bool groups, vtkPolyData*
     AddStates(mesh, content, "Object", &State::Object, content.Objects);
   }
   const auto kept = static_cast<vtkIdType>(left.size());
-  if (!wrong.empty() && kept < before)
+  if (!wrong.empty() && (kept < before || before == 0))
   {
     const vtkSmartPointer<vtkIdTypeArray> ids = ToArray<vtkIdTypeArray>(left);
     ids->SetName("vtkOriginalCellIds");

@@ -25,7 +25,8 @@
  *
  * Points with a coordinate that is no finite number (`nan`, `1,5`) are left out with the cells that
  * use them: no cell uses them, their place is that of another point, and the cell array
- * `vtkOriginalCellIds` says which cells of the file are left. Normals and texture coordinates that
+ * `vtkOriginalCellIds` says which cells of the file are left. In a file of points alone, the others
+ * are vertices then. Normals and texture coordinates that
  * are no numbers count as not given. GetNote() says how many of each, and where the first is. Also
  * left out, with a note, are free-form curves and surfaces.
  *

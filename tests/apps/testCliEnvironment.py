@@ -147,7 +147,9 @@ class Environments(CliTest):
             seen = self.sky(axis, "--environment", "axes.png", "--up", "z")
             self.assert_colour(seen, COLOURS[was])
         # The camera that fits the scene looks along y then, away from the environment's z.
-        self.relievo("render", "plane.obj", "--size", "9x9", "--environment", "axes.png", "--up",
+        (self.folder / "solid.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\n"
+                                               "f 1 2 4\nf 2 3 4\nf 1 4 3\n")  # fmt: skip
+        self.relievo("render", "solid.obj", "--size", "9x9", "--environment", "axes.png", "--up",
                      "z", "--skybox", "--png", "a.png")  # fmt: skip
         self.assert_colour(read_png(self.folder / "a.png")[0, 0].astype(int), COLOURS[0, 0, -1])
 

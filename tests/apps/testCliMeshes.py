@@ -271,6 +271,24 @@ class Clouds(CliTest):
         (self.folder / "a.obj").write_text(rows)
         self.check("a.obj")
 
+    def test_points_that_are_not_finite(self):
+        """The others are drawn, with a note; with none left the file is refused."""
+        text = "v nan 0 0\nv 0.3 0.1 0\nv 1 1,5 0\nv 0 0.1 0\n"
+        (self.folder / "a.obj").write_text(text)
+        done = self.relievo("render", "a.obj", *LOOK, "--exr", "a.exr")
+        self.assertIn("a.obj: left out 2 points", done.stderr)
+        self.assertEqual(numpy.isfinite(self.exr("a.exr")[1]["depth.Z"]).sum(), 2)
+        head = "ply\nformat ascii 1.0\nelement vertex 3\n"
+        head += "".join(f"property float {axis}\n" for axis in "xyz") + "end_header\n"
+        (self.folder / "a.ply").write_text(head + "nan nan nan\n0.3 0.1 0\n0 0.1 0\n")
+        done = self.relievo("render", "a.ply", *LOOK, "--exr", "a.exr")
+        self.assertIn("a.ply: left out 1 cell with points that are not finite", done.stderr)
+        self.assertEqual(numpy.isfinite(self.exr("a.exr")[1]["depth.Z"]).sum(), 2)
+        (self.folder / "b.obj").write_text("v nan 0 0\nv 1 0\n")
+        self.before = self.names()
+        self.refused("render", "b.obj", *LOOK, "--png", "a.png", status=1,
+                     says=["b.obj: holds nothing", "left out 2 points"])  # fmt: skip
+
     def test_vtk(self):
         for what in ("POLYDATA", "UNSTRUCTURED_GRID"):
             text = f"# vtk DataFile Version 3.0\na\nASCII\nDATASET {what}\nPOINTS 3 double\n"
