@@ -64,8 +64,8 @@ struct Content
   }
 };
 
-// Reads the elements `vertex`, `face`, `tristrips` and `edge`, or throws a Refusal. `goOn` is called
-// now and then with the share that is done; when it returns false, what was read so far is
+// Reads the elements `vertex`, `face`, `tristrips` and `edge`, or throws a Refusal. `goOn` is
+// called now and then with the share that is done; when it returns false, what was read so far is
 // returned.
 Content Read(std::string_view text, const std::function<bool(double)>& goOn);
 }

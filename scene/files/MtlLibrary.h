@@ -27,9 +27,9 @@ struct MtlMaterial
   std::string TextureWithout; ///< options that would change the texture, and are left out
 };
 
-/// The path of a file that another one in the folder names, in quotes or not, with slashes of either
-/// kind. Files name others by paths of the machine that wrote them: where nothing is there, and the
-/// folder has a file of that name, it is taken.
+/// The path of a file that another one in the folder names, in quotes or not, with slashes of
+/// either kind. Files name others by paths of the machine that wrote them: where nothing is there,
+/// and the folder has a file of that name, it is taken.
 std::string FindNamedFile(std::string name, const std::filesystem::path& folder);
 
 /// Adds the materials of a library, by name; later ones replace earlier ones. Of what a line gives,

@@ -25,7 +25,8 @@ TEXT = """<?xml version="1.0" encoding="{code}"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
 <asset><unit meter="1" name="meter"/><up_axis>Y_UP</up_axis></asset>
 <library_animations><animation id="a">
-<source id="t"><float_array id="ta" count="2">0 1</float_array><technique_common><accessor source="#ta" count="2" stride="1"><param name="TIME" type="float"/>
+<source id="t"><float_array id="ta" count="2">0 1</float_array><technique_common>
+<accessor source="#ta" count="2" stride="1"><param name="TIME" type="float"/>
 </accessor></technique_common></source>
 <source id="o"><float_array id="oa" count="6">1 1 1 -1 1 1</float_array>
 <technique_common><accessor source="#oa" count="2" stride="3"><param name="X" type="float"/>
