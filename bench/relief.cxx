@@ -90,7 +90,7 @@ struct ReliefWindow
     this->Surface->SetHeightRange(0., 1.);
     this->Surface->SetHeightScale(Scale);
     this->Surface->DepthCorrectionOn();
-    this->Surface->SetMethod(way.Method);
+    this->Surface->SetReliefMethod(way.Method);
     if (way.Steps > 0)
     {
       this->Surface->SetMinimumSteps(way.Steps);
@@ -115,7 +115,7 @@ struct ReliefWindow
 // Looks at the heights of one ray, by the steps of shaders/material/surface.glsl.
 double CountLooks(Material* surface, const HeightField& field, const ReliefRay& ray)
 {
-  if (surface->GetMethod() == Material::METHOD_PARALLAX)
+  if (surface->GetReliefMethod() == Material::METHOD_PARALLAX)
   {
     return 1.;
   }
@@ -133,7 +133,8 @@ double CountLooks(Material* surface, const HeightField& field, const ReliefRay& 
       break;
     }
   }
-  return looks + (surface->GetMethod() == Material::METHOD_RELIEF ? surface->GetBisections() : 0);
+  return looks +
+    (surface->GetReliefMethod() == Material::METHOD_RELIEF ? surface->GetBisections() : 0);
 }
 
 double MeanLooks(ReliefWindow& window, const HeightField& field)

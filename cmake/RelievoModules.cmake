@@ -1,11 +1,11 @@
 # Scans and builds Relievo's VTK modules; each links only what its vtk.module names.
 
 include(RelievoStages)
-set(relievo_rooms shaders layers passes/frame passes/gbuffer passes/shadows passes/deferred
+set(relievo_rooms describe shaders layers passes/frame passes/gbuffer passes/shadows passes/deferred
   passes/effects passes materials io filters animation scene)
 set(relievo_module_files ${relievo_rooms})
 list(TRANSFORM relievo_module_files REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/\\1/vtk.module")
-set(relievo_requested Relievo::Shaders Relievo::Layers Relievo::Passes Relievo::Materials
+set(relievo_requested Relievo::Describe Relievo::Shaders Relievo::Layers Relievo::Passes Relievo::Materials
   Relievo::IO Relievo::Filters Relievo::Animation Relievo::Scene)
 # Of ParaView's plugin: not for Python, which reaches it through ParaView's server manager.
 set(relievo_plugin_modules)
@@ -49,7 +49,7 @@ vtk_module_build(
 unset(CMAKE_SUPPRESS_DEVELOPER_WARNINGS)
 relievo_relative_autoinit(${relievo_modules})
 list(REMOVE_ITEM relievo_modules ${relievo_plugin_modules})
-# Not the two that know nothing of VTK's data: their macros differ.
+# Not the three that know nothing of VTK's data: their macros differ.
 set(relievo_of_data ${relievo_modules})
-list(REMOVE_ITEM relievo_of_data Relievo::Shaders Relievo::Layers)
+list(REMOVE_ITEM relievo_of_data Relievo::Describe Relievo::Shaders Relievo::Layers)
 relievo_precompile_headers(${relievo_of_data})

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 vtkStandardNewMacro(vtkRelievoEnvironment);
 
@@ -18,10 +19,44 @@ vtkStandardNewMacro(vtkRelievoEnvironment);
 vtkRelievoEnvironment::vtkRelievoEnvironment()
   : Textures(new vtkRelievoEnvironmentTextures(this))
 {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  vtkRelievoParameterList& list = this->Description;
+  list
+    .AddNumber(
+      "rotation", this->Rotation, [this](double degrees) { this->SetRotation(degrees); }, -infinity,
+      infinity, "degrees", "Rotation about the up axis, counter-clockwise seen from above.")
+    .Usual = 360.0;
+  list.AddChoice(
+    "up", this->UpAxis, [this](int axis) { this->SetUpAxis(axis); }, { "x", "y", "z" },
+    "The axis of the world that points up, towards the upper edge of the picture.");
+  list
+    .AddNumber(
+      "intensity", this->Intensity, [this](double factor) { this->SetIntensity(factor); }, 0.0,
+      infinity, "", "Factor of all its light.")
+    .Usual = 4.0;
+  list
+    .AddFlag(
+      "gamma_correct", this->GammaCorrect, [this](bool on) { this->SetGammaCorrect(on); },
+      "Whether colours in the picture encode light by a power of 1/2.2, so that photographs look "
+      "as "
+      "they do elsewhere. If off, light is shown unchanged, except on PBR surfaces, which always "
+      "encode it so.")
+    .Advanced = true;
 }
 
 //------------------------------------------------------------------------------
 vtkRelievoEnvironment::~vtkRelievoEnvironment() = default;
+
+//------------------------------------------------------------------------------
+bool vtkRelievoEnvironment::SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
+{
+  const std::string wrong = this->TrySetParameter(name, words);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< name << ": " << wrong << ".");
+  }
+  return wrong.empty();
+}
 
 //------------------------------------------------------------------------------
 void vtkRelievoEnvironment::SetImage(vtkImageData* image)
@@ -165,8 +200,5 @@ void vtkRelievoEnvironment::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SRGB: " << this->GetSRGB() << "\n";
   os << indent << "Levels: " << this->GetLevels() << "\n";
   os << indent << "Irradiance: " << this->GetIrradiance() << "\n";
-  os << indent << "Rotation: " << this->Rotation << "\n";
-  os << indent << "UpAxis: " << this->UpAxis << "\n";
-  os << indent << "Intensity: " << this->Intensity << "\n";
-  os << indent << "GammaCorrect: " << this->GammaCorrect << "\n";
+  this->Description.Print(os, indent);
 }

@@ -23,8 +23,11 @@
 
 #include "vtkObject.h"
 #include "vtkRelievoMaterialsModule.h" // for the export macro
+#include "vtkRelievoParameterList.h"   // for the description
+#include "vtkRelievoText.h"            // for names that are given
 
 #include <memory> // for the textures
+#include <string> // for names
 
 class vtkDataArray;
 class vtkImageData;
@@ -127,6 +130,31 @@ public:
   vtkBooleanMacro(GammaCorrect, bool);
   ///@}
 
+  ///@{
+  /**
+   * Rotation, up axis, intensity and gamma by name, as vtkRelievoMaterial has its values. What the
+   * images are (Projection, SRGB) is theirs, and not among them.
+   */
+  int GetNumberOfParameters() { return this->Description.GetNumber(); }
+  std::string GetParameterName(int i) { return this->Description.GetName(i); }
+  std::string GetParameterHelp(RELIEVO_TEXT name) { return this->Description.GetHelp(name); }
+  std::string GetParameterDefault(RELIEVO_TEXT name) { return this->Description.GetDefault(name); }
+  std::string GetParameter(RELIEVO_TEXT name) { return this->Description.GetValue(name); }
+  std::string TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
+  {
+    return this->Description.TrySet(name, words);
+  }
+  bool SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /** What the environment says of its values. */
+  const vtkRelievoParameterList& GetDescription() const
+  {
+    return this->Description;
+  }
+#endif
+
   /** The rotation from the world's axes to the environment's. */
   void GetWorldToEnvironment(vtkMatrix3x3* rotation);
 
@@ -146,6 +174,7 @@ private:
 
   friend class vtkRelievoEnvironmentTextures;
 
+  vtkRelievoParameterList Description;
   double Rotation = 0.0;
   int UpAxis = 1;
   double Intensity = 1.0;

@@ -34,6 +34,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -50,6 +51,7 @@ public:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // drawn in last
   std::vector<vtkWeakPointer<vtkActor>> Actors; // attached to
   std::set<std::string> Reported;
+  vtkRelievoParameterList Description;
 
   // Units are few: they are given back when the next material, on any actor, is drawn.
   static Internals*& GetInUse()
@@ -150,10 +152,148 @@ void RemoveCarrier(vtkActor* actor)
 vtkRelievoMaterial::vtkRelievoMaterial()
   : Internal(new Internals)
 {
+  this->Describe();
 }
 
 //------------------------------------------------------------------------------
 vtkRelievoMaterial::~vtkRelievoMaterial() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoMaterial::Describe()
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  vtkRelievoParameterList& list = this->Internal->Description;
+  const auto behindGear = [&list](const char* onlyIf) {
+    list.Parameters.back().Advanced = true;
+    list.Parameters.back().OnlyIf = onlyIf;
+  };
+  list
+    .AddNumber(
+      "normal_strength", this->NormalStrength,
+      [this](double factor) { this->SetNormalStrength(factor); }, -infinity, infinity, "",
+      "Factor of the slope of a normal map: 0 is flat, 1 leaves it unchanged.")
+    .Usual = 4.0;
+  list.AddFlag(
+    "flip_green", this->FlipGreen, [this](bool on) { this->SetFlipGreen(on); },
+    "For normal maps whose green points down, as in DirectX.");
+  list
+    .AddNumber(
+      "height_scale", this->HeightScale, [this](double depth) { this->SetHeightScale(depth); }, 0.0,
+      infinity, "units of the mesh", "Depth of the relief's ground below the mesh.")
+    .OnlyIf = "height_map";
+  list
+    .AddChoice(
+      "relief_method", this->ReliefMethod, [this](int method) { this->SetReliefMethod(method); },
+      { "off", "parallax", "steep", "occlusion", "relief" },
+      "How the relief is found: by one read of the heights (parallax), by equal steps (steep), "
+      "with "
+      "a straight line between the last two (occlusion), or with bisections before it (relief), "
+      "which is the most accurate. Off displaces nothing: heights only give normals.")
+    .OnlyIf = "height_map";
+  list
+    .AddFlag(
+      "self_shadow", this->SelfShadow, [this](bool on) { this->SetSelfShadow(on); },
+      "Whether the relief casts shadows on itself, from every light that is on.")
+    .OnlyIf = "height_map,relief_method!=off";
+  list.AddPair(
+    "height_range", this->HeightRange, [this](const double* range) { this->SetHeightRange(range); },
+    "The map's values at the ground and at the level of the mesh. 0,0 chooses: 0 to 1 for 8- and "
+    "16-bit images, which are scaled to that range; otherwise the least and the greatest value.");
+  behindGear("height_map");
+  list.AddFlag(
+    "depth_correction", this->DepthCorrection, [this](bool on) { this->SetDepthCorrection(on); },
+    "Whether depth follows the relief, in intersections with other objects and in layers.");
+  behindGear("height_map,relief_method!=off");
+  list.AddFlag(
+    "clip_at_borders", this->ClipAtBorders, [this](bool on) { this->SetClipAtBorders(on); },
+    "Whether nothing is drawn where a ray leaves the texture, 0 to 1 in u and v, which gives a "
+    "single tile its outline.");
+  behindGear("height_map,relief_method!=off");
+  list.AddNumber(
+    "steps_per_texel", this->StepsPerTexel, [this](double steps) { this->SetStepsPerTexel(steps); },
+    0.01, 16.0, "",
+    "Steps along a ray per texel of the heights that it passes over. Features thinner than a step "
+    "may be missed.");
+  behindGear("height_map,relief_method!=off");
+  list.AddWhole(
+    "minimum_steps", this->MinimumSteps, [this](int steps) { this->SetMinimumSteps(steps); }, 1,
+    4096, "", "Least number of steps along a ray.");
+  behindGear("height_map,relief_method!=off");
+  list.AddWhole(
+    "maximum_steps", this->MaximumSteps, [this](int steps) { this->SetMaximumSteps(steps); }, 1,
+    4096, "", "Greatest number of steps along a ray.");
+  behindGear("height_map,relief_method!=off");
+  list.AddWhole(
+    "bisections", this->Bisections, [this](int count) { this->SetBisections(count); }, 0, 32, "",
+    "Bisections of the last step, for the method relief.");
+  behindGear("height_map,relief_method=relief");
+  list.AddPair(
+    "texture_scale", this->TextureScale,
+    [this](const double* tiles) { this->SetTextureScale(tiles); },
+    "Tiles of the maps per unit of the texture coordinates, along u and v.");
+  behindGear("");
+  list.AddPair(
+    "texture_offset", this->TextureOffset,
+    [this](const double* offset) { this->SetTextureOffset(offset); },
+    "Where the first tile begins in u and v, in tiles.");
+  behindGear("");
+  list.AddFlag(
+    "repeat", this->Repeat, [this](bool on) { this->SetRepeat(on); },
+    "Whether maps repeat beyond 0 to 1; if not, their edges extend.");
+  behindGear("");
+  list.AddNumber(
+    "alpha_cutoff", this->AlphaCutoff, [this](double cutoff) { this->SetAlphaCutoff(cutoff); }, 0.0,
+    1.0, "",
+    "Opacity below which nothing is drawn; everything else is opaque, in the picture, in layers "
+    "and "
+    "as a caster of shadows. The opacity is that of the surface, its colours and its texture. 0: "
+    "off.");
+  list
+    .AddNumber(
+      "reflectivity", this->Reflectivity, [this](double share) { this->SetReflectivity(share); },
+      0.0, 1.0, "",
+      "Share of the environment that is mirrored at normal incidence; at grazing angles all of it "
+      "is. 0.04 for glass, plastic and paint, 0.5 to 1 for metals; for coloured metals PBR with "
+      "Metallic 1.")
+    .OnlyIf = "environment";
+  list
+    .AddNumber(
+      "roughness", this->Roughness, [this](double roughness) { this->SetRoughness(roughness); },
+      0.0, 1.0, "",
+      "Roughness of the mirror; 0 is sharp. It is separate from the roughness of VTK's PBR "
+      "shading, "
+      "which applies to lights.")
+    .OnlyIf = "environment";
+  list.AddNumber(
+    "reflection_weight", this->ReflectionWeight,
+    [this](double factor) { this->SetReflectionWeight(factor); }, 0.0, 1.0, "",
+    "Factor of the mirrored light.");
+  behindGear("environment");
+  list
+    .AddNumber(
+      "irradiance_weight", this->IrradianceWeight,
+      [this](double factor) { this->SetIrradianceWeight(factor); }, 0.0, infinity, "",
+      "Factor of the environment's light on the surface's own colour.")
+    .Usual = 4.0;
+  behindGear("environment");
+}
+
+//------------------------------------------------------------------------------
+const vtkRelievoParameterList& vtkRelievoMaterial::GetDescription() const
+{
+  return this->Internal->Description;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoMaterial::SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
+{
+  const std::string wrong = this->TrySetParameter(name, words);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< name << ": " << wrong << ".");
+  }
+  return wrong.empty();
+}
 
 //------------------------------------------------------------------------------
 vtkRelievoMaterial* vtkRelievoMaterial::Get(vtkProp* prop)
@@ -223,8 +363,8 @@ void vtkRelievoMaterial::UpdateStructure()
   vtkRelievoMaterialSplice::Structure structure;
   structure.NormalMap = this->Enabled && in.Normals.IsUsable();
   const bool hasHeights = this->Enabled && in.Heights.IsUsable();
-  structure.Method = hasHeights ? this->Method : 0;
-  structure.HeightMap = hasHeights && (this->Method != METHOD_OFF || !structure.NormalMap);
+  structure.Method = hasHeights ? this->ReliefMethod : 0;
+  structure.HeightMap = hasHeights && (this->ReliefMethod != METHOD_OFF || !structure.NormalMap);
   structure.SelfShadow = structure.Method && this->SelfShadow;
   structure.DepthCorrection = structure.Method && this->DepthCorrection;
   structure.Clip = structure.Method && this->ClipAtBorders;
@@ -276,15 +416,15 @@ void vtkRelievoMaterial::TellCutoff()
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoMaterial::SetMethod(int method)
+void vtkRelievoMaterial::SetReliefMethod(int method)
 {
   if (method < METHOD_OFF || method > METHOD_RELIEF)
   {
-    vtkErrorMacro("SetMethod was given " << method << "; give it one from " << METHOD_OFF
-                                         << " (off) to " << METHOD_RELIEF << " (relief).");
+    vtkErrorMacro("SetReliefMethod was given " << method << "; give it one from " << METHOD_OFF
+                                               << " (off) to " << METHOD_RELIEF << " (relief).");
     return;
   }
-  this->Method = method;
+  this->ReliefMethod = method;
   this->Restructure();
 }
 
@@ -389,29 +529,9 @@ void vtkRelievoMaterial::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Enabled: " << this->Enabled << "\n";
   os << indent << "NormalMap: " << this->GetNormalMap() << "\n";
-  os << indent << "NormalStrength: " << this->NormalStrength << "\n";
-  os << indent << "FlipGreen: " << this->FlipGreen << "\n";
   os << indent << "HeightMap: " << this->GetHeightMap() << "\n";
-  os << indent << "HeightRange: " << this->HeightRange[0] << " " << this->HeightRange[1] << "\n";
-  os << indent << "HeightScale: " << this->HeightScale << "\n";
-  os << indent << "Method: " << this->Method << "\n";
-  os << indent << "StepsPerTexel: " << this->StepsPerTexel << "\n";
-  os << indent << "MinimumSteps: " << this->MinimumSteps << "\n";
-  os << indent << "MaximumSteps: " << this->MaximumSteps << "\n";
-  os << indent << "Bisections: " << this->Bisections << "\n";
-  os << indent << "SelfShadow: " << this->SelfShadow << "\n";
-  os << indent << "DepthCorrection: " << this->DepthCorrection << "\n";
-  os << indent << "ClipAtBorders: " << this->ClipAtBorders << "\n";
-  os << indent << "TextureScale: " << this->TextureScale[0] << " " << this->TextureScale[1] << "\n";
-  os << indent << "TextureOffset: " << this->TextureOffset[0] << " " << this->TextureOffset[1]
-     << "\n";
-  os << indent << "Repeat: " << this->Repeat << "\n";
-  os << indent << "AlphaCutoff: " << this->AlphaCutoff << "\n";
   os << indent << "Environment: " << this->GetEnvironment() << "\n";
-  os << indent << "Reflectivity: " << this->Reflectivity << "\n";
-  os << indent << "Roughness: " << this->Roughness << "\n";
-  os << indent << "ReflectionWeight: " << this->ReflectionWeight << "\n";
-  os << indent << "IrradianceWeight: " << this->IrradianceWeight << "\n";
+  this->GetDescription().Print(os, indent);
 }
 
 //------------------------------------------------------------------------------

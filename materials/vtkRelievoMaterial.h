@@ -31,8 +31,11 @@
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRelievoMaterialsModule.h" // for the export macro
+#include "vtkRelievoParameterList.h"   // for the description
+#include "vtkRelievoText.h"            // for names that are given
 
 #include <memory> // for the internals
+#include <string> // for names
 
 class vtkActor;
 class vtkImageData;
@@ -128,8 +131,8 @@ public:
    * last two of them; METHOD_RELIEF (default) adds bisections before that line. METHOD_OFF
    * displaces nothing: the heights only give the normals, if there is no normal map.
    */
-  void SetMethod(int method);
-  vtkGetMacro(Method, int);
+  void SetReliefMethod(int method);
+  vtkGetMacro(ReliefMethod, int);
   ///@}
 
   ///@{
@@ -245,6 +248,33 @@ public:
   vtkGetMacro(IrradianceWeight, double);
   ///@}
 
+  ///@{
+  /**
+   * The numbers, choices and switches above by name, such as "relief_method", as the command line
+   * and ParaView have them. Values are words: "0.5", "on", "steep", "0,1". Set returns false, with
+   * an error, and changes nothing if there is no such value or it does not take the words; TrySet
+   * returns what is wrong instead, "" if it was set.
+   */
+  int GetNumberOfParameters() { return this->GetDescription().GetNumber(); }
+  std::string GetParameterName(int i) { return this->GetDescription().GetName(i); }
+  std::string GetParameterHelp(RELIEVO_TEXT name) { return this->GetDescription().GetHelp(name); }
+  std::string GetParameterDefault(RELIEVO_TEXT name)
+  {
+    return this->GetDescription().GetDefault(name);
+  }
+  std::string GetParameter(RELIEVO_TEXT name) { return this->GetDescription().GetValue(name); }
+  std::string TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
+  {
+    return this->GetDescription().TrySet(name, words);
+  }
+  bool SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words);
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /** What the material says of its values. */
+  const vtkRelievoParameterList& GetDescription() const;
+#endif
+
   /**
    * Releases the texture units of the material that was drawn last, as drawing the next one does.
    * Applications whose windows share their OpenGL state call it after each picture.
@@ -281,7 +311,7 @@ protected:
   bool FlipGreen = false;
   double HeightRange[2] = { 0.0, 0.0 };
   double HeightScale = 0.1;
-  int Method = METHOD_RELIEF;
+  int ReliefMethod = METHOD_RELIEF;
   double StepsPerTexel = 0.5;
   int MinimumSteps = 8;
   int MaximumSteps = 256;
@@ -302,6 +332,7 @@ private:
   vtkRelievoMaterial(const vtkRelievoMaterial&) = delete;
   void operator=(const vtkRelievoMaterial&) = delete;
 
+  void Describe();
   void UpdateStructure();
   void Restructure();
   void TellCutoff();

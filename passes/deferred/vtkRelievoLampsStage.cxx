@@ -310,11 +310,7 @@ void vtkRelievoLampsStage::ReleaseGraphicsResources(vtkWindow* window)
 void vtkRelievoLampsStage::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Way: " << WayNames[this->Way] << "\n";
   os << indent << "WayTaken: " << WayNames[this->WayTaken] << "\n";
-  os << indent << "Floats: " << this->Floats << "\n";
-  os << indent << "Translucent: " << this->Translucent << "\n";
-  os << indent << "Casting: " << this->Casting << "\n";
   os << indent << "NumberCasting: " << this->NumberCasting << "\n";
   os << indent << "NumberOfLamps: " << this->NumberOfLamps << "\n";
 }

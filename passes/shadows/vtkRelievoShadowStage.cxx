@@ -482,18 +482,29 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
   description.AddFlag(
     "visible", this->Visible, [this](bool on) { this->SetVisible(on); },
     "Whether shadows are seen in the picture.");
-  description.AddChoice(
-    "method", this->Method, [this](int method) { this->SetMethod(method); },
-    { "map", "forward", "warped", "exact" }, "How shadows are computed.");
+  description
+    .AddChoice(
+      "method", this->Method, [this](int method) { this->SetMethod(method); },
+      { "map", "forward", "warped", "exact" },
+      "How shadows are computed: by a depth map seen from the light (map), with more of a sun's "
+      "map "
+      "near the camera, for landscapes (warped), in the camera's view (forward), or by a ray from "
+      "each pixel past the meshes' own triangles, which is slower (exact).")
+    .Advanced = true;
   description.AddWhole(
     "map_size", this->MapSize, [this](int size) { this->SetMapSize(size); }, 16, 16384, "texels",
-    "Width and height of each light's map.");
-  description.AddWhole(
-    "filter_radius", this->FilterRadius, [this](int radius) { this->SetFilterRadius(radius); }, 0,
-    16, "texels", "How soft the edges of shadows are.");
-  description.AddNumber(
-    "bias", this->Bias, [this](double bias) { this->SetBias(bias); }, 0.0, 100.0, "texels",
-    "Distance by which receivers are moved towards the light before the comparison.");
+    "Width and height of each light's map. Twice the size halves the error at edges and takes four "
+    "times the memory.");
+  description
+    .AddWhole(
+      "filter_radius", this->FilterRadius, [this](int radius) { this->SetFilterRadius(radius); }, 0,
+      16, "texels", "How soft the edges of shadows are.")
+    .Advanced = true;
+  description
+    .AddNumber(
+      "bias", this->Bias, [this](double bias) { this->SetBias(bias); }, 0.0, 100.0, "texels",
+      "Distance by which receivers are moved towards the light before the comparison.")
+    .Advanced = true;
   description.AddNumber(
     "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0, 1.0,
     "", "Fraction of a blocked light that is removed.");
@@ -506,9 +517,11 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
   description.AddNumber(
     "time_budget", this->TimeBudget, [this](double time) { this->SetTimeBudget(time); }, 0.0,
     3600000.0, "ms", "Time of a frame that method and map size are chosen for; 0: any.");
-  description.AddWhole(
-    "lamp_map_size", this->LampMapSize, [this](int size) { this->SetLampMapSize(size); }, 16, 16384,
-    "texels", "Width and height of each map of a lamp from data; a lamp has up to six.");
+  description
+    .AddWhole(
+      "lamp_map_size", this->LampMapSize, [this](int size) { this->SetLampMapSize(size); }, 16,
+      16384, "texels", "Width and height of each map of a lamp from data; a lamp has up to six.")
+    .Advanced = true;
   this->DescribeSoft(description);
 }
 
@@ -531,20 +544,6 @@ void vtkRelievoShadowStage::Declare(
 void vtkRelievoShadowStage::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Visible: " << this->Visible << "\n";
-  os << indent << "Method: " << this->Method << "\n";
-  os << indent << "MapSize: " << this->MapSize << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
-  os << indent << "LampMapSize: " << this->LampMapSize << "\n";
-  os << indent << "FilterRadius: " << this->FilterRadius << "\n";
-  os << indent << "Bias: " << this->Bias << "\n";
-  os << indent << "Strength: " << this->Strength << "\n";
-  os << indent << "ColoredShadows: " << this->ColoredShadows << "\n";
-  os << indent << "SoftSamples: " << this->SoftSamples << "\n";
-  os << indent << "SoftAtOnce: " << this->SoftAtOnce << "\n";
-  os << indent << "SunAngle: " << this->SunAngle << "\n";
-  os << indent << "LampRadius: " << this->LampRadius << "\n";
   os << indent << "Casting lights: " << this->GetNumberOfCastingLights() << "\n";
   os << indent << "Maps: " << this->GetNumberOfMaps() << "\n";
 }
@@ -651,9 +650,11 @@ void vtkRelievoShadowStage::DescribeSoft(vtkRelievoStageDescription& description
     "soft_samples", this->SoftSamples, [this](int samples) { this->SetSoftSamples(samples); }, 0,
     MostSamples, "samples",
     "Soft shadows: samples of each light's shape that are gathered; 0: lights are points.");
-  description.AddFlag(
-    "soft_at_once", this->SoftAtOnce, [this](bool on) { this->SetSoftAtOnce(on); },
-    "Whether every frame gathers all samples; otherwise one in each frame.");
+  description
+    .AddFlag(
+      "soft_at_once", this->SoftAtOnce, [this](bool on) { this->SetSoftAtOnce(on); },
+      "Whether every frame gathers all samples; otherwise one in each frame.")
+    .Advanced = true;
   description.AddNumber(
     "sun_angle", this->SunAngle, [this](double degrees) { this->SetSunAngle(degrees); }, 0.0,
     WidestSun, "degrees", "Soft shadows: angle that directional lights appear under.");

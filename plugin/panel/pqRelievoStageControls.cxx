@@ -13,7 +13,7 @@
 
 namespace
 {
-// The view's properties of stages, by the names that describeStages.cxx gives them.
+// The view's properties of stages, by the names that describeProperties.cxx gives them.
 QStringList FindProperties(vtkSMProxy* view)
 {
   QStringList names;

@@ -8,6 +8,7 @@
 
 #include "vtkObject.h"
 #include "vtkProcessModule.h"
+#include "vtkRelievoParameterList.h"
 
 // Of several processes that draw together, the first speaks.
 inline bool vtkPVRelievoReports()
@@ -28,6 +29,20 @@ T vtkPVRelievoClamped(vtkObject* self, const char* property, T value, T least, T
                 << ": " << taken << " is taken.");
   }
   return taken;
+}
+
+// Sets a described value. Its property (vtkSMRelievoRange.h) has brought it into its range; what is
+// refused all the same is left, with a message.
+inline void vtkPVRelievoSet(vtkObject* self, const vtkRelievoParameterList& list,
+  const std::string& name, const std::vector<double>& values)
+{
+  const vtkRelievoParameter* parameter = list.Find(name);
+  const std::string wrong =
+    parameter ? parameter->Set(values) : std::string("there is no such value here");
+  if (!wrong.empty() && vtkPVRelievoReports())
+  {
+    vtkWarningWithObjectMacro(self, << name << ": " << wrong << "; it stays as it was.");
+  }
 }
 
 #endif

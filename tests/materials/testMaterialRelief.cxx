@@ -87,7 +87,7 @@ void TestMethods()
   for (int method = vtkRelievoMaterial::METHOD_PARALLAX;
        method <= vtkRelievoMaterial::METHOD_RELIEF; ++method)
   {
-    scene.Material->SetMethod(method);
+    scene.Material->SetReliefMethod(method);
     const ReliefErrors errors = Measure(renderer, Waves);
     const double wrong = errors.Depth * (1. - errors.Missed) + 0.05 * errors.Missed;
     std::cout << "method " << method << ": mean " << errors.Depth << ", missed " << errors.Missed

@@ -278,7 +278,7 @@ void TestViews()
   for (int method = vtkRelievoMaterial::METHOD_OFF; method <= vtkRelievoMaterial::METHOD_RELIEF;
        ++method)
   {
-    scene.Material->SetMethod(method);
+    scene.Material->SetReliefMethod(method);
     for (const double angle : { 0., 80., 89., 89.9 })
     {
       scene.Look(angle);
@@ -370,12 +370,12 @@ void TestTogether()
   vtkRelievoPass::Detach(scene.Stage.Renderer);
   for (int i = 0; i < 50; ++i)
   {
-    scene.Material->SetMethod(i % 5);
+    scene.Material->SetReliefMethod(i % 5);
     scene.Material->SetSelfShadow(i % 2 == 0);
     scene.Material->SetClipAtBorders(i % 3 == 0);
     scene.Picture();
   }
-  scene.Material->SetMethod(vtkRelievoMaterial::METHOD_RELIEF);
+  scene.Material->SetReliefMethod(vtkRelievoMaterial::METHOD_RELIEF);
   scene.Material->SelfShadowOff();
   scene.Material->ClipAtBordersOff();
   RELIEVO_CHECK_THAT(scene.Picture() == alone, "after 50 toggles");

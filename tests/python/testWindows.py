@@ -37,7 +37,7 @@ def height_map():
     heights = image()
     vtk_to_numpy(heights.GetPointData().GetScalars())[:] = numpy.arange(32)[:, None] / 32
     material.SetHeightMap(heights)
-    material.SetMethod(material.METHOD_RELIEF)
+    material.SetReliefMethod(material.METHOD_RELIEF)
     return material
 
 

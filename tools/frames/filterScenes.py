@@ -48,7 +48,7 @@ def relief():
     material.SetHeightScale(0.15)
     material.Attach(actor)
     for method in range(5):
-        material.SetMethod(method)
+        material.SetReliefMethod(method)
         material.SetSelfShadow(method % 2 == 0)
         material.SetDepthCorrection(method > 2)
         save(relievo.capture(renderer, NORMALS), f"method-{method}")

@@ -106,33 +106,6 @@ void vtkRelievoPointValues::AddChoiceValue(const std::string& name,
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoPointValues::GetNumberOfParameters()
-{
-  return static_cast<int>(this->Description.Parameters.size());
-}
-
-//------------------------------------------------------------------------------
-std::string vtkRelievoPointValues::GetParameterName(int i)
-{
-  return i >= 0 && i < this->GetNumberOfParameters() ? this->Description.Parameters[i].Name
-                                                     : std::string();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkRelievoPointValues::GetParameterHelp(RELIEVO_TEXT name)
-{
-  const vtkRelievoParameter* parameter = this->Description.Find(name);
-  return parameter ? parameter->Help + " Takes " + parameter->GetExpected() + "." : std::string();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkRelievoPointValues::GetParameterDefault(RELIEVO_TEXT name)
-{
-  const vtkRelievoParameter* parameter = this->Description.Find(name);
-  return parameter ? parameter->Default : std::string();
-}
-
-//------------------------------------------------------------------------------
 std::string vtkRelievoPointValues::GetParameter(RELIEVO_TEXT name)
 {
   const vtkRelievoParameter* parameter = this->Description.Find(name);
@@ -157,16 +130,12 @@ bool vtkRelievoPointValues::SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
 std::string vtkRelievoPointValues::TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
 {
   const vtkRelievoParameter* parameter = this->Description.Find(name);
-  if (!parameter)
-  {
-    return "'" + name + "' was given, expected one of " + this->Description.GetNames();
-  }
-  if (!parameter->IsValue(words))
+  if (parameter && !parameter->IsValue(words))
   {
     this->SetArray(name, words);
     return {};
   }
-  const std::string wrong = parameter->Parse(words);
+  const std::string wrong = this->Description.TrySet(name, words);
   if (wrong.empty() && parameter->PerPoint)
   {
     this->SetArray(name, {});

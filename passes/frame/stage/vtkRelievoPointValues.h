@@ -57,10 +57,10 @@ public:
    * false, with an error, and changes nothing if there is no such parameter or it does not take the
    * words. The default is that of new points, where they have no array of the value's name.
    */
-  int GetNumberOfParameters();
-  std::string GetParameterName(int i);
-  std::string GetParameterHelp(RELIEVO_TEXT name);
-  std::string GetParameterDefault(RELIEVO_TEXT name);
+  int GetNumberOfParameters() { return this->Description.GetNumber(); }
+  std::string GetParameterName(int i) { return this->Description.GetName(i); }
+  std::string GetParameterHelp(RELIEVO_TEXT name) { return this->Description.GetHelp(name); }
+  std::string GetParameterDefault(RELIEVO_TEXT name) { return this->Description.GetDefault(name); }
   std::string GetParameter(RELIEVO_TEXT name);
   bool SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words);
   ///@}

@@ -42,40 +42,6 @@ std::string vtkRelievoStage::GetStageName()
 }
 
 //------------------------------------------------------------------------------
-int vtkRelievoStage::GetNumberOfParameters()
-{
-  return static_cast<int>(this->GetDescription().Parameters.size());
-}
-
-//------------------------------------------------------------------------------
-std::string vtkRelievoStage::GetParameterName(int i)
-{
-  return i >= 0 && i < this->GetNumberOfParameters() ? this->GetDescription().Parameters[i].Name
-                                                     : std::string();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkRelievoStage::GetParameterHelp(RELIEVO_TEXT name)
-{
-  const vtkRelievoParameter* parameter = this->GetDescription().Find(name);
-  return parameter ? parameter->Help + " Takes " + parameter->GetExpected() + "." : std::string();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkRelievoStage::GetParameterDefault(RELIEVO_TEXT name)
-{
-  const vtkRelievoParameter* parameter = this->GetDescription().Find(name);
-  return parameter ? parameter->Default : std::string();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkRelievoStage::GetParameter(RELIEVO_TEXT name)
-{
-  const vtkRelievoParameter* parameter = this->GetDescription().Find(name);
-  return parameter ? parameter->Format() : std::string();
-}
-
-//------------------------------------------------------------------------------
 std::string vtkRelievoStage::TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)
 {
   const vtkRelievoStageDescription& description = this->GetDescription();
@@ -142,10 +108,7 @@ void vtkRelievoStage::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Name: " << this->GetStageName() << "\n";
   os << indent << "Enabled: " << this->Enabled << "\n";
-  for (const vtkRelievoParameter& parameter : this->GetDescription().Parameters)
-  {
-    os << indent << parameter.GetLabel() << ": " << parameter.Format() << "\n";
-  }
+  this->GetDescription().Print(os, indent);
   os << indent << "DrawCalls: " << this->DrawCalls << "\n";
   os << indent << "Reason: " << this->Reason << "\n";
 }

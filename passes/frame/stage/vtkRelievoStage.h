@@ -54,11 +54,14 @@ public:
    * or the value is not allowed. Get returns "" if there is no such parameter. The default is a new
    * stage's value.
    */
-  int GetNumberOfParameters();
-  std::string GetParameterName(int i);
-  std::string GetParameterHelp(RELIEVO_TEXT name);
-  std::string GetParameterDefault(RELIEVO_TEXT name);
-  std::string GetParameter(RELIEVO_TEXT name);
+  int GetNumberOfParameters() { return this->GetDescription().GetNumber(); }
+  std::string GetParameterName(int i) { return this->GetDescription().GetName(i); }
+  std::string GetParameterHelp(RELIEVO_TEXT name) { return this->GetDescription().GetHelp(name); }
+  std::string GetParameterDefault(RELIEVO_TEXT name)
+  {
+    return this->GetDescription().GetDefault(name);
+  }
+  std::string GetParameter(RELIEVO_TEXT name) { return this->GetDescription().GetValue(name); }
   bool SetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words);
   ///@}
 

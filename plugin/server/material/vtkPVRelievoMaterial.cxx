@@ -23,8 +23,6 @@ vtkStandardNewMacro(vtkPVRelievoMaterial);
 
 namespace
 {
-constexpr double Huge = 1e30;
-
 std::vector<vtkPVRelievoMaterial*>& GetAll()
 {
   // Never destroyed: ParaView may delete its proxies' objects after this library's statics.
@@ -257,141 +255,16 @@ void vtkPVRelievoMaterial::SetInterpolateScalarsBeforeMapping(bool on)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetNormalStrength(double factor)
+void vtkPVRelievoMaterial::SetValue(const char* parameter, double value)
 {
-  this->Internal->Material->SetNormalStrength(
-    vtkPVRelievoClamped(this, "NormalStrength", factor, -Huge, Huge));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetFlipGreen(bool on)
-{
-  this->Internal->Material->SetFlipGreen(on);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetHeightScale(double depth)
-{
-  this->Internal->Material->SetHeightScale(
-    vtkPVRelievoClamped(this, "HeightScale", depth, 0.0, Huge));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetHeightRange(double ground, double top)
-{
-  this->Internal->Material->SetHeightRange(
-    vtkPVRelievoClamped(this, "HeightRange", ground, -Huge, Huge),
-    vtkPVRelievoClamped(this, "HeightRange", top, -Huge, Huge));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetReliefMethod(int method)
-{
-  this->Internal->Material->SetMethod(vtkPVRelievoClamped<int>(this, "ReliefMethod", method,
-    vtkRelievoMaterial::METHOD_OFF, vtkRelievoMaterial::METHOD_RELIEF));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetSelfShadow(bool on)
-{
-  this->Internal->Material->SetSelfShadow(on);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetDepthCorrection(bool on)
-{
-  this->Internal->Material->SetDepthCorrection(on);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetClipAtBorders(bool on)
-{
-  this->Internal->Material->SetClipAtBorders(on);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetStepsPerTexel(double steps)
-{
-  this->Internal->Material->SetStepsPerTexel(
-    vtkPVRelievoClamped(this, "StepsPerTexel", steps, 0.01, 16.0));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetMinimumSteps(int steps)
-{
-  this->Internal->Material->SetMinimumSteps(
-    vtkPVRelievoClamped(this, "MinimumSteps", steps, 1, 4096));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetMaximumSteps(int steps)
-{
-  this->Internal->Material->SetMaximumSteps(
-    vtkPVRelievoClamped(this, "MaximumSteps", steps, 1, 4096));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetBisections(int count)
-{
-  this->Internal->Material->SetBisections(vtkPVRelievoClamped(this, "Bisections", count, 0, 32));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetTextureScale(double u, double v)
-{
-  this->Internal->Material->SetTextureScale(
-    vtkPVRelievoClamped(this, "TextureScale", u, -Huge, Huge),
-    vtkPVRelievoClamped(this, "TextureScale", v, -Huge, Huge));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetTextureOffset(double u, double v)
-{
-  this->Internal->Material->SetTextureOffset(
-    vtkPVRelievoClamped(this, "TextureOffset", u, -Huge, Huge),
-    vtkPVRelievoClamped(this, "TextureOffset", v, -Huge, Huge));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetRepeat(bool on)
-{
-  this->Internal->Material->SetRepeat(on);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetAlphaCutoff(double cutoff)
-{
-  this->Internal->Material->SetAlphaCutoff(
-    vtkPVRelievoClamped(this, "AlphaCutoff", cutoff, 0.0, 1.0));
+  vtkPVRelievoSet(this, this->Internal->Material->GetDescription(), parameter, { value });
   this->Apply();
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetReflectivity(double share)
+void vtkPVRelievoMaterial::SetValue(const char* parameter, double first, double second)
 {
-  this->Internal->Material->SetReflectivity(
-    vtkPVRelievoClamped(this, "Reflectivity", share, 0.0, 1.0));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetRoughness(double roughness)
-{
-  this->Internal->Material->SetRoughness(
-    vtkPVRelievoClamped(this, "Roughness", roughness, 0.0, 1.0));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetReflectionWeight(double factor)
-{
-  this->Internal->Material->SetReflectionWeight(
-    vtkPVRelievoClamped(this, "ReflectionWeight", factor, 0.0, 1.0));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoMaterial::SetIrradianceWeight(double factor)
-{
-  this->Internal->Material->SetIrradianceWeight(
-    vtkPVRelievoClamped(this, "IrradianceWeight", factor, 0.0, Huge));
+  vtkPVRelievoSet(this, this->Internal->Material->GetDescription(), parameter, { first, second });
 }
 
 //------------------------------------------------------------------------------

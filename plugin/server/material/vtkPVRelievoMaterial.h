@@ -11,8 +11,9 @@
  * Every process reads the maps' files itself, so they must be found by the same name on all that
  * draw. A file that cannot be read gives one error, and the surface is drawn without it.
  *
- * Every setting is a property of the representation's proxy (material.xml). A value out of its
- * range is brought into it, with a warning that says so.
+ * Every setting is a property of the representation's proxy (material.xml), where the values of the
+ * material come from its own description. A value out of its range is brought into it by the
+ * property, with a warning that says so.
  */
 #ifndef vtkPVRelievoMaterial_h
 #define vtkPVRelievoMaterial_h
@@ -65,27 +66,12 @@ public:
   void SetInterpolateScalarsBeforeMapping(bool on);
 
   ///@{
-  /** The settings of vtkRelievoMaterial. */
-  void SetNormalStrength(double factor);
-  void SetFlipGreen(bool on);
-  void SetHeightScale(double depth);
-  void SetHeightRange(double ground, double top);
-  void SetReliefMethod(int method);
-  void SetSelfShadow(bool on);
-  void SetDepthCorrection(bool on);
-  void SetClipAtBorders(bool on);
-  void SetStepsPerTexel(double steps);
-  void SetMinimumSteps(int steps);
-  void SetMaximumSteps(int steps);
-  void SetBisections(int count);
-  void SetTextureScale(double u, double v);
-  void SetTextureOffset(double u, double v);
-  void SetRepeat(bool on);
-  void SetAlphaCutoff(double cutoff);
-  void SetReflectivity(double share);
-  void SetRoughness(double roughness);
-  void SetReflectionWeight(double factor);
-  void SetIrradianceWeight(double factor);
+  /**
+   * A value of vtkRelievoMaterial by its name there, in the numbers of vtkRelievoParameter: a
+   * choice by its place, a switch as 0 or 1. What it does not take is left, with a warning.
+   */
+  void SetValue(const char* parameter, double value);
+  void SetValue(const char* parameter, double first, double second);
   ///@}
 
   /** Whether any material in the view mirrors its environment. */

@@ -22,8 +22,6 @@ vtkStandardNewMacro(vtkPVRelievoPoints);
 
 namespace
 {
-constexpr double Huge = 1e30;
-
 std::vector<vtkPVRelievoPoints*>& GetAll()
 {
   // Never destroyed: ParaView may delete its proxies' objects after this library's statics.
@@ -156,24 +154,9 @@ std::string vtkPVRelievoPoints::TakeName(const char* parameter)
 void vtkPVRelievoPoints::Set(const char* words, const std::vector<double>& values)
 {
   const std::string name = this->TakeName(words);
-  const vtkRelievoParameter* parameter =
-    name.empty() ? nullptr : this->Internal->Values->GetDescription().Find(name);
-  if (!parameter)
+  if (!name.empty())
   {
-    return;
-  }
-  const std::string property =
-    vtkRelievoCapitalize(this->Internal->Stage, false) + vtkRelievoCapitalize(name, false);
-  std::vector<double> taken;
-  for (const double value : values)
-  {
-    taken.push_back(vtkPVRelievoClamped(this, property.c_str(), value,
-      std::max(parameter->Least, -Huge), std::min(parameter->Most, Huge)));
-  }
-  const std::string wrong = parameter->Set(taken);
-  if (!wrong.empty() && vtkPVRelievoReports())
-  {
-    vtkWarningMacro("Relievo" << property << ": " << wrong << "; it stays as it was.");
+    vtkPVRelievoSet(this, this->Internal->Values->GetDescription(), name, values);
   }
 }
 

@@ -428,64 +428,6 @@ bool vtkPVRelievoView::GetShadows()
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoView::SetShadowMethod(int method)
-{
-  const int least = vtkRelievoShadowStage::METHOD_MAP;
-  const int most = vtkRelievoShadowStage::METHOD_EXACT;
-  this->GetFrame()->GetShadowStage()->SetMethod(
-    vtkPVRelievoClamped(this, "ShadowMethod", method, least, most));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetShadowMapSize(int size)
-{
-  this->GetFrame()->GetShadowStage()->SetMapSize(
-    vtkPVRelievoClamped(this, "ShadowMapSize", size, 16, 16384));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetShadowLampMapSize(int size)
-{
-  this->GetFrame()->GetShadowStage()->SetLampMapSize(
-    vtkPVRelievoClamped(this, "ShadowLampMapSize", size, 16, 16384));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetShadowTolerance(double share)
-{
-  this->GetFrame()->GetShadowStage()->SetTolerance(
-    vtkPVRelievoClamped(this, "ShadowTolerance", share, 0.0, 1.0));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetShadowTimeBudget(double milliseconds)
-{
-  this->GetFrame()->GetShadowStage()->SetTimeBudget(
-    vtkPVRelievoClamped(this, "ShadowTimeBudget", milliseconds, 0.0, 3600000.0));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetShadowFilterRadius(int radius)
-{
-  this->GetFrame()->GetShadowStage()->SetFilterRadius(
-    vtkPVRelievoClamped(this, "ShadowFilterRadius", radius, 0, 16));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetShadowBias(double bias)
-{
-  this->GetFrame()->GetShadowStage()->SetBias(
-    vtkPVRelievoClamped(this, "ShadowBias", bias, 0.0, 100.0));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetShadowStrength(double strength)
-{
-  this->GetFrame()->GetShadowStage()->SetStrength(
-    vtkPVRelievoClamped(this, "ShadowStrength", strength, 0.0, 1.0));
-}
-
-//------------------------------------------------------------------------------
 int vtkPVRelievoView::GetSamplesLeft()
 {
   return this->IsInPlace() ? this->GetFrame()->GetSamplesLeft() : 0;
@@ -630,32 +572,9 @@ void vtkPVRelievoView::SetEnvironment(const char* file)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoView::SetEnvironmentRotation(double degrees)
+void vtkPVRelievoView::SetEnvironmentValue(const char* parameter, double value)
 {
-  // 370 is as good as 10; what has no direction is not.
-  this->GetEnvironment().Environment->SetRotation(std::isfinite(degrees)
-      ? degrees
-      : vtkPVRelievoClamped(this, "EnvironmentRotation", degrees, 0.0, 360.0));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetEnvironmentIntensity(double factor)
-{
-  this->GetEnvironment().Environment->SetIntensity(
-    vtkPVRelievoClamped(this, "EnvironmentIntensity", factor, 0.0, 1000.0));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetEnvironmentUp(int axis)
-{
-  this->GetEnvironment().Environment->SetUpAxis(
-    vtkPVRelievoClamped(this, "EnvironmentUp", axis, 0, 2));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetEnvironmentGammaCorrect(bool on)
-{
-  this->GetEnvironment().Environment->SetGammaCorrect(on);
+  vtkPVRelievoSet(this, this->GetEnvironment().Environment->GetDescription(), parameter, { value });
 }
 
 //------------------------------------------------------------------------------

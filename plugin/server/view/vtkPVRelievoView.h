@@ -45,18 +45,6 @@ public:
   bool GetShadows();
   ///@}
 
-  ///@{
-  /** The settings of vtkRelievoShadowStage. */
-  void SetShadowMethod(int method);
-  void SetShadowMapSize(int size);
-  void SetShadowLampMapSize(int size);
-  void SetShadowTolerance(double share);
-  void SetShadowTimeBudget(double milliseconds);
-  void SetShadowFilterRadius(int radius);
-  void SetShadowBias(double bias);
-  void SetShadowStrength(double strength);
-  ///@}
-
   enum LightKitCasting
   {
     KIT_CASTS_NOTHING = 0,
@@ -112,13 +100,11 @@ public:
   void SetEnvironment(const char* file);
   ///@}
 
-  ///@{
-  /** The settings of vtkRelievoEnvironment. By default GammaCorrect is on, and z is up. */
-  void SetEnvironmentRotation(double degrees);
-  void SetEnvironmentIntensity(double factor);
-  void SetEnvironmentUp(int axis);
-  void SetEnvironmentGammaCorrect(bool on);
-  ///@}
+  /**
+   * A value of the view's vtkRelievoEnvironment by its name there, in the numbers of
+   * vtkRelievoParameter. By default gamma_correct is on, and z is up.
+   */
+  void SetEnvironmentValue(const char* parameter, double value);
 
   ///@{
   /** Markers around the points of what is selected, as of vtkRelievoMarkers. Default off. */
@@ -144,7 +130,8 @@ public:
   /**
    * A stage of the frame by its name, and its parameters as "stage:parameter", in the numbers of
    * vtkRelievoParameter (a choice by its place, a flag as 0 or 1). What a stage does not take is
-   * left as it was, with a warning. The XML of these properties is made from the stages.
+   * left as it was, with a warning. The XML of these properties, those of shadows among them, is
+   * made from the stages.
    */
   void SetStageOn(const char* stage, bool on);
   void SetStageValue(const char* parameter, double value);

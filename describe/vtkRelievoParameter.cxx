@@ -39,12 +39,12 @@ bool ReadNumber(const std::string& word, double& value)
   return (in >> value) && in.peek() == std::istringstream::traits_type::eof();
 }
 
-std::vector<std::string> SplitNumbers(const std::string& words)
+std::vector<std::string> Split(const std::string& words, const std::string& separators)
 {
   std::vector<std::string> parts(1);
   for (char c : words)
   {
-    if (c == ',' || c == '/')
+    if (separators.find(c) != std::string::npos)
     {
       parts.emplace_back();
     }
@@ -79,7 +79,27 @@ std::string vtkRelievoCapitalize(const std::string& name, bool spaces)
 //------------------------------------------------------------------------------
 int vtkRelievoParameter::GetNumberOfComponents() const
 {
-  return this->Type == TEXT ? 0 : this->Type == COLOR || this->Type == VECTOR ? 3 : 1;
+  return this->Type == TEXT                       ? 0
+    : this->Type == COLOR || this->Type == VECTOR ? 3
+    : this->Type == PAIR                          ? 2
+                                                  : 1;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkRelievoParameter::Condition> vtkRelievoParameter::GetConditions() const
+{
+  std::vector<Condition> conditions;
+  for (const std::string& part : Split(this->OnlyIf, ","))
+  {
+    const std::size_t equals = part.find('=');
+    const bool other = equals != std::string::npos && part[equals - 1] == '!';
+    if (!part.empty())
+    {
+      conditions.push_back({ part.substr(0, other ? equals - 1 : equals),
+        equals == std::string::npos ? std::string() : part.substr(equals + 1), other });
+    }
+  }
+  return conditions;
 }
 
 //------------------------------------------------------------------------------
@@ -132,6 +152,8 @@ std::string vtkRelievoParameter::GetExpected() const
     case COLOR:
       return range.empty() ? "three numbers, red, green and blue" + orArray
                            : "red,green,blue, each" + range + orArray;
+    case PAIR:
+      return "two numbers" + unit;
     case VECTOR:
       return (this->IsDirection ? "a direction, three numbers" : "three numbers") + unit;
     case CHOICE:
@@ -160,7 +182,7 @@ bool vtkRelievoParameter::IsValue(const std::string& words) const
     return std::find(this->Choices.begin(), this->Choices.end(), words) != this->Choices.end();
   }
   double number = 0.0;
-  const bool several = this->GetNumberOfComponents() > 1 && SplitNumbers(words).size() > 1;
+  const bool several = this->GetNumberOfComponents() > 1 && Split(words, ",/").size() > 1;
   return several || ReadNumber(words, number);
 }
 
@@ -213,7 +235,7 @@ std::string vtkRelievoParameter::Parse(const std::string& words) const
       : this->Set({ static_cast<double>(found - this->Choices.begin()) });
   }
   std::vector<double> values;
-  for (const std::string& part : SplitNumbers(words))
+  for (const std::string& part : Split(words, ",/"))
   {
     double value = 0.0;
     if (!ReadNumber(part, value))

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One parameter of a stage, or of points that a stage draws: what it is called, what values it
-// takes, and how to get and set it.
+// One parameter of a stage, of points that a stage draws, of a material or of an environment: what
+// it is called, what values it takes, and how to get and set it.
 #ifndef vtkRelievoParameter_h
 #define vtkRelievoParameter_h
 
-#include "vtkRelievoFrameModule.h" // for the export macro
+#include "vtkRelievoDescribeModule.h" // for the export macro
 
 #include <functional>
 #include <string>
 #include <vector>
 
-struct VTKRELIEVOFRAME_EXPORT vtkRelievoParameter
+struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
 {
   enum Types
   {
@@ -21,6 +21,7 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoParameter
     NUMBER, // a finite number from Least to Most
     CHOICE, // the place of one of Choices
     COLOR,  // red, green, blue, from Least to Most each
+    PAIR,   // two finite numbers
     VECTOR, // three finite numbers
     TEXT
   };
@@ -36,7 +37,11 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoParameter
   bool IsDirection = false; // of a vector: not 0 0 0
   double Usual = 0.0;       // up to which a slider goes; 0: to Most
   bool PerPoint = false;    // the name of a point array gives each point its own value
-  std::string OnlyIf; // "falloff=vtk": without effect where another parameter has another value
+  bool Advanced = false;    // for those who know the method: ParaView shows it behind its gear
+
+  // Without effect but where this holds: "falloff=vtk", another parameter's value, or several with
+  // commas. "relief!=off" is any other value; "height_map", something that the object is given.
+  std::string OnlyIf;
 
   std::function<std::vector<double>()> GetValues;
   std::function<void(const std::vector<double>&)> SetValues;
@@ -45,6 +50,15 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoParameter
 
   // How many numbers a value consists of; 0 for a text.
   int GetNumberOfComponents() const;
+
+  // A part of OnlyIf: what has to have the value, or another one; "" of what has to be there.
+  struct Condition
+  {
+    std::string Name;
+    std::string Value;
+    bool Other;
+  };
+  std::vector<Condition> GetConditions() const;
 
   // The label for people: "Map Size" for "map_size".
   std::string GetLabel() const;
@@ -67,6 +81,6 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoParameter
 };
 
 // "depth_fade" as "Depth Fade", or without the space as "DepthFade".
-VTKRELIEVOFRAME_EXPORT std::string vtkRelievoCapitalize(const std::string& name, bool spaces);
+VTKRELIEVODESCRIBE_EXPORT std::string vtkRelievoCapitalize(const std::string& name, bool spaces);
 
 #endif

@@ -46,6 +46,51 @@ std::string vtkRelievoParameterList::GetNames() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkRelievoParameterList::GetName(int i) const
+{
+  return i >= 0 && i < this->GetNumber() ? this->Parameters[i].Name : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoParameterList::GetHelp(const std::string& parameter) const
+{
+  const vtkRelievoParameter* found = this->Find(parameter);
+  return found ? found->Help + " Takes " + found->GetExpected() + "." : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoParameterList::GetDefault(const std::string& parameter) const
+{
+  const vtkRelievoParameter* found = this->Find(parameter);
+  return found ? found->Default : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoParameterList::GetValue(const std::string& parameter) const
+{
+  const vtkRelievoParameter* found = this->Find(parameter);
+  return found ? found->Format() : std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoParameterList::Print(std::ostream& os, vtkIndent indent) const
+{
+  for (const vtkRelievoParameter& parameter : this->Parameters)
+  {
+    os << indent << parameter.GetLabel() << ": " << parameter.Format() << "\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoParameterList::TrySet(
+  const std::string& parameter, const std::string& words) const
+{
+  const vtkRelievoParameter* found = this->Find(parameter);
+  return found ? found->Parse(words)
+               : "'" + parameter + "' was given, expected one of " + this->GetNames();
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoParameter& vtkRelievoParameterList::Add(const vtkRelievoParameter& parameter)
 {
   this->Parameters.push_back(parameter);
@@ -54,39 +99,39 @@ vtkRelievoParameter& vtkRelievoParameterList::Add(const vtkRelievoParameter& par
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoParameterList::AddFlag(const std::string& name, const bool& value,
+vtkRelievoParameter& vtkRelievoParameterList::AddFlag(const std::string& name, const bool& value,
   std::function<void(bool)> set, const std::string& help)
 {
   vtkRelievoParameter parameter = Make(name, vtkRelievoParameter::FLAG, 0.0, 1.0, "", help);
   parameter.GetValues = [&value]() { return std::vector<double>{ value ? 1.0 : 0.0 }; };
   parameter.SetValues = [set](const std::vector<double>& v) { set(v[0] != 0.0); };
-  this->Add(parameter);
+  return this->Add(parameter);
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoParameterList::AddWhole(const std::string& name, const int& value,
+vtkRelievoParameter& vtkRelievoParameterList::AddWhole(const std::string& name, const int& value,
   std::function<void(int)> set, int least, int most, const std::string& unit,
   const std::string& help)
 {
   vtkRelievoParameter parameter = Make(name, vtkRelievoParameter::WHOLE, least, most, unit, help);
   parameter.GetValues = [&value]() { return std::vector<double>{ double(value) }; };
   parameter.SetValues = [set](const std::vector<double>& v) { set(int(std::lround(v[0]))); };
-  this->Add(parameter);
+  return this->Add(parameter);
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoParameterList::AddNumber(const std::string& name, const double& value,
-  std::function<void(double)> set, double least, double most, const std::string& unit,
-  const std::string& help)
+vtkRelievoParameter& vtkRelievoParameterList::AddNumber(const std::string& name,
+  const double& value, std::function<void(double)> set, double least, double most,
+  const std::string& unit, const std::string& help)
 {
   vtkRelievoParameter parameter = Make(name, vtkRelievoParameter::NUMBER, least, most, unit, help);
   parameter.GetValues = [&value]() { return std::vector<double>{ value }; };
   parameter.SetValues = [set](const std::vector<double>& v) { set(v[0]); };
-  this->Add(parameter);
+  return this->Add(parameter);
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoParameterList::AddChoice(const std::string& name, const int& value,
+vtkRelievoParameter& vtkRelievoParameterList::AddChoice(const std::string& name, const int& value,
   std::function<void(int)> set, const std::vector<std::string>& choices, const std::string& help)
 {
   vtkRelievoParameter parameter =
@@ -94,17 +139,29 @@ void vtkRelievoParameterList::AddChoice(const std::string& name, const int& valu
   parameter.Choices = choices;
   parameter.GetValues = [&value]() { return std::vector<double>{ double(value) }; };
   parameter.SetValues = [set](const std::vector<double>& v) { set(int(std::lround(v[0]))); };
-  this->Add(parameter);
+  return this->Add(parameter);
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoParameterList::AddColor(const std::string& name, const double (&value)[3],
-  std::function<void(const double*)> set, const std::string& help)
+vtkRelievoParameter& vtkRelievoParameterList::AddColor(const std::string& name,
+  const double (&value)[3], std::function<void(const double*)> set, const std::string& help)
 {
   vtkRelievoParameter parameter = Make(name, vtkRelievoParameter::COLOR, 0.0, 1.0, "", help);
   parameter.GetValues = [&value]() { return std::vector<double>(value, value + 3); };
   parameter.SetValues = [set](const std::vector<double>& v) { set(v.data()); };
-  this->Add(parameter);
+  return this->Add(parameter);
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoParameter& vtkRelievoParameterList::AddPair(const std::string& name,
+  const double (&value)[2], std::function<void(const double*)> set, const std::string& help)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  vtkRelievoParameter parameter =
+    Make(name, vtkRelievoParameter::PAIR, -infinity, infinity, "", help);
+  parameter.GetValues = [&value]() { return std::vector<double>(value, value + 2); };
+  parameter.SetValues = [set](const std::vector<double>& v) { set(v.data()); };
+  return this->Add(parameter);
 }
 
 //------------------------------------------------------------------------------
@@ -120,11 +177,12 @@ vtkRelievoParameter& vtkRelievoParameterList::AddVector(const std::string& name,
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoParameterList::AddText(const std::string& name, std::function<std::string()> get,
-  std::function<void(const std::string&)> set, const std::string& help)
+vtkRelievoParameter& vtkRelievoParameterList::AddText(const std::string& name,
+  std::function<std::string()> get, std::function<void(const std::string&)> set,
+  const std::string& help)
 {
   vtkRelievoParameter parameter = Make(name, vtkRelievoParameter::TEXT, 0.0, 0.0, "", help);
   parameter.GetText = std::move(get);
   parameter.SetText = std::move(set);
-  this->Add(parameter);
+  return this->Add(parameter);
 }

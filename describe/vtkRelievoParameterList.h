@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Parameters by name, of a stage, of points, of a material or of an environment: each is described
+// once, by the class that has it.
+#ifndef vtkRelievoParameterList_h
+#define vtkRelievoParameterList_h
+
+#include "vtkIndent.h"
+#include "vtkRelievoDescribeModule.h" // for the export macro
+#include "vtkRelievoParameter.h"
+
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameterList
+{
+  std::vector<vtkRelievoParameter> Parameters;
+
+  const vtkRelievoParameter* Find(const std::string& parameter) const;
+
+  ///@{
+  // For scripts: how many there are, and of each its name, its help with what it takes, its default
+  // and its value in words. "" of one that there is not.
+  int GetNumber() const { return static_cast<int>(this->Parameters.size()); }
+  std::string GetName(int i) const;
+  std::string GetHelp(const std::string& parameter) const;
+  std::string GetDefault(const std::string& parameter) const;
+  std::string GetValue(const std::string& parameter) const;
+  ///@}
+
+  // The values, a line each, for PrintSelf.
+  void Print(std::ostream& os, vtkIndent indent) const;
+
+  // Sets the value that the words say. Returns what is wrong, in words; nothing is set then.
+  std::string TrySet(const std::string& parameter, const std::string& words) const;
+
+  // The names, with commas between them.
+  std::string GetNames() const;
+
+  // Adds a parameter, whose value now is its default.
+  vtkRelievoParameter& Add(const vtkRelievoParameter& parameter);
+
+  ///@{
+  // Adds a parameter: the member that holds its value, and the function that sets it.
+  vtkRelievoParameter& AddFlag(const std::string& name, const bool& value,
+    std::function<void(bool)> set, const std::string& help);
+  vtkRelievoParameter& AddWhole(const std::string& name, const int& value,
+    std::function<void(int)> set, int least, int most, const std::string& unit,
+    const std::string& help);
+  vtkRelievoParameter& AddNumber(const std::string& name, const double& value,
+    std::function<void(double)> set, double least, double most, const std::string& unit,
+    const std::string& help);
+  vtkRelievoParameter& AddChoice(const std::string& name, const int& value,
+    std::function<void(int)> set, const std::vector<std::string>& choices, const std::string& help);
+  vtkRelievoParameter& AddColor(const std::string& name, const double (&value)[3],
+    std::function<void(const double*)> set, const std::string& help);
+  vtkRelievoParameter& AddPair(const std::string& name, const double (&value)[2],
+    std::function<void(const double*)> set, const std::string& help);
+  vtkRelievoParameter& AddVector(const std::string& name, const double (&value)[3],
+    std::function<void(const double*)> set, const std::string& help);
+  vtkRelievoParameter& AddText(const std::string& name, std::function<std::string()> get,
+    std::function<void(const std::string&)> set, const std::string& help);
+  ///@}
+};
+
+#endif

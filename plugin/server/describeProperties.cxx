@@ -1,0 +1,441 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// describeProperties TEMPLATE OUTPUT: writes the XML of ParaView's proxies, in which properties are
+// made of what stages, points, materials and environments say of themselves, and lists of layers of
+// the catalogue. Run by the build.
+//
+// A comment in the template that stands alone becomes: `points`, the proxies of points of surfaces,
+// for every stage that draws such; `stages: properties`, the properties of every stage that is not
+// always there, and `stages: exposed` their groups in the render view; so for `shadows`,
+// `environment` and `material`, which have groups of their own; `layers`, the names of layers;
+// `layers: shown`, those that can be shown as the picture. In other lines @layers: help@ is what
+// they are, @layers: count@ how many values a selection of layers has, and @layers: A B@ the values
+// of one in which A and B are chosen, A first.
+#include "vtkNew.h"
+#include "vtkRelievoEnvironment.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoMaterial.h"
+#include "vtkRelievoPass.h"
+#include "vtkRelievoPointStage.h"
+#include "vtkRelievoShadowStage.h"
+#include "vtkRelievoStage.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+std::string Escape(const std::string& text)
+{
+  std::string out;
+  for (char c : text)
+  {
+    out += c == '&' ? "&amp;"
+      : c == '<'    ? "&lt;"
+      : c == '>'    ? "&gt;"
+      : c == '"'    ? "&quot;"
+                    : std::string(1, c);
+  }
+  return out;
+}
+
+// The value that a new object has now, as XML writes it.
+std::string FormatDefault(const vtkRelievoParameter& parameter)
+{
+  using P = vtkRelievoParameter;
+  std::string words = parameter.Format();
+  if (parameter.Type == P::FLAG || parameter.Type == P::CHOICE)
+  {
+    words = std::to_string(static_cast<int>(parameter.GetValues()[0]));
+  }
+  else if (parameter.Type != P::TEXT)
+  {
+    std::replace(words.begin(), words.end(), ',', ' ');
+  }
+  return Escape(words);
+}
+
+std::string Documentation(const std::string& help)
+{
+  return "        <Documentation>" + Escape(help) + "</Documentation>\n";
+}
+
+// What has parameters, and how they are properties of a proxy. Every name is a file format: state
+// files and scripts hold it.
+struct Described
+{
+  const vtkRelievoParameterList& List;
+  std::string Command; // of the proxy's object
+  std::string Owner;   // what the command is told before the parameter's name
+  std::string Prefix;  // of the properties' names in the proxy
+  std::string Exposed; // of the names that scripts have, before that
+  std::string Shown;   // the decorator that hides them where they have no effect
+
+  std::string GetName(const std::string& parameter) const
+  {
+    // Colored shadows of shadows are colored.
+    const std::string again = "_shadows";
+    const std::size_t at = this->Owner == "shadows:" ? parameter.rfind(again) : std::string::npos;
+    return this->Prefix + vtkRelievoCapitalize(parameter.substr(0, at), false);
+  }
+  std::string GetExposedName(const std::string& parameter) const
+  {
+    return this->Exposed + this->GetName(parameter);
+  }
+};
+
+std::string Decorate(const std::string& property, const std::string& value, bool other)
+{
+  return "          <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\" "
+         "property=\"" +
+    property + "\" value=\"" + value + (other ? "\" inverse=\"1\"/>\n" : "\"/>\n");
+}
+
+std::string DecorateIf(const Described& described, const vtkRelievoParameter::Condition& condition)
+{
+  if (const vtkRelievoParameter* other = described.List.Find(condition.Name))
+  {
+    const auto place = std::find(other->Choices.begin(), other->Choices.end(), condition.Value);
+    return Decorate(described.GetExposedName(condition.Name),
+      std::to_string(place - other->Choices.begin()), condition.Other);
+  }
+  return condition.Name == "environment"
+    ? Decorate("RelievoMirror", "1", false)
+    : Decorate(described.GetExposedName(condition.Name), "", true);
+}
+
+std::string MakeHints(
+  const Described& described, const vtkRelievoParameter& parameter, bool ofArray)
+{
+  std::ostringstream out;
+  out << "        <Hints>\n";
+  if (parameter.Usual > 0.0 && !ofArray)
+  {
+    out << "          <Accepts min=\"" << std::max(parameter.Least, -1e30) << "\" max=\""
+        << std::min(parameter.Most, 1e30) << "\"/>\n";
+  }
+  // Lamps from data cast, too, where the shadows of lights are off.
+  const bool ofLamps = described.Owner == "shadows:" && parameter.Name == "lamp_map_size";
+  out << (ofLamps ? "" : described.Shown);
+  for (const vtkRelievoParameter::Condition& condition : parameter.GetConditions())
+  {
+    out << (ofArray ? "" : DecorateIf(described, condition));
+  }
+  out << "        </Hints>\n";
+  return out.str();
+}
+
+// What a control shows. What it takes is more where the description says so.
+std::string MakeDomain(const vtkRelievoParameter& parameter)
+{
+  using P = vtkRelievoParameter;
+  std::ostringstream out;
+  out.precision(17);
+  if (parameter.Type == P::FLAG)
+  {
+    out << "        <BooleanDomain name=\"bool\"/>\n";
+  }
+  else if (parameter.Type == P::CHOICE)
+  {
+    out << "        <EnumerationDomain name=\"enum\">\n";
+    for (std::size_t i = 0; i < parameter.Choices.size(); ++i)
+    {
+      const std::string& choice = parameter.Choices[i];
+      out << "          <Entry value=\"" << i << "\" text=\""
+          << Escape(choice == "vtk" ? "VTK" : vtkRelievoCapitalize(choice, true)) << "\"/>\n";
+    }
+    out << "        </EnumerationDomain>\n";
+  }
+  else if (parameter.Type == P::COLOR)
+  {
+    out << "        <DoubleRangeDomain name=\"range\" min=\"0 0 0\" max=\"1 1 1\"/>\n";
+  }
+  else if (parameter.Type == P::WHOLE || parameter.Type == P::NUMBER)
+  {
+    const double least = parameter.Usual > 0.0 ? 0.0 : parameter.Least;
+    const double most = parameter.Usual > 0.0 ? parameter.Usual : parameter.Most;
+    out << "        <" << (parameter.Type == P::WHOLE ? "Int" : "Double")
+        << "RangeDomain name=\"range\"";
+    if (std::isfinite(least))
+    {
+      out << " min=\"" << least << "\"";
+    }
+    if (std::isfinite(most))
+    {
+      out << " max=\"" << most << "\"";
+    }
+    out << "/>\n";
+  }
+  return out.str();
+}
+
+std::string MakeProperty(const Described& described, const vtkRelievoParameter& parameter)
+{
+  using P = vtkRelievoParameter;
+  const bool text = parameter.Type == P::TEXT;
+  const bool whole =
+    parameter.Type == P::FLAG || parameter.Type == P::WHOLE || parameter.Type == P::CHOICE;
+  const std::string kind = text ? "String" : whole ? "Int" : "Double";
+  const std::string element = (text ? "" : "Relievo") + kind + "VectorProperty";
+  const std::string name = described.GetName(parameter.Name);
+  const std::string words = described.Owner + parameter.Name;
+  P ofAll = parameter;
+  ofAll.PerPoint = false; // arrays are properties of their own
+  std::ostringstream out;
+  out << "      <" << element << " name=\"" << name << "\" label=\"" << Escape(parameter.GetLabel())
+      << "\" command=\"" << described.Command << (text ? "Text" : "Value") << "\" initial_string=\""
+      << words << "\" number_of_elements=\"" << std::max(1, parameter.GetNumberOfComponents())
+      << "\" default_values=\"" << FormatDefault(parameter) << "\""
+      << (text ? "" : " si_class=\"vtkSI" + kind + "VectorProperty\"")
+      << (parameter.Type == P::COLOR ? " panel_widget=\"color_selector\"" : "")
+      << (parameter.Advanced ? " panel_visibility=\"advanced\"" : "") << ">\n"
+      << MakeDomain(parameter)
+      << Documentation(parameter.Help + (text ? "" : " Takes " + ofAll.GetExpected() + ".") +
+           (parameter.PerPoint ? " For points without the array." : ""))
+      << MakeHints(described, parameter, false) << "      </" << element << ">\n";
+  if (parameter.PerPoint)
+  {
+    out << "      <StringVectorProperty name=\"" << name << "Array\" label=\""
+        << Escape(parameter.GetLabel()) << " Array\" command=\"SetArray\" initial_string=\""
+        << words << "\" number_of_elements=\"1\" default_values=\"" << parameter.Name
+        << "\" animateable=\"0\" panel_visibility=\"advanced\">\n"
+        << Documentation(
+             "Point array of the " + parameter.Name + " of each; empty takes one for all.")
+        << MakeHints(described, parameter, true) << "      </StringVectorProperty>\n";
+  }
+  return out.str();
+}
+
+std::string MakeProperties(const Described& described)
+{
+  std::string out;
+  for (const vtkRelievoParameter& parameter : described.List.Parameters)
+  {
+    // Those that are seen are switched by the view's own property.
+    out += parameter.Name == "visible" ? "" : MakeProperty(described, parameter);
+  }
+  return out;
+}
+
+std::string Expose(const std::string& property, const std::string& as)
+{
+  return "            <Property name=\"" + property + "\" exposed_name=\"" + as + "\"/>\n";
+}
+
+std::string MakeExposed(const Described& described)
+{
+  std::string out;
+  for (const vtkRelievoParameter& parameter : described.List.Parameters)
+  {
+    const std::string name = described.GetName(parameter.Name);
+    const std::string as = described.GetExposedName(parameter.Name);
+    out += parameter.Name == "visible" ? "" : Expose(name, as);
+    out += parameter.PerPoint ? Expose(name + "Array", as + "Array") : "";
+  }
+  return out;
+}
+
+// `told`: what the command is told first; empty: nothing.
+std::string MakeSwitch(const std::string& name, const std::string& label,
+  const std::string& command, const std::string& told, bool on, const std::string& help)
+{
+  return "      <RelievoIntVectorProperty name=\"" + name + "\" label=\"" + Escape(label) +
+    "\" command=\"" + command + (told.empty() ? "" : "\" initial_string=\"" + told) +
+    "\" number_of_elements=\"1\" default_values=\"" + (on ? "1" : "0") +
+    "\" si_class=\"vtkSIIntVectorProperty\">\n" + "        <BooleanDomain name=\"bool\"/>\n" +
+    Documentation(help) + "      </RelievoIntVectorProperty>\n";
+}
+
+// The group of a stage in the view's properties.
+void AddStage(vtkRelievoStage* stage, std::map<std::string, std::string>& made)
+{
+  const vtkRelievoStageDescription& says = stage->GetDescription();
+  const std::string name = "Stage" + vtkRelievoCapitalize(says.Name, false);
+  const Described described = { says, "SetStage", says.Name + ":", name, "Relievo",
+    Decorate("Relievo" + name, "1", false) };
+  made["stages: properties"] +=
+    MakeSwitch(name, says.Label, "SetStageOn", says.Name, says.OnByDefault, says.Help) +
+    MakeProperties(described);
+  made["stages: exposed"] += "          <PropertyGroup label=\"" + Escape(says.Label) +
+    " (Relievo)\">\n" + Expose(name, "Relievo" + name) + MakeExposed(described) +
+    "          </PropertyGroup>\n";
+}
+
+// The proxy of a stage's points, and how every surface of render views begins with it.
+std::string MakePoints(vtkRelievoPointStage* stage)
+{
+  const auto points = vtkSmartPointer<vtkRelievoPointValues>::Take(stage->NewPoints());
+  if (points->GetDescription().Find("up"))
+  {
+    points->SetParameter("up", "0,0,1"); // as in ParaView's worlds
+  }
+  const std::string name = vtkRelievoCapitalize(stage->GetStageName(), false);
+  const std::string things = points->GetThings();
+  const Described described = { points->GetDescription(), "Set", stage->GetStageName() + ":", "",
+    "Relievo" + name, Decorate("Relievo" + name, "1", false) };
+  std::ostringstream out;
+  out << "  <ProxyGroup name=\"relievo\">\n    <RelievoSurfaceProxy name=\"" << name
+      << "\" class=\"vtkPVRelievoPoints\" processes=\"client|renderserver\">\n"
+      << "      <Documentation short_help=\"Points as " << things << "\">Each point of a surface "
+      << "representation, as " << things << " in what the view shows.</Documentation>\n"
+      << MakeSwitch("Enabled", name, "SetEnabled", "", false,
+           "Whether the points are " + things +
+             " in what the view shows. For the representations Surface, Points, Wireframe and the "
+             "like.")
+      << MakeProperties(described) << "    </RelievoSurfaceProxy>\n  </ProxyGroup>\n"
+      << "  <ProxyGroup name=\"internal_representations\">\n"
+      << "    <Extension name=\"PVRepresentationBase\">\n      <SubProxy>\n"
+      << "        <Proxy name=\"Relievo" << name << "\" proxygroup=\"relievo\" proxyname=\"" << name
+      << "\"/>\n        <ExposedProperties>\n          <PropertyGroup label=\"" << name
+      << " (Relievo)\">\n"
+      << Expose("Enabled", "Relievo" + name) << MakeExposed(described)
+      << "          </PropertyGroup>\n        </ExposedProperties>\n"
+      << "      </SubProxy>\n    </Extension>\n  </ProxyGroup>\n";
+  return out.str();
+}
+
+// Those that have a name of their own: not those of lights.
+std::vector<vtkRelievoLayer> GetNamedLayers()
+{
+  std::vector<vtkRelievoLayer> layers = vtkRelievoLayerCatalogue::GetAll();
+  layers.erase(std::remove_if(layers.begin(), layers.end(),
+                 [](const vtkRelievoLayer& layer) { return layer.OfLight; }),
+    layers.end());
+  return layers;
+}
+
+std::string MakeLayers(bool withPicture)
+{
+  std::string out;
+  for (const vtkRelievoLayer& layer : GetNamedLayers())
+  {
+    const bool listed = withPicture || layer.Source != vtkRelievoLayer::FROM_PICTURE;
+    out += listed ? "          <String value=\"" + layer.Name + "\"/>\n" : "";
+  }
+  return out;
+}
+
+std::string MakeLayersHelp()
+{
+  std::string out;
+  for (const vtkRelievoLayer& layer : GetNamedLayers())
+  {
+    const bool told = layer.Source != vtkRelievoLayer::FROM_PICTURE;
+    out += told ? (out.empty() ? "" : "; ") + layer.Name + ": " + Escape(layer.Help) : "";
+  }
+  return out;
+}
+
+std::string MakeSelection(const std::string& words)
+{
+  std::istringstream in(words);
+  std::vector<std::string> chosen;
+  for (std::string word; in >> word;)
+  {
+    chosen.push_back(word);
+  }
+  std::vector<vtkRelievoLayer> layers = GetNamedLayers();
+  std::stable_partition(layers.begin(), layers.end(), [&chosen](const vtkRelievoLayer& layer) {
+    return !chosen.empty() && layer.Name == chosen.front();
+  });
+  std::string out;
+  for (const vtkRelievoLayer& layer : layers)
+  {
+    const bool on = std::find(chosen.begin(), chosen.end(), layer.Name) != chosen.end();
+    out += (out.empty() ? "" : " ") + layer.Name + (on ? " 1" : " 0");
+  }
+  return out;
+}
+
+// The line with what stands for its @layers: ...@.
+std::string FillIn(const std::string& line)
+{
+  const std::string mark = "@layers: ";
+  const std::size_t from = line.find(mark);
+  const std::size_t to = from == std::string::npos ? from : line.find('@', from + 1);
+  if (to == std::string::npos)
+  {
+    return line;
+  }
+  const std::string what = line.substr(from + mark.size(), to - from - mark.size());
+  const std::string filled = what == "help" ? MakeLayersHelp()
+    : what == "count"                       ? std::to_string(2 * GetNamedLayers().size())
+                                            : MakeSelection(what);
+  return line.substr(0, from) + filled + FillIn(line.substr(to + 1));
+}
+
+// What stands for the template's comments.
+std::map<std::string, std::string> MakeAll()
+{
+  std::map<std::string, std::string> made = { { "layers", MakeLayers(true) },
+    { "layers: shown", MakeLayers(false) } };
+  vtkNew<vtkRelievoPass> frame;
+  for (int i = 0; i < frame->GetNumberOfStages(); ++i)
+  {
+    const vtkRelievoStageDescription& stage = frame->GetStage(i)->GetDescription();
+    if (!stage.OnByDefault || stage.TakesData)
+    {
+      AddStage(frame->GetStage(i), made);
+    }
+    if (auto* drawsPoints = vtkRelievoPointStage::SafeDownCast(frame->GetStage(i)))
+    {
+      made["points"] += MakePoints(drawsPoints);
+    }
+  }
+  const auto add = [&made](const std::string& name, const Described& described) {
+    made[name + ": properties"] = MakeProperties(described);
+    made[name + ": exposed"] = MakeExposed(described);
+  };
+  add("shadows",
+    { frame->GetShadowStage()->GetDescription(), "SetStage", "shadows:", "Shadow", "Relievo",
+      Decorate("RelievoShadows", "1", false) });
+  vtkNew<vtkRelievoEnvironment> environment;
+  environment->SetUpAxis(2); // as vtkPVRelievoView has it
+  environment->GammaCorrectOn();
+  add("environment",
+    { environment->GetDescription(), "SetEnvironment", "", "Environment", "Relievo",
+      Decorate("RelievoEnvironment", "", true) });
+  vtkNew<vtkRelievoMaterial> material;
+  add("material",
+    { material->GetDescription(), "Set", "", "", "Relievo",
+      Decorate("RelievoMaterial", "1", false) });
+  return made;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc != 3)
+  {
+    std::cerr << "describeProperties: expected TEMPLATE OUTPUT\n";
+    return 2;
+  }
+  const std::map<std::string, std::string> made = MakeAll();
+  std::ifstream in(argv[1]);
+  std::ostringstream out;
+  for (std::string line; std::getline(in, line);)
+  {
+    const std::size_t begin = line.find("<!-- "), end = line.rfind(" -->");
+    const bool comment = begin != std::string::npos && end != std::string::npos && end > begin + 4;
+    const auto found = made.find(comment ? line.substr(begin + 5, end - begin - 5) : "");
+    out << (found == made.end() ? FillIn(line) + "\n" : found->second);
+  }
+  std::ofstream file(argv[2]);
+  file << out.str();
+  file.close();
+  if (in.bad() || out.str().empty() || !file)
+  {
+    std::cerr << "describeProperties: " << argv[1] << " cannot be read, or " << argv[2]
+              << " cannot be written\n";
+    return 1;
+  }
+  return 0;
+}
