@@ -73,6 +73,13 @@ std::string vtkRelievoParameterList::GetValue(const std::string& parameter) cons
 }
 
 //------------------------------------------------------------------------------
+std::string vtkRelievoParameterList::GetCondition(const std::string& parameter) const
+{
+  const vtkRelievoParameter* found = this->Find(parameter);
+  return found ? found->OnlyIf : std::string();
+}
+
+//------------------------------------------------------------------------------
 void vtkRelievoParameterList::Print(std::ostream& os, vtkIndent indent) const
 {
   for (const vtkRelievoParameter& parameter : this->Parameters)

@@ -23,12 +23,13 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameterList
 
   ///@{
   // For scripts: how many there are, and of each its name, its help with what it takes, its default
-  // and its value in words. "" of one that there is not.
+  // and its value in words, and OnlyIf. "" of one that there is not.
   int GetNumber() const { return static_cast<int>(this->Parameters.size()); }
   std::string GetName(int i) const;
   std::string GetHelp(const std::string& parameter) const;
   std::string GetDefault(const std::string& parameter) const;
   std::string GetValue(const std::string& parameter) const;
+  std::string GetCondition(const std::string& parameter) const;
   ///@}
 
   // The values, a line each, for PrintSelf.

@@ -253,7 +253,8 @@ public:
    * The numbers, choices and switches above by name, such as "relief_method", as the command line
    * and ParaView have them. Values are words: "0.5", "on", "steep", "0,1". Set returns false, with
    * an error, and changes nothing if there is no such value or it does not take the words; TrySet
-   * returns what is wrong instead, "" if it was set.
+   * returns what is wrong instead, "" if it was set. The condition is what has to be there, or to
+   * have a value, so that there is an effect: "height_map,relief_method!=off".
    */
   int GetNumberOfParameters() { return this->GetDescription().GetNumber(); }
   std::string GetParameterName(int i) { return this->GetDescription().GetName(i); }
@@ -261,6 +262,10 @@ public:
   std::string GetParameterDefault(RELIEVO_TEXT name)
   {
     return this->GetDescription().GetDefault(name);
+  }
+  std::string GetParameterCondition(RELIEVO_TEXT name)
+  {
+    return this->GetDescription().GetCondition(name);
   }
   std::string GetParameter(RELIEVO_TEXT name) { return this->GetDescription().GetValue(name); }
   std::string TrySetParameter(RELIEVO_TEXT name, RELIEVO_TEXT words)

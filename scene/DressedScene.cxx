@@ -21,7 +21,7 @@ namespace
 constexpr const char* Reading[] = { "--time", "--times", "--animation", "--blend", "--loop",
   "--skeleton", "--bone-weight", "--skin", "--normal-map", "--height-map", "--texture-coordinates",
   "--up" };
-constexpr const char* Wearing[] = { "--normal-map", "--height-map", "--relief",
+constexpr const char* Wearing[] = { "--normal-map", "--height-map", "--relief", "--material",
   "--texture-coordinates", "--opacity", "--environment", "--reflectivity", "--skybox", "--up" };
 constexpr const char* NoDress[] = { "--camera", "--clip", "--size", "--shadows" };
 

@@ -7,14 +7,16 @@
 //
 // A comment in the template that stands alone becomes: `points`, the proxies of points of surfaces,
 // for every stage that draws such; `stages: properties`, the properties of every stage that is not
-// always there, and `stages: exposed` their groups in the render view; so for `shadows`,
-// `environment` and `material`, which have groups of their own; `layers`, the names of layers;
-// `layers: shown`, those that can be shown as the picture. In other lines @layers: help@ is what
-// they are, @layers: count@ how many values a selection of layers has, and @layers: A B@ the values
-// of one in which A and B are chosen, A first.
+// always there, and `stages: exposed` their groups in the render view; so for `shadows`, `sun`,
+// `environment`, `selection` and `material`, which have groups of their own; `layers`, the names of
+// layers; `layers: shown`, those that can be shown as the picture. In other lines @layers: help@ is
+// what they are, @layers: count@ how many values a selection of layers has, and @layers: A B@ the
+// values of one in which A and B are chosen, A first.
 #include "vtkNew.h"
+#include "vtkPVRelievoSun.h"
 #include "vtkRelievoEnvironment.h"
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoMarkers.h"
 #include "vtkRelievoMaterial.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoPointStage.h"
@@ -107,9 +109,10 @@ std::string DecorateIf(const Described& described, const vtkRelievoParameter::Co
     return Decorate(described.GetExposedName(condition.Name),
       std::to_string(place - other->Choices.begin()), condition.Other);
   }
+  const bool given = condition.Value.empty();
   return condition.Name == "environment"
     ? Decorate("RelievoMirror", "1", false)
-    : Decorate(described.GetExposedName(condition.Name), "", true);
+    : Decorate(described.GetExposedName(condition.Name), condition.Value, given);
 }
 
 std::string MakeHints(
@@ -119,8 +122,16 @@ std::string MakeHints(
   out << "        <Hints>\n";
   if (parameter.Usual > 0.0 && !ofArray)
   {
-    out << "          <Accepts min=\"" << std::max(parameter.Least, -1e30) << "\" max=\""
-        << std::min(parameter.Most, 1e30) << "\"/>\n";
+    out << "          <Accepts ";
+    if (std::isfinite(parameter.Least) || std::isfinite(parameter.Most))
+    {
+      out << "min=\"" << std::max(parameter.Least, -1e30) << "\" max=\""
+          << std::min(parameter.Most, 1e30) << "\"/>\n";
+    }
+    else
+    {
+      out << "finite=\"1\"/>\n";
+    }
   }
   // Lamps from data cast, too, where the shadows of lights are off.
   const bool ofLamps = described.Owner == "shadows:" && parameter.Name == "lamp_map_size";
@@ -394,6 +405,21 @@ std::map<std::string, std::string> MakeAll()
     made[name + ": properties"] = MakeProperties(described);
     made[name + ": exposed"] = MakeExposed(described);
   };
+  vtkPVRelievoSun sun;
+  add("sun",
+    { sun.GetDescription(), "SetSun", "", "Sun", "Relievo", Decorate("RelievoSun", "1", false) });
+  // One value is for all points of what is selected.
+  vtkNew<vtkRelievoMarkers> markers;
+  vtkRelievoParameterList ofSelection = markers->GetDescription();
+  for (vtkRelievoParameter& parameter : ofSelection.Parameters)
+  {
+    parameter.PerPoint = false;
+  }
+  ofSelection.TrySet("shape", "glow");
+  ofSelection.TrySet("up", "0,0,1");
+  add("selection",
+    { ofSelection, "SetMarkSelection", "", "MarkSelection", "Relievo",
+      Decorate("RelievoMarkSelection", "1", false) });
   add("shadows",
     { frame->GetShadowStage()->GetDescription(), "SetStage", "shadows:", "Shadow", "Relievo",
       Decorate("RelievoShadows", "1", false) });

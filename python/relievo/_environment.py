@@ -3,7 +3,9 @@
 """The light of a picture of all directions, in one line."""
 
 import errno
+import inspect
 import os
+import textwrap
 
 from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -11,64 +13,52 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from ._errors import Watch, require
 from ._renderers import inner_renderer
-from ._values import number
+from ._parameters import bind, describe, keywords, names, set_value, value
 from .vtkRelievoFilters import vtkRelievoEnvironmentIrradiance, vtkRelievoEnvironmentPrefilter
 from .vtkRelievoIO import vtkRelievoImageReader
 from .vtkRelievoMaterials import vtkRelievoEnvironment, vtkRelievoMaterial, vtkRelievoSkybox
 
 _NO_SURFACES = ("vtkAxisActor", "vtkCubeAxesActor", "vtkSkybox")
 _MAKE_SURFACES = ("vtkGlyph3DMapper", "vtkOpenGLSphereMapper", "vtkOpenGLStickMapper")  # of points
-_AXES = {"x": 0, "y": 1, "z": 2}
 _SHARPEST = 128  # texels across a face of the sharpest level
 _TOLERANCE = 2e-3  # what the levels' sums may err by, as the command line has it
 
 
-def environment(renderer, path, rotation=0, up="y", intensity=1, reflectivity=0.04, roughness=0.2,
-                sky=True):
-    """Lights and mirrors a picture of all directions on all actors, and shows it as the sky.
+# Of the materials that actors without their own get; other defaults are those of the classes.
+_OF_MIRRORS = [
+    name for name in names(vtkRelievoMaterial())
+    if vtkRelievoMaterial().GetParameterCondition(name) == "environment"
+]
+_OF_ENVIRONMENT = names(vtkRelievoEnvironment())
+_DEFAULTS = {
+    **{name: vtkRelievoEnvironment().GetParameterDefault(name) for name in _OF_ENVIRONMENT},
+    **{name: vtkRelievoMaterial().GetParameterDefault(name) for name in _OF_MIRRORS},
+    "gamma_correct": "on",  # pictures are for displays
+    "roughness": "0.2",
+}
+_SIGNATURE = inspect.Signature(
+    keywords({"renderer": inspect.Parameter.empty, "path": inspect.Parameter.empty})
+    + keywords({**{name: value(text) for name, text in _DEFAULTS.items()}, "sky": True})
+)
 
-        relievo.environment(renderer, "forest.exr")
-        relievo.environment(renderer, None)                     # as it was before
 
-    renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter); its actors
-        at the time of the call, except unlit ones, lines or points alone, cube axes and VTK's
-        skies. An actor's own vtkRelievoMaterial stays and gets
-        the environment; None gives its former one back.
-    path: a file (exr, hdr, png, jpg, tif, bmp, tga), or a vtkImageData with row 0 at the bottom, as
-        to_image() makes it; twice as wide as high (all directions) or square (a mirror ball). Whole
-        numbers are decoded from sRGB, floats are linear light. None takes the environment away.
-    rotation: degrees about the up axis, counter-clockwise seen from above. up: the world's axis
-        that is up: "x", "y" or "z". intensity: factor of the light, 0 or more.
-    reflectivity: share that is mirrored at normal incidence, 0 to 1. roughness: of the mirror, 0 to
-        1. They are those of actors without a material of their own.
-    sky: whether the picture is shown behind everything.
-
-    Returns the vtkRelievoEnvironment, None for None. Another call replaces it. Colours are encoded
-    for displays (GammaCorrect), as by `relievo render --environment`. Roughness above 0 takes a
-    second.
-
-    Raises ValueError for a wrong argument or an image of another shape, OSError (FileNotFoundError)
-    if the file cannot be read; then nothing is changed.
-    """
+def environment(*arguments, **given):
+    bound = bind("environment", _SIGNATURE, arguments, given)
+    bound.apply_defaults()
+    renderer, path, sky = (bound.arguments[name] for name in ("renderer", "path", "sky"))
     inner = inner_renderer(renderer)
     require(renderer if inner is None else inner, "vtkRenderer", "renderer")
     if path is None:
         _remove(inner)
         return None
-    if up not in _AXES:
-        raise ValueError(f"environment: up: got {up!r}, expected 'x', 'y' or 'z'")
-    rotation = number("environment", "rotation", rotation)
-    intensity = number("environment", "intensity", intensity, 0)
-    reflectivity = number("environment", "reflectivity", reflectivity, 0, 1)
-    roughness = number("environment", "roughness", roughness, 0, 1)
+    made, own = vtkRelievoEnvironment(), vtkRelievoMaterial()
+    for owner, of_owner in ((made, _OF_ENVIRONMENT), (own, _OF_MIRRORS)):
+        for name in of_owner:
+            set_value("environment", owner, name, bound.arguments[name])
     actors = _actors(inner)
     there = [vtkRelievoMaterial.Get(actor) for actor in actors]
-    rough = roughness > 0 or any(each is not None and each.GetRoughness() > 0 for each in there)
-    made = _make(path, rough)
-    made.SetRotation(rotation)
-    made.SetUpAxis(_AXES[up])
-    made.SetIntensity(intensity)
-    made.GammaCorrectOn()
+    rough = any(each is not None and each.GetRoughness() > 0 for each in [own, *there])
+    _fill(made, path, rough)
     made.relievo_own = True  # VTK keeps attributes as long as the object lives
     _remove(inner)
     if sky:
@@ -79,14 +69,47 @@ def environment(renderer, path, rotation=0, up="y", intensity=1, reflectivity=0.
         shown.SetParallelViewAngle(camera.GetViewAngle())
         shown.relievo_own = True
         inner.AddViewProp(shown)
-    own = vtkRelievoMaterial()
     own.SetEnvironment(made)
-    own.SetReflectivity(reflectivity)
-    own.SetRoughness(roughness)
     own.relievo_own = True
     for actor in actors:
         _placed.append(_Placed(inner, actor, made, own))
     return made
+
+
+def _describe():
+    """The docstring of environment()."""
+    made, own = vtkRelievoEnvironment(), vtkRelievoMaterial()
+    lines = [describe(made, name, _DEFAULTS[name]) for name in _OF_ENVIRONMENT]
+    lines += [
+        describe(own, name, _DEFAULTS[name]) + " Not of actors with a material of their own."
+        for name in _OF_MIRRORS
+    ]
+    values = "\n".join(textwrap.fill(line, 96, subsequent_indent="    ") for line in lines)
+    return f"""Lights all actors by a picture of all directions, which they mirror, as the sky.
+
+    relievo.environment(renderer, "forest.exr")
+    relievo.environment(renderer, None)                     # as it was before
+
+renderer: a vtkRenderer, or an object whose attribute `renderer` is one (a plotter); its actors
+    at the time of the call, except unlit ones, lines or points alone, cube axes and VTK's
+    skies. An actor's own vtkRelievoMaterial stays and gets
+    the environment; None gives its former one back.
+path: a file (exr, hdr, png, jpg, tif, bmp, tga), or a vtkImageData with row 0 at the bottom, as
+    to_image() makes it; twice as wide as high (all directions) or square (a mirror ball). Whole
+    numbers are decoded from sRGB, floats are linear light. None takes the environment away.
+{values}
+sky: whether the picture is shown behind everything.
+
+Returns the vtkRelievoEnvironment, None for None. Another call replaces it. Roughness above 0 takes
+a second.
+
+Raises ValueError for a wrong argument or an image of another shape, OSError (FileNotFoundError)
+if the file cannot be read; then nothing is changed.
+"""
+
+
+environment.__signature__ = _SIGNATURE
+environment.__doc__ = _describe()
 
 
 class _Placed:
@@ -158,7 +181,7 @@ def _is_lit_surface(actor):
             or data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0)
 
 
-def _make(path, rough):
+def _fill(made, path, rough):
     image = path if hasattr(path, "IsA") and path.IsA("vtkImageData") else _read(os.fspath(path))
     name = "image" if image is path else os.fspath(path)
     columns, rows, slices = image.GetDimensions()
@@ -180,12 +203,10 @@ def _make(path, rough):
             each.SetInputSRGB(srgb)
             each.Update()
     watch.raise_as(ValueError, f"environment: {name}")
-    made = vtkRelievoEnvironment()
     made.SetImage(image)
     made.SetSRGB(srgb)
     made.SetLevels(levels.GetOutput() if rough else None)
     made.SetIrradiance(irradiance.GetOutput().GetColumnByName("radiance"))
-    return made
 
 
 def _read(path):

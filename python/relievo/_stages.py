@@ -2,23 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The frame's stages by name, with their parameters."""
 
-import numpy
-
 from ._errors import require
 from ._frame import attach
+from ._parameters import names, words
 from .vtkRelievoPasses import vtkRelievoPass
-
-
-def _words(value):
-    """A parameter's value in the stages' words: "on", "0.5", "1,0.5,0", "warped"."""
-    if isinstance(value, str):
-        return value
-    if isinstance(value, (bool, numpy.bool_)):
-        return "on" if value else "off"
-    if isinstance(value, (list, tuple, numpy.ndarray)) and numpy.ndim(value) == 1:
-        return ",".join(_words(each) for each in value)
-    number = float(value)
-    return str(int(number)) if number.is_integer() else repr(number)
 
 
 def stage(renderer, name, on=True, **parameters):
@@ -42,34 +29,30 @@ def stage(renderer, name, on=True, **parameters):
     wanted = {}
     for key, value in parameters.items():
         try:
-            wanted[key] = _words(value)
+            wanted[key] = words(value)
         except (TypeError, ValueError, OverflowError):
             raise ValueError(
                 f"stage: {name}:{key}: got {value!r}, expected a number, True or False, a word, or "
                 f"a sequence of numbers"
             ) from None
     # On a frame that is not in use yet, to which nothing is attached if a value is wrong.
-    before = {key: found.GetParameter(key) for key in wanted if key in _parameters(found)}
-    for key, words in wanted.items():
-        wrong = found.TrySetParameter(key, words)
+    before = {key: found.GetParameter(key) for key in wanted if key in names(found)}
+    for key, text in wanted.items():
+        wrong = found.TrySetParameter(key, text)
         if wrong:
             for known, old in before.items():
                 found.TrySetParameter(known, old)
             raise ValueError(f"stage: {wrong}")
     if frame is not there:
         found = attach(renderer).GetStage(name)
-        for key, words in wanted.items():
-            found.TrySetParameter(key, words)
+        for key, text in wanted.items():
+            found.TrySetParameter(key, text)
     found.SetEnabled(on)
     return found
 
 
 def _names(frame):
     return [frame.GetStage(i).GetStageName() for i in range(frame.GetNumberOfStages())]
-
-
-def _parameters(found):
-    return [found.GetParameterName(i) for i in range(found.GetNumberOfParameters())]
 
 
 def stages():
@@ -83,6 +66,6 @@ def stages():
         each = frame.GetStage(i)
         found[each.GetStageName()] = {
             name: (each.GetParameter(name), each.GetParameterHelp(name))
-            for name in _parameters(each)
+            for name in names(each)
         }
     return found

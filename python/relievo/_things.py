@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
 from ._errors import require
 from ._frame import attach
-from ._stages import _words
+from ._parameters import bind, describe, keywords, names, words
 from ._wrapped import vtkRelievoPass
 
 # What is said beside the descriptions of the values.
@@ -50,13 +50,13 @@ def _set_value(made, name, parameter, value):
     is_switch = isinstance(value, bool) and made.IsPerPoint(parameter)
     wrong = ""
     try:
-        words = _words(value) if not is_switch else "always" if value else "never"
+        said = words(value) if not is_switch else "always" if value else "never"
     except (TypeError, ValueError, OverflowError):
-        words, wrong = "", f"got {value!r}, expected a number, three numbers or a word"
-    if text and words and made.IsPerPoint(parameter) and _is_number(words):
-        made.SetArray(parameter, words)  # arrays may have such names
+        said, wrong = "", f"got {value!r}, expected a number, three numbers or a word"
+    if text and said and made.IsPerPoint(parameter) and _is_number(said):
+        made.SetArray(parameter, said)  # arrays may have such names
     elif not wrong:
-        wrong = made.TrySetParameter(parameter, words)
+        wrong = made.TrySetParameter(parameter, said)
         if not (wrong or text) and made.IsPerPoint(parameter) and made.GetArray(parameter):
             wrong = f"got {value!r}. {made.GetParameterHelp(parameter)}"
     if wrong:
@@ -106,14 +106,8 @@ def _describe(stage, made):
         "default.",
         "",
     ]
-    for i in range(made.GetNumberOfParameters()):
-        parameter = made.GetParameterName(i)
-        lines.append(
-            f"{parameter}: {made.GetParameterHelp(parameter)} Default "
-            f"{made.GetParameterDefault(parameter)}."
-        )
-    for i in range(stage.GetNumberOfParameters()):
-        parameter = stage.GetParameterName(i)
+    lines += [describe(made, parameter) for parameter in names(made)]
+    for parameter in names(stage):
         lines.append(
             f"{parameter}: of all {things} of the renderer. {stage.GetParameterHelp(parameter)} "
             f"None leaves it; at first {stage.GetParameterDefault(parameter)}."
@@ -128,19 +122,14 @@ def _describe(stage, made):
 def _make(stage, made):
     """The function of a stage, with the parameters that it and its points say that they have."""
     name = stage.GetStageName()
-    of_points = [made.GetParameterName(i) for i in range(made.GetNumberOfParameters())]
-    of_stage = [stage.GetParameterName(i) for i in range(stage.GetNumberOfParameters())]
-    kind = inspect.Parameter.POSITIONAL_OR_KEYWORD
+    of_points, of_stage = names(made), names(stage)
     signature = inspect.Signature(
-        [inspect.Parameter(each, kind) for each in ("renderer", "points")]
-        + [inspect.Parameter(each, kind, default=None) for each in of_points + of_stage]
+        keywords(dict.fromkeys(("renderer", "points"), inspect.Parameter.empty))
+        + keywords(dict.fromkeys(of_points + of_stage))
     )
 
-    def function(*arguments, **keywords):
-        try:
-            bound = signature.bind(*arguments, **keywords).arguments
-        except TypeError as error:
-            raise TypeError(f"{name}() {error}") from None
+    def function(*arguments, **given):
+        bound = bind(name, signature, arguments, given).arguments
         renderer = bound.pop("renderer")
         require(renderer, "vtkRenderer", "renderer")
         things = type(made)()
@@ -151,17 +140,17 @@ def _make(stage, made):
             _set_value(things, name, each, value)
         _check_together(things, name, values)
         trial = vtkRelievoPass().GetStage(name)
-        words = {}
+        said = {}
         for each in given.keys() - values.keys():
             try:
-                words[each] = _words(given[each])
+                said[each] = words(given[each])
             except (TypeError, ValueError, OverflowError):
                 raise ValueError(f"{name}: {each}: got {given[each]!r}, expected a word") from None
-            wrong = trial.TrySetParameter(each, words[each])
+            wrong = trial.TrySetParameter(each, said[each])
             if wrong:
                 raise ValueError(f"{name}: {each}: {wrong.split(': ', 1)[-1]}")
         there = attach(renderer).GetStage(name)
-        for each, text in words.items():
+        for each, text in said.items():
             there.SetParameter(each, text)
         there.AddPoints(things)
         return things

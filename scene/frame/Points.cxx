@@ -7,7 +7,6 @@
 #include "Messages.h"
 #include "Options.h"
 #include "Readers.h"
-#include "Values.h"
 
 #include "vtkDataSet.h"
 #include "vtkNew.h"
@@ -81,13 +80,15 @@ void CheckTogether(
 {
   for (const auto& given : values)
   {
-    const std::string& condition = points->GetDescription().Find(given.first)->OnlyIf;
-    const std::size_t equals = condition.find('=');
-    if (!condition.empty() && !points->IsPerPoint(given.first) &&
-      points->GetParameter(condition.substr(0, equals)) != condition.substr(equals + 1))
+    for (const vtkRelievoParameter::Condition& condition :
+      points->GetDescription().Find(given.first)->GetConditions())
     {
-      throw UsageError(option + " " + given.first + ": got '" + given.second + "', expected " +
-        condition + " with it");
+      if (!points->IsPerPoint(given.first) &&
+        points->GetParameter(condition.Name) != condition.Value)
+      {
+        throw UsageError(option + " " + given.first + ": got '" + given.second + "', expected " +
+          condition.Name + "=" + condition.Value + " with it");
+      }
     }
   }
 }
@@ -175,20 +176,8 @@ std::string DescribePoints(const PointStage& stage)
 {
   std::string text = "the points of FILE as " + stage.Points->GetThings() +
     "; may be repeated. Values of points are numbers for all, or names of point arrays (those of "
-    "the values' names)";
-  for (const vtkRelievoParameter& parameter : stage.Points->GetDescription().Parameters)
-  {
-    const std::string unit = parameter.Unit.empty() ? "" : ", " + parameter.Unit;
-    std::string form = parameter.GetNumberOfComponents() == 3 ? "A/B/C" : "N";
-    for (const std::string& choice : parameter.Choices)
-    {
-      form = (choice == parameter.Choices.front() ? "" : form + "|") + choice;
-    }
-    std::string standard = parameter.Default;
-    std::replace(standard.begin(), standard.end(), ',', '/');
-    text +=
-      "\n  " + parameter.Name + "=" + form + "  " + parameter.Help + " (" + standard + unit + ")";
-  }
+    "the values' names)" +
+    DescribeValues(stage.Points->GetDescription());
   return stage.Parameters.empty()
     ? text
     : text + "\nand the stage's " + Join(stage.Parameters, ", ") + " (relievo stages)";
@@ -240,29 +229,15 @@ std::string ParseFileAndValues(
   {
     RefuseValue(option, word, Form);
   }
-  std::set<std::string> given;
-  for (std::size_t i = 1; i < parts.size(); ++i)
-  {
-    const std::size_t equals = parts[i].find('=');
-    const std::string name = parts[i].substr(0, equals);
-    if (equals == std::string::npos || !given.insert(name).second)
-    {
-      RefuseValue(option, parts[i], std::string(Form) + ", each once");
-    }
-    values.emplace_back(name, parts[i].substr(equals + 1));
-  }
+  values = ParseNamedWords(option, { parts.begin() + 1, parts.end() }, Form);
   return parts.front();
 }
 
 //------------------------------------------------------------------------------
 std::string WriteFileAndValues(const std::string& file, const NamedWords& values)
 {
-  std::vector<std::string> parts = { file };
-  for (const auto& value : values)
-  {
-    parts.push_back(value.first + "=" + value.second);
-  }
-  return JoinEscaped(parts, ',');
+  const std::string name = JoinEscaped({ file }, ',');
+  return values.empty() ? name : name + "," + WriteNamedWords(values);
 }
 
 //------------------------------------------------------------------------------

@@ -7,11 +7,12 @@
 #ifndef Points_h
 #define Points_h
 
+#include "Values.h"
+
 #include "vtkRelievoPointValues.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 class vtkRelievoPass;
@@ -34,8 +35,6 @@ const std::vector<PointStage>& GetPointStages();
 
 /// What the option of a stage means, for people.
 std::string DescribePoints(const PointStage& stage);
-
-using NamedWords = std::vector<std::pair<std::string, std::string>>;
 
 /// What an option asks for.
 struct PointsChoice

@@ -7,6 +7,7 @@
 #include "Messages.h"
 #include "Options.h"
 #include "Progress.h"
+#include "SurfaceOptions.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCamera.h"
@@ -62,7 +63,10 @@ vtkSmartPointer<vtkRelievoEnvironment> ReadEnvironment(
   environment->SetIrradiance(light.Irradiance);
   environment->SetRotation(options.EnvironmentRotation);
   environment->SetUpAxis(options.UpAxis);
-  environment->GammaCorrectOn(); // pictures are for displays: the sky's are to look as they did
+  for (const vtkRelievoParameter& value : GetEnvironmentValues().Parameters)
+  {
+    environment->SetParameter(value.Name, GetSurfaceValue(options, value.Name));
+  }
   progress.End();
   Messages::Check(options.Environment);
   return environment;

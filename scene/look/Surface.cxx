@@ -6,7 +6,7 @@
 #include "Errors.h"
 #include "Images.h"
 #include "Options.h"
-#include "ShadowOptions.h"
+#include "SurfaceOptions.h"
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -41,12 +41,11 @@ void SetHeights(vtkRelievoMaterial* material, vtkRenderer* renderer, const Rende
     std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
   material->SetHeightMap(ReadImage(options.HeightMap, progress));
   material->SetHeightScale(options.HeightScale.value_or(DefaultDepth * longest));
-  constexpr int methods[] = { vtkRelievoMaterial::METHOD_OFF, vtkRelievoMaterial::METHOD_PARALLAX,
-    vtkRelievoMaterial::METHOD_STEEP, vtkRelievoMaterial::METHOD_OCCLUSION,
-    vtkRelievoMaterial::METHOD_RELIEF };
-  material->SetMethod(methods[static_cast<int>(options.ReliefMethod)]);
-  material->SetDepthCorrection(options.ReliefMethod != Relief::Off);
-  material->SetSelfShadow(ShowsShadows(options));
+  material->SetParameter("relief_method", options.ReliefMethod);
+  for (const char* name : { "depth_correction", "self_shadow" })
+  {
+    material->SetParameter(name, GetSurfaceValue(options, name));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -94,6 +93,10 @@ vtkSmartPointer<vtkRelievoMaterial> MakeMaterial(vtkRelievoMaterial* own,
     material->SetReflectivity(options.Reflectivity);
     material->SetRoughness(options.Roughness);
   }
+  for (const auto& [name, words] : options.Material)
+  {
+    material->SetParameter(name, words);
+  }
   return material;
 }
 }
@@ -116,8 +119,8 @@ void CheckSurface(const RenderOptions& options)
 //------------------------------------------------------------------------------
 void SetSurface(vtkRenderer* renderer, const RenderOptions& options, Progress& progress)
 {
-  const bool plain =
-    options.NormalMap.empty() && options.HeightMap.empty() && options.Environment.empty();
+  const bool plain = options.NormalMap.empty() && options.HeightMap.empty() &&
+    options.Environment.empty() && options.Material.empty();
   if (plain && options.Look.Opacity >= 1.0)
   {
     return;

@@ -3,11 +3,20 @@
 #include "SurfaceOptions.h"
 
 #include "Errors.h"
+#include "Numbers.h"
 #include "Options.h"
+#include "Settings.h"
+#include "ShadowOptions.h"
 #include "Values.h"
 
+#include "vtkNew.h"
+#include "vtkRelievoEnvironment.h"
+#include "vtkRelievoMaterial.h"
+
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <optional>
 
 namespace scene
 {
@@ -26,6 +35,227 @@ std::string TakeNumberBehind(std::string& path)
   path.erase(comma);
   return number;
 }
+
+const char* const MaterialForm = "NAME=VALUE[,NAME=VALUE]...";
+
+vtkRelievoMaterial* GetMaterial()
+{
+  static const vtkNew<vtkRelievoMaterial> material;
+  return material;
+}
+
+vtkRelievoEnvironment* GetEnvironment()
+{
+  static const vtkNew<vtkRelievoEnvironment> environment;
+  return environment;
+}
+
+// Throws UsageError unless the values take the words.
+void CheckValues(
+  const std::string& option, const vtkRelievoParameterList& values, const NamedWords& given)
+{
+  for (const auto& [name, words] : given)
+  {
+    if (!values.Find(name))
+    {
+      RefuseValue(option, name + "=" + words, "one of " + values.GetNames());
+    }
+    const std::string wrong = values.TrySet(name, words);
+    if (!wrong.empty())
+    {
+      throw UsageError(option + " " + name + ": " + wrong);
+    }
+  }
+}
+
+// The first condition of a value that does not hold, or nullptr. `get` gives the words of a value,
+// or of an option that brings an image.
+using Condition = vtkRelievoParameter::Condition;
+std::optional<Condition> FindFailing(
+  const vtkRelievoParameter& value, const std::function<std::string(const std::string& name)>& get)
+{
+  for (const Condition& condition : value.GetConditions())
+  {
+    const std::string words = get(condition.Name);
+    const bool holds =
+      condition.Value.empty() ? !words.empty() : (words == condition.Value) != condition.Other;
+    if (!holds)
+    {
+      return condition;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Condition> FindFailing(const RenderOptions& options, const vtkRelievoParameter& value)
+{
+  return FindFailing(value, [&options](const std::string& name) {
+    return name == "height_map" ? options.HeightMap
+      : name == "environment"   ? options.Environment
+      : name == "relief_method" ? options.ReliefMethod
+                                : GetSurfaceValue(options, name);
+  });
+}
+
+// Of the word of --environment: behind the file and a number.
+NamedWords TakeValuesBehind(std::string& word)
+{
+  std::vector<std::string> parts;
+  for (;;)
+  {
+    const std::size_t comma = word.rfind(',');
+    const std::string last = comma == std::string::npos ? "" : word.substr(comma + 1);
+    if (!GetEnvironmentValues().Find(last.substr(0, last.find('='))) ||
+      last.find('=') == std::string::npos)
+    {
+      return ParseNamedWords("--environment", parts, "F[,DEG][,NAME=VALUE]...");
+    }
+    parts.insert(parts.begin(), last);
+    word.erase(comma);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+const vtkRelievoParameterList& GetMaterialValues()
+{
+  static const vtkRelievoParameterList values = [] {
+    vtkRelievoParameterList others;
+    for (vtkRelievoParameter parameter : GetMaterial()->GetDescription().Parameters)
+    {
+      const std::string& name = parameter.Name;
+      parameter.Default = name == "depth_correction" ? "on"
+        : name == "self_shadow"                      ? "on with shadows"
+                                                     : parameter.Default;
+      if (name != "height_scale" && name != "relief_method" && name != "reflectivity" &&
+        name != "roughness")
+      {
+        others.Parameters.push_back(parameter);
+      }
+    }
+    return others;
+  }();
+  return values;
+}
+
+//------------------------------------------------------------------------------
+const vtkRelievoParameterList& GetEnvironmentValues()
+{
+  static const vtkRelievoParameterList values = [] {
+    vtkRelievoParameterList others;
+    for (vtkRelievoParameter parameter : GetEnvironment()->GetDescription().Parameters)
+    {
+      // Pictures are for displays: the sky's are to look as they did.
+      parameter.Default = parameter.Name == "gamma_correct" ? "on" : parameter.Default;
+      if (parameter.Name != "rotation" && parameter.Name != "up")
+      {
+        others.Parameters.push_back(parameter);
+      }
+    }
+    return others;
+  }();
+  return values;
+}
+
+//------------------------------------------------------------------------------
+std::string GetSurfaceValue(const RenderOptions& options, const std::string& name)
+{
+  const bool ofMaterial = GetMaterialValues().Find(name) != nullptr;
+  const std::string given =
+    FindWords(ofMaterial ? options.Material : options.EnvironmentValues, name);
+  if (!given.empty())
+  {
+    return given;
+  }
+  if (name == "self_shadow")
+  {
+    return ShowsShadows(options) ? "on" : "off";
+  }
+  return (ofMaterial ? GetMaterialValues() : GetEnvironmentValues()).GetDefault(name);
+}
+
+//------------------------------------------------------------------------------
+void SetSurfaceValue(Settings& settings, const std::string& name, const std::string& words)
+{
+  RenderOptions options = settings.Parse();
+  if (GetMaterialValues().Find(name))
+  {
+    SetWords(options.Material, name, words);
+    settings.SetAll("--material",
+      options.Material.empty() ? std::vector<std::string>()
+                               : std::vector<std::string>{ WriteNamedWords(options.Material) });
+    return;
+  }
+  SetWords(options.EnvironmentValues, name, words);
+  const std::string values = WriteNamedWords(options.EnvironmentValues);
+  settings.Set("--environment",
+    WriteFileAndNumber(options.Environment, options.EnvironmentRotation) +
+      (values.empty() ? "" : "," + values));
+}
+
+//------------------------------------------------------------------------------
+bool HasEffect(const RenderOptions& options, const vtkRelievoParameter& value)
+{
+  return !FindFailing(options, value);
+}
+
+//------------------------------------------------------------------------------
+void SetEnvironmentFile(Settings& settings, const std::string& file, double rotation)
+{
+  if (file.empty())
+  {
+    settings.Remove("--environment");
+    return;
+  }
+  std::string before = settings.Get("--environment");
+  const std::string values = WriteNamedWords(TakeValuesBehind(before));
+  settings.Set(
+    "--environment", WriteFileAndNumber(file, rotation) + (values.empty() ? "" : "," + values));
+}
+
+//------------------------------------------------------------------------------
+void DropIdleSurface(Settings& settings)
+{
+  const bool heights = settings.Has("--height-map");
+  const auto drop = [&settings](const char* option, bool needed) {
+    settings.SetAll(option, needed ? settings.GetAll(option) : std::vector<std::string>());
+  };
+  drop("--relief", heights);
+  drop("--texture-coordinates", heights || settings.Has("--normal-map"));
+  drop("--reflectivity", settings.Has("--environment"));
+  drop("--skybox", settings.Has("--environment"));
+  if (!settings.Has("--material"))
+  {
+    return;
+  }
+  NamedWords kept;
+  for (const auto& given :
+    ParseNamedWords("--material", SplitEscaped(settings.Get("--material"), ','), MaterialForm))
+  {
+    const vtkRelievoParameter* value = GetMaterialValues().Find(given.first);
+    const auto get = [&settings](const std::string& name) {
+      const std::string words = settings.Get(name == "height_map" ? "--height-map"
+          : name == "environment"                                 ? "--environment"
+                                                                  : "--relief");
+      return words.empty() && name == "relief_method" ? RenderOptions().ReliefMethod : words;
+    };
+    if (value && !FindFailing(*value, get))
+    {
+      kept.push_back(given);
+    }
+  }
+  drop("--material", !kept.empty());
+  if (!kept.empty())
+  {
+    settings.Set("--material", WriteNamedWords(kept));
+  }
+}
+
+//------------------------------------------------------------------------------
+void TakeMaterial(RenderOptions& options, const std::string& word)
+{
+  options.Material = ParseNamedWords("--material", SplitEscaped(word, ','), MaterialForm);
+  CheckValues("--material", GetMaterialValues(), options.Material);
 }
 
 //------------------------------------------------------------------------------
@@ -43,10 +273,9 @@ void TakeHeightMap(RenderOptions& options, const std::string& word)
 //------------------------------------------------------------------------------
 void TakeRelief(RenderOptions& options, const std::string& word)
 {
-  constexpr Relief methods[] = { Relief::Off, Relief::Parallax, Relief::Steep, Relief::Occlusion,
-    Relief::Relief };
-  options.ReliefMethod =
-    methods[ParseChoice("--relief", word, { "off", "parallax", "steep", "occlusion", "relief" })];
+  const std::vector<std::string>& methods =
+    GetMaterial()->GetDescription().Find("relief_method")->Choices;
+  options.ReliefMethod = methods[ParseChoice("--relief", word, methods)];
 }
 
 //------------------------------------------------------------------------------
@@ -61,8 +290,11 @@ void TakeTextureCoordinates(RenderOptions& options, const std::string& word)
 void TakeEnvironment(RenderOptions& options, const std::string& word)
 {
   options.Environment = word;
+  options.EnvironmentValues = TakeValuesBehind(options.Environment);
+  CheckValues("--environment", GetEnvironmentValues(), options.EnvironmentValues);
+  const std::string path = options.Environment;
   const std::string degrees = TakeNumberBehind(options.Environment);
-  if (options.Environment != word)
+  if (options.Environment != path)
   {
     options.EnvironmentRotation =
       ParseNumbers("--environment " + word, degrees, 1, "degrees of rotation")[0];
@@ -102,6 +334,22 @@ void CheckSurfaceOptions(const RenderOptions& options, const std::set<std::strin
     throw UsageError(
       "--texture-coordinates: there is nothing to place by them: give --normal-map F "
       "or --height-map F as well");
+  }
+  for (const auto& [name, words] : options.Material)
+  {
+    const auto failing = FindFailing(options, *GetMaterialValues().Find(name));
+    if (failing && failing->Value.empty())
+    {
+      throw UsageError("--material " + name + ": there is " +
+        (failing->Name == "environment" ? "nothing to mirror: give --environment F as well"
+                                        : "no relief: give --height-map F as well"));
+    }
+    if (failing)
+    {
+      throw UsageError("--material " + name + ": got '" + words + "' with --relief " +
+        options.ReliefMethod + ", expected it " +
+        (failing->Other ? "with another method" : "with --relief " + failing->Value));
+    }
   }
   for (const char* option : { "--skybox", "--reflectivity" })
   {

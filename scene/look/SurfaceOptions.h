@@ -7,13 +7,40 @@
 #ifndef SurfaceOptions_h
 #define SurfaceOptions_h
 
+#include "vtkRelievoParameterList.h"
+
 #include <set>
 #include <string>
 
 namespace scene
 {
+class Settings;
 struct RenderOptions;
 
+///@{
+/// What --material and --environment take by name: what materials and environments say of their
+/// values, without those that have options of their own; defaults are those of scenes.
+const vtkRelievoParameterList& GetMaterialValues();
+const vtkRelievoParameterList& GetEnvironmentValues();
+///@}
+
+///@{
+/// One of these values, in words: as given, or as scenes have it. Set "" takes it back.
+std::string GetSurfaceValue(const RenderOptions& options, const std::string& name);
+void SetSurfaceValue(Settings& settings, const std::string& name, const std::string& words);
+///@}
+
+/// Whether one of them does anything beside the others.
+bool HasEffect(const RenderOptions& options, const vtkRelievoParameter& value);
+
+/// The word of --environment, whose other values stay; "" takes it back.
+void SetEnvironmentFile(Settings& settings, const std::string& file, double rotation);
+
+/// Takes back what --normal-map, --height-map and --environment were needed for, if they are gone:
+/// it would be refused.
+void DropIdleSurface(Settings& settings);
+
+void TakeMaterial(RenderOptions& options, const std::string& word);
 void TakeHeightMap(RenderOptions& options, const std::string& word);
 void TakeRelief(RenderOptions& options, const std::string& word);
 void TakeTextureCoordinates(RenderOptions& options, const std::string& word);

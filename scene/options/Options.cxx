@@ -269,16 +269,20 @@ std::vector<OptionRow> MakeRows()
       "how heights are drawn: off (as normals only), parallax, steep, occlusion or "
       "relief (relief)",
       TakeRelief },
+    { "--material", "NAME=VALUE[,NAME=VALUE]...",
+      "other values of the material of all surfaces" + DescribeValues(GetMaterialValues()),
+      TakeMaterial },
     { "--texture-coordinates", "METHOD",
       "for meshes without them, to place maps: box, plane or sphere (box, with a "
       "note)",
       TakeTextureCoordinates },
-    { "--environment", "F[,DEG]",
+    { "--environment", "F[,DEG][,NAME=VALUE]...",
       "light from all directions, which surfaces mirror and are lit by, from an image "
       "(.exr .hdr .png .jpg .tif .bmp .tga) that is twice as wide as high, or from a square one of "
       "a "
       "mirror ball; rotated by DEG about the up axis (0). 8 and 16 bits are sRGB, "
-      "floats linear light",
+      "floats linear light. Other values are" +
+        DescribeValues(GetEnvironmentValues()),
       TakeEnvironment },
     { "--reflectivity", "R[,ROUGHNESS]",
       "share of the environment that is mirrored at normal incidence, and roughness "

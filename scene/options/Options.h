@@ -40,15 +40,6 @@ enum class Shadows
   Exact
 };
 
-enum class Relief
-{
-  Off,
-  Parallax,
-  Steep,
-  Occlusion,
-  Relief
-};
-
 /// How meshes without texture coordinates get some.
 enum class Mapping
 {
@@ -98,10 +89,12 @@ struct RenderOptions
   std::optional<int> Certify;            ///< rays
   std::string NormalMap, HeightMap;      ///< files; empty: none
   std::optional<double> HeightScale;     ///< depth of the relief, world units
-  Relief ReliefMethod = Relief::Relief;
+  std::string ReliefMethod = "relief";   ///< a word of vtkRelievoMaterial's relief_method
+  NamedWords Material;                   ///< its other values, as given
   std::optional<Mapping> TextureMapping; ///< none: as a box, with a note
   std::string Environment;               ///< file; empty: none
   double EnvironmentRotation = 0.0;      ///< degrees about the up axis
+  NamedWords EnvironmentValues;          ///< its other values, as given
   double Reflectivity = 0.04;            ///< share of the environment's light that is mirrored
   double Roughness = 0.2;                ///< of that mirror
   bool Skybox = false;

@@ -4,6 +4,8 @@
 
 #include "Errors.h"
 
+#include "vtkRelievoParameterList.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -25,6 +27,13 @@ bool ReadWhole(const std::string& word, T& value)
 bool ReadFinite(const std::string& word, double& value)
 {
   return ReadWhole(word, value) && std::isfinite(value);
+}
+
+template <typename Values>
+auto FindNamed(Values& values, const std::string& name)
+{
+  return std::find_if(
+    values.begin(), values.end(), [&name](const auto& each) { return each.first == name; });
 }
 
 std::string Show(double value)
@@ -167,6 +176,84 @@ int ParseWhole(const std::string& option, const std::string& word, int low, int 
       option, word, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
   }
   return number;
+}
+
+//------------------------------------------------------------------------------
+NamedWords ParseNamedWords(
+  const std::string& option, const std::vector<std::string>& parts, const std::string& form)
+{
+  NamedWords values;
+  for (const std::string& part : parts)
+  {
+    const std::size_t equals = part.find('=');
+    const std::string name = part.substr(0, equals);
+    if (equals == std::string::npos || FindNamed(values, name) != values.end())
+    {
+      RefuseValue(option, part, form + ", each once");
+    }
+    values.emplace_back(name, part.substr(equals + 1));
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
+std::string WriteNamedWords(const NamedWords& values)
+{
+  std::vector<std::string> parts;
+  for (const auto& [name, words] : values)
+  {
+    parts.push_back(name + "=" + words);
+  }
+  return JoinEscaped(parts, ',');
+}
+
+//------------------------------------------------------------------------------
+std::string FindWords(const NamedWords& values, const std::string& name)
+{
+  const auto found = FindNamed(values, name);
+  return found == values.end() ? "" : found->second;
+}
+
+//------------------------------------------------------------------------------
+void SetWords(NamedWords& values, const std::string& name, const std::string& words)
+{
+  const auto found = FindNamed(values, name);
+  if (words.empty() && found != values.end())
+  {
+    values.erase(found);
+  }
+  else if (found != values.end())
+  {
+    found->second = words;
+  }
+  else if (!words.empty())
+  {
+    values.emplace_back(name, words);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeValues(const vtkRelievoParameterList& values)
+{
+  std::string text;
+  for (const vtkRelievoParameter& parameter : values.Parameters)
+  {
+    const std::string unit = parameter.Unit.empty() ? "" : ", " + parameter.Unit;
+    const int count = parameter.GetNumberOfComponents();
+    std::string form = parameter.Type == vtkRelievoParameter::FLAG ? "on|off"
+      : count == 3                                                 ? "A/B/C"
+      : count == 2                                                 ? "A/B"
+                                                                   : "N";
+    for (const std::string& choice : parameter.Choices)
+    {
+      form = (choice == parameter.Choices.front() ? "" : form + "|") + choice;
+    }
+    std::string standard = parameter.Default;
+    std::replace(standard.begin(), standard.end(), ',', '/');
+    text +=
+      "\n  " + parameter.Name + "=" + form + "  " + parameter.Help + " (" + standard + unit + ")";
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------

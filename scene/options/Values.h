@@ -8,10 +8,16 @@
 #define Values_h
 
 #include <string>
+#include <utility>
 #include <vector>
+
+struct vtkRelievoParameterList;
 
 namespace scene
 {
+/// Names with what is said of each, in words.
+using NamedWords = std::vector<std::pair<std::string, std::string>>;
+
 /// The error for a word that does not fit: "OPTION: got 'WORD', expected EXPECTED".
 [[noreturn]] void RefuseValue(
   const std::string& option, const std::string& word, const std::string& expected);
@@ -42,6 +48,22 @@ double ParseShare(const std::string& option, const std::string& word);
 
 /// One whole number with low <= number <= high.
 int ParseWhole(const std::string& option, const std::string& word, int low, int high);
+
+/// What NAME=VALUE parts say, each name once. `form` shows the shape of the whole word.
+NamedWords ParseNamedWords(
+  const std::string& option, const std::vector<std::string>& parts, const std::string& form);
+
+/// The parts that ParseNamedWords reads so, with commas between them.
+std::string WriteNamedWords(const NamedWords& values);
+
+/// What is said of the name; "" if nothing is.
+std::string FindWords(const NamedWords& values, const std::string& name);
+
+/// Says it of the name; "" takes it back.
+void SetWords(NamedWords& values, const std::string& name, const std::string& words);
+
+/// Values that a class describes, for people: a line NAME=VALUE with its help and default for each.
+std::string DescribeValues(const vtkRelievoParameterList& values);
 
 /// The place of the word among the choices.
 std::size_t ParseChoice(

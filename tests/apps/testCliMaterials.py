@@ -80,6 +80,29 @@ class Materials(CliTest):
         for axis, value in zip("XYZ", (0.6, 0.0, 0.8)):
             numpy.testing.assert_allclose(seen[f"normal.{axis}"], value, atol=0.006)
 
+    def test_material(self):
+        """Values of --material are those of the material; of two numbers with / between them."""
+        seen = self.draw("--normal-map", "tilted.png", "--material", "normal_strength=0.5")
+        x, z = 0.3 / numpy.hypot(0.3, 0.8), 0.8 / numpy.hypot(0.3, 0.8)
+        numpy.testing.assert_allclose(seen["normal.X"], x, atol=0.006)
+        numpy.testing.assert_allclose(seen["normal.Z"], z, atol=0.006)
+        seen = self.draw("--height-map", "roof.png,0.5",
+                         "--material", "height_range=0/2,depth_correction=on")  # fmt: skip
+        below = 0.5 - 0.25 * (1 - abs(2 * self.u - 1))  # half as high, from the ground up
+        depth = seen["depth.Z"][:, self.sure]
+        numpy.testing.assert_allclose(depth, numpy.tile(5 + below[self.sure], (SIDE, 1)), atol=2e-3)
+        seen = self.draw("--height-map", "roof.png,0.5", "--material", "depth_correction=off")
+        numpy.testing.assert_allclose(seen["depth.Z"], 5, atol=1e-5)
+        look = ["render", "plane.obj", "--png", "b.png", "--material"]
+        self.before = self.names()
+        self.refused(*look, "gloss=1", status=2, says=["--material", "gloss=1", "one of normal_st"])
+        self.refused(*look, "repeat=2", status=2, says=["--material repeat", "on or off"])
+        self.refused(*look, "repeat=on,repeat=off", status=2, says=["repeat=off", "each once"])
+        self.refused(*look, "self_shadow=on", status=2, says=["self_shadow", "--height-map F"])
+        self.refused(*look, "reflection_weight=0", status=2, says="--environment F")
+        self.refused(*look, "bisections=3", "--height-map", "roof.png", "--relief", "steep",
+                     status=2, says=["--material bisections", "--relief relief"])  # fmt: skip
+
     def test_refusals(self):
         """What is no map, or not there, is named, and nothing is written."""
         look = ["render", "plane.obj", "--png", "a.png"]

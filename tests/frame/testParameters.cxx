@@ -10,6 +10,7 @@
 #include <vtkRelievoShadowStage.h>
 #include <vtkRelievoStage.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -105,6 +106,31 @@ void TestWords()
   RELIEVO_CHECK(
     stage->GetParameterHelp("map_size").find("16 to 16384 (texels)") != std::string::npos);
 }
+
+// Two numbers, and on what a value depends.
+void TestPairsAndConditions()
+{
+  double scale[2] = { 1.0, 2.0 };
+  vtkRelievoParameterList list;
+  vtkRelievoParameter& pair = list.AddPair(
+    "scale", scale, [&scale](const double* given) { std::copy_n(given, 2, scale); }, "Tiles.");
+  pair.OnlyIf = "map,method!=off,way=far";
+  RELIEVO_CHECK(list.GetDefault("scale") == "1,2" && list.TrySet("scale", "3/-4.5").empty());
+  RELIEVO_CHECK(scale[0] == 3.0 && scale[1] == -4.5 && list.GetValue("scale") == "3,-4.5");
+  for (const char* wrong : { "1", "1,2,3", "1,nan", "one,two" })
+  {
+    RELIEVO_CHECK_THAT(
+      list.TrySet("scale", wrong).find("expected two numbers") != std::string::npos, wrong);
+  }
+  RELIEVO_CHECK(scale[0] == 3.0 && scale[1] == -4.5);
+  RELIEVO_CHECK(list.TrySet("size", "1").find("one of scale") != std::string::npos);
+  const std::vector<vtkRelievoParameter::Condition> found = list.Find("scale")->GetConditions();
+  RELIEVO_CHECK(found.size() == 3);
+  RELIEVO_CHECK(found[0].Name == "map" && found[0].Value.empty() && !found[0].Other);
+  RELIEVO_CHECK(found[1].Name == "method" && found[1].Value == "off" && found[1].Other);
+  RELIEVO_CHECK(found[2].Name == "way" && found[2].Value == "far" && !found[2].Other);
+  RELIEVO_CHECK(vtkRelievoParameter().GetConditions().empty());
+}
 }
 
 int main()
@@ -113,5 +139,6 @@ int main()
   TestDescriptions();
   TestDefaults();
   TestWords();
+  TestPairsAndConditions();
   return session.Result();
 }

@@ -4,8 +4,8 @@
 
 In a copy of the tree, tools/new-pass adds a pass; the copy is built, the new pass's own test runs,
 and the pass is used from the command line, Python and ParaView, whose sources nobody has touched.
-So is a layer that one entry adds to the catalogue (newLayer.py), and a value of fog that its class
-and its page have (newValue.py).
+So is a layer that one entry adds to the catalogue (newLayer.py), and values that their class and
+its page have, of fog (newValue.py) and of materials (newSurfaceValue.py).
 The copy keeps its build, so that a second run compiles only what changed.
 """
 
@@ -18,6 +18,7 @@ import subprocess
 import sys
 
 import newLayer
+import newSurfaceValue
 import newValue
 
 NAME = "Mist"
@@ -72,11 +73,14 @@ def main(source, cmake, ctest, *options):
 
     newLayer.add(tree)
     newValue.add(tree)
+    newSurfaceValue.add(tree)
     build = tree / "build" / "dev"
     run([cmake, "-G", "Ninja", "-S", tree, "-B", build, *options])
     paraview = "-DRELIEVO_USE_PARAVIEW=ON" in options and shutil.which("pvpython")
     plugin = ["Relievo"] if paraview else []
-    targets = [f"test{NAME}Stage", "relievo", "relievo_python", *plugin]
+    listed = run([cmake, "--build", build, "--target", "help"])
+    viewer = [name for name in ("testViewerEvery",) if f"{name}:" in listed]
+    targets = [f"test{NAME}Stage", "relievo", "relievo_python", *plugin, *viewer]
     run([cmake, "--build", build, "--target", *targets])
     output = run([ctest, "--test-dir", build, "-R", f"^test{NAME}Stage$", "--no-tests=error",
                   "--output-on-failure"])
@@ -86,15 +90,20 @@ def main(source, cmake, ctest, *options):
     on_the_command_line(build)
     newLayer.on_the_command_line(run, build, folder)
     newValue.on_the_command_line(run, build, folder)
+    newSurfaceValue.on_the_command_line(run, build, folder)
     python = next(each for each in options if each.startswith("-DPython3_EXECUTABLE"))
     python = python.split("=", 1)[1]
     in_python(build, python)
     newLayer.in_python(run, build, python, folder)
     newValue.in_python(run, build, python, folder)
+    newSurfaceValue.in_python(run, build, python, folder)
+    if viewer:
+        newSurfaceValue.in_the_viewer(run, build, python)
     if paraview:
         in_paraview(build)
         newLayer.in_paraview(run, build, folder)
         newValue.in_paraview(run, build, folder)
+        newSurfaceValue.in_paraview(run, build, folder)
         in_the_dock(source, build)
     return 0
 

@@ -5,6 +5,7 @@
 import math
 import pathlib
 
+import described
 import materialScene
 import numpy
 import pv
@@ -15,30 +16,11 @@ SCENE = pathlib.Path(__file__).with_name("materialScene.py")
 
 # Every property of a representation: default, another value as a script gives it.
 PROPERTIES = {
+    **described.of_material(),
     "RelievoMaterial": (0, 1),
     "RelievoNormalMap": ("", "map.png"),
-    "RelievoNormalStrength": (1.0, 2.0),
-    "RelievoFlipGreen": (0, 1),
     "RelievoHeightMap": ("", "map.png"),
-    "RelievoHeightScale": (0.1, 0.2),
-    "RelievoHeightRange": ([0.0, 0.0], [0.25, 0.75]),
-    "RelievoReliefMethod": ("Relief", "Occlusion"),
-    "RelievoSelfShadow": (0, 1),
-    "RelievoDepthCorrection": (0, 1),
-    "RelievoClipAtBorders": (0, 1),
-    "RelievoStepsPerTexel": (0.5, 1.0),
-    "RelievoMinimumSteps": (8, 16),
-    "RelievoMaximumSteps": (256, 64),
-    "RelievoBisections": (6, 3),
-    "RelievoTextureScale": ([1.0, 1.0], [2.0, 3.0]),
-    "RelievoTextureOffset": ([0.0, 0.0], [0.5, 0.25]),
-    "RelievoRepeat": (1, 0),
-    "RelievoAlphaCutoff": (0.0, 0.5),
     "RelievoMirror": (0, 1),
-    "RelievoReflectivity": (0.04, 0.5),
-    "RelievoRoughness": (0.0, 0.5),
-    "RelievoReflectionWeight": (1.0, 0.5),
-    "RelievoIrradianceWeight": (1.0, 2.0),
 }
 
 

@@ -10,6 +10,7 @@ import json
 import re
 import sys
 
+import described
 import judge
 import materialScene
 import numpy
@@ -19,20 +20,9 @@ from paraview import simple, smstate, smtrace
 
 # Every property of the view: default, another value as a script gives it.
 PROPERTIES = {
+    **described.of_view(),
+    "RelievoMarkSelection": (0, 1),
     "RelievoShadows": (0, 1),
-    "RelievoShadowMethod": ("Map", "Warped"),
-    "RelievoShadowMapSize": (2048, 1024),
-    "RelievoShadowTolerance": (0.0, 0.001),
-    "RelievoShadowTimeBudget": (0.0, 40.0),
-    "RelievoShadowLampMapSize": (1024, 512),
-    "RelievoShadowFilterRadius": (1, 3),
-    "RelievoShadowBias": (1.5, 2.5),
-    "RelievoShadowStrength": (1.0, 0.75),
-    "RelievoShadowSoftSamples": (0, 16),
-    "RelievoShadowSunAngle": (0.53, 5.0),
-    "RelievoShadowLampRadius": (0.0, 0.25),
-    "RelievoShadowSoftAtOnce": (0, 1),
-    "RelievoShadowColored": (0, 1),
     "RelievoLightKitCasts": ("Key light, without a sun", "Nothing"),
     "RelievoSun": (0, 1),
     "RelievoSunBy": ("Angles", "Date and place"),
@@ -51,32 +41,7 @@ PROPERTIES = {
     "RelievoSunKitShare": (0.3, 0.5),
     "RelievoEnvironment": ("", str(pv.OUTPUT / "axes.png")),
     "RelievoSkybox": (0, 1),
-    "RelievoEnvironmentRotation": (0.0, 30.0),
-    "RelievoEnvironmentIntensity": (1.0, 0.5),
-    "RelievoEnvironmentUp": ("Z", "Y"),
-    "RelievoEnvironmentGammaCorrect": (1, 0),
-    "RelievoStageDeferred": (0, 1),
-    "RelievoStageFog": (1, 0),
-    "RelievoStageFogMode": ("Beer", "Chord"),
-    "RelievoStageFogOverlap": ("Sum", "Dominant"),
-    "RelievoStageLamps": (1, 0),
-    "RelievoStageLampsWay": ("Auto", "Clusters"),
-    "RelievoStageLampsFloats": (0, 1),
-    "RelievoStageLampsTranslucent": (0, 1),
-    "RelievoStageLampsCasting": (0, 2),
-    "RelievoStageMarkers": (1, 0),
-    "RelievoStageTone": (0, 1),
-    "RelievoStageToneOperator": ("Reinhard", "Simple"),
-    "RelievoStageToneWhite": (4.0, 8.0),
-    "RelievoStageToneExposure": (0.0, 1.0),
-    "RelievoStageToneAutoExposure": (0, 1),
-    "RelievoStageToneDither": ("None", "Ordered"),
     "RelievoMarkSelection": (0, 1),
-    "RelievoMarkSelectionShape": ("Glow", "Ring"),
-    "RelievoMarkSelectionRadius": (1.0, 0.5),
-    "RelievoMarkSelectionWidth": (0.2, 0.1),
-    "RelievoMarkSelectionOpacity": (0.8, 0.5),
-    "RelievoMarkSelectionColor": ([1.0, 0.5, 0.0], [0.0, 1.0, 0.5]),
     "RelievoDisplayLayer": ("None", "normal"),
     "RelievoDisplayRange": ([0.0, 0.0], [5.0, 12.0]),
     "RelievoDisplayGrey": (0, 1),

@@ -7,6 +7,8 @@
 
 #include "Arguments.h"
 #include "Options.h"
+#include "ParameterEdit.h"
+#include "SurfaceOptions.h"
 
 #include "vtkNew.h"
 #include "vtkRelievoLayerCatalogue.h"
@@ -48,6 +50,8 @@ const std::vector<QStringList> Rows = {
   { "--height-map", "IMAGE,0.1", "--relief", "steep" },
   { "--height-map", "IMAGE,0.1", "--relief", "occlusion", "--texture-coordinates", "plane" },
   { "--height-map", "IMAGE,0.1", "--relief", "off", "--up", "x" },
+  { "--height-map", "IMAGE,0.1", "--material", "texture_scale=2/3,self_shadow=on" },
+  { "--environment", "IMAGE,30,intensity=2", "--material", "irradiance_weight=0.5" },
   { "--lamps", "POINTS,falloff=vtk,attenuation=1/0.5/0.1,casts=always" },
   { "--markers", "POINTS,shape=glow,radius=0.5,opacity=0.5,color=1/0/0" },
   { "--light", "point:1,2,2,size=0.3", "--light", "spot:0,3,2,0,0,0,30", "--shadows", "map" },
@@ -80,6 +84,8 @@ std::vector<std::string> GetValues(const vtkRelievoParameter& parameter)
       return values;
     case vtkRelievoParameter::TEXT:
       return {};
+    case vtkRelievoParameter::PAIR:
+      return { "0.25/0.75" };
     default:
     {
       const double before = std::stod(parameter.Default);
@@ -200,6 +206,43 @@ private Q_SLOTS:
         this->CompareAll(name + ":" + parameter.Name + "=" + value);
       }
     }
+  }
+
+  // A row of the panel for each value of materials and environments; typed, it is as said in words.
+  void surfaceValues()
+  {
+    const std::string image = this->WriteImage();
+    this->Open({ this->WriteScene(), this->WriteOBJ(), "--light", "sun:0.4,1,0.6", "--shadows",
+      "map", "--normal-map", image, "--height-map", image + ",0.1", "--environment", image });
+    const scene::Settings before = this->Window->GetDocument()->Get();
+    for (const vtkRelievoParameterList* list :
+      { &scene::GetMaterialValues(), &scene::GetEnvironmentValues() })
+    {
+      for (vtkRelievoParameter parameter : list->Parameters)
+      {
+        parameter.Default = scene::GetSurfaceValue(before.Parse(), parameter.Name);
+        const QString name = QString::fromStdString(parameter.Name);
+        auto* edit = this->Window->findChild<viewer::ParameterEdit*>(name);
+        QVERIFY2(edit && !edit->isHidden(), parameter.Name.c_str());
+        for (const std::string& value : GetValues(parameter))
+        {
+          this->Window->GetDocument()->Set(before);
+          Q_EMIT edit->edited(QString::fromStdString(value));
+          QCOMPARE(
+            scene::GetSurfaceValue(this->Window->GetDocument()->Get().Parse(), parameter.Name),
+            value);
+          this->CompareAll(parameter.Name + "=" + value);
+        }
+      }
+    }
+    // What has no effect any longer goes, and its row.
+    this->Window->GetDocument()->Set(before);
+    this->Change([](scene::Settings& settings) {
+      scene::SetSurfaceValue(settings, "bisections", "3");
+      settings.Set("--relief", "steep");
+    });
+    QVERIFY(!this->Window->GetDocument()->Get().Has("--material"));
+    QVERIFY(this->Window->findChild<viewer::ParameterEdit*>("bisections")->isHidden());
   }
 
   void layers()

@@ -6,6 +6,7 @@
 
 #include "LightOptions.h"
 #include "Number.h"
+#include "ParameterEdit.h"
 #include "Sun.h"
 #include "SunGroup.h"
 
@@ -154,10 +155,12 @@ private Q_SLOTS:
     this->Type("environment", "roughness", 0.5);
     QCOMPARE(get("--environment"), image);
     QCOMPARE(get("--reflectivity"), std::string("0.123456,0.5"));
+    Q_EMIT this->Window->findChild<viewer::ParameterEdit*>("irradiance_weight")->edited("0.5");
+    QCOMPARE(get("--material"), std::string("irradiance_weight=0.5"));
     const scene::Settings before = this->Window->GetDocument()->Get();
     auto* group = this->Window->findChild<QGroupBox*>("environment");
     group->setChecked(false);
-    for (const char* option : { "--environment", "--reflectivity", "--skybox" })
+    for (const char* option : { "--environment", "--reflectivity", "--skybox", "--material" })
     {
       QVERIFY2(!this->Window->GetDocument()->Get().Has(option), option);
     }

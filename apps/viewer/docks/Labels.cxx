@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Labels.h"
 
+#include "vtkRelievoParameter.h"
+
+#include <QFormLayout>
+#include <QLabel>
 #include <QStringList>
+#include <QWidget>
 
 namespace viewer
 {
@@ -18,5 +23,16 @@ QString WriteLabel(const QString& label)
     word = i == 0 || name ? word : word.toLower();
   }
   return words.join(' ');
+}
+
+//------------------------------------------------------------------------------
+QLabel* AddParameterRow(QFormLayout* rows, const vtkRelievoParameter& parameter, QWidget* edit)
+{
+  auto* label =
+    new QLabel(WriteLabel(QString::fromStdString(parameter.GetLabel())), edit->parentWidget());
+  label->setToolTip(edit->toolTip());
+  label->setBuddy(edit);
+  rows->addRow(label, edit);
+  return label;
 }
 }

@@ -8,10 +8,18 @@
 
 #include <QString>
 
+class QFormLayout;
+class QLabel;
+class QWidget;
+struct vtkRelievoParameter;
+
 namespace viewer
 {
 /// "Colored Shadows" as "Coloured shadows".
 QString WriteLabel(const QString& label);
+
+/// A row with the parameter's label, and the edit's tool tip for both. Returns the label.
+QLabel* AddParameterRow(QFormLayout* rows, const vtkRelievoParameter& parameter, QWidget* edit);
 }
 
 #endif

@@ -6,6 +6,8 @@
 #include "Number.h"
 #include "Options.h"
 #include "SunGroup.h"
+#include "SurfaceOptions.h"
+#include "SurfaceValues.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -168,6 +170,18 @@ void LightPanel::AddEnvironment()
   this->Rotation->SetWrapping();
   this->Reflectivity = add("Reflectivity", "reflectivity", 1.0, 0.01);
   this->Roughness = add("Roughness", "roughness", 1.0, 0.01);
+  this->Values = new SurfaceValues(this->Edited, rows, this->Environment);
+  for (const vtkRelievoParameterList* list :
+    { &scene::GetEnvironmentValues(), &scene::GetMaterialValues() })
+  {
+    for (const vtkRelievoParameter& value : list->Parameters)
+    {
+      if (list == &scene::GetEnvironmentValues() || value.OnlyIf == "environment")
+      {
+        this->Values->Add(value);
+      }
+    }
+  }
   this->Sky = new QCheckBox("Show as sky", this->Environment);
   this->Sky->setObjectName("sky");
   rows->addRow(this->Sky);
@@ -201,16 +215,8 @@ void LightPanel::AddEnvironment()
 //------------------------------------------------------------------------------
 void LightPanel::SetFile(const std::string& file, double rotation)
 {
-  this->Edited->Change([&](scene::Settings& settings) {
-    if (file.empty())
-    {
-      settings.Remove("--environment");
-      settings.Remove("--reflectivity");
-      settings.Remove("--skybox");
-      return;
-    }
-    settings.Set("--environment", scene::WriteFileAndNumber(file, rotation));
-  });
+  this->Edited->Change(
+    [&](scene::Settings& settings) { scene::SetEnvironmentFile(settings, file, rotation); });
   this->ShowSettings();
 }
 
@@ -224,15 +230,38 @@ void LightPanel::SwitchEnvironment(bool on)
     return;
   }
   scene::Settings kept;
+  if (!on)
+  {
+    this->KeptMirror = this->GetMirrorValues();
+  }
   this->Edited->Change([&](scene::Settings& settings) {
     for (const char* option : EnvironmentWords)
     {
       kept.SetAll(option, settings.GetAll(option));
       settings.SetAll(option, on ? this->Kept.GetAll(option) : std::vector<std::string>());
     }
+    for (const auto& [name, words] : on ? this->KeptMirror : scene::NamedWords())
+    {
+      scene::SetSurfaceValue(settings, name, words);
+    }
   });
   this->Kept = on ? scene::Settings() : kept;
   this->ShowSettings();
+}
+
+//------------------------------------------------------------------------------
+// The material's values that have no effect without an environment, as given.
+scene::NamedWords LightPanel::GetMirrorValues() const
+{
+  scene::NamedWords mirror;
+  for (const auto& given : this->Edited->Get().Parse().Material)
+  {
+    if (scene::GetMaterialValues().Find(given.first)->OnlyIf == "environment")
+    {
+      mirror.push_back(given);
+    }
+  }
+  return mirror;
 }
 
 //------------------------------------------------------------------------------
@@ -249,6 +278,7 @@ void LightPanel::ShowSettings()
   {
     this->ShowLights();
   }
+  this->Values->ShowSettings();
   this->Environment->setChecked(!options.Environment.empty());
   if (!options.Environment.empty())
   {

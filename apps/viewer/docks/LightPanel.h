@@ -7,6 +7,7 @@
 #define LightPanel_h
 
 #include "Panel.h"
+#include "Values.h"
 
 class QCheckBox;
 class QComboBox;
@@ -23,6 +24,7 @@ namespace viewer
 {
 class FileEdit;
 class SunGroup;
+class SurfaceValues;
 
 class LightPanel : public Panel
 {
@@ -40,6 +42,7 @@ private:
   void AddEnvironment();
   void SwitchEnvironment(bool on);
   void SetFile(const std::string& file, double rotation);
+  scene::NamedWords GetMirrorValues() const;
   void ShowSettings();
   void ShowLights();
 
@@ -53,7 +56,9 @@ private:
   FileEdit* File;
   relievoQt::Number *Rotation, *Reflectivity, *Roughness;
   QCheckBox* Sky;
-  scene::Settings Kept; // the environment while it is switched off
+  SurfaceValues* Values;
+  scene::Settings Kept;         // the environment while it is switched off
+  scene::NamedWords KeptMirror; // and what it is mirrored by
 };
 }
 

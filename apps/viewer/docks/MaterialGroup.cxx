@@ -6,6 +6,8 @@
 #include "Number.h"
 #include "OptionEdits.h"
 #include "Options.h"
+#include "SurfaceOptions.h"
+#include "SurfaceValues.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -16,19 +18,6 @@ namespace viewer
 namespace
 {
 const char* const Images = "Images (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.tga *.hdr *.exr)";
-
-// Options that say how maps are used are refused where there is none.
-void RemoveIdle(scene::Settings& settings)
-{
-  if (!settings.Has("--height-map"))
-  {
-    settings.Remove("--relief");
-  }
-  if (!settings.Has("--height-map") && !settings.Has("--normal-map"))
-  {
-    settings.Remove("--texture-coordinates");
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -43,6 +32,7 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
 {
   this->setObjectName("material");
   auto* rows = new QFormLayout(this);
+  this->Values = new SurfaceValues(document, rows, this);
   rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   this->Normals->setObjectName("normalmap");
   this->Normals->setToolTip("Normals from an image, placed by the meshes' texture coordinates; "
@@ -75,6 +65,13 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
   rows->addRow("Depth", this->Depth);
   rows->addRow("Relief", this->Relief);
   rows->addRow("Coordinates", this->Coordinates);
+  for (const vtkRelievoParameter& value : scene::GetMaterialValues().Parameters)
+  {
+    if (value.OnlyIf != "environment") // in the group of the environment
+    {
+      this->Values->Add(value);
+    }
+  }
   QObject::connect(this->Normals, &FileEdit::edited, this,
     [this](const QString& path) { this->SetNormalMap(path.toStdString()); });
   QObject::connect(this->Heights, &FileEdit::edited, this, [this](const QString& path) {
@@ -89,10 +86,8 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
 //------------------------------------------------------------------------------
 void MaterialGroup::SetNormalMap(const std::string& file)
 {
-  this->Edited->Change([&file](scene::Settings& settings) {
-    SetOption(settings, "--normal-map", file);
-    RemoveIdle(settings);
-  });
+  this->Edited->Change(
+    [&file](scene::Settings& settings) { SetOption(settings, "--normal-map", file); });
 }
 
 //------------------------------------------------------------------------------
@@ -101,7 +96,6 @@ void MaterialGroup::SetHeightMap(const std::string& file, double depth)
   this->Edited->Change([&](scene::Settings& settings) {
     SetOption(
       settings, "--height-map", file.empty() ? file : scene::WriteFileAndNumber(file, depth));
-    RemoveIdle(settings);
   });
 }
 
@@ -116,6 +110,7 @@ void MaterialGroup::ShowSettings()
   this->Depth->SetValue(options.HeightScale.value_or(0.0));
   ShowChoice(this->Relief, settings, "--relief");
   ShowChoice(this->Coordinates, settings, "--texture-coordinates");
+  this->Values->ShowSettings();
   this->Depth->setEnabled(heights);
   this->Relief->setEnabled(heights);
   this->Coordinates->setEnabled(heights || !options.NormalMap.empty());

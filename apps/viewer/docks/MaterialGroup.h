@@ -20,6 +20,7 @@ class Number;
 namespace viewer
 {
 class FileEdit;
+class SurfaceValues;
 
 class MaterialGroup : public QGroupBox
 {
@@ -37,6 +38,7 @@ private:
   FileEdit *Normals, *Heights;
   relievoQt::Number* Depth;
   QComboBox *Relief, *Coordinates;
+  SurfaceValues* Values;
 };
 }
 

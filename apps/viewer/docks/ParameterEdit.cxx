@@ -70,15 +70,22 @@ QWidget* ParameterEdit::MakeFlag()
 QWidget* ParameterEdit::MakeNumber(const vtkRelievoParameter& parameter)
 {
   const bool whole = parameter.Type == vtkRelievoParameter::WHOLE;
-  const double range = parameter.Most - parameter.Least;
+  const bool usual = parameter.Usual > 0.0;
+  const double least = usual ? 0.0 : parameter.Least;
+  const double most = usual ? parameter.Usual : parameter.Most;
+  const double range = most - least;
   const double step = whole ? 1.0 : range <= 1.0 ? 0.001 : range <= 100.0 ? 0.05 : 1.0;
-  auto* number = new relievoQt::Number(parameter.Least, parameter.Most, step,
+  auto* number = new relievoQt::Number(least, most, step,
     whole               ? 0
       : range <= 1.0    ? 5
       : range <= 1000.0 ? 3
                         : 2,
     this);
   number->SetUnit(QString::fromStdString(parameter.Unit));
+  if (usual)
+  {
+    number->SetTypedRange(std::max(parameter.Least, -1e9), std::min(parameter.Most, 1e9));
+  }
   this->Show = [number](const QString& words) { number->SetValue(words.toDouble()); };
   QObject::connect(number, &relievoQt::Number::edited, this, [this](double value) {
     Q_EMIT this->edited(QString::fromStdString(scene::WriteNumber(value)));

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A parameter of a stage in a widget, made from the parameter's own description.
+ * A parameter of a stage, a material or an environment in a widget, made from the parameter's own
+ * description.
  */
 #ifndef ParameterEdit_h
 #define ParameterEdit_h

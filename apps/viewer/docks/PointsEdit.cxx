@@ -31,31 +31,6 @@ QString Words(const std::string& text)
 {
   return QString::fromStdString(text);
 }
-
-std::string Find(const Pairs& values, const std::string& name)
-{
-  const auto found = std::find_if(
-    values.begin(), values.end(), [&name](const auto& each) { return each.first == name; });
-  return found == values.end() ? "" : found->second;
-}
-
-void Set(Pairs& values, const std::string& name, const std::string& text)
-{
-  const auto found = std::find_if(
-    values.begin(), values.end(), [&name](const auto& each) { return each.first == name; });
-  if (text.empty() && found != values.end())
-  {
-    values.erase(found);
-  }
-  else if (found != values.end())
-  {
-    found->second = text;
-  }
-  else if (!text.empty())
-  {
-    values.emplace_back(name, text);
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -114,15 +89,12 @@ void PointsEdit::AddRow(QFormLayout* rows, const vtkRelievoParameter& value)
   Row& row = this->Rows.back();
   row.Name = value.Name;
   row.Default = value.Default;
-  row.OnlyIf = value.OnlyIf;
+  row.Conditions = value.GetConditions();
   row.Edit = value.Type == vtkRelievoParameter::COLOR ? this->MakeColor(row, value)
                                                       : this->MakeBox(row, value, this->Values);
   row.Edit->setObjectName(Words(value.Name));
   row.Edit->setToolTip(Words(value.Help + " Takes " + value.GetExpected() + "."));
-  row.Label = new QLabel(WriteLabel(Words(value.GetLabel())), this->Values);
-  row.Label->setToolTip(row.Edit->toolTip());
-  row.Label->setBuddy(row.Edit);
-  rows->addRow(row.Label, row.Edit);
+  row.Label = AddParameterRow(rows, value, row.Edit);
 }
 
 //------------------------------------------------------------------------------
@@ -231,18 +203,15 @@ void PointsEdit::Remove()
 //------------------------------------------------------------------------------
 bool PointsEdit::HasEffect(const Row& row, const scene::NamedWords& values) const
 {
-  const std::size_t equals = row.OnlyIf.find('=');
-  if (equals == std::string::npos)
-  {
-    return true;
-  }
-  const std::string name = row.OnlyIf.substr(0, equals);
-  std::string value = Find(values, name);
-  for (const Row& other : this->Rows)
-  {
-    value = value.empty() && other.Name == name ? other.Default : value;
-  }
-  return value == row.OnlyIf.substr(equals + 1);
+  return std::all_of(row.Conditions.begin(), row.Conditions.end(),
+    [&](const vtkRelievoParameter::Condition& condition) {
+      std::string value = scene::FindWords(values, condition.Name);
+      for (const Row& other : this->Rows)
+      {
+        value = value.empty() && other.Name == condition.Name ? other.Default : value;
+      }
+      return value == condition.Value;
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -257,12 +226,12 @@ void PointsEdit::Write(const std::string& name, const QString& text)
   std::string& word = words[static_cast<std::size_t>(row)];
   Pairs values;
   const std::string file = scene::ParseFileAndValues(this->Option, word, values);
-  Set(values, name, text.toStdString());
+  scene::SetWords(values, name, text.toStdString());
   for (const Row& other : this->Rows)
   {
     if (!this->HasEffect(other, values))
     {
-      Set(values, other.Name, "");
+      scene::SetWords(values, other.Name, "");
     }
   }
   word = scene::WriteFileAndValues(file, values);
@@ -306,7 +275,7 @@ void PointsEdit::ShowValues(bool again)
   scene::ParseFileAndValues(this->Option, words[static_cast<std::size_t>(file)], values);
   for (Row& row : this->Rows)
   {
-    const QString text = Words(Find(values, row.Name));
+    const QString text = Words(scene::FindWords(values, row.Name));
     if (again || text != row.Shown) // but not what is being typed
     {
       row.Shown = text;

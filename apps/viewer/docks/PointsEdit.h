@@ -39,7 +39,8 @@ public:
 private:
   struct Row
   {
-    std::string Name, Default, OnlyIf; // as of the parameter
+    std::string Name, Default; // as of the parameter
+    std::vector<vtkRelievoParameter::Condition> Conditions;
     QLabel* Label;
     QWidget* Edit;
     std::function<void(const QString&)> Show;

@@ -82,10 +82,7 @@ void StagesPanel::AddStage(vtkRelievoStage* stage)
     }
     auto* edit = new ParameterEdit(parameter, group.Box);
     edit->setObjectName(Words(name));
-    auto* label = new QLabel(WriteLabel(Words(parameter.GetLabel())), group.Box);
-    label->setToolTip(edit->toolTip());
-    label->setBuddy(edit);
-    rows->addRow(label, edit);
+    AddParameterRow(rows, parameter, edit);
     group.Edits[name] = edit;
     QObject::connect(
       edit, &ParameterEdit::edited, this, [this, stage = group.Stage, name](const QString& words) {

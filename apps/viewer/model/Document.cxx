@@ -4,6 +4,7 @@
 
 #include "Messages.h"
 #include "Options.h"
+#include "SurfaceOptions.h"
 
 #include <algorithm>
 #include <exception>
@@ -87,6 +88,7 @@ void Document::Change(const std::function<void(scene::Settings&)>& edit)
 {
   scene::Settings settings = this->Now;
   edit(settings);
+  scene::DropIdleSurface(settings);
   this->Set(settings);
 }
 

@@ -144,13 +144,6 @@ std::string vtkRelievoPointValues::TrySetParameter(RELIEVO_TEXT name, RELIEVO_TE
 }
 
 //------------------------------------------------------------------------------
-std::string vtkRelievoPointValues::GetParameterCondition(RELIEVO_TEXT name)
-{
-  const vtkRelievoParameter* parameter = this->Description.Find(name);
-  return parameter ? parameter->OnlyIf : std::string();
-}
-
-//------------------------------------------------------------------------------
 bool vtkRelievoPointValues::IsPerPoint(RELIEVO_TEXT name)
 {
   return this->FindValue(name) != nullptr;

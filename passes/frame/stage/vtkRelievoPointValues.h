@@ -72,7 +72,10 @@ public:
   bool IsPerPoint(RELIEVO_TEXT name);
 
   /** "falloff=vtk" of a parameter that has no effect where falloff is another; "" of others. */
-  std::string GetParameterCondition(RELIEVO_TEXT name);
+  std::string GetParameterCondition(RELIEVO_TEXT name)
+  {
+    return this->Description.GetCondition(name);
+  }
 
   /** What the points are: "lamps". */
   std::string GetThings() { return this->Things; }

@@ -23,17 +23,10 @@ std::vector<vtkRelievoMarkers*> vtkPVRelievoSelection::FindIn(vtkPVView* view)
       this->Sets.push_back(vtkSmartPointer<vtkRelievoMarkers>::New());
     }
     vtkRelievoMarkers* markers = this->Sets[found.size()];
-    for (const char* value : { "radius", "width", "reach", "opacity", "color" })
+    for (const vtkRelievoParameter& value : this->Look->GetDescription().Parameters)
     {
-      markers->SetArray(value, "");
+      markers->SetParameter(value.Name, value.Format());
     }
-    double color[3];
-    this->Look->GetColor(color);
-    markers->SetColor(color);
-    markers->SetShape(this->Look->GetShape());
-    markers->SetRadius(this->Look->GetRadius());
-    markers->SetWidth(this->Look->GetWidth());
-    markers->SetOpacity(this->Look->GetOpacity());
     vtkGeometryRepresentation* surface = vtkPVRelievoAccess::Selection::Surface(selection);
     vtkPVRelievoPoints::TakeInput(surface && surface->GetVisibility() ? surface : nullptr, markers);
     found.push_back(markers);

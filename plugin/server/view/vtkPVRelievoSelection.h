@@ -19,7 +19,7 @@ class vtkPVRelievoSelection
 public:
   bool On = false;
 
-  // How they look: shape, radius, width, opacity and colour.
+  // How they look: values that are the same for all points.
   vtkNew<vtkRelievoMarkers> Look;
 
   // One set for each representation of a selection in the view, visible or not, so that all

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace
 {
@@ -45,6 +46,77 @@ vtkPVRelievoSun::vtkPVRelievoSun()
     light->PositionalOff();
     light->SetFocalPoint(0.0, 0.0, 0.0);
   }
+  this->DescribePosition();
+  this->Describe();
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoSun::DescribePosition()
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  vtkRelievoParameterList& list = this->Description;
+  const auto add = [this, &list](const char* name, double& value, double least, double most,
+                     const char* unit, const char* help) -> vtkRelievoParameter& {
+    const auto set = [this, &value](double given) {
+      value = given;
+      this->Position->SetHour(this->Time);
+      this->Position->SetTimeZone(this->TimeZone);
+      this->Position->SetLatitude(this->Latitude);
+      this->Position->SetLongitude(this->Longitude);
+    };
+    set(value);
+    return list.AddNumber(name, value, set, least, most, unit, help);
+  };
+  vtkRelievoParameter& azimuth = add("azimuth", this->Azimuth, -infinity, infinity, "degrees",
+    "Direction of the sun from north, clockwise seen from above: 90 is east, 180 south. North is y "
+    "with z up, -z with y up, z with x up, rotated by the property North.");
+  azimuth.Usual = 360.0;
+  azimuth.OnlyIf = "by=0";
+  add("elevation", this->Elevation, -90.0, 90.0, "degrees",
+    "Elevation of the sun above the horizon. A sun below 0 lights from beneath.")
+    .OnlyIf = "by=0";
+  add(
+    "time", this->Time, 0.0, 24.0, "hours", "Clock time: 15.5 is half past three in the afternoon.")
+    .OnlyIf = "by=1";
+  add("time_zone", this->TimeZone, -12.0, 14.0, "hours",
+    "How far the clock is ahead of universal time (UTC), summer time included.")
+    .OnlyIf = "by=1";
+  add("latitude", this->Latitude, -90.0, 90.0, "degrees", "North is positive.").OnlyIf = "by=1";
+  add("longitude", this->Longitude, -180.0, 180.0, "degrees", "East is positive.").OnlyIf = "by=1";
+  vtkRelievoParameter& north = add("north", this->North, -infinity, infinity, "degrees",
+    "By how much the data's north is rotated, clockwise seen from above, from the axis that is "
+    "north "
+    "otherwise: y with z up, -z with y up, z with x up.");
+  north.Usual = 360.0;
+  north.Advanced = true;
+}
+
+//------------------------------------------------------------------------------
+void vtkPVRelievoSun::Describe()
+{
+  vtkRelievoParameterList& list = this->Description;
+  list.AddNumber(
+    "fill", this->Fill, [this](double share) { this->Fill = share; }, 0.0, 1.0, "",
+    "Fill light without shadows, from opposite the sun and from beside it, so that shaded sides "
+    "show their form.");
+  list.AddChoice(
+    "up_axis", this->UpAxis, [this](int axis) { this->UpAxis = axis; }, { "x", "y", "z" },
+    "The axis of the data that points up.");
+  vtkRelievoParameter& intensity = list.AddNumber(
+    "intensity", this->Intensity, [this](double factor) { this->Intensity = factor; }, 0.0, 1000.0,
+    "", "Brightness of the sun; 1 lights a white surface that faces it fully.");
+  intensity.Usual = 4.0;
+  intensity.Advanced = true;
+  list
+    .AddColor(
+      "color", this->Color, [this](const double* color) { std::copy_n(color, 3, this->Color); },
+      "The sun's colour.")
+    .Advanced = true;
+  list
+    .AddNumber(
+      "kit_share", this->KitShare, [this](double share) { this->KitShare = share; }, 0.0, 1.0, "",
+      "Share of the light kit's intensity that remains while the sun is on.")
+    .Advanced = true;
 }
 
 //------------------------------------------------------------------------------
@@ -151,21 +223,4 @@ void vtkPVRelievoSun::Place(vtkRenderer* renderer, vtkLightKit* kit)
   }
   this->DimmedIntensity = this->KitIntensity * (shines ? this->KitShare : 1.0);
   kit->SetKeyLightIntensity(this->DimmedIntensity);
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoSun::Print(std::ostream& os, vtkIndent indent) const
-{
-  os << indent << "Sun: " << this->On << "\n";
-  os << indent << "SunBy: " << (this->ByDateAndPlace ? "date and place" : "angles") << "\n";
-  os << indent << "SunAzimuth: " << this->Azimuth << "\n";
-  os << indent << "SunElevation: " << this->Elevation << "\n";
-  os << indent << "SunNorth: " << this->North << "\n";
-  os << indent << "SunUpAxis: " << this->UpAxis << "\n";
-  os << indent << "SunIntensity: " << this->Intensity << "\n";
-  os << indent << "SunColor: " << this->Color[0] << " " << this->Color[1] << " " << this->Color[2]
-     << "\n";
-  os << indent << "SunKitShare: " << this->KitShare << "\n";
-  os << indent << "SunFill: " << this->Fill << "\n";
-  this->Position->PrintSelf(os, indent.GetNextIndent());
 }

@@ -8,9 +8,9 @@
 
 #include "vtkLight.h"
 #include "vtkNew.h"
+#include "vtkRelievoParameterList.h"
 #include "vtkRelievoSolarPosition.h"
 
-#include <ostream>
 #include <vector>
 
 class vtkLightKit;
@@ -25,15 +25,10 @@ public:
 
   bool On = false;
   bool ByDateAndPlace = false; // by Position, else by Azimuth and Elevation
-  double Azimuth = 150.0;
-  double Elevation = 45.0;
   vtkNew<vtkRelievoSolarPosition> Position;
-  double North = 0.0; // degrees by which the data's north is turned, clockwise seen from above
-  int UpAxis = 2;
-  double Intensity = 0.7;
-  double Color[3] = { 1.0, 1.0, 1.0 };
-  double KitShare = 0.3;
-  double Fill = 0.3;
+
+  // The other settings.
+  const vtkRelievoParameterList& GetDescription() const { return this->Description; }
 
   static constexpr int NumberOfFills = 3;
   vtkNew<vtkLight> Light;
@@ -45,13 +40,13 @@ public:
   // Towards the sun in the world, of unit length.
   void GetDirection(double direction[3]);
 
-  // The settings.
-  void Print(std::ostream& os, vtkIndent indent) const;
-
   // Before each picture: lights and kit as the settings say. Off, the kit is given back.
   void Place(vtkRenderer* renderer, vtkLightKit* kit);
 
 private:
+  void Describe();
+  void DescribePosition();
+
   // The sun's own and its fills.
   std::vector<vtkLight*> GetLights();
 
@@ -60,6 +55,19 @@ private:
   // Of the sun's lights the wanted ones are the renderer's last, in that order.
   void PlaceLast(vtkRenderer* renderer, const std::vector<vtkLight*>& wanted);
 
+  vtkRelievoParameterList Description;
+  double Azimuth = 150.0;
+  double Elevation = 45.0;
+  double Time = 15.0;
+  double TimeZone = 0.0;
+  double Latitude = 48.0;
+  double Longitude = 0.0;
+  double North = 0.0; // degrees by which the data's north is turned, clockwise seen from above
+  int UpAxis = 2;
+  double Intensity = 0.7;
+  double Color[3] = { 1.0, 1.0, 1.0 };
+  double KitShare = 0.3;
+  double Fill = 0.3;
   double KitIntensity = -1.0;    // the user's, of the kit's key light
   double DimmedIntensity = -1.0; // what it was set to because of the sun
 };

@@ -31,7 +31,6 @@
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -404,7 +403,10 @@ void vtkPVRelievoView::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "View: " << this->Internal->View.GetPointer() << "\n";
   os << indent << "LightKitCasts: " << this->LightKitCasts << "\n";
-  this->Internal->Sun.Print(os, indent);
+  os << indent << "Sun: " << this->Internal->Sun.On << "\n";
+  os << indent << "ByDateAndPlace: " << this->Internal->Sun.ByDateAndPlace << "\n";
+  this->Internal->Sun.GetDescription().Print(os, indent.GetNextIndent());
+  this->Internal->Sun.Position->PrintSelf(os, indent.GetNextIndent());
   os << indent << "Skybox: " << this->Internal->Environment.Sky << "\n";
   os << indent << "MarkSelection: " << this->Internal->Selection.On << "\n";
   this->Internal->Selection.Look->PrintSelf(os, indent.GetNextIndent());
@@ -457,22 +459,6 @@ void vtkPVRelievoView::SetSunBy(int placing)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunAzimuth(double degrees)
-{
-  // 370 is as good as 10; what has no direction is not.
-  this->GetSunlight().Azimuth =
-    std::isfinite(degrees) ? degrees : vtkPVRelievoClamped(this, "SunAzimuth", degrees, 0.0, 360.0);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunElevation(double degrees)
-{
-  this->GetSunlight().Elevation = vtkPVRelievoClamped(this, "SunElevation", degrees, -90.0, 90.0);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
 void vtkPVRelievoView::SetSunDate(int year, int month, int day)
 {
   this->GetSunlight().Position->SetDate(vtkPVRelievoClamped(this, "SunDate", year, 1900, 2100),
@@ -482,79 +468,16 @@ void vtkPVRelievoView::SetSunDate(int year, int month, int day)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunTime(double hour)
+void vtkPVRelievoView::SetSunValue(const char* parameter, double value)
 {
-  this->GetSunlight().Position->SetHour(vtkPVRelievoClamped(this, "SunTime", hour, 0.0, 24.0));
+  vtkPVRelievoSet(this, this->GetSunlight().GetDescription(), parameter, { value });
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunTimeZone(double hours)
+void vtkPVRelievoView::SetSunValue(const char* parameter, double red, double green, double blue)
 {
-  this->GetSunlight().Position->SetTimeZone(
-    vtkPVRelievoClamped(this, "SunTimeZone", hours, -12.0, 14.0));
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunLatitude(double degrees)
-{
-  this->GetSunlight().Position->SetLatitude(
-    vtkPVRelievoClamped(this, "SunLatitude", degrees, -90.0, 90.0));
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunLongitude(double degrees)
-{
-  this->GetSunlight().Position->SetLongitude(
-    vtkPVRelievoClamped(this, "SunLongitude", degrees, -180.0, 180.0));
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunNorth(double degrees)
-{
-  // 370 is as good as 10; what has no direction is not.
-  this->GetSunlight().North =
-    std::isfinite(degrees) ? degrees : vtkPVRelievoClamped(this, "SunNorth", degrees, 0.0, 360.0);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunUpAxis(int axis)
-{
-  this->GetSunlight().UpAxis = vtkPVRelievoClamped(this, "SunUpAxis", axis, 0, 2);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunIntensity(double intensity)
-{
-  this->GetSunlight().Intensity = vtkPVRelievoClamped(this, "SunIntensity", intensity, 0.0, 1000.0);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunColor(double red, double green, double blue)
-{
-  this->GetSunlight().Color[0] = vtkPVRelievoClamped(this, "SunColor", red, 0.0, 1.0);
-  this->GetSunlight().Color[1] = vtkPVRelievoClamped(this, "SunColor", green, 0.0, 1.0);
-  this->GetSunlight().Color[2] = vtkPVRelievoClamped(this, "SunColor", blue, 0.0, 1.0);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunKitShare(double share)
-{
-  this->GetSunlight().KitShare = vtkPVRelievoClamped(this, "SunKitShare", share, 0.0, 1.0);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetSunFill(double intensity)
-{
-  this->GetSunlight().Fill = vtkPVRelievoClamped(this, "SunFill", intensity, 0.0, 1.0);
+  vtkPVRelievoSet(this, this->GetSunlight().GetDescription(), parameter, { red, green, blue });
   this->Modified();
 }
 
@@ -590,39 +513,17 @@ void vtkPVRelievoView::SetMarkSelection(bool on)
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoView::SetMarkSelectionShape(int shape)
+void vtkPVRelievoView::SetMarkSelectionValue(const char* parameter, double value)
 {
-  const int first = vtkRelievoMarkers::RING;
-  const int last = vtkRelievoMarkers::DISC;
-  this->GetSelection().Look->SetShape(
-    vtkPVRelievoClamped(this, "MarkSelectionShape", shape, first, last));
+  vtkPVRelievoSet(this, this->GetSelection().Look->GetDescription(), parameter, { value });
 }
 
 //------------------------------------------------------------------------------
-void vtkPVRelievoView::SetMarkSelectionRadius(double radius)
+void vtkPVRelievoView::SetMarkSelectionValue(
+  const char* parameter, double first, double second, double third)
 {
-  this->GetSelection().Look->SetRadius(
-    vtkPVRelievoClamped(this, "MarkSelectionRadius", radius, 0.0, 1e30));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetMarkSelectionWidth(double width)
-{
-  this->GetSelection().Look->SetWidth(
-    vtkPVRelievoClamped(this, "MarkSelectionWidth", width, 0.0, 1.0));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetMarkSelectionOpacity(double opacity)
-{
-  this->GetSelection().Look->SetOpacity(
-    vtkPVRelievoClamped(this, "MarkSelectionOpacity", opacity, 0.0, 1.0));
-}
-
-//------------------------------------------------------------------------------
-void vtkPVRelievoView::SetMarkSelectionColor(double red, double green, double blue)
-{
-  this->GetSelection().Look->SetColor(red, green, blue);
+  vtkPVRelievoSet(
+    this, this->GetSelection().Look->GetDescription(), parameter, { first, second, third });
 }
 
 //------------------------------------------------------------------------------

@@ -67,19 +67,9 @@ public:
    */
   void SetSun(bool on);
   void SetSunBy(int placing);
-  void SetSunAzimuth(double degrees);
-  void SetSunElevation(double degrees);
   void SetSunDate(int year, int month, int day);
-  void SetSunTime(double hour);
-  void SetSunTimeZone(double hours);
-  void SetSunLatitude(double degrees);
-  void SetSunLongitude(double degrees);
-  void SetSunNorth(double degrees);
-  void SetSunUpAxis(int axis);
-  void SetSunIntensity(double intensity);
-  void SetSunColor(double red, double green, double blue);
-  void SetSunKitShare(double share);
-  void SetSunFill(double intensity);
+  void SetSunValue(const char* parameter, double value);
+  void SetSunValue(const char* parameter, double red, double green, double blue);
   ///@}
 
   /** Azimuth and elevation of the sun in degrees, however it is placed. */
@@ -109,11 +99,8 @@ public:
   ///@{
   /** Markers around the points of what is selected, as of vtkRelievoMarkers. Default off. */
   void SetMarkSelection(bool on);
-  void SetMarkSelectionShape(int shape);
-  void SetMarkSelectionRadius(double radius);
-  void SetMarkSelectionWidth(double width);
-  void SetMarkSelectionOpacity(double opacity);
-  void SetMarkSelectionColor(double red, double green, double blue);
+  void SetMarkSelectionValue(const char* parameter, double value);
+  void SetMarkSelectionValue(const char* parameter, double first, double second, double third);
   ///@}
 
   /** Whether the environment is shown behind everything. Default off. */
