@@ -14,8 +14,9 @@
 #include "vtkRelievoMaterial.h"
 
 #include <algorithm>
-#include <functional>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace scene
@@ -68,15 +69,17 @@ void CheckValues(
   }
 }
 
-// The first condition of a value that does not hold, or nullptr. `get` gives the words of a value,
-// or of an option that brings an image.
-using Condition = vtkRelievoParameter::Condition;
-std::optional<Condition> FindFailing(
-  const vtkRelievoParameter& value, const std::function<std::string(const std::string& name)>& get)
+// The first condition of a value that does not hold.
+std::optional<vtkRelievoParameter::Condition> FindFailing(
+  const RenderOptions& options, const vtkRelievoParameter& value)
 {
-  for (const Condition& condition : value.GetConditions())
+  for (const vtkRelievoParameter::Condition& condition : value.GetConditions())
   {
-    const std::string words = get(condition.Name);
+    const std::string& name = condition.Name;
+    const std::string words = name == "height_map" ? options.HeightMap
+      : name == "environment"                      ? options.Environment
+      : name == "relief_method"                    ? options.ReliefMethod
+                                                   : GetSurfaceValue(options, name);
     const bool holds =
       condition.Value.empty() ? !words.empty() : (words == condition.Value) != condition.Other;
     if (!holds)
@@ -87,14 +90,35 @@ std::optional<Condition> FindFailing(
   return std::nullopt;
 }
 
-std::optional<Condition> FindFailing(const RenderOptions& options, const vtkRelievoParameter& value)
+// Without those that have options of their own, and with defaults of scenes.
+vtkRelievoParameterList TakeOthers(const vtkRelievoParameterList& all,
+  const std::set<std::string>& ownOptions, const std::map<std::string, std::string>& defaults)
 {
-  return FindFailing(value, [&options](const std::string& name) {
-    return name == "height_map" ? options.HeightMap
-      : name == "environment"   ? options.Environment
-      : name == "relief_method" ? options.ReliefMethod
-                                : GetSurfaceValue(options, name);
-  });
+  vtkRelievoParameterList others;
+  for (const vtkRelievoParameter& parameter : all.Parameters)
+  {
+    if (ownOptions.count(parameter.Name) == 0)
+    {
+      others.Parameters.push_back(parameter);
+      const auto found = defaults.find(parameter.Name);
+      others.Parameters.back().Default =
+        found == defaults.end() ? parameter.Default : found->second;
+    }
+  }
+  return others;
+}
+
+void SetMaterial(Settings& settings, const NamedWords& values)
+{
+  values.empty() ? settings.Remove("--material")
+                 : settings.Set("--material", WriteNamedWords(values));
+}
+
+void SetEnvironment(
+  Settings& settings, const std::string& file, double rotation, const NamedWords& values)
+{
+  settings.Set("--environment",
+    WriteFileAndNumber(file, rotation) + (values.empty() ? "" : "," + WriteNamedWords(values)));
 }
 
 // Of the word of --environment: behind the file and a number.
@@ -119,41 +143,18 @@ NamedWords TakeValuesBehind(std::string& word)
 //------------------------------------------------------------------------------
 const vtkRelievoParameterList& GetMaterialValues()
 {
-  static const vtkRelievoParameterList values = [] {
-    vtkRelievoParameterList others;
-    for (vtkRelievoParameter parameter : GetMaterial()->GetDescription().Parameters)
-    {
-      const std::string& name = parameter.Name;
-      parameter.Default = name == "depth_correction" ? "on"
-        : name == "self_shadow"                      ? "on with shadows"
-                                                     : parameter.Default;
-      if (name != "height_scale" && name != "relief_method" && name != "reflectivity" &&
-        name != "roughness")
-      {
-        others.Parameters.push_back(parameter);
-      }
-    }
-    return others;
-  }();
+  static const vtkRelievoParameterList values = TakeOthers(GetMaterial()->GetDescription(),
+    { "height_scale", "relief_method", "reflectivity", "roughness" },
+    { { "depth_correction", "on" }, { "self_shadow", "on with shadows" } });
   return values;
 }
 
 //------------------------------------------------------------------------------
 const vtkRelievoParameterList& GetEnvironmentValues()
 {
-  static const vtkRelievoParameterList values = [] {
-    vtkRelievoParameterList others;
-    for (vtkRelievoParameter parameter : GetEnvironment()->GetDescription().Parameters)
-    {
-      // Pictures are for displays: the sky's are to look as they did.
-      parameter.Default = parameter.Name == "gamma_correct" ? "on" : parameter.Default;
-      if (parameter.Name != "rotation" && parameter.Name != "up")
-      {
-        others.Parameters.push_back(parameter);
-      }
-    }
-    return others;
-  }();
+  // Pictures are for displays: the sky's are to look as they did.
+  static const vtkRelievoParameterList values = TakeOthers(
+    GetEnvironment()->GetDescription(), { "rotation", "up" }, { { "gamma_correct", "on" } });
   return values;
 }
 
@@ -181,16 +182,12 @@ void SetSurfaceValue(Settings& settings, const std::string& name, const std::str
   if (GetMaterialValues().Find(name))
   {
     SetWords(options.Material, name, words);
-    settings.SetAll("--material",
-      options.Material.empty() ? std::vector<std::string>()
-                               : std::vector<std::string>{ WriteNamedWords(options.Material) });
+    SetMaterial(settings, options.Material);
     return;
   }
   SetWords(options.EnvironmentValues, name, words);
-  const std::string values = WriteNamedWords(options.EnvironmentValues);
-  settings.Set("--environment",
-    WriteFileAndNumber(options.Environment, options.EnvironmentRotation) +
-      (values.empty() ? "" : "," + values));
+  SetEnvironment(
+    settings, options.Environment, options.EnvironmentRotation, options.EnvironmentValues);
 }
 
 //------------------------------------------------------------------------------
@@ -208,46 +205,35 @@ void SetEnvironmentFile(Settings& settings, const std::string& file, double rota
     return;
   }
   std::string before = settings.Get("--environment");
-  const std::string values = WriteNamedWords(TakeValuesBehind(before));
-  settings.Set(
-    "--environment", WriteFileAndNumber(file, rotation) + (values.empty() ? "" : "," + values));
+  SetEnvironment(settings, file, rotation, TakeValuesBehind(before));
 }
 
 //------------------------------------------------------------------------------
 void DropIdleSurface(Settings& settings)
 {
-  const bool heights = settings.Has("--height-map");
-  const auto drop = [&settings](const char* option, bool needed) {
-    settings.SetAll(option, needed ? settings.GetAll(option) : std::vector<std::string>());
+  RenderOptions options;
+  options.NormalMap = settings.Get("--normal-map");
+  options.HeightMap = settings.Get("--height-map");
+  options.Environment = settings.Get("--environment");
+  const auto dropUnless = [&settings](bool needed, const char* option) {
+    needed ? void() : settings.Remove(option);
   };
-  drop("--relief", heights);
-  drop("--texture-coordinates", heights || settings.Has("--normal-map"));
-  drop("--reflectivity", settings.Has("--environment"));
-  drop("--skybox", settings.Has("--environment"));
-  if (!settings.Has("--material"))
+  dropUnless(!options.HeightMap.empty(), "--relief");
+  dropUnless(!options.HeightMap.empty() || !options.NormalMap.empty(), "--texture-coordinates");
+  dropUnless(!options.Environment.empty(), "--reflectivity");
+  dropUnless(!options.Environment.empty(), "--skybox");
+  if (settings.Has("--relief"))
   {
-    return;
+    options.ReliefMethod = settings.Get("--relief");
   }
-  NamedWords kept;
-  for (const auto& given :
-    ParseNamedWords("--material", SplitEscaped(settings.Get("--material"), ','), MaterialForm))
+  if (settings.Has("--material"))
   {
-    const vtkRelievoParameter* value = GetMaterialValues().Find(given.first);
-    const auto get = [&settings](const std::string& name) {
-      const std::string words = settings.Get(name == "height_map" ? "--height-map"
-          : name == "environment"                                 ? "--environment"
-                                                                  : "--relief");
-      return words.empty() && name == "relief_method" ? RenderOptions().ReliefMethod : words;
-    };
-    if (value && !FindFailing(*value, get))
-    {
-      kept.push_back(given);
-    }
-  }
-  drop("--material", !kept.empty());
-  if (!kept.empty())
-  {
-    settings.Set("--material", WriteNamedWords(kept));
+    TakeMaterial(options, settings.Get("--material"));
+    NamedWords kept;
+    std::copy_if(options.Material.begin(), options.Material.end(), std::back_inserter(kept),
+      [&options](
+        const auto& given) { return HasEffect(options, *GetMaterialValues().Find(given.first)); });
+    SetMaterial(settings, kept);
   }
 }
 
