@@ -21,9 +21,9 @@ def is_number(word):
     return True
 
 
-def read(words):
+def read(words, help_text):
     """A value as scripts of ParaView have it: 0.5, [1, 1], 1 for on, "Reinhard Rgb"."""
-    if words in ("on", "off"):
+    if help_text.endswith(" Takes on or off."):
         return int(words == "on")
     parts = words.split(",")
     if all(is_number(part) for part in parts):
@@ -34,12 +34,12 @@ def read(words):
 
 def find_other(words, help_text):
     """Another value than that, as scripts of ParaView have it."""
-    value = read(words)
-    if words in ("on", "off"):
+    value = read(words, help_text)
+    if help_text.endswith(" Takes on or off."):
         return 1 - value
     if isinstance(value, str):
         choices = re.search(r"one of (.*?)(, or the name .*)?\.$", help_text).group(1).split(", ")
-        return read(choices[(choices.index(words) + 1) % len(choices)])
+        return read(choices[(choices.index(words) + 1) % len(choices)], help_text)
     if isinstance(value, list):
         return [number / 2 + 0.25 * i for i, number in enumerate(value, 1)]
     if "whole number" in help_text:
@@ -57,8 +57,9 @@ def properties(owner, prefix, but=(), **ours):
         name = owner.GetParameterName(i)
         if name not in but:
             words = ours.get(name, owner.GetParameterDefault(name))
+            help_text = owner.GetParameterHelp(name)
             found[prefix + capitalize(name)] = (
-                read(words), find_other(words, owner.GetParameterHelp(name)))
+                read(words, help_text), find_other(words, help_text))
     return found
 
 
