@@ -208,41 +208,56 @@ private Q_SLOTS:
     }
   }
 
-  // A row of the panel for each value of materials and environments; typed, it is as said in words.
-  void surfaceValues()
+  void surfaceValues_data()
   {
-    const std::string image = this->WriteImage();
-    this->Open({ this->WriteScene(), this->WriteOBJ(), "--light", "sun:0.4,1,0.6", "--shadows",
-      "map", "--normal-map", image, "--height-map", image + ",0.1", "--environment", image });
-    const scene::Settings before = this->Window->GetDocument()->Get();
+    QTest::addColumn<QString>("name");
     for (const vtkRelievoParameterList* list :
       { &scene::GetMaterialValues(), &scene::GetEnvironmentValues() })
     {
-      for (vtkRelievoParameter parameter : list->Parameters)
+      for (const vtkRelievoParameter& parameter : list->Parameters)
       {
-        parameter.Default = scene::GetSurfaceValue(before.Parse(), parameter.Name);
-        const QString name = QString::fromStdString(parameter.Name);
-        auto* edit = this->Window->findChild<viewer::ParameterEdit*>(name);
-        QVERIFY2(edit && !edit->isHidden(), parameter.Name.c_str());
-        for (const std::string& value : GetValues(parameter))
-        {
-          this->Window->GetDocument()->Set(before);
-          Q_EMIT edit->edited(QString::fromStdString(value));
-          QCOMPARE(
-            scene::GetSurfaceValue(this->Window->GetDocument()->Get().Parse(), parameter.Name),
-            value);
-          this->CompareAll(parameter.Name + "=" + value);
-        }
+        QTest::newRow(parameter.Name.c_str()) << QString::fromStdString(parameter.Name);
       }
     }
-    // What has no effect any longer goes, and its row.
-    this->Window->GetDocument()->Set(before);
-    this->Change([](scene::Settings& settings) {
-      scene::SetSurfaceValue(settings, "bisections", "3");
-      settings.Set("--relief", "steep");
-    });
+  }
+
+  // A row of the panel for each value of materials and environments; typed, it is as said in words.
+  void surfaceValues()
+  {
+    QFETCH(QString, name);
+    const std::string image = this->WriteImage();
+    this->Open({ this->WriteScene(), this->WriteOBJ(), "--light", "sun:0.4,1,0.6", "--shadows",
+      "map", "--normal-map", image, "--height-map", image + ",0.1", "--environment", image,
+      "--reflectivity", "0.3,0" });
+    const scene::Settings before = this->Window->GetDocument()->Get();
+    const std::string given = name.toStdString();
+    const vtkRelievoParameter* found = scene::GetMaterialValues().Find(given);
+    vtkRelievoParameter parameter = found ? *found : *scene::GetEnvironmentValues().Find(given);
+    parameter.Default = scene::GetSurfaceValue(before.Parse(), given);
+    auto* edit = this->Window->findChild<viewer::ParameterEdit*>(name);
+    QVERIFY(edit && !edit->isHidden());
+    for (const std::string& value : GetValues(parameter))
+    {
+      this->Window->GetDocument()->Set(before);
+      Q_EMIT edit->edited(QString::fromStdString(value));
+      const scene::Settings after = this->Window->GetDocument()->Get();
+      QVERIFY(after != before);
+      QCOMPARE(scene::GetSurfaceValue(after.Parse(), given), value);
+      this->WaitUntilRead();
+      this->Compare((given + "=" + value).c_str());
+    }
+  }
+
+  // What has no effect any longer goes, and its row.
+  void idleSurfaceValues()
+  {
+    this->Open({ this->WriteScene(), "--height-map", this->WriteImage() });
+    auto* edit = this->Window->findChild<viewer::ParameterEdit*>("bisections");
+    Q_EMIT edit->edited("3");
+    QCOMPARE(this->Window->GetDocument()->Get().Get("--material"), std::string("bisections=3"));
+    this->Change([](scene::Settings& settings) { settings.Set("--relief", "steep"); });
     QVERIFY(!this->Window->GetDocument()->Get().Has("--material"));
-    QVERIFY(this->Window->findChild<viewer::ParameterEdit*>("bisections")->isHidden());
+    QVERIFY(edit->isHidden());
   }
 
   void layers()
