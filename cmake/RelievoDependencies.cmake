@@ -24,11 +24,16 @@ endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${relievo_vtk_components}
   OPTIONAL_COMPONENTS GUISupportQt ImagingStencil WrappingPythonCore Python)
 
+set(RELIEVO_PYTHON_CORE "" CACHE FILEPATH
+  "VTK's libvtkWrappingPythonCore for the Python at hand, where VTK's own is for another")
+mark_as_advanced(RELIEVO_PYTHON_CORE)
 option(RELIEVO_WRAP_PYTHON "Build the Python package; needs a VTK that is wrapped" "${VTK_WRAP_PYTHON}")
 if (RELIEVO_WRAP_PYTHON AND NOT VTK_WRAP_PYTHON)
   message(FATAL_ERROR "RELIEVO_WRAP_PYTHON is ON, but the VTK ${VTK_VERSION} in ${VTK_DIR} has no Python "
     "modules. Name a wrapped VTK by VTK_DIR, or set RELIEVO_WRAP_PYTHON to OFF.")
 endif ()
+# The package that VTK's Python modules are in: vtkmodules, or that of a VTK of another name.
+get_property(relievo_vtk_package TARGET VTK::CommonCore PROPERTY INTERFACE_vtk_module_python_package)
 if (RELIEVO_WRAP_PYTHON)
   # VTK's Python modules are built for one interpreter, which need not be the first on PATH.
   set(relievo_python_development Development)
@@ -36,6 +41,14 @@ if (RELIEVO_WRAP_PYTHON)
     set(relievo_python_development Development.Module)
   endif ()
   find_package(Python3 REQUIRED COMPONENTS Interpreter ${relievo_python_development})
+  if (RELIEVO_PYTHON_CORE) # the SDK of a VTK is for one version of Python, and this is another
+    set(CVISTA_ABI3 OFF)
+    set_target_properties(VTK::WrappingPythonCore PROPERTIES
+      IMPORTED_LOCATION_RELEASE "${RELIEVO_PYTHON_CORE}")
+    get_filename_component(relievo_python_core "${RELIEVO_PYTHON_CORE}" NAME)
+    set_target_properties(VTK::WrappingPythonCore PROPERTIES
+      IMPORTED_SONAME_RELEASE "${relievo_python_core}")
+  endif ()
 elseif (RELIEVO_BUILD_TESTS)
   find_package(Python3 REQUIRED COMPONENTS Interpreter) # runs the tests of the command line
 endif ()

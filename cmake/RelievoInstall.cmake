@@ -41,4 +41,8 @@ if (NOT RELIEVO_DEBIAN AND NOT SKBUILD)
 endif ()
 
 # Programs find the libraries of their own prefix, wherever it is moved.
-set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}" ${relievo_vtk_rpath})
+if (SKBUILD)
+  set(CMAKE_INSTALL_RPATH "$ORIGIN/.." "$ORIGIN/../../${relievo_vtk_package}")
+else ()
+  set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}" ${relievo_vtk_rpath})
+endif ()

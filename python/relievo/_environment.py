@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from ._errors import Watch, require
+from ._errors import Watch, is_a, require
 from ._renderers import inner_renderer
 from ._parameters import bind, describe, keywords, names, set_value, value
 from .vtkRelievoFilters import vtkRelievoEnvironmentIrradiance, vtkRelievoEnvironmentPrefilter
@@ -182,7 +182,7 @@ def _is_lit_surface(actor):
 
 
 def _fill(made, path, rough):
-    image = path if hasattr(path, "IsA") and path.IsA("vtkImageData") else _read(os.fspath(path))
+    image = path if is_a(path, "vtkImageData") else _read(os.fspath(path))
     name = "image" if image is path else os.fspath(path)
     columns, rows, slices = image.GetDimensions()
     if image.GetPointData().GetScalars() is None:

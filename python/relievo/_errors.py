@@ -6,6 +6,7 @@ import re
 
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonCore import vtkObjectBase
 
 _PREAMBLE = re.compile(r"^(ERROR|Warning): In .*, line \d+\n\w+ \(0x[0-9a-f]+\): ")
 
@@ -50,7 +51,21 @@ class Watch:
             raise kind(f"{subject}: {self.errors[0]}")
 
 
+def is_a(thing, class_name):
+    """Whether thing is an object of that class of VTK, of the VTK that Relievo is built on."""
+    return isinstance(thing, vtkObjectBase) and bool(thing.IsA(class_name))
+
+
+def describe(thing):
+    """A thing that is not what was expected, for a message: its package, if it is another VTK's."""
+    own, other = (kind.__module__.split(".")[0] for kind in (vtkObjectBase, type(thing)))
+    if hasattr(thing, "IsA") and not isinstance(thing, vtkObjectBase):
+        return (f"a {thing.GetClassName()} of {other}, another VTK than Relievo's: "
+                f"import VTK's classes from {own}")  # fmt: skip
+    return repr(thing)
+
+
 def require(thing, class_name, argument):
     """Raises ValueError unless thing is a VTK object of that class."""
-    if not (hasattr(thing, "IsA") and thing.IsA(class_name)):
-        raise ValueError(f"{argument}: got {thing!r}, expected a {class_name}")
+    if not is_a(thing, class_name):
+        raise ValueError(f"{argument}: got {describe(thing)}, expected a {class_name}")

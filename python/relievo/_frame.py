@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonCore import vtkWeakReference
 
 from . import vtkRelievoPasses
 from ._arrays import why_not
-from ._errors import Watch, require
+from ._errors import Watch, is_a, require
 
 
 class vtkRelievoPass(vtkRelievoPasses.vtkRelievoPass):
@@ -109,7 +109,7 @@ def report(frame):
 
     Raises ValueError for anything else.
     """
-    if hasattr(frame, "IsA") and frame.IsA("vtkRenderer"):
+    if is_a(frame, "vtkRenderer"):
         owner, frame = frame, frame.GetPass()
         if frame is None or not frame.IsA("vtkRelievoPass"):
             raise ValueError(f"frame: the {owner.GetClassName()} has none; attach() it first")

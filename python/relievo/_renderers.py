@@ -8,13 +8,15 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersGeometry import vtkCompositeDataGeometryFilter, vtkGeometryFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
+from ._errors import describe, is_a
+
 _EXPECTED = "a vtkRenderer, something with a .renderer, a dataset, or a filter that makes one"
 
 
 def inner_renderer(thing):
     """The thing itself if it is a renderer, or its attribute `renderer` if that is one, or None."""
-    inner = thing if _is(thing, "vtkRenderer") else getattr(thing, "renderer", None)
-    return inner if _is(inner, "vtkRenderer") else None
+    inner = thing if is_a(thing, "vtkRenderer") else getattr(thing, "renderer", None)
+    return inner if is_a(inner, "vtkRenderer") else None
 
 
 def renderer_of(thing):
@@ -27,17 +29,19 @@ def renderer_of(thing):
     if inner is not None:
         _place_camera(inner)
         return inner, False
-    if _is(thing, "vtkAlgorithm"):
+    if is_a(thing, "vtkAlgorithm"):
         thing.Update()
         thing = thing.GetOutputDataObject(0) if thing.GetNumberOfOutputPorts() else None
-    if _is(thing, "vtkPolyData"):
+    if is_a(thing, "vtkPolyData"):
         surface = thing
-    elif _is(thing, "vtkCompositeDataSet"):
+    elif is_a(thing, "vtkCompositeDataSet"):
         surface = _run(vtkCompositeDataGeometryFilter(), thing)
-    elif _is(thing, "vtkDataSet"):
+    elif is_a(thing, "vtkDataSet"):
         surface = _run(vtkGeometryFilter(), _numbered(thing))
     else:
-        raise ValueError(f"renderer: got {thing!r}, expected {_EXPECTED}")
+        renderer = getattr(thing, "renderer", None)
+        given = describe(renderer if hasattr(renderer, "IsA") else thing)
+        raise ValueError(f"renderer: got {given}, expected {_EXPECTED}")
     if surface.GetNumberOfCells() == 0:
         raise ValueError("renderer: the data has no cells to draw")
     mapper = vtkPolyDataMapper()
@@ -54,10 +58,6 @@ def _place_camera(renderer):
     if getattr(renderer, "camera_set", True) is False and hasattr(renderer, "get_default_cam_pos"):
         renderer.camera_position = renderer.get_default_cam_pos()
         renderer.ResetCamera()
-
-
-def _is(thing, name):
-    return hasattr(thing, "IsA") and bool(thing.IsA(name))
 
 
 def _numbered(grid):

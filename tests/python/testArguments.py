@@ -6,6 +6,7 @@ import os
 import re
 import signal
 import sys
+import types
 import unittest
 
 import numpy
@@ -155,6 +156,24 @@ class Package(unittest.TestCase):
         for name, call in calls.items():
             with self.subTest(name):
                 self.assertRaises((ValueError, OSError), call)
+
+    def test_another_vtk(self):
+        """A renderer of another VTK in the process is refused, with the packages of both."""
+        words = {"IsA": lambda self, name: name == "vtkRenderer", "GetPass": lambda self: None,
+                 "GetClassName": lambda self: "vtkOpenGLRenderer",
+                 "__module__": "another.vtkRenderingOpenGL2"}  # fmt: skip
+        stranger = type("vtkOpenGLRenderer", (), words)()
+        plotter = types.SimpleNamespace(renderer=stranger)
+        own = type(scenes.plane_and_sphere()).__module__.split(".")[0]
+        says = f"^renderer: got a vtkOpenGLRenderer of another, another VTK than .*from {own}"
+        for call in (
+            lambda: relievo.attach(stranger), lambda: relievo.detach(stranger),
+            lambda: relievo.capture(stranger, "depth", (30, 20)),
+            lambda: relievo.capture(plotter, "depth", (30, 20)),
+            lambda: relievo.stage(stranger, "shadows"),
+            lambda: relievo.environment(stranger, "a.exr"),
+        ):  # fmt: skip
+            self.assertRaisesRegex(ValueError, says, call)
 
 
 if __name__ == "__main__":

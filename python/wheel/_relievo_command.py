@@ -1,0 +1,12 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command `relievo` of a wheel. Not in the package, whose import would load all of VTK."""
+
+import os
+import pathlib
+import sys
+
+
+def main():
+    program = pathlib.Path(__file__).parent / "relievo" / "bin" / "relievo"
+    os.execv(program, [sys.argv[0], *sys.argv[1:]])

@@ -1,0 +1,140 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The wheel itself: what it holds, what it needs, and how its users meet it."""
+
+import importlib.metadata
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import zipfile
+
+WHEEL = pathlib.Path(os.environ["RELIEVO_WHEEL"])
+INDEX = os.environ["RELIEVO_WHEEL_INDEX"]
+BASE_PYTHON = os.environ["RELIEVO_WHEEL_BASE_PYTHON"]
+DATA = pathlib.Path(os.environ["RELIEVO_DATA"])
+
+# What any Linux with that glibc has; all else comes with the wheel, or with VTK's.
+SYSTEM = r"lib(c|m|gcc_s|stdc\+\+|pthread|dl|rt|z)\.so\.\d+|ld-linux-x86-64\.so\.2"
+VTK = r"libvtk\w+-cvista\.so|libvtkWrappingPythonCore3\.\d+-cvista\.so"
+
+DRAWS = """
+import relievo
+from cvista.vtkFiltersSources import vtkSphereSource
+depth = relievo.layer(relievo.capture(vtkSphereSource(), "depth", size=(32, 24)), "depth")
+print("drew", depth.shape, depth[12, 16] < depth[0, 0])
+"""
+DREW = "drew (24, 32) True\n"
+
+
+class Files(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        kept = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(kept.cleanup)
+        cls.folder = pathlib.Path(kept.name)
+        zipfile.ZipFile(WHEEL).extractall(cls.folder)
+        cls.files = [path for path in cls.folder.rglob("*") if path.is_file()]
+
+    def test_size(self):
+        self.assertLess(WHEEL.stat().st_size, 40e6)
+
+    def test_it_is_complete(self):
+        """Each library that a file of it names is in it, in VTK's wheel, or in every Linux."""
+        own = {path.name for path in self.files}
+        found = set()
+        for path in self.files:
+            if path.read_bytes()[:4] != b"\x7fELF":
+                continue
+            said = subprocess.run(["readelf", "-dW", path], capture_output=True, text=True,
+                                  check=True).stdout  # fmt: skip
+            for name in re.findall(r"\(NEEDED\).*\[(.*)\]", said):
+                found.add(name)
+                if not re.fullmatch(f"{SYSTEM}|{VTK}", name):
+                    self.assertIn(name, own, path.name)
+            paths = re.findall(r"\(R(?:UN)?PATH\).*\[(.*)\]", said)
+            for each in ":".join(paths).split(":"):
+                self.assertRegex(each, r"^(\$ORIGIN.*)?$", f"{path.name} looks outside the wheel")
+        self.assertTrue(any(re.fullmatch(VTK, name) for name in found))
+        for name in ("OpenEXR", "assimp", "draco", "Imath"):
+            self.assertTrue(any(name in file and file in own for file in found), name)
+
+    def test_licences(self):
+        """What comes with it is under licences that are to be passed on."""
+        texts = {path.stem: path.read_text() for path in self.files if "licenses" in path.parts}
+        self.assertIn("BSD", texts["LICENSE"])
+        with_it = [path for path in self.files if path.parent.name == "relievo.libs"]
+        self.assertGreater(len(with_it), 4)
+        for path in with_it:
+            library = re.match(r"lib([A-Za-z]+)", path.name)[1]
+            part = "openexr" if library in ("Iex", "IlmThread") else library.lower()
+            self.assertIn("Copyright", texts.get(part, ""), path.name)
+
+    def test_metadata(self):
+        said = importlib.metadata.metadata("relievo")
+        self.assertIn("cvista[all]==", " ".join(said.get_all("Requires-Dist")).replace(" ", ""))
+        self.assertTrue(WHEEL.name.startswith(f"relievo-{said['Version']}-"), WHEEL.name)
+        self.assertIn("manylinux", WHEEL.name)
+
+
+class Imports(unittest.TestCase):
+    def run_script(self, script, **environment):
+        """What it prints; it ends well and says nothing on the error output."""
+        done = subprocess.run(
+            [sys.executable, "-c", script],
+            env={**os.environ, "PYTHONPATH": "", **environment},
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600, check=False,
+        )  # fmt: skip
+        self.assertEqual((done.returncode, done.stderr), (0, ""), script)
+        return done.stdout
+
+    def test_order(self):
+        """Before, after and without VTK's own modules."""
+        vtk = "import cvista.vtkRenderingOpenGL2, cvista.vtkIOXML, cvista.all\n"
+        for script in (DRAWS, vtk + DRAWS, DRAWS + vtk):
+            self.assertEqual(self.run_script(script), DREW)
+
+    def test_without_a_display(self):
+        for display in ("", ":54321"):
+            self.assertEqual(self.run_script(DRAWS, DISPLAY=display), DREW)
+
+    def test_without_opengl(self):
+        """One line says what is missing."""
+        said = self.run_script(
+            f"try:\n    exec({DRAWS!r})\nexcept RuntimeError as error:\n    print(error)",
+            VTK_DEFAULT_OPENGL_WINDOW="vtkOSOpenGLRenderWindow",
+        )
+        self.assertRegex(said, r"^capture: no OpenGL: [^\n]*driver[^\n]*\n$")
+
+
+class Install(unittest.TestCase):
+    def test_as_a_user(self):
+        """From an interpreter with its venv to a picture: without root, without a network."""
+        with tempfile.TemporaryDirectory() as folder:
+            os.chmod(folder, 0o777)
+            script = (f"set -e; cd {folder}; {BASE_PYTHON} -m venv v\n"
+                      f"v/bin/pip install -q --no-index --find-links {INDEX} {WHEEL}\n"
+                      "v/bin/relievo render bunny.off --png a.png\n"
+                      'v/bin/python -c "import relievo; relievo.scene(\'bunny.off\').render(\'b.png\')"')
+            mesh = pathlib.Path(folder, "bunny.off")
+            mesh.write_bytes((DATA / "bunny.off").read_bytes())
+            wrapper = []
+            if os.getuid() == 0:
+                wrapper = ["unshare", "--net", "setpriv", "--reuid=65534", "--regid=65534",
+                           "--clear-groups"]  # fmt: skip
+            done = subprocess.run(
+                [*wrapper, "bash", "-c", script], capture_output=True, text=True, timeout=600,
+                env={"PATH": "/usr/bin:/bin", "HOME": folder, "LC_ALL": "C.UTF-8"}, check=False,
+            )  # fmt: skip
+            self.assertEqual(done.returncode, 0, done.stderr)
+            first, second = (pathlib.Path(folder, name).read_bytes() for name in ("a.png", "b.png"))
+            self.assertEqual(first[:8], b"\x89PNG\r\n\x1a\n")
+            self.assertGreater(len(first), 20000, "an empty picture")
+            self.assertEqual(first, second)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
