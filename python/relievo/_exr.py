@@ -5,8 +5,6 @@
 import os
 import stat
 
-from vtkmodules.vtkCommonMisc import vtkErrorCode
-
 from ._errors import Watch, require
 from ._picture import captured
 from .vtkRelievoIO import vtkRelievoEXRReader, vtkRelievoEXRWriter
@@ -17,11 +15,8 @@ _PIXEL_TYPES = {
     "float": vtkRelievoEXRWriter.FLOAT,
 }
 
-_FILE_ERRORS = (
-    vtkErrorCode.FileNotFoundError,
-    vtkErrorCode.CannotOpenFileError,
-    vtkErrorCode.OutOfDiskSpaceError,
-)
+# vtkErrorCode's FileNotFoundError, CannotOpenFileError, OutOfDiskSpaceError: not every VTK wraps it.
+_FILE_ERRORS = (20001, 20002, 20007)
 
 
 def write_exr(path, image, compression="zip", pixel_types=None):

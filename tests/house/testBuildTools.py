@@ -76,6 +76,9 @@ class BuildTools(unittest.TestCase):
             ("try-packages", ("--root", home, debs), "holds something else"),
             ("try-packages", ("--fast",), "unknown option"),
             ("try-packages", (home,), "run tools/make-packages first"),
+            ("wheel", ("--use",), "needs a word"),
+            ("wheel", ("--use", self.folder / "none.whl"), "there is no"),
+            ("wheel", ("--python", "/bin/true"), "CPython 3.11"),
         ):  # fmt: skip
             done = self.run_tool(tool, *words)
             self.assertEqual((done.returncode, done.stdout), (2, ""), (words, done.stderr))
@@ -84,6 +87,7 @@ class BuildTools(unittest.TestCase):
         self.assertEqual(sorted(self.folder.rglob("*")), there)
         for tool in ("make-packages", "try-packages"):
             self.assertIn("is refused", self.run_tool(tool, "--help").stdout)
+        self.assertIn("CPython 3.11", self.run_tool("wheel", "--help").stdout)
 
     def test_packages_of_before(self):
         """Packages of a run before are replaced, in a tree whose programs make empty ones."""
@@ -129,6 +133,9 @@ class BuildTools(unittest.TestCase):
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("PyPI cannot be reached", done.stderr)
         self.assertEqual({each.name for each in self.folder.iterdir()}, {"bin"})
+        done = self.run_tool("wheel")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("PyPI cannot be reached", done.stderr)
 
     def test_bundle_refusals(self):
         """Without a build that fits, nothing is left behind."""
