@@ -26,6 +26,7 @@ set(RELIEVO_DATA "${PROJECT_SOURCE_DIR}/build/data" CACHE PATH
 set(RELIEVO_TEST_LABELS_NOT_BUILT "" CACHE STRING
   "Labels of tests whose programs are built by their names only")
 set(RELIEVO_TESTS_NOT_BUILT "" CACHE STRING "Regular expression of names of such tests")
+set(RELIEVO_TEST_ENVIRONMENT "" CACHE STRING "What every test finds in its environment, as VAR=value")
 set(RELIEVO_TEST_OUTPUT "${PROJECT_BINARY_DIR}/Testing/output")
 set(RELIEVO_BASELINES "${PROJECT_SOURCE_DIR}/tests/baselines")
 
@@ -92,6 +93,7 @@ function (relievo_add_test)
     "RELIEVO_TEST_OUTPUT=${folder}"
     "RELIEVO_DATA=${RELIEVO_DATA}"
     "RELIEVO_BASELINES=${RELIEVO_BASELINES}"
+    ${RELIEVO_TEST_ENVIRONMENT}
     ${test_ENVIRONMENT})
   if (RELIEVO_SANITIZE)
     list(APPEND environment

@@ -25,6 +25,7 @@ from vtkmodules.vtkIOXML import (
 
 from cli import RELIEVO, CliTest, main
 
+LACKS = os.environ.get("RELIEVO_VTK_LACKS", "").split()  # tests/wheel/CMakeLists.txt
 POINTS = "".join(f"{i * 7 % 5} {i * 3 % 4} {i % 3}\n" for i in range(31))
 HEAD = "# vtk DataFile Version 3.0\nmade by a test\nASCII\nDATASET "
 # How many points there may be: of VTK's documentation of each cell.
@@ -153,7 +154,7 @@ class Cells(CliTest):
 
     def test_large_images(self):
         """What a file of 200 bytes asks for is not allocated."""
-        for size in (1500, 40000, 2**31 - 2):
+        for size in (1500, 40000) if "huge" in LACKS else (1500, 40000, 2**31 - 2):
             extent = f"0 {size} 0 {size} 0 {size if size < 40000 else 0}"
             text = (f'<VTKFile type="ImageData" version="0.1"><ImageData WholeExtent="{extent}" '
                     f'Origin="0 0 0" Spacing="1 1 1"><Piece Extent="{extent}"/></ImageData>'
@@ -182,6 +183,8 @@ class Cells(CliTest):
             (vtkSTLWriter, "a.stl", sphere, ("FileTypeToASCII", "FileTypeToBinary")),
         ):
             for mode in modes:
+                if f"{name}:{mode}" in LACKS:
+                    continue
                 path = self.folder / name
                 writer = make()
                 writer.SetFileName(str(path))
@@ -202,6 +205,8 @@ class Cells(CliTest):
         for said, held, rest, status in ((2, 2, b"", 0), (2, 1, b"", 1), (2, 2, b"more", 0),
                                          (1, 2, b"", 0), (0, 2, b"", 0), (2**32 - 1, 2, b"", 1),
                                          (2, 1, b"x" * 49, 1)):  # fmt: skip
+            if rest == b"more" and "rest" in LACKS:
+                continue
             head = b"made by a test".ljust(80, b"\0") + struct.pack("<I", said)
             with self.subTest(said=said, held=held):
                 found, words = self.render("a.stl", head + triangle * held + rest)

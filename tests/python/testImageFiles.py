@@ -17,6 +17,7 @@ import relievo
 from relievo._errors import Watch
 from relievo.vtkRelievoIO import vtkRelievoImageReader
 
+LACKS = os.environ.get("RELIEVO_VTK_LACKS", "").split()  # tests/wheel/CMakeLists.txt
 RANDOM = numpy.random.default_rng(27)
 
 
@@ -286,7 +287,7 @@ class Tiff(Files):
 
     def test_compressions_of_pillow(self):
         values = texels(40, 30)
-        for compression in ("raw", "tiff_lzw", "tiff_adobe_deflate", "packbits"):
+        for compression in {"raw", "tiff_lzw", "tiff_adobe_deflate", "packbits"}.difference(LACKS):
             with self.subTest(compression=compression):
                 content = self.written(Image.fromarray(values), "tiff", compression=compression)
                 self.check(content, "packed.tif", values)

@@ -21,6 +21,8 @@ DATA = pathlib.Path(os.environ["RELIEVO_DATA"])
 SYSTEM = r"lib(c|m|gcc_s|stdc\+\+|pthread|dl|rt|z)\.so\.\d+|ld-linux-x86-64\.so\.2"
 VTK = r"libvtk\w+-cvista\.so|libvtkWrappingPythonCore3\.\d+-cvista\.so"
 
+TRIED = r"WARN\| (bad X server connection|libOSMesa not found)"
+
 DRAWS = """
 import relievo
 from cvista.vtkFiltersSources import vtkSphereSource
@@ -82,13 +84,15 @@ class Files(unittest.TestCase):
 
 class Imports(unittest.TestCase):
     def run_script(self, script, **environment):
-        """What it prints; it ends well and says nothing on the error output."""
+        """What it prints; it ends well and says nothing on the error output, but what VTK says of a
+        display or a library that it tries and goes without."""
         done = subprocess.run(
             [sys.executable, "-c", script],
             env={**os.environ, "PYTHONPATH": "", **environment},
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=600, check=False,
         )  # fmt: skip
-        self.assertEqual((done.returncode, done.stderr), (0, ""), script)
+        said = [line for line in done.stderr.splitlines() if not re.search(TRIED, line)]
+        self.assertEqual((done.returncode, said), (0, []), script)
         return done.stdout
 
     def test_order(self):
