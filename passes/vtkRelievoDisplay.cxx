@@ -9,6 +9,8 @@
 #include <cstdlib>
 
 #ifdef RELIEVO_VTK_LOADS_OSMESA
+#include <initializer_list>
+
 #include "vtkDynamicLoader.h"
 #endif
 
@@ -46,10 +48,9 @@ bool Answers(const std::string& name)
 #ifdef RELIEVO_VTK_LOADS_OSMESA
 namespace
 {
-// Under the names that VTK tries.
-bool HasOSMesa()
+bool HasLibrary(std::initializer_list<const char*> names)
 {
-  for (const char* name : { "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so" })
+  for (const char* name : names)
   {
     vtkLibHandle library = vtkDynamicLoader::OpenLibrary(name);
     if (library)
@@ -60,6 +61,19 @@ bool HasOSMesa()
   }
   return false;
 }
+
+// Under the names that VTK tries.
+bool HasOSMesa()
+{
+  return HasLibrary({ "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so" });
+}
+
+// A VTK that loads X11 when it runs, as that of wheels, tries it before EGL and crashes where there is
+// none. Its windows are chosen by a variable, unless the user has set it.
+[[maybe_unused]] const bool UsesX11 = []() {
+  const bool there = HasLibrary({ "libX11.so.6", "libX11.so" });
+  return there || setenv("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow", 0) != 0;
+}();
 }
 #endif
 

@@ -6,6 +6,7 @@ import os
 import threading
 from contextlib import contextmanager
 
+from vtkmodules import vtkCommonCore
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
 
@@ -125,8 +126,16 @@ def _leave_spare_windows():
     _spare_windows.clear()
 
 
+def _leave_threads():
+    """A forked process has none of VTK's pool of threads, for which it would wait for ever."""
+    tools = getattr(vtkCommonCore, "vtkSMPTools", None)
+    if tools is not None and tools.GetBackend() == "STDThread":
+        tools.SetBackend("Sequential")
+
+
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_leave_spare_windows)
+    os.register_at_fork(after_in_child=_leave_threads)
 
 
 @contextmanager

@@ -114,6 +114,22 @@ class Imports(unittest.TestCase):
         self.assertRegex(said, r"^capture: no OpenGL: [^\n]*driver[^\n]*\n$")
 
 
+    def test_without_x11(self):
+        """Where X11 cannot be loaded, nor Mesa's EGL, which needs it: a line, and no crash."""
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("libX11.so.6", "libX11.so"):
+                pathlib.Path(folder, name).touch()
+            mesh = DATA / "bunny.off"
+            done = subprocess.run(
+                [os.environ["RELIEVO"], "render", mesh, "--png", "a.png"], cwd=folder,
+                env={**os.environ, "LD_LIBRARY_PATH": folder, "DISPLAY": ""},
+                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False,
+            )  # fmt: skip
+            if done.returncode != 0:  # an EGL that does without X11 draws
+                self.assertEqual(done.returncode, 1, done.stdout)
+                self.assertRegex(done.stdout, r"^relievo: no OpenGL: [^\n]*driver[^\n]*\n$")
+
+
 class Install(unittest.TestCase):
     def test_as_a_user(self):
         """From an interpreter with its venv to a picture: without root, without a network."""
