@@ -68,8 +68,8 @@ bool HasOSMesa()
   return HasLibrary({ "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so" });
 }
 
-// A VTK that loads X11 when it runs, as that of wheels, tries it before EGL and crashes where there is
-// none. Its windows are chosen by a variable, unless the user has set it.
+// A VTK that loads X11 when it runs, as that of wheels, tries it before EGL and crashes where there
+// is none. Its windows are chosen by a variable, unless the user has set it.
 [[maybe_unused]] const bool UsesX11 = []() {
   const bool there = HasLibrary({ "libX11.so.6", "libX11.so" });
   return there || setenv("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow", 0) != 0;

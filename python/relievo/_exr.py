@@ -15,7 +15,8 @@ _PIXEL_TYPES = {
     "float": vtkRelievoEXRWriter.FLOAT,
 }
 
-# vtkErrorCode's FileNotFoundError, CannotOpenFileError, OutOfDiskSpaceError: not every VTK wraps it.
+# FileNotFoundError, CannotOpenFileError, OutOfDiskSpaceError of vtkErrorCode, which not every VTK
+# wraps.
 _FILE_ERRORS = (20001, 20002, 20007)
 
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Builds Relievo's wheel, for pip (pyproject.toml): scikit-build-core on the SDK of wheels.txt, then
-auditwheel, which puts what is linked beside VTK into the wheel."""
+"""Builds Relievo's wheel, for pip (pyproject.toml): scikit-build-core on the SDK of wheels.txt,
+then auditwheel, which puts what is linked beside VTK into the wheel."""
 
 import importlib.util
 import os
@@ -23,7 +23,8 @@ SDK = ROOT / "build" / "vtk97-sdk"
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     _run([ROOT / "tools" / "unpack-vtk", "--wheel", SDK], PYTHON=sys.executable)
-    settings = {"cmake.define.VTK_DIR": str(SDK / "cvista_sdk" / "cmake"), **(config_settings or {})}
+    settings = {"cmake.define.VTK_DIR": str(SDK / "cvista_sdk" / "cmake")}
+    settings.update(config_settings or {})
     if sys.version_info < (3, 12):
         settings["cmake.define.RELIEVO_PYTHON_CORE"] = str(_python_core())
     with tempfile.TemporaryDirectory() as folder:

@@ -29,6 +29,17 @@ from cvista.vtkFiltersSources import vtkSphereSource
 depth = relievo.layer(relievo.capture(vtkSphereSource(), "depth", size=(32, 24)), "depth")
 print("drew", depth.shape, depth[12, 16] < depth[0, 0])
 """
+OTHER_DRAWS = """
+import vtk
+window, renderer = vtk.vtkRenderWindow(), vtk.vtkRenderer()
+window.SetOffScreenRendering(True)
+window.AddRenderer(renderer)
+window.Render()
+try:
+    relievo.capture(renderer)
+except ValueError as error:
+    print(error)
+"""
 DREW = "drew (24, 32) True\n"
 
 
@@ -84,8 +95,8 @@ class Files(unittest.TestCase):
 
 class Imports(unittest.TestCase):
     def run_script(self, script, **environment):
-        """What it prints; it ends well and says nothing on the error output, but what VTK says of a
-        display or a library that it tries and goes without."""
+        """What it prints; it ends well and says nothing on the error output, but what VTK says of
+        a display or a library that it tries and goes without."""
         done = subprocess.run(
             [sys.executable, "-c", script],
             env={**os.environ, "PYTHONPATH": "", **environment},
@@ -96,10 +107,12 @@ class Imports(unittest.TestCase):
         return done.stdout
 
     def test_order(self):
-        """Before, after and without VTK's own modules."""
-        vtk = "import cvista.vtkRenderingOpenGL2, cvista.vtkIOXML, cvista.all\n"
-        for script in (DRAWS, vtk + DRAWS, DRAWS + vtk):
+        """Before, after and without its VTK's modules, and another VTK, of PyPI's `vtk`."""
+        own = "import cvista.vtkRenderingOpenGL2, cvista.vtkIOXML, cvista.all\n"
+        for script in (DRAWS, own + DRAWS, DRAWS + own, "import vtk\n" + DRAWS):
             self.assertEqual(self.run_script(script), DREW)
+        said = self.run_script(DRAWS + OTHER_DRAWS)
+        self.assertRegex(said, f"^{re.escape(DREW)}renderer: got a vtkOpenGLRenderer of vtkmodules, .*cvista")
 
     def test_without_a_display(self):
         for display in ("", ":54321"):
@@ -135,10 +148,14 @@ class Install(unittest.TestCase):
         """From an interpreter with its venv to a picture: without root, without a network."""
         with tempfile.TemporaryDirectory() as folder:
             os.chmod(folder, 0o777)
-            script = (f"set -e; cd {folder}; {BASE_PYTHON} -m venv v\n"
-                      f"v/bin/pip install -q --no-index --find-links {INDEX} {WHEEL}\n"
-                      "v/bin/relievo render bunny.off --png a.png\n"
-                      'v/bin/python -c "import relievo; relievo.scene(\'bunny.off\').render(\'b.png\')"')
+            script = f"""
+set -e
+cd {folder}
+{BASE_PYTHON} -m venv v
+v/bin/pip install -q --no-index --find-links {INDEX} {WHEEL}
+v/bin/relievo render bunny.off --png a.png
+v/bin/python -c "import relievo; relievo.scene('bunny.off').render('b.png')"
+"""
             mesh = pathlib.Path(folder, "bunny.off")
             mesh.write_bytes((DATA / "bunny.off").read_bytes())
             wrapper = []

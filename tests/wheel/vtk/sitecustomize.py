@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""For tests alone, which are written for every VTK: `vtkmodules` is the package of the wheel's VTK."""
+"""For tests, which are written for every VTK: `vtkmodules` is the package of the wheel's VTK."""
 
 import importlib
 import importlib.abc
