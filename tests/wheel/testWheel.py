@@ -112,7 +112,8 @@ class Imports(unittest.TestCase):
         for script in (DRAWS, own + DRAWS, DRAWS + own, "import vtk\n" + DRAWS):
             self.assertEqual(self.run_script(script), DREW)
         said = self.run_script(DRAWS + OTHER_DRAWS)
-        self.assertRegex(said, f"^{re.escape(DREW)}renderer: got a vtkOpenGLRenderer of vtkmodules, .*cvista")
+        self.assertRegex(said, f"^{re.escape(DREW)}renderer: got a vtkOpenGLRenderer of vtkmodules,"
+                         ".*import VTK's classes from cvista")  # fmt: skip
 
     def test_without_a_display(self):
         for display in ("", ":54321"):
