@@ -34,6 +34,9 @@ if (RELIEVO_WRAP_PYTHON AND NOT VTK_WRAP_PYTHON)
 endif ()
 # The package that VTK's Python modules are in: vtkmodules, or that of a VTK of another name.
 get_property(relievo_vtk_package TARGET VTK::CommonCore PROPERTY INTERFACE_vtk_module_python_package)
+if (NOT relievo_vtk_package)
+  set(relievo_vtk_package vtkmodules)
+endif ()
 if (RELIEVO_WRAP_PYTHON)
   # VTK's Python modules are built for one interpreter, which need not be the first on PATH.
   set(relievo_python_development Development)
