@@ -46,10 +46,9 @@ if (RELIEVO_WRAP_PYTHON)
   find_package(Python3 REQUIRED COMPONENTS Interpreter ${relievo_python_development})
   if (RELIEVO_PYTHON_CORE) # the SDK of a VTK is for one version of Python, and this is another
     set(CVISTA_ABI3 OFF)
-    set_target_properties(VTK::WrappingPythonCore PROPERTIES
-      IMPORTED_LOCATION_RELEASE "${RELIEVO_PYTHON_CORE}")
     get_filename_component(relievo_python_core "${RELIEVO_PYTHON_CORE}" NAME)
     set_target_properties(VTK::WrappingPythonCore PROPERTIES
+      IMPORTED_LOCATION_RELEASE "${RELIEVO_PYTHON_CORE}"
       IMPORTED_SONAME_RELEASE "${relievo_python_core}")
   endif ()
 elseif (RELIEVO_BUILD_TESTS)
