@@ -7,6 +7,7 @@ import importlib
 import inspect
 import os
 import pathlib
+import re
 import unittest
 
 import numpy
@@ -277,7 +278,12 @@ class Package(unittest.TestCase):
             function = getattr(relievo, name)
             if inspect.isfunction(function):
                 arguments = str(inspect.signature(function)).replace("'", '"')
-                self.assertIn(f"{name}{arguments}", headings)
+                heading = re.search(rf"^### {name}(\(.*\.\.\..*\)) →", headings, re.M)
+                if heading:  # values stand in tables of their own
+                    wanted = re.escape(heading.group(1)).replace(re.escape("..."), ".*")
+                    self.assertRegex(arguments, f"^{wanted}$", name)
+                else:
+                    self.assertIn(f"{name}{arguments}", headings)
             else:
                 self.assertIn(f"relievo.{name}`", page)
 
