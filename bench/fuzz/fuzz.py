@@ -40,6 +40,7 @@ SECONDS = 20  # that one file may take, where nothing else runs
 MEMORY = (8 << 30) + (1 << 28)  # of a process: that of small files, and what the program has
 BATCH = 400  # files that one process draws
 BY_COMMAND = 40  # of so many files one is drawn by the command itself, too
+READER = "reader ("  # of what a message says that crashed, or was ended
 PROGRESS = re.compile(r"relievo: .* \d+ %")  # of a step that takes more than two seconds
 LOOK = ["--size", "48x48", "--background", "0.3/0.5/0.7", "--png", "out.png"]
 
@@ -142,7 +143,7 @@ class Campaign:
                      + ", ".join(self.samples))  # fmt: skip
         self.kinds = formats or list(self.samples)
         self.kept = pathlib.Path(os.environ.get("RELIEVO_TEST_OUTPUT", ".")) / "fuzz-failures"
-        self.counts, self.read = collections.Counter(), collections.Counter()
+        self.counts, self.read, self.ended = (collections.Counter() for _ in range(3))
         self.failures, self.seconds, self.memory = [], collections.Counter(), 0
         self.lock = threading.Lock()
 
@@ -217,6 +218,8 @@ class Campaign:
             self.counts[sample.kind] += 1
             self.seconds[sample.kind] += took
             self.read[sample.kind] += not isinstance(answer, str) and answer["status"] == 0
+            self.ended[sample.kind] += not isinstance(answer, str) and any(
+                READER in line for line in answer["say"])  # fmt: skip
             if wrong:
                 self.keep(number, sample, folder, whole, wrong)
         return not isinstance(answer, str) or session
@@ -259,6 +262,7 @@ class Campaign:
             self.failures.append(-1)
         for kind in sorted(self.counts):
             print(f"{kind:8} {self.counts[kind]:6} files, {self.read[kind]:6} of them drawn, "
+                  f"{self.ended[kind]:4} ended a reader, "
                   f"{1000 * self.seconds[kind] / self.counts[kind]:6.1f} ms a file")
         drawn = sum(self.read.values()) / sum(self.counts.values())
         if only is None and not 0.05 < drawn < 0.95:
