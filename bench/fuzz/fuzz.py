@@ -40,7 +40,7 @@ SECONDS = 20  # that one file may take, where nothing else runs
 MEMORY = (8 << 30) + (1 << 28)  # of a process: that of small files, and what the program has
 BATCH = 400  # files that one process draws
 BY_COMMAND = 40  # of so many files one is drawn by the command itself, too
-READER = "reader ("  # of what a message says that crashed, or was ended
+READER = re.compile(r"reader(?: \(\w+\))? (?:crashed|did not end|used more|ended early|was ended)")
 PROGRESS = re.compile(r"relievo: .* \d+ %")  # of a step that takes more than two seconds
 LOOK = ["--size", "48x48", "--background", "0.3/0.5/0.7", "--png", "out.png"]
 
@@ -219,7 +219,7 @@ class Campaign:
             self.seconds[sample.kind] += took
             self.read[sample.kind] += not isinstance(answer, str) and answer["status"] == 0
             self.ended[sample.kind] += not isinstance(answer, str) and any(
-                READER in line for line in answer["say"])  # fmt: skip
+                READER.search(line) for line in answer["say"])  # fmt: skip
             if wrong:
                 self.keep(number, sample, folder, whole, wrong)
         return not isinstance(answer, str) or session
