@@ -243,7 +243,8 @@ void TestAttributes()
     array->SetName(vtkDataSetAttributes::GetAttributeTypeAsString(kind));
     const bool single = kind == vtkDataSetAttributes::GLOBALIDS ||
       kind == vtkDataSetAttributes::PEDIGREEIDS || kind == vtkDataSetAttributes::EDGEFLAG ||
-      kind == vtkDataSetAttributes::RATIONALWEIGHTS || kind == vtkDataSetAttributes::PROCESSIDS;
+      kind == vtkDataSetAttributes::RATIONALWEIGHTS ||
+      kind > vtkDataSetAttributes::HIGHERORDERDEGREES; // of newer VTK
     array->SetNumberOfComponents(single ? 1 : kind == vtkDataSetAttributes::TENSORS ? 9 : 3);
     array->SetNumberOfTuples(17);
     mesh->GetPointData()->SetAttribute(array, kind);
