@@ -19,6 +19,7 @@
 #   RELIEVO_TEST_OUTPUT  that folder
 #   RELIEVO_DATA         the folder that tools/unpack-data fills
 #   RELIEVO_BASELINES    the folder of the expected images
+# and what the variable RELIEVO_TEST_ENVIRONMENT lists, as VAR=value.
 include_guard(GLOBAL)
 
 set(RELIEVO_DATA "${PROJECT_SOURCE_DIR}/build/data" CACHE PATH
@@ -26,7 +27,6 @@ set(RELIEVO_DATA "${PROJECT_SOURCE_DIR}/build/data" CACHE PATH
 set(RELIEVO_TEST_LABELS_NOT_BUILT "" CACHE STRING
   "Labels of tests whose programs are built by their names only")
 set(RELIEVO_TESTS_NOT_BUILT "" CACHE STRING "Regular expression of names of such tests")
-set(RELIEVO_TEST_ENVIRONMENT "" CACHE STRING "What every test finds in its environment, as VAR=value")
 set(RELIEVO_TEST_OUTPUT "${PROJECT_BINARY_DIR}/Testing/output")
 set(RELIEVO_BASELINES "${PROJECT_SOURCE_DIR}/tests/baselines")
 

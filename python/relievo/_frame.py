@@ -11,7 +11,7 @@ from ._arrays import why_not
 from ._errors import Watch, is_a, require
 
 
-class vtkRelievoPass(vtkRelievoPasses.vtkRelievoPass):
+class Frame(vtkRelievoPasses.vtkRelievoPass):
     """The frame, with exceptions instead of messages on the error output.
 
     Raises ValueError for a name that is neither a layer nor an array of the data in the renderer.
@@ -65,6 +65,11 @@ class vtkRelievoPass(vtkRelievoPasses.vtkRelievoPass):
         names = list(names)
         "".join(names).encode()
         return super().TryReadLayers(names, image)
+
+
+# Not its name: VTK modules of Python's stable ABI (cvista's) take a class of the name of a wrapped
+# one for that.
+vtkRelievoPass = Frame
 
 
 def attach(renderer):
