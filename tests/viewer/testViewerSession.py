@@ -52,6 +52,7 @@ class Session(unittest.TestCase):
             (json.dumps({**MARK, "words": ["a\0b.off"]}), "are not all text"),
             (json.dumps({**MARK, "words": []}), "nothing to draw"),
             (json.dumps({**MARK, "words": ["--preset", "studio"]}), "nothing to draw"),
+            (json.dumps({**MARK, "words": [off, "64x64"]}), "64x64: no reader"),
             (json.dumps({**MARK, "words": [off, "--frob"]}), "--frob"),
             (json.dumps({**MARK, "words": [off, "--preset", "a\nb"]}), "--preset"),
             (json.dumps({**MARK, "words": [off, "--size", "0x0"]}), "--size"),

@@ -4,6 +4,7 @@
 
 #include "Errors.h"
 #include "Outputs.h"
+#include "Readers.h"
 #include "vtkRelievoFileKind.h"
 
 #include <QFile>
@@ -92,6 +93,10 @@ Session LoadSession(const QString& path)
   try
   {
     session.View = scene::Settings::FromWords(words);
+    for (const std::string& each : session.View.Files)
+    {
+      scene::CheckExtension(each);
+    }
   }
   catch (const std::exception& error)
   {
