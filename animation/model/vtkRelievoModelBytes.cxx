@@ -52,9 +52,8 @@ void VisitFields(ModelMorph& morph, Visit&& visit)
 template <typename Visit>
 void VisitFields(ModelMesh& mesh, Visit&& visit)
 {
-  auto& [name, data, node, material, morphs, isPlaced, isSkinned, isFaceted, turnsFaces,
-    isMirrored] = mesh;
-  visit(name, data, node, material, morphs, isPlaced, isSkinned, isFaceted, turnsFaces, isMirrored);
+  auto& [name, data, node, material, morphs, isPlaced, isSkinned, isFaceted] = mesh;
+  visit(name, data, node, material, morphs, isPlaced, isSkinned, isFaceted);
 }
 
 template <typename Visit>
