@@ -103,5 +103,5 @@ def lay(dest):
     listed = "".join(f"   {name}\n" for name in ["functions", *names])
     (dest / "index.rst").write_text(
         heading("Classes and functions", "=")
-        + "The functions of the package ``relievo``, and the classes that it wraps, which are those "
-        "of C++.\n\n.. toctree::\n   :maxdepth: 2\n\n" + listed)
+        + "The functions of the package ``relievo``, and the classes that it wraps, which are "
+        "those of C++.\n\n.. toctree::\n   :maxdepth: 2\n\n" + listed)
