@@ -26,8 +26,8 @@ const GltfKind TimesKind = { { "SCALAR" }, { Float } };
 const GltfKind NumbersKind = { { "VEC3" }, { Float } };
 const GltfKind TurnsKind = { { "VEC4" }, { Float, Byte, UnsignedByte, Short, UnsignedShort },
   true };
-const GltfKind WeightsKind = { { "SCALAR" }, { Float, Byte, UnsignedByte, Short, UnsignedShort },
-  true };
+const GltfKind MorphWeightsKind = { { "SCALAR" },
+  { Float, Byte, UnsignedByte, Short, UnsignedShort }, true };
 
 // A sampler's keys: `parts` numbers each, and three times as many for splines.
 struct Keys
@@ -173,7 +173,7 @@ private:
     keys.Times = &this->Document.GetNumbers(input, TimesKind);
     keys.Values = &this->Document.GetNumbers(output,
       path == Rotation    ? TurnsKind
-        : path == Weights ? WeightsKind
+        : path == Weights ? MorphWeightsKind
                           : NumbersKind);
     const std::size_t count = keys.Times->Count;
     const std::size_t wanted =

@@ -18,16 +18,6 @@ const std::set<std::string> KnownExtensions = { "KHR_draco_mesh_compression", "K
   "KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_mesh_quantization",
   "KHR_texture_transform" };
 
-std::size_t ReadLittle(const unsigned char* at, int bytes)
-{
-  std::size_t number = 0;
-  for (int i = bytes; i-- > 0;)
-  {
-    number = number << 8 | at[i];
-  }
-  return number;
-}
-
 // The place of a character among those of base64, or -1.
 int FindDigit(char c)
 {
@@ -128,6 +118,17 @@ bool DecodeBase64(const char* text, std::size_t size, std::vector<unsigned char>
   }
   return size % 4 != 1;
 }
+}
+
+//------------------------------------------------------------------------------
+std::size_t ReadLittle(const unsigned char* at, int bytes)
+{
+  std::size_t number = 0;
+  for (int i = bytes; i-- > 0;)
+  {
+    number = number << 8 | at[i];
+  }
+  return number;
 }
 
 //------------------------------------------------------------------------------

@@ -24,6 +24,9 @@ struct GltfBytes
   std::size_t Size = 0;
 };
 
+/// The whole number of so many bytes, the least significant first.
+std::size_t ReadLittle(const unsigned char* at, int bytes);
+
 namespace gltf
 {
 /// Most points and most corners of all meshes of a scene, each counted at each node that shows it;

@@ -9,16 +9,6 @@ namespace relievo
 {
 namespace
 {
-std::size_t ReadLittle(const unsigned char* at, int bytes)
-{
-  std::size_t number = 0;
-  for (int i = bytes; i-- > 0;)
-  {
-    number = number << 8 | at[i];
-  }
-  return number;
-}
-
 std::size_t GetComponents(std::size_t type)
 {
   constexpr std::size_t components[] = { 1, 2, 3, 4, 4, 9, 16 };

@@ -13,7 +13,7 @@ namespace relievo
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double Unlimited = std::numeric_limits<double>::infinity();
 
 // Of a sampler: OpenGL's numbers.
 int ReadWrap(const GltfValue& wrap)
@@ -73,13 +73,13 @@ public:
     material.Roughness = base.Get("roughnessFactor").GetNumber(1., 0., 1.);
     material.Alpha =
       static_cast<AlphaMode>(value.Get("alphaMode").GetWord({ "OPAQUE", "MASK", "BLEND" }));
-    material.AlphaCutoff = value.Get("alphaCutoff").GetNumber(0.5, 0., Infinity);
+    material.AlphaCutoff = value.Get("alphaCutoff").GetNumber(0.5, 0., Unlimited);
     material.IsDoubleSided = value.Get("doubleSided").GetFlag(false);
     const GltfValue extensions = value.Get("extensions");
     material.IsUnlit = extensions.Get("KHR_materials_unlit").IsThere();
     const double strength = extensions.Get("KHR_materials_emissive_strength")
                               .Get("emissiveStrength")
-                              .GetNumber(1., 0., Infinity);
+                              .GetNumber(1., 0., Unlimited);
     material.Emission = strength * ReadVector<glm::dvec3>(value.Get("emissiveFactor"), 0., 1.);
     material.BaseColorTexture = this->ReadTexture(base.Get("baseColorTexture"));
     material.MetalTexture = this->ReadTexture(base.Get("metallicRoughnessTexture"));

@@ -14,7 +14,7 @@ namespace relievo
 {
 namespace
 {
-constexpr int BatchSize = 64; // rows of blocks between two reports of progress
+constexpr int RowBatch = 64; // rows of blocks between two reports of progress
 
 // What two noises may differ by because of rounding: 5e8 cells from the origin, the places of a
 // sample and of the middle of its block are off by at most 6e-7 cells together; the slope is 7.8.
@@ -93,9 +93,9 @@ public:
     std::atomic<vtkTypeInt64> evaluations(0);
     std::atomic<vtkTypeInt64> air(0);
     const vtkIdType rows = static_cast<vtkIdType>(this->Blocks[1]) * this->Blocks[2];
-    for (vtkIdType batch = 0; batch < rows && !counts.Stopped; batch += BatchSize)
+    for (vtkIdType batch = 0; batch < rows && !counts.Stopped; batch += RowBatch)
     {
-      const vtkIdType end = std::min(batch + BatchSize, rows);
+      const vtkIdType end = std::min(batch + RowBatch, rows);
       vtkRelievoWithThreads([&]() {
         vtkSMPTools::For(batch, end, 1, [&](vtkIdType first, vtkIdType last) {
           CaveCounts mine;

@@ -32,7 +32,7 @@ namespace
 // Values that a corner asks of its point: tangent, and the normal of a mesh that is flat.
 using Splitter = relievo::PointSplitter<7>;
 
-glm::dvec3 Vector(vtkDataArray* array, vtkIdType i)
+glm::dvec3 VectorAt(vtkDataArray* array, vtkIdType i)
 {
   return glm::dvec3(
     array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2));
@@ -80,7 +80,7 @@ TangentSpace SmoothSpace(vtkPolyData* mesh, vtkDataArray* texture, vtkDataArray*
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     vertices.push_back(VertexOf(mesh, texture, i));
-    vertices.back().Normal = Vector(normals, i);
+    vertices.back().Normal = VectorAt(normals, i);
   }
   std::vector<TangentSpace::Triangle> triangles(corners.size() / 3);
   for (std::size_t c = 0; c < corners.size(); ++c)
@@ -113,7 +113,7 @@ TangentSpace FlatSpace(vtkPolyData* mesh, vtkDataArray* texture,
     glm::dvec3 normal = glm::cross(v[1].Position - v[0].Position, v[2].Position - v[0].Position);
     const double size = glm::length(normal);
     normal = size > 0. ? normal / size : glm::dvec3(0.);
-    flat.push_back(given ? Vector(normals, first + static_cast<vtkIdType>(f)) : normal);
+    flat.push_back(given ? VectorAt(normals, first + static_cast<vtkIdType>(f)) : normal);
     v[0].Normal = v[1].Normal = v[2].Normal = flat.back();
   }
   return TangentSpace(std::move(vertices), triangles);

@@ -19,7 +19,7 @@ namespace
 {
 using Matrix = std::vector<double>; // VTK's order: 4 * row + column
 
-const std::string Prefix = "relievo:";
+const std::string CameraPrefix = "relievo:";
 
 Imath::M44d ToImath(const Matrix& vtk)
 {
@@ -95,13 +95,13 @@ void WriteCamera(vtkFieldData* fields, Imf::Header& header)
   if (!camera.empty())
   {
     Insert(header, "worldToCamera", Imf::M44fAttribute(CameraToStandard(camera)));
-    Insert(header, Prefix + "worldToCamera", Imf::M44dAttribute(ToImath(camera)));
+    Insert(header, CameraPrefix + "worldToCamera", Imf::M44dAttribute(ToImath(camera)));
   }
   const Matrix ndc = FieldNumbers(fields, "worldToNDC", 16);
   if (!ndc.empty())
   {
     Insert(header, "worldToNDC", Imf::M44fAttribute(NdcToStandard(ndc)));
-    Insert(header, Prefix + "worldToNDC", Imf::M44dAttribute(ToImath(ndc)));
+    Insert(header, CameraPrefix + "worldToNDC", Imf::M44dAttribute(ToImath(ndc)));
   }
   for (const std::string name : { "near", "far" })
   {
@@ -109,7 +109,7 @@ void WriteCamera(vtkFieldData* fields, Imf::Header& header)
     if (!plane.empty())
     {
       Insert(header, name, Imf::FloatAttribute(static_cast<float>(plane[0])));
-      Insert(header, Prefix + name, Imf::DoubleAttribute(plane[0]));
+      Insert(header, CameraPrefix + name, Imf::DoubleAttribute(plane[0]));
     }
   }
   const std::vector<double> origin = FieldNumbers(fields, "relievo:origin", 3);
@@ -123,7 +123,7 @@ void WriteCamera(vtkFieldData* fields, Imf::Header& header)
 void ReadCamera(const Imf::Header& header, vtkFieldData* fields)
 {
   const auto exact = [&](const std::string& name) {
-    const Imath::M44d* m = ValueOf<Imath::M44d>(header, Prefix + name);
+    const Imath::M44d* m = ValueOf<Imath::M44d>(header, CameraPrefix + name);
     return m ? Matrix((*m)[0], (*m)[0] + 16) : Matrix();
   };
   const Imath::M44f* standardCamera = ValueOf<Imath::M44f>(header, "worldToCamera");
@@ -142,7 +142,7 @@ void ReadCamera(const Imf::Header& header, vtkFieldData* fields)
   }
   for (const std::string name : { "near", "far" })
   {
-    const double* precise = ValueOf<double>(header, Prefix + name);
+    const double* precise = ValueOf<double>(header, CameraPrefix + name);
     const float* standard = ValueOf<float>(header, name);
     if (precise || standard)
     {

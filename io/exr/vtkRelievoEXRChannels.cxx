@@ -65,7 +65,7 @@ std::vector<std::string> LayerSuffixes(const std::string& array, int components,
 }
 
 // The picture's channels are those that every program looks for.
-std::string Prefix(const std::string& array)
+std::string ChannelPrefix(const std::string& array)
 {
   return array == vtkRelievoLayerCatalogue::GetPicture().Name ? std::string() : array + ".";
 }
@@ -204,7 +204,7 @@ std::string ChannelName(const std::string& array, int components, bool integer, 
   const std::vector<std::string> suffixes = LayerSuffixes(array, components, integer);
   if (!suffixes.empty())
   {
-    return Prefix(array) + suffixes[component];
+    return ChannelPrefix(array) + suffixes[component];
   }
   static const char* const xyz[] = { "X", "Y", "Z" };
   return array + "." +

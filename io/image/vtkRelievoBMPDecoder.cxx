@@ -22,7 +22,7 @@ enum Packing
   FieldsWithAlpha = 6
 };
 
-struct Header
+struct BMPHeader
 {
   std::uint32_t Width = 0;
   std::uint32_t Height = 0;
@@ -34,9 +34,9 @@ struct Header
   std::size_t Data = 0;
 };
 
-Header ReadHeader(const Bytes& bytes)
+BMPHeader ReadBMPHeader(const Bytes& bytes)
 {
-  Header head;
+  BMPHeader head;
   head.Data = bytes.Little32(10);
   const std::uint32_t size = bytes.Little32(14);
   const bool old = size == 12; // of OS/2
@@ -130,7 +130,7 @@ unsigned char Field(std::uint32_t word, std::uint32_t mask)
     (static_cast<std::uint64_t>(word & mask) * 255 + mask / 2) / mask);
 }
 
-void PutColor(const Header& head, std::size_t index, unsigned char* to)
+void PutColor(const BMPHeader& head, std::size_t index, unsigned char* to)
 {
   if (index >= head.Colors.size())
   {
@@ -139,7 +139,7 @@ void PutColor(const Header& head, std::size_t index, unsigned char* to)
   std::copy_n(head.Colors[index].begin(), 3, to);
 }
 
-void PutPlain(const Header& head, const Bytes& data, vtkImageData* image)
+void PutPlain(const BMPHeader& head, const Bytes& data, vtkImageData* image)
 {
   const int components = image->GetNumberOfScalarComponents();
   const std::size_t stride = (static_cast<std::size_t>(head.Width) * head.Bits + 31) / 32 * 4;
@@ -175,7 +175,7 @@ void PutPlain(const Header& head, const Bytes& data, vtkImageData* image)
 }
 
 // What the runs leave out has the palette's first colour.
-void PutRuns(const Header& head, const Bytes& data, vtkImageData* image)
+void PutRuns(const BMPHeader& head, const Bytes& data, vtkImageData* image)
 {
   const std::size_t perByte = 8 / static_cast<std::size_t>(head.Bits);
   for (std::uint32_t y = 0; y < head.Height; ++y)
@@ -240,7 +240,7 @@ void PutRuns(const Header& head, const Bytes& data, vtkImageData* image)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> DecodeBMP(const Bytes& bytes)
 {
-  const Header head = ReadHeader(bytes);
+  const BMPHeader head = ReadBMPHeader(bytes);
   const Bytes data = bytes.From(head.Data);
   const bool runs = head.Packed == Runs8 || head.Packed == Runs4;
   // Before memory is taken; a run of 2 bytes is 255 texels at most, a step skips more.

@@ -17,7 +17,7 @@ namespace
 {
 using Texel = std::array<unsigned char, 4>; // red, green, blue, exponent
 
-struct Header
+struct HDRHeader
 {
   bool XYZ = false;
   std::uint64_t Lines = 0;
@@ -54,9 +54,9 @@ int FindOrientation(char slowSign, char slowAxis, char fastSign)
   return slowSign == '+' ? (fastSign == '-' ? 5 : 8) : (fastSign == '-' ? 6 : 7);
 }
 
-Header ReadHeader(const Bytes& bytes)
+HDRHeader ReadHDRHeader(const Bytes& bytes)
 {
-  Header head;
+  HDRHeader head;
   std::size_t at = 0;
   ReadLine(bytes, at);
   bool formatted = false;
@@ -166,7 +166,7 @@ void PutColor(const Texel& texel, bool xyz, float* to)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> DecodeHDR(const Bytes& bytes)
 {
-  const Header head = ReadHeader(bytes);
+  const HDRHeader head = ReadHDRHeader(bytes);
   CheckSize(head.Length, head.Lines, 3, sizeof(float));
   // Before memory is taken: 4 bytes of runs of runs may stand for a whole scan line.
   if (head.Lines > (bytes.Size() - head.Data) / 4)

@@ -25,7 +25,7 @@ enum Color
   RGBA = 6
 };
 
-struct Header
+struct PNGHeader
 {
   std::uint32_t Width = 0;
   std::uint32_t Height = 0;
@@ -43,19 +43,19 @@ struct Transparency
 
 struct Content
 {
-  Header Head;
+  PNGHeader Head;
   std::vector<std::array<unsigned char, 4>> Colors; // of the palette
   Transparency Alpha;
   std::vector<Bytes> Parts; // of the compressed data
 };
 
-Header ReadHeader(const Bytes& chunk)
+PNGHeader ReadPNGHeader(const Bytes& chunk)
 {
   if (chunk.Size() != 13)
   {
     throw Failure("its header is damaged");
   }
-  Header head;
+  PNGHeader head;
   head.Width = chunk.Big32(0);
   head.Height = chunk.Big32(4);
   head.Depth = chunk[8];
@@ -126,7 +126,7 @@ Content ReadChunks(const Bytes& bytes)
     }
     if (name == "IHDR")
     {
-      content.Head = ReadHeader(chunk);
+      content.Head = ReadPNGHeader(chunk);
       headed = true;
     }
     else if (name == "PLTE")
@@ -265,7 +265,7 @@ template <typename T>
 void PutRow(const Content& content, const unsigned char* samples, std::uint32_t width, T* to,
   std::size_t step)
 {
-  const Header& head = content.Head;
+  const PNGHeader& head = content.Head;
   const unsigned int most = (1U << head.Depth) - 1;
   for (std::uint32_t x = 0; x < width; ++x, to += step)
   {
@@ -303,7 +303,7 @@ struct Pass
 template <typename T>
 void PutRows(const Content& content, vtkImageData* image)
 {
-  const Header& head = content.Head;
+  const PNGHeader& head = content.Head;
   const std::vector<Pass> passes = head.Interlaced ? std::vector<Pass>{ { 0, 0, 8, 8 },
     { 4, 0, 8, 8 }, { 0, 4, 4, 8 }, { 2, 0, 4, 4 }, { 0, 2, 2, 4 }, { 1, 0, 2, 2 }, { 0, 1, 1, 2 } }
                                                    : std::vector<Pass>{ { 0, 0, 1, 1 } };
@@ -336,7 +336,7 @@ void PutRows(const Content& content, vtkImageData* image)
 vtkSmartPointer<vtkImageData> DecodePNG(const Bytes& bytes)
 {
   const Content content = ReadChunks(bytes);
-  const Header& head = content.Head;
+  const PNGHeader& head = content.Head;
   // Before memory is taken: deflated data are at least a 1032nd of what they unpack to.
   std::uint64_t packed = 0;
   for (const Bytes& part : content.Parts)

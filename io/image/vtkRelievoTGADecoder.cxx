@@ -16,7 +16,7 @@ namespace
 {
 using Texel = std::array<unsigned char, 4>;
 
-struct Header
+struct TGAHeader
 {
   int Type = 0; // without its run-length bit: 1 palette, 2 colours, 3 grey
   bool Runs = false;
@@ -37,9 +37,9 @@ bool IsColor(int bits)
   return bits == 15 || bits == 16 || bits == 24 || bits == 32;
 }
 
-Header ReadHeader(const Bytes& bytes)
+TGAHeader ReadTGAHeader(const Bytes& bytes)
 {
-  Header head;
+  TGAHeader head;
   head.Type = bytes[2] & ~8;
   head.Runs = (bytes[2] & 8) != 0;
   head.FirstColor = bytes.Little16(3);
@@ -82,7 +82,7 @@ Texel ColorOf(const Bytes& bytes, int bits, bool alpha)
 class Texels
 {
 public:
-  Texels(const Header& head, const Bytes& bytes)
+  Texels(const TGAHeader& head, const Bytes& bytes)
     : Head(head)
     , Rest(bytes.From(head.Data))
     , Size(static_cast<std::size_t>(head.Bits + 7) / 8)
@@ -141,7 +141,7 @@ private:
     return this->Palette[index - this->Head.FirstColor];
   }
 
-  const Header& Head;
+  const TGAHeader& Head;
   Bytes Rest;
   std::size_t Size;
   std::vector<Texel> Palette;
@@ -154,7 +154,7 @@ private:
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> DecodeTGA(const Bytes& bytes)
 {
-  const Header head = ReadHeader(bytes);
+  const TGAHeader head = ReadTGAHeader(bytes);
   const int bits = head.Type == 1 ? head.ColorBits : head.Bits;
   const bool alpha = head.Alpha && (bits == 32 || bits == 16);
   const int components = head.Type == 3 ? (head.Bits == 16 ? 2 : 1) : alpha ? 4 : 3;

@@ -52,7 +52,7 @@ int vtkRelievoPLYReader::RequestData(
   };
   try
   {
-    Content content = Read(LoadMeshText(this->FileName), [this](double share) {
+    ply::Content content = ply::Read(LoadMeshText(this->FileName), [this](double share) {
       this->UpdateProgress(0.8 * share);
       return !this->GetAbortExecute();
     });

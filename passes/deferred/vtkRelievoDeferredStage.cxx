@@ -23,7 +23,7 @@ vtkStandardNewMacro(vtkRelievoDeferredStage);
 namespace
 {
 const char* const Shading = "shading";
-const char* const Shadows = "shadow maps";
+const char* const ShadowMaps = "shadow maps";
 
 // VTK's declarations of its lights, and the list of them for shaders/deferred/shadeFS.glsl.
 std::string DescribeLights(const vtkRelievoFrameContext& context)
@@ -153,9 +153,9 @@ void vtkRelievoDeferredStage::AddLights(vtkRelievoFrameContext& context)
   }
   auto* renderer = static_cast<vtkOpenGLRenderer*>(context.Renderer);
   std::vector<std::string> reads{ Shading };
-  if (shading->NumberOfLights > 0 && context.Find(Shadows))
+  if (shading->NumberOfLights > 0 && context.Find(ShadowMaps))
   {
-    reads.emplace_back(Shadows);
+    reads.emplace_back(ShadowMaps);
   }
   vtkShaderProgram* program =
     in.Quad.Ready(context, "deferred/shadeFS.glsl", reads, DescribeLights(context));

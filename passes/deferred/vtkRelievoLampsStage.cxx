@@ -30,7 +30,7 @@ const char* const Evaluations = "lamp_evaluations";
 const char* const Reaching = "lamps_reaching";
 const char* const Surface = "surface";
 const char* const Gloss = "lamp gloss";
-const char* const Shadows = "lamp shadows";
+const char* const LampShadows = "lamp shadows";
 const std::vector<std::string> WayNames{ "auto", "quads", "clusters", "all" };
 
 // Up to so many lamps rectangles are drawn by themselves: clusters cost more to list.
@@ -44,7 +44,7 @@ std::string DescribeCasting(const vtkRelievoFrameContext& context)
   {
     return {};
   }
-  if (!context.Find(Shadows))
+  if (!context.Find(LampShadows))
   {
     return "; no shadows: see the stage shadows";
   }
@@ -161,7 +161,7 @@ std::vector<std::string> vtkRelievoLampsStage::GetReadsFor(
   if (this->Internal->SomeCast)
   {
     reads.emplace_back("geometric_normal");
-    reads.emplace_back(Shadows);
+    reads.emplace_back(LampShadows);
   }
   return reads;
 }

@@ -68,14 +68,14 @@ void CheckCellArray(vtkCellArray* cells, vtkIdType numberOfPoints, const std::st
 
 //------------------------------------------------------------------------------
 // How many points cells of a type have.
-struct Row
+struct CellRow
 {
   int Type;
   const char* Name;
   int Least;
   bool Exact; // or more
 };
-const Row Rows[] = {
+const CellRow CellRows[] = {
   { VTK_EMPTY_CELL, "empty cell", 0, false },
   { VTK_VERTEX, "vertex", 1, true },
   { VTK_POLY_VERTEX, "poly-vertex", 1, false },
@@ -149,22 +149,22 @@ public:
   explicit CellJudge(vtkUnstructuredGrid* grid)
     : Orders(grid->GetCellData()->GetHigherOrderDegrees())
   {
-    for (const Row& row : Rows)
+    for (const CellRow& row : CellRows)
     {
-      this->RowOf[row.Type] = &row;
+      this->CellRowOf[row.Type] = &row;
     }
     for (const OrderRow& row : OrderRows)
     {
       for (const int type : row.Types)
       {
-        this->OrderRowOf[type] = &row;
+        this->OrderCellRowOf[type] = &row;
       }
     }
   }
 
   std::string Judge(vtkIdType cell, int type, vtkIdType size) const
   {
-    if (const Row* row = this->RowOf[type])
+    if (const CellRow* row = this->CellRowOf[type])
     {
       const bool even = type != VTK_QUADRATIC_POLYGON || size % 2 == 0;
       const bool fits = row->Exact ? size == row->Least : size >= row->Least;
@@ -173,7 +173,7 @@ public:
         : Name(row->Name, size) + ", expected " + (row->Exact ? "" : "at least ") +
           std::to_string(row->Least) + (even ? "" : ", an even number");
     }
-    const OrderRow* row = this->OrderRowOf[type];
+    const OrderRow* row = this->OrderCellRowOf[type];
     if (!row)
     {
       return "of type " + std::to_string(type) + ", which VTK does not draw";
@@ -209,8 +209,8 @@ private:
   }
 
   vtkDataArray* const Orders;
-  const Row* RowOf[256] = {};
-  const OrderRow* OrderRowOf[256] = {};
+  const CellRow* CellRowOf[256] = {};
+  const OrderRow* OrderCellRowOf[256] = {};
 };
 
 //------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ namespace scene
 {
 namespace
 {
-const std::set<std::string> Outputs = { "--png", "--exr", "--report", "--certify", "--hdr",
+const std::set<std::string> OutputOptions = { "--png", "--exr", "--report", "--certify", "--hdr",
   "--layers" };
 
 // Said as parameters of stages instead.
@@ -51,7 +51,7 @@ Settings Settings::FromWords(const std::vector<std::string>& words)
       {
         settings.Set("--time", GetFirstTime(value));
       }
-      else if (Outputs.count(name) == 0)
+      else if (OutputOptions.count(name) == 0)
       {
         settings.Values[name].push_back(value);
       }

@@ -16,7 +16,7 @@
 namespace
 {
 constexpr double EdgePixels = 1.0;     // beyond the outline, that edges are filtered over
-constexpr double Largest = 1e30;       // that is safe in floats
+constexpr double LargestTexel = 1e30;  // that is safe in floats
 constexpr double ShadowOnset = 0.25;   // radii below a point, over which its shadow begins
 constexpr double Thinnest = 1e-4;      // square of a shadow's width, of its mean one
 constexpr double BoxTolerance = 0.001; // of a box's height, above its bottom
@@ -32,7 +32,7 @@ glm::dvec3 GetAcross(const glm::dvec3& direction)
 }
 
 // What the value lacks as a float.
-double Lacks(double value)
+double Remainder(double value)
 {
   return value - static_cast<double>(static_cast<float>(value));
 }
@@ -214,12 +214,12 @@ void vtkRelievoMarkerList::AddBody(const vtkRelievoSphereRays& rays, const Body&
     tint * body.Values[4], tint * body.Values[5], tint * body.Values[6], alpha,       //
     sphere.Offset.x, sphere.Offset.y, sphere.Pixel.x, sphere.Pixel.y,                 //
     sphere.Offsets[0].x, sphere.Offsets[0].y, sphere.Offsets[1].x, sphere.Offsets[1].y, depth,
-    Lacks(depth), 1.0 / fit.Unit, double(body.Shape),        //
+    Remainder(depth), 1.0 / fit.Unit, double(body.Shape),    //
     fit.Edges.x, fit.Edges.y, fit.Edges.z, fit.Edges.w,      //
     fit.Axes[0].x, fit.Axes[0].y, fit.Axes[0].z, fit.Half.x, //
     fit.Axes[1].x, fit.Axes[1].y, fit.Axes[1].z, fit.Half.y, //
     fit.Axes[2].x, fit.Axes[2].y, fit.Axes[2].z, fit.Half.z };
-  if (!std::all_of(texels, texels + 36, [](double v) { return std::abs(v) < Largest; }))
+  if (!std::all_of(texels, texels + 36, [](double v) { return std::abs(v) < LargestTexel; }))
   {
     return;
   }

@@ -23,11 +23,11 @@
 
 namespace
 {
-using Access = vtkRelievoAccess::GlyphMapper;
+using GlyphAccess = vtkRelievoAccess::GlyphMapper;
 using Matrices = vtkRelievoGlyphPlaces::Matrices;
 using Meshes = std::vector<vtkPolyData*>;
 
-constexpr vtkIdType Most = 1 << 22;
+constexpr vtkIdType MostGlyphs = 1 << 22;
 constexpr double Flat = 1e-2; // of the longest side
 
 template <typename Visit>
@@ -124,13 +124,13 @@ public:
     : Mapper(mapper)
     , Points(points)
     , Last(sources - 1)
-    , Index(Access::SourceIndexArray(mapper, points))
-    , Orient(Access::OrientationArray(mapper, points))
-    , Scale(Access::ScaleArray(mapper, points))
+    , Index(GlyphAccess::SourceIndexArray(mapper, points))
+    , Orient(GlyphAccess::OrientationArray(mapper, points))
+    , Scale(GlyphAccess::ScaleArray(mapper, points))
   {
     if (mapper->GetMasking())
     {
-      this->Mask = vtkBitArray::SafeDownCast(Access::MaskArray(mapper, points));
+      this->Mask = vtkBitArray::SafeDownCast(GlyphAccess::MaskArray(mapper, points));
     }
   }
 
@@ -318,7 +318,7 @@ const std::vector<vtkRelievoGlyphPlaces::Group>* vtkRelievoGlyphPlaces::Find(
     {
       const Rules rules(mapper, points, static_cast<int>(sources.size()));
       count += points->GetNumberOfPoints();
-      held.Known = held.Known && count <= Most && rules.AreSound() &&
+      held.Known = held.Known && count <= MostGlyphs && rules.AreSound() &&
         AddPlaces(rules, points->GetNumberOfPoints(), places);
     }
     for (std::size_t i = 0; i < sources.size() && held.Known; ++i)

@@ -23,7 +23,7 @@
 namespace
 {
 // The share of wrong verdicts that testShadowExact allows, whatever the maps' size.
-constexpr vtkRelievoShadowErrorLaw Law = { 2e-5, 0.0 };
+constexpr vtkRelievoShadowErrorLaw ExactLaw = { 2e-5, 0.0 };
 
 // More where floats have no digits left: testShadowStability has 0.11 % at a farness of 27000, and
 // 0.02 % at 3800.
@@ -241,7 +241,7 @@ vtkRelievoShadowEstimate vtkRelievoShadowMethodExact::Estimate(
   // The triangles, 56 bytes each, come to it.
   estimate.Bytes = vtkRelievoVisibilityPrepass::GetBytes(demand.Width, demand.Height);
   estimate.WrongShare =
-    std::min(1.0, std::max(Law.GetShare(demand.MapSize), FarLaw * demand.Farness));
+    std::min(1.0, std::max(ExactLaw.GetShare(demand.MapSize), FarLaw * demand.Farness));
   if (this->InMaps > 0)
   {
     estimate.WrongShare =

@@ -14,7 +14,7 @@ namespace
 {
 // Fitted as vtkRelievoShadowMethodMap's law is, but only to maps of 512 and 1024 texels: larger
 // ones were not measured.
-constexpr vtkRelievoShadowErrorLaw Law = { 4.19e-4, 1.092 };
+constexpr vtkRelievoShadowErrorLaw ForwardLaw = { 4.19e-4, 1.092 };
 }
 
 //------------------------------------------------------------------------------
@@ -128,6 +128,6 @@ vtkRelievoShadowEstimate vtkRelievoShadowMethodForward::Estimate(
     vtkRelievoForwardMasks::GetBytes(demand.Width, demand.Height, demand.Lights);
   // The maps, the depth that the camera sees, the maps' samples.
   estimate.DrawCalls = demand.Maps * demand.Props + demand.Props + demand.Maps;
-  estimate.WrongShare = Law.GetShare(demand.MapSize);
+  estimate.WrongShare = ForwardLaw.GetShare(demand.MapSize);
   return estimate;
 }

@@ -20,7 +20,7 @@ using vtkRelievoShadowSnapping::Rounding;
 
 // Fitted as vtkRelievoShadowMethodMap's law is. Where a scene runs to the horizon, warped maps have
 // two fifths to four fifths of that method's wrong verdicts.
-constexpr vtkRelievoShadowErrorLaw Law = { 4.29e-4, 0.90 };
+constexpr vtkRelievoShadowErrorLaw WarpedLaw = { 4.29e-4, 0.90 };
 
 // Angles that a map may have, in half a turn.
 constexpr double GazeTurns = 16.0;
@@ -179,6 +179,6 @@ vtkRelievoShadowEstimate vtkRelievoShadowMethodWarped::Estimate(
   vtkRelievoShadowEstimate estimate;
   estimate.Bytes = vtkRelievoShadowMaps::GetBytes(demand.MapSize, demand.Maps);
   estimate.DrawCalls = demand.Maps * demand.Props * vtkRelievoMapAxis::MostPieces;
-  estimate.WrongShare = Law.GetShare(demand.MapSize);
+  estimate.WrongShare = WarpedLaw.GetShare(demand.MapSize);
   return estimate;
 }
