@@ -55,12 +55,13 @@ list(REMOVE_ITEM relievo_of_data Relievo::Describe Relievo::Shaders Relievo::Lay
 relievo_precompile_headers(${relievo_of_data})
 # A quarter of the time to compile. Off by default: it hides an #include that a file forgot, and one
 # changed file compiles eight. Names in one library's unnamed namespaces must differ for it; those of
-# Materials are the marks of its shaders, several times.
+# Materials, the marks of its shaders, do not.
 option(RELIEVO_UNITY_BUILD "Compile the sources of the libraries several at once" OFF)
 if (RELIEVO_UNITY_BUILD)
   foreach (module IN LISTS relievo_modules)
     get_target_property(target "${module}" ALIASED_TARGET)
-    set_target_properties("${target}" PROPERTIES UNITY_BUILD ON)
+    if (NOT module STREQUAL "Relievo::Materials")
+      set_target_properties("${target}" PROPERTIES UNITY_BUILD ON)
+    endif ()
   endforeach ()
-  set_target_properties(Materials PROPERTIES UNITY_BUILD OFF)
 endif ()

@@ -80,7 +80,7 @@ private:
   glm::dvec3 Size;
 };
 
-glm::dvec3 Axis(int number)
+glm::dvec3 AxisOf(int number)
 {
   glm::dvec3 axis(0.);
   axis[number % 3] = 1.;
@@ -93,8 +93,8 @@ class Side
 public:
   Side(const glm::dvec3& normal, int up)
   {
-    glm::dvec3 v = Axis(up) - normal * normal[up];
-    v = glm::length(v) > 1e-6 ? glm::normalize(v) : Axis(up + 2);
+    glm::dvec3 v = AxisOf(up) - normal * normal[up];
+    v = glm::length(v) > 1e-6 ? glm::normalize(v) : AxisOf(up + 2);
     this->U = glm::normalize(glm::cross(v, normal));
     this->V = v;
   }
@@ -196,7 +196,7 @@ Coordinates MapBox(const Mesh& mesh, double tile, int up)
   std::vector<Side> sides;
   for (int s = 0; s < 6; ++s)
   {
-    sides.emplace_back(Axis(s / 2) * (s % 2 ? -1. : 1.), up);
+    sides.emplace_back(AxisOf(s / 2) * (s % 2 ? -1. : 1.), up);
     sides.back().StartAtBounds(size);
   }
   Coordinates result;

@@ -62,12 +62,7 @@ std::uint64_t CountBytes(vtkAbstractArray* array)
 // An array whose values lie one behind the other.
 vtkSmartPointer<vtkDataArray> GetPlain(vtkDataArray* array)
 {
-  if (array->HasStandardMemoryLayout() &&
-    array->GetArrayType() == vtkAbstractArray::AoSDataArrayTemplate)
-  {
-    return array;
-  }
-  if (array->GetDataType() == VTK_BIT)
+  if (array->HasStandardMemoryLayout() || array->GetDataType() == VTK_BIT)
   {
     return array;
   }
