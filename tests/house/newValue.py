@@ -39,7 +39,7 @@ def on_the_command_line(run, build, folder):
         encoding="utf-8",
     )
     assert "share=N" in run([relievo, "--help"])
-    words = [relievo, "render", mesh, "--size", "90x70", "--png"]
+    words = [relievo, "render", mesh, "--color", "navy", "--size", "90x70", "--png"]
     points = f"{folder / 'fog.vtk'},density=1,radius=1"
     pictures = set()
     for share in ("1", "wanted"):
