@@ -8,8 +8,7 @@ import pathlib
 import numpy
 import relievo
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
@@ -21,7 +20,8 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-import demo_sheet  # of examples/
+import demo_sheet  # this and the next of examples/
+import scene
 
 DATA = pathlib.Path(os.environ["RELIEVO_DATA"])
 SIZE = (960, 540)
@@ -182,20 +182,9 @@ def town(seed=4, blocks=9):
     places = [(street + 1.2, at, 2.2) for street in streets for at in along]
     places += [(at, street - 1.2, 2.2) for street in streets for at in along]
     cold = random.random(len(places))[:, None] < 0.3
-    lamps = points(places, color=numpy.where(cold, (0.7, 0.85, 1.0), (1.0, 0.68, 0.32)))
+    lamps = scene.points(places, color=numpy.where(cold, (0.7, 0.85, 1.0), (1.0, 0.68, 0.32)))
     boxes = actor_of(houses.GetOutput(), (0.72, 0.69, 0.64))
     return [boxes, ground(80, color=(0.5, 0.5, 0.52))], lamps
-
-
-def points(places, **values):
-    data, at = vtkPolyData(), vtkPoints()
-    at.SetData(numpy_to_vtk(numpy.array(places, float), deep=True))
-    data.SetPoints(at)
-    for name, numbers in values.items():
-        array = numpy_to_vtk(numpy.ascontiguousarray(numbers, float), deep=True)
-        array.SetName(name)
-        data.GetPointData().AddArray(array)
-    return data
 
 
 def night():
@@ -228,11 +217,12 @@ def valley():
     random = numpy.random.default_rng(5)
     y = random.uniform(-3, 26, 700)
     x = 2 * numpy.sin(0.4 * y) + random.normal(0, 0.9, len(y))
-    mist = points(numpy.stack([x, y, tall(x, y) + random.uniform(-0.3, 0.2, len(y))], axis=1),
-                  radius=random.uniform(0.5, 1.3, len(y)))
+    above = tall(x, y) + random.uniform(-0.3, 0.2, len(y))
+    radii = random.uniform(0.5, 1.3, len(y))
+    mist = scene.points(numpy.stack([x, y, above], axis=1), radius=radii)
     y = numpy.arange(0, 18, 3.0)
     x = 2 * numpy.sin(0.4 * y) + 1.9
-    sites = points(numpy.stack([x, y, tall(x, y)], axis=1))
+    sites = scene.points(numpy.stack([x, y, tall(x, y)], axis=1))
     renderer, window = renderer_of([actor_of(normals.GetOutput(), (0.5, 0.56, 0.38))],
                                    (1.5, -5.5, 4.6), (0.3, 8, 0.2))
     light(renderer, (-6, -3, 4.5), 0.9, (1, 0.88, 0.74))

@@ -358,7 +358,7 @@ class FlatScenes(CliTest):
                                 "--png", "a.png")  # fmt: skip
             self.assertEqual("nothing but the background" in done.stderr, not seen, done.stderr)
             done = self.relievo("render", "a.gltf", *LOOK, "--png", "a.png")
-            self.assertEqual(done.stderr, "")
+            self.assertEqual("nothing but the background" in done.stderr, not seen, done.stderr)
         done = self.relievo("render", "triangle.off", "--color", "black", "--png", "a.png")
         self.assertIn("a.png: shows nothing but the background", done.stderr)
 
