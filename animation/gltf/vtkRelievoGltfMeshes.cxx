@@ -505,7 +505,7 @@ void ReadGltfMeshes(GltfDocument& document, const GltfNodes& nodes, int weights,
       throw GltfError("reading it was stopped");
     }
   }
-  // As the scene has its nodes.
+  // Placed where the scene has its nodes.
   std::stable_sort(model.Meshes.begin(), model.Meshes.end(),
     [&order](const ModelMesh& a, const ModelMesh& b) { return order[a.Node] < order[b.Node]; });
 }

@@ -35,7 +35,7 @@ vtkSmartPointer<vtkImageData> MakeImage(int width, int height, int components)
   return image;
 }
 
-// As bytes: red, green, blue and, if it counts, alpha; grey is all three.
+// Bytes of red, green, blue and, if it counts, alpha; grey is all three.
 vtkSmartPointer<vtkImageData> ToBytes(vtkImageData* image, bool alpha)
 {
   vtkDataArray* from = image->GetPointData()->GetScalars();

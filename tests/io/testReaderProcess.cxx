@@ -104,7 +104,7 @@ void Gorge(ByteReader&, const Say&, ByteWriter&)
   }
 }
 
-// As VTK does where malloc() fails, out of what may not throw.
+// VTK throws so where malloc() fails, out of what may not throw.
 void LackMemory()
 {
   throw std::bad_alloc();
