@@ -14,6 +14,7 @@
 #include "vtkRelievoReaderProcess.h"
 
 #include <cstdint>
+#include <new>
 #include <vector>
 
 namespace scene
@@ -83,6 +84,10 @@ void Answer(
     }
     catch (const WorkError& error)
     {
+      if (Messages::TellsOfMemory(error.what())) // what VTK 9.1 gets over, with no data
+      {
+        throw std::bad_alloc();
+      }
       said.Is = End::Work;
       said.Wrong = error.what();
     }

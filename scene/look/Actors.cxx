@@ -28,7 +28,10 @@
 #include "vtkProperty.h"
 #include "vtkRelievoCompositeMapper.h"
 #include "vtkRelievoConvexPolygons.h"
+#include "vtkSMPTools.h"
+#include "vtkVersionMacros.h"
 
+#include <string>
 #include <vector>
 
 namespace scene
@@ -81,6 +84,22 @@ vtkSmartPointer<vtkDataObject> WithVertices(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
+// VTK 9.1's filter numbers polygons as its threads happen to finish, which the layer `cell` would
+// show: there it works in turn.
+vtkSmartPointer<vtkDataObject> RunSurface(
+  vtkGeometryFilter* surface, vtkDataObject* data, Progress& progress)
+{
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+  vtkSmartPointer<vtkDataObject> made;
+  vtkSMPTools::LocalScope(
+    vtkSMPTools::Config{ std::string("Sequential") }, [&] { made = Run(surface, data, progress); });
+  return made;
+#else
+  return Run(surface, data, progress);
+#endif
+}
+
+//------------------------------------------------------------------------------
 // The polygons to draw. `vtkOriginalCellIds` says for each polygon of a grid which cell of the file
 // it bounds.
 vtkSmartPointer<vtkDataObject> Surface(vtkDataObject* data, Progress& progress)
@@ -99,12 +118,12 @@ vtkSmartPointer<vtkDataObject> Surface(vtkDataObject* data, Progress& progress)
     if (structured) // of which there may be more cells than memory has numbers for
     {
       surface->PassThroughCellIdsOn();
-      return Run(surface, block, progress);
+      return RunSurface(surface, block, progress);
     }
     // The filter's own numbers are those of its copy without nonlinear cells, where there are any.
     const vtkSmartPointer<vtkDataObject> numbered = CopyDataSets(block);
     ForEachDataSet(numbered, NumberCells);
-    return Run(surface, numbered, progress);
+    return RunSurface(surface, numbered, progress);
   });
 }
 

@@ -67,7 +67,7 @@ private:
     {
       return;
     }
-    if (line.find("Unable to allocate") != std::string::npos)
+    if (Messages::TellsOfMemory(line))
     {
       vtkRelievoReaderProcess::LackMemory(); // before a VTK of Debian aborts
     }
@@ -157,6 +157,12 @@ Messages::Scope::~Scope()
     vtkLogger::SetStderrVerbosity(replaced.Verbosity);
     replaced.Window = nullptr;
   }
+}
+
+//------------------------------------------------------------------------------
+bool Messages::TellsOfMemory(const std::string& text)
+{
+  return text.find("Unable to allocate") != std::string::npos;
 }
 
 //------------------------------------------------------------------------------

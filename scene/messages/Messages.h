@@ -30,6 +30,9 @@ public:
   static void Check(
     const std::string& subject, bool failed = false, const std::string& otherwise = "");
 
+  /// Whether VTK says in this text that it did not get memory.
+  static bool TellsOfMemory(const std::string& text);
+
   /// Keeps what the user should know of what was done, one line.
   static void Note(const std::string& text);
 
