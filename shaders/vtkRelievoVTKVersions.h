@@ -120,4 +120,9 @@
 #define RELIEVO_VTK_LEAKED_TEXTURE_UNITS 1
 #endif
 
+// vtkGeometryFilter numbers polygons as its threads happen to finish.
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+#define RELIEVO_VTK_RANDOM_POLYGONS 1
+#endif
+
 #endif

@@ -28,8 +28,8 @@
 #include "vtkProperty.h"
 #include "vtkRelievoCompositeMapper.h"
 #include "vtkRelievoConvexPolygons.h"
+#include "vtkRelievoVTKVersions.h"
 #include "vtkSMPTools.h"
-#include "vtkVersionMacros.h"
 
 #include <string>
 #include <vector>
@@ -84,12 +84,12 @@ vtkSmartPointer<vtkDataObject> WithVertices(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-// VTK 9.1's filter numbers polygons as its threads happen to finish, which the layer `cell` would
-// show: there it works in turn.
+// Where VTK's filter numbers polygons as its threads happen to finish, it works in turn: the layer
+// `cell` shows these numbers.
 vtkSmartPointer<vtkDataObject> RunSurface(
   vtkGeometryFilter* surface, vtkDataObject* data, Progress& progress)
 {
-#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+#ifdef RELIEVO_VTK_RANDOM_POLYGONS
   vtkSmartPointer<vtkDataObject> made;
   vtkSMPTools::LocalScope(
     vtkSMPTools::Config{ std::string("Sequential") }, [&] { made = Run(surface, data, progress); });
