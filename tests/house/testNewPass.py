@@ -63,9 +63,15 @@ def main(source, cmake, ctest, *options):
     print(run([*generator, NAME, "Mist in front of what is far"]))
     again = run([*generator, NAME, "Once more"], status=1)
     assert "there already" in again, again
+    run([*generator, f"Deep{NAME}", "Mist of two words"])
 
     listed = (tree / "CHANGELOG.md").read_text(encoding="utf-8")
     assert f"- `vtkRelievo{NAME}Stage`: mist in front of what is far.\n" in listed, listed
+    page = f"docs/passes/{NAME}.md"
+    listed = (tree / "README.md").read_text(encoding="utf-8")
+    assert f"| [{page}]({page}) | mist in front of what is far |\n" in listed, listed
+    listed = (tree / "docs" / "site" / "guide.md").read_text(encoding="utf-8")
+    assert f"\npasses/{NAME}\n" in listed, listed
     check = subprocess.run([tree / "tools" / "check", "--no-tidy", "--tree", tree],
                            capture_output=True, text=True, check=False)
     complaints = [line for line in check.stdout.splitlines() if NAME.lower() in line.lower()]
@@ -115,7 +121,8 @@ def on_the_command_line(build):
     mesh = folder / "floor.off"
     mesh.write_text("OFF\n4 1 0\n-1 0 -9\n1 0 -9\n1 0 1\n-1 0 1\n4 0 1 2 3\n", encoding="utf-8")
     listed = run([relievo, "stages"])
-    assert "mist" in listed and "strength=0.5" in listed, listed
+    assert "\nmist\n" in listed and "\ndeep_mist\n" in listed, listed
+    assert "strength=0.5" in listed, listed
     words = [relievo, "render", mesh, "--size", "200x150", "--camera", "0,1,3,0,0,0,0,1,0",
              "--clip", "1,14"]
     run([*words, "--png", folder / "plain.png"])
