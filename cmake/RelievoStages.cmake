@@ -7,18 +7,18 @@
 include_guard(GLOBAL)
 
 function (relievo_add_stages module)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "" "STAGES;CLASSES;NOWRAP_HEADERS;SOURCES")
-  if (room_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "relievo_add_stages(${module}): unknown words '${room_UNPARSED_ARGUMENTS}'")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "STAGES;CLASSES;NOWRAP_HEADERS;SOURCES")
+  if (arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "relievo_add_stages(${module}): unknown words '${arg_UNPARSED_ARGUMENTS}'")
   endif ()
-  foreach (stage IN LISTS room_STAGES)
+  foreach (stage IN LISTS arg_STAGES)
     cmake_path(GET stage FILENAME name)
     set_property(GLOBAL APPEND PROPERTY RELIEVO_STAGES "${name}")
   endforeach ()
   vtk_module_add_module("${module}"
-    CLASSES ${room_STAGES} ${room_CLASSES}
-    NOWRAP_HEADERS ${room_NOWRAP_HEADERS}
-    SOURCES ${room_SOURCES})
+    CLASSES ${arg_STAGES} ${arg_CLASSES}
+    NOWRAP_HEADERS ${arg_NOWRAP_HEADERS}
+    SOURCES ${arg_SOURCES})
   vtk_module_link("${module}" PRIVATE "$<BUILD_INTERFACE:relievoFormulas>")
 endfunction ()
 

@@ -21,7 +21,8 @@ struct vtkRelievoLayer
     ARRAY  // of the data, by its own name
   };
 
-  // What of a surface's point must be written for the layer to be read.
+  // What of a surface's point must be written for the layer to be read; several, joined by |, are a
+  // case of their own in vtkRelievoLayerReader::Read.
   enum Sources
   {
     FROM_DEPTH = 1,

@@ -99,8 +99,9 @@ std::vector<std::string> LayersToCapture(const RenderOptions& options, const Sce
 
 //------------------------------------------------------------------------------
 // Whether nothing stands out against the background: each row of the picture has one colour, within
-// the level by which newer versions of VTK dither a gradient, and nothing is in sight. A fitted camera leaves a margin, of a pixel at least where the picture is
-// not narrow, so that there the colours alone tell.
+// the level by which newer versions of VTK dither a gradient, and nothing is in sight. A fitted
+// camera leaves a margin, of a pixel at least where the picture is not narrow, so that there the
+// colours alone tell.
 bool ShowsNothing(vtkRenderWindow* window, vtkImageData* picture, const RenderOptions& options)
 {
   if (std::any_of(options.Stages.begin(), options.Stages.end(),

@@ -31,7 +31,7 @@ void main()
   end -= fogBegin;
   float chord = relievoFogChordAt(gl_FragCoord.xy - fogOrigin.zw, fogLinear, fogLinearLacks,
     fogSquare, fogSquareLacks, fogOrigin.xy, fogOffset, direction, end);
-#ifdef RELIEVO_FOG_LINEAR
+#ifdef RELIEVO_FOG_CHORD
   float depth = relievoFogLinear(chord, fogSquareLacks.w);
 #else
   float depth = relievoFogBeer(chord, fogSquareLacks.w);

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A new layer is one entry of the catalogue: after that all who list, read, show or write layers
-have it. For testNewPass.py, which builds the tree anyway."""
+"""A new layer is one entry of the catalogue, and a row of the page and of the package's docstring:
+after that all who list, read, show or write layers have it. For testNewPass.py, which builds the
+tree anyway."""
 
 import os
 
@@ -9,15 +10,21 @@ ENTRY = """    { "altitude", L::NUMBER, L::FROM_DEPTH, VTK_FLOAT, 1, Infinity, "
       "height above z = 0, world units", "", L::WORLD,
       [](const double point[3], double* altitude) { *altitude = point[2]; } },
 """
+PAGE = "| `altitude` | float | height above z = 0, world units | +∞ |\n"
+DOCSTRING = "altitude           1 float     height above z = 0, world units                       +infinity\n"
 
 
 def add(tree):
-    """Adds the entry behind that of depth."""
-    table = tree / "layers" / "vtkRelievoLayerCatalogue.cxx"
-    text = table.read_text(encoding="utf-8")
-    place = '    { "range", '
-    assert text.count(place) == 1, text
-    table.write_text(text.replace(place, ENTRY + place), encoding="utf-8")
+    """Three files: each has it before the layer range."""
+    for name, line, place in (
+        ("layers/vtkRelievoLayerCatalogue.cxx", ENTRY, '    { "range", '),
+        ("docs/layers.md", PAGE, "| `range` | "),
+        ("python/relievo/__init__.py", DOCSTRING, "range              1 float "),
+    ):
+        path = tree / name
+        text = path.read_text(encoding="utf-8")
+        assert text.count(place) == 1, text
+        path.write_text(text.replace(place, line + place), encoding="utf-8")
 
 
 def on_the_command_line(run, build, folder):

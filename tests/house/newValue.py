@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A new value of fog is a line of its class and a row of its page: after that the command, its
-help, the viewer's words, Python and ParaView have it. For testNewPass.py, which builds the tree
+"""A new value of fog is a line and a column of its class and a row of its page: after that the
+command, its help, the viewer's words, Python and ParaView have it. For testNewPass.py, which builds the tree
 anyway."""
 
 import os
@@ -13,13 +13,17 @@ ROW = "| `share` | fog of less than half a share is not drawn | 1 |\n"
 
 
 def add(tree):
-    """Two files: what fog consists of, and what is written of it."""
-    fog = tree / "passes" / "effects" / "fog" / "vtkRelievoFogSpheres.cxx"
+    """The class: what fog consists of, where rows have it, what it does; and its page."""
+    fog = tree / "passes" / "effects" / "fog" / "vtkRelievoFogSpheres.h"
+    text = fog.read_text(encoding="utf-8")
+    assert text.count("    BLUE\n") == 1, text
+    fog.write_text(text.replace("    BLUE\n", "    BLUE,\n    SHARE\n"), encoding="utf-8")
+    fog = fog.with_suffix(".cxx")
     text = fog.read_text(encoding="utf-8")
     last = '  this->AddColorValue("color", white, "Linear colour of the fog.");\n'
-    effect = "row[3] > 0.0 && row[4] > 0.0"
+    effect = "row[RADIUS] > 0.0 && row[DENSITY] > 0.0"
     assert text.count(last) == text.count(effect) == 1, text
-    text = text.replace(last, last + VALUE).replace(effect, effect + " && row[8] >= 0.5")
+    text = text.replace(last, last + VALUE).replace(effect, effect + " && row[SHARE] >= 0.5")
     fog.write_text(text, encoding="utf-8")
     page = tree / "docs" / "passes" / "Fog.md"
     text = page.read_text(encoding="utf-8")

@@ -5,7 +5,8 @@
 In a copy of the tree, tools/new-pass adds a pass; the copy is built, the new pass's own test runs,
 and the pass is used from the command line, Python and ParaView, whose sources nobody has touched.
 So is a layer that one entry adds to the catalogue (newLayer.py), and values that their class and
-its page have, of fog (newValue.py) and of materials (newSurfaceValue.py).
+its page have, of fog (newValue.py) and of materials (newSurfaceValue.py). The tests that compare
+pages with the code pass with all of them.
 The copy keeps its build, so that a second run compiles only what changed.
 """
 
@@ -88,8 +89,9 @@ def main(source, cmake, ctest, *options):
     viewer = [name for name in ("testViewerEvery",) if f"{name}:" in listed]
     targets = [f"test{NAME}Stage", "relievo", "relievo_python", *plugin, *viewer]
     run([cmake, "--build", build, "--target", *targets])
-    output = run([ctest, "--test-dir", build, "-R", f"^test{NAME}Stage$", "--no-tests=error",
-                  "--output-on-failure"])
+    pages = "testPython_test(Layers|PointValues|SurfaceValues)"
+    output = run([ctest, "--test-dir", build, "-R", f"^(test{NAME}Stage|{pages})$",
+                  "--no-tests=error", "--output-on-failure"])
     assert "100% tests passed" in output, output
     print(output)
     folder = tree.parent

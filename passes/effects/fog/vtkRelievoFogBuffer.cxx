@@ -44,32 +44,33 @@ void vtkRelievoFogBuffer::Clear()
 //------------------------------------------------------------------------------
 // Appends the spheres' texels, in the order in which shaders/fog/sphereVS.glsl reads them.
 void vtkRelievoFogBuffer::Add(
-  const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog, bool linear)
+  const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog, bool chord)
 {
+  using Fog = vtkRelievoFogSpheres;
   const int width = fog->GetRowWidth();
   const int count = static_cast<int>(fog->GetSharedRows().size()) / width;
   vtkRelievoSphereRays::Sphere sphere;
   for (int i = 0; i < count; ++i)
   {
     const double* row = fog->GetSharedRows().data() + static_cast<std::size_t>(i) * width;
-    const double radius = row[3];
+    const double radius = row[Fog::RADIUS];
     if (!rays.Find({ row[0], row[1], row[2] }, radius, sphere))
     {
       continue;
     }
-    const double density = linear ? row[4] : row[4] * radius;
+    const double density = row[Fog::DENSITY] * (chord ? 1.0 : radius);
     const glm::dvec3& a = sphere.Linear;
     const glm::dvec3& b = sphere.Square;
     const int* r = sphere.Rectangle;
     const bool first = this->Texels.empty();
-    const double texels[32] = { double(r[0]), double(r[1]), double(r[2]), double(r[3]), //
-      a.x, a.y, a.z, sphere.MiddleDepth,                                                //
-      Lacks(a.x), Lacks(a.y), Lacks(a.z), Lacks(sphere.MiddleDepth),                    //
-      b.x, b.y, b.z, 1. / radius,                                                       //
-      Lacks(b.x), Lacks(b.y), Lacks(b.z), std::min(density, 1e30),                      //
-      sphere.Offset.x, sphere.Offset.y, sphere.Pixel.x, sphere.Pixel.y,                 //
-      sphere.Offsets[0].x, sphere.Offsets[0].y, sphere.Offsets[1].x, sphere.Offsets[1].y, row[5],
-      row[6], row[7], 0. };
+    const double texels[32] = { double(r[0]), double(r[1]), double(r[2]), double(r[3]),   //
+      a.x, a.y, a.z, sphere.MiddleDepth,                                                  //
+      Lacks(a.x), Lacks(a.y), Lacks(a.z), Lacks(sphere.MiddleDepth),                      //
+      b.x, b.y, b.z, 1. / radius,                                                         //
+      Lacks(b.x), Lacks(b.y), Lacks(b.z), std::min(density, 1e30),                        //
+      sphere.Offset.x, sphere.Offset.y, sphere.Pixel.x, sphere.Pixel.y,                   //
+      sphere.Offsets[0].x, sphere.Offsets[0].y, sphere.Offsets[1].x, sphere.Offsets[1].y, //
+      row[Fog::RED], row[Fog::GREEN], row[Fog::BLUE], 0. };
     this->Texels.insert(this->Texels.end(), texels, texels + 32);
     if (first)
     {
@@ -111,7 +112,7 @@ std::string vtkRelievoFogBuffer::Compile(
 
 //------------------------------------------------------------------------------
 std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
-  const vtkRelievoSphereRays& rays, bool linear, bool dominant, vtkRelievoResource* translucent)
+  const vtkRelievoSphereRays& rays, bool chord, bool dominant, vtkRelievoResource* translucent)
 {
   const int which = translucent ? 1 : 0;
   vtkRelievoScreenTarget::Format format;
@@ -132,7 +133,7 @@ std::string vtkRelievoFogBuffer::Draw(vtkRelievoFrameContext& context,
   {
     wrong = this->Compile(context,
       depth->GetDefines() + (translucent ? translucent->GetDefines() : "") +
-        (linear ? "#define RELIEVO_FOG_LINEAR\n" : "") +
+        (chord ? "#define RELIEVO_FOG_CHORD\n" : "") +
         (dominant ? "#define RELIEVO_FOG_DOMINANT\n" : ""),
       which);
   }

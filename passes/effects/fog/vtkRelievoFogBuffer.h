@@ -24,9 +24,9 @@ public:
   vtkRelievoFogBuffer();
   ~vtkRelievoFogBuffer();
 
-  // Forgets the spheres, and adds those of which anything is in view.
+  // Forgets the spheres, and adds those of which anything is in view. `chord` is the stage's mode.
   void Clear();
-  void Add(const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog, bool linear);
+  void Add(const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog, bool chord);
 
   int GetNumberOfSpheres() const { return static_cast<int>(this->Texels.size() / 32); }
 
@@ -35,7 +35,7 @@ public:
 
   // Draws them before what is opaque, and only before what is translucent if that is given. Returns
   // what is wrong, in words.
-  std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays, bool linear,
+  std::string Draw(vtkRelievoFrameContext& context, const vtkRelievoSphereRays& rays, bool chord,
     bool dominant, vtkRelievoResource* translucent = nullptr);
 
   // Colour times optical depth, and optical depth; `fogDepth` in shaders.

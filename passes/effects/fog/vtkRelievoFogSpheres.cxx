@@ -55,5 +55,5 @@ void vtkRelievoFogSpheres::GetColor(double color[3]) const
 //------------------------------------------------------------------------------
 bool vtkRelievoFogSpheres::HasEffect(const double* row) const
 {
-  return row[3] > 0.0 && row[4] > 0.0;
+  return row[RADIUS] > 0.0 && row[DENSITY] > 0.0;
 }

@@ -43,6 +43,18 @@ public:
   void GetColor(double color[3]) const;
   ///@}
 
+#ifndef __VTK_WRAP__
+  // Places in a row of GetRows, behind those of x, y and z: the values in the constructor's order.
+  enum Columns
+  {
+    RADIUS = 3,
+    DENSITY,
+    RED,
+    GREEN,
+    BLUE
+  };
+#endif
+
 protected:
   vtkRelievoFogSpheres();
   ~vtkRelievoFogSpheres() override;

@@ -41,7 +41,7 @@ bool Sees(const vtkRelievoSphereRays& rays, vtkRelievoFogSpheres* fog)
   vtkRelievoSphereRays::Sphere sphere;
   for (int i = 0; i < count; ++i, row += fog->GetRowWidth())
   {
-    if (rays.Find({ row[0], row[1], row[2] }, row[3], sphere))
+    if (rays.Find({ row[0], row[1], row[2] }, row[vtkRelievoFogSpheres::RADIUS], sphere))
     {
       return true;
     }
