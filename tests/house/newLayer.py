@@ -11,7 +11,7 @@ ENTRY = """    { "altitude", L::NUMBER, L::FROM_DEPTH, VTK_FLOAT, 1, Infinity, "
       [](const double point[3], double* altitude) { *altitude = point[2]; } },
 """
 PAGE = "| `altitude` | float | height above z = 0, world units | +∞ |\n"
-DOCSTRING = "altitude           1 float     height above z = 0, world units                       +infinity\n"
+DOCSTRING = f"altitude           1 float     {'height above z = 0, world units':54}+infinity\n"
 
 
 def add(tree):

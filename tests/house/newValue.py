@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A new value of fog is a line and a column of its class and a row of its page: after that the
-command, its help, the viewer's words, Python and ParaView have it. For testNewPass.py, which builds the tree
-anyway."""
+command, its help, the viewer's words, Python and ParaView have it. For testNewPass.py, which builds
+the tree anyway."""
 
 import os
 
