@@ -108,16 +108,18 @@ float relievoFogChordAt(vec2 pixel, vec4 linear, vec4 linearLacks, vec4 square, 
     ((end - linear.w) - linearLacks.w) * square.w + deeper);
 }
 
-// Optical depth, of which e to the minus is what passes, of a chord in radii. The mode `beer`, Beer
-// and Lambert: density is per radius. More than the limit would not fit into sums of floats, and shows nothing.
+// Optical depth, of which e to the minus is what passes, of a chord in radii. More than the limit
+// would not fit into sums of floats, and shows nothing.
 const float relievoFogLimit = float(1e6);
 
+// The mode `beer`, Beer and Lambert: density is per radius.
 float relievoFogBeer(float chord, float density)
 {
   return min(chord * density, relievoFogLimit);
 }
 
-// The mode `chord`, the classic: what is held back grows in a line, up to `density` at the full chord of 2 radii.
+// The mode `chord`, the classic: what is held back grows in a line, up to `density` at the full
+// chord of 2 radii.
 float relievoFogLinear(float chord, float density)
 {
   float held = min(float(0.5) * chord * density, float(1.0));
