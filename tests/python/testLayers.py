@@ -87,15 +87,15 @@ class Catalogue(unittest.TestCase):
 
 
 class Documents(unittest.TestCase):
-    def compare(self, rows):
+    def compare(self, rows, where):
         found = {}
         for names, kind, background in rows:
             for name in names:
-                self.assertIn(name, LAYERS)
+                self.assertTrue(name in LAYERS, f"{where} has a row of {name}, which is no layer")
                 self.assertTrue(is_kind(kind, LAYERS[name]), (name, kind))
                 self.assertTrue(is_background(background, LAYERS[name]), (name, background))
                 found[name] = True
-        self.assertEqual(set(found), set(LAYERS))
+        self.assertEqual(set(LAYERS) - set(found), set(), f"have no row in {where}")
 
     def test_page(self):
         page = (DOCS / "layers.md").read_text(encoding="utf-8")
@@ -103,7 +103,7 @@ class Documents(unittest.TestCase):
                 if line.startswith("| `")]  # fmt: skip
         table = [([re.search("`(.+?)`", row[0])[1]], row[1], row[3])
                  for row in rows if len(row) == 4]  # fmt: skip
-        self.compare(table)
+        self.compare(table, "docs/layers.md")
 
     def test_package(self):
         lines = relievo.__doc__.splitlines()
@@ -114,7 +114,7 @@ class Documents(unittest.TestCase):
             name, kind, _, background = (line[a:b].strip() for a, b in columns)
             if not name.startswith("any array"):
                 rows.append((name.split(), kind, background))
-        self.compare(rows)
+        self.compare(rows, "the docstring of python/relievo/__init__.py")
 
 
 if __name__ == "__main__":

@@ -37,10 +37,11 @@ class Values(unittest.TestCase):
         """Each value stands in the table of its page, with its default."""
         for stage in stages():
             points = stage.NewPoints()
-            table = rows(stage.GetStageName().capitalize() + ".md")
+            page = stage.GetStageName().capitalize() + ".md"
+            table = rows(page)
             for i in range(points.GetNumberOfParameters()):
                 name = points.GetParameterName(i)
-                self.assertIn(name, table, stage.GetStageName())
+                self.assertTrue(name in table, f"docs/passes/{page} has no row of `{name}`")
                 self.assertEqual(table[name][-1], points.GetParameterDefault(name), name)
 
     def test_command(self):
