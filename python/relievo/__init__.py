@@ -78,6 +78,7 @@ from ._scene import scene
 from ._show import show
 from ._stages import stage, stages
 from ._things import functions as _functions
+from ._vtkmodules import provide_vtkmodules
 
 globals().update(_functions())  # lamps, fog, markers: each stage that draws points
 
@@ -93,6 +94,7 @@ __all__ = [
     "layer",
     "layer_names",
     "layers",
+    "provide_vtkmodules",
     "read_exr",
     "report",
     "scene",

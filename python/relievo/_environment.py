@@ -182,6 +182,8 @@ def _is_lit_surface(actor):
 
 
 def _fill(made, path, rough):
+    if hasattr(path, "IsA"):
+        require(path, "vtkImageData", "path")
     image = path if is_a(path, "vtkImageData") else _read(os.fspath(path))
     name = "image" if image is path else os.fspath(path)
     columns, rows, slices = image.GetDimensions()

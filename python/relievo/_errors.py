@@ -58,10 +58,15 @@ def is_a(thing, class_name):
 
 def describe(thing):
     """A thing that is not what was expected, for a message: its package, if it is another VTK's."""
-    own, other = (kind.__module__.split(".")[0] for kind in (vtkObjectBase, type(thing)))
     if hasattr(thing, "IsA") and not isinstance(thing, vtkObjectBase):
-        return (f"a {thing.GetClassName()} of {other}, another VTK than Relievo's: "
-                f"import VTK's classes from {own}")  # fmt: skip
+        # PyVista's classes derive from VTK's.
+        base = next((each for each in type(thing).__mro__ if each.__name__ == "vtkObjectBase"), type(thing))
+        own, other = (kind.__module__.split(".")[0] for kind in (vtkObjectBase, base))
+        known = ", or call relievo.provide_vtkmodules() before anything imports vtkmodules"
+        return (
+            f"a {thing.GetClassName()} of {other}, another VTK than Relievo's: import VTK's "
+            f"classes from {own}{known if other == 'vtkmodules' else ''}"
+        )
     return repr(thing)
 
 

@@ -26,6 +26,10 @@ class Frame(vtkRelievoPasses.vtkRelievoPass):
         """As attach()."""
         return attach(renderer)
 
+    def is_detached(self):
+        """Whether detach() has taken it from the renderer that it was attached to."""
+        return self._renderer.Get() is None
+
     def _check(self, name, method):
         wrong = why_not(name, self._renderer.Get(), self.GetShadowStage())
         if wrong:
@@ -101,6 +105,9 @@ def detach(renderer):
     vtkRenderer.
     """
     require(renderer, "vtkRenderer", "renderer")
+    frame = renderer.GetPass()
+    if isinstance(frame, Frame):
+        frame._renderer.Set(None)
     return bool(vtkRelievoPass.Detach(renderer))
 
 

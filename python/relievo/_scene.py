@@ -11,7 +11,7 @@ import warnings
 
 from vtkmodules.vtkCommonCore import vtkStringArray
 
-from ._errors import Watch
+from ._errors import Watch, require
 from ._wrapped import vtkRelievoScene
 
 _OPTIONS = {
@@ -134,6 +134,8 @@ class Scene:
 
     @window.setter
     def window(self, window):
+        if window is not None:
+            require(window, "vtkRenderWindow", "window")
         self._scene.SetRenderWindow(window)
         self._stale = True
 

@@ -7,7 +7,8 @@ import numbers
 
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
-from ._errors import require
+from . import _errors
+from ._errors import is_a, require
 from ._frame import attach
 from ._parameters import bind, describe, keywords, names, words
 from ._wrapped import vtkRelievoPass
@@ -24,10 +25,13 @@ def _set_points(made, name, points):
     """Connects points to data, to what makes it, or to actors."""
     several = isinstance(points, (list, tuple, set))
     props = list(points) if several else [points]
-    is_props = all(getattr(each, "IsA", lambda name: False)("vtkProp3D") for each in props)
+    is_props = all(is_a(each, "vtkProp3D") for each in props)
     if hasattr(made, "AddActor") and (several or is_props):
         if not props or not is_props:
-            raise ValueError(f"{name}: points: got {points!r}, expected vtkProp3Ds")
+            wrong = next((each for each in props if not is_a(each, "vtkProp3D")), points)
+            raise ValueError(
+                f"{name}: points: got {_errors.describe(wrong)}, expected vtkProp3Ds"
+            )
         for each in props:
             made.AddActor(each)
     elif isinstance(points, vtkAlgorithmOutput):
@@ -36,10 +40,10 @@ def _set_points(made, name, points):
         made.SetInputConnection(points.GetOutputPort())
     else:
         kinds = ("vtkDataSet", "vtkCompositeDataSet")
-        if not any(getattr(points, "IsA", lambda name: False)(kind) for kind in kinds):
+        if not any(is_a(points, kind) for kind in kinds):
             raise ValueError(
-                f"{name}: points: got {points!r}, expected a vtkDataSet, a composite dataset, or "
-                f"an algorithm"
+                f"{name}: points: got {_errors.describe(points)}, expected a vtkDataSet, a "
+                f"composite dataset, or an algorithm"
             )
         made.SetInputData(points)
 

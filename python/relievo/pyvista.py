@@ -13,13 +13,48 @@ PyVista finds this module by the entry points of the installed package `relievo`
     image.save("copy.exr", compression="piz")
 
 All of these are for the plotter's active renderer, as PyVista's own are; plotter.subplot()
-changes it. PyVista's passes (EDL, SSAO, blur and so on) replace whatever pass a renderer has:
-switch them on first.
+changes it. What is drawn already changes with plotter.render(). PyVista's passes (EDL, SSAO, blur
+and so on) are switched on and off before or after. Beside pyvista-render-passes the frame is
+within its passes: they smooth and shade what it has drawn.
 """
+
+import contextlib
+import weakref
 
 import pyvista
 
 from . import _capture, _environment, _exr, _frame, _image, _stages, _things
+from ._errors import describe, is_a
+from ._keep import kept
+
+_providers = weakref.WeakKeyDictionary()  # of renderers whose passes pyvista-render-passes builds
+
+_OF_LAYERS = ("lamps", "fog", "markers", "tone", "show")
+
+
+def _refusal(used, settings):
+    """Why stages of the frame and settings of pyvista-render-passes do not go together, or None."""
+    of_layers = [each for each in used if each in _OF_LAYERS]
+    if settings.get("ssao") and of_layers:
+        return (f"{', '.join(of_layers)} beside SSAO of plotter.render_passes, which draws to "
+                f"buffers of its own: switch one of the two off")  # fmt: skip
+    if settings.get("shadows") and "shadows" in used:
+        return ("shadows beside those of plotter.render_passes: switch one of the two off, "
+                "plotter.relievo.shadows(False)")  # fmt: skip
+    return None
+
+
+def _used(frame):
+    """The stages of a frame that settings of pyvista-render-passes may be refused for."""
+    points = ("lamps", "fog", "markers")
+    found = [each for each in points if frame.GetStage(each).GetPoints(0) is not None]
+    if frame.GetStage("tone").GetEnabled():
+        found.append("tone")
+    if frame.GetDisplayLayer():
+        found.append("show")
+    if frame.GetShadows():
+        found.append("shadows")
+    return found
 
 
 @pyvista.register_plotter_component("relievo")
@@ -32,9 +67,33 @@ class RelievoComponent:
 
     def _renderer(self):
         renderer = self._plotter.renderer
+        if not is_a(renderer, "vtkRenderer"):
+            raise RuntimeError(
+                f"plotter.relievo: got {describe(renderer)}; PyVista takes that by itself where "
+                f"PYVISTA_VTK_BACKEND is not set"
+            )
         if renderer not in self._renderers:
             self._renderers.append(renderer)
         return renderer
+
+    def _kept(self):
+        renderer = self._renderer()
+        found = kept(renderer)
+        if found is None:
+            found = kept(renderer, attach=True)
+            if renderer in _providers:
+                _providers[renderer].invalidate()
+        return found
+
+    def _check(self, used):
+        renderer = self._renderer()
+        wrong = renderer in _providers and _refusal([used], _providers[renderer].settings)
+        if wrong:
+            raise ValueError(f"plotter.relievo: {wrong}")
+
+    def _call(self, function, *arguments, **values):
+        with self._kept().held() as renderer:
+            return function(renderer, *arguments, **values)
 
     def shadows(self, on=True, **parameters):
         """Every light casts shadows, or none; parameters as of relievo.stage().
@@ -42,7 +101,7 @@ class RelievoComponent:
         Lights of PyVista's default kit follow the camera, and so do their shadows; a light with
         light_type="scene light" stays where it is.
         """
-        return _stages.stage(self._renderer(), "shadows", visible=bool(on), **parameters)
+        return self.stage("shadows", visible=bool(on), **parameters)
 
     def environment(self, path, **parameters):
         """As relievo.environment(): the light of a picture of all directions, and the sky."""
@@ -50,19 +109,33 @@ class RelievoComponent:
 
     def stage(self, name, on=True, **parameters):
         """As relievo.stage(): one of the frame's stages by name."""
-        return _stages.stage(self._renderer(), name, on, **parameters)
+        if on and (name != "shadows" or parameters.get("visible")):
+            self._check(name)
+        return self._call(_stages.stage, name, on, **parameters)
 
     def show(self, layer):
         """Shows a layer as the picture; None shows the picture again."""
+        if layer is not None:
+            self._check("show")
         self.frame.SetDisplayLayer(layer)
 
     def capture(self, layers=("depth",), size=None, hdr=False):
         """As relievo.capture(), as PyVista's ImageData; layer() gives numpy arrays."""
-        return pyvista.wrap(_capture.capture(self._plotter, layers, size, hdr))
+        return pyvista.wrap(self._captured(layers, size, hdr))
 
     def layer(self, name, size=None, hdr=False):
         """One layer of what is visible, as a numpy array with row 0 at the top."""
-        return _image.layer(_capture.capture(self._plotter, name, size, hdr), name)
+        return _image.layer(self._captured(name, size, hdr), name)
+
+    def _captured(self, layers, size, hdr):
+        found = kept(self._renderer())
+        window = self._plotter.render_window
+        shown = window is not None and not window.GetNeverRendered()
+        with found.held() if found is not None else contextlib.nullcontext():
+            image = _capture.capture(self._plotter, layers, size, hdr)
+        if shown:
+            self._plotter.render()  # PyVista's pictures are of what the window shows
+        return image
 
     def report(self):
         """As relievo.report(): what the last frames did and why."""
@@ -71,7 +144,7 @@ class RelievoComponent:
     @property
     def frame(self):
         """The vtkRelievoPass of the active renderer, attached if there is none."""
-        return _frame.attach(self._renderer())
+        return self._kept().frame
 
     def off(self):
         """Takes Relievo out of the active renderer: environment, frame and all."""
@@ -81,18 +154,25 @@ class RelievoComponent:
         if renderer in self._renderers:
             self._renderers.remove(renderer)
             _environment.environment(renderer, None)
-            _frame.detach(renderer)
+            found = kept(renderer)
+            if found is not None:
+                found.release()
+            if renderer in _providers:
+                _providers[renderer].invalidate()
 
     def __plotter_close__(self):
         for renderer in list(self._renderers):
             self._clear(renderer)
+
+    __plotter_deep_clean__ = __plotter_close__
 
 
 def _add(name, function):
     """Makes a function of a renderer a method of the accessor."""
 
     def method(self, points, **values):
-        return function(self._renderer(), points, **values)
+        self._check(name)
+        return self._call(function, points, **values)
 
     method.__name__ = name
     method.__doc__ = f"As relievo.{name}() for the plotter's active renderer."
@@ -101,6 +181,64 @@ def _add(name, function):
 
 for _name, _function in _things.functions().items():
     _add(_name, _function)
+
+
+class RenderPassProvider:
+    """The frame among the passes of pyvista-render-passes, which finds it by an entry point.
+
+    It is around what draws the scene, below SSAO, EDL and SSAA, in renderers that plotter.relievo
+    is used for.
+    """
+
+    name = "relievo"
+    stages = ("base",)
+
+    def __init__(self):
+        self._invalidate = None
+        self._renderer = None
+        self.settings = {}  # of the passes, as far as they are known
+
+    def bind(self, invalidate):
+        """Takes what has the passes built anew."""
+        self._invalidate = invalidate
+        owner = getattr(invalidate, "__self__", None)
+        if getattr(owner, "renderer", None) is not None:
+            self._know(owner.renderer)
+
+    def _know(self, renderer):
+        _providers[renderer] = self
+        self._renderer = weakref.ref(renderer)
+
+    def invalidate(self):
+        """Has the passes built anew before the next frame."""
+        if self._invalidate is not None:
+            self._invalidate()
+
+    def build_pass(self, stage, renderer, chain, delegate):
+        """The frame around the delegate, or None where Relievo is not used."""
+        self._know(renderer)
+        found = kept(renderer)
+        return found.give(delegate) if found is not None else None
+
+    def default_state(self):
+        """No settings: those of the frame's stages are plotter.relievo's."""
+        return {}
+
+    def get_state(self):
+        """No settings."""
+        return {}
+
+    def set_state(self, state):
+        """No settings."""
+
+    def veto(self, settings):
+        """Why settings are refused, or None."""
+        renderer = self._renderer() if self._renderer is not None else None
+        found = kept(renderer) if renderer is not None else None
+        wrong = _refusal(_used(found.frame), settings) if found is not None else None
+        if not wrong:
+            self.settings = dict(settings)
+        return wrong
 
 
 def read_exr(path, **options):

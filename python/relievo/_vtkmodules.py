@@ -1,0 +1,71 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The VTK of a wheel by the name of ordinary VTK, for packages that know no other."""
+
+import importlib
+import importlib.abc
+import importlib.util
+import sys
+
+_NAME = "vtkmodules"
+
+# What clients derive classes from when they are imported, and cvista lacks: vedo.
+_BASES = {"vtkRenderingCore": ("vtkFlagpoleLabel",)}
+
+
+def _missing(name, own):
+    """A class in the place of one that the VTK does not have: it can be derived from, not made."""
+
+    def fail(self, *_arguments, **_given):
+        raise NotImplementedError(f"{name}: {own}, which Relievo is built on, has no such class")
+
+    return type(name, (), {"__init__": fail, "__doc__": f"Not in {own}."})
+
+
+class Alias(importlib.abc.MetaPathFinder, importlib.abc.Loader):
+    """Finds each module of `vtkmodules` as the module of another package, loaded once."""
+
+    def __init__(self, own):
+        self._own = own
+
+    def find_spec(self, name, path=None, target=None):
+        if name.split(".")[0] == _NAME:
+            return importlib.util.spec_from_loader(name, self)
+        return None
+
+    def create_module(self, spec):
+        module = importlib.import_module(spec.name.replace(_NAME, self._own, 1))
+        for name in _BASES.get(spec.name.rpartition(".")[2], ()):
+            if not hasattr(module, name):
+                setattr(module, name, _missing(name, self._own))
+        spec.loader_state = module.__spec__
+        return module
+
+    def exec_module(self, module):
+        module.__spec__ = module.__spec__.loader_state
+
+
+def provide_vtkmodules():
+    """Makes `vtkmodules` the VTK that Relievo is built on, for all later imports of the process.
+
+        import relievo
+        relievo.provide_vtkmodules()
+        import vedo
+
+    For packages that know VTK by that name alone, such as vedo, beside a wheel of Relievo, whose
+    VTK is the package `cvista`. Classes that cvista lacks are lacking there as well. In a build on
+    a VTK that is called vtkmodules it does nothing.
+
+    Raises ImportError if another VTK has been imported by that name before.
+    """
+    from vtkmodules.vtkCommonCore import vtkObjectBase  # here: tests use Alias without any VTK
+
+    own = vtkObjectBase.__module__.split(".")[0]
+    if own == _NAME or any(isinstance(each, Alias) for each in sys.meta_path):
+        return
+    if _NAME in sys.modules:
+        raise ImportError(
+            f"provide_vtkmodules: {_NAME} has been imported already, from "
+            f"{list(sys.modules[_NAME].__path__)[0]}: call it before what imports that"
+        )
+    sys.meta_path.insert(0, Alias(own))
