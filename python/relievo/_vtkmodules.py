@@ -6,6 +6,7 @@ import importlib
 import importlib.abc
 import importlib.util
 import sys
+import types
 
 _NAME = "vtkmodules"
 
@@ -23,18 +24,27 @@ def _missing(name, own):
 
 
 class Alias(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """Finds each module of `vtkmodules` as the module of another package, loaded once."""
+    """Finds each module of `vtkmodules` as the module of another package, loaded once.
+
+    And `vtk` as all of them, which has their names and is a package of the same modules.
+    """
 
     def __init__(self, own):
         self._own = own
 
     def find_spec(self, name, path=None, target=None):
-        if name.split(".")[0] == _NAME:
-            return importlib.util.spec_from_loader(name, self)
+        if name.split(".")[0] in (_NAME, "vtk"):
+            return importlib.util.spec_from_loader(name, self, is_package=name == "vtk")
         return None
 
     def create_module(self, spec):
-        module = importlib.import_module(spec.name.replace(_NAME, self._own, 1))
+        if spec.name == "vtk":
+            module = types.ModuleType("vtk")
+            everything = importlib.import_module(f"{self._own}.all")
+            vars(module).update({name: value for name, value in vars(everything).items()
+                                 if not name.startswith("__")})  # fmt: skip
+            return module
+        module = importlib.import_module(".".join([self._own, *spec.name.split(".")[1:]]))
         for name in _BASES.get(spec.name.rpartition(".")[2], ()):
             if not hasattr(module, name):
                 setattr(module, name, _missing(name, self._own))
@@ -42,7 +52,8 @@ class Alias(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         return module
 
     def exec_module(self, module):
-        module.__spec__ = module.__spec__.loader_state
+        if module.__spec__.loader_state is not None:
+            module.__spec__ = module.__spec__.loader_state
 
 
 def provide_vtkmodules():

@@ -175,6 +175,37 @@ class Package(unittest.TestCase):
         ):  # fmt: skip
             self.assertRaisesRegex(ValueError, says, call)
 
+    def test_data_of_another_vtk(self):
+        """So are data, filters, their outputs, actors and images, also those derived from its classes."""
+        base = type("vtkObjectBase", (), {"__module__": "another.vtkCommonCore"})
+
+        def stranger(name, *kinds):
+            words = {"IsA": lambda self, kind: kind in (name, *kinds),
+                     "GetClassName": lambda self: name, "__module__": "client"}  # fmt: skip
+            return type(name, (base,), words)()
+
+        renderer = scenes.plane_and_sphere()
+        mesh = stranger("vtkPolyData", "vtkDataSet")
+        image = stranger("vtkImageData", "vtkDataSet")
+        actor = stranger("vtkActor", "vtkProp3D")
+        source = stranger("vtkSphereSource", "vtkAlgorithm")
+        output = stranger("vtkAlgorithmOutput")
+        window = stranger("vtkRenderWindow")
+        scene = relievo.scene()
+        for given, call in (
+            (mesh, lambda: relievo.lamps(renderer, mesh, radius=1)),
+            (source, lambda: relievo.fog(renderer, source, radius=1)),
+            (output, lambda: relievo.fog(renderer, output, radius=1)),
+            (actor, lambda: relievo.markers(renderer, actor, radius=1)),
+            (actor, lambda: relievo.markers(renderer, [actor], radius=1)),
+            (mesh, lambda: relievo.capture(mesh)),
+            (image, lambda: relievo.environment(renderer, image)),
+            (image, lambda: relievo.write_exr("a.exr", image)),
+            (window, lambda: setattr(scene, "window", window)),
+        ):
+            name = given.GetClassName()
+            self.assertRaisesRegex(ValueError, f"got a {name} of another, another VTK than ", call)
+
 
 if __name__ == "__main__":
     unittest.main()

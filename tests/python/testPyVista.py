@@ -12,8 +12,12 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent / "standin"))
 
 import numpy
 import pyvista
+import pyvista_render_passes
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkLight
+from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkSSAAPass
 
 # Not imported: relievo. PyVista alone is to find it.
 
@@ -48,10 +52,44 @@ def lit_scene(**size):
     return plotter
 
 
+def lit_scene_shown():
+    plotter = lit_scene()
+    plotter.show()
+    return plotter
+
+
+def shown(plotter):
+    """What the window shows, RGB, row 0 at the top."""
+    window = plotter.render_window
+    columns, rows = window.GetSize()
+    pixels = vtkUnsignedCharArray()
+    window.GetPixelData(0, 0, columns - 1, rows - 1, 0, pixels, 0)
+    return vtk_to_numpy(pixels).reshape(rows, columns, 3)[::-1].astype(int)
+
+
+def drawn(plotter):
+    plotter.render()
+    return shown(plotter)
+
+
+def smoothed():
+    around = vtkSSAAPass()
+    around.SetDelegatePass(vtkRenderStepsPass())
+    return around
+
+
+def hidden_from_the_sun(plotter):
+    """Pixels of the floor well within the ball's shadow, which is as wide as the ball."""
+    place = plotter.relievo.layer("position")
+    on_floor = (numpy.abs(place[..., 2] + 1) < 1e-5) & (plotter.relievo.layer("actor") == 1)
+    return on_floor & (numpy.hypot(place[..., 0], place[..., 1]) < 0.9)
+
+
 class Metadata(unittest.TestCase):
     def test_found_without_import(self):
         groups = {"pyvista.plotter_components": "relievo", "pyvista.readers": ".exr",
-                  "pyvista.writers": ".exr"}  # fmt: skip
+                  "pyvista.writers": ".exr",
+                  "pyvista_render_passes.providers": "relievo"}  # fmt: skip
         for group, name in groups.items():
             self.assertEqual([each.name for each in entry_points(group=group)], [name])
         self.assertRegex(version("relievo"), r"^\d+\.\d+\.\d+$")
@@ -119,6 +157,108 @@ class Component(unittest.TestCase):
         self.assertEqual(image.GetDimensions(), (60, 40, 1))
         with self.assertRaisesRegex(ValueError, "got 'shadow'"):
             plotter.relievo.stage("shadow")
+
+
+class Passes(unittest.TestCase):
+    """What others do with the renderer's pass, before Relievo and after it."""
+
+    def test_in_any_order(self):
+        before, after = lit_scene(), lit_scene()
+        for plotter in (before, after):
+            plotter.show()
+        before.renderer.SetPass(smoothed())
+        plain = drawn(before)
+        before.relievo.shadows()
+        after.relievo.shadows()
+        after.render()
+        after.renderer.SetPass(smoothed())
+        pictures = [drawn(before), drawn(after)]
+        numpy.testing.assert_array_equal(*pictures)
+        dark = hidden_from_the_sun(after)
+        self.assertGreater(dark.sum(), 50)
+        self.assertGreater(plain[dark].mean(), 100)
+        self.assertLess(pictures[1][dark].mean(), 10)
+        after.relievo.shadows(False)
+        numpy.testing.assert_array_equal(drawn(after), plain)
+        after.renderer.SetPass(None)
+        self.assertEqual(after.relievo.report()["stages"][0]["name"], "delegate")
+        numpy.testing.assert_array_equal(drawn(after), drawn(lit_scene_shown()))
+        self.assertTrue(after.renderer.GetPass().IsA("vtkRelievoPass"))
+
+    def test_detached_it_stays_away(self):
+        plotter = lit_scene()
+        plotter.show()
+        plotter.relievo.shadows()
+        plotter.render()
+        import relievo
+
+        self.assertTrue(relievo.detach(plotter.renderer))
+        numpy.testing.assert_array_equal(drawn(plotter), drawn(lit_scene_shown()))
+        self.assertIsNone(plotter.renderer.GetPass())
+        plotter.relievo.shadows()
+        self.assertLess(drawn(plotter)[hidden_from_the_sun(plotter)].mean(), 10)
+
+    def test_among_those_of_another_package(self):
+        """pyvista-render-passes: its component is made first, or Relievo's; both give one picture."""
+        pictures = []
+        for relievo_first in (True, False):
+            plotter = lit_scene()
+            plotter.show()
+            if relievo_first:
+                plotter.relievo.shadows()
+                plotter.render()
+            passes = pyvista_render_passes.RenderPassComponent(plotter.renderer)
+            passes.set(anti_aliasing=True)
+            plotter.render()
+            if not relievo_first:
+                plain = shown(plotter)
+                plotter.relievo.shadows()
+            pictures.append(drawn(plotter))
+            self.assertIs(plotter.renderer.GetPass(), passes.top)
+            dark = hidden_from_the_sun(plotter)
+            self.assertGreater(dark.sum(), 50)
+            self.assertLess(pictures[-1][dark].mean(), 10)
+            self.assertTrue((plotter.relievo.layer("shadow_0")[dark] == 0).all())
+            self.assertIs(plotter.renderer.GetPass(), passes.top)
+            numpy.testing.assert_array_equal(shown(plotter), pictures[-1])
+            plotter.relievo.off()
+            without = drawn(plotter)
+            passes.set(anti_aliasing=False)
+            numpy.testing.assert_array_equal(drawn(plotter), drawn(lit_scene_shown()))
+            self.assertIsNone(plotter.renderer.GetPass())
+        numpy.testing.assert_array_equal(*pictures)
+        numpy.testing.assert_array_equal(without, plain)
+
+    def test_refused_pairs(self):
+        for name, use in (
+            ("fog", lambda plotter: plotter.relievo.fog(ball(), radius=0.1)),
+            ("lamps", lambda plotter: plotter.relievo.lamps(ball(), radius=0.1)),
+            ("markers", lambda plotter: plotter.relievo.markers(ball(), radius=0.1)),
+            ("tone", lambda plotter: plotter.relievo.stage("tone")),
+            ("show", lambda plotter: plotter.relievo.show("normal")),
+            ("shadows", lambda plotter: plotter.relievo.shadows()),
+            ("shadows", lambda plotter: plotter.relievo.stage("shadows", visible=True)),
+        ):
+            setting = "shadows" if name == "shadows" else "ssao"
+            said = f"{name} beside .*plotter.render_passes.*off"
+            plotter = lit_scene()
+            passes = pyvista_render_passes.RenderPassComponent(plotter.renderer)
+            passes.set(**{setting: True})
+            with self.assertRaisesRegex(ValueError, said):
+                use(plotter)
+            passes.set(**{setting: False})
+            use(plotter)
+            with self.assertRaisesRegex(ValueError, said):
+                passes.set(**{setting: True})
+            self.assertFalse(passes.settings[setting])
+
+    def test_capture_leaves_what_is_shown(self):
+        plotter = lit_scene()
+        plotter.show()
+        before = shown(plotter)
+        for size in (None, (60, 40)):
+            plotter.relievo.capture("depth", size=size)
+            numpy.testing.assert_array_equal(shown(plotter), before)
 
 
 class Files(unittest.TestCase):

@@ -40,6 +40,31 @@ try:
 except ValueError as error:
     print(error)
 """
+CLIENT = """
+import relievo
+relievo.provide_vtkmodules()
+relievo.provide_vtkmodules()
+import vtk
+import vtk.util.numpy_support, vtkmodules.util.numpy_support
+from vtkmodules.vtkRenderingCore import vtkFlagpoleLabel, vtkRenderer
+import cvista.vtkRenderingCore
+class Label(vtkFlagpoleLabel):
+    pass
+try:
+    Label()
+except NotImplementedError as error:
+    print(error)
+print(vtkRenderer is cvista.vtkRenderingCore.vtkRenderer, vtk.vtkRenderer is vtkRenderer)
+relievo.attach(vtkRenderer())
+"""
+TOO_LATE = """
+import relievo
+import vtkmodules.vtkCommonCore
+try:
+    relievo.provide_vtkmodules()
+except ImportError as error:
+    print(error)
+"""
 DREW = "drew (24, 32) True\n"
 
 
@@ -113,7 +138,13 @@ class Imports(unittest.TestCase):
             self.assertEqual(self.run_script(script), DREW)
         said = self.run_script(DRAWS + OTHER_DRAWS)
         self.assertRegex(said, f"^{re.escape(DREW)}renderer: got a vtkOpenGLRenderer of vtkmodules,"
-                         ".*import VTK's classes from cvista")  # fmt: skip
+                         ".*classes from cvista, or call relievo.provide_vtkmodules()")  # fmt: skip
+
+    def test_clients_of_vtkmodules(self):
+        """They get the wheel's VTK by that name, where they ask for it soon enough."""
+        said = self.run_script(CLIENT)
+        self.assertRegex(said, "^vtkFlagpoleLabel: cvista, .* no such class\nTrue True\n$")
+        self.assertRegex(self.run_script(TOO_LATE), "^provide_vtkmodules: .*already.*call it before")
 
     def test_without_a_display(self):
         for display in ("", ":54321"):

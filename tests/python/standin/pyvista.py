@@ -12,6 +12,7 @@ much of a plotter as the tests need.
   **options) and handler(dataset, path, **options). A reader is given addresses (https://...) as
   they are; if it raises LocalFileRequiredError it is called again with a file of what was fetched.
 - A plotter's camera is placed when it is first shown, unless somebody has set it.
+- PyVista's passes are set by SetPass() of the renderer, at any time.
 """
 
 import importlib
@@ -125,6 +126,9 @@ class BasePlotter:
             if not renderer.camera_set:
                 renderer.camera_position = renderer.get_default_cam_pos()
                 renderer.ResetCamera()
+        self.render_window.Render()
+
+    def render(self):
         self.render_window.Render()
 
     def close(self):
