@@ -10,6 +10,7 @@
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <regex>
 #include <sstream>
 
 using namespace vtkRelievoSpliceText;
@@ -25,6 +26,42 @@ const char* const UniformFlow = "//RELIEVO::Shadow::UniformFlow";
 std::string Section(const char* section)
 {
   return vtkRelievoShaderLibrary::GetSection("shadow/receive.glsl", section);
+}
+
+std::string Lens(const char* section)
+{
+  return vtkRelievoShaderLibrary::GetSection("shadow/lens.glsl", section);
+}
+
+// Whether the text goes on from the vertex's place, and does not only set it or add to it.
+bool ReadsPlace(const std::string& text)
+{
+  std::istringstream pattern(Lens("Use"));
+  std::string use;
+  pattern >> use;
+  const std::regex found(use);
+  for (std::sregex_iterator each(text.begin(), text.end(), found), none; each != none; ++each)
+  {
+    if (each->str(3).empty())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// What lights see goes without what such a text makes of it.
+void SpareLights(std::string& vertex)
+{
+  const char* const mark = "//RELIEVO::Position::Impl";
+  const std::size_t at = vertex.find(mark);
+  const std::size_t end = vertex.rfind('}');
+  if (at != std::string::npos && end != std::string::npos && ReadsPlace(vertex.substr(at)))
+  {
+    vertex.insert(end, Lens("Impl"));
+    MarkBehind(vertex, mark, Lens("Keep"));
+    MarkBehind(vertex, VertexDec, Lens("Dec"));
+  }
 }
 
 std::string Numbered(
@@ -57,6 +94,7 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   const Structure& structure)
 {
   const bool impostor = Has(fragment, "vertexVC.xyz =") && Has(fragment, "normalVCVSOutput");
+  SpareLights(vertex);
   std::string lights;
   std::string flow = Section("UniformFlow");
   std::string visibility;

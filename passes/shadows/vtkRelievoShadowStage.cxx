@@ -1089,6 +1089,10 @@ bool vtkRelievoShadowStage::SetShaderParameters(vtkShaderProgram* program,
     // A sheet blocks light from both sides.
     vtkRelievoShadowMaps::DrawBothSides(in.Window);
   }
+  if (program->IsUniformUsed("relievoFromLight"))
+  {
+    program->SetUniformi("relievoFromLight", drawingMaps ? 1 : 0);
+  }
   if (!program->IsUniformUsed("relievoShadowMaps") &&
     !program->IsUniformUsed("relievoSeenVerdicts"))
   {

@@ -60,12 +60,13 @@ def describe(thing):
     """A thing that is not what was expected, for a message: its package, if it is another VTK's."""
     if hasattr(thing, "IsA") and not isinstance(thing, vtkObjectBase):
         # PyVista's classes derive from VTK's.
-        base = next((each for each in type(thing).__mro__ if each.__name__ == "vtkObjectBase"), type(thing))
-        own, other = (kind.__module__.split(".")[0] for kind in (vtkObjectBase, base))
-        known = ", or call relievo.provide_vtkmodules() before anything imports vtkmodules"
+        bases = [each for each in type(thing).__mro__ if each.__name__ == "vtkObjectBase"]
+        known = [vtkObjectBase, *bases, type(thing)]
+        own, other = (each.__module__.split(".")[0] for each in known[:2])
+        names = ", or call relievo.provide_vtkmodules() before anything imports vtkmodules"
         return (
             f"a {thing.GetClassName()} of {other}, another VTK than Relievo's: import VTK's "
-            f"classes from {own}{known if other == 'vtkmodules' else ''}"
+            f"classes from {own}{names if other == 'vtkmodules' else ''}"
         )
     return repr(thing)
 

@@ -33,8 +33,13 @@ class KeptFrame:
         self._given = False  # and that pass is not known yet
         self._held = 0
         keep = weakref.WeakMethod(self.keep)
+
+        def start(*_):
+            if keep() is not None:
+                keep()()
+
         # The last observer: others set passes in theirs.
-        self._tag = renderer.AddObserver("StartEvent", lambda *_: (keep() or (lambda: None))(), -1.0)
+        self._tag = renderer.AddObserver("StartEvent", start, -1.0)
 
     def keep(self):
         """The frame is back where it belongs, if somebody has set the renderer's pass."""

@@ -176,7 +176,7 @@ class Package(unittest.TestCase):
             self.assertRaisesRegex(ValueError, says, call)
 
     def test_data_of_another_vtk(self):
-        """So are data, filters, their outputs, actors and images, also those derived from its classes."""
+        """So are data, filters, actors and images, also of classes that derive from its own."""
         base = type("vtkObjectBase", (), {"__module__": "another.vtkCommonCore"})
 
         def stranger(name, *kinds):

@@ -199,7 +199,7 @@ class Passes(unittest.TestCase):
         self.assertLess(drawn(plotter)[hidden_from_the_sun(plotter)].mean(), 10)
 
     def test_among_those_of_another_package(self):
-        """pyvista-render-passes: its component is made first, or Relievo's; both give one picture."""
+        """pyvista-render-passes: its component is made first, or Relievo's, for one picture."""
         pictures = []
         for relievo_first in (True, False):
             plotter = lit_scene()

@@ -9,6 +9,8 @@ import unittest
 
 import numpy
 import scenes
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkWindowToImageFilter
@@ -100,6 +102,35 @@ class Shadows(unittest.TestCase):
                 self.assertGreater(sure.sum(), 0.9 * self.floor_seen.sum())
                 numpy.testing.assert_array_equal(values[sure], (distance > 0)[sure])
                 self.assertEqual(set(values[nothing]), {1.0})
+
+    def test_a_lens(self):
+        """A vertex shader that goes on from VTK's gl_Position, as PyVista's camera distortion has
+        it, bends what the camera sees, and not what lights see."""
+        for thing in (self.floor, self.plate):
+            source = thing.GetMapper().GetInputAlgorithm()
+            source.SetResolution(40, 40)
+            source.Update()
+            mesh = vtkPolyData()
+            mesh.DeepCopy(source.GetOutput())
+            places = vtkDoubleArray()
+            places.DeepCopy(mesh.GetPoints().GetData())
+            places.SetName("place")
+            mesh.GetPointData().AddArray(places)
+            thing.GetMapper().SetInputDataObject(mesh)
+            thing.GetShaderProperty().AddVertexShaderReplacement(
+                "//VTK::PositionVC::Impl", True,
+                "//VTK::PositionVC::Impl\n  vec2 seen = gl_Position.xy / gl_Position.w;\n"
+                "  gl_Position.xy *= 1.0 + 0.2 * dot(seen, seen);\n", False)  # fmt: skip
+        self.layers.append("place")
+        _, (*shadows, places) = self.capture()
+        straight = numpy.abs(places - self.position).max(axis=-1)[self.floor_seen]
+        self.assertGreater(straight.max(), 0.1, "the lens bends nothing")
+        for name, values in zip(LIGHTS, shadows):
+            with self.subTest(light=name):
+                distance = edge_distance(places, name)
+                sure = self.floor_seen & (abs(distance) > 0.04)
+                self.assertGreater((sure & (distance < 0)).sum(), 300)
+                numpy.testing.assert_array_equal(values[sure], (distance > 0)[sure])
 
     def test_the_picture(self):
         off = self.picture()

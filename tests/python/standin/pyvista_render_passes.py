@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A stand-in for pyvista-render-passes, which needs Python 3.12: the protocol by which its version 0.2
-has passes of others among its own, as its README and docs/design.md describe it.
+"""A stand-in for pyvista-render-passes, which needs Python 3.12: the protocol by which its version
+0.2 has passes of others among its own, as its README and docs/design.md describe it.
 
 - Group pyvista_render_passes.providers: a value is a class, of which each renderer has an object.
   bind() gives that a method of the renderer's component, which has the passes built anew.
 - Passes are built in the renderer's StartEvent when something has changed: the renderer's pass is
-  None, then build_pass("base", renderer, chain, delegate) makes a pass around what draws the scene, or
-  returns None, then all others go around it.
+  None, then build_pass("base", renderer, chain, delegate) makes a pass around what draws the scene,
+  or returns None, then all others go around it.
 - veto() is asked before a setting changes, and may say why not.
 """
 

@@ -1,7 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""For tests, which are written for every VTK: `vtkmodules` is the package of the wheel's VTK. Without an
-import of relievo, which some of them time or check."""
+"""For tests, which are written for every VTK: `vtkmodules` is the package of the wheel's VTK.
+
+Without an import of relievo, which some of them time or check.
+"""
 
 import importlib.util
 import sys

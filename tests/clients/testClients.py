@@ -1,0 +1,189 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""PyVista, pyvista-render-passes and vedo themselves, with an installed wheel, as users have them."""
+
+import importlib.util
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy
+import pyvista
+
+# Not imported: relievo. PyVista finds it.
+
+pyvista.OFF_SCREEN = True
+SUN = (2.0, 1.0, 6.0)
+FLOOR, RADIUS = -0.6, 0.5
+
+VEDO = f"""
+import numpy
+import relievo
+relievo.provide_vtkmodules()
+import vedo
+ball, floor = vedo.Sphere(r={RADIUS}, res=60), vedo.Plane(pos=(0, 0, {FLOOR}), s=(4, 4))
+plotter = vedo.Plotter(offscreen=True, size=(400, 300))
+plotter.show(ball, floor.lighting("default"), axes=1, viewup="z")
+light = vedo.vtkclasses.vtkLight()
+light.SetLightTypeToSceneLight()
+light.SetPosition({SUN})
+plotter.renderer.RemoveAllLights()
+plotter.renderer.AddLight(light)
+relievo.stage(plotter.renderer, "shadows", visible=True)
+plotter.render()
+image = relievo.capture(plotter, ["position", "shadow_0", "color"])
+numpy.savez("vedo.npz", **{{name: relievo.layer(image, name) for name in relievo.layer_names(image)}})
+plotter.close()
+"""
+
+
+def scene(size=(400, 300)):
+    """A ball over a floor, in sunlight."""
+    plotter = pyvista.Plotter(window_size=size)
+    ball = pyvista.Sphere(radius=RADIUS, theta_resolution=60, phi_resolution=60)
+    plotter.add_mesh(ball, color="tomato")
+    floor = pyvista.Plane(center=(0, 0, FLOOR), i_size=4, j_size=4, i_resolution=40,
+                          j_resolution=40)  # fmt: skip
+    floor["place"] = floor.points
+    plotter.add_mesh(floor, scalars=None, color="white")
+    plotter.remove_all_lights()
+    plotter.add_light(pyvista.Light(position=SUN, light_type="scene light"))
+    plotter.camera_position = [(4, -3, 3), (0, 0, 0), (0, 0, 1)]
+    return plotter
+
+
+def drawn(plotter):
+    plotter.render()
+    return plotter.screenshot(return_img=True).astype(int)
+
+
+def in_the_shade(place):
+    """Of places on the floor: 1 well within the ball's shadow, -1 well outside, 0 near its edge."""
+    sun = numpy.array(SUN) / numpy.linalg.norm(SUN)
+    distance = numpy.linalg.norm(numpy.cross(place, sun), axis=-1)
+    return (distance < 0.95 * RADIUS) * 1 - (distance > 1.05 * RADIUS) * 1
+
+
+class Clients(unittest.TestCase):
+    def check_shadow(self, place, on_floor, visibility, picture):
+        """The floor is dark where the ball is between it and the sun, and lit elsewhere."""
+        shade = numpy.where(on_floor, in_the_shade(place), 0)
+        self.assertGreater((shade > 0).sum(), 300)
+        self.assertTrue((visibility[shade > 0] == 0).all())
+        self.assertTrue((visibility[shade < 0] == 1).all())
+        self.assertLess(picture[shade > 0].mean(), 0.1 * picture[shade < 0].mean())
+
+
+    def check(self, plotter, place="position"):
+        layers = {name: plotter.relievo.layer(name) for name in ("actor", "shadow_0", place)}
+        picture = drawn(plotter).mean(axis=-1)
+        self.check_shadow(layers[place], layers["actor"] == 1, layers["shadow_0"], picture)
+
+
+class PyVista(Clients):
+    def test_shadows_and_back(self):
+        plotter = scene()
+        plain = drawn(plotter)
+        plotter.relievo.frame  # noqa: B018  (attached, and idle)
+        numpy.testing.assert_array_equal(drawn(plotter), plain)
+        plotter.relievo.shadows()
+        self.check(plotter)
+        plotter.relievo.shadows(False)
+        numpy.testing.assert_array_equal(drawn(plotter), plain)
+        plotter.close()
+
+    def test_passes_in_any_order(self):
+        for switch in ("enable_ssao", "enable_eye_dome_lighting"):
+            before, after = scene(), scene()
+            getattr(before, switch)()
+            plain = drawn(before)
+            before.relievo.shadows()
+            after.relievo.shadows()
+            drawn(after)
+            getattr(after, switch)()
+            numpy.testing.assert_array_equal(drawn(before), drawn(after))
+            after.relievo.shadows(False)
+            numpy.testing.assert_array_equal(drawn(after), plain)
+            before.close()
+            after.close()
+
+    def test_subplots(self):
+        plotter = pyvista.Plotter(shape=(1, 2), window_size=(400, 200))
+        for column in range(2):
+            plotter.subplot(0, column)
+            plotter.add_mesh(pyvista.Sphere())
+            plotter.add_text(str(column))
+        plain = drawn(plotter)
+        plotter.relievo.show("normal")
+        left, right = numpy.array_split(drawn(plotter), 2, axis=1)
+        numpy.testing.assert_array_equal(left, plain[:, :200])
+        self.assertTrue((right != plain[:, 200:]).any())
+        plotter.relievo.off()
+        numpy.testing.assert_array_equal(drawn(plotter), plain)
+        plotter.close()
+
+    def test_camera_distortion(self):
+        plotter = scene()
+        plotter.enable_camera_distortion((0.6, 0.1, 0.02, 0.01))
+        plotter.relievo.shadows()
+        self.check(plotter, "place")
+        plotter.close()
+
+    def test_files(self):
+        plotter = scene()
+        image = plotter.relievo.capture(["depth", "normal"])
+        with tempfile.TemporaryDirectory() as folder:
+            image.save(pathlib.Path(folder, "a.exr"), compression="piz")
+            again = pyvista.read(pathlib.Path(folder, "a.exr"))
+        for name in ("depth", "normal"):
+            numpy.testing.assert_array_equal(image[name], again[name])
+        plotter.close()
+
+
+@unittest.skipUnless(importlib.util.find_spec("pyvista_render_passes"), "it needs Python 3.12")
+class RenderPasses(Clients):
+    def test_composed(self):
+        for switches in (["enable_anti_aliasing"], ["enable_ssao"], ["enable_edl"],
+                         ["enable_anti_aliasing", "enable_ssao", "enable_edl"]):  # fmt: skip
+            plotter = scene()
+            for each in switches:
+                getattr(plotter.render_passes, each)()
+            plain = drawn(plotter)
+            plotter.relievo.shadows()
+            self.check(plotter)
+            self.assertTrue(plotter.render_passes.is_active)
+            self.assertFalse(plotter.render_passes.provider_errors)
+            plotter.relievo.off()
+            numpy.testing.assert_array_equal(drawn(plotter), plain)
+            plotter.close()
+
+    def test_refused(self):
+        plotter = scene()
+        plotter.relievo.fog(pyvista.PolyData([[0.0, 0.0, 0.0]]), radius=0.5)
+        with self.assertRaisesRegex(ValueError, "'relievo' refused .*fog beside SSAO"):
+            plotter.render_passes.enable_ssao()
+        plotter.relievo.off()
+        plotter.render_passes.enable_shadows()
+        with self.assertRaisesRegex(ValueError, "shadows beside those of plotter.render_passes"):
+            plotter.relievo.shadows()
+        plotter.close()
+
+
+class Vedo(Clients):
+    def test_shadows(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run([sys.executable, "-c", VEDO], cwd=folder, check=False,
+                                  capture_output=True, text=True, env=os.environ)  # fmt: skip
+            self.assertEqual(done.returncode, 0, done.stderr)
+            got = numpy.load(pathlib.Path(folder, "vedo.npz"))
+            place = got["position"]
+            on_floor = abs(place[..., 2] - FLOOR) < 1e-5
+            self.check_shadow(place, on_floor & (abs(place).max(axis=-1) < 1.99), got["shadow_0"],
+                              got["color"][..., :3].mean(axis=-1))  # fmt: skip
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
