@@ -4,13 +4,14 @@
 
 import os
 import threading
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 
 from vtkmodules import vtkCommonCore
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
 
 from ._errors import Watch
+from ._keep import kept
 from ._picture import captured
 from ._renderers import renderer_of
 from .vtkRelievoPasses import vtkRelievoDisplay, vtkRelievoLayerSource, vtkRelievoPass
@@ -53,7 +54,9 @@ def capture(renderer, layers=("depth",), size=None, hdr=False):
     source.SetHDR(bool(hdr))
     for name in layers:
         source.AddLayer(name)
-    with _window_of(renderer, size), _frame_of(renderer) as frame:
+    found = kept(renderer)
+    held = nullcontext() if found is None else found.held()
+    with held, _window_of(renderer, size), _frame_of(renderer) as frame:
         if made:
             renderer.ResetCamera()
         source.SetRenderer(renderer)
@@ -96,11 +99,23 @@ def _frame_of(renderer):
     """The frame of the renderer, which keeps it only if it had it before."""
     before = renderer.GetPass()
     frame = vtkRelievoPass.Attach(renderer)
+    if frame is before:
+        yield frame
+        return
+
+    def keep(*_):
+        there = renderer.GetPass()
+        if there is not frame:
+            frame.SetDelegatePass(there)
+            renderer.SetPass(frame)
+
+    # The last observer: others set passes in theirs.
+    tag = renderer.AddObserver("StartEvent", keep, -1.0)
     try:
         yield frame
     finally:
-        if before is None or not before.IsA("vtkRelievoPass"):
-            vtkRelievoPass.Detach(renderer)
+        renderer.RemoveObserver(tag)
+        vtkRelievoPass.Detach(renderer)
 
 
 _spare_windows = {}  # by thread: a context is current in one only

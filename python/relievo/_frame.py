@@ -3,6 +3,7 @@
 """The frame around a renderer's own passes, and its report."""
 
 import json
+import weakref
 
 from vtkmodules.vtkCommonCore import vtkWeakReference
 
@@ -76,6 +77,19 @@ class Frame(vtkRelievoPasses.vtkRelievoPass):
 vtkRelievoPass = Frame
 
 
+# Renderers whose passes others set, with what keeps their frames (_keep.py).
+kept = weakref.WeakKeyDictionary()
+
+
+def frame_of(renderer):
+    """The frame of a renderer, around its pass or within it, or None."""
+    there = renderer.GetPass()
+    if there is not None and there.IsA("vtkRelievoPass"):
+        return there
+    found = kept.get(renderer)
+    return found.frame if found is not None and not found.detached() else None
+
+
 def attach(renderer):
     """Puts the Relievo frame around whatever pass the renderer has and returns it.
 
@@ -88,11 +102,11 @@ def attach(renderer):
     anything but a renderer.
     """
     require(renderer, "vtkRenderer", "renderer")
-    there = renderer.GetPass()
-    if there is not None and there.IsA("vtkRelievoPass"):
+    there = frame_of(renderer)
+    if there is not None:
         return there
     frame = vtkRelievoPass()
-    frame.SetDelegatePass(there)
+    frame.SetDelegatePass(renderer.GetPass())
     frame._renderer.Set(renderer)
     renderer.SetPass(frame)
     return frame
@@ -122,8 +136,8 @@ def report(frame):
     Raises ValueError for anything else.
     """
     if is_a(frame, "vtkRenderer"):
-        owner, frame = frame, frame.GetPass()
-        if frame is None or not frame.IsA("vtkRelievoPass"):
+        owner, frame = frame, frame_of(frame)
+        if frame is None:
             raise ValueError(f"frame: the {owner.GetClassName()} has none; attach() it first")
     require(frame, "vtkRelievoPass", "frame")
     return json.loads(frame.GetFrameReport())

@@ -9,17 +9,15 @@ from vtkmodules.vtkRenderingOpenGL2 import vtkRenderPassCollection, vtkSequenceP
 
 from . import _frame
 
-_kept = weakref.WeakKeyDictionary()
-
 
 def kept(renderer, attach=False):
     """The KeptFrame of a renderer; None if it has none, unless one is to be attached."""
-    found = _kept.get(renderer)
+    found = _frame.kept.get(renderer)
     if found is not None and found.detached():
         found.release()
         found = None
     if found is None and attach:
-        found = _kept[renderer] = KeptFrame(renderer)
+        found = _frame.kept[renderer] = KeptFrame(renderer)
     return found
 
 
@@ -47,8 +45,8 @@ class KeptFrame:
         there = renderer.GetPass()
         if self._given:
             self._arranged, self._given = there, False
-        if there is self.frame or self.detached():
-            return
+        if self.detached() or (there is not None and there.IsA("vtkRelievoPass")):
+            return  # itself, or one that is around for a capture
         if there is not None and there is self._arranged:
             if self._held:
                 renderer.SetPass(self.frame)
@@ -83,12 +81,12 @@ class KeptFrame:
 
     def detached(self):
         """Whether detach() has taken the frame away."""
-        return self.frame.is_detached()
+        return isinstance(self.frame, _frame.Frame) and self.frame.is_detached()
 
     def release(self):
         """The renderer is as it would be without the frame."""
         renderer = self._renderer()
-        _kept.pop(renderer, None)
+        _frame.kept.pop(renderer, None)
         renderer.RemoveObserver(self._tag)
         if renderer.GetPass() is self.frame:
             _frame.detach(renderer)

@@ -18,7 +18,6 @@ and so on) are switched on and off before or after. Beside pyvista-render-passes
 within its passes: they smooth and shade what it has drawn.
 """
 
-import contextlib
 import weakref
 
 import pyvista
@@ -128,11 +127,10 @@ class RelievoComponent:
         return _image.layer(self._captured(name, size, hdr), name)
 
     def _captured(self, layers, size, hdr):
-        found = kept(self._renderer())
+        self._renderer()
         window = self._plotter.render_window
         shown = window is not None and not window.GetNeverRendered()
-        with found.held() if found is not None else contextlib.nullcontext():
-            image = _capture.capture(self._plotter, layers, size, hdr)
+        image = _capture.capture(self._plotter, layers, size, hdr)
         if shown:
             self._plotter.render()  # PyVista's pictures are of what the window shows
         return image

@@ -221,6 +221,12 @@ class Passes(unittest.TestCase):
             self.assertTrue((plotter.relievo.layer("shadow_0")[dark] == 0).all())
             self.assertIs(plotter.renderer.GetPass(), passes.top)
             numpy.testing.assert_array_equal(shown(plotter), pictures[-1])
+            import relievo
+
+            around = relievo.layer(relievo.capture(plotter.renderer, "depth"), "depth")
+            numpy.testing.assert_array_equal(around, plotter.relievo.layer("depth"))
+            self.assertIs(plotter.renderer.GetPass(), passes.top)
+            self.assertIs(relievo.attach(plotter.renderer), plotter.relievo.frame)
             plotter.relievo.off()
             without = drawn(plotter)
             passes.set(anti_aliasing=False)
@@ -228,6 +234,20 @@ class Passes(unittest.TestCase):
             self.assertIsNone(plotter.renderer.GetPass())
         numpy.testing.assert_array_equal(*pictures)
         numpy.testing.assert_array_equal(without, plain)
+
+    def test_capture_while_others_set_their_pass(self):
+        import relievo
+
+        plotter = lit_scene()
+        depth = relievo.capture(plotter, "depth", (30, 20))
+
+        def start(renderer, _):
+            renderer.SetPass(vtkRenderStepsPass())
+
+        plotter.renderer.AddObserver("StartEvent", start)
+        again = relievo.capture(plotter, "depth", (30, 20))
+        numpy.testing.assert_array_equal(*[relievo.layer(a, "depth") for a in (depth, again)])
+        self.assertTrue(plotter.renderer.GetPass().IsA("vtkRenderStepsPass"))
 
     def test_refused_pairs(self):
         for name, use in (

@@ -128,7 +128,7 @@ class Shadows(unittest.TestCase):
         for name, values in zip(LIGHTS, shadows):
             with self.subTest(light=name):
                 distance = edge_distance(places, name)
-                sure = self.floor_seen & (abs(distance) > 0.04)
+                sure = self.floor_seen & (abs(distance) > 0.1)  # nearer some pixels are in between
                 self.assertGreater((sure & (distance < 0)).sum(), 300)
                 numpy.testing.assert_array_equal(values[sure], (distance > 0)[sure])
 
