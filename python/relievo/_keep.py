@@ -59,7 +59,6 @@ class KeptFrame:
     def held(self):
         """Meanwhile the frame is the renderer's pass, where the functions of this package look."""
         renderer = self._renderer()
-        self.keep()
         self._held += 1
         try:
             self.keep()
