@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Spliced into VTK's vertex shaders where a user's replacement goes on from VTK's gl_Position, as the
-// distortion of a camera's lens does: what a light sees goes without.
+// Spliced into VTK's vertex shaders where a user's replacement goes on from VTK's gl_Position, as
+// the distortion of a camera's lens does: what a light sees goes without.
 
 // How such a text is known: VTK's position without an assignment behind it (a regular expression).
 //RELIEVO::Section(Use)

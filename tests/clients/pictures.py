@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A plugin for pytest: PyVista's own plotting tests with Relievo attached to every renderer, and idle.
+"""A plugin for pytest: PyVista's own plotting tests with Relievo attached to every renderer, idle.
 
     PYTHONPATH=tests/clients v/bin/python -m pytest -p pictures PYVISTA/tests/plotting
 
-with PyVista's tests, from its repository, and a virtual environment with pytest, what they need and an
-installed wheel. By hand: it takes a quarter of an hour. Each plotter that a test closes is drawn with the
-frame, twice without it, and with it again; at the end a line says how many pictures were equal bit for
-bit, and how many differ although both were drawn without Relievo. Status 1 if another one differs.
+with PyVista's tests, from its repository, and a virtual environment with pytest, what they need and
+an installed wheel. By hand: it takes a quarter of an hour. Each plotter that a test closes is drawn
+with the frame, twice without it, and with it again; at the end a line says how many pictures were
+equal bit for bit, and how many differ although both were drawn without Relievo. Status 1 if another
+one differs.
 """
 
 import collections
@@ -74,8 +75,8 @@ def pytest_sessionfinish(session):
 def pytest_terminal_summary(terminalreporter):
     total = sum(_counts.values()) + len(_different)
     terminalreporter.write_line(
-        f"Pictures with Relievo idle: {_counts['equal']} of {total} equal, {_counts['random']} random "
-        f"by themselves, {len(_different)} different")  # fmt: skip
+        f"Pictures with Relievo idle: {_counts['equal']} of {total} equal, "
+        f"{_counts['random']} random by themselves, {len(_different)} different")  # fmt: skip
     for each in _different:
         terminalreporter.write_line(f"  {each}")
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""PyVista, pyvista-render-passes and vedo themselves, with an installed wheel, as users have them."""
+"""PyVista, pyvista-render-passes and vedo themselves, with an installed wheel."""
 
 import importlib.util
 import os
@@ -35,7 +35,8 @@ plotter.renderer.AddLight(light)
 relievo.stage(plotter.renderer, "shadows", visible=True)
 plotter.render()
 image = relievo.capture(plotter, ["position", "shadow_0", "color"])
-numpy.savez("vedo.npz", **{{name: relievo.layer(image, name) for name in relievo.layer_names(image)}})
+names = relievo.layer_names(image)
+numpy.savez("vedo.npz", **{{name: relievo.layer(image, name) for name in names}})
 plotter.close()
 """
 
