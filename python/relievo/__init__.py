@@ -66,6 +66,7 @@ except ImportError as error:
 
 from ._wrapped import *  # noqa: F401,F403
 
+from . import _browser
 from ._capture import capture
 from ._environment import environment
 from ._exr import read_exr, write_exr
@@ -81,6 +82,7 @@ from ._things import functions as _functions
 from ._vtkmodules import provide_vtkmodules
 
 globals().update(_functions())  # lamps, fog, markers: each stage that draws points
+_browser.prepare()
 
 __all__ = [
     *_functions(),
@@ -94,10 +96,12 @@ __all__ = [
     "layer",
     "layer_names",
     "layers",
+    "picture",
     "provide_vtkmodules",
     "read_exr",
     "report",
     "scene",
+    "show",
     "stage",
     "stages",
     "to_image",

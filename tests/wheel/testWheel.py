@@ -147,6 +147,13 @@ class Imports(unittest.TestCase):
         said = self.run_script(TOO_LATE)
         self.assertRegex(said, "^provide_vtkmodules: .*already.*call it before")
 
+    def test_trame(self):
+        """trame takes the VTK that this names: the wheel's, but where another is in use."""
+        said = "\nimport os, relievo\nprint(os.environ.get('VTK_MODULE_NAME'))"
+        self.assertEqual(self.run_script(said), "cvista\n")
+        self.assertEqual(self.run_script(said, VTK_MODULE_NAME="vtkmodules"), "vtkmodules\n")
+        self.assertEqual(self.run_script("import vtk" + said), "None\n")
+
     def test_without_a_display(self):
         for display in ("", ":54321"):
             self.assertEqual(self.run_script(DRAWS, DISPLAY=display), DREW)
