@@ -119,6 +119,9 @@ METHODS = {
     # fog
     "pairs of floats": "blue o -", "textbook, double": "grey x --", "textbook, float": "grey ^ :",
     "perpendicular, float": "grey v --",
+    # other viewers
+    "Relievo": "blue o -", "Relievo, PBR": "green D -", "Relievo, studio": "vermillion s -",
+    "F3D": "grey x --",
 }  # fmt: skip
 
 

@@ -183,6 +183,19 @@ def gbuffer(rows):
         panels(shown, "times a plain frame", method="frame"), kind="bars")  # fmt: skip
 
 
+@bench("f3d.csv")
+def f3d(rows):
+    """The first picture and the frames of another viewer, by bench/f3d_frames.py."""
+    steps = {"first picture": "from the start to the first picture", "frame": "a further frame"}
+    for step, title in steps.items():
+        yield Chart(
+            f"f3d-{step.split()[0]}", f"A file beside F3D: {title}",
+            "Software OpenGL, 1280 x 720 pixels, processor time. Grey: F3D, with its own look.",
+            Axis("milliseconds of processor time"), Axis(),
+            panels([row for row in rows if row["step"] == step], "processor milliseconds",
+                   panel="file", method="program"), kind="bars")  # fmt: skip
+
+
 @bench("shadows.csv")
 def shadows(rows):
     """Wrong verdicts by the size of the map, and by the time of a frame."""

@@ -1,19 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Relievo beside F3D, a viewer on VTK as well: how long until it is loaded, until the first picture of
-a file, and for each further frame.
+"""Relievo beside F3D, a viewer on VTK as well: how long until it is loaded, until the first picture
+of a file, and for each further frame.
 
     python bench/f3d_frames.py DATA [--rounds N] [--files a,b] [--size WxH] >f3d.csv
 
-In a Python that has both: `pip install relievo f3d`. DATA is the folder that tools/unpack-data fills.
-In every round each program is started anew, in an order by chance, and draws the file off-screen from
-one camera, which further frames turn: F3D with its own look (PBR under a light kit), Relievo with its
-default (Phong under a headlight), with PBR under the headlight, and with --preset studio, which has
-shadows. `loaded` ends when the package is imported, `first picture` when its pixels are in memory;
-`frame` is the median of some. The first pictures are compared: what they show must cover the same
-pixels. A ratio is the median of the rounds' ratios to F3D, +- half the distance of its quartiles. On a
-machine that does other things (the load is in the last column) the ratios of processor time, over all
-threads, are the steadier ones.
+In a Python that has both: `pip install relievo f3d`. DATA is the folder that tools/unpack-data
+fills. In every round each program is started anew, in an order by chance, and draws the file
+off-screen from one camera, which further frames turn: F3D with its own look (PBR under a light
+kit), Relievo with its default (Phong under a headlight), with PBR under the headlight, and with
+--preset studio, which has shadows. `loaded` ends when the package is imported, `first picture` when
+its pixels are in memory; `frame` is the median of some. The first pictures are compared: what they
+show must cover the same pixels. A ratio is the median of the rounds' ratios to F3D, +- half the
+distance of its quartiles. On a machine that does other things (the load is in the last column) the
+ratios of processor time, over all threads, are the steadier ones.
 Exit status: 0; 3 if F3D or Relievo cannot be imported; 1 if the programs draw different things.
 """
 
@@ -222,8 +222,8 @@ def main():
     given = parser.parse_args()
     for package in ("f3d", "relievo"):
         if importlib.util.find_spec(package) is None:
-            print(f"skipped: this Python has no {package}; `pip install relievo f3d` where PyPI has "
-                  f"both for it", file=sys.stderr)  # fmt: skip
+            print(f"skipped: this Python has no {package}; `pip install relievo f3d`, or relievo's "
+                  f"wheel", file=sys.stderr)  # fmt: skip
             raise SystemExit(MISSING)
     columns = ["milliseconds", "ratio", "+-"]
     writer = csv.writer(sys.stdout, lineterminator="\n")
@@ -234,4 +234,5 @@ def main():
         bench(writer, name, pathlib.Path(given.data) / FILES[name], size, given.rounds)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -26,9 +26,11 @@ _LEFT_OUT = (
 
 def _has_relievo(renderer):
     """Whether something of Relievo's takes part in the renderer's picture."""
-    frame = renderer.GetPass()
-    if frame is not None and frame.IsA("vtkRelievoPass"):
-        return True
+    drawn = renderer.GetPass()
+    while drawn is not None:
+        if drawn.IsA("vtkRelievoPass"):
+            return True
+        drawn = drawn.GetDelegatePass() if hasattr(drawn, "GetDelegatePass") else None
     props = renderer.GetViewProps()
     return any(
         prop.GetClassName().startswith("vtkRelievo")

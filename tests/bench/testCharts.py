@@ -87,6 +87,11 @@ def position(x, y):
         lambda row: row["projection"] == "perspective")  # fmt: skip
 
 
+def f3d(step):
+    return points("f3d", "[file]", "[program]", "[processor milliseconds]", "[program]", None,
+                  lambda row: row["step"] == step)  # fmt: skip
+
+
 def shadows(panels, x):
     def panel(row):
         return panels.get(f"{row['scene']}, {row['light']}")
@@ -179,6 +184,8 @@ TRUTH = {
         "gbuffer", "[scene]", "[frame]", "[times a plain frame]",
         lambda row: FRAMES.get(row["frame"], row["frame"]), None,
         lambda row: row["pixels"] == "1920x1080" and row["frame"] != "plain"),
+    "f3d-first": f3d("first picture"),
+    "f3d-frame": f3d("frame"),
     "shadows-meshes": shadows({"bunny, sun": "bunny", "motorBike, sun": "motorBike",
                                "buildings, sun": "buildings"}, "[map]"),
     "shadows-lights": shadows({"motorBike, sun at 10 degrees": "sun at 10°",
@@ -294,7 +301,8 @@ def comparable(all_points, figure):
     return sorted(kept, key=str)
 
 
-ROW_NAMES = {y for stem in ("depth-bytes", "position-bytes", "gbuffer") for *_, y, _ in TRUTH[stem]}
+WITH_ROWS = ("depth-bytes", "position-bytes", "gbuffer", "f3d-first")
+ROW_NAMES = {y for stem in WITH_ROWS for *_, y, _ in TRUTH[stem]}
 
 
 def faults(figure):

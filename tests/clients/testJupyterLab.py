@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A notebook in JupyterLab, in headless Chromium: pictures inline, and relievo.show() with the values
-under the cursor, readable in both themes."""
+"""A notebook in JupyterLab, in headless Chromium: pictures inline, and relievo.show() with the
+values under the cursor, readable in both themes."""
 
 import contextlib
 import json
@@ -39,8 +39,8 @@ class Notebook(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(os.environ["RELIEVO_TEST_OUTPUT"])
         (self.folder / "slab.obj").write_text(SLAB)
-        cells = [{"cell_type": "code", "id": str(i), "metadata": {}, "source": text,
-                  "execution_count": None, "outputs": []} for i, text in enumerate(CELLS)]  # fmt: skip
+        cells = [{"cell_type": "code", "id": str(i), "metadata": {}, "execution_count": None,
+                  "source": text, "outputs": []} for i, text in enumerate(CELLS)]  # fmt: skip
         kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3"}}
         (self.folder / "a.ipynb").write_text(json.dumps(
             {"cells": cells, "metadata": kernel, "nbformat": 4, "nbformat_minor": 5}))  # fmt: skip

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""trame in headless Chromium: what a remote view shows is what Relievo draws, and a local view, which
-the browser draws itself, says what it loses."""
+"""trame in headless Chromium: a remote view shows what Relievo draws, and a local view, which the
+browser draws itself, says what it loses."""
 
 import contextlib
+import importlib
 import os
 import pathlib
 import socket
@@ -13,35 +14,30 @@ import unittest
 import numpy
 
 import relievo
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkLight,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
+
+VTK = type(relievo.to_image(numpy.zeros((1, 1)))).__module__.split(".")[0]  # its package
+core = importlib.import_module(f"{VTK}.vtkRenderingCore")
+sources = importlib.import_module(f"{VTK}.vtkFiltersSources")
 
 SIZE = (400, 300)
 
 
 def scene(shadows):
     """A ball above a floor, under a sun; off-screen."""
-    ball, floor = vtkSphereSource(), vtkPlaneSource()
+    ball, floor = sources.vtkSphereSource(), sources.vtkPlaneSource()
     ball.SetCenter(0, 0.5, 0)
     ball.SetThetaResolution(48)
     ball.SetPhiResolution(48)
     floor.SetOrigin(-2, 0, -2)
     floor.SetPoint1(-2, 0, 2)
     floor.SetPoint2(2, 0, -2)
-    renderer, window = vtkRenderer(), vtkRenderWindow()
+    renderer, window = core.vtkRenderer(), core.vtkRenderWindow()
     for source in (ball, floor):
-        mapper, actor = vtkPolyDataMapper(), vtkActor()
+        mapper, actor = core.vtkPolyDataMapper(), core.vtkActor()
         mapper.SetInputConnection(source.GetOutputPort())
         actor.SetMapper(mapper)
         renderer.AddActor(actor)
-    sun = vtkLight()
+    sun = core.vtkLight()
     sun.SetLightTypeToSceneLight()
     sun.SetPosition(2, 4, 1)
     renderer.AddLight(sun)
@@ -67,7 +63,7 @@ def drawn(shadows, turn=0):
     renderer, window = scene(shadows)
     renderer.GetActiveCamera().Azimuth(turn)
     renderer.ResetCameraClippingRange()
-    grab = vtkWindowToImageFilter()
+    grab = core.vtkWindowToImageFilter()
     grab.SetInput(window)
     grab.ReadFrontBufferOff()
     grab.Update()
@@ -76,15 +72,14 @@ def drawn(shadows, turn=0):
 
 def serve(view, shadows, port):
     """The application, as its users write one."""
-    import vtkmodules.vtkInteractionStyle  # noqa: F401
     from trame.app import get_server
     from trame.ui.html import DivLayout
     from trame.widgets import html
     from trame.widgets import vtk as widgets
-    from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor
 
+    importlib.import_module(f"{VTK}.vtkInteractionStyle")
     _, window = scene(shadows)
-    interactor = vtkRenderWindowInteractor()
+    interactor = core.vtkRenderWindowInteractor()
     interactor.SetRenderWindow(window)
     interactor.GetInteractorStyle().SetCurrentStyleToTrackballCamera()
     window.Render()  # after the interactor is there: VTK crashes otherwise, without a display

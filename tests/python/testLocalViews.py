@@ -73,6 +73,17 @@ send(first); send(second); send(first)
         self.assertEqual(len(found), 1, found)
         self.assertRegex(found[0], "the browser draws this scene.*without Relievo's.*VtkRemoteView")
 
+    def test_within_another_pass(self):
+        found = self.said("""
+import relievo
+from vtkmodules.vtkRenderingOpenGL2 import vtkSSAAPass
+renderer, outer = scene(), vtkSSAAPass()
+outer.SetDelegatePass(relievo.attach(renderer))
+renderer.SetPass(outer)
+send(renderer)
+""")
+        self.assertEqual(len(found), 1, found)
+
     def test_imported_later(self):
         """Also if trame was there first."""
         found = self.said("""

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The snippets of README and of the pages in docs run as they are printed, a page's in one Python, with
-what a reader would have at hand. Those of ParaView (`from paraview`, `view.`) are tests/paraview's."""
+"""The snippets of README and of the pages in docs run as they are printed, a page's in one Python,
+with what a reader would have at hand. Those of ParaView (`from paraview`, `view.`) are
+tests/paraview's, and those of packages from PyPI are tests/clients'."""
 
 import base64
 import contextlib
@@ -37,7 +38,8 @@ import relievo
 ROOT = pathlib.Path(__file__).parents[2]
 DATA = pathlib.Path(os.environ["RELIEVO_DATA"])
 SNIPPET = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-PARAVIEW = re.compile(r"\bparaview\b|^view\.|, view\b", re.MULTILINE)
+ELSEWHERE = re.compile(
+    r"\bparaview\b|^view\.|, view\b|^(from|import) (trame|vedo)\b", re.MULTILINE)
 
 CUBE = """v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1
 f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8
@@ -45,12 +47,12 @@ f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8
 
 
 def pages():
-    """{page: [(line, snippet)]} of those that do not need ParaView."""
+    """{page: [(line, snippet)]} of those that run here."""
     found = {}
     for path in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]:
         text = path.read_text(encoding="utf-8")
         snippets = [(text[: each.start(1)].count("\n"), each[1]) for each in SNIPPET.finditer(text)]
-        snippets = [each for each in snippets if not PARAVIEW.search(each[1])]
+        snippets = [each for each in snippets if not ELSEWHERE.search(each[1])]
         if snippets:
             found[str(path.relative_to(ROOT))] = snippets
     return found
