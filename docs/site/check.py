@@ -169,6 +169,20 @@ def in_browser(site, browser, pictures):
             return page.querySelector("output").value;""")
         if told != f"row 30, column 75\nsecond: {numbers[30, 75]:.0f}":
             yield f"relievo.show: the value under the cursor: {told!r}"
+        schemes = browser.found(browser.shown.name, """
+            const found = [];
+            for (const light of ["true", "false"]) {
+              document.body.dataset.jpThemeLight = light;
+              const other = document.createElement("iframe");
+              other.src = frame.src;
+              document.body.append(other);
+              await new Promise((done) => other.addEventListener("load", done));
+              const root = other.contentDocument.documentElement;
+              found.push(other.contentWindow.getComputedStyle(root).colorScheme);
+            }
+            return found;""")
+        if schemes != ["light", "dark"]:
+            yield f"relievo.show: in JupyterLab's themes, light and dark, it is {schemes}"
     finally:
         browser.probe.unlink(missing_ok=True)
         browser.shown.unlink(missing_ok=True)

@@ -78,7 +78,11 @@ def serve(view, shadows, port):
     from trame.widgets import vtk as widgets
 
     importlib.import_module(f"{VTK}.vtkInteractionStyle")
-    _, window = scene(shadows)
+    renderer, window = scene(shadows)
+    if view == "VtkLocalView":  # with all that does not travel
+        relievo.environment(renderer, relievo.to_image(numpy.ones((8, 16, 3), numpy.float32)))
+        relievo.lamps(renderer, sources.vtkSphereSource(), radius=2)
+        renderer.AddViewProp(relievo.vtkRelievoSkinnedActor())
     interactor = core.vtkRenderWindowInteractor()
     interactor.SetRenderWindow(window)
     interactor.GetInteractorStyle().SetCurrentStyleToTrackballCamera()
