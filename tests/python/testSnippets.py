@@ -109,7 +109,7 @@ def read(path):
 
 
 class Hand:
-    """What a reader has at hand: a name is made when a snippet first uses it."""
+    """What a reader has at hand: the names that the snippets of a page use."""
 
     def __init__(self, page):
         self.page = page
@@ -118,13 +118,11 @@ class Hand:
         floor.SetOrigin(-3, -3, -0.6)
         floor.SetPoint1(3, -3, -0.6)
         floor.SetPoint2(-3, 3, -0.6)
-        self.model, self.actor, self.ground = ball, actor_of(ball), actor_of(floor)
-        self.ship, self.buoy = self.actor, self.ground
-        self.light = vtkLight()
-        self.light.SetPosition(1, 2, 5)
-        self.renderer.AddActor(self.actor)
-        self.renderer.AddActor(self.ground)
-        self.renderer.AddLight(self.light)
+        actor, ground, light = actor_of(ball), actor_of(floor), vtkLight()
+        light.SetPosition(1, 2, 5)
+        self.renderer.AddActor(actor)
+        self.renderer.AddActor(ground)
+        self.renderer.AddLight(light)
         self.window.SetOffScreenRendering(True)
         self.window.SetSize(160, 120)
         self.window.AddRenderer(self.renderer)
@@ -134,8 +132,8 @@ class Hand:
         self.names = {
             "relievo": relievo, "pyvista": pyvista, "vtkActor": vtkActor,
             "vtkPolyDataMapper": vtkPolyDataMapper, "renderer": self.renderer,
-            "window": self.window, "actor": self.actor, "light": self.light, "ship": self.ship,
-            "buoy": self.buoy, "frame": self.frame, "shadows": self.shadows,
+            "window": self.window, "actor": actor, "light": light, "ship": actor, "buoy": ground,
+            "frame": self.frame, "shadows": self.shadows, "ball": ball,
             "times": (0.0, 0.5), "lantern": points((0, 0, 1)),
             "heights": numpy.random.default_rng(1).random((16, 16), numpy.float32),
         }  # fmt: skip
@@ -155,7 +153,7 @@ class Hand:
             names["grab"].Update()
             names["normal"] = numpy.zeros((*names["depth"].shape, 3), numpy.float32)
         elif self.page == "docs/python.md":
-            names["mesh"] = self.model
+            names["mesh"] = names["ball"]
         elif self.page == "docs/environment.md":
             names["given"] = relievo.to_image(numpy.ones((16, 32, 3), numpy.float32))
         elif self.page == "docs/materials.md":
