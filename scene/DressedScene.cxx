@@ -137,7 +137,8 @@ bool DressedScene::IsBarOutgrown() const
 void DressedScene::Update(const Settings& settings, const RenderOptions& asked, bool keepCamera)
 {
   vtkRenderer* renderer = this->GetRenderer();
-  const RenderOptions options = keepCamera ? WithCamera(asked, renderer->GetActiveCamera()) : asked;
+  const RenderOptions known = WithUpAxis(asked, this->Bare.Get());
+  const RenderOptions options = keepCamera ? WithCamera(known, renderer->GetActiveCamera()) : known;
   const std::string surface = MakeSurfaceKey(settings, options);
   const std::string dress = MakeDressKey(settings);
   const bool wears = surface != this->Surface;
@@ -148,13 +149,12 @@ void DressedScene::Update(const Settings& settings, const RenderOptions& asked, 
     {
       renderer->GetActiveCamera()->SetViewAngle(StandardViewAngle);
       DressScene(this->Bare.Undress(), options);
-      renderer->ComputeVisiblePropBounds(this->Bounds);
       std::copy_n(renderer->GetRenderWindow()->GetSize(), 2, this->BarSize.begin());
     }
     else if (!keepCamera)
     {
       renderer->GetActiveCamera()->SetViewAngle(StandardViewAngle);
-      PlaceCamera(renderer, options);
+      PlaceCamera(renderer, options, this->GetBounds());
     }
     if (wears)
     {

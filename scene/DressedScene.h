@@ -53,7 +53,7 @@ public:
   const BareScene& GetBare() const { return this->Bare; }
   const FramePoints& GetPoints() const { return this->Points; }
   const RenderOptions& GetOptions() const { return this->Options; } ///< that are shown
-  const double* GetBounds() const { return this->Bounds; }          ///< of what is shown
+  const double* GetBounds() const { return this->Bare.Get().Bounds; }
 
 private:
   void SetFrame(const RenderOptions& options);
@@ -62,7 +62,6 @@ private:
   FramePoints Points;
   RenderOptions Options;
   std::string Dress = "\n", Surface = "\n"; // the words it was made of; at first like no words
-  double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   std::array<int, 2> BarSize{}; // of the window that the scalar bar was made for
 };
 }

@@ -5,6 +5,8 @@
 #include "Actors.h"
 #include "Errors.h"
 #include "FinitePoints.h"
+#include "FittedView.h"
+#include "Ground.h"
 #include "Look.h"
 #include "Messages.h"
 #include "Models.h"
@@ -13,6 +15,7 @@
 #include "Progress.h"
 #include "Readers.h"
 #include "TextureCoordinates.h"
+#include "UpAxis.h"
 
 #include "vtkActorCollection.h"
 #include "vtkBoundingBox.h"
@@ -83,6 +86,13 @@ void CheckLights(vtkRenderer* renderer, const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
+// Of preset lights, which are given in the view.
+std::array<double, 3> TurnToWorld(const LightChoice& light, int up)
+{
+  return light.InView ? FittedView(up).ToWorld(light.Position) : light.Position;
+}
+
+//------------------------------------------------------------------------------
 void AddLights(vtkRenderer* renderer, const RenderOptions& options)
 {
   if (options.Lights.empty())
@@ -99,7 +109,7 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
   {
     vtkNew<vtkLight> light;
     light->SetLightTypeToSceneLight();
-    light->SetPosition(choice.Position.data());
+    light->SetPosition(TurnToWorld(choice, options.UpAxis).data());
     light->SetPositional(choice.Is != LightChoice::Kind::Sun);
     light->SetConeAngle(choice.ConeAngle);
     if (choice.Is == LightChoice::Kind::Spot)
@@ -134,44 +144,20 @@ std::string WhyNothing(const std::string& path)
   return why.empty() ? "no points, or no cells" : why;
 }
 
-//------------------------------------------------------------------------------
-// Of a flat scene whose edge alone would be seen, such as a ground: the camera looks at its flat
-// side, from above or from the right.
-void TurnToFlatSide(vtkRenderer* renderer, int up)
-{
-  double bounds[6];
-  renderer->ComputeVisiblePropBounds(bounds);
-  if (!vtkMath::AreBoundsInitialized(bounds))
-  {
-    return;
-  }
-  const std::array<double, 3> sizes = { bounds[1] - bounds[0], bounds[3] - bounds[2],
-    bounds[5] - bounds[4] };
-  const double least = 1e-6 * *std::max_element(sizes.begin(), sizes.end());
-  const auto isFlat = [&](int axis) { return sizes[static_cast<std::size_t>(axis)] <= least; };
-  const int depth = up == 2 ? 1 : 2; // what the camera looks along
-  const int side = 3 - up - depth;
-  const int axis = isFlat(side) ? side : up;
-  if (isFlat(depth) || !isFlat(axis))
-  {
-    return;
-  }
-  vtkCamera* camera = renderer->GetActiveCamera();
-  double direction[3];
-  camera->GetDirectionOfProjection(direction);
-  if (axis == up)
-  {
-    camera->SetViewUp(direction);
-  }
-  double position[3] = { 0., 0., 0. };
-  position[axis] = 1.;
-  camera->SetFocalPoint(0., 0., 0.);
-  camera->SetPosition(position);
-}
 }
 
 //------------------------------------------------------------------------------
-void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options)
+RenderOptions WithUpAxis(RenderOptions options, const Scene& scene)
+{
+  if (options.FindsUp)
+  {
+    options.UpAxis = scene.UpAxis;
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options, const double bounds[6])
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetParallelProjection(options.ParallelScale.has_value());
@@ -187,13 +173,16 @@ void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options)
   }
   else
   {
-    // Where an environment's z is: with z up, that of a world with y up is turned about x.
-    const bool zUp = options.UpAxis == 2;
-    camera->SetPosition(0.0, zUp ? -1.0 : 0.0, zUp ? 0.0 : 1.0);
-    camera->SetFocalPoint(0.0, 0.0, 0.0);
-    camera->SetViewUp(options.UpAxis == 0, options.UpAxis == 1, options.UpAxis == 2);
-    TurnToFlatSide(renderer, options.UpAxis);
-    renderer->ResetCamera();
+    FittedView view(options.UpAxis);
+    if (FittedView::IsFlat(bounds))
+    {
+      view.TurnToFlatSide(bounds);
+    }
+    else if (options.ViewFrom)
+    {
+      view.TurnTo(*options.ViewFrom);
+    }
+    options.ViewFrom ? view.FitTightly(renderer, bounds) : view.Fit(renderer, bounds);
   }
   if (options.ParallelScale)
   {
@@ -244,6 +233,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
 {
   Scene scene;
   scene.Renderer = vtkSmartPointer<vtkRenderer>::New();
+  RenderOptions known = options;
 
   const bool smooth = options.ShadingKind != Shading::Flat;
   for (const std::string& path : options.Files)
@@ -277,13 +267,18 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     vtkActorCollection* actors = scene.Renderer->GetActors();
     scene.Counts.push_back(actors->GetNumberOfItems() - before);
     bool shows = false;
+    if (before == 0)
+    {
+      scene.UpAxis = FindUpAxis(path, scene.Renderer->ComputeVisiblePropBounds());
+      known = WithUpAxis(options, scene);
+    }
     for (int i = before; i < actors->GetNumberOfItems(); ++i)
     {
       vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
       AddArrayNames(actor, scene.Arrays, scene.Placed);
       if (IsMapped(options))
       {
-        AddTextureCoordinates(actor, options, path);
+        AddTextureCoordinates(actor, known, path);
       }
       CheckReach(actor, path);
       shows = shows || vtkMath::AreBoundsInitialized(actor->GetBounds());
@@ -292,6 +287,23 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
       path, !shows, shows ? "" : "holds nothing that can be drawn: " + WhyNothing(path));
   }
   return scene;
+}
+
+namespace
+{
+//------------------------------------------------------------------------------
+// Below the scene's bounds, in the place of the one before.
+void LayGround(Scene& scene, const RenderOptions& options)
+{
+  scene.Renderer->RemoveActor(scene.Ground);
+  scene.Ground = nullptr;
+  if (options.Ground.value_or(false) && vtkMath::AreBoundsInitialized(scene.Bounds) &&
+    !FittedView::IsFlat(scene.Bounds))
+  {
+    scene.Ground = MakeGround(scene.Bounds, options);
+    scene.Renderer->AddActor(scene.Ground);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -308,7 +320,9 @@ void DressScene(Scene& scene, const RenderOptions& options)
   }
   AddLights(scene.Renderer, options);
   CheckLights(scene.Renderer, options);
-  PlaceCamera(scene.Renderer, options);
+  scene.Renderer->ComputeVisiblePropBounds(scene.Bounds);
+  LayGround(scene, options);
+  PlaceCamera(scene.Renderer, options, scene.Bounds);
 }
 
 //------------------------------------------------------------------------------
@@ -338,6 +352,7 @@ void FitTimes(Scene& scene, const RenderOptions& options, Progress& progress)
   progress.Begin("fitting the camera");
   const std::vector<double>& times = options.Model.Times;
   vtkBoundingBox box;
+  scene.Renderer->RemoveActor(scene.Ground);
   for (std::size_t i = 0; i < times.size(); ++i)
   {
     PlayScene(scene, options, times[i], progress);
@@ -345,14 +360,9 @@ void FitTimes(Scene& scene, const RenderOptions& options, Progress& progress)
     progress.Update(static_cast<double>(i + 1) / static_cast<double>(times.size()));
   }
   progress.End();
-  double bounds[6];
-  box.GetBounds(bounds);
-  const double scale = scene.Renderer->GetActiveCamera()->GetParallelScale();
-  scene.Renderer->ResetCamera(bounds);
-  if (options.ParallelScale)
-  {
-    scene.Renderer->GetActiveCamera()->SetParallelScale(scale);
-  }
+  box.GetBounds(scene.Bounds);
+  LayGround(scene, options);
+  PlaceCamera(scene.Renderer, options, scene.Bounds);
   PlayScene(scene, options, times.front(), progress);
 }
 

@@ -37,6 +37,7 @@ public:
   vtkOpenGLRenderWindow* Window = nullptr;
   const vtkRenderState* State = nullptr;
   vtkRelievoFrameCamera View;
+  vtkRelievoFrameCamera SteadyView; // without the sample's offset within the pixel
   vtkRelievoFrameScene Scene; // empty if no stage runs
 
   // Whether the window's picture is drawn; if not, only layers are, and the window does not change.
@@ -64,6 +65,9 @@ public:
   int Samples = 1;
   bool Last = true;
   bool Waits = false;
+
+  // Whether samples lie at different places within each pixel, for smooth edges.
+  bool OffsetsSamples = false;
 
   // Lamps whose shadows are wanted, as the resource `lamp shadows`; from Prepare on.
   std::vector<vtkRelievoCastingLamp> CastingLamps;

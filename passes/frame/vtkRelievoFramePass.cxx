@@ -17,6 +17,7 @@
 #include "vtkRelievoGpuTimer.h"
 #include "vtkRelievoLeakedTextureUnits.h"
 #include "vtkRelievoSampleAccumulator.h"
+#include "vtkRelievoSampleOffset.h"
 #include "vtkRelievoStage.h"
 #include "vtkRelievoStageRegistry.h"
 #include "vtkRelievoTranslucentLayers.h"
@@ -319,6 +320,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   context.Window = window;
   context.State = s;
   context.View.Take(renderer, s);
+  context.SteadyView = context.View;
   context.Picture = !this->LayersOnly;
   context.Waits = this->WaitForSamples;
   context.Delegate = in.Delegate;
@@ -354,6 +356,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   }
   in.Reader.SetFrame(run.GetWriters(), run.GetMissing());
 
+  const vtkRelievoSampleOffset offset(context);
   in.Timer.Begin("frame");
   run.Prepare();
   run.DrawLightMaps();

@@ -48,8 +48,10 @@ struct VTKRELIEVOFRAME_EXPORT vtkRelievoDeclaration
   // Samples of what it draws, of which each frame has one (vtkRelievoFrameContext::Sample) as long
   // as nothing else changes; the frame gathers lights' visibility, the colour if an OptionalWrites
   // is asked for, and shows the mean. AtOnce: all of them in every frame.
+  // OffsetsSamples: they lie at different places within each pixel.
   int Samples = 1;
   bool AtOnce = false;
+  bool OffsetsSamples = false;
 };
 
 class VTKRELIEVOFRAME_EXPORT vtkRelievoFramePlan

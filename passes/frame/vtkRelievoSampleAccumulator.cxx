@@ -66,6 +66,7 @@ vtkRelievoSampleAccumulator::Demand vtkRelievoSampleAccumulator::GetDemand(
     }
     demand.Samples = std::max(demand.Samples, declaration.Samples);
     demand.AtOnce = demand.AtOnce || declaration.AtOnce || context.Waits;
+    demand.Offsets = demand.Offsets || declaration.OffsetsSamples;
     demand.Color = demand.Color ||
       (hasColor && std::any_of(node.Asked.begin(), node.Asked.end(), [&](const std::string& asked) {
         const auto& offers = declaration.OptionalWrites;
@@ -154,6 +155,7 @@ void vtkRelievoSampleAccumulator::Choose(vtkRelievoFrameContext& context)
   }
   // When all are there the last one stays, and nothing that depends on it is made anew.
   context.Samples = demand.Samples;
+  context.OffsetsSamples = demand.Offsets;
   context.Sample = std::min(next, demand.Samples - 1);
   const bool atOnce = demand.AtOnce || IsOneOfSeveral(context);
   context.Last = !atOnce || next + 1 >= demand.Samples || this->Turns >= demand.Samples;

@@ -58,6 +58,7 @@ private:
   {
     int Samples = 1;     // in all; 1: nothing
     bool AtOnce = false; // in this frame, not one in each
+    bool Offsets = false; // within the pixel
     bool Color = false;
     std::vector<std::string> Layers; // lights' visibility
   };

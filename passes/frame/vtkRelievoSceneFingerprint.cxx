@@ -73,7 +73,7 @@ public:
 
 void AddView(State& state, const vtkRelievoFrameContext& context)
 {
-  const vtkRelievoFrameCamera& view = context.View;
+  const vtkRelievoFrameCamera& view = context.SteadyView;
   state.Add(&view.WorldToView[0][0], 16);
   state.Add(&view.ViewToNDC[0][0], 16);
   for (const int value : view.Viewport)

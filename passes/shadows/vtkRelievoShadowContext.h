@@ -31,6 +31,7 @@ struct vtkRelievoShadowContext
   }
 
   vtkRelievoFrameCamera View; // the camera's
+  vtkRelievoFrameCamera SteadyView; // without the sample's offset: what maps are fitted to
   vtkRelievoShadowProps& Props;
   vtkRelievoCasterDraw& PlainDraw;
   bool& DrawingAnyMaps;            // these or others of the same casters

@@ -253,6 +253,7 @@ bool vtkRelievoShadowStage::Prepare(vtkRelievoFrameContext& context)
   this->DrawCalls = 0;
   this->NumberOfMapsDrawn = 0;
   in.Work.View = context.View;
+  in.Work.SteadyView = context.SteadyView;
   in.Work.Props.SetAttenuates(this->ColoredShadows);
   in.Work.Props.Collect(context.Renderer, context.Scene.Props);
   const bool traces =
@@ -788,7 +789,7 @@ void vtkRelievoShadowStage::PrepareMethod(vtkRelievoFrameContext& context)
 std::string vtkRelievoShadowStage::MakeMaps(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
-  in.Planning.FindMoves(in.GetScene(), context.View);
+  in.Planning.FindMoves(in.GetScene(), context.SteadyView);
   for (;;)
   {
     in.Planning.Make(in.GetScene(), Internals::GetSettings(*this), context);
@@ -948,9 +949,10 @@ void vtkRelievoShadowStage::CollectLights(vtkRelievoFrameContext& context)
   {
     in.Lights.KeepOnly(in.Schedule.Exchange.FindCommon(in.Lights.GetNumbers()));
   }
-  in.Samples = context.Samples;
-  in.Gathered = context.Sample + 1;
-  if (context.Samples > 1)
+  const bool soft = this->SoftSamples > 1;
+  in.Samples = soft ? context.Samples : 1;
+  in.Gathered = soft ? context.Sample + 1 : 1;
+  if (in.Samples > 1)
   {
     in.Lights.Move(in.Sizes, context.Sample, context.Samples);
   }

@@ -3,78 +3,104 @@
 #include "Presets.h"
 
 #include "Options.h"
-#include "Triples.h"
 #include "Values.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 namespace scene
 {
 namespace
 {
+constexpr const char* None = "none"; // the bare look, VTK's
+
 struct Sun
 {
   std::array<double, 3> Towards; // right, up, and to the fitted camera
   Color Light;
-  bool Casts;
+  double Angle = -1.0; // of its disc, degrees; below 0: it casts no shadow
 };
 
 struct Preset
 {
   const char* Name;
   std::vector<Sun> Suns;
-  bool Shadows;
   std::vector<Color> Background; // bottom, top
+  bool Ground;                   // and shadows on it
 };
 
 const std::vector<Preset>& GetPresets()
 {
+  // Wherever the camera goes, no side is black: the weak suns fill what the first one leaves.
   static const std::vector<Preset> presets = {
-    // A large lamp at the left, a weak one at the right, before a light wall.
+    // A large lamp at the left before a light wall, which gives light back.
     { "studio",
-      { { { -0.6, 0.8, 0.7 }, { 0.85, 0.85, 0.85 }, true },
-        { { 0.9, 0.2, 0.5 }, { 0.4, 0.4, 0.4 }, false } },
-      true, { { 0.82, 0.84, 0.87 }, { 0.97, 0.97, 0.98 } } },
-    // A sun in the afternoon, and the sky's light from above and from the side, which is bluer.
+      { { { -0.65, 0.9, 0.6 }, { 0.80, 0.79, 0.77 }, 12.0 },
+        { { 0.9, 0.35, 0.7 }, { 0.32, 0.33, 0.35 } },
+        { { 0.1, 0.5, -1.0 }, { 0.26, 0.27, 0.29 } },
+        { { -0.2, -1.0, 0.1 }, { 0.20, 0.19, 0.18 } } },
+      { { 0.80, 0.82, 0.85 }, { 0.95, 0.96, 0.97 } }, true },
+    // A sun in the afternoon, and the sky's light from above and from the sides, which is bluer.
     { "town",
-      { { { -0.75, 0.6, 0.45 }, { 1.0, 0.93, 0.80 }, true },
-        { { 0.1, 1.0, 0.1 }, { 0.22, 0.26, 0.33 }, false },
-        { { 0.8, 0.2, 0.6 }, { 0.15, 0.17, 0.22 }, false } },
-      true, { { 0.86, 0.90, 0.94 }, { 0.45, 0.64, 0.87 } } },
+      { { { -0.75, 0.6, 0.45 }, { 0.85, 0.78, 0.66 }, 0.53 },
+        { { 0.1, 1.0, 0.1 }, { 0.25, 0.28, 0.33 } },
+        { { 0.8, 0.2, 0.6 }, { 0.28, 0.31, 0.37 } },
+        { { 0.0, 0.2, -1.0 }, { 0.22, 0.24, 0.29 } } },
+      { { 0.86, 0.90, 0.94 }, { 0.45, 0.64, 0.87 } }, true },
     // On white paper, without shadows.
-    { "print", { { { -0.4, 0.6, 1.0 }, { 0.9, 0.9, 0.9 }, false } }, false, { { 1.0, 1.0, 1.0 } } },
+    { "print",
+      { { { -0.4, 0.6, 1.0 }, { 0.75, 0.75, 0.75 } }, { { 0.9, 0.2, 0.4 }, { 0.2, 0.2, 0.2 } },
+        { { 0.0, 0.3, -1.0 }, { 0.3, 0.3, 0.3 } } },
+      { { 1.0, 1.0, 1.0 } }, false },
   };
   return presets;
 }
 
-//------------------------------------------------------------------------------
-// To world coordinates, as the fitted camera stands.
-std::array<double, 3> Turn(const std::array<double, 3>& towards, int upAxis)
+// Of soft shadows and of smooth edges.
+constexpr int Samples = 16;
+
+// From the upper right, so that three sides of a box are seen.
+constexpr std::array<double, 3> ThreeQuarter = { 0.5, 0.4, 1.0 };
+
+void AddSuns(RenderOptions& options, const Preset& preset)
 {
-  const auto& [right, up, near] = towards;
-  std::array<double, 3> world = { right, up, near };
-  if (upAxis == 0)
+  for (const Sun& sun : preset.Suns)
   {
-    world = { up, -right, near };
+    LightChoice light;
+    light.Is = LightChoice::Kind::Sun;
+    light.Position = sun.Towards;
+    light.InView = true;
+    light.Color = sun.Light;
+    light.Casts = sun.Angle >= 0.0;
+    if (light.Casts)
+    {
+      light.Size = sun.Angle;
+    }
+    options.Lights.push_back(light);
   }
-  else if (upAxis == 2)
+}
+
+// Where nothing is said of shadows; layers and verdicts are those of lights that are points.
+void AddShadows(RenderOptions& options, const std::set<std::string>& given)
+{
+  if (given.count("--shadows") == 0)
   {
-    world = { right, -near, up };
+    options.ShadowMethod = Shadows::Map;
+    const auto says = [&given](const char* option) { return given.count(option) > 0; };
+    if (!says("--soft-shadows") && !says("--certify") && !says("--shadow-tolerance") &&
+      !says("--time-budget") && !says("--layers"))
+    {
+      options.SoftShadows = Samples;
+    }
   }
-  const double length = Length(world);
-  for (double& component : world)
-  {
-    component /= length;
-  }
-  return world;
 }
 }
 
 //------------------------------------------------------------------------------
 void TakePreset(RenderOptions& options, const std::string& word)
 {
-  std::vector<std::string> names;
+  std::vector<std::string> names = { None };
   for (const Preset& preset : GetPresets())
   {
     names.emplace_back(preset.Name);
@@ -86,6 +112,11 @@ void TakePreset(RenderOptions& options, const std::string& word)
 //------------------------------------------------------------------------------
 void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
 {
+  if (given.count("--preset") == 0)
+  {
+    const char* usual = std::getenv("RELIEVO_PRESET");
+    TakePreset(options, usual && *usual ? usual : GetPresets().front().Name);
+  }
   const auto preset = std::find_if(GetPresets().begin(), GetPresets().end(),
     [&options](const Preset& each) { return options.Preset == each.Name; });
   if (preset == GetPresets().end())
@@ -96,22 +127,23 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   {
     options.Look.Background = preset->Background;
   }
-  if (given.count("--light") > 0)
+  options.ViewFrom = ThreeQuarter;
+  options.FindsUp = given.count("--up") == 0;
+  const auto smooths = [](const StageChoice& stage) { return stage.Name == "antialias"; };
+  if (std::none_of(options.Stages.begin(), options.Stages.end(), smooths))
   {
-    return; // whose shadows are as asked
+    AddStage(options.Stages, "antialias", "--preset")
+      .Parameters.emplace_back("samples", std::to_string(Samples));
   }
-  for (const Sun& sun : preset->Suns)
+  // Lights that were asked for have shadows, and a ground to fall on, as was asked for, too.
+  if (given.count("--light") == 0 && given.count("--environment") == 0)
   {
-    LightChoice light;
-    light.Is = LightChoice::Kind::Sun;
-    light.Position = Turn(sun.Towards, options.UpAxis);
-    light.Color = sun.Light;
-    light.Casts = sun.Casts;
-    options.Lights.push_back(light);
-  }
-  if (preset->Shadows && given.count("--shadows") == 0)
-  {
-    options.ShadowMethod = Shadows::Map;
+    AddSuns(options, *preset);
+    if (preset->Ground)
+    {
+      AddShadows(options, given);
+      options.Ground = options.Ground.value_or(true);
+    }
   }
 }
 }

@@ -165,8 +165,8 @@ std::vector<OptionRow> MakeRows()
   std::vector<OptionRow> rows = {
     { "--size", "WxH", "size of the picture in pixels, 1 to 16384 (1024x768)", TakeSize },
     { "--camera", "PX,PY,PZ,FX,FY,FZ,UX,UY,UZ",
-      "position, focal point, up (fitted to the scene, looking along -z, y up, or as "
-      "--up says; at a flat scene from its flat side)",
+      "position, focal point, up (fitted to the scene, from the upper right, or with "
+      "--preset none along -z, y up, or as --up says; at a flat scene from its flat side)",
       TakeCamera },
     { "--view-angle", "DEG", "full vertical angle of the perspective, above 0 and below 180 (30)",
       [](RenderOptions& options, const std::string& word) {
@@ -180,9 +180,16 @@ std::vector<OptionRow> MakeRows()
     { "--shading", "KIND", "flat, gouraud, phong or pbr (phong; glTF keeps its own materials)",
       TakeShading },
     { "--preset", "NAME",
-      "studio, town or print: lights, shadows and background, where no other option "
-      "says them",
+      "studio, town or print: lights, shadows, ground, background and a view from the upper "
+      "right, where no other option says them; none: VTK's headlight on black (studio, or what "
+      "the environment variable RELIEVO_PRESET says)",
       TakePreset },
+    { "--ground", "on|off",
+      "a ground below the scene that catches its shadows, in the picture alone (on with the lights "
+      "of studio and town)",
+      [](RenderOptions& options, const std::string& word) {
+        options.Ground = ParseChoice("--ground", word, { "off", "on" }) == 1;
+      } },
     { "--color-by", "NAME[,COMPONENT]",
       "colours by a point or cell array, point:NAME or cell:NAME where two share a "
       "name; COMPONENT a number from 0, or magnitude (the magnitude; bytes of 3 or 4 "
@@ -291,8 +298,9 @@ std::vector<OptionRow> MakeRows()
     { "--skybox", "", "shows the environment behind everything",
       [](RenderOptions& options, const std::string&) { options.Skybox = true; } },
     { "--up", "AXIS",
-      "the up axis, x, y or z, of --environment, the fitted camera, shadows of "
-      "--markers and --texture-coordinates (y)",
+      "the up axis, x, y or z, of --environment, the fitted camera, the ground, shadows of "
+      "--markers and --texture-coordinates (y with --preset none; else by the first file: z for "
+      "STL, grids with depth, and what stands on z = 0, else y)",
       TakeUp },
     { "--deferred", "",
       "shades opaque surfaces once for each pixel, after they are drawn: the same "

@@ -72,11 +72,13 @@ struct RenderOptions
   std::vector<std::string> Files;
   std::array<int, 2> Size = { 1024, 768 }; ///< width, height in pixels
   std::optional<CameraPlace> Camera;       ///< none: fitted to the scene
+  std::optional<std::array<double, 3>> ViewFrom; ///< which is seen from right, up and near; none:
+                                                 ///< along an axis
   std::optional<double> ViewAngle;         ///< full vertical angle, degrees
   std::optional<double> ParallelScale;     ///< half the height, world units
   std::optional<std::array<double, 2>> Clip;
   Shading ShadingKind = Shading::FromFile;
-  std::string Preset; ///< of lights, shadows and background; empty: none
+  std::string Preset; ///< of lights, shadows, ground, background and view
   LookChoice Look;
   ModelChoice Model;               ///< what models with bones show
   std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
@@ -99,6 +101,8 @@ struct RenderOptions
   double Roughness = 0.2;                ///< of that mirror
   bool Skybox = false;
   int UpAxis = 1;                   ///< of the world: 0, 1, 2 for x, y, z
+  bool FindsUp = false;             ///< the scene's own is taken in its place
+  std::optional<bool> Ground;       ///< whether one lies below the scene; none: not
   std::vector<PointsChoice> Points; ///< for stages that draw points
   std::vector<StageChoice> Stages;  ///< of the frame, as given
   bool HDR = false;                 ///< the colour of the EXR unclamped

@@ -261,11 +261,8 @@ const std::string* Settings::Find(const std::string& stage, const std::string& p
 //------------------------------------------------------------------------------
 bool Settings::ShowsShadows() const
 {
-  if (!this->Has("--preset") || this->Has("--shadows"))
-  {
-    return this->Has("--shadows") && this->Get("--shadows") != "off";
-  }
-  return this->Parse().ShadowMethod != Shadows::Off;
+  return this->Has("--shadows") ? this->Get("--shadows") != "off"
+                                : this->Parse().ShadowMethod != Shadows::Off;
 }
 
 //------------------------------------------------------------------------------
@@ -305,14 +302,17 @@ void Settings::SetShadows(bool visible, const std::string& method)
   {
     this->Set("--shadows", method);
   }
-  else if (this->Has("--preset")) // which may show them
-  {
-    this->Set("--shadows", "off");
-  }
   else
   {
     this->Remove("--shadows");
-    this->SetGiven("shadows", "method", method);
+    if (this->ShowsShadows()) // the preset's
+    {
+      this->Set("--shadows", "off");
+    }
+    else
+    {
+      this->SetGiven("shadows", "method", method);
+    }
   }
 }
 

@@ -159,7 +159,7 @@ void Picture::FitClipping()
   }
   else
   {
-    this->GetRenderer()->ResetCameraClippingRange(scene.GetBounds());
+    this->GetRenderer()->ResetCameraClippingRange();
   }
 }
 

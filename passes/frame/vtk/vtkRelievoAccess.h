@@ -11,6 +11,7 @@
 #include "vtkCamera.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLCellToVTKCellMap.h"
 #include "vtkOpenGLFXAAFilter.h"
 #include "vtkOpenGLIndexBufferObject.h"
@@ -20,6 +21,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoVTKVersions.h"
+#include "vtkSmartPointer.h"
 #include "vtkStateStorage.h"
 #include "vtkTexture.h"
 
@@ -135,6 +137,47 @@ public:
       camera->Modified();
     }
   }
+
+  // Another projection as long as it lives, of which nobody is told: observers would take it for a
+  // camera that moves.
+  class Projection
+  {
+  public:
+    Projection(vtkCamera* camera, vtkMatrix4x4* matrix)
+      : Owner(camera)
+      , Matrix(matrix)
+      , Kept(camera->*(&Camera::ExplicitProjectionTransformMatrix))
+      , Used(camera->GetUseExplicitProjectionTransformMatrix())
+    {
+      this->Set(matrix, true);
+    }
+    ~Projection() { this->Set(this->Kept, this->Used); }
+    Projection(const Projection&) = delete;
+    Projection& operator=(const Projection&) = delete;
+
+  private:
+    // VTK keeps matrices for the renderer that asked last.
+    class Keys : public vtkOpenGLCamera
+    {
+    public:
+      static void Forget(vtkOpenGLCamera* camera) { camera->*(&Keys::LastRenderer) = nullptr; }
+    };
+
+    void Set(vtkMatrix4x4* matrix, bool use)
+    {
+      this->Owner->*(&Camera::ExplicitProjectionTransformMatrix) = matrix;
+      this->Owner->*(&Camera::UseExplicitProjectionTransformMatrix) = use;
+      if (auto* camera = vtkOpenGLCamera::SafeDownCast(this->Owner))
+      {
+        Keys::Forget(camera);
+      }
+    }
+
+    vtkCamera* Owner;
+    vtkSmartPointer<vtkMatrix4x4> Matrix;
+    vtkMatrix4x4* Kept;
+    bool Used;
+  };
 };
 
 class Mapper : public vtkOpenGLPolyDataMapper

@@ -195,9 +195,9 @@ void vtkRelievoShadowPlanning::Make(
   // Several processes have no time in common.
   this->Planned = settings.Tolerance > 0.0 || (settings.TimeBudget > 0.0 && !scene.Together);
   const vtkRelievoFrameCamera picture =
-    vtkRelievoProbeView::GetPicture(context.View, context.Renderer);
-  const bool tiled = picture.Viewport[2] != context.View.Viewport[2] ||
-    picture.Viewport[3] != context.View.Viewport[3];
+    vtkRelievoProbeView::GetPicture(context.SteadyView, context.Renderer);
+  const bool tiled = picture.Viewport[2] != context.SteadyView.Viewport[2] ||
+    picture.Viewport[3] != context.SteadyView.Viewport[3];
   const int updates = this->Probe.GetUpdates();
   if (this->Planned)
   {

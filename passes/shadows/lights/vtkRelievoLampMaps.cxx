@@ -15,6 +15,7 @@ std::string vtkRelievoLampMaps::Draw(
   this->DrawCalls = 0;
   this->Strengths.clear();
   this->Work.View = context.View;
+  this->Work.SteadyView = context.SteadyView;
   std::vector<vtkRelievoShadowLight> lights;
   for (const vtkRelievoCastingLamp& lamp : context.CastingLamps)
   {

@@ -23,13 +23,13 @@ std::string vtkRelievoShadowSchedule::Fit(vtkRelievoShadowContext& work,
   request.Size = size;
   work.Radius = std::min(radius, size / 4);
   request.Border = work.Radius + 1;
-  const glm::dmat4 viewToWorld = glm::inverse(work.View.WorldToView);
+  const glm::dmat4 viewToWorld = glm::inverse(work.SteadyView.WorldToView);
   request.Eye = glm::dvec3(viewToWorld[3]);
   request.Gaze = glm::normalize(-glm::dvec3(viewToWorld[2]));
   request.ViewUp = glm::dvec3(viewToWorld[1]);
-  request.ParallelEye = work.View.Parallel;
+  request.ParallelEye = work.SteadyView.Parallel;
   scene.WorldToNDC =
-    vtkRelievoGetTileToPicture(renderer) * work.View.ViewToNDC * work.View.WorldToView;
+    vtkRelievoGetTileToPicture(renderer) * work.SteadyView.ViewToNDC * work.SteadyView.WorldToView;
   scene.Casters = work.Props.GetCasterBoxes(work.WithoutFollowed);
   scene.Receivers = work.OnEverything ? work.Props.GetAllBoxes() : work.Props.GetReceiverBoxes();
   scene.SameCasters = work.Cache.HasCasters(work.Props, work.WithoutFollowed);

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "UpAxis.h"
+
+#include "Readers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace scene
+{
+//------------------------------------------------------------------------------
+int FindUpAxis(const std::string& path, const double bounds[6])
+{
+  if (IsModel(path))
+  {
+    return 1; // in their formats y is up, or readers turn it up
+  }
+  const auto extent = [bounds](int axis) { return bounds[2 * axis + 1] - bounds[2 * axis]; };
+  const double largest = std::max({ extent(0), extent(1), extent(2) });
+  const auto standsOn = [&](int axis) {
+    return extent(axis) > 1e-3 * largest && std::abs(bounds[2 * axis]) <= 1e-3 * largest;
+  };
+  if (standsOn(1) != standsOn(2))
+  {
+    return standsOn(2) ? 2 : 1;
+  }
+  // Tools of CAD and printing have z up, and so have grids in space.
+  static const std::set<std::string> withZ = { ".stl", ".vti", ".vtr", ".vts", ".vtu", ".pvti",
+    ".pvtr", ".pvts", ".pvtu" };
+  return withZ.count(ExtensionOf(path)) > 0 && extent(2) > 1e-3 * largest ? 2 : 1;
+}
+}

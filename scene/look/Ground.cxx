@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ground.h"
+
+#include "Options.h"
+#include "Triples.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scene
+{
+namespace
+{
+constexpr int Sectors = 96;
+constexpr int Rings = 16;
+constexpr double Reach = 3.0;       // in radii of the scene
+constexpr double Solid = 1.2;       // there it begins to fade
+constexpr double ShareOfSuns = 0.6; // of its light; the rest it has in shadows, too
+
+// Opaque inside, nothing at the rim, and smooth in between.
+unsigned char GetAlpha(double radii)
+{
+  const double t = std::clamp((Reach - radii) / (Reach - Solid), 0.0, 1.0);
+  return static_cast<unsigned char>(std::lround(255.0 * t * t * (3.0 - 2.0 * t)));
+}
+
+// What the lights give to a surface that faces up.
+double GetLightFromAbove(const RenderOptions& options)
+{
+  double light = 0.0;
+  for (const LightChoice& choice : options.Lights)
+  {
+    const std::array<double, 3> towards = choice.Position;
+    const double up = choice.InView ? towards[1] : towards[static_cast<std::size_t>(options.UpAxis)];
+    light += choice.Is != LightChoice::Kind::Sun
+      ? 0.0
+      : std::max(0.0, up / Length(towards)) * (choice.Color[0] + choice.Color[1] + choice.Color[2]) /
+        3.0;
+  }
+  return light;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkActor> MakeGround(const double bounds[6], const RenderOptions& options)
+{
+  const auto up = static_cast<std::size_t>(options.UpAxis);
+  const std::size_t first = (up + 1) % 3; // first x second = up
+  const std::size_t second = (up + 2) % 3;
+  std::array<double, 3> middle{};
+  std::array<double, 3> half{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    middle[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
+    half[axis] = 0.5 * (bounds[2 * axis + 1] - bounds[2 * axis]);
+  }
+  const double radius = Length(half);
+  middle[up] -= half[up] + 1e-4 * radius; // below what lies flat on it
+
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("color");
+  colors->SetNumberOfComponents(4);
+  const Color color =
+    options.Look.Background.empty() ? Color{ 0.0, 0.0, 0.0 } : options.Look.Background.front();
+  for (int ring = 0; ring <= Rings; ++ring)
+  {
+    const double radii = Reach * ring / Rings;
+    for (int sector = 0; sector < Sectors; ++sector)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * sector / Sectors;
+      std::array<double, 3> point = middle;
+      point[first] += radius * radii * std::cos(angle);
+      point[second] += radius * radii * std::sin(angle);
+      points->InsertNextPoint(point.data());
+      const auto byte = [](double value) {
+        return static_cast<unsigned char>(std::lround(255.0 * value));
+      };
+      const unsigned char tuple[4] = { byte(color[0]), byte(color[1]), byte(color[2]),
+        GetAlpha(radii) };
+      colors->InsertNextTypedTuple(tuple);
+    }
+  }
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType ring = 0; ring < Rings; ++ring)
+  {
+    for (vtkIdType sector = 0; sector < Sectors; ++sector)
+    {
+      const vtkIdType next = (sector + 1) % Sectors;
+      const vtkIdType corners[4] = { ring * Sectors + sector, (ring + 1) * Sectors + sector,
+        (ring + 1) * Sectors + next, ring * Sectors + next };
+      cells->InsertNextCell(4, corners);
+    }
+  }
+  vtkNew<vtkPolyData> disc;
+  disc->SetPoints(points);
+  disc->SetPolys(cells);
+  disc->GetPointData()->SetScalars(colors);
+
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(disc);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->PickableOff();
+  actor->ForceTranslucentOn();
+  vtkProperty* property = actor->GetProperty();
+  property->BackfaceCullingOn(); // from below the scene is seen without
+  property->SetInterpolationToFlat();
+  const double light = GetLightFromAbove(options);
+  property->SetDiffuse(light > 0.0 ? ShareOfSuns / light : 0.0);
+  property->SetAmbient(light > 0.0 ? 1.0 - ShareOfSuns : 1.0);
+  return actor;
+}
+}
