@@ -92,6 +92,7 @@ function (relievo_add_test)
   set(environment
     "RELIEVO_TEST_OUTPUT=${folder}"
     "RELIEVO_DATA=${RELIEVO_DATA}"
+    "RELIEVO_PRESET=none" # VTK's look, which truths are compared with
     "RELIEVO_BASELINES=${RELIEVO_BASELINES}"
     ${RELIEVO_TEST_ENVIRONMENT}
     ${test_ENVIRONMENT})

@@ -137,7 +137,7 @@ bool DressedScene::IsBarOutgrown() const
 void DressedScene::Update(const Settings& settings, const RenderOptions& asked, bool keepCamera)
 {
   vtkRenderer* renderer = this->GetRenderer();
-  const RenderOptions known = WithUpAxis(asked, this->Bare.Get());
+  const RenderOptions known = FollowFile(asked, this->Bare.Get());
   const RenderOptions options = keepCamera ? WithCamera(known, renderer->GetActiveCamera()) : known;
   const std::string surface = MakeSurfaceKey(settings, options);
   const std::string dress = MakeDressKey(settings);

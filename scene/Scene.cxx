@@ -147,11 +147,15 @@ std::string WhyNothing(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-RenderOptions WithUpAxis(RenderOptions options, const Scene& scene)
+RenderOptions FollowFile(RenderOptions options, const Scene& scene)
 {
   if (options.FindsUp)
   {
     options.UpAxis = scene.UpAxis;
+  }
+  if (options.YieldsToFile && scene.HasLights)
+  {
+    options.Lights.clear();
   }
   return options;
 }
@@ -248,6 +252,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
         scene.Renderer->AddActor(part.Actor);
       }
       AddOwnLights(scene.Models.back(), scene.Renderer);
+      scene.HasLights = scene.Renderer->GetLights()->GetNumberOfItems() > 0;
     }
     else
     {
@@ -270,7 +275,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     if (before == 0)
     {
       scene.UpAxis = FindUpAxis(path, scene.Renderer->ComputeVisiblePropBounds());
-      known = WithUpAxis(options, scene);
+      known = FollowFile(options, scene);
     }
     for (int i = before; i < actors->GetNumberOfItems(); ++i)
     {
@@ -300,7 +305,7 @@ void LayGround(Scene& scene, const RenderOptions& options)
   if (options.Ground.value_or(false) && vtkMath::AreBoundsInitialized(scene.Bounds) &&
     !FittedView::IsFlat(scene.Bounds))
   {
-    scene.Ground = MakeGround(scene.Bounds, options);
+    scene.Ground = MakeGround(scene.Bounds, scene.Renderer, options);
     scene.Renderer->AddActor(scene.Ground);
   }
 }

@@ -32,6 +32,7 @@ struct Scene
   std::vector<PosedModel> Models;
   vtkSmartPointer<vtkActor> Ground; ///< null: none
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; ///< of what is shown, without a ground
+  bool HasLights = false;       ///< of its files
   int UpAxis = 1;               ///< by the first file: 0, 1, 2 for x, y, z
   std::vector<int> Counts;      ///< how many actors each file gave, skeletons apart
   std::set<std::string> Arrays; ///< names of the point and cell arrays that can be layers
@@ -48,8 +49,8 @@ void DressScene(Scene& scene, const RenderOptions& options);
 
 constexpr double StandardViewAngle = 30.0; ///< VTK's, degrees
 
-/// The options with the scene's up axis, where they leave it to that.
-RenderOptions WithUpAxis(RenderOptions options, const Scene& scene);
+/// The options with the scene's up axis and lights, where they leave it to that.
+RenderOptions FollowFile(RenderOptions options, const Scene& scene);
 
 /// The camera alone, fitted to these bounds if the options do not place it.
 void PlaceCamera(vtkRenderer* renderer, const RenderOptions& options, const double bounds[6]);

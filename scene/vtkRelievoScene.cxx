@@ -255,7 +255,7 @@ void vtkRelievoScene::Internals::Update(scene::Progress& progress)
     throw scene::UsageError("there is no file to show: give one among the words");
   }
   this->Read(progress);
-  this->Options = scene::WithUpAxis(this->Options, this->Dressed.GetScene());
+  this->Options = scene::FollowFile(this->Options, this->Dressed.GetScene());
   if (this->Played) // what is read alike has its time
   {
     scene::PlayScene(

@@ -7,6 +7,8 @@
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -14,9 +16,11 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace scene
@@ -36,25 +40,35 @@ unsigned char GetAlpha(double radii)
   return static_cast<unsigned char>(std::lround(255.0 * t * t * (3.0 - 2.0 * t)));
 }
 
-// What the lights give to a surface that faces up.
-double GetLightFromAbove(const RenderOptions& options)
+// What the lights give to a surface at that place that faces up.
+double GetLightFromAbove(vtkRenderer* renderer, const std::array<double, 3>& place, int up)
 {
-  double light = 0.0;
-  for (const LightChoice& choice : options.Lights)
+  double sum = 0.0;
+  vtkCollectionSimpleIterator it;
+  renderer->GetLights()->InitTraversal(it);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(it))
   {
-    const std::array<double, 3> towards = choice.Position;
-    const double up = choice.InView ? towards[1] : towards[static_cast<std::size_t>(options.UpAxis)];
-    light += choice.Is != LightChoice::Kind::Sun
-      ? 0.0
-      : std::max(0.0, up / Length(towards)) * (choice.Color[0] + choice.Color[1] + choice.Color[2]) /
-        3.0;
+    std::array<double, 3> position;
+    std::array<double, 3> focus;
+    light->GetTransformedPosition(position.data());
+    light->GetTransformedFocalPoint(focus.data());
+    const std::array<double, 3> towards =
+      Minus(position, light->GetPositional() ? place : focus);
+    const double length = Length(towards);
+    if (light->GetSwitch() && light->LightTypeIsSceneLight() && length > 0.0)
+    {
+      const double* color = light->GetDiffuseColor();
+      sum += std::max(0.0, towards[static_cast<std::size_t>(up)] / length) *
+        light->GetIntensity() * (color[0] + color[1] + color[2]) / 3.0;
+    }
   }
-  return light;
+  return sum;
 }
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkActor> MakeGround(const double bounds[6], const RenderOptions& options)
+vtkSmartPointer<vtkActor> MakeGround(
+  const double bounds[6], vtkRenderer* renderer, const RenderOptions& options)
 {
   const auto up = static_cast<std::size_t>(options.UpAxis);
   const std::size_t first = (up + 1) % 3; // first x second = up
@@ -118,7 +132,7 @@ vtkSmartPointer<vtkActor> MakeGround(const double bounds[6], const RenderOptions
   vtkProperty* property = actor->GetProperty();
   property->BackfaceCullingOn(); // from below the scene is seen without
   property->SetInterpolationToFlat();
-  const double light = GetLightFromAbove(options);
+  const double light = GetLightFromAbove(renderer, middle, options.UpAxis);
   property->SetDiffuse(light > 0.0 ? ShareOfSuns / light : 0.0);
   property->SetAmbient(light > 0.0 ? 1.0 - ShareOfSuns : 1.0);
   return actor;

@@ -9,15 +9,17 @@
 #include "vtkSmartPointer.h"
 
 class vtkActor;
+class vtkRenderer;
 
 namespace scene
 {
 struct RenderOptions;
 
 /// A disc below these bounds, seen from above, of the background's colour at the bottom: where the
-/// lights reach it, it cannot be told from that, and it fades away outwards. It is translucent, so
-/// that layers do not have it.
-vtkSmartPointer<vtkActor> MakeGround(const double bounds[6], const RenderOptions& options);
+/// renderer's lights reach it, it cannot be told from that, and it fades away outwards. It is
+/// translucent, so that layers do not have it.
+vtkSmartPointer<vtkActor> MakeGround(
+  const double bounds[6], vtkRenderer* renderer, const RenderOptions& options);
 }
 
 #endif

@@ -13,8 +13,6 @@ namespace scene
 {
 namespace
 {
-constexpr const char* None = "none"; // the bare look, VTK's
-
 struct Sun
 {
   std::array<double, 3> Towards; // right, up, and to the fitted camera
@@ -36,7 +34,7 @@ const std::vector<Preset>& GetPresets()
   static const std::vector<Preset> presets = {
     // A large lamp at the left before a light wall, which gives light back.
     { "studio",
-      { { { -0.65, 0.9, 0.6 }, { 0.80, 0.79, 0.77 }, 12.0 },
+      { { { -0.65, 0.9, 0.6 }, { 0.80, 0.79, 0.77 }, 6.0 },
         { { 0.9, 0.35, 0.7 }, { 0.32, 0.33, 0.35 } },
         { { 0.1, 0.5, -1.0 }, { 0.26, 0.27, 0.29 } },
         { { -0.2, -1.0, 0.1 }, { 0.20, 0.19, 0.18 } } },
@@ -58,12 +56,13 @@ const std::vector<Preset>& GetPresets()
 }
 
 // Of soft shadows and of smooth edges.
-constexpr int Samples = 16;
+constexpr int Samples = 24;
 
 // From the upper right, so that three sides of a box are seen.
 constexpr std::array<double, 3> ThreeQuarter = { 0.5, 0.4, 1.0 };
 
-void AddSuns(RenderOptions& options, const Preset& preset)
+// All of them; where others were asked for, those that fill, at half their strength.
+void AddSuns(RenderOptions& options, const Preset& preset, bool others)
 {
   for (const Sun& sun : preset.Suns)
   {
@@ -77,7 +76,14 @@ void AddSuns(RenderOptions& options, const Preset& preset)
     {
       light.Size = sun.Angle;
     }
-    options.Lights.push_back(light);
+    if (others)
+    {
+      std::for_each(light.Color.begin(), light.Color.end(), [](double& part) { part *= 0.5; });
+    }
+    if (!others || !light.Casts)
+    {
+      options.Lights.push_back(light);
+    }
   }
 }
 
@@ -98,14 +104,20 @@ void AddShadows(RenderOptions& options, const std::set<std::string>& given)
 }
 
 //------------------------------------------------------------------------------
-void TakePreset(RenderOptions& options, const std::string& word)
+std::vector<std::string> GetPresetNames()
 {
-  std::vector<std::string> names = { None };
+  std::vector<std::string> names = { "none" };
   for (const Preset& preset : GetPresets())
   {
     names.emplace_back(preset.Name);
   }
-  ParseChoice("--preset", word, names);
+  return names;
+}
+
+//------------------------------------------------------------------------------
+void TakePreset(RenderOptions& options, const std::string& word)
+{
+  ParseChoice("--preset", word, GetPresetNames());
   options.Preset = word;
 }
 
@@ -116,6 +128,7 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   {
     const char* usual = std::getenv("RELIEVO_PRESET");
     TakePreset(options, usual && *usual ? usual : GetPresets().front().Name);
+    options.YieldsToFile = given.count("--light") == 0;
   }
   const auto preset = std::find_if(GetPresets().begin(), GetPresets().end(),
     [&options](const Preset& each) { return options.Preset == each.Name; });
@@ -135,10 +148,10 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
     AddStage(options.Stages, "antialias", "--preset")
       .Parameters.emplace_back("samples", std::to_string(Samples));
   }
-  // Lights that were asked for have shadows, and a ground to fall on, as was asked for, too.
-  if (given.count("--light") == 0 && given.count("--environment") == 0)
+  // An environment lights alone, unless the preset was asked for as well.
+  if (given.count("--environment") == 0 || given.count("--preset") > 0)
   {
-    AddSuns(options, *preset);
+    AddSuns(options, *preset, given.count("--light") > 0);
     if (preset->Ground)
     {
       AddShadows(options, given);

@@ -8,10 +8,14 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace scene
 {
 struct RenderOptions;
+
+/// "none" first, which is VTK's bare look.
+std::vector<std::string> GetPresetNames();
 
 /// Throws UsageError for a name that there is not.
 void TakePreset(RenderOptions& options, const std::string& word);

@@ -240,7 +240,8 @@ std::vector<OptionRow> MakeRows()
     { "--bone-weight", "BONE",
       "colours by the weight of one bone; --color-by first_bone by the strongest", TakeBoneWeight },
     { "--shadows", "METHOD",
-      "shadows of the lights in the picture: off, map, forward, warped or exact (off)",
+      "shadows of the lights in the picture: off, map, forward, warped or exact (map with studio "
+      "and town, else off)",
       TakeShadows },
     { "--shadow-size", "N", "side of each shadow map in texels, 16 to 16384 (2048)",
       TakeShadowSize },

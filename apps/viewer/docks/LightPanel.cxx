@@ -5,6 +5,7 @@
 #include "FileEdit.h"
 #include "Number.h"
 #include "Options.h"
+#include "Presets.h"
 #include "SunGroup.h"
 #include "SurfaceOptions.h"
 #include "SurfaceValues.h"
@@ -62,12 +63,11 @@ void LightPanel::AddScene()
   QGroupBox* group = this->AddGroup("Scene", "scene");
   this->Preset = new QComboBox(group);
   this->Preset->setObjectName("preset");
-  this->Preset->addItem("None", "");
-  for (const char* name : { "studio", "town", "print" })
+  for (const std::string& name : scene::GetPresetNames())
   {
-    this->Preset->addItem(name, name);
+    this->Preset->addItem(QString::fromStdString(name));
   }
-  this->Preset->setToolTip("Lights, shadows and background, for what is not set here");
+  this->Preset->setToolTip("Lights, shadows, ground, background and view, for what is not set here");
   GetRows(group)->addRow("Preset", this->Preset);
   this->Up = new QComboBox(group);
   this->Up->setObjectName("up");
@@ -77,8 +77,7 @@ void LightPanel::AddScene()
   const auto changed = static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged);
   QObject::connect(this->Preset, changed, this, [this] {
     this->Edited->Change([this](scene::Settings& settings) {
-      const std::string name = this->Preset->currentData().toString().toStdString();
-      name.empty() ? settings.Remove("--preset") : settings.Set("--preset", name);
+      settings.Set("--preset", this->Preset->currentText().toStdString());
     });
   });
   QObject::connect(this->Up, changed, this, [this] {
@@ -270,9 +269,8 @@ void LightPanel::ShowSettings()
   const QSignalBlocker quiet[] = { QSignalBlocker(this->Preset), QSignalBlocker(this->Up),
     QSignalBlocker(this->Environment), QSignalBlocker(this->Sky) };
   const scene::Settings& settings = this->Edited->Get();
-  this->Preset->setCurrentIndex(
-    this->Preset->findData(QString::fromStdString(settings.Get("--preset"))));
   const scene::RenderOptions options = settings.Parse();
+  this->Preset->setCurrentText(QString::fromStdString(options.Preset));
   this->Up->setCurrentIndex(options.UpAxis);
   if (this->Sun->GetOthers() != this->ShownLights) // but not what is typed and not yet applied
   {

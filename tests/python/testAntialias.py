@@ -1,0 +1,187 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The stage antialias: edges against the area of each pixel that a polygon covers, and what it must
+leave as it is: the camera, layers, and pictures without it."""
+
+import unittest
+
+import numpy
+from frames import picture
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+
+import relievo
+
+# In pixels; its edges are steep, flat, and in between.
+CORNERS = numpy.array([(5.3, 3.1), (57.2, 9.7), (49.9, 41.3), (7.4, 44.2)])
+COLUMNS, ROWS = 64, 48
+
+
+def clip(polygon, axis, limit, sign):
+    """What of the polygon lies on one side of a line: Sutherland and Hodgman, 1974."""
+    inside = []
+    for a, b in zip(polygon, numpy.roll(polygon, -1, axis=0)):
+        ahead, behind = sign * (a[axis] - limit), sign * (b[axis] - limit)
+        if ahead >= 0:
+            inside.append(a)
+        if ahead * behind < 0:
+            inside.append(a + (b - a) * (ahead / (ahead - behind)))
+    return numpy.array(inside).reshape(-1, 2)
+
+
+def covered(polygon):
+    """The share of each pixel that the polygon covers, the bottom row first."""
+    shares = numpy.zeros((ROWS, COLUMNS))
+    for row, column in numpy.ndindex(shares.shape):
+        part = polygon
+        for axis, low in ((0, column), (1, row)):
+            for limit, sign in ((low, 1), (low + 1, -1)):
+                part = clip(part, axis, limit, sign) if len(part) else part
+        if len(part) > 2:
+            x, y = part.T
+            shares[row, column] = 0.5 * abs(x @ numpy.roll(y, -1) - y @ numpy.roll(x, -1))
+    return shares
+
+
+def linear(bytes_of):
+    value = bytes_of / 255.0
+    return numpy.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
+
+
+class Antialias(unittest.TestCase):
+    def setUp(self):
+        points, faces = vtkPoints(), vtkCellArray()
+        points.SetDataTypeToDouble()
+        for x, y in CORNERS:
+            points.InsertNextPoint(x, y, 0)
+        faces.InsertNextCell(len(CORNERS), range(len(CORNERS)))
+        surface = vtkPolyData()
+        surface.SetPoints(points)
+        surface.SetPolys(faces)
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputData(surface)
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().LightingOff()
+        self.renderer = vtkRenderer()
+        self.renderer.AddActor(actor)
+        self.window = vtkRenderWindow()
+        self.window.OffScreenRenderingOn()
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(COLUMNS, ROWS)
+        self.window.AddRenderer(self.renderer)
+        camera = self.renderer.GetActiveCamera()
+        camera.SetPosition(COLUMNS / 2, ROWS / 2, 100)
+        camera.SetFocalPoint(COLUMNS / 2, ROWS / 2, 0)
+        camera.SetClippingRange(50, 150)
+        camera.ParallelProjectionOn()
+        camera.SetParallelScale(ROWS / 2)
+        self.camera = camera
+        self.plain = picture(self.window)
+        self.frame = relievo.attach(self.renderer)
+        self.frame.WaitForSamplesOn()
+
+    def smooth(self, samples):
+        relievo.stage(self.renderer, "antialias", samples=samples)
+        return picture(self.window)
+
+    def error(self, samples, shares):
+        difference = linear(self.smooth(samples)[..., 0].astype(float)) - shares
+        return numpy.sqrt((difference[(shares > 0) & (shares < 1)] ** 2).mean())
+
+    def test_area(self):
+        """The error falls as that of points that are spread evenly, and nothing is moved."""
+        shares = covered(CORNERS)
+        errors = {samples: self.error(samples, shares) for samples in (1, 4, 16, 64, 256)}
+        self.assertGreater(errors[1], 0.25)
+        for samples, limit in ((4, 0.15), (16, 0.05), (64, 0.02), (256, 0.008)):
+            self.assertLess(errors[samples], limit, errors)
+        # An offset of all by a tenth of a pixel would show in the mean over an edge's slope.
+        light = linear(self.smooth(64)[..., 0].astype(float))
+        down, across = numpy.mgrid[0:ROWS, 0:COLUMNS] + 0.5
+        for axis in down, across:
+            self.assertAlmostEqual(
+                (light * axis).sum() / light.sum(), (shares * axis).sum() / shares.sum(), delta=0.01)
+
+    def test_projections(self):
+        """In every kind of projection the sum of the light is that of the exact areas."""
+        def perspective():
+            self.camera.ParallelProjectionOff()
+            self.camera.SetViewAngle(2 * numpy.degrees(numpy.arctan(ROWS / 2 / 100)))
+
+        def shifted():
+            self.camera.SetWindowCenter(0.2, -0.1)
+
+        def explicit():
+            matrix = vtkMatrix4x4()
+            matrix.DeepCopy(self.camera.GetProjectionTransformMatrix(COLUMNS / ROWS, -1, 1))
+            self.camera.SetWindowCenter(0, 0)
+            self.camera.SetExplicitProjectionTransformMatrix(matrix)
+            self.camera.UseExplicitProjectionTransformMatrixOn()
+
+        moved = CORNERS - numpy.array([0.2 * COLUMNS / 2, -0.1 * ROWS / 2])
+        for change, corners in ((perspective, CORNERS), (shifted, moved), (explicit, moved)):
+            with self.subTest(change.__name__):
+                change()
+                self.assertLess(self.error(64, covered(corners)), 0.02)
+
+    def test_camera(self):
+        """Nobody is told of a camera that moves, and afterwards it is as it was."""
+        told = []
+        self.camera.AddObserver("ModifiedEvent", lambda *_: told.append(1))
+        before = self.camera.GetMTime()
+        matrix = vtkMatrix4x4()
+        matrix.DeepCopy(self.camera.GetProjectionTransformMatrix(COLUMNS / ROWS, -1, 1))
+        self.smooth(16)
+        self.assertEqual((self.camera.GetMTime(), told), (before, []))
+        self.assertFalse(self.camera.GetUseExplicitProjectionTransformMatrix())
+        after = self.camera.GetProjectionTransformMatrix(COLUMNS / ROWS, -1, 1)
+        self.assertEqual(
+            [matrix.GetElement(i, j) for i in range(4) for j in range(4)],
+            [after.GetElement(i, j) for i in range(4) for j in range(4)])  # fmt: skip
+        self.frame.GetStage("antialias").EnabledOff()
+        numpy.testing.assert_array_equal(picture(self.window), self.plain)
+
+    def test_gathering(self):
+        """One sample in each frame; a resting picture becomes the one that waits for all."""
+        whole = self.smooth(8)
+        self.frame.WaitForSamplesOff()
+        self.camera.Azimuth(1)
+        self.window.Render()
+        self.camera.Azimuth(-1)
+        left = []
+        while not left or left[-1] > 0:
+            last = picture(self.window)
+            left.append(self.frame.GetSamplesLeft())
+        self.assertEqual(left, list(range(7, -1, -1)))
+        numpy.testing.assert_array_equal(last, whole)
+        numpy.testing.assert_array_equal(picture(self.window), whole)
+
+    def test_layers(self):
+        """Layers are those of the pixels' centres, captured or made with the picture."""
+        names = ["depth", "normal", "cell"]
+        expected = relievo.capture(self.renderer, names)
+        self.smooth(16)
+        captured = relievo.capture(self.renderer, names)
+        for name in names:
+            self.frame.RequestLayer(name)
+        self.window.Render()
+        self.assertEqual(self.frame.GetStage("antialias").GetReasonCode(), "idle")
+        for name in names:
+            numpy.testing.assert_array_equal(
+                relievo.layer(captured, name), relievo.layer(expected, name))  # fmt: skip
+        self.frame.ReleaseLayers()
+        self.window.Render()
+        self.assertEqual(self.frame.GetStage("antialias").GetReasonCode(), "ran")
+
+    def test_hard_shadows_stay_hard(self):
+        """Samples of edges are none of lights: a sun has its usual size, and is a point."""
+        relievo.stage(self.renderer, "shadows", visible=True)
+        self.smooth(16)
+        self.assertIn('"soft_samples":1', self.frame.GetFrameReport().replace(" ", ""))
+
+
+if __name__ == "__main__":
+    unittest.main()
