@@ -7,53 +7,44 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <vector>
 
 namespace scene
 {
 namespace
 {
-struct Sun
-{
-  std::array<double, 3> Towards; // right, up, and to the fitted camera
-  Color Light;
-  double Angle = -1.0; // of its disc, degrees; below 0: it casts no shadow
-};
-
 struct Preset
 {
   const char* Name;
-  std::vector<Sun> Suns;
+  std::array<double, 3> Towards; // the first light: right, up, and to the fitted camera
+  Color Light;
+  double Angle; // of its disc, degrees; below 0: it casts no shadow, and there is no ground
+  Color Fill;
   std::vector<Color> Background; // bottom, top
-  bool Ground;                   // and shadows on it
 };
 
 const std::vector<Preset>& GetPresets()
 {
-  // Wherever the camera goes, no side is black: the weak suns fill what the first one leaves.
   static const std::vector<Preset> presets = {
-    // A large lamp at the left before a light wall, which gives light back.
-    { "studio",
-      { { { -0.65, 0.9, 0.6 }, { 0.80, 0.79, 0.77 }, 6.0 },
-        { { 0.9, 0.35, 0.7 }, { 0.32, 0.33, 0.35 } },
-        { { 0.1, 0.5, -1.0 }, { 0.26, 0.27, 0.29 } },
-        { { -0.2, -1.0, 0.1 }, { 0.20, 0.19, 0.18 } } },
-      { { 0.80, 0.82, 0.85 }, { 0.95, 0.96, 0.97 } }, true },
-    // A sun in the afternoon, and the sky's light from above and from the sides, which is bluer.
-    { "town",
-      { { { -0.75, 0.6, 0.45 }, { 0.85, 0.78, 0.66 }, 0.53 },
-        { { 0.1, 1.0, 0.1 }, { 0.25, 0.28, 0.33 } },
-        { { 0.8, 0.2, 0.6 }, { 0.28, 0.31, 0.37 } },
-        { { 0.0, 0.2, -1.0 }, { 0.22, 0.24, 0.29 } } },
-      { { 0.86, 0.90, 0.94 }, { 0.45, 0.64, 0.87 } }, true },
+    // A large lamp at the left before a light wall.
+    { "studio", { -0.65, 0.9, 0.6 }, { 0.66, 0.65, 0.63 }, 6.0, { 0.30, 0.31, 0.33 },
+      { { 0.80, 0.82, 0.85 }, { 0.95, 0.96, 0.97 } } },
+    // A sun in the afternoon, and the sky, which is bluer.
+    { "town", { -0.75, 0.6, 0.45 }, { 0.76, 0.68, 0.54 }, 0.53, { 0.27, 0.30, 0.36 },
+      { { 0.86, 0.90, 0.94 }, { 0.45, 0.64, 0.87 } } },
     // On white paper, without shadows.
-    { "print",
-      { { { -0.4, 0.6, 1.0 }, { 0.75, 0.75, 0.75 } }, { { 0.9, 0.2, 0.4 }, { 0.2, 0.2, 0.2 } },
-        { { 0.0, 0.3, -1.0 }, { 0.3, 0.3, 0.3 } } },
-      { { 1.0, 1.0, 1.0 } }, false },
+    { "print", { -0.4, 0.6, 1.0 }, { 0.65, 0.65, 0.65 }, -1.0, { 0.32, 0.32, 0.32 },
+      { { 1.0, 1.0, 1.0 } } },
   };
   return presets;
 }
+
+// From where weak suns fill what the first light leaves, so that wherever the camera goes no side
+// is black, in shadows neither: a fifth of the light at least is there. The last one is weaker.
+constexpr std::array<double, 3> Fills[] = { { 1.0, 0.2, 0.3 }, { -0.5, 0.2, -1.0 },
+  { 0.0, -1.0, 0.1 }, { -0.6, 0.6, 0.8 } };
+constexpr double LastFill = 0.8;
 
 // Of soft shadows and of smooth edges.
 constexpr int Samples = 24;
@@ -61,29 +52,43 @@ constexpr int Samples = 24;
 // From the upper right, so that three sides of a box are seen.
 constexpr std::array<double, 3> ThreeQuarter = { 0.5, 0.4, 1.0 };
 
-// All of them; where others were asked for, those that fill, at half their strength.
+LightChoice MakeSun(const std::array<double, 3>& towards, const Color& color, double strength)
+{
+  LightChoice light;
+  light.Is = LightChoice::Kind::Sun;
+  light.Position = towards;
+  light.InView = true;
+  light.Color = { strength * color[0], strength * color[1], strength * color[2] };
+  light.Casts = false;
+  return light;
+}
+
+// Where lights were asked for, they are in the place of the first one, and the fill is weaker: with
+// it, a white surface in one of them is not brighter than white.
+constexpr double ShareOfOthers = 0.8;
+constexpr double ShareOfFill = 0.4;
+
 void AddSuns(RenderOptions& options, const Preset& preset, bool others)
 {
-  for (const Sun& sun : preset.Suns)
+  for (LightChoice& light : options.Lights)
   {
-    LightChoice light;
-    light.Is = LightChoice::Kind::Sun;
-    light.Position = sun.Towards;
-    light.InView = true;
-    light.Color = sun.Light;
-    light.Casts = sun.Angle >= 0.0;
-    if (light.Casts)
+    std::for_each(
+      light.Color.begin(), light.Color.end(), [](double& part) { part *= ShareOfOthers; });
+  }
+  if (!others)
+  {
+    LightChoice first = MakeSun(preset.Towards, preset.Light, 1.0);
+    first.Casts = preset.Angle >= 0.0;
+    if (first.Casts)
     {
-      light.Size = sun.Angle;
+      first.Size = preset.Angle;
     }
-    if (others)
-    {
-      std::for_each(light.Color.begin(), light.Color.end(), [](double& part) { part *= 0.5; });
-    }
-    if (!others || !light.Casts)
-    {
-      options.Lights.push_back(light);
-    }
+    options.Lights.push_back(first);
+  }
+  for (const std::array<double, 3>& towards : Fills)
+  {
+    const double strength = &towards == std::end(Fills) - 1 ? LastFill : 1.0;
+    options.Lights.push_back(MakeSun(towards, preset.Fill, others ? ShareOfFill * strength : strength));
   }
 }
 
@@ -127,7 +132,8 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   if (given.count("--preset") == 0)
   {
     const char* usual = std::getenv("RELIEVO_PRESET");
-    TakePreset(options, usual && *usual ? usual : GetPresets().front().Name);
+    options.Preset = usual && *usual ? usual : GetPresets().front().Name;
+    ParseChoice("the environment variable RELIEVO_PRESET", options.Preset, GetPresetNames());
     options.YieldsToFile = given.count("--light") == 0;
   }
   const auto preset = std::find_if(GetPresets().begin(), GetPresets().end(),
@@ -152,7 +158,7 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   if (given.count("--environment") == 0 || given.count("--preset") > 0)
   {
     AddSuns(options, *preset, given.count("--light") > 0);
-    if (preset->Ground)
+    if (preset->Angle >= 0.0)
     {
       AddShadows(options, given);
       options.Ground = options.Ground.value_or(true);

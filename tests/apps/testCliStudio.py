@@ -1,0 +1,217 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The picture without options, in studio: lit on all sides, on a ground, in sight, the right side up,
+with smooth edges; and what of it other options and the file itself replace."""
+
+import json
+
+import numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersGeneral import vtkPassSelectedArrays
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
+from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+
+from cli import CliTest, main, read_png
+
+STUDIO = {"RELIEVO_PRESET": ""}
+SIZE = ["--size", "240x180"]
+# From all sides, and as the file's y or z is up.
+SIDES = [(1, 0, 0), (-1, 0, 0), (0, 0, 1), (0, 0, -1), (0.6, 0.8, 0), (-0.6, 0.8, 0), (0, 0.8, 0.6)]
+
+
+def shrunk(mask):
+    """Without its rim, where pixels have what is behind it as well."""
+    turned = [numpy.roll(mask, step, axis) for axis in (0, 1) for step in (-2, 2)]
+    return numpy.logical_and.reduce([mask, *turned])
+
+
+class Studio(CliTest):
+    def relievo(self, *words, environment=None, **more):
+        return super().relievo(*words, environment={**STUDIO, **(environment or {})}, **more)
+
+    def write(self, name, source, writer=vtkOBJWriter):
+        output = writer()
+        output.SetFileName(str(self.folder / name))
+        output.SetInputConnection(source.GetOutputPort())
+        output.Write()
+
+    def box(self, name, low, high, writer=vtkOBJWriter):
+        cube = vtkCubeSource()
+        cube.SetBounds(*(x for pair in zip(low, high) for x in pair))
+        bare = vtkPassSelectedArrays() # VTK 9.2's writer counts texture coordinates wrongly
+        bare.SetInputConnection(cube.GetOutputPort())
+        self.write(name, bare, writer)
+
+    def sphere(self, name):
+        ball = vtkSphereSource()
+        ball.SetRadius(2)
+        ball.SetThetaResolution(64)
+        ball.SetPhiResolution(64)
+        self.write(name, ball)
+
+    def picture(self, *words, **more):
+        done = self.relievo("render", *words, *SIZE, "--png", "a.png", **more)
+        self.assertEqual(done.stderr, "")
+        return read_png(self.folder / "a.png")[..., :3].astype(int)
+
+    def seen(self, *words):
+        """Where the model is in the picture, and the EXR's layers."""
+        self.relievo("render", *words, *SIZE, "--exr", "a.exr", "--layers", "depth,actor")
+        layers = self.exr("a.exr")[1]
+        return numpy.isfinite(layers["depth.Z"]), layers
+
+    def test_names(self):
+        self.sphere("ball.obj")
+        plain = self.picture("ball.obj")
+        for words, environment in (
+            (["--preset", "studio"], {"RELIEVO_PRESET": "print"}),
+            ([], {"RELIEVO_PRESET": "studio"}),
+        ):
+            numpy.testing.assert_array_equal(
+                self.picture("ball.obj", *words, environment=environment), plain)  # fmt: skip
+        bare = self.picture("ball.obj", "--preset", "none")
+        self.assertEqual(tuple(bare[0, 0]), (0, 0, 0))
+        numpy.testing.assert_array_equal(
+            self.picture("ball.obj", environment={"RELIEVO_PRESET": "none"}), bare)  # fmt: skip
+        done = self.relievo("render", "ball.obj", "--png", "b.png", status=2,
+                            environment={"RELIEVO_PRESET": "desert"})  # fmt: skip
+        for word in ("RELIEVO_PRESET", "desert", "none", "studio", "town", "print"):
+            self.assertIn(word, done.stderr)
+
+    def test_no_side_is_black_or_burnt(self):
+        self.sphere("ball.obj")
+        for preset in ("studio", "town", "print"):
+            for x, y, z in SIDES:
+                words = ["ball.obj", "--camera", f"{9 * x},{9 * y},{9 * z},0,0,0,0,1,0",
+                         "--preset", preset, "--up", "y", "--ground", "off"]  # fmt: skip
+                model, _ = self.seen(*words)
+                inner = shrunk(model)
+                light = self.picture(*words).max(axis=-1)[inner]
+                with self.subTest(preset=preset, side=(x, y, z)):
+                    self.assertGreater(inner.sum(), 3000)
+                    self.assertGreater(light.min(), 40)
+                    self.assertLess(light.max(), 255)
+
+    def test_light_that_is_added(self):
+        """Is filled, casts its shadow on the ground, and burns little."""
+        self.sphere("ball.obj")
+        for light in ("sun:1,2,2", "spot:4,8,8,0,0,0,30", "point:4,8,8"):
+            words = ["ball.obj", "--light", light, "--camera", "0,3,12,0,0,0,0,1,0"]
+            model, _ = self.seen(*words)
+            lit = self.picture(*words)
+            with self.subTest(light=light):
+                inner = shrunk(model)
+                self.assertLess((lit.max(axis=-1)[inner] == 255).mean(), 0.02)
+                self.assertGreater(lit.max(axis=-1)[inner].min(), 15)
+                without = self.picture(*words, "--shadows", "off")
+                darker = (without - lit).max(axis=-1)[~model] > 40
+                self.assertGreater(darker.sum(), 100, "no shadow on the ground")
+
+    def test_ground(self):
+        """Below the model, in the picture alone, and not to be told from the background but for
+        the shadow: it has no edge."""
+        self.sphere("ball.obj")
+        without = self.picture("ball.obj", "--ground", "off")
+        ground = self.picture("ball.obj")
+        unlit = self.picture("ball.obj", "--shadows", "off")
+        model, _ = self.seen("ball.obj")
+        free = shrunk(~model) & (abs(unlit - ground).max(axis=-1) == 0)
+        self.assertGreater(abs(ground - without).max(), 50)
+        steps = abs(numpy.diff(unlit, axis=0)).max(axis=-1)
+        self.assertLess(steps[free[1:] & free[:-1]].max(), 8)
+        layers = [self.seen("ball.obj", "--ground", word)[1] for word in ("on", "off")]
+        for name in ("depth.Z", "actor.id"):
+            numpy.testing.assert_array_equal(layers[0][name], layers[1][name])
+        below = ["ball.obj", "--camera", "0,-9,3,0,0,0,0,1,0"]
+        self.assertLess(
+            abs(self.picture(*below) - self.picture(*below, "--ground", "off")).max(), 3)
+        self.box("flat.obj", (0, 0, 0), (2, 1, 0))
+        numpy.testing.assert_array_equal(
+            self.picture("flat.obj"), self.picture("flat.obj", "--ground", "off"))  # fmt: skip
+
+    def test_fits(self):
+        """The model fills the picture in one direction, and keeps off its edges, whatever its shape
+        and the projection."""
+        shapes = ((1, 1, 1), (5, 1, 1), (1, 6, 1), (1, 1, 9), (4, 0.3, 4), (3, 8, 0.5))
+        for shape in shapes:
+            self.box("a.obj", (0.5, 0.5, 0.5), numpy.add(shape, 0.5))
+            for words in ([], ["--view-angle", "80"], ["--up", "x"]):
+                model, _ = self.seen("a.obj", *words)
+                rows, columns = numpy.nonzero(model)
+                filled = max(numpy.ptp(rows) / 180, numpy.ptp(columns) / 240)
+                with self.subTest(shape=shape, words=words):
+                    self.assertGreater(filled, 0.7)
+                    self.assertLess(filled, 0.9)
+                    self.assertGreater(min(rows.min(), 179 - rows.max()), 8)
+                    self.assertGreater(min(columns.min(), 239 - columns.max()), 8)
+
+    def test_three_sides_of_a_box(self):
+        self.box("a.obj", (-1, -1, -1), (1, 1, 1))
+        self.relievo("render", "a.obj", *SIZE, "--exr", "a.exr", "--layers", "geometric_normal")
+        layers = self.exr("a.exr")[1]
+        normal = numpy.stack([layers[f"geometric_normal.{c}"] for c in "XYZ"], axis=-1).round()
+        for side in ((1, 0, 0), (0, 1, 0), (0, 0, 1)):
+            self.assertGreater((normal == side).all(axis=-1).sum(), 1000)
+
+    def test_up(self):
+        """A pole stands upright if it stands on z = 0, in STL, and in a grid; else y is up."""
+        def upright(name, *words):
+            rows, columns = numpy.nonzero(self.seen(name, *words)[0])
+            return numpy.ptp(rows) > 1.5 * numpy.ptp(columns)
+
+        self.box("z.obj", (2, 3, 0), (3, 4, 6))
+        self.box("y.obj", (2, 0, 3), (3, 6, 4))
+        self.box("middle.obj", (-0.5, -3, -0.5), (0.5, 3, 0.5))
+        self.box("middle.stl", (-0.5, -0.5, -3), (0.5, 0.5, 3), vtkSTLWriter)
+        self.box("y.stl", (-0.5, 0, -0.5), (0.5, 6, 0.5), vtkSTLWriter)
+        image = vtkImageData()
+        image.SetDimensions(2, 2, 7)
+        image.SetOrigin(1, 1, 1)
+        writer = vtkXMLImageDataWriter()
+        writer.SetFileName(str(self.folder / "grid.vti"))
+        writer.SetInputData(image)
+        writer.Write()
+        for name in ("z.obj", "y.obj", "middle.obj", "middle.stl", "y.stl", "grid.vti"):
+            with self.subTest(name):
+                self.assertTrue(upright(name))
+        self.assertFalse(upright("z.obj", "--up", "y"))
+        self.assertFalse(upright("z.obj", "--preset", "none"))
+
+    def test_lights_of_the_file(self):
+        """Are in the place of the usual preset's, not of one that is asked for."""
+        data = numpy.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0)], "<f4").tobytes()
+        (self.folder / "a.bin").write_bytes(data)
+        (self.folder / "a.gltf").write_text(json.dumps({
+            "asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"],
+            "extensions": {"KHR_lights_punctual": {"lights": [
+                {"type": "directional", "color": [0, 1, 0], "intensity": 1}]}},
+            "scenes": [{"nodes": [0, 1]}], "scene": 0,
+            "nodes": [{"mesh": 0}, {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "buffers": [{"uri": "a.bin", "byteLength": 36}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                           "min": [-1, -1, 0], "max": [1, 1, 0]}],
+        }))  # fmt: skip
+        model, _ = self.seen("a.gltf")
+        inner = shrunk(model)
+        own, asked = (self.picture("a.gltf", *words)[inner] for words in ([], ["--preset", "studio"]))
+        self.assertEqual(own[:, [0, 2]].max(), 0)
+        self.assertGreater(own[:, 1].min(), 60)
+        self.assertGreater(asked.min(), 40)
+
+    def test_edges(self):
+        """Are smooth: around a ball there are many shades between it and the background."""
+        self.sphere("ball.obj")
+        shades = []
+        for words in ([], ["--stage", "antialias:samples=1"]):
+            done = self.relievo("render", "ball.obj", "--background", "black", "--ground", "off",
+                                *SIZE, "--png", "a.png", *words)  # fmt: skip
+            del done # which notes that one sample smooths nothing
+            shades.append(len(numpy.unique(read_png(self.folder / "a.png")[..., 0])))
+        self.assertLess(shades[1] + 20, shades[0])
+
+
+if __name__ == "__main__":
+    main()
