@@ -184,9 +184,9 @@ std::vector<OptionRow> MakeRows()
       "right, where no other option says them; none: VTK's headlight on black (studio, or what "
       "the environment variable RELIEVO_PRESET says)",
       TakePreset },
-    { "--ground", "on|off",
-      "a ground below the scene that catches its shadows, in the picture alone (on with the lights "
-      "of studio and town)",
+    { "--ground", "ON",
+      "on or off: a ground below the scene that catches its shadows, in the picture alone (on with "
+      "the lights of studio and town)",
       [](RenderOptions& options, const std::string& word) {
         options.Ground = ParseChoice("--ground", word, { "off", "on" }) == 1;
       } },

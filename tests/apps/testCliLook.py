@@ -220,10 +220,6 @@ class Look(CliTest):
         self.relievo(*words, "b.png", "--preset", "print", "--background", "black")
         white, black = (read_png(self.folder / name).astype(int) for name in ("a.png", "b.png"))
         self.assertEqual((tuple(white[0, -1]), tuple(black[0, -1])), ((255,) * 3, (0,) * 3))
-        light = ["--light", "sun:1,2,3"]
-        self.relievo(*words, "a.png", "--preset", "studio", *light, "--background", "black")
-        self.relievo(*words, "b.png", *light)
-        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
         for up in ("x", "y", "z"):
             # The fitted camera and the lights turn together: what is above the mesh is lit.
             self.relievo("render", "plane.vtp", "--size", "64x64", "--up", up, "--preset", "town",

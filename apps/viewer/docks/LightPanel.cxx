@@ -71,7 +71,7 @@ void LightPanel::AddScene()
   GetRows(group)->addRow("Preset", this->Preset);
   this->Up = new QComboBox(group);
   this->Up->setObjectName("up");
-  this->Up->addItems({ "x", "y", "z" });
+  this->Up->addItems({ "as the file", "x", "y", "z" });
   this->Up->setToolTip("The axis of the data that points up. North is then z, -z or y");
   GetRows(group)->addRow("Up", this->Up);
   const auto changed = static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged);
@@ -83,7 +83,7 @@ void LightPanel::AddScene()
   QObject::connect(this->Up, changed, this, [this] {
     this->Edited->Change([this](scene::Settings& settings) {
       const std::string axis = this->Up->currentText().toStdString();
-      axis == "y" ? settings.Remove("--up") : settings.Set("--up", axis);
+      this->Up->currentIndex() == 0 ? settings.Remove("--up") : settings.Set("--up", axis);
     });
     this->Sun->FollowUpAxis();
   });
@@ -271,7 +271,7 @@ void LightPanel::ShowSettings()
   const scene::Settings& settings = this->Edited->Get();
   const scene::RenderOptions options = settings.Parse();
   this->Preset->setCurrentText(QString::fromStdString(options.Preset));
-  this->Up->setCurrentIndex(options.UpAxis);
+  this->Up->setCurrentIndex(settings.Has("--up") ? options.UpAxis + 1 : 0);
   if (this->Sun->GetOthers() != this->ShownLights) // but not what is typed and not yet applied
   {
     this->ShowLights();

@@ -34,12 +34,6 @@ bool AreClose(const SunAngles& a, const SunAngles& b)
   return std::abs(a.Elevation - b.Elevation) < near &&
     std::abs(turn) * std::cos(vtkMath::RadiansFromDegrees(a.Elevation)) < near;
 }
-
-int GetUpAxis(const scene::Settings& settings)
-{
-  const std::string up = settings.Get("--up");
-  return up == "x" ? 0 : up == "z" ? 2 : 1;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -131,7 +125,7 @@ void SunGroup::ShowSettings()
   if (this->Own >= 0)
   {
     const std::string& sun = lights[static_cast<std::size_t>(this->Own)];
-    const int up = GetUpAxis(settings);
+    const int up = this->Edited->GetUpAxis();
     if (sun != this->Written || up != this->WrittenUp)
     {
       const SunAngles angles = GetSunAngles(scene::ParseLight(sun).Position, up);
@@ -170,7 +164,7 @@ void SunGroup::PlaceSun()
     : SunAngles{ this->Sun->Azimuth->GetValue(), this->Sun->Elevation->GetValue() };
   this->Sun->Azimuth->SetValue(angles.Azimuth);
   this->Sun->Elevation->SetValue(angles.Elevation);
-  this->WrittenUp = GetUpAxis(this->Edited->Get());
+  this->WrittenUp = this->Edited->GetUpAxis();
   const std::string sun = WriteSun(GetSunDirection(angles, this->WrittenUp));
   if (this->Own < 0)
   {

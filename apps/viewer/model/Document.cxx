@@ -114,4 +114,11 @@ void Document::SetFacts(const Facts& facts)
   this->Known = facts;
   Q_EMIT this->factsChanged();
 }
+
+//------------------------------------------------------------------------------
+int Document::GetUpAxis() const
+{
+  const scene::RenderOptions options = this->Now.Parse();
+  return options.FindsUp ? this->Known.UpAxis : options.UpAxis;
+}
 }

@@ -58,6 +58,9 @@ public:
   void SetFacts(const Facts& facts);
   ///@}
 
+  /// That of the settings, or, where they leave it to that, of the files: 0, 1, 2 for x, y, z.
+  int GetUpAxis() const;
+
 Q_SIGNALS:
   /// What was asked for last is seen, or was refused.
   void shown();

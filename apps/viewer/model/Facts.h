@@ -19,6 +19,7 @@ struct Facts
   std::vector<std::string> Layers;            ///< arrays in the words of layers, which can be read
   std::array<double, 2> Times = { 0.0, 0.0 }; ///< seconds; equal: nothing moves
   std::vector<std::string> Animations;        ///< names, of all models
+  int UpAxis = 1;                             ///< by the first file: 0, 1, 2 for x, y, z
   /// Names of the point arrays of each file, by the option: lamps, fog, markers.
   std::map<std::string, std::vector<std::vector<std::string>>> PointArrays;
 };

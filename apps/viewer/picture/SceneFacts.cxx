@@ -71,6 +71,7 @@ Facts GetFacts(const Picture& picture)
     }
   }
   Facts facts;
+  facts.UpAxis = scene.Get().UpAxis;
   for (int kind = 0; kind < 2; ++kind)
   {
     for (const auto& [name, components] : arrays[kind])

@@ -192,11 +192,11 @@ void AddViewMenu(MainWindow* window)
   {
     QAction* look = Add(menu, window, side.Text, QKeySequence(side.Key), QString("look") + side.Key,
       [window, along = side.Along, up = side.Up] {
-        const std::string axis = window->GetDocument()->Get().Get("--up");
+        const int axis = window->GetDocument()->GetUpAxis();
         // The sides are named for y up; other axes turn them as the fitted camera is turned.
         const auto turn = [&axis](const std::array<double, 3>& v) {
-          return axis == "z" ? std::array<double, 3>{ v[0], -v[2], v[1] }
-            : axis == "x"    ? std::array<double, 3>{ v[1], -v[0], v[2] }
+          return axis == 2 ? std::array<double, 3>{ v[0], -v[2], v[1] }
+            : axis == 0    ? std::array<double, 3>{ v[1], -v[0], v[2] }
                              : v;
         };
         window->GetView()->GetPicture().LookAlong(turn(along), turn(up));
