@@ -8,7 +8,7 @@
     relievo.write_exr("frame.exr", image)
 
     relievo.environment(renderer, "forest.exr")           # light, mirrors and sky
-    relievo.scene("bike.obj", up="z", preset="studio").render("bike.png")
+    relievo.scene("bike.obj").render("bike.png")
 
 Rows of numpy arrays run downwards, VTK's upwards: layer(), from_image() and to_image() turn them.
 

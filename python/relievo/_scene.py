@@ -187,7 +187,7 @@ def _describe():
     """The docstring of scene(), with every option of the command."""
     text = '''A scene of files, as `relievo render` makes it: render() draws it, renderer is VTK's.
 
-    relievo.scene("bike.obj", up="z", preset="studio").render("bike.png")
+    relievo.scene("bike.obj").render("bike.png")
 
 files: what `relievo --help` lists. Options are those of the command, with _ for -: text as behind
 the option, a number, a tuple of numbers, True for an option without a value; a list for one that

@@ -38,6 +38,7 @@ const std::vector<QStringList> Rows = {
   { "--shading", "gouraud" },
   { "--shading", "phong" },
   { "--preset", "print" },
+  { "--preset", "studio", "--ground", "off", "--up", "z" },
   { "--color-by", "part", "--range", "100,300", "--colormap", "cool-warm" },
   { "--color-by", "height", "--colormap", "grey" },
   { "--color-by", "height", "--colormap", "hot" },

@@ -61,7 +61,7 @@ private Q_SLOTS:
     auto* up = this->Window->findChild<QComboBox*>("up");
     for (const int axis : { 2, 0, 1 })
     {
-      up->setCurrentIndex(axis);
+      up->setCurrentIndex(axis + 1); // behind that of the file
       this->WaitUntilRead();
       const std::array<double, 3> wanted =
         viewer::GetSunDirection(viewer::GetSunAngles(time), axis);
