@@ -200,7 +200,7 @@ void NoteIdleStages(vtkRelievoPass* pass, const std::vector<StageChoice>& stages
   for (const StageChoice& choice : stages)
   {
     vtkRelievoStage* stage = pass->GetStage(choice.Name);
-    if (stage->GetReasonCode() != "ran")
+    if (stage->GetReasonCode() != "ran" && choice.Option != "--preset")
     {
       const std::string asked =
         choice.Option + (choice.Option == StageChoice().Option ? " " + choice.Name : "");

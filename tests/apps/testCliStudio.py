@@ -57,7 +57,8 @@ class Studio(CliTest):
 
     def seen(self, *words):
         """Where the model is in the picture, and the EXR's layers."""
-        self.relievo("render", *words, *SIZE, "--exr", "a.exr", "--layers", "depth,actor")
+        done = self.relievo("render", *words, *SIZE, "--exr", "a.exr", "--layers", "depth,actor")
+        self.assertEqual(done.stderr, "")
         layers = self.exr("a.exr")[1]
         return numpy.isfinite(layers["depth.Z"]), layers
 
