@@ -154,6 +154,10 @@ void pqRelievoPanel::Rewatch()
   {
     message = "No view is active.";
   }
+  else if (!known && view->getProxy()->IsA("vtkSMComparativeViewProxy"))
+  {
+    message = "Comparative views have nothing of Relievo. Open a Render View for it.";
+  }
   else if (!known)
   {
     message = vtkSMRenderViewProxy::SafeDownCast(view->getProxy())

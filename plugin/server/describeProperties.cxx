@@ -133,6 +133,10 @@ std::string MakeHints(
       out << "finite=\"1\"/>\n";
     }
   }
+  if (ofArray)
+  {
+    out << "          <Array components=\"" << parameter.GetNumberOfComponents() << "\"/>\n";
+  }
   // Lamps from data cast, too, where the shadows of lights are off.
   const bool ofLamps = described.Owner == "shadows:" && parameter.Name == "lamp_map_size";
   out << (ofLamps ? "" : described.Shown);
@@ -217,7 +221,7 @@ std::string MakeProperty(const Described& described, const vtkRelievoParameter& 
     out << "      <StringVectorProperty name=\"" << name << "Array\" label=\""
         << Escape(parameter.GetLabel()) << " Array\" command=\"SetArray\" initial_string=\""
         << words << "\" number_of_elements=\"1\" default_values=\"" << parameter.Name
-        << "\" animateable=\"0\" panel_visibility=\"advanced\">\n"
+        << "\" animateable=\"0\" panel_visibility=\"advanced\" panel_widget=\"relievo_array\">\n"
         << Documentation(
              "Point array of the " + parameter.Name + " of each; empty takes one for all.")
         << MakeHints(described, parameter, true) << "      </StringVectorProperty>\n";

@@ -14,6 +14,7 @@
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVSynchronizedRenderer.h"
+#include "vtkProcessModule.h"
 #include "vtkSelectionRepresentation.h"
 #include "vtkSynchronizedRenderers.h"
 
@@ -31,6 +32,12 @@ public:
     return view->*(&View::SynchronizedRenderers);
   }
   static vtkLightKit* Kit(vtkPVRenderView* view) { return view->*(&View::LightKit); }
+  // Whether its picture is made by a server, and this process only shows it.
+  static bool IsDrawnElsewhere(vtkPVRenderView* view)
+  {
+    return vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT &&
+      view->GetUseDistributedRenderingForRender();
+  }
   // Whether what it draws is saved.
   static bool IsSaving(vtkPVRenderView* view) { return (view->*(&View::GetInCaptureScreenshot))(); }
 };

@@ -22,13 +22,6 @@
 
 namespace
 {
-// Whether the view's picture is made elsewhere, and this process only shows it.
-bool IsDrawnElsewhere(vtkPVRenderView* view)
-{
-  return vtkProcessModule::GetProcessType() == vtkProcessModule::PROCESS_CLIENT &&
-    view->GetUseDistributedRenderingForRender();
-}
-
 // Who puts the pictures of several processes together, or nullptr.
 vtkSynchronizedRenderers* FindCompositor(vtkPVRenderView* view)
 {
@@ -119,7 +112,7 @@ void vtkPVRelievoEnvironment::Prepare(vtkObject* self, vtkPVRenderView* view)
 {
   const bool mirrored = vtkPVRelievoMaterial::IsMirrored(view);
   const bool ready =
-    (mirrored || this->Sky) && !IsDrawnElsewhere(view) && this->Ready(self, mirrored);
+    (mirrored || this->Sky) && !vtkPVRelievoAccess::View::IsDrawnElsewhere(view) && this->Ready(self, mirrored);
   vtkPVRelievoMaterial::Prepare(view, ready ? this->Environment.Get() : nullptr);
   this->Skybox->SetEnvironment(ready && this->Sky ? this->Environment.Get() : nullptr);
   vtkRenderer* renderer = view->GetRenderer();

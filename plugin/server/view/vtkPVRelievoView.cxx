@@ -355,7 +355,9 @@ const char* vtkPVRelievoView::GetShadowLayers()
 bool vtkPVRelievoView::ReadShownLayer(const char* name, vtkImageData* image)
 {
   image->Initialize();
+  // Where a server draws, this process draws a frame too, which has no surfaces.
   const bool good = this->IsInPlace() &&
+    !vtkPVRelievoAccess::View::IsDrawnElsewhere(this->Internal->View) &&
     this->Internal->Frame->GetLayersStage()->GetHoldsLayers() &&
     this->Internal->Frame->TryReadLayers({ name }, image).empty();
   if (!good)

@@ -111,6 +111,13 @@ class Window(pv.Test):
         self.assertEqual(notes["undone"], [both])
         self.assertEqual(notes["back"], [both])
 
+    def testFields(self):
+        """Files are read when their names are finished; arrays; the dock of a comparative view."""
+        notes = self.played("fields.xml", PV_PLUGIN_PATH=str(pathlib.Path(pv.PLUGIN).parent))
+        self.assertEqual(notes["typed"], [""])
+        self.assertEqual(notes["finished"], ["a.png"])
+        self.assertEqual(notes["chosen"], ["Normals"], "the one array of three components")
+
     def testLayersMenus(self):
         """Relievo Layers and Depth To Points by the menus, of a view that is not the active one."""
         notes = self.played("layersMenus.xml", PV_PLUGIN_PATH=str(pathlib.Path(pv.PLUGIN).parent))

@@ -132,6 +132,43 @@ def material(name):
 
 
 @noted
+def shown(name, *properties):
+    """Keeps display properties of the active source."""
+    display = simple.GetDisplayProperties()
+    note(name, [str(display.GetProperty(each).GetElement(0)) for each in properties])
+
+
+@noted
+def wear(**values):
+    """Sets display properties of the active source, as a script does."""
+    display = simple.GetDisplayProperties()
+    for name, value in values.items():
+        setattr(display, name, value)
+
+
+@noted
+def chooseFloor():
+    """The floor is the active source."""
+    simple.SetActiveSource(simple.FindSource("Plane1"))
+
+
+@noted
+def goToOutput():
+    """From now on names of files without a folder are of the test's own."""
+    os.chdir(OUTPUT)
+
+
+@noted
+def comparativeView():
+    """A comparative view beside the first; it becomes the active one."""
+    layout = simple.GetLayout()
+    layout.SplitHorizontal(0, 0.5)
+    view = simple.CreateView("ComparativeRenderView")
+    layout.AssignView(2, view)
+    simple.SetActiveView(view)
+
+
+@noted
 def startTrace():
     """From now on what is done is written as Python."""
     smtrace.start_trace()
