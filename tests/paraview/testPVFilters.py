@@ -222,6 +222,36 @@ output.VTKObject.SetPolys(cells)
         none.UpdatePipeline(1)
         self.assertEqual(servermanager.Fetch(none).GetNumberOfPoints(), 0)
 
+    def test_what_is_shown_at_first(self):
+        """Caves, shells and cubes are seen as soon as they are shown; what somebody chose stays."""
+        ball = simple.Sphere(ThetaResolution=60, PhiResolution=60)
+        shell = simple.VoxelShell(Input=ball, Resolution=20)
+        cubes = simple.VoxelCubes(Input=shell)
+        for source, kind, array in (
+            (simple.Caves(), "Volume", ("POINTS", "cave")),
+            (shell, "Volume", ("CELLS", "mask")),
+            (cubes, "3D Glyphs", None),
+        ):
+            view = simple.CreateView("RenderView", ViewSize=[300, 300])
+            view.OrientationAxesVisibility = 0
+            empty = pv.picture(view)
+            shown = simple.Show(source, view)
+            view.ResetCamera()
+            with self.subTest(source.SMProxy.GetXMLLabel()):
+                self.assertEqual(shown.Representation, kind)
+                if array:
+                    self.assertEqual(tuple(shown.ColorArrayName), array)
+                seen = pv.picture(view)
+                self.differ(seen, empty, "seen", share=0.05)
+                pv.write(pv.OUTPUT / f"{source.SMProxy.GetXMLName()}.png", seen)
+                if kind == "Volume":
+                    self.assertEqual(shown.Shade, 1)
+                else:
+                    self.assertEqual((shown.Scaling, shown.ScaleFactor), (1, 1))
+                    self.assertEqual(shown.GlyphType.SMProxy.GetXMLName(), "CubeSource")
+                other = simple.Show(source, simple.CreateView("RenderView"), Representation="Outline")
+                self.assertEqual(other.Representation, "Outline")
+
     def way(self, radius):
         """How far particles go in a step, in the mean."""
         ball = simple.Sphere(Radius=radius, ThetaResolution=60, PhiResolution=60)
