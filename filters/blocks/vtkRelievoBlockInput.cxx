@@ -21,8 +21,8 @@ bool CheckBlockLabels(
 {
   if (!labels)
   {
-    problem = "the image needs an array of labels, on cells or points (SetInputArrayToProcess "
-              "chooses one); the one that was asked for is not there. On cells there are: " +
+    problem = "the image needs an array of labels, on cells or points; the one that was asked for "
+              "is not there. Choose another as the input array. On cells there are: " +
       ArrayNames(image->GetCellData()) + "; on points: " + ArrayNames(image->GetPointData());
     return false;
   }

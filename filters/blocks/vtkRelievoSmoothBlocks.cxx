@@ -186,7 +186,7 @@ int vtkRelievoSmoothBlocks::RequestData(
       vtkWarningMacro("The input does not give "
         << Internals::GhostLevels
         << " layers of ghost cells around each piece, so pieces do not fit together at their "
-           "borders. Make them with vtkGhostCellsGenerator (Ghost Cells in ParaView).");
+           "borders. A filter of ghost cells makes them.");
     }
   }
   const std::array<int, 6> all = { 1, box.Size[0], 1, box.Size[1], 1, box.Size[2] };
@@ -253,7 +253,7 @@ int vtkRelievoSmoothBlocks::RequestData(
     this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro("No weights of materials: there are "
       << report.WeightedLabels << " labels, and at most " << relievo::BlockMeshSettings::MostWeights
-      << " can have weights; choose some with AddWeightedLabel.");
+      << " can have weights; name those that shall (weighted labels).");
   }
   if (this->Seams)
   {

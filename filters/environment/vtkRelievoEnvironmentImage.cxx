@@ -184,8 +184,8 @@ Projection EnvironmentImage::Check(
 {
   if (!array || array->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
-    problem = "the image needs a point array of colours (its scalars, or SetInputArrayToProcess); "
-              "its point arrays are: " +
+    problem = "the image needs a point array of colours: its scalars, or another that is chosen as "
+              "the input array. Its point arrays are: " +
       ArrayNames(image->GetPointData());
     return Projection::Automatic;
   }

@@ -239,8 +239,8 @@ int vtkRelievoHeightsToNormals::RequestData(
   std::string problem;
   if (!heights || heights->GetNumberOfTuples() != input->GetNumberOfPoints())
   {
-    problem = "the input needs a point array of heights (its scalars, or SetInputArrayToProcess); "
-              "its point arrays are: " +
+    problem = "the input needs a point array of heights: its scalars, or another that is chosen as "
+              "the input array. Its point arrays are: " +
       relievo::ArrayNames(input->GetPointData());
   }
   else if (this->Component >= heights->GetNumberOfComponents())

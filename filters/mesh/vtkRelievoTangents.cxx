@@ -156,15 +156,15 @@ int vtkRelievoTangents::RequestData(
   const std::vector<vtkIdType> corners = Corners(input->GetPolys());
   if (!texture || texture->GetNumberOfComponents() < 2 || texture->GetNumberOfTuples() != count)
   {
-    problem = "the mesh needs texture coordinates in its point data (vtkRelievoTextureCoordinates "
-              "makes them); its point arrays are: " +
+    problem = "the mesh needs texture coordinates in its point data (the filter Texture "
+              "Coordinates makes them); its point arrays are: " +
       relievo::ArrayNames(input->GetPointData());
   }
   else if (input->GetNumberOfStrips() > 0 ||
     static_cast<vtkIdType>(corners.size()) != 3 * input->GetNumberOfPolys())
   {
-    problem = "the mesh has polygons that are not triangles, or triangle strips; run "
-              "vtkTriangleFilter first";
+    problem = "the mesh has polygons that are not triangles, or triangle strips; "
+              "triangulate them first";
   }
   if (!problem.empty())
   {

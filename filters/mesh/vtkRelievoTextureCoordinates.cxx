@@ -302,7 +302,7 @@ int vtkRelievoTextureCoordinates::RequestData(
   {
     this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro(
-      "No texture coordinates: the mesh has triangle strips; run vtkTriangleFilter first.");
+      "No texture coordinates: the mesh has triangle strips; triangulate them first.");
     return 1;
   }
   const Mesh mesh(input);

@@ -142,8 +142,8 @@ int vtkRelievoVoxelCubes::RequestData(
   {
     // The output stays empty. Status 0 would make the pipeline say it again in its own words.
     this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro("No cubes: the image has no cell array 'mask' of unsigned char, as Voxel Shell "
-                  "(vtkRelievoVoxelShell) makes.");
+    vtkErrorMacro("No cubes: the image has no cell array 'mask' of unsigned char; the filter Voxel "
+                  "Shell makes such images.");
     return 1;
   }
   const vtkRelievoVoxelDirection turn(image);

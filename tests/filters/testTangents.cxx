@@ -365,7 +365,7 @@ void TestRefusals()
     [](vtkPolyData* mesh) { mesh->GetPointData()->RemoveArray("TCoords"); });
   MustRefuse(
     "its point arrays are: none", [](vtkPolyData* mesh) { mesh->GetPointData()->Initialize(); });
-  MustRefuse("run vtkTriangleFilter first", [](vtkPolyData* mesh) {
+  MustRefuse("triangulate them first", [](vtkPolyData* mesh) {
     const vtkIdType quad[] = { 0, 1, 6, 5 };
     mesh->GetPolys()->InsertNextCell(4, quad);
   });

@@ -337,7 +337,7 @@ void TestMeshes()
   cells->InsertNextCell(4, strip);
   strips->SetStrips(cells);
   filter->SetInputData(strips);
-  CheckRefused(filter.Get(), "triangle strips; run vtkTriangleFilter first");
+  CheckRefused(filter.Get(), "triangle strips; triangulate them first");
 }
 }
 

@@ -147,6 +147,11 @@ OWN = re.compile(
 )
 
 
+# Names of C++ in a message, where its reader has menus and panels: classes, beyond that which
+# ParaView itself writes first, and methods.
+NAMES_OF_CODE = re.compile(r"\): .*(\bvtk[A-Z]|\b(Set|Get|Add|Clear)[A-Z]\w+)")
+
+
 def messages(text):
     """The errors and warnings in what a process wrote, without times and places."""
     found = [message.group(0) for message in MESSAGE.finditer(text)]

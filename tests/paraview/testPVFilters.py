@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The filters that make meshes and images ready for materials, as ParaView's users run them."""
 
+import sys
+
 import materialScene
 import numpy
 import pv
@@ -252,6 +254,15 @@ output.VTKObject.SetPolys(cells)
                 other = simple.Show(source, simple.CreateView("RenderView"), Representation="Outline")
                 self.assertEqual(other.Representation, "Outline")
 
+    def test_messages_name_no_code(self):
+        """What is wrong is said in the words of menus and panels."""
+        said = pv.run(__file__, "wrong")
+        parts = said.split("case ")[1:]
+        self.assertEqual(len(parts), 8, said)
+        for part in parts:
+            self.assertEqual(len(pv.messages(part)), 1, part)
+            self.assertNotRegex(part, pv.NAMES_OF_CODE)
+
     def way(self, radius):
         """How far particles go in a step, in the mean."""
         ball = simple.Sphere(Radius=radius, ThetaResolution=60, PhiResolution=60)
@@ -263,5 +274,29 @@ output.VTKObject.SetPolys(cells)
         return numpy.linalg.norm(places[1] - places[0], axis=1).mean()
 
 
-if __name__ == "__main__":
+def wrong():
+    """Each of these filters with an input that it refuses."""
+    pv.load()
+    image, ball = simple.Wavelet(), simple.Sphere()
+    empty = simple.PassArrays(Input=image)
+    strips = simple.TriangleStrips(Input=simple.TextureCoordinates(Input=ball))
+    for name, given in (
+        ("SmoothBlocks", image),
+        ("SmoothBlocks", empty),
+        ("HeightsToNormals", empty),
+        ("EnvironmentConvert", empty),
+        ("VoxelCubes", image),
+        ("TextureCoordinates", strips),
+        ("Tangents", strips),
+        ("Tangents", ball),
+    ):
+        sys.stdout.flush()
+        print("case", name, file=sys.stderr, flush=True)
+        getattr(simple, name)(Input=given).UpdatePipeline()
+
+
+if sys.argv[1:2] == ["wrong"]:
+    wrong()
+    pv.leave()
+elif __name__ == "__main__":
     pv.main()

@@ -235,6 +235,7 @@ class Materials(pv.PluginTest):
         for words, text in zip(expected, cases):
             self.assertIn(words, text)
             self.assertEqual(len(pv.messages(text)), 1, text)
+            self.assertNotRegex(text, pv.NAMES_OF_CODE)
             self.assertIn("same True", text)
 
     def wear_all(self):
