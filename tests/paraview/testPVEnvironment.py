@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A view's environment: what of it is seen behind, mirrored, and lights, as the truth says."""
 
+import sys
+import time
+
 import materialScene
 import numpy
 import pv
@@ -126,6 +129,21 @@ class Environment(pv.PluginTest):
         self.sees([255 * 0.0625] * 3, "half of it, and no other light")
         self.shown.RelievoMirror = 0
         self.sees([255] * 3, "unlit, as ParaView has it")
+
+    def test_levels_are_made_for_rough_mirrors(self):
+        """A sharp mirror does not wait for them."""
+        noise = numpy.random.default_rng(1).integers(0, 256, (128, 256, 3))
+        pv.write(pv.OUTPUT / "noise.png", noise)
+        self.view.RelievoEnvironment = str(pv.OUTPUT / "noise.png")
+        self.shown.RelievoMaterial = self.shown.RelievoMirror = 1
+        seconds = []
+        for roughness in (0.0, 0.3):
+            self.shown.RelievoRoughness = roughness
+            begin = time.monotonic()
+            pv.picture(self.view)
+            seconds.append(time.monotonic() - begin)
+        print("sharp %.2f s, rough %.2f s" % tuple(seconds), file=sys.stderr)
+        self.assertLess(seconds[0], seconds[1])
 
     def test_goes_together(self):
         """With ParaView's own and Relievo's: the same cells selected; off, the first picture."""

@@ -188,10 +188,11 @@ bool vtkPVRelievoMaterial::IsMirroring(vtkPVView* view)
 }
 
 //------------------------------------------------------------------------------
-bool vtkPVRelievoMaterial::IsMirrored(vtkPVView* view)
+bool vtkPVRelievoMaterial::IsMirrored(vtkPVView* view, bool rough)
 {
-  return std::any_of(GetAll().begin(), GetAll().end(),
-    [view](vtkPVRelievoMaterial* each) { return each->IsMirroring(view); });
+  return std::any_of(GetAll().begin(), GetAll().end(), [view, rough](vtkPVRelievoMaterial* each) {
+    return each->IsMirroring(view) && (!rough || each->GetMaterial()->GetRoughness() > 0.0);
+  });
 }
 
 //------------------------------------------------------------------------------

@@ -74,8 +74,8 @@ public:
   void SetValue(const char* parameter, double first, double second);
   ///@}
 
-  /** Whether any material in the view mirrors its environment. */
-  static bool IsMirrored(vtkPVView* view);
+  /** Whether any material in the view mirrors its environment; `rough`: and is rough. */
+  static bool IsMirrored(vtkPVView* view, bool rough = false);
 
   /** Before each picture: gives materials in the view that mirror its environment, or nullptr. */
   static void Prepare(vtkPVView* view, vtkRelievoEnvironment* environment);

@@ -44,7 +44,7 @@ public:
 
 private:
   static std::shared_ptr<vtkRelievoEnvironmentLight> Read(vtkObject* self, const std::string& path);
-  bool Ready(vtkObject* self, bool mirrored);
+  bool Ready(vtkObject* self, bool mirrored, bool rough);
 
   vtkNew<vtkRelievoSkybox> Skybox;
   vtkRelievoNullLight Darkness;
