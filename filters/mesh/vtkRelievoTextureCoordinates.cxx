@@ -301,8 +301,7 @@ int vtkRelievoTextureCoordinates::RequestData(
   if (input->GetNumberOfStrips() > 0)
   {
     this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(
-      "No texture coordinates: the mesh has triangle strips; triangulate them first.");
+    vtkErrorMacro("No texture coordinates: the mesh has triangle strips; triangulate them first.");
     return 1;
   }
   const Mesh mesh(input);

@@ -64,9 +64,8 @@ void pqRelievoArrayWidget::ListArrays()
   this->Arrays->clear();
   this->Arrays->addItem(QString());
   vtkSMPropertyHelper input(this->proxy(), "Input", /*quiet=*/true);
-  auto* source = input.GetNumberOfElements() > 0
-    ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy())
-    : nullptr;
+  auto* source =
+    input.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
   vtkPVDataInformation* about =
     source ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
   vtkPVDataSetAttributesInformation* points = about ? about->GetPointDataInformation() : nullptr;

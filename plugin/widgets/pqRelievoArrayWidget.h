@@ -5,8 +5,9 @@
  * @brief A combo box of the point arrays of a representation's data, for properties that hold the
  * name of one (panel_widget "relievo_array").
  *
- * Those with the number of components of the hint `<Array components="3"/>` are listed, 1 by default.
- * Other names can be written: of arrays that come with a later time step, for example. Empty: none.
+ * Those with the number of components of the hint `<Array components="3"/>` are listed, 1 by
+ * default. Other names can be written: of arrays that come with a later time step, for example.
+ * Empty: none.
  */
 #ifndef pqRelievoArrayWidget_h
 #define pqRelievoArrayWidget_h

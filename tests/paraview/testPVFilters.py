@@ -251,7 +251,8 @@ output.VTKObject.SetPolys(cells)
                 else:
                     self.assertEqual((shown.Scaling, shown.ScaleFactor), (1, 1))
                     self.assertEqual(shown.GlyphType.SMProxy.GetXMLName(), "CubeSource")
-                other = simple.Show(source, simple.CreateView("RenderView"), Representation="Outline")
+                second = simple.CreateView("RenderView")
+                other = simple.Show(source, second, Representation="Outline")
                 self.assertEqual(other.Representation, "Outline")
 
     def test_messages_name_no_code(self):

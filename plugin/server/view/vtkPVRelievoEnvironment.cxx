@@ -118,8 +118,8 @@ bool vtkPVRelievoEnvironment::Ready(vtkObject* self, bool mirrored, bool rough)
 void vtkPVRelievoEnvironment::Prepare(vtkObject* self, vtkPVRenderView* view)
 {
   const bool mirrored = vtkPVRelievoMaterial::IsMirrored(view);
-  const bool ready =
-    (mirrored || this->Sky) && !vtkPVRelievoAccess::View::IsDrawnElsewhere(view) && this->Ready(self, mirrored, vtkPVRelievoMaterial::IsMirrored(view, true));
+  const bool ready = (mirrored || this->Sky) && !vtkPVRelievoAccess::View::IsDrawnElsewhere(view) &&
+    this->Ready(self, mirrored, vtkPVRelievoMaterial::IsMirrored(view, true));
   vtkPVRelievoMaterial::Prepare(view, ready ? this->Environment.Get() : nullptr);
   this->Skybox->SetEnvironment(ready && this->Sky ? this->Environment.Get() : nullptr);
   vtkRenderer* renderer = view->GetRenderer();
