@@ -22,8 +22,7 @@
 
 namespace
 {
-// Of levels for rough mirrors: a third of the time of the filter's own, and no difference that is
-// seen.
+// Of levels for rough mirrors, as the command has them: in a third of the filter's own time.
 constexpr double LevelTolerance = 2e-3;
 
 // Who puts the pictures of several processes together, or nullptr.
