@@ -4,10 +4,10 @@
  * @class vtkSMRelievoFirstShown
  * @brief Gives a new representation a type that shows its data.
  *
- * The hint `<InitializationHelper class="vtkSMRelievoFirstShown" type="Volume"/>` of a representation
- * names the type. ParaView shows images as outlines and points as dots otherwise. With `scales`, the
- * name of a point array of three components, each point is shown as a box of that size. Whatever
- * somebody has set while the representation was made stays.
+ * The hint `<InitializationHelper class="vtkSMRelievoFirstShown" type="Volume"/>` of a
+ * representation names the type. ParaView shows images as outlines and points as dots otherwise.
+ * With `scales`, the name of a point array of three components, each point is shown as a box of
+ * that size. A type that was set while the representation was made stays.
  */
 #ifndef vtkSMRelievoFirstShown_h
 #define vtkSMRelievoFirstShown_h
