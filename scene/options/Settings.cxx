@@ -33,10 +33,21 @@ std::string GetFirstTime(const std::string& times)
   return WriteNumber(options.Model.Times.front());
 }
 
+// Of which one sample is none.
+bool IsOff(const std::string& stage, const std::string& samples)
+{
+  return stage == "antialias" && samples == "1";
+}
+
 vtkRelievoPass* GetNewFrame()
 {
   static const vtkNew<vtkRelievoPass> frame;
   return frame;
+}
+
+std::string GetDefault(const std::string& stage, const std::string& parameter)
+{
+  return GetNewFrame()->GetStage(stage)->GetParameterDefault(parameter);
 }
 }
 
@@ -71,11 +82,16 @@ void Settings::TakeStages(const RenderOptions& options)
   {
     this->Set("--shadows", "map");
   }
+  const bool soft = this->Has("--soft-shadows"); // or else the preset's, which no word says
+  for (const std::string& option : SaidByStages)
+  {
+    this->Remove(option);
+  }
   if (options.ShadowSize)
   {
     this->SetParameter("shadows", "map_size", std::to_string(*options.ShadowSize));
   }
-  if (options.SoftShadows)
+  if (soft)
   {
     this->SetParameter("shadows", "soft_samples", std::to_string(*options.SoftShadows));
   }
@@ -87,12 +103,12 @@ void Settings::TakeStages(const RenderOptions& options)
   {
     this->SetParameter("shadows", "time_budget", WriteNumber(*options.TimeBudget));
   }
-  for (const std::string& option : SaidByStages)
-  {
-    this->Remove(option);
-  }
   for (const StageChoice& choice : options.Stages)
   {
+    if (choice.Option == "--preset")
+    {
+      continue;
+    }
     this->AskStage(choice.Name, true);
     for (const auto& [name, value] : choice.Parameters)
     {
@@ -285,9 +301,65 @@ std::string Settings::GetParameter(const std::string& stage, const std::string& 
 }
 
 //------------------------------------------------------------------------------
-std::string Settings::GetStandard(const std::string& stage, const std::string& parameter)
+// Of what no word says: the preset's, where it has one.
+std::string Settings::GetStandard(const std::string& stage, const std::string& parameter) const
 {
-  return GetNewFrame()->GetStage(stage)->GetParameterDefault(parameter);
+  if (stage == "shadows" && parameter == "soft_samples")
+  {
+    const std::optional<int> samples = this->Parse().SoftShadows;
+    return samples ? std::to_string(*samples) : GetDefault(stage, parameter);
+  }
+  if (stage == "antialias" && !this->IsStageAsked(stage))
+  {
+    for (const StageChoice& choice : this->Parse().Stages)
+    {
+      for (const auto& [name, value] :
+        choice.Name == stage ? choice.Parameters : decltype(choice.Parameters)())
+      {
+        if (name == parameter)
+        {
+          return value;
+        }
+      }
+    }
+  }
+  return GetDefault(stage, parameter);
+}
+
+//------------------------------------------------------------------------------
+bool Settings::IsStageOn(const std::string& stage) const
+{
+  if (stage == "shadows")
+  {
+    return this->ShowsShadows();
+  }
+  if (stage != "antialias") // which presets ask for
+  {
+    return this->IsStageAsked(stage);
+  }
+  const std::vector<StageChoice> stages = this->Parse().Stages;
+  return !IsOff(stage, this->GetParameter(stage, "samples")) &&
+    std::any_of(stages.begin(), stages.end(),
+      [&stage](const StageChoice& choice) { return choice.Name == stage; });
+}
+
+//------------------------------------------------------------------------------
+void Settings::SwitchStage(const std::string& stage, bool on)
+{
+  if (stage == "shadows")
+  {
+    this->SetParameter(stage, "visible", on ? "on" : "off");
+    return;
+  }
+  this->AskStage(stage, false);
+  if (on && !this->IsStageOn(stage))
+  {
+    this->AskStage(stage, true);
+  }
+  else if (!on && this->IsStageOn(stage)) // the preset's
+  {
+    this->SetParameter(stage, "samples", "1");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -342,16 +414,15 @@ void Settings::SetParameter(
 void Settings::SetGiven(
   const std::string& stage, const std::string& parameter, const std::string& value)
 {
-  vtkRelievoStage* fresh = GetNewFrame()->GetStage(stage);
   Parameters& given = this->Stages[stage];
   given.erase(std::remove_if(given.begin(), given.end(),
                 [&parameter](const auto& each) { return each.first == parameter; }),
     given.end());
-  if (value != fresh->GetParameterDefault(parameter))
+  if (value != this->GetStandard(stage, parameter))
   {
     given.emplace_back(parameter, value);
   }
-  else if (given.empty() && fresh->GetDescription().OnByDefault)
+  else if (given.empty() && GetNewFrame()->GetStage(stage)->GetDescription().OnByDefault)
   {
     this->Stages.erase(stage);
   }

@@ -53,7 +53,8 @@ public:
   void Remove(const std::string& option) { this->Values.erase(option); }
 
   ///@{
-  /// Stages. A parameter's value is in words; that of one that was not given is its default.
+  /// Stages. A parameter's value is in words; that of one that was not given is the
+  /// preset's or its default.
   /// Setting a parameter asks for its stage.
   bool IsStageAsked(const std::string& stage) const { return this->Stages.count(stage) != 0; }
   void AskStage(const std::string& stage, bool asked);
@@ -64,6 +65,10 @@ public:
   std::string GetParameter(const std::string& stage, const std::string& parameter) const;
   void SetParameter(
     const std::string& stage, const std::string& parameter, const std::string& value);
+
+  /// Whether the picture has the stage, by these words or by the preset.
+  bool IsStageOn(const std::string& stage) const;
+  void SwitchStage(const std::string& stage, bool on);
   ///@}
 
   /// Options, and STAGE:PARAMETER, that the other says differently; "" for files.
@@ -82,7 +87,7 @@ private:
   void DropValue(const std::string& option, const std::string& name);
   bool ShowsShadows() const;
   void SetShadows(bool visible, const std::string& method);
-  static std::string GetStandard(const std::string& stage, const std::string& parameter);
+  std::string GetStandard(const std::string& stage, const std::string& parameter) const;
   const std::string* Find(const std::string& stage, const std::string& parameter) const;
   void SetGiven(const std::string& stage, const std::string& parameter, const std::string& value);
 

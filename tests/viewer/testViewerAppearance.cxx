@@ -4,6 +4,8 @@
 // A screen with two pixels for each of the desktop's, and dark controls.
 #include "ViewerTest.h"
 
+#include "ColorButton.h"
+
 #include "vtkRenderWindow.h"
 
 #include <QAbstractButton>
@@ -101,10 +103,50 @@ private Q_SLOTS:
     QVERIFY(!this->Window->isFullScreen());
   }
 
+  // A reason is read in full; a swatch shows the default.
+  void notes()
+  {
+    this->Open({ this->WriteScene(), "--lamps", this->WritePoints(), "--stage",
+      "antialias:samples=8", "--stage", "display:layer=depth", "--stage", "light_depth" });
+    this->Window->findChild<QDockWidget*>("stages")->raise();
+    this->Grab();
+    QTest::qWait(200);
+    int seen = 0;
+    for (const QLabel* label : this->Window->findChildren<QLabel*>("reason"))
+    {
+      if (!label->isHidden())
+      {
+        ++seen;
+        QVERIFY2(label->height() >= label->heightForWidth(label->width()),
+          qPrintable(QString("%1 in %2: %3")
+                       .arg(label->heightForWidth(label->width()))
+                       .arg(label->height())
+                       .arg(label->text())));
+        QVERIFY2(!label->text().contains("no output") && !label->text().contains("Enabled"),
+          qPrintable(label->text()));
+      }
+    }
+    QVERIFY(seen > 0);
+    for (const char* word : { "Way", "Floats", "Casting" })
+    {
+      for (const QLabel* label : this->Window->findChildren<QLabel*>())
+      {
+        QVERIFY2(label->text() != word, word);
+      }
+    }
+    seen = 0;
+    for (const auto* button : this->Window->findChildren<viewer::ColorButton*>())
+    {
+      ++seen;
+      QVERIFY(button->GetColor().isValid());
+    }
+    QVERIFY(seen > 0);
+  }
+
   // Words and signs can be read, the picture is the same, and the choice lasts.
   void dark()
   {
-    this->Open({ this->WriteScene(), "--lamps", this->WritePoints() });
+    this->Open({ this->WriteScene(), "--lamps", this->WritePoints(), "--shadows", "map" });
     const vtkSmartPointer<vtkImageData> before = this->Grab();
     const QString style = QApplication::style()->objectName();
     const QColor desktop = QApplication::palette().color(QPalette::Window);

@@ -92,6 +92,12 @@ private Q_SLOTS:
       }
     }
     QVERIFY2(words.contains("1 light casts") && words.contains("Lamps: "), qPrintable(words));
+    QVERIFY2(!words.contains("no output") && !words.contains("EnabledOff"), qPrintable(words));
+    QVERIFY2(words.contains("switched off") && words.contains("does not need"), qPrintable(words));
+    for (const QLabel* label : table->findChildren<QLabel*>())
+    {
+      QVERIFY(label->text() != "Delegate");
+    }
     double longest = 0.0;
     int widest = 0;
     const QVector<relievoQt::FrameReport::Stage>& bars = chart->GetStages();

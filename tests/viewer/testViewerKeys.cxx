@@ -16,6 +16,7 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QGroupBox>
+#include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
@@ -225,6 +226,87 @@ private Q_SLOTS:
     redo->trigger();
     QVERIFY(this->Window->GetDocument()->Get() == edited);
     QCOMPARE(CountDifferent(after, this->Grab()), 0);
+  }
+
+  // Tab goes around, through the picture and the panel's controls, both ways.
+  void tab()
+  {
+    this->Open({ this->WriteScene(), "--lamps", this->WritePoints() });
+    for (const char* name : { "stages", "light", "look", "layers", "report" })
+    {
+      this->Window->findChild<QDockWidget*>(name)->raise();
+      QTest::qWait(50);
+      QVERIFY(this->Activate());
+      for (const Qt::Key key : { Qt::Key_Tab, Qt::Key_Backtab })
+      {
+        this->Window->GetView()->setFocus();
+        QString seen;
+        QWidget* last = this->Window->GetView();
+        int steps = 0;
+        do
+        {
+          QTest::keyClick(this->Window->windowHandle(), key);
+          QWidget* focus = QApplication::focusWidget();
+          QVERIFY2(focus && focus != last && focus->isVisible(),
+            qPrintable(QString("%1: %2, stays").arg(name, seen)));
+          seen += QString(" ") + focus->metaObject()->className() + ":" + focus->objectName();
+          last = focus;
+          QVERIFY2(++steps < 200, qPrintable(seen.left(2000)));
+        } while (last != this->Window->GetView());
+      }
+    }
+  }
+
+  // Undoing goes on where it has hidden the field with the focus, and where a text has it.
+  void undoAfterHiding()
+  {
+    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6" });
+    const scene::Settings opened = this->Window->GetDocument()->Get();
+    this->Window->findChild<QDockWidget*>("light")->raise();
+    this->Window->findChild<QCheckBox*>("edges")->setChecked(true);
+    auto* sun = this->Window->findChild<QGroupBox*>("sun");
+    sun->findChild<QComboBox*>("by")->setCurrentIndex(1);
+    auto* hours = sun->findChild<QWidget*>("time")->findChild<QDoubleSpinBox*>();
+    QTRY_VERIFY(hours->isVisible());
+    QVERIFY(this->Activate());
+    hours->setFocus();
+    for (int i = 0; i < 2; ++i) // the place, and the edges
+    {
+      QWidget* focus = this->Window->focusWidget();
+      QTest::keyClick(focus ? focus : this->Window.get(), Qt::Key_Z, Qt::ControlModifier);
+    }
+    QVERIFY(!hours->isVisible());
+    QVERIFY(this->Window->GetDocument()->Get() == opened);
+    this->Window->findChild<QCheckBox*>("edges")->setChecked(true);
+    auto* lights = this->Window->findChild<QPlainTextEdit*>("lights");
+    lights->setFocus(); // in which nothing was typed
+    QTest::keyClick(lights, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(this->Window->GetDocument()->Get() == opened);
+  }
+
+  // A slider that is drawn is one edit, however long it is held and wherever it begins.
+  void undoOfDrag()
+  {
+    this->Open({ this->WriteScene() });
+    this->Window->findChild<QDockWidget*>("stages")->raise();
+    const auto drag = [this](const char* group, const char* name) {
+      auto* slider = this->Window->findChild<QGroupBox*>(group)
+                       ->findChild<QWidget*>(name)
+                       ->findChild<QSlider*>();
+      QVERIFY(slider);
+      QTest::mousePress(slider, Qt::LeftButton, Qt::NoModifier, QPoint(1, 1));
+      slider->setValue(slider->minimum() + 3);
+      QTest::qWait(1100);
+      slider->setValue(slider->minimum() + 5);
+      QTest::mouseRelease(slider, Qt::LeftButton, Qt::NoModifier, QPoint(1, 1));
+      QTest::qWait(50);
+    };
+    auto* undo = this->Window->findChild<QAction*>("undo");
+    const scene::Settings opened = this->Window->GetDocument()->Get();
+    drag("shadows", "filter_radius"); // the first value asks for the stage
+    undo->trigger();
+    QVERIFY(this->Window->GetDocument()->Get() == opened);
+    QVERIFY(!undo->isEnabled());
   }
 };
 

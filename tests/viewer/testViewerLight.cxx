@@ -119,6 +119,53 @@ private Q_SLOTS:
     QVERIFY(std::abs(this->Shown("sun", "elevation") - angles.Elevation) < 0.006);
   }
 
+  // Undoing and doing again bring back that the sun stood by date, with the time.
+  void undoByDate()
+  {
+    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6" });
+    auto* by = static_cast<QComboBox*>(this->Find("sun", "by"));
+    by->setCurrentIndex(1);
+    const double noon = this->Shown("sun", "time");
+    QTest::qWait(1100); // another edit
+    this->Type("sun", "time", 9.5);
+    viewer::Document* document = this->Window->GetDocument();
+    document->Undo();
+    QCOMPARE(by->currentIndex(), 1);
+    QCOMPARE(this->Shown("sun", "time"), noon);
+    document->Undo();
+    QCOMPARE(by->currentIndex(), 0);
+    document->Redo();
+    document->Redo();
+    QCOMPARE(by->currentIndex(), 1);
+    QCOMPARE(this->Shown("sun", "time"), 9.5);
+    // Chosen angles stay angles.
+    by->setCurrentIndex(0);
+    QTest::qWait(1100);
+    this->Type("sun", "azimuth", 100.0);
+    document->Undo();
+    QCOMPARE(by->currentIndex(), 0);
+  }
+
+  // The panel says where the light comes from that no control shows, and what own lights change.
+  void presetsLights()
+  {
+    const auto note = [this](const char* group) {
+      auto* label = static_cast<QLabel*>(this->Find(group, "presetsLights"));
+      return label->isHidden() || !label->isEnabled() ? QString() : label->text();
+    };
+    this->Open({ this->WriteScene(), "--preset", "studio" });
+    for (const char* group : { "sun", "otherLights" })
+    {
+      QVERIFY2(note(group).contains("studio"), group);
+      QVERIFY2(note(group).contains("first light"), group);
+    }
+    this->Window->findChild<QGroupBox*>("sun")->setChecked(true);
+    QVERIFY(note("sun").contains("fill") && !note("sun").contains("first light is on"));
+    this->Change([](scene::Settings& settings) { settings.Set("--preset", "none"); });
+    QCOMPARE(note("sun"), QString());
+    QCOMPARE(note("otherLights"), QString());
+  }
+
   // A slider stands where its number is, also before it was ever moved.
   void sliderAndNumber()
   {

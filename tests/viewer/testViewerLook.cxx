@@ -6,6 +6,15 @@
 
 #include "FileEdit.h"
 
+#include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -115,6 +124,56 @@ private Q_SLOTS:
     this->Choose("colors", "colorby", "height");
     QVERIFY(!this->Window->GetDocument()->Get().Has("--color"));
     QCOMPARE(this->Window->GetTrouble(), QString());
+  }
+
+  // Arrays of colours have no values for a bar; arrays of points and of cells may share a name.
+  void colorsOfArrays()
+  {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(this->WriteScene().c_str());
+    reader->Update();
+    vtkPolyData* data = reader->GetOutput();
+    vtkNew<vtkUnsignedCharArray> rgb;
+    rgb->SetName("rgb");
+    rgb->SetNumberOfComponents(3);
+    rgb->SetNumberOfTuples(data->GetNumberOfPoints());
+    rgb->Fill(200);
+    data->GetPointData()->AddArray(rgb);
+    vtkNew<vtkFloatArray> cells;
+    cells->SetName("height");
+    cells->SetNumberOfTuples(data->GetNumberOfCells());
+    cells->Fill(0.25);
+    cells->SetTuple1(0, 4.0);
+    data->GetCellData()->AddArray(cells);
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetDataModeToBinary();
+    writer->SetInputData(data);
+    writer->SetFileName(this->Path("arrays.vtp").c_str());
+    writer->Write();
+    this->Open({ this->Path("arrays.vtp") });
+    QVERIFY(this->Find<QComboBox>("colors", "colorby")->findData("height") < 0);
+    this->Choose("colors", "colorby", "cell:height");
+    QCOMPARE(this->Find<QComboBox>("colors", "colorby")->currentData().toString(),
+      QString("cell:height"));
+    this->Find<QCheckBox>("colors", "automaticRange")->setChecked(false);
+    QCOMPARE(this->Get("--range"), std::string("0.25,4"));
+    this->Compare("of cells");
+    this->Find<QCheckBox>("colors", "automaticRange")->setChecked(true);
+    this->Choose("colors", "colorby", "point:height");
+    auto* bar = this->Find<QCheckBox>("colors", "scalarbar");
+    bar->setChecked(true);
+    QVERIFY(this->Window->GetDocument()->Get().Has("--scalar-bar"));
+    this->Choose("colors", "colorby", "rgb");
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QCOMPARE(this->Get("--color-by"), std::string("rgb"));
+    QVERIFY(!bar->isChecked() && !bar->isEnabled());
+    this->Choose("colors", "component", "1"); // which is a value
+    QVERIFY(bar->isEnabled());
+    bar->setChecked(true);
+    this->Choose("colors", "component", "");
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QVERIFY(!bar->isEnabled());
+    this->Compare("colours");
   }
 
   void models()

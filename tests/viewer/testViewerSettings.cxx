@@ -105,6 +105,37 @@ private Q_SLOTS:
     QVERIFY(other == before);
   }
 
+  // What the preset sets is read as it is, said by no word, and switched off by one.
+  void presets()
+  {
+    for (const Words& words : { Words{}, Words{ "a.vtp" } })
+    {
+      scene::Settings settings = scene::Settings::FromWords(words);
+      QVERIFY(!settings.IsStageOn("antialias"));
+      settings.Set("--preset", "studio");
+      QVERIFY(settings.IsStageOn("antialias") && settings.IsStageOn("shadows"));
+      QCOMPARE(settings.GetParameter("antialias", "samples"), std::string("24"));
+      QCOMPARE(settings.GetParameter("shadows", "soft_samples"), std::string("24"));
+      settings.SwitchStage("antialias", false);
+      QVERIFY(!settings.IsStageOn("antialias"));
+      settings.SwitchStage("antialias", true);
+      QVERIFY(settings.IsStageOn("antialias"));
+      QCOMPARE(settings.GetParameter("antialias", "samples"), std::string("24"));
+      settings.SetParameter("shadows", "soft_samples", "1"); // a new stage's default
+      QCOMPARE(settings.GetParameter("shadows", "soft_samples"), std::string("1"));
+      settings.SwitchStage("shadows", false);
+      QVERIFY(!settings.IsStageOn("shadows"));
+      QVERIFY(settings.Parse().ShadowMethod == scene::Shadows::Off);
+    }
+    scene::Settings studio = scene::Settings::FromWords({ "a.vtp", "--preset", "studio" });
+    QCOMPARE(studio.GetWords(), (Words{ "--preset", "studio", "a.vtp" }));
+    studio.Set("--preset", "none");
+    QVERIFY(!studio.IsStageOn("antialias") && !studio.IsStageOn("shadows"));
+    const scene::Settings soft =
+      scene::Settings::FromWords({ "a.vtp", "--preset", "studio", "--soft-shadows", "8" });
+    QCOMPARE(soft.GetParameter("shadows", "soft_samples"), std::string("8"));
+  }
+
   void history()
   {
     const auto at = [](const char* opacity) {

@@ -12,6 +12,7 @@ namespace viewer
 ColorButton::ColorButton(QWidget* parent)
   : QPushButton(parent)
 {
+  this->SetColor(Qt::white);
   QObject::connect(this, &QPushButton::clicked, this, [this] {
     const QColor color = QColorDialog::getColor(this->Color, this, "Colour");
     if (color.isValid())

@@ -126,6 +126,13 @@ void ColorsGroup::AddRange()
 }
 
 //------------------------------------------------------------------------------
+bool ColorsGroup::HasValues(const QString& name, const QString& component) const
+{
+  return !component.isEmpty() ||
+    this->Edited->GetFacts().Valueless.count(name.toStdString()) == 0;
+}
+
+//------------------------------------------------------------------------------
 void ColorsGroup::SetColorBy(const QString& name, const QString& component)
 {
   this->Edited->Change([&](scene::Settings& settings) {
@@ -134,6 +141,10 @@ void ColorsGroup::SetColorBy(const QString& name, const QString& component)
     if (!name.isEmpty())
     {
       settings.Remove("--color");
+    }
+    if (!this->HasValues(name, component)) // a bar would have nothing to show
+    {
+      settings.Remove("--scalar-bar");
     }
   });
   this->ShowSettings();
@@ -242,6 +253,7 @@ void ColorsGroup::ShowSettings()
   this->ShowComponents(by.Name, by.Component);
   ShowChoice(this->Colormap, settings, "--colormap");
   ShowFlag(this->Bar, settings, "--scalar-bar");
+  this->Bar->setEnabled(this->Bar->isChecked() || this->HasValues(name, by.Component));
   const bool ranged = settings.Has("--range");
   this->Automatic->setChecked(!ranged);
   const QStringList ends = QString::fromStdString(settings.Get("--range")).split(',');

@@ -34,6 +34,7 @@ public:
 
 private:
   void AddRange();
+  bool HasValues(const QString& name, const QString& component) const;
   void SetColorBy(const QString& name, const QString& component);
   void SetRange();
   void SwitchRange(bool automatic);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputGuard.h"
 
+#include "Document.h"
 #include "Panel.h"
 
 #include <QAbstractButton>
@@ -12,7 +13,9 @@
 #include <QGroupBox>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QSlider>
+#include <QTimer>
 
 namespace viewer
 {
@@ -50,6 +53,11 @@ bool IsOwnKey(QWidget* widget, const QKeyEvent& event)
 // Texts undo what is typed; where nothing is, they have no use for the keys.
 bool IsIdleUndo(QWidget* widget, QKeyEvent& event)
 {
+  if (auto* text = qobject_cast<QPlainTextEdit*>(widget))
+  {
+    return (event.matches(QKeySequence::Undo) && !text->document()->isUndoAvailable()) ||
+      (event.matches(QKeySequence::Redo) && !text->document()->isRedoAvailable());
+  }
   auto* line = qobject_cast<QLineEdit*>(widget);
   if (qobject_cast<QAbstractSpinBox*>(widget) || qobject_cast<QComboBox*>(widget))
   {
@@ -62,8 +70,9 @@ bool IsIdleUndo(QWidget* widget, QKeyEvent& event)
 }
 
 //------------------------------------------------------------------------------
-InputGuard::InputGuard(QObject* parent)
+InputGuard::InputGuard(Document* document, QObject* parent)
   : QObject(parent)
+  , Edited(document)
 {
   qApp->installEventFilter(this);
 }
@@ -83,6 +92,12 @@ bool InputGuard::eventFilter(QObject* watched, QEvent* event)
       {
         widget->setFocusPolicy(Qt::StrongFocus); // the wheel gives none
       }
+      return false;
+    case QEvent::MouseButtonPress:
+      this->Edited->BeginDrag();
+      return false;
+    case QEvent::MouseButtonRelease: // controls may change once more when they are let go
+      QTimer::singleShot(0, this->Edited, [this] { this->Edited->EndDrag(); });
       return false;
     case QEvent::Wheel:
       if (IsTurnedByWheel(widget) && IsInPanel(widget) && !widget->hasFocus())

@@ -6,14 +6,31 @@
 
 #include <QFormLayout>
 #include <QLabel>
+#include <QMap>
 #include <QStringList>
 #include <QWidget>
 
 namespace viewer
 {
+namespace
+{
+// For people who know the picture and not the method: see docs/viewer.md.
+const QMap<QString, QString>& GetPlainWords()
+{
+  static const QMap<QString, QString> words = { { "Delegate", "VTK's picture" },
+    { "Way", "Lamps found by" }, { "Floats", "Full precision" },
+    { "Casting", "Lamps with shadows" }, { "beer", "exponential" }, { "chord", "linear" } };
+  return words;
+}
+}
+
 //------------------------------------------------------------------------------
 QString WriteLabel(const QString& label)
 {
+  if (GetPlainWords().contains(label))
+  {
+    return GetPlainWords()[label];
+  }
   QStringList words = label.split(' ');
   for (int i = 0; i < words.size(); ++i)
   {
@@ -23,6 +40,20 @@ QString WriteLabel(const QString& label)
     word = i == 0 || name ? word : word.toLower();
   }
   return words.join(' ');
+}
+
+//------------------------------------------------------------------------------
+QString WriteReason(const QString& code, const QString& reason)
+{
+  return code == "off"  ? QString("switched off")
+    : code == "not_asked" ? QString("this picture does not need it")
+                          : reason;
+}
+
+//------------------------------------------------------------------------------
+QString WriteChoice(const QString& choice)
+{
+  return GetPlainWords().value(choice, QString(choice).replace('_', ' '));
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,12 @@ namespace viewer
 /// "Colored Shadows" as "Coloured shadows".
 QString WriteLabel(const QString& label);
 
+/// Why a stage did nothing, in the viewer's words; by the code of the reason.
+QString WriteReason(const QString& code, const QString& reason);
+
+/// A parameter's choice, such as "reinhard rgb" for "reinhard_rgb".
+QString WriteChoice(const QString& choice);
+
 /// A row with the parameter's label, and the edit's tool tip for both. Returns the label.
 QLabel* AddParameterRow(QFormLayout* rows, const vtkRelievoParameter& parameter, QWidget* edit);
 }

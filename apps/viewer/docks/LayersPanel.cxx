@@ -60,6 +60,7 @@ LayersPanel::LayersPanel(Document* document, QWidget* parent)
   this->Values->verticalHeader()->hide();
   this->Values->setEditTriggers(QAbstractItemView::NoEditTriggers);
   this->Values->setMinimumHeight(260);
+  this->Values->setTabKeyNavigation(false); // Tab goes on to the next control
   GetRows(probe)->addRow(this->Probing);
   GetRows(probe)->addRow(this->Values);
   this->Fill(probe);

@@ -6,6 +6,7 @@
 #include "Number.h"
 #include "Options.h"
 #include "Presets.h"
+#include "PresetsLights.h"
 #include "SunGroup.h"
 #include "SurfaceOptions.h"
 #include "SurfaceValues.h"
@@ -113,6 +114,7 @@ void LightPanel::AddLights()
   auto* both = new QHBoxLayout();
   both->addWidget(this->Apply, 1);
   both->addWidget(this->Revert, 1);
+  GetRows(group)->addRow(new PresetsLights(this->Edited, "a light that is added here", group));
   GetRows(group)->addRow(this->Lights);
   GetRows(group)->addRow(this->Wrong);
   GetRows(group)->addRow(both);

@@ -13,7 +13,7 @@ namespace viewer
 // The curve of sRGB, IEC 61966-2-1.
 QColor ReadLinearColor(const QString& text)
 {
-  const QStringList parts = text.split('/');
+  const QStringList parts = QString(text).replace(',', '/').split('/');
   int shown[3] = { 255, 255, 255 };
   for (int i = 0; i < 3 && parts.size() == 3; ++i)
   {

@@ -3,6 +3,7 @@
 #include "ParameterEdit.h"
 
 #include "ColorButton.h"
+#include "Labels.h"
 #include "Number.h"
 #include "Settings.h"
 
@@ -82,6 +83,10 @@ QWidget* ParameterEdit::MakeNumber(const vtkRelievoParameter& parameter)
                         : 2,
     this);
   number->SetUnit(QString::fromStdString(parameter.Unit));
+  if (parameter.Name == "light" && whole && least == -1.0)
+  {
+    number->SetSpecial("first that casts");
+  }
   if (usual)
   {
     number->SetTypedRange(std::max(parameter.Least, -1e9), std::min(parameter.Most, 1e9));
@@ -100,7 +105,7 @@ QWidget* ParameterEdit::MakeChoice(const vtkRelievoParameter& parameter)
   for (const std::string& choice : parameter.Choices)
   {
     const QString words = QString::fromStdString(choice);
-    box->addItem(QString(words).replace('_', ' '), words);
+    box->addItem(WriteChoice(words), words);
   }
   this->Show = [box](const QString& words) {
     const QSignalBlocker quiet(box);

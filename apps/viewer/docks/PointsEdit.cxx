@@ -162,10 +162,11 @@ QWidget* PointsEdit::MakeColor(Row& row, const vtkRelievoParameter& value)
   layout->addWidget(button);
   both->setFocusProxy(box);
   const std::function<void(const QString&)> show = row.Show;
-  row.Show = [show, button](const QString& text) {
+  row.Show = [show, button, standard = Words(row.Default)](const QString& text) {
     show(text);
-    button->SetColor(ReadLinearColor(text));
+    button->SetColor(ReadLinearColor(text.isEmpty() ? standard : text));
   };
+  row.Show(QString());
   QObject::connect(button, &ColorButton::edited, this,
     [this, name = row.Name](const QColor& color) { this->Write(name, WriteLinearColor(color)); });
   return both;

@@ -75,6 +75,7 @@ void ReportPanel::Refresh()
   for (relievoQt::FrameReport::Stage& stage : report.Stages)
   {
     stage.Label = WriteLabel(stage.Label);
+    stage.Reason = WriteReason(stage.Code, stage.Reason);
     untimed = untimed || (stage.Ran && stage.Milliseconds < 0.0);
   }
   const bool timed = report.Milliseconds >= 0.0;

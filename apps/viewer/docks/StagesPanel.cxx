@@ -103,9 +103,7 @@ void StagesPanel::AddStage(vtkRelievoStage* stage)
 bool StagesPanel::IsOn(const Group& group) const
 {
   const scene::Settings& settings = this->Edited->Get();
-  return group.Points          ? settings.Has(GetOption(group.Stage))
-    : group.Stage == "shadows" ? settings.GetParameter("shadows", "visible") == "on"
-                               : settings.IsStageAsked(group.Stage);
+  return group.Points ? settings.Has(GetOption(group.Stage)) : settings.IsStageOn(group.Stage);
 }
 
 //------------------------------------------------------------------------------
@@ -114,9 +112,8 @@ void StagesPanel::Switch(Group& group, bool on)
 {
   if (group.Stage == "shadows")
   {
-    this->Edited->Change([on](scene::Settings& settings) {
-      settings.SetParameter("shadows", "visible", on ? "on" : "off");
-    });
+    this->Edited->Change(
+      [on](scene::Settings& settings) { settings.SwitchStage("shadows", on); });
     return;
   }
   if (group.Points && on && !group.Kept)
@@ -128,7 +125,7 @@ void StagesPanel::Switch(Group& group, bool on)
   const scene::Settings before = this->Edited->Get();
   const scene::Settings from = on ? group.Kept.value_or(before) : scene::Settings();
   this->Edited->Change([&](scene::Settings& settings) {
-    settings.AskStage(group.Stage, false);
+    group.Points ? settings.AskStage(group.Stage, false) : settings.SwitchStage(group.Stage, on);
     for (const auto& edit : group.Edits)
     {
       if (from.HasParameter(group.Stage, edit.first))
@@ -139,10 +136,6 @@ void StagesPanel::Switch(Group& group, bool on)
     if (group.Points)
     {
       settings.SetAll(GetOption(group.Stage), from.GetAll(GetOption(group.Stage)));
-    }
-    else if (on)
-    {
-      settings.AskStage(group.Stage, true);
     }
   });
   group.Kept = on ? std::nullopt : std::optional<scene::Settings>(before);
@@ -180,8 +173,10 @@ void StagesPanel::ShowReasons(vtkRelievoPass* frame)
     vtkRelievoStage* stage = frame ? frame->GetStage(name) : nullptr;
     const bool idle = stage && group.Box->isCheckable() && group.Box->isChecked() &&
       stage->GetReasonCode() != "ran";
+    group.Reason->setText(idle ? "Changes nothing: " +
+            WriteReason(Words(stage->GetReasonCode()), Words(stage->GetReason()))
+                               : QString());
     group.Reason->setVisible(idle);
-    group.Reason->setText(idle ? "Changes nothing: " + Words(stage->GetReason()) : QString());
   }
 }
 }

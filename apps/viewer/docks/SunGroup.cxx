@@ -4,6 +4,7 @@
 
 #include "Number.h"
 #include "Options.h"
+#include "PresetsLights.h"
 #include "SunEdit.h"
 
 #include "vtkMath.h"
@@ -41,17 +42,24 @@ SunGroup::SunGroup(Document* document, QWidget* parent)
   : QGroupBox("Sun", parent)
   , Edited(document)
   , Sun(new relievoQt::SunEdit(this))
+  , Preset(new PresetsLights(document, "a sun of your own", this))
 {
   this->setCheckable(true);
   this->setToolTip("A light that stays where it is when the camera moves");
-  (new QVBoxLayout(this))->addWidget(this->Sun);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(this->Preset);
+  column->addWidget(this->Sun);
   this->SetTime(SunTime(), false);
   const auto place = [this] { this->PlaceSun(); };
   QObject::connect(this->Sun->By,
     static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged), this, [this] {
-      if (this->IsByTime()) // the angles are those that it has already
+      if (this->IsByTime())
       {
         this->PlaceSun();
+      }
+      else // the angles are those that it has already
+      {
+        this->ByTime.erase(this->Written);
       }
       this->ShowSettings();
     });
@@ -121,6 +129,7 @@ void SunGroup::ShowSettings()
   this->NextOwn = this->Own;
   const QSignalBlocker quiet(this);
   this->setChecked(this->Own >= 0);
+  this->Preset->setEnabled(true); // it is read where the sun is off
   this->Sun->SetWords(QString());
   if (this->Own >= 0)
   {
@@ -129,7 +138,12 @@ void SunGroup::ShowSettings()
     if (sun != this->Written || up != this->WrittenUp)
     {
       const SunAngles angles = GetSunAngles(scene::ParseLight(sun).Position, up);
-      if (sun != this->Written && this->IsByTime() &&
+      const auto placed = this->ByTime.find(sun);
+      if (placed != this->ByTime.end() && AreClose(angles, GetSunAngles(placed->second)))
+      {
+        this->SetTime(placed->second, true); // again, as by undoing
+      }
+      else if (sun != this->Written && this->IsByTime() &&
         !AreClose(angles, GetSunAngles(this->GetTime())))
       {
         this->SetTime(this->GetTime(), false); // it was set elsewhere, by its direction
@@ -138,6 +152,10 @@ void SunGroup::ShowSettings()
       this->WrittenUp = up;
       this->Sun->Azimuth->SetValue(angles.Azimuth);
       this->Sun->Elevation->SetValue(angles.Elevation);
+    }
+    if (this->IsByTime())
+    {
+      this->ByTime[sun] = this->GetTime();
     }
     this->ShowPlace({ this->Sun->Azimuth->GetValue(), this->Sun->Elevation->GetValue() });
   }

@@ -12,6 +12,7 @@
 
 #include <QGroupBox>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ class SunEdit;
 
 namespace viewer
 {
+class PresetsLights;
+
 class SunGroup : public QGroupBox
 {
   Q_OBJECT
@@ -53,11 +56,13 @@ private:
 
   Document* Edited;
   relievoQt::SunEdit* Sun;
+  PresetsLights* Preset;
   std::vector<std::string> Lights, Next; // as they were seen last, and as they are set now
   int Own = -1, NextOwn = -1;            // which of them is the sun; -1: none
   std::string Written;                   // the sun whose angles are shown
   int WrittenUp = 1;
-  std::string Kept; // while it is switched off
+  std::map<std::string, SunTime> ByTime; // of suns in words, those that were placed so
+  std::string Kept;                      // while it is switched off
   std::size_t KeptPlace = 0;
 };
 }

@@ -48,7 +48,7 @@ void Document::Set(const scene::Settings& settings)
     this->Refuse(this->Now, QString::fromStdString(error.what()));
     return;
   }
-  this->Past.Add(this->Now, settings, this->Clock.elapsed());
+  this->Past.Add(this->Now, settings, this->Clock.elapsed(), this->Drag);
   this->GoTo(settings);
 }
 

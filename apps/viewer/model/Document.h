@@ -50,6 +50,10 @@ public:
   bool CanUndo() const { return this->Past.CanUndo(); }
   bool CanRedo() const { return this->Past.CanRedo(); }
   void ForgetPast();
+
+  /// While the mouse holds a control, what changes the same is one edit.
+  void BeginDrag() { this->Drag = ++this->Drags; }
+  void EndDrag() { this->Drag = 0; }
   ///@}
 
   ///@{
@@ -78,6 +82,8 @@ private:
   scene::Settings Now;
   History Past;
   QElapsedTimer Clock;
+  int Drags = 0;
+  int Drag = 0; // its number; 0: none
   Facts Known;
 };
 }

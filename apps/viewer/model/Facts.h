@@ -8,6 +8,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,11 @@ namespace viewer
 {
 struct Facts
 {
-  std::map<std::string, int> Components;      ///< the most that arrays of a name have
+  /// The most that arrays have, by the name in the words of --color-by.
+  std::map<std::string, int> Components;
+  /// Those of them that are colours and no values unless a component is chosen; "" where the
+  /// files' own arrays are.
+  std::set<std::string> Valueless;
   std::vector<std::string> Layers;            ///< arrays in the words of layers, which can be read
   std::array<double, 2> Times = { 0.0, 0.0 }; ///< seconds; equal: nothing moves
   std::vector<std::string> Animations;        ///< names, of all models

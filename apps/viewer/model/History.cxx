@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "History.h"
 
+#include <iterator>
+
 namespace viewer
 {
 namespace
@@ -21,17 +23,33 @@ std::optional<scene::Settings> Step(
   from.pop_back();
   return next;
 }
+
+// A stage's first parameter asks for the stage as well.
+std::set<std::string> GetChanges(const scene::Settings& before, const scene::Settings& after)
+{
+  std::set<std::string> changes = before.GetChanges(after);
+  for (auto change = changes.begin(); change != changes.end();)
+  {
+    const auto next = std::next(change); // parameters follow their stage
+    const bool asked = change->size() > 1 && change->back() == ':' && next != changes.end() &&
+      next->rfind(*change, 0) == 0;
+    change = asked ? changes.erase(change) : next;
+  }
+  return changes;
+}
 }
 
 //------------------------------------------------------------------------------
-void History::Add(const scene::Settings& before, const scene::Settings& after, std::int64_t time)
+void History::Add(
+  const scene::Settings& before, const scene::Settings& after, std::int64_t time, int drag)
 {
-  const std::set<std::string> changed = before.GetChanges(after);
+  const std::set<std::string> changed = GetChanges(before, after);
   const bool played = changed == std::set<std::string>{ "--time" }; // as long as it takes
   const bool same = !this->Past.empty() && this->Future.empty() && changed == this->Changed &&
-    (played || time - this->Time < OneEdit);
+    (drag != 0 && this->Drag != 0 ? drag == this->Drag : played || time - this->Time < OneEdit);
   this->Changed = changed;
   this->Time = time;
+  this->Drag = drag;
   this->Future.clear();
   if (!same)
   {

@@ -20,8 +20,9 @@ namespace viewer
 class History
 {
 public:
-  /// An edit, at a time in milliseconds.
-  void Add(const scene::Settings& before, const scene::Settings& after, std::int64_t time);
+  /// An edit, at a time in milliseconds, in the drag of a number that is not 0, or in none.
+  void Add(const scene::Settings& before, const scene::Settings& after, std::int64_t time,
+    int drag = 0);
 
   ///@{
   /// The settings to go to from those of now; none: there are no more.
@@ -41,6 +42,7 @@ private:
   std::vector<scene::Settings> Past, Future;
   std::set<std::string> Changed; // by the last edit
   std::int64_t Time = 0;         // of it
+  int Drag = 0;                  // of it
 };
 }
 

@@ -15,6 +15,7 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoModelReader.h"
 #include "vtkScalarsToColors.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <set>
@@ -23,10 +24,21 @@ namespace viewer
 {
 namespace
 {
-// Components that arrays have, by name: of points and of cells.
-using Arrays = std::array<std::map<std::string, int>, 2>;
+struct Array
+{
+  int Components = 0;
+  bool HasValues = false; // in one data set at least, and not colours
+};
+
+// By name: of points and of cells.
+using Arrays = std::array<std::map<std::string, Array>, 2>;
 
 constexpr const char* Prefixes[] = { "point:", "cell:" };
+
+bool AreValues(vtkDataArray* array)
+{
+  return array->GetNumberOfComponents() < 3 || !vtkUnsignedCharArray::SafeDownCast(array);
+}
 
 void AddArrays(vtkDataSet* block, Arrays& arrays)
 {
@@ -38,11 +50,20 @@ void AddArrays(vtkDataSet* block, Arrays& arrays)
       vtkDataArray* array = attributes[kind]->GetArray(i);
       if (array && array->GetName())
       {
-        int& components = arrays[kind][array->GetName()];
-        components = std::max(components, array->GetNumberOfComponents());
+        Array& known = arrays[kind][array->GetName()];
+        known.Components = std::max(known.Components, array->GetNumberOfComponents());
+        known.HasValues = known.HasValues || AreValues(array);
       }
     }
   }
+}
+
+// Whether the array that colours a data set by itself has values.
+bool HasOwnValues(vtkDataSet* block)
+{
+  vtkDataArray* own = block->GetPointData()->GetScalars();
+  own = own ? own : block->GetCellData()->GetScalars();
+  return own && AreValues(own);
 }
 
 // A name that stands for something else without it needs to say what it is of.
@@ -60,6 +81,7 @@ Facts GetFacts(const Picture& picture)
 {
   const scene::BareScene& scene = picture.GetScene().GetBare();
   Arrays arrays;
+  bool ownValues = false;
   vtkActorCollection* actors = scene.Get().Renderer->GetActors();
   for (int i = 0; i < actors->GetNumberOfItems(); ++i)
   {
@@ -67,17 +89,30 @@ Facts GetFacts(const Picture& picture)
     if (actor->GetMapper() && scene.Find(actor)) // and no skeleton
     {
       scene::ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0),
-        [&arrays](vtkDataSet* block) { AddArrays(block, arrays); });
+        [&](vtkDataSet* block) {
+          AddArrays(block, arrays);
+          ownValues = ownValues || HasOwnValues(block);
+        });
     }
   }
   Facts facts;
+  if (!ownValues)
+  {
+    facts.Valueless.insert("");
+  }
   facts.UpAxis = scene.Get().UpAxis;
   for (int kind = 0; kind < 2; ++kind)
   {
-    for (const auto& [name, components] : arrays[kind])
+    for (const auto& [name, array] : arrays[kind])
     {
-      facts.Components[name] = std::max(facts.Components[name], components);
-      if (components <= vtkRelievoArraySampler::MaximumComponents) // others would spoil the rest
+      const bool shared = arrays[0].count(name) != 0 && arrays[1].count(name) != 0;
+      const std::string colorBy = shared ? Prefixes[kind] + name : name;
+      facts.Components[colorBy] = array.Components;
+      if (!array.HasValues)
+      {
+        facts.Valueless.insert(colorBy);
+      }
+      if (array.Components <= vtkRelievoArraySampler::MaximumComponents) // others would spoil the rest
       {
         facts.Layers.push_back(NeedsPrefix(name, arrays) ? Prefixes[kind] + name : name);
       }

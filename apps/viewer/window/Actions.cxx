@@ -135,10 +135,22 @@ void AddEditMenu(MainWindow* window)
 {
   QMenu* menu = window->menuBar()->addMenu("&Edit");
   Document* document = window->GetDocument();
-  QAction* undo =
-    Add(menu, window, "&Undo", QKeySequence::Undo, "undo", [document] { document->Undo(); });
-  QAction* redo =
-    Add(menu, window, "&Redo", QKeySequence::Redo, "redo", [document] { document->Redo(); });
+  // A field that this hides would keep the keys.
+  const auto keepFocus = [window] {
+    const QWidget* focus = window->focusWidget();
+    if (!focus || !focus->isVisible())
+    {
+      window->GetView()->setFocus();
+    }
+  };
+  QAction* undo = Add(menu, window, "&Undo", QKeySequence::Undo, "undo", [document, keepFocus] {
+    document->Undo();
+    keepFocus();
+  });
+  QAction* redo = Add(menu, window, "&Redo", QKeySequence::Redo, "redo", [document, keepFocus] {
+    document->Redo();
+    keepFocus();
+  });
   const auto follow = [document, undo, redo] {
     undo->setEnabled(document->CanUndo());
     redo->setEnabled(document->CanRedo());

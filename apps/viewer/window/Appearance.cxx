@@ -6,9 +6,12 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QMenu>
+#include <QPainter>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QSettings>
 #include <QStyle>
+#include <QStyleOption>
 
 namespace viewer
 {
@@ -39,12 +42,44 @@ QPalette MakePalette(int window, int field, int text, const QColor& link)
 }
 
 //------------------------------------------------------------------------------
+// The style draws the frame of a box darker than the window, which in the dark is not seen.
+class BoxesInDark : public QProxyStyle
+{
+public:
+  BoxesInDark()
+    : QProxyStyle("Fusion")
+  {
+  }
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+    const QWidget* widget) const override
+  {
+    this->QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element == PE_IndicatorCheckBox)
+    {
+      const bool enabled = option->state.testFlag(State_Enabled);
+      painter->setPen(option->palette.color(
+        enabled ? QPalette::Normal : QPalette::Disabled, QPalette::WindowText));
+      painter->setBrush(Qt::NoBrush);
+      painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
 void Make(const QString& name)
 {
   static const QString desktops = QApplication::style()->objectName();
   const bool light = name == "light";
   const bool dark = name == "dark";
-  QApplication::setStyle(light || dark ? "Fusion" : desktops); // other styles may have own colours
+  if (dark)
+  {
+    QApplication::setStyle(new BoxesInDark);
+  }
+  else
+  {
+    QApplication::setStyle(light ? "Fusion" : desktops); // other styles may have own colours
+  }
   QApplication::setPalette(dark ? MakePalette(50, 35, 230, QColor(100, 180, 255))
       : light                   ? MakePalette(239, 255, 0, QColor(0, 90, 200))
                                 : QPalette());

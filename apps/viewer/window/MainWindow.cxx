@@ -133,7 +133,7 @@ MainWindow::MainWindow(QWidget* parent)
   , Pages(new QStackedWidget(this))
   , Hint(new QLabel("Open a file (Ctrl+O), or drop one here.", this))
 {
-  new InputGuard(this);
+  new InputGuard(this->Edited, this);
   this->setWindowTitle("Relievo");
   this->setAcceptDrops(true);
   this->setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
