@@ -228,6 +228,12 @@ void CheckExtension(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+bool HasReader(const std::string& path)
+{
+  return FindRow(path) != nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool IsGLTF(const std::string& path)
 {
   const std::string extension = ExtensionOf(path);

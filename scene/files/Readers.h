@@ -24,6 +24,9 @@ std::string ExtensionOf(const std::string& path);
 /// Throws UsageError if no reader takes the path's extension.
 void CheckExtension(const std::string& path);
 
+/// Whether some reader takes it.
+bool HasReader(const std::string& path);
+
 /// Whether the path's extension is that of glTF.
 bool IsGLTF(const std::string& path);
 

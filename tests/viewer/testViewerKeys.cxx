@@ -13,9 +13,12 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QGroupBox>
+#include <QLabel>
 #include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -255,6 +258,51 @@ private Q_SLOTS:
         } while (last != this->Window->GetView());
       }
     }
+  }
+
+  // The sheet lists every key of the menus; the key that shows it hides it.
+  void sheet()
+  {
+    this->Open({ this->WriteScene() });
+    this->Press(Qt::Key_H);
+    auto* sheet = this->Window->findChild<QDialog*>("keys");
+    QVERIFY(sheet && sheet->isVisible());
+    const QString words = sheet->findChild<QLabel*>("sheet")->text();
+    for (const char* name : { "open", "parallel", "fullScreen", "undo", "nextFile", "reload" })
+    {
+      auto* action = this->Window->findChild<QAction*>(name);
+      QVERIFY2(words.contains(action->shortcut().toString(QKeySequence::NativeText)), name);
+    }
+    QVERIFY(QTest::qWaitForWindowActive(sheet));
+    QTest::keyClick(sheet, Qt::Key_H);
+    QVERIFY(!sheet->isVisible());
+  }
+
+  // Files of the folder one after the other and around, others left out; the same file anew.
+  void filesOfTheFolder()
+  {
+    const std::string second = this->WriteScene("b.vtp");
+    const std::string first = this->WritePoints("a.vtp");
+    this->WriteText("aa.txt", "no mesh");
+    this->Open({ first });
+    const auto press = [this](const char* name) {
+      this->Window->findChild<QAction*>(name)->trigger();
+      this->WaitUntilRead();
+      return this->Window->GetDocument()->Get().Files;
+    };
+    QCOMPARE(press("nextFile"), std::vector<std::string>{ second });
+    QCOMPARE(press("nextFile"), std::vector<std::string>{ first });
+    QCOMPARE(press("previousFile"), std::vector<std::string>{ second });
+    this->GetCamera()->Azimuth(30.0);
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    QFile::remove(QString::fromStdString(second));
+    QVERIFY(QFile::copy(QString::fromStdString(first), QString::fromStdString(second)));
+    press("reload");
+    QVERIFY(CountDifferent(before, this->Grab()) > 100);
+    QFile::remove(QString::fromStdString(second));
+    this->WriteScene("b.vtp");
+    press("reload");
+    QCOMPARE(CountDifferent(before, this->Grab()), 0);
   }
 
   // Undoing goes on where it has hidden the field with the focus, and where a text has it.

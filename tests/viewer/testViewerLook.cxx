@@ -200,6 +200,16 @@ private Q_SLOTS:
     this->Compare("model");
   }
 
+  // What is not chosen here is the preset's.
+  void presetsBackground()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio" });
+    auto* kind = this->Find<QComboBox>("background", "kind");
+    QCOMPARE(kind->currentText(), QString("The preset's"));
+    this->Change([](scene::Settings& settings) { settings.Set("--preset", "none"); });
+    QCOMPARE(kind->currentText(), QString("VTK's"));
+  }
+
   void viewAngle()
   {
     this->Open({ this->WriteScene() });

@@ -142,6 +142,7 @@ void LookPanel::ShowSettings()
   this->Angle->SetValue(options.ViewAngle.value_or(scene::StandardViewAngle));
   const std::vector<scene::Color>& background = options.Look.Background;
   const bool own = settings.Has("--background");
+  this->Background->setItemText(0, background.empty() ? "VTK's" : "The preset's");
   this->Background->setCurrentIndex(own ? static_cast<int>(background.size()) : 0);
   if (own)
   {

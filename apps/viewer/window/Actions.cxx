@@ -3,6 +3,7 @@
 #include "Actions.h"
 
 #include "Appearance.h"
+#include "HelpMenu.h"
 #include "MainWindow.h"
 #include "Picture.h"
 #include "PictureView.h"
@@ -101,6 +102,15 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
     }
   });
   menu->addMenu(recent);
+  NeedPicture(window, Add(menu, window, "&Reload", QKeySequence("F5"), "reload", [window] {
+    window->Reload();
+  }));
+  NeedPicture(window,
+    Add(menu, window, "&Next file in the folder", QKeySequence("PgDown"), "nextFile",
+      [window] { window->OpenNext(1); }));
+  NeedPicture(window,
+    Add(menu, window, "Previous &file in the folder", QKeySequence("PgUp"), "previousFile",
+      [window] { window->OpenNext(-1); }));
   menu->addSeparator();
   Add(menu, window, "&Save session...", QKeySequence::Save, "saveSession", [window] {
     const QString path = AskPlace(window, "Save session", ".json");
@@ -251,5 +261,6 @@ void AddActions(MainWindow* window, RecentFiles* recent)
   AddFileMenu(window, recent);
   AddEditMenu(window);
   AddViewMenu(window);
+  AddHelpMenu(window);
 }
 }

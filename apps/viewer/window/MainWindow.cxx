@@ -13,6 +13,7 @@
 #include "Outputs.h"
 #include "PictureView.h"
 #include "QtVersions.h"
+#include "Readers.h"
 #include "RecentFiles.h"
 #include "ReportPanel.h"
 #include "SceneFacts.h"
@@ -31,6 +32,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDir>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFileInfo>
@@ -378,6 +380,38 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
   {
     this->Say(QString::fromStdString(error.what()), true);
   }
+}
+
+//------------------------------------------------------------------------------
+// From the camera as it is.
+void MainWindow::Reload()
+{
+  this->ReadingKey.clear();
+  this->KeepCamera = true;
+  this->Follow();
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::OpenNext(int step)
+{
+  const std::vector<std::string>& shown = this->Edited->Get().Files;
+  const QFileInfo file(QString::fromStdString(shown.empty() ? std::string() : shown.back()));
+  QStringList names;
+  for (const QString& name : file.dir().entryList(QDir::Files, QDir::Name))
+  {
+    if (scene::HasReader(name.toStdString()))
+    {
+      names += name;
+    }
+  }
+  const auto at = names.indexOf(file.fileName());
+  const auto all = names.size();
+  if (at < 0 || all < 2)
+  {
+    this->Say("There is no other file in " + file.dir().path() + " that can be opened.");
+    return;
+  }
+  this->OpenFiles({ file.dir().filePath(names[(at + step + all) % all]) });
 }
 
 //------------------------------------------------------------------------------

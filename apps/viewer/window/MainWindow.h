@@ -48,6 +48,12 @@ public:
   /// Files, of which a session is opened alone, instead of those shown or `beside` them.
   void OpenFiles(const QStringList& paths, bool beside = false);
 
+  /// The files are read again; the camera stays.
+  void Reload();
+
+  /// The file that many steps on in the folder of the last file shown, by name and around.
+  void OpenNext(int step);
+
   ///@{
   /// Pictures with every sample of soft shadows: the user sees how far it is, and may end it, which
   /// saves nothing. Each throws scene::WorkError or scene::UsageError.

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HelpMenu.h"
+
+#include "MainWindow.h"
+#include "Version.h"
+
+#include <QAction>
+#include <QDialog>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QVBoxLayout>
+
+namespace viewer
+{
+namespace
+{
+QString WriteRow(const QString& key, const QString& text)
+{
+  return "<tr><td><b>" + key.toHtmlEscaped() + "</b>&nbsp;&nbsp;&nbsp;</td><td>" +
+    text.toHtmlEscaped() + "</td></tr>";
+}
+
+QString WriteKeys(MainWindow* window)
+{
+  QString rows;
+  for (const QAction* menu : window->menuBar()->actions())
+  {
+    for (const QAction* action : menu->menu()->actions())
+    {
+      if (!action->shortcut().isEmpty())
+      {
+        rows += WriteRow(action->shortcut().toString(QKeySequence::NativeText),
+          QString(action->text()).remove('&').remove("..."));
+      }
+    }
+  }
+  return "<table>" + WriteRow("Left button", "turns") + WriteRow("Middle button", "moves") +
+    WriteRow("Right button, wheel", "zooms") + WriteRow("Space", "Plays the animation") + rows +
+    "</table>";
+}
+
+//------------------------------------------------------------------------------
+// One sheet, which the key shows and hides.
+void SwitchKeys(MainWindow* window)
+{
+  auto* sheet = window->findChild<QDialog*>("keys");
+  if (!sheet)
+  {
+    sheet = new QDialog(window);
+    sheet->setObjectName("keys");
+    sheet->setWindowTitle("Keys");
+    auto* words = new QLabel(WriteKeys(window), sheet);
+    words->setObjectName("sheet");
+    (new QVBoxLayout(sheet))->addWidget(words);
+    auto* again = new QAction(sheet); // the window's own key is not the sheet's
+    again->setShortcut(QKeySequence("H"));
+    sheet->addAction(again);
+    QObject::connect(again, &QAction::triggered, sheet, &QDialog::hide);
+  }
+  sheet->setVisible(!sheet->isVisible());
+}
+}
+
+//------------------------------------------------------------------------------
+void AddHelpMenu(MainWindow* window)
+{
+  QMenu* menu = window->menuBar()->addMenu("&Help");
+  QAction* keys = menu->addAction("&Keys");
+  keys->setObjectName("showKeys");
+  keys->setShortcut(QKeySequence("H"));
+  QObject::connect(keys, &QAction::triggered, window, [window] { SwitchKeys(window); });
+  QAction* about = menu->addAction("&About Relievo");
+  about->setObjectName("about");
+  QObject::connect(about, &QAction::triggered, window, [window] {
+    QMessageBox::about(window, "About Relievo", QString::fromStdString(scene::DescribeVersions()));
+  });
+}
+}
