@@ -153,8 +153,8 @@ private Q_SLOTS:
     this->Open({ this->Path("arrays.vtp") });
     QVERIFY(this->Find<QComboBox>("colors", "colorby")->findData("height") < 0);
     this->Choose("colors", "colorby", "cell:height");
-    QCOMPARE(this->Find<QComboBox>("colors", "colorby")->currentData().toString(),
-      QString("cell:height"));
+    QCOMPARE(
+      this->Find<QComboBox>("colors", "colorby")->currentData().toString(), QString("cell:height"));
     this->Find<QCheckBox>("colors", "automaticRange")->setChecked(false);
     QCOMPARE(this->Get("--range"), std::string("0.25,4"));
     this->Compare("of cells");

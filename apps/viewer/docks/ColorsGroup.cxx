@@ -128,8 +128,7 @@ void ColorsGroup::AddRange()
 //------------------------------------------------------------------------------
 bool ColorsGroup::HasValues(const QString& name, const QString& component) const
 {
-  return !component.isEmpty() ||
-    this->Edited->GetFacts().Valueless.count(name.toStdString()) == 0;
+  return !component.isEmpty() || this->Edited->GetFacts().Valueless.count(name.toStdString()) == 0;
 }
 
 //------------------------------------------------------------------------------

@@ -45,7 +45,7 @@ QString WriteLabel(const QString& label)
 //------------------------------------------------------------------------------
 QString WriteReason(const QString& code, const QString& reason)
 {
-  return code == "off"  ? QString("switched off")
+  return code == "off"    ? QString("switched off")
     : code == "not_asked" ? QString("this picture does not need it")
                           : reason;
 }

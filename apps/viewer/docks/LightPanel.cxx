@@ -68,7 +68,8 @@ void LightPanel::AddScene()
   {
     this->Preset->addItem(QString::fromStdString(name));
   }
-  this->Preset->setToolTip("Lights, shadows, ground, background and view, for what is not set here");
+  this->Preset->setToolTip(
+    "Lights, shadows, ground, background and view, for what is not set here");
   GetRows(group)->addRow("Preset", this->Preset);
   this->Up = new QComboBox(group);
   this->Up->setObjectName("up");

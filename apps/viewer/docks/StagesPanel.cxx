@@ -112,8 +112,7 @@ void StagesPanel::Switch(Group& group, bool on)
 {
   if (group.Stage == "shadows")
   {
-    this->Edited->Change(
-      [on](scene::Settings& settings) { settings.SwitchStage("shadows", on); });
+    this->Edited->Change([on](scene::Settings& settings) { settings.SwitchStage("shadows", on); });
     return;
   }
   if (group.Points && on && !group.Kept)
@@ -174,7 +173,7 @@ void StagesPanel::ShowReasons(vtkRelievoPass* frame)
     const bool idle = stage && group.Box->isCheckable() && group.Box->isChecked() &&
       stage->GetReasonCode() != "ran";
     group.Reason->setText(idle ? "Changes nothing: " +
-            WriteReason(Words(stage->GetReasonCode()), Words(stage->GetReason()))
+          WriteReason(Words(stage->GetReasonCode()), Words(stage->GetReason()))
                                : QString());
     group.Reason->setVisible(idle);
   }

@@ -21,8 +21,8 @@ class History
 {
 public:
   /// An edit, at a time in milliseconds, in the drag of a number that is not 0, or in none.
-  void Add(const scene::Settings& before, const scene::Settings& after, std::int64_t time,
-    int drag = 0);
+  void Add(
+    const scene::Settings& before, const scene::Settings& after, std::int64_t time, int drag = 0);
 
   ///@{
   /// The settings to go to from those of now; none: there are no more.

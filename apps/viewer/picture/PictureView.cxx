@@ -9,7 +9,6 @@
 #include "vtkRelievoPass.h"
 #include "vtkRenderWindowInteractor.h"
 
-#include <QKeyEvent>
 #include <QMouseEvent>
 
 namespace viewer
@@ -116,21 +115,6 @@ void PictureView::initializeGL()
     Q_EMIT this->openGLTooOld();
   }
   this->QVTKOpenGLNativeWidget::initializeGL();
-}
-
-//------------------------------------------------------------------------------
-// VTK's widget takes every key, those that move the focus too.
-bool PictureView::event(QEvent* event)
-{
-  if (event->type() == QEvent::KeyPress)
-  {
-    const int key = static_cast<QKeyEvent*>(event)->key();
-    if (key == Qt::Key_Tab || key == Qt::Key_Backtab)
-    {
-      return this->QWidget::event(event);
-    }
-  }
-  return this->QVTKOpenGLNativeWidget::event(event);
 }
 
 //------------------------------------------------------------------------------

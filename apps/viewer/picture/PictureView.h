@@ -43,7 +43,6 @@ Q_SIGNALS:
   void pointed(int x, int y);
 
 protected:
-  bool event(QEvent* event) override;
   void initializeGL() override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;

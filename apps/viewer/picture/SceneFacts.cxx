@@ -88,11 +88,10 @@ Facts GetFacts(const Picture& picture)
     vtkActor* actor = vtkActor::SafeDownCast(actors->GetItemAsObject(i));
     if (actor->GetMapper() && scene.Find(actor)) // and no skeleton
     {
-      scene::ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0),
-        [&](vtkDataSet* block) {
-          AddArrays(block, arrays);
-          ownValues = ownValues || HasOwnValues(block);
-        });
+      scene::ForEachDataSet(actor->GetMapper()->GetInputDataObject(0, 0), [&](vtkDataSet* block) {
+        AddArrays(block, arrays);
+        ownValues = ownValues || HasOwnValues(block);
+      });
     }
   }
   Facts facts;
@@ -112,7 +111,8 @@ Facts GetFacts(const Picture& picture)
       {
         facts.Valueless.insert(colorBy);
       }
-      if (array.Components <= vtkRelievoArraySampler::MaximumComponents) // others would spoil the rest
+      if (array.Components <=
+        vtkRelievoArraySampler::MaximumComponents) // others would spoil the rest
       {
         facts.Layers.push_back(NeedsPrefix(name, arrays) ? Prefixes[kind] + name : name);
       }

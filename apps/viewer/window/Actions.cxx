@@ -102,9 +102,8 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
     }
   });
   menu->addMenu(recent);
-  NeedPicture(window, Add(menu, window, "&Reload", QKeySequence("F5"), "reload", [window] {
-    window->Reload();
-  }));
+  NeedPicture(window,
+    Add(menu, window, "&Reload", QKeySequence("F5"), "reload", [window] { window->Reload(); }));
   NeedPicture(window,
     Add(menu, window, "&Next file in the folder", QKeySequence("PgDown"), "nextFile",
       [window] { window->OpenNext(1); }));
@@ -219,7 +218,7 @@ void AddViewMenu(MainWindow* window)
         const auto turn = [&axis](const std::array<double, 3>& v) {
           return axis == 2 ? std::array<double, 3>{ v[0], -v[2], v[1] }
             : axis == 0    ? std::array<double, 3>{ v[1], -v[0], v[2] }
-                             : v;
+                           : v;
         };
         window->GetView()->GetPicture().LookAlong(turn(along), turn(up));
         window->GetView()->Draw();
