@@ -62,7 +62,7 @@ private:
   FramePoints Points;
   RenderOptions Options;
   std::string Dress = "\n", Surface = "\n"; // the words it was made of; at first like no words
-  std::array<int, 2> BarSize{}; // of the window that the scalar bar was made for
+  std::array<int, 2> BarSize{};             // of the window that the scalar bar was made for
 };
 }
 

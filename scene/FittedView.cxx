@@ -5,9 +5,9 @@
 #include "Triples.h"
 
 #include "vtkCamera.h"
-#include "vtkType.h"
 #include "vtkMath.h"
 #include "vtkRenderer.h"
+#include "vtkType.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,8 @@ bool IsFlatAlong(const double bounds[6], int axis)
 // Where an environment's z is: with z up, that of a world with y up is turned about x.
 FittedView::FittedView(int up)
   : Up(up)
-  , Towards(up == 2 ? std::array<double, 3>{ 0.0, -1.0, 0.0 } : std::array<double, 3>{ 0.0, 0.0, 1.0 })
+  , Towards(
+      up == 2 ? std::array<double, 3>{ 0.0, -1.0, 0.0 } : std::array<double, 3>{ 0.0, 0.0, 1.0 })
 {
   this->ViewUp[static_cast<std::size_t>(up)] = 1.0;
 }
@@ -100,7 +101,8 @@ void FittedView::FitTightly(vtkRenderer* renderer, const double bounds[6]) const
 {
   this->Fit(renderer, bounds);
   vtkCamera* camera = renderer->GetActiveCamera();
-  const double size = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+  const double size =
+    std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
   if (!vtkMath::AreBoundsInitialized(bounds) || size == 0.0)
   {
     return;

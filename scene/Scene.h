@@ -30,9 +30,9 @@ struct Scene
 {
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<PosedModel> Models;
-  vtkSmartPointer<vtkActor> Ground; ///< null: none
+  vtkSmartPointer<vtkActor> Ground;                       ///< null: none
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; ///< of what is shown, without a ground
-  bool HasLights = false;       ///< of its files
+  bool HasLights = false;                                 ///< of its files
   int UpAxis = 1;               ///< by the first file: 0, 1, 2 for x, y, z
   std::vector<int> Counts;      ///< how many actors each file gave, skeletons apart
   std::set<std::string> Arrays; ///< names of the point and cell arrays that can be layers

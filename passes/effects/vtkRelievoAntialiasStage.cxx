@@ -49,7 +49,8 @@ void vtkRelievoAntialiasStage::Declare(
 //------------------------------------------------------------------------------
 void vtkRelievoAntialiasStage::Execute(vtkRelievoFrameContext& context)
 {
-  this->Explain("ran", "smooths edges, " + std::to_string(context.Sample + 1) + " of " +
+  this->Explain("ran",
+    "smooths edges, " + std::to_string(context.Sample + 1) + " of " +
       std::to_string(context.Samples) + " samples");
 }
 

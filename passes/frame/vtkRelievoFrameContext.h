@@ -38,7 +38,7 @@ public:
   const vtkRenderState* State = nullptr;
   vtkRelievoFrameCamera View;
   vtkRelievoFrameCamera SteadyView; // without the sample's offset within the pixel
-  vtkRelievoFrameScene Scene; // empty if no stage runs
+  vtkRelievoFrameScene Scene;       // empty if no stage runs
 
   // Whether the window's picture is drawn; if not, only layers are, and the window does not change.
   bool Picture = true;

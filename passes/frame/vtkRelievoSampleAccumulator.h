@@ -56,8 +56,8 @@ private:
   // What a frame is to gather.
   struct Demand
   {
-    int Samples = 1;     // in all; 1: nothing
-    bool AtOnce = false; // in this frame, not one in each
+    int Samples = 1;      // in all; 1: nothing
+    bool AtOnce = false;  // in this frame, not one in each
     bool Offsets = false; // within the pixel
     bool Color = false;
     std::vector<std::string> Layers; // lights' visibility

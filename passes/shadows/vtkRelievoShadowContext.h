@@ -30,7 +30,7 @@ struct vtkRelievoShadowContext
   {
   }
 
-  vtkRelievoFrameCamera View; // the camera's
+  vtkRelievoFrameCamera View;       // the camera's
   vtkRelievoFrameCamera SteadyView; // without the sample's offset: what maps are fitted to
   vtkRelievoShadowProps& Props;
   vtkRelievoCasterDraw& PlainDraw;

@@ -52,14 +52,13 @@ double GetLightFromAbove(vtkRenderer* renderer, const std::array<double, 3>& pla
     std::array<double, 3> focus;
     light->GetTransformedPosition(position.data());
     light->GetTransformedFocalPoint(focus.data());
-    const std::array<double, 3> towards =
-      Minus(position, light->GetPositional() ? place : focus);
+    const std::array<double, 3> towards = Minus(position, light->GetPositional() ? place : focus);
     const double length = Length(towards);
     if (light->GetSwitch() && light->LightTypeIsSceneLight() && length > 0.0)
     {
       const double* color = light->GetDiffuseColor();
-      sum += std::max(0.0, towards[static_cast<std::size_t>(up)] / length) *
-        light->GetIntensity() * (color[0] + color[1] + color[2]) / 3.0;
+      sum += std::max(0.0, towards[static_cast<std::size_t>(up)] / length) * light->GetIntensity() *
+        (color[0] + color[1] + color[2]) / 3.0;
     }
   }
   return sum;

@@ -21,7 +21,7 @@ struct LightChoice
     Point
   };
   Kind Is = Kind::Sun;
-  std::array<double, 3> Position;                  ///< for a sun, the unit direction towards it
+  std::array<double, 3> Position; ///< for a sun, the unit direction towards it
   bool InView = false; ///< that direction is right, up and to the camera before it is fitted
   std::array<double, 3> FocalPoint;                ///< of a spot
   double ConeAngle = 180.0;                        ///< degrees, half the opening

@@ -88,7 +88,8 @@ void AddSuns(RenderOptions& options, const Preset& preset, bool others)
   for (const std::array<double, 3>& towards : Fills)
   {
     const double strength = &towards == std::end(Fills) - 1 ? LastFill : 1.0;
-    options.Lights.push_back(MakeSun(towards, preset.Fill, others ? ShareOfFill * strength : strength));
+    options.Lights.push_back(
+      MakeSun(towards, preset.Fill, others ? ShareOfFill * strength : strength));
   }
 }
 

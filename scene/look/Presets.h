@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * --preset: lights, shadows, ground, background and view by one name, for what no other option says.
+ * --preset: lights, shadows, ground, background and view by one name, for what no other option
+ * says.
  */
 #ifndef Presets_h
 #define Presets_h

@@ -70,12 +70,12 @@ struct CameraPlace
 struct RenderOptions
 {
   std::vector<std::string> Files;
-  std::array<int, 2> Size = { 1024, 768 }; ///< width, height in pixels
-  std::optional<CameraPlace> Camera;       ///< none: fitted to the scene
+  std::array<int, 2> Size = { 1024, 768 };       ///< width, height in pixels
+  std::optional<CameraPlace> Camera;             ///< none: fitted to the scene
   std::optional<std::array<double, 3>> ViewFrom; ///< which is seen from right, up and near; none:
                                                  ///< along an axis
-  std::optional<double> ViewAngle;         ///< full vertical angle, degrees
-  std::optional<double> ParallelScale;     ///< half the height, world units
+  std::optional<double> ViewAngle;               ///< full vertical angle, degrees
+  std::optional<double> ParallelScale;           ///< half the height, world units
   std::optional<std::array<double, 2>> Clip;
   Shading ShadingKind = Shading::FromFile;
   std::string Preset; ///< of lights, shadows, ground, background and view

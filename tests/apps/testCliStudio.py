@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The picture without options, in studio: lit on all sides, on a ground, in sight, the right side up,
-with smooth edges; and what of it other options and the file itself replace."""
+"""The picture without options, in studio: lit on all sides, on a ground, in sight, the right side
+up, with smooth edges; and what of it other options and the file itself replace."""
 
 import json
 
@@ -39,7 +39,7 @@ class Studio(CliTest):
     def box(self, name, low, high, writer=vtkOBJWriter):
         cube = vtkCubeSource()
         cube.SetBounds(*(x for pair in zip(low, high) for x in pair))
-        bare = vtkPassSelectedArrays() # VTK 9.2's writer counts texture coordinates wrongly
+        bare = vtkPassSelectedArrays()  # VTK 9.2's writer counts texture coordinates wrongly
         bare.SetInputConnection(cube.GetOutputPort())
         self.write(name, bare, writer)
 
@@ -197,7 +197,8 @@ class Studio(CliTest):
         }))  # fmt: skip
         model, _ = self.seen("a.gltf")
         inner = shrunk(model)
-        own, asked = (self.picture("a.gltf", *words)[inner] for words in ([], ["--preset", "studio"]))
+        own, asked = (self.picture("a.gltf", *words)[inner]
+                      for words in ([], ["--preset", "studio"]))  # fmt: skip
         self.assertEqual(own[:, [0, 2]].max(), 0)
         self.assertGreater(own[:, 1].min(), 60)
         self.assertGreater(asked.min(), 40)
@@ -209,7 +210,7 @@ class Studio(CliTest):
         for words in ([], ["--stage", "antialias:samples=1"]):
             done = self.relievo("render", "ball.obj", "--background", "black", "--ground", "off",
                                 *SIZE, "--png", "a.png", *words)  # fmt: skip
-            del done # which notes that one sample smooths nothing
+            del done  # which notes that one sample smooths nothing
             shades.append(len(numpy.unique(read_png(self.folder / "a.png")[..., 0])))
         self.assertLess(shades[1] + 20, shades[0])
 

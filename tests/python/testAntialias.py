@@ -103,7 +103,8 @@ class Antialias(unittest.TestCase):
         down, across = numpy.mgrid[0:ROWS, 0:COLUMNS] + 0.5
         for axis in down, across:
             self.assertAlmostEqual(
-                (light * axis).sum() / light.sum(), (shares * axis).sum() / shares.sum(), delta=0.01)
+                (light * axis).sum() / light.sum(), (shares * axis).sum() / shares.sum(),
+                delta=0.01)  # fmt: skip
 
     def test_projections(self):
         """In every kind of projection the sum of the light is that of the exact areas."""
