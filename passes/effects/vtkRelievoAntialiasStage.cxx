@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoAntialiasStage.h"
 
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkRelievoFrameContext.h"
 #include "vtkRelievoFramePlan.h"
@@ -9,6 +10,16 @@
 #include <string>
 
 vtkStandardNewMacro(vtkRelievoAntialiasStage);
+
+namespace
+{
+// ParaView's servers put the ranks' pictures together behind their own passes.
+bool IsPartOfPicture(const vtkRelievoFrameContext& context)
+{
+  vtkMultiProcessController* all = vtkMultiProcessController::GetGlobalController();
+  return context.Nested && all && all->GetNumberOfProcesses() > 1;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkRelievoAntialiasStage::vtkRelievoAntialiasStage() = default;
@@ -34,16 +45,27 @@ void vtkRelievoAntialiasStage::Describe(vtkRelievoStageDescription& description)
 void vtkRelievoAntialiasStage::Declare(
   const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const
 {
-  declaration.Runs = this->Samples > 1 && context.Picture && context.ReadBack.empty();
-  if (!declaration.Runs)
+  if (this->Samples == 1)
   {
-    declaration.ReasonCode = "idle";
-    declaration.Reason = this->Samples > 1
-      ? "layers are asked for, which have one sample, at the centre of each pixel"
-      : "one sample of each pixel (Samples) smooths nothing";
+    declaration.Reason = "one sample of each pixel (Samples) smooths nothing";
   }
-  declaration.Samples = this->Samples;
-  declaration.OffsetsSamples = true;
+  else if (!context.Picture || !context.ReadBack.empty())
+  {
+    declaration.Reason = "layers are asked for, which have one sample, at the centre of each pixel";
+  }
+  else if (IsPartOfPicture(context))
+  {
+    declaration.Reason = "several processes draw the picture together, which compare one depth in "
+                         "each pixel";
+  }
+  else
+  {
+    declaration.Samples = this->Samples;
+    declaration.OffsetsSamples = true;
+    return;
+  }
+  declaration.Runs = false;
+  declaration.ReasonCode = "idle";
 }
 
 //------------------------------------------------------------------------------

@@ -7,11 +7,12 @@
  * Each frame in which nothing else changes draws one more sample, with everything in it, so that
  * shadows, textures and what other stages add are smoothed as well as edges; frames that wait for
  * samples (vtkRelievoFramePass::SetWaitForSamples) draw them all. Each pixel is then the mean of
- * the linear light that falls on its square: an edge is wrong by at most about 1 / Samples of the
- * difference between its sides. Samples of soft shadows are the same ones, and cost nothing more.
+ * the linear light that falls on its square (Halton's sequence, 1960). Samples of soft shadows are
+ * the same ones, and cost nothing more.
  *
  * Layers have one sample, at the centre of each pixel: frames that hand out layers are not
- * smoothed, and neither are those that show one.
+ * smoothed, and neither are those that show one. Pictures that several processes draw together are
+ * put together by depth, of which a pixel has one: they are not smoothed either.
  */
 #ifndef vtkRelievoAntialiasStage_h
 #define vtkRelievoAntialiasStage_h

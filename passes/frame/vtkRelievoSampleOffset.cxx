@@ -41,12 +41,12 @@ double GetOffset(int sample, int samples, int base)
 //------------------------------------------------------------------------------
 vtkRelievoSampleOffset::vtkRelievoSampleOffset(vtkRelievoFrameContext& context)
 {
-  if (!context.OffsetsSamples)
+  const int* viewport = context.View.Viewport;
+  if (!context.OffsetsSamples || viewport[2] <= 0 || viewport[3] <= 0)
   {
     return;
   }
   const glm::dvec2 offset = Get(context.Sample, context.Samples);
-  const int* viewport = context.View.Viewport;
   glm::dmat4 move(1.0);
   move[3] = glm::dvec4(-2.0 * offset.x / viewport[2], -2.0 * offset.y / viewport[3], 0.0, 1.0);
   context.View.ViewToNDC = move * context.View.ViewToNDC;
