@@ -313,7 +313,7 @@ void TestRefusals()
   MustRefuse("but a cube is n x n x 6", odd, Cube, true);
   MustRefuse("but a sphere map is n x n x 1", cube, SphereMap, true);
   MustRefuse("but an equirectangular image has one slice", cube, Equirectangular, true);
-  MustRefuse("its point arrays are: none", cube, 0, false);
+  MustRefuse("Its point arrays are: none", cube, 0, false);
 }
 }
 

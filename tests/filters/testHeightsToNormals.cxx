@@ -295,7 +295,7 @@ void MustRefuse(const std::string& words, Spoil spoil)
 
 void TestRefusals()
 {
-  MustRefuse("its point arrays are: none",
+  MustRefuse("Its point arrays are: none",
     [](Filter*, vtkImageData* image) { image->GetPointData()->Initialize(); });
   MustRefuse("Component is 1, but the heights have 1 component(s)",
     [](Filter* filter, vtkImageData*) { filter->SetComponent(1); });
