@@ -84,6 +84,7 @@ class Browser:
                 pass
 
         self.scratch = scratch
+        self.asked = 0
         handler = functools.partial(Handler, directory=site)
         self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
         threading.Thread(target=self.server.serve_forever, daemon=True).start()
@@ -108,7 +109,8 @@ frame.addEventListener("load", async () => {{
   document.body.dataset.found = JSON.stringify(await (async () => {{ {script} }})());
 }});</script>"""
         self.probe.write_text(frame, encoding="utf-8")
-        text = self.run(self.probe.name, "--dump-dom", size=size)
+        self.asked += 1  # an address of its own: one that was written in this second may be kept
+        text = self.run(f"{self.probe.name}?{self.asked}", "--dump-dom", size=size)
         body = text[text.index("<body"):]
 
         class Found(html.parser.HTMLParser):
