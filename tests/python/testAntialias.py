@@ -10,7 +10,13 @@ from frames import picture
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+)
 
 import relievo
 
@@ -178,10 +184,20 @@ class Antialias(unittest.TestCase):
         self.assertEqual(self.frame.GetStage("antialias").GetReasonCode(), "ran")
 
     def test_hard_shadows_stay_hard(self):
-        """Samples of edges are none of lights: a sun has its usual size, and is a point."""
+        """Samples of edges are none of lights: a sun is a point, and its map stays as it was drawn
+        for the first of them."""
+        sun = vtkLight()
+        sun.SetLightTypeToSceneLight()
+        sun.SetPosition(1, 2, 3)
+        self.renderer.AddLight(sun)
+        self.frame.GetShadowStage().SetLightSize(sun, 10)
         relievo.stage(self.renderer, "shadows", visible=True)
-        self.smooth(16)
-        self.assertIn('"soft_samples":1', self.frame.GetFrameReport().replace(" ", ""))
+        for samples, drawn in ((0, 0), (4, 1)):
+            relievo.stage(self.renderer, "shadows", soft_samples=samples)
+            self.smooth(16)
+            stage = self.frame.GetShadowStage()
+            self.assertEqual(stage.GetReasonCode(), "ran")
+            self.assertEqual(stage.GetNumberOfMapsDrawn(), drawn, "for the last sample")
 
 
 if __name__ == "__main__":
