@@ -19,8 +19,8 @@ namespace scene
 namespace
 {
 constexpr const char* Reading[] = { "--time", "--times", "--animation", "--blend", "--loop",
-  "--skeleton", "--bone-weight", "--skin", "--normal-map", "--height-map", "--texture-coordinates",
-  "--up" };
+  "--image", "--skeleton", "--bone-weight", "--skin", "--normal-map", "--height-map",
+  "--texture-coordinates", "--up" };
 constexpr const char* Wearing[] = { "--normal-map", "--height-map", "--relief", "--material",
   "--texture-coordinates", "--opacity", "--environment", "--reflectivity", "--skybox", "--up" };
 constexpr const char* NoDress[] = { "--camera", "--clip", "--size", "--shadows" };

@@ -10,27 +10,34 @@
 #include "Look.h"
 #include "Messages.h"
 #include "Models.h"
+#include "Numbers.h"
 #include "ObjMaterials.h"
 #include "Options.h"
 #include "Progress.h"
 #include "Readers.h"
 #include "TextureCoordinates.h"
 #include "UpAxis.h"
+#include "VolumeImages.h"
 
 #include "vtkActorCollection.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkRelievoFramePass.h"
 #include "vtkRelievoNullLight.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTexture.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 
 #include <algorithm>
 
@@ -212,6 +219,43 @@ void AddOwnLights(const PosedModel& model, vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+// The surfaces to draw. Null: the renderer has a volume instead.
+vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice& choice,
+  vtkRenderer* renderer, const std::string& path, Progress& progress)
+{
+  using Kind = ImageChoice::Kind;
+  const bool found = choice.Is == Kind::Found;
+  if (choice.Is == Kind::Volume)
+  {
+    renderer->AddVolume(MakeVolume(image));
+    return nullptr;
+  }
+  if (choice.Is == Kind::Labels || (found && HasLabels(image)))
+  {
+    if (found)
+    {
+      Messages::Note(path + ": holds labels, shown by their surfaces; --image box shows the image");
+    }
+    return MakeLabelSurfaces(image, progress);
+  }
+  double range[2];
+  image->GetPointData()->GetScalars()->GetFiniteRange(range);
+  const double value = choice.Value ? *choice.Value : FindThreshold(image);
+  if (!(range[0] < value && value <= range[1]))
+  {
+    throw WorkError(path + ": --image surface: got " + WriteNumber(value) +
+      ", expected a value above " + WriteNumber(range[0]) + " and not above " +
+      WriteNumber(range[1]));
+  }
+  if (found)
+  {
+    Messages::Note(path + ": shown by the surface where its values are " + WriteNumber(value) +
+      "; --image volume shows all of them, --image box the outer faces");
+  }
+  return MakeIsosurface(image, value, progress);
+}
+
+//------------------------------------------------------------------------------
 bool IsMapped(const RenderOptions& options)
 {
   return !options.NormalMap.empty() || !options.HeightMap.empty();
@@ -243,6 +287,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
   for (const std::string& path : options.Files)
   {
     const int before = scene.Renderer->GetActors()->GetNumberOfItems();
+    const int volumes = scene.Renderer->GetVolumes()->GetNumberOfItems();
     if (IsModel(path))
     {
       scene.Models.push_back(ReadModel(path, options.Model, smooth, progress));
@@ -256,14 +301,21 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     }
     else
     {
-      const vtkSmartPointer<vtkDataObject> surface = ReadSurface(path, smooth, progress);
+      const bool images = options.Image.Is != ImageChoice::Kind::Box;
+      vtkSmartPointer<vtkDataObject> surface = ReadSurface(path, smooth, images, progress);
       progress.Begin("preparing " + path);
-      const auto parts = SplitByMaterials(surface, path, progress);
+      if (auto* image = vtkImageData::SafeDownCast(surface))
+      {
+        surface = ShowImage(image, options.Image, scene.Renderer, path, progress);
+        surface = surface ? MakeSurface(surface, smooth, path, progress) : nullptr;
+      }
+      const auto parts = surface ? SplitByMaterials(surface, path, progress)
+                                 : std::vector<vtkSmartPointer<vtkActor>>();
       for (vtkActor* actor : parts)
       {
         scene.Renderer->AddActor(actor);
       }
-      if (parts.empty())
+      if (parts.empty() && surface)
       {
         scene.Renderer->AddActor(DrawSurface(surface));
       }
@@ -271,7 +323,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     }
     vtkActorCollection* actors = scene.Renderer->GetActors();
     scene.Counts.push_back(actors->GetNumberOfItems() - before);
-    bool shows = false;
+    bool shows = scene.Renderer->GetVolumes()->GetNumberOfItems() > volumes;
     if (before == 0)
     {
       scene.UpAxis = FindUpAxis(path, scene.Renderer->ComputeVisiblePropBounds());

@@ -1109,6 +1109,8 @@ bool vtkRelievoShadowStage::SetShaderParameters(vtkShaderProgram* program,
   }
   if (in.ProgramsWithUniforms.insert(program).second)
   {
+    // Another renderer's lights may be newer, and VTK's shader cache gives both the same program.
+    program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
     vtkRelievoShadowUniforms::SetFrame(
       program, in.Work, *in.Method, this->Visible ? this->Strength : 0.0);
     in.Method->SetFrameUniforms(program, in.Work);

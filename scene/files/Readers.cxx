@@ -11,10 +11,12 @@
 #include "Progress.h"
 #include "Validate.h"
 #include "Values.h"
+#include "VolumeImages.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkGenericDataObjectReader.h"
+#include "vtkImageData.h"
 #include "vtkRelievoFileKind.h"
 #include "vtkRelievoOBJReader.h"
 #include "vtkRelievoOFFReader.h"
@@ -302,14 +304,16 @@ vtkSmartPointer<vtkDataObject> ReadData(const std::string& path, Progress& progr
   return data;
 }
 
-vtkSmartPointer<vtkDataObject> ReadFaceted(const std::string& path, Progress& progress)
+template <bool Smooth, bool Images>
+vtkSmartPointer<vtkDataObject> ReadShown(const std::string& path, Progress& progress)
 {
-  return MakeSurface(ReadData(path, progress), false, path, progress);
-}
-
-vtkSmartPointer<vtkDataObject> ReadSmooth(const std::string& path, Progress& progress)
-{
-  return MakeSurface(ReadData(path, progress), true, path, progress);
+  const vtkSmartPointer<vtkDataObject> data = ReadData(path, progress);
+  vtkSmartPointer<vtkDataObject> image;
+  if (Images)
+  {
+    image = GetVolumeImage(data);
+  }
+  return image ? image : MakeSurface(data, Smooth, path, progress);
 }
 
 vtkSmartPointer<vtkDataObject> ReadBare(const std::string& path, Progress& progress)
@@ -319,9 +323,12 @@ vtkSmartPointer<vtkDataObject> ReadBare(const std::string& path, Progress& progr
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> ReadSurface(const std::string& path, bool smooth, Progress& progress)
+vtkSmartPointer<vtkDataObject> ReadSurface(
+  const std::string& path, bool smooth, bool images, Progress& progress)
 {
-  return ReadApart(smooth ? ReadSmooth : ReadFaceted, path, progress);
+  const ReadingWork works[2][2] = { { ReadShown<false, false>, ReadShown<false, true> },
+    { ReadShown<true, false>, ReadShown<true, true> } };
+  return ReadApart(works[smooth][images], path, progress);
 }
 
 //------------------------------------------------------------------------------

@@ -42,9 +42,10 @@ void CheckReadable(const std::string& path);
 /// What is said of a file that no reader understands and VTK has no words for.
 std::string NotAsNamed(const std::string& path);
 
-/// What there is to draw of a file: its surface, as MakeSurface. Throws WorkError with its name.
+/// What there is to draw of a file: its surface, as MakeSurface. With `images`, one that
+/// GetVolumeImage takes stays an image. Throws WorkError with its name.
 vtkSmartPointer<vtkDataObject> ReadSurface(
-  const std::string& path, bool smooth, Progress& progress);
+  const std::string& path, bool smooth, bool images, Progress& progress);
 
 /// The points of a file with their arrays. Throws WorkError with its name.
 vtkSmartPointer<vtkDataObject> ReadPoints(const std::string& path, Progress& progress);

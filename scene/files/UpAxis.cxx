@@ -10,6 +10,12 @@
 
 namespace scene
 {
+namespace
+{
+// Of its width and its length.
+constexpr double LowShare = 0.34;
+}
+
 //------------------------------------------------------------------------------
 int FindUpAxis(const std::string& path, const double bounds[6])
 {
@@ -25,6 +31,11 @@ int FindUpAxis(const std::string& path, const double bounds[6])
   if (standsOn(1) != standsOn(2))
   {
     return standsOn(2) ? 2 : 1;
+  }
+  // What is low lies: a terrain, a plate, a scan of the ground.
+  if (extent(2) > 1e-3 * largest && extent(2) < LowShare * std::min(extent(0), extent(1)))
+  {
+    return 2;
   }
   // Tools of CAD and printing have z up, and so have grids in space.
   static const std::set<std::string> withZ = { ".stl", ".vti", ".vtr", ".vts", ".vtu", ".pvti",

@@ -16,6 +16,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkImageData.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -23,6 +24,10 @@
 #include "vtkRelievoMaterial.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <functional>
@@ -44,6 +49,18 @@ void ForEachActor(vtkRenderer* renderer, const std::function<void(vtkActor*)>& v
     {
       visit(actor);
     }
+  }
+}
+
+void ForEachVolume(
+  vtkRenderer* renderer, const std::function<void(vtkImageData*, vtkVolume*)>& visit)
+{
+  vtkVolumeCollection* volumes = renderer->GetVolumes();
+  vtkCollectionSimpleIterator it;
+  volumes->InitTraversal(it);
+  while (vtkVolume* volume = volumes->GetNextVolume(it))
+  {
+    visit(vtkImageData::SafeDownCast(volume->GetMapper()->GetInputDataObject(0, 0)), volume);
   }
 }
 
@@ -222,6 +239,17 @@ void SetColors(const Scene& scene, const LookChoice& look, bool mapped)
         scene.Renderer, map, name + (look.Component ? " " + std::to_string(*look.Component) : ""));
     }
   }
+  ForEachVolume(scene.Renderer, [&](vtkImageData* image, vtkVolume* volume) {
+    vtkDataArray* values = image->GetPointData()->GetScalars();
+    std::array<double, 2> range;
+    values->GetFiniteRange(range.data());
+    const auto map = MakeColormap(look.Colormap, look.Range.value_or(range));
+    volume->GetProperty()->SetColor(map);
+    if (look.ScalarBar && ++bars == 1)
+    {
+      AddScalarBar(scene.Renderer, map, values->GetName() ? values->GetName() : "");
+    }
+  });
   if (look.ScalarBar && bars != 1)
   {
     throw UsageError(std::string("--scalar-bar: ") +
@@ -277,6 +305,11 @@ void SetLook(Scene& scene, const RenderOptions& options)
     }
     translucent =
       translucent || look.Opacity < 1.0 || actor->HasTranslucentPolygonalGeometry() != 0;
+    if (look.PointSize > 1.0)
+    {
+      property->SetPointSize(static_cast<float>(look.PointSize));
+      property->RenderPointsAsSpheresOn();
+    }
     if (look.Edges)
     {
       property->EdgeVisibilityOn();

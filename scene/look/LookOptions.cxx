@@ -16,6 +16,8 @@ namespace scene
 {
 namespace
 {
+constexpr double MostPointSize = 100.0;
+
 bool IsHexadecimal(const std::string& word)
 {
   return word.size() == 7 && word[0] == '#' &&
@@ -118,6 +120,17 @@ void TakeOpacity(RenderOptions& options, const std::string& word)
     RefuseValue("--opacity", word, "a number from 0 to 1");
   }
   options.Look.Opacity = opacity;
+}
+
+//------------------------------------------------------------------------------
+void TakePointSize(RenderOptions& options, const std::string& word)
+{
+  const double size = ParseNumbers("--point-size", word, 1, "PIXELS")[0];
+  if (size < 1.0 || size > MostPointSize)
+  {
+    RefuseValue("--point-size", word, "a number of pixels from 1 to 100");
+  }
+  options.Look.PointSize = size;
 }
 
 //------------------------------------------------------------------------------

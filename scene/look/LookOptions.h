@@ -40,6 +40,7 @@ struct LookChoice
   bool ScalarBar = false;
   std::optional<Color> Solid;
   double Opacity = 1.0;
+  double PointSize = 1.0; ///< pixels; larger ones are spheres
   bool Edges = false;
   std::vector<Color> Background; ///< none: VTK's; two: bottom and top
 };
@@ -49,6 +50,7 @@ void TakeRange(RenderOptions& options, const std::string& word);
 void TakeColormap(RenderOptions& options, const std::string& word);
 void TakeColor(RenderOptions& options, const std::string& word);
 void TakeOpacity(RenderOptions& options, const std::string& word);
+void TakePointSize(RenderOptions& options, const std::string& word);
 void TakeBackground(RenderOptions& options, const std::string& word);
 
 /// "#rrggbb", "R/G/B" from 0 to 1, or a name of HTML's.

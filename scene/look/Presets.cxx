@@ -49,6 +49,9 @@ constexpr double LastFill = 0.8;
 // Of soft shadows and of smooth edges.
 constexpr int Samples = 24;
 
+// Of clouds, so that they are seen on a light background.
+constexpr double PointSize = 4.0;
+
 // From the upper right, so that three sides of a box are seen.
 constexpr std::array<double, 3> ThreeQuarter = { 0.5, 0.4, 1.0 };
 
@@ -146,6 +149,14 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   if (given.count("--background") == 0)
   {
     options.Look.Background = preset->Background;
+  }
+  if (given.count("--image") + given.count("--color-by") + given.count("--scalar-bar") == 0)
+  {
+    options.Image.Is = ImageChoice::Kind::Found;
+  }
+  if (given.count("--point-size") == 0)
+  {
+    options.Look.PointSize = PointSize;
   }
   options.ViewFrom = ThreeQuarter;
   options.FindsUp = given.count("--up") == 0;

@@ -177,6 +177,12 @@ std::vector<OptionRow> MakeRows()
         options.ParallelScale = ParseNumberBetween("--parallel-scale", word, 0.0, Infinity);
       } },
     { "--clip", "NEAR,FAR", "clipping distances, 0 < NEAR < FAR (around the scene)", TakeClip },
+    { "--image", "KIND",
+      "how images with depth (.vti, .vtk) are shown: labels, the smooth surface of each value but "
+      "0; surface[=VALUE], where VALUE is reached (that which parts the values best); volume; box, "
+      "the outer faces; auto, labels where there are any, else surface (auto with a preset and "
+      "without --color-by, else box)",
+      [](RenderOptions& options, const std::string& word) { options.Image = ParseImage(word); } },
     { "--shading", "KIND", "flat, gouraud, phong or pbr (phong; glTF keeps its own materials)",
       TakeShading },
     { "--preset", "NAME",
@@ -205,6 +211,9 @@ std::vector<OptionRow> MakeRows()
       "#rrggbb, or a name such as slategray",
       TakeColor },
     { "--opacity", "A", "of all meshes, 0 to 1 (1)", TakeOpacity },
+    { "--point-size", "PIXELS",
+      "width of points, 1 to 100; those wider than 1 are spheres (4 with a preset, else 1)",
+      TakePointSize },
     { "--edges", "", "draws the edges of cells",
       [](RenderOptions& options, const std::string&) { options.Look.Edges = true; } },
     { "--background", "COLOR[,COLOR]", "one colour, or the bottom's and the top's (black)",

@@ -13,6 +13,7 @@
 #include "ModelOptions.h"
 #include "Points.h"
 #include "Stages.h"
+#include "VolumeImages.h"
 
 #include <array>
 #include <optional>
@@ -77,6 +78,7 @@ struct RenderOptions
   std::optional<double> ViewAngle;               ///< full vertical angle, degrees
   std::optional<double> ParallelScale;           ///< half the height, world units
   std::optional<std::array<double, 2>> Clip;
+  ImageChoice Image; ///< how images with depth are shown
   Shading ShadingKind = Shading::FromFile;
   std::string Preset; ///< of lights, shadows, ground, background and view
   LookChoice Look;

@@ -176,7 +176,7 @@ const Case Cases[] = {
   { "a light's colour", 0, true, [](Scene& s) { s.Sun->SetColor(1., 0.5, 0.5); } },
   { "a light's shadow attenuation", 0, true, [](Scene& s) { s.Sun->SetShadowAttenuation(0.5); } },
   { "the strength", 0, true, [](Scene& s) { s.GetShadows()->SetStrength(0.5); } },
-  { "the bias", 0, true, [](Scene& s) { s.GetShadows()->SetBias(30.); }, nullptr,
+  { "the bias", 0, true, [](Scene& s) { s.GetShadows()->SetBias(100.); }, nullptr,
     Case::InMapsOnly },
   { "a colour", 0, true, [](Scene& s) { s.Thing->GetProperty()->SetColor(0.5, 0.2, 0.1); }, nullptr,
     Case::InBoth, true },

@@ -344,7 +344,7 @@ void TestConvergence()
   {
     return;
   }
-  const auto window = relievoTest::MakeWindow(400, 400, scene.Renderer);
+  const auto window = relievoTest::MakeWindow(1200, 1200, scene.Renderer);
   const auto truth = scene.MakeTruth();
   window->Render();
   const auto shadow =

@@ -4,11 +4,14 @@
 
 #include "vtkActor.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPolyData.h"
 #include "vtkProp.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCasterDraw.h"
@@ -21,6 +24,7 @@
 #include "vtkRelievoTriangleCasters.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
+#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 #include "vtkUniforms.h"
 
@@ -40,6 +44,44 @@ vtkMTimeType GetMapperTime(vtkMapper* mapper)
   const vtkMTimeType time = vtkRelievoPropMTime::OfInputs(mapper);
   // A plain mapper's own settings are about colour; others' may be sizes, blocks, orientations.
   return IsPlain(mapper) ? time : std::max(time, mapper->GetMTime());
+}
+
+// Whether all cells are polygons and strips.
+bool HasFacesOnly(vtkDataObject* data)
+{
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      if (!HasFacesOnly(leaf->GetCurrentDataObject()))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+  auto* mesh = vtkPolyData::SafeDownCast(data);
+  return mesh && mesh->GetNumberOfVerts() == 0 && mesh->GetNumberOfLines() == 0;
+}
+
+// Whether the actor may draw beyond its bounds: points and lines, which are as wide as they are on
+// a screen, glyphs of mappers that count their centers alone, and what a shader moves.
+bool IsLoose(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  bool moves = shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode();
+  for (int i = 0; i < shaders->GetNumberOfShaderReplacements(); ++i)
+  {
+    moves = moves || shaders->GetNthShaderReplacementTypeAsString(i) != "Fragment";
+  }
+  vtkProperty* property = actor->GetProperty();
+  const bool faces = (IsPlain(mapper) || mapper->IsA("vtkCompositePolyDataMapper") ||
+                       mapper->IsA("vtkCompositePolyDataMapper2")) &&
+    property->GetRepresentation() == VTK_SURFACE && !property->GetVertexVisibility() &&
+    HasFacesOnly(mapper->GetInputDataObject(0, 0));
+  return moves || !faces;
 }
 
 bool GetBox(vtkProp* prop, vtkRelievoBox& box)
@@ -120,6 +162,9 @@ void vtkRelievoShadowProps::Collect(
     {
       continue;
     }
+    box.Loose = std::any_of(parts.begin(), parts.end(), [](const vtkRelievoPropParts::Part& part) {
+      return IsLoose(vtkRelievoPropParts::GetMeshActor(part));
+    });
     this->Spliced.push_back(prop);
     if (mixed)
     {

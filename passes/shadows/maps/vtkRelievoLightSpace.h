@@ -12,7 +12,7 @@
 // How a map lies in its frame.
 struct vtkRelievoMapPlacement
 {
-  bool Turned = false; // by the angle; otherwise as it takes the least area
+  bool Turned = false; // by the angle; otherwise as its sides are shortest
   double Angle = 0.0;
   double Widest = 1.0; // texel, where they are spent unevenly, over an even one
 };

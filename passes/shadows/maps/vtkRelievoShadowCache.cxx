@@ -25,7 +25,7 @@ bool IsSame(const std::vector<vtkRelievoBox>& a, const std::vector<vtkRelievoBox
 {
   return std::equal(
     a.begin(), a.end(), b.begin(), b.end(), [](const vtkRelievoBox& x, const vtkRelievoBox& y) {
-      return x.Min == y.Min && x.Max == y.Max;
+      return x.Min == y.Min && x.Max == y.Max && x.Loose == y.Loose;
     });
 }
 
@@ -130,8 +130,12 @@ void vtkRelievoShadowCache::Fit(const std::vector<vtkRelievoShadowLight>& castin
     }
     else
     {
-      entry.Cube = vtkRelievoShadowFit::IsCube(light, all);
-      views = method.Fit(light, visible, all, scene.Casters, scene.Request);
+      const auto planes =
+        vtkRelievoShadowFit::GetShadowPlanes(light, scene.Casters, scene.Receivers);
+      const auto shaded = vtkRelievoShadowRegion::Clip(all, planes);
+      entry.Cube = vtkRelievoShadowFit::IsCube(light, shaded);
+      views = method.Fit(
+        light, vtkRelievoShadowRegion::Clip(visible, planes), shaded, scene.Casters, scene.Request);
     }
     for (const vtkRelievoShadowView& view : views)
     {

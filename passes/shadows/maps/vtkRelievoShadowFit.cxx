@@ -16,12 +16,41 @@ using Frame = vtkRelievoLightSpace;
 using vtkRelievoShadowFit::Request;
 using vtkRelievoShadowRegion::GetPoints;
 using vtkRelievoShadowRegion::Polygon;
+using vtkRelievoShadowSnapping::Rounding;
 
 // Half the opening, in tangents, up to which one perspective map serves a lamp; beyond it texels at
 // the rim get too small for what they cost.
 constexpr double WidestTangent = 1.43; // 55 degrees
 // Sides of a cube reach a little over their edges, for the filter.
 constexpr double CubeTangent = 1.01;
+
+// Of the casters' width: they are drawn in float.
+constexpr double ShadowMargin = 1e-5;
+// Half the opening, in tangents, of the cone around what casts by a lamp.
+constexpr double WidestShadow = 5.0;
+
+// Whether the box is flat, and everything that receives is on that side of it which the light is on.
+bool CastsNothing(const vtkRelievoBox& box, const vtkRelievoShadowLight& light,
+  const std::vector<vtkRelievoBox>& receivers)
+{
+  const glm::dvec3 size = box.Max - box.Min;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double lightSide =
+      light.Positional ? light.Position[axis] - box.Min[axis] : -light.Direction[axis];
+    const double slack = Rounding * glm::length(size);
+    const bool above = lightSide > 0.0;
+    if (size[axis] <= slack && std::abs(lightSide) > slack &&
+      std::all_of(receivers.begin(), receivers.end(), [&](const vtkRelievoBox& receiver) {
+        return above ? receiver.Min[axis] >= box.Max[axis] - slack
+                     : receiver.Max[axis] <= box.Min[axis] + slack;
+      }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 // What of the region is within the pyramid of the frame.
 std::vector<glm::dvec3> GetPointsWithin(
@@ -121,6 +150,56 @@ Cone GetWholeCone(const vtkRelievoShadowLight& light, const std::vector<glm::dve
   }
   return GetCone(light.Position, GetAxis(light.Position, all), all);
 }
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec4> vtkRelievoShadowFit::GetShadowPlanes(const vtkRelievoShadowLight& light,
+  const std::vector<vtkRelievoBox>& casters, const std::vector<vtkRelievoBox>& receivers)
+{
+  std::vector<glm::dvec4> planes;
+  std::vector<glm::dvec3> corners;
+  for (const vtkRelievoBox& box : casters)
+  {
+    if (CastsNothing(box, light, receivers))
+    {
+      continue;
+    }
+    if (box.Loose)
+    {
+      return planes;
+    }
+    const auto own = box.GetCorners();
+    corners.insert(corners.end(), own.begin(), own.end());
+  }
+  if (corners.empty())
+  {
+    return planes;
+  }
+  const glm::dvec3 axis = light.Positional ? GetAxis(light.Position, corners) : light.Direction;
+  const double tangent = light.Positional ? GetCone(light.Position, axis, corners).Tangent : 0.0;
+  if (tangent < 0.0 || tangent > WidestShadow)
+  {
+    return planes; // the casters are around the lamp
+  }
+  const Frame frame(light.Positional ? light.Position : corners.front(), axis);
+  std::vector<glm::dvec2> places;
+  double width = 0.0;
+  for (const glm::dvec3& corner : corners)
+  {
+    const glm::dvec3 place = frame.Map(corner);
+    places.emplace_back(glm::dvec2(place) / (light.Positional ? place.z : 1.0));
+    width = std::max(width, glm::length(places.back() - places.front()));
+  }
+  const std::vector<glm::dvec2> hull = vtkRelievoShadowRegion::GetHull(std::move(places));
+  for (std::size_t i = 0; hull.size() > 2 && i < hull.size(); ++i)
+  {
+    const glm::dvec2 along = glm::normalize(hull[(i + 1) % hull.size()] - hull[i]);
+    const glm::dvec2 inwards(-along.y, along.x);
+    const double from = ShadowMargin * width - glm::dot(inwards, hull[i]);
+    planes.push_back(frame.GetPlane(inwards.x, inwards.y, light.Positional ? from : 0.0));
+    planes.back().w += light.Positional ? 0.0 : from;
+  }
+  return planes;
 }
 
 //------------------------------------------------------------------------------

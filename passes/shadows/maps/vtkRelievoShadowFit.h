@@ -34,6 +34,11 @@ std::vector<vtkRelievoShadowView> Fit(const vtkRelievoShadowLight& light,
   const std::vector<vtkRelievoShadowRegion::Polygon>& scene,
   const std::vector<vtkRelievoBox>& casters, const Request& request);
 
+// Around all places that light would reach through what casts: elsewhere no shadow falls, so that a
+// wide ground takes no texels. Empty where that is not known.
+std::vector<glm::dvec4> GetShadowPlanes(const vtkRelievoShadowLight& light,
+  const std::vector<vtkRelievoBox>& casters, const std::vector<vtkRelievoBox>& receivers);
+
 // Whether some camera in this scene needs several maps of the light.
 bool IsCube(
   const vtkRelievoShadowLight& light, const std::vector<vtkRelievoShadowRegion::Polygon>& scene);

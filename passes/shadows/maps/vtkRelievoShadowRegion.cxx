@@ -93,6 +93,23 @@ Polygon vtkRelievoShadowRegion::Clip(const Polygon& polygon, const glm::dvec4& p
 }
 
 //------------------------------------------------------------------------------
+std::vector<Polygon> vtkRelievoShadowRegion::Clip(
+  std::vector<Polygon> polygons, const std::vector<glm::dvec4>& planes)
+{
+  for (const glm::dvec4& plane : planes)
+  {
+    for (Polygon& polygon : polygons)
+    {
+      polygon = Clip(polygon, plane);
+    }
+  }
+  polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
+                   [](const Polygon& polygon) { return polygon.empty(); }),
+    polygons.end());
+  return polygons;
+}
+
+//------------------------------------------------------------------------------
 std::vector<Polygon> vtkRelievoShadowRegion::GetFaces(const std::vector<vtkRelievoBox>& boxes)
 {
   std::vector<Polygon> polygons;
@@ -110,7 +127,7 @@ std::vector<Polygon> vtkRelievoShadowRegion::Cut(
   std::array<glm::dvec3, 8> frustum;
   const glm::dmat4 ndcToWorld = glm::inverse(worldToNDC);
   const std::array<glm::dvec3, 8> cube =
-    vtkRelievoBox{ glm::dvec3(-1.0), glm::dvec3(1.0), 0 }.GetCorners();
+    vtkRelievoBox{ glm::dvec3(-1.0), glm::dvec3(1.0) }.GetCorners();
   std::transform(cube.begin(), cube.end(), frustum.begin(), [&ndcToWorld](const glm::dvec3& p) {
     const glm::dvec4 world = ndcToWorld * glm::dvec4(p, 1.0);
     return glm::dvec3(world) / world.w;
@@ -145,6 +162,7 @@ void vtkRelievoShadowRegion::Join(const vtkRelievoBox& box, std::vector<vtkRelie
   {
     known->Min = glm::min(known->Min, box.Min);
     known->Max = glm::max(known->Max, box.Max);
+    known->Loose = known->Loose || box.Loose;
   }
   else
   {
@@ -223,7 +241,8 @@ vtkRelievoShadowRegion::Rectangle vtkRelievoShadowRegion::Enclose(
   const std::vector<glm::dvec2>& points)
 {
   const std::vector<glm::dvec2> hull = GetHull(points);
-  // The least rectangle has a side along a side of the hull (Freeman and Shapira, 1975). Angles
+  // The least rectangle has a side along a side of the hull: between, its length is a sum of sines
+  // of the angle, which is least at an end. Angles
   // that differ by a quarter turn give the same one.
   const double quarter = 0.5 * vtkMath::Pi();
   constexpr double Rounding = 1e-6;
@@ -234,10 +253,10 @@ vtkRelievoShadowRegion::Rectangle vtkRelievoShadowRegion::Enclose(
     double angle = std::atan2(edge.y, edge.x);
     angle -= quarter * std::floor(angle / quarter + Rounding);
     const Rectangle rectangle = EncloseAt(hull, angle);
-    const double area = rectangle.GetArea();
-    const double least = best.GetArea();
-    if (i == 0 || area < (1.0 - Rounding) * least ||
-      (area <= (1.0 + Rounding) * least && angle < best.Angle - Rounding))
+    const double length = rectangle.GetLength();
+    const double least = best.GetLength();
+    if (i == 0 || length < (1.0 - Rounding) * least ||
+      (length <= (1.0 + Rounding) * least && angle < best.Angle - Rounding))
     {
       best = rectangle;
     }

@@ -15,7 +15,8 @@ struct vtkRelievoBox
 {
   glm::dvec3 Min;
   glm::dvec3 Max;
-  int Number = 0; // of the prop in its renderer
+  int Number = 0;     // of the prop in its renderer
+  bool Loose = false; // its mapper may draw beyond the box
 
   std::array<glm::dvec3, 8> GetCorners() const;
 };
@@ -34,6 +35,9 @@ std::vector<Polygon> GetFaces(const std::vector<vtkRelievoBox>& boxes);
 // has it).
 std::vector<Polygon> Cut(const std::vector<vtkRelievoBox>& boxes, const glm::dmat4& worldToNDC);
 
+// The parts that are within all planes.
+std::vector<Polygon> Clip(std::vector<Polygon> polygons, const std::vector<glm::dvec4>& planes);
+
 // The corners of all of them.
 std::vector<glm::dvec3> GetPoints(const std::vector<Polygon>& polygons);
 
@@ -51,9 +55,11 @@ struct Rectangle
   glm::dvec2 Min{ 0.0 };
   glm::dvec2 Max{ 0.0 };
 
-  double GetArea() const { return (this->Max.x - this->Min.x) * (this->Max.y - this->Min.y); }
+  // Of both sides: a map has as many texels along either, so that edges of shadows, which run any
+  // way, are off by a share of this.
+  double GetLength() const { return this->Max.x - this->Min.x + this->Max.y - this->Min.y; }
 };
-// Around points; where two angles take the same area but for rounding, always at the same one.
+// The least around points; where two are alike but for rounding, always at the same angle.
 Rectangle Enclose(const std::vector<glm::dvec2>& points);
 Rectangle EncloseAt(const std::vector<glm::dvec2>& points, double angle);
 

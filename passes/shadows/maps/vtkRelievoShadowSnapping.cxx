@@ -68,7 +68,7 @@ Rectangle vtkRelievoShadowSnapping::Enclose(const std::vector<glm::dvec2>& hull,
     const Rectangle all = vtkRelievoShadowRegion::EncloseAt(whole, turned);
     Snap(rectangle.Min.x, rectangle.Max.x, all.Min.x, all.Max.x);
     Snap(rectangle.Min.y, rectangle.Max.y, all.Min.y, all.Max.y);
-    if (i == 0 || rectangle.GetArea() < (1.0 - Rounding) * best.GetArea())
+    if (i == 0 || rectangle.GetLength() < (1.0 - Rounding) * best.GetLength())
     {
       best = rectangle;
     }

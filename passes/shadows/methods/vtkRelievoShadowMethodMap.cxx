@@ -8,7 +8,7 @@ namespace
 {
 // Least squares, in logarithms, of docs/charts/shadows.csv: bunny, motorBike and buildings, all
 // lights and sizes, 600 x 600 pixels. Each value there is within 2.5 times (testShadowEstimate).
-constexpr vtkRelievoShadowErrorLaw MapLaw = { 4.15e-4, 0.89 };
+constexpr vtkRelievoShadowErrorLaw MapLaw = { 1.92e-4, 0.91 };
 }
 
 //------------------------------------------------------------------------------

@@ -21,19 +21,20 @@ void Put(std::vector<double>& numbers, const std::vector<vtkRelievoBox>& boxes)
   {
     numbers.insert(numbers.end(),
       { static_cast<double>(box.Number), box.Min.x, box.Min.y, box.Min.z, box.Max.x, box.Max.y,
-        box.Max.z });
+        box.Max.z, box.Loose ? 1.0 : 0.0 });
   }
 }
 
 const double* Take(const double* from, std::vector<vtkRelievoBox>& boxes)
 {
   const auto count = static_cast<std::size_t>(*from++);
-  for (std::size_t i = 0; i < count; ++i, from += 7)
+  for (std::size_t i = 0; i < count; ++i, from += 8)
   {
     vtkRelievoBox box;
     box.Number = static_cast<int>(from[0]);
     box.Min = glm::dvec3(from[1], from[2], from[3]);
     box.Max = glm::dvec3(from[4], from[5], from[6]);
+    box.Loose = from[7] != 0.0;
     vtkRelievoShadowRegion::Join(box, boxes);
   }
   return from;

@@ -1,0 +1,366 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VolumeImages.h"
+
+#include "Progress.h"
+#include "Values.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellData.h"
+#include "vtkCleanPolyData.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDiscreteFlyingEdges3D.h"
+#include "vtkExtractVOI.h"
+#include "vtkFlyingEdges3D.h"
+#include "vtkImageConstantPad.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartVolumeMapper.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+#include "vtkWindowedSincPolyDataFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace scene
+{
+namespace
+{
+constexpr int Bins = 256;
+constexpr std::size_t MostLabels = 2000;
+// Of neighbours along x, in regions; noise and gradients of bytes have far fewer that are equal.
+constexpr double LeastEqual = 0.8;
+// Of the image's diagonal: the farthest apart that places of a point are by rounding.
+constexpr double SameShare = 1e-6;
+
+using Extent = std::array<int, 6>;
+
+bool IsWhole(int type)
+{
+  return type != VTK_FLOAT && type != VTK_DOUBLE && type != VTK_BIT;
+}
+
+// Of each value but 0, where it is.
+std::map<double, Extent> FindLabels(vtkImageData* image)
+{
+  int whole[6];
+  image->GetExtent(whole);
+  std::map<double, Extent> labels;
+  const auto values = vtk::DataArrayValueRange<1>(image->GetPointData()->GetScalars());
+  auto value = values.begin();
+  double last = 0.0;
+  Extent* box = nullptr; // of the last value
+  for (int z = whole[4]; z <= whole[5]; ++z)
+  {
+    for (int y = whole[2]; y <= whole[3]; ++y)
+    {
+      for (int x = whole[0]; x <= whole[1]; ++x, ++value)
+      {
+        const double label = static_cast<double>(*value);
+        if (label == 0.0)
+        {
+          continue;
+        }
+        if (!box || label != last)
+        {
+          box = &labels.try_emplace(label, Extent{ x, x, y, y, z, z }).first->second;
+          last = label;
+        }
+        const int place[3] = { x, y, z };
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          (*box)[2 * axis] = std::min((*box)[2 * axis], place[axis]);
+          (*box)[2 * axis + 1] = std::max((*box)[2 * axis + 1], place[axis]);
+        }
+      }
+    }
+  }
+  return labels;
+}
+
+// Hues a golden section apart, so that neighbours in number differ; soft, so that shading is seen.
+std::array<unsigned char, 3> GetLabelColor(std::size_t number)
+{
+  constexpr double GoldenSection = 0.618033988749895;
+  const double hue = 0.58 + GoldenSection * static_cast<double>(number);
+  const double hsv[3] = { hue - std::floor(hue), number % 2 == 0 ? 0.45 : 0.6,
+    number % 3 == 0 ? 0.95 : 0.85 };
+  double rgb[3];
+  vtkMath::HSVToRGB(hsv, rgb);
+  std::array<unsigned char, 3> bytes;
+  std::transform(rgb, rgb + 3, bytes.begin(),
+    [](double part) { return static_cast<unsigned char>(std::lround(255.0 * part)); });
+  return bytes;
+}
+
+// The region's steps, closed where the image ends. Its cells have the label and the color.
+vtkSmartPointer<vtkPolyData> MakeRegion(
+  vtkImageData* image, double label, const Extent& box, const std::array<unsigned char, 3>& color)
+{
+  int whole[6];
+  image->GetExtent(whole);
+  Extent around = box;
+  Extent padded = box;
+  for (std::size_t i = 0; i < 6; ++i)
+  {
+    padded[i] += i % 2 == 0 ? -1 : 1;
+    around[i] = i % 2 == 0 ? std::max(whole[i], padded[i]) : std::min(whole[i], padded[i]);
+  }
+  vtkNew<vtkExtractVOI> part;
+  part->SetInputData(image);
+  part->SetVOI(around.data());
+  vtkNew<vtkImageConstantPad> pad;
+  pad->SetInputConnection(part->GetOutputPort());
+  pad->SetOutputWholeExtent(padded.data());
+  pad->SetConstant(0.0); // is no label
+  vtkNew<vtkDiscreteFlyingEdges3D> surface;
+  surface->SetInputConnection(pad->GetOutputPort());
+  surface->SetValue(0, label);
+  surface->ComputeNormalsOff();
+  surface->ComputeGradientsOff();
+  surface->ComputeScalarsOff();
+  surface->Update();
+  vtkSmartPointer<vtkPolyData> made = surface->GetOutput();
+  const vtkIdType cells = made->GetNumberOfCells();
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  const auto labels = vtk::TakeSmartPointer(scalars->NewInstance());
+  labels->SetName(scalars->GetName() ? scalars->GetName() : "label");
+  labels->SetNumberOfTuples(cells);
+  labels->Fill(label);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("color");
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(cells);
+  for (int i = 0; i < 3; ++i)
+  {
+    colors->FillComponent(i, color[static_cast<std::size_t>(i)]);
+  }
+  made->GetPointData()->Initialize();
+  made->GetCellData()->Initialize();
+  made->GetCellData()->AddArray(labels);
+  made->GetCellData()->SetScalars(colors);
+  return made;
+}
+}
+
+//------------------------------------------------------------------------------
+ImageChoice ParseImage(const std::string& word)
+{
+  using Kind = ImageChoice::Kind;
+  ImageChoice choice;
+  const std::string::size_type equals = word.find('=');
+  if (word.substr(0, equals) == "surface")
+  {
+    choice.Is = Kind::Surface;
+    if (equals != std::string::npos)
+    {
+      choice.Value = ParseNumbers("--image surface", word.substr(equals + 1), 1, "VALUE").front();
+    }
+    return choice;
+  }
+  constexpr Kind kinds[] = { Kind::Found, Kind::Box, Kind::Labels, Kind::Volume };
+  choice.Is = kinds[ParseChoice("--image", word, { "auto", "box", "labels", "volume", "surface" })];
+  return choice;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> GetVolumeImage(vtkDataObject* data)
+{
+  auto* image = vtkImageData::SafeDownCast(data);
+  if (!image || image->GetDataDimension() != 3)
+  {
+    return nullptr;
+  }
+  vtkDataArray* ofPoints = image->GetPointData()->GetScalars();
+  vtkDataArray* ofCells = image->GetCellData()->GetScalars();
+  vtkDataArray* values = ofPoints ? ofPoints : ofCells;
+  if (!values || values->GetNumberOfComponents() != 1 || values->GetDataType() == VTK_BIT)
+  {
+    return nullptr;
+  }
+  auto made = vtkSmartPointer<vtkImageData>::New();
+  if (ofPoints)
+  {
+    made->ShallowCopy(image);
+    return made;
+  }
+  int extent[6];
+  image->GetExtent(extent);
+  double origin[3];
+  image->GetOrigin(origin);
+  const double half[3] = { 0.5 * image->GetSpacing()[0], 0.5 * image->GetSpacing()[1],
+    0.5 * image->GetSpacing()[2] };
+  double shift[3];
+  image->GetDirectionMatrix()->MultiplyPoint(half, shift);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    origin[axis] += shift[axis];
+    --extent[2 * axis + 1];
+    if (extent[2 * axis] == extent[2 * axis + 1])
+    {
+      return nullptr; // one layer of cells
+    }
+  }
+  made->SetExtent(extent);
+  made->SetOrigin(origin);
+  made->SetSpacing(image->GetSpacing());
+  made->SetDirectionMatrix(image->GetDirectionMatrix());
+  made->GetPointData()->ShallowCopy(image->GetCellData());
+  return made;
+}
+
+//------------------------------------------------------------------------------
+bool HasLabels(vtkImageData* image)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (!IsWhole(scalars->GetDataType()))
+  {
+    return false;
+  }
+  const int row = image->GetDimensions()[0];
+  const auto values = vtk::DataArrayValueRange<1>(scalars);
+  vtkIdType equal = 0;
+  vtkIdType pairs = 0;
+  for (vtkIdType i = 1; i < values.size(); ++i)
+  {
+    const double a = static_cast<double>(values[i - 1]);
+    const double b = static_cast<double>(values[i]);
+    const bool empty = a == 0.0 && b == 0.0; // which any image has around what it shows
+    const bool counts = i % row != 0 && !empty;
+    pairs += counts ? 1 : 0;
+    equal += counts && a == b ? 1 : 0;
+  }
+  const std::size_t labels = FindLabels(image).size();
+  return labels == 1 ||
+    (labels > 1 && labels <= MostLabels &&
+      static_cast<double>(equal) >= LeastEqual * static_cast<double>(pairs));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeLabelSurfaces(vtkImageData* image, Progress& progress)
+{
+  const std::map<double, Extent> labels = FindLabels(image);
+  vtkNew<vtkAppendPolyData> all;
+  std::size_t number = 0;
+  for (const auto& [label, box] : labels)
+  {
+    all->AddInputData(MakeRegion(image, label, box, GetLabelColor(number)));
+    progress.Update(static_cast<double>(++number) / static_cast<double>(labels.size()));
+  }
+  if (all->GetNumberOfInputConnections(0) == 0)
+  {
+    return vtkSmartPointer<vtkPolyData>::New();
+  }
+  // Regions that touch have their points there in common, so that no gap opens between them.
+  vtkNew<vtkCleanPolyData> joined;
+  joined->SetInputConnection(all->GetOutputPort());
+  joined->SetTolerance(SameShare);
+  joined->ConvertPolysToLinesOff();
+  vtkNew<vtkWindowedSincPolyDataFilter> smooth;
+  smooth->SetInputConnection(joined->GetOutputPort());
+  smooth->SetNumberOfIterations(20);
+  smooth->SetPassBand(0.01);
+  smooth->NormalizeCoordinatesOn();
+  smooth->FeatureEdgeSmoothingOff();
+  smooth->NonManifoldSmoothingOn();
+  progress.Observe(smooth);
+  smooth->Update();
+  return smooth->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+double FindThreshold(vtkImageData* image)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  double range[2];
+  scalars->GetFiniteRange(range);
+  std::vector<double> histogram(Bins, 0.0);
+  double count = 0.0;
+  double sum = 0.0;
+  for (const auto each : vtk::DataArrayValueRange<1>(scalars))
+  {
+    const double value = static_cast<double>(each);
+    if (std::isfinite(value) && range[0] < range[1])
+    {
+      const double place = Bins * (value - range[0]) / (range[1] - range[0]);
+      const int bin = std::min(Bins - 1, static_cast<int>(place));
+      histogram[static_cast<std::size_t>(bin)] += 1.0;
+      count += 1.0;
+      sum += bin;
+    }
+  }
+  double below = 0.0;
+  double sumBelow = 0.0;
+  double best = -1.0;
+  int first = 0;
+  int last = 0;
+  for (int bin = 0; bin < Bins - 1; ++bin)
+  {
+    below += histogram[static_cast<std::size_t>(bin)];
+    sumBelow += bin * histogram[static_cast<std::size_t>(bin)];
+    const double above = count - below;
+    if (below == 0.0 || above == 0.0)
+    {
+      continue;
+    }
+    const double apart = sumBelow / below - (sum - sumBelow) / above;
+    const double variance = below * above * apart * apart;
+    first = variance > best ? bin : first;
+    last = variance >= best ? bin : last;
+    best = std::max(best, variance);
+  }
+  // In the middle of the gap, where all of it parts alike; in few digits, for people.
+  const double width = range[1] - range[0];
+  const double step = width > 0.0 ? std::pow(10.0, std::floor(std::log10(width)) - 2.0) : 1.0;
+  return step * std::round((range[0] + width * (0.5 * (first + last) + 1.0) / Bins) / step);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeIsosurface(vtkImageData* image, double value, Progress& progress)
+{
+  vtkNew<vtkFlyingEdges3D> surface;
+  progress.Observe(surface);
+  surface->SetInputData(image);
+  surface->SetValue(0, value);
+  surface->ComputeNormalsOff();
+  surface->InterpolateAttributesOn();
+  surface->Update();
+  vtkSmartPointer<vtkPolyData> made = surface->GetOutput();
+  made->GetPointData()->SetActiveScalars(nullptr); // one value gives no colours
+  return made;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
+{
+  double range[2];
+  image->GetPointData()->GetScalars()->GetFiniteRange(range);
+  const double threshold = FindThreshold(image);
+  const double size = image->GetLength();
+  vtkNew<vtkPiecewiseFunction> opacity; // per hundredth of the image's diagonal
+  opacity->AddPoint(range[0], 0.0);
+  opacity->AddPoint(range[0] + 0.8 * (threshold - range[0]), 0.0);
+  opacity->AddPoint(threshold, 0.15);
+  opacity->AddPoint(range[1], 0.7);
+  auto volume = vtkSmartPointer<vtkVolume>::New();
+  vtkNew<vtkSmartVolumeMapper> mapper;
+  mapper->SetInputData(image);
+  volume->SetMapper(mapper);
+  vtkVolumeProperty* property = volume->GetProperty();
+  property->SetScalarOpacity(opacity);
+  property->SetScalarOpacityUnitDistance(0.01 * size);
+  property->SetInterpolationTypeToLinear();
+  property->ShadeOn();
+  return volume;
+}
+}

@@ -1,0 +1,156 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Images with depth as labels, as a surface, as a volume and as a box; clouds of points."""
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
+
+from cli import CliTest, main, read_png
+
+STUDIO = {"RELIEVO_PRESET": ""}
+SIZE = ["--size", "240x180"]
+SIDE = 40  # points of an image along each axis
+SPACING = (0.5, 0.5, 0.25)
+MIDDLE = numpy.array([0.5, 0.5, 0.25]) * (SIDE - 1) / 2
+
+
+def distances():
+    """From the image's middle, in points: [z, y, x]."""
+    z, y, x = numpy.mgrid[0:SIDE, 0:SIDE, 0:SIDE] - (SIDE - 1) / 2
+    return numpy.sqrt(x**2 + y**2 + z**2)
+
+
+class Volumes(CliTest):
+    def image(self, name, values, of_cells=False):
+        image = vtkImageData()
+        image.SetDimensions(*(n + of_cells for n in values.shape[::-1]))
+        image.SetSpacing(*SPACING)
+        if of_cells:
+            image.SetOrigin(*(-0.5 * step for step in SPACING))
+        array = numpy_to_vtk(values.ravel(), deep=True)
+        array.SetName("values")
+        (image.GetCellData() if of_cells else image.GetPointData()).SetScalars(array)
+        writer = vtkXMLImageDataWriter()
+        writer.SetFileName(str(self.folder / name))
+        writer.SetInputData(image)
+        writer.Write()
+
+    def picture(self, *words, says="", environment=STUDIO):
+        done = self.relievo("render", *words, *SIZE, "--png", "a.png", environment=environment)
+        self.assertIn(says, done.stderr)
+        self.assertEqual(done.stderr == "", says == "", done.stderr)
+        return read_png(self.folder / "a.png")[..., :3].astype(int)
+
+    def radii(self, *words, layers=()):
+        """Of the pixels that show something: how far it is from the image's middle in points, and
+        more layers."""
+        self.relievo("render", *words, *SIZE, "--exr", "a.exr",
+                     "--layers", ",".join(["position", *layers]), environment=STUDIO)  # fmt: skip
+        found = self.exr("a.exr")[1]
+        shown = numpy.isfinite(found["position.X"])
+        place = numpy.stack([found["position." + axis][shown] for axis in "XYZ"], axis=-1)
+        radii = numpy.linalg.norm((place - MIDDLE) / SPACING, axis=-1)
+        return radii, *(found[name + ".V"][shown] for name in layers)
+
+    def test_labels(self):
+        """Two halves of a ball, with no gap between them, each in a colour of its own."""
+        values = numpy.where(distances() < 15, 3, 0).astype(numpy.uint16)
+        values[:, :, : SIDE // 2][values[:, :, : SIDE // 2] > 0] = 8
+        self.image("points.vti", values)
+        self.image("cells.vti", values, of_cells=True)
+        says = "labels"
+        plain = self.picture("points.vti", says=says)
+        numpy.testing.assert_array_equal(self.picture("cells.vti", says=says), plain)
+        numpy.testing.assert_array_equal(self.picture("points.vti", "--image", "labels"), plain)
+        front = ["points.vti", "--image", "labels", "--camera",
+                 f"{MIDDLE[0]},{MIDDLE[1]},60,{MIDDLE[0]},{MIDDLE[1]},0,0,1,0"]  # fmt: skip
+        radii, labels = self.radii(*front, layers=["values"])
+        self.assertEqual(set(labels), {3, 8})
+        self.assertLess(abs((labels == 3).mean() - 0.5), 0.01)
+        self.assertGreater(len(radii), 3000)
+        # The steps of the labels are up to 0.9 points off the ball, and a gap would be deeper.
+        self.assertLess(abs(radii - 15).max(), 1.0)
+        self.assertLess(numpy.std(radii), 0.25)
+        colors = self.picture(*front, "--preset", "print", "--shadows", "off")
+        left, right = colors[90, 90], colors[90, 150]
+        self.assertGreater(abs(left - right).max(), 40)
+
+    def test_surface(self):
+        self.image("ball.vti", distances().astype(numpy.float32))
+        radii, _ = self.radii("ball.vti", "--image", "surface=12.5", layers=["values"])
+        self.assertLess(abs(radii - 12.5).max(), 0.05)  # of the cells' linear interpolation
+        self.assertGreater(len(radii), 2000)
+        # Two values: any between them parts the image, and that in the middle is taken.
+        parted = numpy.where(distances() < 12, 10.0, 30.0).astype(numpy.float32)
+        self.image("parted.vti", parted)
+        self.picture("parted.vti", says="are 20;")
+        self.refused_value("ball.vti", "40")
+
+    def refused_value(self, file, value):
+        self.before = self.names()
+        self.refused("render", file, "--image", "surface=" + value, "--png", "b.png", status=1,
+                     says=["surface", value], environment=STUDIO)  # fmt: skip
+
+    def test_volume(self):
+        """Light passes where the values are small, and is stopped where they are large."""
+        self.image("ball.vti", (20 - distances()).astype(numpy.float32))
+        words = ["ball.vti", "--ground", "off", "--stage", "antialias:samples=1"]
+        volume = self.picture(*words, "--image", "volume", says="antialias")
+        box = self.picture(*words, "--image", "box", says="antialias")
+        nothing = box[0, 0] * 0 + volume[:, :1]  # the background depends on the row alone
+        seen = abs(volume - nothing).max(axis=-1) > 2
+        boxed = abs(box - nothing).max(axis=-1) > 2
+        self.assertFalse((seen & ~boxed).any())
+        self.assertLess(seen.sum(), 0.75 * boxed.sum())
+        self.assertGreater(seen.sum(), 0.1 * boxed.sum())
+        grey = self.picture(*words, "--image", "volume", "--colormap", "grey", says="antialias")
+        self.assertLess((grey.max(axis=-1) - grey.min(axis=-1))[seen].max(), 40)
+        self.assertGreater((volume.max(axis=-1) - volume.min(axis=-1))[seen].max(), 80)
+
+    def test_which(self):
+        """Gradients and noise are no labels; what the user asks for is shown."""
+        random = numpy.random.default_rng(3)
+        noise = random.integers(0, 255, (SIDE, SIDE, SIDE)).astype(numpy.uint8)
+        self.image("noise.vti", noise)
+        self.picture("noise.vti", says="surface")
+        self.image("slope.vti", (2 * distances()).astype(numpy.uint8))
+        self.picture("slope.vti", says="surface")
+        box = self.picture("slope.vti", "--image", "box")
+        numpy.testing.assert_array_equal(self.picture("slope.vti", "--color-by", "values"), box)
+        bare = self.picture("slope.vti", environment={})
+        numpy.testing.assert_array_equal(
+            self.picture("slope.vti", "--image", "box", environment={}), bare)  # fmt: skip
+        self.image("flat.vti", noise[:1])
+        self.picture("flat.vti")
+        self.before = self.names()
+        self.refused("render", "slope.vti", "--image", "mesh", "--png", "b.png", status=2,
+                     says=["--image", "mesh", "labels"])  # fmt: skip
+
+    def test_cloud(self):
+        """Points are seen on a light background, lit as balls; a wide flat cloud lies."""
+        place = numpy.mgrid[-3:3:16j, -3:3:16j, -1:1:2j].reshape(3, -1).T
+        points = vtkPoints()
+        points.SetData(numpy_to_vtk(place.astype(numpy.float32), deep=True))
+        cloud = vtkPolyData()
+        cloud.SetPoints(points)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(self.folder / "cloud.vtp"))
+        writer.SetInputData(cloud)
+        writer.Write()
+        words = ["cloud.vtp", "--ground", "off", "--stage", "antialias:samples=1"]
+        shown = self.picture(*words, says="antialias")
+        numpy.testing.assert_array_equal(self.picture(*words, "--up", "z", says="antialias"), shown)
+        differs = abs(shown - shown[:, :1]).max(axis=-1)
+        self.assertGreater((differs > 40).sum(), 2000)  # of 512 points of 13 pixels, some hidden
+        thin = self.picture(*words, "--point-size", "1", says="antialias")
+        self.assertLess((abs(thin - thin[:, :1]).max(axis=-1) > 40).sum(), 600)
+        self.before = self.names()
+        self.refused("render", "cloud.vtp", "--point-size", "0", "--png", "b.png", status=2,
+                     says=["--point-size", "1 to 100"])  # fmt: skip
+
+
+if __name__ == "__main__":
+    main()
