@@ -105,7 +105,20 @@ std::vector<vtkRelievoParameter::Condition> vtkRelievoParameter::GetConditions()
 //------------------------------------------------------------------------------
 std::string vtkRelievoParameter::GetLabel() const
 {
-  return vtkRelievoCapitalize(this->Name, true);
+  return this->Label.empty() ? vtkRelievoCapitalize(this->Name, true) : this->Label;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoParameter::GetChoiceLabel(std::size_t choice) const
+{
+  if (choice < this->ChoiceLabels.size())
+  {
+    return this->ChoiceLabels[choice];
+  }
+  std::string label = this->Choices[choice];
+  std::replace_if(
+    label.begin(), label.end(), [](char c) { return c == '_' || c == '-'; }, ' ');
+  return label;
 }
 
 //------------------------------------------------------------------------------

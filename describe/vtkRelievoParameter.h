@@ -8,6 +8,7 @@
 
 #include "vtkRelievoDescribeModule.h" // for the export macro
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -26,7 +27,8 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
     TEXT
   };
 
-  std::string Name; // a lower-case word; several are joined by _
+  std::string Name;  // a lower-case word; several are joined by _
+  std::string Label; // as people read it, where the name does not say it: see GetLabel
   Types Type = NUMBER;
   double Least = 0.0;
   double Most = 0.0;
@@ -34,10 +36,12 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
   std::string Help;    // one line
   std::string Default; // of a new stage, in words as Format
   std::vector<std::string> Choices;
-  bool IsDirection = false; // of a vector: not 0 0 0
-  double Usual = 0.0;       // up to which a slider goes; 0: to Most
-  bool PerPoint = false;    // the name of a point array gives each point its own value
-  bool Advanced = false;    // for those who know the method: ParaView shows it behind its gear
+  std::vector<std::string> ChoiceLabels; // of each of them; empty: by their names
+  bool IsDirection = false;              // of a vector: not 0 0 0
+  double Usual = 0.0;                    // up to which a slider goes; 0: to Most
+  bool PerPoint = false;                 // the name of a point array gives each point its own value
+  bool Advanced = false; // for those who know the method: ParaView shows it behind its gear, the
+                         // viewer among what is folded
 
   // Without effect but where this holds: "falloff=vtk", another parameter's value, or several with
   // commas. "relief!=off" is any other value; "height_map", something that the object is given.
@@ -60,8 +64,11 @@ struct VTKRELIEVODESCRIBE_EXPORT vtkRelievoParameter
   };
   std::vector<Condition> GetConditions() const;
 
-  // The label for people: "Map Size" for "map_size".
+  // The label for people, in ParaView and the viewer: "Map Size" for "map_size".
   std::string GetLabel() const;
+
+  // That of a choice, by its place: "blue noise" for "blue_noise".
+  std::string GetChoiceLabel(std::size_t choice) const;
 
   // The value in words, which Parse takes: "0.5", "on", "warped", "1,0.5,0" or "1/0.5/0".
   std::string Format() const;

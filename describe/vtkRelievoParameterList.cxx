@@ -84,7 +84,8 @@ void vtkRelievoParameterList::Print(std::ostream& os, vtkIndent indent) const
 {
   for (const vtkRelievoParameter& parameter : this->Parameters)
   {
-    os << indent << parameter.GetLabel() << ": " << parameter.Format() << "\n";
+    os << indent << vtkRelievoCapitalize(parameter.Name, true) << ": " << parameter.Format()
+       << "\n";
   }
 }
 

@@ -173,14 +173,17 @@ void vtkRelievoMaterial::Describe()
       [this](double factor) { this->SetNormalStrength(factor); }, -infinity, infinity, "",
       "Factor of the slope of a normal map: 0 is flat, 1 leaves it unchanged.")
     .Usual = 4.0;
-  list.AddFlag(
-    "flip_green", this->FlipGreen, [this](bool on) { this->SetFlipGreen(on); },
-    "For normal maps whose green points down, as in DirectX.");
+  list
+    .AddFlag(
+      "flip_green", this->FlipGreen, [this](bool on) { this->SetFlipGreen(on); },
+      "For normal maps whose green points down, as in DirectX.")
+    .Advanced = true;
   list
     .AddNumber(
       "height_scale", this->HeightScale, [this](double depth) { this->SetHeightScale(depth); }, 0.0,
       infinity, "units of the mesh", "Depth of the relief's ground below the mesh.")
     .OnlyIf = "height_map";
+  list.Parameters.back().Label = "Relief Depth";
   list
     .AddChoice(
       "relief_method", this->ReliefMethod, [this](int method) { this->SetReliefMethod(method); },
@@ -248,6 +251,7 @@ void vtkRelievoMaterial::Describe()
     "and "
     "as a caster of shadows. The opacity is that of the surface, its colours and its texture. 0: "
     "off.");
+  behindGear("");
   list
     .AddNumber(
       "reflectivity", this->Reflectivity, [this](double share) { this->SetReflectivity(share); },

@@ -101,18 +101,25 @@ void vtkRelievoLampsStage::Describe(vtkRelievoStageDescription& description)
   description.Layers = { Light, Evaluations, Reaching };
   description.OnByDefault = true;
   description.TakesData = true;
+  const auto name = [&description](const char* label, bool advanced) {
+    description.Parameters.back().Label = label;
+    description.Parameters.back().Advanced = advanced;
+  };
   description.AddChoice(
     "way", this->Way, [this](int way) { this->SetWay(way); }, WayNames,
     "How the lamps of a pixel are found; the result is the same.");
+  name("Lamps Found By", true);
   description.AddFlag(
     "floats", this->Floats, [this](bool on) { this->SetFloats(on); },
     "Sums light in floats instead of half floats.");
+  name("Full Precision", true);
   description.AddFlag(
     "translucent", this->Translucent, [this](bool on) { this->SetTranslucent(on); },
     "Lights translucent surfaces as well, in VTK's own shaders.");
   description.AddWhole(
     "casting", this->Casting, [this](int lamps) { this->SetCasting(lamps); }, 0, 8, "lamps",
     "How many lamps, the largest in the picture, cast shadows; the others shine through walls.");
+  name("Lamps With Shadows", false);
 }
 
 //------------------------------------------------------------------------------

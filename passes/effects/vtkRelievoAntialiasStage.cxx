@@ -31,6 +31,7 @@ vtkRelievoAntialiasStage::~vtkRelievoAntialiasStage() = default;
 void vtkRelievoAntialiasStage::Describe(vtkRelievoStageDescription& description)
 {
   description.Name = "antialias";
+  description.Label = "Smooth Edges";
   description.Help = "Smooths edges: the picture is the mean of samples spread over each pixel.";
   description.Slot = vtkRelievoStageDescription::COMPOSITE;
   description.Order = 100; // behind all that changes what one sample shows

@@ -483,24 +483,23 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
   description.AddFlag(
     "visible", this->Visible, [this](bool on) { this->SetVisible(on); },
     "Whether shadows are seen in the picture.");
+  description.AddChoice(
+    "method", this->Method, [this](int method) { this->SetMethod(method); },
+    { "map", "forward", "warped", "exact" },
+    "How shadows are computed: by a depth map seen from the light (map), with more of a sun's map "
+    "near the camera, for landscapes (warped), in the camera's view (forward), or by a ray from "
+    "each pixel past the meshes' own triangles, which is slower (exact).");
   description
-    .AddChoice(
-      "method", this->Method, [this](int method) { this->SetMethod(method); },
-      { "map", "forward", "warped", "exact" },
-      "How shadows are computed: by a depth map seen from the light (map), with more of a sun's "
-      "map "
-      "near the camera, for landscapes (warped), in the camera's view (forward), or by a ray from "
-      "each pixel past the meshes' own triangles, which is slower (exact).")
+    .AddWhole(
+      "map_size", this->MapSize, [this](int size) { this->SetMapSize(size); }, 16, 16384, "texels",
+      "Width and height of each light's map. Twice the size halves the error at edges and takes "
+      "four times the memory.")
     .Advanced = true;
-  description.AddWhole(
-    "map_size", this->MapSize, [this](int size) { this->SetMapSize(size); }, 16, 16384, "texels",
-    "Width and height of each light's map. Twice the size halves the error at edges and takes four "
-    "times the memory.");
   description
     .AddWhole(
       "filter_radius", this->FilterRadius, [this](int radius) { this->SetFilterRadius(radius); }, 0,
       16, "texels", "How soft the edges of shadows are.")
-    .Advanced = true;
+    .Label = "Softness";
   description
     .AddNumber(
       "bias", this->Bias, [this](double bias) { this->SetBias(bias); }, 0.0, 100.0, "texels",
@@ -509,15 +508,21 @@ void vtkRelievoShadowStage::Describe(vtkRelievoStageDescription& description)
   description.AddNumber(
     "strength", this->Strength, [this](double strength) { this->SetStrength(strength); }, 0.0, 1.0,
     "", "Fraction of a blocked light that is removed.");
-  description.AddFlag(
-    "colored_shadows", this->ColoredShadows, [this](bool on) { this->SetColoredShadows(on); },
-    "Exact shadows: translucent surfaces cast, and colour the light that passes them.");
-  description.AddNumber(
-    "tolerance", this->Tolerance, [this](double share) { this->SetTolerance(share); }, 0.0, 1.0, "",
-    "Share of wrong pixels that method and map size are chosen for; 0: as they are set.");
-  description.AddNumber(
-    "time_budget", this->TimeBudget, [this](double time) { this->SetTimeBudget(time); }, 0.0,
-    3600000.0, "ms", "Time of a frame that method and map size are chosen for; 0: any.");
+  description
+    .AddFlag(
+      "colored_shadows", this->ColoredShadows, [this](bool on) { this->SetColoredShadows(on); },
+      "Exact shadows: translucent surfaces cast, and colour the light that passes them.")
+    .OnlyIf = "method=exact";
+  description
+    .AddNumber(
+      "tolerance", this->Tolerance, [this](double share) { this->SetTolerance(share); }, 0.0, 1.0,
+      "", "Share of wrong pixels that method and map size are chosen for; 0: as they are set.")
+    .Advanced = true;
+  description
+    .AddNumber(
+      "time_budget", this->TimeBudget, [this](double time) { this->SetTimeBudget(time); }, 0.0,
+      3600000.0, "ms", "Time of a frame that method and map size are chosen for; 0: any.")
+    .Advanced = true;
   description
     .AddWhole(
       "lamp_map_size", this->LampMapSize, [this](int size) { this->SetLampMapSize(size); }, 16,
@@ -651,17 +656,23 @@ void vtkRelievoShadowStage::DescribeSoft(vtkRelievoStageDescription& description
     "soft_samples", this->SoftSamples, [this](int samples) { this->SetSoftSamples(samples); }, 0,
     MostSamples, "samples",
     "Soft shadows: samples of each light's shape that are gathered; 0: lights are points.");
+  const auto onlyIfSoft = [&description] {
+    description.Parameters.back().OnlyIf = "soft_samples!=0";
+  };
   description
     .AddFlag(
       "soft_at_once", this->SoftAtOnce, [this](bool on) { this->SetSoftAtOnce(on); },
       "Whether every frame gathers all samples; otherwise one in each frame.")
     .Advanced = true;
+  onlyIfSoft();
   description.AddNumber(
     "sun_angle", this->SunAngle, [this](double degrees) { this->SetSunAngle(degrees); }, 0.0,
     WidestSun, "degrees", "Soft shadows: angle that directional lights appear under.");
+  onlyIfSoft();
   description.AddNumber(
     "lamp_radius", this->LampRadius, [this](double radius) { this->SetLampRadius(radius); }, 0.0,
     LargestLamp, "world units", "Soft shadows: radius of positional lights.");
+  onlyIfSoft();
 }
 
 //------------------------------------------------------------------------------

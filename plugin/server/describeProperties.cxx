@@ -65,6 +65,14 @@ std::string FormatDefault(const vtkRelievoParameter& parameter)
   return Escape(words);
 }
 
+// "Blue Noise" for "blue noise".
+std::string WriteChoice(const std::string& label)
+{
+  std::string words = label;
+  std::replace(words.begin(), words.end(), ' ', '_');
+  return label == "vtk" ? "VTK" : vtkRelievoCapitalize(words, true);
+}
+
 std::string Documentation(const std::string& help)
 {
   return "        <Documentation>" + Escape(help) + "</Documentation>\n";
@@ -107,7 +115,8 @@ std::string DecorateIf(const Described& described, const vtkRelievoParameter::Co
   {
     const auto place = std::find(other->Choices.begin(), other->Choices.end(), condition.Value);
     return Decorate(described.GetExposedName(condition.Name),
-      std::to_string(place - other->Choices.begin()), condition.Other);
+      other->Choices.empty() ? condition.Value : std::to_string(place - other->Choices.begin()),
+      condition.Other);
   }
   const bool given = condition.Value.empty();
   return condition.Name == "environment"
@@ -163,9 +172,8 @@ std::string MakeDomain(const vtkRelievoParameter& parameter)
     out << "        <EnumerationDomain name=\"enum\">\n";
     for (std::size_t i = 0; i < parameter.Choices.size(); ++i)
     {
-      const std::string& choice = parameter.Choices[i];
       out << "          <Entry value=\"" << i << "\" text=\""
-          << Escape(choice == "vtk" ? "VTK" : vtkRelievoCapitalize(choice, true)) << "\"/>\n";
+          << Escape(WriteChoice(parameter.GetChoiceLabel(i))) << "\"/>\n";
     }
     out << "        </EnumerationDomain>\n";
   }

@@ -69,27 +69,6 @@ void CheckValues(
   }
 }
 
-// The first condition of a value that does not hold.
-std::optional<vtkRelievoParameter::Condition> FindFailing(
-  const RenderOptions& options, const vtkRelievoParameter& value)
-{
-  for (const vtkRelievoParameter::Condition& condition : value.GetConditions())
-  {
-    const std::string& name = condition.Name;
-    const std::string words = name == "height_map" ? options.HeightMap
-      : name == "environment"                      ? options.Environment
-      : name == "relief_method"                    ? options.ReliefMethod
-                                                   : GetSurfaceValue(options, name);
-    const bool holds =
-      condition.Value.empty() ? !words.empty() : (words == condition.Value) != condition.Other;
-    if (!holds)
-    {
-      return condition;
-    }
-  }
-  return std::nullopt;
-}
-
 // Without those that have options of their own, and with defaults of scenes.
 vtkRelievoParameterList TakeOthers(const vtkRelievoParameterList& all,
   const std::set<std::string>& ownOptions, const std::map<std::string, std::string>& defaults)
@@ -191,9 +170,24 @@ void SetSurfaceValue(Settings& settings, const std::string& name, const std::str
 }
 
 //------------------------------------------------------------------------------
-bool HasEffect(const RenderOptions& options, const vtkRelievoParameter& value)
+std::optional<vtkRelievoParameter::Condition> FindFailing(
+  const RenderOptions& options, const vtkRelievoParameter& value)
 {
-  return !FindFailing(options, value);
+  for (const vtkRelievoParameter::Condition& condition : value.GetConditions())
+  {
+    const std::string& name = condition.Name;
+    const std::string words = name == "height_map" ? options.HeightMap
+      : name == "environment"                      ? options.Environment
+      : name == "relief_method"                    ? options.ReliefMethod
+                                                   : GetSurfaceValue(options, name);
+    const bool holds =
+      condition.Value.empty() ? !words.empty() : (words == condition.Value) != condition.Other;
+    if (!holds)
+    {
+      return condition;
+    }
+  }
+  return std::nullopt;
 }
 
 //------------------------------------------------------------------------------
@@ -231,8 +225,9 @@ void DropIdleSurface(Settings& settings)
     TakeMaterial(options, settings.Get("--material"));
     NamedWords kept;
     std::copy_if(options.Material.begin(), options.Material.end(), std::back_inserter(kept),
-      [&options](
-        const auto& given) { return HasEffect(options, *GetMaterialValues().Find(given.first)); });
+      [&options](const auto& given) {
+        return !FindFailing(options, *GetMaterialValues().Find(given.first));
+      });
     SetMaterial(settings, kept);
   }
 }

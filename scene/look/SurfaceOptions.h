@@ -9,6 +9,7 @@
 
 #include "vtkRelievoParameterList.h"
 
+#include <optional>
 #include <set>
 #include <string>
 
@@ -30,8 +31,9 @@ std::string GetSurfaceValue(const RenderOptions& options, const std::string& nam
 void SetSurfaceValue(Settings& settings, const std::string& name, const std::string& words);
 ///@}
 
-/// Whether one of them does anything beside the others.
-bool HasEffect(const RenderOptions& options, const vtkRelievoParameter& value);
+/// The first condition for a value to have an effect that does not hold beside the others.
+std::optional<vtkRelievoParameter::Condition> FindFailing(
+  const RenderOptions& options, const vtkRelievoParameter& value);
 
 /// The word of --environment, whose other values stay; "" takes it back.
 void SetEnvironmentFile(Settings& settings, const std::string& file, double rotation);

@@ -4,6 +4,7 @@
 
 #include "ColorButton.h"
 #include "Colormaps.h"
+#include "Labels.h"
 #include "OptionEdits.h"
 #include "Options.h"
 
@@ -45,7 +46,7 @@ ByValue GetByValue(
 
 //------------------------------------------------------------------------------
 ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
-  : QGroupBox("Colours", parent)
+  : FoldGroup("Colours", "colors", parent)
   , Edited(document)
   , ReadRange(std::move(read))
   , ColorBy(new QComboBox(this))
@@ -58,9 +59,7 @@ ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
   , Solid(new QCheckBox("One colour", this))
   , Color(new ColorButton(this))
 {
-  this->setObjectName("colors");
-  auto* rows = new QFormLayout(this);
-  rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  QFormLayout* rows = this->GetRows();
   this->ColorBy->setObjectName("colorby");
   this->ColorBy->setToolTip("The point or cell array whose values give the colours");
   this->Component->setObjectName("component");
@@ -115,7 +114,7 @@ void ColorsGroup::AddRange()
   both->addWidget(this->Least, 1);
   both->addWidget(new QLabel("to", this));
   both->addWidget(this->Most, 1);
-  auto* rows = static_cast<QFormLayout*>(this->layout());
+  QFormLayout* rows = this->GetRows();
   rows->addRow("Range", this->Automatic);
   rows->addRow("", both);
   QObject::connect(this->Automatic, &QCheckBox::toggled, this, &ColorsGroup::SwitchRange);
@@ -232,7 +231,10 @@ void ColorsGroup::ShowComponents(const std::string& name, const QString& compone
     this->Component->addItem(component, component);
   }
   this->Component->setCurrentIndex(this->Component->findData(component));
-  this->Component->setEnabled(!name.empty() && (count > 1 || !component.isEmpty()));
+  SetIdle(this->Component,
+    !name.empty() && (count > 1 || !component.isEmpty())
+      ? ""
+      : "Has an effect on arrays with several numbers for each point or cell.");
 }
 
 //------------------------------------------------------------------------------
@@ -252,14 +254,19 @@ void ColorsGroup::ShowSettings()
   this->ShowComponents(by.Name, by.Component);
   ShowChoice(this->Colormap, settings, "--colormap");
   ShowFlag(this->Bar, settings, "--scalar-bar");
-  this->Bar->setEnabled(this->Bar->isChecked() || this->HasValues(name, by.Component));
+  SetIdle(this->Bar,
+    this->Bar->isChecked() || this->HasValues(name, by.Component)
+      ? ""
+      : "Has an effect where an array of values gives the colours.");
   const bool ranged = settings.Has("--range");
   this->Automatic->setChecked(!ranged);
   const QStringList ends = QString::fromStdString(settings.Get("--range")).split(',');
   this->Least->setText(ends.value(0));
   this->Most->setText(ends.value(1));
-  this->Least->setEnabled(ranged);
-  this->Most->setEnabled(ranged);
+  for (QLineEdit* end : { this->Least, this->Most })
+  {
+    SetIdle(end, ranged ? "" : "Has an effect where the range is not automatic.");
+  }
   this->Solid->setChecked(look.Solid.has_value());
   if (look.Solid)
   {

@@ -7,8 +7,7 @@
 #define ColorsGroup_h
 
 #include "Document.h"
-
-#include <QGroupBox>
+#include "FoldGroup.h"
 
 #include <array>
 #include <functional>
@@ -22,7 +21,7 @@ namespace viewer
 {
 class ColorButton;
 
-class ColorsGroup : public QGroupBox
+class ColorsGroup : public FoldGroup
 {
   Q_OBJECT
 

@@ -2,35 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Labels.h"
 
-#include "vtkRelievoParameter.h"
-
 #include <QFormLayout>
 #include <QLabel>
-#include <QMap>
 #include <QStringList>
+#include <QTextDocument>
+#include <QVariant>
 #include <QWidget>
 
 namespace viewer
 {
-namespace
-{
-// For people who know the picture and not the method: see docs/viewer.md.
-const QMap<QString, QString>& GetPlainWords()
-{
-  static const QMap<QString, QString> words = { { "Delegate", "VTK's picture" },
-    { "Way", "Lamps found by" }, { "Floats", "Full precision" },
-    { "Casting", "Lamps with shadows" }, { "beer", "exponential" }, { "chord", "linear" } };
-  return words;
-}
-}
-
 //------------------------------------------------------------------------------
 QString WriteLabel(const QString& label)
 {
-  if (GetPlainWords().contains(label))
-  {
-    return GetPlainWords()[label];
-  }
   QStringList words = label.split(' ');
   for (int i = 0; i < words.size(); ++i)
   {
@@ -51,9 +34,49 @@ QString WriteReason(const QString& code, const QString& reason)
 }
 
 //------------------------------------------------------------------------------
-QString WriteChoice(const QString& choice)
+QString WriteCondition(
+  const vtkRelievoParameterList& list, const vtkRelievoParameter::Condition& condition)
 {
-  return GetPlainWords().value(choice, QString(choice).replace('_', ' '));
+  const vtkRelievoParameter* other = list.Find(condition.Name);
+  if (!other && condition.Value.empty())
+  {
+    const QString what = QString::fromStdString(condition.Name).replace('_', ' ');
+    const bool vowel = QString("aeiou").contains(what[0]);
+    return QString("Has an effect with %1 %2.").arg(vowel ? "an" : "a", what);
+  }
+  const std::string label = other ? other->GetLabel() : vtkRelievoCapitalize(condition.Name, true);
+  std::string value = condition.Value;
+  for (std::size_t i = 0; other && i < other->Choices.size(); ++i)
+  {
+    value = other->Choices[i] == value ? other->GetChoiceLabel(i) : value;
+  }
+  return QString("Has an effect where %1 is %2%3.")
+    .arg(WriteLabel(QString::fromStdString(label)), condition.Other ? "not " : "",
+      QString::fromStdString(value));
+}
+
+//------------------------------------------------------------------------------
+void SetIdle(QWidget* edit, const QString& why)
+{
+  constexpr const char* property = "relievoHelp";
+  if (!edit->property(property).isValid())
+  {
+    edit->setProperty(property, edit->toolTip());
+  }
+  const QString help = edit->property(property).toString();
+  const QString text =
+    help.isEmpty() || Qt::mightBeRichText(help) ? help : "<p>" + help.toHtmlEscaped() + "</p>";
+  edit->setEnabled(why.isEmpty());
+  edit->setToolTip(why.isEmpty() ? help : "<p>" + why.toHtmlEscaped() + "</p>" + text);
+  for (QLabel* label :
+    edit->parentWidget()->findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly))
+  {
+    if (label->buddy() == edit)
+    {
+      label->setEnabled(why.isEmpty());
+      label->setToolTip(edit->toolTip());
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

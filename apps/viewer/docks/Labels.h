@@ -6,12 +6,13 @@
 #ifndef Labels_h
 #define Labels_h
 
+#include "vtkRelievoParameterList.h"
+
 #include <QString>
 
 class QFormLayout;
 class QLabel;
 class QWidget;
-struct vtkRelievoParameter;
 
 namespace viewer
 {
@@ -21,8 +22,13 @@ QString WriteLabel(const QString& label);
 /// Why a stage did nothing, in the viewer's words; by the code of the reason.
 QString WriteReason(const QString& code, const QString& reason);
 
-/// A parameter's choice, such as "reinhard rgb" for "reinhard_rgb".
-QString WriteChoice(const QString& choice);
+/// When a value has an effect: "Has an effect where Method is exact."
+QString WriteCondition(
+  const vtkRelievoParameterList& list, const vtkRelievoParameter::Condition& condition);
+
+/// A control that has no effect now is disabled, its label with it, and says why before its tool
+/// tip. Empty: it has one.
+void SetIdle(QWidget* edit, const QString& why);
 
 /// A row with the parameter's label, and the edit's tool tip for both. Returns the label.
 QLabel* AddParameterRow(QFormLayout* rows, const vtkRelievoParameter& parameter, QWidget* edit);

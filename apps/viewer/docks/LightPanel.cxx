@@ -5,14 +5,13 @@
 #include "FileEdit.h"
 #include "Number.h"
 #include "Options.h"
-#include "Presets.h"
 #include "PresetsLights.h"
+#include "StageGroup.h"
 #include "SunGroup.h"
 #include "SurfaceOptions.h"
 #include "SurfaceValues.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
@@ -48,53 +47,22 @@ std::vector<std::string> GetLines(const QPlainTextEdit* text)
 LightPanel::LightPanel(Document* document, QWidget* parent)
   : Panel(document, parent)
 {
-  this->AddScene();
   this->Sun = new SunGroup(document, this->widget());
-  this->Sun->setObjectName("sun");
-  this->GetColumn()->addWidget(this->Sun);
+  this->AddGroup(this->Sun);
   this->AddLights();
   this->AddEnvironment();
+  for (StageGroup* stage : StageGroup::MakeAll(document, StageGroup::LIGHT, this->widget()))
+  {
+    this->AddGroup(stage);
+  }
   QObject::connect(document, &Document::changed, this, [this] { this->ShowSettings(); });
   this->ShowSettings();
 }
 
 //------------------------------------------------------------------------------
-void LightPanel::AddScene()
-{
-  QGroupBox* group = this->AddGroup("Scene", "scene");
-  this->Preset = new QComboBox(group);
-  this->Preset->setObjectName("preset");
-  for (const std::string& name : scene::GetPresetNames())
-  {
-    this->Preset->addItem(QString::fromStdString(name));
-  }
-  this->Preset->setToolTip(
-    "Lights, shadows, ground, background and view, for what is not set here");
-  GetRows(group)->addRow("Preset", this->Preset);
-  this->Up = new QComboBox(group);
-  this->Up->setObjectName("up");
-  this->Up->addItems({ "as the file", "x", "y", "z" });
-  this->Up->setToolTip("The axis of the data that points up. North is then z, -z or y");
-  GetRows(group)->addRow("Up", this->Up);
-  const auto changed = static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged);
-  QObject::connect(this->Preset, changed, this, [this] {
-    this->Edited->Change([this](scene::Settings& settings) {
-      settings.Set("--preset", this->Preset->currentText().toStdString());
-    });
-  });
-  QObject::connect(this->Up, changed, this, [this] {
-    this->Edited->Change([this](scene::Settings& settings) {
-      const std::string axis = this->Up->currentText().toStdString();
-      this->Up->currentIndex() == 0 ? settings.Remove("--up") : settings.Set("--up", axis);
-    });
-    this->Sun->FollowUpAxis();
-  });
-}
-
-//------------------------------------------------------------------------------
 void LightPanel::AddLights()
 {
-  QGroupBox* group = this->AddGroup("Other lights", "otherLights");
+  FoldGroup* group = this->AddGroup("Other lights", "otherLights");
   this->Lights = new QPlainTextEdit(group);
   this->Lights->setObjectName("lights");
   this->Lights->setPlaceholderText("spot:PX,PY,PZ,FX,FY,FZ,CONE\npoint:PX,PY,PZ,size=R");
@@ -172,7 +140,7 @@ void LightPanel::AddEnvironment()
   this->Rotation->SetWrapping();
   this->Reflectivity = add("Reflectivity", "reflectivity", 1.0, 0.01);
   this->Roughness = add("Roughness", "roughness", 1.0, 0.01);
-  this->Values = new SurfaceValues(this->Edited, rows, this->Environment);
+  this->Values = new SurfaceValues(this->Edited, this->Environment);
   for (const vtkRelievoParameterList* list :
     { &scene::GetEnvironmentValues(), &scene::GetMaterialValues() })
   {
@@ -269,12 +237,9 @@ scene::NamedWords LightPanel::GetMirrorValues() const
 //------------------------------------------------------------------------------
 void LightPanel::ShowSettings()
 {
-  const QSignalBlocker quiet[] = { QSignalBlocker(this->Preset), QSignalBlocker(this->Up),
-    QSignalBlocker(this->Environment), QSignalBlocker(this->Sky) };
+  const QSignalBlocker quiet[] = { QSignalBlocker(this->Environment), QSignalBlocker(this->Sky) };
   const scene::Settings& settings = this->Edited->Get();
   const scene::RenderOptions options = settings.Parse();
-  this->Preset->setCurrentText(QString::fromStdString(options.Preset));
-  this->Up->setCurrentIndex(settings.Has("--up") ? options.UpAxis + 1 : 0);
   if (this->Sun->GetOthers() != this->ShownLights) // but not what is typed and not yet applied
   {
     this->ShowLights();

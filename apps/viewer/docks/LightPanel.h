@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where light comes from: presets, the sun, other lights, the environment.
+ * Where light comes from, and how: the sun, other lights, the environment; shadows and lamps.
  */
 #ifndef LightPanel_h
 #define LightPanel_h
@@ -10,7 +10,6 @@
 #include "Values.h"
 
 class QCheckBox;
-class QComboBox;
 class QLabel;
 class QPlainTextEdit;
 class QPushButton;
@@ -36,7 +35,6 @@ public:
   SunGroup* GetSun() { return this->Sun; }
 
 private:
-  void AddScene();
   void AddLights();
   void ApplyLights();
   void AddEnvironment();
@@ -47,12 +45,11 @@ private:
   void ShowLights();
 
   SunGroup* Sun;
-  QComboBox *Preset, *Up;
   QPlainTextEdit* Lights;
   QLabel* Wrong;
   QPushButton *Apply, *Revert;
   std::vector<std::string> ShownLights; // without what is typed
-  QGroupBox* Environment;
+  FoldGroup* Environment;
   FileEdit* File;
   relievoQt::Number *Rotation, *Reflectivity, *Roughness;
   QCheckBox* Sky;

@@ -3,19 +3,18 @@
 #include "LookPanel.h"
 
 #include "ColorButton.h"
+#include "Labels.h"
 #include "MaterialGroup.h"
-#include "ModelGroup.h"
 #include "Number.h"
 #include "OptionEdits.h"
 #include "Options.h"
-#include "Scene.h"
+#include "StageGroup.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include <utility>
 
@@ -39,11 +38,10 @@ LookPanel::LookPanel(Document* document, ColorsGroup::RangeReader range, QWidget
   : Panel(document, parent)
 {
   this->AddSurface();
-  this->GetColumn()->addWidget(new ColorsGroup(document, std::move(range), this->widget()));
-  this->GetColumn()->addWidget(new MaterialGroup(document, this->widget()));
-  this->GetColumn()->addWidget(new ModelGroup(document, this->widget()));
+  this->AddGroup(new ColorsGroup(document, std::move(range), this->widget()));
+  this->AddGroup(new MaterialGroup(document, this->widget()));
   this->AddBackground();
-  this->AddCamera();
+  this->AddStages();
   QObject::connect(document, &Document::changed, this, [this] { this->ShowSettings(); });
   this->ShowSettings();
 }
@@ -76,20 +74,18 @@ void LookPanel::AddSurface()
 }
 
 //------------------------------------------------------------------------------
-void LookPanel::AddCamera()
+void LookPanel::AddStages()
 {
-  QGroupBox* group = this->AddGroup("Camera", "camera");
-  this->Angle = new relievoQt::Number(1.0, 179.0, 1.0, 2, group);
-  this->Angle->setObjectName("viewangle");
-  this->Angle->SetUnit("degrees");
-  this->Angle->setToolTip("The full vertical angle of the perspective");
-  GetRows(group)->addRow("View angle", this->Angle);
-  QObject::connect(this->Angle, &relievoQt::Number::edited, this, [this](double angle) {
-    this->Edited->Change([&](scene::Settings& settings) {
-      SetOption(settings, "--view-angle",
-        angle == scene::StandardViewAngle ? "" : scene::WriteNumber(angle));
-    });
-  });
+  for (StageGroup* stage : StageGroup::MakeAll(this->Edited, StageGroup::LOOK, this->widget()))
+  {
+    this->AddGroup(stage);
+  }
+  FoldGroup* group = this->AddGroup("Advanced", "advancedStages");
+  for (StageGroup* stage : StageGroup::MakeAll(this->Edited, StageGroup::ADVANCED, group))
+  {
+    group->GetRows()->addRow(stage);
+  }
+  group->Fold(true);
 }
 
 //------------------------------------------------------------------------------
@@ -139,7 +135,6 @@ void LookPanel::ShowSettings()
   ShowChoice(this->Shading, settings, "--shading");
   ShowFlag(this->Edges, settings, "--edges");
   this->Opacity->SetValue(options.Look.Opacity);
-  this->Angle->SetValue(options.ViewAngle.value_or(scene::StandardViewAngle));
   const std::vector<scene::Color>& background = options.Look.Background;
   const bool own = settings.Has("--background");
   this->Background->setItemText(0, background.empty() ? "VTK's" : "The preset's");
@@ -149,7 +144,8 @@ void LookPanel::ShowSettings()
     this->Bottom->SetColor(FromColor(background.front()));
     this->Top->SetColor(FromColor(background.back()));
   }
-  this->Bottom->setEnabled(own);
-  this->Top->setEnabled(background.size() == 2 && own);
+  SetIdle(this->Bottom, own ? "" : "Has an effect where Kind is one or two colours.");
+  SetIdle(
+    this->Top, own && background.size() == 2 ? "" : "Has an effect where Kind is two colours.");
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How meshes and the background look.
+ * How meshes, the background and the picture look: also every stage that has no place elsewhere.
  */
 #ifndef LookPanel_h
 #define LookPanel_h
@@ -31,14 +31,14 @@ public:
 private:
   void AddSurface();
   void AddBackground();
-  void AddCamera();
+  void AddStages();
   void SetBackground();
   void ShowSettings();
 
   QComboBox *Shading, *Background;
   QCheckBox* Edges;
   ColorButton *Bottom, *Top;
-  relievoQt::Number *Opacity, *Angle;
+  relievoQt::Number* Opacity;
 };
 }
 

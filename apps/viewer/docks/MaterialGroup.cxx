@@ -3,6 +3,7 @@
 #include "MaterialGroup.h"
 
 #include "FileEdit.h"
+#include "Labels.h"
 #include "Number.h"
 #include "OptionEdits.h"
 #include "Options.h"
@@ -22,7 +23,7 @@ const char* const Images = "Images (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.tga 
 
 //------------------------------------------------------------------------------
 MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
-  : QGroupBox("Material", parent)
+  : FoldGroup("Material", "material", parent)
   , Edited(document)
   , Normals(new FileEdit("Normal map", Images, this))
   , Heights(new FileEdit("Height map", Images, this))
@@ -30,10 +31,7 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
   , Relief(MakeChoice(document, "--relief", this))
   , Coordinates(MakeChoice(document, "--texture-coordinates", this))
 {
-  this->setObjectName("material");
-  auto* rows = new QFormLayout(this);
-  this->Values = new SurfaceValues(document, rows, this);
-  rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  QFormLayout* rows = this->GetRows();
   this->Normals->setObjectName("normalmap");
   this->Normals->setToolTip("Normals from an image, placed by the meshes' texture coordinates; "
                             "linear values, not sRGB");
@@ -62,9 +60,10 @@ MaterialGroup::MaterialGroup(Document* document, QWidget* parent)
   }
   rows->addRow("Normal map", this->Normals);
   rows->addRow("Height map", this->Heights);
-  rows->addRow("Depth", this->Depth);
-  rows->addRow("Relief", this->Relief);
-  rows->addRow("Coordinates", this->Coordinates);
+  rows->addRow("Relief depth", this->Depth);
+  this->GetAdvanced()->addRow("Relief method", this->Relief);
+  this->GetAdvanced()->addRow("Texture coordinates", this->Coordinates);
+  this->Values = new SurfaceValues(document, this);
   for (const vtkRelievoParameter& value : scene::GetMaterialValues().Parameters)
   {
     if (value.OnlyIf != "environment") // in the group of the environment
@@ -111,8 +110,11 @@ void MaterialGroup::ShowSettings()
   ShowChoice(this->Relief, settings, "--relief");
   ShowChoice(this->Coordinates, settings, "--texture-coordinates");
   this->Values->ShowSettings();
-  this->Depth->setEnabled(heights);
-  this->Relief->setEnabled(heights);
-  this->Coordinates->setEnabled(heights || !options.NormalMap.empty());
+  const QString whyFlat = heights ? "" : "Has an effect with a height map.";
+  SetIdle(this->Depth, whyFlat);
+  SetIdle(this->Relief, whyFlat);
+  SetIdle(this->Coordinates,
+    heights || !options.NormalMap.empty() ? ""
+                                          : "Has an effect with a normal map or a height map.");
 }
 }

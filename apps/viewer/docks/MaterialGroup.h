@@ -7,8 +7,7 @@
 #define MaterialGroup_h
 
 #include "Document.h"
-
-#include <QGroupBox>
+#include "FoldGroup.h"
 
 class QComboBox;
 
@@ -22,7 +21,7 @@ namespace viewer
 class FileEdit;
 class SurfaceValues;
 
-class MaterialGroup : public QGroupBox
+class MaterialGroup : public FoldGroup
 {
   Q_OBJECT
 

@@ -16,17 +16,15 @@ namespace viewer
 {
 //------------------------------------------------------------------------------
 ModelGroup::ModelGroup(Document* document, QWidget* parent)
-  : QGroupBox("Models with bones", parent)
+  : FoldGroup("Models with bones", "model", parent)
   , Edited(document)
   , Animation(MakeChoice(document, "--animation", this))
   , Skin(MakeChoice(document, "--skin", this))
   , Loop(MakeFlag(document, "Start anew after the end", "--loop", this))
   , Skeleton(MakeFlag(document, "Show the bones", "--skeleton", this))
 {
-  this->setObjectName("model");
   this->setToolTip("Of glTF scenes, too, which stand still without any of these");
-  auto* rows = new QFormLayout(this);
-  rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  QFormLayout* rows = this->GetRows();
   this->Skin->setToolTip("How bones move points");
   {
     const QSignalBlocker quiet(this->Skin);

@@ -7,15 +7,14 @@
 #define ModelGroup_h
 
 #include "Document.h"
-
-#include <QGroupBox>
+#include "FoldGroup.h"
 
 class QCheckBox;
 class QComboBox;
 
 namespace viewer
 {
-class ModelGroup : public QGroupBox
+class ModelGroup : public FoldGroup
 {
   Q_OBJECT
 

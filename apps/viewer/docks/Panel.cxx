@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Panel.h"
 
-#include <QFormLayout>
-#include <QGroupBox>
-#include <QStyleOptionGroupBox>
-#include <QStylePainter>
 #include <QVBoxLayout>
 
 namespace viewer
@@ -13,23 +9,6 @@ namespace viewer
 namespace
 {
 constexpr int LeastWidth = 340;
-
-// Styles draw a frame around nothing, too, which looks as if something should be there.
-class Unframed : public QGroupBox
-{
-public:
-  using QGroupBox::QGroupBox;
-
-protected:
-  void paintEvent(QPaintEvent*) override
-  {
-    QStylePainter painter(this);
-    QStyleOptionGroupBox option;
-    this->initStyleOption(&option);
-    option.subControls &= ~QStyle::SC_GroupBoxFrame;
-    painter.drawComplexControl(QStyle::CC_GroupBox, option);
-  }
-};
 }
 
 //------------------------------------------------------------------------------
@@ -56,19 +35,17 @@ QSize Panel::sizeHint() const
 }
 
 //------------------------------------------------------------------------------
-QGroupBox* Panel::AddGroup(const QString& title, const QString& name, bool framed)
+FoldGroup* Panel::AddGroup(const QString& title, const QString& name)
 {
-  QGroupBox* group = framed ? new QGroupBox(this->widget()) : new Unframed(this->widget());
-  group->setTitle(title);
-  group->setObjectName(name);
-  auto* rows = new QFormLayout(group);
-  rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  if (!framed)
-  {
-    rows->setContentsMargins(0, 0, 0, 0);
-  }
-  this->Column->addWidget(group);
+  auto* group = new FoldGroup(title, name, this->widget());
+  this->AddGroup(group);
   return group;
+}
+
+//------------------------------------------------------------------------------
+void Panel::AddGroup(FoldGroup* group)
+{
+  this->Column->addWidget(group);
 }
 
 //------------------------------------------------------------------------------
@@ -82,6 +59,6 @@ void Panel::Fill(QGroupBox* group)
 //------------------------------------------------------------------------------
 QFormLayout* Panel::GetRows(QGroupBox* group)
 {
-  return static_cast<QFormLayout*>(group->layout());
+  return static_cast<FoldGroup*>(group)->GetRows();
 }
 }

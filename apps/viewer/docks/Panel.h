@@ -7,11 +7,11 @@
 #define Panel_h
 
 #include "Document.h"
+#include "FoldGroup.h"
 
 #include <QScrollArea>
 
 class QFormLayout;
-class QGroupBox;
 class QVBoxLayout;
 
 namespace viewer
@@ -27,13 +27,14 @@ public:
   QSize sizeHint() const override;
 
 protected:
-  /// A group of rows, below the others; without a frame where it is a title alone.
-  QGroupBox* AddGroup(const QString& title, const QString& name, bool framed = true);
-  /// The group gets the room that is left.
+  /// A group of rows, below the others, or one that is made already.
+  FoldGroup* AddGroup(const QString& title, const QString& name);
+  void AddGroup(FoldGroup* group);
+  /// One of these groups gets the room that is left.
   void Fill(QGroupBox* group);
   static QFormLayout* GetRows(QGroupBox* group);
 
-  /// An empty column, below the others.
+  /// All groups.
   QVBoxLayout* GetColumn() { return this->Column; }
 
   Document* Edited;

@@ -3,7 +3,6 @@
 #include "ParameterEdit.h"
 
 #include "ColorButton.h"
-#include "Labels.h"
 #include "Number.h"
 #include "Settings.h"
 
@@ -102,10 +101,10 @@ QWidget* ParameterEdit::MakeNumber(const vtkRelievoParameter& parameter)
 QWidget* ParameterEdit::MakeChoice(const vtkRelievoParameter& parameter)
 {
   auto* box = new QComboBox(this);
-  for (const std::string& choice : parameter.Choices)
+  for (std::size_t i = 0; i < parameter.Choices.size(); ++i)
   {
-    const QString words = QString::fromStdString(choice);
-    box->addItem(WriteChoice(words), words);
+    box->addItem(QString::fromStdString(parameter.GetChoiceLabel(i)),
+      QString::fromStdString(parameter.Choices[i]));
   }
   this->Show = [box](const QString& words) {
     const QSignalBlocker quiet(box);

@@ -63,9 +63,9 @@ PointsEdit::PointsEdit(Document* document, const std::string& stage, QWidget* pa
   {
     if (known.Name == stage)
     {
-      const auto& values = known.Points->GetDescription().Parameters;
-      this->Rows.reserve(values.size());
-      for (const vtkRelievoParameter& value : values)
+      this->Described = &known.Points->GetDescription();
+      this->Rows.reserve(this->Described->Parameters.size());
+      for (const vtkRelievoParameter& value : this->Described->Parameters)
       {
         this->AddRow(rows, value);
       }
@@ -94,7 +94,7 @@ void PointsEdit::AddRow(QFormLayout* rows, const vtkRelievoParameter& value)
                                                       : this->MakeBox(row, value, this->Values);
   row.Edit->setObjectName(Words(value.Name));
   row.Edit->setToolTip(Words(value.Help + " Takes " + value.GetExpected() + "."));
-  row.Label = AddParameterRow(rows, value, row.Edit);
+  AddParameterRow(rows, value, row.Edit);
 }
 
 //------------------------------------------------------------------------------
@@ -103,9 +103,11 @@ QComboBox* PointsEdit::MakeBox(Row& row, const vtkRelievoParameter& value, QWidg
   auto* box = new QComboBox(parent);
   if (!value.Choices.empty() && !value.PerPoint)
   {
-    for (const std::string& choice : value.Choices)
+    for (std::size_t i = 0; i < value.Choices.size(); ++i)
     {
-      box->addItem(Words(choice), choice == value.Default ? QString() : Words(choice));
+      const std::string& choice = value.Choices[i];
+      box->addItem(
+        Words(value.GetChoiceLabel(i)), choice == value.Default ? QString() : Words(choice));
     }
     row.Show = [box](const QString& text) {
       const QSignalBlocker quiet(box);
@@ -202,17 +204,19 @@ void PointsEdit::Remove()
 }
 
 //------------------------------------------------------------------------------
-bool PointsEdit::HasEffect(const Row& row, const scene::NamedWords& values) const
+// Empty: it has an effect.
+QString PointsEdit::WhyIdle(const Row& row, const scene::NamedWords& values) const
 {
-  return std::all_of(row.Conditions.begin(), row.Conditions.end(),
-    [&](const vtkRelievoParameter::Condition& condition) {
-      std::string value = scene::FindWords(values, condition.Name);
-      for (const Row& other : this->Rows)
-      {
-        value = value.empty() && other.Name == condition.Name ? other.Default : value;
-      }
-      return value == condition.Value;
-    });
+  for (const vtkRelievoParameter::Condition& condition : row.Conditions)
+  {
+    std::string value = scene::FindWords(values, condition.Name);
+    value = value.empty() ? this->Described->GetDefault(condition.Name) : value;
+    if ((value == condition.Value) == condition.Other)
+    {
+      return WriteCondition(*this->Described, condition);
+    }
+  }
+  return QString();
 }
 
 //------------------------------------------------------------------------------
@@ -230,7 +234,7 @@ void PointsEdit::Write(const std::string& name, const QString& text)
   scene::SetWords(values, name, text.toStdString());
   for (const Row& other : this->Rows)
   {
-    if (!this->HasEffect(other, values))
+    if (!this->WhyIdle(other, values).isEmpty())
     {
       scene::SetWords(values, other.Name, "");
     }
@@ -282,9 +286,7 @@ void PointsEdit::ShowValues(bool again)
       row.Shown = text;
       row.Show(text);
     }
-    const bool has = this->HasEffect(row, values);
-    row.Edit->setEnabled(has);
-    row.Label->setEnabled(has);
+    SetIdle(row.Edit, this->WhyIdle(row, values));
   }
 }
 

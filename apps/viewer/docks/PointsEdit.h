@@ -19,7 +19,6 @@
 
 class QComboBox;
 class QFormLayout;
-class QLabel;
 class QListWidget;
 class QPushButton;
 
@@ -41,7 +40,6 @@ private:
   {
     std::string Name, Default; // as of the parameter
     std::vector<vtkRelievoParameter::Condition> Conditions;
-    QLabel* Label;
     QWidget* Edit;
     std::function<void(const QString&)> Show;
     QString Shown;
@@ -53,7 +51,7 @@ private:
   QComboBox* MakeBox(Row& row, const vtkRelievoParameter& value, QWidget* parent);
   QWidget* MakeColor(Row& row, const vtkRelievoParameter& value);
   void Connect(QComboBox* box, const std::string& name);
-  bool HasEffect(const Row& row, const scene::NamedWords& values) const;
+  QString WhyIdle(const Row& row, const scene::NamedWords& values) const;
   void Remove();
   void Write(const std::string& name, const QString& text);
   void ShowSettings();
@@ -66,6 +64,7 @@ private:
   QPushButton* RemoveFile;
   QWidget* Values;
   std::vector<Row> Rows;
+  const vtkRelievoParameterList* Described = nullptr;
 };
 }
 

@@ -74,7 +74,7 @@ void ReportPanel::Refresh()
   bool untimed = false;
   for (relievoQt::FrameReport::Stage& stage : report.Stages)
   {
-    stage.Label = WriteLabel(stage.Label);
+    stage.Label = stage.IsDelegate() ? "VTK's picture" : WriteLabel(stage.Label);
     stage.Reason = WriteReason(stage.Code, stage.Reason);
     untimed = untimed || (stage.Ran && stage.Milliseconds < 0.0);
   }

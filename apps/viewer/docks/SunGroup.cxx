@@ -11,8 +11,8 @@
 
 #include <QComboBox>
 #include <QDateEdit>
+#include <QFormLayout>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -39,16 +39,15 @@ bool AreClose(const SunAngles& a, const SunAngles& b)
 
 //------------------------------------------------------------------------------
 SunGroup::SunGroup(Document* document, QWidget* parent)
-  : QGroupBox("Sun", parent)
+  : FoldGroup("Sun", "sun", parent)
   , Edited(document)
   , Sun(new relievoQt::SunEdit(this))
   , Preset(new PresetsLights(document, "a sun of your own", this))
 {
   this->setCheckable(true);
   this->setToolTip("A light that stays where it is when the camera moves");
-  auto* column = new QVBoxLayout(this);
-  column->addWidget(this->Preset);
-  column->addWidget(this->Sun);
+  this->GetRows()->addRow(this->Preset);
+  this->GetRows()->addRow(this->Sun);
   this->SetTime(SunTime(), false);
   const auto place = [this] { this->PlaceSun(); };
   QObject::connect(this->Sun->By,
@@ -129,7 +128,6 @@ void SunGroup::ShowSettings()
   this->NextOwn = this->Own;
   const QSignalBlocker quiet(this);
   this->setChecked(this->Own >= 0);
-  this->Preset->setEnabled(true); // it is read where the sun is off
   this->Sun->SetWords(QString());
   if (this->Own >= 0)
   {

@@ -8,9 +8,8 @@
 #define SunGroup_h
 
 #include "Document.h"
+#include "FoldGroup.h"
 #include "Sun.h"
-
-#include <QGroupBox>
 
 #include <map>
 #include <string>
@@ -25,7 +24,7 @@ namespace viewer
 {
 class PresetsLights;
 
-class SunGroup : public QGroupBox
+class SunGroup : public FoldGroup
 {
   Q_OBJECT
 

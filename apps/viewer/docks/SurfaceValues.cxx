@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceValues.h"
 
+#include "FoldGroup.h"
 #include "Labels.h"
 #include "Options.h"
 #include "ParameterEdit.h"
 #include "SurfaceOptions.h"
-
-#include <QFormLayout>
-#include <QLabel>
 
 #include <algorithm>
 #include <string>
@@ -27,19 +25,21 @@ std::string Read(const scene::RenderOptions& options, const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-SurfaceValues::SurfaceValues(Document* document, QFormLayout* rows, QWidget* parent)
-  : QObject(parent)
+SurfaceValues::SurfaceValues(Document* document, FoldGroup* group)
+  : QObject(group)
   , Edited(document)
-  , Rows(rows)
+  , Group(group)
 {
 }
 
 //------------------------------------------------------------------------------
 void SurfaceValues::Add(const vtkRelievoParameter& value)
 {
-  auto* edit = new ParameterEdit(value, static_cast<QWidget*>(this->parent()));
+  auto* edit = new ParameterEdit(value, this->Group);
   edit->setObjectName(QString::fromStdString(value.Name));
-  this->All.push_back({ &value, edit, AddParameterRow(this->Rows, value, edit) });
+  AddParameterRow(
+    value.Advanced ? this->Group->GetAdvanced() : this->Group->GetRows(), value, edit);
+  this->All.push_back({ &value, edit });
   QObject::connect(
     edit, &ParameterEdit::edited, this, [this, name = value.Name](const QString& words) {
       const std::string given = QString(words).replace(',', '/').toStdString();
@@ -59,9 +59,8 @@ void SurfaceValues::ShowSettings()
   const scene::RenderOptions options = this->Edited->Get().Parse();
   for (const Row& row : this->All)
   {
-    const bool has = scene::HasEffect(options, *row.Value);
-    row.Label->setVisible(has);
-    row.Edit->setVisible(has);
+    const auto failing = scene::FindFailing(options, *row.Value);
+    SetIdle(row.Edit, failing ? WriteCondition(scene::GetMaterialValues(), *failing) : QString());
     row.Edit->SetValue(QString::fromStdString(Read(options, row.Value->Name)));
   }
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Rows of values that materials and environments describe: those of --material and --environment.
- * Those without effect beside the others are hidden.
  */
 #ifndef SurfaceValues_h
 #define SurfaceValues_h
@@ -13,12 +12,11 @@
 
 #include <vector>
 
-class QFormLayout;
-class QLabel;
 struct vtkRelievoParameter;
 
 namespace viewer
 {
+class FoldGroup;
 class ParameterEdit;
 
 class SurfaceValues : public QObject
@@ -26,9 +24,10 @@ class SurfaceValues : public QObject
   Q_OBJECT
 
 public:
-  SurfaceValues(Document* document, QFormLayout* rows, QWidget* parent);
+  SurfaceValues(Document* document, FoldGroup* group);
 
-  /// Adds the row of a value; its edit has the value's name.
+  /// Adds the row of a value to the group, or to its section Advanced; its edit has the value's
+  /// name.
   void Add(const vtkRelievoParameter& value);
 
   /// Shows what the settings say.
@@ -36,12 +35,11 @@ public:
 
 private:
   Document* Edited;
-  QFormLayout* Rows;
+  FoldGroup* Group;
   struct Row
   {
     const vtkRelievoParameter* Value;
     ParameterEdit* Edit;
-    QLabel* Label;
   };
   std::vector<Row> All;
 };

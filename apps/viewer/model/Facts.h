@@ -14,8 +14,19 @@
 
 namespace viewer
 {
+struct FileFacts
+{
+  std::string Path;
+  std::string Kind; ///< what its cells are, for people: "triangles"
+  long long Points = 0;
+  long long Cells = 0;
+  std::array<double, 6> Bounds = {}; ///< in its own units: least and most of x, y, z
+  std::vector<std::string> Arrays;   ///< names, for people
+};
+
 struct Facts
 {
+  std::vector<FileFacts> Files; ///< in their order
   /// The most that arrays have, by the name in the words of --color-by.
   std::map<std::string, int> Components;
   /// Those of them that are colours and no values unless a component is chosen; "" where the

@@ -3,6 +3,7 @@
 #include "MainWindow.h"
 
 #include "Actions.h"
+#include "FileFacts.h"
 #include "InputGuard.h"
 #include "LayersPanel.h"
 #include "LightPanel.h"
@@ -17,8 +18,9 @@
 #include "RecentFiles.h"
 #include "ReportPanel.h"
 #include "SceneFacts.h"
+#include "ScenePanel.h"
 #include "SessionFile.h"
-#include "StagesPanel.h"
+#include "StageGroup.h"
 #include "SunGroup.h"
 #include "TimeBar.h"
 #include "vtkImageData.h"
@@ -90,6 +92,9 @@ QStringList GetPaths(const QMimeData* data)
   }
   return paths;
 }
+
+// Of the docks: a layout that was kept with other docks is not theirs.
+constexpr int LayoutVersion = 1;
 
 constexpr const char* PlaceWords[] = { "--camera", "--parallel-scale", "--size" };
 
@@ -170,7 +175,6 @@ MainWindow::~MainWindow()
 void MainWindow::AddPanels()
 {
   this->Light = new LightPanel(this->Edited, this);
-  this->Stages = new StagesPanel(this->Edited, this);
   this->Layers = new LayersPanel(this->Edited, this);
   this->Report = new ReportPanel(
     [this] {
@@ -180,7 +184,10 @@ void MainWindow::AddPanels()
     this);
   auto* look = new LookPanel(
     this->Edited, [this] { return GetColorRange(this->Shown->GetPicture()); }, this);
-  QDockWidget* first = AddDock(this, "Stages", "stages", this->Stages);
+  auto* scene = new ScenePanel(this->Edited, this);
+  QObject::connect(
+    scene, &ScenePanel::upAxisChosen, this->Light->GetSun(), &SunGroup::FollowUpAxis);
+  QDockWidget* first = AddDock(this, "Scene", "scene", scene);
   this->tabifyDockWidget(first, AddDock(this, "Light", "light", this->Light));
   this->tabifyDockWidget(first, AddDock(this, "Look", "look", look));
   this->tabifyDockWidget(first, AddDock(this, "Layers", "layers", this->Layers));
@@ -316,7 +323,7 @@ void MainWindow::RestoreLayout()
 {
   const QSettings kept;
   this->restoreGeometry(kept.value("geometry").toByteArray());
-  this->restoreState(kept.value("state").toByteArray());
+  this->restoreState(kept.value("state").toByteArray(), LayoutVersion);
   this->Time->ShowSettings(); // where nothing moves there is none, whatever was seen before
   const QSize room = this->screen()->availableSize();
   if (!this->isMaximized() && !this->isFullScreen())
@@ -330,7 +337,7 @@ void MainWindow::KeepLayout()
 {
   QSettings kept;
   kept.setValue("geometry", this->saveGeometry());
-  kept.setValue("state", this->saveState());
+  kept.setValue("state", this->saveState(LayoutVersion));
 }
 
 //------------------------------------------------------------------------------
@@ -727,7 +734,9 @@ QString MainWindow::ShowRead()
     this->Edited->ForgetPast(); // that of other files
   }
   this->Good = this->Edited->Get();
-  this->Edited->SetFacts(GetFacts(picture));
+  Facts facts = GetFacts(picture);
+  facts.Files = GetFileFacts(picture, this->Good.Files);
+  this->Edited->SetFacts(facts);
   this->setWindowTitle(GetTitle(this->Good.Files));
   this->Say("");
   this->TellMessages();
@@ -777,7 +786,10 @@ void MainWindow::TellMessages()
 void MainWindow::OnDrawn()
 {
   this->Reading.Forget();
-  this->Stages->ShowReasons(this->Shown->GetPicture().GetFrame());
+  for (StageGroup* stage : this->findChildren<StageGroup*>())
+  {
+    stage->ShowReason(this->Shown->GetPicture().GetFrame());
+  }
   this->Report->Follow();
   try
   {

@@ -25,7 +25,6 @@ namespace viewer
 class LayersPanel;
 class LightPanel;
 class RecentFiles;
-class StagesPanel;
 class ReportPanel;
 class PictureView;
 class TimeBar;
@@ -121,7 +120,6 @@ private:
   PictureView* Shown;
   Loader* Reader;
   LightPanel* Light;
-  StagesPanel* Stages;
   LayersPanel* Layers;
   ReportPanel* Report;
   TimeBar* Time;

@@ -87,13 +87,17 @@ void vtkRelievoFogStage::Describe(vtkRelievoStageDescription& description)
   description.Layers = { "fog" };
   description.OnByDefault = true;
   description.TakesData = true;
-  description.AddChoice(
-    "mode", this->Mode, [this](int mode) { this->SetMode(mode); }, { "beer", "chord" },
-    "How light passes: beer, e^(-density length); chord, 1 - density length / diameter.");
-  description.AddChoice(
-    "overlap", this->Overlap, [this](int overlap) { this->SetOverlap(overlap); },
-    { "sum", "dominant" },
-    "Where spheres overlap: sum of optical depths, or the dominant sphere alone.");
+  description
+    .AddChoice(
+      "mode", this->Mode, [this](int mode) { this->SetMode(mode); }, { "beer", "chord" },
+      "How light passes: beer, e^(-density length); chord, 1 - density length / diameter.")
+    .ChoiceLabels = { "exponential", "linear" };
+  description
+    .AddChoice(
+      "overlap", this->Overlap, [this](int overlap) { this->SetOverlap(overlap); },
+      { "sum", "dominant" },
+      "Where spheres overlap: sum of optical depths, or the dominant sphere alone.")
+    .Advanced = true;
 }
 
 //------------------------------------------------------------------------------

@@ -111,19 +111,23 @@ void vtkRelievoToneStage::Describe(vtkRelievoStageDescription& description)
     "How light is mapped to the display's range: cut off at 1, x / (1 + x), Reinhard's curve on "
     "the "
     "luminance, or on each component.");
-  description.AddNumber(
-    "white", this->White, [this](double white) { this->SetWhite(white); }, 0.01, 65504.0, "",
-    "Light that is shown as white by Reinhard's curves.");
+  description
+    .AddNumber(
+      "white", this->White, [this](double white) { this->SetWhite(white); }, 0.01, 65504.0, "",
+      "Light that is shown as white by Reinhard's curves.")
+    .OnlyIf = "operator!=clamp,operator!=simple";
   description.AddNumber(
     "exposure", this->Exposure, [this](double stops) { this->SetExposure(stops); }, -20.0, 20.0,
     "stops", "Powers of 2 that the light is multiplied by.");
   description.AddFlag(
     "auto_exposure", this->AutoExposure, [this](bool on) { this->SetAutoExposure(on); },
     "Brings the log-average luminance of what is drawn to 0.18 first.");
-  description.AddChoice(
-    "dither", this->Dither, [this](int which) { this->SetDither(which); },
-    { "none", "ordered", "blue_noise" },
-    "How values are rounded to 8 bits, so that slow gradients have no bands.");
+  description
+    .AddChoice(
+      "dither", this->Dither, [this](int which) { this->SetDither(which); },
+      { "none", "ordered", "blue_noise" },
+      "How values are rounded to 8 bits, so that slow gradients have no bands.")
+    .Advanced = true;
 }
 
 //------------------------------------------------------------------------------

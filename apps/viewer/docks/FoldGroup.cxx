@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FoldGroup.h"
+
+#include <QEvent>
+#include <QFormLayout>
+#include <QMouseEvent>
+#include <QStyleOptionGroupBox>
+#include <QStylePainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace viewer
+{
+namespace
+{
+QFormLayout* MakeRows()
+{
+  auto* rows = new QFormLayout();
+  rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  return rows;
+}
+
+// Whether there is more than what was hidden. Before the first show, all else counts as hidden, too.
+bool HasShown(const QFormLayout* rows)
+{
+  for (int i = 0; i < rows->count(); ++i)
+  {
+    const QWidget* widget = rows->itemAt(i)->widget();
+    if (!widget || !widget->isHidden() || !widget->testAttribute(Qt::WA_WState_ExplicitShowHide))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+FoldGroup::FoldGroup(const QString& title, const QString& name, QWidget* parent)
+  : QGroupBox(title, parent)
+  , Content(new QWidget(this))
+  , Column(new QVBoxLayout(this->Content))
+  , Rows(MakeRows())
+  , Arrow(new QToolButton(this))
+{
+  this->setObjectName(name);
+  this->Arrow->setObjectName("fold");
+  this->Arrow->setAutoRaise(true);
+  this->Arrow->setFocusPolicy(Qt::TabFocus);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(this->Content);
+  this->Column->addLayout(this->Rows);
+  this->Content->installEventFilter(this);
+  QObject::connect(this->Arrow, &QToolButton::clicked, this, [this] { this->Fold(!this->Folded); });
+  this->Arrange();
+}
+
+//------------------------------------------------------------------------------
+QFormLayout* FoldGroup::GetAdvanced()
+{
+  if (!this->Advanced)
+  {
+    auto* title = new QToolButton(this->Content);
+    title->setObjectName("advanced");
+    title->setText("Advanced");
+    title->setToolTip("For those who know the method");
+    title->setCheckable(true);
+    title->setAutoRaise(true);
+    title->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    title->setArrowType(Qt::RightArrow);
+    auto* section = new QWidget(this->Content);
+    section->setObjectName("advancedRows");
+    section->hide();
+    this->Advanced = MakeRows();
+    section->setLayout(this->Advanced);
+    this->Advanced->setContentsMargins(0, 0, 0, 0);
+    this->Column->addWidget(title, 0, Qt::AlignLeft);
+    this->Column->addWidget(section);
+    QObject::connect(title, &QToolButton::toggled, section, [title, section](bool open) {
+      title->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+      section->setVisible(open);
+    });
+  }
+  return this->Advanced;
+}
+
+//------------------------------------------------------------------------------
+void FoldGroup::Fold(bool folded)
+{
+  this->Folded = folded;
+  this->Arrange();
+}
+
+//------------------------------------------------------------------------------
+// The switch enables the rows, also where it sends no signal.
+bool FoldGroup::eventFilter(QObject* watched, QEvent* event)
+{
+  if (watched == this->Content && event->type() == QEvent::EnabledChange)
+  {
+    this->Arrange();
+  }
+  return this->QGroupBox::eventFilter(watched, event);
+}
+
+//------------------------------------------------------------------------------
+void FoldGroup::Arrange()
+{
+  const bool on = !this->isCheckable() || this->isChecked();
+  this->Folded = this->Folded && (on == this->On);
+  this->On = on;
+  const bool empty = !this->Advanced && this->Rows->count() > 0 && !HasShown(this->Rows);
+  this->Content->setVisible(on && !this->Folded && !empty);
+  this->Arrow->setVisible(on && !empty);
+  this->Arrow->setArrowType(this->Folded ? Qt::RightArrow : Qt::DownArrow);
+  const QString what = this->Folded ? "Unfold " : "Fold ";
+  this->Arrow->setToolTip(what + this->title());
+  this->Arrow->setAccessibleName(what + this->title());
+  this->updateGeometry();
+  this->update();
+}
+
+//------------------------------------------------------------------------------
+QRect FoldGroup::GetTitle() const
+{
+  QStyleOptionGroupBox option;
+  this->initStyleOption(&option);
+  return this->style()->subControlRect(
+    QStyle::CC_GroupBox, &option, QStyle::SC_GroupBoxLabel, this);
+}
+
+//------------------------------------------------------------------------------
+QSize FoldGroup::sizeHint() const
+{
+  return this->Limit(this->QGroupBox::sizeHint());
+}
+
+//------------------------------------------------------------------------------
+QSize FoldGroup::minimumSizeHint() const
+{
+  return this->Limit(this->QGroupBox::minimumSizeHint());
+}
+
+//------------------------------------------------------------------------------
+QSize FoldGroup::Limit(QSize size) const
+{
+  return this->Content->isHidden() ? QSize(size.width(), this->GetTitle().bottom() + 1) : size;
+}
+
+//------------------------------------------------------------------------------
+// A title without a switch folds, too.
+void FoldGroup::mouseReleaseEvent(QMouseEvent* event)
+{
+  if (!this->isCheckable() && this->GetTitle().contains(event->pos()))
+  {
+    this->Fold(!this->Folded);
+  }
+  this->QGroupBox::mouseReleaseEvent(event);
+}
+
+//------------------------------------------------------------------------------
+void FoldGroup::resizeEvent(QResizeEvent* event)
+{
+  this->QGroupBox::resizeEvent(event);
+  const QRect title = this->GetTitle();
+  const int side = title.height();
+  this->Arrow->setGeometry(this->width() - side, title.top(), side, side);
+}
+
+//------------------------------------------------------------------------------
+// Styles draw a frame around nothing, too, which looks as if something should be there.
+void FoldGroup::paintEvent(QPaintEvent*)
+{
+  QStylePainter painter(this);
+  QStyleOptionGroupBox option;
+  this->initStyleOption(&option);
+  if (this->Content->isHidden())
+  {
+    option.subControls &= ~QStyle::SC_GroupBoxFrame;
+  }
+  painter.drawComplexControl(QStyle::CC_GroupBox, option);
+}
+}

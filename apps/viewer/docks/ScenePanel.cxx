@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ScenePanel.h"
+
+#include "ModelGroup.h"
+#include "Number.h"
+#include "OptionEdits.h"
+#include "Options.h"
+#include "Presets.h"
+#include "Scene.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace viewer
+{
+namespace
+{
+constexpr int NamePixels = 280;       // a longer one is cut in its middle
+constexpr std::size_t MostInFull = 3; // files; of more, each is said in short
+constexpr int MostArrays = 12;
+
+QString MakeRow(const QString& title, const QString& text)
+{
+  return "<tr><td>" + title + "&nbsp;&nbsp;</td><td>" + text.toHtmlEscaped() + "</td></tr>";
+}
+
+QString WriteSize(const std::array<double, 6>& bounds)
+{
+  QStringList sides;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    sides += QLocale().toString(bounds[2 * i + 1] - bounds[2 * i], 'g', 4);
+  }
+  return sides.join(QString(" ") + QChar(0xd7) + " ");
+}
+
+QString WriteBounds(const std::array<double, 6>& bounds)
+{
+  QString rows;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    rows += MakeRow(QString("xyz").mid(static_cast<int>(i), 1),
+      QLocale().toString(bounds[2 * i], 'g', 6) + " to " +
+        QLocale().toString(bounds[2 * i + 1], 'g', 6));
+  }
+  return rows;
+}
+
+QString WriteArrays(const std::vector<std::string>& names)
+{
+  QStringList words;
+  for (const std::string& name : names)
+  {
+    words += QString::fromStdString(name);
+  }
+  const auto more = words.size() - MostArrays;
+  return more > 0 ? words.mid(0, MostArrays).join(", ") + QString(" and %1 more").arg(more)
+                  : words.join(", ");
+}
+
+QLabel* MakeFile(const FileFacts& file, bool full, QWidget* parent)
+{
+  auto* label = new QLabel(parent);
+  label->setObjectName("file");
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::RichText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  const QFileInfo path(QString::fromStdString(file.Path));
+  QFont bold = label->font();
+  bold.setBold(true);
+  const QString name = QFontMetrics(bold).elidedText(path.fileName(), Qt::ElideMiddle, NamePixels);
+  const QString cells = QLocale().toString(static_cast<qlonglong>(file.Cells)) + " " +
+    QString::fromStdString(file.Kind);
+  const QString points = QLocale().toString(static_cast<qlonglong>(file.Points));
+  const QString size = WriteSize(file.Bounds);
+  QString rows = MakeRow("Cells", cells);
+  if (full)
+  {
+    rows += MakeRow("Points", points) + MakeRow("Size", size);
+    rows += file.Arrays.empty() ? QString() : MakeRow("Arrays", WriteArrays(file.Arrays));
+    rows +=
+      MakeRow("File", path.suffix().toUpper() + ", " + QLocale().formattedDataSize(path.size()));
+  }
+  label->setText("<b>" + name.toHtmlEscaped() + "</b><table>" + rows + "</table>");
+  label->setToolTip("<p>" + path.absoluteFilePath().toHtmlEscaped() + "</p><table>" +
+    MakeRow("Points", points) + MakeRow("Size", size) + WriteBounds(file.Bounds) + "</table>");
+  return label;
+}
+}
+
+//------------------------------------------------------------------------------
+ScenePanel::ScenePanel(Document* document, QWidget* parent)
+  : Panel(document, parent)
+{
+  this->AddFiles();
+  this->AddScene();
+  this->AddGroup(new ModelGroup(document, this->widget()));
+  this->AddCamera();
+  QObject::connect(document, &Document::changed, this, &ScenePanel::ShowSettings);
+  QObject::connect(document, &Document::factsChanged, this, &ScenePanel::ShowFiles);
+  this->ShowSettings();
+  this->ShowFiles();
+}
+
+//------------------------------------------------------------------------------
+void ScenePanel::AddFiles()
+{
+  FoldGroup* group = this->AddGroup("Files", "shownFiles");
+  this->Files = new QVBoxLayout();
+  group->GetRows()->addRow(this->Files);
+}
+
+//------------------------------------------------------------------------------
+void ScenePanel::AddScene()
+{
+  FoldGroup* group = this->AddGroup("Scene", "scene");
+  this->Preset = new QComboBox(group);
+  this->Preset->setObjectName("preset");
+  for (const std::string& name : scene::GetPresetNames())
+  {
+    this->Preset->addItem(QString::fromStdString(name));
+  }
+  this->Preset->setToolTip(
+    "Lights, shadows, ground, background and view, for what is not set in these panels");
+  group->GetRows()->addRow("Preset", this->Preset);
+  this->Up = new QComboBox(group);
+  this->Up->setObjectName("up");
+  this->Up->addItems({ "as the file", "x", "y", "z" });
+  this->Up->setToolTip("The axis of the data that points up. North is then z, -z or y");
+  group->GetRows()->addRow("Up", this->Up);
+  this->Ground = MakeChoice(this->Edited, "--ground", group);
+  this->Ground->setToolTip("A ground below the scene that catches its shadows, in the picture "
+                           "alone");
+  {
+    const QSignalBlocker quiet(this->Ground);
+    this->Ground->addItem("as the preset", "");
+    this->Ground->addItem("on", "on");
+    this->Ground->addItem("off", "off");
+  }
+  group->GetRows()->addRow("Ground", this->Ground);
+  const auto changed = static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged);
+  QObject::connect(this->Preset, changed, this, [this] {
+    this->Edited->Change([this](scene::Settings& settings) {
+      settings.Set("--preset", this->Preset->currentText().toStdString());
+    });
+  });
+  QObject::connect(this->Up, changed, this, [this] {
+    this->Edited->Change([this](scene::Settings& settings) {
+      const std::string axis = this->Up->currentText().toStdString();
+      this->Up->currentIndex() == 0 ? settings.Remove("--up") : settings.Set("--up", axis);
+    });
+    Q_EMIT this->upAxisChosen();
+  });
+}
+
+//------------------------------------------------------------------------------
+void ScenePanel::AddCamera()
+{
+  FoldGroup* group = this->AddGroup("Camera", "camera");
+  this->Angle = new relievoQt::Number(1.0, 179.0, 1.0, 2, group);
+  this->Angle->setObjectName("viewangle");
+  this->Angle->SetUnit("degrees");
+  this->Angle->setToolTip("The full vertical angle of the perspective");
+  group->GetRows()->addRow("View angle", this->Angle);
+  QObject::connect(this->Angle, &relievoQt::Number::edited, this, [this](double angle) {
+    this->Edited->Change([&](scene::Settings& settings) {
+      SetOption(settings, "--view-angle",
+        angle == scene::StandardViewAngle ? "" : scene::WriteNumber(angle));
+    });
+  });
+}
+
+//------------------------------------------------------------------------------
+void ScenePanel::ShowFiles()
+{
+  while (QLayoutItem* item = this->Files->takeAt(0))
+  {
+    delete item->widget();
+    delete item;
+  }
+  const std::vector<FileFacts>& files = this->Edited->GetFacts().Files;
+  for (const FileFacts& file : files)
+  {
+    this->Files->addWidget(MakeFile(file, files.size() <= MostInFull, this->widget()));
+  }
+  if (files.empty())
+  {
+    this->Files->addWidget(new QLabel("None yet: Ctrl+O opens some.", this->widget()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void ScenePanel::ShowSettings()
+{
+  const QSignalBlocker quiet[] = { QSignalBlocker(this->Preset), QSignalBlocker(this->Up) };
+  const scene::Settings& settings = this->Edited->Get();
+  const scene::RenderOptions options = settings.Parse();
+  this->Preset->setCurrentText(QString::fromStdString(options.Preset));
+  this->Up->setCurrentIndex(settings.Has("--up") ? options.UpAxis + 1 : 0);
+  ShowChoice(this->Ground, settings, "--ground");
+  this->Angle->SetValue(options.ViewAngle.value_or(scene::StandardViewAngle));
+}
+}

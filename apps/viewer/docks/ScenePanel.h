@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What is shown and how it stands: the files, preset, up axis and ground, models with bones, the
+ * camera's angle.
+ */
+#ifndef ScenePanel_h
+#define ScenePanel_h
+
+#include "Panel.h"
+
+class QComboBox;
+class QVBoxLayout;
+
+namespace relievoQt
+{
+class Number;
+}
+
+namespace viewer
+{
+class ScenePanel : public Panel
+{
+  Q_OBJECT
+
+public:
+  explicit ScenePanel(Document* document, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+  /// The user chose the axis that points up.
+  void upAxisChosen();
+
+private:
+  void AddFiles();
+  void AddScene();
+  void AddCamera();
+  void ShowFiles();
+  void ShowSettings();
+
+  QVBoxLayout* Files;
+  QComboBox *Preset, *Up, *Ground;
+  relievoQt::Number* Angle;
+};
+}
+
+#endif

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What each of the files that are shown holds.
+ */
+#ifndef FileFacts_h
+#define FileFacts_h
+
+#include "Facts.h"
+
+namespace viewer
+{
+class Picture;
+
+/// In the order of the files.
+std::vector<FileFacts> GetFileFacts(const Picture& picture, const std::vector<std::string>& files);
+}
+
+#endif
