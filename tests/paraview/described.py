@@ -13,6 +13,10 @@ def capitalize(name, between=""):
     return between.join(word[:1].upper() + word[1:] for word in words)
 
 
+# Choices that are not called by their names: those are the field's, for the command and Python.
+LABELS = {"beer": "Exponential", "chord": "Linear"}
+
+
 def is_number(word):
     try:
         float(word)
@@ -29,7 +33,7 @@ def read(words, help_text):
     if all(is_number(part) for part in parts):
         numbers = [float(part) for part in parts]
         return numbers if len(numbers) > 1 else numbers[0]
-    return capitalize(words, " ")
+    return LABELS.get(words, capitalize(words, " "))
 
 
 def find_other(words, help_text):

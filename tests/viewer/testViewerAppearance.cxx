@@ -108,7 +108,7 @@ private Q_SLOTS:
   {
     this->Open({ this->WriteScene(), "--lamps", this->WritePoints(), "--stage",
       "antialias:samples=8", "--stage", "display:layer=depth", "--stage", "light_depth" });
-    this->Window->findChild<QDockWidget*>("stages")->raise();
+    this->Window->findChild<QDockWidget*>("light")->raise();
     this->Grab();
     QTest::qWait(200);
     int seen = 0;
@@ -157,7 +157,7 @@ private Q_SLOTS:
     play->setVisible(true);
     QVERIFY(GetPaintedContrast(play->widgetForAction(play->actions().first())) > 4.5);
     int seen = 0;
-    for (const char* name : { "report", "layers", "look", "light", "stages" })
+    for (const char* name : { "report", "layers", "look", "light", "scene" })
     {
       auto* dock = this->Window->findChild<QDockWidget*>(name);
       dock->raise();

@@ -236,7 +236,7 @@ private Q_SLOTS:
     vtkRelievoParameter parameter = found ? *found : *scene::GetEnvironmentValues().Find(given);
     parameter.Default = scene::GetSurfaceValue(before.Parse(), given);
     auto* edit = this->Window->findChild<viewer::ParameterEdit*>(name);
-    QVERIFY(edit && !edit->isHidden());
+    QVERIFY(edit && edit->isEnabled());
     for (const std::string& value : GetValues(parameter))
     {
       this->Window->GetDocument()->Set(before);
@@ -249,7 +249,7 @@ private Q_SLOTS:
     }
   }
 
-  // What has no effect any longer goes, and its row.
+  // What has no effect any longer goes, and its row is idle and says why.
   void idleSurfaceValues()
   {
     this->Open({ this->WriteScene(), "--height-map", this->WriteImage() });
@@ -258,7 +258,10 @@ private Q_SLOTS:
     QCOMPARE(this->Window->GetDocument()->Get().Get("--material"), std::string("bisections=3"));
     this->Change([](scene::Settings& settings) { settings.Set("--relief", "steep"); });
     QVERIFY(!this->Window->GetDocument()->Get().Has("--material"));
-    QVERIFY(edit->isHidden());
+    QVERIFY(!edit->isEnabled());
+    QVERIFY2(edit->toolTip().contains("Relief method is relief"), qPrintable(edit->toolTip()));
+    this->Change([](scene::Settings& settings) { settings.Remove("--relief"); });
+    QVERIFY(edit->isEnabled() && !edit->toolTip().contains("Has an effect"));
   }
 
   void layers()

@@ -122,7 +122,8 @@ private Q_SLOTS:
   {
     this->Open({ this->WriteScene(), "--stage", "tone" });
     QVERIFY(this->Activate());
-    auto* dock = this->Window->findChild<QDockWidget*>("stages");
+    auto* dock = this->Window->findChild<QDockWidget*>("look");
+    dock->raise();
     auto* panel = dock->findChild<QScrollArea*>();
     const auto turn = [](QWidget* widget) {
       const QPointF at = widget->rect().center();
@@ -235,7 +236,7 @@ private Q_SLOTS:
   void tab()
   {
     this->Open({ this->WriteScene(), "--lamps", this->WritePoints() });
-    for (const char* name : { "stages", "light", "look", "layers", "report" })
+    for (const char* name : { "scene", "light", "look", "layers", "report" })
     {
       this->Window->findChild<QDockWidget*>(name)->raise();
       QTest::qWait(50);
@@ -336,7 +337,7 @@ private Q_SLOTS:
   void undoOfDrag()
   {
     this->Open({ this->WriteScene() });
-    this->Window->findChild<QDockWidget*>("stages")->raise();
+    this->Window->findChild<QDockWidget*>("light")->raise();
     const auto drag = [this](const char* group, const char* name) {
       auto* slider = this->Window->findChild<QGroupBox*>(group)
                        ->findChild<QWidget*>(name)

@@ -66,7 +66,6 @@ QFormLayout* FoldGroup::GetAdvanced()
     title->setObjectName("advanced");
     title->setText("Advanced");
     title->setToolTip("For those who know the method");
-    title->setCheckable(true);
     title->setAutoRaise(true);
     title->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     title->setArrowType(Qt::RightArrow);
@@ -78,7 +77,8 @@ QFormLayout* FoldGroup::GetAdvanced()
     this->Advanced->setContentsMargins(0, 0, 0, 0);
     this->Column->addWidget(title, 0, Qt::AlignLeft);
     this->Column->addWidget(section);
-    QObject::connect(title, &QToolButton::toggled, section, [title, section](bool open) {
+    QObject::connect(title, &QToolButton::clicked, section, [title, section] {
+      const bool open = section->isHidden();
       title->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
       section->setVisible(open);
     });

@@ -227,10 +227,14 @@ void StageGroup::ShowReason(vtkRelievoPass* frame)
   vtkRelievoStage* stage = frame ? frame->GetStage(this->Stage) : nullptr;
   const bool idle =
     stage && this->isCheckable() && this->isChecked() && stage->GetReasonCode() != "ran";
-  this->Reason->setText(idle
-      ? "Changes nothing: " + WriteReason(Words(stage->GetReasonCode()), Words(stage->GetReason()))
-      : QString());
-  this->Reason->setVisible(idle);
-  this->Arrange();
+  const QString words = idle
+    ? "Changes nothing: " + WriteReason(Words(stage->GetReasonCode()), Words(stage->GetReason()))
+    : QString();
+  if (words != this->Reason->text()) // for every frame asks
+  {
+    this->Reason->setText(words);
+    this->Reason->setVisible(idle);
+    this->Arrange();
+  }
 }
 }
