@@ -131,6 +131,44 @@ void TestPairsAndConditions()
   RELIEVO_CHECK(found[2].Name == "way" && found[2].Value == "far" && !found[2].Other);
   RELIEVO_CHECK(vtkRelievoParameter().GetConditions().empty());
 }
+
+// By the name, unless the description has another word for people.
+void TestLabels()
+{
+  int choice = 0;
+  vtkRelievoParameterList list;
+  vtkRelievoParameter& kind = list.AddChoice(
+    "kind_of_mist", choice, [&choice](int which) { choice = which; }, { "thin", "blue_as-ice" },
+    "Which.");
+  RELIEVO_CHECK(kind.GetLabel() == "Kind Of Mist" && kind.GetChoiceLabel(1) == "blue as ice");
+  kind.Label = "Mist";
+  kind.ChoiceLabels = { "hardly any", "blue" };
+  RELIEVO_CHECK(kind.GetLabel() == "Mist" && kind.GetChoiceLabel(0) == "hardly any");
+  RELIEVO_CHECK(list.TrySet("kind_of_mist", "blue_as-ice").empty() && choice == 1);
+  RELIEVO_CHECK(!list.TrySet("kind_of_mist", "blue").empty()); // no word of the command
+}
+
+// Each has a label of its own within its stage, and each of its choices within it.
+void TestLabelsOfStages()
+{
+  vtkNew<vtkRelievoPass> frame;
+  for (int i = 0; i < frame->GetNumberOfStages(); ++i)
+  {
+    std::set<std::string> labels;
+    for (const vtkRelievoParameter& parameter : frame->GetStage(i)->GetDescription().Parameters)
+    {
+      RELIEVO_CHECK_THAT(labels.insert(parameter.GetLabel()).second, parameter.Name);
+      std::set<std::string> choices;
+      for (std::size_t c = 0; c < parameter.Choices.size(); ++c)
+      {
+        RELIEVO_CHECK_THAT(choices.insert(parameter.GetChoiceLabel(c)).second, parameter.Name);
+      }
+      RELIEVO_CHECK_THAT(
+        parameter.ChoiceLabels.empty() || parameter.ChoiceLabels.size() == parameter.Choices.size(),
+        parameter.Name);
+    }
+  }
+}
 }
 
 int main()
@@ -140,5 +178,7 @@ int main()
   TestDefaults();
   TestWords();
   TestPairsAndConditions();
+  TestLabels();
+  TestLabelsOfStages();
   return session.Result();
 }
