@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The panels: their order, what is in which, what folds, what is idle, and layouts of older windows.
+// The panels: their order, what is in which, what folds, what is idle; layouts of older windows.
 #include "ViewerTest.h"
 
 #include "ColorStage.h"

@@ -21,7 +21,7 @@ QFormLayout* MakeRows()
   return rows;
 }
 
-// Whether there is more than what was hidden. Before the first show, all else counts as hidden, too.
+// Whether there is more than what was hidden. Before the first show all else seems hidden, too.
 bool HasShown(const QFormLayout* rows)
 {
   for (int i = 0; i < rows->count(); ++i)
