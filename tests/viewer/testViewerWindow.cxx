@@ -177,6 +177,7 @@ private Q_SLOTS:
           group->setChecked(!group->isChecked());
           this->Grab();
         }
+        QApplication::processEvents(); // what folds posts some, which wait here
         const Memory now = GetMemory();
         least = { std::min(least.Allocated, now.Allocated),
           std::min(least.Resident, now.Resident) };

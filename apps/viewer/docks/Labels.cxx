@@ -80,13 +80,12 @@ void SetIdle(QWidget* edit, const QString& why)
 }
 
 //------------------------------------------------------------------------------
-QLabel* AddParameterRow(QFormLayout* rows, const vtkRelievoParameter& parameter, QWidget* edit)
+void AddParameterRow(QFormLayout* rows, const vtkRelievoParameter& parameter, QWidget* edit)
 {
   auto* label =
     new QLabel(WriteLabel(QString::fromStdString(parameter.GetLabel())), edit->parentWidget());
   label->setToolTip(edit->toolTip());
   label->setBuddy(edit);
   rows->addRow(label, edit);
-  return label;
 }
 }

@@ -11,7 +11,6 @@
 #include <QString>
 
 class QFormLayout;
-class QLabel;
 class QWidget;
 
 namespace viewer
@@ -30,8 +29,8 @@ QString WriteCondition(
 /// tip. Empty: it has one.
 void SetIdle(QWidget* edit, const QString& why);
 
-/// A row with the parameter's label, and the edit's tool tip for both. Returns the label.
-QLabel* AddParameterRow(QFormLayout* rows, const vtkRelievoParameter& parameter, QWidget* edit);
+/// A row with the parameter's label, and the edit's tool tip for both.
+void AddParameterRow(QFormLayout* rows, const vtkRelievoParameter& parameter, QWidget* edit);
 }
 
 #endif
