@@ -105,10 +105,17 @@ void SunEdit::SetWords(const QString& words)
 }
 
 //------------------------------------------------------------------------------
-QString SunEdit::WriteAngles(double azimuth, double elevation)
+QString SunEdit::WritePlace(double azimuth, double elevation, bool byPlace)
 {
-  return QString("Azimuth %1\u00b0, elevation %2\u00b0")
-    .arg(azimuth, 0, 'f', 1)
-    .arg(elevation, 0, 'f', 1);
+  if (!byPlace)
+  {
+    return elevation < 0.0 ? "Below the horizon: the sun lights from beneath." : "";
+  }
+  return elevation > 0.0
+    ? QString("Azimuth %1\u00b0, elevation %2\u00b0")
+        .arg(azimuth, 0, 'f', 1)
+        .arg(elevation, 0, 'f', 1)
+    : QString("Night: the sun is %1\u00b0 below the horizon and gives no light.")
+        .arg(-elevation, 0, 'f', 1);
 }
 }

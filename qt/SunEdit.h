@@ -32,8 +32,9 @@ public:
   /// Words below the rows; none hides them.
   void SetWords(const QString& words);
 
-  /// "Azimuth 179.0°, elevation 65.4°".
-  static QString WriteAngles(double azimuth, double elevation);
+  /// Words on where the sun is: by date and place its angles, "Azimuth 179.0°, elevation 65.4°", or
+  /// that it is night; by angles that it lights from beneath, where it does.
+  static QString WritePlace(double azimuth, double elevation, bool byPlace);
 
   /// Each sends its own signals. Angles are in degrees, the time in hours of the clock, the zone in
   /// hours that the clock is ahead of universal time.

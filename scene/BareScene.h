@@ -56,6 +56,9 @@ public:
   /// Null for an actor that was not read, such as a skeleton.
   const Part* Find(vtkActor* actor) const;
 
+  /// Those of the files.
+  const std::vector<vtkSmartPointer<vtkLight>>& GetLights() const { return this->Lights; }
+
 private:
   void Restore(const Part& part);
 

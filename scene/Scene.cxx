@@ -40,6 +40,7 @@
 #include "vtkVolumeCollection.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace scene
 {
@@ -93,10 +94,12 @@ void CheckLights(vtkRenderer* renderer, const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
-// Of preset lights, which are given in the view.
-std::array<double, 3> TurnToWorld(const LightChoice& light, int up)
+// A sun by date that gives no light, for whoever wonders.
+void NoteNight(const LightChoice& light)
 {
-  return light.InView ? FittedView(up).ToWorld(light.Position) : light.Position;
+  const double below = -GetSunAngles(*light.Time).Elevation;
+  Messages::Note("--light sun:" + WriteSunTime(*light.Time) + ": night: the sun is " +
+    WriteNumber(std::round(10.0 * below) / 10.0) + " degrees below the horizon");
 }
 
 //------------------------------------------------------------------------------
@@ -116,7 +119,9 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
   {
     vtkNew<vtkLight> light;
     light->SetLightTypeToSceneLight();
-    light->SetPosition(TurnToWorld(choice, options.UpAxis).data());
+    light->SetPosition(
+      (choice.Is == LightChoice::Kind::Sun ? choice.GetDirection(options.UpAxis) : choice.Position)
+        .data());
     light->SetPositional(choice.Is != LightChoice::Kind::Sun);
     light->SetConeAngle(choice.ConeAngle);
     if (choice.Is == LightChoice::Kind::Spot)
@@ -133,7 +138,12 @@ void AddLights(vtkRenderer* renderer, const RenderOptions& options)
       light->SetFocalPoint(0.0, 0.0, 0.0);
     }
     light->SetColor(choice.Color[0], choice.Color[1], choice.Color[2]);
+    light->SetIntensity(choice.IsNight() ? 0.0 : choice.Intensity);
     renderer->AddLight(light);
+    if (choice.IsNight())
+    {
+      NoteNight(choice);
+    }
   }
 }
 

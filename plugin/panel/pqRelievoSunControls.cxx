@@ -87,18 +87,11 @@ void pqRelievoSunControls::ShowState()
 //------------------------------------------------------------------------------
 void pqRelievoSunControls::ShowPlace()
 {
-  const bool byDate = this->IsOn("RelievoSunBy");
-  vtkPVRelievoView* here = pqRelievoViewSettings::FindHere(this->View);
   QString text;
-  if (here && byDate)
+  if (vtkPVRelievoView* here = pqRelievoViewSettings::FindHere(this->View))
   {
     const double* angles = here->GetSunAngles();
-    text = relievoQt::SunEdit::WriteAngles(angles[0], angles[1]);
-    text += angles[1] > 0.0 ? "" : ": night. The sun is below the horizon and gives no light.";
-  }
-  else if (here && this->Get("RelievoSunElevation").toDouble() < 0.0)
-  {
-    text = "Below the horizon: the sun lights from beneath.";
+    text = relievoQt::SunEdit::WritePlace(angles[0], angles[1], this->IsOn("RelievoSunBy"));
   }
   this->Rest->SetWords(text);
 }

@@ -46,11 +46,14 @@ void SetCasters(vtkRelievoPass* pass, vtkRenderer* renderer, const RenderOptions
   for (std::size_t i = 0; i < options.Lights.size(); ++i)
   {
     // The file's lights are gone where others are asked for.
-    vtkObject* light = renderer->GetLights()->GetItemAsObject(static_cast<int>(i));
-    pass->GetShadowStage()->SetLightCasts(vtkLight::SafeDownCast(light), options.Lights[i].Casts);
-    if (options.Lights[i].Size)
+    vtkObject* object = renderer->GetLights()->GetItemAsObject(static_cast<int>(i));
+    vtkLight* light = vtkLight::SafeDownCast(object);
+    const LightChoice& choice = options.Lights[i];
+    pass->GetShadowStage()->SetLightCasts(light, choice.Casts && !choice.IsNight());
+    pass->GetShadowStage()->SetLightName(light, choice.Name);
+    if (choice.Size)
     {
-      pass->GetShadowStage()->SetLightSize(vtkLight::SafeDownCast(light), *options.Lights[i].Size);
+      pass->GetShadowStage()->SetLightSize(light, *choice.Size);
     }
   }
 }

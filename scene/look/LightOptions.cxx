@@ -2,17 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightOptions.h"
 
+#include "FittedView.h"
+#include "LookOptions.h"
 #include "Triples.h"
-#include "Values.h"
+
+#include <algorithm>
 
 namespace scene
 {
 namespace
 {
-LightChoice ParseSun(const std::string& numbers)
+void TakeSun(LightChoice& light, const std::string& numbers)
 {
-  LightChoice light;
-  light.Is = LightChoice::Kind::Sun;
+  if (IsSunTime(numbers))
+  {
+    light.Time = ParseSunTime("--light sun", numbers);
+    return;
+  }
   light.Position = Triple(ParseNumbers("--light sun", numbers, 3, "DX,DY,DZ"), 0);
   const double length = Length(light.Position);
   if (length == 0.0)
@@ -23,42 +29,17 @@ LightChoice ParseSun(const std::string& numbers)
   {
     component /= length;
   }
-  return light;
 }
 
 //------------------------------------------------------------------------------
-LightChoice ParsePoint(const std::string& numbers)
+void TakePoint(LightChoice& light, const std::string& numbers)
 {
-  LightChoice light;
-  light.Is = LightChoice::Kind::Point;
   light.Position = Triple(ParseNumbers("--light point", numbers, 3, "PX,PY,PZ"), 0);
-  return light;
 }
 
 //------------------------------------------------------------------------------
-// What of the numbers comes before ",size=S"; S.
-std::string TakeSize(const std::string& numbers, std::optional<double>& size)
+void TakeSpot(LightChoice& light, const std::string& numbers)
 {
-  const std::string key = ",size=";
-  const std::string::size_type at = numbers.find(key);
-  if (at == std::string::npos)
-  {
-    return numbers;
-  }
-  const std::string word = numbers.substr(at + key.size());
-  size = ParseNumbers("--light size", word, 1, "S").front();
-  if (*size < 0.0)
-  {
-    RefuseValue("--light size", word, "0 or more");
-  }
-  return numbers.substr(0, at);
-}
-
-//------------------------------------------------------------------------------
-LightChoice ParseSpot(const std::string& numbers)
-{
-  LightChoice light;
-  light.Is = LightChoice::Kind::Spot;
   const std::vector<double> n = ParseNumbers("--light spot", numbers, 7, "PX,PY,PZ,FX,FY,FZ,CONE");
   light.Position = Triple(n, 0);
   light.FocalPoint = Triple(n, 3);
@@ -72,29 +53,139 @@ LightChoice ParseSpot(const std::string& numbers)
     RefuseValue(
       "--light spot", numbers, "CONE, half the opening in degrees, above 0 and not above 180");
   }
-  return light;
+}
+
+//------------------------------------------------------------------------------
+double ParsePositive(const std::string& option, const std::string& word, const std::string& form)
+{
+  const double number = ParseNumbers(option, word, 1, form).front();
+  if (number < 0.0)
+  {
+    RefuseValue(option, word, "0 or more");
+  }
+  return number;
+}
+
+//------------------------------------------------------------------------------
+void TakeSize(LightChoice& light, const std::string& word)
+{
+  light.Size = ParsePositive("--light size", word, "S");
+  if (light.Is == LightChoice::Kind::Sun && *light.Size > 90.0)
+  {
+    RefuseValue("--light size", word, "a sun's angle in degrees, 0 to 90");
+  }
+}
+
+//------------------------------------------------------------------------------
+// What may stand behind the numbers.
+struct LightValue
+{
+  const char* Form;
+  const char* Help;
+  void (*Take)(LightChoice& light, const std::string& word);
+
+  std::string GetName() const { return Split(this->Form, '=').front(); }
+};
+
+const std::vector<LightValue>& GetValues()
+{
+  static const std::vector<LightValue> values = {
+    { "size=S",
+      "for --soft-shadows: a sun's angle in degrees (0.53), the radius of others in world units "
+      "(0)",
+      TakeSize },
+    { "color=COLOR", "R/G/B from 0 to 1, #rrggbb, or a colour's name (white)",
+      [](LightChoice& light, const std::string& word) {
+        light.Color = ParseColor("--light color", word);
+      } },
+    { "intensity=I", "1 lights a white surface that faces it fully (1; with a preset, of 0.8)",
+      [](LightChoice& light, const std::string& word) {
+        light.Intensity = ParsePositive("--light intensity", word, "I");
+      } },
+    { "casts=on|off", "whether it casts shadows, where there are any (on)",
+      [](LightChoice& light, const std::string& word) {
+        light.Casts = ParseChoice("--light casts", word, { "off", "on" }) == 1;
+      } },
+    { "name=TEXT", "in reports and files (its number)",
+      [](LightChoice& light, const std::string& word) {
+        word.empty() ? RefuseValue("--light name", word, "a text") : void(light.Name = word);
+      } },
+  };
+  return values;
 }
 }
 
 //------------------------------------------------------------------------------
-LightChoice ParseLight(const std::string& word)
+LightWords SplitLight(const std::string& word)
 {
   const std::string::size_type colon = word.find(':');
   if (colon == std::string::npos)
   {
     RefuseValue("--light", word, "sun:DX,DY,DZ or spot:PX,PY,PZ,FX,FY,FZ,CONE or point:PX,PY,PZ");
   }
-  const std::string kind = word.substr(0, colon);
-  std::optional<double> size;
-  const std::string numbers = TakeSize(word.substr(colon + 1), size);
-  constexpr LightChoice (*parsers[])(const std::string&) = { ParseSun, ParseSpot, ParsePoint };
-  LightChoice light =
-    parsers[ParseChoice("--light " + word, kind, { "sun", "spot", "point" })](numbers);
-  if (light.Is == LightChoice::Kind::Sun && size && *size > 90.0)
+  const std::vector<std::string> parts = SplitEscaped(word.substr(colon + 1), ',');
+  const auto named = std::find_if(parts.begin(), parts.end(),
+    [](const std::string& part) { return part.find('=') != std::string::npos; });
+  return { word.substr(0, colon), Join({ parts.begin(), named }, ","),
+    ParseNamedWords("--light " + word, { named, parts.end() }, "NAME=VALUE behind the numbers") };
+}
+
+//------------------------------------------------------------------------------
+std::string WriteLight(const LightWords& words)
+{
+  return words.Kind + ":" + words.Numbers +
+    (words.Values.empty() ? "" : "," + WriteNamedWords(words.Values));
+}
+
+//------------------------------------------------------------------------------
+LightChoice ParseLight(const std::string& word)
+{
+  const LightWords words = SplitLight(word);
+  constexpr void (*takers[])(LightChoice&, const std::string&) = { TakeSun, TakeSpot, TakePoint };
+  LightChoice light;
+  light.Is = static_cast<LightChoice::Kind>(
+    ParseChoice("--light " + word, words.Kind, { "sun", "spot", "point" }));
+  takers[static_cast<int>(light.Is)](light, words.Numbers);
+  for (const auto& [name, value] : words.Values)
   {
-    RefuseValue("--light size", word, "a sun's angle in degrees, 0 to 90");
+    const auto known = std::find_if(GetValues().begin(), GetValues().end(),
+      [name = name](const LightValue& each) { return each.GetName() == name; });
+    if (known == GetValues().end())
+    {
+      std::vector<std::string> names;
+      for (const LightValue& each : GetValues())
+      {
+        names.push_back(each.GetName());
+      }
+      RefuseValue("--light " + word, name, "one of " + Join(names, ", "));
+    }
+    known->Take(light, value);
   }
-  light.Size = size;
   return light;
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> LightChoice::GetDirection(int upAxis) const
+{
+  return this->Time ? GetSunDirection(GetSunAngles(*this->Time), upAxis)
+    : this->InView  ? FittedView(upAxis).ToWorld(this->Position)
+                    : this->Position;
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeLights()
+{
+  std::string text =
+    "may be repeated (the file's lights, else the environment alone, else a headlight); LIGHT is\n"
+    "  sun:DX,DY,DZ                    direction towards the sun\n"
+    "  sun:TIME,LATITUDE,LONGITUDE     TIME such as 2026-06-21T15:30+02:00\n"
+    "  spot:PX,PY,PZ,FX,FY,FZ,CONE     CONE: half the opening, degrees\n"
+    "  point:PX,PY,PZ\n"
+    "and may end with ,NAME=VALUE... A sun by TIME gives no light below the horizon. Values are";
+  for (const LightValue& value : GetValues())
+  {
+    text += std::string("\n  ") + value.Form + "  " + value.Help;
+  }
+  return text;
 }
 }

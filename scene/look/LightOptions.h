@@ -6,6 +6,9 @@
 #ifndef LightOptions_h
 #define LightOptions_h
 
+#include "Sun.h"
+#include "Values.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -23,15 +26,39 @@ struct LightChoice
   Kind Is = Kind::Sun;
   std::array<double, 3> Position; ///< for a sun, the unit direction towards it
   bool InView = false; ///< that direction is right, up and to the camera before it is fitted
-  std::array<double, 3> FocalPoint;                ///< of a spot
-  double ConeAngle = 180.0;                        ///< degrees, half the opening
-  std::array<double, 3> Color = { 1.0, 1.0, 1.0 }; ///< times its intensity
-  bool Casts = true;                               ///< shadows, if there are any
+  std::optional<SunTime> Time;      ///< of a sun that stands by it, instead
+  std::array<double, 3> FocalPoint; ///< of a spot
+  double ConeAngle = 180.0;         ///< degrees, half the opening
+  std::array<double, 3> Color = { 1.0, 1.0, 1.0 };
+  double Intensity = 1.0;
+  bool Casts = true;          ///< shadows, if there are any
   std::optional<double> Size; ///< a sun's angle in degrees, else a radius; none: as others are
+  std::string Name;           ///< in reports; empty: by its number
+
+  /// A sun by date, time and place that is below the horizon: it gives no light.
+  bool IsNight() const { return this->Time && GetSunAngles(*this->Time).IsNight(); }
+
+  /// Towards a sun in the world, where this axis (0, 1, 2 for x, y, z) points up.
+  std::array<double, 3> GetDirection(int upAxis) const;
 };
 
-/// "sun:DX,DY,DZ[,size=S]" and so on; throws UsageError.
+/// "KIND:NUMBERS[,NAME=VALUE]..."; throws UsageError.
 LightChoice ParseLight(const std::string& word);
+
+/// The parts of such a word.
+struct LightWords
+{
+  std::string Kind;
+  std::string Numbers;
+  NamedWords Values;
+};
+
+/// Throws UsageError where there is no kind, or what is behind the numbers is no NAME=VALUE.
+LightWords SplitLight(const std::string& word);
+std::string WriteLight(const LightWords& words);
+
+/// What --light says of such words, for people.
+std::string DescribeLights();
 }
 
 #endif

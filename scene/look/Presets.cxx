@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Presets.h"
 
+#include "Errors.h"
+#include "Numbers.h"
 #include "Options.h"
+#include "Settings.h"
 #include "Values.h"
 
 #include <algorithm>
 #include <cstdlib>
+#include <exception>
 #include <iterator>
 #include <vector>
 
@@ -55,14 +59,15 @@ constexpr double PointSize = 4.0;
 // From the upper right, so that three sides of a box are seen.
 constexpr std::array<double, 3> ThreeQuarter = { 0.5, 0.4, 1.0 };
 
-LightChoice MakeSun(const std::array<double, 3>& towards, const Color& color, double strength)
+LightChoice MakeSun(const std::array<double, 3>& towards, const Color& color, const char* name)
 {
   LightChoice light;
   light.Is = LightChoice::Kind::Sun;
   light.Position = towards;
   light.InView = true;
-  light.Color = { strength * color[0], strength * color[1], strength * color[2] };
+  light.Color = color;
   light.Casts = false;
+  light.Name = name;
   return light;
 }
 
@@ -75,12 +80,11 @@ void AddSuns(RenderOptions& options, const Preset& preset, bool others)
 {
   for (LightChoice& light : options.Lights)
   {
-    std::for_each(
-      light.Color.begin(), light.Color.end(), [](double& part) { part *= ShareOfOthers; });
+    light.Intensity *= ShareOfOthers;
   }
   if (!others)
   {
-    LightChoice first = MakeSun(preset.Towards, preset.Light, 1.0);
+    LightChoice first = MakeSun(preset.Towards, preset.Light, "key light");
     first.Casts = preset.Angle >= 0.0;
     if (first.Casts)
     {
@@ -88,11 +92,16 @@ void AddSuns(RenderOptions& options, const Preset& preset, bool others)
     }
     options.Lights.push_back(first);
   }
+  options.Fill = options.Fill.value_or(others ? ShareOfFill : 1.0);
+  if (*options.Fill == 0.0)
+  {
+    return;
+  }
   for (const std::array<double, 3>& towards : Fills)
   {
-    const double strength = &towards == std::end(Fills) - 1 ? LastFill : 1.0;
-    options.Lights.push_back(
-      MakeSun(towards, preset.Fill, others ? ShareOfFill * strength : strength));
+    options.Lights.push_back(MakeSun(towards, preset.Fill, "fill"));
+    options.Lights.back().Intensity =
+      *options.Fill * (&towards == std::end(Fills) - 1 ? LastFill : 1.0);
   }
 }
 
@@ -131,6 +140,79 @@ void TakePreset(RenderOptions& options, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
+void TakeFill(RenderOptions& options, const std::string& word)
+{
+  const double share = ParseNumbers("--fill", word, 1, "0 to 1").front();
+  if (share < 0.0 || share > 1.0)
+  {
+    RefuseValue("--fill", word, "a number from 0 to 1");
+  }
+  options.Fill = share;
+}
+
+//------------------------------------------------------------------------------
+void DropIdleFill(Settings& settings)
+{
+  if (!settings.Has("--fill"))
+  {
+    return;
+  }
+  Settings without = settings;
+  without.Remove("--fill");
+  try
+  {
+    if (!without.Parse().Fill)
+    {
+      settings = without;
+    }
+  }
+  catch (const std::exception&) // whoever sets them will be told
+  {
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string WriteKeyLight(const Settings& settings, int upAxis)
+{
+  const std::vector<LightChoice> lights = settings.Parse().Lights;
+  if (lights.empty() || !lights.front().InView)
+  {
+    return "";
+  }
+  const LightChoice& key = lights.front();
+  const std::array<double, 3> towards = key.GetDirection(upAxis);
+  const auto number = [](double value) { return WriteNumber(value); };
+  LightWords words = { "sun", WriteNumbers({ towards.begin(), towards.end() }), {} };
+  words.Values.emplace_back(
+    "color", number(key.Color[0]) + "/" + number(key.Color[1]) + "/" + number(key.Color[2]));
+  words.Values.emplace_back(
+    key.Casts ? "size" : "casts", key.Casts ? number(key.Size.value_or(0.0)) : "off");
+  words.Values.emplace_back("name", key.Name);
+  return WriteLight(words);
+}
+
+//------------------------------------------------------------------------------
+void OwnKeyLight(Settings& settings, int upAxis)
+{
+  std::vector<std::string> lights = settings.GetAll("--light");
+  Settings without = settings;
+  without.Remove("--light");
+  const std::string key = WriteKeyLight(without, upAxis);
+  if (key.empty())
+  {
+    return;
+  }
+  LightWords words = SplitLight(key);
+  if (lights.empty())
+  {
+    words.Values.emplace_back("intensity", WriteNumber(1.0 / ShareOfOthers));
+    settings.Set("--fill", WriteNumber(without.Parse().Fill.value_or(1.0)));
+  }
+  lights.push_back(WriteLight(words));
+  settings.SetAll("--light", lights);
+}
+
+//------------------------------------------------------------------------------
 void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
 {
   if (given.count("--preset") == 0)
@@ -142,6 +224,15 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
   }
   const auto preset = std::find_if(GetPresets().begin(), GetPresets().end(),
     [&options](const Preset& each) { return options.Preset == each.Name; });
+  // An environment lights alone, unless the preset was asked for as well.
+  const bool lights = preset != GetPresets().end() &&
+    (given.count("--environment") == 0 || given.count("--preset") > 0);
+  if (given.count("--fill") > 0 && !lights)
+  {
+    throw UsageError(preset == GetPresets().end()
+        ? "--fill: the preset none has no lights that fill: give --preset NAME as well"
+        : "--fill: the environment lights alone: give --preset NAME as well");
+  }
   if (preset == GetPresets().end())
   {
     return;
@@ -166,8 +257,7 @@ void ApplyPreset(RenderOptions& options, const std::set<std::string>& given)
     AddStage(options.Stages, "antialias", "--preset")
       .Parameters.emplace_back("samples", std::to_string(Samples));
   }
-  // An environment lights alone, unless the preset was asked for as well.
-  if (given.count("--environment") == 0 || given.count("--preset") > 0)
+  if (lights)
   {
     AddSuns(options, *preset, given.count("--light") > 0);
     if (preset->Angle >= 0.0)

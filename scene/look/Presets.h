@@ -14,6 +14,7 @@
 namespace scene
 {
 struct RenderOptions;
+class Settings;
 
 /// "none" first, which is VTK's bare look.
 std::vector<std::string> GetPresetNames();
@@ -21,7 +22,22 @@ std::vector<std::string> GetPresetNames();
 /// Throws UsageError for a name that there is not.
 void TakePreset(RenderOptions& options, const std::string& word);
 
-/// Fills in what the preset has for options that were not given.
+/// Throws UsageError for what is no share.
+void TakeFill(RenderOptions& options, const std::string& word);
+
+/// Takes back --fill where no preset fills: it would be refused.
+void DropIdleFill(Settings& settings);
+
+///@{
+/// The light that the preset of settings without --light has first, as a word of --light; "" if
+/// there is none. OwnKeyLight gives it to the settings, which show the same picture then if they
+/// had no lights.
+std::string WriteKeyLight(const Settings& settings, int upAxis);
+void OwnKeyLight(Settings& settings, int upAxis);
+///@}
+
+/// Fills in what the preset has for options that were not given. Throws UsageError for a --fill
+/// that has no effect.
 void ApplyPreset(RenderOptions& options, const std::set<std::string>& given);
 }
 

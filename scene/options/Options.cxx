@@ -218,15 +218,11 @@ std::vector<OptionRow> MakeRows()
       [](RenderOptions& options, const std::string&) { options.Look.Edges = true; } },
     { "--background", "COLOR[,COLOR]", "one colour, or the bottom's and the top's (black)",
       TakeBackground },
-    { "--light", "LIGHT",
-      "may be repeated (the file's lights, else the environment alone, else a "
-      "headlight); LIGHT is\n"
-      "  sun:DX,DY,DZ                    direction towards the sun\n"
-      "  spot:PX,PY,PZ,FX,FY,FZ,CONE     CONE: half the opening, degrees\n"
-      "  point:PX,PY,PZ\n"
-      "and may end with ,size=S for --soft-shadows: a sun's angle in degrees (0.53), "
-      "the radius of others in world units (0)",
-      TakeNext<&RenderOptions::Lights, ParseLight>, true },
+    { "--light", "LIGHT", DescribeLights(), TakeNext<&RenderOptions::Lights, ParseLight>, true },
+    { "--fill", "F",
+      "share of the weak suns by which a preset fills what its first light, or --light, leaves "
+      "dark, 0 to 1 (1; 0.4 with --light)",
+      TakeFill },
     { "--time", "T", "the time of models with bones, in seconds (the animation's start)",
       TakeTime },
     { "--times", "START:END:STEP",

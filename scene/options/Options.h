@@ -84,6 +84,7 @@ struct RenderOptions
   LookChoice Look;
   ModelChoice Model;               ///< what models with bones show
   std::vector<LightChoice> Lights; ///< none: the file's, or VTK's headlight
+  std::optional<double> Fill;      ///< share of the preset's weak lights; none: it has no such
   bool YieldsToFile = false;       ///< if the file has lights, they are in the place of these
   Shadows ShadowMethod = Shadows::Off;
   std::optional<int> ShadowSize;         ///< of each map, texels

@@ -151,6 +151,46 @@ class Picture(CliTest):
         both = brightness("--light", "sun:0,4,3", "--light=sun:0,-3,1")
         self.assertAlmostEqual(both, 255 * (0.6 + 1 / math.sqrt(10)), delta=2)
 
+    def test_colours_and_intensities_of_lights(self):
+        """A white plane that faces a light by an angle has its colour, times its intensity, times
+        the angle's cosine, and those of several lights together."""
+        for light, expected in (
+            ("sun:0,0,1,color=#804020", (128, 64, 32)),
+            ("sun:0,3,4,color=0.5/1/0.25", (102, 204, 51)),
+            ("sun:0,0,1,intensity=0.4", (102, 102, 102)),
+            ("sun:0,3,4,intensity=1.5,color=0.4/0.2/0.8", (122.4, 61.2, 244.8)),
+            ("sun:0,0,1,intensity=0,name=off", (0, 0, 0)),
+            ("point:0,0,1000,color=orange,size=0.5", (255, 165, 0)),
+            ("sun:0,0,1,color=1/0/0,casts=on --light sun:0,3,4,color=blue", (255, 0, 204)),
+        ):
+            with self.subTest(light=light):
+                self.render("--size", "64x64", "--png", "a.png", "--light", *light.split(" "))
+                found = read_png(self.folder / "a.png")[36, 20].astype(int)
+                numpy.testing.assert_allclose(found[:3], expected, atol=1)
+
+    def test_the_sun_by_date(self):
+        """By NREL's example (see tests/viewer/testViewerSun.cxx); at night there is no light of it,
+        which is said, and a sun that a direction puts below lights from there."""
+        plane = ["--size", "64x64", "--png", "a.png", "--up", "z", "--light"]
+
+        def brightness(light, camera=LOOK):
+            done = self.relievo("render", "triangle.off", *camera, *plane, light)
+            column = 20 if camera is LOOK else 43  # from behind
+            return int(read_png(self.folder / "a.png")[36, column, 0]), done.stderr
+
+        place = "39.742476,-105.1786"
+        expected = 255 * math.cos(math.radians(50.112 + 0.017))
+        for time in ("12:30:30-07:00", "19:30:30Z", "19:30:30", "22:00:30+02:30"):
+            found, said = brightness(f"sun:2003-10-17T{time},{place}")
+            self.assertAlmostEqual(found, expected, delta=1, msg=time)
+            self.assertEqual(said, "")
+        found, said = brightness(f"sun:2003-10-17T00:30-07:00,{place},size=2")
+        self.assertEqual(found, 0)
+        self.assertRegex(said, r"night: the sun is [0-9.]+ degrees below the horizon")
+        below = ["--camera", "0,0,-5,0,0,0,0,1,0", "--clip", "1,10"]
+        self.assertEqual(brightness("sun:0,0,-1", below), (255, ""))
+        self.assertEqual(brightness(f"sun:2003-10-17T00:30-07:00,{place}", below)[0], 0)
+
     def test_shading(self):
         pictures = {}
         write_data(self.folder)

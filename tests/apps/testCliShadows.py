@@ -73,6 +73,23 @@ class Shadows(CliTest):
                     self.picture("--shadows", "off", lights=[light]), off
                 )
 
+    def test_lights_that_cast_none(self):
+        """Are as without shadows, and the report names them."""
+        (first, bounds), (second, _) = list(LIGHTS.items())[:2]
+        first, second = first + ",intensity=0.5", second + ",intensity=0.5"
+        lights = [first + ",name=Porch", second + ",casts=off,name=Moon\\, full"]
+        self.draw("--png", "a.png", "--shadows", "map", "--report", "a.json", lights=lights)
+        on = read_png(self.folder / "a.png")[..., 0].astype(int)
+        alone, other = (self.picture(lights=[light]) for light in (first, second))
+        shadow, sure = dark(bounds)
+        seen = sure & (alone + other < 250)
+        self.assertGreater((seen & shadow).sum(), 100)
+        self.assertLessEqual(abs(on - numpy.where(shadow, 0, alone) - other)[seen].max(), 1)
+        stages = json.loads((self.folder / "a.json").read_text())["stages"]
+        (reason,) = [stage["reason"] for stage in stages if stage["name"] == "shadows"]
+        self.assertIn("Moon, full casts none", reason)
+        self.assertNotIn("Porch casts none", reason)
+
     def test_all_lights_cast(self):
         lights = list(LIGHTS)
         layers = [f"shadow_{i}" for i in range(len(lights))]

@@ -108,6 +108,21 @@ class Studio(CliTest):
                 darker = (without - lit).max(axis=-1)[~model] > 40
                 self.assertGreater(darker.sum(), 100, "no shadow on the ground")
 
+    def test_fill(self):
+        """Its share is that of the light where nothing else lights; what is said by default."""
+        self.sphere("ball.obj")
+        words = ["ball.obj", "--camera", "0,3,12,0,0,0,0,1,0", "--ground", "off"]
+        for light in ([], ["--light", "sun:-1,0.2,-1"]):
+            lit = {f: self.picture(*words, *light, "--fill", f) for f in ("0", "0.4", "0.5", "1")}
+            shade = self.seen(*words)[0] & (lit["0"].max(axis=-1) == 0)
+            self.assertGreater(shade.sum(), 1000)
+            self.assertGreater(lit["1"][shade].min(), 20)
+            for share in ("0.4", "0.5"):
+                numpy.testing.assert_allclose(
+                    lit[share][shade], float(share) * lit["1"][shade], atol=1)  # fmt: skip
+            numpy.testing.assert_array_equal(
+                self.picture(*words, *light), lit["0.4" if light else "1"])  # fmt: skip
+
     def test_ground(self):
         """Below the model, in the picture alone, and not to be told from the background but for
         the shadow: it has no edge."""

@@ -41,6 +41,27 @@ WRONG_VALUES = [
     ("--light", "spot:0,0,1,0,0,0,0", "CONE"),
     ("--light", "spot:0,0,1,0,0,0,181", "CONE"),
     ("--light", "point:", "3 finite numbers"),
+    ("--light", "sun:0,0,1,size=-1", "0 or more"),
+    ("--light", "sun:0,0,1,size=91", "0 to 90"),
+    ("--light", "point:1,2,3,color=mud", "#rrggbb"),
+    ("--light", "point:1,2,3,color=0.5/2/0", "R/G/B from 0 to 1"),
+    ("--light", "sun:1,2,3,intensity=-0.5", "0 or more"),
+    ("--light", "sun:1,2,3,intensity=bright", "a finite number"),
+    ("--light", "sun:1,2,3,casts=no", "off, on"),
+    ("--light", "sun:1,2,3,name=", "a text"),
+    ("--light", "sun:1,2,3,hue=4", "size, color, intensity, casts, name"),
+    ("--light", "sun:1,2,3,size=1,size=2", "each once"),
+    ("--light", "sun:1,2,size=1,3", "NAME=VALUE"),
+    ("--light", "sun:2026-06-21T12:00", "2026-06-21T15:30+02:00,48.1,11.6"),
+    ("--light", "sun:2026-06-21T1200Z,48,11", "2026-06-21T15:30+02:00"),
+    ("--light", "sun:2026-02-29T12:00Z,48,11", "a day of the calendar"),
+    ("--light", "sun:2026-06-21T24:01Z,48,11", "from 00:00 to 24:00"),
+    ("--light", "sun:2026-06-21T12:60Z,48,11", "from 00:00 to 24:00"),
+    ("--light", "sun:2026-06-21T12:00+15:00,48,11", "from -12:00 to +14:00"),
+    ("--light", "sun:2026-06-21T12:00Z,91,11", "latitude from -90 to 90"),
+    ("--light", "sun:2026-06-21T12:00Z,48,east", "2 finite numbers"),
+    ("--fill", "1.5", "a number from 0 to 1"),
+    ("--fill", "much", "a finite number"),
     ("--shadows", "soft", "off, map, forward, warped, exact"),
     ("--shadows", "warp", "off, map, forward, warped, exact"),
     ("--shadow-size", "0", "whole number from 16"),
@@ -77,7 +98,8 @@ class Words(CliTest):
         for option, value, expected in WRONG_VALUES:
             output = ["--report", "a.json"] if option == "--exr" else ["--exr", "a.exr"]
             with self.subTest(option=option, value=value):
-                given = value.split(":")[-1] if "sun:0" in value else value
+                given = value.split(":", 1)[-1] if "sun:" in value else value
+                given = given.split("=")[-1]
                 given = given.split("x")[0] if option == "--size" else given.split(",")[-1]
                 self.refused(
                     "render", "triangle.off", *output, option, value,
@@ -118,6 +140,11 @@ class Words(CliTest):
                      says=["--view-angle", "--parallel-scale"])  # fmt: skip
         self.refused("render", "triangle.off", "--png", "a.png", "--layers", "depth", status=2,
                      says=["--layers", "--exr"])  # fmt: skip
+        self.refused("render", "triangle.off", "--png", "a.png", "--preset", "none", "--fill", "1",
+                     status=2, says=["--fill", "none", "--preset"])  # fmt: skip
+        self.refused("render", "triangle.off", "--png", "a.png", "--fill", "1", "--environment",
+                     "sky.png", environment={"RELIEVO_PRESET": "studio"}, status=2,
+                     says=["--fill", "environment", "--preset"])  # fmt: skip
 
     def test_shadows_of_lights_that_are_not(self):
         lights = ["--light", "sun:0,0,1", "--light", "point:1,2,3"]

@@ -234,18 +234,38 @@ class Lights(judge.StageTest):
         self.same(pv.picture(self.view), own, "the sun taken away")
         self.assertEqual(self.view.KeyLightIntensity, before)
 
-    def test_a_night_is_lit_as_without_a_sun(self):
-        own = pv.picture(self.view)
+    def test_a_night_has_the_fill_alone(self):
+        """By date and place; the light kit stays as dim as by day. A sun that an elevation puts
+        below lights from beneath."""
+        view = self.view
+        kit = view.KeyLightIntensity
+        own = pv.picture(view)
         self.scene.sun(shadows=False)
-        self.view.RelievoSunBy = "Date and place"
-        self.view.RelievoSunTime = 12
-        self.differ(pv.picture(self.view), own, "noon")
-        self.view.RelievoSunTime = 1
-        self.same(pv.picture(self.view), own, "night")
-        self.view.RelievoSunTime = 12
-        self.differ(pv.picture(self.view), own, "the next noon")
-        self.view.RelievoSun = 0
-        self.same(pv.picture(self.view), own, "the sun taken away")
+        view.RelievoSunBy = "Date and place"
+        view.RelievoSunTime = 12
+        noon = pv.picture(view)
+        self.differ(noon, own, "noon")
+        view.RelievoSunTime = 1
+        night = pv.picture(view)
+        self.assertLess(night.mean(), 0.7 * noon.mean())
+        view.RelievoSunIntensity = 0.0
+        self.same(pv.picture(view), night, "no light of the sun")
+        view.RelievoSunIntensity = 1.0
+        view.KeyLightIntensity = view.RelievoSunFill = 0.0
+        black = pv.picture(view)
+        ball = numpy.isfinite(self.scene.sphere_hit(*self.scene.rays(stage.SIZE)))
+        self.assertEqual(black[ball].max(), 0, "with neither fill nor kit")
+        view.RelievoShadows = 1
+        self.same(pv.picture(view), black, "and no shadow of it")
+        view.UpdatePropertyInformation()
+        self.assertNotIn("shadow_sun", view.GetProperty("RelievoShadowLayers").GetElement(0))
+        view.RelievoShadows = 0
+        view.RelievoSunBy = "Angles"
+        view.RelievoSunElevation = -30.0
+        self.assertGreater(pv.picture(view)[ball].max(), 30, "from beneath")
+        view.KeyLightIntensity = kit
+        view.RelievoSun = 0
+        self.same(pv.picture(view), own, "the sun taken away")
 
     def test_a_directional_light(self):
         towards = stage.sun(100.0, 50.0)

@@ -19,7 +19,7 @@
 #include <QFile>
 #include <QGroupBox>
 #include <QLabel>
-#include <QPlainTextEdit>
+#include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
@@ -313,9 +313,9 @@ private Q_SLOTS:
     const scene::Settings opened = this->Window->GetDocument()->Get();
     this->Window->findChild<QDockWidget*>("light")->raise();
     this->Window->findChild<QCheckBox*>("edges")->setChecked(true);
-    auto* sun = this->Window->findChild<QGroupBox*>("sun");
-    sun->findChild<QComboBox*>("by")->setCurrentIndex(1);
-    auto* hours = sun->findChild<QWidget*>("time")->findChild<QDoubleSpinBox*>();
+    auto* lights = this->Window->findChild<QGroupBox*>("lights");
+    lights->findChild<QComboBox*>("by")->setCurrentIndex(1);
+    auto* hours = lights->findChild<QWidget*>("time")->findChild<QDoubleSpinBox*>();
     QTRY_VERIFY(hours->isVisible());
     QVERIFY(this->Activate());
     hours->setFocus();
@@ -327,9 +327,9 @@ private Q_SLOTS:
     QVERIFY(!hours->isVisible());
     QVERIFY(this->Window->GetDocument()->Get() == opened);
     this->Window->findChild<QCheckBox*>("edges")->setChecked(true);
-    auto* lights = this->Window->findChild<QPlainTextEdit*>("lights");
-    lights->setFocus(); // in which nothing was typed
-    QTest::keyClick(lights, Qt::Key_Z, Qt::ControlModifier);
+    auto* name = lights->findChild<QLineEdit*>("name");
+    name->setFocus(); // in which nothing was typed
+    QTest::keyClick(name, Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(this->Window->GetDocument()->Get() == opened);
   }
 

@@ -4,23 +4,35 @@
 // The controls of lights: they write what was edited, and leave all other words as they are.
 #include "ViewerTest.h"
 
+#include "ColorButton.h"
 #include "LightOptions.h"
+#include "LightsGroup.h"
 #include "Number.h"
 #include "ParameterEdit.h"
-#include "Sun.h"
-#include "SunGroup.h"
+#include "vtkDataArray.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRelievoLayerSource.h"
+#include "vtkRenderer.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLabel>
-#include <QPlainTextEdit>
+#include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSlider>
+#include <QTreeWidget>
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 using scene::Settings;
 using Words = std::vector<std::string>;
@@ -32,134 +44,452 @@ class TestViewerLight : public viewerTest::ViewerTest
 private:
   Words GetLights() { return this->Window->GetDocument()->Get().GetAll("--light"); }
 
-  QWidget* Find(const char* group, const char* name)
+  viewer::LightsGroup* GetGroup() { return this->Window->findChild<viewer::LightsGroup*>(); }
+  QWidget* FindEdit(const char* name) { return this->GetGroup()->findChild<QWidget*>(name); }
+  QComboBox* GetBox(const char* name) { return this->GetGroup()->findChild<QComboBox*>(name); }
+  QTreeWidget* GetList() { return this->GetGroup()->findChild<QTreeWidget*>("list"); }
+
+  QPushButton* GetButton(const char* name)
   {
-    return this->Window->findChild<QGroupBox*>(group)->findChild<QWidget*>(name);
+    return this->GetGroup()->findChild<QPushButton*>(name);
+  }
+
+  void Select(int row) { this->GetList()->setCurrentItem(this->GetList()->topLevelItem(row)); }
+
+  // As they are read.
+  QStringList GetRows()
+  {
+    QStringList rows;
+    for (int i = 0; i < this->GetList()->topLevelItemCount(); ++i)
+    {
+      QTreeWidgetItem* item = this->GetList()->topLevelItem(i);
+      rows += item->text(0) + "|" + item->text(1);
+    }
+    return rows;
+  }
+
+  // Of the picture.
+  vtkLight* GetLight(int place)
+  {
+    vtkRenderer* renderer = this->Window->GetView()->GetPicture().GetRenderer();
+    return vtkLight::SafeDownCast(renderer->GetLights()->GetItemAsObject(place));
   }
 
   // Types a value into a field, as the user does.
-  void Type(const char* group, const char* name, double value)
+  void Type(const char* name, double value)
   {
-    this->Find(group, name)->findChild<QDoubleSpinBox*>()->setValue(value);
+    this->FindEdit(name)->findChild<QDoubleSpinBox*>()->setValue(value);
   }
 
-  double Shown(const char* group, const char* name)
+  double Shown(const char* name)
   {
-    return this->Find(group, name)->findChild<QDoubleSpinBox*>()->value();
+    return this->FindEdit(name)->findChild<QDoubleSpinBox*>()->value();
+  }
+
+  // Pixels of the picture with a surface.
+  std::vector<bool> FindSurface()
+  {
+    vtkNew<vtkRelievoLayerSource> source;
+    source->SetRenderer(this->Window->GetView()->GetPicture().GetRenderer());
+    source->AddLayer("depth");
+    source->Update();
+    vtkDataArray* depth = source->GetOutput()->GetPointData()->GetArray("depth");
+    std::vector<bool> seen;
+    for (vtkIdType i = 0; i < depth->GetNumberOfTuples(); ++i)
+    {
+      seen.push_back(std::isfinite(depth->GetComponent(i, 0)));
+    }
+    return seen;
+  }
+
+  int CountLit()
+  {
+    const vtkSmartPointer<vtkImageData> picture = this->Grab();
+    const auto* bytes = static_cast<const unsigned char*>(picture->GetScalarPointer());
+    int lit = 0;
+    for (vtkIdType i = 0; i < picture->GetNumberOfPoints(); ++i)
+    {
+      lit += bytes[3 * i] > 0;
+    }
+    return lit;
+  }
+
+  static int MostDifferent(vtkImageData* a, vtkImageData* b)
+  {
+    const auto* first = static_cast<const unsigned char*>(a->GetScalarPointer());
+    const auto* second = static_cast<const unsigned char*>(b->GetScalarPointer());
+    int most = 0;
+    for (vtkIdType i = 0; i < 3 * a->GetNumberOfPoints(); ++i)
+    {
+      most = std::max(most, std::abs(first[i] - second[i]));
+    }
+    return most;
   }
 
 private Q_SLOTS:
-  // A sun by date and place stands in the sky: its direction in the data follows the axis.
+  // A sun by date and place stands in the sky: its direction in the data follows the axis, and its
+  // words stay.
   void sunFollowsUp()
   {
-    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6,size=2" });
-    auto* sun = this->Window->findChild<viewer::SunGroup*>("sun");
-    viewer::SunTime time;
-    time.Hour = 15.5;
-    time.Latitude = 48.0;
-    sun->SetTime(time, true);
+    const std::string light = "sun:2026-06-21T15:30Z,48,0,size=2";
+    this->Open({ this->WriteScene(), "--light", light });
     auto* up = static_cast<QComboBox*>(this->Find("scene", "up"));
+    QCOMPARE(this->GetBox("by")->currentIndex(), 1);
+    QCOMPARE(this->Shown("time"), 15.5);
     for (const int axis : { 2, 0, 1 })
     {
       up->setCurrentIndex(axis + 1); // behind that of the file
       this->WaitUntilRead();
+      QCOMPARE(this->GetLights(), Words{ light });
       const std::array<double, 3> wanted =
-        viewer::GetSunDirection(viewer::GetSunAngles(time), axis);
-      QCOMPARE(
-        this->Window->GetDocument()->Get().Get("--light"), viewer::WriteSun(wanted) + ",size=2");
+        scene::GetSunDirection(scene::GetSunAngles(*scene::ParseLight(light).Time), axis);
+      const double* found = this->GetLight(0)->GetPosition();
+      QVERIFY(std::hypot(found[0] - wanted[0], found[1] - wanted[1], found[2] - wanted[2]) < 1e-12);
     }
   }
 
-  // Off and on again is as it was: other suns, sizes, and every digit.
-  void severalSuns()
+  // Words that are not edited stay, with their order and every digit.
+  void severalLights()
   {
-    const Words lights = { "point:1,2,3,size=0.2", "sun:0.123456789,1,0.6,size=2", "sun:1,1,1" };
-    this->Open(
-      { this->WriteScene(), "--light", lights[0], "--light", lights[1], "--light", lights[2] });
-    auto* sun = this->Window->findChild<viewer::SunGroup*>("sun");
-    auto* text = this->Window->findChild<QPlainTextEdit*>("lights");
-    QCOMPARE(text->toPlainText(), QString("point:1,2,3,size=0.2\nsun:1,1,1\n"));
-    sun->setChecked(false);
-    QCOMPARE(this->GetLights(), (Words{ lights[0], lights[2] }));
-    QVERIFY(!sun->isChecked()); // though there is another sun
-    QCOMPARE(text->toPlainText(), QString("point:1,2,3,size=0.2\nsun:1,1,1\n"));
-    sun->setChecked(true);
-    QCOMPARE(this->GetLights(), lights);
+    const Words lights = { "point:1,2,3,size=0.2", "sun:0.123456789,1,0.6,size=2", "sun:1,1,1",
+      "spot:0,3,2,0,0,0,30,color=1/0.25/0,name=stage\\, left" };
+    Words words = { this->WriteScene() };
+    for (const std::string& light : lights)
+    {
+      words.insert(words.end(), { "--light", light });
+    }
+    this->Open(words);
+    QCOMPARE(this->GetRows(),
+      (QStringList{ "light 0|point", "light 1|sun", "light 2|sun", "stage, left|spot" }));
     // One angle is edited; the other is not rounded.
+    this->Select(1);
     const double elevation =
-      viewer::GetSunAngles(scene::ParseLight(lights[1]).Position, 1).Elevation;
-    this->Type("sun", "azimuth", -30.0);
-    QCOMPARE(this->Shown("sun", "azimuth"), 330.0); // the same direction
+      scene::GetSunAngles(scene::ParseLight(lights[1]).Position, 1).Elevation;
+    this->Type("azimuth", -30.0);
+    QCOMPARE(this->Shown("azimuth"), 330.0); // the same direction
     const Words after = this->GetLights();
-    QCOMPARE(after.size(), std::size_t(3));
-    QCOMPARE(after[0], lights[0]);
-    QCOMPARE(after[2], lights[2]);
+    QCOMPARE(after.size(), std::size_t(4));
+    for (const std::size_t i : { 0, 2, 3 })
+    {
+      QCOMPARE(after[i], lights[i]);
+    }
     QVERIFY(after[1].find(",size=2") != std::string::npos);
-    const viewer::SunAngles angles = viewer::GetSunAngles(scene::ParseLight(after[1]).Position, 1);
+    const scene::SunAngles angles = scene::GetSunAngles(scene::ParseLight(after[1]).Position, 1);
     QVERIFY(std::abs(angles.Elevation - elevation) < 1e-12);
     QVERIFY(std::abs(angles.Azimuth - 330.0) < 1e-9);
-    // The other sun is edited with the other lights, and all are in their places.
-    text->setPlainText("point:1,2,3,size=0.2\nsun:0,1,0");
-    this->Window->findChild<QPushButton*>("apply")->click();
-    QCOMPARE(this->GetLights(), (Words{ lights[0], after[1], "sun:0,1,0" }));
+    // Each value of the last.
+    this->Select(3);
+    this->Type("intensity", 0.75);
+    this->Type("cone", 20.0);
+    this->FindEdit("target")->findChild<QDoubleSpinBox*>("y")->setValue(0.25);
+    static_cast<QCheckBox*>(this->FindEdit("casts"))->setChecked(false);
+    auto* name = static_cast<QLineEdit*>(this->FindEdit("name"));
+    QCOMPARE(name->text(), QString("stage, left"));
+    name->setText("right");
+    Q_EMIT name->editingFinished();
+    QCOMPARE(this->GetLights()[3],
+      std::string("spot:0,3,2,0,0.25,0,20,color=1/0.25/0,name=right,intensity=0.75,casts=off"));
+    Q_EMIT this->GetGroup()->findChild<viewer::ColorButton*>("color")->edited(QColor("#3366ff"));
+    QVERIFY(this->GetLights()[3].find(",color=#3366ff,") != std::string::npos);
+    this->Compare("edited");
+  }
+
+  // Lights come, are named in the list, and go.
+  void list()
+  {
+    this->Open({ this->WriteScene() });
+    QCOMPARE(this->GetRows(), QStringList{ "headlight|at the camera" });
+    QVERIFY(!this->GetButton("remove")->isEnabled() && !this->GetButton("duplicate")->isEnabled());
+    for (const char* kind : { "sun", "spot", "point" })
+    {
+      this->GetButton("add")->menu()->findChild<QAction*>(kind)->trigger();
+    }
+    QCOMPARE(this->GetRows(), (QStringList{ "light 0|sun", "light 1|spot", "light 2|point" }));
+    auto* list = this->GetList();
+    QCOMPARE(list->indexOfTopLevelItem(list->currentItem()), 2);
+    list->currentItem()->setText(0, "lamp, by the door");
+    QCOMPARE(scene::ParseLight(this->GetLights()[2]).Name, std::string("lamp, by the door"));
+    QVERIFY(this->GetLights()[2].find("name=lamp\\, by") != std::string::npos);
+    this->GetButton("duplicate")->click();
+    QCOMPARE(this->GetLights()[3], this->GetLights()[2]);
+    this->Compare("four lights");
+    this->Select(1);
+    this->GetButton("remove")->click();
+    QCOMPARE(this->GetRows(),
+      (QStringList{ "light 0|sun", "lamp, by the door|point", "lamp, by the door|point" }));
+    list->currentItem()->setText(0, "");
+    QCOMPARE(this->GetRows()[1], QString("light 1|point"));
+    viewer::Document* document = this->Window->GetDocument();
+    while (document->CanUndo())
+    {
+      document->Undo();
+    }
+    QCOMPARE(this->GetRows(), QStringList{ "headlight|at the camera" });
+  }
+
+  // A light that is added shows the scene, with each preset and each axis, and does not burn it.
+  void addedLights_data()
+  {
+    QTest::addColumn<QString>("kind");
+    QTest::addColumn<QString>("preset");
+    QTest::addColumn<QString>("up");
+    QTest::addColumn<bool>("beside"); // the preset's first, as the user's own
+    for (const char* kind : { "sun", "spot", "point" })
+    {
+      for (const char* preset : { "none", "studio", "town", "print" })
+      {
+        QTest::newRow(qPrintable(QString(kind) + " " + preset)) << kind << preset << "y" << false;
+      }
+      QTest::newRow(qPrintable(QString(kind) + " up")) << kind << "studio"
+                                                       << "z" << false;
+      QTest::newRow(qPrintable(QString(kind) + " beside")) << kind << "studio"
+                                                           << "y" << true;
+    }
+  }
+
+  void addedLights()
+  {
+    QFETCH(QString, kind);
+    QFETCH(QString, preset);
+    QFETCH(QString, up);
+    QFETCH(bool, beside);
+    this->Open({ this->WriteScene(), "--color", "white", "--preset", preset.toStdString(), "--up",
+      up.toStdString(), "--shadows", "off" });
+    if (beside)
+    {
+      this->GetButton("makeOwn")->click();
+    }
+    this->GetButton("add")->menu()->findChild<QAction*>(kind)->trigger();
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    const vtkSmartPointer<vtkImageData> picture = this->Grab();
+    const std::vector<bool> seen = this->FindSurface();
+    const auto* bytes = static_cast<const unsigned char*>(picture->GetScalarPointer());
+    int burnt = 0, dark = 0, all = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i)
+    {
+      all += seen[i];
+      burnt += seen[i] && bytes[3 * i + 1] == 255;
+      dark += seen[i] && bytes[3 * i + 1] < 40;
+    }
+    QVERIFY(all > 10000);
+    QVERIFY2(burnt < 0.02 * all, qPrintable(QString("%1 of %2 burnt").arg(burnt).arg(all)));
+    QVERIFY2(dark < 0.4 * all, qPrintable(QString("%1 of %2 dark").arg(dark).arg(all)));
   }
 
   // By date and place, and back to angles, which are then those of the date.
   void backToAngles()
   {
-    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6" });
-    auto* by = static_cast<QComboBox*>(this->Find("sun", "by"));
-    by->setCurrentIndex(1);
-    const Words placed = this->GetLights();
-    QVERIFY(placed != Words{ "sun:0.4,1,0.6" });
-    by->setCurrentIndex(0);
-    QCOMPARE(this->GetLights(), placed);
-    const viewer::SunAngles angles = viewer::GetSunAngles(viewer::SunTime());
-    QVERIFY(std::abs(this->Shown("sun", "azimuth") - angles.Azimuth) < 0.006);
-    QVERIFY(std::abs(this->Shown("sun", "elevation") - angles.Elevation) < 0.006);
+    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6,size=3" });
+    this->GetBox("by")->setCurrentIndex(1);
+    QCOMPARE(this->GetLights(), Words{ "sun:2026-06-21T15:00Z,48,0,size=3" });
+    this->GetBox("by")->setCurrentIndex(0);
+    const scene::SunAngles angles = scene::GetSunAngles(scene::SunTime());
+    const scene::SunAngles found =
+      scene::GetSunAngles(scene::ParseLight(this->GetLights()[0]).Position, 1);
+    QVERIFY(std::abs(found.Azimuth - angles.Azimuth) < 1e-9);
+    QVERIFY(std::abs(found.Elevation - angles.Elevation) < 1e-9);
+    QVERIFY(std::abs(this->Shown("azimuth") - angles.Azimuth) < 0.006);
+    QVERIFY(std::abs(this->Shown("elevation") - angles.Elevation) < 0.006);
   }
 
   // Undoing and doing again bring back that the sun stood by date, with the time.
   void undoByDate()
   {
     this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6" });
-    auto* by = static_cast<QComboBox*>(this->Find("sun", "by"));
+    auto* by = this->GetBox("by");
     by->setCurrentIndex(1);
-    const double noon = this->Shown("sun", "time");
+    const double noon = this->Shown("time");
     QTest::qWait(1100); // another edit
-    this->Type("sun", "time", 9.5);
+    this->Type("time", 9.5);
     viewer::Document* document = this->Window->GetDocument();
     document->Undo();
     QCOMPARE(by->currentIndex(), 1);
-    QCOMPARE(this->Shown("sun", "time"), noon);
+    QCOMPARE(this->Shown("time"), noon);
     document->Undo();
     QCOMPARE(by->currentIndex(), 0);
     document->Redo();
     document->Redo();
     QCOMPARE(by->currentIndex(), 1);
-    QCOMPARE(this->Shown("sun", "time"), 9.5);
+    QCOMPARE(this->Shown("time"), 9.5);
     // Chosen angles stay angles.
     by->setCurrentIndex(0);
     QTest::qWait(1100);
-    this->Type("sun", "azimuth", 100.0);
+    this->Type("azimuth", 100.0);
     document->Undo();
     QCOMPARE(by->currentIndex(), 0);
   }
 
-  // The panel says where the light comes from that no control shows, and what own lights change.
+  // By date and place there is no light of a sun below the horizon, and the panel says so; an
+  // elevation that is typed lights from beneath.
+  void night()
+  {
+    this->Open({ this->WriteScene(), "--light", "sun:2026-06-21T12:00Z,48,0", "--camera",
+      "2,-3,3,0,0.5,0,0,1,0" });
+    const auto says = [this] { return this->GetGroup()->findChild<QLabel*>("place")->text(); };
+    QVERIFY(says().contains("elevation 65"));
+    this->Type("time", 0.5);
+    const double below =
+      -scene::GetSunAngles(*scene::ParseLight(this->GetLights()[0]).Time).Elevation;
+    QVERIFY(below > 15.0);
+    QVERIFY2(
+      says().contains(QString("Night: the sun is %1").arg(below, 0, 'f', 1)), qPrintable(says()));
+    QCOMPARE(this->GetRows()[0], QString("light 0|sun, night"));
+    QCOMPARE(this->CountLit(), 0);
+    this->Compare("night");
+    this->GetBox("by")->setCurrentIndex(0);
+    QVERIFY(says().contains("from beneath"));
+    QVERIFY(this->CountLit() > 10000);
+    this->Compare("from beneath");
+  }
+
+  // Sessions keep that the sun stands by date, also those that said it beside the words.
+  void sessions()
+  {
+    const std::string scene = this->WriteScene();
+    this->Open({ scene, "--light", "point:1,2,3", "--light", "sun:2026-06-21T12:00Z,48,0" });
+    const Words before = this->GetLights();
+    const QString path = QString::fromStdString(this->Path("a.json"));
+    this->Window->SaveSession(path);
+    this->Change([](scene::Settings& settings) { settings.Remove("--light"); });
+    this->Window->OpenSession(path);
+    this->WaitUntilRead();
+    QCOMPARE(this->GetLights(), before);
+    this->WriteText("old.json",
+      "{\"relievo-viewer\": 1, \"words\": [\"" + scene +
+        "\", \"--light\", \"point:1,2,3\", \"--light\", \"sun:0,1,0,size=2\"], \"sun\": "
+        "{\"by_time\": true, \"date\": [2025, 3, 4], \"hour\": 9.5, \"time_zone\": -1.5, "
+        "\"latitude\": 10.25, \"longitude\": -20}}");
+    this->Window->OpenSession(QString::fromStdString(this->Path("old.json")));
+    this->WaitUntilRead();
+    QCOMPARE(
+      this->GetLights(), (Words{ "point:1,2,3", "sun:2025-03-04T09:30-01:30,10.25,-20,size=2" }));
+  }
+
+  // The preset's lights are shown as they stand, are the user's own with one button, and the
+  // picture stays.
+  void presetsLights_data()
+  {
+    QTest::addColumn<QString>("preset");
+    for (const char* preset : { "studio", "town", "print" })
+    {
+      QTest::newRow(preset) << preset;
+    }
+  }
+
   void presetsLights()
   {
-    const auto note = [this](const char* group) {
-      auto* label = static_cast<QLabel*>(this->Find(group, "presetsLights"));
-      return label->isHidden() || !label->isEnabled() ? QString() : label->text();
-    };
-    this->Open({ this->WriteScene(), "--preset", "studio" });
-    QVERIFY(note("otherLights").contains("studio") && note("otherLights").contains("first light"));
-    this->Window->findChild<QGroupBox*>("sun")->setChecked(true);
-    QVERIFY(note("sun").contains("fill") && !note("sun").contains("first light is on"));
+    QFETCH(QString, preset);
+    this->Open({ this->WriteScene(), "--preset", preset.toStdString() });
+    QCOMPARE(
+      this->GetRows(), (QStringList{ preset + ": key light|sun", preset + ": fill|4 suns" }));
+    const double* p = this->GetLight(0)->GetPosition();
+    const scene::SunAngles angles = scene::GetSunAngles({ p[0], p[1], p[2] }, 1);
+    QVERIFY(std::abs(this->Shown("azimuth") - angles.Azimuth) < 0.006);
+    QVERIFY(std::abs(this->Shown("elevation") - angles.Elevation) < 0.006);
+    QVERIFY(!this->FindEdit("azimuth")->isEnabled());
+    QCOMPARE(this->Shown("fill"), 1.0);
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    this->GetButton("makeOwn")->click();
+    QCOMPARE(this->GetRows(),
+      (QStringList{ "key light|sun", preset + ": key light|sun, off", preset + ": fill|4 suns" }));
+    QVERIFY(this->FindEdit("azimuth")->isEnabled());
+    QCOMPARE(this->Shown("fill"), 1.0);
+    QVERIFY(MostDifferent(before, this->Grab()) <= 1);
+    this->Compare("own");
+    // Beside others it is as strong as they are.
+    this->Select(1);
+    this->GetButton("makeOwn")->click();
+    QCOMPARE(this->GetLights().size(), std::size_t(2));
+    QVERIFY(this->GetLights()[1].find("intensity") == std::string::npos);
+  }
+
+  // A share of the fill, which goes with the preset.
+  void fill()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio", "--light", "sun:0,1,0" });
+    QCOMPARE(this->Shown("fill"), 0.4);
+    this->Type("fill", 0.25);
+    QCOMPARE(this->Window->GetDocument()->Get().Get("--fill"), std::string("0.25"));
+    this->Compare("fill");
     this->Change([](scene::Settings& settings) { settings.Set("--preset", "none"); });
-    QCOMPARE(note("sun"), QString());
-    QCOMPARE(note("otherLights"), QString());
+    QCOMPARE(this->Window->GetTrouble(), QString());
+    QVERIFY(!this->Window->GetDocument()->Get().Has("--fill"));
+    QVERIFY(!this->FindEdit("fill")->isEnabled());
+    QVERIFY(this->FindEdit("fill")->toolTip().contains("none has no fill"));
+  }
+
+  // Those of a file are shown, and others are in their place.
+  void lightsOfTheFile()
+  {
+    this->WriteText("a.gltf", R"({ "asset": { "version": "2.0" },
+      "extensionsUsed": ["KHR_lights_punctual"],
+      "extensions": { "KHR_lights_punctual": { "lights": [
+        { "type": "directional" }, { "type": "spot" } ] } },
+      "scenes": [ { "nodes": [0, 1, 2] } ], "scene": 0,
+      "nodes": [ { "mesh": 0 }, { "extensions": { "KHR_lights_punctual": { "light": 0 } } },
+        { "extensions": { "KHR_lights_punctual": { "light": 1 } } } ],
+      "meshes": [ { "primitives": [ { "attributes": { "POSITION": 0 } } ] } ],
+      "buffers": [ { "byteLength": 36, "uri":
+        "data:application/octet-stream;base64,AACAvwAAgL8AAAAAAACAPwAAgL8AAAAAAACAPwAAgD8AAAAA" } ],
+      "bufferViews": [ { "buffer": 0, "byteLength": 36 } ],
+      "accessors": [ { "bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+        "min": [-1, -1, 0], "max": [1, 1, 0] } ] })");
+    this->Open({ this->Path("a.gltf") });
+    QCOMPARE(this->GetRows(), (QStringList{ "of the file|sun", "of the file|spot" }));
+    QVERIFY(this->FindEdit("azimuth")->isHidden() || !this->FindEdit("azimuth")->isVisible());
+    this->GetButton("add")->menu()->findChild<QAction*>("point")->trigger();
+    QCOMPARE(
+      this->GetRows(), (QStringList{ "light 0|point", "of the file|sun", "of the file|spot" }));
+    QVERIFY(!this->GetList()->topLevelItem(0)->font(0).strikeOut());
+    QVERIFY(this->GetList()->topLevelItem(1)->font(0).strikeOut());
+  }
+
+  // A click in the picture is where a spot shines, and what a point light hangs over; on a surface,
+  // or on the ground. It turns nothing.
+  void placedInThePicture()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio", "--up", "y", "--light",
+      "spot:2,5,2,0,0,0,30", "--light", "point:3,4,-2", "--camera", "0,12,0.001,0,0,0,0,0,-1",
+      "--parallel-scale", "3" });
+    viewer::PictureView* view = this->Window->GetView();
+    auto* button = static_cast<QPushButton*>(this->FindEdit("placeInPicture"));
+    const QPoint middle(view->width() / 2, view->height() / 2);
+    const double unit = 6.0 / view->height();
+    const auto click = [&](const QPoint& by) {
+      this->SendMouse(QEvent::MouseButtonPress, middle + by, Qt::LeftButton);
+      this->SendMouse(QEvent::MouseButtonRelease, middle + by, Qt::NoButton);
+    };
+    const std::string camera = this->Window->GetViewSettings().Get("--camera");
+    this->Grab(); // who clicks has seen it
+    this->Select(0);
+    button->click();
+    click({ 0, 0 }); // the top of the ball
+    QVERIFY(!button->isChecked());
+    scene::LightChoice light = scene::ParseLight(this->GetLights()[0]);
+    QVERIFY2(std::hypot(light.FocalPoint[0], light.FocalPoint[1] - 1.4, light.FocalPoint[2]) < 0.03,
+      this->GetLights()[0].c_str());
+    QCOMPARE(light.Position[1], 5.0);
+    QCOMPARE(this->GetLights()[1], std::string("point:3,4,-2"));
+    this->Select(1);
+    this->Grab();
+    button->click();
+    const QPoint aside(view->height() / 3, 0); // on the ground, which layers do not have
+    click(aside);
+    light = scene::ParseLight(this->GetLights()[1]);
+    QVERIFY(std::abs(light.Position[0] - unit * aside.x()) < 0.03);
+    QCOMPARE(light.Position[1], 4.0); // as high as before
+    QVERIFY(std::abs(light.Position[2]) < 0.03);
+    QCOMPARE(this->Window->GetViewSettings().Get("--camera"), camera);
+    // Where nothing is the click is asked for again.
+    this->Change([](scene::Settings& settings) { settings.Set("--ground", "off"); });
+    button->click();
+    const Words before = this->GetLights();
+    click(aside);
+    QCOMPARE(this->GetLights(), before);
+    this->Grab();
+    click({ 0, 0 });
+    QVERIFY(this->GetLights() != before);
+    this->Compare("placed");
   }
 
   // A slider stands where its number is, also before it was ever moved.
@@ -194,8 +524,13 @@ private Q_SLOTS:
     const auto get = [this](const char* option) {
       return this->Window->GetDocument()->Get().Get(option);
     };
-    QCOMPARE(this->Shown("environment", "rotation"), 40.25);
-    this->Type("environment", "roughness", 0.5);
+    const auto find = [this](const char* name) {
+      auto* all = this->Window->findChild<QGroupBox*>("environment");
+      return all->findChild<QWidget*>(name)->findChild<QDoubleSpinBox*>();
+    };
+    const auto type = [&find](const char* name, double value) { find(name)->setValue(value); };
+    QCOMPARE(find("rotation")->value(), 40.25);
+    type("roughness", 0.5);
     QCOMPARE(get("--environment"), image);
     QCOMPARE(get("--reflectivity"), std::string("0.123456,0.5"));
     Q_EMIT this->Window->findChild<viewer::ParameterEdit*>("irradiance_weight")->edited("0.5");
@@ -209,37 +544,15 @@ private Q_SLOTS:
     }
     group->setChecked(true);
     QVERIFY(this->Window->GetDocument()->Get() == before);
-    this->Type("environment", "rotation", -30.0);
+    type("rotation", -30.0);
     QCOMPARE(get("--environment"), this->Path("waves.png") + ",330");
     QCOMPARE(get("--reflectivity"), std::string("0.123456,0.5"));
-    static_cast<QCheckBox*>(this->Find("environment", "sky"))->setChecked(false);
+    this->Window->findChild<QGroupBox*>("environment")
+      ->findChild<QCheckBox*>("sky")
+      ->setChecked(false);
     QVERIFY(!this->Window->GetDocument()->Get().Has("--skybox"));
     QCOMPARE(this->Window->GetTrouble(), QString());
     this->Compare("environment");
-  }
-
-  // What is typed stays until it is right, whatever else changes.
-  void otherLights()
-  {
-    this->Open({ this->WriteScene(), "--light", "point:1,2,3" });
-    auto* text = this->Window->findChild<QPlainTextEdit*>("lights");
-    auto* wrong = this->Window->findChild<QLabel*>("wrong");
-    auto* apply = this->Window->findChild<QPushButton*>("apply");
-    QVERIFY(!apply->isEnabled());
-    text->setPlainText("point:1,2\nspot:0,3,2,0,0,0,30");
-    apply->click();
-    QVERIFY(!wrong->isHidden());
-    QVERIFY2(wrong->text().contains("1,2"), qPrintable(wrong->text()));
-    this->Change([](scene::Settings& settings) { settings.Set("--edges", ""); });
-    QCOMPARE(text->toPlainText(), QString("point:1,2\nspot:0,3,2,0,0,0,30"));
-    QCOMPARE(this->GetLights(), Words{ "point:1,2,3" });
-    text->setPlainText("point:1,2,4\nspot:0,3,2,0,0,0,30");
-    apply->click();
-    QVERIFY(wrong->isHidden() && !apply->isEnabled());
-    QCOMPARE(this->GetLights(), (Words{ "point:1,2,4", "spot:0,3,2,0,0,0,30" }));
-    text->setPlainText("nonsense");
-    this->Window->findChild<QPushButton*>("revert")->click();
-    QCOMPARE(text->toPlainText(), QString("point:1,2,4\nspot:0,3,2,0,0,0,30\n"));
   }
 };
 

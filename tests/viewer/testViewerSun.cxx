@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The sun against published positions, and from angles to directions and back.
+// The sun against published positions, from angles to directions and back, and its words.
 #include "ViewerTest.h"
 
-#include "Sun.h"
+#include "LightOptions.h"
+#include "SunEdit.h"
 
 #include <QtTest>
 
 #include <cmath>
 
-using viewer::SunAngles;
+using scene::SunAngles;
 
 class TestViewerSun : public QObject
 {
@@ -22,19 +23,36 @@ private Q_SLOTS:
   // 0.017 of refraction at a height of 1830 m.
   void published()
   {
-    viewer::SunTime time;
-    time.Year = 2003;
-    time.Month = 10;
-    time.Day = 17;
-    time.Hour = 12.0 + 30.5 / 60.0;
-    time.TimeZone = -7.0;
-    time.Latitude = 39.742476;
-    time.Longitude = -105.1786;
-    const SunAngles angles = viewer::GetSunAngles(time);
+    const scene::LightChoice light =
+      scene::ParseLight("sun:2003-10-17T12:30:30-07:00,39.742476,-105.1786,size=1");
+    QVERIFY(light.Time);
+    const SunAngles angles = scene::GetSunAngles(*light.Time);
     QVERIFY2(
       std::abs(angles.Azimuth - 194.340) < 0.03, qPrintable(QString::number(angles.Azimuth)));
     QVERIFY2(std::abs(angles.Elevation - (90.0 - 50.112 - 0.017)) < 0.03,
       qPrintable(QString::number(angles.Elevation)));
+    QVERIFY(!light.IsNight());
+    QVERIFY(scene::ParseLight("sun:2003-10-17T23:30-07:00,39.742476,-105.1786").IsNight());
+    QVERIFY(!scene::ParseLight("sun:0,-1,0").IsNight()); // which lights from beneath
+  }
+
+  void words_data()
+  {
+    QTest::addColumn<QString>("words");
+    for (const char* words : { "2026-06-21T15:30+02:00,48.1,11.6", "1999-12-31T00:00-03:30,-90,0",
+           "2024-02-29T24:00Z,0.125,-180", "2026-01-02T03:04:05+14:00,90,180" })
+    {
+      QTest::newRow(words) << QString(words);
+    }
+  }
+
+  // What is written is read as the same.
+  void words()
+  {
+    QFETCH(QString, words);
+    QCOMPARE(
+      QString::fromStdString(scene::WriteSunTime(scene::ParseSunTime("", words.toStdString()))),
+      words);
   }
 
   void directions()
@@ -44,20 +62,29 @@ private Q_SLOTS:
       return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < 1e-12;
     };
     const SunAngles east = { 90.0, 0.0 }, north = { 0.0, 0.0 }, above = { 0.0, 90.0 };
-    QVERIFY(same(viewer::GetSunDirection(east, 1), { 1, 0, 0 }));
-    QVERIFY(same(viewer::GetSunDirection(north, 0), { 0, 0, 1 }));
-    QVERIFY(same(viewer::GetSunDirection(north, 1), { 0, 0, -1 }));
-    QVERIFY(same(viewer::GetSunDirection(north, 2), { 0, 1, 0 }));
+    QVERIFY(same(scene::GetSunDirection(east, 1), { 1, 0, 0 }));
+    QVERIFY(same(scene::GetSunDirection(north, 0), { 0, 0, 1 }));
+    QVERIFY(same(scene::GetSunDirection(north, 1), { 0, 0, -1 }));
+    QVERIFY(same(scene::GetSunDirection(north, 2), { 0, 1, 0 }));
     for (int axis = 0; axis < 3; ++axis)
     {
       Direction up = { 0, 0, 0 };
       up[axis] = 1.0;
-      QVERIFY(same(viewer::GetSunDirection(above, axis), up));
+      QVERIFY(same(scene::GetSunDirection(above, axis), up));
       const SunAngles back =
-        viewer::GetSunAngles(viewer::GetSunDirection({ 222.0, 33.0 }, axis), axis);
+        scene::GetSunAngles(scene::GetSunDirection({ 222.0, 33.0 }, axis), axis);
       QVERIFY(std::abs(back.Azimuth - 222.0) < 1e-9 && std::abs(back.Elevation - 33.0) < 1e-9);
     }
-    QCOMPARE(viewer::WriteSun(viewer::GetSunDirection(east, 1)), std::string("sun:1,0,0"));
+  }
+
+  // What people read of it, in the viewer and in ParaView.
+  void sayings()
+  {
+    using relievoQt::SunEdit;
+    QVERIFY(SunEdit::WritePlace(180.0, -12.34, true).startsWith("Night: the sun is 12.3"));
+    QVERIFY(SunEdit::WritePlace(180.0, 12.34, true).contains("elevation 12.3"));
+    QVERIFY(SunEdit::WritePlace(180.0, -12.34, false).contains("from beneath"));
+    QVERIFY(SunEdit::WritePlace(180.0, 12.34, false).isEmpty());
   }
 };
 

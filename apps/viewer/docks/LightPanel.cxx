@@ -3,53 +3,32 @@
 #include "LightPanel.h"
 
 #include "FileEdit.h"
+#include "LightsGroup.h"
 #include "Number.h"
 #include "Options.h"
-#include "PresetsLights.h"
 #include "StageGroup.h"
-#include "SunGroup.h"
 #include "SurfaceOptions.h"
 #include "SurfaceValues.h"
 
 #include <QCheckBox>
 #include <QFormLayout>
 #include <QGroupBox>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QPlainTextEdit>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
-
-#include <exception>
 
 namespace viewer
 {
 namespace
 {
 constexpr const char* EnvironmentWords[] = { "--environment", "--reflectivity", "--skybox" };
-
-std::vector<std::string> GetLines(const QPlainTextEdit* text)
-{
-  std::vector<std::string> lines;
-  for (const QString& line : text->toPlainText().split('\n'))
-  {
-    if (!line.trimmed().isEmpty())
-    {
-      lines.push_back(line.trimmed().toStdString());
-    }
-  }
-  return lines;
-}
 }
 
 //------------------------------------------------------------------------------
 LightPanel::LightPanel(Document* document, QWidget* parent)
   : Panel(document, parent)
 {
-  this->Sun = new SunGroup(document, this->widget());
-  this->AddGroup(this->Sun);
-  this->AddLights();
+  this->Lights = new LightsGroup(document, this->widget());
+  this->AddGroup(this->Lights);
   this->AddEnvironment();
   for (StageGroup* stage : StageGroup::MakeAll(document, StageGroup::LIGHT, this->widget()))
   {
@@ -57,64 +36,6 @@ LightPanel::LightPanel(Document* document, QWidget* parent)
   }
   QObject::connect(document, &Document::changed, this, [this] { this->ShowSettings(); });
   this->ShowSettings();
-}
-
-//------------------------------------------------------------------------------
-void LightPanel::AddLights()
-{
-  FoldGroup* group = this->AddGroup("Other lights", "otherLights");
-  this->Lights = new QPlainTextEdit(group);
-  this->Lights->setObjectName("lights");
-  this->Lights->setPlaceholderText("spot:PX,PY,PZ,FX,FY,FZ,CONE\npoint:PX,PY,PZ,size=R");
-  this->Lights->setToolTip("One light in each line, in the words of --light");
-  this->Lights->setMaximumHeight(70);
-  this->Lights->setTabChangesFocus(true);
-  this->Apply = new QPushButton("Apply", group);
-  this->Apply->setObjectName("apply");
-  this->Revert = new QPushButton("Revert", group);
-  this->Revert->setObjectName("revert");
-  this->Revert->setToolTip("Back to the lights of the picture");
-  this->Apply->setEnabled(false); // until something is typed
-  this->Revert->setEnabled(false);
-  this->Wrong = new QLabel(group);
-  this->Wrong->setObjectName("wrong");
-  this->Wrong->setWordWrap(true);
-  this->Wrong->hide();
-  auto* both = new QHBoxLayout();
-  both->addWidget(this->Apply, 1);
-  both->addWidget(this->Revert, 1);
-  GetRows(group)->addRow(new PresetsLights(this->Edited, "a light that is added here", group));
-  GetRows(group)->addRow(this->Lights);
-  GetRows(group)->addRow(this->Wrong);
-  GetRows(group)->addRow(both);
-  QObject::connect(this->Apply, &QPushButton::clicked, this, &LightPanel::ApplyLights);
-  QObject::connect(this->Revert, &QPushButton::clicked, this, &LightPanel::ShowLights);
-  QObject::connect(this->Lights, &QPlainTextEdit::textChanged, this, [this] {
-    const bool typed = GetLines(this->Lights) != this->ShownLights;
-    this->Apply->setEnabled(typed);
-    this->Revert->setEnabled(typed);
-  });
-}
-
-//------------------------------------------------------------------------------
-void LightPanel::ApplyLights()
-{
-  const std::vector<std::string> lines = GetLines(this->Lights);
-  try
-  {
-    for (const std::string& line : lines)
-    {
-      scene::ParseLight(line);
-    }
-  }
-  catch (const std::exception& error) // what was typed stays, to be mended
-  {
-    this->Wrong->setText(QString(QChar(0x26a0)) + " " + QString::fromStdString(error.what()));
-    this->Wrong->show();
-    return;
-  }
-  this->Wrong->hide();
-  this->Sun->SetOthers(lines);
 }
 
 //------------------------------------------------------------------------------
@@ -240,10 +161,6 @@ void LightPanel::ShowSettings()
   const QSignalBlocker quiet[] = { QSignalBlocker(this->Environment), QSignalBlocker(this->Sky) };
   const scene::Settings& settings = this->Edited->Get();
   const scene::RenderOptions options = settings.Parse();
-  if (this->Sun->GetOthers() != this->ShownLights) // but not what is typed and not yet applied
-  {
-    this->ShowLights();
-  }
   this->Values->ShowSettings();
   this->Environment->setChecked(!options.Environment.empty());
   if (!options.Environment.empty())
@@ -262,18 +179,5 @@ void LightPanel::ShowSettings()
     this->Reflectivity->SetValue(options.Reflectivity);
     this->Roughness->SetValue(options.Roughness);
   }
-}
-
-//------------------------------------------------------------------------------
-void LightPanel::ShowLights()
-{
-  this->ShownLights = this->Sun->GetOthers();
-  QString lines;
-  for (const std::string& word : this->ShownLights)
-  {
-    lines += QString::fromStdString(word) + "\n";
-  }
-  this->Lights->setPlainText(lines);
-  this->Wrong->hide();
 }
 }

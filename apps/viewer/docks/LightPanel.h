@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where light comes from, and how: the sun, other lights, the environment; shadows and lamps.
+ * Where light comes from, and how: lights, the environment; shadows and lamps.
  */
 #ifndef LightPanel_h
 #define LightPanel_h
@@ -10,9 +10,6 @@
 #include "Values.h"
 
 class QCheckBox;
-class QLabel;
-class QPlainTextEdit;
-class QPushButton;
 
 namespace relievoQt
 {
@@ -22,7 +19,7 @@ class Number;
 namespace viewer
 {
 class FileEdit;
-class SunGroup;
+class LightsGroup;
 class SurfaceValues;
 
 class LightPanel : public Panel
@@ -32,23 +29,16 @@ class LightPanel : public Panel
 public:
   explicit LightPanel(Document* document, QWidget* parent = nullptr);
 
-  SunGroup* GetSun() { return this->Sun; }
+  LightsGroup* GetLights() { return this->Lights; }
 
 private:
-  void AddLights();
-  void ApplyLights();
   void AddEnvironment();
   void SwitchEnvironment(bool on);
   void SetFile(const std::string& file, double rotation);
   scene::NamedWords GetMirrorValues() const;
   void ShowSettings();
-  void ShowLights();
 
-  SunGroup* Sun;
-  QPlainTextEdit* Lights;
-  QLabel* Wrong;
-  QPushButton *Apply, *Revert;
-  std::vector<std::string> ShownLights; // without what is typed
+  LightsGroup* Lights;
   FoldGroup* Environment;
   FileEdit* File;
   relievoQt::Number *Rotation, *Reflectivity, *Roughness;

@@ -155,7 +155,6 @@ void ScenePanel::AddScene()
       const std::string axis = this->Up->currentText().toStdString();
       this->Up->currentIndex() == 0 ? settings.Remove("--up") : settings.Set("--up", axis);
     });
-    Q_EMIT this->upAxisChosen();
   });
 }
 

@@ -26,10 +26,6 @@ class ScenePanel : public Panel
 public:
   explicit ScenePanel(Document* document, QWidget* parent = nullptr);
 
-Q_SIGNALS:
-  /// The user chose the axis that points up.
-  void upAxisChosen();
-
 private:
   void AddFiles();
   void AddScene();

@@ -4,6 +4,7 @@
 
 #include "Messages.h"
 #include "Options.h"
+#include "Presets.h"
 #include "SurfaceOptions.h"
 
 #include <algorithm>
@@ -89,6 +90,7 @@ void Document::Change(const std::function<void(scene::Settings&)>& edit)
   scene::Settings settings = this->Now;
   edit(settings);
   scene::DropIdleSurface(settings);
+  scene::DropIdleFill(settings);
   this->Set(settings);
 }
 

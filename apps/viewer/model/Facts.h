@@ -35,7 +35,9 @@ struct Facts
   std::vector<std::string> Layers;            ///< arrays in the words of layers, which can be read
   std::array<double, 2> Times = { 0.0, 0.0 }; ///< seconds; equal: nothing moves
   std::vector<std::string> Animations;        ///< names, of all models
-  int UpAxis = 1;                             ///< by the first file: 0, 1, 2 for x, y, z
+  std::array<double, 6> Bounds = { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 };
+  std::vector<std::string> Lights; ///< kinds of the files' own: sun, spot, point
+  int UpAxis = 1;                  ///< by the first file: 0, 1, 2 for x, y, z
   /// Names of the point arrays of each file, by the option: lamps, fog, markers.
   std::map<std::string, std::vector<std::vector<std::string>>> PointArrays;
 };

@@ -3,6 +3,8 @@
 #include "SessionFile.h"
 
 #include "Errors.h"
+#include "LightOptions.h"
+#include "Options.h"
 #include "Outputs.h"
 #include "Readers.h"
 #include "vtkRelievoFileKind.h"
@@ -12,6 +14,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
 #include <exception>
 
 namespace viewer
@@ -25,23 +28,39 @@ constexpr int Version = 1;
 {
   throw scene::WorkError((path + ": " + why.simplified()).toStdString()); // one line
 }
+
+// Sessions once said beside the words that the first sun stands by date and place.
+void PlaceSun(scene::Settings& view, const QJsonObject& sun)
+{
+  std::vector<std::string> lights = view.GetAll("--light");
+  const auto first = std::find_if(lights.begin(), lights.end(),
+    [](const std::string& light) { return light.rfind("sun:", 0) == 0; });
+  if (first == lights.end() || !sun["by_time"].toBool())
+  {
+    return;
+  }
+  const QJsonArray date = sun["date"].toArray();
+  const scene::SunTime fresh;
+  scene::LightWords words = scene::SplitLight(*first);
+  words.Numbers = scene::WriteSunTime(
+    { date[0].toInt(fresh.Year), date[1].toInt(fresh.Month), date[2].toInt(fresh.Day),
+      sun["hour"].toDouble(fresh.Hour), sun["time_zone"].toDouble(fresh.TimeZone),
+      sun["latitude"].toDouble(fresh.Latitude), sun["longitude"].toDouble(fresh.Longitude) });
+  *first = scene::WriteLight(words);
+  view.SetAll("--light", lights);
+  view.Parse();
+}
 }
 
 //------------------------------------------------------------------------------
-void SaveSession(const QString& path, const Session& session)
+void SaveSession(const QString& path, const scene::Settings& view)
 {
   QJsonArray words;
-  for (const std::string& word : session.View.GetWords())
+  for (const std::string& word : view.GetWords())
   {
     words.append(QString::fromStdString(word));
   }
-  const SunTime& sun = session.Sun;
-  const QJsonObject root{ { Mark, Version }, { "words", words },
-    { "sun",
-      QJsonObject{ { "by_time", session.SunByTime },
-        { "date", QJsonArray{ sun.Year, sun.Month, sun.Day } }, { "hour", sun.Hour },
-        { "time_zone", sun.TimeZone }, { "latitude", sun.Latitude },
-        { "longitude", sun.Longitude } } } };
+  const QJsonObject root{ { Mark, Version }, { "words", words } };
   const std::string place = path.toStdString();
   scene::Outputs outputs;
   outputs.Add("Save", place, {});
@@ -56,7 +75,7 @@ void SaveSession(const QString& path, const Session& session)
 }
 
 //------------------------------------------------------------------------------
-Session LoadSession(const QString& path)
+scene::Settings LoadSession(const QString& path)
 {
   const std::string instead = vtkRelievoFileKind::FindInstead(path.toStdString());
   if (!instead.empty())
@@ -89,26 +108,19 @@ Session LoadSession(const QString& path)
     }
     words.push_back(word.toString().toStdString());
   }
-  Session session;
   try
   {
-    session.View = scene::Settings::FromWords(words);
-    for (const std::string& each : session.View.Files)
+    scene::Settings view = scene::Settings::FromWords(words);
+    for (const std::string& each : view.Files)
     {
       scene::CheckExtension(each);
     }
+    PlaceSun(view, root["sun"].toObject());
+    return view;
   }
   catch (const std::exception& error)
   {
     Fail(path, error.what());
   }
-  const QJsonObject sun = root["sun"].toObject();
-  const QJsonArray date = sun["date"].toArray();
-  const SunTime fresh;
-  session.SunByTime = sun["by_time"].toBool();
-  session.Sun = { date[0].toInt(fresh.Year), date[1].toInt(fresh.Month), date[2].toInt(fresh.Day),
-    sun["hour"].toDouble(fresh.Hour), sun["time_zone"].toDouble(fresh.TimeZone),
-    sun["latitude"].toDouble(fresh.Latitude), sun["longitude"].toDouble(fresh.Longitude) };
-  return session;
 }
 }

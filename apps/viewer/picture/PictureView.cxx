@@ -118,14 +118,40 @@ void PictureView::initializeGL()
 }
 
 //------------------------------------------------------------------------------
+QPoint PictureView::GetPixel(const QMouseEvent* event) const
+{
+  const double ratio = this->effectiveDevicePixelRatio();
+  const int* size = this->renderWindow()->GetSize();
+  return { static_cast<int>(ratio * event->pos().x()),
+    size[1] - 1 - static_cast<int>(ratio * event->pos().y()) };
+}
+
+//------------------------------------------------------------------------------
+void PictureView::PickNext(bool on)
+{
+  this->Picking = on;
+  on ? this->setCursor(Qt::CrossCursor) : this->unsetCursor();
+}
+
+//------------------------------------------------------------------------------
+void PictureView::mousePressEvent(QMouseEvent* event)
+{
+  if (!this->Picking || event->button() != Qt::LeftButton)
+  {
+    this->QVTKOpenGLNativeWidget::mousePressEvent(event);
+    return;
+  }
+  this->PickNext(false);
+  const QPoint pixel = this->GetPixel(event);
+  Q_EMIT this->picked(pixel.x(), pixel.y());
+}
+
+//------------------------------------------------------------------------------
 void PictureView::mouseMoveEvent(QMouseEvent* event)
 {
   this->QVTKOpenGLNativeWidget::mouseMoveEvent(event);
-  const double ratio = this->effectiveDevicePixelRatio();
-  const int* size = this->renderWindow()->GetSize();
-  const int x = static_cast<int>(ratio * event->pos().x());
-  const int y = size[1] - 1 - static_cast<int>(ratio * event->pos().y());
-  Q_EMIT this->pointed(x, y);
+  const QPoint pixel = this->GetPixel(event);
+  Q_EMIT this->pointed(pixel.x(), pixel.y());
 }
 
 //------------------------------------------------------------------------------

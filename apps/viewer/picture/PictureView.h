@@ -30,6 +30,9 @@ public:
 
   Picture& GetPicture() { return *this->Shown; }
 
+  /// The next click of the left button is told as `picked`, and turns nothing.
+  void PickNext(bool on);
+
   /// Draws soon; several calls draw once.
   void Draw();
 
@@ -42,18 +45,24 @@ Q_SIGNALS:
   /// The mouse is over a pixel of the window, from the lower left; -1 when it has left.
   void pointed(int x, int y);
 
+  /// Pixels as of `pointed`.
+  void picked(int x, int y);
+
 protected:
   void initializeGL() override;
+  void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
 private:
   void LetLinesBeWide();
+  QPoint GetPixel(const QMouseEvent* event) const;
   void OnDrawn();
 
   std::unique_ptr<Picture> Shown;
   unsigned long Beginning;
+  bool Picking = false;
   QTimer Soon;
 };
 }

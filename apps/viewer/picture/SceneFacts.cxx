@@ -9,7 +9,9 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkLight.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkRelievoArraySampler.h"
 #include "vtkRelievoLayerCatalogue.h"
@@ -100,6 +102,16 @@ Facts GetFacts(const Picture& picture)
     facts.Valueless.insert("");
   }
   facts.UpAxis = scene.Get().UpAxis;
+  if (vtkMath::AreBoundsInitialized(scene.Get().Bounds))
+  {
+    std::copy_n(scene.Get().Bounds, 6, facts.Bounds.begin());
+  }
+  for (const vtkSmartPointer<vtkLight>& light : scene.GetLights())
+  {
+    facts.Lights.push_back(!light->GetPositional() ? "sun"
+        : light->GetConeAngle() < 90.0             ? "spot"
+                                                   : "point");
+  }
   for (int kind = 0; kind < 2; ++kind)
   {
     for (const auto& [name, array] : arrays[kind])

@@ -7,11 +7,13 @@
 #include "InputGuard.h"
 #include "LayersPanel.h"
 #include "LightPanel.h"
+#include "LightsGroup.h"
 #include "LookPanel.h"
 #include "Messages.h"
 #include "ModelOptions.h"
 #include "Options.h"
 #include "Outputs.h"
+#include "Pick.h"
 #include "PictureView.h"
 #include "QtVersions.h"
 #include "Readers.h"
@@ -21,7 +23,6 @@
 #include "ScenePanel.h"
 #include "SessionFile.h"
 #include "StageGroup.h"
-#include "SunGroup.h"
 #include "TimeBar.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -185,8 +186,6 @@ void MainWindow::AddPanels()
   auto* look = new LookPanel(
     this->Edited, [this] { return GetColorRange(this->Shown->GetPicture()); }, this);
   auto* scene = new ScenePanel(this->Edited, this);
-  QObject::connect(
-    scene, &ScenePanel::upAxisChosen, this->Light->GetSun(), &SunGroup::FollowUpAxis);
   QDockWidget* first = AddDock(this, "Scene", "scene", scene);
   this->tabifyDockWidget(first, AddDock(this, "Light", "light", this->Light));
   this->tabifyDockWidget(first, AddDock(this, "Look", "look", look));
@@ -230,6 +229,9 @@ void MainWindow::Connect()
   QObject::connect(&this->Quiet, &QTimer::timeout, this, [this] { this->Bar->setRange(0, 0); });
   QObject::connect(this->Shown, &PictureView::drawn, this, &MainWindow::OnDrawn);
   QObject::connect(this->Shown, &PictureView::pointed, this, &MainWindow::PointAt);
+  QObject::connect(
+    this->Light->GetLights(), &LightsGroup::placing, this->Shown, &PictureView::PickNext);
+  QObject::connect(this->Shown, &PictureView::picked, this, &MainWindow::PlaceLight);
   QObject::connect(&this->Pause, &QTimer::timeout, this, [this] { this->ShowProbe(); });
   QObject::connect(this->Layers, &LayersPanel::probing, this, [this](bool on) {
     this->Reading.Forget();
@@ -258,6 +260,23 @@ void MainWindow::PointAt(int x, int y)
   if (this->Layers->IsProbing())
   {
     this->Reading.IsFresh() || x < 0 ? this->ShowProbe() : this->Pause.start();
+  }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::PlaceLight(int x, int y)
+{
+  const std::optional<std::array<double, 3>> place =
+    Pick(this->Shown->GetPicture(), this->Reading, x, y);
+  this->Reading.Forget(); // it has no arrays
+  if (place)
+  {
+    this->Light->GetLights()->Place(*place);
+  }
+  else
+  {
+    this->Say("Nothing is there that a light could be placed by: click on a surface.");
+    this->Shown->PickNext(true);
   }
 }
 
@@ -424,9 +443,7 @@ void MainWindow::OpenNext(int step)
 //------------------------------------------------------------------------------
 void MainWindow::OpenSession(const QString& path)
 {
-  const Session session = LoadSession(path);
-  this->Light->GetSun()->SetTime(session.Sun, session.SunByTime);
-  this->Open(session.View, { QFileInfo(path).absoluteFilePath() });
+  this->Open(LoadSession(path), { QFileInfo(path).absoluteFilePath() });
 }
 
 //------------------------------------------------------------------------------
@@ -863,8 +880,7 @@ void MainWindow::ShowLate()
 //------------------------------------------------------------------------------
 void MainWindow::SaveSession(const QString& path)
 {
-  const SunGroup* sun = this->Light->GetSun();
-  viewer::SaveSession(path, { this->GetViewSettings(), sun->GetTime(), sun->IsByTime() });
+  viewer::SaveSession(path, this->GetViewSettings());
   this->Recent->Add(QFileInfo(path).absoluteFilePath());
   this->Say("Saved " + path);
 }

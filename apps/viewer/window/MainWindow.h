@@ -109,6 +109,7 @@ private:
   void Remember();
   void OnDrawn();
   void PointAt(int x, int y);
+  void PlaceLight(int x, int y);
   void ShowProbe();
   void TellMessages();
   bool Gather();

@@ -135,6 +135,12 @@ void vtkPVRelievoSun::GetAngles(double angles[2])
 }
 
 //------------------------------------------------------------------------------
+bool vtkPVRelievoSun::IsNight()
+{
+  return this->ByDateAndPlace && this->Position->GetElevation() <= 0.0;
+}
+
+//------------------------------------------------------------------------------
 void vtkPVRelievoSun::GetDirection(double direction[3])
 {
   double angles[2];
@@ -210,17 +216,14 @@ void vtkPVRelievoSun::Place(vtkRenderer* renderer, vtkLightKit* kit)
   this->GetAngles(angles);
   const double azimuth = angles[0] + this->North;
   this->Point(this->Light, azimuth, angles[1]);
-  // At night the sun has no part in the picture, which is lit as without it.
-  const bool shines = !this->ByDateAndPlace || angles[1] > 0.0;
-  this->Light->SetSwitch(shines);
-  this->Light->SetIntensity(this->Intensity);
+  // Not switched off: where no light is on, VTK draws everything as if it were lit.
+  this->Light->SetIntensity(this->IsNight() ? 0.0 : this->Intensity);
   this->Light->SetColor(this->Color);
   for (int i = 0; i < NumberOfFills; ++i)
   {
     this->Point(this->Fills[i], azimuth + FillPlaces[i].Azimuth, FillPlaces[i].Elevation);
     this->Fills[i]->SetIntensity(this->Fill * FillPlaces[i].Part);
-    this->Fills[i]->SetSwitch(shines);
   }
-  this->DimmedIntensity = this->KitIntensity * (shines ? this->KitShare : 1.0);
+  this->DimmedIntensity = this->KitIntensity * this->KitShare;
   kit->SetKeyLightIntensity(this->DimmedIntensity);
 }

@@ -37,6 +37,9 @@ public:
   // Azimuth and elevation, however it is placed.
   void GetAngles(double angles[2]);
 
+  // By date and place it is below the horizon: it gives no light, and its fill is what is left.
+  bool IsNight();
+
   // Towards the sun in the world, of unit length.
   void GetDirection(double direction[3]);
 

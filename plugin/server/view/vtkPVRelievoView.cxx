@@ -288,6 +288,7 @@ void vtkPVRelievoView::ChooseCasters()
   choose(vtkPVRelievoAccess::LightKit::Key(kit),
     all || this->LightKitCasts == KIT_CASTS_KEY_LIGHT ||
       (this->LightKitCasts == KIT_CASTS_WITHOUT_SUN && !in.Sun.On));
+  choose(in.Sun.Light, !in.Sun.IsNight());
   for (const auto& other : vtkPVRelievoAccess::LightKit::Others(kit))
   {
     choose(other.first, all);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The sun of the scene: from angles, or from the place and the clock, to the words of --light.
+ * Where the sun stands: by angles, or by date, time and place.
  */
 #ifndef Sun_h
 #define Sun_h
@@ -9,12 +9,15 @@
 #include <array>
 #include <string>
 
-namespace viewer
+namespace scene
 {
 struct SunAngles
 {
   double Azimuth;   ///< degrees from north, clockwise seen from above
   double Elevation; ///< degrees above the horizon
+
+  /// Where it gives no light.
+  bool IsNight() const { return this->Elevation <= 0.0; }
 };
 
 struct SunTime
@@ -33,9 +36,11 @@ std::array<double, 3> GetSunDirection(const SunAngles& angles, int upAxis);
 SunAngles GetSunAngles(const std::array<double, 3>& direction, int upAxis);
 
 ///@{
-/// The value of --light, and whether it is that of a sun.
-std::string WriteSun(const std::array<double, 3>& direction);
-bool IsSun(const std::string& light);
+/// "2026-06-21T15:30+02:00,LATITUDE,LONGITUDE": ISO 8601 with minutes or seconds, and without an
+/// offset in UTC. Numbers are no time. ParseSunTime throws UsageError for what is none.
+bool IsSunTime(const std::string& numbers);
+SunTime ParseSunTime(const std::string& option, const std::string& numbers);
+std::string WriteSunTime(const SunTime& time);
 ///@}
 }
 

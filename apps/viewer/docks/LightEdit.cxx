@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LightEdit.h"
+
+#include "ColorButton.h"
+#include "Number.h"
+#include "Rows.h"
+#include "SunEdit.h"
+#include "TripleEdit.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDateEdit>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace viewer
+{
+namespace
+{
+using Kind = scene::LightChoice::Kind;
+
+constexpr double MostIntensity = 1000.0;
+constexpr double MostRadius = 1e9;
+
+QColor ToColor(const scene::LightChoice& light)
+{
+  return QColor::fromRgbF(static_cast<float>(light.Color[0]), static_cast<float>(light.Color[1]),
+    static_cast<float>(light.Color[2]));
+}
+
+std::vector<double> Concatenate(const std::array<double, 3>& a, const std::array<double, 3>& b)
+{
+  return { a[0], a[1], a[2], b[0], b[1], b[2] };
+}
+}
+
+//------------------------------------------------------------------------------
+LightEdit::LightEdit(Document* document, QWidget* parent)
+  : QWidget(parent)
+  , Edited(document)
+{
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* common = new QWidget(this);
+  column->addWidget(common);
+  this->AddCommon(relievoQt::MakeRows(common));
+  this->Sun = new relievoQt::SunEdit(this);
+  column->addWidget(this->Sun);
+  this->AddPlace();
+  column->addWidget(this->Where);
+  const auto placed = [this] { this->WriteSun(); };
+  QObject::connect(this->Sun->By,
+    static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged), this, placed);
+  QObject::connect(this->Sun->Date, &QDateEdit::dateChanged, this, placed);
+  for (relievoQt::Number* edit : this->Sun->findChildren<relievoQt::Number*>())
+  {
+    QObject::connect(edit, &relievoQt::Number::edited, this, placed);
+  }
+}
+
+//------------------------------------------------------------------------------
+void LightEdit::AddCommon(QFormLayout* rows)
+{
+  QWidget* parent = rows->parentWidget();
+  this->Name = new QLineEdit(parent);
+  this->Name->setObjectName("name");
+  this->Name->setToolTip("In the list, and in reports and files");
+  relievoQt::AddRow(rows, "Name", this->Name);
+  this->Color = new ColorButton(parent);
+  this->Color->setObjectName("color");
+  relievoQt::AddRow(rows, "Colour", this->Color);
+  this->Intensity = new relievoQt::Number(0.0, 2.0, 0.01, 3, parent);
+  this->Intensity->setObjectName("intensity");
+  this->Intensity->SetTypedRange(0.0, MostIntensity);
+  relievoQt::AddRow(rows, "Intensity", this->Intensity);
+  auto* size = new QWidget(parent);
+  auto* both = new QVBoxLayout(size);
+  both->setContentsMargins(0, 0, 0, 0);
+  this->Angle = new relievoQt::Number(0.0, 10.0, 0.01, 2, size);
+  this->Angle->setObjectName("angle");
+  this->Angle->SetTypedRange(0.0, 90.0);
+  this->Angle->SetUnit("degrees");
+  this->Radius = new relievoQt::Number(0.0, MostRadius, 1e-3, 4, size);
+  this->Radius->setObjectName("radius");
+  both->addWidget(this->Angle);
+  both->addWidget(this->Radius);
+  relievoQt::AddRow(rows, "Size", size);
+  this->SizeLabel = qobject_cast<QLabel*>(rows->labelForField(size));
+  this->Casts = new QCheckBox("Casts shadows", parent);
+  this->Casts->setObjectName("casts");
+  relievoQt::AddRow(rows, "", this->Casts);
+  QObject::connect(this->Name, &QLineEdit::editingFinished, this,
+    [this] { this->SetValue("name", this->Name->text().trimmed().toStdString()); });
+  QObject::connect(this->Color, &ColorButton::edited, this,
+    [this](const QColor& color) { this->SetValue("color", color.name().toStdString()); });
+  QObject::connect(this->Intensity, &relievoQt::Number::edited, this, [this](double value) {
+    this->SetValue("intensity", value == 1.0 ? "" : scene::WriteNumber(value));
+  });
+  for (relievoQt::Number* edit : { this->Angle, this->Radius })
+  {
+    QObject::connect(edit, &relievoQt::Number::edited, this,
+      [this](double value) { this->SetValue("size", scene::WriteNumber(value)); });
+  }
+  QObject::connect(this->Casts, &QCheckBox::toggled, this,
+    [this](bool on) { this->SetValue("casts", on ? "" : "off"); });
+}
+
+//------------------------------------------------------------------------------
+void LightEdit::AddPlace()
+{
+  this->Where = new QWidget(this);
+  QFormLayout* rows = relievoQt::MakeRows(this->Where);
+  this->Position = new TripleEdit(this->Where);
+  this->Position->setObjectName("position");
+  relievoQt::AddRow(rows, "Position", this->Position);
+  this->Target = new TripleEdit(this->Where);
+  this->Target->setObjectName("target");
+  relievoQt::AddRow(rows, "Target", this->Target);
+  this->TargetLabel = qobject_cast<QLabel*>(rows->labelForField(this->Target));
+  this->Cone = new relievoQt::Number(0.1, 90.0, 0.1, 2, this->Where);
+  this->Cone->setObjectName("cone");
+  this->Cone->SetTypedRange(0.01, 180.0);
+  this->Cone->SetUnit("degrees");
+  this->Cone->setToolTip("Half the opening of its cone");
+  relievoQt::AddRow(rows, "Cone", this->Cone);
+  this->ConeLabel = qobject_cast<QLabel*>(rows->labelForField(this->Cone));
+  this->PlaceButton = new QPushButton("Place in the picture", this->Where);
+  this->PlaceButton->setObjectName("placeInPicture");
+  this->PlaceButton->setCheckable(true);
+  relievoQt::AddRow(rows, "", this->PlaceButton);
+  const auto placed = [this] { this->WritePlace(); };
+  QObject::connect(this->Position, &TripleEdit::edited, this, placed);
+  QObject::connect(this->Target, &TripleEdit::edited, this, placed);
+  QObject::connect(this->Cone, &relievoQt::Number::edited, this, placed);
+  QObject::connect(this->PlaceButton, &QPushButton::toggled, this, &LightEdit::placing);
+}
+
+//------------------------------------------------------------------------------
+void LightEdit::SetValue(const char* name, const std::string& value)
+{
+  if (scene::FindWords(this->Words.Values, name) != value)
+  {
+    scene::SetWords(this->Words.Values, name, value);
+    this->Word = scene::WriteLight(this->Words);
+    Q_EMIT this->edited(QString::fromStdString(this->Word));
+  }
+}
+
+//------------------------------------------------------------------------------
+void LightEdit::SetNumbers(const std::string& numbers)
+{
+  if (this->Words.Numbers != numbers)
+  {
+    this->Words.Numbers = numbers;
+    this->Word = scene::WriteLight(this->Words); // angles are not read back: they have other digits
+    Q_EMIT this->edited(QString::fromStdString(this->Word));
+  }
+}
+
+//------------------------------------------------------------------------------
+void LightEdit::SetWord(const std::string& word, bool own)
+{
+  const scene::LightChoice light = scene::ParseLight(word);
+  const int up = this->Edited->GetUpAxis();
+  this->setEnabled(own);
+  this->ShowSize(light); // whose effect may have changed
+  if (word == this->Word && up == this->WordUp)
+  {
+    this->ShowWords();
+    return;
+  }
+  this->PlaceButton->setChecked(false);
+  this->Word = word;
+  this->WordUp = up;
+  this->Words = scene::SplitLight(word);
+  this->Kind = light.Is;
+  const QSignalBlocker quiet(this->Casts);
+  this->Name->setText(QString::fromStdString(light.Name));
+  this->Color->SetColor(ToColor(light));
+  this->Intensity->SetValue(light.Intensity);
+  this->Casts->setChecked(light.Casts);
+  this->Sun->setVisible(light.Is == Kind::Sun);
+  this->Where->setVisible(light.Is != Kind::Sun);
+  if (light.Is == Kind::Sun)
+  {
+    this->ShowSun(light);
+    return;
+  }
+  const bool spot = light.Is == Kind::Spot;
+  this->Position->SetValue(light.Position);
+  for (QWidget* each :
+    std::array<QWidget*, 4>{ this->Target, this->TargetLabel, this->Cone, this->ConeLabel })
+  {
+    each->setVisible(spot);
+  }
+  if (spot)
+  {
+    this->Target->SetValue(light.FocalPoint);
+    this->Cone->SetValue(light.ConeAngle);
+  }
+  this->PlaceButton->setToolTip(spot ? "The next click in the picture is where it shines"
+                                     : "The next click in the picture is what it hangs over");
+}
+
+//------------------------------------------------------------------------------
+void LightEdit::ShowSize(const scene::LightChoice& light)
+{
+  const scene::Settings& settings = this->Edited->Get();
+  const bool sun = light.Is == Kind::Sun;
+  const char* standard = sun ? "sun_angle" : "lamp_radius";
+  const double usual =
+    QString::fromStdString(settings.GetParameter("shadows", standard)).toDouble();
+  this->Angle->setVisible(sun);
+  this->Radius->setVisible(!sun);
+  (sun ? this->Angle : this->Radius)->SetValue(light.Size.value_or(usual));
+  const bool soft = settings.IsStageOn("shadows") && light.Casts &&
+    std::atoi(settings.GetParameter("shadows", "soft_samples").c_str()) > 0;
+  for (QWidget* each : std::array<QWidget*, 3>{ this->Angle, this->Radius, this->SizeLabel })
+  {
+    each->setEnabled(soft);
+    each->setToolTip(!soft ? "Nothing now: it casts no soft shadow"
+        : sun              ? "The angle that it is seen under: the larger, the softer its shadows"
+                           : "Its radius in world units: the larger, the softer its shadows");
+  }
+}
+
+//------------------------------------------------------------------------------
+void LightEdit::ShowSun(const scene::LightChoice& light)
+{
+  const QSignalBlocker quiet[] = { QSignalBlocker(this->Sun->By), QSignalBlocker(this->Sun->Date) };
+  this->Time = light.Time.value_or(this->Time);
+  this->Sun->Date->setDate(QDate(this->Time.Year, this->Time.Month, this->Time.Day));
+  this->Sun->Time->SetValue(this->Time.Hour);
+  this->Sun->TimeZone->SetValue(this->Time.TimeZone);
+  this->Sun->Latitude->SetValue(this->Time.Latitude);
+  this->Sun->Longitude->SetValue(this->Time.Longitude);
+  const scene::SunAngles angles = light.Time ? scene::GetSunAngles(*light.Time)
+                                             : scene::GetSunAngles(light.Position, this->WordUp);
+  this->Sun->Azimuth->SetValue(angles.Azimuth);
+  this->Sun->Elevation->SetValue(angles.Elevation);
+  this->Sun->By->setCurrentIndex(light.Time ? 1 : 0);
+  this->Sun->ShowRows();
+  this->ShowWords();
+}
+
+//------------------------------------------------------------------------------
+void LightEdit::ShowWords()
+{
+  this->Sun->SetWords(relievoQt::SunEdit::WritePlace(
+    this->Sun->Azimuth->GetValue(), this->Sun->Elevation->GetValue(), this->Sun->IsByPlace()));
+}
+
+//------------------------------------------------------------------------------
+void LightEdit::WriteSun()
+{
+  if (!this->Sun->IsByPlace()) // or the angles that it has
+  {
+    const scene::SunAngles angles = { this->Sun->Azimuth->GetValue(),
+      this->Sun->Elevation->GetValue() };
+    const std::array<double, 3> d = scene::GetSunDirection(angles, this->WordUp);
+    this->SetNumbers(scene::WriteNumbers({ d.begin(), d.end() }));
+  }
+  else
+  {
+    const QDate date = this->Sun->Date->date();
+    this->Time = { date.year(), date.month(), date.day(), this->Sun->Time->GetValue(),
+      this->Sun->TimeZone->GetValue(), this->Sun->Latitude->GetValue(),
+      this->Sun->Longitude->GetValue() };
+    const scene::SunAngles angles = scene::GetSunAngles(this->Time);
+    this->Sun->Azimuth->SetValue(angles.Azimuth);
+    this->Sun->Elevation->SetValue(angles.Elevation);
+    this->SetNumbers(scene::WriteSunTime(this->Time));
+  }
+  this->ShowWords();
+}
+
+//------------------------------------------------------------------------------
+void LightEdit::WritePlace()
+{
+  std::vector<double> numbers = Concatenate(this->Position->GetValue(), this->Target->GetValue());
+  numbers.push_back(this->Cone->GetValue());
+  numbers.resize(this->Kind == Kind::Spot ? 7 : 3);
+  this->SetNumbers(scene::WriteNumbers(numbers));
+}
+
+//------------------------------------------------------------------------------
+void LightEdit::Place(const std::array<double, 3>& place)
+{
+  this->PlaceButton->setChecked(false);
+  if (this->Kind == Kind::Spot)
+  {
+    this->Target->SetValue(place);
+  }
+  else
+  {
+    // At the height that it has, if that is above the place.
+    const auto up = static_cast<std::size_t>(this->WordUp);
+    const std::array<double, 6>& b = this->Edited->GetFacts().Bounds;
+    const double high =
+      0.25 * std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]); // above what is clicked
+    std::array<double, 3> position = place;
+    const double before = this->Position->GetValue()[up];
+    position[up] = before > place[up] ? before : place[up] + high;
+    this->Position->SetValue(position);
+  }
+  this->WritePlace();
+}
+}

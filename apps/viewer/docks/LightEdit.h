@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * One light in the words of --light: colour, strength, size and where it is. What is not edited
+ * keeps its words.
+ */
+#ifndef LightEdit_h
+#define LightEdit_h
+
+#include "Document.h"
+#include "LightOptions.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace relievoQt
+{
+class Number;
+class SunEdit;
+}
+
+namespace viewer
+{
+class ColorButton;
+class TripleEdit;
+
+class LightEdit : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit LightEdit(Document* document, QWidget* parent = nullptr);
+
+  /// Shows the light; one that is not the user's own cannot be edited. Sends no signal.
+  void SetWord(const std::string& word, bool own);
+
+  /// A place in the picture was chosen: a spot turns there, a point moves over it.
+  void Place(const std::array<double, 3>& place);
+
+Q_SIGNALS:
+  void edited(const QString& word);
+
+  /// The next click in the picture is to be told to Place; or no longer.
+  void placing(bool on);
+
+private:
+  void AddCommon(QFormLayout* rows);
+  void AddPlace();
+  void SetValue(const char* name, const std::string& value);
+  void SetNumbers(const std::string& numbers);
+  void ShowSize(const scene::LightChoice& light);
+  void ShowSun(const scene::LightChoice& light);
+  void ShowWords();
+  void WriteSun();
+  void WritePlace();
+
+  Document* Edited;
+  std::string Word; // that is shown
+  int WordUp = -1;
+  scene::LightWords Words;
+  scene::LightChoice::Kind Kind = scene::LightChoice::Kind::Sun;
+  scene::SunTime Time; // for a sun that is to be placed by it
+  QLineEdit* Name;
+  ColorButton* Color;
+  relievoQt::Number *Intensity, *Angle, *Radius;
+  QLabel* SizeLabel;
+  QCheckBox* Casts;
+  relievoQt::SunEdit* Sun;
+  QWidget* Where; // of spots and points
+  TripleEdit *Position, *Target;
+  relievoQt::Number* Cone;
+  QLabel *TargetLabel, *ConeLabel;
+  QPushButton* PlaceButton;
+};
+}
+
+#endif

@@ -1,0 +1,420 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LightsGroup.h"
+
+#include "LightEdit.h"
+#include "NewLights.h"
+#include "Number.h"
+#include "Options.h"
+#include "Presets.h"
+#include "Rows.h"
+
+#include <QEvent>
+#include <QFormLayout>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QPainter>
+#include <QPixmap>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTreeWidget>
+
+#include <algorithm>
+
+namespace viewer
+{
+namespace
+{
+constexpr int ListHeight = 108;
+constexpr int SwatchSize = 14;
+const char* const Kinds[] = { "sun", "spot", "point" };
+
+// A disc of the light's colour, with a rim that shows white as well.
+QIcon MakeSwatch(const scene::LightChoice& light, const QPalette& palette)
+{
+  QPixmap swatch(SwatchSize, SwatchSize);
+  swatch.fill(Qt::transparent);
+  QPainter painter(&swatch);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(palette.color(QPalette::Mid));
+  painter.setBrush(QColor::fromRgbF(static_cast<float>(light.Color[0]),
+    static_cast<float>(light.Color[1]), static_cast<float>(light.Color[2])));
+  painter.drawEllipse(1, 1, SwatchSize - 3, SwatchSize - 3);
+  return swatch;
+}
+
+std::vector<std::string> GetLights(const Document* document)
+{
+  return document->Get().GetAll("--light");
+}
+}
+
+//------------------------------------------------------------------------------
+bool LightsGroup::Row::operator==(const Row& other) const
+{
+  return this->Word == other.Word && this->Name == other.Name && this->Kind == other.Kind &&
+    this->Own == other.Own && this->IsOn == other.IsOn && this->CanOwn == other.CanOwn;
+}
+
+//------------------------------------------------------------------------------
+LightsGroup::LightsGroup(Document* document, QWidget* parent)
+  : FoldGroup("Lights", "lights", parent)
+  , Edited(document)
+  , List(new QTreeWidget(this))
+  , OwnButton(new QPushButton("Make my own", this))
+  , Note(new QLabel(this))
+  , Light(new LightEdit(document, this))
+{
+  this->List->setObjectName("list");
+  this->List->setColumnCount(2);
+  this->List->setHeaderHidden(true);
+  this->List->setRootIsDecorated(false);
+  this->List->setFixedHeight(ListHeight);
+  this->List->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  this->List->header()->setStretchLastSection(false);
+  this->List->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  this->List->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  this->GetRows()->addRow(this->List);
+  this->GetRows()->addRow(this->MakeButtons());
+  this->Note->setObjectName("note");
+  this->Note->setWordWrap(true);
+  this->GetRows()->addRow(this->Note);
+  this->OwnButton->setObjectName("makeOwn");
+  this->GetRows()->addRow(this->OwnButton);
+  this->GetRows()->addRow(this->Light);
+  this->AddFill();
+  QObject::connect(
+    this->List, &QTreeWidget::currentItemChanged, this, [this] { this->ShowCurrent(); });
+  QObject::connect(this->List, &QTreeWidget::itemChanged, this, &LightsGroup::Rename);
+  QObject::connect(this->OwnButton, &QPushButton::clicked, this, &LightsGroup::MakeOwn);
+  QObject::connect(this->Light, &LightEdit::placing, this, &LightsGroup::placing);
+  QObject::connect(this->Light, &LightEdit::edited, this, [this](const QString& word) {
+    if (const Row* row = this->GetCurrent())
+    {
+      this->SetLight(row->Own, word.toStdString());
+    }
+  });
+  QObject::connect(document, &Document::changed, this, &LightsGroup::ShowSettings);
+  QObject::connect(document, &Document::factsChanged, this, &LightsGroup::ShowSettings);
+  this->ShowSettings();
+}
+
+//------------------------------------------------------------------------------
+QWidget* LightsGroup::MakeButtons()
+{
+  auto* all = new QWidget(this);
+  auto* row = new QHBoxLayout(all);
+  row->setContentsMargins(0, 0, 0, 0);
+  auto* add = new QPushButton("Add", all);
+  add->setObjectName("add");
+  auto* menu = new QMenu(add);
+  for (const char* kind : Kinds)
+  {
+    QString title = kind;
+    title[0] = title[0].toUpper();
+    QAction* action = menu->addAction(title);
+    action->setObjectName(kind);
+    QObject::connect(action, &QAction::triggered, this,
+      [this, kind] { this->Add(WriteNewLight(*this->Edited, kind)); });
+  }
+  add->setMenu(menu);
+  this->DuplicateButton = new QPushButton("Duplicate", all);
+  this->DuplicateButton->setObjectName("duplicate");
+  this->RemoveButton = new QPushButton("Remove", all);
+  this->RemoveButton->setObjectName("remove");
+  for (QPushButton* button : { add, this->DuplicateButton, this->RemoveButton })
+  {
+    row->addWidget(button, 1);
+  }
+  QObject::connect(this->DuplicateButton, &QPushButton::clicked, this, &LightsGroup::Duplicate);
+  QObject::connect(this->RemoveButton, &QPushButton::clicked, this, &LightsGroup::Remove);
+  return all;
+}
+
+//------------------------------------------------------------------------------
+void LightsGroup::AddFill()
+{
+  auto* foot = new QWidget(this);
+  QFormLayout* rows = relievoQt::MakeRows(foot);
+  this->Fill = new relievoQt::Number(0.0, 1.0, 0.01, 2, foot);
+  this->Fill->setObjectName("fill");
+  relievoQt::AddRow(rows, "Fill", this->Fill);
+  this->FillLabel = qobject_cast<QLabel*>(rows->labelForField(this->Fill));
+  auto* line = new QFrame(this); // what is above is of one light
+  line->setFrameShape(QFrame::HLine);
+  line->setFrameShadow(QFrame::Sunken);
+  this->GetRows()->addRow(line);
+  this->GetRows()->addRow(foot);
+  QObject::connect(this->Fill, &relievoQt::Number::edited, this, [this](double share) {
+    this->Edited->Change(
+      [share](scene::Settings& settings) { settings.Set("--fill", scene::WriteNumber(share)); });
+  });
+}
+
+//------------------------------------------------------------------------------
+std::vector<LightsGroup::Row> LightsGroup::FindLights() const
+{
+  std::vector<Row> rows;
+  const std::vector<std::string> lights = GetLights(this->Edited);
+  for (std::size_t i = 0; i < lights.size(); ++i)
+  {
+    const scene::LightChoice light = scene::ParseLight(lights[i]);
+    Row row;
+    row.Word = lights[i];
+    row.Own = static_cast<int>(i);
+    row.Name = QString::fromStdString(light.Name);
+    if (row.Name.isEmpty())
+    {
+      row.Name = QString("light %1").arg(row.Own); // as reports have it
+    }
+    row.Kind = Kinds[static_cast<int>(light.Is)];
+    row.Kind += light.IsNight() ? ", night" : "";
+    row.Tip = "Double click to name it";
+    rows.push_back(row);
+  }
+  this->AddPresets(rows, !lights.empty());
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+// And the file's, and VTK's.
+void LightsGroup::AddPresets(std::vector<Row>& rows, bool own) const
+{
+  scene::Settings without = this->Edited->Get();
+  without.SetAll("--light", {});
+  const scene::RenderOptions options = without.Parse();
+  const std::vector<std::string>& ofFile = this->Edited->GetFacts().Lights;
+  const bool preset = !options.Lights.empty();
+  const bool yields = !ofFile.empty() && (options.YieldsToFile || !preset);
+  for (const std::string& kind : ofFile)
+  {
+    Row row;
+    row.Name = "of the file";
+    row.Kind = QString::fromStdString(kind);
+    row.IsOn = yields && !own;
+    row.Tip = row.IsOn ? "The preset's lights, and those that you add, replace it"
+                       : "Off: there are other lights";
+    rows.push_back(row);
+  }
+  if (preset && (!yields || own))
+  {
+    const QString name = QString::fromStdString(options.Preset);
+    Row key;
+    key.Word = scene::WriteKeyLight(without, this->Edited->GetUpAxis());
+    key.Name = name + ": key light";
+    key.Kind = own ? "sun, off" : "sun";
+    key.IsOn = !own;
+    key.CanOwn = true;
+    key.Tip = own ? "Off: your own lights are in its place" : "Your own lights replace it";
+    rows.push_back(key);
+    Row fill;
+    fill.Name = name + ": fill";
+    fill.Kind = "4 suns";
+    fill.IsOn = this->Edited->Get().Parse().Fill.value_or(0.0) > 0.0;
+    fill.Tip = "Weak suns without shadows; see Fill below";
+    rows.push_back(fill);
+  }
+  if (rows.empty())
+  {
+    Row row;
+    row.Name = options.Environment.empty() ? "headlight" : "environment";
+    row.Kind = options.Environment.empty() ? "at the camera" : "all around";
+    row.Tip = "Lights that you add replace it";
+    rows.push_back(row);
+  }
+}
+
+//------------------------------------------------------------------------------
+const LightsGroup::Row* LightsGroup::GetCurrent() const
+{
+  const int row = this->List->indexOfTopLevelItem(this->List->currentItem());
+  return row >= 0 && row < static_cast<int>(this->Rows.size())
+    ? &this->Rows[static_cast<std::size_t>(row)]
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void LightsGroup::ShowSettings()
+{
+  const std::vector<Row> rows = this->FindLights();
+  if (rows != this->Rows)
+  {
+    this->ShowList(rows);
+  }
+  this->ShowCurrent();
+  this->ShowFill();
+}
+
+//------------------------------------------------------------------------------
+void LightsGroup::ShowList(const std::vector<Row>& rows)
+{
+  const QSignalBlocker quiet(this->List);
+  const int current = std::max(0, this->List->indexOfTopLevelItem(this->List->currentItem()));
+  this->Rows = rows;
+  this->List->clear();
+  for (const Row& row : rows)
+  {
+    auto* item = new QTreeWidgetItem(this->List, { row.Name, row.Kind });
+    item->setToolTip(0, row.Tip);
+    item->setToolTip(1, row.Tip);
+    item->setIcon(0,
+      MakeSwatch(
+        row.Word.empty() ? scene::LightChoice() : scene::ParseLight(row.Word), this->palette()));
+    if (row.Own >= 0)
+    {
+      item->setFlags(item->flags() | Qt::ItemIsEditable);
+      continue;
+    }
+    for (int column = 0; column < 2; ++column)
+    {
+      QFont font = item->font(column);
+      font.setStrikeOut(!row.IsOn && column == 0);
+      item->setFont(column, font);
+      item->setForeground(column, this->palette().brush(QPalette::Disabled, QPalette::Text));
+    }
+  }
+  this->List->setCurrentItem(
+    this->List->topLevelItem(std::min(current, this->List->topLevelItemCount() - 1)));
+}
+
+//------------------------------------------------------------------------------
+// The grey of the list is another where the window becomes dark.
+void LightsGroup::changeEvent(QEvent* event)
+{
+  this->FoldGroup::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && !this->Rows.empty())
+  {
+    this->ShowList(std::vector<Row>(this->Rows));
+  }
+}
+
+//------------------------------------------------------------------------------
+void LightsGroup::ShowCurrent()
+{
+  const Row* row = this->GetCurrent();
+  const bool own = row && row->Own >= 0;
+  this->DuplicateButton->setEnabled(own);
+  this->RemoveButton->setEnabled(own);
+  this->OwnButton->setVisible(row && row->CanOwn);
+  this->OwnButton->setToolTip(row && row->IsOn
+      ? "The same light as a --light, to be edited: the picture stays"
+      : "This light beside yours, to be edited");
+  this->Note->setVisible(row && !own);
+  this->Note->setText(row ? row->Tip + "." : QString());
+  this->Light->setVisible(row && !row->Word.empty());
+  if (row && !row->Word.empty())
+  {
+    this->Light->SetWord(row->Word, own);
+  }
+}
+
+//------------------------------------------------------------------------------
+void LightsGroup::ShowFill()
+{
+  const scene::RenderOptions options = this->Edited->Get().Parse();
+  const bool ofFile = options.YieldsToFile && !this->Edited->GetFacts().Lights.empty();
+  const bool has = options.Fill && !ofFile;
+  for (QWidget* each :
+    { static_cast<QWidget*>(this->Fill), static_cast<QWidget*>(this->FillLabel) })
+  {
+    each->setEnabled(has);
+    each->setToolTip(has ? "How much of the preset's fill is there, which no shadow takes away"
+        : ofFile         ? "The file's own lights are in the place of the preset's"
+        : options.Environment.empty() || options.Preset == "none"
+        ? "The preset " + QString::fromStdString(options.Preset) + " has no fill"
+        : "The environment fills");
+  }
+  this->Fill->SetValue(has ? *options.Fill : 0.0);
+}
+
+//------------------------------------------------------------------------------
+void LightsGroup::SetLight(int place, const std::string& word)
+{
+  std::vector<std::string> lights = GetLights(this->Edited);
+  if (place >= 0 && place < static_cast<int>(lights.size()))
+  {
+    lights[static_cast<std::size_t>(place)] = word;
+    this->Edited->Change(
+      [&lights](scene::Settings& settings) { settings.SetAll("--light", lights); });
+    this->ShowSettings(); // where nothing has changed, too
+  }
+}
+
+//------------------------------------------------------------------------------
+void LightsGroup::Add(const std::string& word)
+{
+  std::vector<std::string> lights = GetLights(this->Edited);
+  lights.push_back(word);
+  this->Edited->Change(
+    [&lights](scene::Settings& settings) { settings.SetAll("--light", lights); });
+  this->List->setCurrentItem(
+    this->List->topLevelItem(static_cast<int>(GetLights(this->Edited).size()) - 1));
+}
+
+//------------------------------------------------------------------------------
+void LightsGroup::Duplicate()
+{
+  const Row* row = this->GetCurrent();
+  if (row && row->Own >= 0)
+  {
+    this->Add(row->Word);
+  }
+}
+
+//------------------------------------------------------------------------------
+void LightsGroup::Remove()
+{
+  const Row* row = this->GetCurrent();
+  std::vector<std::string> lights = GetLights(this->Edited);
+  if (row && row->Own >= 0 && row->Own < static_cast<int>(lights.size()))
+  {
+    lights.erase(lights.begin() + row->Own);
+    this->Edited->Change(
+      [&lights](scene::Settings& settings) { settings.SetAll("--light", lights); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void LightsGroup::MakeOwn()
+{
+  const Row* row = this->GetCurrent();
+  if (row && row->CanOwn)
+  {
+    this->Edited->Change([this](scene::Settings& settings) {
+      scene::OwnKeyLight(settings, this->Edited->GetUpAxis());
+    });
+    this->List->setCurrentItem(
+      this->List->topLevelItem(static_cast<int>(GetLights(this->Edited).size()) - 1));
+  }
+}
+
+//------------------------------------------------------------------------------
+void LightsGroup::Rename(QTreeWidgetItem* item)
+{
+  const int place = this->List->indexOfTopLevelItem(item);
+  if (place < 0 || place >= static_cast<int>(this->Rows.size()) ||
+    item->text(0) == this->Rows[static_cast<std::size_t>(place)].Name)
+  {
+    return;
+  }
+  const Row& row = this->Rows[static_cast<std::size_t>(place)];
+  scene::LightWords words = scene::SplitLight(row.Word);
+  scene::SetWords(words.Values, "name", item->text(0).trimmed().toStdString());
+  this->SetLight(row.Own, scene::WriteLight(words));
+  this->Rows.clear(); // the text may be another than was typed
+  this->ShowSettings();
+}
+
+//------------------------------------------------------------------------------
+void LightsGroup::Place(const std::array<double, 3>& place)
+{
+  const Row* row = this->GetCurrent();
+  if (row && row->Own >= 0)
+  {
+    this->Light->Place(place);
+  }
+}
+}

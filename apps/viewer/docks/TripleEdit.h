@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A place as three numbers beside each other, of any size.
+ */
+#ifndef TripleEdit_h
+#define TripleEdit_h
+
+#include <QWidget>
+
+#include <array>
+
+namespace relievoQt
+{
+class DigitsBox;
+}
+
+namespace viewer
+{
+class TripleEdit : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit TripleEdit(QWidget* parent = nullptr);
+
+  /// Sends no signal. What is not edited is not rounded.
+  void SetValue(const std::array<double, 3>& value);
+  std::array<double, 3> GetValue() const { return this->Value; }
+
+Q_SIGNALS:
+  void edited();
+
+private:
+  std::array<double, 3> Value{};
+  std::array<relievoQt::DigitsBox*, 3> Boxes{};
+};
+}
+
+#endif

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Lights that are added: where they show the scene well, and as strong as it bears.
+ */
+#ifndef NewLights_h
+#define NewLights_h
+
+#include <string>
+
+namespace viewer
+{
+class Document;
+
+/// A word of --light; `kind` is sun, spot or point.
+std::string WriteNewLight(const Document& document, const std::string& kind);
+}
+
+#endif
