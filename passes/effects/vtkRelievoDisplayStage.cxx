@@ -20,6 +20,17 @@
 
 vtkStandardNewMacro(vtkRelievoDisplayStage);
 
+namespace
+{
+// What is read to show it. What a light reaches is 1 where nothing is, too: depth tells.
+std::vector<std::string> GetNeeded(const std::string& layer)
+{
+  return vtkRelievoLayerCatalogue::GetIsOfLight(layer)
+    ? std::vector<std::string>{ layer, "depth" }
+    : std::vector<std::string>{ layer };
+}
+}
+
 class vtkRelievoDisplayStage::Internals
 {
 public:
@@ -78,7 +89,7 @@ void vtkRelievoDisplayStage::Declare(
     declaration.Reason = "no layer is shown as the picture";
     return;
   }
-  declaration.ReadsLayers = { this->Layer };
+  declaration.ReadsLayers = GetNeeded(this->Layer);
   // Nobody knows yet whether anything drawn has an array; if not, the picture itself is shown.
   declaration.HidesColor =
     vtkRelievoLayerCatalogue::Find(this->Layer).Kind != vtkRelievoLayer::ARRAY;
@@ -90,7 +101,7 @@ bool vtkRelievoDisplayStage::UploadColors(vtkRelievoFrameContext& context)
 {
   Internals& in = *this->Internal;
   vtkNew<vtkImageData> image;
-  const std::string wrong = context.ReadLayers({ this->Layer }, image);
+  const std::string wrong = context.ReadLayers(GetNeeded(this->Layer), image);
   if (!wrong.empty() && wrong != in.Reported)
   {
     vtkErrorMacro(<< wrong);

@@ -80,6 +80,7 @@ std::vector<unsigned char> vtkRelievoLayerColors::Make(
       extremes[c] = Extremes{ range[0], range[1] };
     }
   }
+  vtkDataArray* depth = visibility ? image->GetPointData()->GetArray("depth") : nullptr;
   for (vtkIdType i = 0; i < count; ++i)
   {
     const double first = array->GetComponent(i, 0);
@@ -92,7 +93,7 @@ std::vector<unsigned char> vtkRelievoLayerColors::Make(
     }
     else if (components < 3)
     {
-      there = std::isfinite(first);
+      there = std::isfinite(first) && (!depth || std::isfinite(depth->GetComponent(i, 0)));
       color = GetScalarColor(
         first, extremes[0], grey || visibility || known.Kind == vtkRelievoLayer::SHARE);
     }

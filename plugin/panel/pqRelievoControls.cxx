@@ -8,7 +8,9 @@
 #include "vtkSMProxy.h"
 
 #include <QComboBox>
+#include <QLayout>
 #include <QSignalBlocker>
+#include <QToolButton>
 
 //------------------------------------------------------------------------------
 pqRelievoControls::pqRelievoControls(QWidget* parent)
@@ -25,15 +27,44 @@ void pqRelievoControls::MakeHead(QWidget* head)
 }
 
 //------------------------------------------------------------------------------
+void pqRelievoControls::Indent(QWidget* part)
+{
+  part->layout()->setContentsMargins(14, 0, 0, 0);
+}
+
+//------------------------------------------------------------------------------
+QToolButton* pqRelievoControls::MakeFold(const QString& text, QWidget* rest, QWidget* parent)
+{
+  auto* fold = new QToolButton(parent);
+  fold->setObjectName("fold");
+  fold->setText(text);
+  fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  fold->setAutoRaise(true);
+  fold->setCheckable(true);
+  fold->setArrowType(Qt::RightArrow);
+  rest->hide();
+  QObject::connect(fold, &QToolButton::toggled, rest, [fold, rest](bool open) {
+    fold->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    rest->setVisible(open);
+  });
+  return fold;
+}
+
+//------------------------------------------------------------------------------
 void pqRelievoControls::SetView(pqView* view)
 {
   this->Connector->Disconnect();
+  if (this->View)
+  {
+    QObject::disconnect(this->View, nullptr, this, nullptr);
+  }
   this->Before.clear();
   vtkSMProxy* settings = pqRelievoViewSettings::Find(view);
   this->View = settings ? view : nullptr;
   this->setEnabled(settings != nullptr);
   if (settings)
   {
+    QObject::connect(view, &pqView::endRender, this, &pqRelievoControls::ShowScene);
     this->Connector->Connect(settings, vtkCommand::PropertyModifiedEvent, this, SLOT(ShowState()));
     // What the view makes of its properties is known once it has them.
     this->Connector->Connect(settings, vtkCommand::UpdateEvent, this, SLOT(ShowState()));

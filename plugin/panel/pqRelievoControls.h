@@ -25,7 +25,7 @@ class Number;
 }
 
 class QComboBox;
-class QSpinBox;
+class QToolButton;
 
 class pqRelievoControls : public QWidget
 {
@@ -38,9 +38,15 @@ public:
   /** The view that is controlled; nullptr for none, or one without Relievo. */
   virtual void SetView(pqView* view);
 
+  /** A button that shows and hides the rest, which is hidden at first. */
+  static QToolButton* MakeFold(const QString& text, QWidget* rest, QWidget* parent);
+
 public Q_SLOTS:
   /** Shows the view's values. */
   virtual void ShowState();
+
+  /** Shows what depends on what the view shows: after each of its pictures. */
+  virtual void ShowScene() {}
 
 protected:
   QVariant Get(const char* name) const;
@@ -55,6 +61,9 @@ protected:
 
   /** The look of a section's head. */
   static void MakeHead(QWidget* head);
+
+  /** Controls below what switches them. */
+  static void Indent(QWidget* part);
 
   QPointer<pqView> View;
   vtkNew<vtkEventQtSlotConnect> Connector;

@@ -57,9 +57,9 @@ pqRelievoPanel::pqRelievoPanel(QWidget* parent)
   auto* sections = new QVBoxLayout(this->All);
   sections->setContentsMargins(0, 0, 0, 0);
   this->Sections = { new pqRelievoShadowControls(this->All), new pqRelievoSunControls(this->All),
-    new pqRelievoLayerControls(this->All), new pqRelievoEnvironmentControls(this->All),
+    new pqRelievoEnvironmentControls(this->All), new pqRelievoLayerControls(this->All),
     new pqRelievoStageControls(this->All) };
-  const char* names[] = { "shadows", "sun", "layers", "environment", "stages" };
+  const char* names[] = { "shadows", "sun", "environment", "layers", "stages" };
   for (int i = 0; i < this->Sections.size(); ++i)
   {
     this->Sections[i]->setObjectName(names[i]);

@@ -4,8 +4,8 @@
  * @class pqRelievoPanel
  * @brief Dock: what Relievo does in the active view, in the order of use, and what that took.
  *
- * Shadows, sun, the layer shown with its values under the mouse, environment; then the frame
- * report, folded away. While the dock is closed, or behind another tab, it observes nothing.
+ * Shadows, sun, ground, environment, the layer shown with the values under the mouse, further
+ * stages; then the frame report, folded away. While the dock is closed, or behind another tab, it observes nothing.
  */
 #ifndef pqRelievoPanel_h
 #define pqRelievoPanel_h

@@ -4,15 +4,13 @@
 
 #include "StageTable.h"
 #include "TimesChart.h"
+#include "pqRelievoControls.h"
 #include "pqRelievoViewSettings.h"
 #include "pqServer.h"
 #include "pqView.h"
 #include "vtkPVRelievoView.h"
-#include "vtkPVRenderView.h"
-#include "vtkPVSession.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMSession.h"
 
 #include <QLabel>
 #include <QToolButton>
@@ -28,21 +26,14 @@ constexpr int RefreshMilliseconds = 250;
 //------------------------------------------------------------------------------
 pqRelievoReportView::pqRelievoReportView(QWidget* parent)
   : Superclass(parent)
-  , Fold(new QToolButton(this))
   , Rest(new QWidget(this))
+  , Fold(pqRelievoControls::MakeFold("Cost of the last picture", Rest, this))
   , Message(new QLabel(Rest))
   , Table(new relievoQt::StageTable(relievoQt::StageTable::SHORT, Rest))
   , Chart(new relievoQt::TimesChart(Rest))
 {
-  this->Fold->setObjectName("fold");
-  this->Fold->setText("Cost of the last picture");
   this->Fold->setToolTip("Time and memory on the graphics processor, part by part");
-  this->Fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  this->Fold->setAutoRaise(true);
-  this->Fold->setCheckable(true);
-  this->Fold->setArrowType(Qt::RightArrow);
   this->Rest->setObjectName("rest");
-  this->Rest->hide();
   this->Message->setObjectName("message");
   this->Message->setWordWrap(true);
   this->Table->setObjectName("stages");
@@ -58,11 +49,7 @@ pqRelievoReportView::pqRelievoReportView(QWidget* parent)
   parts->addWidget(this->Chart);
   this->Timer.setSingleShot(true);
   QObject::connect(&this->Timer, &QTimer::timeout, this, [this] { this->Refresh(); });
-  QObject::connect(this->Fold, &QToolButton::toggled, this, [this](bool open) {
-    this->Fold->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
-    this->Rest->setVisible(open);
-    this->Watch();
-  });
+  QObject::connect(this->Fold, &QToolButton::toggled, this, [this](bool) { this->Watch(); });
 }
 
 //------------------------------------------------------------------------------
@@ -103,10 +90,7 @@ void pqRelievoReportView::Schedule()
 QByteArray pqRelievoReportView::PullReport()
 {
   vtkSMProxy* settings = pqRelievoViewSettings::Find(this->Watched);
-  auto* view = vtkPVRenderView::SafeDownCast(this->Watched->getProxy()->GetClientSideObject());
-  const bool inOneProcess =
-    (settings->GetSession()->GetProcessRoles() & vtkPVSession::RENDER_SERVER) != 0;
-  if (inOneProcess || (view && !view->GetUseDistributedRenderingForRender()))
+  if (pqRelievoViewSettings::IsDrawnHere(this->Watched))
   {
     vtkPVRelievoView* here = pqRelievoViewSettings::FindHere(this->Watched);
     return here ? here->GetFrameReport() : "";

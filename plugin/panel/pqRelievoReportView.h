@@ -57,8 +57,8 @@ private:
   QElapsedTimer SinceRefresh;
   relievoQt::FrameReport Report;
 
-  QToolButton* Fold;
   QWidget* Rest;
+  QToolButton* Fold;
   QLabel* Message;
   relievoQt::StageTable* Table;
   relievoQt::TimesChart* Chart;

@@ -5,10 +5,13 @@
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkPVRelievoView.h"
+#include "vtkPVRenderView.h"
+#include "vtkPVSession.h"
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRelievoViews.h"
+#include "vtkSMSession.h"
 #include "vtkSMStringListDomain.h"
 #include "vtkSMStringVectorProperty.h"
 #include "vtkSMTrace.h"
@@ -114,6 +117,18 @@ vtkPVRelievoView* pqRelievoViewSettings::FindHere(pqView* view)
 {
   vtkSMProxy* settings = Find(view);
   return settings ? vtkPVRelievoView::SafeDownCast(settings->GetClientSideObject()) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool pqRelievoViewSettings::IsDrawnHere(pqView* view)
+{
+  vtkSMProxy* settings = Find(view);
+  const bool inOneProcess =
+    settings && (settings->GetSession()->GetProcessRoles() & vtkPVSession::RENDER_SERVER) != 0;
+  auto* here = settings
+    ? vtkPVRenderView::SafeDownCast(view->getProxy()->GetClientSideObject())
+    : nullptr;
+  return inOneProcess || (here && !here->GetUseDistributedRenderingForRender());
 }
 
 //------------------------------------------------------------------------------

@@ -24,6 +24,9 @@ vtkSMProxy* Find(pqView* view);
 /** Its object on this process, or nullptr. */
 vtkPVRelievoView* FindHere(pqView* view);
 
+/** Whether the view's pictures are drawn by this process, not by a server. */
+bool IsDrawnHere(pqView* view);
+
 /** A property of the view ("RelievoSun") and its value: a number, a text, or a list of numbers. */
 using Change = std::pair<const char*, QVariant>;
 

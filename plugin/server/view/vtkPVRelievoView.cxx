@@ -20,6 +20,7 @@
 #include "vtkPVRelievoSun.h"
 #include "vtkPVView.h"
 #include "vtkPropCollection.h"
+#include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoLayersStage.h"
 #include "vtkRelievoMarkersStage.h"
 #include "vtkRelievoPass.h"
@@ -356,11 +357,16 @@ const char* vtkPVRelievoView::GetShadowLayers()
 bool vtkPVRelievoView::ReadShownLayer(const char* name, vtkImageData* image)
 {
   image->Initialize();
+  std::vector<std::string> names = { name };
+  if (vtkRelievoLayerCatalogue::GetIsOfLight(name))
+  {
+    names.emplace_back("depth"); // which tells where nothing is
+  }
   // Where a server draws, this process draws a frame too, which has no surfaces.
   const bool good = this->IsInPlace() &&
     !vtkPVRelievoAccess::View::IsDrawnElsewhere(this->Internal->View) &&
     this->Internal->Frame->GetLayersStage()->GetHoldsLayers() &&
-    this->Internal->Frame->TryReadLayers({ name }, image).empty();
+    this->Internal->Frame->TryReadLayers(names, image).empty();
   if (!good)
   {
     image->Initialize();

@@ -15,6 +15,7 @@ import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import numpy  # noqa: E402
 import pv  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -100,6 +101,20 @@ class Window(pv.Test):
         self.assertEqual(notes["by script"], [5, -30])
         self.assertEqual(notes["typed"], [40, 270])
         self.assertEqual(notes["sun night"][2], lights, "at night it is there, and gives none")
+
+    def testScene(self):
+        """What the dock says of the scene and adds to it: hints, ground, light, legends, values."""
+        notes = self.played("scene.xml", PV_PLUGIN_PATH=str(pathlib.Path(pv.PLUGIN).parent))
+        # Two radii to each side of the bounds' middle, (0, 3, 5); half their diagonal is 3.
+        for name in ("again", "made", "traced"):
+            *corners, seen = notes[name]
+            true = [[-6, 2, -1], [-6, 2, 11], [6, 2, -1]]
+            self.assertLess(numpy.abs(numpy.subtract(corners, true)).max(), 0.02, name)
+            self.assertLess(corners[0][1], 2.0, "below what lies flat on it")
+            self.assertEqual(seen, 1)
+        self.assertEqual(notes["soft"], [16, 2])
+        self.assertEqual(notes["hard"], [0])
+        self.assertEqual(notes["all"], [2, 2])
 
     def testSunUndo(self):
         """A click on the sun: a step of undo, lines of a trace; closed views come back with it."""

@@ -50,10 +50,70 @@ def scene():
 
 
 @noted
-def shoot(name):
+def ball():
+    """A ball alone in the active view, with y up; it lies over z = 5 and is twice as wide as high."""
+    view = simple.GetActiveView()
+    simple._DisableFirstRenderCameraReset()
+    shown = simple.Show(simple.Sphere(Radius=1, PhiResolution=32), view)
+    move(shown, [0, 3, 5])
+    shown.Scale = [2, 1, 2]
+    view.OrientationAxesVisibility = 0
+    view.CameraPosition = [6, 9, 15]
+    view.CameraFocalPoint = [0, 2.5, 5]
+    view.CameraViewUp = [0, 1, 0]
+    simple.Render(view)
+
+
+def move(shown, place):
+    """Moves a representation; ParaView 5.13 gave the property another name."""
+    name = "Translation" if shown.SMProxy.GetProperty("Translation") else "Position"
+    setattr(shown, name, place)
+
+
+@noted
+def ground(name):
+    """Keeps the corners of the source that the dock's button makes, and whether it is seen."""
+    plane = simple.FindSource("Ground")
+    shown = simple.GetRepresentation(plane, simple.GetActiveView()) if plane else None
+    note(name, plane and [list(plane.Origin), list(plane.Point1), list(plane.Point2),
+                          shown.Visibility])
+
+
+@noted
+def dropGround():
+    """Deletes it."""
+    simple.Delete(simple.FindSource("Ground"))
+    simple.Render(simple.GetActiveView())
+
+
+@noted
+def replay(name):
+    """Runs a trace that was kept."""
+    with open(OUTPUT / "notes.jsonl", encoding="utf-8") as notes:
+        kept = dict(json.loads(line) for line in notes)
+    exec(compile(kept[name], name, "exec"), {})
+    simple.Render(simple.GetActiveView())
+
+
+@noted
+def skyAround():
+    """What the view shows now becomes its environment."""
+    shoot("sky", (400, 200))
+    change(RelievoEnvironment=str(OUTPUT / "sky.png"))
+
+
+@noted
+def mirrors(name):
+    """Keeps how many representations are seen, and how many of them mirror the environment."""
+    shown = [each for each in simple.GetActiveView().Representations if each.Visibility]
+    note(name, [len(shown), sum(each.RelievoMaterial * each.RelievoMirror for each in shown)])
+
+
+@noted
+def shoot(name, size=(400, 300)):
     """Saves what the active view shows."""
     simple.SaveScreenshot(str(OUTPUT / f"{name}.png"), simple.GetActiveView(),
-                          ImageResolution=[400, 300])
+                          ImageResolution=list(size))
 
 
 @noted

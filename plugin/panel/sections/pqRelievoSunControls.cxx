@@ -5,6 +5,7 @@
 #include "Number.h"
 #include "Rows.h"
 #include "SunEdit.h"
+#include "pqRelievoScene.h"
 #include "vtkPVRelievoView.h"
 
 #include <QCheckBox>
@@ -12,6 +13,7 @@
 #include <QDate>
 #include <QDateEdit>
 #include <QFormLayout>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -20,6 +22,7 @@ pqRelievoSunControls::pqRelievoSunControls(QWidget* parent)
   : Superclass(parent)
   , On(new QCheckBox("Sun", this))
   , Rest(new relievoQt::SunEdit(this))
+  , Ground(new QPushButton("Ground plane", this))
 {
   this->On->setObjectName("on");
   MakeHead(this->On);
@@ -28,7 +31,11 @@ pqRelievoSunControls::pqRelievoSunControls(QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(this->On);
   layout->addWidget(this->Rest);
+  layout->addWidget(this->Ground);
+  this->Ground->setObjectName("ground");
+  this->Ground->setToolTip("Adds a plane below all surfaces that are shown, for shadows to fall on");
   this->Rest->setObjectName("rest");
+  Indent(this->Rest);
   auto* foot = new QWidget(this->Rest);
   foot->setObjectName("foot");
   this->Rest->layout()->addWidget(foot);
@@ -59,6 +66,8 @@ pqRelievoSunControls::pqRelievoSunControls(QWidget* parent)
   this->Bind(brightness, "RelievoSunIntensity", "Sun: brightness");
   this->Bind(fill, "RelievoSunFill", "Sun: fill");
   this->Bind(up, "RelievoSunUpAxis", "Up axis of the sun");
+  QObject::connect(this->Ground, &QPushButton::clicked, this,
+    [this] { pqRelievoScene::MakeGround(this->View); });
   QObject::connect(this->On, &QCheckBox::toggled, this,
     [this](bool on) { pqRelievoViewSettings::SetSun(this->View, on); });
   QObject::connect(this->Rest->Date, &QDateEdit::dateChanged, this, [this](const QDate& date) {
@@ -82,6 +91,13 @@ void pqRelievoSunControls::ShowState()
     this->Rest->Date->setDate(first.addDays(date[2].toInt() - 1)); // 30 February is in March
   }
   this->ShowPlace();
+  this->ShowScene();
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoSunControls::ShowScene()
+{
+  this->Ground->setEnabled(!pqRelievoScene::FindSurfaces(this->View).isEmpty());
 }
 
 //------------------------------------------------------------------------------

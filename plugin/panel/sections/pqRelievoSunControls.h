@@ -3,7 +3,7 @@
 /**
  * @class pqRelievoSunControls
  * @brief The dock's section of the sun: on or off; by angles, or by date and place with a slider
- * over the day; brightness and fill.
+ * over the day; brightness and fill. Below it the button that makes a ground.
  */
 #ifndef pqRelievoSunControls_h
 #define pqRelievoSunControls_h
@@ -16,6 +16,7 @@ class SunEdit;
 }
 
 class QCheckBox;
+class QPushButton;
 
 class pqRelievoSunControls : public pqRelievoControls
 {
@@ -26,12 +27,14 @@ public:
   explicit pqRelievoSunControls(QWidget* parent = nullptr);
 
   void ShowState() override;
+  void ShowScene() override;
 
 private:
   void ShowPlace();
 
   QCheckBox* On;
   relievoQt::SunEdit* Rest; // shown while it is on
+  QPushButton* Ground;
 };
 
 #endif

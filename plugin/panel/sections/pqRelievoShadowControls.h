@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoShadowControls
- * @brief The dock's section of shadows: on or off, method, map size, softness, strength.
+ * @brief The dock's section of shadows: on or off, soft or not, strength; folded away, how they are
+ * found. Below them, why none can be seen, and what to do.
  */
 #ifndef pqRelievoShadowControls_h
 #define pqRelievoShadowControls_h
@@ -10,6 +11,7 @@
 #include "pqRelievoControls.h"
 
 class QCheckBox;
+class QLabel;
 
 class pqRelievoShadowControls : public pqRelievoControls
 {
@@ -20,10 +22,18 @@ public:
   explicit pqRelievoShadowControls(QWidget* parent = nullptr);
 
   void ShowState() override;
+  void ShowScene() override;
 
 private:
+  void AddSoft(QWidget* parent);
+  void AddMethods(QWidget* parent);
+  QString FindHint() const;
+
   QCheckBox* On;
   QWidget* Rest; // shown while they are on
+  QCheckBox* Soft;
+  QWidget* Softness; // shown while they are soft
+  QLabel* Hint;
 };
 
 #endif

@@ -6,6 +6,7 @@
 #include "Rows.h"
 #include "pqCoreUtilities.h"
 #include "pqFileDialog.h"
+#include "pqRelievoScene.h"
 #include "pqView.h"
 
 #include <QCheckBox>
@@ -13,6 +14,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -23,6 +25,7 @@ pqRelievoEnvironmentControls::pqRelievoEnvironmentControls(QWidget* parent)
   , File(new QToolButton(this))
   , None(new QToolButton(this))
   , Rest(new QWidget(this))
+  , Light(new QPushButton("Light all surfaces with it", Rest))
   , Sky(new QCheckBox("Show as sky", Rest))
 {
   auto* layout = new QVBoxLayout(this);
@@ -44,7 +47,9 @@ pqRelievoEnvironmentControls::pqRelievoEnvironmentControls(QWidget* parent)
   layout->addWidget(this->Rest);
   this->Rest->setObjectName("rest");
   this->Sky->setObjectName("sky");
+  this->Light->setObjectName("light");
   QFormLayout* rows = relievoQt::MakeRows(this->Rest);
+  Indent(this->Rest);
   auto* rotation = new relievoQt::Number(0.0, 360.0, 1.0, 2, this->Rest);
   rotation->setObjectName("rotation");
   rotation->SetUnit("degrees");
@@ -52,6 +57,7 @@ pqRelievoEnvironmentControls::pqRelievoEnvironmentControls(QWidget* parent)
   auto* intensity = new relievoQt::Number(0.0, 4.0, 0.01, 2, this->Rest);
   intensity->setObjectName("intensity");
   intensity->SetTypedRange(0.0, 1000.0);
+  rows->addRow(this->Light);
   rows->addRow(this->Sky);
   relievoQt::AddRow(rows, "Rotation", rotation);
   relievoQt::AddRow(rows, "Intensity", intensity);
@@ -60,6 +66,8 @@ pqRelievoEnvironmentControls::pqRelievoEnvironmentControls(QWidget* parent)
   QObject::connect(this->Sky, &QCheckBox::toggled, this, [this](bool on) {
     this->Apply(on ? "Sky on" : "Sky off", { { "RelievoSkybox", on ? 1 : 0 } });
   });
+  QObject::connect(this->Light, &QPushButton::clicked, this,
+    [this] { pqRelievoScene::LightByEnvironment(this->View); });
   QObject::connect(this->File, &QToolButton::clicked, this, [this] { this->Choose(); });
   QObject::connect(this->None, &QToolButton::clicked, this, [this] {
     this->Apply("No environment", { { "RelievoEnvironment", QString() } });
@@ -97,4 +105,16 @@ void pqRelievoEnvironmentControls::ShowState()
   this->Rest->setVisible(!path.isEmpty());
   const QSignalBlocker quiet(this->Sky);
   this->Sky->setChecked(this->IsOn("RelievoSkybox"));
+  this->ShowScene();
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoEnvironmentControls::ShowScene()
+{
+  const bool any = !pqRelievoScene::FindSurfaces(this->View).isEmpty();
+  const bool all = pqRelievoScene::IsLitByEnvironment(this->View);
+  this->Light->setEnabled(any && !all);
+  this->Light->setToolTip(!any ? "No surface is shown"
+      : all                    ? "All surfaces mirror it and are lit by it"
+                               : "Material and Mirror Environment of all surfaces that are shown");
 }

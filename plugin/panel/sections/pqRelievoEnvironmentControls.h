@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoEnvironmentControls
- * @brief The dock's section of the environment: the file, the sky, rotation, intensity.
+ * @brief The dock's section of the environment: the file, the surfaces it lights, the sky, rotation,
+ * intensity.
  */
 #ifndef pqRelievoEnvironmentControls_h
 #define pqRelievoEnvironmentControls_h
@@ -10,6 +11,7 @@
 #include "pqRelievoControls.h"
 
 class QCheckBox;
+class QPushButton;
 class QToolButton;
 
 class pqRelievoEnvironmentControls : public pqRelievoControls
@@ -21,6 +23,7 @@ public:
   explicit pqRelievoEnvironmentControls(QWidget* parent = nullptr);
 
   void ShowState() override;
+  void ShowScene() override;
 
 private:
   void Choose();
@@ -28,6 +31,7 @@ private:
   QToolButton* File;
   QToolButton* None;
   QWidget* Rest; // shown while there is one
+  QPushButton* Light;
   QCheckBox* Sky;
 };
 

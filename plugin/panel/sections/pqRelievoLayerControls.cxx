@@ -1,0 +1,481 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqRelievoLayerControls.h"
+
+#include "Rows.h"
+#include "pqDataRepresentation.h"
+#include "pqRelievoLegend.h"
+#include "pqRelievoScene.h"
+#include "pqServer.h"
+#include "pqView.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkPVRelievoView.h"
+#include "vtkPVRenderView.h"
+#include "vtkPointData.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRenderWindow.h"
+#include "vtkSMProperty.h"
+#include "vtkSMRelievoCaptureProxy.h"
+#include "vtkSMRenderViewProxy.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSmartPointer.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QSignalBlocker>
+#include <QStringList>
+#include <QTableWidget>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr int LegendMilliseconds = 200;
+
+const char* const Always[] = { "depth", "range", "position", "normal", "actor", "block", "cell" };
+
+bool HasNothing(vtkImageData* image, const QString& layer, vtkIdType pixel)
+{
+  vtkDataArray* array = image->GetPointData()->GetArray(qUtf8Printable(layer));
+  vtkDataArray* depth = image->GetPointData()->GetArray("depth");
+  if (!array || (depth && !std::isfinite(depth->GetComponent(pixel, 0))))
+  {
+    return true;
+  }
+  bool isZero = array->GetNumberOfComponents() > 1;
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+  {
+    const double value = array->GetComponent(pixel, c);
+    if (!std::isfinite(value))
+    {
+      return true;
+    }
+    isZero = isZero && value == 0.0;
+  }
+  const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(layer.toStdString());
+  return known.Kind == vtkRelievoLayer::ID ? array->GetComponent(pixel, 0) == known.Background
+                                           : isZero;
+}
+
+QString WriteNumber(double value)
+{
+  // Ids in full.
+  const bool whole = std::abs(value) < 1e15 && value == std::floor(value);
+  return whole ? QString::number(value, 'f', 0) : QString::number(value, 'g', 7);
+}
+
+QString WriteValues(vtkDataArray* array, vtkIdType pixel)
+{
+  double largest = 0.0;
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+  {
+    largest = std::max(largest, std::abs(array->GetComponent(pixel, c)));
+  }
+  QStringList values;
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+  {
+    const double value = array->GetComponent(pixel, c);
+    values.append(WriteNumber(std::abs(value) < 1e-7 * largest ? 0.0 : value));
+  }
+  return values.join(", ");
+}
+
+void AddArrays(vtkPVDataSetAttributesInformation* about, QStringList& names)
+{
+  for (int i = 0; about && i < about->GetNumberOfArrays(); ++i)
+  {
+    const QString name = QString::fromUtf8(about->GetArrayInformation(i)->GetName());
+    if (!names.contains(name))
+    {
+      names.append(name);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+pqRelievoLayerControls::pqRelievoLayerControls(QWidget* parent)
+  : Superclass(parent)
+  , Layer(new QComboBox(this))
+  , Legend(new pqRelievoLegend(this))
+  , All(new QCheckBox("Values under the mouse", this))
+  , Values(new QTableWidget(0, 2, this))
+  , Message(new QLabel(this))
+{
+  QFormLayout* rows = relievoQt::MakeRows(this);
+  auto* head = new QLabel("Layers", this);
+  MakeHead(head);
+  rows->addRow(head);
+  this->Layer->setObjectName("layer");
+  this->Layer->setToolTip("A layer to show as the picture");
+  this->Layer->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  this->Layer->setMinimumContentsLength(9);
+  this->Legend->setObjectName("legend");
+  this->All->setObjectName("all");
+  this->All->setToolTip("Reads all layers and arrays when the mouse moves over the view, with one "
+                        "more picture after each change");
+  this->Values->setObjectName("values");
+  this->Values->horizontalHeader()->hide();
+  this->Values->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  this->Values->horizontalHeader()->setStretchLastSection(true);
+  this->Values->verticalHeader()->hide();
+  this->Values->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  this->Values->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  this->Values->setTabKeyNavigation(false);
+  this->Values->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  this->Message->setObjectName("message");
+  this->Message->setWordWrap(true);
+  relievoQt::AddRow(rows, "Shown", this->Layer);
+  rows->addRow(this->Legend);
+  rows->addRow(this->All);
+  rows->addRow(this->Message);
+  rows->addRow(this->Values);
+  this->LegendTimer.setSingleShot(true);
+  this->LegendTimer.setInterval(LegendMilliseconds);
+  QObject::connect(&this->LegendTimer, &QTimer::timeout, this, [this] { this->ShowLegend(); });
+  QObject::connect(
+    this->Layer, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int i) {
+      pqRelievoViewSettings::SetShownLayer(this->View, this->Layer->itemData(i).toString());
+    });
+  QObject::connect(this->All, &QCheckBox::toggled, this, [this] { this->ShowState(); });
+}
+
+//------------------------------------------------------------------------------
+pqRelievoLayerControls::~pqRelievoLayerControls() = default;
+
+//------------------------------------------------------------------------------
+void pqRelievoLayerControls::SetView(pqView* view)
+{
+  if (this->Screen)
+  {
+    this->Screen->removeEventFilter(this);
+  }
+  this->Superclass::SetView(view);
+  this->Screen = this->View ? this->View->widget() : nullptr;
+  if (this->View)
+  {
+    this->Connector->Connect(pqRelievoViewSettings::Find(view)->GetProperty("DisplayLayer"),
+      vtkCommand::DomainModifiedEvent, this, SLOT(ShowState()));
+  }
+  if (this->Screen)
+  {
+    this->Screen->setMouseTracking(true);
+    this->Screen->installEventFilter(this);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoLayerControls::ShowState()
+{
+  this->Superclass::ShowState();
+  const QSignalBlocker quiet(this->Layer);
+  const QString layer = pqRelievoViewSettings::GetShownLayer(this->View);
+  const QVector<QString> names = pqRelievoViewSettings::GetLayerNames(this->View);
+  this->Layer->clear();
+  this->Layer->addItem("None", QString());
+  for (int i = 1; i < names.size(); ++i)
+  {
+    this->Layer->addItem(names[i], names[i]);
+  }
+  if (!layer.isEmpty() && !names.contains(layer))
+  {
+    this->Layer->addItem(layer, layer); // by script: an array
+  }
+  this->Layer->setCurrentIndex(std::max(0, this->Layer->findData(layer)));
+  const bool probing = this->View && (this->All->isChecked() || !layer.isEmpty());
+  this->Values->setRowCount(0);
+  this->Values->hide();
+  this->Message->setText("Move the mouse over the picture.");
+  this->Message->setVisible(probing);
+  this->Legend->setVisible(!layer.isEmpty());
+  this->ShowScene();
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoLayerControls::ShowScene()
+{
+  if (!this->Reading)
+  {
+    this->Fresh = false;
+    if (!pqRelievoViewSettings::GetShownLayer(this->View).isEmpty())
+    {
+      this->LegendTimer.start();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool pqRelievoLayerControls::eventFilter(QObject* watched, QEvent* event)
+{
+  if (watched == this->Screen && event->type() == QEvent::MouseMove && this->isVisible())
+  {
+    auto* mouse = static_cast<QMouseEvent*>(event);
+    if (mouse->buttons() == Qt::NoButton && !this->Reading)
+    {
+      this->Probe(mouse->pos());
+    }
+  }
+  return this->Superclass::eventFilter(watched, event);
+}
+
+//------------------------------------------------------------------------------
+QStringList pqRelievoLayerControls::FindLayers() const
+{
+  QStringList names;
+  const QString shown = pqRelievoViewSettings::GetShownLayer(this->View);
+  if (!shown.isEmpty())
+  {
+    names.append(shown);
+  }
+  for (const char* each : Always)
+  {
+    names.append(each);
+  }
+  if (vtkPVRelievoView* here = pqRelievoViewSettings::FindHere(this->View))
+  {
+    const QString lights = here->GetShadowLayers();
+    if (!lights.isEmpty() && this->IsOn("RelievoShadows"))
+    {
+      names.append(lights.split(','));
+    }
+  }
+  for (pqDataRepresentation* each : pqRelievoScene::FindSurfaces(this->View))
+  {
+    if (vtkPVDataInformation* about = each->getInputDataInformation())
+    {
+      AddArrays(about->GetPointDataInformation(), names);
+      AddArrays(about->GetCellDataInformation(), names);
+    }
+  }
+  names.removeDuplicates();
+  return names;
+}
+
+//------------------------------------------------------------------------------
+bool pqRelievoLayerControls::ReadShown()
+{
+  vtkPVRelievoView* here = pqRelievoViewSettings::FindHere(this->View);
+  auto* view = vtkPVRenderView::SafeDownCast(this->View->getProxy()->GetClientSideObject());
+  this->Image->Initialize();
+  if (here && view && here->IsInPlace())
+  {
+    view->GetRenderWindow()->MakeCurrent();
+    here->ReadShownLayer(
+      qUtf8Printable(pqRelievoViewSettings::GetShownLayer(this->View)), this->Image);
+  }
+  return this->Image->GetNumberOfPoints() > 0;
+}
+
+//------------------------------------------------------------------------------
+bool pqRelievoLayerControls::ReadAll()
+{
+  this->Image->Initialize();
+  const auto capture = vtk::TakeSmartPointer(vtkSMRelievoCaptureProxy::SafeDownCast(
+    this->View->getServer()->proxyManager()->NewProxy("relievo", "Capture")));
+  if (!capture)
+  {
+    return false;
+  }
+  this->Reading = true;
+  const QStringList all = this->FindLayers();
+  std::vector<std::string> names(all.size());
+  std::transform(all.begin(), all.end(), names.begin(),
+    [](const QString& each) { return each.toStdString(); });
+  // Arrays that are not drawn fail all: without them there are the layers of every surface.
+  for (const auto& each : { names, std::vector<std::string>(std::begin(Always), std::end(Always)) })
+  {
+    if (this->Image->GetNumberOfPoints() == 0 &&
+      capture->Capture(
+        this->View->getViewProxy(), each, vtkSMRelievoCaptureProxy::TO_CLIENT, true) &&
+      capture->GetImage())
+    {
+      this->Image->ShallowCopy(capture->GetImage());
+    }
+  }
+  this->Reading = false;
+  return this->Image->GetNumberOfPoints() > 0;
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoLayerControls::Probe(const QPoint& place)
+{
+  const bool all = this->All->isChecked();
+  if (!all && pqRelievoViewSettings::GetShownLayer(this->View).isEmpty())
+  {
+    return;
+  }
+  if (!this->Fresh)
+  {
+    all ? this->ReadAll() : this->ReadShown();
+    this->Fresh = true;
+  }
+  const bool any = this->Image->GetNumberOfPoints() > 0;
+  const int* size = this->Image->GetDimensions();
+  const int x = static_cast<int>((place.x() + 0.5) * size[0] / this->Screen->width());
+  const int y = static_cast<int>((place.y() + 0.5) * size[1] / this->Screen->height());
+  const bool inside = any && x >= 0 && y >= 0 && x < size[0] && y < size[1];
+  this->Message->setText(any ? QString("At pixel %1, %2").arg(x).arg(y)
+      : all || pqRelievoViewSettings::IsDrawnHere(this->View)
+      ? QString("Nothing is drawn that has values.")
+      : QString("The server draws this picture: switch on Values under the mouse to fetch them."));
+  this->Values->setVisible(inside);
+  if (inside)
+  {
+    this->ShowValues(x + static_cast<vtkIdType>(size[1] - 1 - y) * size[0]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoLayerControls::ShowValues(vtkIdType pixel)
+{
+  vtkPointData* layers = this->Image->GetPointData();
+  QStringList names;
+  for (int i = 0; i < layers->GetNumberOfArrays(); ++i)
+  {
+    names.append(layers->GetArrayName(i));
+  }
+  const QString shown = pqRelievoViewSettings::GetShownLayer(this->View);
+  if (!this->All->isChecked())
+  {
+    names = QStringList(shown);
+  }
+  this->Values->setRowCount(names.size());
+  for (int row = 0; row < names.size(); ++row)
+  {
+    vtkDataArray* array = layers->GetArray(qUtf8Printable(names[row]));
+    const QString texts[] = { names[row],
+      HasNothing(this->Image, names[row], pixel) ? "nothing" : WriteValues(array, pixel) };
+    for (int column = 0; column < 2; ++column)
+    {
+      if (!this->Values->item(row, column))
+      {
+        this->Values->setItem(row, column, new QTableWidgetItem);
+      }
+      this->Values->item(row, column)->setText(texts[column]);
+      this->Values->item(row, column)->setToolTip(texts[column]);
+    }
+  }
+  this->Values->resizeRowsToContents();
+  int height = 2 * this->Values->frameWidth();
+  for (int row = 0; row < names.size(); ++row)
+  {
+    height += this->Values->rowHeight(row);
+  }
+  this->Values->setFixedHeight(height);
+}
+
+//------------------------------------------------------------------------------
+QString pqRelievoLayerControls::GetProbedLayers() const
+{
+  QStringList names;
+  for (int row = 0; row < this->Values->rowCount(); ++row)
+  {
+    names.append(this->Values->item(row, 0)->text());
+  }
+  return names.join(",");
+}
+
+//------------------------------------------------------------------------------
+QString pqRelievoLayerControls::GetProbed() const
+{
+  return this->Values->rowCount() > 0 ? this->Values->item(0, 1)->text() : QString();
+}
+
+//------------------------------------------------------------------------------
+void pqRelievoLayerControls::ShowLegend()
+{
+  using L = vtkRelievoLayer;
+  const QString layer = pqRelievoViewSettings::GetShownLayer(this->View);
+  if (layer.isEmpty())
+  {
+    return;
+  }
+  this->Fresh = false;
+  const bool read = this->ReadShown();
+  vtkDataArray* array = this->Image->GetPointData()->GetArray(qUtf8Printable(layer));
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (vtkIdType pixel = 0; array && pixel < array->GetNumberOfTuples(); ++pixel)
+  {
+    if (!HasNothing(this->Image, layer, pixel))
+    {
+      least = std::min(least, array->GetComponent(pixel, 0));
+      most = std::max(most, array->GetComponent(pixel, 0));
+    }
+  }
+  const std::string name = layer.toStdString();
+  const bool light = vtkRelievoLayerCatalogue::GetIsOfLight(name);
+  const L& known =
+    light ? vtkRelievoLayerCatalogue::GetOfLight() : vtkRelievoLayerCatalogue::Find(name);
+  if (!(least <= most) && (read || pqRelievoViewSettings::IsDrawnHere(this->View)))
+  {
+    this->Legend->Set(
+      "Blank: nothing in this picture has values of it.", pqRelievoLegend::WORDS, "", "");
+    return;
+  }
+  QString words = QString::fromStdString(known.Help);
+  words = words.left(1).toUpper() + words.mid(1);
+  const QVariantList range = this->Get("RelievoDisplayRange").toList();
+  const bool given = range.size() == 2 && range[0].toDouble() < range[1].toDouble();
+  if (given)
+  {
+    least = range[0].toDouble();
+    most = range[1].toDouble();
+  }
+  else if (layer == "depth" || layer == "range")
+  {
+    auto* view = vtkSMRenderViewProxy::SafeDownCast(this->View->getProxy());
+    view->GetActiveCamera()->GetClippingRange(least, most);
+  }
+  const bool grey = this->IsOn("RelievoDisplayGrey");
+  const bool numbers = given || least <= most;
+  const QString first = numbers ? WriteNumber(least) : QString("the least");
+  const QString last = numbers ? WriteNumber(most) : QString("the greatest");
+  switch (known.Kind)
+  {
+    case L::SHARE:
+      this->Legend->Set(words, pqRelievoLegend::GREYS, light ? "0: in shadow" : "0",
+        light ? "1: lit" : "1");
+      break;
+    case L::VECTOR:
+      this->Legend->Set(words + ". Red, green and blue are x, y and z, from black at -1 to 1.",
+        pqRelievoLegend::WORDS, "", "");
+      break;
+    case L::POSITION:
+      this->Legend->Set(words + ". Red, green and blue are x, y and z, from the least in the picture "
+                                "to the greatest.",
+        pqRelievoLegend::WORDS, "", "");
+      break;
+    case L::ID:
+      this->Legend->Set(
+        words + ". Each has a colour of its own.", pqRelievoLegend::WORDS, "", "");
+      break;
+    case L::COLOR:
+      this->Legend->Set(words, pqRelievoLegend::WORDS, "", "");
+      break;
+    default:
+      if (array && array->GetNumberOfComponents() > 2)
+      {
+        this->Legend->Set("Red, green and blue are the first three components, each from its least "
+                          "to its greatest.",
+          pqRelievoLegend::WORDS, "", "");
+        break;
+      }
+      this->Legend->Set(
+        words, grey ? pqRelievoLegend::GREYS : pqRelievoLegend::COLORS, first, last);
+  }
+}
