@@ -31,6 +31,11 @@ def almanac(days, latitude, longitude):
     return numpy.degrees(numpy.arctan2(east, north)) % 360, numpy.degrees(numpy.arcsin(up))
 
 
+def unlike_color(picture, color):
+    """Where a picture has another colour, by more than a grey level."""
+    return (numpy.abs(picture.astype(int) - color) > 1).any(axis=2)
+
+
 class Lights(judge.StageTest):
     def add(self, **values):
         """A light that a user adds, alone in the view."""
@@ -202,6 +207,24 @@ class Lights(judge.StageTest):
         names = [offered.GetString(i) for i in range(offered.GetNumberOfStrings())]
         self.assertEqual(names[-1:], [added])
         self.assertNotIn("shadow_sun", names)
+
+    def test_what_a_light_reaches_is_shown_in_grey_before_the_background(self):
+        self.scene.sun()
+        self.view.Background = [0.2, 0.4, 0.6]
+        self.view.UseColorPaletteForBackground = 0
+        verdicts = self.scene.verdicts()
+        self.assertGreater(min((verdicts == each).sum() for each in (0, 1, 2)), 2000)
+        for layer in ("shadow_sun", "shadow_0"):
+            self.view.RelievoDisplayLayer = layer
+            shown = pv.picture(self.view)
+            self.assertLessEqual(unlike_color(shown, (51, 102, 153))[verdicts == stage.NONE].sum(), 0)
+        self.view.RelievoDisplayLayer = "shadow_sun"
+        shown = pv.picture(self.view)
+        # What is turned away is not blocked by others: its darkness is not the shadow's alone.
+        for verdict, level in ((stage.DARK, 0), (stage.LIT, 255)):
+            there = verdicts == verdict
+            wrong = unlike_color(shown, (level, level, level))[there]
+            self.assertLess(wrong.mean(), 0.01, f"where the sun's light is {level}")
 
     def test_the_lights_that_cast_are_those_of_the_settings(self):
         def layers():

@@ -67,8 +67,9 @@ bool HasNothing(vtkImageData* image, const QString& layer, vtkIdType pixel)
     isZero = isZero && value == 0.0;
   }
   const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(layer.toStdString());
-  return known.Kind == vtkRelievoLayer::ID ? array->GetComponent(pixel, 0) == known.Background
-                                           : isZero;
+  const bool telling = known.Kind == vtkRelievoLayer::ID ||
+    (known.Source == vtkRelievoLayer::FROM_STAGE && known.Components == 1);
+  return telling ? array->GetComponent(pixel, 0) == known.Background : isZero;
 }
 
 QString WriteNumber(double value)
@@ -164,6 +165,7 @@ void pqRelievoLayerControls::SetView(pqView* view)
   {
     this->Screen->removeEventFilter(this);
   }
+  this->Asked.clear();
   this->Superclass::SetView(view);
   this->Screen = this->View ? this->View->widget() : nullptr;
   if (this->View)
@@ -197,9 +199,14 @@ void pqRelievoLayerControls::ShowState()
   }
   this->Layer->setCurrentIndex(std::max(0, this->Layer->findData(layer)));
   const bool probing = this->View && (this->All->isChecked() || !layer.isEmpty());
-  this->Values->setRowCount(0);
-  this->Values->hide();
-  this->Message->setText("Move the mouse over the picture.");
+  const QString asked = QString("%1 %2").arg(this->All->isChecked()).arg(layer);
+  if (asked != this->Asked || !probing)
+  {
+    this->Asked = asked;
+    this->Values->setRowCount(0);
+    this->Values->hide();
+    this->Message->setText("Move the mouse over the picture.");
+  }
   this->Message->setVisible(probing);
   this->Legend->setVisible(!layer.isEmpty());
   this->ShowScene();

@@ -62,6 +62,7 @@ private:
   QLabel* Message;
   QPointer<QWidget> Screen; // of the view, watched for the mouse
   QTimer LegendTimer;
+  QString Asked; // what the values are of
   vtkNew<vtkImageData> Image;
   bool Fresh = false;   // it is of the last picture
   bool Reading = false; // by a picture of our own

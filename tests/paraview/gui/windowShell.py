@@ -54,7 +54,7 @@ def ball():
     """A ball alone in the active view, with y up; it lies over z = 5 and is twice as wide as high."""
     view = simple.GetActiveView()
     simple._DisableFirstRenderCameraReset()
-    shown = simple.Show(simple.Sphere(Radius=1, PhiResolution=32), view)
+    shown = simple.Show(simple.Sphere(Radius=1, PhiResolution=33), view)
     move(shown, [0, 3, 5])
     shown.Scale = [2, 1, 2]
     view.OrientationAxesVisibility = 0
