@@ -79,8 +79,10 @@ QString WriteNumber(double value)
   return whole ? QString::number(value, 'f', 0) : QString::number(value, 'g', 7);
 }
 
-QString WriteValues(vtkDataArray* array, vtkIdType pixel)
+// Without what is noise beside the largest: normals are kept in fewer bits.
+QString WriteValues(vtkDataArray* array, bool normal, vtkIdType pixel)
 {
+  const double share = normal ? 1e-4 : 1e-7;
   double largest = 0.0;
   for (int c = 0; c < array->GetNumberOfComponents(); ++c)
   {
@@ -90,7 +92,7 @@ QString WriteValues(vtkDataArray* array, vtkIdType pixel)
   for (int c = 0; c < array->GetNumberOfComponents(); ++c)
   {
     const double value = array->GetComponent(pixel, c);
-    values.append(WriteNumber(std::abs(value) < 1e-7 * largest ? 0.0 : value));
+    values.append(WriteNumber(std::abs(value) < share * largest ? 0.0 : value));
   }
   return values.join(", ");
 }
@@ -364,8 +366,10 @@ void pqRelievoLayerControls::ShowValues(vtkIdType pixel)
   for (int row = 0; row < names.size(); ++row)
   {
     vtkDataArray* array = layers->GetArray(qUtf8Printable(names[row]));
+    const bool normal = vtkRelievoLayerCatalogue::Find(names[row].toStdString()).Kind ==
+      vtkRelievoLayer::VECTOR;
     const QString texts[] = { names[row],
-      HasNothing(this->Image, names[row], pixel) ? "nothing" : WriteValues(array, pixel) };
+      HasNothing(this->Image, names[row], pixel) ? "nothing" : WriteValues(array, normal, pixel) };
     for (int column = 0; column < 2; ++column)
     {
       if (!this->Values->item(row, column))
