@@ -157,6 +157,8 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   {
     FillWord(normal, "RELIEVO_IMPOSTOR_NORMAL", "normalVCVSOutput");
   }
+  const std::string bulge = "uniform float ZCalcR;"; // VTK's, of spheres and tubes
+  vtkShaderProgram::Substitute(fragment, bulge, bulge + "\n" + Section("BulgeDec"), false);
   FillMark(fragment, Extensions, Section("Extensions") + GetContract());
   const auto ofMethod = [&](const char* section) {
     return vtkRelievoShaderLibrary::GetSection(structure.Method, section);

@@ -55,6 +55,12 @@ float relievoVisibilityOf(int number)
   return slot < 0 ? 1.0 : relievoVisibility[slot];
 }
 
+//RELIEVO::Section(BulgeDec)
+uniform int relievoFromLight; // 1 while what a light sees is drawn
+// Points as spheres and lines as tubes stand before their primitive by a share of the radius, which
+// VTK tells in pixels of the picture: in a map that would be so far that they shade themselves.
+#define ZCalcR (relievoFromLight != 0 ? 0.0 : ZCalcR)
+
 //RELIEVO::Section(MapsDec)
 //RELIEVO::Include(shadow/reach.glsl)
 

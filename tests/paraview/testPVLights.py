@@ -226,6 +226,34 @@ class Lights(judge.StageTest):
             wrong = unlike_color(shown, (level, level, level))[there]
             self.assertLess(wrong.mean(), 0.01, f"where the sun's light is {level}")
 
+    def check_not_in_its_own_shadow(self, source, **look):
+        """Where nothing is above what is shown, the sun lights it, and it casts."""
+        self.view.RelievoShadows = 0
+        bare = pv.picture(self.view)
+        shown = simple.Show(source, self.view)
+        for name, value in look.items():
+            setattr(shown, name, value)
+        lit = pv.picture(self.view)
+        there = pv.unlike(bare, lit, 1)
+        self.assertGreater(there.sum(), 100)
+        for method in ("Map", "Warped", "Forward", "Exact"):
+            self.view.RelievoShadows, self.view.RelievoShadowMethod = 1, method
+            picture = pv.picture(self.view)
+            if method == "Map":  # in others its shadow may be narrower than a pixel
+                self.assertTrue(pv.unlike(picture, lit, 20)[~there].any(), "its shadow")
+            dark = pv.unlike(picture, lit, 8) & there
+            self.assertLess(dark.sum(), 0.02 * there.sum(), method)
+        simple.Hide(source, self.view)
+
+    def test_tubes_and_spheres_are_not_in_their_own_shadow(self):
+        self.scene.ball_shown.Visibility = 0
+        self.scene.sun(shadows=False)
+        self.check_not_in_its_own_shadow(
+            simple.Line(Point1=[-1, 0, 0.8], Point2=[1, 0, 0.8]), LineWidth=8, RenderLinesAsTubes=1)
+        self.check_not_in_its_own_shadow(
+            simple.PointSource(Center=[0, 0, 0.8], Radius=0, NumberOfPoints=1),
+            Representation="Points", PointSize=14, RenderPointsAsSpheres=1)
+
     def test_the_lights_that_cast_are_those_of_the_settings(self):
         def layers():
             self.view.UpdatePropertyInformation()
