@@ -25,9 +25,8 @@ namespace
 // What is read to show it. What a light reaches is 1 where nothing is, too: depth tells.
 std::vector<std::string> GetNeeded(const std::string& layer)
 {
-  return vtkRelievoLayerCatalogue::GetIsOfLight(layer)
-    ? std::vector<std::string>{ layer, "depth" }
-    : std::vector<std::string>{ layer };
+  return vtkRelievoLayerCatalogue::GetIsOfLight(layer) ? std::vector<std::string>{ layer, "depth" }
+                                                       : std::vector<std::string>{ layer };
 }
 }
 

@@ -157,7 +157,8 @@ std::string vtkRelievoShadowSplice::Fill(std::string& vertex, std::string& geome
   {
     FillWord(normal, "RELIEVO_IMPOSTOR_NORMAL", "normalVCVSOutput");
   }
-  const std::string bulge = "uniform float ZCalcR;"; // VTK's, of spheres and tubes
+  std::string bulge = Section("BulgeOfVTK"); // of spheres and tubes
+  bulge.erase(bulge.find_last_not_of('\n') + 1);
   vtkShaderProgram::Substitute(fragment, bulge, bulge + "\n" + Section("BulgeDec"), false);
   FillMark(fragment, Extensions, Section("Extensions") + GetContract());
   const auto ofMethod = [&](const char* section) {

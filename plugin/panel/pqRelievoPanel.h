@@ -5,7 +5,8 @@
  * @brief Dock: what Relievo does in the active view, in the order of use, and what that took.
  *
  * Shadows, sun, ground, environment, the layer shown with the values under the mouse, further
- * stages; then the frame report, folded away. While the dock is closed, or behind another tab, it observes nothing.
+ * stages; then the frame report, folded away. While the dock is closed, or behind another tab, it
+ * observes nothing.
  */
 #ifndef pqRelievoPanel_h
 #define pqRelievoPanel_h

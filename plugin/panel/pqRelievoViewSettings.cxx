@@ -125,9 +125,8 @@ bool pqRelievoViewSettings::IsDrawnHere(pqView* view)
   vtkSMProxy* settings = Find(view);
   const bool inOneProcess =
     settings && (settings->GetSession()->GetProcessRoles() & vtkPVSession::RENDER_SERVER) != 0;
-  auto* here = settings
-    ? vtkPVRenderView::SafeDownCast(view->getProxy()->GetClientSideObject())
-    : nullptr;
+  auto* here =
+    settings ? vtkPVRenderView::SafeDownCast(view->getProxy()->GetClientSideObject()) : nullptr;
   return inOneProcess || (here && !here->GetUseDistributedRenderingForRender());
 }
 

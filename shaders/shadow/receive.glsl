@@ -55,6 +55,8 @@ float relievoVisibilityOf(int number)
   return slot < 0 ? 1.0 : relievoVisibility[slot];
 }
 
+//RELIEVO::Section(BulgeOfVTK)
+uniform float ZCalcR;
 //RELIEVO::Section(BulgeDec)
 uniform int relievoFromLight; // 1 while what a light sees is drawn
 // Points as spheres and lines as tubes stand before their primitive by a share of the radius, which

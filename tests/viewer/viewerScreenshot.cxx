@@ -36,13 +36,16 @@ void Go(viewer::MainWindow& window, std::vector<std::string> steps, const char* 
   }
   if (steps.empty())
   {
-    window.grab().save(place);
+    QWidget* top = QApplication::activeModalWidget();
+    (top ? top : &window)->grab().save(place);
     std::puts(window.GetTrouble().toUtf8().constData());
     QApplication::quit();
     return;
   }
-  QTimer::singleShot(Pause, &window, [&window, rest = std::vector(steps.begin() + 1, steps.end()),
-                                       place] { Go(window, rest, place); });
+  QTimer::singleShot(
+    Pause, &window, [&window, rest = std::vector(steps.begin() + 1, steps.end()), place] {
+      Go(window, rest, place);
+    });
   const QString step = QString::fromStdString(steps.front());
   if (auto* action = window.findChild<QAction*>(step))
   {

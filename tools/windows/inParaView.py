@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What ParaView's window shows in the screenshots: the function that the environment variable
-PICTURE names; tools/screenshots runs ParaView with it. The file `ready` in the folder MADE says that
-all is done."""
+PICTURE names; tools/screenshots runs ParaView with it. The file `ready` in the folder MADE says
+that all is done."""
 
 import os
 import pathlib

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqRelievoEnvironmentControls
- * @brief The dock's section of the environment: the file, the surfaces it lights, the sky, rotation,
- * intensity.
+ * @brief The dock's section of the environment: the file, the surfaces it lights, the sky,
+ * rotation, intensity.
  */
 #ifndef pqRelievoEnvironmentControls_h
 #define pqRelievoEnvironmentControls_h

@@ -302,8 +302,8 @@ bool pqRelievoLayerControls::ReadAll()
   this->Reading = true;
   const QStringList all = this->FindLayers();
   std::vector<std::string> names(all.size());
-  std::transform(all.begin(), all.end(), names.begin(),
-    [](const QString& each) { return each.toStdString(); });
+  std::transform(
+    all.begin(), all.end(), names.begin(), [](const QString& each) { return each.toStdString(); });
   // Arrays that are not drawn fail all: without them there are the layers of every surface.
   for (const auto& each : { names, std::vector<std::string>(std::begin(Always), std::end(Always)) })
   {
@@ -366,8 +366,8 @@ void pqRelievoLayerControls::ShowValues(vtkIdType pixel)
   for (int row = 0; row < names.size(); ++row)
   {
     vtkDataArray* array = layers->GetArray(qUtf8Printable(names[row]));
-    const bool normal = vtkRelievoLayerCatalogue::Find(names[row].toStdString()).Kind ==
-      vtkRelievoLayer::VECTOR;
+    const bool normal =
+      vtkRelievoLayerCatalogue::Find(names[row].toStdString()).Kind == vtkRelievoLayer::VECTOR;
     const QString texts[] = { names[row],
       HasNothing(this->Image, names[row], pixel) ? "nothing" : WriteValues(array, normal, pixel) };
     for (int column = 0; column < 2; ++column)
@@ -459,21 +459,20 @@ void pqRelievoLayerControls::ShowLegend()
   switch (known.Kind)
   {
     case L::SHARE:
-      this->Legend->Set(words, pqRelievoLegend::GREYS, light ? "0: in shadow" : "0",
-        light ? "1: lit" : "1");
+      this->Legend->Set(
+        words, pqRelievoLegend::GREYS, light ? "0: in shadow" : "0", light ? "1: lit" : "1");
       break;
     case L::VECTOR:
       this->Legend->Set(words + ". Red, green and blue are x, y and z, from black at -1 to 1.",
         pqRelievoLegend::WORDS, "", "");
       break;
     case L::POSITION:
-      this->Legend->Set(words + ". Red, green and blue are x, y and z, from the least in the picture "
-                                "to the greatest.",
+      this->Legend->Set(
+        words + ". Red, green and blue are x, y and z, from the least to the greatest.",
         pqRelievoLegend::WORDS, "", "");
       break;
     case L::ID:
-      this->Legend->Set(
-        words + ". Each has a colour of its own.", pqRelievoLegend::WORDS, "", "");
+      this->Legend->Set(words + ". Each has a colour of its own.", pqRelievoLegend::WORDS, "", "");
       break;
     case L::COLOR:
       this->Legend->Set(words, pqRelievoLegend::WORDS, "", "");

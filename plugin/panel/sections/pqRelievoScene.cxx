@@ -134,9 +134,8 @@ bool pqRelievoScene::HasGround(pqView* view)
   const QVector<pqDataRepresentation*> surfaces = FindSurfaces(view);
   return std::any_of(surfaces.begin(), surfaces.end(), [up](pqDataRepresentation* each) {
     const vtkBoundingBox box = GetBox(each);
-    const double width = box.IsValid()
-      ? std::max(box.GetLength((up + 1) % 3), box.GetLength((up + 2) % 3))
-      : 0.0;
+    const double width =
+      box.IsValid() ? std::max(box.GetLength((up + 1) % 3), box.GetLength((up + 2) % 3)) : 0.0;
     return width > 0.0 && box.GetLength(up) <= Flat * width;
   });
 }

@@ -170,8 +170,8 @@ QString pqRelievoShadowControls::FindHint() const
     "shadow_first_back_light", "shadow_second_back_light", "shadow_headlight" };
   const QString all = here->GetShadowLayers();
   const QStringList casting = all.isEmpty() ? QStringList() : all.split(',');
-  const bool moving = std::all_of(casting.begin(), casting.end(),
-    [](const QString& layer) { return kit.contains(layer); });
+  const bool moving = std::all_of(
+    casting.begin(), casting.end(), [](const QString& layer) { return kit.contains(layer); });
   const bool sun = this->IsOn("RelievoSun");
   if (sun && moving && this->IsOn("RelievoSunBy") && here->GetSunAngles()[1] <= 0.0)
   {

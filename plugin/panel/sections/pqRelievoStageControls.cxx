@@ -58,8 +58,8 @@ void pqRelievoStageControls::SetView(pqView* view)
     for (int i = 0; here && i < here->GetFrame()->GetNumberOfStages(); ++i)
     {
       vtkRelievoStage* stage = here->GetFrame()->GetStage(i);
-      const QString name = QString::fromStdString(
-        vtkRelievoCapitalize(stage->GetDescription().Name, false));
+      const QString name =
+        QString::fromStdString(vtkRelievoCapitalize(stage->GetDescription().Name, false));
       this->AddStage(FindProperties(this->View->getProxy(), name),
         vtkRelievoPointStage::SafeDownCast(stage) ? "Relievo" + name : QString());
     }

@@ -31,8 +31,8 @@ private:
   void AddProperties(const QStringList& properties, QWidget* part);
 
   QVBoxLayout* Rows;
-  QPointer<pqView> Shown;          // whose stages these are
-  QMap<QString, QWidget*> Of;      // by the switch of a representation whose points it takes
+  QPointer<pqView> Shown;     // whose stages these are
+  QMap<QString, QWidget*> Of; // by the switch of a representation whose points it takes
   QVector<QWidget*> Parts;
 };
 

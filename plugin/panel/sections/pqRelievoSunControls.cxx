@@ -33,7 +33,8 @@ pqRelievoSunControls::pqRelievoSunControls(QWidget* parent)
   layout->addWidget(this->Rest);
   layout->addWidget(this->Ground);
   this->Ground->setObjectName("ground");
-  this->Ground->setToolTip("Adds a plane below all surfaces that are shown, for shadows to fall on");
+  this->Ground->setToolTip(
+    "Adds a plane below all surfaces that are shown, for shadows to fall on");
   this->Rest->setObjectName("rest");
   Indent(this->Rest);
   auto* foot = new QWidget(this->Rest);
@@ -66,8 +67,8 @@ pqRelievoSunControls::pqRelievoSunControls(QWidget* parent)
   this->Bind(brightness, "RelievoSunIntensity", "Sun: brightness");
   this->Bind(fill, "RelievoSunFill", "Sun: fill");
   this->Bind(up, "RelievoSunUpAxis", "Up axis of the sun");
-  QObject::connect(this->Ground, &QPushButton::clicked, this,
-    [this] { pqRelievoScene::MakeGround(this->View); });
+  QObject::connect(
+    this->Ground, &QPushButton::clicked, this, [this] { pqRelievoScene::MakeGround(this->View); });
   QObject::connect(this->On, &QCheckBox::toggled, this,
     [this](bool on) { pqRelievoViewSettings::SetSun(this->View, on); });
   QObject::connect(this->Rest->Date, &QDateEdit::dateChanged, this, [this](const QDate& date) {

@@ -137,7 +137,8 @@ public:
 
   /**
    * Reads the layer that is shown into an image, of the last picture that this process drew, and
-   * the depth with what a light reaches; false and an empty image if it drew none. The window's OpenGL context must be current.
+   * the depth with what a light reaches; false and an empty image if it drew none. The window's
+   * OpenGL context must be current.
    */
   bool ReadShownLayer(const char* name, vtkImageData* image);
 

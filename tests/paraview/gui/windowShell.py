@@ -51,7 +51,7 @@ def scene():
 
 @noted
 def ball():
-    """A ball alone in the active view, with y up; it lies over z = 5 and is twice as wide as high."""
+    """A ball alone in the active view, with y up, twice as wide as high."""
     view = simple.GetActiveView()
     simple._DisableFirstRenderCameraReset()
     shown = simple.Show(simple.Sphere(Radius=1, PhiResolution=33), view)
