@@ -144,6 +144,19 @@ void ScenePanel::AddScene()
     this->Ground->addItem("off", "off");
   }
   group->GetRows()->addRow("Ground", this->Ground);
+  this->Images = MakeChoice(this->Edited, "--image", group);
+  this->Images->setToolTip("How images with depth are shown: regions of one value by their smooth "
+                           "surfaces, the surface where a value is reached, all values as a volume "
+                           "that light passes, or the outer faces");
+  {
+    const QSignalBlocker quiet(this->Images);
+    this->Images->addItem("as the preset", "");
+    for (const char* kind : { "labels", "surface", "volume", "box" })
+    {
+      this->Images->addItem(kind, kind);
+    }
+  }
+  group->GetRows()->addRow("Images", this->Images);
   const auto changed = static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged);
   QObject::connect(this->Preset, changed, this, [this] {
     this->Edited->Change([this](scene::Settings& settings) {
@@ -203,6 +216,7 @@ void ScenePanel::ShowSettings()
   this->Preset->setCurrentText(QString::fromStdString(options.Preset));
   this->Up->setCurrentIndex(settings.Has("--up") ? options.UpAxis + 1 : 0);
   ShowChoice(this->Ground, settings, "--ground");
+  ShowChoice(this->Images, settings, "--image");
   this->Angle->SetValue(options.ViewAngle.value_or(scene::StandardViewAngle));
 }
 }

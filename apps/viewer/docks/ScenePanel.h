@@ -34,7 +34,7 @@ private:
   void ShowSettings();
 
   QVBoxLayout* Files;
-  QComboBox *Preset, *Up, *Ground;
+  QComboBox *Preset, *Up, *Ground, *Images;
   relievoQt::Number* Angle;
 };
 }
