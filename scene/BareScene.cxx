@@ -3,7 +3,6 @@
 #include "BareScene.h"
 
 #include "Options.h"
-#include "Progress.h"
 #include "Surface.h"
 
 #include "vtkActorCollection.h"
@@ -162,7 +161,7 @@ void BareScene::TakeOff()
 }
 
 //------------------------------------------------------------------------------
-void BareScene::Wear(const RenderOptions& options)
+void BareScene::Wear(const RenderOptions& options, Progress& progress)
 {
   std::vector<vtkSmartPointer<vtkRelievoMaterial>> worn;
   for (const Part& part : this->Parts)
@@ -183,7 +182,6 @@ void BareScene::Wear(const RenderOptions& options)
   };
   try
   {
-    Progress progress;
     SetSurface(this->Read.Renderer, options, progress);
     keepNew();
   }

@@ -20,6 +20,8 @@
 
 namespace scene
 {
+class Progress;
+
 class BareScene
 {
 public:
@@ -32,7 +34,7 @@ public:
 
   /// Sets what surfaces wear, and the sky, instead of what there was; that stays, without its files
   /// being read again, where this throws.
-  void Wear(const RenderOptions& options);
+  void Wear(const RenderOptions& options, Progress& progress);
   void TakeOff();
 
   Scene& Get() { return this->Read; }

@@ -134,7 +134,8 @@ bool DressedScene::IsBarOutgrown() const
 }
 
 //------------------------------------------------------------------------------
-void DressedScene::Update(const Settings& settings, const RenderOptions& asked, bool keepCamera)
+void DressedScene::Update(
+  const Settings& settings, const RenderOptions& asked, bool keepCamera, Progress& progress)
 {
   vtkRenderer* renderer = this->GetRenderer();
   const RenderOptions known = FollowFile(asked, this->Bare.Get());
@@ -158,7 +159,7 @@ void DressedScene::Update(const Settings& settings, const RenderOptions& asked, 
     }
     if (wears)
     {
-      this->Bare.Wear(options);
+      this->Bare.Wear(options, progress);
     }
     this->Surface = surface;
     this->Dress = dress;

@@ -19,6 +19,8 @@ class vtkRelievoPass;
 
 namespace scene
 {
+class Progress;
+
 ///@{
 /// What of the settings a reader needs: when this changes, files are read again. The scene's part
 /// is all but the points of lamps, fog and markers.
@@ -36,7 +38,8 @@ public:
   /// Shows the scene by these options, which are those of the settings; `keepCamera`: but with
   /// the renderer's camera. The renderer must be in a window. Throws UsageError or WorkError, and
   /// leaves the scene between what it was and what it was to be: another update mends it.
-  void Update(const Settings& settings, const RenderOptions& options, bool keepCamera);
+  void Update(
+    const Settings& settings, const RenderOptions& options, bool keepCamera, Progress& progress);
 
   /// Other points for the lamps, fog and markers of the options that are shown next.
   void SetPoints(const FramePoints& points);

@@ -12,6 +12,7 @@
 #include "Scene.h"
 #include "Shadows.h"
 #include "StandardError.h"
+#include "Transparency.h"
 #include "Values.h"
 
 #include "vtkImageData.h"
@@ -133,16 +134,31 @@ bool ShowsNothing(vtkRenderWindow* window, vtkImageData* picture, const RenderOp
 }
 
 //------------------------------------------------------------------------------
-void WritePNG(
-  vtkRenderWindow* window, const RenderOptions& options, const Outputs& outputs, Progress& progress)
+vtkSmartPointer<vtkImageData> Grab(vtkRenderWindow* window)
 {
-  progress.Begin("writing " + options.PNG);
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(window);
   grab->ReadFrontBufferOff();
   grab->ShouldRerenderOff();
+  grab->Update();
+  return grab->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> DrawOver(const Scene& scene, double grey)
+{
+  const Backdrop backdrop(scene, grey);
+  scene.Renderer->GetRenderWindow()->Render();
+  return Grab(scene.Renderer->GetRenderWindow());
+}
+
+//------------------------------------------------------------------------------
+void WritePNG(vtkRenderWindow* window, vtkImageData* picture, const RenderOptions& options,
+  const Outputs& outputs, Progress& progress)
+{
+  progress.Begin("writing " + options.PNG);
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetInputData(picture);
   writer->SetFileName(outputs.Temporary(options.PNG).c_str());
   progress.Observe(writer);
   {
@@ -151,7 +167,7 @@ void WritePNG(
   }
   progress.End();
   Messages::Check(options.PNG, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
-  if (ShowsNothing(window, grab->GetOutput(), options))
+  if (ShowsNothing(window, picture, options))
   {
     Messages::Note(options.PNG +
       ": shows nothing but the background: all else is out of sight, thinner than a pixel, or has "
@@ -238,9 +254,10 @@ std::vector<std::pair<std::string, std::string>> GetPlaces(const RenderOptions& 
 
 //------------------------------------------------------------------------------
 // Draws the scene as it is and writes what is asked for, whole.
-void DrawFrame(vtkRenderer* renderer, vtkRelievoPass* pass, const std::vector<std::string>& layers,
+void DrawFrame(const Scene& scene, vtkRelievoPass* pass, const std::vector<std::string>& layers,
   const RenderOptions& options, Outputs& outputs, Progress& progress, const std::string& what)
 {
+  vtkRenderer* renderer = scene.Renderer;
   vtkRenderWindow* window = renderer->GetRenderWindow();
   progress.Begin(what);
   if (!options.Report.empty())
@@ -263,9 +280,19 @@ void DrawFrame(vtkRenderer* renderer, vtkRelievoPass* pass, const std::vector<st
     }
     source->Update();
   }
-  if (options.EXR.empty() || (options.HDR && !options.PNG.empty())) // which leaves the window alone
+  vtkSmartPointer<vtkImageData> picture;
+  if (options.Transparent)
   {
-    window->Render();
+    const vtkSmartPointer<vtkImageData> overBlack = DrawOver(scene, 0.0);
+    picture = MakeTransparent(overBlack, DrawOver(scene, 1.0));
+  }
+  else
+  {
+    if (options.EXR.empty() || (options.HDR && !options.PNG.empty())) // which leaves the window
+    {
+      window->Render();
+    }
+    picture = options.PNG.empty() ? nullptr : Grab(window);
   }
   progress.End();
   Messages::Check(what);
@@ -275,7 +302,7 @@ void DrawFrame(vtkRenderer* renderer, vtkRelievoPass* pass, const std::vector<st
   {
     if (!options.PNG.empty())
     {
-      WritePNG(window, options, outputs, progress);
+      WritePNG(window, picture, options, outputs, progress);
     }
     if (!options.EXR.empty())
     {
@@ -394,7 +421,7 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
   vtkRelievoPass* pass = frame.Get();
   if (frames == 0)
   {
-    DrawFrame(renderer, pass, layers, options, *outputs, progress, "rendering " + size);
+    DrawFrame(dressed.GetScene(), pass, layers, options, *outputs, progress, "rendering " + size);
   }
   const std::string certificate = options.Certify ? Certify(pass, *options.Certify) : "";
   if (frames == 0)
@@ -409,7 +436,7 @@ std::string WriteOutputs(DressedScene& dressed, const RenderOptions& options,
       outputs = OpenOutputs(own, inputs);
       PlayScene(dressed.GetScene(), options, *own.Model.Time, progress);
     }
-    DrawFrame(renderer, pass, layers, own, *outputs, progress,
+    DrawFrame(dressed.GetScene(), pass, layers, own, *outputs, progress,
       "rendering " + size + ", frame " + std::to_string(number + 1) + " of " +
         std::to_string(frames));
     outputs->Commit();

@@ -268,7 +268,7 @@ void vtkRelievoScene::Internals::Update(scene::Progress& progress)
   {
     this->Window->AddRenderer(renderer);
   }
-  this->Dressed.Update(this->Settings, this->Options, false);
+  this->Dressed.Update(this->Settings, this->Options, false, progress);
   if (!this->Options.Camera && this->Options.Model.Times.size() > 1)
   {
     scene::FitTimes(this->Dressed.GetScene(), this->Options, progress);

@@ -113,8 +113,8 @@ bool vtkRelievoDisplayStage::UploadColors(vtkRelievoFrameContext& context)
   }
   int size[3];
   image->GetDimensions(size);
-  std::vector<unsigned char> colors = vtkRelievoLayerColors::Make(
-    image, this->Layer, context.Lights.count(this->Layer) > 0, this->Range, this->Grey);
+  std::vector<unsigned char> colors = vtkRelievoLayerColors::Make(image, this->Layer,
+    context.Lights.count(this->Layer) > 0, this->Range, this->Grey, this->ShownRange, this->Same);
   if (!in.Colors)
   {
     in.Colors = vtkSmartPointer<vtkTextureObject>::New();
@@ -173,6 +173,12 @@ void vtkRelievoDisplayStage::Execute(vtkRelievoFrameContext& context)
     background[i] = static_cast<float>(renderer->GetBackground()[i]);
   }
   background[3] = static_cast<float>(renderer->GetBackgroundAlpha());
+  if (!colors)
+  {
+    this->Same = false;
+    this->ShownRange[0] = range[0];
+    this->ShownRange[1] = range[1];
+  }
   program->SetUniform2f("relievoShown", range);
   program->SetUniform4f("relievoBackground", background);
   program->SetUniformi("relievoGrey", this->Grey);

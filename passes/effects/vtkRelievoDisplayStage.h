@@ -41,6 +41,18 @@ public:
   vtkGetVector2Macro(Range, double);
   ///@}
 
+  /**
+   * Values that the last frame showed as the first and the last colour of a scalar layer; of
+   * several components, those of the first. Infinite where no pixel has a value.
+   */
+  vtkGetVector2Macro(ShownRange, double);
+
+  /**
+   * Whether the last frame showed a layer that has one value in all pixels; not known, and false,
+   * of depth, range, normals and albedo.
+   */
+  vtkGetMacro(Same, bool);
+
   ///@{
   /**
    * Shows scalar layers in grey (or as raw values in a float framebuffer) instead of colours.
@@ -65,6 +77,8 @@ protected:
 
   std::string Layer;
   double Range[2] = { 0.0, 0.0 };
+  double ShownRange[2] = { 0.0, 0.0 };
+  bool Same = false;
   bool Grey = false;
 
 private:

@@ -48,8 +48,9 @@ glm::vec3 GetScalarColor(double value, const Extremes& extremes, bool grey)
 }
 
 //------------------------------------------------------------------------------
-std::vector<unsigned char> vtkRelievoLayerColors::Make(
-  vtkImageData* image, const std::string& layer, bool visibility, const double range[2], bool grey)
+std::vector<unsigned char> vtkRelievoLayerColors::Make(vtkImageData* image,
+  const std::string& layer, bool visibility, const double range[2], bool grey, double shown[2],
+  bool& same)
 {
   vtkDataArray* array = image->GetPointData()->GetArray(layer.c_str());
   const vtkIdType count = array ? array->GetNumberOfTuples() : 0;
@@ -81,6 +82,17 @@ std::vector<unsigned char> vtkRelievoLayerColors::Make(
     }
   }
   vtkDataArray* depth = visibility ? image->GetPointData()->GetArray("depth") : nullptr;
+  shown[0] = ids ? 0.0 : extremes[0].From;
+  shown[1] = ids ? 0.0 : extremes[0].To;
+  same = count > 0;
+  for (int c = 0; c < components && same; ++c)
+  {
+    const double at = array->GetComponent(0, c);
+    for (vtkIdType i = 1; i < count && same; ++i)
+    {
+      same = array->GetComponent(i, c) == at;
+    }
+  }
   for (vtkIdType i = 0; i < count; ++i)
   {
     const double first = array->GetComponent(i, 0);

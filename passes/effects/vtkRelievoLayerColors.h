@@ -15,8 +15,10 @@ namespace vtkRelievoLayerColors
 {
 // RGBA, alpha 0 where nothing is. The range is taken from the values if it is empty; a light's
 // visibility is grey, from 0 to 1, and nothing where the image has a depth without a surface.
-std::vector<unsigned char> Make(
-  vtkImageData* image, const std::string& layer, bool visibility, const double range[2], bool grey);
+// `shown`: gets the values of the first and the last colour, of the first component, infinite where
+// no pixel has one. `same`: gets whether all pixels have one.
+std::vector<unsigned char> Make(vtkImageData* image, const std::string& layer, bool visibility,
+  const double range[2], bool grey, double shown[2], bool& same);
 }
 
 #endif

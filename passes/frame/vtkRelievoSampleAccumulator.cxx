@@ -89,6 +89,7 @@ void vtkRelievoSampleAccumulator::Begin(vtkRelievoFrameContext& context,
   context.Sample = 0;
   context.Last = true;
   const int before = this->Before;
+  const bool offsetBefore = this->Asked.Offsets;
   ++this->Turns;
   this->Asked = GetDemand(context, nodes, hasColor);
   this->Before = this->Asked.Samples;
@@ -102,7 +103,7 @@ void vtkRelievoSampleAccumulator::Begin(vtkRelievoFrameContext& context,
   }
   // Within a frame only once: what changes whenever it is drawn would never be gathered.
   if (this->Turns == 1 &&
-    (this->Asked.Samples != before ||
+    (this->Asked.Samples != before || this->Asked.Offsets != offsetBefore ||
       vtkRelievoSceneFingerprint::Take(context, stages) != this->State))
   {
     this->Release(context.Window);

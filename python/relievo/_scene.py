@@ -21,7 +21,7 @@ _OPTIONS = {
 # What stands between the numbers of a tuple; a comma for the others.
 _BETWEEN = {"size": "x", "color": "/", "background": "/"}
 
-_OUTPUTS = ("png", "exr", "report", "layers", "hdr", "certify")
+_OUTPUTS = ("png", "exr", "report", "layers", "hdr", "transparent", "certify")
 
 
 def _word(name, value):
@@ -92,14 +92,26 @@ class Scene:
         self._stale = False
         return self
 
-    def render(self, png=None, *, exr=None, report=None, layers=None, hdr=False, certify=None):
+    def render(
+        self,
+        png=None,
+        *,
+        exr=None,
+        report=None,
+        layers=None,
+        hdr=False,
+        transparent=False,
+        certify=None,
+    ):
         """Draws the scene and writes files: a picture, layers, the frame's report; all or none.
 
         png, exr, report: paths. layers: names of layers in the EXR beside its colour (depth).
-        hdr: its colour as the lights give it. certify: as many verdicts of the shadows are judged
-        by rays in double precision, and the finding is returned in words.
+        hdr: its colour as the lights give it. transparent: the picture has no background.
+        certify: as many verdicts of the shadows are judged by rays in double precision, and the
+        finding is returned in words.
         """
         outputs = {"png": png, "exr": exr, "report": report, "hdr": hdr, "certify": certify}
+        outputs["transparent"] = transparent
         outputs["layers"] = ",".join(layers) if layers and not isinstance(layers, str) else layers
         self._stale = True
         self._say({**self._options, **outputs})

@@ -18,9 +18,16 @@ namespace scene
 {
 std::vector<std::string> GetColormapNames();
 
-/// The map of that name over a range of values; what is no number is grey.
+/// Behind a map's word: the other way round.
+constexpr const char* ReversedColormap = ":reversed";
+
+/// Throws UsageError for words that MakeColormap does not take.
+void CheckColormap(const std::string& word);
+
+/// The map of that name, or of colours between commas, evenly placed, over a range of values; what
+/// is no number is grey.
 vtkSmartPointer<vtkColorTransferFunction> MakeColormap(
-  const std::string& name, const std::array<double, 2>& range);
+  const std::string& word, const std::array<double, 2>& range);
 }
 
 #endif

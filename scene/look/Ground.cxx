@@ -7,6 +7,7 @@
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
+#include "vtkDataSet.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
@@ -38,6 +39,17 @@ unsigned char GetAlpha(double radii)
 {
   const double t = std::clamp((Reach - radii) / (Reach - Solid), 0.0, 1.0);
   return static_cast<unsigned char>(std::lround(255.0 * t * t * (3.0 - 2.0 * t)));
+}
+
+unsigned char MakeByte(double value)
+{
+  return static_cast<unsigned char>(std::lround(255.0 * value));
+}
+
+vtkUnsignedCharArray* GetColors(vtkActor* ground)
+{
+  vtkDataSet* disc = ground->GetMapper()->GetInputAsDataSet();
+  return vtkUnsignedCharArray::SafeDownCast(disc->GetPointData()->GetScalars());
 }
 
 // What the lights give to a surface at that place that faces up.
@@ -98,10 +110,7 @@ vtkSmartPointer<vtkActor> MakeGround(
       point[first] += radius * radii * std::cos(angle);
       point[second] += radius * radii * std::sin(angle);
       points->InsertNextPoint(point.data());
-      const auto byte = [](double value) {
-        return static_cast<unsigned char>(std::lround(255.0 * value));
-      };
-      const unsigned char tuple[4] = { byte(color[0]), byte(color[1]), byte(color[2]),
+      const unsigned char tuple[4] = { MakeByte(color[0]), MakeByte(color[1]), MakeByte(color[2]),
         GetAlpha(radii) };
       colors->InsertNextTypedTuple(tuple);
     }
@@ -135,5 +144,26 @@ vtkSmartPointer<vtkActor> MakeGround(
   property->SetDiffuse(light > 0.0 ? ShareOfSuns / light : 0.0);
   property->SetAmbient(light > 0.0 ? 1.0 - ShareOfSuns : 1.0);
   return actor;
+}
+
+//------------------------------------------------------------------------------
+void GetGroundColor(vtkActor* ground, double color[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    color[i] = GetColors(ground)->GetComponent(0, i) / 255.0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetGroundColor(vtkActor* ground, const double color[3])
+{
+  vtkUnsignedCharArray* colors = GetColors(ground);
+  for (int i = 0; i < 3; ++i)
+  {
+    colors->FillTypedComponent(i, MakeByte(color[i]));
+  }
+  colors->Modified();
+  ground->GetMapper()->GetInputAsDataSet()->Modified();
 }
 }

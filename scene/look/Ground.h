@@ -20,6 +20,12 @@ struct RenderOptions;
 /// translucent, so that layers do not have it.
 vtkSmartPointer<vtkActor> MakeGround(
   const double bounds[6], vtkRenderer* renderer, const RenderOptions& options);
+
+///@{
+/// Its colour, 0 to 1, where the lights reach it.
+void GetGroundColor(vtkActor* ground, double color[3]);
+void SetGroundColor(vtkActor* ground, const double color[3]);
+///@}
 }
 
 #endif

@@ -97,11 +97,7 @@ void TakeRange(RenderOptions& options, const std::string& word)
 //------------------------------------------------------------------------------
 void TakeColormap(RenderOptions& options, const std::string& word)
 {
-  const std::vector<std::string> names = GetColormapNames();
-  if (std::find(names.begin(), names.end(), word) == names.end())
-  {
-    RefuseValue("--colormap", word, "one of " + Join(names, ", "));
-  }
+  CheckColormap(word);
   options.Look.Colormap = word;
 }
 

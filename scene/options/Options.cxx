@@ -203,7 +203,10 @@ std::vector<OptionRow> MakeRows()
       TakeColorBy },
     { "--range", "MIN,MAX", "values of the first and the last colour (those of all files together)",
       TakeRange },
-    { "--colormap", "NAME", "viridis, cool-warm, grey, hot or rainbow (viridis)", TakeColormap },
+    { "--colormap", "NAME",
+      "viridis, cool-warm, grey, hot or rainbow, or colours between commas, evenly placed, such as "
+      "black,#ff8000,white; with :reversed behind it the other way round (viridis)",
+      TakeColormap },
     { "--scalar-bar", "", "shows the colours and their values at the right",
       [](RenderOptions& options, const std::string&) { options.Look.ScalarBar = true; } },
     { "--color", "COLOR",
@@ -335,6 +338,10 @@ std::vector<OptionRow> MakeRows()
       [](RenderOptions& options, const std::string& word) {
         options.PNG = NamedAs(".png", "--png", word);
       } },
+    { "--transparent", "",
+      "the picture without its background, RGBA; of the ground its shadows remain, as black that "
+      "is seen through",
+      [](RenderOptions& options, const std::string&) { options.Transparent = true; } },
     { "--exr", "F", "OpenEXR: the colour as R G B A, then the layers as depth.Z normal.X ...",
       [](RenderOptions& options, const std::string& word) {
         options.EXR = NamedAs(".exr", "--exr", word);
@@ -440,6 +447,11 @@ void CheckTogether(RenderOptions& options, const std::set<std::string>& given)
   if (options.HDR && options.EXR.empty())
   {
     throw UsageError("--hdr: unclamped colour is written to OpenEXR: give --exr F as well");
+  }
+  if (options.Transparent && options.PNG.empty())
+  {
+    throw UsageError("--transparent: it is the picture that has no background: give --png F as "
+                     "well; the colour of the EXR has its alpha");
   }
   CheckModelOptions(options);
   CheckLookOptions(options, given);

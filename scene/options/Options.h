@@ -110,6 +110,7 @@ struct RenderOptions
   std::vector<PointsChoice> Points; ///< for stages that draw points
   std::vector<StageChoice> Stages;  ///< of the frame, as given
   bool HDR = false;                 ///< the colour of the EXR unclamped
+  bool Transparent = false;         ///< the PNG has no background
   std::vector<std::string> Layers;  ///< each once; those of the EXR beside its colour
   std::string PNG, EXR, Report;     ///< empty: not asked for
 };

@@ -18,7 +18,7 @@ namespace scene
 namespace
 {
 const std::set<std::string> OutputOptions = { "--png", "--exr", "--report", "--certify", "--hdr",
-  "--layers" };
+  "--layers", "--transparent" };
 
 // Said as parameters of stages instead.
 const std::set<std::string> SaidByStages = { "--stage", "--shadow-size", "--soft-shadows",
@@ -372,7 +372,12 @@ void Settings::SetShadows(bool visible, const std::string& method)
   }
   if (visible)
   {
-    this->Set("--shadows", method);
+    const bool wasOff = this->Get("--shadows") == "off";
+    this->Remove("--shadows");
+    if (!wasOff || method != "map" || !this->ShowsShadows()) // the preset's, which are soft
+    {
+      this->Set("--shadows", method);
+    }
   }
   else
   {

@@ -115,6 +115,10 @@ class Look(CliTest):
             ("cool-warm", (59, 76, 192), (180, 4, 38)),
             ("hot", (0, 0, 0), (255, 255, 255)),
             ("rainbow", (0, 0, 255), (255, 0, 0)),
+            ("hot:reversed", (255, 255, 255), (0, 0, 0)),
+            ("rainbow:reversed", (255, 0, 0), (0, 0, 255)),
+            ("#102030,white,1/0.5/0", (16, 32, 48), (255, 128, 0)),
+            ("navy,red:reversed", (255, 0, 0), (0, 0, 128)),
         ):
             for bounds, end in (("9,10", low), ("0,1", high)):
                 found = self.albedo("--color-by", "across", "--colormap", name, "--range", bounds)
@@ -289,6 +293,8 @@ class Look(CliTest):
              ["'acros'", f"across, column, glass, label,1, paint, {LONG}, wind"]),
             (["--color-by", "wind,3"], ["component 3", "0 to 2"]),
             (["--colormap", "viridian"], ["'viridian'", "viridis, cool-warm"]),
+            (["--colormap", "black,viridian"], ["'viridian'", "colour's name"]),
+            (["--colormap", "black,"], "--colormap"),
             (["--range", "2,1"], ["'2,1'", "MIN < MAX"]),
             (["--opacity", "1.5"], ["'1.5'", "0 to 1"]),
             (["--background", "greenish"], ["'greenish'", "#rrggbb"]),

@@ -214,8 +214,16 @@ void ViewerTest::SendMouse(QEvent::Type type, const QPoint& place, Qt::MouseButt
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ViewerTest::RenderCommand()
 {
-  QStringList words = { "render", "--png", QString::fromStdString(this->Path("command.png")) };
-  for (const std::string& word : this->Window->GetViewSettings().GetWords())
+  const QStringList png = { "--png", QString::fromStdString(this->Path("command.png")) };
+  return this->RunCommand(this->Window->GetViewSettings(), png) ? ReadPNG(this->Path("command.png"))
+                                                                : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool ViewerTest::RunCommand(const scene::Settings& settings, const QStringList& more)
+{
+  QStringList words = QStringList("render") + more;
+  for (const std::string& word : settings.GetWords())
   {
     words += QString::fromStdString(word);
   }
@@ -224,9 +232,9 @@ vtkSmartPointer<vtkImageData> ViewerTest::RenderCommand()
   if (!command.waitForFinished(60000) || command.exitCode() != 0)
   {
     qWarning() << words << command.readAllStandardError();
-    return nullptr;
+    return false;
   }
-  return ReadPNG(this->Path("command.png"));
+  return true;
 }
 
 //------------------------------------------------------------------------------

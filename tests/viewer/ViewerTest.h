@@ -17,6 +17,7 @@
 #include <QObject>
 #include <QPoint>
 #include <QString>
+#include <QStringList>
 #include <QTemporaryDir>
 
 #include <memory>
@@ -58,6 +59,9 @@ protected:
   /// What the window shows, and what `relievo render` makes of the words that the window copies.
   vtkSmartPointer<vtkImageData> Grab();
   vtkSmartPointer<vtkImageData> RenderCommand();
+
+  /// The command runs with other settings, and more words.
+  bool RunCommand(const scene::Settings& settings, const QStringList& more);
 
   /// The test fails unless both are the same.
   void Compare(const char* what);

@@ -122,8 +122,8 @@ private Q_SLOTS:
     this->Window = std::make_unique<viewer::MainWindow>();
     this->Window->show();
     const QString png = QString::fromStdString(this->Path("none.png"));
-    QVERIFY_EXCEPTION_THROWN(this->Window->SavePicture(png), scene::WorkError);
-    QVERIFY_EXCEPTION_THROWN(this->Window->SaveLayers(png, { "depth" }), scene::WorkError);
+    QVERIFY_EXCEPTION_THROWN(this->Window->SavePicture({ png, {} }), scene::WorkError);
+    QVERIFY_EXCEPTION_THROWN(this->Window->SaveLayers({ png, {}, { "depth" } }), scene::WorkError);
     const char* const names[] = { "copyCommand", "copyPython", "savePicture", "saveLayers", "fit",
       "look1", "parallel" };
     for (const char* name : names)
@@ -250,7 +250,7 @@ private Q_SLOTS:
     this->Open({ this->WriteScene(), "--shadows", "map", "--light", "sun:0.4,1,0.6" });
     this->Grab();
     const std::vector<std::string> layers = { "color", "depth", "normal", "cell" };
-    this->Window->SaveLayers(QString::fromStdString(this->Path("saved.exr")), layers);
+    this->Window->SaveLayers({ QString::fromStdString(this->Path("saved.exr")), {}, layers });
     vtkNew<vtkRelievoEXRReader> reader;
     reader->SetFileName(this->Path("saved.exr").c_str());
     reader->Update();

@@ -118,6 +118,22 @@ private Q_SLOTS:
     this->Compare("component");
     this->Choose("colors", "component", "");
     QCOMPARE(this->Get("--color-by"), std::string("Normals"));
+    auto* map = this->Find<QComboBox>("colors", "colormap");
+    const auto type = [map](const char* words) {
+      map->lineEdit()->setText(words);
+      Q_EMIT map->lineEdit()->editingFinished();
+    };
+    type("black,#ff8000,white");
+    QCOMPARE(this->Get("--colormap"), std::string("black,#ff8000,white"));
+    this->Find<QCheckBox>("colors", "reversed")->setChecked(true);
+    QCOMPARE(this->Get("--colormap"), std::string("black,#ff8000,white:reversed"));
+    this->Compare("own colours");
+    type("nonsense");
+    QVERIFY(this->Window->GetTrouble().contains("--colormap"));
+    QCOMPARE(map->currentText(), QString("black,#ff8000,white"));
+    this->Find<QCheckBox>("colors", "reversed")->setChecked(false);
+    type("viridis");
+    QVERIFY(!this->Window->GetDocument()->Get().Has("--colormap"));
     this->Find<QCheckBox>("colors", "solid")->setChecked(true);
     QCOMPARE(this->Get("--color"), std::string("#ffffff"));
     QVERIFY(!this->Window->GetDocument()->Get().Has("--color-by"));

@@ -117,7 +117,7 @@ private Q_SLOTS:
       }
     });
     cancel.start(30);
-    this->Window->SavePicture(png);
+    this->Window->SavePicture({ png, {} });
     cancel.stop();
     QVERIFY(seen > 0 && most > 1000 && !QFile::exists(png));
     QCOMPARE(
@@ -125,7 +125,7 @@ private Q_SLOTS:
     QTRY_VERIFY(this->Window->GetTrouble().contains("missing.vtp"));
     this->Change(
       [](scene::Settings& settings) { settings.SetParameter("shadows", "soft_samples", "24"); });
-    this->Window->SavePicture(png);
+    this->Window->SavePicture({ png, {} });
     QVERIFY(this->RenderCommand());
     QFile saved(png), made(QString::fromStdString(this->Path("command.png")));
     QVERIFY(saved.open(QIODevice::ReadOnly) && made.open(QIODevice::ReadOnly));

@@ -231,7 +231,8 @@ private Q_SLOTS:
     QVERIFY2(
       std::abs(size[0] - 2 * size[1]) <= 2, qPrintable(QString("%1x%2").arg(size[0]).arg(size[1])));
     this->Open({ this->WriteScene(), "--size", "320x240" });
-    QCOMPARE(this->Window->GetViewSettings().Get("--size"), std::string("320x240"));
+    QCOMPARE(
+      QString::fromStdString(this->Window->GetViewSettings().Get("--size")), QString("320x240"));
     QCOMPARE(this->Words(), QString());
   }
 

@@ -275,18 +275,54 @@ private Q_SLOTS:
   {
     this->Open({ this->WriteScene(), "--shadows", "map", "--light", "sun:0.4,1,0.6" });
     const QString png = QString::fromStdString(this->Path("saved.png"));
-    this->Window->SavePicture(png);
+    this->Window->SavePicture({ png, {} });
     const vtkSmartPointer<vtkImageData> command = this->RenderCommand();
     QVERIFY(command);
     QFile saved(png), made(QString::fromStdString(this->Path("command.png")));
     QVERIFY(saved.open(QIODevice::ReadOnly) && made.open(QIODevice::ReadOnly));
     QCOMPARE(saved.readAll(), made.readAll());
     this->Window->SaveLayers(
-      QString::fromStdString(this->Path("saved.exr")), { "color", "depth", "cell" });
+      { QString::fromStdString(this->Path("saved.exr")), {}, { "color", "depth", "cell" } });
     QVERIFY(QFile(QString::fromStdString(this->Path("saved.exr"))).size() > 1000);
     QVERIFY_EXCEPTION_THROWN(
-      this->Window->SavePicture(QString::fromStdString(this->Path("no/such/place.png"))),
+      this->Window->SavePicture({ QString::fromStdString(this->Path("no/such/place.png")), {} }),
       std::exception);
+  }
+
+  // Of any size, and without a background: as the command with these words, byte for byte. The view
+  // is afterwards as it was.
+  void savesOtherSizes()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio", "--color-by", "height", "--scalar-bar",
+      "--stage", "antialias:samples=6", "--soft-shadows", "6", "--shadows", "map" });
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    const QString saved = QString::fromStdString(this->Path("saved"));
+    const QString made = QString::fromStdString(this->Path("made"));
+    const auto read = [](const QString& path) {
+      QFile file(path);
+      return file.open(QIODevice::ReadOnly) ? file.readAll() : path.toUtf8();
+    };
+    scene::Settings settings = this->Window->GetViewSettings();
+    for (const QSize& size : { QSize(), QSize(1500, 700), QSize(100, 300) })
+    {
+      if (size.isValid())
+      {
+        settings.Set("--size", QString("%1x%2").arg(size.width()).arg(size.height()).toStdString());
+      }
+      this->Window->SavePicture({ saved + ".png", size });
+      QVERIFY(this->RunCommand(settings, { "--png", made + ".png" }));
+      QCOMPARE(read(saved + ".png"), read(made + ".png"));
+      this->Window->SavePicture({ saved + ".png", size, true });
+      QVERIFY(this->RunCommand(settings, { "--png", made + ".png", "--transparent" }));
+      QCOMPARE(read(saved + ".png"), read(made + ".png"));
+      this->Window->SaveLayers({ saved + ".exr", size, { "color", "depth", "height" } });
+      QVERIFY(this->RunCommand(settings, { "--exr", made + ".exr", "--layers", "depth,height" }));
+      QCOMPARE(read(saved + ".exr"), read(made + ".exr"));
+      QCOMPARE(CountDifferent(before, this->Grab()), 0);
+    }
+    QVERIFY_EXCEPTION_THROWN(
+      this->Window->SavePicture({ saved + "2.png", QSize(200000, 100) }), std::exception);
+    QCOMPARE(CountDifferent(before, this->Grab()), 0);
   }
 
   void copiesTheCommand()

@@ -8,12 +8,16 @@
 #include "OptionEdits.h"
 #include "Options.h"
 
+#include "vtkColorTransferFunction.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QIcon>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPainter>
 #include <QSignalBlocker>
 
 namespace viewer
@@ -42,6 +46,24 @@ ByValue GetByValue(
       : look.Component ? QString::number(*look.Component)
                        : QString() };
 }
+
+//------------------------------------------------------------------------------
+const QSize MapSize(56, 12);
+
+// From the first colour to the last.
+QIcon DrawMap(const std::string& map)
+{
+  QPixmap strip(MapSize);
+  QPainter painter(&strip);
+  const auto colors = scene::MakeColormap(map, { 0.0, 1.0 });
+  for (int x = 0; x < MapSize.width(); ++x)
+  {
+    const double* rgb = colors->GetColor(static_cast<double>(x) / (MapSize.width() - 1));
+    painter.fillRect(x, 0, 1, MapSize.height(), QColor::fromRgbF(rgb[0], rgb[1], rgb[2]));
+  }
+  painter.end();
+  return strip;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -51,7 +73,8 @@ ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
   , ReadRange(std::move(read))
   , ColorBy(new QComboBox(this))
   , Component(new QComboBox(this))
-  , Colormap(MakeChoice(document, "--colormap", this))
+  , Colormap(new QComboBox(this))
+  , Reversed(new QCheckBox("Reversed", this))
   , Automatic(new QCheckBox("Automatic", this))
   , Least(new QLineEdit(this))
   , Most(new QLineEdit(this))
@@ -72,9 +95,25 @@ ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
     for (const std::string& name : scene::GetColormapNames())
     {
       const QString words = QString::fromStdString(name);
-      this->Colormap->addItem(words, name == scene::DefaultColormap ? QString() : words);
+      this->Colormap->addItem(
+        DrawMap(name), words, name == scene::DefaultColormap ? QString() : words);
     }
+    this->Colormap->setObjectName("colormap");
+    this->Colormap->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    this->Colormap->setMinimumContentsLength(8);
+    this->Colormap->setIconSize(MapSize);
+    this->Colormap->setEditable(true);
+    this->Colormap->setInsertPolicy(QComboBox::NoInsert);
+    this->Colormap->setToolTip(
+      "A map, or colours between commas, evenly placed, such as black,#ff8000,white");
   }
+  QObject::connect(this->Colormap->lineEdit(), &QLineEdit::editingFinished, this,
+    [this] { this->TakeMap(this->Colormap->currentText()); });
+  this->Reversed->setObjectName("reversed");
+  this->Reversed->setToolTip("The first colour for the greatest value");
+  rows->addRow("", this->Reversed);
+  QObject::connect(this->Reversed, &QCheckBox::toggled, this,
+    [this] { this->TakeMap(this->Colormap->currentText()); });
   this->AddRange();
   this->Bar->setToolTip("The colours and their values, at the right of the picture");
   rows->addRow(this->Bar);
@@ -90,6 +129,8 @@ ColorsGroup::ColorsGroup(Document* document, RangeReader read, QWidget* parent)
     this->SetColorBy(
       this->ColorBy->currentData().toString(), this->Component->currentData().toString());
   });
+  QObject::connect(this->Colormap, static_cast<void (QComboBox::*)(int)>(&QComboBox::activated),
+    this, [this] { this->TakeMap(this->Colormap->currentText()); });
   QObject::connect(this->Solid, &QCheckBox::toggled, this, &ColorsGroup::Paint);
   QObject::connect(this->Color, &ColorButton::edited, this, [this] {
     const QSignalBlocker still(this->Solid);
@@ -146,6 +187,40 @@ void ColorsGroup::SetColorBy(const QString& name, const QString& component)
     }
   });
   this->ShowSettings();
+}
+
+//------------------------------------------------------------------------------
+void ColorsGroup::TakeMap(const QString& map)
+{
+  std::string word = map.trimmed().toStdString();
+  if (this->Reversed->isChecked())
+  {
+    word += scene::ReversedColormap;
+  }
+  word = word == scene::DefaultColormap ? std::string() : word;
+  if (!map.trimmed().isEmpty() && word != this->Edited->Get().Get("--colormap"))
+  {
+    this->Edited->Change([&word](scene::Settings& settings) {
+      SetOption(settings, "--colormap", word);
+      settings.Remove("--color");
+    });
+  }
+  this->ShowSettings();
+}
+
+//------------------------------------------------------------------------------
+void ColorsGroup::ShowMap(const std::string& word)
+{
+  const QSignalBlocker quiet[] = { QSignalBlocker(this->Colormap), QSignalBlocker(this->Reversed) };
+  QString map = QString::fromStdString(word);
+  const bool reversed = map.endsWith(scene::ReversedColormap);
+  map.chop(reversed ? static_cast<int>(QString(scene::ReversedColormap).size()) : 0);
+  this->Reversed->setChecked(reversed);
+  if (this->Colormap->findText(map) < 0)
+  {
+    this->Colormap->addItem(DrawMap(map.toStdString()), map, map);
+  }
+  this->Colormap->setCurrentIndex(this->Colormap->findText(map));
 }
 
 //------------------------------------------------------------------------------
@@ -252,7 +327,7 @@ void ColorsGroup::ShowSettings()
   }
   this->ColorBy->setCurrentIndex(this->ColorBy->findData(name));
   this->ShowComponents(by.Name, by.Component);
-  ShowChoice(this->Colormap, settings, "--colormap");
+  this->ShowMap(look.Colormap);
   ShowFlag(this->Bar, settings, "--scalar-bar");
   SetIdle(this->Bar,
     this->Bar->isChecked() || this->HasValues(name, by.Component)

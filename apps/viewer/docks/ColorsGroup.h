@@ -35,6 +35,8 @@ private:
   void AddRange();
   bool HasValues(const QString& name, const QString& component) const;
   void SetColorBy(const QString& name, const QString& component);
+  void TakeMap(const QString& map);
+  void ShowMap(const std::string& word);
   void SetRange();
   void SwitchRange(bool automatic);
   void Paint();
@@ -45,7 +47,7 @@ private:
   Document* Edited;
   RangeReader ReadRange;
   QComboBox *ColorBy, *Component, *Colormap;
-  QCheckBox* Automatic;
+  QCheckBox *Reversed, *Automatic;
   QLineEdit *Least, *Most;
   QCheckBox *Bar, *Solid;
   ColorButton* Color;

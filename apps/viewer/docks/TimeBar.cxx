@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeBar.h"
 
+#include "Icons.h"
 #include "Options.h"
 
 #include <QAction>
-#include <QEvent>
-#include <QIcon>
 #include <QLabel>
-#include <QPainter>
 #include <QSignalBlocker>
 #include <QSlider>
 
@@ -21,28 +19,6 @@ namespace
 {
 constexpr int Steps = 1000;
 constexpr int FrameMilliseconds = 40;
-
-// Those of Qt's styles are black, be the controls light or dark.
-QIcon DrawIcon(bool playing, const QPalette& palette)
-{
-  constexpr int Side = 64;
-  QPixmap picture(Side, Side);
-  picture.fill(Qt::transparent);
-  QPainter painter(&picture);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(palette.color(QPalette::ButtonText));
-  if (playing)
-  {
-    painter.drawRect(14, 10, 12, 44);
-    painter.drawRect(38, 10, 12, 44);
-  }
-  else
-  {
-    painter.drawPolygon(QPolygon({ { 16, 8 }, { 56, 32 }, { 16, 56 } }));
-  }
-  return picture;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -55,7 +31,7 @@ TimeBar::TimeBar(Document* document, QWidget* parent)
 {
   this->setObjectName("time");
   this->setMovable(false);
-  this->Playing->setIcon(DrawIcon(false, this->palette()));
+  this->Playing->setIcon(MakeIcon("play"));
   this->Playing->setCheckable(true);
   this->Playing->setShortcut(QKeySequence(Qt::Key_Space));
   this->Slider->setObjectName("slider");
@@ -120,20 +96,10 @@ void TimeBar::ShowSettings()
 //------------------------------------------------------------------------------
 void TimeBar::Play(bool on)
 {
-  this->Playing->setIcon(DrawIcon(on, this->palette()));
+  this->Playing->setIcon(MakeIcon(on ? "pause" : "play"));
   this->Playing->setText(on ? "Pause" : "Play");
   this->Clock.start();
   on ? this->Next.start(0) : this->Next.stop();
-}
-
-//------------------------------------------------------------------------------
-void TimeBar::changeEvent(QEvent* event)
-{
-  this->QToolBar::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange)
-  {
-    this->Playing->setIcon(DrawIcon(this->Playing->isChecked(), this->palette()));
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -30,9 +30,6 @@ public:
 
   void Stop() { this->Playing->setChecked(false); }
 
-protected:
-  void changeEvent(QEvent* event) override;
-
 private:
   void Play(bool on);
   void Step();

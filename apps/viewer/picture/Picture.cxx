@@ -3,6 +3,7 @@
 #include "Picture.h"
 
 #include "Errors.h"
+#include "Progress.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -62,6 +63,13 @@ void Picture::CheckShown(const std::string& what) const
 }
 
 //------------------------------------------------------------------------------
+void Picture::Dress(const scene::Settings& settings, bool keepCamera)
+{
+  scene::Progress progress(this->Listener);
+  this->Now.Scene.Update(settings, settings.Parse(), keepCamera, progress);
+}
+
+//------------------------------------------------------------------------------
 void Picture::Show(const scene::Scene& scene, const scene::FramePoints& points,
   const scene::Settings& settings, bool keepCamera)
 {
@@ -76,7 +84,7 @@ void Picture::Show(const scene::Scene& scene, const scene::FramePoints& points,
   }
   try
   {
-    this->Now.Scene.Update(settings, settings.Parse(), keep);
+    this->Dress(settings, keep);
     this->Now.Shown = settings;
   }
   catch (...)
@@ -96,13 +104,13 @@ void Picture::ShowPoints(const scene::FramePoints& points, const scene::Settings
   this->Now.Scene.SetPoints(points);
   try
   {
-    this->Now.Scene.Update(settings, settings.Parse(), true);
+    this->Dress(settings, true);
     this->Now.Shown = settings;
   }
   catch (...)
   {
     this->Now.Scene.SetPoints(before);
-    this->Now.Scene.Update(shown, shown.Parse(), true);
+    this->Dress(shown, true);
     throw;
   }
 }
@@ -118,14 +126,14 @@ void Picture::Update(const scene::Settings& settings)
 {
   try
   {
-    this->Now.Scene.Update(settings, settings.Parse(), true);
+    this->Dress(settings, true);
     this->Now.Shown = settings;
   }
   catch (...)
   {
     try
     {
-      this->Now.Scene.Update(this->Now.Shown, this->Now.Shown.Parse(), true);
+      this->Dress(this->Now.Shown, true);
     }
     catch (const std::exception&) // what was asked for is the trouble to tell of
     {
@@ -147,7 +155,7 @@ void Picture::FitClipping()
   {
     try
     {
-      scene.Update(this->Now.Shown, this->Now.Shown.Parse(), true);
+      this->Dress(this->Now.Shown, true);
     }
     catch (const std::exception&) // within a frame there is nobody to tell; it worked before
     {

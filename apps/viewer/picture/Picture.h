@@ -19,6 +19,11 @@
 class vtkImageData;
 class vtkRelievoPass;
 
+namespace scene
+{
+class ProgressListener;
+}
+
 namespace viewer
 {
 class Picture
@@ -28,6 +33,9 @@ public:
   ~Picture();
   Picture(const Picture&) = delete;
   void operator=(const Picture&) = delete;
+
+  /// Is told of work that takes long, such as reading an environment, while Show and Update do it.
+  void SetListener(scene::ProgressListener* listener) { this->Listener = listener; }
 
   /// Shows another scene. The camera stays if `keepCamera`, else it is fitted or as the settings
   /// say. Throws what Update throws; what was shown then still is.
@@ -74,6 +82,7 @@ public:
 
 private:
   void FitClipping();
+  void Dress(const scene::Settings& settings, bool keepCamera);
 
   // All that belongs to one scene.
   struct Contents
@@ -84,6 +93,7 @@ private:
   void Remove(const Contents& contents);
 
   vtkRenderWindow* Window;
+  scene::ProgressListener* Listener = nullptr;
   unsigned long Observer;
   Contents Now;
 };

@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureView.h"
 
+#include "Errors.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkObjectFactory.h"
 #include "vtkRelievoPass.h"
 #include "vtkRenderWindowInteractor.h"
+#include "vtkTextureObject.h"
 
 #include <QMouseEvent>
+
+#include <algorithm>
 
 namespace viewer
 {
@@ -166,5 +171,35 @@ void PictureView::resizeEvent(QResizeEvent* event)
 {
   this->QVTKOpenGLNativeWidget::resizeEvent(event);
   this->Draw();
+}
+
+//------------------------------------------------------------------------------
+PictureView::OtherSize::OtherSize(PictureView* view, const QSize& size)
+  : View(view)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(view->renderWindow());
+  this->Before = { window->GetSize()[0], window->GetSize()[1] };
+  const int limit = vtkTextureObject::GetMaximumTextureSize(window);
+  if (size.isValid() && std::max(size.width(), size.height()) > limit)
+  {
+    throw scene::WorkError(QString("%1x%2 pixels: OpenGL here draws at most %3 each way")
+                             .arg(size.width())
+                             .arg(size.height())
+                             .arg(limit)
+                             .toStdString());
+  }
+  if (size.isValid())
+  {
+    view->setUpdatesEnabled(false);
+    window->SetSize(size.width(), size.height());
+  }
+}
+
+//------------------------------------------------------------------------------
+PictureView::OtherSize::~OtherSize()
+{
+  this->View->renderWindow()->SetSize(this->Before.width(), this->Before.height());
+  this->View->setUpdatesEnabled(true);
+  this->View->Draw();
 }
 }

@@ -10,6 +10,7 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <QSize>
 #include <QSurfaceFormat>
 #include <QTimer>
 
@@ -32,6 +33,21 @@ public:
 
   /// The next click of the left button is told as `picked`, and turns nothing.
   void PickNext(bool on);
+
+  /// While one lives, the picture has this many pixels, and what is seen stays. An invalid size is
+  /// the view's own. Throws scene::WorkError for more than OpenGL draws.
+  class OtherSize
+  {
+  public:
+    OtherSize(PictureView* view, const QSize& size);
+    ~OtherSize();
+    OtherSize(const OtherSize&) = delete;
+    void operator=(const OtherSize&) = delete;
+
+  private:
+    PictureView* View;
+    QSize Before;
+  };
 
   /// Draws soon; several calls draw once.
   void Draw();

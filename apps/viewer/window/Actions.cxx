@@ -3,20 +3,28 @@
 #include "Actions.h"
 
 #include "Appearance.h"
+#include "AxisMarker.h"
 #include "HelpMenu.h"
 #include "MainWindow.h"
 #include "Picture.h"
 #include "PictureView.h"
+#include "Properties.h"
 #include "RecentFiles.h"
+#include "SaveDialog.h"
+#include "SceneText.h"
 #include "Scripts.h"
+#include "ToolBar.h"
+
+#include "vtkLightCollection.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QSignalBlocker>
 
 #include <exception>
@@ -26,32 +34,6 @@ namespace viewer
 {
 namespace
 {
-// A path to save to that ends in the suffix, such as ".png", in letters of any case; empty if the
-// user wants none. Nothing that exists is given without the user's word.
-QString AskPlace(QWidget* parent, const QString& title, const QString& suffix)
-{
-  QFileDialog dialog(parent, title, QString(), "*" + suffix);
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setDefaultSuffix(suffix.mid(1));
-  while (dialog.exec() == QDialog::Accepted)
-  {
-    QString path = dialog.selectedFiles().value(0);
-    if (path.endsWith(suffix, Qt::CaseInsensitive))
-    {
-      return path; // which the dialog has asked about
-    }
-    path += suffix; // the dialog takes what is behind any other dot for one
-    if (!QFileInfo::exists(path) ||
-      QMessageBox::question(parent, title,
-        QFileInfo(path).fileName() + " exists already. Do you want to replace it?",
-        QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes)
-    {
-      return path;
-    }
-  }
-  return QString();
-}
-
 QAction* Add(QMenu* menu, MainWindow* window, const QString& text, const QKeySequence& key,
   const QString& name, const std::function<void()>& run)
 {
@@ -81,6 +63,41 @@ QAction* NeedPicture(MainWindow* window, QAction* action)
   QObject::connect(window->GetDocument(), &Document::factsChanged, action, follow);
   follow();
   return action;
+}
+
+//------------------------------------------------------------------------------
+QSize GetViewSize(MainWindow* window)
+{
+  const int* size = window->GetView()->renderWindow()->GetSize();
+  return { size[0], size[1] };
+}
+
+//------------------------------------------------------------------------------
+// Those of the catalogue, of each light a shadow, and the arrays.
+std::vector<std::string> ListLayers(MainWindow* window)
+{
+  std::vector<std::string> layers = { vtkRelievoLayerCatalogue::GetPicture().Name };
+  vtkRenderer* renderer = window->GetView()->GetPicture().GetRenderer();
+  for (int i = 0; i < vtkRelievoLayerCatalogue::GetNumberOfLayers(); ++i)
+  {
+    const std::string name = vtkRelievoLayerCatalogue::GetLayerName(i);
+    if (name == layers.front())
+    {
+      continue;
+    }
+    if (vtkRelievoLayerCatalogue::GetIsLayer(name))
+    {
+      layers.push_back(name);
+      continue;
+    }
+    for (int light = 0; light < renderer->GetLights()->GetNumberOfItems(); ++light)
+    {
+      layers.push_back("shadow_" + std::to_string(light));
+    }
+  }
+  const std::vector<std::string>& arrays = window->GetDocument()->GetFacts().Layers;
+  layers.insert(layers.end(), arrays.begin(), arrays.end());
+  return layers;
 }
 
 //------------------------------------------------------------------------------
@@ -120,20 +137,23 @@ void AddFileMenu(MainWindow* window, RecentFiles* recent)
   });
   NeedPicture(
     window, Add(menu, window, "Save &picture...", QKeySequence("Ctrl+P"), "savePicture", [window] {
-      const QString path = AskPlace(window, "Save picture", ".png");
-      if (!path.isEmpty())
+      if (const auto choice = AskPicture(window, GetViewSize(window)))
       {
-        window->SavePicture(path);
+        window->SavePicture(*choice);
       }
     }));
   NeedPicture(
     window, Add(menu, window, "Save &layers...", QKeySequence("Ctrl+E"), "saveLayers", [window] {
-      const QString path = AskPlace(window, "Save colour, depth, position, normal and ids", ".exr");
-      if (!path.isEmpty())
+      if (const auto choice = AskLayers(window, GetViewSize(window), ListLayers(window)))
       {
-        window->SaveLayers(
-          path, { "color", "depth", "position", "normal", "actor", "block", "cell" });
+        window->SaveLayers(*choice);
       }
+    }));
+  menu->addSeparator();
+  NeedPicture(
+    window, Add(menu, window, "Proper&ties", QKeySequence("Alt+Return"), "properties", [window] {
+      ShowProperties(
+        window, WriteScene(window->GetView()->GetPicture(), window->GetDocument()->Get().Files));
     }));
   menu->addSeparator();
   Add(menu, window, "&Quit", QKeySequence::Quit, "quit", [window] { window->close(); });
@@ -184,6 +204,25 @@ void AddEditMenu(MainWindow* window)
 }
 
 //------------------------------------------------------------------------------
+// A switch of the picture that follows the settings.
+void AddShadows(MainWindow* window, QMenu* menu)
+{
+  QAction* shadows = NeedPicture(window, menu->addAction("&Shadows"));
+  shadows->setObjectName("shadowsOn");
+  shadows->setShortcut(QKeySequence("S"));
+  shadows->setToolTip("Of the lights in the picture");
+  shadows->setCheckable(true);
+  Document* document = window->GetDocument();
+  QObject::connect(shadows, &QAction::toggled, document, [document](bool on) {
+    document->Change([on](scene::Settings& settings) { settings.SwitchStage("shadows", on); });
+  });
+  QObject::connect(document, &Document::changed, shadows, [document, shadows] {
+    const QSignalBlocker quiet(shadows);
+    shadows->setChecked(document->Get().IsStageOn("shadows"));
+  });
+}
+
+//------------------------------------------------------------------------------
 void AddViewMenu(MainWindow* window)
 {
   QMenu* menu = window->menuBar()->addMenu("&View");
@@ -209,6 +248,9 @@ void AddViewMenu(MainWindow* window)
     { "From &below", "Ctrl+2", { 0, 1, 0 }, { 0, 0, 1 } },
     { "From the &front", "3", { 0, 0, -1 }, { 0, 1, 0 } },
     { "From the bac&k", "Ctrl+3", { 0, 0, 1 }, { 0, 1, 0 } } };
+  auto* views = new QMenu(window); // a tool bar's
+  views->setObjectName("views");
+  views->setToolTipsVisible(true);
   for (const auto& side : sides)
   {
     QAction* look = Add(menu, window, side.Text, QKeySequence(side.Key), QString("look") + side.Key,
@@ -224,6 +266,7 @@ void AddViewMenu(MainWindow* window)
         window->GetView()->Draw();
       });
     NeedPicture(window, look)->setToolTip("The whole scene, with the up axis upwards");
+    views->addAction(look);
   }
   QAction* parallel = NeedPicture(window, menu->addAction("&Parallel projection"));
   parallel->setToolTip("Without perspective; what is in the middle keeps its size");
@@ -239,6 +282,17 @@ void AddViewMenu(MainWindow* window)
     const QSignalBlocker quiet(parallel);
     parallel->setChecked(window->GetView()->GetPicture().IsParallel());
   });
+  views->addSeparator();
+  views->addAction(parallel);
+  menu->addSeparator();
+  AddShadows(window, menu);
+  QAction* axes = menu->addAction("A&xes in the corner");
+  axes->setObjectName("axisMarker");
+  axes->setToolTip("Of the window alone; no picture that is saved has them");
+  axes->setCheckable(true);
+  axes->setChecked(window->GetAxes()->IsWanted());
+  QObject::connect(
+    axes, &QAction::toggled, window, [window](bool on) { window->GetAxes()->SetWanted(on); });
   menu->addSeparator();
   QAction* full = menu->addAction("F&ull screen");
   full->setObjectName("fullScreen");
@@ -247,6 +301,7 @@ void AddViewMenu(MainWindow* window)
   QObject::connect(full, &QAction::triggered, window,
     [window] { window->setWindowState(window->windowState() ^ Qt::WindowFullScreen); });
   AddAppearance(menu->addMenu("Appeara&nce"));
+  AddToolBar(window, menu);
   for (QDockWidget* dock : window->findChildren<QDockWidget*>())
   {
     menu->addAction(dock->toggleViewAction());

@@ -3,18 +3,22 @@
 #include "MainWindow.h"
 
 #include "Actions.h"
+#include "AxisMarker.h"
+#include "EmptyPage.h"
 #include "FileFacts.h"
 #include "InputGuard.h"
+#include "LayerLegend.h"
 #include "LayersPanel.h"
 #include "LightPanel.h"
 #include "LightsGroup.h"
 #include "LookPanel.h"
+#include "MessageBar.h"
 #include "Messages.h"
 #include "ModelOptions.h"
 #include "Options.h"
-#include "Outputs.h"
 #include "Pick.h"
 #include "PictureView.h"
+#include "Progress.h"
 #include "QtVersions.h"
 #include "Readers.h"
 #include "RecentFiles.h"
@@ -24,12 +28,7 @@
 #include "SessionFile.h"
 #include "StageGroup.h"
 #include "TimeBar.h"
-#include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPNGWriter.h"
-#include "vtkRelievoEXRWriter.h"
 #include "vtkRelievoLayerCatalogue.h"
-#include "vtkRelievoLayerSource.h"
 #include "vtkRelievoPass.h"
 #include "vtkRenderWindow.h"
 
@@ -40,9 +39,9 @@
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QLabel>
+#include <QLayout>
 #include <QMimeData>
 #include <QProgressBar>
-#include <QProgressDialog>
 #include <QPushButton>
 #include <QScreen>
 #include <QSettings>
@@ -111,25 +110,44 @@ QString GetTitle(const std::vector<std::string>& files)
     " " + QChar(0x2013) + " Relievo";
 }
 
-constexpr int SavePatience = 500; // milliseconds until the user is told
-constexpr int MostIdle = 10;
+constexpr int SmoothPatience = 500; // milliseconds until the user is told of it
+}
 
-// Whole or not at all.
-template <typename Writer>
-void Write(const QString& path, vtkImageData* image)
+//------------------------------------------------------------------------------
+// Says how far work is that the window itself does: nothing else is painted meanwhile.
+class WorkTeller : public scene::ProgressListener
 {
-  const std::string place = path.toStdString();
-  scene::Outputs outputs;
-  outputs.Add("Save", place, {});
-  vtkNew<Writer> writer;
-  writer->SetInputData(image);
-  writer->SetFileName(outputs.Temporary(place).c_str());
-  writer->Write();
-  scene::Messages::Check(
-    place, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
-  outputs.Commit();
-}
-}
+public:
+  WorkTeller(QStatusBar* bar, QLabel* words, QProgressBar* share)
+    : Bar(bar)
+    , Words(words)
+    , Share(share)
+  {
+  }
+
+  void Say(const std::string& what, double share) override
+  {
+    const int percent = static_cast<int>(100.0 * share);
+    if (!this->Share->isHidden() && percent == this->Share->value())
+    {
+      return;
+    }
+    QString words = QString::fromStdString(what);
+    this->Words->setText(words.replace(0, 1, words.left(1).toUpper()));
+    this->Share->setRange(0, 100);
+    this->Share->setValue(percent);
+    this->Share->show();
+    this->Bar->layout()->activate();
+    this->Bar->repaint();
+  }
+
+  bool IsStopped() override { return false; }
+
+private:
+  QStatusBar* Bar;
+  QLabel* Words;
+  QProgressBar* Share;
+};
 
 //------------------------------------------------------------------------------
 MainWindow::MainWindow(QWidget* parent)
@@ -139,16 +157,18 @@ MainWindow::MainWindow(QWidget* parent)
   , Reader(new Loader(this))
   , Recent(new RecentFiles(this))
   , Pages(new QStackedWidget(this))
-  , Hint(new QLabel("Open a file (Ctrl+O), or drop one here.", this))
+  , Empty(new EmptyPage(this))
 {
   new InputGuard(this->Edited, this);
   this->setWindowTitle("Relievo");
   this->setAcceptDrops(true);
   this->setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
   this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-  this->Hint->setAlignment(Qt::AlignCenter);
-  this->Pages->addWidget(this->Hint);
+  this->Pages->addWidget(this->Empty);
   this->Pages->addWidget(this->Shown);
+  this->Axes = new AxisMarker(this->Shown);
+  this->Legend = new LayerLegend(this->Shown);
+  this->Message = new MessageBar(this->Shown);
   this->setCentralWidget(this->Pages);
   this->AddPanels();
   this->AddStatus();
@@ -203,6 +223,10 @@ void MainWindow::AddStatus()
   this->Words->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   this->Values = new QLabel(this);
   this->Values->setObjectName("underTheMouse");
+  this->Smoothing = new QLabel(this);
+  this->Smoothing->setObjectName("smoothing");
+  this->Smoothing->setToolTip("Soft shadows and smooth edges are gathered while nothing moves");
+  this->Smoothing->setForegroundRole(QPalette::PlaceholderText);
   this->Bar = new QProgressBar(this);
   this->Bar->setMaximumWidth(200);
   this->Cancel = new QPushButton("Cancel", this);
@@ -210,9 +234,12 @@ void MainWindow::AddStatus()
   this->Bar->hide();
   this->Cancel->hide();
   this->statusBar()->addWidget(this->Words, 1);
+  this->statusBar()->addPermanentWidget(this->Smoothing);
   this->statusBar()->addPermanentWidget(this->Values);
   this->statusBar()->addPermanentWidget(this->Bar);
   this->statusBar()->addPermanentWidget(this->Cancel);
+  this->Teller = std::make_unique<WorkTeller>(this->statusBar(), this->Words, this->Bar);
+  this->Shown->GetPicture().SetListener(this->Teller.get());
 }
 
 //------------------------------------------------------------------------------
@@ -240,6 +267,9 @@ void MainWindow::Connect()
   });
   QObject::connect(
     this->Report, &ReportPanel::framesWanted, this->Shown, [this] { this->Shown->Draw(); });
+  QObject::connect(this->Axes, &AxisMarker::lookWanted, this, &MainWindow::LookFrom);
+  QObject::connect(this->Empty, &EmptyPage::openWanted, this,
+    [this] { this->findChild<QAction*>("open")->trigger(); });
   QObject::connect(this->Recent, &RecentFiles::chosen, this,
     [this](const QString& path) { this->OpenFiles({ path }); });
 }
@@ -247,9 +277,34 @@ void MainWindow::Connect()
 //------------------------------------------------------------------------------
 void MainWindow::Say(const QString& text, bool isTrouble)
 {
-  this->Words->setText(isTrouble ? QString(QChar(0x26a0)) + " " + text : text);
-  this->Words->setToolTip(text);
+  this->Words->setText(isTrouble ? QString() : text);
+  this->Words->setToolTip(this->Words->text());
   this->Trouble = isTrouble ? text : QString();
+  if (isTrouble)
+  {
+    this->OfFile = false;
+    this->Shown->GetPicture().IsEmpty() ? this->Empty->ShowTrouble(text)
+                                        : this->Message->Show(text, MessageBar::Error);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What went wrong with a file that was to be opened: only another one that is opened mends it.
+void MainWindow::SayOfFile(const QString& why)
+{
+  this->Say(why, true);
+  this->OfFile = true;
+}
+
+//------------------------------------------------------------------------------
+// All is well that an edit can change.
+void MainWindow::Mend()
+{
+  if (!this->OfFile)
+  {
+    this->Message->hide();
+  }
+  this->Say("");
 }
 
 //------------------------------------------------------------------------------
@@ -404,7 +459,7 @@ void MainWindow::OpenFiles(const QStringList& paths, bool beside)
   }
   catch (const std::exception& error)
   {
-    this->Say(QString::fromStdString(error.what()), true);
+    this->SayOfFile(QString::fromStdString(error.what()));
   }
 }
 
@@ -532,7 +587,8 @@ void MainWindow::ShowNothing()
   this->Reader->Stop();
   this->Begin();
   this->Shown->GetPicture().Clear();
-  this->Pages->setCurrentWidget(this->Hint);
+  this->Pages->setCurrentWidget(this->Empty);
+  this->Empty->ShowHint();
   if (!this->Good.Files.empty())
   {
     this->Edited->ForgetPast();
@@ -555,13 +611,14 @@ void MainWindow::Update()
     this->Shown->GetPicture().Update(this->Edited->Get());
     this->Good = this->Edited->Get();
     this->Report->Renew();
-    this->Say("");
+    this->Mend();
     this->TellMessages();
   }
   catch (const std::exception& error)
   {
     this->Edited->Refuse(this->Good, QString::fromStdString(error.what()));
   }
+  this->Begin(); // without the bar of work that is done
   this->Shown->Draw();
 }
 
@@ -635,7 +692,9 @@ void MainWindow::Begin()
 //------------------------------------------------------------------------------
 void MainWindow::ShowReading()
 {
-  this->Words->setText("Reading " + GetFileName(this->Asked.Files.front()));
+  const QString name = GetFileName(this->Asked.Files.front());
+  this->Words->setText("Reading " + name);
+  this->Empty->ShowReading(name);
   this->Bar->show();
   this->Cancel->show();
 }
@@ -682,6 +741,7 @@ void MainWindow::GiveUp()
   Picture& picture = this->Shown->GetPicture();
   if (picture.IsEmpty())
   {
+    this->Empty->ShowHint();
     // For the next file.
     this->Good = this->Edited->Get();
     this->Good.Files.clear();
@@ -714,6 +774,7 @@ void MainWindow::OnRead(const QString& trouble)
   {
     this->GiveUp();
     this->Edited->Refuse(this->Good, why);
+    this->OfFile = true;
   }
   this->EndReading();
 }
@@ -755,7 +816,8 @@ QString MainWindow::ShowRead()
   facts.Files = GetFileFacts(picture, this->Good.Files);
   this->Edited->SetFacts(facts);
   this->setWindowTitle(GetTitle(this->Good.Files));
-  this->Say("");
+  this->OfFile = false;
+  this->Mend();
   this->TellMessages();
   this->Remember();
   return QString();
@@ -764,6 +826,7 @@ QString MainWindow::ShowRead()
 //------------------------------------------------------------------------------
 void MainWindow::EndReading()
 {
+  this->Begin(); // without the bar of work that is done
   this->Report->Renew();
   this->Place = scene::Settings();
   this->Shown->Draw();
@@ -784,18 +847,22 @@ void MainWindow::Remember()
 //------------------------------------------------------------------------------
 void MainWindow::TellMessages()
 {
-  QStringList all;
+  QStringList notes, warnings;
   for (const std::string& text : scene::Messages::TakeNotes())
   {
-    all += QString::fromStdString(text);
+    notes += QString::fromStdString(text);
   }
   for (const std::string& text : scene::Messages::TakeWarnings())
   {
-    all += "Warning: " + QString::fromStdString(text);
+    warnings += QString::fromStdString(text);
   }
-  if (!all.isEmpty())
+  if (!notes.isEmpty())
   {
-    this->Say(all.join("; "));
+    this->Say(notes.join("; "));
+  }
+  if (!warnings.isEmpty() && this->Message->GetText().isEmpty())
+  {
+    this->Message->Show(warnings.join('\n'), MessageBar::Warning);
   }
 }
 
@@ -808,6 +875,9 @@ void MainWindow::OnDrawn()
     stage->ShowReason(this->Shown->GetPicture().GetFrame());
   }
   this->Report->Follow();
+  this->ShowSmoothing();
+  this->Axes->Follow(this->Shown->GetPicture().GetRenderer());
+  this->Legend->Follow(this->Shown->GetPicture().GetFrame(), this->Edited->GetFacts());
   try
   {
     if (!this->Reader->IsBusy()) // whose messages are the thread's
@@ -822,98 +892,39 @@ void MainWindow::OnDrawn()
 }
 
 //------------------------------------------------------------------------------
+// From an end of an axis; along the up axis, what is behind comes to the top.
+void MainWindow::LookFrom(int end)
+{
+  const int up = this->Edited->GetUpAxis();
+  std::array<double, 3> along{};
+  std::array<double, 3> upwards{};
+  along[static_cast<std::size_t>(end % 3)] = end < 3 ? -1.0 : 1.0;
+  upwards[static_cast<std::size_t>(end % 3 == up ? (up == 2 ? 1 : 2) : up)] =
+    end == up && up != 2 ? -1.0 : 1.0;
+  this->Shown->GetPicture().LookAlong(along, upwards);
+  this->Shown->Draw();
+}
+
+//------------------------------------------------------------------------------
+// How many samples a picture has that rests, where they take long.
+void MainWindow::ShowSmoothing()
+{
+  vtkRelievoPass* frame = this->Shown->GetPicture().GetFrame();
+  const int left = frame ? frame->GetSamplesLeft() : 0;
+  if (left >= this->SamplesLeft) // they are gathered anew
+  {
+    this->Samples = left + 1;
+    this->Smoothed.start();
+  }
+  this->SamplesLeft = left;
+  const bool shown = left > 0 && !this->Saving && this->Smoothed.elapsed() > SmoothPatience;
+  this->Smoothing->setText(
+    shown ? QString("Smoothing %1 of %2").arg(this->Samples - left).arg(this->Samples) : "");
+}
+
+//------------------------------------------------------------------------------
 scene::Settings MainWindow::GetViewSettings()
 {
   return this->Shown->GetPicture().GetView(this->Good);
-}
-
-//------------------------------------------------------------------------------
-// Every sample of soft shadows, a few a frame, so that the user sees how far it is and may end it.
-// Nothing else is done meanwhile: no other picture may be saved than the one that was asked for.
-bool MainWindow::Gather()
-{
-  vtkRelievoPass* frame = this->Shown->GetPicture().GetFrame();
-  if (!frame || this->Saving)
-  {
-    return !this->Saving;
-  }
-  this->Time->Stop();
-  this->Saving = true;
-  QProgressDialog dialog("Gathering soft shadows", "Cancel", 0, 0, this);
-  dialog.setWindowModality(Qt::ApplicationModal);
-  dialog.setMinimumDuration(SavePatience);
-  dialog.setAutoReset(false);
-  this->Shown->renderWindow()->Render();
-  const int all = frame->GetSamplesLeft();
-  dialog.setMaximum(all);
-  int idle = 0; // frames that brought nothing, as where something moves by itself
-  for (int left = all; left > 0 && idle < MostIdle && !dialog.wasCanceled();)
-  {
-    idle = frame->GetSamplesLeft() < left ? 0 : idle + 1;
-    left = frame->GetSamplesLeft();
-    dialog.setValue(std::max(0, all - left));
-    QApplication::processEvents();
-    this->Shown->renderWindow()->Render();
-  }
-  const bool good = !dialog.wasCanceled();
-  this->Saving = false;
-  if (!good)
-  {
-    this->Say("Stopped: nothing was saved.");
-  }
-  this->Later.start(0);
-  return good;
-}
-
-//------------------------------------------------------------------------------
-// What has been read while a picture was saved.
-void MainWindow::ShowLate()
-{
-  if (this->Late)
-  {
-    const QString trouble = *this->Late;
-    this->Late.reset();
-    this->OnRead(trouble);
-  }
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::SaveSession(const QString& path)
-{
-  viewer::SaveSession(path, this->GetViewSettings());
-  this->Recent->Add(QFileInfo(path).absoluteFilePath());
-  this->Say("Saved " + path);
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::SavePicture(const QString& path)
-{
-  this->Shown->GetPicture().CheckShown("Save picture");
-  if (!this->Gather())
-  {
-    return;
-  }
-  Write<vtkPNGWriter>(path, this->Shown->GetPicture().Grab());
-  this->Say("Saved " + path);
-}
-
-//------------------------------------------------------------------------------
-void MainWindow::SaveLayers(const QString& path, const std::vector<std::string>& layers)
-{
-  this->Shown->GetPicture().CheckShown("Save layers");
-  if (!this->Gather())
-  {
-    return;
-  }
-  vtkNew<vtkRelievoLayerSource> source;
-  source->SetRenderer(this->Shown->GetPicture().GetRenderer());
-  for (const std::string& layer : layers)
-  {
-    source->AddLayer(layer);
-  }
-  source->Update();
-  scene::Messages::Check(path.toStdString(), source->GetErrorCode() != 0);
-  Write<vtkRelievoEXRWriter>(path, source->GetOutput());
-  this->Say("Saved " + path);
 }
 }

@@ -9,10 +9,13 @@
 #include "Document.h"
 #include "Loader.h"
 #include "Probe.h"
+#include "SaveDialog.h"
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 #include <QTimer>
 
+#include <memory>
 #include <optional>
 
 class QLabel;
@@ -22,8 +25,13 @@ class QStackedWidget;
 
 namespace viewer
 {
+class AxisMarker;
+class EmptyPage;
+class LayerLegend;
 class LayersPanel;
 class LightPanel;
+class MessageBar;
+class WorkTeller;
 class RecentFiles;
 class ReportPanel;
 class PictureView;
@@ -39,6 +47,7 @@ public:
 
   Document* GetDocument() { return this->Edited; }
   PictureView* GetView() { return this->Shown; }
+  AxisMarker* GetAxes() { return this->Axes; }
 
   /// Shows these settings; files are read in the background. Throws scene::UsageError, and changes
   /// nothing, for those that the command line refuses.
@@ -58,14 +67,15 @@ public:
   /// saves nothing. Each throws scene::WorkError or scene::UsageError.
   void OpenSession(const QString& path);
   void SaveSession(const QString& path);
-  void SavePicture(const QString& path);
-  void SaveLayers(const QString& path, const std::vector<std::string>& layers);
+  void SavePicture(const PictureChoice& choice);
+  void SaveLayers(const LayersChoice& choice);
   ///@}
 
   /// What is shown with its camera and size.
   scene::Settings GetViewSettings();
 
-  /// A line that stays until the next.
+  /// A line that stays until the next. What went wrong is shown where it cannot be overlooked,
+  /// until it is closed or mended.
   void Say(const QString& text, bool isTrouble = false);
 
   /// What went wrong last; empty if all went well since.
@@ -108,11 +118,18 @@ private:
   void EndReading();
   void Remember();
   void OnDrawn();
+  void ShowSmoothing();
+  void LookFrom(int end);
   void PointAt(int x, int y);
   void PlaceLight(int x, int y);
   void ShowProbe();
   void TellMessages();
+  void SayOfFile(const QString& why);
+  void Mend();
   bool Gather();
+  vtkSmartPointer<vtkImageData> Draw();
+  vtkSmartPointer<vtkImageData> DrawTransparent();
+  void SaySaved(const QString& path);
   void ShowLate();
   void SetViewSize(const std::string& words);
   void KeepLayout();
@@ -126,10 +143,16 @@ private:
   TimeBar* Time;
   RecentFiles* Recent;
   QStackedWidget* Pages;
-  QLabel *Words, *Values, *Hint;
+  EmptyPage* Empty;
+  AxisMarker* Axes;
+  LayerLegend* Legend;
+  MessageBar* Message;
+  QLabel *Words, *Values, *Smoothing;
+  std::unique_ptr<WorkTeller> Teller;
   QProgressBar* Bar;
   QPushButton* Cancel;
   QString Trouble;
+  bool OfFile = false;       // is what is shown as wrong: another edit does not mend it
   scene::Settings Good;      // what is shown
   scene::Settings Asked;     // what is being read
   scene::Settings Meanwhile; // what is shown, with all that was set since the reading began
@@ -142,6 +165,9 @@ private:
   std::optional<QString> Late; // what a reading came to while a picture was saved
   QStringList Opening;         // what the list of recent files gets when it has been read
   Probe Reading;
+  int Samples = 0;     // that the picture is to have
+  int SamplesLeft = 0; // of them
+  QElapsedTimer Smoothed;
   QTimer Pause, Waiting, Quiet, Later;
   int Pointed[2] = { -1, -1 };
 };

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SaveDialog.h"
+
+#include "Options.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QSettings>
+#include <QSpinBox>
+
+namespace viewer
+{
+namespace
+{
+const char* const KeptLayers = "saved_layers"; // in the settings: names
+constexpr int ListHeight = 130;
+
+const QStringList UsualLayers = { "color", "depth", "position", "normal", "actor", "block",
+  "cell" };
+
+//------------------------------------------------------------------------------
+// Pixels: as the view has them, some times as many, or any.
+class SizeEdit : public QWidget
+{
+public:
+  explicit SizeEdit(const QSize& view)
+    : Sizes(new QComboBox(this))
+    , Width(new QSpinBox(this))
+    , Height(new QSpinBox(this))
+  {
+    this->Sizes->setObjectName("sizes");
+    this->Width->setObjectName("width");
+    this->Height->setObjectName("height");
+    const std::pair<const char*, QSize> all[] = { { "As the view", view },
+      { "Twice the view", 2 * view }, { "Four times the view", 4 * view },
+      { "Full HD", { 1920, 1080 } }, { "4K", { 3840, 2160 } }, { "Other", {} } };
+    for (const auto& [text, size] : all)
+    {
+      if (size.width() <= scene::LargestSize && size.height() <= scene::LargestSize)
+      {
+        this->Sizes->addItem(text, size);
+      }
+    }
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(this->Sizes);
+    row->addWidget(this->Width);
+    row->addWidget(new QLabel(QChar(0xd7), this));
+    row->addWidget(this->Height);
+    row->addWidget(new QLabel("pixels", this));
+    row->addStretch(1);
+    for (QSpinBox* side : { this->Width, this->Height })
+    {
+      side->setRange(1, scene::LargestSize);
+      QObject::connect(side, static_cast<void (QSpinBox::*)(int)>(&QSpinBox::valueChanged), this,
+        [this] { this->ShowName(); });
+    }
+    QObject::connect(this->Sizes,
+      static_cast<void (QComboBox::*)(int)>(&QComboBox::currentIndexChanged), this,
+      [this] { this->ShowNumbers(); });
+    this->ShowNumbers();
+  }
+
+  QSize GetSize() const { return { this->Width->value(), this->Height->value() }; }
+
+private:
+  void ShowNumbers()
+  {
+    const QSize size = this->Sizes->currentData().toSize();
+    if (size.isValid())
+    {
+      const QSignalBlocker quiet[] = { QSignalBlocker(this->Width), QSignalBlocker(this->Height) };
+      this->Width->setValue(size.width());
+      this->Height->setValue(size.height());
+    }
+  }
+
+  void ShowName()
+  {
+    const QSignalBlocker quiet(this->Sizes);
+    const int found = this->Sizes->findData(this->GetSize());
+    this->Sizes->setCurrentIndex(found < 0 ? this->Sizes->count() - 1 : found);
+  }
+
+  QComboBox* Sizes;
+  QSpinBox *Width, *Height;
+};
+
+//------------------------------------------------------------------------------
+QString Run(QFileDialog& dialog, const QString& suffix)
+{
+  while (dialog.exec() == QDialog::Accepted)
+  {
+    QString path = dialog.selectedFiles().value(0);
+    if (path.endsWith(suffix, Qt::CaseInsensitive))
+    {
+      return path; // which the dialog has asked about
+    }
+    path += suffix; // the dialog takes what is behind any other dot for one
+    if (!QFileInfo::exists(path) ||
+      QMessageBox::question(dialog.parentWidget(), dialog.windowTitle(),
+        QFileInfo(path).fileName() + " exists already. Do you want to replace it?",
+        QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes)
+    {
+      return path;
+    }
+  }
+  return QString();
+}
+}
+
+//------------------------------------------------------------------------------
+QString AskPlace(QWidget* parent, const QString& title, const QString& suffix, QWidget* more)
+{
+  QFileDialog dialog(parent, title, QString(), "*" + suffix);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(suffix.mid(1));
+  if (more)
+  {
+    dialog.setOption(QFileDialog::DontUseNativeDialog); // others take nothing in
+    auto* rows = static_cast<QGridLayout*>(dialog.layout());
+    rows->addWidget(more, rows->rowCount(), 0, 1, rows->columnCount());
+  }
+  const QString path = Run(dialog, suffix);
+  if (more)
+  {
+    more->setParent(nullptr); // it is not the dialog's
+  }
+  return path;
+}
+
+//------------------------------------------------------------------------------
+std::optional<PictureChoice> AskPicture(QWidget* parent, const QSize& size)
+{
+  QWidget more;
+  auto* rows = new QFormLayout(&more);
+  rows->setContentsMargins(0, 0, 0, 0);
+  auto* pixels = new SizeEdit(size);
+  auto* transparent = new QCheckBox("Transparent background");
+  transparent->setObjectName("transparent");
+  transparent->setToolTip("Of the ground the shadows remain, as black that is seen through");
+  rows->addRow("Size", pixels);
+  rows->addRow("", transparent);
+  const QString path = AskPlace(parent, "Save picture", ".png", &more);
+  if (path.isEmpty())
+  {
+    return std::nullopt;
+  }
+  return PictureChoice{ path, pixels->GetSize(), transparent->isChecked() };
+}
+
+//------------------------------------------------------------------------------
+std::optional<LayersChoice> AskLayers(
+  QWidget* parent, const QSize& size, const std::vector<std::string>& layers)
+{
+  QWidget more;
+  auto* rows = new QFormLayout(&more);
+  rows->setContentsMargins(0, 0, 0, 0);
+  auto* pixels = new SizeEdit(size);
+  auto* list = new QListWidget;
+  list->setObjectName("layersToSave");
+  list->setFlow(QListView::LeftToRight);
+  list->setResizeMode(QListView::Adjust);
+  list->setWrapping(true);
+  list->setSpacing(2);
+  list->setFixedHeight(ListHeight);
+  const QStringList kept = QSettings().value(KeptLayers, UsualLayers).toStringList();
+  for (const std::string& layer : layers)
+  {
+    const QString name = QString::fromStdString(layer);
+    auto* item = new QListWidgetItem(name, list);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
+    item->setCheckState(kept.contains(name) ? Qt::Checked : Qt::Unchecked);
+  }
+  rows->addRow("Size", pixels);
+  rows->addRow("Layers", list);
+  LayersChoice choice;
+  choice.Path = AskPlace(parent, "Save layers", ".exr", &more);
+  QStringList names;
+  for (int i = 0; i < list->count(); ++i)
+  {
+    if (list->item(i)->checkState() == Qt::Checked)
+    {
+      names += list->item(i)->text();
+      choice.Layers.push_back(names.back().toStdString());
+    }
+  }
+  if (choice.Path.isEmpty())
+  {
+    return std::nullopt;
+  }
+  QSettings().setValue(KeptLayers, names);
+  choice.Size = pixels->GetSize();
+  return choice;
+}
+}

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What the colours of a layer mean that is shown as the picture, or why it shows nothing. It is the
+ * window's: no picture that is saved has it.
+ */
+#ifndef LayerLegend_h
+#define LayerLegend_h
+
+#include "Facts.h"
+
+#include <QWidget>
+
+class vtkRelievoPass;
+
+namespace viewer
+{
+class LayerLegend : public QWidget
+{
+  Q_OBJECT
+
+public:
+  /// At the parent's bottom.
+  explicit LayerLegend(QWidget* parent);
+
+  /// As the frame's last picture shows it; null: no layer is shown.
+  void Follow(vtkRelievoPass* frame, const Facts& facts);
+
+  /// All that it says, the values of the first and the last colour included; empty if it is hidden.
+  QString GetText() const;
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  void Place();
+
+  QString Title, Words, First, Last; // the values are empty where there is no strip
+  bool Grey = false;
+};
+}
+
+#endif

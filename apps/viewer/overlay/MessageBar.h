@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What went wrong, in a strip over the top of the picture, which keeps its size; it stays until it
+ * is closed.
+ */
+#ifndef MessageBar_h
+#define MessageBar_h
+
+#include <QWidget>
+
+class QLabel;
+
+namespace viewer
+{
+class MessageBar : public QWidget
+{
+  Q_OBJECT
+
+public:
+  enum Kind
+  {
+    Warning,
+    Error
+  };
+
+  /// Over the parent's top, as wide as that.
+  explicit MessageBar(QWidget* parent);
+
+  void Show(const QString& text, Kind kind);
+  QString GetText() const;
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  void Place();
+
+  QLabel* Words;
+  Kind Shown = Error;
+};
+}
+
+#endif

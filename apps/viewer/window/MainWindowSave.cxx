@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the window saves: sessions, pictures and layers, with every sample.
+#include "MainWindow.h"
+
+#include "LightPanel.h"
+#include "Messages.h"
+#include "Outputs.h"
+#include "PictureView.h"
+#include "RecentFiles.h"
+#include "SaveDialog.h"
+#include "SessionFile.h"
+#include "SunGroup.h"
+#include "TimeBar.h"
+#include "Transparency.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkRelievoEXRWriter.h"
+#include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoLayerSource.h"
+#include "vtkRelievoPass.h"
+#include "vtkRenderWindow.h"
+
+#include <QApplication>
+#include <QFileInfo>
+#include <QProgressDialog>
+
+#include <algorithm>
+
+namespace viewer
+{
+namespace
+{
+constexpr int SavePatience = 500; // milliseconds until the user is told
+constexpr int MostIdle = 10;
+
+// Whole or not at all.
+template <typename Writer>
+void Write(const QString& path, vtkImageData* image)
+{
+  const std::string place = path.toStdString();
+  scene::Outputs outputs;
+  outputs.Add("Save", place, {});
+  vtkNew<Writer> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(outputs.Temporary(place).c_str());
+  writer->Write();
+  scene::Messages::Check(
+    place, writer->GetErrorCode() != 0, "cannot be written; is the disk full?");
+  outputs.Commit();
+}
+
+// While one lives, frames make these layers, and have the samples that go with them.
+class AskedLayers
+{
+public:
+  AskedLayers(const Picture& picture, const std::vector<std::string>& layers)
+    : Frame(picture.GetFrame())
+  {
+    for (const std::string& name : layers)
+    {
+      if (this->Frame &&
+        name != vtkRelievoLayerCatalogue::GetPicture().Name && // which is drawn anyway
+        !this->Frame->IsLayerRequested(name))
+      {
+        this->Frame->RequestLayer(name);
+        this->Layers.push_back(name);
+      }
+    }
+  }
+
+  ~AskedLayers()
+  {
+    for (const std::string& name : this->Layers)
+    {
+      this->Frame->ReleaseLayer(name);
+    }
+  }
+
+  AskedLayers(const AskedLayers&) = delete;
+  void operator=(const AskedLayers&) = delete;
+
+private:
+  vtkRelievoPass* Frame;
+  std::vector<std::string> Layers;
+};
+}
+
+//------------------------------------------------------------------------------
+// Every sample, a few a frame, so that the user sees how far it is and may end it. Nothing else is
+// done meanwhile: no other picture may be saved than the one that was asked for.
+bool MainWindow::Gather()
+{
+  vtkRelievoPass* frame = this->Shown->GetPicture().GetFrame();
+  if (!frame || this->Saving)
+  {
+    return !this->Saving;
+  }
+  this->Time->Stop();
+  this->Saving = true;
+  QProgressDialog dialog("Gathering the samples of the picture", "Cancel", 0, 0, this);
+  dialog.setWindowModality(Qt::ApplicationModal);
+  dialog.setMinimumDuration(SavePatience);
+  dialog.setAutoReset(false);
+  this->Shown->renderWindow()->Render();
+  const int all = frame->GetSamplesLeft();
+  dialog.setMaximum(all);
+  int idle = 0; // frames that brought nothing, as where something moves by itself
+  for (int left = all; left > 0 && idle < MostIdle && !dialog.wasCanceled();)
+  {
+    idle = frame->GetSamplesLeft() < left ? 0 : idle + 1;
+    left = frame->GetSamplesLeft();
+    dialog.setValue(std::max(0, all - left));
+    QApplication::processEvents();
+    this->Shown->renderWindow()->Render();
+  }
+  const bool good = !dialog.wasCanceled();
+  this->Saving = false;
+  if (!good)
+  {
+    this->Say("Stopped: nothing was saved.");
+  }
+  this->Later.start(0);
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// Null if the user ended it.
+vtkSmartPointer<vtkImageData> MainWindow::Draw()
+{
+  return this->Gather() ? this->Shown->GetPicture().Grab() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> MainWindow::DrawTransparent()
+{
+  vtkSmartPointer<vtkImageData> over[2]; // black and white
+  for (int i = 0; i < 2; ++i)
+  {
+    const scene::Backdrop backdrop(this->Shown->GetPicture().GetScene().GetBare().Get(), i);
+    over[i] = this->Draw();
+    if (!over[i])
+    {
+      return nullptr;
+    }
+  }
+  return scene::MakeTransparent(over[0], over[1]);
+}
+
+//------------------------------------------------------------------------------
+// What has been read while a picture was saved.
+void MainWindow::ShowLate()
+{
+  if (this->Late)
+  {
+    const QString trouble = *this->Late;
+    this->Late.reset();
+    this->OnRead(trouble);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::SaySaved(const QString& path)
+{
+  this->Mend();
+  this->Say("Saved " + path);
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::SaveSession(const QString& path)
+{
+  const SunGroup* sun = this->Light->GetSun();
+  viewer::SaveSession(path, { this->GetViewSettings(), sun->GetTime(), sun->IsByTime() });
+  this->Recent->Add(QFileInfo(path).absoluteFilePath());
+  this->SaySaved(path);
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::SavePicture(const PictureChoice& choice)
+{
+  this->Shown->GetPicture().CheckShown("Save picture");
+  const PictureView::OtherSize sized(this->Shown, choice.Size);
+  if (const auto picture = choice.Transparent ? this->DrawTransparent() : this->Draw())
+  {
+    Write<vtkPNGWriter>(choice.Path, picture);
+    this->SaySaved(choice.Path);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MainWindow::SaveLayers(const LayersChoice& choice)
+{
+  this->Shown->GetPicture().CheckShown("Save layers");
+  const PictureView::OtherSize sized(this->Shown, choice.Size);
+  const AskedLayers asked(this->Shown->GetPicture(), choice.Layers);
+  if (!this->Gather())
+  {
+    return;
+  }
+  vtkNew<vtkRelievoLayerSource> source;
+  source->SetRenderer(this->Shown->GetPicture().GetRenderer());
+  for (const std::string& layer : choice.Layers)
+  {
+    source->AddLayer(layer);
+  }
+  source->Update();
+  scene::Messages::Check(choice.Path.toStdString(), source->GetErrorCode() != 0);
+  Write<vtkRelievoEXRWriter>(choice.Path, source->GetOutput());
+  this->SaySaved(choice.Path);
+}
+}

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The tool bar, and what else surrounds the picture without being part of it.
+#include "ViewerTest.h"
+
+#include "AxisMarker.h"
+#include "LayerLegend.h"
+
+#include "vtkCamera.h"
+#include "vtkRenderer.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QRegularExpression>
+#include <QTextEdit>
+#include <QToolBar>
+#include <QToolButton>
+#include <QtTest>
+
+class TestViewerTools : public viewerTest::ViewerTest
+{
+  Q_OBJECT
+
+private:
+  QToolBar* GetBar() { return this->Window->findChild<QToolBar*>("tools"); }
+
+  // Of a button, the share of pixels that are nearly the colour of the controls' text.
+  double GetInk(QToolButton* button)
+  {
+    const QImage image = button->grab().toImage();
+    const QColor text = button->palette().color(
+      button->isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::ButtonText);
+    int ink = 0;
+    for (int y = 0; y < image.height(); ++y)
+    {
+      for (int x = 0; x < image.width(); ++x)
+      {
+        ink += std::abs(image.pixelColor(x, y).lightness() - text.lightness()) < 40;
+      }
+    }
+    return double(ink) / (image.width() * image.height());
+  }
+
+private Q_SLOTS:
+  // Every button has a sign that is seen, be the controls light or dark, and says its key.
+  void buttons()
+  {
+    this->Open({ this->WriteScene() });
+    for (const char* appearance : { "light", "dark" })
+    {
+      this->Window->findChild<QAction*>(appearance)->trigger();
+      int buttons = 0;
+      for (auto* button : this->GetBar()->findChildren<QToolButton*>())
+      {
+        if (button->objectName() == "qt_toolbar_ext_button")
+        {
+          continue;
+        }
+        ++buttons;
+        QVERIFY2(this->GetInk(button) > 0.02,
+          qPrintable(QString("%1, %2").arg(appearance, button->toolTip())));
+        const QAction* action = button->defaultAction();
+        QVERIFY2(!action || button->toolTip().contains(action->shortcut().toString()),
+          qPrintable(button->toolTip()));
+      }
+      QVERIFY2(buttons >= 9, qPrintable(QString::number(buttons)));
+    }
+    this->Window->findChild<QAction*>("desktop")->trigger();
+  }
+
+  // It is hidden in the next window, too.
+  void isRemembered()
+  {
+    this->Open({ this->WriteScene() });
+    QVERIFY(this->GetBar()->isVisible());
+    this->GetBar()->toggleViewAction()->trigger();
+    QVERIFY(!this->GetBar()->isVisible());
+    this->Window->close();
+    this->Open({ this->WriteScene() });
+    this->Window->RestoreLayout();
+    QVERIFY(!this->GetBar()->isVisible());
+    this->GetBar()->toggleViewAction()->trigger();
+    QVERIFY(this->GetBar()->isVisible());
+  }
+
+  void shadows()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio" });
+    auto* shadows = this->Window->findChild<QAction*>("shadowsOn");
+    QVERIFY(shadows->isChecked());
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    shadows->trigger();
+    QVERIFY(CountDifferent(before, this->Grab()) > 1000);
+    this->Compare("without shadows");
+    shadows->trigger();
+    QCOMPARE(CountDifferent(before, this->Grab()), 0);
+    this->Window->GetDocument()->Undo();
+    QVERIFY(!shadows->isChecked());
+  }
+
+  // The axes turn with the camera, and a click on an end looks from there; the picture is without
+  // them.
+  void axes()
+  {
+    this->Open({ this->WriteScene(), "--camera", "0,0.5,7,0,0.5,0,0,1,0" });
+    auto* axes = this->Window->findChild<viewer::AxisMarker*>("axes");
+    this->Grab();
+    QVERIFY(axes->isVisible());
+    const QPointF middle(0.5 * axes->width(), 0.5 * axes->height());
+    QVERIFY(axes->GetEnd(0).x() > middle.x() + 20); // x to the right, y upwards
+    QVERIFY(axes->GetEnd(1).y() < middle.y() - 20);
+    QVERIFY(std::abs(axes->GetEnd(2).x() - middle.x()) < 1); // z towards the viewer
+    this->Compare("with axes in the window");
+    const double looks[][3] = { { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 }, { 1, 0, 0 }, { 0, 1, 0 },
+      { 0, 0, 1 } };
+    for (const int end : { 0, 1, 3, 4, 5, 2 })
+    {
+      Q_EMIT axes->lookWanted(end);
+      this->Grab();
+      vtkCamera* camera = this->Window->GetView()->GetPicture().GetRenderer()->GetActiveCamera();
+      const double* along = camera->GetDirectionOfProjection();
+      for (int i = 0; i < 3; ++i)
+      {
+        QVERIFY2(std::abs(along[i] - looks[end][i]) < 1e-9, qPrintable(QString::number(end)));
+      }
+      if (end == 5) // from behind: x is at the left
+      {
+        QTest::mouseClick(axes, Qt::LeftButton, Qt::NoModifier, axes->GetEnd(0).toPoint());
+        QVERIFY(std::abs(camera->GetDirectionOfProjection()[0] + 1.0) < 1e-9);
+      }
+    }
+    this->Window->findChild<QAction*>("axisMarker")->trigger();
+    QVERIFY(!axes->isVisible());
+    this->Open({ this->WriteScene() });
+    QVERIFY(!this->Window->findChild<viewer::AxisMarker*>("axes")->isVisible());
+    this->Window->findChild<QAction*>("axisMarker")->trigger();
+  }
+
+  // Of each file its own points, cells, bounds and arrays.
+  void properties()
+  {
+    this->Open({ this->WriteScene(), this->WriteOBJ() });
+    this->Window->findChild<QAction*>("properties")->trigger();
+    auto* words = this->Window->findChild<QTextEdit*>("propertiesText");
+    QVERIFY(words && words->isVisible());
+    const QStringList files = words->toPlainText().split("two.obj");
+    QCOMPARE(files.size(), 2);
+    QVERIFY2(files[0].contains("scene.vtp") && files[0].contains("height (points)") &&
+        files[0].contains("float, 0 to 1") && files[0].contains("part (cells)") &&
+        files[0].contains("-1.5 to 1.5"),
+      qPrintable(files[0]));
+    // A strip of cells around the ball, and the square.
+    const vtkIdType cells = 24 * (2 * 16 - 4) + 1;
+    const QRegularExpression number("Cells\\s+" + QString::number(cells) + "\\s");
+    QVERIFY2(number.match(files[0]).hasMatch(), qPrintable(files[0]));
+    QVERIFY2(!files[1].contains("height") && files[1].contains("0 to 2"), qPrintable(files[1]));
+  }
+
+  // A layer as the picture has a legend with its values, or the reason why nothing is seen.
+  void legend()
+  {
+    this->Open({ this->WriteScene(), "--light", "sun:0.4,1,0.6", "--clip", "1,12" });
+    auto* legend = this->Window->findChild<viewer::LayerLegend*>("layerLegend");
+    this->Grab();
+    QCOMPARE(legend->GetText(), QString());
+    const auto show = [this, legend](const char* layer) {
+      this->Change(
+        [layer](scene::Settings& settings) { settings.SetParameter("display", "layer", layer); });
+      this->Grab();
+      return legend->GetText();
+    };
+    QVERIFY(show("depth").endsWith("\n1\n12") && legend->GetText().contains("world units"));
+    QVERIFY2(show("height").endsWith("\n0\n1"), qPrintable(legend->GetText()));
+    QVERIFY2(show("normal").contains("red"), qPrintable(legend->GetText()));
+    QVERIFY(show("cell").contains("colour of its own"));
+    QVERIFY(show("shadow_0").endsWith("\n0\n1"));
+    this->Compare("with a legend in the window");
+    for (const char* blank : { "fog", "lamps_reaching" })
+    {
+      QVERIFY2(show(blank).contains("Nothing to see"), qPrintable(legend->GetText()));
+    }
+    QCOMPARE(show(""), QString());
+  }
+};
+
+int main(int argc, char* argv[])
+{
+  TestViewerTools tests;
+  return viewerTest::Run(tests, argc, argv);
+}
+
+#include "testViewerTools.moc"
