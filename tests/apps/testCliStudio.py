@@ -4,6 +4,7 @@
 up, with smooth edges; and what of it other options and the file itself replace."""
 
 import json
+import os
 
 import numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -144,6 +145,20 @@ class Studio(CliTest):
         self.box("flat.obj", (0, 0, 0), (2, 1, 0))
         numpy.testing.assert_array_equal(
             self.picture("flat.obj"), self.picture("flat.obj", "--ground", "off"))  # fmt: skip
+
+    def test_speckle(self):
+        """The default picture has no pixel that stands out from one whose shadows are exact."""
+        data = os.environ.get("RELIEVO_DATA", "")
+        mesh = os.path.join(data, "bunny.off")
+        if not os.path.exists(mesh):
+            self.skipTest("no bunny.off in RELIEVO_DATA")
+        pictures = []
+        for words in ([], ["--shadows", "exact", "--soft-shadows", "24"]):
+            self.relievo("render", mesh, *words, "--png", "a.png")
+            pictures.append(read_png(self.folder / "a.png")[..., :3].astype(int))
+        different = abs(pictures[0] - pictures[1]).max(axis=-1)
+        self.assertGreater((different > 0).sum(), 100)  # they are two methods
+        self.assertEqual((different > 0.08 * 255).sum(), 0)
 
     def test_fits(self):
         """The model fills the picture in one direction, and keeps off its edges, whatever its shape

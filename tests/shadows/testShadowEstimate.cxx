@@ -182,7 +182,7 @@ void TestReport()
   RELIEVO_CHECK_NEAR(GetReportedShare(stage),
     stage.GetShadows()->EstimateWrongShare(Pass::METHOD_MAP, 512), 1e-8, "share of the report");
   const std::string report = stage.GetFrame()->GetFrameReport();
-  RELIEVO_CHECK(report.find("expected share of wrong pixels 0.14 %") != std::string::npos);
+  RELIEVO_CHECK(report.find("expected share of wrong pixels 0.068 %") != std::string::npos);
   stage.GetFrame()->ShadowsOff();
   stage.Window->Render();
   RELIEVO_CHECK(

@@ -65,12 +65,12 @@ const std::vector<QStringList> Rows = {
 const std::set<std::string> Elsewhere = { "--size", "--camera", "--parallel-scale", "--color",
   "--opacity", "--edges", "--time", "--times", "--animation", "--blend", "--loop", "--skeleton",
   "--bone-weight", "--skin", "--normal-map", "--environment", "--reflectivity", "--skybox",
-  "--fog" };
+  "--fog", "--image", "--point-size" };
 
 // Said as parameters of stages, or no part of a picture.
 const std::set<std::string> OfStages = { "--shadow-size", "--soft-shadows", "--shadow-tolerance",
   "--time-budget", "--stage", "--deferred", "--tone", "--exposure", "--certify", "--layers",
-  "--hdr", "--png", "--exr", "--report" };
+  "--hdr", "--png", "--exr", "--report", "--transparent" };
 
 // What it comes to follows from times that are measured.
 const std::string Measured = "time_budget";

@@ -8,10 +8,12 @@
 
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkXMLImageDataWriter.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
@@ -217,6 +219,48 @@ private Q_SLOTS:
   }
 
   // What is not chosen here is the preset's.
+  // Images with depth and clouds of points, as the command draws them.
+  void imagesWithDepth()
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(12, 12, 12);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    for (int i = 0; i < 12 * 12 * 12; ++i)
+    {
+      const int x = i % 12 - 6;
+      const int y = i / 12 % 12 - 6;
+      const int z = i / 144 - 6;
+      const bool within = x * x + y * y + z * z < 20;
+      image->SetScalarComponentFromDouble(x + 6, y + 6, z + 6, 0, !within ? 0 : x < 0 ? 1 : 2);
+    }
+    vtkNew<vtkXMLImageDataWriter> writer;
+    writer->SetFileName(this->Path("image.vti").c_str());
+    writer->SetInputData(image);
+    QVERIFY(writer->Write());
+    this->Open({ this->Path("image.vti"), "--preset", "studio" });
+    auto last = this->Grab();
+    for (const char* kind : { "surface", "volume", "box" })
+    {
+      this->Choose("scene", "image", kind);
+      this->WaitUntilRead();
+      QCOMPARE(this->Window->GetTrouble(), QString());
+      this->Compare(kind);
+      const auto shown = this->Grab();
+      QVERIFY2(CountDifferent(shown, last) > 1000, kind);
+      last = shown;
+    }
+    this->Choose("scene", "image", "");
+    this->WaitUntilRead();
+    this->Compare("labels");
+
+    this->Open({ this->WritePoints(), "--preset", "studio" });
+    this->Compare("points");
+    const auto balls = this->Grab();
+    this->Find<QDoubleSpinBox>("surfaces", "pointSize")->setValue(1.0);
+    this->Compare("single pixels");
+    QVERIFY(CountDifferent(this->Grab(), balls) > 100);
+  }
+
   void presetsBackground()
   {
     this->Open({ this->WriteScene(), "--preset", "studio" });

@@ -68,6 +68,16 @@ void LookPanel::AddSurface()
       SetOption(settings, "--opacity", value == 1.0 ? "" : scene::WriteNumber(value));
     });
   });
+  this->PointSize = new relievoQt::Number(1.0, 100.0, 1.0, 1, group);
+  this->PointSize->setObjectName("pointSize");
+  this->PointSize->SetUnit("pixels");
+  this->PointSize->setToolTip("Of points; those wider than 1 are drawn as balls");
+  GetRows(group)->addRow("Point size", this->PointSize);
+  QObject::connect(this->PointSize, &relievoQt::Number::edited, this, [this](double value) {
+    this->Edited->Change([&](scene::Settings& settings) {
+      settings.Set("--point-size", scene::WriteNumber(value));
+    });
+  });
   this->Edges = MakeFlag(this->Edited, "Show edges", "--edges", group);
   this->Edges->setToolTip("Draws the edges of cells");
   GetRows(group)->addRow(this->Edges);
@@ -135,6 +145,7 @@ void LookPanel::ShowSettings()
   ShowChoice(this->Shading, settings, "--shading");
   ShowFlag(this->Edges, settings, "--edges");
   this->Opacity->SetValue(options.Look.Opacity);
+  this->PointSize->SetValue(options.Look.PointSize);
   const std::vector<scene::Color>& background = options.Look.Background;
   const bool own = settings.Has("--background");
   this->Background->setItemText(0, background.empty() ? "VTK's" : "The preset's");

@@ -38,7 +38,7 @@ private:
   QComboBox *Shading, *Background;
   QCheckBox* Edges;
   ColorButton *Bottom, *Top;
-  relievoQt::Number* Opacity;
+  relievoQt::Number *Opacity, *PointSize;
 };
 }
 

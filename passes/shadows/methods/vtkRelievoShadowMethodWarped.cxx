@@ -19,7 +19,7 @@ using vtkRelievoShadowFit::Request;
 using vtkRelievoShadowSnapping::Rounding;
 
 // Fitted as vtkRelievoShadowMethodMap's law is. Where a scene runs to the horizon, warped maps have
-// two fifths to four fifths of that method's wrong verdicts.
+// two fifths of that method's wrong verdicts.
 constexpr vtkRelievoShadowErrorLaw WarpedLaw = { 1.92e-4, 0.91 };
 
 // Angles that a map may have, in half a turn.
