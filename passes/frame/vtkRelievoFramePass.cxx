@@ -4,7 +4,9 @@
 
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLFXAAFilter.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkRelievoAccess.h"
@@ -46,7 +48,18 @@ public:
   vtkRelievoTranslucentLayers Translucent;
   vtkRelievoSampleAccumulator Samples;
   vtkRelievoFrameReader Reader{ Color, Samples };
+  vtkNew<vtkOpenGLFXAAFilter> Filter;           // of pictures with one sample of many
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
+
+  // While something moves, pictures have the first sample alone of those that smooth edges: what
+  // that shows is filtered, not what is gathered.
+  void SmoothFirst(const vtkRelievoFrameContext& context)
+  {
+    if (context.OffsetsSamples && context.Sample == 0 && context.Picture && context.Last)
+    {
+      this->Filter->Execute(static_cast<vtkOpenGLRenderer*>(context.Renderer));
+    }
+  }
 
   std::vector<vtkRelievoStage*> GetStages()
   {
@@ -363,6 +376,7 @@ bool vtkRelievoFramePass::DrawSample(const vtkRenderState* s)
   this->NumberOfRenderedProps = run.DrawDelegate(in.Picture, in.Delegate);
   run.DrawStages();
   run.Present();
+  in.SmoothFirst(context);
   run.Finish();
   in.Timer.End("frame");
 
@@ -412,6 +426,7 @@ void vtkRelievoFramePass::ReleaseStages(vtkWindow* window)
   this->Internal->Color.Release(window);
   this->Internal->Translucent.Release(window);
   this->Internal->Samples.Release(window);
+  this->Internal->Filter->ReleaseGraphicsResources();
   this->Internal->Timer.Release();
 }
 

@@ -112,6 +112,23 @@ class Antialias(unittest.TestCase):
                 (light * axis).sum() / light.sum(), (shares * axis).sum() / shares.sum(),
                 delta=0.01)  # fmt: skip
 
+    def test_moving(self):
+        """A picture of the first sample alone is filtered, and what is gathered is not."""
+        shares = covered(CORNERS)
+        gathered = self.smooth(16)
+        single = self.error(1, shares)
+        self.frame.WaitForSamplesOff()
+        relievo.stage(self.renderer, "antialias", samples=16)
+        self.camera.Modified()
+        shown = picture(self.window)
+        edges = (shares > 0) & (shares < 1)
+        error = numpy.sqrt(((linear(shown[..., 0].astype(float)) - shares)[edges] ** 2).mean())
+        self.assertLess(error, 0.8 * single)
+        numpy.testing.assert_array_equal(shown[15:35, 20:45], gathered[15:35, 20:45])  # inside
+        for _ in range(14):
+            self.window.Render()
+        numpy.testing.assert_array_equal(picture(self.window), gathered)
+
     def test_projections(self):
         """In every kind of projection the sum of the light is that of the exact areas."""
         def perspective():

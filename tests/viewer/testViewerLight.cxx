@@ -133,7 +133,7 @@ private Q_SLOTS:
   {
     const std::string light = "sun:2026-06-21T15:30Z,48,0,size=2";
     this->Open({ this->WriteScene(), "--light", light });
-    auto* up = static_cast<QComboBox*>(this->Find("scene", "up"));
+    auto* up = this->Window->findChild<QGroupBox*>("scene")->findChild<QComboBox*>("up");
     QCOMPARE(this->GetBox("by")->currentIndex(), 1);
     QCOMPARE(this->Shown("time"), 15.5);
     for (const int axis : { 2, 0, 1 })

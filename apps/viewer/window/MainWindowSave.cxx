@@ -11,7 +11,6 @@
 #include "RecentFiles.h"
 #include "SaveDialog.h"
 #include "SessionFile.h"
-#include "SunGroup.h"
 #include "TimeBar.h"
 #include "Transparency.h"
 
@@ -172,8 +171,7 @@ void MainWindow::SaySaved(const QString& path)
 //------------------------------------------------------------------------------
 void MainWindow::SaveSession(const QString& path)
 {
-  const SunGroup* sun = this->Light->GetSun();
-  viewer::SaveSession(path, { this->GetViewSettings(), sun->GetTime(), sun->IsByTime() });
+  viewer::SaveSession(path, this->GetViewSettings());
   this->Recent->Add(QFileInfo(path).absoluteFilePath());
   this->SaySaved(path);
 }
