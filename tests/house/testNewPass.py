@@ -242,7 +242,7 @@ DOCK = """<?xml version="1.0" ?>
 """
 SHELL = "pqClientMainWindow/pythonShellDock/pythonShell/consoleWidget"
 STAGES = ("pqClientMainWindow/pqRelievoPanel/1QScrollArea0/qt_scrollarea_viewport/content/all/"
-          "stages/stages")
+          "stages/RelievoStageMist/stages")
 
 
 def in_the_dock(source, build):
