@@ -246,10 +246,20 @@ vtkSmartPointer<vtkDataObject> ShowImage(vtkImageData* image, const ImageChoice&
     {
       Messages::Note(path + ": holds labels, shown by their surfaces; --image box shows the image");
     }
-    return MakeLabelSurfaces(image, progress);
+    const vtkSmartPointer<vtkDataObject> surfaces = MakeLabelSurfaces(image, progress);
+    if (!surfaces)
+    {
+      throw WorkError(path + ": --image labels: holds more than " + std::to_string(MostLabels) +
+        " values; --image surface shows where one is reached");
+    }
+    return surfaces;
   }
   double range[2];
   image->GetPointData()->GetScalars()->GetFiniteRange(range);
+  if (found && !(range[0] < range[1])) // nothing parts it
+  {
+    return image;
+  }
   const double value = choice.Value ? *choice.Value : FindThreshold(image);
   if (!(range[0] < value && value <= range[1]))
   {
@@ -334,7 +344,7 @@ Scene ReadScene(const RenderOptions& options, Progress& progress)
     vtkActorCollection* actors = scene.Renderer->GetActors();
     scene.Counts.push_back(actors->GetNumberOfItems() - before);
     bool shows = scene.Renderer->GetVolumes()->GetNumberOfItems() > volumes;
-    if (before == 0)
+    if (&path == &options.Files.front())
     {
       scene.UpAxis = FindUpAxis(path, scene.Renderer->ComputeVisiblePropBounds());
       known = FollowFile(options, scene);

@@ -12,7 +12,7 @@ namespace scene
 {
 namespace
 {
-// Of its width and its length.
+// The largest height of what lies flat, as a share of its width and of its length.
 constexpr double LowShare = 0.34;
 }
 
@@ -32,7 +32,7 @@ int FindUpAxis(const std::string& path, const double bounds[6])
   {
     return standsOn(2) ? 2 : 1;
   }
-  // What is low lies: a terrain, a plate, a scan of the ground.
+  // What is low along z lies flat: a terrain, a plate, a scan of the ground.
   if (extent(2) > 1e-3 * largest && extent(2) < LowShare * std::min(extent(0), extent(1)))
   {
     return 2;

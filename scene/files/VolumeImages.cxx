@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeImages.h"
 
+#include "Numbers.h"
 #include "Progress.h"
 #include "Values.h"
 
@@ -37,7 +38,6 @@ namespace scene
 namespace
 {
 constexpr int Bins = 256;
-constexpr std::size_t MostLabels = 2000;
 // Of neighbours along x, in regions; noise and gradients of bytes have far fewer that are equal.
 constexpr double LeastEqual = 0.8;
 // Of the image's diagonal: the farthest apart that places of a point are by rounding.
@@ -50,7 +50,7 @@ bool IsWhole(int type)
   return type != VTK_FLOAT && type != VTK_DOUBLE && type != VTK_BIT;
 }
 
-// Of each value but 0, where it is.
+// Of each value but 0, where it is; one more than MostLabels at most.
 std::map<double, Extent> FindLabels(vtkImageData* image)
 {
   int whole[6];
@@ -67,12 +67,16 @@ std::map<double, Extent> FindLabels(vtkImageData* image)
       for (int x = whole[0]; x <= whole[1]; ++x, ++value)
       {
         const double label = static_cast<double>(*value);
-        if (label == 0.0)
+        if (label == 0.0 || !std::isfinite(label))
         {
           continue;
         }
         if (!box || label != last)
         {
+          if (labels.size() > MostLabels)
+          {
+            return labels;
+          }
           box = &labels.try_emplace(label, Extent{ x, x, y, y, z, z }).first->second;
           last = label;
         }
@@ -241,15 +245,18 @@ bool HasLabels(vtkImageData* image)
     equal += counts && a == b ? 1 : 0;
   }
   const std::size_t labels = FindLabels(image).size();
-  return labels == 1 ||
-    (labels > 1 && labels <= MostLabels &&
-      static_cast<double>(equal) >= LeastEqual * static_cast<double>(pairs));
+  const bool even = static_cast<double>(equal) >= LeastEqual * static_cast<double>(pairs);
+  return labels == 1 || (labels > 1 && labels <= MostLabels && even);
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeLabelSurfaces(vtkImageData* image, Progress& progress)
 {
   const std::map<double, Extent> labels = FindLabels(image);
+  if (labels.size() > MostLabels)
+  {
+    return nullptr;
+  }
   vtkNew<vtkAppendPolyData> all;
   std::size_t number = 0;
   for (const auto& [label, box] : labels)
@@ -321,8 +328,9 @@ double FindThreshold(vtkImageData* image)
   }
   // In the middle of the gap, where all of it parts alike; in few digits, for people.
   const double width = range[1] - range[0];
-  const double step = width > 0.0 ? std::pow(10.0, std::floor(std::log10(width)) - 2.0) : 1.0;
-  return step * std::round((range[0] + width * (0.5 * (first + last) + 1.0) / Bins) / step);
+  const double exact = range[0] + width * (0.5 * (first + last) + 1.0) / Bins;
+  const double rounded = RoundTo(exact, 1e-3 * width);
+  return range[0] < rounded && rounded < range[1] ? rounded : exact;
 }
 
 //------------------------------------------------------------------------------

@@ -47,7 +47,11 @@ vtkSmartPointer<vtkImageData> GetVolumeImage(vtkDataObject* data);
 /// Whether the values are whole numbers that hardly change from a point to the next.
 bool HasLabels(vtkImageData* image);
 
-/// The smoothed surface of each region whose value is not 0, with a colour for each value.
+/// Values that MakeLabelSurfaces takes.
+constexpr std::size_t MostLabels = 2000;
+
+/// The smoothed surface of each region whose value is not 0, with a colour for each value. Null:
+/// there are more values than MostLabels.
 vtkSmartPointer<vtkPolyData> MakeLabelSurfaces(vtkImageData* image, Progress& progress);
 
 /// The value that parts the image's histogram best (Otsu, 1979).

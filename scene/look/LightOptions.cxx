@@ -56,7 +56,7 @@ void TakeSpot(LightChoice& light, const std::string& numbers)
 }
 
 //------------------------------------------------------------------------------
-double ParsePositive(const std::string& option, const std::string& word, const std::string& form)
+double ParseNotNegative(const std::string& option, const std::string& word, const std::string& form)
 {
   const double number = ParseNumbers(option, word, 1, form).front();
   if (number < 0.0)
@@ -69,7 +69,7 @@ double ParsePositive(const std::string& option, const std::string& word, const s
 //------------------------------------------------------------------------------
 void TakeSize(LightChoice& light, const std::string& word)
 {
-  light.Size = ParsePositive("--light size", word, "S");
+  light.Size = ParseNotNegative("--light size", word, "S");
   if (light.Is == LightChoice::Kind::Sun && *light.Size > 90.0)
   {
     RefuseValue("--light size", word, "a sun's angle in degrees, 0 to 90");
@@ -100,7 +100,7 @@ const std::vector<LightValue>& GetValues()
       } },
     { "intensity=I", "1 lights a white surface that faces it fully (1; with a preset, of 0.8)",
       [](LightChoice& light, const std::string& word) {
-        light.Intensity = ParsePositive("--light intensity", word, "I");
+        light.Intensity = ParseNotNegative("--light intensity", word, "I");
       } },
     { "casts=on|off", "whether it casts shadows, where there are any (on)",
       [](LightChoice& light, const std::string& word) {
@@ -108,7 +108,11 @@ const std::vector<LightValue>& GetValues()
       } },
     { "name=TEXT", "in reports and files (its number)",
       [](LightChoice& light, const std::string& word) {
-        word.empty() ? RefuseValue("--light name", word, "a text") : void(light.Name = word);
+        if (word.empty())
+        {
+          RefuseValue("--light name", word, "a text");
+        }
+        light.Name = word;
       } },
   };
   return values;

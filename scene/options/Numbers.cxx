@@ -20,6 +20,18 @@ std::string WriteNumber(double value)
 }
 
 //------------------------------------------------------------------------------
+double RoundTo(double value, double step)
+{
+  if (!(step > 0.0) || !std::isfinite(step))
+  {
+    return value;
+  }
+  const double exponent = std::floor(std::log10(step));
+  const double power = std::pow(10.0, std::abs(exponent)); // exact, as its inverse is not
+  return exponent < 0.0 ? std::round(value * power) / power : std::round(value / power) * power;
+}
+
+//------------------------------------------------------------------------------
 std::string WriteFileAndNumber(const std::string& file, double number)
 {
   // What ends in a comma and digits would be read as a name with a number.

@@ -129,6 +129,31 @@ class Volumes(CliTest):
         self.refused("render", "slope.vti", "--image", "mesh", "--png", "b.png", status=2,
                      says=["--image", "mesh", "labels"])  # fmt: skip
 
+    def test_values_that_are_no_labels(self):
+        """One value, which nothing parts, is a box; no numbers, outliers and too many labels."""
+        one = numpy.full((SIDE, SIDE, SIDE), 5, numpy.float32)
+        self.image("one.vti", one)
+        numpy.testing.assert_array_equal(
+            self.picture("one.vti"), self.picture("one.vti", "--image", "box"))  # fmt: skip
+        self.image("zero.vti", numpy.zeros((SIDE, SIDE, SIDE), numpy.uint8))
+        self.picture("zero.vti")
+        values = (0.007 * distances() / distances().max()).astype(numpy.float32)
+        values[0, 0, 0], values[0, 0, 1] = 1, numpy.nan
+        self.image("outlier.vti", values)
+        self.picture("outlier.vti", says="surface")
+        labels = numpy.where(distances() < 15, 2, 0).astype(numpy.float32)
+        labels[0, 0, :5] = numpy.nan
+        self.image("floats.vti", labels)
+        radii, values = self.radii("floats.vti", "--image", "labels", layers=["values"])
+        self.assertEqual(set(values), {2})
+        self.assertLess(abs(radii - 15).max(), 1.0)
+        ids = numpy.arange(SIDE**3, dtype=numpy.int32).reshape(SIDE, SIDE, SIDE)
+        self.image("ids.vti", ids)
+        self.picture("ids.vti", says="surface")
+        self.before = self.names()
+        self.refused("render", "ids.vti", "--image", "labels", "--png", "b.png", status=1,
+                     says=["labels", "2000"], environment=STUDIO)  # fmt: skip
+
     def test_cloud(self):
         """Points are seen on a light background, lit as balls; a wide flat cloud lies."""
         place = numpy.mgrid[-3:3:16j, -3:3:16j, -1:1:2j].reshape(3, -1).T

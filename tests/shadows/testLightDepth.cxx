@@ -170,7 +170,8 @@ void TestSpotAndLamp()
     const double sides = 2 * 1.5 * (larger - 1.0) * 0.5 * (0.5 + larger * 0.5);
     const double whole = larger * larger * 0.5 * (2 * 1.75);
     RELIEVO_CHECK_AT_MOST(
-      std::abs(top.first * (whole - tops - sides) / (ground.first * tops) - 1.0), 0.02, what + "the tops' share of the ground");
+      std::abs(top.first * (whole - tops - sides) / (ground.first * tops) - 1.0), 0.02,
+      what + "the tops' share of the ground");
     RELIEVO_CHECK(top.first + ground.first > 0.92 * ground.second && ground.first > 1000);
   }
 }

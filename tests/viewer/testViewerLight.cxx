@@ -56,7 +56,7 @@ private:
 
   void Select(int row) { this->GetList()->setCurrentItem(this->GetList()->topLevelItem(row)); }
 
-  // As they are read.
+  // What the list shows, row by row.
   QStringList GetRows()
   {
     QStringList rows;

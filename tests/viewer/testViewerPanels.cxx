@@ -337,7 +337,6 @@ private Q_SLOTS:
       QVERIFY2(needed <= panel->viewport()->width(),
         qPrintable(QString("%1: %2 of %3").arg(name).arg(needed).arg(panel->viewport()->width())));
       QVERIFY(!panel->horizontalScrollBar()->isVisible());
-      this->Window->grab().save(QString("panel-%1.png").arg(name)); // to be looked at
     }
   }
 };

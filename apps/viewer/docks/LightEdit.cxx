@@ -293,6 +293,12 @@ void LightEdit::WritePlace()
 }
 
 //------------------------------------------------------------------------------
+void LightEdit::StopPlacing()
+{
+  this->PlaceButton->setChecked(false);
+}
+
+//------------------------------------------------------------------------------
 void LightEdit::Place(const std::array<double, 3>& place)
 {
   this->PlaceButton->setChecked(false);

@@ -42,6 +42,9 @@ public:
   /// A place in the picture was chosen: a spot turns there, a point moves over it.
   void Place(const std::array<double, 3>& place);
 
+  /// No click in the picture is waited for any more.
+  void StopPlacing();
+
 Q_SIGNALS:
   void edited(const QString& word);
 

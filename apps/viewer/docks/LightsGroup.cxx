@@ -86,8 +86,10 @@ LightsGroup::LightsGroup(Document* document, QWidget* parent)
   this->GetRows()->addRow(this->OwnButton);
   this->GetRows()->addRow(this->Light);
   this->AddFill();
-  QObject::connect(
-    this->List, &QTreeWidget::currentItemChanged, this, [this] { this->ShowCurrent(); });
+  QObject::connect(this->List, &QTreeWidget::currentItemChanged, this, [this] {
+    this->Light->StopPlacing(); // which was asked for another one
+    this->ShowCurrent();
+  });
   QObject::connect(this->List, &QTreeWidget::itemChanged, this, &LightsGroup::Rename);
   QObject::connect(this->OwnButton, &QPushButton::clicked, this, &LightsGroup::MakeOwn);
   QObject::connect(this->Light, &LightEdit::placing, this, &LightsGroup::placing);

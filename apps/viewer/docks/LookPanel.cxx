@@ -74,9 +74,8 @@ void LookPanel::AddSurface()
   this->PointSize->setToolTip("Of points; those wider than 1 are drawn as balls");
   GetRows(group)->addRow("Point size", this->PointSize);
   QObject::connect(this->PointSize, &relievoQt::Number::edited, this, [this](double value) {
-    this->Edited->Change([&](scene::Settings& settings) {
-      settings.Set("--point-size", scene::WriteNumber(value));
-    });
+    this->Edited->Change(
+      [&](scene::Settings& settings) { settings.Set("--point-size", scene::WriteNumber(value)); });
   });
   this->Edges = MakeFlag(this->Edited, "Show edges", "--edges", group);
   this->Edges->setToolTip("Draws the edges of cells");

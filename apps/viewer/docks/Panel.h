@@ -34,9 +34,6 @@ protected:
   void Fill(QGroupBox* group);
   static QFormLayout* GetRows(QGroupBox* group);
 
-  /// All groups.
-  QVBoxLayout* GetColumn() { return this->Column; }
-
   Document* Edited;
 
 private:

@@ -22,8 +22,7 @@ constexpr double Cone = 28.0; // degrees: the ball is seen from there under 23.6
 // Digits that nobody needs make long words.
 double Round(double value, double size)
 {
-  const double step = std::pow(10.0, std::floor(std::log10(size)) - 2.0);
-  return std::round(value / step) * step;
+  return scene::RoundTo(value, 0.01 * size);
 }
 }
 

@@ -24,7 +24,7 @@ public:
   /// In the parent's lower left corner.
   explicit AxisMarker(QWidget* parent);
 
-  /// As this renderer's camera sees them; null: not at all.
+  /// Shows the axes as seen by this renderer's camera; null: not at all.
   void Follow(vtkRenderer* renderer);
 
   /// Whether it is wanted; kept from one run to the next.

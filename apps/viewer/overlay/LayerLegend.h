@@ -23,7 +23,7 @@ public:
   /// At the parent's bottom.
   explicit LayerLegend(QWidget* parent);
 
-  /// As the frame's last picture shows it; null: no layer is shown.
+  /// Explains the layer that the frame's last picture shows; null: no layer is shown.
   void Follow(vtkRelievoPass* frame, const Facts& facts);
 
   /// All that it says, the values of the first and the last colour included; empty if it is hidden.

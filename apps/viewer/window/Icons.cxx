@@ -41,7 +41,6 @@ Sign DrawOpen()
   return sign;
 }
 
-// A picture of hills and a sun, and an arrow down.
 Sign DrawSave()
 {
   Sign sign;

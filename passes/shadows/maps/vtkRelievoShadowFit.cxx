@@ -40,7 +40,7 @@ bool CastsNothing(const vtkRelievoBox& box, const vtkRelievoShadowLight& light,
       light.Positional ? light.Position[axis] - box.Min[axis] : -light.Direction[axis];
     const double slack = Rounding * glm::length(size);
     const bool above = lightSide > 0.0;
-    if (size[axis] <= slack && std::abs(lightSide) > slack &&
+    if (size[axis] <= slack && std::abs(lightSide) > (light.Positional ? slack : Rounding) &&
       std::all_of(receivers.begin(), receivers.end(), [&](const vtkRelievoBox& receiver) {
         return above ? receiver.Min[axis] >= box.Max[axis] - slack
                      : receiver.Max[axis] <= box.Min[axis] + slack;

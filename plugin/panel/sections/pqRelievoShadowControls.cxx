@@ -132,10 +132,10 @@ void pqRelievoShadowControls::AddMethods(QWidget* parent)
   }
   relievoQt::AddRow(rows, "Method", method);
   relievoQt::AddRow(rows, "Map size", size);
-  relievoQt::AddRow(rows, "Filter radius", filter);
+  relievoQt::AddRow(rows, "Softness", filter);
   this->Bind(method, "RelievoShadowMethod", "Shadow method");
   this->Bind(size, "RelievoShadowMapSize", "Shadow map size");
-  this->Bind(filter, "RelievoShadowFilterRadius", "Filter radius of shadows");
+  this->Bind(filter, "RelievoShadowFilterRadius", "Softness of shadows");
 }
 
 //------------------------------------------------------------------------------
