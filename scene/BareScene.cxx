@@ -182,7 +182,7 @@ void BareScene::Wear(const RenderOptions& options, Progress& progress)
   };
   try
   {
-    SetSurface(this->Read.Renderer, options, progress);
+    SetSurface(this->Read, options, progress);
     keepNew();
   }
   catch (...)

@@ -381,6 +381,21 @@ void LayGround(Scene& scene, const RenderOptions& options)
     scene.Renderer->AddActor(scene.Ground);
   }
 }
+
+//------------------------------------------------------------------------------
+// Round the scene's bounds, in the place of the one before.
+void LayGrid(Scene& scene, const RenderOptions& options)
+{
+  if (scene.Grid)
+  {
+    scene.Grid->Remove(scene.Renderer);
+    scene.Grid = nullptr;
+  }
+  if (options.Look.Grid && vtkMath::AreBoundsInitialized(scene.Bounds))
+  {
+    scene.Grid = Grid::Add(scene.Renderer, scene.Bounds, options.UpAxis);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -399,6 +414,7 @@ void DressScene(Scene& scene, const RenderOptions& options)
   CheckLights(scene.Renderer, options);
   scene.Renderer->ComputeVisiblePropBounds(scene.Bounds);
   LayGround(scene, options);
+  LayGrid(scene, options);
   PlaceCamera(scene.Renderer, options, scene.Bounds);
 }
 
@@ -439,6 +455,7 @@ void FitTimes(Scene& scene, const RenderOptions& options, Progress& progress)
   progress.End();
   box.GetBounds(scene.Bounds);
   LayGround(scene, options);
+  LayGrid(scene, options);
   PlaceCamera(scene.Renderer, options, scene.Bounds);
   PlayScene(scene, options, times.front(), progress);
 }

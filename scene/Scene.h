@@ -6,6 +6,7 @@
 #ifndef Scene_h
 #define Scene_h
 
+#include "Grid.h"
 #include "Models.h"
 
 #include "vtkRenderer.h"
@@ -31,6 +32,7 @@ struct Scene
   vtkSmartPointer<vtkRenderer> Renderer;
   std::vector<PosedModel> Models;
   vtkSmartPointer<vtkActor> Ground;                       ///< null: none
+  vtkSmartPointer<scene::Grid> Grid;                      ///< null: none
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; ///< of what is shown, without a ground
   bool HasLights = false;                                 ///< of its files
   int UpAxis = 1;               ///< by the first file: 0, 1, 2 for x, y, z

@@ -42,6 +42,7 @@ struct LookChoice
   double Opacity = 1.0;
   double PointSize = 1.0; ///< pixels; larger ones are spheres
   bool Edges = false;
+  bool Grid = false;
   std::vector<Color> Background; ///< none: VTK's; two: bottom and top
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ScalarBar.h"
 
+#include "Annotation.h"
+
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
@@ -12,8 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <vector>
 
 namespace scene
@@ -26,21 +26,6 @@ constexpr double Right = 0.97;       // of the bar at the most
 constexpr double LabelsAt = 0.043;   // from the bar's left
 constexpr double Margin = 0.01;      // beside texts
 constexpr double TitleAtMost = 0.45; // as wide
-constexpr std::size_t Short = 8;     // letters of a value
-
-// Black or white, whatever is read better on the background.
-std::array<double, 3> GetInk(vtkRenderer* renderer)
-{
-  const auto getLuma = [](const double* rgb) {
-    return 0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2];
-  };
-  const double bottom = getLuma(renderer->GetBackground());
-  const double luma = renderer->GetGradientBackground()
-    ? (bottom + getLuma(renderer->GetBackground2())) / 2.0
-    : bottom;
-  const double ink = luma > 0.5 ? 0.0 : 1.0;
-  return { ink, ink, ink };
-}
 
 std::vector<double> ListValues(const double* range)
 {
@@ -51,56 +36,6 @@ std::vector<double> ListValues(const double* range)
     values[static_cast<std::size_t>(i)] = (1.0 - share) * range[0] + share * range[1];
   }
   return values;
-}
-
-// A way to write numbers as printf has it, and the values written so.
-struct Written
-{
-  std::string Format, Longest;
-};
-
-Written Write(const std::vector<double>& values, std::chars_format kind, int digits)
-{
-  Written written;
-  written.Format = "%." + std::to_string(digits) + (kind == std::chars_format::fixed ? "f" : "e");
-  for (const double value : values)
-  {
-    std::array<char, 400> letters; // 309 digits before the point
-    const std::to_chars_result end =
-      std::to_chars(letters.begin(), letters.end(), value, kind, digits);
-    const std::string text(letters.data(), end.ptr);
-    written.Longest = text.size() > written.Longest.size() ? text : written.Longest;
-  }
-  return written;
-}
-
-// With the fewest digits that are right to a few hundredths of the step between two values.
-Written Write(const std::vector<double>& values, std::chars_format kind)
-{
-  const double step = std::abs(values[1] - values[0]);
-  const double largest = std::max(std::abs(values.front()), std::abs(values.back()));
-  const double tolerance = step > 0.0 ? 0.03 * step : 0.001 * largest;
-  int digits = 0;
-  const auto isRight = [&](double value) {
-    const double exponent = kind == std::chars_format::fixed || value == 0.0
-      ? 0.0
-      : std::floor(std::log10(std::abs(value)));
-    const double scaled = value / std::pow(10.0, exponent - digits);
-    return std::abs(scaled - std::round(scaled)) <= tolerance / std::pow(10.0, exponent - digits);
-  };
-  while (digits < 17 && !std::all_of(values.begin(), values.end(), isRight))
-  {
-    ++digits;
-  }
-  return Write(values, kind, digits);
-}
-
-// Exponents are for what would be long without.
-Written Write(const std::vector<double>& values)
-{
-  const Written fixed = Write(values, std::chars_format::fixed);
-  const Written scientific = Write(values, std::chars_format::scientific);
-  return fixed.Longest.size() <= std::max(Short, scientific.Longest.size()) ? fixed : scientific;
 }
 
 // The text's width as a share of the picture's.
@@ -124,7 +59,7 @@ void AddScalarBar(vtkRenderer* renderer, vtkColorTransferFunction* map, const st
   bar->SetNumberOfLabels(Labels);
   bar->SetVerticalTitleSeparation(height / 60);
   bar->UnconstrainedFontSizeOn();
-  const Written values = Write(ListValues(map->GetRange()));
+  const WrittenValues values = WriteValues(ListValues(map->GetRange()));
   bar->SetLabelFormat(values.Format.c_str());
   const std::array<double, 3> ink = GetInk(renderer);
   for (vtkTextProperty* text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
@@ -143,7 +78,11 @@ void AddScalarBar(vtkRenderer* renderer, vtkColorTransferFunction* map, const st
       std::max(6, static_cast<int>(size * TitleAtMost / broad)));
     broad = GetWidth(renderer, bar->GetTitleTextProperty(), title);
   }
-  const double wide = GetWidth(renderer, bar->GetLabelTextProperty(), values.Longest);
+  double wide = 0.0;
+  for (const std::string& text : values.Texts)
+  {
+    wide = std::max(wide, GetWidth(renderer, bar->GetLabelTextProperty(), text));
+  }
   const double left = std::min(
     { Right - Width, 1.0 - Margin - LabelsAt - wide, 1.0 - Margin - (Width + broad) / 2.0 });
   bar->SetPosition(std::max(0.0, left), 0.1);

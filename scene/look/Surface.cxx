@@ -6,6 +6,7 @@
 #include "Errors.h"
 #include "Images.h"
 #include "Options.h"
+#include "Scene.h"
 #include "SurfaceOptions.h"
 
 #include "vtkActor.h"
@@ -117,7 +118,7 @@ void CheckSurface(const RenderOptions& options)
 }
 
 //------------------------------------------------------------------------------
-void SetSurface(vtkRenderer* renderer, const RenderOptions& options, Progress& progress)
+void SetSurface(const Scene& scene, const RenderOptions& options, Progress& progress)
 {
   const bool plain = options.NormalMap.empty() && options.HeightMap.empty() &&
     options.Environment.empty() && options.Material.empty();
@@ -125,6 +126,7 @@ void SetSurface(vtkRenderer* renderer, const RenderOptions& options, Progress& p
   {
     return;
   }
+  vtkRenderer* renderer = scene.Renderer;
   vtkSmartPointer<vtkRelievoEnvironment> environment;
   if (!options.Environment.empty())
   {
@@ -140,6 +142,10 @@ void SetSurface(vtkRenderer* renderer, const RenderOptions& options, Progress& p
   actors->InitTraversal(it);
   while (vtkActor* actor = actors->GetNextActor(it))
   {
+    if (scene.Grid && actor == scene.Grid->GetLines())
+    {
+      continue;
+    }
     vtkRelievoMaterial* own = vtkRelievoMaterial::Get(actor);
     if (plain && (!own || own->GetAlphaCutoff() <= 0.0))
     {

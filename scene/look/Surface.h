@@ -6,18 +6,17 @@
 #ifndef Surface_h
 #define Surface_h
 
-class vtkRenderer;
-
 namespace scene
 {
 class Progress;
 struct RenderOptions;
+struct Scene;
 
 /// Throws UsageError or WorkError for a file that is no image, or cannot be opened.
 void CheckSurface(const RenderOptions& options);
 
-/// Puts maps and environment on every actor. Throws WorkError with the file's name.
-void SetSurface(vtkRenderer* renderer, const RenderOptions& options, Progress& progress);
+/// Puts maps and environment on every actor but the grid. Throws WorkError with the file's name.
+void SetSurface(const Scene& scene, const RenderOptions& options, Progress& progress);
 }
 
 #endif

@@ -196,6 +196,9 @@ std::vector<OptionRow> MakeRows()
       [](RenderOptions& options, const std::string& word) {
         options.Ground = ParseChoice("--ground", word, { "off", "on" }) == 1;
       } },
+    { "--grid", "",
+      "shows a grid round the scene, with numbers on its axes x, y and z, in the picture alone",
+      [](RenderOptions& options, const std::string&) { options.Look.Grid = true; } },
     { "--color-by", "NAME[,COMPONENT]",
       "colours by a point or cell array, point:NAME or cell:NAME where two share a "
       "name; COMPONENT a number from 0, or magnitude (the magnitude; bytes of 3 or 4 "

@@ -160,6 +160,51 @@ class Studio(CliTest):
         self.assertGreater((different > 0).sum(), 100)  # they are two methods
         self.assertEqual((different > 0.08 * 255).sum(), 0)
 
+    def test_grid(self):
+        """Behind the model and beside it, in black or white, whatever the size; layers, camera and
+        ground stay as they are."""
+        self.sphere("ball.obj")
+        camera = ["--camera", "5,4,12,0,0,0,0,1,0"]
+        for words in ([], ["--preset", "none"], ["--preset", "print", "--parallel-scale", "4"],
+                      [*camera, "--shadows", "exact", "--colored-shadows"]):  # fmt: skip
+            with self.subTest(words=words):
+                without, grid = (self.picture("ball.obj", *words, *more)
+                                 for more in ([], ["--grid"]))  # fmt: skip
+                apart = grid - without
+                model, _ = self.seen("ball.obj", *words)
+                self.assertEqual(abs(apart)[shrunk(model)].max(), 0)
+                seen = abs(apart).max(axis=-1) > 8
+                self.assertGreater(seen.mean(), 0.04)
+                self.assertGreater(abs(apart).max(), 120)
+                self.assertEqual((apart > 8).any(), "none" in words)  # white, and only there
+                self.assertEqual((apart < -8).any(), "none" not in words)
+                rows, columns = numpy.nonzero(seen)
+                self.assertGreater(min(rows.min(), 179 - rows.max()), 0)  # numbers are whole
+                self.assertGreater(min(columns.min(), 239 - columns.max()), 0)
+                layers = []
+                for more in ([], ["--grid"]):
+                    self.relievo("render", "ball.obj", *words, *more, *SIZE, "--exr", "a.exr",
+                                 "--layers", "depth,actor,normal,shadow_0")  # fmt: skip
+                    layers.append(self.exr("a.exr")[1])
+                self.assertIn("shadow_0.V", layers[0])
+                for name in sorted(set(layers[0]) - set("RGBA")):
+                    numpy.testing.assert_array_equal(layers[0][name], layers[1][name], name)
+
+    def test_grid_numbers(self):
+        """Lines through round coordinates: those of a plane where its corners say they are."""
+        self.box("flat.obj", (0, 0, -1), (40, 30, 0))
+        words = ["flat.obj", "--preset", "none", "--parallel-scale", "18",
+                 "--camera", "20,15,-50,20,15,0,0,1,0"]  # fmt: skip
+        self.box("low.obj", (0, 0, -1), (40, 0.001, 0))
+        words[0] = "low.obj"
+        self.box("high.obj", (0, 30, -1), (40, 29.999, 0))
+        picture = self.picture(*words, "high.obj", "--grid").max(axis=-1)
+        inside = picture[40:140, :]
+        columns = numpy.flatnonzero((inside > 20).mean(axis=0) > 0.9)
+        expected = 120 - (numpy.arange(0, 41, 5) - 20) * 90 / 18  # x grows to the left
+        self.assertEqual(len({int(numpy.argmin(abs(expected - c))) for c in columns}), 9)
+        self.assertLess(max(abs(expected - c).min() for c in columns), 1.5)
+
     def test_fits(self):
         """The model fills the picture in one direction, and keeps off its edges, whatever its shape
         and the projection."""

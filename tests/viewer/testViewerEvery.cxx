@@ -48,6 +48,8 @@ const std::vector<QStringList> Rows = {
   { "--color-by", "height", "--colormap", "black,#ff8000,0.2/0.9/1" },
   { "--color-by", "Normals,1", "--scalar-bar" },
   { "--background", "#102030,gray" },
+  { "--preset", "studio", "--grid" },
+  { "--grid", "--environment", "IMAGE", "--background", "white" },
   { "--shadows", "forward" },
   { "--shadows", "warped" },
   { "--shadows", "exact", "--colored-shadows" },

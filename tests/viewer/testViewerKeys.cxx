@@ -117,6 +117,19 @@ private Q_SLOTS:
     this->Compare("from the back");
   }
 
+  void gridKey()
+  {
+    this->Open({ this->WriteScene() });
+    this->Grab();
+    this->Press(Qt::Key_G);
+    QVERIFY(this->Window->GetDocument()->Get().Has("--grid"));
+    this->Press(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(!this->Window->GetDocument()->Get().Has("--grid"));
+    this->Press(Qt::Key_G);
+    this->Press(Qt::Key_G);
+    QVERIFY(!this->Window->GetDocument()->Get().Has("--grid"));
+  }
+
   // The wheel over a control without the focus scrolls its panel.
   void wheel()
   {

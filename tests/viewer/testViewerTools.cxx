@@ -6,12 +6,14 @@
 
 #include "AxisMarker.h"
 #include "LayerLegend.h"
+#include "Picture.h"
 
 #include "vtkCamera.h"
 #include "vtkRenderer.h"
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QRegularExpression>
 #include <QTextEdit>
 #include <QToolBar>
@@ -97,6 +99,31 @@ private Q_SLOTS:
     QCOMPARE(CountDifferent(before, this->Grab()), 0);
     this->Window->GetDocument()->Undo();
     QVERIFY(!shadows->isChecked());
+  }
+
+  // By its action and by the panel; it goes round with the camera, and can be undone.
+  void grid()
+  {
+    this->Open({ this->WriteScene(), "--preset", "studio" });
+    auto* grid = this->Window->findChild<QAction*>("grid");
+    auto* box = this->Window->findChild<QCheckBox*>("grid");
+    viewer::Picture& picture = this->Window->GetView()->GetPicture();
+    const vtkSmartPointer<vtkImageData> before = this->Grab();
+    grid->trigger();
+    QVERIFY(grid->isChecked() && box->isChecked());
+    QVERIFY(this->Window->GetDocument()->Get().Has("--grid"));
+    QVERIFY(CountDifferent(before, this->Grab()) > 1000);
+    this->Compare("with a grid");
+    picture.LookAlong({ 0.6, 0.3, 0.7 }, { 0, 1, 0 });
+    this->Window->GetView()->Draw();
+    this->Compare("from behind and below");
+    this->Window->GetDocument()->Undo();
+    QVERIFY(!grid->isChecked() && !box->isChecked());
+    this->Compare("undone");
+    box->click();
+    QVERIFY(grid->isChecked());
+    grid->trigger();
+    QVERIFY(!box->isChecked());
   }
 
   // The axes turn with the camera, and a click on an end looks from there; the picture is without

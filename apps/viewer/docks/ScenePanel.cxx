@@ -9,6 +9,7 @@
 #include "Presets.h"
 #include "Scene.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -144,6 +145,9 @@ void ScenePanel::AddScene()
     this->Ground->addItem("off", "off");
   }
   group->GetRows()->addRow("Ground", this->Ground);
+  this->Grid = MakeFlag(this->Edited, "Grid", "--grid", group);
+  this->Grid->setToolTip("Round the scene, with numbers on its axes");
+  group->GetRows()->addRow(this->Grid);
   this->Images = MakeChoice(this->Edited, "--image", group);
   this->Images->setToolTip("How images with depth are shown: regions of one value by their smooth "
                            "surfaces, the surface where a value is reached, all values as a volume "
@@ -216,6 +220,7 @@ void ScenePanel::ShowSettings()
   this->Preset->setCurrentText(QString::fromStdString(options.Preset));
   this->Up->setCurrentIndex(settings.Has("--up") ? options.UpAxis + 1 : 0);
   ShowChoice(this->Ground, settings, "--ground");
+  ShowFlag(this->Grid, settings, "--grid");
   ShowChoice(this->Images, settings, "--image");
   this->Angle->SetValue(options.ViewAngle.value_or(scene::StandardViewAngle));
 }

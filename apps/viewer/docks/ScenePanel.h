@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The Relievo authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What is shown and how it stands: the files, preset, up axis and ground, models with bones, the
- * camera's angle.
+ * What is shown and how it stands: the files, preset, up axis, ground and grid, models with bones,
+ * the camera's angle.
  */
 #ifndef ScenePanel_h
 #define ScenePanel_h
 
 #include "Panel.h"
 
+class QCheckBox;
 class QComboBox;
 class QVBoxLayout;
 
@@ -35,6 +36,7 @@ private:
 
   QVBoxLayout* Files;
   QComboBox *Preset, *Up, *Ground, *Images;
+  QCheckBox* Grid;
   relievoQt::Number* Angle;
 };
 }

@@ -223,6 +223,26 @@ void AddShadows(MainWindow* window, QMenu* menu)
 }
 
 //------------------------------------------------------------------------------
+void AddGrid(MainWindow* window, QMenu* menu)
+{
+  QAction* grid = NeedPicture(window, menu->addAction("&Grid"));
+  grid->setObjectName("grid");
+  grid->setShortcut(QKeySequence("G"));
+  grid->setToolTip("Round the scene, with numbers on its axes");
+  grid->setCheckable(true);
+  Document* document = window->GetDocument();
+  QObject::connect(grid, &QAction::toggled, document, [document](bool on) {
+    document->Change([on](scene::Settings& settings) {
+      on ? settings.Set("--grid", "") : settings.Remove("--grid");
+    });
+  });
+  QObject::connect(document, &Document::changed, grid, [document, grid] {
+    const QSignalBlocker quiet(grid);
+    grid->setChecked(document->Get().Has("--grid"));
+  });
+}
+
+//------------------------------------------------------------------------------
 void AddViewMenu(MainWindow* window)
 {
   QMenu* menu = window->menuBar()->addMenu("&View");
@@ -286,6 +306,7 @@ void AddViewMenu(MainWindow* window)
   views->addAction(parallel);
   menu->addSeparator();
   AddShadows(window, menu);
+  AddGrid(window, menu);
   QAction* axes = menu->addAction("A&xes in the corner");
   axes->setObjectName("axisMarker");
   axes->setToolTip("Of the window alone; no picture that is saved has them");

@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPropAssembly.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSkybox.h"
 #include "vtkVolume.h"
@@ -63,6 +64,13 @@ vtkActor* vtkRelievoPropParts::GetMeshActor(const Part& part)
   // Surface LIC draws into buffers of its own, and from them into the picture.
   return mapper->IsA("vtkSurfaceLICMapper") || mapper->IsA("vtkCompositeSurfaceLICMapper") ? nullptr
                                                                                            : actor;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPropParts::IsAnnotation(vtkActor* actor)
+{
+  return actor->GetForceTranslucent() && !actor->GetProperty()->GetLighting() &&
+    !actor->GetPickable();
 }
 
 //------------------------------------------------------------------------------

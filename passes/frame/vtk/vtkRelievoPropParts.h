@@ -28,6 +28,10 @@ VTKRELIEVOFRAME_EXPORT void Collect(vtkProp* prop, std::vector<Part>& parts);
 // The part as an actor whose mapper's shaders take splices, or nullptr.
 VTKRELIEVOFRAME_EXPORT vtkActor* GetMeshActor(const Part& part);
 
+// Whether it is drawn over the scene and without its light, as the lines of a grid: translucent by
+// wish, unlit and not to be picked. Shadows have nothing to do with it.
+VTKRELIEVOFRAME_EXPORT bool IsAnnotation(vtkActor* actor);
+
 // Whether the part draws nothing in three dimensions' opaque phase: texts, bars, volumes, actors
 // without a mapper.
 VTKRELIEVOFRAME_EXPORT bool DrawsNoOpaque(const Part& part);

@@ -152,7 +152,8 @@ void vtkRelievoShadowProps::Collect(
     const bool mixed = vtkRelievoPropParts::IsMixed(prop, parts);
     parts.erase(std::remove_if(parts.begin(), parts.end(),
                   [](const vtkRelievoPropParts::Part& part) {
-                    return !vtkRelievoPropParts::GetMeshActor(part);
+                    vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
+                    return !actor || vtkRelievoPropParts::IsAnnotation(actor);
                   }),
       parts.end());
     vtkRelievoBox box;

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What the numbers in a picture have in common, of the colour bar and of the grid.
+ */
+#ifndef Annotation_h
+#define Annotation_h
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+
+namespace scene
+{
+/// Black or white, whatever is read better on the background.
+std::array<double, 3> GetInk(vtkRenderer* renderer);
+
+/// A way to write numbers as printf has it, and values written so.
+struct WrittenValues
+{
+  std::string Format;
+  std::vector<std::string> Texts;
+};
+
+/// At least two values at even steps, with the fewest digits that are right to a few hundredths of
+/// the step; exponents are for what would be long without.
+WrittenValues WriteValues(const std::vector<double>& values);
+}
+
+#endif

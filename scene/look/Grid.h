@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * --grid: lines at round coordinates on the far sides of the scene's box, and their numbers.
+ */
+#ifndef Grid_h
+#define Grid_h
+
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTextActor;
+class vtkTextProperty;
+
+namespace scene
+{
+/// Before each picture it is laid out anew for the camera: lines where the sides of the box are
+/// behind all that it holds, numbers beside its outer edges. The lines are translucent and without
+/// light, so that they are in no layer, cast nothing and are in no shadow, and they are not among
+/// the renderer's visible bounds; the numbers are texts over the picture.
+class Grid : public vtkCommand
+{
+public:
+  vtkBaseTypeMacro(Grid, vtkCommand);
+
+  /// Puts one round these bounds into the renderer, with numbers that are read on its background as
+  /// it is now. `up`: the axis whose numbers are at the side of the picture.
+  static vtkSmartPointer<Grid> Add(vtkRenderer* renderer, const double bounds[6], int up);
+
+  /// Takes it out of that renderer.
+  void Remove(vtkRenderer* renderer);
+
+  vtkActor* GetLines() { return this->Lines; }
+
+  void Execute(vtkObject* renderer, unsigned long, void*) override;
+
+private:
+  Grid(const double bounds[6], int up, const std::array<double, 3>& ink);
+
+  struct Label
+  {
+    double At = 0.0; // on its axis
+    long Index = 0;  // At is so many steps from 0
+    vtkSmartPointer<vtkTextActor> Text;
+  };
+  struct Axis
+  {
+    std::vector<Label> Labels;
+    Label Title;
+  };
+  struct Box; // of a text in the picture
+
+  using Sides = std::array<std::array<bool, 2>, 3>; // of each axis the lower and the upper one
+
+  using Edges = std::array<int, 3>; // of each axis the one with numbers, or -1
+
+  Sides FindFarSides(vtkRenderer* renderer) const;
+  void DrawLines(const Sides& far, const Edges& numbered);
+  void AddThrough(int axis, const std::array<double, 3>& from, bool edge);
+  void AddTicks(int axis, int edge, const Sides& far);
+  void AddLine(
+    const std::array<double, 3>& from, const std::array<double, 3>& to, unsigned char opacity);
+  Edges PlaceLabels(vtkRenderer* renderer, const Sides& far);
+  int PlaceAxis(vtkRenderer* renderer, int axis, const Sides& far, std::vector<Box>& taken);
+  std::array<double, 3> GetCorner(int axis, int edge) const;
+  Label MakeLabel(const std::string& text) const;
+  Box GetBox(vtkRenderer* renderer, const Label& label) const;
+
+  std::array<std::array<double, 2>, 3> Ends; // of the box
+  int Up;
+  std::array<Axis, 3> Axes;
+  Sides DrawnSides{}; // by the lines as they are
+  Edges DrawnEdges{ -1, -1, -1 };
+  vtkNew<vtkTextProperty> Font;
+  vtkNew<vtkPolyData> Segments;
+  vtkNew<vtkActor> Lines;
+  std::array<unsigned char, 3> Ink;
+};
+}
+
+#endif
