@@ -34,8 +34,8 @@ public:
   /// The next click of the left button is told as `picked`, and turns nothing.
   void PickNext(bool on);
 
-  /// While one lives, the picture has this many pixels, and the vertical angle stays. An invalid size is
-  /// the view's own. Throws scene::WorkError for more than OpenGL draws.
+  /// While one lives, the picture has this many pixels, and the vertical angle stays. An invalid
+  /// size is the view's own. Throws scene::WorkError for more than OpenGL draws.
   class OtherSize
   {
   public:

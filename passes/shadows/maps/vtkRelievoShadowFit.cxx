@@ -29,7 +29,7 @@ constexpr double ShadowMargin = 1e-5;
 // Half the opening, in tangents, of the cone around what casts by a lamp.
 constexpr double WidestShadow = 5.0;
 
-// Whether the box is flat, and everything that receives is on that side of it which the light is on.
+// Whether the box is flat, and all that receives is on the side of it that the light is on.
 bool CastsNothing(const vtkRelievoBox& box, const vtkRelievoShadowLight& light,
   const std::vector<vtkRelievoBox>& receivers)
 {
