@@ -30,12 +30,12 @@ namespace scene
 {
 namespace
 {
-constexpr double Steps = 6.0;    // along the longest side, at the least
-constexpr double FewSteps = 3.0; // along a short one
-constexpr double Thin = 0.03;    // of the longest side: without numbers
-constexpr double Outside = 5e-5; // of the box's diagonal, of what is shown: above the ground
-constexpr double Behind = 2e-3;  // instead of that along the axis of what is flat
-constexpr double Tick = 0.012;   // of the longest side
+constexpr double ManySteps = 6.0; // along the longest side, at the least
+constexpr double FewSteps = 3.0;  // along a short one
+constexpr double Thin = 0.03;     // of the longest side: without numbers
+constexpr double Outside = 5e-5;  // of the box's diagonal, of what is shown: above the ground
+constexpr double Behind = 2e-3;   // instead of that along the axis of what is flat
+constexpr double Tick = 0.012;    // of the longest side
 constexpr unsigned char Edge = 150, Inner = 60; // opacities of lines
 constexpr int LinesOfText = 45;                 // as high as the picture, about
 constexpr int SmallestText = 9;                 // pixels
@@ -171,7 +171,7 @@ Grid::Grid(const double bounds[6], int up, const std::array<double, 3>& ink)
   const std::array<double, 3> sides = { bounds[1] - bounds[0], bounds[3] - bounds[2],
     bounds[5] - bounds[4] };
   const double longest = *std::max_element(sides.begin(), sides.end());
-  const double common = longest > 0.0 ? RoundDown(longest / Steps) : 1.0;
+  const double common = longest > 0.0 ? RoundDown(longest / ManySteps) : 1.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double side = sides[axis];

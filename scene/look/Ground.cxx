@@ -46,9 +46,14 @@ unsigned char MakeByte(double value)
   return static_cast<unsigned char>(std::lround(255.0 * value));
 }
 
+vtkPolyData* GetDisc(vtkActor* ground)
+{
+  return vtkPolyData::SafeDownCast(ground->GetMapper()->GetInputDataObject(0, 0));
+}
+
 vtkUnsignedCharArray* GetColors(vtkActor* ground)
 {
-  vtkDataSet* disc = ground->GetMapper()->GetInputAsDataSet();
+  vtkPolyData* disc = GetDisc(ground);
   return vtkUnsignedCharArray::SafeDownCast(disc->GetPointData()->GetScalars());
 }
 
@@ -164,6 +169,6 @@ void SetGroundColor(vtkActor* ground, const double color[3])
     colors->FillTypedComponent(i, MakeByte(color[i]));
   }
   colors->Modified();
-  ground->GetMapper()->GetInputAsDataSet()->Modified();
+  GetDisc(ground)->Modified();
 }
 }

@@ -2,15 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Data of tools/screenshots, run by pvpython with the plugin: makeData.py DATA DEST
 
-bunny.vtp has its height above the ground, labels.vti is a brain's atlas at half its resolution,
-labels.vtp its smooth surfaces.
+bunny.vtp has its height above the ground, labels.vti is a brain's atlas at half its resolution.
 """
 
 import pathlib
 import sys
 
 import numpy
-from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -62,9 +60,6 @@ def make_labels():
     labels = half.GetOutput()
     labels.GetPointData().GetScalars().SetName("label")
     write(vtkXMLImageDataWriter(), labels, "labels.vti")
-    surfaces = simple.SmoothBlocks(Input=simple.XMLImageDataReader(
-        FileName=[str(DEST / "labels.vti")]), Labels=["POINTS", "label"])
-    simple.SaveData(str(DEST / "labels.vtp"), surfaces)
 
 
 make_bunny()
