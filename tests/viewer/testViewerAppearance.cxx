@@ -13,6 +13,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QTableWidget>
 #include <QToolBar>
@@ -166,7 +167,8 @@ private Q_SLOTS:
       for (QWidget* widget : dock->findChildren<QWidget*>())
       {
         const auto* label = qobject_cast<QLabel*>(widget);
-        const bool words = label ? !label->text().isEmpty() : widget->inherits("QAbstractButton");
+        const bool words = label ? label->text().contains(QRegularExpression("\\w"))
+                                 : widget->inherits("QAbstractButton");
         if (words && widget->isEnabled() && !widget->visibleRegion().isEmpty())
         {
           ++seen;

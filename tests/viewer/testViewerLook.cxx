@@ -223,15 +223,15 @@ private Q_SLOTS:
   void imagesWithDepth()
   {
     vtkNew<vtkImageData> image;
-    image->SetDimensions(12, 12, 12);
+    image->SetDimensions(24, 24, 24);
     image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-    for (int i = 0; i < 12 * 12 * 12; ++i)
+    for (int i = 0; i < 24 * 24 * 24; ++i)
     {
-      const int x = i % 12 - 6;
-      const int y = i / 12 % 12 - 6;
-      const int z = i / 144 - 6;
-      const bool within = x * x + y * y + z * z < 20;
-      image->SetScalarComponentFromDouble(x + 6, y + 6, z + 6, 0, !within ? 0 : x < 0 ? 1 : 2);
+      const int x = i % 24 - 12;
+      const int y = i / 24 % 24 - 12;
+      const int z = i / 576 - 12;
+      const bool within = x * x + y * y + z * z < 90;
+      image->SetScalarComponentFromDouble(x + 12, y + 12, z + 12, 0, !within ? 0 : x < 0 ? 1 : 2);
     }
     vtkNew<vtkXMLImageDataWriter> writer;
     writer->SetFileName(this->Path("image.vti").c_str());

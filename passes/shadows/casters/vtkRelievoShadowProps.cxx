@@ -72,7 +72,8 @@ bool IsLoose(vtkActor* actor)
   vtkMapper* mapper = actor->GetMapper();
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   bool moves = shaders->HasVertexShaderCode() || shaders->HasGeometryShaderCode();
-  for (int i = 0; i < shaders->GetNumberOfShaderReplacements(); ++i)
+  const bool bones = actor->IsA("vtkRelievoSkinnedActor"); // whose bounds are of its pose
+  for (int i = 0; i < shaders->GetNumberOfShaderReplacements() && !bones; ++i)
   {
     moves = moves || shaders->GetNthShaderReplacementTypeAsString(i) != "Fragment";
   }

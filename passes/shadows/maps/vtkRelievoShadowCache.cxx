@@ -120,23 +120,17 @@ void vtkRelievoShadowCache::Fit(const std::vector<vtkRelievoShadowLight>& castin
   {
     Entry entry;
     entry.Light = light;
-    std::vector<vtkRelievoShadowView> views;
-    if (light.Reach > 0.0)
-    {
-      const auto receivers = GetReached(scene.Receivers, light);
-      views = method.Fit(light, vtkRelievoShadowRegion::Cut(receivers, scene.WorldToNDC),
-        vtkRelievoShadowRegion::GetFaces(receivers), GetReached(scene.Casters, light),
-        scene.Request);
-    }
-    else
-    {
-      const auto planes =
-        vtkRelievoShadowFit::GetShadowPlanes(light, scene.Casters, scene.Receivers);
-      const auto shaded = vtkRelievoShadowRegion::Clip(all, planes);
-      entry.Cube = vtkRelievoShadowFit::IsCube(light, shaded);
-      views = method.Fit(
-        light, vtkRelievoShadowRegion::Clip(visible, planes), shaded, scene.Casters, scene.Request);
-    }
+    const bool local = light.Reach > 0.0;
+    const auto receivers = local ? GetReached(scene.Receivers, light) : scene.Receivers;
+    const auto casters = local ? GetReached(scene.Casters, light) : scene.Casters;
+    const auto planes = vtkRelievoShadowFit::GetShadowPlanes(light, casters, receivers);
+    const auto shaded = vtkRelievoShadowRegion::Clip(
+      local ? vtkRelievoShadowRegion::GetFaces(receivers) : all, planes);
+    const auto seen = vtkRelievoShadowRegion::Clip(
+      local ? vtkRelievoShadowRegion::Cut(receivers, scene.WorldToNDC) : visible, planes);
+    entry.Cube = !local && vtkRelievoShadowFit::IsCube(light, shaded);
+    const std::vector<vtkRelievoShadowView> views =
+      method.Fit(light, seen, shaded, casters, scene.Request);
     for (const vtkRelievoShadowView& view : views)
     {
       Map map;
