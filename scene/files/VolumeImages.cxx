@@ -38,8 +38,10 @@ namespace scene
 namespace
 {
 constexpr int Bins = 256;
-// Of neighbours along x, in regions; noise and gradients of bytes have far fewer that are equal.
-constexpr double LeastEqual = 0.8;
+// Of neighbours along x, in regions: in noise and steep gradients far fewer are equal.
+constexpr double LeastEqual = 0.6;
+// Of those that are unlike, between regions: in gradients of bytes they hardly differ by more than 1.
+constexpr double LeastLeaps = 0.25;
 // Of the image's diagonal: the farthest apart that places of a point are by rounding.
 constexpr double SameShare = 1e-6;
 
@@ -235,6 +237,7 @@ bool HasLabels(vtkImageData* image)
   const auto values = vtk::DataArrayValueRange<1>(scalars);
   vtkIdType equal = 0;
   vtkIdType pairs = 0;
+  vtkIdType leaps = 0;
   for (vtkIdType i = 1; i < values.size(); ++i)
   {
     const double a = static_cast<double>(values[i - 1]);
@@ -243,9 +246,11 @@ bool HasLabels(vtkImageData* image)
     const bool counts = i % row != 0 && !empty;
     pairs += counts ? 1 : 0;
     equal += counts && a == b ? 1 : 0;
+    leaps += counts && std::abs(a - b) > 1.0 ? 1 : 0;
   }
   const std::size_t labels = FindLabels(image).size();
-  const bool even = static_cast<double>(equal) >= LeastEqual * static_cast<double>(pairs);
+  const bool even = static_cast<double>(equal) >= LeastEqual * static_cast<double>(pairs) &&
+    static_cast<double>(leaps) >= LeastLeaps * static_cast<double>(pairs - equal);
   return labels == 1 || (labels > 1 && labels <= MostLabels && even);
 }
 

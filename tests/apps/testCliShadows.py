@@ -202,7 +202,7 @@ class Shadows(CliTest):
         self.assertLessEqual(report["expected_wrong_share"], 1e-4)
         self.assertGreater(report["frame_ms"], 0)
         # A coarse map is found out, with edges across its rows.
-        done = self.draw("--shadows", "map", "--shadow-size", 16, "--certify", 2000,
+        done = self.draw("--shadows", "map", "--shadow-size", 16, "--certify", 20000,
                          lights=["sun:-1,0.5,1"])  # fmt: skip
         wrong = int(done.stdout.split("certified shadows: ")[1].split()[0])
         self.assertGreater(wrong, 20)

@@ -15,6 +15,9 @@ SIZE = ["--size", "240x180"]
 SIDE = 40  # points of an image along each axis
 SPACING = (0.5, 0.5, 0.25)
 MIDDLE = numpy.array([0.5, 0.5, 0.25]) * (SIDE - 1) / 2
+ALONG_Z = ["--camera", f"{MIDDLE[0]},{MIDDLE[1]},60,{MIDDLE[0]},{MIDDLE[1]},0,0,1,0",
+           "--parallel-scale", "9"]  # fmt: skip
+PIXEL = 2 * 9 / 180
 
 
 def distances():
@@ -45,15 +48,19 @@ class Volumes(CliTest):
         return read_png(self.folder / "a.png")[..., :3].astype(int)
 
     def radii(self, *words, layers=()):
-        """Of the pixels that show something: how far it is from the image's middle in points, and
-        more layers."""
-        self.relievo("render", *words, *SIZE, "--exr", "a.exr",
-                     "--layers", ",".join(["position", *layers]), environment=STUDIO)  # fmt: skip
+        """Of the pixels that show something along z: how far it is from the image's middle in
+        points, and more layers."""
+        self.relievo("render", *words, *SIZE, *ALONG_Z, "--exr", "a.exr",
+                     "--layers", ",".join(["depth", *layers]), environment=STUDIO)  # fmt: skip
         found = self.exr("a.exr")[1]
-        shown = numpy.isfinite(found["position.X"])
-        place = numpy.stack([found["position." + axis][shown] for axis in "XYZ"], axis=-1)
-        radii = numpy.linalg.norm((place - MIDDLE) / SPACING, axis=-1)
-        return radii, *(found[name + ".V"][shown] for name in layers)
+        shown = numpy.isfinite(found["depth.Z"])
+        rows, columns = numpy.nonzero(shown)
+        across = (columns + 0.5 - 120) * PIXEL
+        down = (rows + 0.5 - 90) * PIXEL
+        along = 60 - found["depth.Z"][shown] - MIDDLE[2]
+        place = numpy.stack([across, down, along], axis=-1)
+        return numpy.linalg.norm(place / SPACING, axis=-1), *(
+            found[name + ".V"][shown] for name in layers)  # fmt: skip
 
     def test_labels(self):
         """Two halves of a ball, with no gap between them, each in a colour of its own."""
@@ -65,8 +72,7 @@ class Volumes(CliTest):
         plain = self.picture("points.vti", says=says)
         numpy.testing.assert_array_equal(self.picture("cells.vti", says=says), plain)
         numpy.testing.assert_array_equal(self.picture("points.vti", "--image", "labels"), plain)
-        front = ["points.vti", "--image", "labels", "--camera",
-                 f"{MIDDLE[0]},{MIDDLE[1]},60,{MIDDLE[0]},{MIDDLE[1]},0,0,1,0"]  # fmt: skip
+        front = ["points.vti", "--image", "labels"]
         radii, labels = self.radii(*front, layers=["values"])
         self.assertEqual(set(labels), {3, 8})
         self.assertLess(abs((labels == 3).mean() - 0.5), 0.01)
@@ -74,7 +80,7 @@ class Volumes(CliTest):
         # The steps of the labels are up to 0.9 points off the ball, and a gap would be deeper.
         self.assertLess(abs(radii - 15).max(), 1.0)
         self.assertLess(numpy.std(radii), 0.25)
-        colors = self.picture(*front, "--preset", "print", "--shadows", "off")
+        colors = self.picture(*front, *ALONG_Z, "--preset", "print", "--shadows", "off")
         left, right = colors[90, 90], colors[90, 150]
         self.assertGreater(abs(left - right).max(), 40)
 
@@ -138,7 +144,7 @@ class Volumes(CliTest):
         self.image("zero.vti", numpy.zeros((SIDE, SIDE, SIDE), numpy.uint8))
         self.picture("zero.vti")
         values = (0.007 * distances() / distances().max()).astype(numpy.float32)
-        values[0, 0, 0], values[0, 0, 1] = 1, numpy.nan
+        values[0, 0, 0], values[9, 9, 9] = 1, numpy.nan
         self.image("outlier.vti", values)
         self.picture("outlier.vti", says="surface")
         labels = numpy.where(distances() < 15, 2, 0).astype(numpy.float32)

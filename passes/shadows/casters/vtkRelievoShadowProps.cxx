@@ -12,6 +12,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProp.h"
 #include "vtkProperty.h"
 #include "vtkRelievoCasterDraw.h"
@@ -77,6 +78,9 @@ bool IsLoose(vtkActor* actor)
   {
     moves = moves || shaders->GetNthShaderReplacementTypeAsString(i) != "Fragment";
   }
+  // Whose bounds are those of the piece that it has now.
+  auto* pieces = vtkPolyDataMapper::SafeDownCast(mapper);
+  moves = moves || (pieces && pieces->GetNumberOfSubPieces() > 1);
   vtkProperty* property = actor->GetProperty();
   const bool faces = (IsPlain(mapper) || mapper->IsA("vtkCompositePolyDataMapper") ||
                        mapper->IsA("vtkCompositePolyDataMapper2")) &&
