@@ -40,7 +40,7 @@ namespace
 constexpr int Bins = 256;
 // Of neighbours along x, in regions: in noise and steep gradients far fewer are equal.
 constexpr double LeastEqual = 0.6;
-// Of those that are unlike, between regions: in gradients of bytes they hardly differ by more than 1.
+// Of those that are unlike: in gradients of bytes hardly any differ by more than 1.
 constexpr double LeastLeaps = 0.25;
 // Of the image's diagonal: the farthest apart that places of a point are by rounding.
 constexpr double SameShare = 1e-6;
