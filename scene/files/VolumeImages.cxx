@@ -45,6 +45,9 @@ constexpr double LeastLeaps = 0.25;
 // Of the image's diagonal: the farthest apart that places of a point are by rounding.
 constexpr double SameShare = 1e-6;
 
+// Of a volume, as a share of the distance of its points.
+constexpr float SampleShare = 0.5F;
+
 using Extent = std::array<int, 6>;
 
 bool IsWhole(int type)
@@ -368,6 +371,11 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
   auto volume = vtkSmartPointer<vtkVolume>::New();
   vtkNew<vtkSmartVolumeMapper> mapper;
   mapper->SetInputData(image);
+  // Or else the distance of samples follows from how long pictures before took.
+  mapper->InteractiveAdjustSampleDistancesOff();
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetSampleDistance(SampleShare * static_cast<float>(*std::min_element(
+    image->GetSpacing(), image->GetSpacing() + 3)));
   volume->SetMapper(mapper);
   vtkVolumeProperty* property = volume->GetProperty();
   property->SetScalarOpacity(opacity);

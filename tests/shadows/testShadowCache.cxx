@@ -378,6 +378,28 @@ void TestOrbit()
         " maps");
   }
 }
+
+// The map of a box's shadow on a ground far wider than the view does not change while the camera
+// goes around and sees the shadow.
+void TestOrbitOverWideGround()
+{
+  relievoTest::ShadowStage stage;
+  stage.AddGround()->SetScale(20., 1., 20.);
+  stage.AddBox({ 0., 0.4, 0. }, { 0.8, 0.8, 0.5 });
+  stage.AddSun(-1., 3., -1.);
+  stage.GetFrame()->ShadowsOn();
+  stage.Window->Render();
+  RELIEVO_CHECK(stage.GetShadows()->GetNumberOfMapsDrawn() == 1);
+  int drawn = 0;
+  for (int i = 0; i < 60; ++i)
+  {
+    stage.Renderer->GetActiveCamera()->Azimuth(6.);
+    stage.Window->Render();
+    drawn += stage.GetShadows()->GetNumberOfMapsDrawn();
+  }
+  RELIEVO_CHECK_AT_MOST(drawn, 0, "maps drawn in an orbit over a wide ground");
+  relievoTest::CheckShadow(stage, 0, 1e-3, "the sun over a wide ground", 0.001);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -395,6 +417,7 @@ int main(int argc, char* argv[])
   if (!Exact)
   {
     TestOrbit();
+    TestOrbitOverWideGround();
   }
   return session.Result();
 }

@@ -6,7 +6,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
 
-#include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QSettings>
@@ -30,14 +29,13 @@ const char* const Names[] = { "x", "y", "z" };
 
 //------------------------------------------------------------------------------
 AxisMarker::AxisMarker(QWidget* parent)
-  : QWidget(parent)
+  : Overlay(parent)
   , Wanted(QSettings().value(Kept, true).toBool())
 {
   this->setObjectName("axes");
   this->setToolTip("Click on the end of an axis to look from there");
   this->setMouseTracking(true); // for the values under the mouse
   this->resize(Side, Side);
-  parent->installEventFilter(this);
   this->Place();
   this->hide();
 }
@@ -117,16 +115,6 @@ void AxisMarker::mousePressEvent(QMouseEvent* event)
 void AxisMarker::Place()
 {
   this->move(4, this->parentWidget()->height() - Side - 4);
-}
-
-//------------------------------------------------------------------------------
-bool AxisMarker::eventFilter(QObject* watched, QEvent* event)
-{
-  if (event->type() == QEvent::Resize)
-  {
-    this->Place();
-  }
-  return this->QWidget::eventFilter(watched, event);
 }
 
 //------------------------------------------------------------------------------

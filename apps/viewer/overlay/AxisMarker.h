@@ -7,7 +7,7 @@
 #ifndef AxisMarker_h
 #define AxisMarker_h
 
-#include <QWidget>
+#include "Overlay.h"
 
 #include <array>
 #include <optional>
@@ -16,7 +16,7 @@ class vtkRenderer;
 
 namespace viewer
 {
-class AxisMarker : public QWidget
+class AxisMarker : public Overlay
 {
   Q_OBJECT
 
@@ -39,12 +39,11 @@ Q_SIGNALS:
   void lookWanted(int end);
 
 protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  void Place() override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
 
 private:
-  void Place();
   std::optional<int> Find(const QPointF& at) const;
 
   std::array<std::array<double, 3>, 3> Axes{}; // right, up, and towards the viewer

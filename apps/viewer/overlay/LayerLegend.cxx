@@ -11,7 +11,6 @@
 #include "vtkRelievoLayerCatalogue.h"
 #include "vtkRelievoPass.h"
 
-#include <QEvent>
 #include <QPainter>
 
 #include <algorithm>
@@ -63,11 +62,10 @@ int CountComponents(const std::string& layer, const Facts& facts)
 
 //------------------------------------------------------------------------------
 LayerLegend::LayerLegend(QWidget* parent)
-  : QWidget(parent)
+  : Overlay(parent)
 {
   this->setObjectName("layerLegend");
   this->setAttribute(Qt::WA_TransparentForMouseEvents);
-  parent->installEventFilter(this);
   this->hide();
 }
 
@@ -81,7 +79,10 @@ void LayerLegend::Follow(vtkRelievoPass* frame, const Facts& facts)
   {
     return;
   }
-  const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::Find(layer);
+  // Whose name may be any that the user gave it.
+  const vtkRelievoLayer& known = vtkRelievoLayerCatalogue::GetIsOfLight(layer)
+    ? vtkRelievoLayerCatalogue::GetOfLight()
+    : vtkRelievoLayerCatalogue::Find(layer);
   const double* range = stage->GetShownRange();
   this->Title = QString::fromStdString(layer) + GetUnit(layer);
   this->Words = QString::fromStdString(known.Help);
@@ -144,16 +145,6 @@ void LayerLegend::Place()
   const int strip = this->First.isEmpty() ? 0 : Strip + letters.height() + 6;
   const int height = 2 * Margin + letters.height() + words + strip;
   this->setGeometry(Left, this->parentWidget()->height() - height - 8, width, height);
-}
-
-//------------------------------------------------------------------------------
-bool LayerLegend::eventFilter(QObject* watched, QEvent* event)
-{
-  if (event->type() == QEvent::Resize)
-  {
-    this->Place();
-  }
-  return this->QWidget::eventFilter(watched, event);
 }
 
 //------------------------------------------------------------------------------

@@ -8,14 +8,13 @@
 #define LayerLegend_h
 
 #include "Facts.h"
-
-#include <QWidget>
+#include "Overlay.h"
 
 class vtkRelievoPass;
 
 namespace viewer
 {
-class LayerLegend : public QWidget
+class LayerLegend : public Overlay
 {
   Q_OBJECT
 
@@ -30,12 +29,10 @@ public:
   QString GetText() const;
 
 protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  void Place() override;
   void paintEvent(QPaintEvent* event) override;
 
 private:
-  void Place();
-
   QString Title, Words, First, Last; // the values are empty where there is no strip
   bool Grey = false;
 };

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MessageBar.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -20,7 +19,7 @@ constexpr int Edge = 4; // pixels, of the side that has the kind's colour
 
 //------------------------------------------------------------------------------
 MessageBar::MessageBar(QWidget* parent)
-  : QWidget(parent)
+  : Overlay(parent)
   , Words(new QLabel(this))
 {
   this->setObjectName("messageBar");
@@ -38,7 +37,6 @@ MessageBar::MessageBar(QWidget* parent)
   row->addWidget(this->Words, 1);
   row->addWidget(close, 0, Qt::AlignTop);
   QObject::connect(close, &QToolButton::clicked, this, &QWidget::hide);
-  parent->installEventFilter(this);
   this->hide();
 }
 
@@ -65,16 +63,6 @@ void MessageBar::Place()
   const int width = this->parentWidget()->width();
   const int height = this->layout()->heightForWidth(width);
   this->setGeometry(0, 0, width, std::max(height, this->minimumSizeHint().height()));
-}
-
-//------------------------------------------------------------------------------
-bool MessageBar::eventFilter(QObject* watched, QEvent* event)
-{
-  if (event->type() == QEvent::Resize)
-  {
-    this->Place();
-  }
-  return this->QWidget::eventFilter(watched, event);
 }
 
 //------------------------------------------------------------------------------

@@ -7,13 +7,13 @@
 #ifndef MessageBar_h
 #define MessageBar_h
 
-#include <QWidget>
+#include "Overlay.h"
 
 class QLabel;
 
 namespace viewer
 {
-class MessageBar : public QWidget
+class MessageBar : public Overlay
 {
   Q_OBJECT
 
@@ -31,12 +31,10 @@ public:
   QString GetText() const;
 
 protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  void Place() override;
   void paintEvent(QPaintEvent* event) override;
 
 private:
-  void Place();
-
   QLabel* Words;
   Kind Shown = Error;
 };

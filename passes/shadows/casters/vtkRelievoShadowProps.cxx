@@ -156,9 +156,10 @@ void vtkRelievoShadowProps::Collect(
     }
     const bool mixed = vtkRelievoPropParts::IsMixed(prop, parts);
     parts.erase(std::remove_if(parts.begin(), parts.end(),
-                  [](const vtkRelievoPropParts::Part& part) {
+                  [&choice](const vtkRelievoPropParts::Part& part) {
                     vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
-                    return !actor || vtkRelievoPropParts::IsAnnotation(actor);
+                    return !actor ||
+                      (choice.Casts < 1 && vtkRelievoPropParts::IsAnnotation(actor));
                   }),
       parts.end());
     vtkRelievoBox box;

@@ -12,7 +12,7 @@
 
 namespace
 {
-// Fitted as vtkRelievoShadowMethodMap's law is, but only to maps of 512 and 1024 texels: larger
+// Fitted as vtkRelievoShadowMapLaw is, but only to maps of 512 and 1024 texels: larger
 // ones were not measured.
 constexpr vtkRelievoShadowErrorLaw ForwardLaw = { 2.09e-4, 1.00 };
 }

@@ -4,13 +4,6 @@
 
 #include "vtkRelievoShadowMaps.h"
 
-namespace
-{
-// Least squares, in logarithms, of docs/charts/shadows.csv: bunny, motorBike and buildings, all
-// lights and sizes, 600 x 600 pixels. Each value there is within 2.5 times (testShadowEstimate).
-constexpr vtkRelievoShadowErrorLaw MapLaw = { 1.92e-4, 0.91 };
-}
-
 //------------------------------------------------------------------------------
 vtkRelievoShadowEstimate vtkRelievoShadowMethodMap::Estimate(
   const vtkRelievoShadowDemand& demand) const
@@ -18,6 +11,6 @@ vtkRelievoShadowEstimate vtkRelievoShadowMethodMap::Estimate(
   vtkRelievoShadowEstimate estimate;
   estimate.Bytes = vtkRelievoShadowMaps::GetBytes(demand.MapSize, demand.Maps);
   estimate.DrawCalls = demand.Maps * demand.Props;
-  estimate.WrongShare = MapLaw.GetShare(demand.MapSize);
+  estimate.WrongShare = vtkRelievoShadowMapLaw.GetShare(demand.MapSize);
   return estimate;
 }
