@@ -374,8 +374,8 @@ vtkSmartPointer<vtkVolume> MakeVolume(vtkImageData* image)
   // Or else the distance of samples follows from how long pictures before took.
   mapper->InteractiveAdjustSampleDistancesOff();
   mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetSampleDistance(SampleShare * static_cast<float>(*std::min_element(
-    image->GetSpacing(), image->GetSpacing() + 3)));
+  mapper->SetSampleDistance(SampleShare *
+    static_cast<float>(*std::min_element(image->GetSpacing(), image->GetSpacing() + 3)));
   volume->SetMapper(mapper);
   vtkVolumeProperty* property = volume->GetProperty();
   property->SetScalarOpacity(opacity);

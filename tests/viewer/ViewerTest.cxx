@@ -32,7 +32,9 @@
 #include <QSurfaceFormat>
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 
 namespace viewerTest
@@ -281,6 +283,19 @@ int ViewerTest::CountDifferent(vtkImageData* a, vtkImageData* b)
     different += std::memcmp(first->GetPointer(3 * pixel), second->GetPointer(3 * pixel), 3) != 0;
   }
   return different;
+}
+
+//------------------------------------------------------------------------------
+int ViewerTest::MostDifferent(vtkImageData* a, vtkImageData* b)
+{
+  const auto* first = static_cast<const unsigned char*>(a->GetScalarPointer());
+  const auto* second = static_cast<const unsigned char*>(b->GetScalarPointer());
+  int most = 0;
+  for (vtkIdType i = 0; i < 3 * a->GetNumberOfPoints(); ++i)
+  {
+    most = std::max(most, std::abs(first[i] - second[i]));
+  }
+  return most;
 }
 
 //------------------------------------------------------------------------------

@@ -81,6 +81,9 @@ protected:
   /// Pixels that differ between the two; -1 if their sizes do.
   static int CountDifferent(vtkImageData* a, vtkImageData* b);
 
+  /// By how many levels of 255 pictures of one size differ at most.
+  static int MostDifferent(vtkImageData* a, vtkImageData* b);
+
   std::unique_ptr<viewer::MainWindow> Window;
 
 private Q_SLOTS:

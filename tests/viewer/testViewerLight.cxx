@@ -114,18 +114,6 @@ private:
     return lit;
   }
 
-  static int MostDifferent(vtkImageData* a, vtkImageData* b)
-  {
-    const auto* first = static_cast<const unsigned char*>(a->GetScalarPointer());
-    const auto* second = static_cast<const unsigned char*>(b->GetScalarPointer());
-    int most = 0;
-    for (vtkIdType i = 0; i < 3 * a->GetNumberOfPoints(); ++i)
-    {
-      most = std::max(most, std::abs(first[i] - second[i]));
-    }
-    return most;
-  }
-
 private Q_SLOTS:
   // A sun by date and place stands in the sky: its direction in the data follows the axis, and its
   // words stay.

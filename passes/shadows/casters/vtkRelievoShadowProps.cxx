@@ -158,8 +158,7 @@ void vtkRelievoShadowProps::Collect(
     parts.erase(std::remove_if(parts.begin(), parts.end(),
                   [&choice](const vtkRelievoPropParts::Part& part) {
                     vtkActor* actor = vtkRelievoPropParts::GetMeshActor(part);
-                    return !actor ||
-                      (choice.Casts < 1 && vtkRelievoPropParts::IsAnnotation(actor));
+                    return !actor || (choice.Casts < 1 && vtkRelievoPropParts::IsAnnotation(actor));
                   }),
       parts.end());
     vtkRelievoBox box;
