@@ -51,8 +51,8 @@ struct vtkRelievoShadowErrorLaw
   double GetShare(int mapSize) const;
 };
 
-// Of an evenly spaced map: least squares, in logarithms, of docs/charts/shadows.csv: bunny, motorBike
-// and buildings, all lights and sizes, 600 x 600 pixels. Each value there is within 2.5 times
+// Of an evenly spaced map: least squares, in logarithms, of docs/charts/shadows.csv: bunny,
+// motorBike and buildings, all lights and sizes, 600 x 600 pixels. Each value is within 2.5 times
 // (testShadowEstimate).
 constexpr vtkRelievoShadowErrorLaw vtkRelievoShadowMapLaw = { 1.92e-4, 0.91 };
 
