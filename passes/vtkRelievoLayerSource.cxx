@@ -18,6 +18,7 @@
 #include "vtkRelievoFormulas.h"
 #include "vtkRelievoFrameCamera.h"
 #include "vtkRelievoLayerCatalogue.h"
+#include "vtkRelievoLensCamera.h"
 #include "vtkRelievoPass.h"
 #include "vtkRelievoShadowStage.h"
 #include "vtkRelievoToneStage.h"
@@ -381,6 +382,16 @@ void vtkRelievoLayerSource::AddCamera(
   addMatrix("worldToNDC", view.ViewToNDC * view.WorldToView);
   AddDoubles(image, "near", &view.Near, 1);
   AddDoubles(image, "far", &view.Far, 1);
+  vtkNew<vtkRelievoLensCamera> lens;
+  if (vtkRelievoLensCamera::IsPinhole(renderer->GetActiveCamera()) &&
+    lens->TakeFrom(renderer->GetActiveCamera(), view.Viewport[2], view.Viewport[3]))
+  {
+    double intrinsics[9];
+    lens->GetIntrinsics(intrinsics);
+    AddDoubles(image, "K", intrinsics, 9);
+    AddDoubles(image, "R", lens->GetRotation(), 9);
+    AddDoubles(image, "t", lens->GetTranslation(), 3);
+  }
   double origin[3];
   renderer->GetActiveCamera()->GetFocalPoint(origin);
   for (double& value : origin)

@@ -18,7 +18,8 @@
  *
  * Field data: worldToCamera and worldToNDC (16 double, row by row, as vtkMatrix4x4), near, far,
  * relievo:origin (3 double: the camera's focal point, rounded to float), lights (one JSON string
- * each).
+ * each); and if the camera is a pinhole its calibration (vtkRelievoLensCamera): K and R (9 double,
+ * row by row), t (3 double).
  *
  * Errors: no renderer or window, a renderer that draws nothing (DrawOff), no display, a layer that
  * does not exist, a size above the OpenGL limit.

@@ -67,6 +67,20 @@ except ImportError as error:
 from ._wrapped import *  # noqa: F401,F403
 
 from . import _browser
+from ._cameras import (
+    CameraModel,
+    Cube,
+    Division,
+    Equirectangular,
+    Fisheye,
+    Lidar,
+    Orthographic,
+    Pinhole,
+    Pushbroom,
+    camera,
+    extrinsics,
+    intrinsics,
+)
 from ._capture import capture
 from ._environment import environment
 from ._exr import read_exr, write_exr
@@ -86,13 +100,25 @@ _browser.prepare()
 
 __all__ = [
     *_functions(),
+    "CameraModel",
+    "Cube",
+    "Division",
+    "Equirectangular",
+    "Fisheye",
+    "Lidar",
+    "Orthographic",
+    "Pinhole",
+    "Pushbroom",
     "attach",
     "attributes",
+    "camera",
     "capture",
     "depth_to_points",
     "detach",
     "environment",
+    "extrinsics",
     "from_image",
+    "intrinsics",
     "layer",
     "layer_names",
     "layers",

@@ -139,7 +139,9 @@ def attributes(image):
     """Returns the image's field data, with its camera and lights, as a dict.
 
     worldToCamera, worldToNDC: arrays of shape (4, 4), for column vectors: clip = worldToNDC @ p.
-    near, far: floats, world units. relievo:origin: array of 3. lights: list of JSON texts.
+    K, R: arrays of (3, 3), t: array of 3: the camera's calibration, see camera(); not of a parallel
+    projection. near, far: floats, world units. relievo:origin: array of 3. lights: list of JSON
+    texts.
     Other field data: arrays of shape (values,) or (tuples, components), texts as lists.
     """
     require(image, "vtkImageData", "image")
@@ -153,6 +155,8 @@ def attributes(image):
             values = vtk_to_numpy(array).copy()
             if array.GetName() in ("worldToCamera", "worldToNDC"):
                 values = values.reshape(4, 4)
+            elif array.GetName() in ("K", "R") and values.size == 9:
+                values = values.reshape(3, 3)
             elif values.size == 1:
                 values = values.reshape(()).item()
             elif 1 in values.shape:

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoCameraModel.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkMath.h"
+#include "vtkRelievoThreads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+constexpr vtkIdType Grain = 4096;         // rays that a thread takes at once
+constexpr double RotationError = 1e-3;    // of an element of R transposed times R
+
+bool AreFinite(const double* values, int count)
+{
+  return std::all_of(values, values + count, [](double value) { return std::isfinite(value); });
+}
+
+// world = R transposed times camera
+void Turn(const double rotation[9], const double camera[3], double world[3])
+{
+  const double from[3] = { camera[0], camera[1], camera[2] };
+  for (int i = 0; i < 3; ++i)
+  {
+    world[i] =
+      rotation[i] * from[0] + rotation[3 + i] * from[1] + rotation[6 + i] * from[2];
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCameraModel::SetSize(int columns, int rows)
+{
+  if (columns < 1 || rows < 1)
+  {
+    vtkErrorMacro("The size is " << columns << " x " << rows
+                                 << ", expected at least 1 column and 1 row of pixels.");
+    return;
+  }
+  if (columns != this->Size[0] || rows != this->Size[1])
+  {
+    this->Size[0] = columns;
+    this->Size[1] = rows;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCameraModel::SetExtrinsics(const double rotation[9], const double translation[3])
+{
+  double wrong = AreFinite(rotation, 9) ? 0.0 : std::numeric_limits<double>::infinity();
+  double given[3][3];
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      given[i][j] = rotation[3 * i + j];
+      double product = i == j ? -1.0 : 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        product += rotation[3 * k + i] * rotation[3 * k + j];
+      }
+      wrong = std::max(wrong, std::abs(product));
+    }
+  }
+  if (!(wrong <= RotationError) || vtkMath::Determinant3x3(given) < 0.0)
+  {
+    vtkErrorMacro("R is no rotation: its columns are off by "
+      << wrong << (wrong <= RotationError ? ", and it mirrors" : "")
+      << ", expected 9 numbers, row by row, of orthogonal unit vectors of determinant 1.");
+    return;
+  }
+  if (!AreFinite(translation, 3))
+  {
+    vtkErrorMacro("t is not finite, expected 3 numbers in world units.");
+    return;
+  }
+  double nearest[3][3];
+  vtkMath::Orthogonalize3x3(given, nearest);
+  for (int i = 0; i < 9; ++i)
+  {
+    this->Rotation[i] = nearest[i / 3][i % 3];
+  }
+  std::copy_n(translation, 3, this->Translation);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCameraModel::LookAt(
+  const double position[3], const double target[3], const double up[3])
+{
+  double forward[3];
+  double right[3];
+  double down[3];
+  vtkMath::Subtract(target, position, forward);
+  const bool apart = vtkMath::Normalize(forward) > 0.0;
+  vtkMath::Cross(forward, up, right);
+  if (!apart || !(vtkMath::Normalize(right) > 0.0) || !AreFinite(position, 3))
+  {
+    vtkErrorMacro("From (" << position[0] << ", " << position[1] << ", " << position[2] << ") to ("
+                           << target[0] << ", " << target[1] << ", " << target[2] << ") with ("
+                           << up[0] << ", " << up[1] << ", " << up[2]
+                           << ") upwards is no view, expected two places, and another direction.");
+    return;
+  }
+  vtkMath::Cross(forward, right, down);
+  const double* const axes[3] = { right, down, forward };
+  for (int i = 0; i < 3; ++i)
+  {
+    std::copy_n(axes[i], 3, this->Rotation + 3 * i);
+    this->Translation[i] = -vtkMath::Dot(axes[i], position);
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCameraModel::Nowhere(double* values, int count)
+{
+  std::fill_n(values, count, std::numeric_limits<double>::quiet_NaN());
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCameraModel::GetRay(double u, double v, double origin[3], double direction[3])
+{
+  if (!this->GetCameraRay(u, v, origin, direction))
+  {
+    return false;
+  }
+  vtkMath::Subtract(origin, this->Translation, origin);
+  Turn(this->Rotation, origin, origin);
+  Turn(this->Rotation, direction, direction);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoCameraModel::Project(const double point[3], double pixel[2])
+{
+  double camera[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    camera[i] = vtkMath::Dot(this->Rotation + 3 * i, point) + this->Translation[i];
+  }
+  return this->ProjectCameraPoint(camera, pixel);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCameraModel::GetRays(vtkDoubleArray* origins, vtkDoubleArray* directions)
+{
+  this->GetRays(nullptr, origins, directions);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCameraModel::GetRays(
+  vtkDoubleArray* places, vtkDoubleArray* origins, vtkDoubleArray* directions)
+{
+  if (!origins || !directions || (places && places->GetNumberOfComponents() != 2))
+  {
+    vtkErrorMacro("GetRays expects places of 2 components, or none, and two arrays to fill.");
+    return;
+  }
+  const vtkIdType columns = this->Size[0];
+  const vtkIdType count = places ? places->GetNumberOfTuples() : columns * this->Size[1];
+  for (vtkDoubleArray* array : { origins, directions })
+  {
+    array->SetNumberOfComponents(3);
+    array->SetNumberOfTuples(count);
+  }
+  vtkRelievoWithThreads([&] {
+    vtkSMPTools::For(0, count, Grain, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const double u = places ? places->GetValue(2 * i) : static_cast<double>(i % columns);
+        const double v = places ? places->GetValue(2 * i + 1) : static_cast<double>(i / columns);
+        this->GetRay(u, v, origins->GetPointer(3 * i), directions->GetPointer(3 * i));
+      }
+    });
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCameraModel::Project(vtkDoubleArray* points, vtkDoubleArray* places)
+{
+  if (!points || !places || points->GetNumberOfComponents() != 3)
+  {
+    vtkErrorMacro("Project expects points of 3 components and an array to fill.");
+    return;
+  }
+  const vtkIdType count = points->GetNumberOfTuples();
+  places->SetNumberOfComponents(2);
+  places->SetNumberOfTuples(count);
+  vtkRelievoWithThreads([&] {
+    vtkSMPTools::For(0, count, Grain, [&](vtkIdType begin, vtkIdType end) {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        this->Project(points->GetPointer(3 * i), places->GetPointer(2 * i));
+      }
+    });
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoCameraModel::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Size: " << this->Size[0] << " x " << this->Size[1] << "\n";
+  os << indent << "Rotation:";
+  for (double value : this->Rotation)
+  {
+    os << " " << value;
+  }
+  os << "\n" << indent << "Translation:";
+  for (double value : this->Translation)
+  {
+    os << " " << value;
+  }
+  os << "\n";
+}

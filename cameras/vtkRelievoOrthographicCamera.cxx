@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoOrthographicCamera.h"
+
+#include "vtkObjectFactory.h"
+
+#include <cmath>
+
+vtkStandardNewMacro(vtkRelievoOrthographicCamera);
+
+//------------------------------------------------------------------------------
+bool vtkRelievoOrthographicCamera::GetCameraRay(
+  double u, double v, double origin[3], double direction[3])
+{
+  if (!std::isfinite(u + v))
+  {
+    Nowhere(origin, 3);
+    return Nowhere(direction, 3);
+  }
+  origin[0] = (u - this->PrincipalPoint[0]) / this->PixelsPerUnit;
+  origin[1] = (v - this->PrincipalPoint[1]) / this->PixelsPerUnit;
+  origin[2] = direction[0] = direction[1] = 0.0;
+  direction[2] = 1.0;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoOrthographicCamera::ProjectCameraPoint(const double point[3], double pixel[2])
+{
+  if (!(std::isfinite(point[0] + point[1]) && point[2] >= 0.0))
+  {
+    return Nowhere(pixel, 2);
+  }
+  pixel[0] = this->PixelsPerUnit * point[0] + this->PrincipalPoint[0];
+  pixel[1] = this->PixelsPerUnit * point[1] + this->PrincipalPoint[1];
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoOrthographicCamera::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PixelsPerUnit: " << this->PixelsPerUnit << "\n";
+  os << indent << "PrincipalPoint: " << this->PrincipalPoint[0] << ", " << this->PrincipalPoint[1]
+     << "\n";
+}

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoPanoramaCamera.h"
+
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkRelievoPanoramaCamera);
+
+namespace
+{
+constexpr int Faces = 6;
+
+// The axes of each face in camera space: to its right, downwards in it, outwards.
+constexpr double FaceAxes[Faces][3][3] = {
+  { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },   // front
+  { { 0, 0, -1 }, { 0, 1, 0 }, { 1, 0, 0 } },  // right
+  { { -1, 0, 0 }, { 0, 1, 0 }, { 0, 0, -1 } }, // back
+  { { 0, 0, 1 }, { 0, 1, 0 }, { -1, 0, 0 } },  // left
+  { { 1, 0, 0 }, { 0, 0, 1 }, { 0, -1, 0 } },  // up
+  { { 1, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 } },  // down
+};
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPanoramaCamera::SetFieldOfView(double horizontal, double vertical)
+{
+  if (!(horizontal > 0.0 && horizontal <= 360.0 && vertical > 0.0 && vertical <= 180.0))
+  {
+    vtkErrorMacro("The field of view is " << horizontal << " x " << vertical
+                                          << " degrees, expected above 0, at most 360 x 180.");
+    return;
+  }
+  this->FieldOfView[0] = horizontal;
+  this->FieldOfView[1] = vertical;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPanoramaCamera::GetCameraRay(
+  double u, double v, double origin[3], double direction[3])
+{
+  const double columns = this->Size[0];
+  const double rows = this->Size[1];
+  const bool inside = u >= -0.5 && u <= columns - 0.5 && v >= -0.5 && v <= rows - 0.5;
+  if (!inside || (this->Layout == CUBE && this->Size[0] != Faces * this->Size[1]))
+  {
+    Nowhere(origin, 3);
+    return Nowhere(direction, 3);
+  }
+  std::fill_n(origin, 3, 0.0);
+  if (this->Layout == CUBE)
+  {
+    const int face = std::min(Faces - 1, static_cast<int>((u + 0.5) / rows));
+    const double a = 2.0 * ((u + 0.5) / rows - face) - 1.0;
+    const double b = 2.0 * (v + 0.5) / rows - 1.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      direction[i] = a * FaceAxes[face][0][i] + b * FaceAxes[face][1][i] + FaceAxes[face][2][i];
+    }
+    vtkMath::Normalize(direction);
+    return true;
+  }
+  const double azimuth =
+    vtkMath::RadiansFromDegrees(((u + 0.5) / columns - 0.5) * this->FieldOfView[0]);
+  const double elevation =
+    vtkMath::RadiansFromDegrees((0.5 - (v + 0.5) / rows) * this->FieldOfView[1]);
+  direction[0] = std::cos(elevation) * std::sin(azimuth);
+  direction[1] = -std::sin(elevation);
+  direction[2] = std::cos(elevation) * std::cos(azimuth);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkRelievoPanoramaCamera::ProjectCameraPoint(const double point[3], double pixel[2])
+{
+  const double columns = this->Size[0];
+  const double rows = this->Size[1];
+  const double distance = vtkMath::Norm(point);
+  if (!(std::isfinite(distance) && distance > 0.0) ||
+    (this->Layout == CUBE && this->Size[0] != Faces * this->Size[1]))
+  {
+    return Nowhere(pixel, 2);
+  }
+  if (this->Layout == CUBE)
+  {
+    int face = 0;
+    for (int i = 1; i < Faces; ++i)
+    {
+      if (vtkMath::Dot(FaceAxes[i][2], point) > vtkMath::Dot(FaceAxes[face][2], point))
+      {
+        face = i;
+      }
+    }
+    const double ahead = vtkMath::Dot(FaceAxes[face][2], point);
+    pixel[0] =
+      (face + 0.5 + 0.5 * vtkMath::Dot(FaceAxes[face][0], point) / ahead) * rows - 0.5;
+    pixel[1] = (0.5 + 0.5 * vtkMath::Dot(FaceAxes[face][1], point) / ahead) * rows - 0.5;
+    return true;
+  }
+  const double azimuth = vtkMath::DegreesFromRadians(std::atan2(point[0], point[2]));
+  const double elevation = vtkMath::DegreesFromRadians(
+    std::atan2(-point[1], std::hypot(point[0], point[2])));
+  pixel[0] = (azimuth / this->FieldOfView[0] + 0.5) * columns - 0.5;
+  pixel[1] = (0.5 - elevation / this->FieldOfView[1]) * rows - 0.5;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoPanoramaCamera::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Layout: " << (this->Layout == CUBE ? "cube" : "equirectangular") << "\n";
+  os << indent << "FieldOfView: " << this->FieldOfView[0] << " x " << this->FieldOfView[1] << "\n";
+}

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoPanoramaCamera
+ * @brief A camera that looks all around from one place: equirectangular, or six faces of a cube.
+ *
+ * - EQUIRECTANGULAR: columns are equal steps of the angle round the camera's y axis, forward in the
+ *   middle and to the right beyond; rows equal steps of the elevation, from the highest. Whole, it
+ *   is 360 x 180 degrees; less is the middle of it.
+ * - CUBE: square faces side by side from the left, each of 90 degrees and upright: front, right,
+ *   back, left, up (its lower edge at the front), down (its upper edge at the front). The size is
+ *   six times as wide as high, or GetCameraRay() sees nothing.
+ */
+#ifndef vtkRelievoPanoramaCamera_h
+#define vtkRelievoPanoramaCamera_h
+
+#include "vtkRelievoCameraModel.h"
+
+class VTKRELIEVOCAMERAS_EXPORT vtkRelievoPanoramaCamera : public vtkRelievoCameraModel
+{
+public:
+  static vtkRelievoPanoramaCamera* New();
+  vtkTypeMacro(vtkRelievoPanoramaCamera, vtkRelievoCameraModel);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum
+  {
+    EQUIRECTANGULAR,
+    CUBE
+  };
+
+  ///@{
+  /** Which panorama; default EQUIRECTANGULAR. */
+  vtkSetClampMacro(Layout, int, EQUIRECTANGULAR, CUBE);
+  vtkGetMacro(Layout, int);
+  ///@}
+
+  ///@{
+  /** Degrees that all columns and all rows of an equirectangular panorama span; default 360, 180. */
+  void SetFieldOfView(double horizontal, double vertical);
+  vtkGetVector2Macro(FieldOfView, double);
+  ///@}
+
+  bool GetCameraRay(double u, double v, double origin[3], double direction[3]) override;
+  bool ProjectCameraPoint(const double point[3], double pixel[2]) override;
+
+protected:
+  vtkRelievoPanoramaCamera() = default;
+  ~vtkRelievoPanoramaCamera() override = default;
+
+private:
+  vtkRelievoPanoramaCamera(const vtkRelievoPanoramaCamera&) = delete;
+  void operator=(const vtkRelievoPanoramaCamera&) = delete;
+
+  int Layout = EQUIRECTANGULAR;
+  double FieldOfView[2] = { 360.0, 180.0 };
+};
+
+#endif

@@ -1,0 +1,341 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cameras in the terms of their calibration: K, R, t, lenses, panoramas, scanners."""
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+from ._errors import Watch, describe, is_a
+from ._renderers import inner_renderer
+from .vtkRelievoCameras import (
+    vtkRelievoLensCamera,
+    vtkRelievoLidar,
+    vtkRelievoOrthographicCamera,
+    vtkRelievoPanoramaCamera,
+    vtkRelievoPushbroomCamera,
+)
+
+
+class CameraModel:
+    """A sensor: its size, its pose, and the ray of each of its pixels.
+
+    Pixels are counted as OpenCV counts them: column u from the left, row v from the top, the CENTRE
+    of the first pixel at (0, 0). The pose takes a world point p to R p + t, where x is right, y down
+    and z forward (lidars: x forward, y left, z up).
+
+    model: the object of VTK that does the work, of a class vtkRelievo…Camera or vtkRelievoLidar.
+    """
+
+    def __init__(self, model, size, R, t):
+        self.model = model
+        if size is not None:
+            columns, rows = _numbers("size", size, 2)
+            if columns != int(columns) or rows != int(rows):
+                raise ValueError(f"size: got {size!r}, expected whole (columns, rows)")
+            self._call("size", model.SetSize, int(columns), int(rows))
+        if R is not None or t is not None:
+            self.pose(R, t)
+
+    def _call(self, subject, method, *values):
+        with Watch(self.model) as watch:
+            method(*values)
+        watch.raise_as(ValueError, subject)
+
+    @property
+    def size(self):
+        """(columns, rows)."""
+        return tuple(self.model.GetSize())
+
+    @property
+    def R(self):
+        """The rotation from the world to the camera, array of (3, 3)."""
+        return numpy.array(self.model.GetRotation()).reshape(3, 3)
+
+    @property
+    def t(self):
+        """The translation from the world to the camera, array of 3, world units."""
+        return numpy.array(self.model.GetTranslation())
+
+    def pose(self, R=None, t=None):
+        """Sets the pose: R of (3, 3), or a rotation vector of 3 (Rodrigues, radians), and t of 3;
+        None for the identity and 0. Returns self. Raises ValueError if R is no rotation."""
+        R = _rotation(R)
+        t = numpy.zeros(3) if t is None else _numbers("t", t, 3)
+        self._call("pose", self.model.SetExtrinsics, R.ravel().tolist(), t.tolist())
+        return self
+
+    def look_at(self, position, target, up=(0, 1, 0)):
+        """Sets the pose of a camera at `position` that looks at `target`, with `up` upwards in the
+        picture. Returns self. Raises ValueError if these say no direction."""
+        triples = (_numbers(name, each, 3).tolist() for name, each in
+                   (("position", position), ("target", target), ("up", up)))
+        self._call("look_at", self.model.LookAt, *triples)
+        return self
+
+    def rays(self, places=None):
+        """Returns (origins, directions), the rays in the world, directions of length 1.
+
+        places: pixels (n, 2) as (u, v), also between their centres; None for all pixels.
+
+        Returns two arrays of (n, 3), or of (rows, columns, 3) for all pixels; NaN where the lens
+        sees nothing.
+        """
+        origins, directions = vtkDoubleArray(), vtkDoubleArray()
+        if places is None:
+            self.model.GetRays(origins, directions)
+            columns, rows = self.size
+            shape = (rows, columns, 3)
+        else:
+            places = _rows("places", places, 2)
+            self.model.GetRays(_array(places), origins, directions)
+            shape = (len(places), 3)
+        return tuple(vtk_to_numpy(each).reshape(shape) for each in (origins, directions))
+
+    def project(self, points):
+        """Returns the places (u, v) of world points (n, 3) in the picture, array of (n, 2); NaN for
+        those that no ray meets. Places may lie outside of the picture."""
+        places = vtkDoubleArray()
+        self.model.Project(_array(_rows("points", points, 3)), places)
+        return vtk_to_numpy(places)
+
+
+class Pinhole(CameraModel):
+    """A camera with intrinsics K (3, 3), and OpenCV's distortion by choice.
+
+    distortion: k1, k2, p1, p2[, k3[, k4, k5, k6]] of Brown and Conrady, in OpenCV's order.
+    size: (columns, rows). R, t: the pose; see CameraModel.pose.
+    """
+
+    def __init__(self, K, size, R=None, t=None, distortion=()):
+        super().__init__(vtkRelievoLensCamera(), size, R, t)
+        self._lens(K, vtkRelievoLensCamera.BROWN_CONRADY, distortion)
+
+    def _lens(self, K, lens, coefficients):
+        K = _intrinsics(K)
+        self._call("K", self.model.SetIntrinsics, K[0, 0], K[1, 1], K[0, 1], K[0, 2], K[1, 2])
+        values = numpy.asarray(coefficients, float).ravel().tolist()
+        if not any(values) and lens != vtkRelievoLensCamera.FISHEYE:
+            lens, values = vtkRelievoLensCamera.PINHOLE, []
+        self._call("distortion", self.model.SetLens, lens, len(values), values)
+
+    @property
+    def K(self):
+        """The intrinsics, array of (3, 3), pixels."""
+        matrix = [0.0] * 9
+        self.model.GetIntrinsics(matrix)
+        return numpy.array(matrix).reshape(3, 3)
+
+
+class Fisheye(Pinhole):
+    """A fisheye with intrinsics K (3, 3) and OpenCV's fisheye coefficients D: k1, k2, k3, k4
+    (Kannala and Brandt). Without coefficients, angles are equal steps of the radius."""
+
+    def __init__(self, K, size, D=(), R=None, t=None):
+        CameraModel.__init__(self, vtkRelievoLensCamera(), size, R, t)
+        self._lens(K, vtkRelievoLensCamera.FISHEYE, D)
+
+
+class Division(Pinhole):
+    """A lens by Fitzgibbon's division model, of one coefficient k in units of K's focal length: the
+    straight place is the bent one over 1 + k r²."""
+
+    def __init__(self, K, size, k, R=None, t=None):
+        CameraModel.__init__(self, vtkRelievoLensCamera(), size, R, t)
+        self._lens(K, vtkRelievoLensCamera.DIVISION, [k])
+
+
+class Equirectangular(CameraModel):
+    """A panorama of equal steps of azimuth and elevation, forward in the middle.
+
+    size: (columns, rows); a whole panorama is twice as wide as high. field: degrees that its
+    columns and rows span, at most (360, 180).
+    """
+
+    def __init__(self, size, field=(360, 180), R=None, t=None):
+        super().__init__(vtkRelievoPanoramaCamera(), size, R, t)
+        self._call("field", self.model.SetFieldOfView, *_numbers("field", field, 2).tolist())
+
+
+class Cube(CameraModel):
+    """A panorama of six square faces side by side: front, right, back, left, up, down.
+
+    face: pixels of a face each way; the picture is six times as wide as high.
+    """
+
+    def __init__(self, face, R=None, t=None):
+        super().__init__(vtkRelievoPanoramaCamera(), (6 * face, face), R, t)
+        self.model.SetLayout(vtkRelievoPanoramaCamera.CUBE)
+
+
+class Orthographic(CameraModel):
+    """A camera of parallel rays, as a map: so many pixels for a world unit.
+
+    center: the pixel of its axis; None for the middle of the picture.
+    """
+
+    def __init__(self, pixels_per_unit, size, center=None, R=None, t=None):
+        super().__init__(vtkRelievoOrthographicCamera(), size, R, t)
+        if not (numpy.isfinite(pixels_per_unit) and pixels_per_unit > 0):
+            raise ValueError(f"pixels_per_unit: got {pixels_per_unit!r}, expected a number above 0")
+        self.model.SetPixelsPerUnit(pixels_per_unit)
+        if center is None:
+            center = (numpy.array(self.size) - 1) / 2
+        self.model.SetPrincipalPoint(*_numbers("center", center, 2).tolist())
+
+
+class Pushbroom(CameraModel):
+    """A line sensor that moves while it looks: row v is seen from v times `velocity`, in camera
+    space and world units, with the focal length and the column of its axis in pixels."""
+
+    def __init__(self, focal_length, velocity, size, center=None, R=None, t=None):
+        super().__init__(vtkRelievoPushbroomCamera(), size, R, t)
+        if not (numpy.isfinite(focal_length) and focal_length > 0):
+            raise ValueError(f"focal_length: got {focal_length!r}, expected pixels above 0")
+        self.model.SetFocalLength(focal_length)
+        self.model.SetPrincipalColumn((self.size[0] - 1) / 2 if center is None else center)
+        self.model.SetVelocity(*_numbers("velocity", velocity, 3).tolist())
+
+
+class Lidar(CameraModel):
+    """A laser scanner, whose pose has x forward, y left, z up.
+
+    elevations: degrees of each beam above the plane z = 0.
+    steps: a spinning sensor's steps in a turn: its picture has a row for each beam, a column for
+        each step. turn: azimuths, in degrees from x towards y, of the first step and behind the
+        last one. offsets: azimuths of each beam beside it.
+    azimuths: in place of steps, the azimuth of each beam: a picture of one row.
+    """
+
+    def __init__(self, elevations, steps=None, azimuths=None, turn=(180, -180), offsets=None,
+                 R=None, t=None):
+        super().__init__(vtkRelievoLidar(), None, R, t)
+        if (steps is None) == (azimuths is None):
+            raise ValueError("Lidar: expected either steps, of a spinning sensor, or azimuths, as "
+                             "many as elevations")
+        elevations = numpy.asarray(elevations, float).ravel().tolist()
+        count = len(elevations)
+        if azimuths is not None:
+            azimuths = _numbers("azimuths", azimuths, count).tolist()
+            self._call("azimuths", self.model.SetDirections, count, azimuths, elevations)
+            return
+        turn = _numbers("turn", turn, 2).tolist()
+        self._call("elevations", self.model.SetSpinning, count, elevations, int(steps), *turn)
+        if offsets is not None:
+            offsets = _numbers("offsets", offsets, count).tolist()
+            self._call("offsets", self.model.SetAzimuthOffsets, count, offsets)
+
+
+def camera(target=None, *, K, size, R=None, t=None, near=None, far=None):
+    """Sets a vtkCamera from a calibration, and returns it.
+
+        relievo.camera(renderer, K=K, R=R, t=t, size=(1280, 720))
+        image = relievo.capture(renderer, ["depth", "cell"], size=(1280, 720))
+
+    target: a vtkCamera, a renderer or a plotter; None for a new vtkCamera.
+    K: intrinsics (3, 3) in pixels, OpenCV's: fx and fy may differ, the principal point may lie
+        anywhere, a skew is allowed. The centre of the first pixel, at the top left, is (0, 0).
+    size: (columns, rows) of the picture that K is for. In a window of another shape the
+        height, fx and fy stay; intrinsics() says the rest.
+    R, t: the pose, world to camera, x right, y down, z forward; R (3, 3) or a rotation vector; see
+        cv2.solvePnP. None for the identity and 0.
+    near, far: the clipping planes, world units; None to fit them to what the renderer shows, or to
+        leave the camera's.
+
+    Raises ValueError for a K that is no upper triangle, or an R that is no rotation. A camera with
+    a distorting lens is a Pinhole, Fisheye, …, for capture(…, camera=).
+    """
+    model = Pinhole(K, size, R, t)
+    renderer = None if target is None or is_a(target, "vtkCamera") else inner_renderer(target)
+    if renderer is not None:
+        found = renderer.GetActiveCamera()
+        if getattr(renderer, "camera_set", True) is False:
+            renderer.camera_set = True  # PyVista would place it when it is first shown
+    elif target is None:
+        found = vtkCamera()
+    elif is_a(target, "vtkCamera"):
+        found = target
+    else:
+        raise ValueError(f"target: got {describe(target)}, expected a vtkCamera, a renderer or "
+                         f"something with a .renderer")
+    model._call("camera", model.model.ApplyTo, found)
+    if near is None and far is None:
+        if renderer is not None:
+            renderer.ResetCameraClippingRange()
+        return found
+    old = found.GetClippingRange()
+    planes = [old[i] if each is None else float(each) for i, each in enumerate((near, far))]
+    if not 0 < planes[0] < planes[1] < numpy.inf:
+        raise ValueError(f"near, far: got {planes[0]:g} and {planes[1]:g}, expected 0 < near < far")
+    found.SetClippingRange(*planes)
+    return found
+
+
+def intrinsics(camera, size):
+    """Returns K, array of (3, 3) in pixels, of a vtkCamera, a renderer or a plotter, as seen in a
+    picture of size (columns, rows). Raises ValueError for one that is no perspective camera."""
+    return _taken(camera, size).K
+
+
+def extrinsics(camera):
+    """Returns (R, t), arrays of (3, 3) and 3: from the world to x right, y down, z forward, of a
+    vtkCamera, a renderer or a plotter."""
+    taken = _taken(camera, (1, 1))
+    return taken.R, taken.t
+
+
+def _taken(given, size):
+    renderer = None if is_a(given, "vtkCamera") else inner_renderer(given)
+    found = given if renderer is None else renderer.GetActiveCamera()
+    if not is_a(found, "vtkCamera"):
+        raise ValueError(f"camera: got {describe(given)}, expected a vtkCamera, a renderer or "
+                         f"something with a .renderer")
+    taken = Pinhole(numpy.eye(3), size)
+    taken._call("camera", taken.model.TakeFrom, found, *taken.size)
+    return taken
+
+
+def _numbers(name, values, count):
+    try:
+        array = numpy.asarray(values, float).ravel()
+    except (TypeError, ValueError):
+        array = numpy.empty(0)
+    if array.size != count or not numpy.isfinite(array).all():
+        raise ValueError(f"{name}: got {values!r}, expected {count} finite numbers")
+    return array
+
+
+def _rows(name, values, count):
+    array = numpy.ascontiguousarray(values, dtype=float)
+    if array.ndim == 1 and array.size == count:
+        array = array[None]
+    if array.ndim != 2 or array.shape[1] != count:
+        raise ValueError(f"{name}: got an array of {array.shape}, expected (n, {count})")
+    return array
+
+
+def _array(values):
+    return numpy_to_vtk(values, deep=True)
+
+
+def _intrinsics(K):
+    K = _numbers("K", K, 9).reshape(3, 3)
+    if K[1, 0] != 0 or (K[2] != (0, 0, 1)).any():
+        raise ValueError(f"K: got {K.tolist()}, expected [[fx, skew, cx], [0, fy, cy], [0, 0, 1]]")
+    return K
+
+
+def _rotation(R):
+    if R is None:
+        return numpy.eye(3)
+    if numpy.size(R) != 3:
+        return _numbers("R", R, 9).reshape(3, 3)
+    # Rodrigues' formula.
+    vector = _numbers("R", R, 3)
+    angle = numpy.linalg.norm(vector)
+    if angle == 0:
+        return numpy.eye(3)
+    x, y, z = vector / angle
+    cross = numpy.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return numpy.eye(3) + numpy.sin(angle) * cross + (1 - numpy.cos(angle)) * cross @ cross

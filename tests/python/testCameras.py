@@ -1,0 +1,311 @@
+# SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cameras by their calibration: pictures against projections by hand, lenses against OpenCV."""
+
+import os
+import tempfile
+import unittest
+
+import numpy
+import scenes
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderWindow
+
+import relievo
+
+# cv2.projectPoints and cv2.fisheye.projectPoints of OpenCV 5.0.0 of these points, pose and lenses.
+POINTS = numpy.array([[0, 0, 0], [1, 0.5, -0.3], [-0.8, 0.7, 0.4], [0.5, -0.9, 1.2],
+                      [1.4, 1.1, 0.2], [-1.2, -0.6, -0.9]])
+K = numpy.array([[820.5, 0, 333.25], [0, 790.25, 210.75], [0, 0, 1]])
+SIZE = (640, 480)
+VECTOR = (0.3, -0.2, 0.15)
+SHIFT = (0.1, -0.2, 3.0)
+FISHEYE = (0.02, -0.013, 0.006, -0.0011)
+BROWN = (-0.25, 0.07, 0.001, -0.0007, -0.01)
+RATIONAL = (0.4, -0.1, 0.0006, 0.0011, 0.03, 0.65, -0.05, 0.02)
+SKEWED = K + [[0, 0.01 * 820.5, 0], [0, 0, 0], [0, 0, 0]]
+LENSES = {
+    "pinhole": relievo.Pinhole(K, SIZE, VECTOR, SHIFT),
+    "brown": relievo.Pinhole(K, SIZE, VECTOR, SHIFT, BROWN),
+    "rational": relievo.Pinhole(K, SIZE, VECTOR, SHIFT, RATIONAL),
+    "fisheye": relievo.Fisheye(K, SIZE, FISHEYE, VECTOR, SHIFT),
+    "skewed": relievo.Fisheye(SKEWED, SIZE, FISHEYE, VECTOR, SHIFT),
+}
+OPENCV = {
+    "pinhole": [
+        [360.6, 158.06666666666666], [608.8764579490243, 334.35346074399615],
+        [123.58954891561052, 267.7676712299355], [443.6068575299222, -59.250318288696974],
+        [598.8196371972922, 406.5527591180188], [-46.995513600751394, -76.96536042396565]],
+    "brown": [
+        [360.5539590981653, 158.1535975090592], [599.6492624688537, 330.3594412203599],
+        [127.0668654104353, 266.86670747835933], [439.8512408385585, -50.14469656210133],
+        [588.2052249741535, 398.9284840778239], [-17.199341097852994, -53.994468441671756]],
+    "rational": [
+        [360.56694033439675, 158.14264110378133], [600.3302309659812, 330.5304732705025],
+        [127.33619472019359, 266.7994937664782], [440.2034488775879, -50.56185517299326],
+        [588.949822884461, 399.24402545881674], [-17.32906442931511, -54.59055043623346]],
+    "fisheye": [
+        [360.5525312600903, 158.1581040139272], [597.8217125906324, 329.3960092928238],
+        [128.05376912717497, 266.5536156510006], [439.25550371608426, -48.60424752318596],
+        [586.110310609485, 397.1822556271551], [-11.984699123623557, -50.47418894205833]],
+    "skewed": [
+        [360.0064806348885, 158.1581040139272], [599.0535892198606, 329.3960092928238],
+        [128.63316636401962, 266.5536156510006], [436.56268296198397, -48.60424752318596],
+        [588.045997616661, 397.1822556271551], [-14.696935087267434, -50.47418894205833]],
+}
+
+
+def projected(matrix, R, t, points):
+    """Pixels by hand: K (R p + t), divided by its last coordinate."""
+    places = (points @ R.T + t) @ matrix.T
+    return places[..., :2] / places[..., 2:]
+
+
+def places_of(size):
+    """(rows, columns, 2): u, v of all pixels."""
+    return numpy.stack(numpy.meshgrid(numpy.arange(size[0]), numpy.arange(size[1])), axis=-1)
+
+
+class Pictures(unittest.TestCase):
+    """A vtkCamera set by K, R, t: each pixel's position lies on it."""
+
+    def check(self, matrix, size, renderer=None, viewport=(0, 0, 1, 1), window=None):
+        renderer = renderer or scenes.plane_and_sphere()
+        renderer.SetViewport(*viewport)
+        given = relievo.extrinsics(renderer)
+        relievo.camera(renderer, K=matrix, size=size, R=given[0], t=given[1])
+        image = relievo.capture(renderer, ["position", "depth"], size=window or size)
+        seen = numpy.isfinite(relievo.layer(image, "depth"))
+        self.assertGreater(seen.mean(), 0.3)
+        attributes = relievo.attributes(image)
+        position = relievo.layer(image, "position")
+        matrix = matrix if window is None else attributes["K"]
+        off = projected(matrix, given[0], given[1], position) - places_of(window or size)
+        self.assertLess(numpy.abs(off[seen]).max(), 1e-3)
+        numpy.testing.assert_allclose(attributes["K"], matrix, atol=1e-9)
+        numpy.testing.assert_allclose(attributes["R"], given[0], atol=1e-12)
+        numpy.testing.assert_allclose(attributes["t"], given[1], atol=1e-12)
+        depth = (position @ given[0].T + given[1])[..., 2]
+        numpy.testing.assert_allclose(relievo.layer(image, "depth")[seen], depth[seen], rtol=1e-6)
+        return image
+
+    def test_sizes_and_intrinsics(self):
+        for matrix, size in (
+            ([[300, 0, 159.5], [0, 300, 119.5], [0, 0, 1]], (320, 240)),
+            ([[310.5, 0, 101.25], [0, 275.75, 130.5], [0, 0, 1]], (321, 239)),
+            ([[310.5, 12.5, 190.0], [0, 275.75, 88.0], [0, 0, 1]], (320, 241)),
+            ([[200, -8, -20.0], [0, 190, 250.0], [0, 0, 1]], (199, 201)),
+        ):
+            with self.subTest(size=size, K=matrix):
+                self.check(numpy.array(matrix, float), size)
+
+    def test_viewports(self):
+        self.check(numpy.array([[250, 3, 90.0], [0, 260, 80.0], [0, 0, 1]]), (180, 140),
+                   viewport=(0.5, 0.25, 1, 0.95))
+
+    def test_window_of_another_shape(self):
+        # Its height is that of the picture, and so is fy; K of the attributes is the picture's own.
+        matrix = numpy.array([[310.5, 7.0, 150.0], [0, 275.75, 130.5], [0, 0, 1]])
+        image = self.check(matrix, (320, 240), window=(500, 240))
+        found = relievo.attributes(image)["K"]
+        numpy.testing.assert_allclose(numpy.diag(found), numpy.diag(matrix), rtol=1e-12)
+        self.assertAlmostEqual(found[1, 2], matrix[1, 2], 9)
+
+    def test_far_from_the_origin(self):
+        renderer = scenes.plane_and_sphere(far_from_origin=(5e5, -2e5, 1e5))
+        self.check(numpy.array([[300, 0, 150.0], [0, 280, 120.0], [0, 0, 1]]), (320, 240), renderer)
+
+    def test_files_carry_it(self):
+        image = self.check(K * [[0.4], [0.4], [1]], (256, 192))
+        before = relievo.attributes(image)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.exr")
+            relievo.write_exr(path, image)
+            after = relievo.attributes(relievo.read_exr(path))
+        for name in ("K", "R", "t"):
+            numpy.testing.assert_array_equal(before[name], after[name])
+
+    def test_parallel_has_no_intrinsics(self):
+        renderer = scenes.plane_and_sphere(parallel=True)
+        image = relievo.capture(renderer, "depth", size=(64, 64))
+        self.assertNotIn("K", relievo.attributes(image))
+        with self.assertRaisesRegex(ValueError, "parallel"):
+            relievo.intrinsics(renderer, (64, 64))
+
+
+class Setting(unittest.TestCase):
+    """What camera() takes, keeps and refuses."""
+
+    def test_round_trip(self):
+        found = relievo.camera(K=SKEWED, size=SIZE, R=VECTOR, t=SHIFT, near=0.5, far=80)
+        self.assertEqual(found.GetClippingRange(), (0.5, 80))
+        numpy.testing.assert_allclose(relievo.intrinsics(found, SIZE), SKEWED, rtol=1e-12)
+        R, t = relievo.extrinsics(found)
+        numpy.testing.assert_allclose(t, SHIFT, atol=1e-12)
+        numpy.testing.assert_allclose(R @ R.T, numpy.eye(3), atol=1e-12)
+        numpy.testing.assert_allclose(projected(SKEWED, R, t, POINTS),
+                                      projected(SKEWED, LENSES["pinhole"].R, t, POINTS))
+
+    def test_intrinsics_of_any_camera(self):
+        found = vtkCamera()
+        found.SetViewAngle(40)
+        matrix = relievo.intrinsics(found, (200, 100))
+        focal = 50 / numpy.tan(numpy.radians(20))
+        numpy.testing.assert_allclose(matrix, [[focal, 0, 99.5], [0, focal, 49.5], [0, 0, 1]])
+        found.SetWindowCenter(0.25, 0)  # a quarter of half of the picture
+        self.assertAlmostEqual(relievo.intrinsics(found, (200, 100))[0, 2], 99.5 - 25)
+        found.UseHorizontalViewAngleOn()
+        self.assertAlmostEqual(relievo.intrinsics(found, (200, 100))[0, 0], 2 * focal)
+
+    def test_an_earlier_skew_is_gone(self):
+        found = relievo.camera(K=SKEWED, size=SIZE)
+        relievo.camera(found, K=K * [[790.25 / 820.5], [1], [1]], size=SIZE)
+        self.assertIsNone(found.GetUserTransform())
+
+    def test_windows_keep_theirs(self):
+        renderer = scenes.plane_and_sphere()
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(True)
+        window.SetSize(*SIZE)
+        window.AddRenderer(renderer)
+        self.assertIs(relievo.camera(renderer, K=K, size=SIZE), renderer.GetActiveCamera())
+
+    def test_refused(self):
+        mirror = numpy.diag([1.0, 1.0, -1.0])
+        for words, change in (
+            ("R is no rotation", {"R": numpy.eye(3) * 1.1}),
+            ("mirrors", {"R": mirror}),
+            ("K: got", {"K": numpy.ones((3, 3))}),
+            ("K: .*above 0", {"K": numpy.diag([-1.0, 1, 1])}),
+            ("size: got", {"size": (640.5, 480)}),
+            ("size: .*at least 1", {"size": (0, 480)}),
+            ("t: got", {"t": (0, numpy.nan, 0)}),
+            ("near < far", {"near": 3, "far": 2}),
+            ("target: got", {"target": "renderer"}),
+        ):
+            with self.subTest(words=words), self.assertRaisesRegex(ValueError, words):
+                relievo.camera(**{"K": K, "size": SIZE, **change})
+
+
+class Lenses(unittest.TestCase):
+    """Rays and places: OpenCV's, and each the inverse of the other."""
+
+    def test_places_are_those_of_opencv(self):
+        for name, lens in LENSES.items():
+            with self.subTest(lens=name):
+                numpy.testing.assert_allclose(lens.project(POINTS), OPENCV[name], atol=1e-9)
+
+    def check_inverse(self, sensor, share, tolerance=1e-9):
+        """Points along the rays are seen where the rays begin."""
+        origins, directions = sensor.rays()
+        places = places_of(sensor.size)
+        seen = numpy.isfinite(directions).all(axis=-1)
+        self.assertGreaterEqual(seen.mean(), share)
+        numpy.testing.assert_allclose(numpy.linalg.norm(directions[seen], axis=-1), 1, atol=1e-12)
+        for far in (0.5, 70.0):
+            found = sensor.project((origins + far * directions)[seen])
+            self.assertLess(numpy.abs(found - places[seen]).max(), tolerance)
+        return seen
+
+    def test_rays_are_inverse(self):
+        wide = numpy.array([[100, 1.5, 158.0], [0, 98, 121.0], [0, 0, 1]])
+        size = (320, 240)
+        pose = {"R": VECTOR, "t": SHIFT}
+        for name, sensor, share in (
+            *((name, lens, 0.99) for name, lens in LENSES.items()),
+            ("barrel", relievo.Pinhole(wide, size, **pose, distortion=(-0.12, 0.004)), 0.5),
+            ("pincushion", relievo.Pinhole(wide, size, **pose, distortion=(0.3, 0.1)), 1),
+            ("wide fisheye", relievo.Fisheye(wide, size, (-0.02, 0.001), **pose), 0.9),
+            ("division", relievo.Division(wide, size, -0.3, **pose), 1),
+            ("equirectangular", relievo.Equirectangular((64, 32), **pose), 1),
+            ("part of one", relievo.Equirectangular((64, 32), (120, 50), **pose), 1),
+            ("cube", relievo.Cube(17, **pose), 1),
+            ("orthographic", relievo.Orthographic(37.5, size, **pose), 1),
+            ("push-broom", relievo.Pushbroom(300, (0.01, 0.02, -0.001), size, **pose), 1),
+        ):
+            with self.subTest(sensor=name):
+                self.check_inverse(sensor, share)
+
+    def test_nothing_is_seen_twice(self):
+        # r - 0.2 r^3 grows up to r = sqrt(5 / 3), where it is 2 / 3 of that.
+        sensor = relievo.Pinhole([[100, 0, 150], [0, 100, 150], [0, 0, 1]], (301, 301),
+                                 distortion=(-0.2,))
+        seen = self.check_inverse(sensor, 0.25, 1e-6)
+        radius = numpy.linalg.norm(places_of((301, 301)) - 150.0, axis=-1)
+        edge = 100 * 2 / 3 * numpy.sqrt(5 / 3)
+        self.assertTrue(seen[radius < edge - 1e-6].all())
+        self.assertFalse(seen[radius > edge + 1e-6].any())
+        beyond = numpy.sqrt(5 / 3) + 0.01
+        self.assertTrue(numpy.isnan(sensor.project([[beyond, 0, 1]])).all())
+
+    def test_behind(self):
+        for sensor in (LENSES["pinhole"], LENSES["brown"]):
+            behind = (numpy.array([0, 0, -1.0]) - sensor.t) @ sensor.R
+            self.assertTrue(numpy.isnan(sensor.project([behind])).all())
+        wide = relievo.Fisheye(numpy.diag([40.0, 40, 1]), (9, 9))
+        angle = numpy.radians(100)
+        found = wide.project([[numpy.sin(angle), 0, numpy.cos(angle)]])
+        numpy.testing.assert_allclose(found, [[40 * angle, 0]], atol=1e-9)
+
+    def test_panoramas(self):
+        sensor = relievo.Equirectangular((360, 180))
+        for point, place in (
+            ((0, 0, 1), (179.5, 89.5)), ((1, 0, 0), (269.5, 89.5)), ((-1, 0, 0), (89.5, 89.5)),
+            ((0, -1, 1), (179.5, 44.5)), ((0, 1, 1), (179.5, 134.5)),
+        ):
+            numpy.testing.assert_allclose(sensor.project([point]), [place], atol=1e-9)
+        faces = [relievo.Cube(10).rays([(10 * i + 4.5, 4.5)])[1][0] for i in range(6)]
+        numpy.testing.assert_allclose(faces, [(0, 0, 1), (1, 0, 0), (0, 0, -1), (-1, 0, 0),
+                                              (0, -1, 0), (0, 1, 0)], atol=1e-12)
+        # Faces are upright: the first row looks up, and each column's neighbour is the next face.
+        directions = relievo.Cube(10).rays()[1]
+        self.assertTrue((directions[0, :40, 1] < 0).all())
+        for edge in (10, 20, 30):
+            step = directions[:, edge - 1] - directions[:, edge]
+            self.assertLess(numpy.linalg.norm(step, axis=-1).max(), 0.2)
+        self.assertGreater(directions[9, 44, 2], 0)  # up: its lower edge is in front
+        self.assertGreater(directions[0, 54, 2], 0)  # down: its upper edge is
+
+    def test_lidars(self):
+        sensor = relievo.Lidar([10, 0, -10], steps=4, offsets=[0, 1, 0])
+        self.assertEqual(sensor.size, (4, 3))
+        origins, directions = sensor.rays()
+        self.assertTrue((origins == 0).all())
+        azimuth = numpy.degrees(numpy.arctan2(directions[..., 1], directions[..., 0])) % 360
+        expected = numpy.array([180, 90, 0, 270]) + [[0], [1], [0]]
+        numpy.testing.assert_allclose(azimuth, expected, atol=1e-9)
+        elevation = numpy.degrees(numpy.arcsin(directions[..., 2]))
+        numpy.testing.assert_allclose(elevation, [[10] * 4, [0] * 4, [-10] * 4], atol=1e-9)
+        beams = relievo.Lidar([0, 90], azimuths=[90, 0]).rays()[1]
+        numpy.testing.assert_allclose(beams, [[(0, 1, 0), (0, 0, 1)]], atol=1e-12)
+        sensor.look_at((1, 2, 3), (1, 7, 3), (0, 0, 1))
+        origins, directions = sensor.rays([(2, 1)])
+        numpy.testing.assert_allclose(origins, [(1, 2, 3)], atol=1e-12)
+        turned = numpy.radians(91)
+        numpy.testing.assert_allclose(directions, [(numpy.cos(turned), numpy.sin(turned), 0)],
+                                      atol=1e-12)
+
+    def test_look_at(self):
+        sensor = relievo.Pinhole(K, SIZE).look_at((1, 2, 3), (1, 2, -5), (0, 1, 0))
+        numpy.testing.assert_allclose(sensor.project([(1, 2, 0)]), [K[:2, 2]], atol=1e-9)
+        self.assertLess(sensor.project([(1, 2.1, 0)])[0, 1], K[1, 2])
+        self.assertGreater(sensor.project([(1.1, 2, 0)])[0, 0], K[0, 2])
+        with self.assertRaisesRegex(ValueError, "no view"):
+            sensor.look_at((1, 2, 3), (1, 2, 9), (0, 0, 1))
+
+    def test_refused(self):
+        for words, make in (
+            ("at most 8", lambda: relievo.Pinhole(K, SIZE, distortion=[0.1] * 12)),
+            ("at most 4", lambda: relievo.Fisheye(K, SIZE, [0.1] * 5)),
+            ("field", lambda: relievo.Equirectangular((8, 4), (400, 180))),
+            ("pixels_per_unit", lambda: relievo.Orthographic(0, SIZE)),
+            ("either steps", lambda: relievo.Lidar([0, 1])),
+            ("azimuths: got", lambda: relievo.Lidar([0, 1], azimuths=[0])),
+            ("places: got", lambda: relievo.Pinhole(K, SIZE).rays([[1, 2, 3]])),
+            ("points: got", lambda: relievo.Pinhole(K, SIZE).project([[1, 2]])),
+        ):
+            with self.subTest(words=words), self.assertRaisesRegex(ValueError, words):
+                make()
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
