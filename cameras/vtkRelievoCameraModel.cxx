@@ -12,8 +12,8 @@
 
 namespace
 {
-constexpr vtkIdType Grain = 4096;         // rays that a thread takes at once
-constexpr double RotationError = 1e-3;    // of an element of R transposed times R
+constexpr vtkIdType Grain = 4096;      // rays that a thread takes at once
+constexpr double RotationError = 1e-3; // of an element of R transposed times R
 
 bool AreFinite(const double* values, int count)
 {
@@ -26,8 +26,7 @@ void Turn(const double rotation[9], const double camera[3], double world[3])
   const double from[3] = { camera[0], camera[1], camera[2] };
   for (int i = 0; i < 3; ++i)
   {
-    world[i] =
-      rotation[i] * from[0] + rotation[3 + i] * from[1] + rotation[6 + i] * from[2];
+    world[i] = rotation[i] * from[0] + rotation[3 + i] * from[1] + rotation[6 + i] * from[2];
   }
 }
 }

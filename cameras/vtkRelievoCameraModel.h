@@ -5,8 +5,8 @@
  * @brief A sensor as people calibrate it: its size, its pose, and the ray of each of its pixels.
  *
  * Pixels are counted as OpenCV counts them: column u from the left, row v from the top, the centre
- * of the first pixel at (0, 0), so that the picture reaches from -0.5 to columns - 0.5. Camera space
- * is x right, y down, z forward, in world units; the pose takes a world point p to R p + t.
+ * of the first pixel at (0, 0), so that the picture reaches from -0.5 to columns - 0.5. Camera
+ * space is x right, y down, z forward, in world units; the pose takes a world point p to R p + t.
  *
  * Subclasses say which ray belongs to a pixel, and which pixel to a point.
  *

@@ -97,8 +97,8 @@ void vtkRelievoLensCamera::SetLens(int lens, int count, const double* coefficien
 {
   if (lens < PINHOLE || lens > DIVISION)
   {
-    vtkErrorMacro("There is no lens " << lens << ", expected " << PINHOLE << " to " << DIVISION
-                                      << ".");
+    vtkErrorMacro(
+      "There is no lens " << lens << ", expected " << PINHOLE << " to " << DIVISION << ".");
     return;
   }
   if (count < 0 || count > Used[lens] ||
@@ -366,8 +366,7 @@ bool vtkRelievoLensCamera::ApplyTo(vtkCamera* camera)
   camera->SetViewUp(-down[0], -down[1], -down[2]);
   camera->SetParallelProjection(0);
   camera->SetUseHorizontalViewAngle(0);
-  camera->SetViewAngle(
-    vtkMath::DegreesFromRadians(2.0 * std::atan2(0.5 * rows, this->FocalY)));
+  camera->SetViewAngle(vtkMath::DegreesFromRadians(2.0 * std::atan2(0.5 * rows, this->FocalY)));
   camera->SetWindowCenter(-(center[0] - shear * center[1]) / stretch, -center[1]);
   camera->SetViewShear(0.0, 0.0, 1.0);
   camera->SetUseExplicitProjectionTransformMatrix(false);
@@ -409,14 +408,14 @@ bool vtkRelievoLensCamera::TakeFrom(vtkCamera* camera, int columns, int rows)
   }
   if (!IsPinhole(camera))
   {
-    vtkErrorMacro("The camera has no intrinsics K: "
-      << (camera->GetParallelProjection() ? "its projection is parallel"
-                                          : "its projection is none of a pinhole")
-      << ", expected a perspective camera.");
+    vtkErrorMacro("The camera has no intrinsics K: " << (camera->GetParallelProjection()
+                                                            ? "its projection is parallel"
+                                                            : "its projection is none of a pinhole")
+                                                     << ", expected a perspective camera.");
     return false;
   }
-  vtkMatrix4x4* projection = camera->GetProjectionTransformMatrix(
-    static_cast<double>(columns) / rows, -1.0, 1.0);
+  vtkMatrix4x4* projection =
+    camera->GetProjectionTransformMatrix(static_cast<double>(columns) / rows, -1.0, 1.0);
   const auto at = [projection](int i, int j) { return projection->GetElement(i, j); };
   vtkMatrix4x4* view = camera->GetModelViewTransformMatrix();
   double rotation[9];
@@ -440,7 +439,8 @@ bool vtkRelievoLensCamera::TakeFrom(vtkCamera* camera, int columns, int rows)
   this->SetSize(columns, rows);
   this->SetLens(PINHOLE, 0, nullptr);
   this->SetIntrinsics(0.5 * columns * at(0, 0) / w, 0.5 * rows * at(1, 1) / w,
-    -0.5 * columns * at(0, 1) / w, 0.5 * columns * (1.0 - at(0, 2) / w) - 0.5, 0.5 * rows * (1.0 + at(1, 2) / w) - 0.5);
+    -0.5 * columns * at(0, 1) / w, 0.5 * columns * (1.0 - at(0, 2) / w) - 0.5,
+    0.5 * rows * (1.0 + at(1, 2) / w) - 0.5);
   return true;
 }
 

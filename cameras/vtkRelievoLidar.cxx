@@ -92,8 +92,7 @@ void vtkRelievoLidar::SetDirections(int beams, const double* azimuths, const dou
 }
 
 //------------------------------------------------------------------------------
-void vtkRelievoLidar::LookAt(
-  const double position[3], const double target[3], const double up[3])
+void vtkRelievoLidar::LookAt(const double position[3], const double target[3], const double up[3])
 {
   const vtkMTimeType before = this->GetMTime();
   this->Superclass::LookAt(position, target, up);

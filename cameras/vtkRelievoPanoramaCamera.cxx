@@ -96,14 +96,13 @@ bool vtkRelievoPanoramaCamera::ProjectCameraPoint(const double point[3], double 
       }
     }
     const double ahead = vtkMath::Dot(FaceAxes[face][2], point);
-    pixel[0] =
-      (face + 0.5 + 0.5 * vtkMath::Dot(FaceAxes[face][0], point) / ahead) * rows - 0.5;
+    pixel[0] = (face + 0.5 + 0.5 * vtkMath::Dot(FaceAxes[face][0], point) / ahead) * rows - 0.5;
     pixel[1] = (0.5 + 0.5 * vtkMath::Dot(FaceAxes[face][1], point) / ahead) * rows - 0.5;
     return true;
   }
   const double azimuth = vtkMath::DegreesFromRadians(std::atan2(point[0], point[2]));
-  const double elevation = vtkMath::DegreesFromRadians(
-    std::atan2(-point[1], std::hypot(point[0], point[2])));
+  const double elevation =
+    vtkMath::DegreesFromRadians(std::atan2(-point[1], std::hypot(point[0], point[2])));
   pixel[0] = (azimuth / this->FieldOfView[0] + 0.5) * columns - 0.5;
   pixel[1] = (0.5 - elevation / this->FieldOfView[1]) * rows - 0.5;
   return true;

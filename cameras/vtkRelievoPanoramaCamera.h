@@ -36,7 +36,7 @@ public:
   ///@}
 
   ///@{
-  /** Degrees that all columns and all rows of an equirectangular panorama span; default 360, 180. */
+  /** Degrees that an equirectangular panorama's columns and rows span; default 360, 180. */
   void SetFieldOfView(double horizontal, double vertical);
   vtkGetVector2Macro(FieldOfView, double);
   ///@}

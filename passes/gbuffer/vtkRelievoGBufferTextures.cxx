@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRelievoGBufferTextures.h"
 
+#include "vtkRelievoDrawTable.h"
 #include "vtkRelievoGBufferLayout.h"
 #include "vtkRelievoGBufferTarget.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <vector>
 
 //------------------------------------------------------------------------------
 void vtkRelievoGBufferTextures::Set(const vtkRelievoGBufferLayout& layout,
@@ -17,6 +19,46 @@ void vtkRelievoGBufferTextures::Set(const vtkRelievoGBufferLayout& layout,
   this->Target = &target;
   std::copy_n(offset, 2, this->Offset);
   this->WorldNormals = worldNormals;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferTextures::SetDraws(
+  const vtkRelievoDrawTable& draws, vtkOpenGLRenderWindow* window)
+{
+  this->Draws = &draws;
+  this->Window = window;
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferTextures::Release(vtkWindow* window)
+{
+  this->Draws = nullptr;
+  this->Parts.Release(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoGBufferTextures::ActivateParts(vtkShaderProgram* program)
+{
+  if (this->Draws)
+  {
+    // Numbers of 32 bits in halves, which floats hold.
+    std::vector<float> texels;
+    for (const vtkRelievoDrawTable::PartStart& start : this->Draws->GetParts())
+    {
+      texels.insert(texels.end(),
+        { static_cast<float>(start.First >> 16), static_cast<float>(start.First & 0xffffu),
+          static_cast<float>(start.Part), 0.0f });
+    }
+    this->Draws = nullptr;
+    this->NumberOfParts = static_cast<int>(texels.size() / 4);
+    texels.resize(std::max<std::size_t>(texels.size(), 4));
+    if (!this->Parts.Upload(this->Window, texels, 4).empty())
+    {
+      this->NumberOfParts = 0; // more than a list can hold: all is one part
+    }
+  }
+  this->Parts.Activate(program, "relievoParts");
+  program->SetUniformi("relievoNumberOfParts", this->NumberOfParts);
 }
 
 //------------------------------------------------------------------------------
@@ -37,6 +79,10 @@ void vtkRelievoGBufferTextures::Activate(vtkShaderProgram* program)
   }
   program->SetUniform2i("relievoOffset", this->Offset);
   program->SetUniformi("relievoWorldNormals", this->WorldNormals);
+  if (program->IsUniformUsed("relievoNumberOfParts"))
+  {
+    this->ActivateParts(program);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -45,5 +91,9 @@ void vtkRelievoGBufferTextures::Deactivate()
   for (int i = 0; i < this->Layout->GetNumberOfAttachments(); ++i)
   {
     this->Target->GetTexture(i)->Deactivate();
+  }
+  if (this->Parts.GetTextureUnit() >= 0)
+  {
+    this->Parts.Deactivate();
   }
 }

@@ -6,8 +6,12 @@
 #define vtkRelievoGBufferTextures_h
 
 #include "vtkRelievoShading.h"
+#include "vtkRelievoTextureBuffer.h"
 
+class vtkOpenGLRenderWindow;
+class vtkRelievoDrawTable;
 class vtkRelievoGBufferTarget;
+class vtkWindow;
 struct vtkRelievoGBufferLayout;
 
 class vtkRelievoGBufferTextures : public vtkRelievoShading
@@ -17,15 +21,26 @@ public:
   void Set(const vtkRelievoGBufferLayout& layout, vtkRelievoGBufferTarget& target,
     const int offset[2], bool worldNormals);
 
+  // What ids belong together (relievoFetchPart): made of the frame's draws if a shader asks.
+  void SetDraws(const vtkRelievoDrawTable& draws, vtkOpenGLRenderWindow* window);
+  vtkIdType GetBytes() const { return this->Parts.GetBytes(); }
+  void Release(vtkWindow* window);
+
   std::string GetDefines() const override;
   void Activate(vtkShaderProgram* program) override;
   void Deactivate() override;
 
 private:
+  void ActivateParts(vtkShaderProgram* program);
+
   const vtkRelievoGBufferLayout* Layout = nullptr;
   vtkRelievoGBufferTarget* Target = nullptr;
   int Offset[2] = { 0, 0 };
   bool WorldNormals = true;
+  const vtkRelievoDrawTable* Draws = nullptr; // until they are in Parts
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkRelievoTextureBuffer Parts;
+  int NumberOfParts = 0;
 };
 
 #endif

@@ -287,6 +287,7 @@ void vtkRelievoLayersStage::Execute(vtkRelievoFrameContext& context)
   }
   std::string words = "asked for:";
   in.Textures.Set(in.Layout, in.Target, in.Offset, this->NormalSpace == WORLD);
+  in.Textures.SetDraws(in.Draws, context.Window);
   for (const std::string& layer : asked)
   {
     const bool internal = layer == "surface" || layer == "shading";
@@ -391,7 +392,7 @@ std::string vtkRelievoLayersStage::ProbePrimitiveIds(vtkOpenGLRenderWindow* wind
 //------------------------------------------------------------------------------
 vtkIdType vtkRelievoLayersStage::GetBytesHeld()
 {
-  return this->Internal->Target.GetBytes();
+  return this->Internal->Target.GetBytes() + this->Internal->Textures.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -411,6 +412,7 @@ bool vtkRelievoLayersStage::GetHoldsLayers()
 void vtkRelievoLayersStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Target.Release(window);
+  this->Internal->Textures.Release(window);
   this->Internal->Draws.Clear();
   this->Internal->Valid = false;
   this->Internal->DrawsWithoutLayers = false;

@@ -22,8 +22,8 @@ class CameraModel:
     """A sensor: its size, its pose, and the ray of each of its pixels.
 
     Pixels are counted as OpenCV counts them: column u from the left, row v from the top, the CENTRE
-    of the first pixel at (0, 0). The pose takes a world point p to R p + t, where x is right, y down
-    and z forward (lidars: x forward, y left, z up).
+    of the first pixel at (0, 0). The pose takes a world point p to R p + t, where x is right, y is
+    down and z is forward (lidars: x forward, y left, z up).
 
     model: the object of VTK that does the work, of a class vtkRelievo…Camera or vtkRelievoLidar.
     """

@@ -211,3 +211,31 @@ float relievoFetchVisibility(ivec2 pixel, int place)
   return place % 2 == 0 ? two.x : two.y;
 }
 #endif
+
+#ifdef RELIEVO_ID_WORD
+uniform samplerBuffer relievoParts; // sorted: the first word in halves, the part, or -1
+uniform int relievoNumberOfParts;
+
+// What the pixel shows a part of, as a number: an actor's block, or a glyph; 0 where nothing is.
+uint relievoFetchPart(ivec2 pixel)
+{
+  uint word = relievoFetchWord(pixel, RELIEVO_ID_WORD);
+  if (word == ~uint(0))
+  {
+    return uint(0);
+  }
+  int low = 0;
+  int high = relievoNumberOfParts;
+  while (high - low > 1)
+  {
+    int middle = (low + high) / 2;
+    vec4 start = texelFetch(relievoParts, middle);
+    uint first = uint(start.x) * uint(65536) + uint(start.y);
+    low = first <= word ? middle : low;
+    high = first <= word ? high : middle;
+  }
+  float part = texelFetch(relievoParts, low).z;
+  // The words of glyphs are below the highest bit.
+  return part < 0.0 ? word | (uint(1) << 31) : uint(part) + uint(1);
+}
+#endif

@@ -337,6 +337,40 @@ std::vector<vtkRelievoDrawTable::Hit> vtkRelievoDrawTable::GetMeshes() const
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkRelievoDrawTable::PartStart> vtkRelievoDrawTable::GetParts() const
+{
+  std::vector<PartStart> parts;
+  std::map<std::pair<const void*, int>, int> numbers; // pieces of a block are one part
+  const auto add = [&](std::uint32_t first, const Draw& draw, int block) {
+    const auto number = static_cast<int>(numbers.size());
+    parts.push_back({ first,
+      numbers.emplace(std::make_pair(draw.Actor.GetPointer(), block), number).first->second });
+  };
+  for (const Draw& draw : this->Draws)
+  {
+    if (draw.First == Nothing)
+    {
+      continue;
+    }
+    if (draw.PrimitiveSource == vtkRelievoGBufferSplice::InstanceOfGlyphs)
+    {
+      parts.push_back({ draw.First, -1 });
+      continue;
+    }
+    if (draw.Ranges.size() < 2)
+    {
+      add(draw.First, draw, draw.Ranges.empty() ? 0 : draw.Ranges[0].Block);
+      continue;
+    }
+    for (const Range& range : draw.Ranges)
+    {
+      add(draw.First + static_cast<std::uint32_t>(range.Offsets[0]), draw, range.Block);
+    }
+  }
+  return parts;
+}
+
+//------------------------------------------------------------------------------
 vtkRelievoDrawTable::Hit vtkRelievoDrawTable::Find(std::uint32_t word) const
 {
   Hit hit;

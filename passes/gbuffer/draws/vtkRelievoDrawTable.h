@@ -68,6 +68,15 @@ public:
   // After Resolve(): every mesh and every points that were drawn, with the actor.
   std::vector<Hit> GetMeshes() const;
 
+  // What belongs together among the words: from First on, up to the next one's, they are of part
+  // Part, which is an actor's block, or each of a part of its own, -1: glyphs.
+  struct PartStart
+  {
+    std::uint32_t First;
+    int Part;
+  };
+  std::vector<PartStart> GetParts() const;
+
   // What the word means; all of it nothing if it means nothing. Threads may call it at once.
   Hit Find(std::uint32_t word) const;
 

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRelievoLinesStage.h"
+
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLError.h" // for OpenGL
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRelievoFrameContext.h"
+#include "vtkRelievoFramePlan.h"
+#include "vtkRelievoScopedState.h"
+#include "vtkRelievoScreenQuad.h"
+#include "vtkRelievoScreenTarget.h"
+#include "vtkShaderProgram.h"
+
+#include <cmath>
+
+vtkStandardNewMacro(vtkRelievoLinesStage);
+
+class vtkRelievoLinesStage::Internals
+{
+public:
+  vtkRelievoScreenTarget Sides{ "linesSides" };
+  vtkRelievoScreenQuad Find;
+  vtkRelievoScreenQuad Draw;
+  std::string Failed; // said once
+};
+
+//------------------------------------------------------------------------------
+vtkRelievoLinesStage::vtkRelievoLinesStage()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkRelievoLinesStage::~vtkRelievoLinesStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkRelievoLinesStage::Describe(vtkRelievoStageDescription& description)
+{
+  description.Name = "lines";
+  description.Help = "Outlines, creases and folds as lines, as in a technical illustration.";
+  description.Slot = vtkRelievoStageDescription::COMPOSITE;
+  description.Order = -5; // on surfaces, after markers and before fog
+  description.Reads = { "depth", "geometric_normal", "actor", "color" };
+  description.Writes = { "color" };
+  description.AddNumber(
+    "width", this->Width, [this](double width) { this->SetWidth(width); }, 0.0, 16.0, "pixels",
+    "How wide lines are.");
+  description.AddColor(
+    "color", this->Color,
+    [this](const double* color) { this->SetColor(color[0], color[1], color[2]); },
+    "The lines' colour.");
+  description.AddFlag(
+    "outlines", this->Outlines, [this](bool on) { this->SetOutlines(on); },
+    "Lines round parts: actors, blocks and glyphs.");
+  description.AddFlag(
+    "creases", this->Creases, [this](bool on) { this->SetCreases(on); },
+    "Lines where a part's triangles meet at an angle.");
+  description
+    .AddNumber(
+      "crease_angle", this->CreaseAngle, [this](double angle) { this->SetCreaseAngle(angle); },
+      1.0, 180.0, "degrees", "The smallest angle that is a crease.")
+    .OnlyIf = "creases=on";
+  description.AddFlag(
+    "folds", this->Folds, [this](bool on) { this->SetFolds(on); },
+    "Lines where a part lies before itself.");
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLinesStage::Declare(
+  const vtkRelievoFrameContext&, vtkRelievoDeclaration& declaration) const
+{
+  declaration.Reads = { "depth", "actor", "color" };
+  if (this->Creases)
+  {
+    declaration.Reads.emplace_back("geometric_normal");
+  }
+  if (this->Width == 0.0 || !(this->Outlines || this->Creases || this->Folds))
+  {
+    declaration.Runs = false;
+    declaration.ReasonCode = "idle";
+    declaration.Reason = this->Width == 0.0 ? "the width is 0" : "no lines are wanted";
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkRelievoLinesStage::Draw(vtkRelievoFrameContext& context)
+{
+  Internals& in = *this->Internal;
+  vtkRelievoScreenTarget::Format format;
+  format.Channels = 2;
+  std::string wrong = in.Sides.Prepare(context, format);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  std::vector<std::string> reads = { "depth", "actor" };
+  std::string defines;
+  if (this->Creases)
+  {
+    reads.emplace_back("geometric_normal");
+    defines += "#define LINES_CREASES\n";
+  }
+  vtkShaderProgram* program = in.Find.Ready(context, "lines/sidesFS.glsl", reads, defines);
+  if (!program)
+  {
+    return in.Find.GetWrong();
+  }
+  program->SetUniformi("linesOutlines", this->Outlines);
+  program->SetUniformi("linesFolds", this->Folds);
+  program->SetUniformf("linesCreaseCosine",
+    static_cast<float>(std::cos(vtkMath::RadiansFromDegrees(this->CreaseAngle))));
+  in.Sides.Begin(context);
+  in.Find.Draw(context, in.Sides.GetArea());
+  in.Sides.End();
+  this->DrawCalls = 1;
+
+  context.Provide("lines sides", &in.Sides);
+  program = in.Draw.Ready(context, "lines/linesFS.glsl", { "lines sides" });
+  if (!program)
+  {
+    return in.Draw.GetWrong();
+  }
+  const float color[3] = { static_cast<float>(this->Color[0]), static_cast<float>(this->Color[1]),
+    static_cast<float>(this->Color[2]) };
+  program->SetUniform3f("linesColor", color);
+  program->SetUniformf("linesHalfWidth", static_cast<float>(0.5 * this->Width));
+  vtkOpenGLState* state = context.Window->GetState();
+  const vtkRelievoScopedState kept(state);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  this->DrawCalls += context.DrawColor(in.Draw, false) ? 1 : 0;
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLinesStage::Execute(vtkRelievoFrameContext& context)
+{
+  this->DrawCalls = 0;
+  const std::string wrong = this->Draw(context);
+  if (!wrong.empty())
+  {
+    this->Explain("failed", wrong);
+    if (this->Internal->Failed != wrong)
+    {
+      vtkErrorMacro("Lines are not drawn: " << wrong << ".");
+    }
+  }
+  this->Internal->Failed = wrong;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkRelievoLinesStage::GetBytesHeld()
+{
+  return this->Internal->Sides.GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkRelievoLinesStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Sides.Release(window);
+  this->Internal->Find.Release(window);
+  this->Internal->Draw.Release(window);
+  this->DrawCalls = 0;
+  this->Superclass::ReleaseGraphicsResources(window);
+}

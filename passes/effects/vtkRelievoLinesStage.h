@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkRelievoLinesStage
+ * @brief A stage that draws outlines, creases and folds as lines, as in a technical illustration.
+ *
+ * Between two neighbouring pixels there is
+ * - an outline where they show different parts: actors, blocks, glyphs, or one and nothing;
+ * - a crease where the triangles' normals of one part jump, while on both sides they do not;
+ * - a fold where the depth of one part jumps: one side lies before the other, and neither side's
+ *   slope leads there. Slopes are of 1 / depth, in which planes are straight in a perspective
+ *   picture (Saito and Takahashi 1990 draw lines from such differences).
+ *
+ * A line is drawn along the sides of the pixels between which it is, with its middle there: within
+ * half a pixel of the edge itself.
+ */
+#ifndef vtkRelievoLinesStage_h
+#define vtkRelievoLinesStage_h
+
+#include "vtkRelievoEffectsModule.h" // for the export macro
+#include "vtkRelievoStage.h"
+
+#include <memory> // for the drawing half
+
+class VTKRELIEVOEFFECTS_EXPORT vtkRelievoLinesStage : public vtkRelievoStage
+{
+public:
+  static vtkRelievoLinesStage* New();
+  vtkTypeMacro(vtkRelievoLinesStage, vtkRelievoStage);
+
+  ///@{
+  /** Which lines are drawn. Default all of them; without any the stage does not run. */
+  vtkSetMacro(Outlines, bool);
+  vtkGetMacro(Outlines, bool);
+  vtkBooleanMacro(Outlines, bool);
+  vtkSetMacro(Creases, bool);
+  vtkGetMacro(Creases, bool);
+  vtkBooleanMacro(Creases, bool);
+  vtkSetMacro(Folds, bool);
+  vtkGetMacro(Folds, bool);
+  vtkBooleanMacro(Folds, bool);
+  ///@}
+
+  ///@{
+  /** Width in pixels, from 0 (the stage does not run) to 16. Default 1.5. */
+  vtkSetClampMacro(Width, double, 0.0, 16.0);
+  vtkGetMacro(Width, double);
+  ///@}
+
+  ///@{
+  /** The lines' colour: red, green, blue from 0 to 1, sRGB. Default black. */
+  vtkSetVector3Macro(Color, double);
+  vtkGetVector3Macro(Color, double);
+  ///@}
+
+  ///@{
+  /** Smallest angle between two triangles that is a crease, 1 to 180 degrees. Default 30. */
+  vtkSetClampMacro(CreaseAngle, double, 1.0, 180.0);
+  vtkGetMacro(CreaseAngle, double);
+  ///@}
+
+  vtkIdType GetBytesHeld() override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkRelievoLinesStage();
+  ~vtkRelievoLinesStage() override;
+
+  void Describe(vtkRelievoStageDescription& description) override;
+  void Declare(
+    const vtkRelievoFrameContext& context, vtkRelievoDeclaration& declaration) const override;
+  void Execute(vtkRelievoFrameContext& context) override;
+
+  bool Outlines = true;
+  bool Creases = true;
+  bool Folds = true;
+  double Width = 1.5;
+  double Color[3] = { 0.0, 0.0, 0.0 };
+  double CreaseAngle = 30.0;
+
+private:
+  vtkRelievoLinesStage(const vtkRelievoLinesStage&) = delete;
+  void operator=(const vtkRelievoLinesStage&) = delete;
+
+  std::string Draw(vtkRelievoFrameContext& context);
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,92 @@
+//VTK::System::Dec
+//RELIEVO::Include(extensions.glsl)
+//RELIEVO::Defines
+//VTK::Output::Dec
+// SPDX-FileCopyrightText: Copyright (c) The Relievo authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Which sides of a pixel are lines: x the one to its right, y the one above it. LINES_CREASES.
+//RELIEVO::Include(gbuffer/read.glsl)
+in vec2 texCoord;
+uniform vec2 relievoSize;
+uniform mat4 relievoProjection;
+uniform int linesOutlines;
+uniform int linesFolds;
+uniform float linesCreaseCosine;
+
+// A jump is so many times what the sides lead to: two pixels within the curve of a ball's rim
+// differ by 2.4 times as much as the two beside them.
+const float linesJump = 4.0;
+const float linesSteep = 3.0; // and this many pixels' widths deep: what is less is a steep slope
+
+struct linesPixel
+{
+  uint part;    // 0: nothing
+  float depth;  // straight in the picture of a plane
+  vec3 normal;
+};
+
+linesPixel linesFetch(ivec2 pixel)
+{
+  linesPixel found = linesPixel(uint(0), 0.0, vec3(0.0));
+  if (all(greaterThanEqual(pixel, ivec2(0))) && all(lessThan(pixel, ivec2(relievoSize))))
+  {
+    found.part = relievoFetchPart(pixel);
+    float depth = relievoFetchDepth(pixel);
+    found.depth = isinf(depth) ? 0.0 : relievoParallel != 0 ? depth : 1.0 / depth;
+#ifdef LINES_CREASES
+    found.normal = relievoFetchGeometricNormal(pixel);
+#endif
+  }
+  return found;
+}
+
+// Between b and c of four pixels in a row.
+bool linesIsSide(linesPixel a, linesPixel b, linesPixel c, linesPixel d)
+{
+  if (b.part != c.part)
+  {
+    return linesOutlines != 0;
+  }
+  if (b.part == uint(0))
+  {
+    return false;
+  }
+  bool before = a.part == b.part; // there is a slope on this side
+  bool after = d.part == c.part;
+  if (linesFolds != 0 && (before || after))
+  {
+    float slope = max(before ? abs(b.depth - a.depth) : 0.0, after ? abs(d.depth - c.depth) : 0.0);
+    // A pixel's width at depth z is this of z, or this in all depths; in 1 / z it is this of 1 / z.
+    float width = 2.0 / (relievoProjection[1][1] * relievoSize.y);
+    float steep = linesSteep * width * (relievoParallel != 0 ? 1.0 : min(b.depth, c.depth));
+    if (abs(c.depth - b.depth) > linesJump * slope + steep)
+    {
+      return true;
+    }
+  }
+#ifdef LINES_CREASES
+  float jump = dot(b.normal, c.normal);
+  if (jump < linesCreaseCosine)
+  {
+    // Where it curves as much on both sides it is no crease, but round, or too far to see.
+    float beside = min(before ? dot(a.normal, b.normal) : 1.0, after ? dot(c.normal, d.normal) : 1.0);
+    return acos(clamp(jump, -1.0, 1.0)) > 2.0 * acos(clamp(beside, -1.0, 1.0));
+  }
+#endif
+  return false;
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(floor(texCoord * relievoSize));
+  linesPixel here = linesFetch(pixel);
+  linesPixel right = linesFetch(pixel + ivec2(1, 0));
+  linesPixel above = linesFetch(pixel + ivec2(0, 1));
+  // The picture ends without a line.
+  bvec2 inside = lessThan(pixel + 1, ivec2(relievoSize));
+  bool x = inside.x &&
+    linesIsSide(linesFetch(pixel - ivec2(1, 0)), here, right, linesFetch(pixel + ivec2(2, 0)));
+  bool y = inside.y &&
+    linesIsSide(linesFetch(pixel - ivec2(0, 1)), here, above, linesFetch(pixel + ivec2(0, 2)));
+  gl_FragData[0] = vec4(x ? 1.0 : 0.0, y ? 1.0 : 0.0, 0.0, 0.0);
+}
